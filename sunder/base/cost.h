@@ -1,0 +1,14 @@
+// What a query cost, in counts that are exact and the same on every machine (times are not).
+#pragma once
+
+#include <cstdint>
+
+namespace sunder {
+
+struct Cost {
+  std::uint32_t probes = 0;      // vertices whose coordinates were looked at by the search
+  std::uint32_t iterations = 0;  // steps of the search (one extreme vertex of each object a step)
+  std::uint32_t exact = 0;       // signs that no filter could decide, so that exact arithmetic did
+};
+
+}  // namespace sunder

@@ -1,0 +1,54 @@
+// The answer to "do these two convex bodies meet?", and its evidence, as plain data.
+//
+// A body is the convex hull of a table of vertices; its placement is an affine map. Evidence names vertices by their
+// position in that table. The objects are closed: touching is meeting.
+#pragma once
+
+#include <sunder/number/dyadic.h>
+#include <sunder/predicate/point.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+namespace sunder {
+
+enum class Verdict : std::uint8_t { apart, meet };
+
+// A direction in the world. Where doubles hold one that does the job, it is `given`; otherwise it is named by features
+// of the placed bodies A and B, whose exact coordinates make it, or carried as exact numbers.
+struct Direction {
+  enum class Kind : std::uint8_t {
+    given,             // the three doubles
+    normal_of_a,       // (a1 - a0) x (a2 - a0): vertices index[0..2] of A
+    normal_of_b,       // (b1 - b0) x (b2 - b0): vertices index[0..2] of B
+    edge_cross_edge,   // (a1 - a0) x (b1 - b0): vertices index[0..1] of A, index[2..3] of B
+    difference,        // b0 - a0: vertices index[0] of A, index[1] of B
+    exact,             // *numbers
+  };
+  Kind kind = Kind::given;
+  bool reversed = false;                  // the named direction times -1 (not used with `given` and `exact`)
+  std::array<std::uint32_t, 4> index{};   // meaningless for `given` and `exact`
+  Point3 given;                           // meaningless but for `given`
+  std::shared_ptr<const std::array<Dyadic, 3>> numbers;  // null but for `exact`
+};
+
+struct PairCertificate {
+  Verdict verdict = Verdict::apart;
+
+  // apart: extreme_a is a vertex of A furthest along the direction, extreme_b a vertex of B least far along it, and
+  // the first is strictly less far than the second. Meaningless for `meet`.
+  Direction direction;
+  std::uint32_t extreme_a = 0;
+  std::uint32_t extreme_b = 0;
+
+  // meet: the hulls of these count_a vertices of A and count_b vertices of B have a point in common:
+  // vertices[0 .. count_a) are of A, vertices[count_a .. count_a + count_b) of B. The two sets are minimal: the
+  // weights of the common point are unique and positive. Both counts are at least 1, together at most 5.
+  // Meaningless for `apart`.
+  std::uint8_t count_a = 0;
+  std::uint8_t count_b = 0;
+  std::array<std::uint32_t, 5> vertices{};
+};
+
+}  // namespace sunder
