@@ -1,26 +1,36 @@
-// On which side: the orientation predicates, exact for every finite double.
+// On which side: the orientation predicates, exact for every finite double, for points and for posed points.
 //
-// Each runs in stages: floating point with a derived error bound, intervals, exact. All stages evaluate one formula.
+// Each runs in stages: floating point with a derived error bound, intervals, exact numbers. All stages evaluate one
+// formula. Where a tally is given, the stage that decided is counted in it.
 // Sources: Shewchuk 1997 for the idea of adaptive signs; the bounds are derived in number/rounded.h.
 #pragma once
 
 #include <sunder/number/sign.h>
 #include <sunder/predicate/point.h>
+#include <sunder/predicate/posed.h>
 
 namespace sunder {
 
 // positive: a, b, c turn counter-clockwise (left); zero: collinear; negative: clockwise.
 // Formula: (b - a) x (c - a). Exchanging two points flips the sign.
-Sign orient_2d(const Point2& a, const Point2& b, const Point2& c);
+Sign orient_2d(const Point2& a, const Point2& b, const Point2& c, StageTally* tally = nullptr);
 
 // The same for points of space projected along an axis (0: x, 1: y, 2: z) on the plane of the other two in cyclic
 // order (for axis 2: x, y).
-Sign orient_2d_along(int axis, const Point3& a, const Point3& b, const Point3& c);
+Sign orient_2d_along(int axis, const Point3& a, const Point3& b, const Point3& c, StageTally* tally = nullptr);
+Sign orient_2d_along(int axis, const Posed& a, const Posed& b, const Posed& c, StageTally* tally = nullptr);
 
 // positive: d is on the side of the plane a, b, c to which (b - a) x (c - a) points, that is, a, b, c appear
 // counter-clockwise from d; zero: coplanar; negative: on the other side.
 // Formula: ((b - a) x (c - a)) . (d - a). Exchanging two points flips the sign.
-// (Shewchuk's orient3d and CGAL's orientation have the opposite or the same sign: mind it when comparing.)
-Sign orient_3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
+// (Shewchuk's orient3d has the opposite sign: mind it when comparing.)
+Sign orient_3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d, StageTally* tally = nullptr);
+Sign orient_3d(const Posed& a, const Posed& b, const Posed& c, const Posed& d, StageTally* tally = nullptr);
+
+// The sign of b's coordinate minus a's (axis 0: x, 1: y, 2: z).
+Sign compare_coordinate(int axis, const Posed& a, const Posed& b, StageTally* tally = nullptr);
+
+// The sign of the determinant of the 3 x 3 matrix of a pose, row by row.
+Sign determinant_sign(const Affine3& pose);
 
 }  // namespace sunder

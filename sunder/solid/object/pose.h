@@ -2,6 +2,9 @@
 #pragma once
 
 #include <sunder/predicate/point.h>
+#include <sunder/predicate/posed.h>
+
+#include <array>
 
 namespace sunder::solid {
 
@@ -11,7 +14,7 @@ namespace sunder::solid {
 class Pose {
  public:
   // The identity.
-  Pose() = default;
+  Pose() : Pose(Affine3{}) {}
 
   // linear: row by row. Throws Error bad_pose where a number is not finite or the linear part is singular
   // (decided exactly).
@@ -27,9 +30,15 @@ class Pose {
 
   const Affine3& affine() const { return affine_; }
 
+  // The sizes of the numbers of the two parts, for predicates (see predicate/posed.h).
+  const SizeRange& linear_range() const { return linear_range_; }
+  const SizeRange& translation_range() const { return translation_range_; }
+
  private:
-  explicit Pose(const Affine3& affine) : affine_(affine) {}
+  explicit Pose(const Affine3& affine);
   Affine3 affine_;
+  SizeRange linear_range_;
+  SizeRange translation_range_;
 };
 
 // The pose that applies `inner` first, then `outer`, rounded to doubles (one rounding of each sum of products is not

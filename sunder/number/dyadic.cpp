@@ -1,0 +1,120 @@
+#include <sunder/number/dyadic.h>
+
+#include <bit>
+#include <cmath>
+
+namespace sunder {
+
+namespace {
+
+// The number of bits of |x|, x not zero.
+std::int64_t bit_length(const Integer& x) {
+  return static_cast<std::int64_t>(boost::multiprecision::msb(boost::multiprecision::abs(x))) + 1;
+}
+
+// |m| 2^e cut to 53 bits (fewer where the result is subnormal): m' 2^e', and what was cut off.
+struct Cut {
+  std::uint64_t mantissa;  // below 2^53
+  std::int64_t exponent;
+  bool exact;              // nothing was cut
+  int rest;                // the rest against half a unit: -1 below, 0 equal, 1 above
+};
+
+Cut cut_to_double(const Integer& mantissa, std::int64_t exponent) {
+  const Integer size = boost::multiprecision::abs(mantissa);
+  std::int64_t drop = bit_length(size) - 53;
+  drop = std::max(drop, -1074 - exponent);  // the last bit of a double weighs at least 2^-1074
+  if (drop <= 0) return {static_cast<std::uint64_t>(size), exponent, true, -1};
+  const Integer kept = size >> static_cast<unsigned long>(drop);
+  const Integer rest = size - (kept << static_cast<unsigned long>(drop));
+  const Integer half = Integer(1) << static_cast<unsigned long>(drop - 1);
+  return {static_cast<std::uint64_t>(kept), exponent + drop, rest == 0, rest.compare(half)};
+}
+
+double scaled(std::uint64_t mantissa, std::int64_t exponent) {
+  if (mantissa == 0) return 0;
+  const std::int64_t top = exponent + 64;  // enough to tell an overflow, whatever the exponent's size
+  return std::ldexp(static_cast<double>(mantissa), static_cast<int>(std::clamp<std::int64_t>(top, -3000, 3000) - 64));
+}
+
+}  // namespace
+
+Dyadic::Dyadic(double x) {
+  const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
+  std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
+  const std::int64_t field = static_cast<std::int64_t>(bits >> 52 & 0x7ff);
+  if (field != 0) fraction |= std::uint64_t{1} << 52;
+  if (fraction == 0) return;
+  const int zeros = std::countr_zero(fraction);
+  mantissa_ = fraction >> zeros;
+  if (bits >> 63) mantissa_ = -mantissa_;
+  exponent_ = std::max<std::int64_t>(field, 1) - 1075 + zeros;
+}
+
+Sign Dyadic::sign() const { return static_cast<Sign>(mantissa_.sign()); }
+
+Interval Dyadic::enclosure() const {
+  if (mantissa_ == 0) return {0.0};
+  const Cut cut = cut_to_double(mantissa_, exponent_);
+  const double low = scaled(cut.mantissa, cut.exponent);
+  const double high = cut.exact ? low : scaled(cut.mantissa + 1, cut.exponent);
+  const double inner = std::isinf(low) ? std::numeric_limits<double>::max() : low;
+  return mantissa_ > 0 ? Interval{inner, high} : Interval{-high, -inner};
+}
+
+double Dyadic::nearest() const {
+  if (mantissa_ == 0) return 0;
+  const Cut cut = cut_to_double(mantissa_, exponent_);
+  const bool up = !cut.exact && (cut.rest > 0 || (cut.rest == 0 && cut.mantissa % 2 == 1));
+  const double size = scaled(cut.mantissa + (up ? 1 : 0), cut.exponent);
+  return mantissa_ > 0 ? size : -size;
+}
+
+std::string Dyadic::hexadecimal() const {
+  if (mantissa_ == 0) return "0x0p+0";
+  Integer size = boost::multiprecision::abs(mantissa_);
+  std::int64_t exponent = exponent_;
+  const auto zeros = boost::multiprecision::lsb(size);
+  size >>= zeros;
+  exponent += static_cast<std::int64_t>(zeros);
+  std::string text = mantissa_ < 0 ? "-0x" : "0x";
+  text += size.str(0, std::ios_base::hex);
+  text += exponent < 0 ? "p-" : "p+";
+  return text + std::to_string(std::abs(exponent));
+}
+
+Dyadic operator+(const Dyadic& a, const Dyadic& b) {
+  if (a.mantissa_.is_zero()) return b;
+  if (b.mantissa_.is_zero()) return a;
+  if (a.exponent_ == b.exponent_) return {a.mantissa_ + b.mantissa_, a.exponent_};
+  const bool a_higher = a.exponent_ > b.exponent_;
+  const Dyadic& high = a_higher ? a : b;
+  const Dyadic& low = a_higher ? b : a;
+  Integer shifted = high.mantissa_ << static_cast<unsigned long>(high.exponent_ - low.exponent_);
+  shifted += low.mantissa_;
+  return {std::move(shifted), low.exponent_};
+}
+
+Dyadic operator-(const Dyadic& a, const Dyadic& b) { return a + (-b); }
+
+Dyadic operator*(const Dyadic& a, const Dyadic& b) {
+  return {a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_};
+}
+
+std::string fraction_text(const Dyadic& numerator, const Dyadic& denominator) {
+  Integer n = numerator.mantissa();
+  Integer d = denominator.mantissa();
+  const std::int64_t shift = numerator.exponent() - denominator.exponent();
+  if (n == 0) return "0";
+  (shift > 0 ? n : d) <<= static_cast<unsigned long>(std::abs(shift));
+  const Integer common = boost::multiprecision::gcd(n, d);
+  n /= common;
+  d /= common;
+  if (d < 0) {
+    n = -n;
+    d = -d;
+  }
+  return d == 1 ? n.str() : n.str() + "/" + d.str();
+}
+
+}  // namespace sunder

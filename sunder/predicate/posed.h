@@ -1,0 +1,75 @@
+// A point under a pose, without computing its image: predicates decide about the exact image.
+#pragma once
+
+#include <sunder/predicate/point.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+namespace sunder {
+
+// How often which stage decided (see predicate/stages.h). Predicates add to it where one is given.
+struct StageTally {
+  std::uint32_t rounded = 0;   // floating point with an error bound
+  std::uint32_t interval = 0;
+  std::uint32_t exact = 0;
+};
+
+// The sizes of some numbers: the least and the greatest absolute value of those that are not zero.
+struct SizeRange {
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = 0;
+
+  void include(double x) {
+    const double size = std::fabs(x);
+    if (size == 0) return;
+    least = std::min(least, size);
+    greatest = std::max(greatest, size);
+  }
+};
+
+inline SizeRange size_range(std::span<const double> numbers) {
+  SizeRange range;
+  for (const double x : numbers) range.include(x);
+  return range;
+}
+
+inline SizeRange size_range(std::span<const Point3> points) {
+  SizeRange range;
+  for (const Point3& p : points) {
+    range.include(p.x);
+    range.include(p.y);
+    range.include(p.z);
+  }
+  return range;
+}
+
+// True when floating point neither overflows nor underflows in formulas of up to three factors over images of such
+// points. Every product of a matrix entry and a coordinate is a multiple of 2^-304, of size in [2^-200, 2^250] or zero,
+// and so (bar the lower limit) are the sums with the translation and their differences. A product of three of them is
+// a multiple of 2^-912 below 2^800.
+inline bool images_are_tame(const SizeRange& linear, const SizeRange& translation, const SizeRange& points) {
+  const double least = linear.least * points.least;  // an underflow gives 0: not tame; no number at all: infinity
+  const double greatest = linear.greatest * points.greatest;
+  return least >= 0x1p-200 && greatest <= 0x1p250 && translation.least >= 0x1p-250 && translation.greatest <= 0x1p250;
+}
+
+// The image of `point` under `pose`. tame: as decided by images_are_tame for these numbers (false is always allowed,
+// and costs time only).
+struct Posed {
+  Point3 point;
+  const Affine3* pose;
+  bool tame;
+};
+
+// A convenience where speed does not matter: finds out by itself whether the image is tame.
+inline Posed posed(const Point3& point, const Affine3& pose) {
+  return {point, &pose,
+          images_are_tame(size_range(std::span<const double>(pose.linear)),
+                          size_range(std::span<const double>(pose.translation)), size_range({&point, 1}))};
+}
+
+}  // namespace sunder

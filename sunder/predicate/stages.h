@@ -1,0 +1,107 @@
+// How a predicate runs through its stages: one formula, three number types. For use inside predicate/ and its tests.
+#pragma once
+
+#include <sunder/number/dyadic.h>
+#include <sunder/number/interval.h>
+#include <sunder/number/rounded.h>
+#include <sunder/number/sign.h>
+#include <sunder/predicate/posed.h>
+
+namespace sunder {
+
+template <class T>
+struct Vector3 {
+  T x, y, z;
+};
+
+template <class T, class U>
+auto operator-(const Vector3<T>& a, const Vector3<U>& b) {
+  return Vector3<decltype(a.x - b.x)>{a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+template <class T, class U>
+auto cross(const Vector3<T>& a, const Vector3<U>& b) {
+  return Vector3<decltype(a.y * b.z - a.z * b.y)>{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <class T, class U>
+auto dot(const Vector3<T>& a, const Vector3<U>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+// The three number types: how each reads a double.
+struct RoundedStage {
+  static Rounded<0> read(double x) { return leaf(x); }
+};
+struct IntervalStage {
+  static Interval read(double x) { return x; }
+};
+struct ExactStage {
+  static Dyadic read(double x) { return x; }
+};
+
+// Points as vectors of a stage's numbers.
+template <class Stage>
+auto lift(const Point3& p) {
+  const auto x = Stage::read(p.x);
+  return Vector3<decltype(Stage::read(0.0))>{x, Stage::read(p.y), Stage::read(p.z)};
+}
+
+template <class Stage>
+auto lift(const Posed& p) {
+  const auto v = lift<Stage>(p.point);
+  const auto row = [&](int i) {
+    const std::size_t r = static_cast<std::size_t>(3 * i);
+    const auto& m = p.pose->linear;
+    return (Stage::read(m[r]) * v.x + Stage::read(m[r + 1]) * v.y) +
+           (Stage::read(m[r + 2]) * v.z + Stage::read(p.pose->translation[static_cast<std::size_t>(i)]));
+  };
+  return Vector3<decltype(row(0))>{row(0), row(1), row(2)};
+}
+
+// Is the floating-point stage free of underflow for formulas of up to three factors?
+inline bool is_tame(const Point3& p) { return tame(p.x) && tame(p.y) && tame(p.z); }
+inline bool is_tame(const Posed& p) { return p.tame; }
+
+// The sign of formula(points...), by the first stage that is sure.
+template <class Formula, class... Points>
+Sign decide(StageTally* tally, const Formula& formula, const Points&... points) {
+  if ((is_tame(points) && ...)) {
+    const Guess guess = sign(formula(lift<RoundedStage>(points)...));
+    if (is_sure(guess)) {
+      if (tally) ++tally->rounded;
+      return to_sign(guess);
+    }
+  }
+  const Guess guess = sign(formula(lift<IntervalStage>(points)...));
+  if (is_sure(guess)) {
+    if (tally) ++tally->interval;
+    return to_sign(guess);
+  }
+  if (tally) ++tally->exact;
+  return formula(lift<ExactStage>(points)...).sign();
+}
+
+// The formulas.
+
+inline constexpr auto orient_3d_formula = [](const auto& a, const auto& b, const auto& c, const auto& d) {
+  return dot(cross(b - a, c - a), d - a);
+};
+
+template <int Axis>
+inline constexpr auto orient_2d_formula = [](const auto& a, const auto& b, const auto& c) {
+  const auto u = b - a;
+  const auto v = c - a;
+  if constexpr (Axis == 0) return u.y * v.z - u.z * v.y;
+  if constexpr (Axis == 1) return u.z * v.x - u.x * v.z;
+  if constexpr (Axis == 2) return u.x * v.y - u.y * v.x;
+};
+
+template <int Axis>
+inline constexpr auto difference_formula = [](const auto& a, const auto& b) {
+  if constexpr (Axis == 0) return b.x - a.x;
+  if constexpr (Axis == 1) return b.y - a.y;
+  if constexpr (Axis == 2) return b.z - a.z;
+};
+
+}  // namespace sunder
