@@ -23,8 +23,8 @@ class Pose {
   // A 4 x 4 matrix row by row, last row 0 0 0 1. Throws Error bad_pose as above, or for another last row.
   static Pose from_matrix4(const std::array<double, 16>& rows);
 
-  // The rotation of the quaternion w + x i + y j + z k, which need not have unit length: R = the usual matrix of
-  // q / |q|, rounded once to doubles, then the translation. Throws Error bad_pose for a quaternion of length zero or
+  // The rotation of the quaternion w + x i + y j + z k, which need not have unit length: the usual matrix of
+  // q / |q|, rounded to doubles, then the translation. Throws Error bad_pose for a quaternion of length zero or
   // numbers that are not finite.
   static Pose from_quaternion(double w, double x, double y, double z, const std::array<double, 3>& translation);
 

@@ -1,0 +1,76 @@
+#include <sunder/predicate/along.h>
+
+namespace sunder {
+
+namespace {
+
+// The exponent of the highest bit, for a number that is not zero.
+std::int64_t magnitude_exponent(const Dyadic& x) {
+  return static_cast<std::int64_t>(boost::multiprecision::msb(boost::multiprecision::abs(x.mantissa()))) + x.exponent();
+}
+
+}  // namespace
+
+bool WorldDirection::is_tame() const {
+  const auto component = [](double x) {
+    const double size = std::fabs(x);
+    return size == 0 || (size >= 0x1p-60 && size <= 1);
+  };
+  return component(doubles_.x) && component(doubles_.y) && component(doubles_.z);
+}
+
+Vector3<Interval> WorldDirection::enclosure() const {
+  if (is_doubles_) return lift<IntervalStage>(doubles_);
+  std::int64_t top = std::numeric_limits<std::int64_t>::min();
+  for (const Dyadic* x : {&exact_->x, &exact_->y, &exact_->z}) {
+    if (x->sign() != Sign::zero) top = std::max(top, magnitude_exponent(*x));
+  }
+  const auto scaled = [&](const Dyadic& x) {
+    return x.sign() == Sign::zero ? Interval() : Dyadic(x.mantissa(), x.exponent() - top).enclosure();
+  };
+  return {scaled(exact_->x), scaled(exact_->y), scaled(exact_->z)};
+}
+
+Vector3<Dyadic> WorldDirection::exact() const {
+  return is_doubles_ ? lift<ExactStage>(doubles_) : *exact_;
+}
+
+WorldDirection cross_direction(const Posed& a, const Posed& b, const Posed& c, const Posed& d) {
+  return WorldDirection(cross(lift<ExactStage>(b) - lift<ExactStage>(a), lift<ExactStage>(d) - lift<ExactStage>(c)));
+}
+
+WorldDirection difference_direction(const Posed& a, const Posed& b) {
+  return WorldDirection(lift<ExactStage>(b) - lift<ExactStage>(a));
+}
+
+Sign Along::compare_further(const Point3& from, const Point3& to, StageTally* tally) {
+  if (!interval_) interval_ = pulled<IntervalStage>(direction_.enclosure());
+  const Guess guess = sign(dot(*interval_, lift<IntervalStage>(to) - lift<IntervalStage>(from)));
+  if (is_sure(guess)) {
+    if (tally) ++tally->interval;
+    return to_sign(guess);
+  }
+  if (tally) ++tally->exact;
+  if (!exact_) exact_ = pulled<ExactStage>(direction_.exact());
+  return dot(*exact_, lift<ExactStage>(to) - lift<ExactStage>(from)).sign();
+}
+
+Sign compare_along(const WorldDirection& direction, const Posed& a, const Posed& b, StageTally* tally) {
+  if (direction.is_doubles() && direction.is_tame() && a.tame && b.tame) {
+    const Guess guess =
+        sign(dot(lift<RoundedStage>(direction.doubles()), lift<RoundedStage>(b) - lift<RoundedStage>(a)));
+    if (is_sure(guess)) {
+      if (tally) ++tally->rounded;
+      return to_sign(guess);
+    }
+  }
+  const Guess guess = sign(dot(direction.enclosure(), lift<IntervalStage>(b) - lift<IntervalStage>(a)));
+  if (is_sure(guess)) {
+    if (tally) ++tally->interval;
+    return to_sign(guess);
+  }
+  if (tally) ++tally->exact;
+  return dot(direction.exact(), lift<ExactStage>(b) - lift<ExactStage>(a)).sign();
+}
+
+}  // namespace sunder

@@ -1,0 +1,84 @@
+// Comparisons along a direction of the world, exact, for points of posed bodies.
+#pragma once
+
+#include <sunder/predicate/posed.h>
+#include <sunder/predicate/stages.h>
+
+#include <optional>
+
+namespace sunder {
+
+// A direction of the world: three doubles, or three exact numbers where doubles cannot hold it. Only its ray counts.
+class WorldDirection {
+ public:
+  // Exactly these doubles; all finite.
+  explicit WorldDirection(const Point3& doubles) : doubles_(doubles), is_doubles_(true) {}
+
+  explicit WorldDirection(Vector3<Dyadic> exact) : exact_(std::move(exact)) {}
+
+  bool is_doubles() const { return is_doubles_; }
+  const Point3& doubles() const { return doubles_; }  // meaningless unless is_doubles()
+
+  // True when floating point does not underflow with it: components zero or in [2^-60, 1].
+  bool is_tame() const;
+
+  Vector3<Interval> enclosure() const;  // up to a power of two
+  Vector3<Dyadic> exact() const;        // the same power of two for all
+
+ private:
+  Point3 doubles_;
+  bool is_doubles_ = false;
+  std::optional<Vector3<Dyadic>> exact_;  // set unless is_doubles_
+};
+
+// The exact direction (b - a) x (d - c), and b - a, from posed points.
+WorldDirection cross_direction(const Posed& a, const Posed& b, const Posed& c, const Posed& d);
+WorldDirection difference_direction(const Posed& a, const Posed& b);
+
+// The direction seen from the frame of a posed body: compares points of that body along it.
+class Along {
+ private:
+  // The transposed linear part times the direction.
+  template <class Stage, class Vector>
+  auto pulled(const Vector& d) const {
+    const auto& m = pose_.linear;
+    const auto column = [&](std::size_t j) {
+      return Stage::read(m[j]) * d.x + Stage::read(m[3 + j]) * d.y + Stage::read(m[6 + j]) * d.z;
+    };
+    return Vector3<decltype(column(0))>{column(0), column(1), column(2)};
+  }
+
+ public:
+  // images_tame: as decided by images_are_tame for the body. Keeps references to both arguments.
+  Along(const WorldDirection& direction, const Affine3& pose, bool images_tame)
+      : direction_(direction), pose_(pose), fast_(images_tame && direction.is_doubles() && direction.is_tame()) {
+    if (fast_) rounded_ = pulled<RoundedStage>(lift<RoundedStage>(direction.doubles()));
+  }
+
+  // The sign of direction . (image of `to` - image of `from`): positive when `to` is further along.
+  Sign compare(const Point3& from, const Point3& to, StageTally* tally = nullptr) {
+    if (fast_) {
+      const Guess guess = sign(dot(rounded_, lift<RoundedStage>(to) - lift<RoundedStage>(from)));
+      if (is_sure(guess)) {
+        if (tally) ++tally->rounded;
+        return to_sign(guess);
+      }
+    }
+    return compare_further(from, to, tally);
+  }
+
+ private:
+  Sign compare_further(const Point3& from, const Point3& to, StageTally* tally);
+
+  const WorldDirection& direction_;
+  const Affine3& pose_;
+  bool fast_;
+  Vector3<Rounded<3>> rounded_{};  // meaningless unless fast_
+  std::optional<Vector3<Interval>> interval_;
+  std::optional<Vector3<Dyadic>> exact_;
+};
+
+// The sign of direction . (b - a) for posed points of any two bodies: positive when b is further along.
+Sign compare_along(const WorldDirection& direction, const Posed& a, const Posed& b, StageTally* tally = nullptr);
+
+}  // namespace sunder

@@ -1,0 +1,175 @@
+#include <sunder/predicate/common_point.h>
+#include <sunder/predicate/orient.h>
+#include <sunder/predicate/stages.h>
+
+namespace sunder {
+
+namespace {
+
+// The points other than number `left_out`, in order.
+template <std::size_t N, class T>
+std::array<T, N - 1> others(const std::array<T, N>& points, std::size_t left_out) {
+  std::array<T, N - 1> rest{};
+  for (std::size_t i = 0, j = 0; i < N; ++i) {
+    if (i != left_out) rest[j++] = points[i];
+  }
+  return rest;
+}
+
+// The orientation of N points in the space of N - 1 dimensions that is left when the projection drops axes, in any
+// stage's numbers or as an exact sign.
+template <class P>
+auto minor_of(int, const std::array<P, 4>& p) {
+  return orient_3d_formula(p[0], p[1], p[2], p[3]);
+}
+template <class P>
+auto minor_of(int axis, const std::array<P, 3>& p) {
+  return axis == 0   ? orient_2d_formula<0>(p[0], p[1], p[2])
+         : axis == 1 ? orient_2d_formula<1>(p[0], p[1], p[2])
+                     : orient_2d_formula<2>(p[0], p[1], p[2]);
+}
+template <class P>
+auto minor_of(int axis, const std::array<P, 2>& p) {
+  return axis == 0 ? p[1].x - p[0].x : axis == 1 ? p[1].y - p[0].y : p[1].z - p[0].z;
+}
+
+Sign minor_sign(int, const std::array<Posed, 4>& p, StageTally* tally) { return orient_3d(p[0], p[1], p[2], p[3], tally); }
+Sign minor_sign(int axis, const std::array<Posed, 3>& p, StageTally* tally) {
+  return orient_2d_along(axis, p[0], p[1], p[2], tally);
+}
+Sign minor_sign(int axis, const std::array<Posed, 2>& p, StageTally* tally) {
+  return compare_coordinate(axis, p[0], p[1], tally);
+}
+
+// Do the N points lie in a common space of dimension N - 2? (N = 5: always.)
+bool is_flat(const std::array<Posed, 5>&, StageTally*) { return true; }
+bool is_flat(const std::array<Posed, 4>& p, StageTally* tally) {
+  return orient_3d(p[0], p[1], p[2], p[3], tally) == Sign::zero;
+}
+bool is_flat(const std::array<Posed, 3>& p, StageTally* tally) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (orient_2d_along(axis, p[0], p[1], p[2], tally) != Sign::zero) return false;
+  }
+  return true;
+}
+
+// Five points in floating point alone, posed once. Sets `decided` when every sign is certain or one is wrong.
+bool separated_in_floating_point(const std::array<Posed, 5>& points, std::size_t count_a, bool& decided) {
+  decided = false;
+  for (const Posed& p : points) {
+    if (!p.tame) return false;
+  }
+  std::array<Vector3<Rounded<3>>, 5> images{};
+  for (std::size_t i = 0; i < 5; ++i) images[i] = lift<RoundedStage>(points[i]);
+  int first = 0;
+  for (std::size_t i = 0; i < 5; ++i) {
+    const Guess guess = sign(minor_of(0, others(images, i)));
+    if (guess == Guess::unsure) return false;
+    // The sign of c_i, turned over for B: one value for all.
+    const int side = static_cast<int>(guess) * ((i % 2 == 0) == (i < count_a) ? 1 : -1);
+    if (side == 0 || side == -first) {
+      decided = true;
+      return false;
+    }
+    first = side;
+  }
+  decided = true;
+  return true;
+}
+
+// Along one choice of axis: -1 a sign is wrong, 0 all minors vanish (another axis is needed), 1 they separate A from B.
+template <std::size_t N>
+int separated_along(int axis, const std::array<Posed, N>& points, std::size_t count_a, StageTally* tally) {
+  int first = 0;
+  bool vanishes = false;
+  for (std::size_t i = 0; i < N; ++i) {
+    const Sign c = minor_sign(axis, others(points, i), tally);
+    const int side = static_cast<int>(c) * ((i % 2 == 0) == (i < count_a) ? 1 : -1);
+    if (side == 0) {
+      vanishes = true;
+      if (first != 0) return -1;
+    } else {
+      if (vanishes || side == -first) return -1;
+      first = side;
+    }
+  }
+  return vanishes ? 0 : 1;
+}
+
+template <std::size_t N>
+std::array<Posed, N> joined(std::span<const Posed> a, std::span<const Posed> b) {
+  std::array<Posed, N> points{};
+  for (std::size_t i = 0; i < N; ++i) points[i] = i < a.size() ? a[i] : b[i - a.size()];
+  return points;
+}
+
+template <std::size_t N>
+bool have_common_point_of(std::span<const Posed> a, std::span<const Posed> b, StageTally* tally) {
+  const std::array<Posed, N> points = joined<N>(a, b);
+  if constexpr (N == 5) {
+    bool decided = false;
+    const bool separated = separated_in_floating_point(points, a.size(), decided);
+    if (decided) {
+      if (tally) ++tally->rounded;
+      return separated;
+    }
+  }
+  if (!is_flat(points, tally)) return false;
+  for (int axis = 0; axis < (N == 5 ? 1 : 3); ++axis) {
+    const int separated = separated_along(axis, points, a.size(), tally);
+    if (separated != 0) return separated > 0;
+  }
+  return false;
+}
+
+template <std::size_t N>
+CommonPointWeights weights_of(std::span<const Posed> a, std::span<const Posed> b) {
+  const std::array<Posed, N> points = joined<N>(a, b);
+  std::array<Vector3<Dyadic>, N> images;
+  for (std::size_t i = 0; i < N; ++i) images[i] = lift<ExactStage>(points[i]);
+  CommonPointWeights weights;
+  if constexpr (N == 2) {
+    weights.numerators[0] = weights.numerators[1] = weights.denominator = Dyadic(1.0);
+  } else {
+    int axis = 0;
+    while (axis < 2 && minor_of(axis, others(images, 0)).sign() == Sign::zero) ++axis;
+    for (std::size_t i = 0; i < N; ++i) {
+      const Dyadic c = minor_of(axis, others(images, i));
+      weights.numerators[i] = c.sign() == Sign::negative ? -c : c;
+      if (i < a.size()) weights.denominator = weights.denominator + weights.numerators[i];
+    }
+  }
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    weights.point[0] = weights.point[0] + weights.numerators[i] * images[i].x;
+    weights.point[1] = weights.point[1] + weights.numerators[i] * images[i].y;
+    weights.point[2] = weights.point[2] + weights.numerators[i] * images[i].z;
+  }
+  return weights;
+}
+
+}  // namespace
+
+bool have_common_point(std::span<const Posed> a, std::span<const Posed> b, StageTally* tally) {
+  switch (a.size() + b.size()) {
+    case 2:
+      for (int axis = 0; axis < 3; ++axis) {
+        if (compare_coordinate(axis, a[0], b[0], tally) != Sign::zero) return false;
+      }
+      return true;
+    case 3: return have_common_point_of<3>(a, b, tally);
+    case 4: return have_common_point_of<4>(a, b, tally);
+    case 5: return have_common_point_of<5>(a, b, tally);
+    default: return false;
+  }
+}
+
+CommonPointWeights common_point_weights(std::span<const Posed> a, std::span<const Posed> b) {
+  switch (a.size() + b.size()) {
+    case 2: return weights_of<2>(a, b);
+    case 3: return weights_of<3>(a, b);
+    case 4: return weights_of<4>(a, b);
+    default: return weights_of<5>(a, b);
+  }
+}
+
+}  // namespace sunder
