@@ -54,8 +54,8 @@ std::array<double, 9> random_signed_permutation(Random& random) {
   std::swap(axis[1], axis[1 + random.below(2)]);
   std::array<double, 9> m{};
   for (int i = 0; i < 3; ++i) m[3 * i + axis[i]] = random.below(2) != 0 ? 1 : -1;
-  const double det = m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
-                     m[2] * (m[3] * m[7] - m[4] * m[6]);
+  const double det =
+      m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
   if (det < 0) {
     for (int i = 0; i < 3; ++i) m[i] = -m[i];
   }
@@ -202,7 +202,7 @@ Query general_query(const std::vector<Body>& pool, Regime regime, bool out, Rand
 
 // Exact touching. All coordinates are integers here: the world's doubles times 2^36 (points), which are exact.
 
-using Wide = __int128;
+__extension__ typedef __int128 Wide;
 using Cell = std::array<Wide, 3>;
 
 constexpr double kBodyGrid = 0x1p-20;
@@ -240,11 +240,12 @@ Vec quarters(const Vec& p, const Vec& q, const Vec& r) { return 0.5 * p + 0.25 *
 // The pool holds bodies and, `mirrored` places further on, their reflections in the origin.
 Query touching_query(const std::vector<Body>& pool, std::size_t mirrored, Regime regime, std::size_t number,
                      Random& random) {
-  const bool general = number % 2 != 0;       // of the linear parts
-  const bool out = number / 2 % 2 != 0;       // of last_bit
-  const std::size_t family = number / 4 % 6;  // see below
+  const bool general = number % 2 != 0;  // of the linear parts
+  const bool out = number / 2 % 2 != 0;  // of last_bit
+  const std::size_t family = number / 4 % kFamilies.size();
   for (;;) {
     Query query;
+    query.family = static_cast<std::uint8_t>(family);
     query.a = static_cast<std::uint32_t>(random.below(mirrored));
     query.b = static_cast<std::uint32_t>(random.below(mirrored));
     const auto linear = [&] {
@@ -335,11 +336,16 @@ Query touching_query(const std::vector<Body>& pool, std::size_t mirrored, Regime
 
 std::string_view name_of(Regime regime) {
   switch (regime) {
-    case Regime::far: return "far";
-    case Regime::near: return "near";
-    case Regime::deep: return "deep";
-    case Regime::touching: return "touching";
-    case Regime::last_bit: return "last bit";
+    case Regime::far:
+      return "far";
+    case Regime::near:
+      return "near";
+    case Regime::deep:
+      return "deep";
+    case Regime::touching:
+      return "touching";
+    case Regime::last_bit:
+      return "last bit";
   }
   return "";
 }

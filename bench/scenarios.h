@@ -33,14 +33,20 @@ struct Query {
   std::uint32_t a = 0, b = 0;  // positions in the pool
   Placement pose_a, pose_b;
   Expected expected = Expected::unknown;
+  std::uint8_t family = 0;  // of touching and last_bit: a position in kFamilies
 };
+
+// Which features touch. In the last two B is the reflection of A in the point of contact.
+inline constexpr std::array<std::string_view, 6> kFamilies{"vertex on vertex",     "vertex of B on facet",
+                                                           "vertex of A on facet", "crossing edges",
+                                                           "equal edges",          "equal facets"};
 
 // The size of a body is its radius, 1.
 enum class Regime : std::uint8_t {
   far,       // apart by 0.1 to 1 of the size
   near,      // half apart, half meeting; gap or depth log-uniform in 1e-6 to 1e-3 of the size
   deep,      // the centres within 0.3 of the size, or so: at most 0.15 of the way from the centre to touching
-  touching,  // exactly touching: vertex on vertex, vertex on facet, edge on edge, equal edges, overlapping facets
+  touching,  // exactly touching, in six families
   last_bit,  // touching, then the translation of one body moved by one unit in the last place, out or in
 };
 
@@ -56,8 +62,8 @@ struct Scenario {
 // far, near, deep: general rotations (quaternions, rounded to a matrix) and translations within 10 sizes.
 //
 // touching, last_bit: coordinates are multiples of 2^-20, linear parts multiples of 2^-14 (one half signed
-// permutations, one half rotations rounded to that grid), translations multiples of 2^-36, so that the contact is exact;
-// each is proved with 128-bit integers: a plane through the contact point has A weakly on one side and B on the other.
+// permutations, one half rotations rounded to that grid), translations multiples of 2^-36, so that the contact is
+// exact. Each is proved with 128-bit integers: a plane through the contact has A weakly on one side, B on the other.
 // Of last_bit, one half is moved out (apart, proved), one half in (not known in general).
 //
 // The result depends on the arguments only.

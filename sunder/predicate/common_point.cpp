@@ -33,7 +33,6 @@ auto minor_of(int axis, const std::array<P, 2>& p) {
   return axis == 0 ? p[1].x - p[0].x : axis == 1 ? p[1].y - p[0].y : p[1].z - p[0].z;
 }
 
-Sign minor_sign(int, const std::array<Posed, 4>& p, StageTally* tally) { return orient_3d(p[0], p[1], p[2], p[3], tally); }
 Sign minor_sign(int axis, const std::array<Posed, 3>& p, StageTally* tally) {
   return orient_2d_along(axis, p[0], p[1], p[2], tally);
 }
@@ -41,8 +40,7 @@ Sign minor_sign(int axis, const std::array<Posed, 2>& p, StageTally* tally) {
   return compare_coordinate(axis, p[0], p[1], tally);
 }
 
-// Do the N points lie in a common space of dimension N - 2? (N = 5: always.)
-bool is_flat(const std::array<Posed, 5>&, StageTally*) { return true; }
+// Do the N points lie in a common space of dimension N - 2?
 bool is_flat(const std::array<Posed, 4>& p, StageTally* tally) {
   return orient_3d(p[0], p[1], p[2], p[3], tally) == Sign::zero;
 }
@@ -53,28 +51,57 @@ bool is_flat(const std::array<Posed, 3>& p, StageTally* tally) {
   return true;
 }
 
-// Five points in floating point alone, posed once. Sets `decided` when every sign is certain or one is wrong.
-bool separated_in_floating_point(const std::array<Posed, 5>& points, std::size_t count_a, bool& decided) {
-  decided = false;
-  for (const Posed& p : points) {
-    if (!p.tame) return false;
-  }
-  std::array<Vector3<Rounded<3>>, 5> images{};
-  for (std::size_t i = 0; i < 5; ++i) images[i] = lift<RoundedStage>(points[i]);
-  int first = 0;
+// The minors c_i of five points in any stage's numbers. The last is minus the sum of the others, so four triple products
+// of differences do, and these share two vector products.
+template <class P>
+auto five_minors(const std::array<P, 5>& p) {
+  const auto y0 = p[0] - p[4], y1 = p[1] - p[4], y2 = p[2] - p[4], y3 = p[3] - p[4];
+  const auto u = cross(y0, y1), v = cross(y2, y3);
+  const std::array first{dot(y1, v), dot(y0, v), dot(y3, u), dot(y2, u)};
+  // c_0 = first[0], c_1 = -first[1], c_2 = first[2], c_3 = -first[3]
+  return std::pair{first, (first[1] - first[0]) + (first[3] - first[2])};
+}
+
+// Of five points: does the dependency part A from B, as far as one stage can tell?
+template <class Stage>
+Guess five_are_separated(const std::array<Posed, 5>& points, std::size_t count_a) {
+  using Image = decltype(lift<Stage>(points[0]));
+  const std::array<Image, 5> images{lift<Stage>(points[0]), lift<Stage>(points[1]), lift<Stage>(points[2]),
+                                    lift<Stage>(points[3]), lift<Stage>(points[4])};
+  const auto [first, last] = five_minors(images);
+  const std::array guesses{sign(first[0]), sign(first[1]), sign(first[2]), sign(first[3]), sign(last)};
+  // The sign of c_i, turned over for B: one value for all. first[1] and first[3] are -c_1 and -c_3.
+  int common = 0;
+  bool unsure = false;
   for (std::size_t i = 0; i < 5; ++i) {
-    const Guess guess = sign(minor_of(0, others(images, i)));
-    if (guess == Guess::unsure) return false;
-    // The sign of c_i, turned over for B: one value for all.
-    const int side = static_cast<int>(guess) * ((i % 2 == 0) == (i < count_a) ? 1 : -1);
-    if (side == 0 || side == -first) {
-      decided = true;
-      return false;
+    if (!is_sure(guesses[i])) {
+      unsure = true;
+      continue;
     }
-    first = side;
+    const int side = static_cast<int>(guesses[i]) * ((i == 1 || i == 3) == (i < count_a) ? -1 : 1);
+    if (side == 0 || side == -common) return Guess::negative;
+    common = side;
   }
-  decided = true;
-  return true;
+  return unsure ? Guess::unsure : Guess::positive;
+}
+
+bool five_have_common_point(const std::array<Posed, 5>& points, std::size_t count_a, StageTally* tally) {
+  bool all_tame = true;
+  for (const Posed& p : points) all_tame = all_tame && p.tame;
+  if (all_tame) {
+    const Guess guess = five_are_separated<RoundedStage>(points, count_a);
+    if (is_sure(guess)) {
+      if (tally) ++tally->rounded;
+      return guess == Guess::positive;
+    }
+  }
+  const Guess guess = five_are_separated<IntervalStage>(points, count_a);
+  if (is_sure(guess)) {
+    if (tally) ++tally->interval;
+    return guess == Guess::positive;
+  }
+  if (tally) ++tally->exact;
+  return five_are_separated<ExactStage>(points, count_a) == Guess::positive;
 }
 
 // Along one choice of axis: -1 a sign is wrong, 0 all minors vanish (another axis is needed), 1 they separate A from B.
@@ -107,19 +134,15 @@ template <std::size_t N>
 bool have_common_point_of(std::span<const Posed> a, std::span<const Posed> b, StageTally* tally) {
   const std::array<Posed, N> points = joined<N>(a, b);
   if constexpr (N == 5) {
-    bool decided = false;
-    const bool separated = separated_in_floating_point(points, a.size(), decided);
-    if (decided) {
-      if (tally) ++tally->rounded;
-      return separated;
+    return five_have_common_point(points, a.size(), tally);
+  } else {
+    if (!is_flat(points, tally)) return false;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int separated = separated_along(axis, points, a.size(), tally);
+      if (separated != 0) return separated > 0;
     }
+    return false;
   }
-  if (!is_flat(points, tally)) return false;
-  for (int axis = 0; axis < (N == 5 ? 1 : 3); ++axis) {
-    const int separated = separated_along(axis, points, a.size(), tally);
-    if (separated != 0) return separated > 0;
-  }
-  return false;
 }
 
 template <std::size_t N>

@@ -1,0 +1,33 @@
+# Answers must be the same for every compiler and vector unit: no contraction into fused multiply-adds, no fast-math.
+# Public, because templates of the library are compiled in the consumer's code. Order matters to Clang.
+function(sunder_exact_arithmetic target)
+  target_compile_options(${target} PUBLIC
+    $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-fno-fast-math;-ffp-contract=off>)
+endfunction()
+
+# For our own code only, never exported.
+function(sunder_own_code target)
+  if(NOT PROJECT_IS_TOP_LEVEL)
+    return()
+  endif()
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast -Wdouble-promotion
+    $<$<CXX_COMPILER_ID:GNU>:-Wuseless-cast>
+    $<$<BOOL:${SUNDER_WARNINGS_AS_ERRORS}>:-Werror>)
+endfunction()
+
+# Arithmetic that is not IEEE double, through flags or by the machine (x87), is refused before anything is compiled.
+include(CheckCXXSourceCompiles)
+check_cxx_source_compiles("
+  #include <cfloat>
+  #include <limits>
+  #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || defined(__ASSOCIATIVE_MATH__)
+  #error fast-math
+  #endif
+  static_assert(FLT_EVAL_METHOD == 0 && std::numeric_limits<double>::is_iec559);
+  int main() {}" SUNDER_IEEE_ARITHMETIC)
+if(NOT SUNDER_IEEE_ARITHMETIC)
+  unset(SUNDER_IEEE_ARITHMETIC CACHE)  # asked again when the flags have changed
+  message(FATAL_ERROR "Sunder needs IEEE double arithmetic: remove -ffast-math, -Ofast and the like from the flags "
+    "('${CMAKE_CXX_FLAGS}' with build type '${CMAKE_BUILD_TYPE}'); on 32-bit x86 add -msse2 -mfpmath=sse.")
+endif()

@@ -1,0 +1,18 @@
+# Every fuzz/x_fuzz.cpp (with LLVMFuzzerTestOneInput) is an executable in <build>/fuzz. Other sources of fuzz/ are linked
+# to all of them. fuzz/x_fuzz.options, one option of libFuzzer a line, is heeded by ./do check.
+file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fuzz/*_fuzz.cpp)
+file(GLOB shared CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fuzz/*.cpp)
+list(FILTER shared EXCLUDE REGEX "_fuzz\\.cpp$")
+foreach(source ${sources})
+  cmake_path(GET source STEM name)
+  add_executable(${name} ${source} ${shared})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/fuzz)
+  target_link_libraries(${name} PRIVATE sunder_core)
+  foreach(target sunder_io sunder_verifier)
+    if(TARGET ${target})
+      target_link_libraries(${name} PRIVATE ${target})
+    endif()
+  endforeach()
+  target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+  sunder_own_code(${name})
+endforeach()

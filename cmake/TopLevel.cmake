@@ -1,0 +1,31 @@
+# What is decided for a build of our own, and left to the consumer in a build of theirs.
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, RelWithDebInfo or Debug" FORCE)
+endif()
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)          # for clang-tidy
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)        # for the Python package to come
+set(CMAKE_VERIFY_INTERFACE_HEADER_SETS ON)     # target all_verify_interface_header_sets: every header stands alone
+
+find_program(SUNDER_CCACHE ccache)
+mark_as_advanced(SUNDER_CCACHE)
+if(SUNDER_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${SUNDER_CCACHE})
+endif()
+
+if(SUNDER_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "Fuzzers need Clang: cmake --preset fuzz -DCMAKE_CXX_COMPILER=clang++-19, or ./do build fuzz")
+  endif()
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+if(SUNDER_SANITIZE)
+  add_compile_options(-fsanitize=${SUNDER_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${SUNDER_SANITIZE})
+endif()
+if(SUNDER_COVERAGE)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    message(FATAL_ERROR "Coverage needs GCC and gcovr: ./do soak coverage")
+  endif()
+  add_compile_options(--coverage -fprofile-update=atomic)
+  add_link_options(--coverage)
+endif()

@@ -1,0 +1,156 @@
+#include <sunder/base/error.h>
+#include <sunder/io/file.h>
+#include <sunder/io/mesh.h>
+#include <sunder/io/mesh_obj.h>
+#include <sunder/io/mesh_off.h>
+#include <sunder/io/mesh_ply.h>
+#include <sunder/io/mesh_stl.h>
+#include <sunder/io/text.h>
+#include <sunder/io/text_reader.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+namespace sunder::io {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::string_view formats_known = "known are OBJ, STL, PLY and OFF";
+
+// Files that people take for meshes, by their first bytes.
+struct Foreign {
+  std::string_view magic, what;
+};
+constexpr Foreign foreign[] = {
+    {"\x89PNG"sv, "a PNG image"},
+    {"\xff\xd8\xff"sv, "a JPEG image"},
+    {"GIF8"sv, "a GIF image"},
+    {"BM"sv, "a BMP image"},
+    {"%PDF"sv, "a PDF document"},
+    {"PK\x03\x04"sv, "a zip archive (3MF, USDZ and office files are such)"},
+    {"\x1f\x8b"sv, "a gzip archive"},
+    {"\x7f\x45LF"sv, "a program"},
+    {"glTF"sv, "binary glTF"},
+    {"{"sv, "JSON (glTF is such)"},
+    {"<"sv, "XML (COLLADA, X3D and URDF are such)"},
+    {"#VRML"sv, "VRML"},
+    {"Kaydara FBX"sv, "FBX"},
+    {"; FBX"sv, "FBX"},
+    {"ISO-10303-21"sv, "STEP"},
+    {"\xff\xfe"sv, "UTF-16 text"},
+    {"\xfe\xff"sv, "UTF-16 text"},
+    {"version https://git-lfs"sv, "a Git LFS pointer (run: git lfs pull)"},
+};
+
+std::optional<MeshFormat> format_of_ending(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  for (char& c : ending) {
+    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  if (ending == ".obj") return MeshFormat::obj;
+  if (ending == ".stl") return MeshFormat::stl;
+  if (ending == ".ply") return MeshFormat::ply;
+  if (ending == ".off") return MeshFormat::off;
+  return std::nullopt;
+}
+
+bool is_any_of(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+}  // namespace
+
+MeshFormat mesh_format(std::string_view bytes, std::string_view place) {
+  if (is_binary_stl(bytes)) return MeshFormat::stl;
+
+  TextReader reader(bytes, place, {.comments = true, .continued = false});
+  const std::string_view word = reader.word_of_any_line();
+  if (word == "ply") return MeshFormat::ply;
+  if (is_off_header(word)) return MeshFormat::off;
+  if (is_any_of(word, {"solid", "SOLID", "Solid"})) return MeshFormat::stl;
+
+  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+  for (const Foreign& other : foreign) {
+    if (bytes.starts_with(other.magic)) {
+      fail_file(place, fmt::format("this is {}, no mesh that is read here; {}", other.what, formats_known));
+    }
+  }
+  if (const auto by_name = format_of_ending(std::filesystem::path(place))) return *by_name;
+  if (is_any_of(word, {"v", "vn", "vt", "o", "g", "s", "mtllib", "usemtl"})) return MeshFormat::obj;
+  fail_file(place, fmt::format("not a mesh by its first bytes or its ending; {}", formats_known));
+}
+
+MeshFormat mesh_format_of_name(const std::filesystem::path& path) {
+  if (const auto format = format_of_ending(path)) return *format;
+  throw Error(ErrorCode::bad_call, "the ending names no mesh format; use .obj, .stl, .ply or .off",
+              one_line(path.string()));
+}
+
+Mesh parse_mesh(std::string_view bytes, std::string_view place, MeshFormat format) {
+  switch (format) {
+    case MeshFormat::obj:
+      return parse_obj(bytes, place);
+    case MeshFormat::stl:
+      return parse_stl(bytes, place);
+    case MeshFormat::ply:
+      return parse_ply(bytes, place);
+    case MeshFormat::off:
+      return parse_off(bytes, place);
+  }
+  throw Error(ErrorCode::bad_call, "unknown mesh format");
+}
+
+Mesh read_mesh(const std::filesystem::path& path) {
+  const std::string bytes = read_file(path);
+  const std::string place = path.string();
+  Mesh mesh = parse_mesh(bytes, place, mesh_format(bytes, place));
+  if (mesh.name.empty()) mesh.name = one_line(path.stem().string());
+  return mesh;
+}
+
+std::vector<std::uint32_t> used_vertices(const Mesh& mesh) {
+  std::vector<std::uint32_t> used(mesh.vertices.size());
+  std::iota(used.begin(), used.end(), 0u);
+  if (mesh.polygon_count() == 0) return used;
+  std::vector<bool> in_polygon(mesh.vertices.size());
+  for (const std::uint32_t v : mesh.polygon_vertices) in_polygon[v] = true;
+  std::erase_if(used, [&](std::uint32_t v) { return !in_polygon[v]; });
+  return used;
+}
+
+std::vector<Mesh> split_parts(const Mesh& mesh) {
+  const bool polygons = mesh.polygon_count() > 0;
+  const std::uint32_t total = polygons ? mesh.polygon_count() : static_cast<std::uint32_t>(mesh.vertices.size());
+  std::vector<Mesh> parts;
+  for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
+    const std::uint32_t begin = mesh.parts[i].first;
+    const std::uint32_t end = i + 1 < mesh.parts.size() ? mesh.parts[i + 1].first : total;
+    Mesh& part = parts.emplace_back();
+    part.name = mesh.parts[i].name;
+    part.format = mesh.format;
+    part.parts.push_back({part.name, 0});
+    if (!polygons) {
+      part.vertices.assign(mesh.vertices.begin() + begin, mesh.vertices.begin() + end);
+      continue;
+    }
+    const auto corner = mesh.polygon_vertices.begin();
+    part.polygon_vertices.assign(corner + mesh.polygon_begin[begin], corner + mesh.polygon_begin[end]);
+    for (std::uint32_t p = begin; p < end; ++p) {
+      part.polygon_begin.push_back(mesh.polygon_begin[p + 1] - mesh.polygon_begin[begin]);
+    }
+    std::vector<std::uint32_t> used = part.polygon_vertices;
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    for (const std::uint32_t v : used) part.vertices.push_back(mesh.vertices[v]);
+    for (std::uint32_t& v : part.polygon_vertices) {
+      v = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), v) - used.begin());
+    }
+  }
+  return parts;
+}
+
+}  // namespace sunder::io

@@ -1,0 +1,69 @@
+// Meshes and point sets out of files: OBJ, STL, PLY, OFF. See mesh_obj.h and its neighbours for what each format
+// allows, mesh_write.h for the way back, urdf.h for robots.
+#pragma once
+
+#include <sunder/predicate/point.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sunder::io {
+
+enum class MeshFormat { obj, stl, ply, off };
+
+// An object within a file: an OBJ's "o NAME", an ASCII STL's "solid NAME".
+struct MeshPart {
+  std::string name;         // one line of UTF-8; may be empty
+  std::uint32_t first = 0;  // its first polygon, or its first vertex in a mesh without polygons
+};
+
+// What a file holds: vertices, and polygons as cycles of vertex numbers. Without polygons it is a set of points.
+//
+// A mesh that a reader returns has these properties:
+// M1. There is a vertex, and every coordinate is finite and not -0. There are fewer than 2^31 vertices.
+// M2. Vertex i is the file's i-th, for all formats but STL, which has no shared vertices: there equal points are joined
+//     into one, in the order of their first appearance.
+// M3. polygon_begin has one entry more than there are polygons, begins with 0 and ends with polygon_vertices.size();
+//     every polygon has at least three corners, and every corner is a vertex number. There are fewer than 2^32 corners.
+// M4. parts is not empty; the first part's `first` is 0, and they increase strictly. An object in the file without a
+//     polygon is no part, unless no object has any.
+// What one might assume and does not hold: polygons may be flat or not, repeat a corner, be turned either way, and
+// leave holes; and vertices may be in no polygon (see used_vertices).
+struct Mesh {
+  std::vector<Point3> vertices;
+  std::vector<std::uint32_t> polygon_begin{0};  // polygon p has the corners
+  std::vector<std::uint32_t> polygon_vertices;  // polygon_vertices[polygon_begin[p] .. polygon_begin[p + 1])
+  std::vector<MeshPart> parts;
+  std::string name;    // as the file says, else (read_mesh only) the file's name without folder and ending
+  std::string format;  // for people: "OBJ", "STL (binary)" (single precision), "PLY (binary_little_endian)", ...
+
+  std::uint32_t polygon_count() const { return static_cast<std::uint32_t>(polygon_begin.size() - 1); }
+};
+
+// Reads the file whole, finds its format by its first bytes, then by the ending of its name, and parses it.
+// Coordinates are the doubles nearest to the numbers in the file.
+// Throws Error bad_file: what is wrong and the remedy, in one line that begins with "FILE:LINE: " (text),
+// "FILE: byte OFFSET: " (binary) or "FILE: ". A file is taken whole or refused: nothing in it is guessed or repaired.
+// Cost: linear in the size of the file, n log n for STL; memory a small multiple of the file, whatever its header says.
+Mesh read_mesh(const std::filesystem::path& path);
+
+// As read_mesh, from memory. place: the file's name for messages.
+Mesh parse_mesh(std::string_view bytes, std::string_view place, MeshFormat format);
+
+// The format of these bytes; where they leave it open, by the ending of `place`.
+// Throws Error bad_file, naming what the file is instead where that shows (a PNG image, COLLADA, a zip archive, ...).
+MeshFormat mesh_format(std::string_view bytes, std::string_view place);
+
+// The format that the ending names (".obj", ".STL", ...). Throws Error bad_call for any other.
+MeshFormat mesh_format_of_name(const std::filesystem::path& path);
+
+// The vertices that the mesh is about, in increasing order: those in some polygon, or all when there is no polygon.
+std::vector<std::uint32_t> used_vertices(const Mesh& mesh);
+
+// One mesh per part, with its used vertices only, in the order of the file. Cost: n log n.
+std::vector<Mesh> split_parts(const Mesh& mesh);
+
+}  // namespace sunder::io

@@ -1,0 +1,77 @@
+#include <sunder/io/mesh_builder.h>
+#include <sunder/io/text.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace sunder::io {
+
+void MeshBuilder::add_vertex(const Point3& point) {
+  if (mesh_.vertices.size() > largest_vertex) fail_file(file_, "has 2^31 vertices or more; split it");
+  // Adding 0 turns -0 into 0 and changes nothing else.
+  mesh_.vertices.push_back({point.x + 0.0, point.y + 0.0, point.z + 0.0});
+}
+
+void MeshBuilder::add_corner(std::uint32_t vertex) {
+  if (mesh_.polygon_vertices.size() == std::numeric_limits<std::uint32_t>::max()) {
+    fail_file(file_, "has 2^32 corners of faces or more; split it");
+  }
+  mesh_.polygon_vertices.push_back(vertex);
+}
+
+void MeshBuilder::begin_part(std::string_view name) {
+  if (starts_.empty()) mesh_.name = one_line(name);
+  starts_.push_back({one_line(name), vertex_count(), mesh_.polygon_count()});
+}
+
+void MeshBuilder::join_equal_vertices() {
+  // Sorted rather than hashed: no input is slow. Equal points stand together, the first one of the file in front.
+  std::vector<Point3>& points = mesh_.vertices;
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+    const Point3 &a = points[i], &b = points[j];
+    if (a.x != b.x) return a.x < b.x;
+    if (a.y != b.y) return a.y < b.y;
+    if (a.z != b.z) return a.z < b.z;
+    return i < j;
+  });
+
+  std::vector<std::uint32_t> first(points.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool repeats = k > 0 && points[order[k]] == points[order[k - 1]];
+    first[order[k]] = repeats ? first[order[k - 1]] : order[k];
+  }
+
+  std::vector<std::uint32_t>& joined = order;
+  std::uint32_t count = 0;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (first[i] == i) {
+      points[count] = points[i];
+      joined[i] = count++;
+    } else {
+      joined[i] = joined[first[i]];
+    }
+  }
+  points.resize(count);
+  points.shrink_to_fit();
+  for (std::uint32_t& corner : mesh_.polygon_vertices) corner = joined[corner];
+}
+
+Mesh MeshBuilder::finish(std::string_view format) {
+  if (mesh_.vertices.empty()) fail_file(file_, "the file has no vertices; export the mesh again");
+  mesh_.format = format;
+
+  // What stands before the first named part is a part without a name; parts that got nothing are dropped.
+  const bool polygons = mesh_.polygon_count() > 0;
+  const std::uint32_t total = polygons ? mesh_.polygon_count() : vertex_count();
+  const auto first = [&](const Start& start) { return polygons ? start.polygon : start.vertex; };
+  if (starts_.empty() || first(starts_.front()) > 0) mesh_.parts.push_back({});
+  for (std::size_t i = 0; i < starts_.size(); ++i) {
+    const std::uint32_t end = i + 1 < starts_.size() ? first(starts_[i + 1]) : total;
+    if (first(starts_[i]) < end) mesh_.parts.push_back({std::move(starts_[i].name), first(starts_[i])});
+  }
+  return std::move(mesh_);
+}
+
+}  // namespace sunder::io

@@ -1,0 +1,16 @@
+// PLY (Stanford polygon format), ASCII and binary of both byte orders.
+#pragma once
+
+#include <sunder/io/mesh.h>
+
+namespace sunder::io {
+
+// Read: the properties x, y, z of the element "vertex", of any plain type; the list "vertex_indices" or "vertex_index"
+// of the element "face", of any integer type. Type names of both generations (float, float32, ...). Left out: all other
+// properties and elements, plain or lists, and comments. In ASCII files each row stands on its own line.
+// Without that list the mesh is a set of points.
+// Refused: a face with fewer than 3 corners, anything after the last row.
+// Errors: see read_mesh. Cost: linear.
+Mesh parse_ply(std::string_view bytes, std::string_view place);
+
+}  // namespace sunder::io

@@ -1,0 +1,34 @@
+// Small pieces of text: numbers as written in files, words quoted in messages, and errors that name their place.
+//
+// Everything that comes out of a file and goes into a message passes through here, so that a message is one line of
+// valid UTF-8 whatever the file holds.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace sunder::io {
+
+// The text with every control byte, line separator and byte that is not well-formed UTF-8 written as \xNN.
+std::string one_line(std::string_view text);
+
+// The text as one line in single quotes, cut to 40 bytes (then ending in "...").
+std::string quote(std::string_view text);
+
+// Reads the whole word as a finite decimal number, rounded once to the nearest double (so 1e-400 is 0).
+// Forms: what std::from_chars reads, in any locale, and a leading '+'.
+// Returns nullptr when `value` was set; otherwise the problem and its remedy, to stand after the quoted word: "is NaN;
+// ...", "is infinite; ...", "is too large for a double; ...", "is not a number; ...". Allocates nothing.
+const char* parse_number(std::string_view word, double& value);
+
+// Reads the whole word as a decimal integer, with an optional sign. False when it is none, or does not fit.
+bool parse_integer(std::string_view word, std::int64_t& value);
+
+// Throw Error bad_file at "FILE", "FILE:LINE", "FILE: byte OFFSET".
+[[noreturn]] void fail_file(std::string_view file, const std::string& text);
+[[noreturn]] void fail_line(std::string_view file, std::size_t line, const std::string& text);
+[[noreturn]] void fail_byte(std::string_view file, std::size_t offset, const std::string& text);
+
+}  // namespace sunder::io

@@ -1,0 +1,404 @@
+#include <sunder/io/file.h>
+#include <sunder/io/text.h>
+#include <sunder/io/urdf.h>
+
+#include <fmt/format.h>
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <system_error>
+
+namespace sunder::io {
+namespace {
+
+namespace fs = std::filesystem;
+using tinyxml2::XMLElement;
+
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+std::vector<std::string_view> words(std::string_view text) {
+  std::vector<std::string_view> found;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = at;
+    while (end < text.size() && !is_blank(text[end])) ++end;
+    if (end > at) found.push_back(text.substr(at, end - at));
+    at = std::max(end, at + 1);
+  }
+  return found;
+}
+
+class UrdfParser {
+ public:
+  explicit UrdfParser(std::string_view place) : place_(place) {}
+
+  Robot parse(std::string_view bytes) {
+    const XMLElement& robot = load(bytes);
+    if (const char* name = robot.Attribute("name")) robot_.name = one_line(name);
+    each_child(robot, [&](const XMLElement& child) {
+      if (std::string_view(child.Name()).starts_with("xacro:")) {
+        fail(child, "this is xacro that was not expanded; run: xacro FILE > robot.urdf");
+      }
+      if (is(child, "link")) read_link(child);
+    });
+    if (robot_.links.empty()) fail(robot, "the robot has no link; export it again");
+    each_child(robot, [&](const XMLElement& child) {
+      if (is(child, "joint")) read_joint(child);
+    });
+    find_root(robot);
+    resolve_mimics();
+    sort_joints(robot);
+    return std::move(robot_);
+  }
+
+ private:
+  // A joint as it is read, with what is needed for messages and for mimics.
+  struct Source {
+    const XMLElement* element;
+    const XMLElement* mimic;
+  };
+
+  const XMLElement& load(std::string_view bytes) {
+    if (bytes.find('\0') != std::string_view::npos) fail_file(place_, "holds zero bytes; a URDF is XML text");
+    if (document_.Parse(bytes.data(), bytes.size()) != tinyxml2::XML_SUCCESS) {
+      const int line = std::max(document_.ErrorLineNum(), 1);
+      fail_line(place_, static_cast<std::size_t>(line),
+                fmt::format("is not well-formed XML ({}); export the robot again", problem()));
+    }
+    const XMLElement* robot = document_.RootElement();
+    if (robot == nullptr) fail_file(place_, "has no element; a URDF is XML with <robot>");
+    if (!is(*robot, "robot")) fail(*robot, fmt::format("is {}, expected <robot>; this is no URDF", tag(*robot)));
+    return *robot;
+  }
+
+  // "XML_ERROR_MISMATCHED_ELEMENT" for people.
+  std::string problem() const {
+    std::string_view kind = tinyxml2::XMLDocument::ErrorIDToName(document_.ErrorID());
+    for (const std::string_view prefix : {"XML_", "ERROR_"}) {
+      if (kind.starts_with(prefix)) kind.remove_prefix(prefix.size());
+    }
+    std::string words(kind);
+    for (char& c : words) c = c == '_' ? ' ' : static_cast<char>(c - 'A' + 'a');
+    return words;
+  }
+
+  template <class Action>
+  static void each_child(const XMLElement& element, Action action) {
+    const XMLElement* child = element.FirstChildElement();
+    for (; child != nullptr; child = child->NextSiblingElement()) action(*child);
+  }
+
+  static bool is(const XMLElement& element, std::string_view name) { return element.Name() == name; }
+
+  static std::string tag(const XMLElement& element) { return "<" + one_line(element.Name()) + ">"; }
+
+  [[noreturn]] void fail(const XMLElement& element, const std::string& text) const {
+    fail_line(place_, static_cast<std::size_t>(std::max(element.GetLineNum(), 1)), text);
+  }
+
+  const char* attribute(const XMLElement& element, const char* name) const {
+    const char* value = element.Attribute(name);
+    if (value == nullptr) fail(element, fmt::format("{} has no {}=\"...\"; add it", tag(element), name));
+    return value;
+  }
+
+  std::string name_of(const XMLElement& element) const {
+    std::string name = one_line(attribute(element, "name"));
+    if (name.empty()) fail(element, fmt::format("the name of {} is empty; give it one", tag(element)));
+    return name;
+  }
+
+  double number(const XMLElement& element, const char* name, std::string_view word) const {
+    double value = 0;
+    if (const char* problem = parse_number(word, value)) {
+      fail(element, fmt::format("{} of {}: {} {}", name, tag(element), quote(word), problem));
+    }
+    return value;
+  }
+
+  // The attribute, or `otherwise` where there is none.
+  double number_or(const XMLElement& element, const char* name, double otherwise) const {
+    const char* text = element.Attribute(name);
+    if (text == nullptr) return otherwise;
+    const std::vector<std::string_view> found = words(text);
+    if (found.size() != 1)
+      fail(element, fmt::format("{} of {} is {}, expected a number", name, tag(element), quote(text)));
+    return number(element, name, found[0]);
+  }
+
+  std::array<double, 3> triple_or(const XMLElement& element, const char* name, std::array<double, 3> otherwise) const {
+    const char* text = element.Attribute(name);
+    if (text == nullptr) return otherwise;
+    const std::vector<std::string_view> found = words(text);
+    if (found.size() != 3) {
+      fail(element, fmt::format("{} of {} is {}, expected 3 numbers", name, tag(element), quote(text)));
+    }
+    return {number(element, name, found[0]), number(element, name, found[1]), number(element, name, found[2])};
+  }
+
+  Origin origin(const XMLElement& owner) const {
+    const XMLElement* element = owner.FirstChildElement("origin");
+    if (element == nullptr) return {};
+    return {triple_or(*element, "xyz", {0, 0, 0}), triple_or(*element, "rpy", {0, 0, 0})};
+  }
+
+  void read_link(const XMLElement& element) {
+    Link link;
+    link.name = name_of(element);
+    if (!links_.emplace(link.name, static_cast<std::uint32_t>(robot_.links.size())).second) {
+      fail(element, fmt::format("the link '{}' comes twice; rename one", link.name));
+    }
+    each_child(element, [&](const XMLElement& child) {
+      if (is(child, "collision")) read_collision(child, link);
+    });
+    robot_.links.push_back(std::move(link));
+  }
+
+  void read_collision(const XMLElement& element, Link& link) {
+    const XMLElement* geometry = element.FirstChildElement("geometry");
+    const XMLElement* kind = geometry ? geometry->FirstChildElement() : nullptr;
+    if (kind == nullptr) {
+      fail(element, fmt::format("a <collision> of link '{}' has no shape; expected <geometry><mesh .../></geometry>",
+                                link.name));
+    }
+    CollisionShape shape;
+    if (const char* name = element.Attribute("name")) shape.name = one_line(name);
+    shape.origin = origin(element);
+    if (is(*kind, "mesh")) {
+      shape.mesh = attribute(*kind, "filename");
+      if (shape.mesh.empty()) fail(*kind, "the filename of <mesh> is empty; name a file");
+      shape.scale = triple_or(*kind, "scale", {1, 1, 1});
+      if (shape.scale[0] == 0 || shape.scale[1] == 0 || shape.scale[2] == 0) {
+        fail(*kind, "a scale of 0 makes the mesh flat; give 3 numbers that are not 0");
+      }
+    } else if (is(*kind, "box")) {
+      attribute(*kind, "size");
+      shape.size = triple_or(*kind, "size", {0, 0, 0});
+      if (shape.size[0] < 0 || shape.size[1] < 0 || shape.size[2] < 0) {
+        fail(*kind, "the size of a box is negative; give 3 numbers from 0");
+      }
+    } else {
+      robot_.skipped.push_back(fmt::format("{}:{}: link '{}': {} is no polyhedron and was left out; use a mesh",
+                                           one_line(place_), kind->GetLineNum(), link.name, tag(*kind)));
+      return;
+    }
+    link.shapes.push_back(std::move(shape));
+  }
+
+  std::uint32_t link_number(const XMLElement& joint, const char* role) const {
+    const XMLElement* element = joint.FirstChildElement(role);
+    if (element == nullptr) fail(joint, fmt::format("the joint has no <{} link=\"...\"/>; add it", role));
+    const std::string name = one_line(attribute(*element, "link"));
+    const auto found = links_.find(name);
+    if (found == links_.end()) fail(*element, fmt::format("there is no link {}; correct the name", quote(name)));
+    return found->second;
+  }
+
+  JointType type_of(const XMLElement& element) const {
+    const std::string_view type = attribute(element, "type");
+    if (type == "fixed") return JointType::fixed;
+    if (type == "revolute") return JointType::revolute;
+    if (type == "continuous") return JointType::continuous;
+    if (type == "prismatic") return JointType::prismatic;
+    fail(element,
+         fmt::format("the type of the joint is {}; known are fixed, revolute, continuous, prismatic", quote(type)));
+  }
+
+  void read_joint(const XMLElement& element) {
+    Joint joint;
+    joint.name = name_of(element);
+    if (!joints_.emplace(joint.name, static_cast<std::uint32_t>(robot_.joints.size())).second) {
+      fail(element, fmt::format("the joint '{}' comes twice; rename one", joint.name));
+    }
+    joint.type = type_of(element);
+    joint.parent = link_number(element, "parent");
+    joint.child = link_number(element, "child");
+    joint.origin = origin(element);
+    if (joint.type != JointType::fixed) joint.axis = axis(element);
+    if (joint.type == JointType::revolute || joint.type == JointType::prismatic) read_limits(element, joint);
+    const bool moves = joint.type != JointType::fixed;
+    sources_.push_back({&element, moves ? element.FirstChildElement("mimic") : nullptr});
+    robot_.joints.push_back(std::move(joint));
+  }
+
+  std::array<double, 3> axis(const XMLElement& joint) const {
+    const XMLElement* element = joint.FirstChildElement("axis");
+    if (element == nullptr) return {1, 0, 0};
+    attribute(*element, "xyz");
+    std::array<double, 3> axis = triple_or(*element, "xyz", {1, 0, 0});
+    // By the largest entry first, so that nothing overflows.
+    const double largest = std::max({std::abs(axis[0]), std::abs(axis[1]), std::abs(axis[2])});
+    if (largest == 0) fail(*element, "the axis is 0 0 0; give a direction");
+    for (double& entry : axis) entry /= largest;
+    const double length = std::hypot(axis[0], axis[1], axis[2]);
+    for (double& entry : axis) entry /= length;
+    return axis;
+  }
+
+  void read_limits(const XMLElement& element, Joint& joint) const {
+    const XMLElement* limit = element.FirstChildElement("limit");
+    if (limit == nullptr) {
+      fail(element, fmt::format("the joint '{}' has no <limit lower=\"...\" upper=\"...\"/>; add it", joint.name));
+    }
+    joint.lower = number_or(*limit, "lower", 0);
+    joint.upper = number_or(*limit, "upper", 0);
+    if (joint.lower > joint.upper) {
+      fail(*limit,
+           fmt::format("the lower limit {} is above the upper one {}; exchange them", joint.lower, joint.upper));
+    }
+  }
+
+  // The root is the link that is no child; every other link is the child of one joint.
+  void find_root(const XMLElement& robot) {
+    std::vector<std::uint32_t> joint_above(robot_.links.size(), none);
+    for (std::uint32_t i = 0; i < robot_.joints.size(); ++i) {
+      const Joint& joint = robot_.joints[i];
+      std::uint32_t& above = joint_above[joint.child];
+      if (above != none) {
+        fail(*sources_[i].element, fmt::format("the link '{}' is the child of two joints, '{}' and '{}'; remove one",
+                                               robot_.links[joint.child].name, robot_.joints[above].name, joint.name));
+      }
+      above = i;
+    }
+    const auto first = std::find(joint_above.begin(), joint_above.end(), none);
+    if (first == joint_above.end()) fail(robot, "every link is the child of a joint; one must be the root");
+    const auto second = std::find(first + 1, joint_above.end(), none);
+    robot_.root = static_cast<std::uint32_t>(first - joint_above.begin());
+    if (second != joint_above.end()) {
+      const std::string& first_name = robot_.links[robot_.root].name;
+      const std::string& second_name = robot_.links[static_cast<std::size_t>(second - joint_above.begin())].name;
+      fail(robot, fmt::format("the links '{}' and '{}' are both without a joint above; connect them", first_name,
+                              second_name));
+    }
+  }
+
+  void resolve_mimics() {
+    for (std::size_t i = 0; i < robot_.joints.size(); ++i) {
+      const XMLElement* element = sources_[i].mimic;
+      if (element == nullptr) continue;
+      const std::string name = one_line(attribute(*element, "joint"));
+      const auto found = joints_.find(name);
+      if (found == joints_.end()) fail(*element, fmt::format("there is no joint {}; correct the name", quote(name)));
+      robot_.joints[i].mimic =
+          Mimic{found->second, number_or(*element, "multiplier", 1), number_or(*element, "offset", 0)};
+    }
+    check_mimics();
+  }
+
+  // Each joint follows at most one other: walk along, and mark where each walk came by.
+  void check_mimics() const {
+    constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> walk_of(robot_.joints.size(), never);
+    for (std::size_t walk = 0; walk < robot_.joints.size(); ++walk) {
+      std::size_t i = walk;
+      for (; walk_of[i] == never && robot_.joints[i].mimic; i = robot_.joints[i].mimic->joint) walk_of[i] = walk;
+      if (walk_of[i] == walk) {
+        fail(*sources_[i].element,
+             fmt::format("the joint '{}' follows itself; correct its mimic", robot_.joints[i].name));
+      }
+    }
+  }
+
+  // Breadth first from the root, siblings in the order of the file.
+  void sort_joints(const XMLElement& robot) {
+    std::vector<std::vector<std::uint32_t>> below(robot_.links.size());
+    for (std::uint32_t i = 0; i < robot_.joints.size(); ++i) below[robot_.joints[i].parent].push_back(i);
+    std::vector<std::uint32_t> order = below[robot_.root];
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      const std::vector<std::uint32_t>& next = below[robot_.joints[order[k]].child];
+      order.insert(order.end(), next.begin(), next.end());
+    }
+    if (order.size() != robot_.joints.size()) fail(robot, "some joints run in a circle; the links must form a tree");
+
+    std::vector<std::uint32_t> place_of(order.size());
+    std::vector<Joint> sorted;
+    for (std::uint32_t k = 0; k < order.size(); ++k) {
+      place_of[order[k]] = k;
+      sorted.push_back(std::move(robot_.joints[order[k]]));
+    }
+    for (Joint& joint : sorted) {
+      if (joint.mimic) joint.mimic->joint = place_of[joint.mimic->joint];
+    }
+    robot_.joints = std::move(sorted);
+  }
+
+  std::string_view place_;
+  tinyxml2::XMLDocument document_;
+  Robot robot_;
+  std::map<std::string, std::uint32_t> links_, joints_;
+  std::vector<Source> sources_;
+};
+
+// The part behind "SCHEME://", or nothing where the name has another or no scheme.
+std::optional<std::string> behind_scheme(const std::string& written, std::string_view scheme) {
+  if (!written.starts_with(scheme)) return std::nullopt;
+  return written.substr(scheme.size());
+}
+
+}  // namespace
+
+Robot parse_urdf(std::string_view bytes, std::string_view place) { return UrdfParser(place).parse(bytes); }
+
+Robot read_urdf(const fs::path& path) {
+  Robot robot = parse_urdf(read_file(path), path.string());
+  robot.folder = path.parent_path();
+  return robot;
+}
+
+std::array<Point3, 8> box_corners(const std::array<double, 3>& size) {
+  std::array<Point3, 8> corners;
+  for (unsigned i = 0; i < 8; ++i) {
+    corners[i] = {(i & 1 ? 0.5 : -0.5) * size[0] + 0.0, (i & 2 ? 0.5 : -0.5) * size[1] + 0.0,
+                  (i & 4 ? 0.5 : -0.5) * size[2] + 0.0};
+  }
+  return corners;
+}
+
+fs::path resolve_mesh(const std::string& written, const fs::path& robot_folder, std::span<const fs::path> search) {
+  std::vector<fs::path> folders(search.begin(), search.end());
+  folders.push_back(robot_folder);
+  std::vector<fs::path> candidates;
+  std::error_code ignored;
+  const fs::path home = (fs::current_path(ignored) / robot_folder).lexically_normal();
+
+  auto inside = behind_scheme(written, "package://");
+  if (!inside) inside = behind_scheme(written, "model://");
+  if (inside) {
+    // The name with its package, without it, and so on down to the bare name.
+    std::vector<fs::path> parts;
+    for (const fs::path& part : fs::path(*inside).relative_path()) parts.push_back(part);
+    for (std::size_t skip = 0; skip < parts.size(); ++skip) {
+      fs::path rest;
+      for (std::size_t i = skip; i < parts.size(); ++i) rest /= parts[i];
+      if (skip == 1) {
+        for (fs::path above = home; above.has_relative_path(); above = above.parent_path()) {
+          if (above.filename() == parts[0]) candidates.push_back(above / rest);
+        }
+      }
+      for (const fs::path& folder : folders) candidates.push_back(folder / rest);
+    }
+  } else if (const auto absolute = behind_scheme(written, "file://")) {
+    candidates.push_back(*absolute);
+  } else if (written.find("://") != std::string::npos) {
+    fail_file(written, "meshes are not fetched from the net; store the file and name it");
+  } else if (fs::path(written).is_absolute()) {
+    candidates.push_back(written);
+  } else {
+    for (const fs::path& folder : folders) candidates.push_back(folder / written);
+  }
+
+  std::string tried;
+  for (const fs::path& candidate : candidates) {
+    if (fs::is_regular_file(candidate, ignored)) return candidate;
+    if (!tried.empty()) tried += ", ";
+    tried += one_line(candidate.string());
+  }
+  fail_file(written,
+            fmt::format("no such mesh; tried: {}; name the folder to search", tried.empty() ? "nothing" : tried));
+}
+
+}  // namespace sunder::io

@@ -1,0 +1,97 @@
+// Robots out of URDF files: links, the shapes to test for collisions, and joints. Where the links are for given joint
+// values: urdf_kinematics.h.
+#pragma once
+
+#include <sunder/predicate/point.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sunder::io {
+
+// A frame within a parent's frame: turned by roll, pitch and yaw (radians, about the fixed axes x, y, z in this order),
+// then moved by xyz (metres).
+struct Origin {
+  std::array<double, 3> xyz{0, 0, 0};
+  std::array<double, 3> rpy{0, 0, 0};
+};
+
+// One shape of a link: a mesh file, or a box.
+struct CollisionShape {
+  std::string name;                      // the name of <collision>; often empty
+  std::string mesh;                      // as written, see resolve_mesh; empty: a box
+  std::array<double, 3> scale{1, 1, 1};  // of a mesh: no entry is 0, negative entries reflect
+  std::array<double, 3> size{0, 0, 0};   // of a box: its edges, centred at the origin; no entry is negative
+  Origin origin;                         // within the link
+};
+
+struct Link {
+  std::string name;
+  std::vector<CollisionShape> shapes;  // in the order of the file
+};
+
+enum class JointType { fixed, revolute, continuous, prismatic };
+
+struct Mimic {
+  std::uint32_t joint = 0;  // number of the joint that is followed: value = multiplier * its value + offset
+  double multiplier = 1, offset = 0;
+};
+
+struct Joint {
+  std::string name;
+  JointType type = JointType::fixed;
+  std::uint32_t parent = 0, child = 0;  // numbers of links
+  Origin origin;                        // of the child's frame within the parent's, at value 0
+  std::array<double, 3> axis{1, 0, 0};  // in the child's frame, of length 1 up to rounding; meaningless when fixed
+  double lower = -std::numeric_limits<double>::infinity();  // radians or metres; finite for revolute and prismatic
+  double upper = std::numeric_limits<double>::infinity();
+  std::optional<Mimic> mimic;
+};
+
+// A tree of links. What read_urdf returns has these properties:
+// U1. Names of links are unique, names of joints are unique, none is empty, and every one is one line of UTF-8.
+// U2. Every link but `root` is the child of exactly one joint, and hangs on the root. A joint's parent is the root or
+//     the child of an earlier joint (so joints are not in the order of the file).
+// U3. Every number is finite, but for the limits of joints that have none. lower <= upper.
+// U4. No chain of mimics runs in a circle.
+struct Robot {
+  std::string name;  // may be empty
+  std::vector<Link> links;
+  std::vector<Joint> joints;
+  std::uint32_t root = 0;            // a number of a link
+  std::vector<std::string> skipped;  // one line for each shape left out, with place and reason. Callers must show
+                                     // them: answers about the robot are answers without these shapes.
+  std::filesystem::path folder;      // of the file; names of meshes are relative to it
+};
+
+// Reads <robot>, <link>, <collision> (mesh and box) and <joint>. Left out silently: <visual>, <inertial>,
+// <transmission>, <gazebo>, dynamics and the like. Left out and told in `skipped`: spheres, cylinders, capsules and
+// other shapes that are no polyhedra.
+// Throws Error bad_file, "FILE:LINE: what is wrong; remedy", in one line: XML that is not well-formed, xacro that was
+// not expanded, a missing or repeated name, a number that is none, a link that does not exist, links that are no tree,
+// a floating or planar joint, missing limits. Meshes are not opened.
+Robot read_urdf(const std::filesystem::path& path);
+
+// As read_urdf, from memory. place: the file's name for messages. `folder` stays empty.
+Robot parse_urdf(std::string_view bytes, std::string_view place);
+
+// The corners of the box with these edges, centred at the origin: corner i has +size/2 in x, y, z for its bits 0, 1, 2.
+std::array<Point3, 8> box_corners(const std::array<double, 3>& size);
+
+// The file that a mesh's name means. Tried in this order, each within `search`, then within the robot's folder:
+// - package://PKG/rest and model://PKG/rest: PKG/rest, rest, then rest without its first folder, first two folders,
+//   ..., down to the bare name; after PKG/rest also a folder named PKG above the robot's;
+// - a relative name: as it is; an absolute one and file://NAME: as it is, and nothing else.
+// Longer matches of any folder come before shorter ones of another.
+// Throws Error bad_file that lists what was tried, and says so for http:// and the like, which are not fetched.
+std::filesystem::path resolve_mesh(const std::string& written, const std::filesystem::path& robot_folder,
+                                   std::span<const std::filesystem::path> search = {});
+
+}  // namespace sunder::io

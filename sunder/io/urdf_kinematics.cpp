@@ -1,0 +1,121 @@
+#include <sunder/base/error.h>
+#include <sunder/io/text.h>
+#include <sunder/io/urdf_kinematics.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunder::io {
+namespace {
+
+using solid::Pose;
+
+// Entries are exactly 0, 1, +-sine and cosine where the axis is a coordinate axis.
+Pose turn(const std::array<double, 3>& axis, double angle) {
+  const double x = axis[0], y = axis[1], z = axis[2];
+  const double c = std::cos(angle), s = std::sin(angle), d = 1 - c;
+  return Pose::from_matrix({x * x + c * (1 - x * x), x * y * d - z * s, x * z * d + y * s,  //
+                            x * y * d + z * s, y * y + c * (1 - y * y), y * z * d - x * s,  //
+                            x * z * d - y * s, y * z * d + x * s, z * z + c * (1 - z * z)},
+                           {0, 0, 0});
+}
+
+Pose motion(const Joint& joint, double value) {
+  switch (joint.type) {
+    case JointType::fixed:
+      return Pose();
+    case JointType::revolute:
+    case JointType::continuous:
+      return turn(joint.axis, value);
+    case JointType::prismatic:
+      return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1},
+                               {joint.axis[0] * value, joint.axis[1] * value, joint.axis[2] * value});
+  }
+  return Pose();
+}
+
+[[noreturn]] void fail_joint(const std::string& name, const std::string& text) {
+  throw Error(ErrorCode::bad_call, text, "joint '" + name + "'");
+}
+
+void check_given(const Robot& robot, const std::string& name, double value) {
+  const auto found =
+      std::find_if(robot.joints.begin(), robot.joints.end(), [&](const Joint& joint) { return joint.name == name; });
+  if (found == robot.joints.end()) {
+    fail_joint(one_line(name), fmt::format("the robot has no joint of this name; it has {} joints, see `sunder info`",
+                                           robot.joints.size()));
+  }
+  if (found->type == JointType::fixed) fail_joint(name, "is fixed; give it no value");
+  if (found->mimic) {
+    fail_joint(name, fmt::format("follows joint '{}'; give that one a value", robot.joints[found->mimic->joint].name));
+  }
+  if (!std::isfinite(value)) fail_joint(name, "the value is not finite; give a finite number");
+  if (value < found->lower || value > found->upper) {
+    fail_joint(name,
+               fmt::format("{} is out of the limits; give a value from {} to {}", value, found->lower, found->upper));
+  }
+}
+
+double own_value(const Joint& joint, const std::map<std::string, double>& values) {
+  if (joint.type == JointType::fixed) return 0;
+  const auto given = values.find(joint.name);
+  return given != values.end() ? given->second : std::clamp(0.0, joint.lower, joint.upper);
+}
+
+}  // namespace
+
+std::vector<double> joint_values(const Robot& robot, const std::map<std::string, double>& values) {
+  for (const auto& [name, value] : values) check_given(robot, name, value);
+  std::vector<double> all(robot.joints.size());
+  std::vector<bool> known(robot.joints.size());
+  std::vector<std::uint32_t> followers;  // a chain of mimics, whose values are known from its end
+  for (std::uint32_t joint = 0; joint < robot.joints.size(); ++joint) {
+    std::uint32_t i = joint;
+    for (; !known[i] && robot.joints[i].mimic; i = robot.joints[i].mimic->joint) followers.push_back(i);
+    if (!known[i]) all[i] = own_value(robot.joints[i], values);
+    known[i] = true;
+    for (; !followers.empty(); followers.pop_back()) {
+      const std::uint32_t follower = followers.back();
+      const Joint& follows = robot.joints[follower];
+      all[follower] = follows.mimic->multiplier * all[follows.mimic->joint] + follows.mimic->offset;
+      known[follower] = true;
+      if (!std::isfinite(all[follower])) {
+        fail_joint(follows.name, "its value overflows; look at its mimic's multiplier and offset");
+      }
+    }
+  }
+  return all;
+}
+
+std::vector<Pose> link_poses(const Robot& robot, const std::map<std::string, double>& values) {
+  const std::vector<double> all = joint_values(robot, values);
+  std::vector<Pose> poses(robot.links.size());
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const Joint& joint = robot.joints[i];
+    try {
+      poses[joint.child] = compose(poses[joint.parent], compose(origin_pose(joint.origin), motion(joint, all[i])));
+    } catch (const Error& error) {
+      throw Error(error.code(), error.what(), "joint '" + joint.name + "'");
+    }
+  }
+  return poses;
+}
+
+Pose origin_pose(const Origin& origin) {
+  const double cr = std::cos(origin.rpy[0]), sr = std::sin(origin.rpy[0]);
+  const double cp = std::cos(origin.rpy[1]), sp = std::sin(origin.rpy[1]);
+  const double cy = std::cos(origin.rpy[2]), sy = std::sin(origin.rpy[2]);
+  return Pose::from_matrix({cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr,  //
+                            sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr,  //
+                            -sp, cp * sr, cp * cr},
+                           origin.xyz);
+}
+
+Pose shape_pose(const CollisionShape& shape) {
+  const Pose scale = Pose::from_matrix({shape.scale[0], 0, 0, 0, shape.scale[1], 0, 0, 0, shape.scale[2]}, {0, 0, 0});
+  return compose(origin_pose(shape.origin), scale);
+}
+
+}  // namespace sunder::io

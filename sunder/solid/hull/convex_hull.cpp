@@ -1,0 +1,65 @@
+#include <sunder/solid/hull/convex_hull.h>
+
+#include <sunder/base/error.h>
+#include <sunder/number/rounded.h>
+#include <sunder/predicate/posed.h>
+#include <sunder/solid/hull/affine_basis.h>
+#include <sunder/solid/hull/flat_hull.h>
+#include <sunder/solid/hull/merge_coplanar.h>
+#include <sunder/solid/hull/quickhull.h>
+
+#include <cmath>
+#include <string>
+
+namespace sunder::solid {
+
+namespace {
+
+void check(std::span<const Point3> points) {
+  if (points.empty()) throw Error(ErrorCode::bad_shape, "no points: give at least one");
+  if (points.size() >= std::size_t{1} << 31) {
+    throw Error(ErrorCode::bad_shape, "too many points: give fewer than 2^31");
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point3& p = points[i];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+      throw Error(ErrorCode::bad_value, "a coordinate is not finite: give finite numbers", "point " + std::to_string(i));
+    }
+  }
+}
+
+// Points so large or so small that floating point cannot filter are multiplied by a power of two first, which changes
+// no sign; empty when there is no need, or when a coordinate would lose bits. So this is about speed only.
+std::vector<Point3> rescaled(std::span<const Point3> points) {
+  const double size = size_range(points).greatest;
+  if (tame(size)) return {};
+  const int shift = -std::ilogb(size);
+  std::vector<Point3> result;
+  result.reserve(points.size());
+  for (const Point3& p : points) {
+    const Point3 q{std::ldexp(p.x, shift), std::ldexp(p.y, shift), std::ldexp(p.z, shift)};
+    if (p != Point3{std::ldexp(q.x, -shift), std::ldexp(q.y, -shift), std::ldexp(q.z, -shift)}) return {};
+    result.push_back(q);
+  }
+  return result;
+}
+
+ConvexHull hull_of(std::span<const Point3> points) {
+  const std::vector<std::uint32_t> basis = affine_basis(points);
+  switch (basis.size()) {
+    case 1: return point_hull(basis[0]);
+    case 2: return segment_hull(basis[0], basis[1]);
+    case 3: return polygon_hull(points, *projection_axis(points[basis[0]], points[basis[1]], points[basis[2]]));
+    default: return merge_coplanar(points, quickhull(points, {basis[0], basis[1], basis[2], basis[3]}));
+  }
+}
+
+}  // namespace
+
+ConvexHull convex_hull(std::span<const Point3> points) {
+  check(points);
+  const std::vector<Point3> scaled = rescaled(points);
+  return hull_of(scaled.empty() ? points : scaled);
+}
+
+}  // namespace sunder::solid

@@ -1,0 +1,97 @@
+#include <sunder/solid/hull/flat_hull.h>
+
+#include <sunder/predicate/orient.h>
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace sunder::solid {
+
+namespace {
+
+// The extreme points in counter-clockwise order of their projections, of equal points the lowest index.
+std::vector<std::uint32_t> monotone_chain(std::span<const Point3> points, int axis) {
+  const auto projected = [&](std::uint32_t i) {
+    const Point3& p = points[i];
+    return axis == 0 ? std::pair{p.y, p.z} : axis == 1 ? std::pair{p.z, p.x} : std::pair{p.x, p.y};
+  };
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+    return std::tuple(projected(i), i) < std::tuple(projected(j), j);
+  });
+  const auto same = [&](std::uint32_t i, std::uint32_t j) { return projected(i) == projected(j); };
+  order.erase(std::unique(order.begin(), order.end(), same), order.end());
+
+  std::vector<std::uint32_t> cycle;
+  // Appends the lower chain of the points in the order given, without its last point: that begins the next chain.
+  const auto append_chain = [&](auto first, auto last) {
+    const std::size_t begin = cycle.size();
+    for (auto i = first; i != last; ++i) {
+      while (cycle.size() >= begin + 2 && orient_2d_along(axis, points[cycle[cycle.size() - 2]], points[cycle.back()],
+                                                          points[*i]) != Sign::positive) {
+        cycle.pop_back();
+      }
+      cycle.push_back(*i);
+    }
+    cycle.pop_back();
+  };
+  append_chain(order.begin(), order.end());
+  append_chain(order.rbegin(), order.rend());
+  return cycle;
+}
+
+}  // namespace
+
+ConvexHull point_hull(std::uint32_t a) {
+  ConvexHull hull;
+  hull.vertices = {a};
+  hull.neighbour_begin = {0, 0};
+  return hull;
+}
+
+ConvexHull segment_hull(std::uint32_t a, std::uint32_t b) {
+  ConvexHull hull;
+  hull.dimension = 1;
+  hull.vertices = {std::min(a, b), std::max(a, b)};
+  hull.neighbour_begin = {0, 1, 2};
+  hull.neighbours = {1, 0};
+  return hull;
+}
+
+ConvexHull polygon_hull(std::span<const Point3> points, int axis) {
+  std::vector<std::uint32_t> cycle = monotone_chain(points, axis);
+  std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
+
+  ConvexHull hull;
+  hull.dimension = 2;
+  hull.vertices = cycle;
+  std::sort(hull.vertices.begin(), hull.vertices.end());
+  for (std::uint32_t& corner : cycle) {
+    const auto place = std::lower_bound(hull.vertices.begin(), hull.vertices.end(), corner);
+    corner = static_cast<std::uint32_t>(place - hull.vertices.begin());
+  }
+
+  // Both facets start at vertex 0; the one with the lower second vertex comes first.
+  if (cycle.back() < cycle[1]) std::reverse(cycle.begin() + 1, cycle.end());
+  const std::uint32_t size = static_cast<std::uint32_t>(cycle.size());
+  hull.facet_begin = {0, size, 2 * size};
+  hull.facet_vertices = cycle;
+  hull.facet_vertices.push_back(cycle.front());
+  hull.facet_vertices.insert(hull.facet_vertices.end(), cycle.rbegin(), cycle.rend() - 1);
+
+  hull.neighbours.resize(2 * cycle.size());
+  hull.neighbour_begin.resize(cycle.size() + 1);
+  for (std::uint32_t i = 0; i < size; ++i) {
+    const auto [low, high] = std::minmax(cycle[(i + size - 1) % size], cycle[(i + 1) % size]);
+    hull.neighbours[2 * cycle[i]] = low;
+    hull.neighbours[2 * cycle[i] + 1] = high;
+    hull.neighbour_begin[i + 1] = 2 * (i + 1);
+  }
+  return hull;
+}
+
+}  // namespace sunder::solid

@@ -1,0 +1,221 @@
+#include <sunder/solid/hull/quickhull.h>
+
+#include <algorithm>
+#include <utility>
+
+// Quickhull keeps the boundary of the hull C of the points inserted so far, and for every other point that lies
+// strictly outside of C a triangle that the point is strictly above; the points of one triangle are its conflict list.
+// To insert a point p, the triangles that p is strictly above are removed and p is joined to the rim of the hole.
+//
+// Q1. No triangle is degenerate. Of the two triangles at an edge ab of the rim, p is strictly above one and not above
+//     the other. Were p on the line ab, it would be in both planes.
+// Q2. The hole is a disk. Let c be inside C. From p' = p - e (p - c), for a small e > 0, exactly the triangles of the
+//     hole are strictly visible and no plane of a triangle contains p'. What is visible from a point in general
+//     position is a disk.
+// Q3. The new triangles and the kept ones cover the boundary of C' = hull(C, p) once: the kept ones are the part of the
+//     boundary of C that p does not see strictly, which stays on the boundary; the rest is the cone from p over the rim.
+// Q4. A point q of the list of a removed triangle R is inside C' or on its boundary, or strictly above a new triangle.
+//     Suppose it is not strictly above any. The new triangles are all those at p, so q lies in the cone from p over C:
+//     q = p + t (x - p) for an x in C. If t <= 1, q is in C'. Otherwise x is strictly between p and q, which are both
+//     strictly above R, so x in C is strictly above R too, which contradicts that R bounds C.
+//     So points that are above no new triangle can be dropped, being no extreme points of the whole set, or repetitions.
+// Q5. The lists are empty in the end, so all points are in the hull, and each extreme point is inserted. Each insertion
+//     takes a point from the lists for good, and so the end comes.
+// Q6. Equal points are always in the same list, because where a point goes depends on its coordinates only. The first
+//     of a list is the farthest, at equal heights the one with the lowest index. Only first ones are inserted, so a
+//     corner has the lowest index among the points equal to it.
+// All this needs the exact sign for "strictly above". "Farthest" may be as wrong as floating point makes it, as long as
+// it orders the points and equal points have equal heights.
+//
+// Triangles coplanar with p stay, although then some corner may no longer be extreme and has to be sorted out later
+// (merge_coplanar). Removing them would keep every corner extreme, but would replace all triangles of a flat facet
+// with each new corner of it: quadratic for a prism.
+
+namespace sunder::solid {
+
+namespace {
+
+constexpr std::uint32_t none = Triangle::none;
+
+// The size of the box around the points, as rounded.
+Point3 extent_of(std::span<const Point3> points) {
+  Point3 low = points[0], high = points[0];
+  for (const Point3& p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return {high.x - low.x, high.y - low.y, high.z - low.z};
+}
+
+class Quickhull {
+ public:
+  explicit Quickhull(std::span<const Point3> points)
+      : points_(points), extent_(extent_of(points)), next_outside_(points.size()) {}
+
+  std::vector<Triangle> run(std::array<std::uint32_t, 4> simplex) {
+    start(simplex);
+    while (!pending_.empty()) {
+      const std::uint32_t t = pending_.back();
+      pending_.pop_back();
+      if (!triangles_[t].removed && triangles_[t].outside != none) insert(triangles_[t].outside, t);
+    }
+    return std::move(triangles_);
+  }
+
+ private:
+  // An edge, as the triangle on its left and the place of its first corner there.
+  struct Edge {
+    std::uint32_t triangle;
+    int place;
+    friend bool operator==(const Edge&, const Edge&) = default;
+  };
+
+  // The index of a new triangle a, b, c. `adjacent` is left open.
+  std::uint32_t make_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    std::uint32_t t;
+    if (free_.empty()) {
+      t = static_cast<std::uint32_t>(triangles_.size());
+      triangles_.emplace_back();
+    } else {
+      t = free_.back();
+      free_.pop_back();
+    }
+    triangles_[t] = {.corner = {a, b, c}, .plane = FacetPlane(points_[a], points_[b], points_[c], extent_)};
+    return t;
+  }
+
+  void start(std::array<std::uint32_t, 4> simplex) {
+    auto [a, b, c, d] = simplex;
+    if (orient_3d(points_[a], points_[b], points_[c], points_[d]) == Sign::positive) std::swap(b, c);
+    for (const auto& [i, j, k] : {std::array{a, b, c}, {a, d, b}, {b, d, c}, {c, d, a}}) {
+      fresh_.push_back(make_triangle(i, j, k));
+    }
+    triangles_[fresh_[0]].adjacent = {fresh_[1], fresh_[2], fresh_[3]};
+    triangles_[fresh_[1]].adjacent = {fresh_[3], fresh_[2], fresh_[0]};
+    triangles_[fresh_[2]].adjacent = {fresh_[1], fresh_[3], fresh_[0]};
+    triangles_[fresh_[3]].adjacent = {fresh_[2], fresh_[1], fresh_[0]};
+    for (std::uint32_t q = 0; q < points_.size(); ++q) place(q);
+    queue_fresh();
+  }
+
+  // Inserts point p, which is strictly above triangle t.
+  void insert(std::uint32_t p, std::uint32_t t) {
+    const Edge rim = remove_visible(points_[p], t);
+    fill_hole(p, rim);
+    for (const std::uint32_t v : visible_) {
+      for (std::uint32_t q = std::exchange(triangles_[v].outside, none); q != none;) {
+        const std::uint32_t following = next_outside_[q];
+        if (points_[q] != points_[p]) place(q);
+        q = following;
+      }
+    }
+    free_.insert(free_.end(), visible_.begin(), visible_.end());
+    queue_fresh();
+  }
+
+  // Marks the triangles that p is strictly above as removed and lists them in visible_, starting from triangle t,
+  // which is one of them. Returns an edge of the rim, as seen from the hole.
+  Edge remove_visible(const Point3& p, std::uint32_t t) {
+    Edge rim{t, 0};
+    visible_.assign(1, t);
+    triangles_[t].removed = true;
+    for (std::size_t i = 0; i < visible_.size(); ++i) {
+      const std::uint32_t v = visible_[i];
+      for (const int e : {0, 1, 2}) {
+        const std::uint32_t beyond = triangles_[v].adjacent[e];
+        if (triangles_[beyond].removed) continue;
+        if (triangles_[beyond].side(points_, p) == Sign::positive) {
+          triangles_[beyond].removed = true;
+          visible_.push_back(beyond);
+        } else {
+          rim = {v, e};
+        }
+      }
+    }
+    return rim;
+  }
+
+  // Joins p to all edges of the rim, counter-clockwise from one of them. The new triangles are listed in fresh_.
+  void fill_hole(std::uint32_t p, const Edge& first) {
+    fresh_.clear();
+    Edge rim = first;
+    do {
+      const std::uint32_t a = triangles_[rim.triangle].corner[rim.place];
+      const std::uint32_t b = triangles_[rim.triangle].corner[next(rim.place)];
+      const std::uint32_t kept = triangles_[rim.triangle].adjacent[rim.place];
+      const std::uint32_t t = make_triangle(p, a, b);
+      triangles_[t].adjacent[1] = kept;
+      triangles_[kept].adjacent[triangles_[kept].place_of(b)] = t;
+      if (!fresh_.empty()) link(fresh_.back(), t);
+      fresh_.push_back(t);
+      rim = next_on_rim(rim);
+    } while (rim != first);
+    link(fresh_.back(), fresh_.front());
+  }
+
+  // New triangles p, a, b and p, b, c share the edge bp.
+  void link(std::uint32_t pab, std::uint32_t pbc) {
+    triangles_[pab].adjacent[2] = pbc;
+    triangles_[pbc].adjacent[0] = pab;
+  }
+
+  // The edge of the rim that begins where the given one ends: turns about that corner through the hole.
+  Edge next_on_rim(const Edge& rim) const {
+    const std::uint32_t pivot = triangles_[rim.triangle].corner[next(rim.place)];
+    Edge edge{rim.triangle, next(rim.place)};
+    for (;;) {
+      const std::uint32_t beyond = triangles_[edge.triangle].adjacent[edge.place];
+      if (!triangles_[beyond].removed) return edge;
+      edge = {beyond, triangles_[beyond].place_of(pivot)};
+    }
+  }
+
+  // Puts point q on the conflict list of the first fresh triangle that it is strictly above, if any.
+  void place(std::uint32_t q) {
+    for (const std::uint32_t t : fresh_) {
+      Triangle& triangle = triangles_[t];
+      if (triangle.side(points_, points_[q]) != Sign::positive) continue;
+      const std::uint32_t farthest = triangle.outside;
+      if (farthest == none || is_farther(triangle, q, farthest)) {
+        next_outside_[q] = farthest;
+        triangle.outside = q;
+      } else {
+        next_outside_[q] = next_outside_[farthest];
+        next_outside_[farthest] = q;
+      }
+      return;
+    }
+  }
+
+  bool is_farther(const Triangle& triangle, std::uint32_t q, std::uint32_t r) const {
+    const auto height = [&](std::uint32_t i) {
+      const double h = triangle.plane.height(points_[triangle.corner[0]], points_[i]);
+      return h > 0 ? h : 0;  // both are above; not so is rounding, or NaN after an overflow
+    };
+    const double q_height = height(q), r_height = height(r);
+    return q_height > r_height || (q_height == r_height && q < r);
+  }
+
+  void queue_fresh() {
+    for (const std::uint32_t t : fresh_) {
+      if (triangles_[t].outside != none) pending_.push_back(t);
+    }
+  }
+
+  std::span<const Point3> points_;
+  Point3 extent_;
+  std::vector<std::uint32_t> next_outside_;  // the conflict lists: what follows a point in its list
+  std::vector<Triangle> triangles_;
+  std::vector<std::uint32_t> free_;     // removed triangles, whose places can be used again
+  std::vector<std::uint32_t> pending_;  // every triangle with a list is here; others may be
+  std::vector<std::uint32_t> visible_;  // of the latest insertion: the triangles removed,
+  std::vector<std::uint32_t> fresh_;    // and the triangles made
+};
+
+}  // namespace
+
+std::vector<Triangle> quickhull(std::span<const Point3> points, std::array<std::uint32_t, 4> simplex) {
+  return Quickhull(points).run(simplex);
+}
+
+}  // namespace sunder::solid

@@ -1,0 +1,43 @@
+// A triangulated convex hull of points that span space. Internal to solid/hull.
+#pragma once
+
+#include <sunder/predicate/facet_plane.h>
+#include <sunder/predicate/point.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace sunder::solid {
+
+// A triangle of the boundary, and what Quickhull keeps with it: one cache line.
+struct Triangle {
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  std::array<std::uint32_t, 3> corner{};    // point indices, counter-clockwise from outside
+  std::array<std::uint32_t, 3> adjacent{};  // the triangle beyond the edge from corner[i] to corner[i + 1]
+  FacetPlane plane;                         // of the corners in this order
+  std::uint32_t outside = none;             // the first point of its conflict list
+  bool removed = false;                     // no part of the hull: every other field is meaningless
+
+  // Which corner point v is. Requires that it is one.
+  int place_of(std::uint32_t v) const { return corner[0] == v ? 0 : corner[1] == v ? 1 : 2; }
+
+  // Exactly: positive when q is strictly outside the plane, negative when strictly inside.
+  Sign side(std::span<const Point3> points, const Point3& q) const {
+    return plane.side(points[corner[0]], points[corner[1]], points[corner[2]], q);
+  }
+};
+
+constexpr int next(int place) { return place == 2 ? 0 : place + 1; }
+constexpr int previous(int place) { return place == 0 ? 2 : place - 1; }
+
+// Triangles none of which is degenerate, that together with their adjacency cover the boundary of the hull exactly
+// once, among removed ones. Several may be coplanar, so corners may lie inside facets or edges of the hull, but every
+// extreme point is a corner: of equal points the one with the lowest index.
+// Requires four affinely independent points, of equal points the lowest index each.
+// Cost: as convex_hull.
+std::vector<Triangle> quickhull(std::span<const Point3> points, std::array<std::uint32_t, 4> simplex);
+
+}  // namespace sunder::solid

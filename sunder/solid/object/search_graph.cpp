@@ -1,0 +1,79 @@
+#include <sunder/solid/object/search_graph.h>
+#include <sunder/solid/object/search_graph_walk.h>
+
+#include <cmath>
+
+namespace sunder::solid {
+
+namespace {
+
+void fill_table(SearchGraph& graph) {
+  const double n = static_cast<double>(graph.vertices.size());
+  graph.side = static_cast<std::uint32_t>(std::ceil(std::sqrt(n / 6)));
+  const std::uint32_t side = graph.side;
+  graph.table.assign(std::size_t{6} * side * side, 0);
+  std::uint32_t last = 0;
+  for (std::uint32_t face = 0; face < 6; ++face) {
+    for (std::uint32_t row = 0; row < side; ++row) {
+      for (std::uint32_t step = 0; step < side; ++step) {
+        const std::uint32_t column = row % 2 == 0 ? step : side - 1 - step;  // to and fro: cells in turn are adjacent
+        const double u = (2.0 * column + 1) / side - 1;
+        const double v = (2.0 * row + 1) / side - 1;
+        const double w = face % 2 == 0 ? 1 : -1;
+        const Point3 direction = face < 2 ? Point3{w, u, v} : face < 4 ? Point3{u, w, v} : Point3{u, v, w};
+        std::uint32_t probes = 0;
+        last = walk(graph, direction, last, probes);
+        graph.table[(face * side + row) * side + column] = last;
+      }
+    }
+  }
+}
+
+void fill_all(SearchGraph& graph) {
+  const std::uint32_t n = static_cast<std::uint32_t>(graph.vertices.size());
+  graph.padded = (n + 3) / 4 * 4;
+  graph.all.resize(std::size_t{3} * graph.padded);
+  for (std::uint32_t i = 0; i < graph.padded; ++i) {
+    const Point3& p = graph.vertices[i < n ? i : 0];
+    graph.all[i] = p.x;
+    graph.all[graph.padded + i] = p.y;
+    graph.all[2 * graph.padded + i] = p.z;
+  }
+}
+
+}  // namespace
+
+SearchGraph make_search_graph(std::span<const Point3> vertices, std::span<const std::uint32_t> neighbour_begin,
+                              std::span<const std::uint32_t> neighbours) {
+  SearchGraph graph;
+  graph.vertices.assign(vertices.begin(), vertices.end());
+  graph.begin.assign(neighbour_begin.begin(), neighbour_begin.end());
+  graph.neighbours.assign(neighbours.begin(), neighbours.end());
+  graph.coordinates.resize(3 * neighbours.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const std::size_t first = graph.begin[v];
+    const std::size_t count = graph.begin[v + 1] - first;
+    for (std::size_t j = 0; j < count; ++j) {
+      const Point3& p = vertices[neighbours[first + j]];
+      graph.coordinates[3 * first + j] = p.x;
+      graph.coordinates[3 * first + count + j] = p.y;
+      graph.coordinates[3 * first + 2 * count + j] = p.z;
+    }
+  }
+  graph.sizes = size_range(vertices);
+  graph.low = graph.high = vertices[0];
+  for (const Point3& p : vertices) {
+    graph.low = {std::min(graph.low.x, p.x), std::min(graph.low.y, p.y), std::min(graph.low.z, p.z)};
+    graph.high = {std::max(graph.high.x, p.x), std::max(graph.high.y, p.y), std::max(graph.high.z, p.z)};
+  }
+  graph.middle = {graph.low.x / 2 + graph.high.x / 2, graph.low.y / 2 + graph.high.y / 2,
+                  graph.low.z / 2 + graph.high.z / 2};
+  if (vertices.size() <= SearchGraph::few) {
+    fill_all(graph);
+  } else {
+    fill_table(graph);
+  }
+  return graph;
+}
+
+}  // namespace sunder::solid

@@ -1,0 +1,27 @@
+// The exact finishing of pair questions: the simplex method in integers, with the vertex graph as its pricing.
+//
+// The linear program: weights l_i >= 0 of A's vertices and m_j >= 0 of B's with
+//   sum l_i a_i - sum m_j b_j = 0,  sum l_i = 1,  sum m_j = 1
+// over the exact images a_i, b_j. Phase one starts from five artificial variables and minimises their sum. Its
+// multipliers (d, alpha, beta) price a vertex of A at d . a_i + alpha and one of B at -d . b_j + beta: the best to enter
+// is an extreme vertex along d, which a walk over the vertex graph finds by exact comparisons. When none has a positive
+// price, either the sum is zero, and the basis is a common point with at most five vertices, or d parts the bodies
+// strictly:  d . a_i <= -alpha < beta <= d . b_j.
+//
+// Arithmetic is on integers (images scaled by one power of two), fraction-free: the inverse of the basis times its
+// determinant (Edmonds 1967, Bareiss 1968). The leaving variable is chosen lexicographically (Dantzig, Orden, Wolfe
+// 1955), so the method ends whatever the degeneracy.
+#pragma once
+
+#include <sunder/certificate/pair.h>
+#include <sunder/solid/pair/closest_simplex.h>
+#include <sunder/solid/pair/extreme_vertex.h>
+
+namespace sunder::solid {
+
+// Decides; never fails. `hint`: vertices to try first, as a search left them. Allocates.
+// Cost: some five to thirty exact pivots, each with a walk over the graph.
+PairCertificate decide_by_exact_simplex(const Placed& a, const Placed& b, const DifferenceSimplex& hint,
+                                        StageTally& tally);
+
+}  // namespace sunder::solid

@@ -1,0 +1,175 @@
+// Search, propose, check; finish exactly where the check fails. See docs/design/solid-pair.md.
+#include <sunder/predicate/common_point.h>
+#include <sunder/solid/object/search_graph_walk.h>
+#include <sunder/solid/pair/closest_simplex.h>
+#include <sunder/solid/pair/evidence.h>
+#include <sunder/solid/pair/exact_simplex.h>
+#include <sunder/solid/pair/extreme_vertex.h>
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
+
+#include <cmath>
+
+namespace sunder::solid {
+
+namespace {
+
+double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+// The transposed linear part times d: the direction as the body's own frame sees it.
+Point3 pulled(const Affine3& pose, const Point3& d) {
+  const auto& m = pose.linear;
+  return {m[0] * d.x + m[3] * d.y + m[6] * d.z, m[1] * d.x + m[4] * d.y + m[7] * d.z,
+          m[2] * d.x + m[5] * d.y + m[8] * d.z};
+}
+
+Point3 turned(const Affine3& pose, const Point3& p) {
+  const auto& m = pose.linear;
+  return {m[0] * p.x + m[1] * p.y + m[2] * p.z, m[3] * p.x + m[4] * p.y + m[5] * p.z,
+          m[6] * p.x + m[7] * p.y + m[8] * p.z};
+}
+
+// Scales the direction so that its largest component has size about 1, and drops components that are negligible then;
+// so it is tame (predicate/along.h). Returns false for zero and for what is not finite.
+bool normalize(Point3& d) {
+  const double largest = std::max(std::fabs(d.x), std::max(std::fabs(d.y), std::fabs(d.z)));
+  if (!(largest > 0 && largest <= std::numeric_limits<double>::max())) return false;
+  const auto component = [&](double x) {
+    const double part = x / largest;
+    return std::fabs(part) < 0x1p-60 ? 0.0 : part;
+  };
+  d = {component(d.x), component(d.y), component(d.z)};
+  return true;
+}
+
+// The search: the state of Gilbert, Johnson and Keerthi's method on two placed bodies.
+class Search {
+ public:
+  Search(const Placed& a, const Placed& b) : a_(a), b_(b) {
+    const auto& s = a.pose.translation;
+    const auto& t = b.pose.translation;
+    if (!a.tame || !b.tame) scale_ = scale_of(a, b);
+    shift_ = {t[0] - s[0], t[1] - s[1], t[2] - s[2]};
+    const Point3 p = turned(a.pose, a.graph.middle), q = turned(b.pose, b.graph.middle);
+    direction = {(q.x - p.x) + shift_.x, (q.y - p.y) + shift_.y, (q.z - p.z) + shift_.z};
+    if (!normalize(direction)) direction = {1, 0, 0};
+  }
+
+  // The two vertices furthest towards each other along `direction`, and their difference.
+  DifferenceVertex probe(Cost& cost) const {
+    DifferenceVertex w;
+    const Point3 e = pulled(a_.pose, direction), f = pulled(b_.pose, direction);
+    w.a = furthest(a_.graph, e, cost.probes);
+    w.b = furthest(b_.graph, {-f.x, -f.y, -f.z}, cost.probes);
+    const Point3 p = turned(a_.pose, a_.graph.vertices[w.a]), q = turned(b_.pose, b_.graph.vertices[w.b]);
+    w.at = {((p.x - q.x) - shift_.x) * scale_, ((p.y - q.y) - shift_.y) * scale_, ((p.z - q.z) - shift_.z) * scale_};
+    return w;
+  }
+
+  bool holds(const DifferenceVertex& w) const {
+    for (int i = 0; i < simplex.count; ++i) {
+      const DifferenceVertex& v = simplex.vertex[static_cast<std::size_t>(i)];
+      if (v.a == w.a && v.b == w.b) return true;
+    }
+    return false;
+  }
+
+  // Near contact the direction is perpendicular to a face of the difference, whose vertices then tie. Turns it a little
+  // towards one of them, so that floating point can tell the extreme vertices, at the cost of at most a quarter of the
+  // gap. `w` is what the direction just found; it becomes the vertex that is now furthest.
+  Point3 tilted(DifferenceVertex& w) const {
+    const double gap = -dot(direction, w.at);
+    const std::size_t n = static_cast<std::size_t>(simplex.count);
+    if (n < 2) return direction;
+    Point3 centroid;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Point3& p = simplex.vertex[i].at;
+      centroid = {centroid.x + p.x, centroid.y + p.y, centroid.z + p.z};
+    }
+    const double part = 1.0 / simplex.count;
+    centroid = {centroid.x * part, centroid.y * part, centroid.z * part};
+    const auto from_centroid = [&](const Point3& p) { return Point3{p.x - centroid.x, p.y - centroid.y, p.z - centroid.z}; };
+    // A new vertex clearly beyond the face wins anyway. Else the vertex of the face furthest from the centroid.
+    Point3 e = from_centroid(w.at);
+    double largest = dot(e, e);
+    if (dot(direction, e) * dot(direction, e) < 0x1p-40 * largest) {
+      largest = 0;
+      for (std::size_t i = 0; i < n; ++i) {
+        const Point3 f = from_centroid(simplex.vertex[i].at);
+        const double length2 = dot(f, f);
+        if (length2 > largest) {
+          largest = length2;
+          e = f;
+          w = simplex.vertex[i];
+        }
+      }
+    } else {
+      return direction;
+    }
+    const double cost = std::fabs(dot(e, w.at));
+    const double amount = std::min(0x1p-7 / std::sqrt(largest), 0.25 * gap / cost);
+    Point3 d{direction.x + amount * e.x, direction.y + amount * e.y, direction.z + amount * e.z};
+    return normalize(d) ? d : direction;
+  }
+
+  Point3 direction;            // of the world, from A towards B, tame
+  DifferenceSimplex simplex;   // the face nearest to the origin, or the tetrahedron around it
+
+ private:
+  // A power of two that brings differences of images near 1: squares of them must neither overflow nor vanish.
+  static double scale_of(const Placed& a, const Placed& b) {
+    double size = 0;
+    for (const Placed* body : {&a, &b}) {
+      const double linear = size_range(std::span<const double>(body->pose.linear)).greatest;
+      const double translation = size_range(std::span<const double>(body->pose.translation)).greatest;
+      size = std::max(size, std::max(linear * body->graph.sizes.greatest, translation));
+    }
+    if (!(size > 0 && size <= std::numeric_limits<double>::max())) return 1;
+    return std::ldexp(1.0, std::clamp(-std::ilogb(size), -1022, 1022));
+  }
+
+  const Placed& a_;
+  const Placed& b_;
+  Point3 shift_;
+  double scale_ = 1;
+};
+
+constexpr int most_iterations = 100;
+
+}  // namespace
+
+PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& body_a, const Pose& pose_a,  //
+                                        const ConvexPolyhedron& body_b, const Pose& pose_b) {
+  const Placed a(body_a, pose_a), b(body_b, pose_b);
+  PairAnswer answer;
+  StageTally tally;
+  Search search(a, b);
+
+  bool decided = false;
+  bool enclosed = false;
+  for (int i = 0; i < most_iterations && !decided && !enclosed; ++i) {
+    ++answer.cost.iterations;
+    const DifferenceVertex w = search.probe(answer.cost);
+    if (dot(search.direction, w.at) < 0) {
+      DifferenceVertex furthest = w;
+      const Point3 direction = search.tilted(furthest);
+      decided = check_apart(a, b, direction, furthest.a, furthest.b, answer.evidence, tally);
+      if (decided) break;
+    }
+    if (search.holds(w)) break;
+    search.simplex.vertex[static_cast<std::size_t>(search.simplex.count++)] = w;
+    enclosed = !reduce_to_closest_face(search.simplex, search.direction);
+    if (!enclosed && !normalize(search.direction)) break;
+  }
+
+  if (!decided) decided = check_meet(a, b, search.simplex, answer.evidence, tally);
+  if (!decided && !enclosed) decided = check_apart_by_features(a, b, search.simplex, search.direction, answer.evidence, tally);
+  answer.decided_by = tally.exact == 0 ? DecidedBy::filter : DecidedBy::evidence;
+  if (!decided) {
+    answer.evidence = decide_by_exact_simplex(a, b, search.simplex, tally);
+    answer.decided_by = DecidedBy::finishing;
+  }
+  answer.cost.exact = tally.exact;
+  return answer;
+}
+
+}  // namespace sunder::solid

@@ -1,0 +1,281 @@
+// The oracle: one exact linear program over all vertices. It shares nothing with the searches but the answer's type:
+// it has its own reading of doubles, its own integers, its own simplex method, and looks at no edge of a body.
+//
+// Weights l_i >= 0 of A's vertices, m_j >= 0 of B's, with sum l_i a_i = sum m_j b_j, sum l_i = 1, sum m_j = 1: five
+// equations. Phase one of the simplex method from five artificial variables. All prices are looked at in every step:
+// in floating point with a generous error bound first, exactly where that does not tell. The largest enters; after
+// `patience` steps the first positive one does (Bland 1977), which cannot cycle if ties leave by least number.
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace sunder::solid {
+
+namespace {
+
+using boost::multiprecision::cpp_int;
+
+// x = mantissa 2^exponent; zero has the largest exponent, so that it never is the least.
+struct Parts {
+  std::int64_t mantissa = 0;
+  int exponent = std::numeric_limits<int>::max();
+};
+
+Parts parts_of(double x) {
+  if (x == 0) return {};
+  int exponent = 0;
+  const double fraction = std::frexp(x, &exponent);
+  return {static_cast<std::int64_t>(std::ldexp(fraction, 53)), exponent - 53};
+}
+
+// Adds a b 2^(exponents) / 2^unit to the sum.
+void add_product(cpp_int& sum, double a, double b, int unit) {
+  const Parts p = parts_of(a), q = parts_of(b);
+  if (p.mantissa == 0 || q.mantissa == 0) return;
+  cpp_int product = p.mantissa;
+  product *= q.mantissa;
+  product <<= static_cast<unsigned>(p.exponent + q.exponent - unit);
+  sum += product;
+}
+
+struct Column {
+  std::array<cpp_int, 5> entry;
+};
+
+// An approximate column: |approx - exact| <= 2^-50 size for the first three entries, if all is of ordinary size.
+struct Sketch {
+  std::array<double, 3> approx;
+  std::array<double, 3> size;
+};
+
+class Scan {
+ public:
+  Scan(const ConvexPolyhedron& a, const Affine3& pose_a, const ConvexPolyhedron& b, const Affine3& pose_b)
+      : vertices_{a.vertices(), b.vertices()}, poses_{&pose_a, &pose_b} {
+    for (int body = 0; body < 2; ++body) {
+      int linear = std::numeric_limits<int>::max(), point = linear, shift = linear;
+      for (const double x : poses_[body]->linear) linear = std::min(linear, parts_of(x).exponent);
+      for (const double x : poses_[body]->translation) shift = std::min(shift, parts_of(x).exponent);
+      for (const Point3& p : vertices_[body]) {
+        for (const double x : {p.x, p.y, p.z}) point = std::min(point, parts_of(x).exponent);
+      }
+      constexpr int none = std::numeric_limits<int>::max();
+      if (point != none && linear != none) unit_ = std::min(unit_, linear + point);
+      if (shift != none) unit_ = std::min(unit_, shift);
+    }
+    for (int body = 0; body < 2; ++body) {
+      for (const Point3& p : vertices_[body]) sketches_.push_back(sketch(body, p));
+    }
+    columns_.resize(sketches_.size());
+    for (std::size_t i = 0; i < 5; ++i) inverse_[i][i] = 1;
+    solution_[3] = solution_[4] = 1;
+  }
+
+  PairAnswer run() {
+    constexpr int patience = 60;
+    PairAnswer answer;
+    answer.decided_by = DecidedBy::filter;
+    for (int step = 0;; ++step) {
+      ++answer.cost.iterations;
+      answer.cost.probes += static_cast<std::uint32_t>(columns_.size());
+      const std::optional<std::size_t> entering = price_all(step >= patience);
+      if (!entering) break;
+      enter(*entering);
+    }
+    answer.cost.exact = exact_prices_;
+    const auto y = multipliers();
+    if (y[3] + y[4] > 0) {
+      answer.evidence.verdict = Verdict::apart;
+      answer.evidence.direction.kind = Direction::Kind::exact;
+      answer.evidence.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(
+          std::array{Dyadic(Integer(y[0]), 0), Dyadic(Integer(y[1]), 0), Dyadic(Integer(y[2]), 0)});
+      answer.evidence.extreme_a = furthest(0, y);
+      answer.evidence.extreme_b = furthest(1, y);
+      return answer;
+    }
+    answer.evidence.verdict = Verdict::meet;
+    std::size_t n = 0;
+    for (int body = 0; body < 2; ++body) {
+      for (std::size_t i = 0; i < 5; ++i) {
+        if (basis_[i] < 0 || solution_[i] == 0 || body_of(static_cast<std::size_t>(basis_[i])) != body) continue;
+        answer.evidence.vertices[n++] = vertex_of(static_cast<std::size_t>(basis_[i]));
+        ++(body == 0 ? answer.evidence.count_a : answer.evidence.count_b);
+      }
+    }
+    return answer;
+  }
+
+ private:
+  int body_of(std::size_t column) const { return column < vertices_[0].size() ? 0 : 1; }
+  std::uint32_t vertex_of(std::size_t column) const {
+    return static_cast<std::uint32_t>(body_of(column) == 0 ? column : column - vertices_[0].size());
+  }
+
+  Sketch sketch(int body, const Point3& p) const {
+    const Affine3& pose = *poses_[body];
+    Sketch s{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double* row = &pose.linear[3 * i];
+      const double value = row[0] * p.x + row[1] * p.y + row[2] * p.z + pose.translation[i];
+      s.approx[i] = body == 0 ? value : -value;
+      s.size[i] = std::fabs(row[0] * p.x) + std::fabs(row[1] * p.y) + std::fabs(row[2] * p.z) +
+                  std::fabs(pose.translation[i]);
+    }
+    return s;
+  }
+
+  const Column& column(std::size_t number) {
+    std::optional<Column>& c = columns_[number];
+    if (c) return *c;
+    c.emplace();
+    const int body = body_of(number);
+    const Affine3& pose = *poses_[body];
+    const Point3& p = vertices_[body][vertex_of(number)];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double* row = &pose.linear[3 * i];
+      cpp_int& sum = c->entry[i];
+      add_product(sum, row[0], p.x, unit_);
+      add_product(sum, row[1], p.y, unit_);
+      add_product(sum, row[2], p.z, unit_);
+      add_product(sum, pose.translation[i], 1, unit_);
+      if (body == 1) sum = -sum;
+    }
+    c->entry[3] = body == 0 ? 1 : 0;
+    c->entry[4] = body == 0 ? 0 : 1;
+    return *c;
+  }
+
+  std::array<cpp_int, 5> multipliers() const {
+    std::array<cpp_int, 5> y;
+    for (std::size_t i = 0; i < 5; ++i) {
+      if (basis_[i] >= 0) continue;
+      for (std::size_t k = 0; k < 5; ++k) y[k] += inverse_[i][k];
+    }
+    return y;
+  }
+
+  cpp_int exact_price(const std::array<cpp_int, 5>& y, std::size_t number) {
+    ++exact_prices_;
+    const Column& c = column(number);
+    cpp_int price;
+    for (std::size_t k = 0; k < 5; ++k) price += y[k] * c.entry[k];
+    return price;
+  }
+
+  // A column with a positive price: the largest as far as can be seen, or just the first; none if there is none.
+  std::optional<std::size_t> price_all(bool first) {
+    const std::array<cpp_int, 5> y = multipliers();
+    // The multipliers in units that make images ordinary: entries of columns count in units of 2^unit_.
+    std::array<double, 5> q{};
+    const bool sketchy = to_doubles(y, q);
+    std::optional<std::size_t> best;
+    double best_price = 0;
+    for (std::size_t j = 0; j < columns_.size(); ++j) {
+      const Sketch& s = sketches_[j];
+      const double price = q[0] * s.approx[0] + q[1] * s.approx[1] + q[2] * s.approx[2] + q[body_of(j) == 0 ? 3 : 4];
+      const double size = std::fabs(q[0]) * s.size[0] + std::fabs(q[1]) * s.size[1] + std::fabs(q[2]) * s.size[2] +
+                          std::fabs(q[body_of(j) == 0 ? 3 : 4]);
+      const double error = size * 0x1p-45;
+      const bool ordinary = sketchy && size > 0x1p-500 && size < 0x1p500;
+      if (ordinary && price < -error) continue;
+      if (!(ordinary && price > error) && exact_price(y, j) <= 0) continue;
+      if (first) return j;
+      if (!best || price > best_price) {
+        best = j;
+        best_price = price;
+      }
+    }
+    return best;
+  }
+
+  // y_k 2^(3 units of length) as doubles up to one common power of two, each with relative error at most 2^-52; the
+  // last two in units of length. False where the range of doubles is too small for that.
+  bool to_doubles(const std::array<cpp_int, 5>& y, std::array<double, 5>& q) const {
+    std::array<int, 5> exponent{};
+    int top = std::numeric_limits<int>::min();
+    for (std::size_t k = 0; k < 5; ++k) {
+      if (y[k] == 0) continue;
+      const cpp_int size = abs(y[k]);
+      const int bits = static_cast<int>(msb(size)) + 1;
+      const int drop = std::max(bits - 53, 0);
+      const double mantissa = static_cast<double>(static_cast<std::int64_t>(size >> static_cast<unsigned>(drop)));
+      q[k] = y[k] < 0 ? -mantissa : mantissa;
+      exponent[k] = drop + (k >= 3 ? unit_ : 0);
+      top = std::max(top, exponent[k] + 53);
+    }
+    for (std::size_t k = 0; k < 5; ++k) {
+      if (q[k] == 0) continue;
+      const int shift = exponent[k] - top;
+      if (shift < -400) return false;
+      q[k] = std::ldexp(q[k], shift);
+    }
+    return true;
+  }
+
+  void enter(std::size_t number) {
+    const Column& c = column(number);
+    std::array<cpp_int, 5> t;
+    for (std::size_t i = 0; i < 5; ++i) {
+      for (std::size_t k = 0; k < 5; ++k) t[i] += inverse_[i][k] * c.entry[k];
+    }
+    std::size_t r = 5;  // the least ratio; of equals the variable with the least number
+    for (std::size_t i = 0; i < 5; ++i) {
+      if (t[i] <= 0) continue;
+      if (r == 5) {
+        r = i;
+        continue;
+      }
+      const cpp_int at_i = solution_[i] * t[r], at_r = solution_[r] * t[i];
+      if (at_i < at_r || (at_i == at_r && basis_[i] < basis_[r])) r = i;
+    }
+    const cpp_int old = denominator_;
+    for (std::size_t i = 0; i < 5; ++i) {
+      if (i == r) continue;
+      solution_[i] = (solution_[i] * t[r] - solution_[r] * t[i]) / old;
+      for (std::size_t k = 0; k < 5; ++k) inverse_[i][k] = (inverse_[i][k] * t[r] - inverse_[r][k] * t[i]) / old;
+    }
+    denominator_ = t[r];
+    basis_[r] = static_cast<std::int64_t>(number);
+  }
+
+  std::uint32_t furthest(int body, const std::array<cpp_int, 5>& y) {
+    const std::size_t first = body == 0 ? 0 : vertices_[0].size();
+    std::size_t best = first;
+    cpp_int best_price = exact_price(y, first);
+    for (std::size_t j = first + 1; j < first + vertices_[body].size(); ++j) {
+      const cpp_int price = exact_price(y, j);
+      if (price > best_price) {
+        best_price = price;
+        best = j;
+      }
+    }
+    return vertex_of(best);
+  }
+
+  std::array<std::span<const Point3>, 2> vertices_;
+  std::array<const Affine3*, 2> poses_;
+  int unit_ = std::numeric_limits<int>::max();  // all coordinates of images are multiples of 2^unit_
+  std::vector<Sketch> sketches_;
+  std::vector<std::optional<Column>> columns_;
+  std::uint32_t exact_prices_ = 0;
+
+  std::array<std::int64_t, 5> basis_{-5, -4, -3, -2, -1};  // a column's number; negative: artificial
+  std::array<std::array<cpp_int, 5>, 5> inverse_;          // of the basis, times the denominator
+  std::array<cpp_int, 5> solution_;                        // of the basic variables, times the denominator
+  cpp_int denominator_ = 1;
+};
+
+}  // namespace
+
+PairAnswer polyhedron_polyhedron_by_scan(const ConvexPolyhedron& a, const Pose& pose_a,  //
+                                         const ConvexPolyhedron& b, const Pose& pose_b) {
+  return Scan(a, pose_a.affine(), b, pose_b.affine()).run();
+}
+
+}  // namespace sunder::solid

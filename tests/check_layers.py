@@ -1,0 +1,218 @@
+#!/usr/bin/env python3
+"""Reads the #include lines of the tree and refuses what would bend its order.
+
+    tests/check_layers.py [ROOT]
+
+L1  Includes point down: a layer sees only the layers that LAYERS gives it, a folder within a layer only those
+    before it in ORDER. The verifier sees nothing of the library.
+L2  Headers of the library are included as <sunder/...>, from the repository's root.
+L3  Other people's headers are included only where OUTSIDE allows them.
+L4  The core (base to scene) does not print, does not touch files, does not end the process.
+L5  Sources are ASCII, end with a newline, and hold no tab.
+L6  No source is over 600 lines without a line "// long because: ...".
+
+Tests beside the sources (x_test.cpp, x_test.h) are held to L1, L2, L5 and L6.
+Exit code 0: in order. 1: not, one line for each finding. 2: nothing was found to check.
+"""
+import os
+import re
+import sys
+
+CORE = ["base", "number", "predicate", "certificate", "planar", "solid", "polytope", "scene"]
+UP_TO_CERTIFICATE = {"base", "number", "predicate", "certificate"}
+
+# layer: the layers that it may include, besides itself
+LAYERS = {
+    "base": set(),
+    "number": {"base"},
+    "predicate": {"base", "number"},
+    "certificate": {"base", "number", "predicate"},
+    "planar": UP_TO_CERTIFICATE,
+    "solid": UP_TO_CERTIFICATE,
+    "polytope": UP_TO_CERTIFICATE,
+    "scene": UP_TO_CERTIFICATE | {"planar", "solid", "polytope"},
+    "io": set(CORE),
+    "cli": set(CORE) | {"io", "verifier"},
+    "verifier": set(),
+}
+
+# layer: its folders from the lowest to the highest
+ORDER = {
+    "planar": ["object", "pair", "set", "region"],
+    "solid": ["hull", "object", "represent", "pair"],
+}
+
+# The first part of a header of somebody else's: where it may be included (tests may include all).
+CORE_AND_UP = set(LAYERS)
+IO_AND_UP = {"io", "cli"}
+OUTSIDE = {
+    "boost": CORE_AND_UP,
+    "hwy": set(CORE),
+    "tbb": {"scene", "cli"},
+    "oneapi": {"scene", "cli"},
+    "fmt": IO_AND_UP,
+    "tinyxml2.h": {"io"},
+    "nlohmann": IO_AND_UP | {"verifier"},
+    "CLI": {"cli"},
+}
+
+# The system's own headers that are no part of the C++ standard library but look like it (no folder, ending .h).
+SYSTEM_ALLOWED = {"io", "cli"}
+
+CORE_HEADERS_REFUSED = {
+    "iostream", "ostream", "istream", "fstream", "filesystem", "syncstream", "print", "stdio.h", "unistd.h",
+}
+CORE_CALLS_REFUSED = re.compile(
+    r"(?<![\w:.>])(?:(?:std)?::)?((?:f|v|vf)?printf|f?puts|putchar|fwrite|fopen|freopen|abort|exit|_Exit|quick_exit|terminate)\s*\("
+    r"|\bstd::(cout|cerr|clog|cin)\b")
+
+SOURCES = (".h", ".cpp", ".py", ".cmake", ".sh")
+FOLDERS = ["sunder", "cli", "verifier", "tests", "fuzz", "bench", "examples", "cmake"]
+LONGEST = 600
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+
+
+def without_comments_and_strings(text):
+    """The C++ text with comments and literals blanked, lines kept."""
+    pattern = re.compile(r'//[^\n]*|/\*.*?\*/|R"([^(\n]*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|(?<!\w)\'(?:\\.|[^\'\\\n])+\'', re.DOTALL)
+    return pattern.sub(lambda match: re.sub(r"[^\n]", " ", match.group()), text)
+
+
+def place_of(path):
+    """(layer, folder within the layer) of a path from the root, (None, None) outside of the layers."""
+    parts = path.split("/")
+    if parts[0] == "sunder":
+        layer = parts[1] if len(parts) > 2 else None
+        return layer, parts[2] if len(parts) > 3 else None
+    if parts[0] in ("cli", "verifier"):
+        return parts[0], None
+    return None, None
+
+
+def may_include(path, other):
+    """Why the file must not include the header (both from the root), or None."""
+    layer, folder = place_of(path)
+    other_layer, other_folder = place_of(other)
+    if layer is None or other_layer is None:
+        return None
+    if layer != other_layer:
+        if other_layer in LAYERS.get(layer, ()):
+            return None
+        return "%s may not include %s" % (layer, other_layer)
+    if folder == other_folder:
+        return None
+    order = ORDER.get(layer, [])
+    for name in (folder, other_folder):
+        if name is not None and name not in order:
+            return "the folder %s/%s has no place in ORDER of tests/check_layers.py" % (layer, name)
+    if other_folder is None:  # what lies in the layer itself is below its folders
+        return None
+    if folder is None or order.index(folder) < order.index(other_folder):
+        return "%s may not include %s/%s" % (path.rsplit("/", 1)[0], other_layer, other_folder)
+    return None
+
+
+def check_include(path, test, bracket, header):
+    layer, _ = place_of(path)
+    if bracket == '"':
+        if path.startswith("sunder/"):
+            yield 'L2: include "%s" from the root: <sunder/...>' % header
+            return
+        target = os.path.normpath(os.path.join(os.path.dirname(path), header))
+        if target.startswith("sunder/") or header.startswith("sunder/"):
+            yield 'L2: include "%s" from the root: <sunder/...>' % header
+        return
+    if header.startswith("sunder/"):
+        if place_of(header)[0] not in LAYERS:
+            yield "L1: <%s> is in no layer" % header
+        elif layer is not None:
+            reason = may_include(path, header)
+            if reason:
+                yield "L1: <%s>: %s" % (header, reason)
+        return
+    if layer is None or test:
+        return
+    first = header.split("/")[0]
+    if first in ("verifier", "cli"):
+        reason = may_include(path, header)
+        if reason:
+            yield "L1: <%s>: %s" % (header, reason)
+    elif first in OUTSIDE:
+        if layer not in OUTSIDE[first]:
+            yield "L3: <%s> is not for %s" % (header, layer)
+    elif "/" in header or header.endswith(".hpp"):
+        if layer not in SYSTEM_ALLOWED:
+            yield "L3: <%s> is not known to OUTSIDE of tests/check_layers.py" % header
+    elif layer in CORE and header in CORE_HEADERS_REFUSED:
+        yield "L4: <%s>: the core neither prints nor touches files" % header
+    elif layer in CORE and header.endswith(".h"):
+        yield "L3: <%s>: the core includes standard C++ headers only" % header
+
+
+def check_file(root, path):
+    with open(os.path.join(root, path), "rb") as stream:
+        data = stream.read()
+    cpp = path.endswith((".h", ".cpp"))
+    for number, line in enumerate(data.split(b"\n"), 1):
+        if any(byte > 126 or (byte < 32 and byte != 9) for byte in line):
+            yield number, "L5: a character that is not ASCII"
+        if b"\t" in line:
+            yield number, "L5: a tab"
+    if data and not data.endswith(b"\n"):
+        yield data.count(b"\n") + 1, "L5: no newline at the end"
+    text = data.decode("ascii", "replace")
+    lines = text.split("\n")
+    if data.count(b"\n") > LONGEST and not re.search(r"^\s*(//|#) long because: \S", text, re.MULTILINE):
+        yield 1, "L6: %d lines; divide the file, or say '// long because: ...'" % data.count(b"\n")
+    if not cpp:
+        return
+    layer, _ = place_of(path)
+    test = re.search(r"_test\.(h|cpp)$", path) is not None
+    if path.startswith("sunder/") and layer not in LAYERS:
+        yield 1, "L1: the file is in no layer"
+    bare = without_comments_and_strings(text).split("\n")
+    for number, line in enumerate(lines, 1):
+        match = INCLUDE.match(line)
+        if match and bare[number - 1].strip():  # not commented out
+            for finding in check_include(path, test, match.group(1), match.group(2)):
+                yield number, finding
+    if layer in CORE and not test:
+        for number, line in enumerate(bare, 1):
+            match = CORE_CALLS_REFUSED.search(line)
+            if match:
+                yield number, "L4: %s: the core neither prints nor ends the process" % match.group().strip(" (")
+
+
+def sources_of(root):
+    for folder in FOLDERS:
+        for here, folders, files in os.walk(os.path.join(root, folder)):
+            folders[:] = sorted(name for name in folders if name not in ("__pycache__", "results"))
+            for name in sorted(files):
+                if name.endswith(SOURCES) or name == "CMakeLists.txt":
+                    yield os.path.relpath(os.path.join(here, name), root).replace(os.sep, "/")
+    for name in ("CMakeLists.txt", "do", ".ci/run"):
+        if os.path.isfile(os.path.join(root, name)):
+            yield name
+
+
+def check(root):
+    """(findings as text, number of files, number of C++ files in layers)"""
+    findings, files, in_layers = [], 0, 0
+    for path in sources_of(root):
+        files += 1
+        in_layers += place_of(path)[0] is not None and path.endswith((".h", ".cpp"))
+        findings += ["%s:%d: %s" % (path, number, text) for number, text in check_file(root, path)]
+    return findings, files, in_layers
+
+
+def main(arguments):
+    root = arguments[0] if arguments else os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
+    findings, files, in_layers = check(root)
+    for finding in findings:
+        print(finding)
+    print("%d files, %d of them C++ in layers: %d findings" % (files, in_layers, len(findings)))
+    return 1 if findings else 0 if in_layers else 2
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,103 @@
+#!/usr/bin/env python3
+"""check_layers.py accepts a good tree, and refuses each of its bad twins for the right reason."""
+import os
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import check_layers
+
+GOOD = {
+    "sunder/base/error.h": "#pragma once\n#include <string>\n",
+    "sunder/number/sign.h": "#include <sunder/base/error.h>\n#include <boost/multiprecision/cpp_int.hpp>\n",
+    "sunder/solid/hull/convex_hull.h": "#include <sunder/number/sign.h>\n",
+    "sunder/solid/object/body.h": "#include <sunder/solid/hull/convex_hull.h>\n",
+    "sunder/solid/pair/body_body.cpp": "#include <sunder/solid/object/body.h>\n#include <cstdio>\n"
+                                       "// printf(\"not code\");\nconst char* text = \"printf(1)\";\n"
+                                       "int n = std::snprintf(p, 8, \"%d\", 1);\nvoid print_to(int); bool b = x.exit(1);\n",
+    "sunder/solid/pair/body_body_test.cpp": "#include <sunder/io/file.h>\n".replace("io/file", "solid/object/body") +
+                                            "#include <gtest/gtest.h>\n#include <fstream>\n#include <tests/support/a.h>\n",
+    "sunder/io/file.cpp": "#include <sunder/solid/object/body.h>\n#include <fstream>\n#include <fmt/format.h>\n"
+                          "#include <sys/stat.h>\n",
+    "cli/pair.cpp": "#include \"verbs.h\"\n#include <sunder/io/file.h>\n#include <verifier/verify.h>\n#include <iostream>\n",
+    "verifier/verify.cpp": "#include \"verify.h\"\n#include <nlohmann/json.hpp>\n",
+    "tests/a_test.cpp": "#include <sunder/scene/scene.h>\n#include <gtest/gtest.h>\n",
+    "sunder/solid/pair/table.cpp": "// long because: it is a table\n" + "int x;\n" * 700,
+}
+
+# name: (file, text, the rule that refuses it)
+BAD = {
+    "up a layer": ("sunder/base/cost.h", "#include <sunder/number/sign.h>\n", "L1"),
+    "up a layer, spaced": ("sunder/base/cost.h", "  #  include <sunder/number/sign.h>\n", "L1"),
+    "to a sibling": ("sunder/planar/pair/x.h", "#include <sunder/solid/object/body.h>\n", "L1"),
+    "up a folder": ("sunder/solid/hull/x.cpp", "#include <sunder/solid/object/body.h>\n", "L1"),
+    "up a folder from the layer itself": ("sunder/solid/x.h", "#include <sunder/solid/object/body.h>\n", "L1"),
+    "a folder without a place": ("sunder/solid/other/x.h", "#include <sunder/solid/object/body.h>\n", "L1"),
+    "up from a test": ("sunder/number/sign_test.cpp", "#include <sunder/solid/object/body.h>\n", "L1"),
+    "io from the core": ("sunder/scene/x.h", "#include <sunder/io/file.h>\n", "L1"),
+    "the verifier from the core": ("sunder/certificate/x.cpp", "#include <verifier/verify.h>\n", "L1"),
+    "the library from the verifier": ("verifier/x.cpp", "#include <sunder/base/error.h>\n", "L1"),
+    "no layer": ("sunder/x.h", "\n", "L1"),
+    "an unknown layer": ("sunder/other/x.h", "\n", "L1"),
+    "an unknown layer included": ("cli/x.cpp", "#include <sunder/other/x.h>\n", "L1"),
+    "quotes": ("sunder/base/x.cpp", "#include \"error.h\"\n", "L2"),
+    "quotes from outside": ("bench/x.cpp", "#include \"../sunder/base/error.h\"\n", "L2"),
+    "quotes with the whole path": ("cli/x.cpp", "#include \"sunder/base/error.h\"\n", "L2"),
+    "fmt in the core": ("sunder/solid/pair/x.cpp", "#include <fmt/format.h>\n", "L3"),
+    "CLI11 in io": ("sunder/io/x.cpp", "#include <CLI/CLI.hpp>\n", "L3"),
+    "something new in the core": ("sunder/solid/pair/x.cpp", "#include <eigen3/Eigen/Core>\n", "L3"),
+    "a system header in the core": ("sunder/solid/pair/x.cpp", "#include <pthread.h>\n", "L3"),
+    "iostream in the core": ("sunder/solid/pair/x.cpp", "#include <iostream>\n", "L4"),
+    "files in the core": ("sunder/certificate/x.cpp", "#include <fstream>\n", "L4"),
+    "printing in the core": ("sunder/solid/pair/x.cpp", "void f() { std::printf(\"x\"); }\n", "L4"),
+    "printing after a string": ("sunder/solid/pair/x.cpp", "void f() { g(\"//\"); fprintf(h, \"x\"); }\n", "L4"),
+    "cerr in the core": ("sunder/base/x.cpp", "void f() { std::cerr << 1; }\n", "L4"),
+    "abort in the core": ("sunder/base/x.cpp", "void f() { std::abort(); }\n", "L4"),
+    "abort of the global namespace": ("sunder/base/x.cpp", "void f() { ::abort(); }\n", "L4"),
+    "an umlaut": ("sunder/base/x.h", "// K\u00f6rper\n", "L5"),
+    "an umlaut in a test": ("tests/x_test.cpp", "// K\u00f6rper\n", "L5"),
+    "a tab": ("sunder/base/x.h", "\tint x;\n", "L5"),
+    "a carriage return": ("sunder/base/x.h", "int x;\r\n", "L5"),
+    "no newline at the end": ("cli/x.h", "int x;", "L5"),
+    "a long file": ("sunder/base/x.h", "int x;\n" * 601, "L6"),
+    "a long file without a reason": ("sunder/base/x.h", "// long because: \n" + "int x;\n" * 601, "L6"),
+}
+
+
+def findings_of(tree):
+    with tempfile.TemporaryDirectory() as root:
+        for path, text in tree.items():
+            os.makedirs(os.path.dirname(os.path.join(root, path)), exist_ok=True)
+            with open(os.path.join(root, path), "w", encoding="utf-8", newline="") as stream:
+                stream.write(text)
+        return check_layers.check(root)
+
+
+class CheckLayers(unittest.TestCase):
+    def test_accepts_the_good_tree(self):
+        findings, files, in_layers = findings_of(GOOD)
+        self.assertEqual(findings, [])
+        self.assertEqual((files, in_layers), (len(GOOD), len(GOOD) - 1))
+
+    def test_refuses_each_bad_twin(self):
+        for name, (path, text, rule) in BAD.items():
+            with self.subTest(name):
+                findings, _, _ = findings_of({**GOOD, path: text})
+                self.assertEqual(len(findings), 1, findings)
+                self.assertTrue(findings[0].startswith(path + ":"), findings)
+                self.assertIn(": %s: " % rule, findings[0])
+
+    def test_an_empty_tree_is_no_success(self):
+        with tempfile.TemporaryDirectory() as root:
+            self.assertEqual(check_layers.main([root]), 2)
+
+    def test_every_layer_sees_only_what_its_lower_ones_may_see(self):
+        for layer, below in check_layers.LAYERS.items():
+            for other in below:
+                self.assertNotIn(layer, check_layers.LAYERS[other])
+                self.assertLessEqual(check_layers.LAYERS[other], below)
+
+
+if __name__ == "__main__":
+    unittest.main()

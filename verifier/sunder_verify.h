@@ -1,0 +1,40 @@
+// Checks certificate files exactly (docs/certificates.md). Knows the format only: no code of the library is used.
+// The twin of sunder_verify.py, for large evidence: the same statements, the same checks in the same order.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sunder_verifier {
+
+// What became of one pair of a file.
+struct PairResult {
+  std::string name_a;        // the name of the first placed body, as in the file: any UTF-8 text
+  std::string name_b;        // the name of the second
+  std::string verdict;       // "apart" or "meet": what the file states, not what is true
+  bool accepted = false;     // the statement is proved
+  std::string failed_check;  // "A1" .. "A3", "M1" .. "M3": the first check that failed; empty if accepted
+  std::string reason;        // what failed, in words; empty if accepted
+};
+
+// What became of a file. One of three: not readable, wrong in form, or a result for each pair.
+struct FileResult {
+  bool readable = false;          // the text is JSON
+  std::string error;              // one line with the place; empty if readable
+  std::string failed_form;        // check F failed: what, in words; empty otherwise
+  std::vector<PairResult> pairs;  // in the order of the file; empty if not readable or wrong in form
+
+  // Readable, right in form, and every pair accepted. True for a file without pairs.
+  bool accepted() const;
+};
+
+// Checks the text of a certificate file. `place` says where the text is from and starts `error`.
+//
+// 1. Never throws, whatever the text.
+// 2. Needs memory in proportion to the text, plus some megabytes. Time: for each pair, proportional to the text of its
+//    two bodies times the length of the pair's own numbers.
+// 3. An accepted pair is proved. A refused one may still be true: only its evidence is wrong.
+FileResult verify_text(std::string_view text, std::string_view place);
+
+}  // namespace sunder_verifier
