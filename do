@@ -19,13 +19,14 @@ cd "$root"
 log_folder=build/log
 
 say() { printf '%s\n' "$*"; }
-fail() { printf '%s\n' "$*" >&2; exit "${code:-1}"; }
-wrong_call() { code=2 fail "./do: $*; see ./do help"; }
+fail() { printf '%s\n' "$*" >&2; exit 1; }
+refuse() { printf '%s\n' "$*" >&2; exit 2; }  # something is missing, or a wrong call
+wrong_call() { refuse "./do: $*; see ./do help"; }
 
 # --- Running things -----------------------------------------------------------------------------------------------
 
 # The lesser of cores and memory / 2 GiB.
-jobs() {
+job_count() {
   local cores kilobytes limit=
   cores=$(nproc 2>/dev/null || echo 1)
   kilobytes=$(awk '/^MemTotal:/ {print $2}' /proc/meminfo 2>/dev/null || true)
@@ -125,7 +126,7 @@ need() {
   [ ${#missing[@]} -gt 0 ] || return 0
   say "Missing: ${missing[*]}"
   if ! has_command apt-get; then
-    code=2 fail "This is not Debian or Ubuntu: install what these packages hold by your own means, then call again."
+    refuse "This is not Debian or Ubuntu: install what these packages hold by your own means, then call again."
   fi
   for package in "${missing[@]}"; do [ -n "$(candidate "$package")" ] || unknown+=("$package"); done
   local line="apt-get install -y --no-install-recommends ${missing[*]}"
@@ -134,12 +135,12 @@ need() {
     show_sizes "${missing[@]}"
     [ "$(id -u)" -eq 0 ] || line="sudo ${line/&& apt-get/&& sudo apt-get}"
     say "Only root may install them. Run this line, then call again:"
-    code=2 fail "$line"
+    refuse "$line"
   fi
   if [ ${#unknown[@]} -gt 0 ]; then
     run apt-update "Fetching the list of packages" apt_update || exit 2
     for package in "${unknown[@]}"; do
-      [ -n "$(candidate "$package")" ] || code=2 fail "This system has no package $package (Debian 12 and Ubuntu 24.04 have)."
+      [ -n "$(candidate "$package")" ] || refuse "This system has no package $package (Debian 12 and Ubuntu 24.04 have)."
     done
   fi
   show_sizes "${missing[@]}"
@@ -150,7 +151,7 @@ need() {
   fi
   hash -r
   for package in "${missing[@]}"; do
-    has_package "$package" || code=2 fail "$package is installed, but what is needed of it is not there or too old."
+    has_package "$package" || refuse "$package is installed, but what is needed of it is not there or too old."
   done
 }
 
@@ -165,7 +166,7 @@ show_sizes() {
 pick_compiler() {
   local name version found=
   if [ -n "${CXX:-}" ]; then
-    has_command "${CXX%% *}" || code=2 fail "CXX is '$CXX', but there is no such command."
+    has_command "${CXX%% *}" || refuse "CXX is '$CXX', but there is no such command."
     found=$CXX
   else
     for name in g++ g++-{15,14,13,12} clang++ clang++-{21,20,19,18,17,16}; do
@@ -210,7 +211,7 @@ pick_clang() {
       run apt-update "Fetching the list of packages" apt_update || exit 2
     fi
   done
-  code=2 fail "There is no clang++, clang-tidy and clang-format of one version from 16 to 19. Run: apt-get update"
+  refuse "There is no clang++, clang-tidy and clang-format of one version from 16 to 19. Run: apt-get update"
 }
 
 need_to_build_program() {
@@ -247,8 +248,8 @@ build() {
   local preset=$1 folder
   shift
   folder=$(build_folder "$preset")
-  run "build-$preset" "Building $folder with $(jobs) jobs (to watch: tail -f $root/$log_folder/build-$preset.log)" \
-    cmake --build "$folder" --parallel "$(jobs)" --target "${@:-all}"
+  run "build-$preset" "Building $folder with $(job_count) jobs (to watch: tail -f $root/$log_folder/build-$preset.log)" \
+    cmake --build "$folder" --parallel "$(job_count)" --target "${@:-all}"
 }
 
 # run_tests PRESET LOG [CTEST OPTION...]: shows everything, and keeps it as a log.
@@ -256,7 +257,7 @@ run_tests() {
   local folder log=$log_folder/$2.log
   folder=$(build_folder "$1")
   shift 2
-  ctest --test-dir "$folder" --output-on-failure --no-tests=error --parallel "$(jobs)" "$@" </dev/null 2>&1 | tee "$log"
+  ctest --test-dir "$folder" --output-on-failure --no-tests=error --parallel "$(job_count)" "$@" </dev/null 2>&1 | tee "$log"
 }
 
 # --- Commands -----------------------------------------------------------------------------------------------------
@@ -267,10 +268,9 @@ command_demo() {
   [ $# -eq 0 ] || wrong_call "demo takes no options"
   need_to_build_program python3
   pick_compiler
-  # A folder in which everything was built stays so.
-  if ! grep -qs '^SUNDER_TESTS:BOOL=ON' build/CMakeCache.txt || [ ! -f build/build.ninja ]; then
-    configure release "$CXX" -DSUNDER_TESTS=OFF || return 1
-  fi
+  local tests=OFF  # but a folder in which everything is built stays so
+  if grep -qs '^SUNDER_TESTS:BOOL=ON' build/CMakeCache.txt && [ -f build/build.ninja ]; then tests=ON; fi
+  configure release "$CXX" -DSUNDER_TESTS=$tests || return 1
   build release sunder_cli || return 1
   say
   run_demo
@@ -370,21 +370,21 @@ part_format() {
 
 command_format() {
   need_clang
-  [ "$clang" = 19 ] || code=2 fail "clang-format-19 is the rule; here is $clang."
+  [ "$clang" = 19 ] || refuse "clang-format-19 is the rule; here is $clang."
   sources sunder cli verifier tests fuzz bench examples | xargs -0 "clang-format-$clang" -i
 }
 
 part_headers() {
   configure release "$CXX" -DSUNDER_TESTS=ON || return 1
   run headers "Every header stands alone" \
-    cmake --build build --parallel "$(jobs)" --target all_verify_interface_header_sets
+    cmake --build build --parallel "$(job_count)" --target all_verify_interface_header_sets
 }
 
 part_tidy() {
   configure asan-ubsan "clang++-$clang" || return 1
   check_tidy() {
     find sunder cli verifier -name '*.cpp' ! -name '*_test.cpp' -print0 | sort -z |
-      xargs -0 -n 1 -P "$(jobs)" "clang-tidy-$clang" -p build/asan-ubsan --quiet
+      xargs -0 -n 1 -P "$(job_count)" "clang-tidy-$clang" -p build/asan-ubsan --quiet
   }
   run tidy "clang-tidy-$clang on sunder/, cli/ and verifier/" check_tidy
 }
@@ -457,7 +457,7 @@ part_verify() {
   verify_sample() {
     certificates "$folder" build "$count" || return 1
     local accepted
-    find "$folder" -name '*.json' -print0 | sort -z | xargs -0 -n 20 -P "$(jobs)" \
+    find "$folder" -name '*.json' -print0 | sort -z | xargs -0 -n 20 -P "$(job_count)" \
       python3 verifier/sunder_verify.py >"$folder/verdicts" || { grep -vE 'accepted$' "$folder/verdicts"; return 1; }
     accepted=$(grep -cE '^.*: pair [0-9]+: .*: accepted$' "$folder/verdicts" || true)
     echo "$accepted certificates accepted"

@@ -2,16 +2,17 @@
 //
 // Fairness: the same points, in one run, alternating; from points in memory to facets in memory, in process. Qhull gets
 // its default options: `Q0` (no merging) and `Qt` (triangulated output) were measured to make no difference here.
-// The time is the median over the rounds. Sunder's hull is exact; Qhull's is not.
+// The time is the median over the rounds, in processor time of the thread (neither library starts others). Sunder's
+// hull is exact; Qhull's is not.
 #include <sunder/solid/hull/convex_hull.h>
 
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <string>
 #include <vector>
 
+#include "clock.h"
 #include "peers/peer_qhull.h"
 #include "report.h"
 #include "scenarios.h"
@@ -36,10 +37,9 @@ Row measure(std::size_t n, std::size_t rounds) {
   row.n = n;
   std::vector<double> sunder_ms, qhull_ms;
   const auto ours = [&] {
-    const auto start = std::chrono::steady_clock::now();
+    const double start = thread_seconds();
     const sunder::solid::ConvexHull hull = sunder::solid::convex_hull(same);
-    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
-    sunder_ms.push_back(elapsed.count());
+    sunder_ms.push_back(1e3 * (thread_seconds() - start));
     row.facets = hull.facet_begin.size() - 1;
     row.vertices = hull.vertices.size();
   };

@@ -336,16 +336,11 @@ Query touching_query(const std::vector<Body>& pool, std::size_t mirrored, Regime
 
 std::string_view name_of(Regime regime) {
   switch (regime) {
-    case Regime::far:
-      return "far";
-    case Regime::near:
-      return "near";
-    case Regime::deep:
-      return "deep";
-    case Regime::touching:
-      return "touching";
-    case Regime::last_bit:
-      return "last bit";
+    case Regime::far: return "far";
+    case Regime::near: return "near";
+    case Regime::deep: return "deep";
+    case Regime::touching: return "touching";
+    case Regime::last_bit: return "last bit";
   }
   return "";
 }

@@ -51,15 +51,9 @@ class SunderSubject : public Subject {
     for (const Prepared& q : queries_) {
       const PairAnswer answer = sunder::intersect(*q.a, q.pose_a, *q.b, q.pose_b);
       switch (answer.decided_by) {
-        case sunder::DecidedBy::filter:
-          ++sum.filter;
-          break;
-        case sunder::DecidedBy::evidence:
-          ++sum.evidence;
-          break;
-        case sunder::DecidedBy::finishing:
-          ++sum.finishing;
-          break;
+        case sunder::DecidedBy::filter: ++sum.filter; break;
+        case sunder::DecidedBy::evidence: ++sum.evidence; break;
+        case sunder::DecidedBy::finishing: ++sum.finishing; break;
       }
       sum.probes += answer.cost.probes;
       sum.iterations += answer.cost.iterations;

@@ -23,9 +23,9 @@ using Integers = std::vector<Integer>;
 using nlohmann::json;
 
 constexpr std::size_t kMaxCharacters = 20000;  // of a number
-constexpr std::int64_t kMaxExponent = 100000;  // E of a hexadecimal number, either sign
+constexpr std::int64_t kMaxExponent = 20000;   // E of a hexadecimal number, either sign
 constexpr std::size_t kMaxWeights = 16;        // of one body in a pair; 4 are always enough
-constexpr std::size_t kMaxDepth = 500;                 // of nested JSON; a certificate needs 5 levels
+constexpr std::size_t kMaxDepth = 500;         // of nested JSON; a certificate needs 5 levels
 
 // A check failed. Thrown and caught in this file only.
 struct Refused {
@@ -57,15 +57,18 @@ Common common(const Numbers& values) {
   Common result;
   bool first = true;
   for (const Number& value : values) {
-    result.d *= value.d;
     if (value.n != 0 && (first || value.e < result.e)) {
       result.e = value.e;
       first = false;
     }
   }
   for (const Number& value : values) {
-    const Integer scaled = value.n * (result.d / value.d);
+    if (value.d != 1) {
+      for (Integer& integer : result.integers) integer *= value.d;
+    }
+    const Integer scaled = value.n * result.d;
     result.integers.push_back(value.n == 0 ? Integer(0) : shifted(scaled, value.e - result.e));
+    result.d *= value.d;
   }
   return result;
 }
@@ -410,24 +413,23 @@ void check_not_negative(const Weights& weights, const std::string& side) {
   }
 }
 
-void check_sum_is_one(const Weights& weights, const std::string& side) {
-  const Common scaled = common(weights.values);
+void check_sum_is_one(const Common& weights, const std::string& side) {
   Integer total = 0;
-  for (const Integer& weight : scaled.integers) total += weight;
-  if (compare(total, scaled.e, scaled.d, 0) != 0) throw Refused{"M2", "the weights of " + side + " do not sum to 1"};
+  for (const Integer& weight : weights.integers) total += weight;
+  if (compare(total, weights.e, weights.d, 0) != 0) throw Refused{"M2", "the weights of " + side + " do not sum to 1"};
 }
 
-void check_sum_is_point(const Placed& placed, const Weights& weights, const Numbers& point, const std::string& side) {
-  const Common scaled = common(weights.values);
+void check_sum_is_point(const Placed& placed, const std::vector<std::size_t>& vertices, const Common& weights,
+                        const Numbers& point, const std::string& side) {
   Vector total{};
-  for (std::size_t i = 0; i < weights.vertices.size(); ++i) {
-    const Vector vertex = image(placed, weights.vertices[i]);
-    for (std::size_t r = 0; r < 3; ++r) total[r] += scaled.integers[i] * vertex[r];
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vector vertex = image(placed, vertices[i]);
+    for (std::size_t r = 0; r < 3; ++r) total[r] += weights.integers[i] * vertex[r];
   }
   for (std::size_t r = 0; r < 3; ++r) {
     const Integer left = total[r] * point[r].d;
-    const Integer right = point[r].n * scaled.d;
-    if (compare(left, scaled.e + image_exponent(placed), right, point[r].e) != 0) {
+    const Integer right = point[r].n * weights.d;
+    if (compare(left, weights.e + image_exponent(placed), right, point[r].e) != 0) {
       throw Refused{"M3", "the weighted sum of " + side + " is not the point in coordinate " + std::to_string(r)};
     }
   }
@@ -436,10 +438,12 @@ void check_sum_is_point(const Placed& placed, const Weights& weights, const Numb
 void check_meet(const Pair& pair) {
   check_not_negative(pair.weights_a, "A");
   check_not_negative(pair.weights_b, "B");
-  check_sum_is_one(pair.weights_a, "A");
-  check_sum_is_one(pair.weights_b, "B");
-  check_sum_is_point(*pair.a, pair.weights_a, pair.vector, "A");
-  check_sum_is_point(*pair.b, pair.weights_b, pair.vector, "B");
+  const Common weights_a = common(pair.weights_a.values);
+  const Common weights_b = common(pair.weights_b.values);
+  check_sum_is_one(weights_a, "A");
+  check_sum_is_one(weights_b, "B");
+  check_sum_is_point(*pair.a, pair.weights_a.vertices, weights_a, pair.vector, "A");
+  check_sum_is_point(*pair.b, pair.weights_b.vertices, weights_b, pair.vector, "B");
 }
 
 PairResult check(const Pair& pair) {

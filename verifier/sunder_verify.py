@@ -14,8 +14,8 @@ import re
 import sys
 
 MAX_CHARACTERS = 20000  # of a number
-MAX_EXPONENT = 100000   # E of a hexadecimal number, either sign
-MAX_WEIGHTS = 16        # of one body in a pair; 4 are always enough
+MAX_EXPONENT = 20000   # E of a hexadecimal number, either sign
+MAX_WEIGHTS = 16       # of one body in a pair; 4 are always enough
 
 HEXADECIMAL = re.compile(r"(-?)0x([0-9a-fA-F]+)(?:\.([0-9a-fA-F]+))?p([+-]?[0-9]+)")
 DECIMAL = re.compile(r"(-?[0-9]+)(?:/([0-9]+))?")
@@ -116,8 +116,13 @@ def numbers(value, count, read, where):
 def common(values):
     """Integers, a positive denominator d and an exponent e: each value is its integer / d * 2^e."""
     e = min((k for n, _, k in values if n), default=0)
-    product = math.prod(d for _, d, _ in values)
-    return [n * (product // d) << (k - e) if n else 0 for n, d, k in values], product, e
+    integers, product = [], 1
+    for n, d, k in values:
+        if d != 1:
+            integers = [m * d for m in integers]
+        integers.append(n * product << (k - e) if n else 0)
+        product *= d
+    return integers, product, e
 
 
 def read_body(item, where):
@@ -218,12 +223,12 @@ def check_meet(a, b, point, weights_a, weights_b):
     for name, _, weights in sides:
         for i, (n, _, _) in weights.items():
             require(n >= 0, "M1", "the weight of vertex %d of %s is negative" % (i, name))
-    for name, _, weights in sides:
-        values, d, e = common(weights.values())
+    scaled = {name: common(weights.values()) for name, _, weights in sides}
+    for name, (values, d, e) in scaled.items():
         total, one = aligned(sum(values), e, d, 0)
         require(total == one, "M2", "the weights of %s do not sum to 1" % name)
     for name, placed, weights in sides:
-        values, d, e = common(weights.values())
+        values, d, e = scaled[name]
         images = [placed.image(i) for i in weights]
         for axis in range(3):
             total = sum(value * image[axis] for value, (image, _) in zip(values, images))

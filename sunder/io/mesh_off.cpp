@@ -43,7 +43,7 @@ class OffParser {
     builder_.reserve_vertices(std::min(static_cast<std::size_t>(vertices_), size_ / 6 + 1));
     for (std::int64_t i = 0; i < vertices_; ++i) {
       next_row("vertices", i, vertices_);
-      read_vertex();
+      read_vertex(i);
     }
     for (std::int64_t i = 0; i < faces_; ++i) {
       next_row("faces", i, faces_);
@@ -92,17 +92,21 @@ class OffParser {
                              promised, what));
   }
 
-  void read_vertex() {
+  void read_vertex(std::int64_t number) {
     builder_.add_vertex(reader_.point("vertex"));
     if (!extras_ && !reader_.word().empty()) {
-      reader_.fail("this vertex has more than 3 numbers; expected x y z, or a header that announces more as COFF does");
+      reader_.fail(
+          fmt::format("vertex {} of {} has more than 3 numbers; correct the counts, or announce normals or "
+                      "colours as NOFF and COFF do",
+                      number + 1, vertices_));
     }
   }
 
   void read_face() {
     const std::int64_t corners = reader_.integer("the number of corners", 0, std::int64_t{1} << 32);
     if (corners < fewest_corners) {
-      reader_.fail(fmt::format("this face has {} corners, expected at least 3; export the mesh again", corners));
+      reader_.fail(fmt::format(
+          "this face has {} corners, expected at least 3; correct the counts or export the mesh again", corners));
     }
     for (std::int64_t i = 0; i < corners; ++i) {
       const std::string_view word = reader_.word();

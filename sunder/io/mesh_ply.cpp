@@ -282,21 +282,14 @@ class BinaryBody {
 
   std::int64_t integer(Type type, std::string_view) {
     switch (type) {
-      case Type::int8:
-        return take<std::int8_t>();
-      case Type::uint8:
-        return take<std::uint8_t>();
-      case Type::int16:
-        return take<std::int16_t>();
-      case Type::uint16:
-        return take<std::uint16_t>();
-      case Type::int32:
-        return take<std::int32_t>();
-      case Type::uint32:
-        return take<std::uint32_t>();
+      case Type::int8: return take<std::int8_t>();
+      case Type::uint8: return take<std::uint8_t>();
+      case Type::int16: return take<std::int16_t>();
+      case Type::uint16: return take<std::uint16_t>();
+      case Type::int32: return take<std::int32_t>();
+      case Type::uint32: return take<std::uint32_t>();
       case Type::float32:
-      case Type::float64:
-        break;
+      case Type::float64: break;
     }
     fail("expected an integer; export the mesh again");
   }
@@ -366,21 +359,11 @@ class BodyParser {
     Point3 point;
     for (const Property& property : element.properties) {
       switch (property.use) {
-        case Use::none:
-          skip(property);
-          break;
-        case Use::x:
-          point.x = body_.number(property.type, "x");
-          break;
-        case Use::y:
-          point.y = body_.number(property.type, "y");
-          break;
-        case Use::z:
-          point.z = body_.number(property.type, "z");
-          break;
-        case Use::corners:
-          corners(property);
-          break;
+        case Use::none: skip(property); break;
+        case Use::x: point.x = body_.number(property.type, "x"); break;
+        case Use::y: point.y = body_.number(property.type, "y"); break;
+        case Use::z: point.z = body_.number(property.type, "z"); break;
+        case Use::corners: corners(property); break;
       }
     }
     if (element.name == "vertex") builder_.add_vertex(point);
@@ -398,7 +381,8 @@ class BodyParser {
   void corners(const Property& property) {
     const std::int64_t length = list_length(property);
     if (length < fewest_corners) {
-      body_.fail(fmt::format("this face has {} corners, expected at least 3; export the mesh again", length));
+      body_.fail(fmt::format(
+          "this face has {} corners, expected at least 3; correct the counts or export the mesh again", length));
     }
     for (std::int64_t i = 0; i < length; ++i) {
       const std::int64_t index = body_.integer(property.type, "a corner of a face");

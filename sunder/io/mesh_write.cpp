@@ -133,14 +133,10 @@ std::string to_stl(Points vertices, Numbers polygon_begin, Numbers polygon_verti
 
 std::string to_text(MeshFormat format, Points vertices, Numbers polygon_begin, Numbers polygon_vertices) {
   switch (format) {
-    case MeshFormat::obj:
-      return to_obj(vertices, polygon_begin, polygon_vertices);
-    case MeshFormat::stl:
-      return to_stl(vertices, polygon_begin, polygon_vertices);
-    case MeshFormat::ply:
-      return to_ply(vertices, polygon_begin, polygon_vertices);
-    case MeshFormat::off:
-      return to_off(vertices, polygon_begin, polygon_vertices);
+    case MeshFormat::obj: return to_obj(vertices, polygon_begin, polygon_vertices);
+    case MeshFormat::stl: return to_stl(vertices, polygon_begin, polygon_vertices);
+    case MeshFormat::ply: return to_ply(vertices, polygon_begin, polygon_vertices);
+    case MeshFormat::off: return to_off(vertices, polygon_begin, polygon_vertices);
   }
   throw Error(ErrorCode::bad_call, "unknown mesh format");
 }

@@ -77,10 +77,12 @@ std::string one_line(std::string_view text) {
   return line;
 }
 
-std::string quote(std::string_view text) {
+std::string shorten(std::string_view text) {
   constexpr std::size_t longest = 40;
-  return "'" + one_line(text.substr(0, longest)) + (text.size() > longest ? "...'" : "'");
+  return one_line(text.substr(0, longest)) + (text.size() > longest ? "..." : "");
 }
+
+std::string quote(std::string_view text) { return "'" + shorten(text) + "'"; }
 
 const char* parse_number(std::string_view word, double& value) {
   std::string_view number = word;

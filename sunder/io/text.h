@@ -14,7 +14,8 @@ namespace sunder::io {
 // The text with every control byte, line separator and byte that is not well-formed UTF-8 written as \xNN.
 std::string one_line(std::string_view text);
 
-// The text as one line in single quotes, cut to 40 bytes (then ending in "...").
+// The text as one line, cut to 40 bytes (then ending in "..."); quote: in single quotes.
+std::string shorten(std::string_view text);
 std::string quote(std::string_view text);
 
 // Reads the whole word as a finite decimal number, rounded once to the nearest double (so 1e-400 is 0).

@@ -94,7 +94,7 @@ class UrdfParser {
 
   static bool is(const XMLElement& element, std::string_view name) { return element.Name() == name; }
 
-  static std::string tag(const XMLElement& element) { return "<" + one_line(element.Name()) + ">"; }
+  static std::string tag(const XMLElement& element) { return "<" + shorten(element.Name()) + ">"; }
 
   [[noreturn]] void fail(const XMLElement& element, const std::string& text) const {
     fail_line(place_, static_cast<std::size_t>(std::max(element.GetLineNum(), 1)), text);
@@ -150,7 +150,7 @@ class UrdfParser {
     Link link;
     link.name = name_of(element);
     if (!links_.emplace(link.name, static_cast<std::uint32_t>(robot_.links.size())).second) {
-      fail(element, fmt::format("the link '{}' comes twice; rename one", link.name));
+      fail(element, fmt::format("the link {} comes twice; rename one", quote(link.name)));
     }
     each_child(element, [&](const XMLElement& child) {
       if (is(child, "collision")) read_collision(child, link);
@@ -162,8 +162,8 @@ class UrdfParser {
     const XMLElement* geometry = element.FirstChildElement("geometry");
     const XMLElement* kind = geometry ? geometry->FirstChildElement() : nullptr;
     if (kind == nullptr) {
-      fail(element, fmt::format("a <collision> of link '{}' has no shape; expected <geometry><mesh .../></geometry>",
-                                link.name));
+      fail(element, fmt::format("a <collision> of link {} has no shape; expected <geometry><mesh .../></geometry>",
+                                quote(link.name)));
     }
     CollisionShape shape;
     if (const char* name = element.Attribute("name")) shape.name = one_line(name);
@@ -182,8 +182,8 @@ class UrdfParser {
         fail(*kind, "the size of a box is negative; give 3 numbers from 0");
       }
     } else {
-      robot_.skipped.push_back(fmt::format("{}:{}: link '{}': {} is no polyhedron and was left out; use a mesh",
-                                           one_line(place_), kind->GetLineNum(), link.name, tag(*kind)));
+      robot_.skipped.push_back(fmt::format("{}:{}: link {}: {} is no polyhedron and was left out; use a mesh",
+                                           one_line(place_), kind->GetLineNum(), quote(link.name), tag(*kind)));
       return;
     }
     link.shapes.push_back(std::move(shape));
@@ -212,7 +212,7 @@ class UrdfParser {
     Joint joint;
     joint.name = name_of(element);
     if (!joints_.emplace(joint.name, static_cast<std::uint32_t>(robot_.joints.size())).second) {
-      fail(element, fmt::format("the joint '{}' comes twice; rename one", joint.name));
+      fail(element, fmt::format("the joint {} comes twice; rename one", quote(joint.name)));
     }
     joint.type = type_of(element);
     joint.parent = link_number(element, "parent");
@@ -242,7 +242,7 @@ class UrdfParser {
   void read_limits(const XMLElement& element, Joint& joint) const {
     const XMLElement* limit = element.FirstChildElement("limit");
     if (limit == nullptr) {
-      fail(element, fmt::format("the joint '{}' has no <limit lower=\"...\" upper=\"...\"/>; add it", joint.name));
+      fail(element, fmt::format("the joint {} has no <limit lower=\"...\" upper=\"...\"/>; add it", quote(joint.name)));
     }
     joint.lower = number_or(*limit, "lower", 0);
     joint.upper = number_or(*limit, "upper", 0);
@@ -259,8 +259,9 @@ class UrdfParser {
       const Joint& joint = robot_.joints[i];
       std::uint32_t& above = joint_above[joint.child];
       if (above != none) {
-        fail(*sources_[i].element, fmt::format("the link '{}' is the child of two joints, '{}' and '{}'; remove one",
-                                               robot_.links[joint.child].name, robot_.joints[above].name, joint.name));
+        fail(*sources_[i].element,
+             fmt::format("the link {} is the child of two joints, {} and {}; remove one",
+                         quote(robot_.links[joint.child].name), quote(robot_.joints[above].name), quote(joint.name)));
       }
       above = i;
     }
@@ -271,8 +272,8 @@ class UrdfParser {
     if (second != joint_above.end()) {
       const std::string& first_name = robot_.links[robot_.root].name;
       const std::string& second_name = robot_.links[static_cast<std::size_t>(second - joint_above.begin())].name;
-      fail(robot, fmt::format("the links '{}' and '{}' are both without a joint above; connect them", first_name,
-                              second_name));
+      fail(robot, fmt::format("the links {} and {} are both without a joint above; connect them", quote(first_name),
+                              quote(second_name)));
     }
   }
 
@@ -298,7 +299,7 @@ class UrdfParser {
       for (; walk_of[i] == never && robot_.joints[i].mimic; i = robot_.joints[i].mimic->joint) walk_of[i] = walk;
       if (walk_of[i] == walk) {
         fail(*sources_[i].element,
-             fmt::format("the joint '{}' follows itself; correct its mimic", robot_.joints[i].name));
+             fmt::format("the joint {} follows itself; correct its mimic", quote(robot_.joints[i].name)));
       }
     }
   }

@@ -24,11 +24,9 @@ Pose turn(const std::array<double, 3>& axis, double angle) {
 
 Pose motion(const Joint& joint, double value) {
   switch (joint.type) {
-    case JointType::fixed:
-      return Pose();
+    case JointType::fixed: return Pose();
     case JointType::revolute:
-    case JointType::continuous:
-      return turn(joint.axis, value);
+    case JointType::continuous: return turn(joint.axis, value);
     case JointType::prismatic:
       return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1},
                                {joint.axis[0] * value, joint.axis[1] * value, joint.axis[2] * value});
@@ -37,19 +35,20 @@ Pose motion(const Joint& joint, double value) {
 }
 
 [[noreturn]] void fail_joint(const std::string& name, const std::string& text) {
-  throw Error(ErrorCode::bad_call, text, "joint '" + name + "'");
+  throw Error(ErrorCode::bad_call, text, "joint " + quote(name));
 }
 
 void check_given(const Robot& robot, const std::string& name, double value) {
   const auto found =
       std::find_if(robot.joints.begin(), robot.joints.end(), [&](const Joint& joint) { return joint.name == name; });
   if (found == robot.joints.end()) {
-    fail_joint(one_line(name), fmt::format("the robot has no joint of this name; it has {} joints, see `sunder info`",
-                                           robot.joints.size()));
+    fail_joint(name, fmt::format("the robot has no joint of this name; it has {} joints, see `sunder info`",
+                                 robot.joints.size()));
   }
   if (found->type == JointType::fixed) fail_joint(name, "is fixed; give it no value");
   if (found->mimic) {
-    fail_joint(name, fmt::format("follows joint '{}'; give that one a value", robot.joints[found->mimic->joint].name));
+    fail_joint(name,
+               fmt::format("follows joint {}; give that one a value", quote(robot.joints[found->mimic->joint].name)));
   }
   if (!std::isfinite(value)) fail_joint(name, "the value is not finite; give a finite number");
   if (value < found->lower || value > found->upper) {
@@ -97,7 +96,7 @@ std::vector<Pose> link_poses(const Robot& robot, const std::map<std::string, dou
     try {
       poses[joint.child] = compose(poses[joint.parent], compose(origin_pose(joint.origin), motion(joint, all[i])));
     } catch (const Error& error) {
-      throw Error(error.code(), error.what(), "joint '" + joint.name + "'");
+      throw Error(error.code(), error.what(), "joint " + quote(joint.name));
     }
   }
   return poses;

@@ -48,13 +48,18 @@ inline SizeRange size_range(std::span<const Point3> points) {
 }
 
 // True when floating point neither overflows nor underflows in formulas of up to three factors over images of such
-// points. Every product of a matrix entry and a coordinate is a multiple of 2^-304, of size in [2^-200, 2^250] or zero,
-// and so (bar the lower limit) are the sums with the translation and their differences. A product of three of them is
-// a multiple of 2^-912 below 2^800.
+// points, and in the products direction . matrix . difference of predicate/along.h. Only products can underflow.
+// Rounded, a product of a matrix entry and a coordinate is zero or in [2^-200, 2^250], a multiple of 2^-252. A number of
+// the translation is a multiple of 2^-302. So images and their differences are multiples of 2^-302 below 2^253, and a
+// product of three of them is a multiple of 2^-906 below 2^762.
+// A matrix entry times a component of a tame direction, zero or in [2^-60, 1], is zero or at least 2^-960. With m and x
+// the least entry and coordinate, sums of these are zero or at least m 2^-113, differences of coordinates zero or at
+// least x 2^-53: so their product is zero or at least 2^-366.
 inline bool images_are_tame(const SizeRange& linear, const SizeRange& translation, const SizeRange& points) {
   const double least = linear.least * points.least;  // an underflow gives 0: not tame; no number at all: infinity
   const double greatest = linear.greatest * points.greatest;
-  return least >= 0x1p-200 && greatest <= 0x1p250 && translation.least >= 0x1p-250 && translation.greatest <= 0x1p250;
+  return least >= 0x1p-200 && greatest <= 0x1p250 && linear.least >= 0x1p-900 &&  //
+         translation.least >= 0x1p-250 && translation.greatest <= 0x1p250;
 }
 
 // The image of `point` under `pose`. tame: as decided by images_are_tame for these numbers (false is always allowed,

@@ -20,9 +20,12 @@ sunder::solid::ConvexPolyhedron cube(double left) {
 
 int main() {
   const sunder::solid::ConvexPolyhedron first = cube(0);
+  const sunder::solid::ConvexPolyhedron second = cube(1);
   std::vector<sunder::Point3> moved;
-  for (const sunder::Point3& p : cube(1).vertices()) moved.push_back({p.x == 1 ? std::nextafter(1.0, 2.0) : p.x, p.y, p.z});
-  const bool touching = sunder::intersect(first, cube(1)).meet();
+  for (const sunder::Point3& p : second.vertices()) {
+    moved.push_back({p.x == 1 ? std::nextafter(1.0, 2.0) : p.x, p.y, p.z});
+  }
+  const bool touching = sunder::intersect(first, second).meet();
   const bool apart = !sunder::intersect(first, sunder::solid::ConvexPolyhedron(moved)).meet();
   return touching && apart ? 0 : 1;
 }

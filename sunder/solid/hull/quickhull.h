@@ -22,7 +22,7 @@ struct Triangle {
   bool removed = false;                     // no part of the hull: every other field is meaningless
 
   // Which corner point v is. Requires that it is one.
-  int place_of(std::uint32_t v) const { return corner[0] == v ? 0 : corner[1] == v ? 1 : 2; }
+  int place_of(std::uint32_t v) const { return (corner[1] == v ? 1 : 0) + (corner[2] == v ? 2 : 0); }
 
   // Exactly: positive when q is strictly outside the plane, negative when strictly inside.
   Sign side(std::span<const Point3> points, const Point3& q) const {

@@ -1,14 +1,16 @@
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/pair/exact_simplex.h>
 
+#include <algorithm>
 #include <optional>
+#include <vector>
 
 namespace sunder::solid {
 
 namespace {
 
-constexpr std::size_t rows = 5;
-using Column = std::array<Integer, rows>;
+constexpr std::size_t most_rows = 5;
+using Column = std::array<Integer, most_rows>;
 
 // A variable: the weight of a vertex, or an artificial one.
 struct Variable {
@@ -17,37 +19,80 @@ struct Variable {
   std::uint32_t vertex = 0;
 };
 
+// Some points of a body whose mean is in its relative interior: as many as it has dimensions, and one.
+std::vector<std::uint32_t> spanning_vertices(const ConvexPolyhedron& body) {
+  if (body.dimension() == 0) return {0};
+  if (body.dimension() == 1) return {0, 1};
+  const auto facet = body.facet(0);
+  std::vector<std::uint32_t> vertices(facet.begin(), facet.begin() + 3);
+  if (body.dimension() == 2) return vertices;
+  std::uint32_t off = 0;
+  while (std::find(facet.begin(), facet.end(), off) != facet.end()) ++off;
+  vertices.push_back(off);
+  return vertices;
+}
+
 class ExactSimplex {
  public:
   ExactSimplex(const Placed& a, const Placed& b, StageTally& tally) : a_(a), b_(b), tally_(tally) {
     exponent_ = std::min(least_exponent(a), least_exponent(b));
-    for (std::size_t i = 0; i < rows; ++i) inverse_[i][i] = 1;
-    solution_ = {0, 0, 0, 1, 1};
   }
 
-  PairCertificate run(const DifferenceSimplex& hint) {
+  PairCertificate common_point(const DifferenceSimplex& hint) {
+    rows_ = 5;
+    start({0, 0, 0, 1, 1});
+    minimize(hint);
+    return certificate();
+  }
+
+  bool interiors_meet(const std::vector<std::uint32_t>& span_a, const std::vector<std::uint32_t>& span_b) {
+    rows_ = 4;
+    // 12 (mean of A's - mean of B's): 12 is a multiple of 1, 2, 3 and 4.
+    Column c{};
+    for (const std::uint32_t v : span_a) add_multiple(c, {Variable::Kind::of_a, v}, 12 / span_a.size());
+    for (const std::uint32_t v : span_b) add_multiple(c, {Variable::Kind::of_b, v}, 12 / span_b.size());
+    start({-c[0], -c[1], -c[2], 0, 0});
+    minimize({});
+    for (std::size_t i = 0; i < rows_; ++i) {
+      if (basis_[i].kind == Variable::Kind::artificial && !solution_[i].is_zero()) return false;
+    }
+    return true;
+  }
+
+ private:
+  // The basis of artificial variables, with the signs that make the solution not negative.
+  void start(const Column& right_hand_side) {
+    for (std::size_t i = 0; i < rows_; ++i) {
+      inverse_[i] = {};
+      inverse_[i][i] = right_hand_side[i] < 0 ? -1 : 1;
+      solution_[i] = boost::multiprecision::abs(right_hand_side[i]);
+    }
+  }
+
+  void add_multiple(Column& sum, const Variable& v, std::size_t factor) const {
+    const Column c = column(v);
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += c[k] * factor;
+  }
+
+  void minimize(const DifferenceSimplex& hint) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(hint.count); ++i) {
       enter_if_it_pays({Variable::Kind::of_a, hint.vertex[i].a});
       enter_if_it_pays({Variable::Kind::of_b, hint.vertex[i].b});
     }
-    std::uint32_t at_a = hint.count > 0 ? hint.vertex[0].a : 0;
-    std::uint32_t at_b = hint.count > 0 ? hint.vertex[0].b : 0;
-    while (true) {
-      const Column y = multipliers();
-      const WorldDirection direction(
-          Vector3<Dyadic>{Dyadic(y[0], 0), Dyadic(y[1], 0), Dyadic(y[2], 0)});
-      if (y[0] != 0 || y[1] != 0 || y[2] != 0) {
-        Along along_a(direction, a_.pose, a_.tame), along_b(direction, b_.pose, b_.tame);
-        at_a = extreme_vertex_from(a_, along_a, End::greatest, at_a, tally_);
-        at_b = extreme_vertex_from(b_, along_b, End::least, at_b, tally_);
-      }
-      const bool entered_a = enter_if_it_pays({Variable::Kind::of_a, at_a});
-      if (entered_a) continue;
-      if (!enter_if_it_pays({Variable::Kind::of_b, at_b})) return certificate(y, at_a, at_b);
+    if (hint.count > 0) {
+      at_a_ = hint.vertex[0].a;
+      at_b_ = hint.vertex[0].b;
     }
+    do {
+      const Column y = multipliers();
+      if (y[0] == 0 && y[1] == 0 && y[2] == 0) continue;  // all of one body have one price
+      const WorldDirection direction(Vector3<Dyadic>{Dyadic(y[0], 0), Dyadic(y[1], 0), Dyadic(y[2], 0)});
+      Along along_a(direction, a_.pose, a_.tame), along_b(direction, b_.pose, b_.tame);
+      at_a_ = extreme_vertex_from(a_, along_a, End::greatest, at_a_, tally_);
+      at_b_ = extreme_vertex_from(b_, along_b, End::least, at_b_, tally_);
+    } while (enter_if_it_pays({Variable::Kind::of_a, at_a_}) || enter_if_it_pays({Variable::Kind::of_b, at_b_}));
   }
 
- private:
   // An exponent that divides all coordinates of all images of the body.
   static std::int64_t least_exponent(const Placed& body) {
     const auto lowest_bit = [](const SizeRange& range) {
@@ -68,19 +113,17 @@ class ExactSimplex {
   Column column(const Variable& v) const {
     const bool of_a = v.kind == Variable::Kind::of_a;
     const Vector3<Dyadic> p = lift<ExactStage>(of_a ? a_[v.vertex] : b_[v.vertex]);
-    Column c{scaled(p.x), scaled(p.y), scaled(p.z), of_a ? 1 : 0, of_a ? 0 : 1};
-    if (!of_a) {
-      for (std::size_t i = 0; i < 3; ++i) c[i] = -c[i];
-    }
-    return c;
+    const Vector3<Integer> q{scaled(p.x), scaled(p.y), scaled(p.z)};
+    if (of_a) return {q.x, q.y, q.z, 1, 0};
+    return {-q.x, -q.y, -q.z, rows_ == 4 ? -1 : 0, 1};
   }
 
-  // determinant_ times the multipliers: costs of one on the artificial variables in the basis.
+  // The multipliers times determinant_: costs of one on the artificial variables in the basis.
   Column multipliers() const {
     Column y{};
-    for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t i = 0; i < rows_; ++i) {
       if (basis_[i].kind != Variable::Kind::artificial) continue;
-      for (std::size_t k = 0; k < rows; ++k) y[k] += inverse_[i][k];
+      for (std::size_t k = 0; k < rows_; ++k) y[k] += inverse_[i][k];
     }
     return y;
   }
@@ -89,11 +132,11 @@ class ExactSimplex {
     const Column c = column(v);
     const Column y = multipliers();
     Integer price = 0;
-    for (std::size_t k = 0; k < rows; ++k) price += y[k] * c[k];
+    for (std::size_t k = 0; k < rows_; ++k) price += y[k] * c[k];
     if (price <= 0) return false;
-    Column t{};  // determinant_ times the column in terms of the basis
-    for (std::size_t i = 0; i < rows; ++i) {
-      for (std::size_t k = 0; k < rows; ++k) t[i] += inverse_[i][k] * c[k];
+    Column t{};  // the column in terms of the basis, times determinant_
+    for (std::size_t i = 0; i < rows_; ++i) {
+      for (std::size_t k = 0; k < rows_; ++k) t[i] += inverse_[i][k] * c[k];
     }
     pivot(leaving_row(t), t, v);
     return true;
@@ -103,7 +146,7 @@ class ExactSimplex {
   // (solution, inverse) / t.
   std::size_t leaving_row(const Column& t) const {
     std::optional<std::size_t> best;
-    for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t i = 0; i < rows_; ++i) {
       if (t[i] <= 0) continue;
       if (!best || lexicographically_less(i, *best, t)) best = i;
     }
@@ -113,14 +156,14 @@ class ExactSimplex {
   bool lexicographically_less(std::size_t i, std::size_t j, const Column& t) const {
     const auto less = [&](const Integer& at_i, const Integer& at_j) { return (at_i * t[j]).compare(at_j * t[i]); };
     int order = less(solution_[i], solution_[j]);
-    for (std::size_t k = 0; order == 0 && k < rows; ++k) order = less(inverse_[i][k], inverse_[j][k]);
+    for (std::size_t k = 0; order == 0 && k < rows_; ++k) order = less(inverse_[i][k], inverse_[j][k]);
     return order < 0;
   }
 
   void pivot(std::size_t r, const Column& t, const Variable& entering) {
-    for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t i = 0; i < rows_; ++i) {
       if (i == r) continue;
-      for (std::size_t k = 0; k < rows; ++k) {
+      for (std::size_t k = 0; k < rows_; ++k) {
         inverse_[i][k] = (inverse_[i][k] * t[r] - inverse_[r][k] * t[i]) / determinant_;  // exact
       }
       solution_[i] = (solution_[i] * t[r] - solution_[r] * t[i]) / determinant_;
@@ -129,21 +172,22 @@ class ExactSimplex {
     basis_[r] = entering;
   }
 
-  PairCertificate certificate(const Column& y, std::uint32_t at_a, std::uint32_t at_b) const {
+  PairCertificate certificate() const {
     PairCertificate c;
+    const Column y = multipliers();
     if (Integer(y[3] + y[4]) > 0) {  // the sum of the artificial variables
       c.verdict = Verdict::apart;
       c.direction.kind = Direction::Kind::exact;
       c.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(
           std::array<Dyadic, 3>{Dyadic(y[0], 0), Dyadic(y[1], 0), Dyadic(y[2], 0)});
-      c.extreme_a = at_a;
-      c.extreme_b = at_b;
+      c.extreme_a = at_a_;
+      c.extreme_b = at_b_;
       return c;
     }
     c.verdict = Verdict::meet;
     std::size_t n = 0;
     for (const Variable::Kind kind : {Variable::Kind::of_a, Variable::Kind::of_b}) {
-      for (std::size_t i = 0; i < rows; ++i) {
+      for (std::size_t i = 0; i < rows_; ++i) {
         if (basis_[i].kind != kind || solution_[i].is_zero()) continue;
         c.vertices[n++] = basis_[i].vertex;
         ++(kind == Variable::Kind::of_a ? c.count_a : c.count_b);
@@ -155,18 +199,25 @@ class ExactSimplex {
   const Placed& a_;
   const Placed& b_;
   StageTally& tally_;
-  std::int64_t exponent_;
-  std::array<Variable, rows> basis_{};
-  Integer determinant_ = 1;               // of the basis, positive
-  std::array<Column, rows> inverse_{};    // of the basis, times its determinant
-  Column solution_{};                     // the values of the basic variables, times the determinant
+  std::int64_t exponent_;                  // images are multiples of 2^exponent_, and counted in it
+  std::size_t rows_ = 0;
+  std::uint32_t at_a_ = 0, at_b_ = 0;      // the extreme vertices along the last direction
+  std::array<Variable, most_rows> basis_{};
+  Integer determinant_ = 1;                // of the basis, as its absolute value
+  std::array<Column, most_rows> inverse_{};  // of the basis, times determinant_
+  Column solution_{};                      // the values of the basic variables, times determinant_
 };
 
 }  // namespace
 
 PairCertificate decide_by_exact_simplex(const Placed& a, const Placed& b, const DifferenceSimplex& hint,
                                         StageTally& tally) {
-  return ExactSimplex(a, b, tally).run(hint);
+  return ExactSimplex(a, b, tally).common_point(hint);
+}
+
+bool interiors_meet(const ConvexPolyhedron& body_a, const Placed& a, const ConvexPolyhedron& body_b, const Placed& b,
+                    StageTally& tally) {
+  return ExactSimplex(a, b, tally).interiors_meet(spanning_vertices(body_a), spanning_vertices(body_b));
 }
 
 }  // namespace sunder::solid

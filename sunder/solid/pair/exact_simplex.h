@@ -8,6 +8,11 @@
 // price, either the sum is zero, and the basis is a common point with at most five vertices, or d parts the bodies
 // strictly:  d . a_i <= -alpha < beta <= d . b_j.
 //
+// The question of overlapping interiors is a second program of the same kind. Let c be a point in the relative interior
+// of the difference A - B. The relative interiors meet iff the origin is in that of A - B (Rockafellar 1970, theorem 6.3
+// and corollary 6.6.2), that is, iff -c is in the cone of A - B:
+//   sum l_i a_i - sum m_j b_j = -c,  sum l_i - sum m_j = 0.
+//
 // Arithmetic is on integers (images scaled by one power of two), fraction-free: the inverse of the basis times its
 // determinant (Edmonds 1967, Bareiss 1968). The leaving variable is chosen lexicographically (Dantzig, Orden, Wolfe
 // 1955), so the method ends whatever the degeneracy.
@@ -23,5 +28,9 @@ namespace sunder::solid {
 // Cost: some five to thirty exact pivots, each with a walk over the graph.
 PairCertificate decide_by_exact_simplex(const Placed& a, const Placed& b, const DifferenceSimplex& hint,
                                         StageTally& tally);
+
+// Do the relative interiors of two bodies that meet have a common point? Allocates.
+bool interiors_meet(const ConvexPolyhedron& body_a, const Placed& a, const ConvexPolyhedron& body_b, const Placed& b,
+                    StageTally& tally);
 
 }  // namespace sunder::solid

@@ -1,3 +1,4 @@
+#include <sunder/solid/pair/exact_simplex.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 
 namespace sunder {
@@ -25,6 +26,16 @@ namespace solid {
 PairAnswer polyhedron_polyhedron(const ConvexPolyhedron& a, const Pose& pose_a,  //
                                  const ConvexPolyhedron& b, const Pose& pose_b) {
   return polyhedron_polyhedron_by_gjk(a, pose_a, b, pose_b);
+}
+
+Contact polyhedron_polyhedron_contact(const ConvexPolyhedron& a, const Pose& pose_a,  //
+                                      const ConvexPolyhedron& b, const Pose& pose_b) {
+  const PairAnswer answer = polyhedron_polyhedron(a, pose_a, b, pose_b);
+  if (!answer.meet()) return Contact::none;
+  // Five vertices whose weights are unique and positive span A - B around the origin.
+  if (answer.evidence.count_a + answer.evidence.count_b == 5) return Contact::overlapping;
+  StageTally tally;
+  return interiors_meet(a, Placed(a, pose_a), b, Placed(b, pose_b), tally) ? Contact::overlapping : Contact::touching;
 }
 
 }  // namespace solid

@@ -58,7 +58,7 @@ class Scan {
  public:
   Scan(const ConvexPolyhedron& a, const Affine3& pose_a, const ConvexPolyhedron& b, const Affine3& pose_b)
       : vertices_{a.vertices(), b.vertices()}, poses_{&pose_a, &pose_b} {
-    for (int body = 0; body < 2; ++body) {
+    for (std::size_t body = 0; body < 2; ++body) {
       int linear = std::numeric_limits<int>::max(), point = linear, shift = linear;
       for (const double x : poses_[body]->linear) linear = std::min(linear, parts_of(x).exponent);
       for (const double x : poses_[body]->translation) shift = std::min(shift, parts_of(x).exponent);
@@ -67,9 +67,10 @@ class Scan {
       }
       constexpr int none = std::numeric_limits<int>::max();
       if (point != none && linear != none) unit_ = std::min(unit_, linear + point);
-      if (shift != none) unit_ = std::min(unit_, shift);
+      if (shift != none) unit_ = std::min(unit_, shift + parts_of(1).exponent);
     }
-    for (int body = 0; body < 2; ++body) {
+    if (unit_ == std::numeric_limits<int>::max()) unit_ = 0;  // two points at the origin
+    for (std::size_t body = 0; body < 2; ++body) {
       for (const Point3& p : vertices_[body]) sketches_.push_back(sketch(body, p));
     }
     columns_.resize(sketches_.size());
@@ -101,7 +102,7 @@ class Scan {
     }
     answer.evidence.verdict = Verdict::meet;
     std::size_t n = 0;
-    for (int body = 0; body < 2; ++body) {
+    for (std::size_t body = 0; body < 2; ++body) {
       for (std::size_t i = 0; i < 5; ++i) {
         if (basis_[i] < 0 || solution_[i] == 0 || body_of(static_cast<std::size_t>(basis_[i])) != body) continue;
         answer.evidence.vertices[n++] = vertex_of(static_cast<std::size_t>(basis_[i]));
@@ -112,12 +113,12 @@ class Scan {
   }
 
  private:
-  int body_of(std::size_t column) const { return column < vertices_[0].size() ? 0 : 1; }
+  std::size_t body_of(std::size_t column) const { return column < vertices_[0].size() ? 0 : 1; }
   std::uint32_t vertex_of(std::size_t column) const {
     return static_cast<std::uint32_t>(body_of(column) == 0 ? column : column - vertices_[0].size());
   }
 
-  Sketch sketch(int body, const Point3& p) const {
+  Sketch sketch(std::size_t body, const Point3& p) const {
     const Affine3& pose = *poses_[body];
     Sketch s{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -134,7 +135,7 @@ class Scan {
     std::optional<Column>& c = columns_[number];
     if (c) return *c;
     c.emplace();
-    const int body = body_of(number);
+    const std::size_t body = body_of(number);
     const Affine3& pose = *poses_[body];
     const Point3& p = vertices_[body][vertex_of(number)];
     for (std::size_t i = 0; i < 3; ++i) {
@@ -244,7 +245,7 @@ class Scan {
     basis_[r] = static_cast<std::int64_t>(number);
   }
 
-  std::uint32_t furthest(int body, const std::array<cpp_int, 5>& y) {
+  std::uint32_t furthest(std::size_t body, const std::array<cpp_int, 5>& y) {
     const std::size_t first = body == 0 ? 0 : vertices_[0].size();
     std::size_t best = first;
     cpp_int best_price = exact_price(y, first);

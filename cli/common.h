@@ -1,0 +1,72 @@
+// What the verbs share: exit codes, methods, poses as text, the JSON envelope, and output.
+#pragma once
+
+#include <sunder/solid/object/pose.h>
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
+
+#include <CLI/App.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sunder::cli {
+
+// Exit codes of the program.
+namespace exit_code {
+constexpr int no = 0;        // apart, none meet, accepted; also `hull` and `info`
+constexpr int yes = 1;       // meet, some meet, refused
+constexpr int bad = 2;       // bad input or call; one line on standard error
+constexpr int internal = 3;  // a fault of the program itself
+}  // namespace exit_code
+
+// A verb: adds itself to the program, and when it is called sets the exit code. Throws Error for bad input.
+using AddVerb = void (*)(CLI::App& program, int& code);
+void add_pair(CLI::App& program, int& code);
+void add_scene(CLI::App& program, int& code);
+void add_hull(CLI::App& program, int& code);
+void add_info(CLI::App& program, int& code);
+void add_verify(CLI::App& program, int& code);
+
+// Writes to standard output at once. Throws Error bad_call where that fails (a full disk).
+void print(std::string_view text);
+
+// One line on standard error: "sunder: note: ...".
+void note(std::string_view text);
+
+// A method for pair questions by its name: automatic, gjk, scan. Throws Error bad_call that names all.
+using PairMethod = solid::PairAnswer (*)(const solid::ConvexPolyhedron&, const solid::Pose&,  //
+                                         const solid::ConvexPolyhedron&, const solid::Pose&);
+PairMethod pair_method(const std::string& name);
+
+// Numbers between commas or blanks. Throws Error that names the one that is none; `place` says where the text is from.
+std::vector<double> parse_numbers(std::string_view text, const std::string& place);
+
+// What parse_pose reads, for help texts.
+extern const char* const pose_forms;
+
+// A pose as text: "tx,ty,tz", "qw,qx,qy,qz,tx,ty,tz", or the 12 or 16 numbers of a matrix row by row.
+// Throws Error bad_pose or bad_call, with `place`.
+solid::Pose parse_pose(std::string_view text, const std::string& place);
+
+// JSON. Objects keep the order in which they are made.
+using Json = nlohmann::ordered_json;
+
+// The keys that every verb's report begins with. What does not apply is null.
+Json envelope(std::string_view verb, const Json& answer, const Json& method = nullptr);
+Json to_json(const Cost& cost);
+Json to_json(const Point3& point);
+
+// The text of a report: indented, with short lists and objects on one line; ends with a line feed.
+std::string to_text(const Json& json);
+
+// "about" numbers for people: four digits.
+std::string about(double x);
+std::string about(const Point3& p);  // "(x, y, z)"
+
+// "1 pair", "2 pairs".
+std::string count_of(std::uint64_t n, std::string_view noun);
+
+}  // namespace sunder::cli

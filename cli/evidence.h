@@ -1,0 +1,25 @@
+// The evidence of an answer in words and in JSON, with rounded numbers. The exact ones are in certificate files.
+#pragma once
+
+#include <cli/common.h>
+
+#include <sunder/certificate/direction.h>
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
+
+#include <string>
+
+namespace sunder::cli {
+
+PlacedVertices placed_vertices(const solid::ConvexPolyhedron& shape, const solid::Pose& pose);
+
+// Who decided, in words.
+std::string decided_text(DecidedBy decided_by);
+
+// One sentence. The names are those of A and B.
+std::string evidence_text(const PairCertificate& certificate, const PlacedVertices& a, const PlacedVertices& b,
+                          const std::string& name_a, const std::string& name_b);
+
+// apart: {"direction_about", "gap_about", "extreme_a", "extreme_b"}; meet: {"point_about", "vertices_a", "vertices_b"}.
+Json evidence_json(const PairCertificate& certificate, const PlacedVertices& a, const PlacedVertices& b);
+
+}  // namespace sunder::cli

@@ -1,0 +1,52 @@
+// Objects out of mesh files, as the verbs need them.
+#pragma once
+
+#include <cli/common.h>
+
+#include <sunder/io/mesh.h>
+#include <sunder/scene/mesh_convexity.h>
+#include <sunder/solid/object/convex_polyhedron.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sunder::cli {
+
+// What stands for a mesh.
+enum class Shape : std::uint8_t {
+  convex,  // the mesh itself, which is exactly convex
+  hull,    // the hull of a mesh that is not
+  points,  // the hull of a set of points
+};
+
+const char* name_of(Shape shape);
+
+struct Object {
+  std::string file;    // as the user wrote it, in one line of UTF-8
+  std::string name;
+  std::string format;
+  std::uint32_t mesh_vertices = 0;  // those in use
+  std::uint32_t mesh_polygons = 0;
+  Shape shape = Shape::convex;
+  std::string why_hull;  // in words; empty unless shape is hull
+  solid::ConvexPolyhedron hull;
+};
+
+// The mesh as one object. Throws Error bad_shape where convexity is required and missing, naming the reflex edge.
+Object make_object(const io::Mesh& mesh, const std::filesystem::path& file, bool require_convex);
+
+// Reads the file as one object, or as one object for each of its parts.
+Object read_object(const std::filesystem::path& file, bool require_convex);
+std::vector<Object> read_parts(const std::filesystem::path& file, bool require_convex);
+
+// Says on standard error which hulls stand for meshes: one line, however many there are.
+void note_hulls(const std::vector<const Object*>& objects);
+
+// "body", "polygon", "segment", "point".
+const char* dimension_name(int dimension);
+
+Json to_json(const Object& object);
+
+}  // namespace sunder::cli

@@ -1,0 +1,104 @@
+#include <cli/common.h>
+#include <cli/program.h>
+
+#include <sunder/base/error.h>
+#include <sunder/io/text.h>
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+#ifndef SUNDER_VERSION
+#define SUNDER_VERSION "unknown"
+#endif
+
+namespace sunder::cli {
+
+namespace {
+
+constexpr std::array<AddVerb, 5> verbs{add_pair, add_scene, add_hull, add_info, add_verify};
+
+int complain(int code, const std::string& text) {
+  fmt::print(stderr, "sunder: {}\n", io::one_line(text));
+  return code;
+}
+
+std::string names_of_verbs(const CLI::App& program) {
+  std::string names;
+  for (const CLI::App* verb : program.get_subcommands([](const CLI::App*) { return true; })) {
+    names += (names.empty() ? "" : ", ") + verb->get_name();
+  }
+  return names;
+}
+
+// What CLI11 found wrong with the call, in one line with a remedy.
+int complain(const CLI::App& program, const CLI::ParseError& error, const std::vector<std::string>& words) {
+  const auto called = program.get_subcommands();
+  if (called.empty()) {
+    const auto word = std::find_if(words.begin(), words.end(), [](const std::string& w) { return !w.starts_with('-'); });
+    const bool verb_missing = word == words.end() && words.empty();
+    const std::string what = verb_missing           ? "no verb is given"
+                             : word != words.end() ? "there is no verb " + io::quote(*word)
+                                                   : "there is no option " + io::quote(words.front());
+    return complain(exit_code::bad,
+                    fmt::format("{}; verbs are {}; see sunder --help", what, names_of_verbs(program)));
+  }
+  const std::string verb = called.front()->get_name();
+  std::string what = error.what();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    const std::vector<std::string> extra = called.front()->remaining();
+    const std::string word = extra.empty() ? "" : extra.front();
+    what = (word.starts_with('-') ? "there is no option " : "nothing is expected at ") + io::quote(word);
+  }
+  return complain(exit_code::bad, fmt::format("{}: {}; see sunder {} --help", verb, what, verb));
+}
+
+int run_checked(int argc, char** argv) {
+  int code = exit_code::no;
+  CLI::App program("Sunder tells whether things meet, and proves it.", "sunder");
+  program.set_version_flag("--version", "sunder " SUNDER_VERSION);
+  program.require_subcommand(1);
+  program.footer("Exit code: 0 apart, none, accepted; 1 meet, some, refused; 2 bad input or call; 3 internal error.");
+  for (const AddVerb add : verbs) add(program, code);
+  for (CLI::App* verb : program.get_subcommands([](const CLI::App*) { return true; })) {
+    verb->get_formatter()->column_width(28);
+  }
+  std::vector<std::string> words;
+  for (int i = 1; i < argc; ++i) words.emplace_back(argv[i]);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    const auto called = program.get_subcommands();
+    print(called.empty() ? program.help() : called.front()->help());
+  } catch (const CLI::CallForVersion& version) {
+    print(std::string(version.what()) + "\n");
+  } catch (const CLI::ParseError& error) {
+    return complain(program, error, words);
+  }
+  return code;
+}
+
+}  // namespace
+
+int run(int argc, char** argv) {
+  try {
+    return run_checked(argc, argv);
+  } catch (const Error& error) {
+    return complain(exit_code::bad, error.what());
+  } catch (const std::bad_alloc&) {
+    return complain(exit_code::internal, "out of memory; give smaller files or more memory");
+  } catch (const std::exception& error) {
+    return complain(exit_code::internal, std::string("internal error: ") + error.what() + "; please report it");
+  } catch (...) {
+    return complain(exit_code::internal, "internal error; please report it");
+  }
+}
+
+}  // namespace sunder::cli

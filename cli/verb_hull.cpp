@@ -1,0 +1,77 @@
+// sunder hull FILE: the exact convex hull of a mesh or a set of points.
+#include <cli/common.h>
+#include <cli/objects.h>
+
+#include <sunder/io/file.h>
+#include <sunder/io/mesh_write.h>
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <span>
+
+namespace sunder::cli {
+
+namespace {
+
+struct Call {
+  std::string file, out;
+  bool json = false;
+};
+
+std::string mesh_text(const solid::ConvexPolyhedron& hull, io::MeshFormat format) {
+  std::vector<std::uint32_t> begin{0}, corners;
+  for (std::uint32_t f = 0; f < hull.facet_count(); ++f) {
+    corners.insert(corners.end(), hull.facet(f).begin(), hull.facet(f).end());
+    begin.push_back(static_cast<std::uint32_t>(corners.size()));
+  }
+  return io::to_text(format, hull.vertices(), begin, corners);
+}
+
+std::size_t edge_count(const solid::ConvexPolyhedron& hull) {
+  std::size_t ends = 0;
+  for (std::uint32_t v = 0; v < hull.vertices().size(); ++v) ends += hull.neighbours(v).size();
+  return ends / 2;
+}
+
+int run(const Call& call) {
+  const io::MeshFormat format = call.out.empty() ? io::MeshFormat::obj : io::mesh_format_of_name(call.out);
+  const Object object = read_object(call.file, false);
+  const solid::ConvexPolyhedron& hull = object.hull;
+  if (!call.out.empty()) io::write_file_atomically(call.out, mesh_text(hull, format));
+
+  const auto [low, high] = hull.box();
+  if (call.json) {
+    Json json = envelope("hull", dimension_name(hull.dimension()), "quickhull");
+    json["objects"] = Json::array({to_json(object)});
+    json["input"] = {{"vertices", object.mesh_vertices}, {"polygons", object.mesh_polygons}};
+    json["edges"] = edge_count(hull);
+    json["box"] = Json::array({to_json(low), to_json(high)});
+    json["out"] = call.out.empty() ? Json(nullptr) : Json(call.out);
+    print(to_text(json));
+    return exit_code::no;
+  }
+  std::string text = fmt::format("{}: hull of dimension {}: a {}\n", object.file, hull.dimension(),
+                                 dimension_name(hull.dimension()));
+  text += fmt::format("  vertices  {} of {}\n", hull.vertices().size(), object.mesh_vertices);
+  text += fmt::format("  edges     {}\n  facets    {}\n", edge_count(hull), hull.facet_count());
+  text += fmt::format("  box       {} to {}\n", about(low), about(high));
+  if (object.shape == Shape::convex) text += "  mesh      exactly convex: it bounds its hull\n";
+  if (object.shape == Shape::hull) text += fmt::format("  mesh      not exactly convex: {}\n", object.why_hull);
+  if (!call.out.empty()) text += fmt::format("  written   {}\n", call.out);
+  print(text);
+  return exit_code::no;
+}
+
+}  // namespace
+
+void add_hull(CLI::App& program, int& code) {
+  auto call = std::make_shared<Call>();
+  CLI::App* verb = program.add_subcommand("hull", "The exact convex hull of a mesh or a set of points.");
+  verb->add_option("FILE", call->file, "a mesh or a set of points: OBJ, STL, PLY, OFF")->required();
+  verb->add_option("-o,--out", call->out, "write the hull here: .obj, .off, .ply or .stl")->type_name("FILE");
+  verb->add_flag("--json", call->json, "print a report in JSON");
+  verb->callback([call, &code] { code = run(*call); });
+}
+
+}  // namespace sunder::cli

@@ -1,0 +1,165 @@
+// sunder info FILE...: what is in a file?
+#include <cli/common.h>
+#include <cli/objects.h>
+
+#include <sunder/base/error.h>
+#include <sunder/io/file.h>
+#include <sunder/io/mesh.h>
+#include <sunder/io/text.h>
+#include <sunder/io/urdf.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+namespace sunder::cli {
+
+namespace {
+
+struct Call {
+  std::vector<std::string> files;
+  bool formats = false;
+  bool json = false;
+};
+
+struct Format {
+  const char *name, *endings, *access, *what;
+};
+
+constexpr std::array<Format, 6> formats{
+    {{"OBJ", ".obj", "read, write", "Wavefront; objects are parts of a body"},
+     {"STL", ".stl", "read, write", "binary (read; single precision) and ASCII; equal points are joined"},
+     {"PLY", ".ply", "read, write", "ASCII, and binary of either byte order (read)"},
+     {"OFF", ".off", "read, write", "Object File Format, ASCII"},
+     {"URDF", ".urdf", "read", "robots: links with meshes and boxes, joints with limits"},
+     {"certificate", ".json", "write, verify", "proofs: docs/certificates.md"}}};
+
+const char* type_name(io::JointType type) {
+  switch (type) {
+    case io::JointType::fixed: return "fixed";
+    case io::JointType::revolute: return "revolute";
+    case io::JointType::continuous: return "continuous";
+    case io::JointType::prismatic: return "prismatic";
+  }
+  return "";
+}
+
+bool is_robot(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return ending == ".urdf";
+}
+
+// A finite limit as a number, another as null.
+Json limit(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+
+struct Info {
+  std::string text;
+  Json json;
+};
+
+Info describe_robot(const std::string& file) {
+  const io::Robot robot = io::read_urdf(file);
+  Info info;
+  const std::string shown = io::one_line(file);
+  info.json = {{"file", shown}, {"format", "URDF"}, {"name", robot.name}, {"root", robot.links[robot.root].name}};
+  info.json["links"] = Json::array();
+  info.json["joints"] = Json::array();
+  info.json["skipped"] = robot.skipped;
+  info.text = fmt::format("{}: URDF robot {} of {} and {}\n", shown, robot.name, count_of(robot.links.size(), "link"),
+                          count_of(robot.joints.size(), "joint"));
+  std::size_t width = 0;
+  for (const io::Link& link : robot.links) width = std::max(width, link.name.size());
+  for (const io::Joint& joint : robot.joints) width = std::max(width, joint.name.size());
+
+  for (const io::Link& link : robot.links) {
+    Json shapes = Json::array();
+    std::string list;
+    for (const io::CollisionShape& shape : link.shapes) {
+      shapes.push_back(shape.mesh.empty() ? Json{{"box", shape.size}} : Json{{"mesh", shape.mesh}});
+      list += (list.empty() ? "" : ", ") +
+              (shape.mesh.empty() ? "box" : std::filesystem::path(shape.mesh).filename().string());
+    }
+    info.json["links"].push_back({{"name", link.name}, {"shapes", shapes}});
+    info.text += fmt::format("  link   {:<{}}  {}\n", link.name, width, list.empty() ? "no shape" : list);
+  }
+  for (const io::Joint& joint : robot.joints) {
+    const std::string& parent = robot.links[joint.parent].name;
+    const std::string& child = robot.links[joint.child].name;
+    info.json["joints"].push_back({{"name", joint.name}, {"type", type_name(joint.type)}, {"parent", parent},
+                                   {"child", child}, {"lower", limit(joint.lower)}, {"upper", limit(joint.upper)},
+                                   {"mimic", joint.mimic ? Json(robot.joints[joint.mimic->joint].name) : Json(nullptr)}});
+    std::string range;
+    if (joint.mimic) range = ", follows " + robot.joints[joint.mimic->joint].name;
+    else if (std::isfinite(joint.upper)) range = fmt::format(" from {} to {}", joint.lower, joint.upper);
+    info.text += fmt::format("  joint  {:<{}}  {} to {}, {}{}\n", joint.name, width, parent, child,
+                             type_name(joint.type), range);
+  }
+  for (const std::string& line : robot.skipped) info.text += "  left out: " + line + "\n";
+  return info;
+}
+
+Info describe_mesh(const std::string& file) {
+  const io::Mesh mesh = io::read_mesh(file);
+  const Object object = make_object(mesh, file, false);
+  const auto [low, high] = object.hull.box();
+  Info info;
+  info.json = to_json(object);
+  info.json["mesh"] = {{"vertices", mesh.vertices.size()}, {"in_use", object.mesh_vertices},
+                       {"polygons", mesh.polygon_count()}, {"parts", mesh.parts.size()}};
+  info.json["why_hull"] = object.why_hull.empty() ? Json(nullptr) : Json(object.why_hull);
+  info.json["box"] = Json::array({to_json(low), to_json(high)});
+
+  info.text = fmt::format("{}: {}\n", object.file, object.format);
+  info.text += fmt::format("  holds   {} vertices{}, {}, {}\n", mesh.vertices.size(),
+                           object.mesh_vertices < mesh.vertices.size()
+                               ? fmt::format(" ({} in use)", object.mesh_vertices) : "",
+                           count_of(mesh.polygon_count(), "polygon"), count_of(mesh.parts.size(), "part"));
+  const std::string why = object.shape == Shape::convex ? "exactly convex"
+                          : object.shape == Shape::hull ? "not exactly convex: " + object.why_hull
+                                                        : "a set of points";
+  info.text += fmt::format("  shape   {}\n", why);
+  info.text += fmt::format("  hull    {}, {} vertices, {}\n", dimension_name(object.hull.dimension()),
+                           object.hull.vertices().size(), count_of(object.hull.facet_count(), "facet"));
+  info.text += fmt::format("  box     {} to {}\n", about(low), about(high));
+  return info;
+}
+
+int run(const Call& call) {
+  if (call.files.empty() && !call.formats) {
+    throw Error(ErrorCode::bad_call, "no file is named; name files, or ask for --formats", "info");
+  }
+  Json json = envelope("info", "read");
+  std::string text;
+  if (call.formats) {
+    json["formats"] = Json::array();
+    for (const Format& f : formats) {
+      json["formats"].push_back({{"name", f.name}, {"endings", f.endings}, {"access", f.access}, {"what", f.what}});
+      text += fmt::format("{:<12} {:<6} {:<14} {}\n", f.name, f.endings, f.access, f.what);
+    }
+  }
+  for (const std::string& file : call.files) {
+    Info info = is_robot(file) ? describe_robot(file) : describe_mesh(file);
+    json["objects"].push_back(std::move(info.json));
+    text += info.text;
+  }
+  print(call.json ? to_text(json) : text);
+  return exit_code::no;
+}
+
+}  // namespace
+
+void add_info(CLI::App& program, int& code) {
+  auto call = std::make_shared<Call>();
+  CLI::App* verb = program.add_subcommand("info", "What is in these files? Which formats are read?");
+  verb->add_option("FILE", call->files, "meshes, sets of points, robots");
+  verb->add_flag("--formats", call->formats, "list the formats that are in");
+  verb->add_flag("--json", call->json, "print a report in JSON");
+  verb->callback([call, &code] { code = run(*call); });
+}
+
+}  // namespace sunder::cli

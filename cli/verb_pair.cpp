@@ -1,0 +1,116 @@
+// sunder pair A B: do two convex objects meet?
+#include <cli/common.h>
+#include <cli/evidence.h>
+#include <cli/objects.h>
+
+#include <sunder/certificate/json.h>
+#include <sunder/io/file.h>
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace sunder::cli {
+
+namespace {
+
+struct Call {
+  std::string file_a, file_b, pose_a, pose_b;
+  std::string method = "automatic";
+  std::string certificate;
+  bool classify = false;
+  bool require_convex = false;
+  bool json = false;
+};
+
+struct Placed {
+  Object object;
+  solid::Pose pose;
+
+  PlacedVertices vertices() const { return placed_vertices(object.hull, pose); }
+};
+
+Placed read(const std::string& file, const std::string& pose, const char* option, bool require_convex) {
+  return {read_object(file, require_convex), pose.empty() ? solid::Pose() : parse_pose(pose, option)};
+}
+
+std::string certificate_text(const Placed& a, const Placed& b, const PairCertificate& evidence) {
+  CertificateWriter writer;
+  const std::uint32_t body_a = writer.add_body(a.object.name, a.object.hull.vertices());
+  const std::uint32_t body_b = writer.add_body(b.object.name, b.object.hull.vertices());
+  const std::uint32_t placed_a = writer.add_placed(a.object.name, body_a, a.pose.affine());
+  const std::uint32_t placed_b = writer.add_placed(b.object.name, body_b, b.pose.affine());
+  writer.add_pair(placed_a, placed_b, evidence);
+  return writer.text();
+}
+
+std::string human_text(const Call& call, const Placed& a, const Placed& b, const solid::PairAnswer& answer,
+                       Contact contact) {
+  const bool meet = answer.meet();
+  const std::string answer_text = !meet ? "apart" : call.classify ? fmt::format("meet ({})", name_of(contact)) : "meet";
+  std::string text = fmt::format("{} and {}: {}\n", a.object.file, b.object.file, answer_text);
+  const auto line = [&](const char* title, const std::string& value) {
+    text += fmt::format("  {:<10}  {}\n", title, value);
+  };
+  for (const Placed* p : {&a, &b}) {
+    const solid::ConvexPolyhedron& hull = p->object.hull;
+    const char* shape = p->object.shape == Shape::convex ? "" : p->object.shape == Shape::hull ? ", hull of the mesh"
+                                                                                              : ", hull of the points";
+    line(p == &a ? "A" : "B", fmt::format("{}: {}, {}, {}{}", p->object.name, dimension_name(hull.dimension()),
+                                          hull.vertices().size() == 1 ? "1 vertex"
+                                                                      : fmt::format("{} vertices", hull.vertices().size()),
+                                          count_of(hull.facet_count(), "facet"), shape));
+  }
+  line("evidence", evidence_text(answer.certificate(), a.vertices(), b.vertices(), "A", "B"));
+  line("decided by", decided_text(answer.decided_by));
+  line("cost", fmt::format("{}, {}, {} of exact arithmetic", count_of(answer.cost.probes, "probe"),
+                           count_of(answer.cost.iterations, "iteration"), count_of(answer.cost.exact, "use")));
+  if (!call.certificate.empty()) line("proof", call.certificate);
+  return text;
+}
+
+Json report(const Call& call, const Placed& a, const Placed& b, const solid::PairAnswer& answer, Contact contact) {
+  Json json = envelope("pair", answer.meet() ? "meet" : "apart", call.method);
+  json["decided_by"] = name_of(answer.decided_by);
+  json["cost"] = to_json(answer.cost);
+  json["objects"] = {to_json(a.object), to_json(b.object)};
+  if (call.classify) json["contact"] = name_of(contact);
+  json["evidence"] = evidence_json(answer.certificate(), a.vertices(), b.vertices());
+  return json;
+}
+
+int run(const Call& call) {
+  const PairMethod method = pair_method(call.method);
+  const Placed a = read(call.file_a, call.pose_a, "--pose-a", call.require_convex);
+  const Placed b = read(call.file_b, call.pose_b, "--pose-b", call.require_convex);
+  note_hulls({&a.object, &b.object});
+
+  const solid::PairAnswer answer = method(a.object.hull, a.pose, b.object.hull, b.pose);
+  const Contact contact = call.classify && answer.meet()
+                              ? solid::polyhedron_polyhedron_contact(a.object.hull, a.pose, b.object.hull, b.pose)
+                              : Contact::none;
+  if (!call.certificate.empty()) {
+    io::write_file_atomically(call.certificate, certificate_text(a, b, answer.certificate()));
+  }
+  print(call.json ? to_text(report(call, a, b, answer, contact)) : human_text(call, a, b, answer, contact));
+  return answer.meet() ? exit_code::yes : exit_code::no;
+}
+
+}  // namespace
+
+void add_pair(CLI::App& program, int& code) {
+  auto call = std::make_shared<Call>();
+  CLI::App* verb = program.add_subcommand("pair", "Do two convex objects meet? A common point, or what parts them.");
+  verb->add_option("A", call->file_a, "a mesh or a set of points: OBJ, STL, PLY, OFF")->required();
+  verb->add_option("B", call->file_b, "the other")->required();
+  verb->add_option("--pose-a", call->pose_a, std::string("where A is: ") + pose_forms)->type_name("POSE");
+  verb->add_option("--pose-b", call->pose_b, "where B is")->type_name("POSE");
+  verb->add_option("--method", call->method, "automatic, gjk, or scan")->type_name("NAME");
+  verb->add_flag("--classify", call->classify, "tell touching from overlapping");
+  verb->add_flag("--require-convex", call->require_convex, "a mesh that is not exactly convex is an error");
+  verb->add_option("--certificate", call->certificate, "write the proof here")->type_name("FILE");
+  verb->add_flag("--json", call->json, "print a report in JSON");
+  verb->callback([call, &code] { code = run(*call); });
+}
+
+}  // namespace sunder::cli

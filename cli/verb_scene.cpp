@@ -1,0 +1,115 @@
+// sunder scene FILE...: which of these bodies meet?
+#include <cli/common.h>
+#include <cli/scene_input.h>
+#include <cli/scene_picture.h>
+#include <cli/scene_report.h>
+
+#include <sunder/base/error.h>
+#include <sunder/io/file.h>
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <memory>
+
+namespace sunder::cli {
+
+namespace {
+
+struct Call {
+  std::vector<std::string> files, poses, joints, joints_files, allow;
+  std::string method = "automatic";
+  std::string certificate, svg, title;
+  bool classify = false;
+  bool require_convex = false;
+  bool json = false;
+};
+
+std::vector<Placement> placements_of(const Call& call) {
+  std::vector<Placement> placements;
+  for (const std::string& file : call.joints_files) placements.push_back(read_joints(file));
+  for (const std::string& text : call.joints) placements.push_back(parse_joints(text));
+  if (placements.empty()) placements.emplace_back();
+  return placements;
+}
+
+Placed ask(const SceneInput& input, const Placement& placement, std::size_t number, const scene::Question& question) {
+  Placed placed;
+  placed.placement = placement;
+  placed.title = placement.name.empty() ? fmt::format("{}", number) : placement.name;
+  placed.bodies = input.bodies(placement);
+  const auto start = std::chrono::steady_clock::now();
+  placed.answer = scene::meeting_pairs(placed.bodies, question);
+  placed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return placed;
+}
+
+int run(const Call& call) {
+  scene::Question question;
+  question.method = pair_method(call.method);
+  question.every_pair = !call.certificate.empty();
+  question.contacts = call.classify;
+  const std::vector<Placement> placements = placements_of(call);
+  const SceneInput input(call.files, call.poses, call.require_convex);
+
+  SceneReport report;
+  report.method = call.method;
+  for (const std::string& word : call.allow) {
+    if (word == "touch") {
+      question.touching_allowed = question.contacts = true;
+    } else {
+      const auto pairs = input.allowed(word);
+      question.allowed.insert(question.allowed.end(), pairs.begin(), pairs.end());
+      report.allowed_because.push_back(word);
+    }
+  }
+  report.allowed = question.allowed;
+  report.contacts = question.contacts;
+  report.touching_allowed = question.touching_allowed;
+  report.colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
+  note_hulls(input.objects());
+  for (const Placement& placement : placements) {
+    report.placements.push_back(ask(input, placement, report.placements.size() + 1, question));
+  }
+
+  if (!call.certificate.empty()) io::write_file_atomically(call.certificate, scene_certificate(report));
+  if (!call.svg.empty()) io::write_file_atomically(call.svg, scene_picture(report, call.title));
+  std::string text = call.json ? to_text(scene_json(report, input.objects())) : scene_text(report);
+  if (!call.json && !call.certificate.empty()) {
+    std::size_t pairs = 0;
+    for (const Placed& placed : report.placements) pairs += placed.answer.pairs.size();
+    text += fmt::format("proofs of {}, all but the allowed: {}\n", count_of(pairs, "pair"), call.certificate);
+  }
+  if (!call.json && !call.svg.empty()) text += fmt::format("picture: {}\n", call.svg);
+  print(text);
+  return report.some_meet() ? exit_code::yes : exit_code::no;
+}
+
+}  // namespace
+
+void add_scene(CLI::App& program, int& code) {
+  auto call = std::make_shared<Call>();
+  CLI::App* verb = program.add_subcommand("scene", "Which of many bodies meet? Meshes, and the links of a robot.");
+  const auto one_each = [](CLI::Option* option, const char* type) { option->type_name(type)->allow_extra_args(false); };
+  verb->add_option("FILE", call->files, "a mesh (its objects are the parts of one body) or one robot (URDF: its links "
+                                        "are the bodies); FILE@POSE places it")->required()->type_name("");
+  one_each(verb->add_option("--pose", call->poses, std::string("place the file of this name: ") + pose_forms), "NAME=POSE");
+  one_each(verb->add_option("--joints", call->joints, "name=value,... or LABEL:name=value,...; again for another placement"),
+           "VALUES");
+  one_each(verb->add_option("--joints-file", call->joints_files, "the same from a file, one joint a line"), "FILE");
+  one_each(verb->add_option("--allow", call->allow, "what may meet: adjacent (links joined by a joint), touch, NAME,NAME, "
+                                                    "or a file with two names a line"), "WHAT");
+  verb->add_option("--method", call->method, "automatic, gjk, or scan")->type_name("NAME");
+  verb->add_flag("--classify", call->classify, "tell touching from overlapping");
+  verb->add_flag("--require-convex", call->require_convex, "a mesh that is not exactly convex is an error");
+  verb->add_option("--certificate", call->certificate, "write the proofs of all pairs here")->type_name("FILE");
+  verb->add_option("--svg", call->svg, "draw the placements here")->type_name("FILE");
+  verb->add_option("--title", call->title, "over the picture")->type_name("TEXT");
+  verb->add_flag("--json", call->json, "print a report in JSON");
+  verb->callback([call, &code] { code = run(*call); });
+}
+
+}  // namespace sunder::cli

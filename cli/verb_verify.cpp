@@ -1,0 +1,104 @@
+// sunder verify FILE...: are the certificates true?
+#include <cli/common.h>
+
+#include <sunder/io/file.h>
+#include <sunder/io/text.h>
+
+#include <verifier/sunder_verify.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace sunder::cli {
+
+namespace {
+
+struct Call {
+  std::vector<std::string> files;
+  bool json = false;
+};
+
+struct File {
+  std::string name;
+  sunder_verifier::FileResult result;
+  std::uint64_t apart = 0, meet = 0;             // accepted pairs of each verdict
+  std::vector<std::size_t> refused;              // numbers of pairs
+};
+
+File verify(const std::string& name) {
+  File file;
+  file.name = io::one_line(name);
+  file.result = sunder_verifier::verify_text(io::read_file(name), file.name);
+  if (!file.result.readable) {
+    // The verifier's line begins with the place already.
+    std::string text = file.result.error;
+    if (text.starts_with(file.name + ": ")) text = text.substr(file.name.size() + 2);
+    io::fail_file(name, text);
+  }
+  for (std::size_t i = 0; i < file.result.pairs.size(); ++i) {
+    const sunder_verifier::PairResult& pair = file.result.pairs[i];
+    if (!pair.accepted) file.refused.push_back(i);
+    else ++(pair.verdict == "meet" ? file.meet : file.apart);
+  }
+  return file;
+}
+
+std::string human_text(const File& file) {
+  const sunder_verifier::FileResult& result = file.result;
+  if (!result.failed_form.empty()) return fmt::format("{}: REFUSED: check F: {}\n", file.name, io::one_line(result.failed_form));
+  std::string text = fmt::format("{}: {}: {} of {} accepted ({} apart, {} meet)\n", file.name,
+                                 result.accepted() ? "accepted" : "REFUSED", file.apart + file.meet,
+                                 count_of(result.pairs.size(), "pair"), file.apart, file.meet);
+  for (const std::size_t i : file.refused) {
+    const sunder_verifier::PairResult& pair = result.pairs[i];
+    text += fmt::format("  pair {}, {} and {}, said to {}: check {}: {}\n", i, io::one_line(pair.name_a),
+                        io::one_line(pair.name_b), pair.verdict == "meet" ? "meet" : "be apart", pair.failed_check,
+                        io::one_line(pair.reason));
+  }
+  return text;
+}
+
+Json report(const File& file) {
+  const sunder_verifier::FileResult& result = file.result;
+  Json json{{"file", file.name},        {"answer", result.accepted() ? "accepted" : "refused"},
+            {"pairs", result.pairs.size()}, {"apart", file.apart},
+            {"meet", file.meet}};
+  json["refused"] = Json::array();
+  if (!result.failed_form.empty()) json["refused"].push_back({{"check", "F"}, {"reason", result.failed_form}});
+  for (const std::size_t i : file.refused) {
+    const sunder_verifier::PairResult& pair = result.pairs[i];
+    json["refused"].push_back({{"pair", i}, {"a", pair.name_a}, {"b", pair.name_b}, {"verdict", pair.verdict},
+                               {"check", pair.failed_check}, {"reason", pair.reason}});
+  }
+  return json;
+}
+
+int run(const Call& call) {
+  std::vector<File> files;
+  for (const std::string& name : call.files) files.push_back(verify(name));
+  const bool accepted = std::all_of(files.begin(), files.end(), [](const File& f) { return f.result.accepted(); });
+  std::string text;
+  if (call.json) {
+    Json json = envelope("verify", accepted ? "accepted" : "refused");
+    for (const File& file : files) json["objects"].push_back(report(file));
+    text = to_text(json);
+  } else {
+    for (const File& file : files) text += human_text(file);
+  }
+  print(text);
+  return accepted ? exit_code::no : exit_code::yes;
+}
+
+}  // namespace
+
+void add_verify(CLI::App& program, int& code) {
+  auto call = std::make_shared<Call>();
+  CLI::App* verb = program.add_subcommand("verify", "Are these certificates true? Checked without the library.");
+  verb->add_option("FILE", call->files, "certificate files")->required();
+  verb->add_flag("--json", call->json, "print a report in JSON");
+  verb->callback([call, &code] { code = run(*call); });
+}
+
+}  // namespace sunder::cli

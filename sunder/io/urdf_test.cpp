@@ -1,0 +1,257 @@
+#include <sunder/base/error.h>
+#include <sunder/io/mesh.h>
+#include <sunder/io/urdf.h>
+#include <sunder/io/urdf_kinematics.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunder::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path cases = SUNDER_CASES_DIR;
+
+template <class Action>
+std::string error_of(Action action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::size_t link_number(const Robot& robot, const std::string& name) {
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    if (robot.links[i].name == name) return i;
+  }
+  throw std::runtime_error("no link " + name);
+}
+
+// Where the pose puts the point, near enough for a test.
+Point3 at(const solid::Pose& pose, const Point3& p) {
+  const auto& m = pose.affine().linear;
+  const auto& t = pose.affine().translation;
+  return {m[0] * p.x + m[1] * p.y + m[2] * p.z + t[0], m[3] * p.x + m[4] * p.y + m[5] * p.z + t[1],
+          m[6] * p.x + m[7] * p.y + m[8] * p.z + t[2]};
+}
+
+void expect_near(const Point3& a, const Point3& b) {
+  constexpr double margin = 1e-12;
+  EXPECT_NEAR(a.x, b.x, margin);
+  EXPECT_NEAR(a.y, b.y, margin);
+  EXPECT_NEAR(a.z, b.z, margin);
+}
+
+TEST(Urdf, ReadsAnArm) {
+  const Robot robot = read_urdf(cases / "mesh" / "arm.urdf");
+  EXPECT_EQ(robot.name, "arm");
+  EXPECT_EQ(robot.folder, cases / "mesh");
+  ASSERT_EQ(robot.links.size(), 5u);
+  EXPECT_EQ(robot.links[robot.root].name, "base");
+  ASSERT_EQ(robot.links[0].shapes.size(), 1u);
+  EXPECT_EQ(robot.links[0].shapes[0].name, "foot");
+  EXPECT_EQ(robot.links[0].shapes[0].mesh, "");
+  EXPECT_EQ(robot.links[0].shapes[0].size, (std::array<double, 3>{2, 2, 1}));
+  EXPECT_EQ(robot.links[1].shapes[0].scale, (std::array<double, 3>{1, 1, -2}));
+  EXPECT_EQ(robot.links[1].shapes[0].origin.rpy, (std::array<double, 3>{0, 0, 1.5}));
+  ASSERT_EQ(robot.skipped.size(), 1u);
+  EXPECT_NE(robot.skipped[0].find("arm.urdf:5: link 'base': <sphere> is no polyhedron"), std::string::npos);
+
+  ASSERT_EQ(robot.joints.size(), 4u);
+  std::string order;
+  for (const Joint& joint : robot.joints) order += joint.name + " ";
+  EXPECT_EQ(order, "shoulder elbow slide grip ") << "from the root outwards";
+  EXPECT_EQ(robot.joints[0].type, JointType::continuous);
+  EXPECT_EQ(robot.joints[0].axis, (std::array<double, 3>{0, 0, 1}));
+  EXPECT_TRUE(std::isinf(robot.joints[0].upper));
+  EXPECT_EQ(robot.joints[1].lower, -3);
+  EXPECT_DOUBLE_EQ(robot.joints[2].axis[1], 0.6);
+  EXPECT_DOUBLE_EQ(robot.joints[2].axis[2], 0.8);
+  ASSERT_TRUE(robot.joints[3].mimic.has_value());
+  EXPECT_EQ(robot.joints[robot.joints[3].mimic->joint].name, "slide");
+  EXPECT_EQ(robot.joints[3].mimic->multiplier, -2);
+  EXPECT_EQ(robot.joints[3].mimic->offset, 0.5);
+}
+
+TEST(Urdf, NormalisesAnyAxis) {
+  const auto axis = [](const std::string& xyz) {
+    const std::string text =
+        "<robot><link name='a'/><link name='b'/><joint name='j' type='continuous'><parent link='a'/>"
+        "<child link='b'/><axis xyz='" +
+        xyz + "'/></joint></robot>";
+    return parse_urdf(text, "test").joints[0].axis;
+  };
+  EXPECT_EQ(axis("0 -1e308 0"), (std::array<double, 3>{0, -1, 0}));
+  EXPECT_EQ(axis("5e-324 0 0"), (std::array<double, 3>{1, 0, 0}));
+  EXPECT_NEAR(axis("1e308 1e308 -1e308")[2], -1 / std::sqrt(3.0), 1e-15);
+}
+
+TEST(Urdf, BoxHasItsCorners) {
+  const auto corners = box_corners({2, 4, 0});
+  EXPECT_EQ(corners[0], (Point3{-1, -2, 0}));
+  EXPECT_EQ(corners[1], (Point3{1, -2, 0}));
+  EXPECT_EQ(corners[6], (Point3{-1, 2, 0}));
+  EXPECT_FALSE(std::signbit(corners[0].z));
+}
+
+TEST(Urdf, FindsMeshes) {
+  const fs::path folder = cases / "mesh";
+  const fs::path panda = cases / "panda";
+  const std::string link0 = "package://example-robot-data/robots/panda_description/meshes/collision/link0.stl";
+  EXPECT_EQ(resolve_mesh(link0, panda), panda / "meshes" / "collision" / "link0.stl");
+  EXPECT_EQ(resolve_mesh("cube.off", folder), folder / "cube.off");
+  EXPECT_EQ(resolve_mesh("../mesh/cube.off", folder), folder / "../mesh/cube.off");
+  EXPECT_EQ(resolve_mesh((folder / "cube.off").string(), "/nowhere"), folder / "cube.off");
+  EXPECT_EQ(resolve_mesh("file://" + (folder / "cube.off").string(), "/nowhere"), folder / "cube.off");
+  EXPECT_EQ(resolve_mesh("model://any/cube.off", folder), folder / "cube.off");
+  // A folder above the robot's that has the name of the package.
+  EXPECT_EQ(resolve_mesh("package://cases/mesh/cube.off", panda / "meshes"), cases / "mesh" / "cube.off");
+  // A longer match in the robot's folder comes before a shorter one in a folder to search.
+  const std::vector<fs::path> search = {panda / "meshes" / "collision"};
+  EXPECT_EQ(resolve_mesh("package://p/collision/link0.stl", panda / "meshes", search),
+            panda / "meshes" / "collision" / "link0.stl");
+  EXPECT_EQ(resolve_mesh("package://p/collision/link0.stl", folder, search), search[0] / "link0.stl");
+}
+
+TEST(Urdf, ListsWhatItTried) {
+  const std::vector<fs::path> search = {"/one"};
+  EXPECT_EQ(error_of([&] { resolve_mesh("package://p/q/m.stl", "/two", search); }),
+            "package://p/q/m.stl: no such mesh; tried: /one/p/q/m.stl, /two/p/q/m.stl, /one/q/m.stl, /two/q/m.stl, "
+            "/one/m.stl, /two/m.stl; name the folder to search");
+  EXPECT_EQ(error_of([&] { resolve_mesh("m.stl", "/two", search); }),
+            "m.stl: no such mesh; tried: /one/m.stl, /two/m.stl; name the folder to search");
+  EXPECT_NE(error_of([] { resolve_mesh("https://x/m.stl", ""); }).find("not fetched"), std::string::npos);
+  EXPECT_NE(error_of([] { resolve_mesh("package://", ""); }).find("tried: nothing"), std::string::npos);
+  EXPECT_NE(error_of([] { resolve_mesh("package://p/none.stl", ""); }).find("no such mesh"), std::string::npos);
+}
+
+TEST(UrdfKinematics, DefaultsAreZeroOrTheNearestLimit) {
+  const Robot robot = read_urdf(cases / "mesh" / "arm.urdf");
+  EXPECT_EQ(joint_values(robot, {}), (std::vector<double>{0, -1, 0.5, -0.5}));
+  EXPECT_EQ(joint_values(robot, {{"slide", 1.5}, {"elbow", -3}, {"shoulder", 100}}),
+            (std::vector<double>{100, -3, 1.5, -2.5}));
+}
+
+TEST(UrdfKinematics, RefusesWrongValues) {
+  const Robot robot = read_urdf(cases / "panda" / "panda.urdf");
+  const auto error = [&](const std::string& name, double value) {
+    return error_of([&] { link_poses(robot, {{name, value}}); });
+  };
+  EXPECT_EQ(error("panda_joint4", 0),
+            "joint 'panda_joint4': 0 is out of the limits; give a value from -3.0718 to -0.0698");
+  EXPECT_NE(error("elbow", 0).find("joint 'elbow': the robot has no joint of this name"), std::string::npos);
+  EXPECT_NE(error("panda_joint8", 0).find("is fixed"), std::string::npos);
+  EXPECT_NE(error("panda_finger_joint2", 0).find("follows joint 'panda_finger_joint1'"), std::string::npos);
+  EXPECT_NE(error("panda_joint1", NAN).find("not finite"), std::string::npos);
+  EXPECT_EQ(error("panda_joint1", 2.8973), "no error") << "limits are included";
+  EXPECT_NE(error("panda_joint1", std::nextafter(2.8973, 3)).find("out of the limits"), std::string::npos);
+  EXPECT_EQ(error_of([&] { joint_values(robot, {{"a\nb", 1}}); }).find('\n'), std::string::npos);
+}
+
+TEST(UrdfKinematics, MovesTheArm) {
+  const Robot robot = read_urdf(cases / "mesh" / "arm.urdf");
+  const double half_pi = std::acos(0.0);
+  const auto poses = link_poses(robot, {{"shoulder", half_pi}, {"elbow", -half_pi}, {"slide", 1}});
+  ASSERT_EQ(poses.size(), 5u);
+  EXPECT_EQ(poses[0].affine(), Affine3{});
+  const auto where = [&](const char* link, const Point3& p) { return at(poses[link_number(robot, link)], p); };
+  expect_near(where("upper", {1, 0, 0}), {0, 1, 1});
+  // The elbow turns about the upper arm's y, which points along the world's -x: z goes to the world's -y.
+  expect_near(where("lower", {0, 0, 0}), {0, 0, 3});
+  expect_near(where("lower", {0, 0, 1}), {0, -1, 3});
+  expect_near(where("lower", {1, 0, 0}), {0, 0, 4});
+  expect_near(where("tool", {0, 0, 0}), {-0.6, -0.8, 3});
+  expect_near(where("finger", {0, 0, 0}), {-0.6, -0.8, 3 + (-2 * 1 + 0.5)});
+}
+
+TEST(UrdfKinematics, OriginTurnsAboutFixedAxesInTheirOrder) {
+  const double half_pi = std::acos(0.0);
+  // Roll takes z to -y; pitch leaves y alone; yaw takes y to -x: z ends at +x.
+  expect_near(at(origin_pose({{1, 2, 3}, {half_pi, half_pi, half_pi}}), {0, 0, 1}), {1 + 1, 2, 3});
+  expect_near(at(origin_pose({{0, 0, 0}, {0.3, 0, 0}}), {0, 1, 0}), {0, std::cos(0.3), std::sin(0.3)});
+  expect_near(at(origin_pose({{0, 0, 0}, {0, 0.3, 0}}), {1, 0, 0}), {std::cos(0.3), 0, -std::sin(0.3)});
+  EXPECT_EQ(origin_pose({}).affine(), Affine3{});
+}
+
+TEST(UrdfKinematics, ShapeIsScaledThenPlaced) {
+  const Robot robot = read_urdf(cases / "mesh" / "arm.urdf");
+  const solid::Pose pose = shape_pose(robot.links[1].shapes[0]);
+  expect_near(at(pose, {1, 0, 1}), {std::cos(1.5), std::sin(1.5), 1 - 2});
+  EXPECT_EQ(shape_pose(robot.links[2].shapes[0]).affine(), Affine3{});
+}
+
+TEST(UrdfKinematics, TurnsAboutCoordinateAxesStayExact) {
+  const Robot robot = read_urdf(cases / "mesh" / "arm.urdf");
+  for (const double angle : {0.1, 2.0, 3.0, -2.5, 1e6}) {
+    const Affine3 turned = link_poses(robot, {{"shoulder", angle}})[1].affine();
+    const double c = std::cos(angle), s = std::sin(angle);
+    EXPECT_EQ(turned.linear, (std::array<double, 9>{c, -s, 0, s, c, 0, 0, 0, 1})) << angle;
+  }
+}
+
+// Every mesh is found and read, and the arm's known posture comes out: Franka's published Denavit-Hartenberg table puts
+// the flange of the straight arm at (0.088, 0, 0.333 + 0.316 + 0.384 - 0.107).
+TEST(UrdfKinematics, PlacesThePanda) {
+  const Robot robot = read_urdf(cases / "panda" / "panda.urdf");
+  EXPECT_TRUE(robot.skipped.empty());
+  EXPECT_EQ(robot.links.size(), 13u);
+  EXPECT_EQ(robot.joints.size(), 12u);
+  std::size_t meshes = 0, boxes = 0;
+  for (const Link& link : robot.links) {
+    for (const CollisionShape& shape : link.shapes) {
+      if (shape.mesh.empty()) {
+        ++boxes;
+      } else {
+        EXPECT_GE(read_mesh(resolve_mesh(shape.mesh, robot.folder)).vertices.size(), 18u);
+        ++meshes;
+      }
+    }
+  }
+  EXPECT_EQ(meshes, 9u);
+  EXPECT_EQ(boxes, 8u);
+
+  const auto straight = link_poses(robot, {{"panda_joint4", -0.0698}});
+  const auto bent = link_poses(
+      robot,
+      {{"panda_joint4", -1.5707963267948966}, {"panda_joint6", 1.5707963267948966}, {"panda_finger_joint1", 0.04}});
+  EXPECT_EQ(straight[robot.root].affine(), Affine3{});
+  const auto where = [&](const char* link) { return at(bent[link_number(robot, link)], {0, 0, 0}); };
+  expect_near(where("panda_link1"), {0, 0, 0.333});
+  expect_near(where("panda_link4"), {0.0825, 0, 0.333 + 0.316});
+  // The forearm is level: 0.384 forward and 0.0825 up; the flange hangs down at 0.088 in front.
+  expect_near(where("panda_link6"), {0.0825 + 0.384, 0, 0.649 + 0.0825});
+  expect_near(where("panda_link8"), {0.4665 + 0.088, 0, 0.7315 - 0.107});
+  const Point3 left = where("panda_leftfinger"), right = where("panda_rightfinger");
+  EXPECT_NEAR(std::hypot(left.x - right.x, left.y - right.y, left.z - right.z), 0.08, 1e-12) << "the mimic moves too";
+}
+
+TEST(UrdfKinematics, FollowsChainsOfMimics) {
+  std::string text = "<robot><link name='l0'/>";
+  for (int i = 1; i <= 3; ++i) {
+    const std::string n = std::to_string(i), above = std::to_string(i - 1), next = std::to_string(i + 1);
+    text += "<link name='l" + n + "'/><joint name='j" + n + "' type='continuous'><parent link='l" + above +
+            "'/><child link='l" + n + "'/>" +
+            (i < 3 ? "<mimic joint='j" + next + "' multiplier='2' offset='1'/>" : "") + "</joint>";
+  }
+  EXPECT_EQ(joint_values(parse_urdf(text + "</robot>", "test"), {{"j3", 5}}), (std::vector<double>{23, 11, 5}));
+}
+
+TEST(UrdfKinematics, NamesTheJointThatOverflows) {
+  const Robot robot = parse_urdf(
+      "<robot><link name='a'/><link name='b'/><link name='c'/>"
+      "<joint name='j' type='fixed'><parent link='a'/><child link='b'/>"
+      "<origin xyz='1e308 0 0'/></joint>"
+      "<joint name='k' type='fixed'><parent link='b'/><child link='c'/>"
+      "<origin xyz='1e308 0 0'/></joint></robot>",
+      "test");
+  const std::string text = error_of([&] { link_poses(robot, {}); });
+  EXPECT_TRUE(text.starts_with("joint 'k': ")) << text;
+}
+
+}  // namespace
+}  // namespace sunder::io

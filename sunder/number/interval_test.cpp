@@ -1,0 +1,213 @@
+// I1 of interval.h: results enclose what exact arithmetic gives, over the whole range of doubles and beyond it.
+#include <sunder/base/random.h>
+#include <sunder/number/interval.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+
+namespace sunder {
+namespace {
+
+using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr double least = std::numeric_limits<double>::denorm_min();
+
+// The oracle: n 2^e.
+struct Exact {
+  Whole n;
+  int e = 0;
+
+  Exact(double x) {
+    const double m = std::frexp(x, &e);
+    n = static_cast<std::int64_t>(std::ldexp(m, 53));
+    e -= 53;
+  }
+  Exact(Whole mantissa, int exponent) : n(std::move(mantissa)), e(exponent) {}
+
+  Whole at(int exponent) const { return n << static_cast<unsigned>(e - exponent); }
+};
+Exact operator+(const Exact& a, const Exact& b) {
+  const int e = std::min(a.e, b.e);
+  return {a.at(e) + b.at(e), e};
+}
+Exact operator-(const Exact& a) { return {-a.n, a.e}; }
+Exact operator-(const Exact& a, const Exact& b) { return a + (-b); }
+Exact operator*(const Exact& a, const Exact& b) { return {a.n * b.n, a.e + b.e}; }
+bool operator<=(const Exact& a, const Exact& b) { return (a - b).n <= 0; }
+
+bool encloses(const Interval& i, const Exact& x) {
+  if (!(i.low <= i.high) || i.low == infinity || i.high == -infinity) return false;
+  return (i.low == -infinity || Exact(i.low) <= x) && (i.high == infinity || x <= Exact(i.high));
+}
+
+// For the environment see cmake/Tests.cmake.
+double environment(const char* name, double otherwise) {
+  const char* text = std::getenv(name);
+  return text ? std::atof(text) : otherwise;
+}
+int instances(int n) { return std::max(200, static_cast<int>(n * environment("SUNDER_TEST_SCALE", 1))); }
+std::uint64_t seed(std::uint64_t s) {
+  return s + 1000003 * static_cast<std::uint64_t>(environment("SUNDER_TEST_SEED", 0));
+}
+
+constexpr std::array special{0.0,  -0.0,    1.0,      least,          2 * least, 0x1p-1022, 0x1.fffffffffffffp-1023,
+                             1e-300, 0x1p-537, 0x1.8p-538, 1e300,          0x1p511,   0x1p512,   0x1.fffffffffffffp511,
+                             largest, 0x1p1023, 1 + 0x1p-52, 1 - 0x1p-53,  3.0,       0x1p-970};
+
+double nasty(Random& random) {
+  const double sign = random.below(2) ? 1 : -1;
+  switch (random.below(4)) {
+    case 0: return sign * special[random.below(special.size())];
+    case 1: return sign * std::ldexp(1 + random.unit(), static_cast<int>(random.between(-1080, 1023)));
+    case 2: return sign * static_cast<double>(random.below(5));
+    default: return sign * std::ldexp(1 + random.unit(), static_cast<int>(random.between(-4, 4)));
+  }
+}
+
+// An interval and a member of it, which need not be an end, nor a double.
+struct Member {
+  Interval interval;
+  Exact value;
+};
+
+Member member(Random& random) {
+  double low = nasty(random), high = random.below(3) == 0 ? low : nasty(random);
+  if (random.below(4) == 0) high = std::nextafter(low, infinity);
+  if (low > high) std::swap(low, high);
+  if (!std::isfinite(high)) high = largest;
+  const Interval interval(low, high);
+  const Exact middle = (Exact(low) + Exact(high)) * Exact(0.5);
+  switch (random.below(8)) {
+    case 0: return {interval, Exact(low)};
+    case 1: return {interval, Exact(high)};
+    case 2: return {{-infinity, high}, random.below(2) ? Exact(high) - Exact(largest) * Exact(4) : Exact(low)};
+    case 3: return {{low, infinity}, random.below(2) ? Exact(low) + Exact(largest) * Exact(1e300) : Exact(high)};
+    default: return {interval, middle};
+  }
+}
+
+Member combined(Random& random, const Member& a, const Member& b) {
+  switch (random.below(3)) {
+    case 0: return {a.interval + b.interval, a.value + b.value};
+    case 1: return {a.interval - b.interval, a.value - b.value};
+    default: return {a.interval * b.interval, a.value * b.value};
+  }
+}
+
+bool same(const Interval& a, double low, double high) { return a.low == low && a.high == high; }
+
+TEST(IntervalTest, ResultsEncloseExactOnes) {
+  Random random(seed(1));
+  const int n = instances(60000);
+  int sure = 0, infinite = 0, tiny = 0;
+  for (int i = 0; i < n; ++i) {
+    const Member a = member(random), b = member(random);
+    const Member c = combined(random, a, b);
+    ASSERT_TRUE(encloses(c.interval, c.value)) << "instance " << i << ": [" << a.interval.low << ", " << a.interval.high
+                                               << "], [" << b.interval.low << ", " << b.interval.high << "]";
+    const Guess guess = sign(c.interval);
+    if (is_sure(guess)) {
+      ASSERT_EQ(static_cast<int>(guess), c.value.n.sign()) << i;
+      ++sure;
+    }
+    if (std::isinf(c.interval.low) || std::isinf(c.interval.high)) ++infinite;
+    if (std::fabs(c.interval.low) < 0x1p-1020 && std::fabs(c.interval.high) < 0x1p-1020) ++tiny;
+  }
+  EXPECT_GT(sure, n / 4);
+  EXPECT_GT(infinite, n / 10);
+  EXPECT_GT(tiny, n / 50);
+}
+
+TEST(IntervalTest, LongExpressionsEncloseExactOnes) {
+  Random random(seed(2));
+  const int n = instances(15000);
+  int sure = 0, narrow = 0;
+  for (int i = 0; i < n; ++i) {
+    std::array<Member, 4> pool{member(random), member(random), member(random), member(random)};
+    for (int step = 0; step < 4; ++step) {
+      Member next = combined(random, pool[random.below(4)], pool[random.below(4)]);
+      ASSERT_TRUE(encloses(next.interval, next.value)) << "instance " << i << ", step " << step;
+      if (is_sure(sign(next.interval))) ++sure;
+      if (std::isfinite(next.interval.high - next.interval.low)) ++narrow;
+      pool[static_cast<std::size_t>(step)] = std::move(next);
+    }
+  }
+  EXPECT_GT(sure, n / 2);
+  EXPECT_GT(narrow, n);
+}
+
+TEST(IntervalTest, PointsWidenByAFewUnits) {
+  Random random(seed(3));
+  const int n = instances(20000);
+  for (int i = 0; i < n; ++i) {
+    const double x = nasty(random), y = nasty(random);
+    for (const auto& [r, exact] : {std::pair{Interval(x) + Interval(y), Exact(x) + Exact(y)},
+                                   std::pair{Interval(x) - Interval(y), Exact(x) - Exact(y)},
+                                   std::pair{Interval(x) * Interval(y), Exact(x) * Exact(y)}}) {
+      ASSERT_TRUE(encloses(r, exact));
+      if (!std::isfinite(r.low) || !std::isfinite(r.high)) continue;
+      const double size = std::max(std::fabs(r.low), std::fabs(r.high));
+      ASSERT_LE(r.high - r.low, size * 0x1p-50 + 4 * least) << x << " " << y;
+    }
+  }
+}
+
+TEST(IntervalTest, WidenedByOneUnitOrMore) {
+  Random random(seed(4));
+  const int n = instances(50000);
+  for (int i = 0; i < n; ++i) {
+    const double x = i < static_cast<int>(special.size()) ? special[static_cast<std::size_t>(i)] : nasty(random);
+    const Interval w = interval_detail::widened(x, x);
+    ASSERT_LE(w.low, std::nextafter(x, -infinity)) << x;
+    ASSERT_GE(w.high, std::nextafter(x, infinity)) << x;
+  }
+}
+
+TEST(IntervalTest, ExactZeroStaysZero) {
+  const Interval zero, wide(-3, 5), endless(-infinity, infinity);
+  EXPECT_TRUE(same(zero * wide, 0, 0));
+  EXPECT_TRUE(same(wide * zero, 0, 0));
+  EXPECT_TRUE(same(zero * endless, 0, 0));
+  EXPECT_TRUE(same(endless * Interval(-0.0), 0, 0));
+  EXPECT_TRUE(same(wide + zero, -3, 5));
+  EXPECT_TRUE(same(zero + wide, -3, 5));
+  EXPECT_TRUE(same(wide - zero, -3, 5));
+  EXPECT_TRUE(same(zero - wide, -5, 3));
+  EXPECT_EQ(sign(zero * wide + zero * endless), Guess::zero);
+  // A rounded zero is none.
+  EXPECT_EQ(sign(Interval(3) - Interval(3)), Guess::unsure);
+  EXPECT_EQ(sign(Interval(least) * Interval(least)), Guess::unsure);
+}
+
+TEST(IntervalTest, Overflow) {
+  const Interval sum = Interval(largest) + Interval(largest);
+  EXPECT_TRUE(same(sum, largest, infinity));
+  EXPECT_TRUE(same(-sum, -infinity, -largest));
+  EXPECT_TRUE(same(Interval(largest) * Interval(-2), -infinity, -largest));
+  EXPECT_EQ(sign(sum), Guess::positive);
+  EXPECT_EQ(sign(sum * Interval(-1)), Guess::negative);
+  EXPECT_EQ(sign(sum - Interval(largest)), Guess::unsure);
+  EXPECT_EQ(sign(sum - sum), Guess::unsure);
+  EXPECT_TRUE(encloses(sum - Interval(largest), Exact(largest)));
+  EXPECT_TRUE(same(Interval(-infinity, 1) * Interval(0, 1), -infinity, infinity));
+  EXPECT_TRUE(same(Interval(-infinity, infinity) * Interval(-infinity, infinity), -infinity, infinity));
+}
+
+TEST(IntervalTest, Sign) {
+  EXPECT_EQ(sign(Interval(least, 1)), Guess::positive);
+  EXPECT_EQ(sign(Interval(-1, -least)), Guess::negative);
+  EXPECT_EQ(sign(Interval(0, 0)), Guess::zero);
+  EXPECT_EQ(sign(Interval(-0.0, 0)), Guess::zero);
+  EXPECT_EQ(sign(Interval(0, least)), Guess::unsure);
+  EXPECT_EQ(sign(Interval(-least, 0)), Guess::unsure);
+  EXPECT_EQ(sign(Interval(-1, 1)), Guess::unsure);
+  EXPECT_EQ(sign(Interval(-infinity, infinity)), Guess::unsure);
+}
+
+}  // namespace
+}  // namespace sunder

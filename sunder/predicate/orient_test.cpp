@@ -1,0 +1,461 @@
+// The orientation predicates against integer arithmetic: the sign of each stage that is sure, and which stage decides.
+#include <sunder/base/random.h>
+#include <sunder/predicate/orient.h>
+#include <sunder/predicate/stages.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+#include <utility>
+
+namespace sunder {
+namespace {
+
+using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr double least = std::numeric_limits<double>::denorm_min();
+
+// The oracle's numbers: n 2^e.
+struct Exact {
+  Whole n;
+  int e = 0;
+
+  Exact(double x) {
+    const double m = std::frexp(x, &e);
+    n = static_cast<std::int64_t>(std::ldexp(m, 53));
+    e -= 53;
+  }
+  Exact(Whole mantissa, int exponent) : n(std::move(mantissa)), e(exponent) {}
+
+  Whole at(int exponent) const { return n << static_cast<unsigned>(e - exponent); }
+  Sign sign() const { return static_cast<Sign>(n.sign()); }
+};
+Exact operator+(const Exact& a, const Exact& b) {
+  const int e = std::min(a.e, b.e);
+  return {a.at(e) + b.at(e), e};
+}
+Exact operator-(const Exact& a, const Exact& b) { return a + Exact(-b.n, b.e); }
+Exact operator*(const Exact& a, const Exact& b) { return {a.n * b.n, a.e + b.e}; }
+
+using ExactPoint = std::array<Exact, 3>;
+
+ExactPoint image(const Point3& p) { return {p.x, p.y, p.z}; }
+ExactPoint image(const Posed& p) {
+  const auto& [m, t] = *p.pose;
+  const ExactPoint x = image(p.point);
+  return {x[0] * m[0] + x[1] * m[1] + x[2] * m[2] + t[0], x[0] * m[3] + x[1] * m[4] + x[2] * m[5] + t[1],
+          x[0] * m[6] + x[1] * m[7] + x[2] * m[8] + t[2]};
+}
+
+// det(a - c, b - c) of the coordinates i, j; det(b - d, a - d, c - d): other forms than those of the library.
+Sign turn(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, std::size_t i, std::size_t j) {
+  return ((a[i] - c[i]) * (b[j] - c[j]) - (a[j] - c[j]) * (b[i] - c[i])).sign();
+}
+Sign side(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
+  std::array<std::array<Exact, 3>, 3> r{b, a, c};
+  for (auto& row : r) {
+    for (std::size_t i = 0; i < 3; ++i) row[i] = row[i] - d[i];
+  }
+  return (r[0][0] * (r[1][1] * r[2][2] - r[2][1] * r[1][2]) - r[1][0] * (r[0][1] * r[2][2] - r[2][1] * r[0][2]) +
+          r[2][0] * (r[0][1] * r[1][2] - r[1][1] * r[0][2]))
+      .sign();
+}
+
+// For the environment see cmake/Tests.cmake.
+double environment(const char* name, double otherwise) {
+  const char* text = std::getenv(name);
+  return text ? std::atof(text) : otherwise;
+}
+int instances(int n) { return std::max(200, static_cast<int>(n * environment("SUNDER_TEST_SCALE", 1))); }
+std::uint64_t seed(std::uint64_t s) {
+  return s + 1000003 * static_cast<std::uint64_t>(environment("SUNDER_TEST_SEED", 0));
+}
+
+// What the stages said over many instances.
+struct Record {
+  int count = 0, zero = 0, rounded = 0, interval = 0, exact = 0;
+
+  template <class Formula, class Predicate, class... Points>
+  void check(const Formula& formula, const Predicate& predicate, Sign expected, const Points&... points) {
+    ++count;
+    if (expected == Sign::zero) ++zero;
+    const bool tame = (is_tame(points) && ...);
+    const Guess first = tame ? sign(formula(lift<RoundedStage>(points)...)) : Guess::unsure;
+    const Guess second = sign(formula(lift<IntervalStage>(points)...));
+    if (is_sure(first)) {
+      ASSERT_EQ(to_sign(first), expected) << "rounded";
+    }
+    if (is_sure(second)) {
+      ASSERT_EQ(to_sign(second), expected) << "interval";
+    }
+    ASSERT_EQ(formula(lift<ExactStage>(points)...).sign(), expected) << "exact";
+    StageTally tally;
+    ASSERT_EQ(predicate(points..., &tally), expected);
+    ASSERT_EQ(tally.rounded, is_sure(first) ? 1u : 0u);
+    ASSERT_EQ(tally.interval, !is_sure(first) && is_sure(second) ? 1u : 0u);
+    ASSERT_EQ(tally.rounded + tally.interval + tally.exact, 1u);
+    rounded += static_cast<int>(tally.rounded);
+    interval += static_cast<int>(tally.interval);
+    exact += static_cast<int>(tally.exact);
+  }
+
+  void check_side(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+    check(
+        orient_3d_formula, [](const auto&... p) { return orient_3d(p...); },
+        side(image(a), image(b), image(c), image(d)), a, b, c, d);
+  }
+  void check_side(const Posed& a, const Posed& b, const Posed& c, const Posed& d) {
+    check(
+        orient_3d_formula, [](const auto&... p) { return orient_3d(p...); },
+        side(image(a), image(b), image(c), image(d)), a, b, c, d);
+  }
+  template <class P>
+  void check_turn(int axis, const P& a, const P& b, const P& c) {
+    const auto predicate = [axis](const auto&... p) { return orient_2d_along(axis, p...); };
+    const std::size_t i = static_cast<std::size_t>(axis + 1) % 3, j = static_cast<std::size_t>(axis + 2) % 3;
+    const Sign expected = turn(image(a), image(b), image(c), i, j);
+    if (axis == 0) check(orient_2d_formula<0>, predicate, expected, a, b, c);
+    if (axis == 1) check(orient_2d_formula<1>, predicate, expected, a, b, c);
+    if (axis == 2) check(orient_2d_formula<2>, predicate, expected, a, b, c);
+  }
+};
+
+double power_of_two(std::int64_t e) { return std::ldexp(1.0, static_cast<int>(e)); }
+
+double nasty(Random& random) {
+  constexpr std::array special{0.0,   1.0,   least,    2 * least,  0x1p-1022, 1e-300,  0x1p-332,
+                               1e300, 0x1p511, largest, 0x1p1023, 1 + 0x1p-52, 0x1p280, 0x1p-280};
+  const double sign = random.below(2) ? 1 : -1;
+  switch (random.below(3)) {
+    case 0: return sign * special[random.below(special.size())];
+    case 1: return sign * std::ldexp(1 + random.unit(), static_cast<int>(random.between(-1080, 1023)));
+    default: return sign * static_cast<double>(random.below(5));
+  }
+}
+
+Point3 operator*(double s, const Point3& p) { return {s * p.x, s * p.y, s * p.z}; }
+Point3 in_cube(Random& random) { return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}; }
+Point3 on_grid(Random& random, std::int64_t side) {
+  const auto one = [&] { return static_cast<double>(random.between(-side, side)); };
+  return {one(), one(), one()};
+}
+double nudged(double x, std::int64_t units) {
+  for (; units > 0; --units) x = std::nextafter(x, infinity);
+  for (; units < 0; ++units) x = std::nextafter(x, -infinity);
+  return x;
+}
+
+enum Kind { generic, grid, near_tie, near_tie_by_units, extreme, kinds };
+
+// Four points. Near ties: the last lies in the plane of the others, or on the line of two of them, but for rounding and
+// an offset that is log-uniform or a few units in the last place.
+std::array<Point3, 4> four_points(Random& random, Kind kind) {
+  if (kind == extreme) {
+    std::array<Point3, 4> p;
+    for (Point3& q : p) {
+      q = random.below(3) ? Point3{nasty(random), nasty(random), nasty(random)} : p[0];
+      if (random.below(2)) q.z = p[0].z;
+    }
+    return p;
+  }
+  std::array<Point3, 4> p{in_cube(random), in_cube(random), in_cube(random), in_cube(random)};
+  if (kind == grid) {
+    const std::int64_t side = random.between(1, 6);
+    for (Point3& q : p) q = on_grid(random, side);
+  }
+  if (kind == near_tie || kind == near_tie_by_units) {
+    const auto& [a, b, c, d] = p;
+    const double s = random.uniform(-1, 2), t = random.below(2) ? 0 : random.uniform(-1, 2);
+    const double offset = kind == near_tie ? random.log_uniform(0x1p-70, 1) * (random.below(2) ? 1 : -1) : 0;
+    p[3] = {a.x + s * (b.x - a.x) + t * (c.x - a.x) + offset, a.y + s * (b.y - a.y) + t * (c.y - a.y),
+            a.z + s * (b.z - a.z) + t * (c.z - a.z)};
+    if (kind == near_tie_by_units) p[3].z = nudged(p[3].z, random.between(-3, 3));
+    std::swap(p[3], p[random.below(4)]);
+  }
+  return p;
+}
+
+// Mostly well within the range of doubles; also where products underflow or overflow, at the ends of the tame range.
+double any_scale(Random& random) {
+  switch (random.below(6)) {
+    case 0: return 1;
+    case 1: return power_of_two(random.between(-1022, -200));
+    case 2: return power_of_two(random.between(200, 1018));
+    case 3: return power_of_two(random.between(-420, -260));
+    case 4: return power_of_two(random.between(260, 350));
+    default: return power_of_two(random.between(-100, 100));
+  }
+}
+
+Affine3 any_pose(Random& random) {
+  Affine3 pose;
+  const bool whole = random.below(2) == 0;
+  for (double& m : pose.linear) m = whole ? static_cast<double>(random.between(-3, 3)) : random.uniform(-1, 1);
+  if (random.below(4) == 0) {  // a turn about an axis, perhaps reflected
+    const double angle = random.uniform(-4, 4), flip = random.below(2) ? 1 : -1;
+    pose.linear = {std::cos(angle), -std::sin(angle), 0, std::sin(angle), std::cos(angle), 0, 0, 0, flip};
+  }
+  const double far = random.below(3) ? power_of_two(random.between(-10, 60)) : 0;
+  for (double& t : pose.translation) t = far * random.uniform(-1, 1);
+  return pose;
+}
+
+TEST(OrientTest, KnownSigns) {
+  const Point3 o, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  EXPECT_EQ(orient_2d({0, 0}, {1, 0}, {0, 1}), Sign::positive);
+  EXPECT_EQ(orient_2d({0, 0}, {0, 1}, {1, 0}), Sign::negative);
+  EXPECT_EQ(orient_2d({0, 0}, {1, 1}, {3, 3}), Sign::zero);
+  EXPECT_EQ(orient_3d(o, x, y, z), Sign::positive);  // o, x, y counter-clockwise as seen from z
+  EXPECT_EQ(orient_3d(o, y, x, z), Sign::negative);
+  EXPECT_EQ(orient_3d(o, x, y, Point3{3, -4, 0}), Sign::zero);
+  EXPECT_EQ(orient_2d_along(0, o, y, z), Sign::positive);
+  EXPECT_EQ(orient_2d_along(1, o, z, x), Sign::positive);
+  EXPECT_EQ(orient_2d_along(2, o, x, y), Sign::positive);
+  EXPECT_EQ(orient_2d_along(0, x, y, z), Sign::positive);
+  EXPECT_EQ(orient_2d_along(2, o, x, z), Sign::zero);
+  const Affine3 pose{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {5, 6, 7}};
+  const Affine3 identity;
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_EQ(compare_coordinate(axis, posed(o, identity), posed(o, pose)), Sign::positive);
+    EXPECT_EQ(compare_coordinate(axis, posed(o, pose), posed(x, identity)), Sign::negative);
+    EXPECT_EQ(compare_coordinate(axis, posed(Point3{5, 6, 7}, identity), posed(o, pose)), Sign::zero);
+    EXPECT_EQ(compare_coordinate(axis, posed(o, identity), posed(axis == 0 ? x : axis == 1 ? y : z, identity)),
+              Sign::positive);
+  }
+}
+
+TEST(OrientTest, EachStageOfPoints) {
+  Random random(seed(1));
+  const int n = instances(60000);
+  std::array<Record, kinds> side_of, turn_of;
+  int untame = 0;
+  for (int i = 0; i < n; ++i) {
+    const Kind kind = static_cast<Kind>(i % kinds);
+    const double scale = kind == extreme ? 1 : any_scale(random);
+    std::array<Point3, 4> p = four_points(random, kind);
+    for (Point3& q : p) q = scale * q;
+    if (!is_tame(p[0])) ++untame;
+    side_of[kind].check_side(p[0], p[1], p[2], p[3]);
+    turn_of[kind].check_turn(static_cast<int>(random.below(3)), p[1], p[2], p[3]);
+    const Point2 a{p[0].x, p[0].y}, b{p[1].x, p[1].y}, c{p[3].x, p[3].y};
+    ASSERT_EQ(orient_2d(a, b, c), turn(image(p[0]), image(p[1]), image(p[3]), 0, 1)) << i;
+    if (HasFatalFailure()) FAIL() << "instance " << i << ", kind " << kind << ", scale " << scale;
+  }
+  EXPECT_GT(untame, n / 4);
+  for (const auto* of : {&side_of, &turn_of}) {
+    EXPECT_GT((*of)[generic].interval, n / kinds / 8);
+    EXPECT_EQ((*of)[generic].zero, 0);
+    EXPECT_GT((*of)[grid].zero, n / kinds / 50);
+    EXPECT_GT((*of)[grid].exact, n / kinds / 100);
+    EXPECT_GT((*of)[extreme].zero, n / kinds / 100);
+  }
+  EXPECT_GT(side_of[near_tie].exact, n / kinds / 10);
+  EXPECT_GT(side_of[near_tie_by_units].exact, n / kinds / 3);
+}
+
+TEST(OrientTest, EachStageOfPosedPoints) {
+  Random random(seed(2));
+  const int n = instances(30000);
+  std::array<Record, kinds> side_of, turn_of;
+  Record along_axis;
+  int untame = 0, reflected = 0, far = 0;
+  for (int i = 0; i < n; ++i) {
+    const Kind kind = static_cast<Kind>(i % kinds);
+    // The body's scale, the inverse in the pose, and one for both.
+    const double inner = kind == extreme || random.below(2) ? 1 : power_of_two(random.between(-500, 500));
+    const double outer = random.below(2) ? 1 : power_of_two(random.between(-330, 330));
+    Affine3 first = any_pose(random), second = any_pose(random);
+    if (random.below(2)) second = first;
+    if (determinant_sign(first) == Sign::negative) ++reflected;
+    if (std::fabs(first.translation[0]) > 0x1p30) ++far;
+    for (Affine3* pose : {&first, &second}) {
+      for (double& m : pose->linear) m *= outer / inner;
+      for (double& t : pose->translation) t *= outer;
+    }
+    std::array<Point3, 4> p = four_points(random, kind);
+    for (Point3& q : p) q = inner * q;
+    const Posed a = posed(p[0], first), b = posed(p[1], second), c = posed(p[2], first), d = posed(p[3], second);
+    if (!a.tame) ++untame;
+    side_of[kind].check_side(a, b, c, d);
+    const int axis = static_cast<int>(random.below(3));
+    turn_of[kind].check_turn(axis, b, c, d);
+    const std::size_t k = static_cast<std::size_t>(axis);
+    along_axis.check(
+        [&](const auto& s, const auto& t) {
+          return axis == 0 ? difference_formula<0>(s, t) : axis == 1 ? difference_formula<1>(s, t)
+                                                                     : difference_formula<2>(s, t);
+        },
+        [axis](const auto&... q) { return compare_coordinate(axis, q...); }, (image(d)[k] - image(b)[k]).sign(), b, d);
+    if (HasFatalFailure()) FAIL() << "instance " << i << ", kind " << kind << ", scales " << inner << " " << outer;
+  }
+  EXPECT_GT(untame, n / 8);
+  EXPECT_GT(reflected, n / 5);
+  EXPECT_GT(far, n / 10);
+  for (const auto* of : {&side_of, &turn_of}) {
+    EXPECT_GT((*of)[generic].rounded, n / kinds / 4);
+    EXPECT_GT((*of)[generic].interval, n / kinds / 20);
+    EXPECT_GT((*of)[grid].zero, n / kinds / 50);
+    EXPECT_GT((*of)[near_tie_by_units].exact, n / kinds / 10);
+  }
+  EXPECT_GT(along_axis.zero, 0);
+}
+
+TEST(OrientTest, GenericPointsAreDecidedInFloatingPoint) {
+  Random random(seed(3));
+  const int n = instances(50000);
+  Record sides, turns, posed_sides;
+  const Affine3 pose{{0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1}, {3, -20, 0.125}};
+  for (int i = 0; i < n; ++i) {
+    const double scale = power_of_two(random.between(-90, 90));
+    std::array<Point3, 4> p = four_points(random, generic);
+    for (Point3& q : p) q = scale * q;
+    sides.check_side(p[0], p[1], p[2], p[3]);
+    turns.check_turn(static_cast<int>(random.below(3)), p[1], p[2], p[3]);
+    if (i % 4 == 0) {
+      for (Point3& q : p) q = (1 / scale) * q;
+      posed_sides.check_side(posed(p[0], pose), posed(p[1], pose), posed(p[2], pose), posed(p[3], pose));
+    }
+    if (HasFatalFailure()) FAIL() << "instance " << i;
+  }
+  for (const Record* r : {&sides, &turns, &posed_sides}) EXPECT_GE(r->rounded, r->count - r->count / 1000);
+}
+
+// The filters are as good as their bounds: a distance of 2^-44 is seen in floating point, one of 2^-51 is not.
+TEST(OrientTest, DistanceThatFloatingPointSees) {
+  Random random(seed(4));
+  const int n = instances(3000);
+  Record near, nearer;
+  for (int i = 0; i < n; ++i) {
+    const Point3 a = on_grid(random, 1000), b{a.x + 1000, a.y, a.z}, c{a.x, a.y + 1000, a.z};
+    const Point3 d{random.uniform(-1000, 1000), random.uniform(-1000, 1000), a.z * (1 + 0x1p-44)};
+    if (a.z == 0) continue;
+    near.check_side(a, b, c, d);
+    const double offset = random.uniform(0x1p-52, 0x1p-50);
+    nearer.check_side(Point3{1, 0, 0}, Point3{0, 1, 0}, Point3{0, 0, 1}, Point3{0.5, 0.25 + offset, 0.25});
+    if (HasFatalFailure()) FAIL() << "instance " << i;
+  }
+  EXPECT_GT(near.count, n / 2);
+  EXPECT_GE(near.rounded, near.count * 99 / 100);
+  EXPECT_LE(nearer.rounded, nearer.count / 10);
+  EXPECT_EQ(nearer.zero, 0);
+}
+
+enum class Stage { rounded, interval, exact };
+
+TEST(OrientTest, StageThatDecides) {
+  const auto decided = [](const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+    StageTally t;
+    const Sign sign = orient_3d(a, b, c, d, &t);
+    return std::pair{sign, t.rounded ? Stage::rounded : t.interval ? Stage::interval : Stage::exact};
+  };
+  using enum Sign;
+  // Coplanar: exact, but where every term is zero.
+  EXPECT_EQ(decided({1, 2, 3}, {4, 5, 7}, {7, 8, 12}, {2, 9, 4}), (std::pair{negative, Stage::rounded}));
+  EXPECT_EQ(decided({0, 0, 6}, {6, 0, 0}, {0, 6, 0}, {2, 2, 2}), (std::pair{zero, Stage::exact}));
+  EXPECT_EQ(decided({0, 0, 5}, {6, 0, 5}, {0, 6, 5}, {2, 2, 5}), (std::pair{zero, Stage::rounded}));
+  EXPECT_EQ(decided({1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {2, 9, 4}), (std::pair{zero, Stage::rounded}));
+  // Not tame: intervals, also for a zero without rounding. Products that overflow or underflow: exact.
+  for (const double s : {0x1p-290, 0x1p290}) {
+    EXPECT_EQ(decided({0, 0, 0}, {s, 0, 0}, {0, s, 0}, {0, 0, s}), (std::pair{positive, Stage::interval}));
+    EXPECT_EQ(decided({0, 0, 0}, {s, 0, 0}, {0, s, 0}, {s, s, 0}), (std::pair{zero, Stage::interval}));
+  }
+  for (const double s : {1e-300, least}) {
+    EXPECT_EQ(decided({0, 0, 0}, {s, 0, 0}, {0, s, 0}, {0, 0, s}), (std::pair{positive, Stage::exact}));
+    EXPECT_EQ(decided({s, s, s}, {s, 0, 0}, {0, s, 0}, {0, 0, s}), (std::pair{negative, Stage::exact}));
+  }
+  for (const double s : {1e300, largest}) {
+    EXPECT_EQ(decided({-s, s, s}, {s, -s, s}, {s, s, -s}, {s, s, s}), (std::pair{positive, Stage::exact}));
+    EXPECT_EQ(decided({-s, -s, -s}, {s, -s, -s}, {-s, s, -s}, {-s, -s, s}).first, positive);
+    EXPECT_EQ(decided({-s, s, 0}, {s, -s, 0}, {s, s, 0}, {-s, -s, 0}).first, zero);
+  }
+  EXPECT_EQ(decided({0, 0, 0}, {1e300, 0, 0}, {0, 1e-300, 0}, {0, 0, least}).first, positive);
+  EXPECT_EQ(decided({0, 0, least}, {1e300, 0, 0}, {0, 1e300, 0}, {0, 0, 0}).first, negative);
+}
+
+TEST(OrientTest, ExchangingPointsFlipsTheSign) {
+  Random random(seed(5));
+  const int n = instances(4000);
+  int zero = 0;
+  for (int i = 0; i < n; ++i) {
+    std::array<Point3, 4> p = four_points(random, static_cast<Kind>(i % kinds));
+    const Sign s = orient_3d(p[0], p[1], p[2], p[3]);
+    const Sign t = orient_2d_along(i % 3, p[0], p[1], p[2]);
+    if (s == Sign::zero) ++zero;
+    std::array<std::size_t, 4> order{0, 1, 2, 3};
+    do {
+      int exchanges = 0;
+      for (std::size_t j = 0; j < 4; ++j) {
+        for (std::size_t k = 0; k < j; ++k) exchanges += order[k] > order[j] ? 1 : 0;
+      }
+      ASSERT_EQ(orient_3d(p[order[0]], p[order[1]], p[order[2]], p[order[3]]), exchanges % 2 ? -s : s) << i;
+      if (order[3] == 3) {
+        ASSERT_EQ(orient_2d_along(i % 3, p[order[0]], p[order[1]], p[order[2]]), exchanges % 2 ? -t : t) << i;
+      }
+    } while (std::next_permutation(order.begin(), order.end()));
+  }
+  EXPECT_GT(zero, n / 50);
+  EXPECT_LT(zero, n / 2);
+}
+
+TEST(OrientTest, ScalingAndExactShiftsKeepTheSign) {
+  Random random(seed(6));
+  const int n = instances(4000);
+  int zero = 0;
+  for (int i = 0; i < n; ++i) {
+    std::array<Point3, 4> p;
+    for (Point3& q : p) q = on_grid(random, 1 + i % 20);
+    const Sign s = orient_3d(p[0], p[1], p[2], p[3]);
+    if (s == Sign::zero) ++zero;
+    const double scale = power_of_two(random.between(-1074, 1018));
+    ASSERT_EQ(orient_3d(scale * p[0], scale * p[1], scale * p[2], scale * p[3]), s) << i << " " << scale;
+    const Point3 by = on_grid(random, std::int64_t{1} << random.between(0, 52));
+    for (Point3& q : p) q = {q.x + by.x, q.y + by.y, q.z + by.z};
+    ASSERT_EQ(orient_3d(p[0], p[1], p[2], p[3]), s) << i;
+  }
+  EXPECT_GT(zero, n / 50);
+  EXPECT_LT(zero, n / 2);
+}
+
+TEST(OrientTest, OnePoseMultipliesByItsDeterminant) {
+  Random random(seed(7));
+  const int n = instances(4000);
+  int negative = 0, singular = 0, far = 0;
+  for (int i = 0; i < n; ++i) {
+    Affine3 pose = any_pose(random);
+    const bool is_far = i % 3 == 0;
+    if (is_far) {
+      for (double& t : pose.translation) t = power_of_two(random.between(100, 1023)) * random.uniform(-1, 1);
+      ++far;
+    }
+    const Sign d = determinant_sign(pose);
+    if (d == Sign::negative) ++negative;
+    if (d == Sign::zero) ++singular;
+    const std::array<Point3, 4> p = four_points(random, static_cast<Kind>(i % kinds));
+    const auto at = [&](const Point3& q) { return posed(q, pose); };
+    StageTally tally;
+    ASSERT_EQ(orient_3d(at(p[0]), at(p[1]), at(p[2]), at(p[3]), &tally), d * orient_3d(p[0], p[1], p[2], p[3])) << i;
+    if (is_far && tally.rounded == 1) {
+      ASSERT_EQ(static_cast<int>(d) * static_cast<int>(orient_3d(p[0], p[1], p[2], p[3])), 0) << i;
+    }
+  }
+  EXPECT_GT(negative, n / 5);
+  EXPECT_GT(singular, n / 100);
+  EXPECT_GT(far, n / 4);
+}
+
+TEST(OrientTest, Determinant) {
+  EXPECT_EQ(determinant_sign(Affine3{}), Sign::positive);
+  EXPECT_EQ(determinant_sign({{0, 1, 0, 1, 0, 0, 0, 0, 1}, {}}), Sign::negative);
+  EXPECT_EQ(determinant_sign({{0, 1, 0, 0, 0, 1, 1, 0, 0}, {}}), Sign::positive);
+  EXPECT_EQ(determinant_sign({{1, 2, 3, 4, 5, 6, 7, 8, 9}, {}}), Sign::zero);
+  EXPECT_EQ(determinant_sign({{1, 2, 3, 4, 5, 6, 7, 8, 9 + 0x1p-49}, {}}), Sign::negative);
+  EXPECT_EQ(determinant_sign({{least, 0, 0, 0, least, 0, 0, 0, -least}, {}}), Sign::negative);
+  EXPECT_EQ(determinant_sign({{1e300, 0, 0, 0, 1e300, 0, 0, 0, 1e300}, {}}), Sign::positive);
+  EXPECT_EQ(determinant_sign({{1e300, 1e300, 0, 1e300, 1e300, 0, 0, 0, 1e300}, {}}), Sign::zero);
+}
+
+}  // namespace
+}  // namespace sunder

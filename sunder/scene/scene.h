@@ -1,0 +1,76 @@
+// Which of many placed bodies meet?
+//
+// A body is made of parts, convex polyhedra each with its own placement; parts of one body are not tested against each
+// other. Boxes are compared first, so that bodies far apart cost next to nothing.
+//   S1. A pair of parts is reported as meeting iff polyhedron_polyhedron says so: boxes never hide a pair that meets,
+//       not even one that only touches.
+//   S2. Every pair that is listed has its certificate, also where boxes decided (its direction is then an axis).
+//   S3. The list is the same for every compiler and machine, and is ordered by body_a, body_b, part_a, part_b.
+#pragma once
+
+#include <sunder/scene/world_box.h>
+#include <sunder/solid/object/convex_polyhedron.h>
+#include <sunder/solid/object/pose.h>
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace sunder::scene {
+
+struct Part {
+  std::string name;  // for people
+  solid::ConvexPolyhedron shape;
+  solid::Pose pose;  // of the shape in the world
+};
+
+struct Body {
+  std::string name;  // for people
+  std::vector<Part> parts;  // may be empty: a body that meets nothing
+};
+
+using PairMethod = solid::PairAnswer (*)(const solid::ConvexPolyhedron&, const solid::Pose&,  //
+                                         const solid::ConvexPolyhedron&, const solid::Pose&);
+
+struct Question {
+  PairMethod method = solid::polyhedron_polyhedron;
+  std::vector<std::array<std::uint32_t, 2>> allowed;  // pairs of bodies not to be tested, in any order
+  bool touching_allowed = false;  // a pair that only touches does not count as meeting (implies contacts)
+  bool contacts = false;          // find out the contact of pairs that meet
+  bool every_pair = false;        // list the pairs that boxes parted too
+};
+
+struct PartPair {
+  std::uint32_t body_a = 0, body_b = 0;  // body_a < body_b
+  std::uint32_t part_a = 0, part_b = 0;
+  solid::PairAnswer answer;
+  bool by_boxes = false;  // the boxes are apart: no method was called, and answer.cost is zero
+  bool counts = false;    // they meet, and that is not allowed
+  Contact contact = Contact::none;  // meaningless for pairs that meet when contacts were not asked for
+};
+
+struct Counts {
+  std::uint64_t parts = 0;
+  std::uint64_t pairs = 0;          // of parts of different bodies
+  std::uint64_t allowed = 0;        // of these, not tested because their bodies are an allowed pair
+  std::uint64_t by_boxes = 0;       // parted by their boxes
+  std::uint64_t by_method = 0;      // given to the method; pairs = allowed + by_boxes + by_method
+  std::uint64_t meeting = 0;        // of these, found to meet
+  std::uint64_t touching_only = 0;  // of those, touching where touching is allowed
+};
+
+struct Answer {
+  std::vector<PartPair> pairs;  // all that the method was asked about; with every_pair all but the allowed
+  Counts counts;
+
+  bool some_meet() const { return counts.meeting > counts.touching_only; }
+};
+
+// Requires indices of bodies in `allowed` to be in range. Does not throw, but for memory.
+// Cost for n parts: n log n, one method call for each pair whose boxes meet; n^2 with every_pair.
+Answer meeting_pairs(std::span<const Body> bodies, const Question& question = {});
+
+}  // namespace sunder::scene

@@ -1,0 +1,185 @@
+// Every method of polyhedron_polyhedron against polyhedron_polyhedron_by_scan, with certificates checked absolutely.
+#include <tests/support/solid_pairs.h>
+
+#include <sunder/certificate/check.h>
+#include <sunder/certificate/json.h>
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+namespace sunder::tests {
+namespace {
+
+using solid::ConvexPolyhedron;
+using solid::PairAnswer;
+using solid::Pose;
+
+CheckResult check(const PairCertificate& c, const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b,
+                  const Pose& pose_b) {
+  return check_absolutely(c, {a.vertices(), pose_a.affine(), false}, {b.vertices(), pose_b.affine(), false});
+}
+
+// The case as a certificate file: what a failure leaves behind.
+std::string as_text(const PairCase& c, const PairAnswer& answer) {
+  CertificateWriter writer;
+  const auto a = writer.add_body("a", c.a.vertices()), b = writer.add_body("b", c.b.vertices());
+  writer.add_placed("a", a, c.pose_a.affine());
+  writer.add_placed("b", b, c.pose_b.affine());
+  if (answer.evidence.verdict == Verdict::apart) writer.add_pair(0, 1, answer.evidence);
+  return writer.text();
+}
+
+struct Tally {
+  int cases = 0, meets = 0, touches = 0, filter = 0, evidence = 0, finishing = 0;
+};
+
+TEST(SolidPairDifferential, MethodsAgreeWithTheScan) {
+  const int count = scaled_count(20000);
+  const std::uint64_t seed = chosen_seed(20260214);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  SolidPairs pairs(seed);
+  std::map<Family, Tally> tallies;
+  for (int i = 0; i < count; ++i) {
+    const PairCase c = pairs.next();
+    const PairAnswer scan = polyhedron_polyhedron_by_scan(c.a, c.pose_a, c.b, c.pose_b);
+    const PairAnswer gjk = polyhedron_polyhedron_by_gjk(c.a, c.pose_a, c.b, c.pose_b);
+    const PairAnswer front = polyhedron_polyhedron(c.a, c.pose_a, c.b, c.pose_b);
+    ASSERT_EQ(scan.meet(), gjk.meet()) << i << " " << name_of(c.family) << "\n" << as_text(c, gjk);
+    ASSERT_EQ(scan.meet(), front.meet()) << i << " " << name_of(c.family);
+    for (const PairAnswer* answer : {&scan, &gjk, &front}) {
+      ASSERT_EQ(check(answer->evidence, c.a, c.pose_a, c.b, c.pose_b), CheckResult::accepted)
+          << i << " " << name_of(c.family) << "\n" << as_text(c, *answer);
+    }
+    if (c.touches_exactly) {
+      ASSERT_TRUE(gjk.meet()) << i;
+      if (i % 8 == 2) {
+        ASSERT_EQ(polyhedron_polyhedron_contact(c.a, c.pose_a, c.b, c.pose_b), Contact::touching) << i;
+      }
+    }
+    Tally& t = tallies[c.family];
+    ++t.cases;
+    t.meets += gjk.meet();
+    t.touches += c.touches_exactly;
+    t.filter += gjk.decided_by == DecidedBy::filter;
+    t.evidence += gjk.decided_by == DecidedBy::evidence;
+    t.finishing += gjk.decided_by == DecidedBy::finishing;
+  }
+  std::printf("%-14s %8s %8s %8s %8s %8s %9s\n", "family", "cases", "meet", "touch", "filter", "evidence", "finishing");
+  for (const auto& [family, t] : tallies) {
+    std::printf("%-14s %8d %8d %8d %8d %8d %9d\n", std::string(name_of(family)).c_str(), t.cases, t.meets, t.touches,
+                t.filter, t.evidence, t.finishing);
+  }
+  if (count < 2000) return;  // too few for the rates below
+  // The test tested something: both verdicts are common in each family that can have both.
+  for (const auto& [family, t] : tallies) {
+    EXPECT_GE(t.cases, count / family_count);
+    if (family == Family::touching || family == Family::contained) {
+      EXPECT_EQ(t.meets, t.cases) << name_of(family);
+    } else {
+      EXPECT_GT(t.meets, t.cases / 20) << name_of(family);
+      EXPECT_LT(t.meets, t.cases - t.cases / 20) << name_of(family);
+    }
+  }
+  // General position is decided without exact finishing: at least 99.9 % (see the issue of the first path).
+  const Tally& general = tallies[Family::general];
+  EXPECT_LE(general.finishing, general.cases / 1000);
+  // And the hard families do reach the exact methods.
+  EXPECT_GT(tallies[Family::touching].evidence + tallies[Family::touching].finishing, tallies[Family::touching].cases / 2);
+  EXPECT_GT(tallies[Family::grid].finishing + tallies[Family::grid].evidence, 0);
+}
+
+// P2: swapping, scaling by a power of two, shifting exactly, reflecting, permuting the input: the same verdict.
+TEST(SolidPairDifferential, SymmetriesKeepTheVerdict) {
+  const int count = scaled_count(4000);
+  SolidPairs pairs(chosen_seed(7));
+  int meets = 0, shifted = 0;
+  for (int i = 0; i < count; ++i) {
+    const PairCase c = pairs.next();
+    const bool meet = polyhedron_polyhedron(c.a, c.pose_a, c.b, c.pose_b).meet();
+    meets += meet;
+    ASSERT_EQ(polyhedron_polyhedron(c.b, c.pose_b, c.a, c.pose_a).meet(), meet) << "swapped " << i;
+
+    const auto reposed = [&](const Pose& pose, auto change) {
+      Affine3 m = pose.affine();
+      change(m);
+      return Pose::from_matrix(m.linear, m.translation);
+    };
+    const auto reflect = [](Affine3& m) {
+      for (std::size_t k = 0; k < 3; ++k) m.linear[k] = -m.linear[k];
+      m.translation[0] = -m.translation[0];
+    };
+    ASSERT_EQ(polyhedron_polyhedron(c.a, reposed(c.pose_a, reflect), c.b, reposed(c.pose_b, reflect)).meet(), meet)
+        << "reflected " << i;
+    if (c.family != Family::tiny_or_huge) {
+      for (const double s : {0x1p-40, 0x1p300, 0x1p-300}) {
+        const auto scale = [&](Affine3& m) {
+          for (double& x : m.linear) x *= s;
+          for (double& x : m.translation) x *= s;
+        };
+        ASSERT_EQ(polyhedron_polyhedron(c.a, reposed(c.pose_a, scale), c.b, reposed(c.pose_b, scale)).meet(), meet)
+            << "scaled " << i << " by " << s;
+      }
+    }
+    if (c.family == Family::grid) {
+      const double d = static_cast<double>(pairs.random().between(-1000, 1000));
+      const auto shift = [&](Affine3& m) {
+        m.translation[0] += d;
+        m.translation[2] -= d;
+      };
+      ASSERT_EQ(polyhedron_polyhedron(c.a, reposed(c.pose_a, shift), c.b, reposed(c.pose_b, shift)).meet(), meet)
+          << "shifted " << i;
+      ++shifted;
+    }
+    if (c.a.vertices().size() < 100) {
+      std::vector<Point3> points(c.a.vertices().begin(), c.a.vertices().end());
+      for (std::size_t k = points.size(); k > 1; --k) std::swap(points[k - 1], points[pairs.random().below(k)]);
+      ASSERT_EQ(polyhedron_polyhedron(ConvexPolyhedron(points), c.pose_a, c.b, c.pose_b).meet(), meet) << "permuted " << i;
+    }
+  }
+  EXPECT_GT(meets, count / 5);
+  EXPECT_LT(meets, count - count / 5);
+  EXPECT_GT(shifted, count / 20);
+}
+
+// The kind of contact against a definition by other means: bodies that touch come apart by an arbitrarily small shift
+// along some direction, and bodies whose interiors meet do not. Here by construction.
+TEST(SolidPairDifferential, ContactTellsTouchingFromOverlapping) {
+  SolidPairs pairs(chosen_seed(11));
+  const int count = scaled_count(1000);
+  int overlapping = 0;
+  for (int i = 0; i < count; ++i) {
+    const PairCase touching = pairs.next(Family::touching);
+    ASSERT_EQ(polyhedron_polyhedron_contact(touching.a, touching.pose_a, touching.b, touching.pose_b), Contact::touching) << i;
+    // A body and itself, and a body and a smaller one inside: overlapping, whatever the dimension.
+    const PairCase contained = pairs.next(Family::contained);
+    ASSERT_EQ(polyhedron_polyhedron_contact(contained.a, contained.pose_a, contained.a, contained.pose_a), Contact::overlapping) << i;
+    // A small integer body against one shifted by a unit: an oracle by shifts of 2^-40 in many directions.
+    const PairCase grid = pairs.next(Family::grid);
+    const Contact contact = polyhedron_polyhedron_contact(grid.a, grid.pose_a, grid.b, grid.pose_b);
+    ASSERT_EQ(contact == Contact::none, !polyhedron_polyhedron(grid.a, grid.pose_a, grid.b, grid.pose_b).meet());
+    if (grid.a.dimension() == 3 && grid.b.dimension() == 3 && contact != Contact::none) {
+      // Interiors of full-dimensional bodies meet iff every small shift leaves them meeting: shrink one slightly about
+      // an interior point; if they still meet then, the interiors meet. (Minimal overlaps here are far above 2^-30.)
+      std::vector<Point3> shrunk;
+      Point3 centre;
+      const double n = static_cast<double>(grid.a.vertices().size());
+      for (const Point3& p : grid.a.vertices()) centre = {centre.x + p.x / n, centre.y + p.y / n, centre.z + p.z / n};
+      for (const Point3& p : grid.a.vertices()) {
+        const auto toward = [](double x, double c) { return x + (c - x) * 0x1p-30; };
+        shrunk.push_back({toward(p.x, centre.x), toward(p.y, centre.y), toward(p.z, centre.z)});
+      }
+      const bool interiors = polyhedron_polyhedron(ConvexPolyhedron(shrunk), grid.pose_a, grid.b, grid.pose_b).meet();
+      ASSERT_EQ(contact == Contact::overlapping, interiors) << i;
+      overlapping += interiors;
+    }
+  }
+  EXPECT_GT(overlapping, count / 20);
+}
+
+}  // namespace
+}  // namespace sunder::tests
