@@ -7,8 +7,9 @@
 
 namespace sunder::cli {
 
-// The placements side by side, each in the same orthographic view: facets shaded flat, nearer ones over farther ones;
-// bodies that meet in red, each common point marked and labelled. Deterministic, and of no other file.
+// The placements side by side, all in the same orthographic view and scale: facets shaded flat, nearer ones over
+// farther ones (by the depth of their middles, so that bodies in each other are drawn roughly); bodies that meet, and
+// may not, in red, with the common point of each such pair marked. Positions are rounded: the picture decides nothing.
 std::string scene_picture(const SceneReport& report, const std::string& title);
 
 }  // namespace sunder::cli

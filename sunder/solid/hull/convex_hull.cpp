@@ -4,6 +4,7 @@
 #include <sunder/number/rounded.h>
 #include <sunder/predicate/posed.h>
 #include <sunder/solid/hull/affine_basis.h>
+#include <sunder/solid/hull/canonical_order.h>
 #include <sunder/solid/hull/flat_hull.h>
 #include <sunder/solid/hull/merge_coplanar.h>
 #include <sunder/solid/hull/quickhull.h>
@@ -59,7 +60,7 @@ ConvexHull hull_of(std::span<const Point3> points) {
 ConvexHull convex_hull(std::span<const Point3> points) {
   check(points);
   const std::vector<Point3> scaled = rescaled(points);
-  return hull_of(scaled.empty() ? points : scaled);
+  return in_canonical_order(hull_of(scaled.empty() ? points : scaled), points.size());
 }
 
 }  // namespace sunder::solid

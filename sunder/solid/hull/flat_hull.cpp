@@ -56,41 +56,26 @@ ConvexHull point_hull(std::uint32_t a) {
 ConvexHull segment_hull(std::uint32_t a, std::uint32_t b) {
   ConvexHull hull;
   hull.dimension = 1;
-  hull.vertices = {std::min(a, b), std::max(a, b)};
+  hull.vertices = {a, b};
   hull.neighbour_begin = {0, 1, 2};
   hull.neighbours = {1, 0};
   return hull;
 }
 
 ConvexHull polygon_hull(std::span<const Point3> points, int axis) {
-  std::vector<std::uint32_t> cycle = monotone_chain(points, axis);
-  std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
-
   ConvexHull hull;
   hull.dimension = 2;
-  hull.vertices = cycle;
-  std::sort(hull.vertices.begin(), hull.vertices.end());
-  for (std::uint32_t& corner : cycle) {
-    const auto place = std::lower_bound(hull.vertices.begin(), hull.vertices.end(), corner);
-    corner = static_cast<std::uint32_t>(place - hull.vertices.begin());
+  hull.vertices = monotone_chain(points, axis);
+  const auto size = static_cast<std::uint32_t>(hull.vertices.size());
+  for (std::uint32_t v = 0; v < size; ++v) {
+    hull.neighbours.push_back((v + size - 1) % size);
+    hull.neighbours.push_back((v + 1) % size);
+    hull.neighbour_begin.push_back(2 * (v + 1));
   }
-
-  // Both facets start at vertex 0; the one with the lower second vertex comes first.
-  if (cycle.back() < cycle[1]) std::reverse(cycle.begin() + 1, cycle.end());
-  const std::uint32_t size = static_cast<std::uint32_t>(cycle.size());
+  hull.facet_vertices.resize(2 * hull.vertices.size());
+  std::iota(hull.facet_vertices.begin(), hull.facet_vertices.begin() + size, 0u);
+  std::iota(hull.facet_vertices.rbegin(), hull.facet_vertices.rbegin() + size, 0u);
   hull.facet_begin = {0, size, 2 * size};
-  hull.facet_vertices = cycle;
-  hull.facet_vertices.push_back(cycle.front());
-  hull.facet_vertices.insert(hull.facet_vertices.end(), cycle.rbegin(), cycle.rend() - 1);
-
-  hull.neighbours.resize(2 * cycle.size());
-  hull.neighbour_begin.resize(cycle.size() + 1);
-  for (std::uint32_t i = 0; i < size; ++i) {
-    const auto [low, high] = std::minmax(cycle[(i + size - 1) % size], cycle[(i + 1) % size]);
-    hull.neighbours[2 * cycle[i]] = low;
-    hull.neighbours[2 * cycle[i] + 1] = high;
-    hull.neighbour_begin[i + 1] = 2 * (i + 1);
-  }
   return hull;
 }
 

@@ -9,12 +9,12 @@
 
 namespace sunder::solid {
 
-// All three give what convex_hull promises (H1 to H5).
+// All three give the hull up to the order of in_canonical_order.
 
-// The hull of points that are all equal; a is the lowest index.
+// The hull of points all equal to point a.
 ConvexHull point_hull(std::uint32_t a);
 
-// The hull of points on a line; a and b are the two ends, a != b.
+// The hull of points on a line; a and b are the two ends.
 ConvexHull segment_hull(std::uint32_t a, std::uint32_t b);
 
 // The hull of points that lie in one plane, not all on a line. Requires an axis (0: x, 1: y, 2: z) that is not

@@ -10,7 +10,8 @@
 
 namespace sunder::solid {
 
-// Requires triangles as quickhull gives them. Cost: O(n + t log t) for n points and t triangles.
+// The hull up to the order of in_canonical_order. Requires triangles as quickhull gives them.
+// Cost: linear.
 ConvexHull merge_coplanar(std::span<const Point3> points, const std::vector<Triangle>& triangles);
 
 }  // namespace sunder::solid

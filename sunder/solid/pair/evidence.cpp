@@ -10,6 +10,9 @@ namespace sunder::solid {
 
 namespace {
 
+// Weights below this part of the largest are taken for zero where a proposal is made from what a search left.
+constexpr double negligible = 0x1p-40;
+
 PlacedVertices vertices_of(const Placed& body) { return {body.graph.vertices, body.pose, body.tame}; }
 
 // The exact part of both apart checks: the extreme vertices, then strictness.
@@ -97,6 +100,15 @@ class Reduction {
         for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) dependency_[e][i] -= factor * dependency_[d][i];
         dependency_[e][leaving] = 0;
       }
+    }
+  }
+
+  // Drops vertices whose weight is next to nothing: what touching and shared vertices leave behind.
+  void drop_negligible() {
+    double largest = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) largest = std::max(largest, member_[i].weight);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+      dropped_[i] = dropped_[i] || !(member_[i].weight > largest * negligible);
     }
   }
 
@@ -239,12 +251,15 @@ bool check_apart_by_features(const Placed& a, const Placed& b, const DifferenceS
   return of_a.count == 1 && of_b.count == 1 && attempt(Direction::Kind::difference, {p[0], q[0]});
 }
 
-bool check_meet(const Placed& a, const Placed& b, const DifferenceSimplex& simplex, PairCertificate& certificate,
-                StageTally& tally) {
-  if (simplex.count == 0) return false;
+namespace {
+
+// check_meet with given weights, either as they are or with negligible ones taken for zero.
+bool meet_with_weights(const Placed& a, const Placed& b, const DifferenceSimplex& simplex,
+                       const std::array<double, 4>& weights, bool drop, PairCertificate& certificate,
+                       StageTally& tally) {
   Support of_a, of_b;
-  const std::array<double, 4> weights = weights_of_nearest(simplex);
   for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.count); ++i) {
+    if (drop && weights[i] == 0) continue;
     of_a.add(simplex.vertex[i].a, weights[i]);
     of_b.add(simplex.vertex[i].b, weights[i]);
   }
@@ -256,6 +271,7 @@ bool check_meet(const Placed& a, const Placed& b, const DifferenceSimplex& simpl
     reduction.add(of_b.vertex[i], false, b[of_b.vertex[i]], of_b.weight[i]);
   }
   reduction.reduce();
+  if (drop) reduction.drop_negligible();
   if (!reduction.write(certificate)) return false;
   std::array<Posed, 5> points{};
   const std::size_t k = std::size_t{certificate.count_a} + certificate.count_b;
@@ -264,6 +280,20 @@ bool check_meet(const Placed& a, const Placed& b, const DifferenceSimplex& simpl
   }
   return have_common_point({points.data(), certificate.count_a}, {points.data() + certificate.count_a, k - certificate.count_a},
                            &tally);
+}
+
+}  // namespace
+
+bool check_meet(const Placed& a, const Placed& b, const DifferenceSimplex& simplex, PairCertificate& certificate,
+                StageTally& tally) {
+  if (simplex.count == 0) return false;
+  const std::array<double, 4> weights = weights_of_nearest(simplex);
+  if (simplex.count == 4 && meet_with_weights(a, b, simplex, weights, false, certificate, tally)) return true;
+  std::array<double, 4> without_negligible = weights;
+  const double largest = *std::max_element(weights.begin(), weights.end());
+  for (double& w : without_negligible) w = w > largest * negligible ? w : 0;
+  if (meet_with_weights(a, b, simplex, without_negligible, true, certificate, tally)) return true;
+  return simplex.count < 4 && meet_with_weights(a, b, simplex, weights, false, certificate, tally);
 }
 
 }  // namespace sunder::solid

@@ -65,12 +65,16 @@ class Search {
     return w;
   }
 
-  bool holds(const DifferenceVertex& w) const {
+  // Is w further along the direction than the face, by more than the noise of floating point?
+  bool gains_by(const DifferenceVertex& w) const {
     for (int i = 0; i < simplex.count; ++i) {
       const DifferenceVertex& v = simplex.vertex[static_cast<std::size_t>(i)];
-      if (v.a == w.a && v.b == w.b) return true;
+      if (v.a == w.a && v.b == w.b) return false;
     }
-    return false;
+    if (simplex.count == 0) return true;
+    const Point3& v = simplex.vertex[0].at;
+    const double gain = dot(direction, {w.at.x - v.x, w.at.y - v.y, w.at.z - v.z});
+    return gain > 0x1p-44 * (std::fabs(w.at.x) + std::fabs(w.at.y) + std::fabs(w.at.z));
   }
 
   // Near contact the direction is perpendicular to a face of the difference, whose vertices then tie. Turns it a little
@@ -155,7 +159,7 @@ PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& body_a, const Po
       decided = check_apart(a, b, direction, furthest.a, furthest.b, answer.evidence, tally);
       if (decided) break;
     }
-    if (search.holds(w)) break;
+    if (!search.gains_by(w)) break;
     search.simplex.vertex[static_cast<std::size_t>(search.simplex.count++)] = w;
     enclosed = !reduce_to_closest_face(search.simplex, search.direction);
     if (!enclosed && !normalize(search.direction)) break;

@@ -1,0 +1,49 @@
+// From placed bodies to shaded polygons of a picture: the orthographic view behind scene_picture.
+#pragma once
+
+#include <sunder/predicate/point.h>
+#include <sunder/scene/scene.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace sunder::cli {
+
+// A point on the picture's plane, in the world's unit: x to the right, y down, depth towards the viewer.
+struct Seen {
+  double x = 0, y = 0, depth = 0;
+};
+
+// Looking at the world from a direction: azimuth about z from the x axis, elevation above the plane x y (radians).
+class View {
+ public:
+  View(double azimuth, double elevation);
+
+  Seen operator()(const Point3& p) const;
+  double towards_viewer(const Point3& direction) const;  // the cosine, for a direction of length one
+  double light_on(const Point3& normal) const;           // 0 dark .. 1 full light
+
+ private:
+  Point3 right_, up_, to_viewer_, to_light_;
+};
+
+// A facet, a segment or a point of a body, seen from its front.
+struct SeenFacet {
+  std::uint32_t body = 0;
+  std::vector<Seen> corners;
+  std::vector<bool> on_outline;  // the edge from each corner to the next: behind it the body ends
+  double depth = 0;              // of the middle
+  double light = 0;              // 0 .. 1
+};
+
+// What is turned towards the viewer, farthest first.
+std::vector<SeenFacet> facets_in_order(std::span<const scene::Body> bodies, const View& view);
+
+// The shadows of all facets on the plane z = floor, the light straight above.
+std::vector<std::vector<Seen>> shadows(std::span<const scene::Body> bodies, const View& view, double floor);
+
+// The corners of a part in the world, rounded.
+std::vector<Point3> world_vertices(const scene::Part& part);
+
+}  // namespace sunder::cli
