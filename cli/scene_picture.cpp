@@ -10,7 +10,6 @@
 #include <numbers>
 #include <set>
 #include <string_view>
-#include <utility>
 
 namespace sunder::cli {
 
@@ -25,7 +24,7 @@ struct Colour {
 };
 
 constexpr std::array<Colour, 2> calm{{{164, 186, 212}, {214, 222, 232}}};  // bodies in turns
-constexpr Colour alarm{232, 84, 62};
+constexpr std::array<Colour, 2> alarming{{{226, 74, 58}, {244, 122, 88}}};
 
 std::string shaded(const Colour& c, double light) {
   const double k = 0.58 + 0.46 * light;
@@ -74,8 +73,7 @@ class Picture {
  public:
   Picture(const SceneReport& report, const std::string& title) : report_(report), title_(title) {
     floor_ = lowest();
-    const double extent = fit();
-    disc_ = 0.5 * extent;
+    fit();
   }
 
   std::string text() {
@@ -114,8 +112,8 @@ class Picture {
     }
   }
 
-  // Puts all placements, with their shadows, into the same frame. Returns how wide they are.
-  double fit() {
+  // Puts all placements, with their shadows, into the same frame.
+  void fit() {
     Bounds bounds;
     each_vertex([&](const Point3& p) {
       bounds.include(view_(p));
@@ -126,11 +124,10 @@ class Picture {
     frame_.scale = std::isfinite(scale) ? scale : 1;
     frame_.x = panel_width / 2 - frame_.scale * (bounds.left + bounds.right) / 2;
     frame_.y = header + panel_height / 2 - frame_.scale * (bounds.top + bounds.bottom) / 2;
-    return std::max(wide, high);
   }
 
   void write_text(double x, double y, double size, const char* colour, const char* weight, const std::string& text,
-                  const char* more = "") {
+                  const std::string& more = "") {
     out_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{:.0f}\" fill=\"{}\" font-weight=\"{}\"{}>{}</text>\n",
                         x, y, size, colour, weight, more, escaped(text));
   }
@@ -150,14 +147,16 @@ class Picture {
       if (pair.counts) alarmed.insert({pair.body_a, pair.body_b});
     }
 
-    std::string shadow;
-    for (const auto& polygon : shadows(placed.bodies, view_, floor_)) shadow += path(polygon, frame);
-    out_ += fmt::format("<path d=\"{}\" fill=\"#26374d\" stroke=\"#26374d\" stroke-width=\"1\" opacity=\"0.11\"/>\n", shadow);
+    out_ += "<g fill=\"#26374d\" opacity=\"0.10\">\n";
+    for (const auto& shadow : shadows(placed.bodies, view_, floor_)) {
+      out_ += fmt::format("<path d=\"{}\"/>\n", path(shadow, frame));
+    }
+    out_ += "</g>\n";
 
     out_ += "<g stroke-linejoin=\"round\" stroke-linecap=\"round\" stroke-width=\"0.5\">\n";
     for (const SeenFacet& facet : facets_in_order(placed.bodies, view_)) {
       const bool red = alarmed.contains(facet.body);
-      draw(facet, red ? alarm : calm[facet.body % 2], red ? "#8d2a1b" : "#55677f", frame);
+      draw(facet, (red ? alarming : calm)[facet.body % 2], red ? "#8d2a1b" : "#55677f", frame);
     }
     out_ += "</g>\n";
     mark(placed, frame, i);
@@ -185,7 +184,6 @@ class Picture {
   // The common points, and beside them who meets.
   void mark(const Placed& placed, const Frame& frame, std::size_t number) {
     std::size_t labels = 0;
-    std::vector<std::pair<double, std::string>> marks;
     const double left = static_cast<double>(number) * panel_width;
     for (const scene::PartPair& pair : placed.answer.pairs) {
       if (!pair.counts) continue;
@@ -201,11 +199,12 @@ class Picture {
       const double lx = x + (to_right ? 46 : -46), ly = y - 40 - 18 * static_cast<double>(labels - 1);
       out_ += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"#1f2a3a\" stroke-width=\"1.2\" fill=\"none\"/>\n",
                           x + (to_right ? 8 : -8), y - 8, lx - (to_right ? 4 : -4), ly + 2);
-      write_text(lx, ly, 14, "#1f2a3a", "600",
-                 part_name(placed.bodies[pair.body_a], pair.part_a) + " meets " +
-                     part_name(placed.bodies[pair.body_b], pair.part_b),
-                 to_right ? " paint-order=\"stroke\" stroke=\"#fbfcfe\" stroke-width=\"4\""
-                          : " paint-order=\"stroke\" stroke=\"#fbfcfe\" stroke-width=\"4\" text-anchor=\"end\"");
+      const std::string label = part_name(placed.bodies[pair.body_a], pair.part_a) + " meets " +
+                                part_name(placed.bodies[pair.body_b], pair.part_b);
+      const std::string anchor = to_right ? "" : " text-anchor=\"end\"";
+      write_text(lx, ly, 14, "#fbfcfe", "600", label,
+                 anchor + " stroke=\"#fbfcfe\" stroke-width=\"5\" stroke-linejoin=\"round\"");  // a halo
+      write_text(lx, ly, 14, "#1f2a3a", "600", label, anchor);
     }
   }
 
@@ -233,7 +232,8 @@ class Picture {
     swatch(shaded(calm[0], 0.8), 14);
     swatch(shaded(calm[1], 0.8), 14);
     words("apart from all, or allowed");
-    swatch(shaded(alarm, 0.8), 14);
+    swatch(shaded(alarming[0], 0.8), 14);
+    swatch(shaded(alarming[1], 0.8), 14);
     words("meets another");
     out_ += fmt::format("<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"6\" fill=\"none\" stroke=\"#1f2a3a\" stroke-width=\"1.5\"/>\n"
                         "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"1.8\" fill=\"#1f2a3a\"/>\n", x + 7, y - 4);
@@ -244,7 +244,7 @@ class Picture {
   const SceneReport& report_;
   const std::string& title_;
   View view_{-0.30 * std::numbers::pi, 0.11 * std::numbers::pi};
-  double floor_ = 0, disc_ = 0;
+  double floor_ = 0;
   Frame frame_;
   std::string out_;
 };

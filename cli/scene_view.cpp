@@ -132,11 +132,12 @@ std::vector<std::vector<Seen>> shadows(std::span<const scene::Body> bodies, cons
   std::vector<std::vector<Seen>> all;
   for (const scene::Body& body : bodies) {
     for (const scene::Part& part : body.parts) {
-      for (const Facet& facet : facets_of(part, world_vertices(part))) {
-        if (facet.normal.z <= 0) continue;  // those turned up cover what is beneath
-        all.emplace_back();
-        for (const Point3& p : facet.corners) all.back().push_back(view({p.x, p.y, floor}));
-      }
+      std::vector<Point3> points = world_vertices(part);
+      for (Point3& p : points) p.z = floor;
+      const solid::ConvexPolyhedron shadow(points);
+      if (shadow.dimension() < 2) continue;
+      all.emplace_back();
+      for (const std::uint32_t v : shadow.facet(0)) all.back().push_back(view(shadow.vertices()[v]));
     }
   }
   return all;

@@ -40,7 +40,8 @@ struct SeenFacet {
 // What is turned towards the viewer, farthest first.
 std::vector<SeenFacet> facets_in_order(std::span<const scene::Body> bodies, const View& view);
 
-// The shadows of all facets on the plane z = floor, the light straight above.
+// The shadow of each part on the plane z = floor, the light straight above: a convex polygon.
+// Requires finite images (world_vertices).
 std::vector<std::vector<Seen>> shadows(std::span<const scene::Body> bodies, const View& view, double floor);
 
 // The corners of a part in the world, rounded.

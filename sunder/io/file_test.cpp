@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -60,6 +61,7 @@ TEST_F(File, ReadsAPipe) {
     _exit(0);
   }
   EXPECT_EQ(read_file(pipe), std::string(2'500'000, 'x'));
+  EXPECT_EQ(waitpid(child, nullptr, 0), child);
 }
 
 TEST_F(File, TellsWhyItCannotRead) {

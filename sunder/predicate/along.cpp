@@ -11,14 +11,6 @@ std::int64_t magnitude_exponent(const Dyadic& x) {
 
 }  // namespace
 
-bool WorldDirection::is_tame() const {
-  const auto component = [](double x) {
-    const double size = std::fabs(x);
-    return size == 0 || (size >= 0x1p-60 && size <= 1);
-  };
-  return component(doubles_.x) && component(doubles_.y) && component(doubles_.z);
-}
-
 Vector3<Interval> WorldDirection::enclosure() const {
   if (is_doubles_) return lift<IntervalStage>(doubles_);
   std::int64_t top = std::numeric_limits<std::int64_t>::min();
@@ -55,15 +47,7 @@ Sign Along::compare_further(const Point3& from, const Point3& to, StageTally* ta
   return dot(*exact_, lift<ExactStage>(to) - lift<ExactStage>(from)).sign();
 }
 
-Sign compare_along(const WorldDirection& direction, const Posed& a, const Posed& b, StageTally* tally) {
-  if (direction.is_doubles() && direction.is_tame() && a.tame && b.tame) {
-    const Guess guess =
-        sign(dot(lift<RoundedStage>(direction.doubles()), lift<RoundedStage>(b) - lift<RoundedStage>(a)));
-    if (is_sure(guess)) {
-      if (tally) ++tally->rounded;
-      return to_sign(guess);
-    }
-  }
+Sign compare_along_further(const WorldDirection& direction, const Posed& a, const Posed& b, StageTally* tally) {
   const Guess guess = sign(dot(direction.enclosure(), lift<IntervalStage>(b) - lift<IntervalStage>(a)));
   if (is_sure(guess)) {
     if (tally) ++tally->interval;

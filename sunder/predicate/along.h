@@ -12,22 +12,29 @@ namespace sunder {
 class WorldDirection {
  public:
   // Exactly these doubles; all finite.
-  explicit WorldDirection(const Point3& doubles) : doubles_(doubles), is_doubles_(true) {}
+  explicit WorldDirection(const Point3& doubles)
+      : doubles_(doubles), is_doubles_(true), is_tame_(tame(doubles.x) && tame(doubles.y) && tame(doubles.z)) {}
 
   explicit WorldDirection(Vector3<Dyadic> exact) : exact_(std::move(exact)) {}
 
   bool is_doubles() const { return is_doubles_; }
   const Point3& doubles() const { return doubles_; }  // meaningless unless is_doubles()
 
-  // True when floating point does not underflow with it: components zero or in [2^-60, 1].
-  bool is_tame() const;
+  // True for doubles with which floating point does not underflow: components zero or in [2^-60, 1].
+  bool is_tame() const { return is_tame_; }
 
   Vector3<Interval> enclosure() const;  // up to a power of two
   Vector3<Dyadic> exact() const;        // the same power of two for all
 
  private:
+  static bool tame(double x) {
+    const double size = std::fabs(x);
+    return size == 0 || (size >= 0x1p-60 && size <= 1);
+  }
+
   Point3 doubles_;
   bool is_doubles_ = false;
+  bool is_tame_ = false;
   std::optional<Vector3<Dyadic>> exact_;  // set unless is_doubles_
 };
 
@@ -51,8 +58,19 @@ class Along {
  public:
   // images_tame: as decided by images_are_tame for the body. Keeps references to both arguments.
   Along(const WorldDirection& direction, const Affine3& pose, bool images_tame)
-      : direction_(direction), pose_(pose), fast_(images_tame && direction.is_doubles() && direction.is_tame()) {
+      : direction_(direction), pose_(pose), fast_(images_tame && direction.is_tame()) {
     if (fast_) rounded_ = pulled<RoundedStage>(lift<RoundedStage>(direction.doubles()));
+  }
+
+  // Are all `count` points, coordinate by coordinate, surely less far than `at`? False also means: not sure. `reach` is
+  // an upper bound on the sizes of all coordinates involved. Floating point with one error bound for all.
+  bool surely_less_far(const double* x, const double* y, const double* z, std::size_t count, const Point3& at,
+                       double reach) const {
+    return surely_beyond<-1>(x, y, z, count, at, reach);
+  }
+  bool surely_further(const double* x, const double* y, const double* z, std::size_t count, const Point3& at,
+                      double reach) const {
+    return surely_beyond<1>(x, y, z, count, at, reach);
   }
 
   // The sign of direction . (image of `to` - image of `from`): positive when `to` is further along.
@@ -68,6 +86,22 @@ class Along {
   }
 
  private:
+  // The formula of compare() is a Rounded<7>: its magnitude is at most that of the pulled direction times the greatest
+  // difference of coordinates, at most 2 reach; another Rounded step pays for the rounding of this product.
+  template <int Side>
+  bool surely_beyond(const double* x, const double* y, const double* z, std::size_t count, const Point3& at,
+                     double reach) const {
+    if (!fast_) return false;
+    const double magnitude = rounded_.x.magnitude + rounded_.y.magnitude + rounded_.z.magnitude;
+    const double error = Rounded<12>::bound * (magnitude * (2 * reach));
+    const double dx = Side * rounded_.x.value, dy = Side * rounded_.y.value, dz = Side * rounded_.z.value;
+    bool all = true;
+    for (std::size_t j = 0; j < count; ++j) {
+      all &= dx * (x[j] - at.x) + dy * (y[j] - at.y) + dz * (z[j] - at.z) > error;
+    }
+    return all;
+  }
+
   Sign compare_further(const Point3& from, const Point3& to, StageTally* tally);
 
   const WorldDirection& direction_;
@@ -78,7 +112,20 @@ class Along {
   std::optional<Vector3<Dyadic>> exact_;
 };
 
+// compare_along for what floating point does not decide.
+Sign compare_along_further(const WorldDirection& direction, const Posed& a, const Posed& b, StageTally* tally);
+
 // The sign of direction . (b - a) for posed points of any two bodies: positive when b is further along.
-Sign compare_along(const WorldDirection& direction, const Posed& a, const Posed& b, StageTally* tally = nullptr);
+inline Sign compare_along(const WorldDirection& direction, const Posed& a, const Posed& b, StageTally* tally = nullptr) {
+  if (direction.is_tame() && a.tame && b.tame) {
+    const Guess guess =
+        sign(dot(lift<RoundedStage>(direction.doubles()), lift<RoundedStage>(b) - lift<RoundedStage>(a)));
+    if (is_sure(guess)) {
+      if (tally) ++tally->rounded;
+      return to_sign(guess);
+    }
+  }
+  return compare_along_further(direction, a, b, tally);
+}
 
 }  // namespace sunder

@@ -293,6 +293,56 @@ TEST(AlongTest, TinyMatrixOfHugeBody) {
   EXPECT_GT(sure, n / 10);
 }
 
+// Many points at once against one: never sure of what is not so, and sure of most that is.
+TEST(AlongTest, ManyPointsAtOnce) {
+  Random random(seed(5));
+  const int n = instances(20000);
+  int all_less = 0, sure = 0, near = 0;
+  for (int i = 0; i < n; ++i) {
+    const bool is_near = i % 2 == 1;
+    Question q = question(random, generic);
+    q.direction = {q.direction.x + 1, q.direction.y / 2, q.direction.z / 2};
+    const int e = i % 3 == 0 ? static_cast<int>(random.between(-900, 900)) : 0;
+    for (double& m : q.pose.linear) m = std::ldexp(m, -e);
+    constexpr std::size_t count = 3;
+    std::array<double, count> x{}, y{}, z{};
+    double reach = 0;
+    const Point3 at{std::ldexp(q.from.x, e), std::ldexp(q.from.y, e), std::ldexp(q.from.z, e)};
+    for (std::size_t j = 0; j < count; ++j) {
+      q.to = in_cube(random);
+      if (is_near) make_near_tie(random, q);
+      x[j] = std::ldexp(q.to.x, e);
+      y[j] = std::ldexp(q.to.y, e);
+      z[j] = std::ldexp(q.to.z, e);
+      for (const double c : {x[j], y[j], z[j], at.x, at.y, at.z}) reach = std::max(reach, std::fabs(c));
+    }
+    if (!std::isfinite(reach)) continue;
+    const WorldDirection direction(q.direction);
+    q.direction = {-q.direction.x, -q.direction.y, -q.direction.z};
+    const WorldDirection opposite(q.direction);
+    bool tame = true, less = true;
+    for (std::size_t j = 0; j < count; ++j) {
+      const Posed p = posed({x[j], y[j], z[j]}, q.pose), r = posed(at, q.pose);
+      tame = tame && p.tame && r.tame;
+      less = less && further(exact(direction), image(r), image(p)) == Sign::negative;
+    }
+    const Along along(direction, q.pose, tame), along_opposite(opposite, q.pose, tame);
+    const bool answer = along.surely_less_far(x.data(), y.data(), z.data(), count, at, reach);
+    ASSERT_TRUE(!answer || less) << i << " " << e;
+    ASSERT_EQ(along_opposite.surely_further(x.data(), y.data(), z.data(), count, at, reach), answer) << i;
+    if (!tame || !direction.is_tame()) {
+      ASSERT_FALSE(answer) << i;
+    } else if (less) {
+      ++(is_near ? near : all_less);
+      if (answer && !is_near) ++sure;
+    }
+    ASSERT_FALSE(answer && along.surely_further(x.data(), y.data(), z.data(), count, at, reach));
+  }
+  EXPECT_GT(all_less, n / 40);
+  EXPECT_GE(sure, all_less * 98 / 100);
+  EXPECT_GT(near, n / 100);
+}
+
 Point3 rough_image(const Point3& p, const Affine3& pose) {
   const auto& [m, t] = pose;
   return {m[0] * p.x + m[1] * p.y + m[2] * p.z + t[0], m[3] * p.x + m[4] * p.y + m[5] * p.z + t[1],

@@ -264,7 +264,7 @@ TEST(CommonPointTest, RandomPointsOfGrids) {
   EXPECT_EQ(counts.size(), 10u);
   for (const auto& [sizes, c] : counts) {
     EXPECT_GT(c.asked, n / 40) << sizes.first << " " << sizes.second;
-    EXPECT_GE(c.met, c.asked / 200) << sizes.first << " " << sizes.second;
+    EXPECT_GE(c.met, c.asked / 400) << sizes.first << " " << sizes.second;
     EXPECT_LT(c.met, c.asked / 2) << sizes.first << " " << sizes.second;
   }
   EXPECT_GT(untame, n / 20);

@@ -8,7 +8,9 @@
 #include <sunder/solid/hull/flat_hull.h>
 #include <sunder/solid/hull/merge_coplanar.h>
 #include <sunder/solid/hull/quickhull.h>
+#include <sunder/solid/hull/spatial_order.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -29,20 +31,18 @@ void check(std::span<const Point3> points) {
   }
 }
 
-// Points so large or so small that floating point cannot filter are multiplied by a power of two first, which changes
-// no sign; empty when there is no need, or when a coordinate would lose bits. So this is about speed only.
-std::vector<Point3> rescaled(std::span<const Point3> points) {
+// Points so large or so small that floating point cannot filter are multiplied by a power of two, which changes no
+// sign, unless a coordinate would lose bits. So this is about speed only.
+void rescale(std::vector<Point3>& points) {
   const double size = size_range(points).greatest;
-  if (tame(size)) return {};
+  if (tame(size)) return;
+  const auto scaled = [](const Point3& p, int shift) {
+    return Point3{std::ldexp(p.x, shift), std::ldexp(p.y, shift), std::ldexp(p.z, shift)};
+  };
   const int shift = -std::ilogb(size);
-  std::vector<Point3> result;
-  result.reserve(points.size());
-  for (const Point3& p : points) {
-    const Point3 q{std::ldexp(p.x, shift), std::ldexp(p.y, shift), std::ldexp(p.z, shift)};
-    if (p != Point3{std::ldexp(q.x, -shift), std::ldexp(q.y, -shift), std::ldexp(q.z, -shift)}) return {};
-    result.push_back(q);
-  }
-  return result;
+  const auto keeps_bits = [&](const Point3& p) { return scaled(scaled(p, shift), -shift) == p; };
+  if (!std::all_of(points.begin(), points.end(), keeps_bits)) return;
+  for (Point3& p : points) p = scaled(p, shift);
 }
 
 ConvexHull hull_of(std::span<const Point3> points) {
@@ -59,8 +59,14 @@ ConvexHull hull_of(std::span<const Point3> points) {
 
 ConvexHull convex_hull(std::span<const Point3> points) {
   check(points);
-  const std::vector<Point3> scaled = rescaled(points);
-  return in_canonical_order(hull_of(scaled.empty() ? points : scaled), points.size());
+  const std::vector<std::uint32_t> order = spatial_order(points);
+  std::vector<Point3> ordered;
+  ordered.reserve(order.size());
+  for (const std::uint32_t i : order) ordered.push_back(points[i]);
+  rescale(ordered);
+  ConvexHull hull = hull_of(ordered);
+  for (std::uint32_t& v : hull.vertices) v = order[v];
+  return in_canonical_order(hull, points.size());
 }
 
 }  // namespace sunder::solid

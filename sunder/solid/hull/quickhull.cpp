@@ -1,6 +1,7 @@
 #include <sunder/solid/hull/quickhull.h>
 
 #include <algorithm>
+#include <queue>
 #include <utility>
 
 // Quickhull keeps the boundary of the hull C of the points inserted so far, and for every other point that lies
@@ -54,9 +55,8 @@ class Quickhull {
 
   std::vector<Triangle> run(std::array<std::uint32_t, 4> simplex) {
     start(simplex);
-    while (!pending_.empty()) {
-      const std::uint32_t t = pending_.back();
-      pending_.pop_back();
+    while (!urgent_.empty() || !waiting_.empty()) {
+      const std::uint32_t t = take_next();
       if (!triangles_[t].removed && triangles_[t].outside != none) insert(triangles_[t].outside, t);
     }
     return std::move(triangles_);
@@ -68,6 +68,12 @@ class Quickhull {
     std::uint32_t triangle;
     int place;
     friend bool operator==(const Edge&, const Edge&) = default;
+  };
+
+  // A triangle that the latest insertion made.
+  struct Fresh {
+    std::uint32_t triangle;
+    std::uint32_t outside_count = 0;  // the length of its conflict list
   };
 
   // The index of a new triangle a, b, c. `adjacent` is left open.
@@ -88,12 +94,12 @@ class Quickhull {
     auto [a, b, c, d] = simplex;
     if (orient_3d(points_[a], points_[b], points_[c], points_[d]) == Sign::positive) std::swap(b, c);
     for (const auto& [i, j, k] : {std::array{a, b, c}, {a, d, b}, {b, d, c}, {c, d, a}}) {
-      fresh_.push_back(make_triangle(i, j, k));
+      fresh_.push_back({make_triangle(i, j, k)});
     }
-    triangles_[fresh_[0]].adjacent = {fresh_[1], fresh_[2], fresh_[3]};
-    triangles_[fresh_[1]].adjacent = {fresh_[3], fresh_[2], fresh_[0]};
-    triangles_[fresh_[2]].adjacent = {fresh_[1], fresh_[3], fresh_[0]};
-    triangles_[fresh_[3]].adjacent = {fresh_[2], fresh_[1], fresh_[0]};
+    triangles_[0].adjacent = {1, 2, 3};
+    triangles_[1].adjacent = {3, 2, 0};
+    triangles_[2].adjacent = {1, 3, 0};
+    triangles_[3].adjacent = {2, 1, 0};
     for (std::uint32_t q = 0; q < points_.size(); ++q) place(q);
     queue_fresh();
   }
@@ -146,11 +152,11 @@ class Quickhull {
       const std::uint32_t t = make_triangle(p, a, b);
       triangles_[t].adjacent[1] = kept;
       triangles_[kept].adjacent[triangles_[kept].place_of(b)] = t;
-      if (!fresh_.empty()) link(fresh_.back(), t);
-      fresh_.push_back(t);
+      if (!fresh_.empty()) link(fresh_.back().triangle, t);
+      fresh_.push_back({t});
       rim = next_on_rim(rim);
     } while (rim != first);
-    link(fresh_.back(), fresh_.front());
+    link(fresh_.back().triangle, fresh_.front().triangle);
   }
 
   // New triangles p, a, b and p, b, c share the edge bp.
@@ -172,8 +178,8 @@ class Quickhull {
 
   // Puts point q on the conflict list of the first fresh triangle that it is strictly above, if any.
   void place(std::uint32_t q) {
-    for (const std::uint32_t t : fresh_) {
-      Triangle& triangle = triangles_[t];
+    for (Fresh& fresh : fresh_) {
+      Triangle& triangle = triangles_[fresh.triangle];
       if (triangle.side(points_, points_[q]) != Sign::positive) continue;
       const std::uint32_t farthest = triangle.outside;
       if (farthest == none || is_farther(triangle, q, farthest)) {
@@ -183,6 +189,7 @@ class Quickhull {
         next_outside_[q] = next_outside_[farthest];
         next_outside_[farthest] = q;
       }
+      ++fresh.outside_count;
       return;
     }
   }
@@ -196,10 +203,31 @@ class Quickhull {
     return q_height > r_height || (q_height == r_height && q < r);
   }
 
+  // Long lists are worked off in the order in which they came up, so that the hull grows evenly all round: else a region
+  // can fill up with needles that end at a corner far away, which are replaced again and again. Short lists are worked
+  // off at once, while what they need is in the memory caches.
+  static constexpr std::uint32_t long_list = 32;
+
   void queue_fresh() {
-    for (const std::uint32_t t : fresh_) {
-      if (triangles_[t].outside != none) pending_.push_back(t);
+    for (const Fresh& fresh : fresh_) {
+      if (fresh.outside_count >= long_list) {
+        waiting_.push(fresh.triangle);
+      } else if (fresh.outside_count > 0) {
+        urgent_.push_back(fresh.triangle);
+      }
     }
+  }
+
+  std::uint32_t take_next() {
+    std::uint32_t t;
+    if (urgent_.empty()) {
+      t = waiting_.front();
+      waiting_.pop();
+    } else {
+      t = urgent_.back();
+      urgent_.pop_back();
+    }
+    return t;
   }
 
   std::span<const Point3> points_;
@@ -207,9 +235,10 @@ class Quickhull {
   std::vector<std::uint32_t> next_outside_;  // the conflict lists: what follows a point in its list
   std::vector<Triangle> triangles_;
   std::vector<std::uint32_t> free_;     // removed triangles, whose places can be used again
-  std::vector<std::uint32_t> pending_;  // every triangle with a list is here; others may be
+  std::vector<std::uint32_t> urgent_;   // every triangle with a list is in one of these; others may be
+  std::queue<std::uint32_t> waiting_;
   std::vector<std::uint32_t> visible_;  // of the latest insertion: the triangles removed,
-  std::vector<std::uint32_t> fresh_;    // and the triangles made
+  std::vector<Fresh> fresh_;            // and the triangles made
 };
 
 }  // namespace

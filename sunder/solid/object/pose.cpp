@@ -53,10 +53,12 @@ Pose Pose::from_quaternion(double w, double x, double y, double z, const std::ar
   x = std::ldexp(x, scale);
   y = std::ldexp(y, scale);
   z = std::ldexp(z, scale);
-  const double s = 2 / (w * w + x * x + y * y + z * z);
-  return from_matrix({1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y),      //
-                      s * (x * y + w * z), 1 - s * (x * x + z * z), s * (y * z - w * x),      //
-                      s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y)},
+  // As quotients, so that quarter and half turns about the axes come out exactly, whatever the quaternion's length.
+  const double ww = w * w, xx = x * x, yy = y * y, zz = z * z;
+  const double n = (ww + xx) + (yy + zz);
+  return from_matrix({((ww + xx) - (yy + zz)) / n, 2 * (x * y - w * z) / n, 2 * (x * z + w * y) / n,      //
+                      2 * (x * y + w * z) / n, ((ww + yy) - (xx + zz)) / n, 2 * (y * z - w * x) / n,      //
+                      2 * (x * z - w * y) / n, 2 * (y * z + w * x) / n, ((ww + zz) - (xx + yy)) / n},
                      translation);
 }
 

@@ -80,7 +80,8 @@ bool reduce_to_closest_face(DifferenceSimplex& s, Point3& towards) {
     case 2: nearest = of_segment(s, 0, 1); break;
     case 3: nearest = of_triangle(s, 0, 1, 2); break;
     default: {
-      // Each face against the corner opposite to it: the origin beyond the face makes it a candidate.
+      // Each face of the newest corner d: the origin beyond it makes it a candidate. The face a, b, c is not one: the
+      // search went from it towards the origin.
       const Point3 &a = s.vertex[0].at, &b = s.vertex[1].at, &c = s.vertex[2].at, &d = s.vertex[3].at;
       const double volume = determinant(minus(b, a), minus(c, a), minus(d, a));
       const double orientation = volume < 0 ? -1 : 1;
@@ -94,7 +95,6 @@ bool reduce_to_closest_face(DifferenceSimplex& s, Point3& towards) {
         const Nearest found = of_triangle(s, i, j, k);
         if (found.distance2 < nearest.distance2) nearest = found;
       };
-      if (beyond(a, b, c)) consider(0, 1, 2);
       if (beyond(a, d, b)) consider(0, 3, 1);
       if (beyond(a, c, d)) consider(0, 2, 3);
       if (beyond(b, d, c)) consider(1, 3, 2);

@@ -24,7 +24,8 @@ struct DifferenceSimplex {
 
 // Replaces the simplex by its least face that holds the point nearest to the origin. Returns false when that is the
 // whole tetrahedron, that is, when the origin is inside as far as floating point can tell. Else `towards` is a
-// direction from the face to the origin: perpendicular to the face as well as floating point allows.
+// direction from the face to the origin: perpendicular to the face as well as floating point allows. Of a tetrahedron,
+// the face without the newest vertex must have been the closest one before.
 // Source: Ericson 2005, section 5.1 (regions of a triangle and a tetrahedron).
 bool reduce_to_closest_face(DifferenceSimplex& simplex, Point3& towards);
 

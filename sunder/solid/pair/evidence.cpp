@@ -32,21 +32,18 @@ bool parts(const Placed& a, const Placed& b, const WorldDirection& direction, st
   return true;
 }
 
-// The different vertices of one body in a simplex, with the sums of their weights.
+// The different vertices of one body in a simplex.
 struct Support {
   std::array<std::uint32_t, 4> vertex{};
-  std::array<double, 4> weight{};
-  int count = 0;
+  std::size_t count = 0;
 
-  void add(std::uint32_t v, double w) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-      if (vertex[i] == v) {
-        weight[i] += w;
-        return;
-      }
+  // Returns where the vertex stands.
+  std::size_t add(std::uint32_t v) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (vertex[i] == v) return i;
     }
-    vertex[static_cast<std::size_t>(count)] = v;
-    weight[static_cast<std::size_t>(count++)] = w;
+    vertex[count] = v;
+    return count++;
   }
 };
 
@@ -76,144 +73,133 @@ std::array<double, 4> weights_of_nearest(const DifferenceSimplex& s) {
 //   sum over A of w_i a_i = sum over B of w_j b_j,  sum over A of w_i = sum over B of w_j.
 // Drops vertices, keeping a solution with weights that are not negative, until what is left has only one (up to a
 // factor): Caratheodory's theorem, in floating point. The first vertices of A and of B serve as origins; what remains
-// are three equations in the edges from them.
+// are three equations in the edges from them. Places 0 to 3 are A's, 4 to 7 B's, some of them empty: loops over all
+// eight have no branches.
 class Reduction {
  public:
-  void add(std::uint32_t vertex, bool of_a, const Posed& p, double weight) {
-    const auto& m = p.pose->linear;
-    const Point3& v = p.point;
-    Member& member = member_[static_cast<std::size_t>(count_++)];
-    member = {vertex, of_a, weight, {}};
-    const double side = of_a ? 1 : -1;
-    for (std::size_t i = 0; i < 3; ++i) member.edge[i] = side * (m[3 * i] * v.x + m[3 * i + 1] * v.y + m[3 * i + 2] * v.z);
-    if (of_a) count_a_ = count_;
+  static constexpr std::size_t places = 8;
+  static constexpr std::size_t first_of_b = 4;
+  using Row = std::array<double, places>;
+
+  Reduction(const Placed& a, const Placed& b, const DifferenceSimplex& simplex, const std::array<double, 4>& weights) {
+    weight_.fill(0);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.count); ++i) {
+      if (weights[i] == 0) continue;
+      weight_[of_a_.add(simplex.vertex[i].a)] += weights[i];
+      weight_[first_of_b + of_b_.add(simplex.vertex[i].b)] += weights[i];
+    }
+    for (Row& row : edges_) row.fill(0);
+    for (std::size_t i = 0; i < of_a_.count; ++i) set_edge(a, of_a_.vertex[0], of_a_.vertex[i], 1, i);
+    for (std::size_t i = 0; i < of_b_.count; ++i) set_edge(b, of_b_.vertex[0], of_b_.vertex[i], -1, first_of_b + i);
   }
 
   void reduce() {
-    find_dependencies();
-    for (std::size_t d = 0; d < static_cast<std::size_t>(dependencies_); ++d) {
-      const std::size_t leaving = shift_weights(dependency_[d]);
-      if (leaving == none) continue;
-      dropped_[leaving] = true;
-      for (std::size_t e = d + 1; e < static_cast<std::size_t>(dependencies_); ++e) {
-        const double factor = dependency_[e][leaving] / dependency_[d][leaving];
-        for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) dependency_[e][i] -= factor * dependency_[d][i];
-        dependency_[e][leaving] = 0;
+    eliminate();
+    // Each edge without a pivot is a combination of those with one: a dependency, along which weights can move.
+    for (std::size_t j = 0; j < places; ++j) {
+      if (!is_free_[j]) continue;
+      Row dependency{};
+      dependency[j] = -1;
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (pivot_[i] != none) dependency[pivot_[i]] = edges_[i][j];
       }
+      for (std::size_t i = 1; i < first_of_b; ++i) dependency[0] -= dependency[i];
+      for (std::size_t i = first_of_b + 1; i < places; ++i) dependency[first_of_b] -= dependency[i];
+      for (std::size_t k = 0; k < eliminated_; ++k) {
+        // Keeps the weights that vanished before at zero.
+        const double factor = dependency[leaver_[k]] / dependency_[k][leaver_[k]];
+        for (std::size_t i = 0; i < places; ++i) dependency[i] -= factor * dependency_[k][i];
+        dependency[leaver_[k]] = 0;
+      }
+      shift_weights(dependency);
     }
   }
 
   // Drops vertices whose weight is next to nothing: what touching and shared vertices leave behind.
   void drop_negligible() {
-    double largest = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) largest = std::max(largest, member_[i].weight);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
-      dropped_[i] = dropped_[i] || !(member_[i].weight > largest * negligible);
-    }
+    const double least = *std::max_element(weight_.begin(), weight_.end()) * negligible;
+    for (double& w : weight_) w = w > least ? w : 0;
   }
 
+  // The vertices with positive weights. False where they cannot be a certificate.
   bool write(PairCertificate& certificate) const {
-    std::array<std::uint32_t, 8> left{};
     std::size_t n = 0;
     certificate.verdict = Verdict::meet;
     certificate.count_a = certificate.count_b = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
-      if (dropped_[i]) continue;
-      left[n++] = member_[i].vertex;
-      ++(member_[i].of_a ? certificate.count_a : certificate.count_b);
+    for (std::size_t i = 0; i < places; ++i) {
+      if (!(weight_[i] > 0)) continue;
+      if (n == 5) return false;
+      certificate.vertices[n++] = i < first_of_b ? of_a_.vertex[i] : of_b_.vertex[i - first_of_b];
+      ++(i < first_of_b ? certificate.count_a : certificate.count_b);
     }
-    if (n > 5 || certificate.count_a == 0 || certificate.count_b == 0) return false;
-    std::copy_n(left.begin(), 5, certificate.vertices.begin());
-    return true;
+    return certificate.count_a > 0 && certificate.count_b > 0;
   }
 
  private:
-  static constexpr std::size_t none = 8;
+  static constexpr std::size_t none = places;
 
-  struct Member {
-    std::uint32_t vertex = 0;
-    bool of_a = false;
-    double weight = 0;
-    std::array<double, 3> edge{};  // the turned vertex; from find_dependencies on, less that of its body's first
-  };
+  void set_edge(const Placed& body, std::uint32_t from, std::uint32_t to, double side, std::size_t place) {
+    const Point3 &p = body.graph.vertices[from], &q = body.graph.vertices[to];
+    const Point3 e{side * (q.x - p.x), side * (q.y - p.y), side * (q.z - p.z)};
+    const auto& m = body.pose.linear;
+    for (std::size_t i = 0; i < 3; ++i) edges_[i][place] = m[3 * i] * e.x + m[3 * i + 1] * e.y + m[3 * i + 2] * e.z;
+    is_free_[place] = from != to;
+  }
 
-  // Gauss-Jordan elimination of the three equations with full pivoting: each edge without a pivot gives a dependency.
-  // A pivot that is next to nothing is taken for none: the outcome is a proposal.
-  void find_dependencies() {
-    const std::size_t n = static_cast<std::size_t>(count_), first_b = static_cast<std::size_t>(count_a_);
+  // Gauss-Jordan elimination, a pivot in each row: its largest entry. One that is next to nothing is taken for none:
+  // the outcome is a proposal.
+  void eliminate() {
     double largest = 0;
-    for (std::size_t j = n; j-- > 0;) {
-      const std::size_t first = j < first_b ? 0 : first_b;
-      for (std::size_t i = 0; i < 3; ++i) {
-        member_[j].edge[i] -= member_[first].edge[i];
-        largest = std::max(largest, std::fabs(member_[j].edge[i]));
-      }
+    for (const Row& row : edges_) {
+      for (const double x : row) largest = std::max(largest, std::fabs(x));
     }
-    std::array<std::size_t, 3> pivot_of_row{none, none, none};
-    std::array<bool, 8> is_pivot{};
-    is_pivot[0] = is_pivot[first_b] = true;  // the origins take no part
-    for (std::size_t rank = 0; rank < 3; ++rank) {
-      std::size_t row = 0, column = none;
-      double best = largest * 0x1p-36;
-      for (std::size_t j = 0; j < n; ++j) {
-        if (is_pivot[j]) continue;
-        for (std::size_t i = 0; i < 3; ++i) {
-          if (pivot_of_row[i] == none && std::fabs(member_[j].edge[i]) > best) {
-            best = std::fabs(member_[j].edge[i]);
-            row = i;
-            column = j;
-          }
+    for (std::size_t r = 0; r < 3; ++r) {
+      double size = largest * 0x1p-36;
+      for (std::size_t j = 0; j < places; ++j) {
+        if (is_free_[j] && std::fabs(edges_[r][j]) > size) {
+          size = std::fabs(edges_[r][j]);
+          pivot_[r] = j;
         }
       }
-      if (column == none) break;
-      pivot_of_row[row] = column;
-      is_pivot[column] = true;
-      const double scale = 1 / member_[column].edge[row];
-      for (std::size_t j = 0; j < n; ++j) {
-        if (is_pivot[j]) continue;
-        const double factor = member_[j].edge[row] * scale;
-        for (std::size_t i = 0; i < 3; ++i) member_[j].edge[i] -= factor * member_[column].edge[i];
-        member_[j].edge[row] = factor;
-      }
-    }
-    for (std::size_t j = 0; j < n; ++j) {
-      if (is_pivot[j]) continue;
-      std::array<double, 8>& d = dependency_[static_cast<std::size_t>(dependencies_++)];
-      d.fill(0);
-      d[j] = -1;
+      if (pivot_[r] == none) continue;
+      is_free_[pivot_[r]] = false;
+      const double scale = 1 / edges_[r][pivot_[r]];
+      for (double& x : edges_[r]) x *= scale;
       for (std::size_t i = 0; i < 3; ++i) {
-        if (pivot_of_row[i] != none) d[pivot_of_row[i]] = member_[j].edge[i];
-      }
-      for (std::size_t i = 0; i < n; ++i) {
-        if (i != 0 && i != first_b) d[i < first_b ? 0 : first_b] -= d[i];
+        if (i == r) continue;
+        const double factor = edges_[i][pivot_[r]];
+        for (std::size_t j = 0; j < places; ++j) edges_[i][j] -= factor * edges_[r][j];
       }
     }
   }
 
-  // Moves the weights along the dependency until the first one vanishes; returns which.
-  std::size_t shift_weights(const std::array<double, 8>& dependency) {
+  // Moves the weights along the dependency until the first one vanishes.
+  void shift_weights(const Row& dependency) {
     std::size_t leaving = none;
     double step = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+    for (std::size_t i = 0; i < places; ++i) {
       if (!(dependency[i] > 0)) continue;
-      const double ratio = member_[i].weight / dependency[i];
+      const double ratio = weight_[i] / dependency[i];
       if (leaving == none || ratio < step) {
         step = ratio;
         leaving = i;
       }
     }
-    if (leaving == none) return none;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) member_[i].weight -= step * dependency[i];
-    member_[leaving].weight = 0;
-    return leaving;
+    if (leaving == none) return;
+    for (std::size_t i = 0; i < places; ++i) weight_[i] -= step * dependency[i];
+    weight_[leaving] = 0;
+    dependency_[eliminated_] = dependency;
+    leaver_[eliminated_++] = leaving;
   }
 
-  std::array<Member, 8> member_;
-  int count_ = 0;
-  int count_a_ = 0;
-  std::array<bool, 8> dropped_{};
-  std::array<std::array<double, 8>, 6> dependency_;  // the first dependencies_ of them
-  int dependencies_ = 0;
+  Support of_a_, of_b_;
+  Row weight_;
+  std::array<Row, 3> edges_;  // by coordinate; those of B negated
+  std::array<bool, places> is_free_{};
+  std::array<std::size_t, 3> pivot_{none, none, none};
+  std::array<Row, 6> dependency_;            // along which weights vanished: the first eliminated_
+  std::array<std::size_t, 6> leaver_;        // and which weight did
+  std::size_t eliminated_ = 0;
 };
 
 }  // namespace
@@ -230,8 +216,8 @@ bool check_apart_by_features(const Placed& a, const Placed& b, const DifferenceS
                              PairCertificate& certificate, StageTally& tally) {
   Support of_a, of_b;
   for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.count); ++i) {
-    of_a.add(simplex.vertex[i].a, 0);
-    of_b.add(simplex.vertex[i].b, 0);
+    of_a.add(simplex.vertex[i].a);
+    of_b.add(simplex.vertex[i].b);
   }
   const auto attempt = [&](Direction::Kind kind, const std::array<std::uint32_t, 4>& index) {
     Direction& d = certificate.direction;
@@ -257,19 +243,7 @@ namespace {
 bool meet_with_weights(const Placed& a, const Placed& b, const DifferenceSimplex& simplex,
                        const std::array<double, 4>& weights, bool drop, PairCertificate& certificate,
                        StageTally& tally) {
-  Support of_a, of_b;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.count); ++i) {
-    if (drop && weights[i] == 0) continue;
-    of_a.add(simplex.vertex[i].a, weights[i]);
-    of_b.add(simplex.vertex[i].b, weights[i]);
-  }
-  Reduction reduction;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(of_a.count); ++i) {
-    reduction.add(of_a.vertex[i], true, a[of_a.vertex[i]], of_a.weight[i]);
-  }
-  for (std::size_t i = 0; i < static_cast<std::size_t>(of_b.count); ++i) {
-    reduction.add(of_b.vertex[i], false, b[of_b.vertex[i]], of_b.weight[i]);
-  }
+  Reduction reduction(a, b, simplex, weights);
   reduction.reduce();
   if (drop) reduction.drop_negligible();
   if (!reduction.write(certificate)) return false;

@@ -10,6 +10,13 @@ std::uint32_t extreme_vertex_from(const Placed& body, Along& along, End end, std
     const std::uint32_t first = graph.begin[at];
     const std::uint32_t count = graph.begin[at + 1] - first;
     const double* x = graph.coordinates.data() + 3 * std::size_t{first};
+    const bool sure = end == End::greatest
+                          ? along.surely_less_far(x, x + count, x + 2 * count, count, graph.vertices[at], graph.sizes.greatest)
+                          : along.surely_further(x, x + count, x + 2 * count, count, graph.vertices[at], graph.sizes.greatest);
+    if (sure) {
+      tally.rounded += count;
+      return at;
+    }
     std::uint32_t j = 0;
     while (j < count && along.compare(graph.vertices[at], {x[j], x[count + j], x[2 * count + j]}, &tally) != further) ++j;
     if (j == count) return at;

@@ -51,7 +51,7 @@ class Search {
     shift_ = {t[0] - s[0], t[1] - s[1], t[2] - s[2]};
     const Point3 p = turned(a.pose, a.graph.middle), q = turned(b.pose, b.graph.middle);
     direction = {(q.x - p.x) + shift_.x, (q.y - p.y) + shift_.y, (q.z - p.z) + shift_.z};
-    if (!normalize(direction)) direction = {1, 0, 0};
+    if (!(dot(direction, direction) > 0)) direction = {1, 0, 0};
   }
 
   // The two vertices furthest towards each other along `direction`, and their difference.
@@ -73,17 +73,22 @@ class Search {
     }
     if (simplex.count == 0) return true;
     const Point3& v = simplex.vertex[0].at;
-    const double gain = dot(direction, {w.at.x - v.x, w.at.y - v.y, w.at.z - v.z});
-    return gain > 0x1p-44 * (std::fabs(w.at.x) + std::fabs(w.at.y) + std::fabs(w.at.z));
+    const Point3& d = direction;
+    const double gain = dot(d, {w.at.x - v.x, w.at.y - v.y, w.at.z - v.z});
+    return gain > 0x1p-44 * (std::fabs(d.x * w.at.x) + std::fabs(d.y * w.at.y) + std::fabs(d.z * w.at.z));
   }
 
-  // Near contact the direction is perpendicular to a face of the difference, whose vertices then tie. Turns it a little
-  // towards one of them, so that floating point can tell the extreme vertices, at the cost of at most a quarter of the
-  // gap. `w` is what the direction just found; it becomes the vertex that is now furthest.
-  Point3 tilted(DifferenceVertex& w) const {
-    const double gap = -dot(direction, w.at);
+  // The direction as a certificate can hold it: tame, and with one vertex of the difference clearly furthest.
+  //
+  // Near contact the direction is perpendicular to a face of the difference, whose vertices then tie. So it is turned a
+  // little towards one of them, at the cost of at most a quarter of the gap, and floating point can tell the extreme
+  // vertices. `w` is what the direction found; it becomes the vertex that is now furthest. Returns false for a
+  // direction that is zero or not finite.
+  bool settle(Point3& d, DifferenceVertex& w) const {
+    d = direction;
+    if (!normalize(d)) return false;
     const std::size_t n = static_cast<std::size_t>(simplex.count);
-    if (n < 2) return direction;
+    if (n < 2) return true;
     Point3 centroid;
     for (std::size_t i = 0; i < n; ++i) {
       const Point3& p = simplex.vertex[i].at;
@@ -91,31 +96,30 @@ class Search {
     }
     const double part = 1.0 / simplex.count;
     centroid = {centroid.x * part, centroid.y * part, centroid.z * part};
-    const auto from_centroid = [&](const Point3& p) { return Point3{p.x - centroid.x, p.y - centroid.y, p.z - centroid.z}; };
-    // A new vertex clearly beyond the face wins anyway. Else the vertex of the face furthest from the centroid.
-    Point3 e = from_centroid(w.at);
-    double largest = dot(e, e);
-    if (dot(direction, e) * dot(direction, e) < 0x1p-40 * largest) {
-      largest = 0;
-      for (std::size_t i = 0; i < n; ++i) {
-        const Point3 f = from_centroid(simplex.vertex[i].at);
-        const double length2 = dot(f, f);
-        if (length2 > largest) {
-          largest = length2;
-          e = f;
-          w = simplex.vertex[i];
-        }
-      }
-    } else {
-      return direction;
+    const auto from_centroid = [&](const Point3& p) {
+      return Point3{p.x - centroid.x, p.y - centroid.y, p.z - centroid.z};
+    };
+    // A vertex clearly beyond the face is furthest anyway.
+    const double gap = -dot(d, w.at);
+    const Point3 beyond = from_centroid(w.at);
+    const double height = dot(d, beyond);
+    if (height * height > 0x1p-40 * dot(beyond, beyond)) return true;
+    // Else the vertex of the face that is furthest from the centroid.
+    Point3 e;
+    double length2 = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Point3 f = from_centroid(simplex.vertex[i].at);
+      if (dot(f, f) <= length2) continue;
+      length2 = dot(f, f);
+      e = f;
+      w = simplex.vertex[i];
     }
-    const double cost = std::fabs(dot(e, w.at));
-    const double amount = std::min(0x1p-7 / std::sqrt(largest), 0.25 * gap / cost);
-    Point3 d{direction.x + amount * e.x, direction.y + amount * e.y, direction.z + amount * e.z};
-    return normalize(d) ? d : direction;
+    const double amount = std::min(0x1p-7 / std::sqrt(length2), 0.25 * gap / std::fabs(dot(e, w.at)));
+    d = {d.x + amount * e.x, d.y + amount * e.y, d.z + amount * e.z};
+    return normalize(d);
   }
 
-  Point3 direction;            // of the world, from A towards B, tame
+  Point3 direction;            // of the world, from A towards B
   DifferenceSimplex simplex;   // the face nearest to the origin, or the tetrahedron around it
 
  private:
@@ -155,14 +159,15 @@ PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& body_a, const Po
     const DifferenceVertex w = search.probe(answer.cost);
     if (dot(search.direction, w.at) < 0) {
       DifferenceVertex furthest = w;
-      const Point3 direction = search.tilted(furthest);
-      decided = check_apart(a, b, direction, furthest.a, furthest.b, answer.evidence, tally);
+      Point3 direction;
+      decided = search.settle(direction, furthest) &&
+                check_apart(a, b, direction, furthest.a, furthest.b, answer.evidence, tally);
       if (decided) break;
     }
     if (!search.gains_by(w)) break;
     search.simplex.vertex[static_cast<std::size_t>(search.simplex.count++)] = w;
     enclosed = !reduce_to_closest_face(search.simplex, search.direction);
-    if (!enclosed && !normalize(search.direction)) break;
+    if (!enclosed && !(dot(search.direction, search.direction) > 0)) break;
   }
 
   if (!decided) decided = check_meet(a, b, search.simplex, answer.evidence, tally);

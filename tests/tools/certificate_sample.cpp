@@ -1,0 +1,45 @@
+// Writes a sample of certificate files, for checkers other than the library's: certificate_sample FOLDER COUNT [SEED].
+//
+// Every family of tests/support/solid_pairs.h in turn, fifty pairs a file. The last line printed says how many.
+#include <sunder/certificate/json.h>
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
+#include <tests/support/solid_pairs.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+int main(int argc, char** argv) {
+  using namespace sunder;
+  if (argc < 3) {
+    std::fprintf(stderr, "usage: certificate_sample FOLDER COUNT [SEED]\n");
+    return 2;
+  }
+  const std::filesystem::path folder = argv[1];
+  const int count = std::atoi(argv[2]);
+  tests::SolidPairs pairs(argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
+  std::filesystem::create_directories(folder);
+  int meets = 0, files = 0;
+  for (int i = 0; i < count;) {
+    CertificateWriter writer;
+    for (int k = 0; k < 50 && i < count; ++k, ++i) {
+      const tests::PairCase c = pairs.next();
+      const auto answer = solid::polyhedron_polyhedron(c.a, c.pose_a, c.b, c.pose_b);
+      const std::string name = std::string(tests::name_of(c.family)) + " " + std::to_string(i);
+      const auto a = writer.add_placed(name + " a", writer.add_body(name + " a", c.a.vertices()), c.pose_a.affine());
+      const auto b = writer.add_placed(name + " b", writer.add_body(name + " b", c.b.vertices()), c.pose_b.affine());
+      writer.add_pair(a, b, answer.certificate());
+      meets += answer.meet();
+    }
+    std::ofstream file(folder / ("sample_" + std::to_string(files++) + ".json"), std::ios::binary);
+    file << writer.text();
+    if (!file.flush()) {
+      std::fprintf(stderr, "%s: cannot be written\n", folder.c_str());
+      return 2;
+    }
+  }
+  std::printf("%d certificates in %d files, %d meet\n", count, files, meets);
+  return 0;
+}
