@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <set>
 #include <string_view>
@@ -17,13 +16,15 @@ namespace {
 
 // Sizes in pixels.
 constexpr double panel_width = 560, panel_height = 560, margin = 44, header = 84, footer = 112;
-constexpr std::size_t most_labels = 5;  // of one placement
+constexpr double label_size = 14, label_height = 22, letter_width = 0.6;  // a letter's part of the size
+constexpr std::size_t most_labels = 6;                                    // of one placement
 
 struct Colour {
   double red, green, blue;
 };
 
-constexpr std::array<Colour, 2> calm{{{164, 186, 212}, {214, 222, 232}}};  // bodies in turns
+// Of bodies in turns.
+constexpr std::array<Colour, 2> calm{{{164, 186, 212}, {214, 222, 232}}};
 constexpr std::array<Colour, 2> alarming{{{226, 74, 58}, {244, 122, 88}}};
 
 std::string shaded(const Colour& c, double light) {
@@ -46,22 +47,22 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-// A rectangle on the picture's plane that grows with what it must hold.
+// A rectangle that grows with what it must hold.
 struct Bounds {
   double left = 0, right = 0, top = 0, bottom = 0;
   bool empty = true;
 
-  void include(const Seen& p) {
-    if (!std::isfinite(p.x) || !std::isfinite(p.y)) return;
-    left = empty ? p.x : std::min(left, p.x);
-    right = empty ? p.x : std::max(right, p.x);
-    top = empty ? p.y : std::min(top, p.y);
-    bottom = empty ? p.y : std::max(bottom, p.y);
+  void include(double x, double y) {
+    if (!std::isfinite(x) || !std::isfinite(y)) return;
+    left = empty ? x : std::min(left, x);
+    right = empty ? x : std::max(right, x);
+    top = empty ? y : std::min(top, y);
+    bottom = empty ? y : std::max(bottom, y);
     empty = false;
   }
 };
 
-// From the picture's plane to pixels of one panel.
+// From the picture's plane to pixels.
 struct Frame {
   double scale = 1, x = 0, y = 0;
 
@@ -69,38 +70,74 @@ struct Frame {
   double py(const Seen& p) const { return y + scale * p.y; }
 };
 
+// SVG path data in whole tenths of pixels, steps relative: short.
+class PathData {
+ public:
+  explicit PathData(const Frame& frame) : frame_(frame) {}
+
+  void move(const Seen& p) { step('M', p, 0, 0); }
+  void line(const Seen& p) { step('l', p, x_, y_); }
+  void close() { text_ += 'z'; }
+  const std::string& text() const { return text_; }
+
+ private:
+  void step(char letter, const Seen& p, long from_x, long from_y) {
+    x_ = std::lround(10 * frame_.px(p));
+    y_ = std::lround(10 * frame_.py(p));
+    text_ += fmt::format("{}{}{}{}", letter, x_ - from_x, y_ - from_y < 0 ? "" : " ", y_ - from_y);
+  }
+
+  const Frame& frame_;
+  long x_ = 0, y_ = 0;
+  std::string text_;
+};
+
+std::string outline_of(const std::vector<Seen>& corners, const Frame& frame) {
+  PathData path(frame);
+  path.move(corners.front());
+  for (std::size_t i = 1; i < corners.size(); ++i) path.line(corners[i]);
+  path.close();
+  return path.text();
+}
+
+std::string edges_of(const Piece& piece, Edge kind, const Frame& frame) {
+  PathData path(frame);
+  for (std::size_t i = 0; i < piece.corners.size(); ++i) {
+    if (piece.edges[i] != kind) continue;
+    path.move(piece.corners[i]);
+    path.line(piece.corners[(i + 1) % piece.corners.size()]);
+  }
+  return path.text();
+}
+
 class Picture {
  public:
-  Picture(const SceneReport& report, const std::string& title) : report_(report), title_(title) {
-    floor_ = lowest();
+  explicit Picture(const SceneReport& report) : report_(report) {
+    bool first = true;
+    each_vertex([&](const Point3& p) {
+      floor_ = first ? p.z : std::min(floor_, p.z);
+      first = false;
+    });
     fit();
   }
 
-  std::string text() {
-    const double n = static_cast<double>(report_.placements.size());
-    const double width = n * panel_width, height = header + panel_height + footer;
+  std::string text(const std::string& title) {
+    const double width = panel_width * static_cast<double>(report_.placements.size());
+    const double height = header + panel_height + footer;
     out_ = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
         "font-family=\"Inter, 'Helvetica Neue', Helvetica, Arial, sans-serif\">\n"
+        "<style>.e{{fill:none;stroke:#fff;stroke-opacity:.38;stroke-width:5}}.o{{fill:none;stroke:#46586f;stroke-width:11}}"
+        ".r{{fill:none;stroke:#7d2115;stroke-width:11}}</style>\n"
         "<rect width=\"{0:.0f}\" height=\"{1:.0f}\" rx=\"18\" fill=\"#fbfcfe\"/>\n",
         width, height);
-    write_text(margin, 50, 24, "#1f2a3a", "600", title_);
+    write_text(margin, 50, 24, "#1f2a3a", 600, title);
     for (std::size_t i = 0; i < report_.placements.size(); ++i) panel(i);
-    legend(height);
+    legend(height - 26);
     return out_ + "</svg>\n";
   }
 
  private:
-  double lowest() const {
-    double low = 0;
-    bool first = true;
-    each_vertex([&](const Point3& p) {
-      low = first ? p.z : std::min(low, p.z);
-      first = false;
-    });
-    return low;
-  }
-
   template <class Visit>
   void each_vertex(const Visit& visit) const {
     for (const Placed& placed : report_.placements) {
@@ -115,134 +152,156 @@ class Picture {
   // Puts all placements, with their shadows, into the same frame.
   void fit() {
     Bounds bounds;
+    const auto include = [&](const Seen& p) { bounds.include(p.x, p.y); };
     each_vertex([&](const Point3& p) {
-      bounds.include(view_(p));
-      bounds.include(view_({p.x, p.y, floor_}));
+      include(view_(p));
+      include(view_({p.x, p.y, floor_}));
     });
-    const double wide = bounds.right - bounds.left, high = bounds.bottom - bounds.top;
-    const double scale = std::min((panel_width - 2 * margin) / wide, (panel_height - 2 * margin) / high);
+    const double scale = std::min((panel_width - 2 * margin) / (bounds.right - bounds.left),
+                                  (panel_height - 2 * margin) / (bounds.bottom - bounds.top));
     frame_.scale = std::isfinite(scale) ? scale : 1;
     frame_.x = panel_width / 2 - frame_.scale * (bounds.left + bounds.right) / 2;
     frame_.y = header + panel_height / 2 - frame_.scale * (bounds.top + bounds.bottom) / 2;
   }
 
-  void write_text(double x, double y, double size, const char* colour, const char* weight, const std::string& text,
+  void write_text(double x, double y, double size, const char* colour, int weight, const std::string& text,
                   const std::string& more = "") {
     out_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{:.0f}\" fill=\"{}\" font-weight=\"{}\"{}>{}</text>\n",
                         x, y, size, colour, weight, more, escaped(text));
   }
 
-  std::string path(const std::vector<Seen>& corners, const Frame& frame) const {
-    std::string d;
-    for (const Seen& p : corners) d += fmt::format("{}{:.1f} {:.1f}", d.empty() ? "M" : "L", frame.px(p), frame.py(p));
-    return d + "z";
+  void circle(double x, double y, double radius, const char* more) {
+    out_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" {}/>\n", x, y, radius, more);
   }
 
-  void panel(std::size_t i) {
-    const Placed& placed = report_.placements[i];
+  void panel(std::size_t number) {
+    const Placed& placed = report_.placements[number];
+    const double left = panel_width * static_cast<double>(number);
     Frame frame = frame_;
-    frame.x += static_cast<double>(i) * panel_width;
+    frame.x += left;
     std::set<std::uint32_t> alarmed;
     for (const scene::PartPair& pair : placed.answer.pairs) {
       if (pair.counts) alarmed.insert({pair.body_a, pair.body_b});
     }
 
+    out_ += "<g transform=\"scale(.1)\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
     out_ += "<g fill=\"#26374d\" opacity=\"0.10\">\n";
     for (const auto& shadow : shadows(placed.bodies, view_, floor_)) {
-      out_ += fmt::format("<path d=\"{}\"/>\n", path(shadow, frame));
+      out_ += fmt::format("<path d=\"{}\"/>\n", outline_of(shadow, frame));
     }
-    out_ += "</g>\n";
-
-    out_ += "<g stroke-linejoin=\"round\" stroke-linecap=\"round\" stroke-width=\"0.5\">\n";
-    for (const SeenFacet& facet : facets_in_order(placed.bodies, view_)) {
-      const bool red = alarmed.contains(facet.body);
-      draw(facet, (red ? alarming : calm)[facet.body % 2], red ? "#8d2a1b" : "#55677f", frame);
+    out_ += "</g>\n<g stroke-width=\"4\">\n";
+    const std::vector<Piece> pieces = seen_pieces(placed.bodies, view_);
+    for (const Piece& piece : pieces) {
+      const bool red = alarmed.contains(piece.body);
+      draw(piece, (red ? alarming : calm)[piece.body % 2], red ? 'r' : 'o', frame);
     }
-    out_ += "</g>\n";
-    mark(placed, frame, i);
-    caption(placed, i);
+    out_ += "</g>\n</g>\n";
+    mark(placed, pieces, frame, left);
+    caption(placed, left + margin);
   }
 
-  void draw(const SeenFacet& facet, const Colour& colour, const char* outline, const Frame& frame) {
-    if (facet.corners.size() < 3) {
-      const Seen &p = facet.corners.front(), &q = facet.corners.back();
-      out_ += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"{}\" stroke-width=\"4\"/>\n", frame.px(p),
-                          frame.py(p), frame.px(q), frame.py(q), shaded(colour, 0.6));
+  void draw(const Piece& piece, const Colour& colour, char outline_class, const Frame& frame) {
+    const std::string fill = shaded(colour, piece.light);
+    if (piece.corners.size() < 3) {
+      out_ += fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"40\"/>\n", outline_of(piece.corners, frame), fill);
       return;
     }
-    out_ += fmt::format("<path d=\"{}\" fill=\"{}\" stroke=\"{}\"/>\n", path(facet.corners, frame),
-                        shaded(colour, facet.light), shaded(colour, std::min(1.0, facet.light + 0.12)));
-    std::string edges;
-    for (std::size_t i = 0; i < facet.corners.size(); ++i) {
-      if (!facet.on_outline[i]) continue;
-      const Seen &p = facet.corners[i], &q = facet.corners[(i + 1) % facet.corners.size()];
-      edges += fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}", frame.px(p), frame.py(p), frame.px(q), frame.py(q));
+    // The stroke of the same colour hides the seams between neighbours.
+    out_ += fmt::format("<path d=\"{}\" fill=\"{}\" stroke=\"{}\"/>\n", outline_of(piece.corners, frame), fill, fill);
+    for (const Edge kind : {Edge::inner, Edge::outline}) {
+      const std::string edges = edges_of(piece, kind, frame);
+      const char css_class = kind == Edge::inner ? 'e' : outline_class;
+      if (!edges.empty()) out_ += fmt::format("<path class=\"{}\" d=\"{}\"/>\n", css_class, edges);
     }
-    if (!edges.empty()) out_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.1\"/>\n", edges, outline);
   }
 
-  // The common points, and beside them who meets.
-  void mark(const Placed& placed, const Frame& frame, std::size_t number) {
-    std::size_t labels = 0;
-    const double left = static_cast<double>(number) * panel_width;
+  // The common points, and beside the bodies who meets there.
+  void mark(const Placed& placed, const std::vector<Piece>& pieces, const Frame& frame, double left) {
+    std::vector<Bounds> labels;
     for (const scene::PartPair& pair : placed.answer.pairs) {
       if (!pair.counts) continue;
       const Seen at = view_(point_about(placed, pair));
       const double x = frame.px(at), y = frame.py(at);
-      out_ += fmt::format(
-          "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"11\" fill=\"#ffffff\" fill-opacity=\"0.35\" stroke=\"#ffffff\" "
-          "stroke-width=\"5\"/>\n<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"11\" fill=\"none\" stroke=\"#1f2a3a\" "
-          "stroke-width=\"2\"/>\n<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"3\" fill=\"#1f2a3a\"/>\n",
-          x, y);
-      if (labels++ >= most_labels) continue;
-      const bool to_right = x < left + panel_width / 2;
-      const double lx = x + (to_right ? 46 : -46), ly = y - 40 - 18 * static_cast<double>(labels - 1);
-      out_ += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"#1f2a3a\" stroke-width=\"1.2\" fill=\"none\"/>\n",
-                          x + (to_right ? 8 : -8), y - 8, lx - (to_right ? 4 : -4), ly + 2);
-      const std::string label = part_name(placed.bodies[pair.body_a], pair.part_a) + " meets " +
-                                part_name(placed.bodies[pair.body_b], pair.part_b);
-      const std::string anchor = to_right ? "" : " text-anchor=\"end\"";
-      write_text(lx, ly, 14, "#fbfcfe", "600", label,
-                 anchor + " stroke=\"#fbfcfe\" stroke-width=\"5\" stroke-linejoin=\"round\"");  // a halo
-      write_text(lx, ly, 14, "#1f2a3a", "600", label, anchor);
+      if (labels.size() < most_labels) {
+        const std::string label = part_name(placed.bodies[pair.body_a], pair.part_a) + " meets " +
+                                  part_name(placed.bodies[pair.body_b], pair.part_b);
+        const double width = letter_width * label_size * static_cast<double>(label.size());
+        const Bounds place = free_place(x, y, width, labels, pieces, frame, left);
+        labels.push_back(place);
+        const bool right = place.left > x;
+        const std::string line = fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" fill=\"none\" stroke=", x, y,
+                                             right ? place.left - 5 : place.right + 5, (place.top + place.bottom) / 2);
+        out_ += line + "\"#fbfcfe\" stroke-width=\"4\"/>\n" + line + "\"#1f2a3a\" stroke-width=\"1.3\"/>\n";
+        const double text_x = right ? place.left : place.right, text_y = place.bottom - 6;
+        const std::string anchor = right ? "" : " text-anchor=\"end\"";
+        write_text(text_x, text_y, label_size, "#fbfcfe", 600, label, anchor + " stroke=\"#fbfcfe\" stroke-width=\"5\"");
+        write_text(text_x, text_y, label_size, "#1f2a3a", 600, label, anchor);
+      }
+      circle(x, y, 11, "fill=\"#fff\" fill-opacity=\".4\" stroke=\"#fff\" stroke-width=\"5\"");
+      circle(x, y, 11, "fill=\"none\" stroke=\"#1f2a3a\" stroke-width=\"2\"");
+      circle(x, y, 3, "fill=\"#1f2a3a\"");
     }
   }
 
-  void caption(const Placed& placed, std::size_t number) {
-    const double left = static_cast<double>(number) * panel_width + margin, top = header + panel_height;
-    const scene::Counts& c = placed.answer.counts;
-    const std::uint64_t alarms = c.meeting - c.touching_only, asked = c.pairs - c.allowed;
-    if (report_.placements.size() > 1) write_text(left, top + 18, 18, "#1f2a3a", "600", placed.title);
-    write_text(left, top + 42, 15, alarms > 0 ? "#c23b22" : "#2f7d5b", "600",
-               alarms > 0 ? fmt::format("{} of {} pairs meet", alarms, asked) : fmt::format("none of {} pairs meet", asked));
+  // A place for a label of this width, near the height y, beside what is drawn there, on the nearer side if it fits.
+  Bounds free_place(double x, double y, double width, const std::vector<Bounds>& labels, const std::vector<Piece>& pieces,
+                    const Frame& frame, double left) const {
+    for (int attempt = 0; attempt < 40; ++attempt) {
+      const double shift = label_height * ((attempt + 1) / 2) * (attempt % 2 == 0 ? 1 : -1);
+      Bounds place{0, 0, y + shift - label_height / 2, y + shift + label_height / 2, false};
+      double first = x, last = x;  // what is drawn at this height
+      for (const Piece& piece : pieces) {
+        Bounds of_piece;
+        for (const Seen& p : piece.corners) of_piece.include(frame.px(p), frame.py(p));
+        if (of_piece.bottom < place.top || of_piece.top > place.bottom) continue;
+        first = std::min(first, of_piece.left);
+        last = std::max(last, of_piece.right);
+      }
+      constexpr double gap = 18, border = 8;
+      const bool fits_left = first - gap - width > left + border;
+      const bool fits_right = last + gap + width < left + panel_width - border;
+      const bool right = fits_right && (!fits_left || last - x < x - first);
+      place.left = right ? last + gap : first - gap - width;
+      place.right = place.left + width;
+      const bool taken = std::any_of(labels.begin(), labels.end(), [&](const Bounds& b) {
+        return b.left < place.right && place.left < b.right && b.top < place.bottom && place.top < b.bottom;
+      });
+      if ((fits_left || fits_right) && !taken) return place;
+    }
+    return {left + 8, left + 8 + width, y - label_height / 2, y + label_height / 2, false};
   }
 
-  void legend(double height) {
-    const double y = height - 26;
+  void caption(const Placed& placed, double left) {
+    const double top = header + panel_height;
+    const scene::Counts& c = placed.answer.counts;
+    const std::uint64_t meeting = c.meeting - c.touching_only, asked = c.pairs - c.allowed;
+    if (report_.placements.size() > 1) write_text(left, top + 18, 18, "#1f2a3a", 600, placed.title);
+    write_text(left, top + 42, 15, meeting > 0 ? "#c23b22" : "#2f7d5b", 600,
+               meeting > 0 ? fmt::format("{} of {} pairs meet", meeting, asked) : fmt::format("none of {} pairs meet", asked));
+  }
+
+  void legend(double y) {
     double x = margin;
-    const auto swatch = [&](const std::string& fill, double width) {
-      out_ += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"12\" rx=\"3\" fill=\"{}\"/>\n", x, y - 10,
-                          width, fill);
-      x += width + 3;
+    const auto swatch = [&](const Colour& colour) {
+      out_ += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"14\" height=\"12\" rx=\"3\" fill=\"{}\"/>\n", x, y - 10,
+                          shaded(colour, 0.8));
+      x += 17;
     };
     const auto words = [&](const std::string& text) {
-      write_text(x + 5, y, 13, "#55677f", "400", text);
+      write_text(x + 5, y, 13, "#55677f", 400, text);
       x += 34 + 6.6 * static_cast<double>(text.size());
     };
-    swatch(shaded(calm[0], 0.8), 14);
-    swatch(shaded(calm[1], 0.8), 14);
-    words("apart from all, or allowed");
-    swatch(shaded(alarming[0], 0.8), 14);
-    swatch(shaded(alarming[1], 0.8), 14);
+    for (const Colour& colour : calm) swatch(colour);
+    words("meets nothing, or only what it may");
+    for (const Colour& colour : alarming) swatch(colour);
     words("meets another");
-    out_ += fmt::format("<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"6\" fill=\"none\" stroke=\"#1f2a3a\" stroke-width=\"1.5\"/>\n"
-                        "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"1.8\" fill=\"#1f2a3a\"/>\n", x + 7, y - 4);
+    circle(x + 7, y - 4, 6, "fill=\"none\" stroke=\"#1f2a3a\" stroke-width=\"1.5\"");
+    circle(x + 7, y - 4, 1.8, "fill=\"#1f2a3a\"");
     x += 17;
-    words("common point, exact in the certificate");
+    words("a common point");
   }
 
   const SceneReport& report_;
-  const std::string& title_;
   View view_{-0.30 * std::numbers::pi, 0.11 * std::numbers::pi};
   double floor_ = 0;
   Frame frame_;
@@ -252,7 +311,7 @@ class Picture {
 }  // namespace
 
 std::string scene_picture(const SceneReport& report, const std::string& title) {
-  return Picture(report, title.empty() ? "Which of these bodies meet?" : title).text();
+  return Picture(report).text(title.empty() ? "Which of these bodies meet?" : title);
 }
 
 }  // namespace sunder::cli

@@ -59,13 +59,13 @@ std::vector<Facet> facets_of(const scene::Part& part, std::span<const Point3> po
   return facets;
 }
 
-void add_facets(std::uint32_t body, const scene::Part& part, const View& view, std::vector<SeenFacet>& out) {
+void add_pieces(std::uint32_t body, std::uint32_t number, const scene::Part& part, const View& view,
+                std::vector<Piece>& out) {
   const std::vector<Point3> points = world_vertices(part);
   if (part.shape.dimension() < 2) {
-    SeenFacet line{body, {}, {}, 0, 1};
+    Piece line{body, number, 1, {}, {}};
     for (const Point3& p : points) line.corners.push_back(view(p));
-    line.on_outline.assign(line.corners.size(), true);
-    line.depth = view(middle_of(points)).depth;
+    line.edges.assign(line.corners.size(), Edge::outline);
     out.push_back(std::move(line));
     return;
   }
@@ -82,10 +82,12 @@ void add_facets(std::uint32_t body, const scene::Part& part, const View& view, s
   }
   for (const Facet& facet : facets) {
     if (!in_front(facet)) continue;
-    SeenFacet seen{body, {}, {}, view(middle_of(facet.corners)).depth, view.light_on(facet.normal)};
-    for (const Point3& p : facet.corners) seen.corners.push_back(view(p));
-    each_edge(facet, [&](std::uint32_t v, std::uint32_t w) { seen.on_outline.push_back(!seen_from[{w, v}]); });
-    out.push_back(std::move(seen));
+    Piece piece{body, number, view.light_on(facet.normal), {}, {}};
+    for (const Point3& p : facet.corners) piece.corners.push_back(view(p));
+    each_edge(facet, [&](std::uint32_t v, std::uint32_t w) {
+      piece.edges.push_back(seen_from[{w, v}] ? Edge::inner : Edge::outline);
+    });
+    out.push_back(std::move(piece));
   }
 }
 
@@ -118,14 +120,13 @@ std::vector<Point3> world_vertices(const scene::Part& part) {
   return points;
 }
 
-std::vector<SeenFacet> facets_in_order(std::span<const scene::Body> bodies, const View& view) {
-  std::vector<SeenFacet> facets;
+std::vector<Piece> seen_pieces(std::span<const scene::Body> bodies, const View& view) {
+  std::vector<Piece> pieces;
+  std::uint32_t number = 0;
   for (std::uint32_t b = 0; b < bodies.size(); ++b) {
-    for (const scene::Part& part : bodies[b].parts) add_facets(b, part, view, facets);
+    for (const scene::Part& part : bodies[b].parts) add_pieces(b, number++, part, view, pieces);
   }
-  std::stable_sort(facets.begin(), facets.end(),
-                   [](const SeenFacet& f, const SeenFacet& g) { return f.depth < g.depth; });
-  return facets;
+  return in_painters_order(std::move(pieces));
 }
 
 std::vector<std::vector<Seen>> shadows(std::span<const scene::Body> bodies, const View& view, double floor) {

@@ -1,19 +1,15 @@
 // From placed bodies to shaded polygons of a picture: the orthographic view behind scene_picture.
 #pragma once
 
+#include <cli/painter.h>
+
 #include <sunder/predicate/point.h>
 #include <sunder/scene/scene.h>
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace sunder::cli {
-
-// A point on the picture's plane, in the world's unit: x to the right, y down, depth towards the viewer.
-struct Seen {
-  double x = 0, y = 0, depth = 0;
-};
 
 // Looking at the world from a direction: azimuth about z from the x axis, elevation above the plane x y (radians).
 class View {
@@ -28,17 +24,8 @@ class View {
   Point3 right_, up_, to_viewer_, to_light_;
 };
 
-// A facet, a segment or a point of a body, seen from its front.
-struct SeenFacet {
-  std::uint32_t body = 0;
-  std::vector<Seen> corners;
-  std::vector<bool> on_outline;  // the edge from each corner to the next: behind it the body ends
-  double depth = 0;              // of the middle
-  double light = 0;              // 0 .. 1
-};
-
-// What is turned towards the viewer, farthest first.
-std::vector<SeenFacet> facets_in_order(std::span<const scene::Body> bodies, const View& view);
+// What is turned towards the viewer, farthest first, cut where it crosses.
+std::vector<Piece> seen_pieces(std::span<const scene::Body> bodies, const View& view);
 
 // The shadow of each part on the plane z = floor, the light straight above: a convex polygon.
 // Requires finite images (world_vertices).

@@ -12,6 +12,7 @@ namespace sunder::solid {
 // A vertex of the difference A - B of two placed bodies: the image of vertex a minus that of vertex b, rounded.
 struct DifferenceVertex {
   Point3 at;
+  Point3 turned_a, turned_b;  // the images without the translations
   std::uint32_t a = 0;
   std::uint32_t b = 0;
 };

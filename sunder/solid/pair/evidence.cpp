@@ -81,16 +81,17 @@ class Reduction {
   static constexpr std::size_t first_of_b = 4;
   using Row = std::array<double, places>;
 
-  Reduction(const Placed& a, const Placed& b, const DifferenceSimplex& simplex, const std::array<double, 4>& weights) {
+  Reduction(const DifferenceSimplex& simplex, const std::array<double, 4>& weights) {
     weight_.fill(0);
+    for (Row& row : edges_) row.fill(0);
+    const DifferenceVertex* first = nullptr;
     for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.count); ++i) {
       if (weights[i] == 0) continue;
-      weight_[of_a_.add(simplex.vertex[i].a)] += weights[i];
-      weight_[first_of_b + of_b_.add(simplex.vertex[i].b)] += weights[i];
+      const DifferenceVertex& v = simplex.vertex[i];
+      if (first == nullptr) first = &v;
+      add(of_a_, 0, v.a, first->turned_a, v.turned_a, weights[i]);
+      add(of_b_, first_of_b, v.b, v.turned_b, first->turned_b, weights[i]);
     }
-    for (Row& row : edges_) row.fill(0);
-    for (std::size_t i = 0; i < of_a_.count; ++i) set_edge(a, of_a_.vertex[0], of_a_.vertex[i], 1, i);
-    for (std::size_t i = 0; i < of_b_.count; ++i) set_edge(b, of_b_.vertex[0], of_b_.vertex[i], -1, first_of_b + i);
   }
 
   void reduce() {
@@ -138,12 +139,17 @@ class Reduction {
  private:
   static constexpr std::size_t none = places;
 
-  void set_edge(const Placed& body, std::uint32_t from, std::uint32_t to, double side, std::size_t place) {
-    const Point3 &p = body.graph.vertices[from], &q = body.graph.vertices[to];
-    const Point3 e{side * (q.x - p.x), side * (q.y - p.y), side * (q.z - p.z)};
-    const auto& m = body.pose.linear;
-    for (std::size_t i = 0; i < 3; ++i) edges_[i][place] = m[3 * i] * e.x + m[3 * i + 1] * e.y + m[3 * i + 2] * e.z;
-    is_free_[place] = from != to;
+  // Adds a vertex, with the edge from `from` to `to`, or the weight of one that is there already.
+  void add(Support& support, std::size_t first_place, std::uint32_t vertex, const Point3& from, const Point3& to,
+           double weight) {
+    const std::size_t count = support.count;
+    const std::size_t place = first_place + support.add(vertex);
+    weight_[place] += weight;
+    if (support.count == count || count == 0) return;
+    edges_[0][place] = to.x - from.x;
+    edges_[1][place] = to.y - from.y;
+    edges_[2][place] = to.z - from.z;
+    is_free_[place] = true;
   }
 
   // Gauss-Jordan elimination, a pivot in each row: its largest entry. One that is next to nothing is taken for none:
@@ -243,7 +249,7 @@ namespace {
 bool meet_with_weights(const Placed& a, const Placed& b, const DifferenceSimplex& simplex,
                        const std::array<double, 4>& weights, bool drop, PairCertificate& certificate,
                        StageTally& tally) {
-  Reduction reduction(a, b, simplex, weights);
+  Reduction reduction(simplex, weights);
   reduction.reduce();
   if (drop) reduction.drop_negligible();
   if (!reduction.write(certificate)) return false;

@@ -60,7 +60,8 @@ class Search {
     const Point3 e = pulled(a_.pose, direction), f = pulled(b_.pose, direction);
     w.a = furthest(a_.graph, e, cost.probes);
     w.b = furthest(b_.graph, {-f.x, -f.y, -f.z}, cost.probes);
-    const Point3 p = turned(a_.pose, a_.graph.vertices[w.a]), q = turned(b_.pose, b_.graph.vertices[w.b]);
+    const Point3 p = w.turned_a = turned(a_.pose, a_.graph.vertices[w.a]);
+    const Point3 q = w.turned_b = turned(b_.pose, b_.graph.vertices[w.b]);
     w.at = {((p.x - q.x) - shift_.x) * scale_, ((p.y - q.y) - shift_.y) * scale_, ((p.z - q.z) - shift_.z) * scale_};
     return w;
   }
