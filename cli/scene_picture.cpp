@@ -127,8 +127,7 @@ class Picture {
     out_ = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
         "font-family=\"Inter, 'Helvetica Neue', Helvetica, Arial, sans-serif\">\n"
-        "<style>.e{{fill:none;stroke:#fff;stroke-opacity:.38;stroke-width:5}}.o{{fill:none;stroke:#46586f;stroke-width:11}}"
-        ".r{{fill:none;stroke:#7d2115;stroke-width:11}}</style>\n"
+        "<style>.o,.r{{fill:none;stroke-width:10}}.o{{stroke:#46586f}}.r{{stroke:#7d2115}}</style>\n"
         "<rect width=\"{0:.0f}\" height=\"{1:.0f}\" rx=\"18\" fill=\"#fbfcfe\"/>\n",
         width, height);
     write_text(margin, 50, 24, "#1f2a3a", 600, title);
@@ -189,7 +188,7 @@ class Picture {
     for (const auto& shadow : shadows(placed.bodies, view_, floor_)) {
       out_ += fmt::format("<path d=\"{}\"/>\n", outline_of(shadow, frame));
     }
-    out_ += "</g>\n<g stroke-width=\"4\">\n";
+    out_ += "</g>\n<g stroke-width=\"5\">\n";
     const std::vector<Piece> pieces = seen_pieces(placed.bodies, view_);
     for (const Piece& piece : pieces) {
       const bool red = alarmed.contains(piece.body);
@@ -206,13 +205,15 @@ class Picture {
       out_ += fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"40\"/>\n", outline_of(piece.corners, frame), fill);
       return;
     }
-    // The stroke of the same colour hides the seams between neighbours.
-    out_ += fmt::format("<path d=\"{}\" fill=\"{}\" stroke=\"{}\"/>\n", outline_of(piece.corners, frame), fill, fill);
-    for (const Edge kind : {Edge::inner, Edge::outline}) {
-      const std::string edges = edges_of(piece, kind, frame);
-      const char css_class = kind == Edge::inner ? 'e' : outline_class;
-      if (!edges.empty()) out_ += fmt::format("<path class=\"{}\" d=\"{}\"/>\n", css_class, edges);
-    }
+    // Strokes hide the seams between neighbours; a little lighter, they show the facets.
+    const bool cut = std::find(piece.edges.begin(), piece.edges.end(), Edge::cut) != piece.edges.end();
+    const std::string edge = shaded(colour, piece.light + 0.1);
+    out_ += fmt::format("<path d=\"{}\" fill=\"{}\" stroke=\"{}\"/>\n", outline_of(piece.corners, frame), fill,
+                        cut ? fill : edge);
+    const std::string inner = cut ? edges_of(piece, Edge::inner, frame) : "";
+    const std::string outline = edges_of(piece, Edge::outline, frame);
+    if (!inner.empty()) out_ += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"{}\"/>\n", inner, edge);
+    if (!outline.empty()) out_ += fmt::format("<path class=\"{}\" d=\"{}\"/>\n", outline_class, outline);
   }
 
   // The common points, and beside the bodies who meets there.
