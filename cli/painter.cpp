@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <queue>
 #include <utility>
 
 namespace sunder::cli {
@@ -10,7 +10,6 @@ namespace sunder::cli {
 namespace {
 
 constexpr std::size_t too_many = 20000;
-constexpr std::size_t candidates = 24;
 
 struct Plane {
   double x = 0, y = 0, depth = 0, offset = 0;
@@ -18,9 +17,8 @@ struct Plane {
   double height(const Seen& p) const { return x * p.x + y * p.y + depth * p.depth - offset; }
 };
 
-// The plane of a piece of at least three corners; its normal, of length one, points towards the viewer.
-Plane plane_of(const Piece& piece) {
-  const std::vector<Seen>& c = piece.corners;
+// The plane of a piece; its normal, of length one, points towards the viewer. Zero for a line.
+Plane plane_of(const std::vector<Seen>& c) {
   Plane n;
   for (std::size_t i = 1; i + 1 < c.size(); ++i) {
     const Seen u{c[i].x - c[0].x, c[i].y - c[0].y, c[i].depth - c[0].depth};
@@ -36,99 +34,137 @@ Plane plane_of(const Piece& piece) {
   return n;
 }
 
-double middle_depth(const Piece& piece) {
-  double sum = 0;
-  for (const Seen& p : piece.corners) sum += p.depth;
-  return sum / static_cast<double>(piece.corners.size());
-}
+// A piece, with what is asked of it again and again.
+struct Item {
+  Piece piece;
+  Plane plane;
+  double left = 0, right = 0, top = 0, bottom = 0, middle = 0;
 
-enum class Where { behind, on, before, across };
+  explicit Item(Piece p) : piece(std::move(p)), plane(plane_of(piece.corners)) {
+    const Seen& first = piece.corners.front();
+    left = right = first.x;
+    top = bottom = first.y;
+    for (const Seen& c : piece.corners) {
+      left = std::min(left, c.x);
+      right = std::max(right, c.x);
+      top = std::min(top, c.y);
+      bottom = std::max(bottom, c.y);
+      middle += c.depth / static_cast<double>(piece.corners.size());
+    }
+  }
+
+  bool is_line() const { return piece.corners.size() < 3; }
+};
+
+enum class Order { none, first_behind, second_behind, cross };
 
 class Painter {
  public:
   explicit Painter(double tolerance) : tolerance_(tolerance) {}
 
-  std::vector<Piece> order(std::vector<Piece> all) {
-    todo_.push_back({std::move(all), false});
-    while (!todo_.empty()) {
-      Group group = std::move(todo_.back());
-      todo_.pop_back();
-      if (group.ordered || is_one_part(group.pieces)) {
-        std::move(group.pieces.begin(), group.pieces.end(), std::back_inserter(done_));
-      } else {
-        divide(std::move(group.pieces));
-      }
-    }
-    return std::move(done_);
+  std::vector<Piece> order(std::vector<Piece> pieces) {
+    cut_where_crossing(std::move(pieces));
+    return sorted();
   }
 
  private:
-  struct Group {
-    std::vector<Piece> pieces;
-    bool ordered;
-  };
-
-  static bool is_one_part(const std::vector<Piece>& pieces) {
-    return std::all_of(pieces.begin(), pieces.end(), [&](const Piece& p) { return p.part == pieces.front().part; });
-  }
-
-  Where where(const Piece& piece, const Plane& plane) const {
-    if (piece.corners.size() < 3) {  // not worth a cut
-      double sum = 0;
-      for (const Seen& p : piece.corners) sum += plane.height(p);
-      return sum < 0 ? Where::behind : Where::before;
-    }
-    bool behind = false, before = false;
-    for (const Seen& p : piece.corners) {
-      const double h = plane.height(p);
-      behind = behind || h < -tolerance_;
-      before = before || h > tolerance_;
-    }
-    return behind ? (before ? Where::across : Where::behind) : before ? Where::before : Where::on;
-  }
-
-  // The piece whose plane cuts few others and leaves little on the larger side; the last one where only lines are left.
-  std::size_t best_divider(const std::vector<Piece>& pieces) const {
-    std::size_t best = pieces.size() - 1;
-    double least = std::numeric_limits<double>::infinity();
-    const std::size_t step = std::max<std::size_t>(1, pieces.size() / candidates);
-    for (std::size_t i = 0; i < pieces.size(); i += step) {
-      if (pieces[i].corners.size() < 3) continue;
-      const Plane plane = plane_of(pieces[i]);
-      std::size_t behind = 0, before = 0, across = 0;
-      for (const Piece& piece : pieces) {
-        const Where w = where(piece, plane);
-        behind += w == Where::behind;
-        before += w == Where::before;
-        across += w == Where::across;
-      }
-      const double cost = 2 * static_cast<double>(across) + 0.25 * static_cast<double>(std::max(behind, before));
-      if (cost < least) {
-        least = cost;
-        best = i;
+  // Every piece is compared with those that are in order already, and cut by the plane of one that it crosses.
+  void cut_where_crossing(std::vector<Piece> todo) {
+    while (!todo.empty()) {
+      const Item item(std::move(todo.back()));
+      todo.pop_back();
+      const auto crossed = std::find_if(items_.begin(), items_.end(),
+                                        [&](const Item& other) { return compare(item, other) == Order::cross; });
+      if (crossed == items_.end()) {
+        items_.push_back(item);
+      } else {
+        todo.push_back(half(item.piece, crossed->plane, -1));
+        todo.push_back(half(item.piece, crossed->plane, 1));
       }
     }
-    return best;
   }
 
-  void divide(std::vector<Piece> pieces) {
-    const std::size_t divider = best_divider(pieces);
-    const Plane plane = plane_of(pieces[divider]);
-    Group behind{{}, false}, on{{}, true}, before{{}, false};
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      switch (i == divider ? Where::on : where(pieces[i], plane)) {
-        case Where::behind: behind.pieces.push_back(std::move(pieces[i])); break;
-        case Where::on: on.pieces.push_back(std::move(pieces[i])); break;
-        case Where::before: before.pieces.push_back(std::move(pieces[i])); break;
-        case Where::across:
-          behind.pieces.push_back(half(pieces[i], plane, -1));
-          before.pieces.push_back(half(pieces[i], plane, 1));
-          break;
+  // Farther ones first where the order is free, or runs in a circle.
+  std::vector<Piece> sorted() {
+    const std::size_t n = items_.size();
+    std::vector<std::vector<std::size_t>> hidden_by(n);
+    std::vector<std::size_t> waiting_for(n, 0), by_depth(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      by_depth[i] = i;
+      for (std::size_t j = 0; j < i; ++j) {
+        const Order order = compare(items_[i], items_[j]);
+        if (order == Order::none) continue;
+        const bool i_behind = order == Order::first_behind;
+        hidden_by[i_behind ? i : j].push_back(i_behind ? j : i);
+        ++waiting_for[i_behind ? j : i];
       }
     }
-    for (Group* group : {&before, &on, &behind}) {  // the last is taken first
-      if (!group->pieces.empty()) todo_.push_back(std::move(*group));
+    const auto nearer = [&](std::size_t i, std::size_t j) {
+      return items_[i].middle != items_[j].middle ? items_[i].middle > items_[j].middle : i > j;
+    };
+    std::sort(by_depth.begin(), by_depth.end(), nearer);
+    std::priority_queue<std::size_t, std::vector<std::size_t>, decltype(nearer)> free(nearer);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (waiting_for[i] == 0) free.push(i);
     }
+    std::vector<Piece> out;
+    std::vector<bool> done(n, false);
+    while (out.size() < n) {
+      std::size_t next = 0;
+      if (!free.empty()) {
+        next = free.top();
+        free.pop();
+      } else {
+        while (done[by_depth.back()]) by_depth.pop_back();
+        next = by_depth.back();
+      }
+      if (done[next]) continue;
+      done[next] = true;
+      for (const std::size_t j : hidden_by[next]) {
+        if (--waiting_for[j] == 0) free.push(j);
+      }
+      out.push_back(std::move(items_[next].piece));
+    }
+    return out;
+  }
+
+  Order compare(const Item& a, const Item& b) const {
+    if (a.piece.part == b.piece.part || a.right < b.left + tolerance_ || b.right < a.left + tolerance_ ||
+        a.bottom < b.top + tolerance_ || b.bottom < a.top + tolerance_) {
+      return Order::none;
+    }
+    if (parted(a.piece.corners, b.piece.corners) || parted(b.piece.corners, a.piece.corners)) return Order::none;
+    if (a.is_line() || b.is_line()) return a.middle < b.middle ? Order::first_behind : Order::second_behind;
+    if (is_on_side(a, b.plane, -1) || is_on_side(b, a.plane, 1)) return Order::first_behind;
+    if (is_on_side(a, b.plane, 1) || is_on_side(b, a.plane, -1)) return Order::second_behind;
+    return Order::cross;
+  }
+
+  // Are the two apart on the picture, along the normal of one of the first one's edges?
+  bool parted(const std::vector<Seen>& a, const std::vector<Seen>& b) const {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const Seen &p = a[i], &q = a[(i + 1) % a.size()];
+      const double nx = p.y - q.y, ny = q.x - p.x, length = std::sqrt(nx * nx + ny * ny);
+      if (length == 0) continue;
+      const auto range = [&](const std::vector<Seen>& corners) {
+        double low = 0, high = 0;
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+          const double h = ((corners[k].x - p.x) * nx + (corners[k].y - p.y) * ny) / length;
+          low = k == 0 ? h : std::min(low, h);
+          high = k == 0 ? h : std::max(high, h);
+        }
+        return std::pair(low, high);
+      };
+      const auto [low_a, high_a] = range(a);
+      const auto [low_b, high_b] = range(b);
+      if (high_a < low_b + tolerance_ || high_b < low_a + tolerance_) return true;
+    }
+    return false;
+  }
+
+  bool is_on_side(const Item& item, const Plane& plane, double side) const {
+    return std::all_of(item.piece.corners.begin(), item.piece.corners.end(),
+                       [&](const Seen& p) { return side * plane.height(p) > -tolerance_; });
   }
 
   // What is on one side (1: before, -1: behind) of a plane that the piece crosses.
@@ -156,21 +192,20 @@ class Painter {
   }
 
   double tolerance_;
-  std::vector<Group> todo_;  // a stack, the farthest on top
-  std::vector<Piece> done_;
+  std::vector<Item> items_;  // no two of them cross
 };
 
 }  // namespace
 
 std::vector<Piece> in_painters_order(std::vector<Piece> pieces) {
-  std::stable_sort(pieces.begin(), pieces.end(),
-                   [](const Piece& p, const Piece& q) { return middle_depth(p) < middle_depth(q); });
   double size = 0;
   for (const Piece& piece : pieces) {
     for (const Seen& p : piece.corners) size = std::max({size, std::fabs(p.x), std::fabs(p.y), std::fabs(p.depth)});
   }
-  if (pieces.size() > too_many || !std::isfinite(size)) return pieces;
-  return Painter(1e-6 * size).order(std::move(pieces));
+  if (pieces.size() <= too_many && std::isfinite(size)) return Painter(1e-6 * size).order(std::move(pieces));
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [](const Piece& p, const Piece& q) { return Item(p).middle < Item(q).middle; });
+  return pieces;
 }
 
 }  // namespace sunder::cli

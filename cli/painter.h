@@ -26,10 +26,11 @@ struct Piece {
   std::vector<Edge> edges;           // from each corner to the next
 };
 
-// The same pieces, farthest first, cut where needed: no piece is hidden by an earlier one. By planes of pieces that
-// divide space in two again and again (Fuchs, Kedem, Naylor 1980); pieces of one convex part never hide each other. In
-// floating point, with a tolerance: pictures only. With very many pieces (over 20,000) the order is by the depth of
-// their middles instead, and only roughly right.
+// The same pieces, farthest first, cut where two cross: no piece is hidden by an earlier one (but where three or more
+// hide each other in a circle). Pieces of one convex part never hide each other. In floating point, with a tolerance:
+// for pictures only. With very many pieces (over 20,000) the order is by the depth of their middles, and only roughly
+// right. Cost: a comparison of every two.
+// Source: after Newell, Newell, Sancha 1972; the order by a graph instead of by exchanges.
 std::vector<Piece> in_painters_order(std::vector<Piece> pieces);
 
 }  // namespace sunder::cli

@@ -2,6 +2,7 @@
 
 #include <sunder/predicate/orient.h>
 
+#include <cmath>
 #include <tuple>
 
 namespace sunder::solid {

@@ -20,13 +20,12 @@ namespace {
 
 void check(std::span<const Point3> points) {
   if (points.empty()) throw Error(ErrorCode::bad_shape, "no points: give at least one");
-  if (points.size() >= std::size_t{1} << 31) {
-    throw Error(ErrorCode::bad_shape, "too many points: give fewer than 2^31");
-  }
+  if (points.size() >= std::size_t{1} << 29) throw Error(ErrorCode::bad_shape, "too many points: give fewer than 2^29");
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point3& p = points[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
-      throw Error(ErrorCode::bad_value, "a coordinate is not finite: give finite numbers", "point " + std::to_string(i));
+      throw Error(ErrorCode::bad_value, "a coordinate is not finite: give finite numbers",
+                  "point " + std::to_string(i));
     }
   }
 }

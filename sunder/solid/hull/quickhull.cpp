@@ -14,12 +14,14 @@
 //     hole are strictly visible and no plane of a triangle contains p'. What is visible from a point in general
 //     position is a disk.
 // Q3. The new triangles and the kept ones cover the boundary of C' = hull(C, p) once: the kept ones are the part of the
-//     boundary of C that p does not see strictly, which stays on the boundary; the rest is the cone from p over the rim.
+//     boundary of C that p does not see strictly, which stays on the boundary; the rest is the cone from p over the
+//     rim.
 // Q4. A point q of the list of a removed triangle R is inside C' or on its boundary, or strictly above a new triangle.
 //     Suppose it is not strictly above any. The new triangles are all those at p, so q lies in the cone from p over C:
 //     q = p + t (x - p) for an x in C. If t <= 1, q is in C'. Otherwise x is strictly between p and q, which are both
 //     strictly above R, so x in C is strictly above R too, which contradicts that R bounds C.
-//     So points that are above no new triangle can be dropped, being no extreme points of the whole set, or repetitions.
+//     So points that are above no new triangle can be dropped, being no extreme points of the whole set, or
+//     repetitions.
 // Q5. The lists are empty in the end, so all points are in the hull, and each extreme point is inserted. Each insertion
 //     takes a point from the lists for good, and so the end comes.
 // Q6. Equal points are always in the same list, because where a point goes depends on its coordinates only. The first
@@ -197,15 +199,15 @@ class Quickhull {
   bool is_farther(const Triangle& triangle, std::uint32_t q, std::uint32_t r) const {
     const auto height = [&](std::uint32_t i) {
       const double h = triangle.plane.height(points_[triangle.corner[0]], points_[i]);
-      return h > 0 ? h : 0;  // both are above; not so is rounding, or NaN after an overflow
+      return h > 0 ? h : 0;  // both are above, whatever rounding says; NaN after an overflow
     };
     const double q_height = height(q), r_height = height(r);
     return q_height > r_height || (q_height == r_height && q < r);
   }
 
-  // Long lists are worked off in the order in which they came up, so that the hull grows evenly all round: else a region
-  // can fill up with needles that end at a corner far away, which are replaced again and again. Short lists are worked
-  // off at once, while what they need is in the memory caches.
+  // Long lists are worked off in the order in which they came up, so that the hull grows evenly all round: else a
+  // region can fill up with needles that end at a corner far away, which are replaced again and again. Short lists are
+  // worked off at once, while what they need is in the memory caches.
   static constexpr std::uint32_t long_list = 32;
 
   void queue_fresh() {
@@ -234,8 +236,8 @@ class Quickhull {
   Point3 extent_;
   std::vector<std::uint32_t> next_outside_;  // the conflict lists: what follows a point in its list
   std::vector<Triangle> triangles_;
-  std::vector<std::uint32_t> free_;     // removed triangles, whose places can be used again
-  std::vector<std::uint32_t> urgent_;   // every triangle with a list is in one of these; others may be
+  std::vector<std::uint32_t> free_;    // removed triangles, whose places can be used again
+  std::vector<std::uint32_t> urgent_;  // every triangle with a list is in one of these; others may be
   std::queue<std::uint32_t> waiting_;
   std::vector<std::uint32_t> visible_;  // of the latest insertion: the triangles removed,
   std::vector<Fresh> fresh_;            // and the triangles made

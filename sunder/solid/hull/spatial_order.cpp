@@ -10,7 +10,7 @@ namespace {
 // The cells of one axis: 2^bits of equal width between the least and the greatest coordinate.
 class CellsOfAxis {
  public:
-  CellsOfAxis(std::span<const Point3> points, double Point3::*axis, int bits) : axis_(axis), count_(1u << bits) {
+  CellsOfAxis(std::span<const Point3> points, double Point3::* axis, int bits) : axis_(axis), count_(1u << bits) {
     const auto less = [axis](const Point3& p, const Point3& q) { return p.*axis < q.*axis; };
     const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
     low_ = (*low).*axis;
@@ -24,7 +24,7 @@ class CellsOfAxis {
   }
 
  private:
-  double Point3::*axis_;
+  double Point3::* axis_;
   std::uint32_t count_;
   double low_;
   double cells_per_unit_;
@@ -35,11 +35,13 @@ class CellsOfAxis {
 std::vector<std::uint32_t> spatial_order(std::span<const Point3> points) {
   int bits = 0;  // of the cell numbers of each axis: at least half as many cells as points, bar the limit
   while (bits < 8 && std::size_t{1} << (3 * bits + 1) < points.size()) ++bits;
-  const CellsOfAxis x_cell(points, &Point3::x, bits), y_cell(points, &Point3::y, bits), z_cell(points, &Point3::z, bits);
+  const CellsOfAxis x_cell(points, &Point3::x, bits), y_cell(points, &Point3::y, bits),
+      z_cell(points, &Point3::z, bits);
   const auto cell_of = [&](const Point3& p) {
     const std::uint32_t x = x_cell(p), y = y_cell(p), z = z_cell(p);
     std::uint32_t code = 0;
-    for (int bit = bits - 1; bit >= 0; --bit) code = code << 3 | (x >> bit & 1) << 2 | (y >> bit & 1) << 1 | (z >> bit & 1);
+    for (int bit = bits - 1; bit >= 0; --bit)
+      code = code << 3 | (x >> bit & 1) << 2 | (y >> bit & 1) << 1 | (z >> bit & 1);
     return code;
   };
 

@@ -12,7 +12,7 @@ void fill_table(SearchGraph& graph) {
   graph.side = static_cast<std::uint32_t>(std::ceil(std::sqrt(n / 6)));
   const std::uint32_t side = graph.side;
   graph.table.assign(std::size_t{6} * side * side, 0);
-  std::uint32_t last = 0;
+  std::uint32_t last = graph.place[0];
   for (std::uint32_t face = 0; face < 6; ++face) {
     for (std::uint32_t row = 0; row < side; ++row) {
       for (std::uint32_t step = 0; step < side; ++step) {
@@ -25,6 +25,35 @@ void fill_table(SearchGraph& graph) {
         last = walk(graph, direction, last, probes);
         graph.table[(face * side + row) * side + column] = last;
       }
+    }
+  }
+}
+
+// A word of two halves, as VertexBlock reads it.
+double word(std::uint32_t low, std::uint32_t high) {
+  return std::bit_cast<double>(std::uint64_t{low} | std::uint64_t{high} << 32);
+}
+
+void fill_blocks(SearchGraph& graph) {
+  const std::size_t n = graph.vertices.size();
+  std::uint32_t size = 0;
+  for (std::size_t v = 0; v < n; ++v) {
+    const std::uint32_t count = graph.begin[v + 1] - graph.begin[v];
+    graph.place.push_back(size);
+    size += 4 + 3 * count + (count + 1) / 2;
+  }
+  graph.blocks.reserve(size);
+  for (std::size_t v = 0; v < n; ++v) {
+    const std::span<const std::uint32_t> around(graph.neighbours.data() + graph.begin[v],
+                                                graph.begin[v + 1] - graph.begin[v]);
+    const std::uint32_t count = static_cast<std::uint32_t>(around.size());
+    const Point3& p = graph.vertices[v];
+    graph.blocks.insert(graph.blocks.end(), {p.x, p.y, p.z, word(static_cast<std::uint32_t>(v), count)});
+    for (const std::uint32_t w : around) graph.blocks.push_back(graph.vertices[w].x);
+    for (const std::uint32_t w : around) graph.blocks.push_back(graph.vertices[w].y);
+    for (const std::uint32_t w : around) graph.blocks.push_back(graph.vertices[w].z);
+    for (std::size_t j = 0; j < count; j += 2) {
+      graph.blocks.push_back(word(graph.place[around[j]], j + 1 < count ? graph.place[around[j + 1]] : 0));
     }
   }
 }
@@ -49,17 +78,7 @@ SearchGraph make_search_graph(std::span<const Point3> vertices, std::span<const 
   graph.vertices.assign(vertices.begin(), vertices.end());
   graph.begin.assign(neighbour_begin.begin(), neighbour_begin.end());
   graph.neighbours.assign(neighbours.begin(), neighbours.end());
-  graph.coordinates.resize(3 * neighbours.size());
-  for (std::size_t v = 0; v < vertices.size(); ++v) {
-    const std::size_t first = graph.begin[v];
-    const std::size_t count = graph.begin[v + 1] - first;
-    for (std::size_t j = 0; j < count; ++j) {
-      const Point3& p = vertices[neighbours[first + j]];
-      graph.coordinates[3 * first + j] = p.x;
-      graph.coordinates[3 * first + count + j] = p.y;
-      graph.coordinates[3 * first + 2 * count + j] = p.z;
-    }
-  }
+  fill_blocks(graph);
   graph.sizes = size_range(vertices);
   graph.low = graph.high = vertices[0];
   for (const Point3& p : vertices) {

@@ -1,19 +1,46 @@
 // What the searches walk on: the vertex graph of a convex polyhedron, laid out for the memory cache.
 //
-// A step of a search at vertex v reads v's neighbours' coordinates, which lie side by side, and goes to the best: no
-// indirection but one. A table over directions gives a start near the goal. For bodies of few vertices, reading them
-// all is faster than walking: `all` holds them coordinate by coordinate.
+// A search at vertex v reads one block: v's coordinates, and those of its neighbours side by side. A table over
+// directions gives a start near the goal. So a step touches a few neighbouring cache lines, and depends on one load. For
+// bodies of few vertices, reading them all is faster than walking: `all` holds them coordinate by coordinate.
 #pragma once
 
 #include <sunder/predicate/point.h>
 #include <sunder/predicate/posed.h>
 #include <sunder/solid/hull/convex_hull.h>
 
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace sunder::solid {
+
+// One vertex's block, k neighbours, as it lies in SearchGraph::blocks:
+//   x y z of the vertex | its number and k | k times x | k times y | k times z | k places of blocks, two in a word
+// all in words of 64 bits. The neighbours stand counter-clockwise.
+class VertexBlock {
+ public:
+  explicit VertexBlock(const double* words) : words_(words) {}
+
+  Point3 at() const { return {words_[0], words_[1], words_[2]}; }
+  std::uint32_t vertex() const { return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(words_[3])); }
+  std::uint32_t count() const { return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(words_[3]) >> 32); }
+
+  // count() numbers each.
+  const double* x() const { return words_ + 4; }
+  const double* y() const { return words_ + 4 + count(); }
+  const double* z() const { return words_ + 4 + 2 * std::size_t{count()}; }
+
+  // The place of the j-th neighbour's block. Requires j < count().
+  std::uint32_t place(std::uint32_t j) const {
+    const std::uint64_t pair = std::bit_cast<std::uint64_t>(words_[4 + 3 * std::size_t{count()} + j / 2]);
+    return static_cast<std::uint32_t>(j % 2 == 0 ? pair : pair >> 32);
+  }
+
+ private:
+  const double* words_;
+};
 
 struct SearchGraph {
   // Bodies with at most this many vertices are read whole.
@@ -21,14 +48,18 @@ struct SearchGraph {
 
   std::vector<Point3> vertices;
 
-  // The neighbours of v, counter-clockwise: vertex numbers neighbours[begin[v] .. begin[v + 1]). Their coordinates:
-  // with k of them, k times x, then y, then z, from coordinates[3 begin[v]].
+  // The neighbours of v, counter-clockwise: vertex numbers neighbours[begin[v] .. begin[v + 1]).
   std::vector<std::uint32_t> begin{0};
   std::vector<std::uint32_t> neighbours;
-  std::vector<double> coordinates;
+
+  // The block of v starts at blocks[place[v]].
+  std::vector<std::uint32_t> place;
+  std::vector<double> blocks;
+
+  VertexBlock block(std::uint32_t at) const { return VertexBlock(blocks.data() + at); }
 
   // Empty with few vertices. Else a cube of directions, each of its six faces (+x -x +y -y +z -z) cut into side x side
-  // cells row by row; the entry is a vertex that is extreme along the direction to the middle of the cell.
+  // cells row by row; the entry is the place of a vertex that is extreme along the direction to the middle of the cell.
   std::uint32_t side = 0;
   std::vector<std::uint32_t> table;
 

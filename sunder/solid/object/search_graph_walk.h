@@ -9,20 +9,19 @@
 
 namespace sunder::solid {
 
-// Goes from `start` to ever better neighbours until none is better in floating point: the best neighbour each time,
-// of equals the first. Adds the vertices it looks at to `probes`. Ends, because the value grows strictly.
+// Goes from the block at `start` to ever better neighbours until none is better in floating point: the best neighbour
+// each time, of equals the first. Returns the place of the last block. Adds the vertices it looks at to `probes`. Ends,
+// because the value grows strictly.
 inline std::uint32_t walk(const SearchGraph& graph, const Point3& direction, std::uint32_t start,
                           std::uint32_t& probes) {
-  const Point3& p = graph.vertices[start];
   std::uint32_t at = start;
+  VertexBlock block = graph.block(at);
+  const Point3 p = block.at();
   double best = direction.x * p.x + direction.y * p.y + direction.z * p.z;
   ++probes;
   while (true) {
-    const std::uint32_t first = graph.begin[at];
-    const std::uint32_t count = graph.begin[at + 1] - first;
-    const double* x = graph.coordinates.data() + 3 * std::size_t{first};
-    const double* y = x + count;
-    const double* z = y + count;
+    const std::uint32_t count = block.count();
+    const double *x = block.x(), *y = block.y(), *z = block.z();
     probes += count;
     std::uint32_t winner = count;
     for (std::uint32_t j = 0; j < count; ++j) {
@@ -33,12 +32,13 @@ inline std::uint32_t walk(const SearchGraph& graph, const Point3& direction, std
       }
     }
     if (winner == count) return at;
-    at = graph.neighbours[first + winner];
+    at = block.place(winner);
+    block = graph.block(at);
   }
 }
 
-// The cell of the direction table: a vertex extreme along a direction nearby. Requires a table. Any direction will do,
-// even one that is zero or not finite.
+// The cell of the direction table: the place of a vertex extreme along a direction nearby. Requires a table. Any
+// direction will do, even one that is zero or not finite.
 inline std::uint32_t table_start(const SearchGraph& graph, const Point3& direction) {
   const double ax = std::fabs(direction.x), ay = std::fabs(direction.y), az = std::fabs(direction.z);
   std::uint32_t face;
@@ -63,7 +63,7 @@ inline std::uint32_t table_start(const SearchGraph& graph, const Point3& directi
   const double scale = side / 2 / largest;
   const double column = u * scale + side / 2;
   const double row = v * scale + side / 2;
-  if (!(column >= 0 && row >= 0 && column <= side && row <= side)) return 0;
+  if (!(column >= 0 && row >= 0 && column <= side && row <= side)) return graph.table[0];
   const std::uint32_t last = graph.side - 1;
   const std::uint32_t c = std::min(static_cast<std::uint32_t>(column), last);
   const std::uint32_t r = std::min(static_cast<std::uint32_t>(row), last);
@@ -86,10 +86,27 @@ inline std::uint32_t furthest_of_few(const SearchGraph& graph, const Point3& dir
   return best;
 }
 
-// A vertex that is furthest along the direction as far as floating point can tell.
-inline std::uint32_t furthest(const SearchGraph& graph, const Point3& direction, std::uint32_t& probes) {
+// Where a search along the direction begins, for furthest_from; asks for the memory that it will read.
+inline std::uint32_t search_start(const SearchGraph& graph, const Point3& direction) {
+  if (graph.padded != 0) return 0;
+  const std::uint32_t start = table_start(graph, direction);
+  const double* words = graph.blocks.data() + start;
+  __builtin_prefetch(words);
+  __builtin_prefetch(words + 8);
+  __builtin_prefetch(words + 16);
+  __builtin_prefetch(words + 24);
+  return start;
+}
+
+// A vertex that is furthest along the direction as far as floating point can tell. `start` is search_start().
+inline std::uint32_t furthest_from(const SearchGraph& graph, const Point3& direction, std::uint32_t start,
+                                   std::uint32_t& probes) {
   if (graph.padded != 0) return furthest_of_few(graph, direction, probes);
-  return walk(graph, direction, table_start(graph, direction), probes);
+  return graph.block(walk(graph, direction, start, probes)).vertex();
+}
+
+inline std::uint32_t furthest(const SearchGraph& graph, const Point3& direction, std::uint32_t& probes) {
+  return furthest_from(graph, direction, search_start(graph, direction), probes);
 }
 
 }  // namespace sunder::solid

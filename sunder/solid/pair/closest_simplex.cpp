@@ -14,61 +14,53 @@ Point3 cross(const Point3& a, const Point3& b) {
 }
 double determinant(const Point3& a, const Point3& b, const Point3& c) { return dot(cross(a, b), c); }
 
-// What is nearest within one part: which of its corners span it, and how near.
+// What is nearest within one part of the simplex: which corners span it, in increasing order, and how near.
 struct Nearest {
-  std::array<int, 3> corner{};
-  int count = 0;
+  std::array<int, 3> corner;
+  int count;
   Point3 towards;
-  double distance2 = std::numeric_limits<double>::infinity();
+  double distance2;
 };
 
+const Point3& corner(const DifferenceSimplex& s, int i) { return s.vertex[static_cast<std::size_t>(i)].at; }
+
 Nearest at_corner(const DifferenceSimplex& s, int i) {
-  const Point3& p = s.vertex[static_cast<std::size_t>(i)].at;
-  return {{i}, 1, negated(p), dot(p, p)};
+  const Point3& p = corner(s, i);
+  return {{i, 0, 0}, 1, negated(p), dot(p, p)};
 }
 
-Nearest on_edge(const DifferenceSimplex& s, int i, int j, double weight_j) {
-  const Point3& a = s.vertex[static_cast<std::size_t>(i)].at;
-  const Point3 e = minus(s.vertex[static_cast<std::size_t>(j)].at, a);
-  Point3 d{-(a.x + weight_j * e.x), -(a.y + weight_j * e.y), -(a.z + weight_j * e.z)};
+// Of the segment from the newest corner to an older one.
+Nearest of_segment(const DifferenceSimplex& s, int newest, int older) {
+  const Point3& a = corner(s, newest);
+  const Point3 e = minus(corner(s, older), a);
+  const double t = -dot(a, e);
+  if (!(t > 0)) return at_corner(s, newest);
+  const double length2 = dot(e, e);
+  if (t >= length2) return at_corner(s, older);
+  const double part = t / length2;
+  Point3 d{-(a.x + part * e.x), -(a.y + part * e.y), -(a.z + part * e.z)};
   const double distance2 = dot(d, d);
   // Made perpendicular to the edge once more: near contact, d is small and carries the error of large numbers.
-  const double off = dot(d, e) / dot(e, e);
+  const double off = dot(d, e) / length2;
   d = {d.x - off * e.x, d.y - off * e.y, d.z - off * e.z};
-  return {{i, j}, 2, d, distance2};
+  return {{older, newest, 0}, 2, d, distance2};
 }
 
-Nearest of_segment(const DifferenceSimplex& s, int i, int j) {
-  const Point3& a = s.vertex[static_cast<std::size_t>(i)].at;
-  const Point3 e = minus(s.vertex[static_cast<std::size_t>(j)].at, a);
-  const double t = -dot(a, e);
-  if (!(t > 0)) return at_corner(s, i);
-  const double length2 = dot(e, e);
-  if (t >= length2) return at_corner(s, j);
-  return on_edge(s, i, j, t / length2);
-}
-
-Nearest of_triangle(const DifferenceSimplex& s, int i, int j, int k) {
-  const Point3& a = s.vertex[static_cast<std::size_t>(i)].at;
-  const Point3& b = s.vertex[static_cast<std::size_t>(j)].at;
-  const Point3& c = s.vertex[static_cast<std::size_t>(k)].at;
-  const Point3 ab = minus(b, a), ac = minus(c, a);
-  const double d1 = -dot(ab, a), d2 = -dot(ac, a);
-  if (d1 <= 0 && d2 <= 0) return at_corner(s, i);
-  const double d3 = -dot(ab, b), d4 = -dot(ac, b);
-  if (d3 >= 0 && d4 <= d3) return at_corner(s, j);
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return on_edge(s, i, j, d1 / (d1 - d3));
-  const double d5 = -dot(ab, c), d6 = -dot(ac, c);
-  if (d6 >= 0 && d5 <= d6) return at_corner(s, k);
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return on_edge(s, i, k, d2 / (d2 - d6));
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return on_edge(s, j, k, (d4 - d3) / ((d4 - d3) + (d5 - d6)));
-  const Point3 n = cross(ab, ac);
+// Of the triangle of the newest corner a and two older ones, b before c, with n = (b - a) x (c - a). What is nearest has
+// a among its corners, because the search went from the edge b c towards the origin.
+Nearest of_triangle(const DifferenceSimplex& s, int newest, int b, int c, const Point3& n) {
+  const Point3& a = corner(s, newest);
+  const Point3 ab = minus(corner(s, b), a), ac = minus(corner(s, c), a);
+  const bool beyond_ab = dot(cross(ab, n), a) < 0;
+  const bool beyond_ac = dot(cross(n, ac), a) < 0;
+  if (beyond_ab) {
+    const Nearest on_ab = of_segment(s, newest, b);
+    if (!beyond_ac || on_ab.count == 2) return on_ab;
+  }
+  if (beyond_ac) return of_segment(s, newest, c);
   const double height = dot(n, a);
   const double area2 = dot(n, n);
-  return {{i, j, k}, 3, height > 0 ? negated(n) : n, area2 > 0 ? height * height / area2 : 0};
+  return {{b, c, newest}, 3, height > 0 ? negated(n) : n, area2 > 0 ? height * height / area2 : 0};
 }
 
 }  // namespace
@@ -77,37 +69,38 @@ bool reduce_to_closest_face(DifferenceSimplex& s, Point3& towards) {
   Nearest nearest;
   switch (s.count) {
     case 1: nearest = at_corner(s, 0); break;
-    case 2: nearest = of_segment(s, 0, 1); break;
-    case 3: nearest = of_triangle(s, 0, 1, 2); break;
+    case 2: nearest = of_segment(s, 1, 0); break;
+    case 3: {
+      const Point3& a = corner(s, 2);
+      nearest = of_triangle(s, 2, 0, 1, cross(minus(corner(s, 0), a), minus(corner(s, 1), a)));
+      break;
+    }
     default: {
-      // Each face of the newest corner d: the origin beyond it makes it a candidate. The face a, b, c is not one: the
-      // search went from it towards the origin.
-      const Point3 &a = s.vertex[0].at, &b = s.vertex[1].at, &c = s.vertex[2].at, &d = s.vertex[3].at;
-      const double volume = determinant(minus(b, a), minus(c, a), minus(d, a));
-      const double orientation = volume < 0 ? -1 : 1;
-      // With weights of the origin w: w_d = -det(a, b, c) / volume and so on.
-      const auto beyond = [&](const Point3& p, const Point3& q, const Point3& r) {
-        return !(orientation * determinant(p, q, r) < 0);
-      };
-      bool inside = true;
-      const auto consider = [&](int i, int j, int k) {
-        inside = false;
-        const Nearest found = of_triangle(s, i, j, k);
+      // The three faces of the newest corner a: the origin beyond one makes it a candidate. The face b, c, d is not
+      // one: the search went from it towards the origin.
+      const Point3& a = corner(s, 3);
+      const Point3 ab = minus(corner(s, 0), a), ac = minus(corner(s, 1), a), ad = minus(corner(s, 2), a);
+      const Point3 bc = cross(ab, ac), cd = cross(ac, ad), bd = cross(ab, ad);
+      const double volume = dot(bc, ad);
+      nearest.count = 0;
+      nearest.distance2 = std::numeric_limits<double>::infinity();
+      const auto consider = [&](int i, int j, const Point3& n, double side) {
+        // The fourth corner is on the side of n where `side` is positive.
+        if (side * dot(n, a) < 0 && side != 0) return;
+        const Nearest found = of_triangle(s, 3, i, j, n);
         if (found.distance2 < nearest.distance2) nearest = found;
       };
-      if (beyond(a, d, b)) consider(0, 3, 1);
-      if (beyond(a, c, d)) consider(0, 2, 3);
-      if (beyond(b, d, c)) consider(1, 3, 2);
-      if (inside) return false;
+      consider(0, 1, bc, volume);
+      consider(1, 2, cd, volume);
+      consider(0, 2, bd, -volume);
+      if (nearest.count == 0) return false;
     }
   }
-  DifferenceSimplex face;
-  face.count = nearest.count;
-  for (int i = 0; i < nearest.count; ++i) {
-    face.vertex[static_cast<std::size_t>(i)] =
-        s.vertex[static_cast<std::size_t>(nearest.corner[static_cast<std::size_t>(i)])];
+  for (std::size_t i = 0; i < static_cast<std::size_t>(nearest.count); ++i) {
+    const std::size_t from = static_cast<std::size_t>(nearest.corner[i]);
+    if (from != i) s.vertex[i] = s.vertex[from];
   }
-  s = face;
+  s.count = nearest.count;
   towards = nearest.towards;
   return true;
 }

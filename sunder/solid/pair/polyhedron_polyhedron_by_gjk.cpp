@@ -58,8 +58,10 @@ class Search {
   DifferenceVertex probe(Cost& cost) const {
     DifferenceVertex w;
     const Point3 e = pulled(a_.pose, direction), f = pulled(b_.pose, direction);
-    w.a = furthest(a_.graph, e, cost.probes);
-    w.b = furthest(b_.graph, {-f.x, -f.y, -f.z}, cost.probes);
+    const Point3 g{-f.x, -f.y, -f.z};
+    const std::uint32_t start_a = search_start(a_.graph, e), start_b = search_start(b_.graph, g);
+    w.a = furthest_from(a_.graph, e, start_a, cost.probes);
+    w.b = furthest_from(b_.graph, g, start_b, cost.probes);
     const Point3 p = w.turned_a = turned(a_.pose, a_.graph.vertices[w.a]);
     const Point3 q = w.turned_b = turned(b_.pose, b_.graph.vertices[w.b]);
     w.at = {((p.x - q.x) - shift_.x) * scale_, ((p.y - q.y) - shift_.y) * scale_, ((p.z - q.z) - shift_.z) * scale_};
