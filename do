@@ -101,7 +101,11 @@ has_package() {
   esac
 }
 
-candidate() { LC_ALL=C apt-cache policy "$1" 2>/dev/null | awk '/Candidate:/ && $2 != "(none)" {print $2}'; }
+# The version that apt would install; empty where it knows none (a name that it does not know, it takes for a pattern).
+candidate() {
+  LC_ALL=C apt-cache policy "$1" 2>/dev/null |
+    awk -v name="$1:" '/^[^ ]/ {here = $0 == name} here && /Candidate:/ && $2 != "(none)" {print $2}'
+}
 
 # Sets become_root: the words before a command that needs root. False where that cannot be.
 can_become_root() {
@@ -129,11 +133,10 @@ need() {
     refuse "This is not Debian or Ubuntu: install what these packages hold by your own means, then call again."
   fi
   for package in "${missing[@]}"; do [ -n "$(candidate "$package")" ] || unknown+=("$package"); done
-  local line="apt-get install -y --no-install-recommends ${missing[*]}"
-  [ ${#unknown[@]} -eq 0 ] || line="apt-get update && $line"
   if ! can_become_root; then
     show_sizes "${missing[@]}"
-    [ "$(id -u)" -eq 0 ] || line="sudo ${line/&& apt-get/&& sudo apt-get}"
+    local line="sudo apt-get install -y --no-install-recommends ${missing[*]}"
+    [ ${#unknown[@]} -eq 0 ] || line="sudo apt-get update && $line"
     say "Only root may install them. Run this line, then call again:"
     refuse "$line"
   fi

@@ -16,7 +16,7 @@ namespace {
 
 // Sizes in pixels.
 constexpr double panel_width = 560, panel_height = 560, margin = 44, header = 84, footer = 112;
-constexpr double label_size = 14, label_height = 22, letter_width = 0.6;  // a letter's part of the size
+constexpr double label_size = 14, label_height = 22, letter_width = 0.66;// a letter's part of the size
 constexpr std::size_t most_labels = 6;                                    // of one placement
 
 struct Colour {

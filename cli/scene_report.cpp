@@ -108,11 +108,11 @@ std::string matrix_text(const SceneReport& report) {
 std::string counts_text(const SceneReport& report) {
   std::size_t width = 9;
   for (const Placed& placed : report.placements) width = std::max(width, placed.title.size());
-  std::string text = fmt::format("{:<{}}  {:>7} {:>8} {:>9} {:>10} {:>8} {:>10}\n", "placement", width, "pairs", "allowed",
+  std::string text = fmt::format("{:<{}}  {:>14} {:>8} {:>9} {:>10} {:>8} {:>10}\n", "placement", width, "pairs of parts", "allowed",
                                  "by boxes", "by method", "meeting", "time");
   for (const Placed& placed : report.placements) {
     const scene::Counts& c = placed.answer.counts;
-    text += fmt::format("{:<{}}  {:>7} {:>8} {:>9} {:>10} {:>8} {:>7.2f} ms\n", placed.title, width, c.pairs, c.allowed,
+    text += fmt::format("{:<{}}  {:>14} {:>8} {:>9} {:>10} {:>8} {:>7.2f} ms\n", placed.title, width, c.pairs, c.allowed,
                         c.by_boxes, c.by_method, c.meeting, 1e3 * placed.seconds);
   }
   return text;

@@ -36,10 +36,11 @@ std::vector<Placement> placements_of(const Call& call) {
   return placements;
 }
 
-Placed ask(const SceneInput& input, const Placement& placement, std::size_t number, const scene::Question& question) {
+Placed ask(const SceneInput& input, const Placement& placement, const std::string& title,
+           const scene::Question& question) {
   Placed placed;
   placed.placement = placement;
-  placed.title = placement.name.empty() ? fmt::format("{}", number) : placement.name;
+  placed.title = title;
   placed.bodies = input.bodies(placement);
   const auto start = std::chrono::steady_clock::now();
   placed.answer = scene::meeting_pairs(placed.bodies, question);
@@ -72,7 +73,8 @@ int run(const Call& call) {
   report.colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
   note_hulls(input.objects());
   for (const Placement& placement : placements) {
-    report.placements.push_back(ask(input, placement, report.placements.size() + 1, question));
+    const std::string number = placements.size() == 1 ? "as given" : std::to_string(report.placements.size() + 1);
+    report.placements.push_back(ask(input, placement, placement.name.empty() ? number : placement.name, question));
   }
 
   if (!call.certificate.empty()) io::write_file_atomically(call.certificate, scene_certificate(report));

@@ -8,6 +8,8 @@ L1  Includes point down: a layer sees only the layers that LAYERS gives it, a fo
 L2  Headers of the library are included as <sunder/...>, from the repository's root.
 L3  Other people's headers are included only where OUTSIDE allows them.
 L4  The core (base to scene) does not print, does not touch files, does not end the process.
+    It knows no environment, locale or unseeded random numbers, and keeps to plain IEEE arithmetic: no fused
+    multiply-add, no change of the rounding mode.
 L5  Sources are ASCII, end with a newline, and hold no tab.
 L6  No source is over 600 lines without a line "// long because: ...".
 
@@ -65,6 +67,9 @@ CORE_HEADERS_REFUSED = {
 CORE_CALLS_REFUSED = re.compile(
     r"(?<![\w:.>])(?:(?:std)?::)?((?:f|v|vf)?printf|f?puts|putchar|fwrite|fopen|freopen|abort|exit|_Exit|quick_exit|terminate)\s*\("
     r"|\bstd::(cout|cerr|clog|cin)\b")
+CORE_STATE_REFUSED = re.compile(
+    r"(?<![\w.>])(?:\w+::)*(fmaf?l?|MulAdd|NegMulAdd|MulSub|fesetround|feholdexcept|feenableexcept|setlocale|getenv|s?rand"
+    r"|random_device|strtok)\s*[({]")
 
 SOURCES = (".h", ".cpp", ".py", ".cmake", ".sh")
 FOLDERS = ["sunder", "cli", "verifier", "tests", "fuzz", "bench", "examples", "cmake"]
@@ -181,6 +186,9 @@ def check_file(root, path):
             match = CORE_CALLS_REFUSED.search(line)
             if match:
                 yield number, "L4: %s: the core neither prints nor ends the process" % match.group().strip(" (")
+            match = CORE_STATE_REFUSED.search(line)
+            if match:
+                yield number, "L4: %s: answers depend on the input alone, in plain IEEE arithmetic" % match.group()[:-1]
 
 
 def sources_of(root):

@@ -134,6 +134,21 @@ TEST(FacetPlane, UnderflowOfOnePartIsInTheBound) {
   EXPECT_LT(tally.sure, tally.asked);
 }
 
+TEST(FacetPlane, UnderflowOfTheNormalIsInTheBound) {
+  // Three points so close that little is left of the normal, and one far away.
+  Random random(8);
+  Tally tally;
+  for (int i = 0; i < 20000; ++i) {
+    const double size = std::ldexp(1.0, static_cast<int>(random.between(-542, -520)));
+    const double far = std::ldexp(1.0, static_cast<int>(random.between(-20, 300)));
+    const std::array<Point3, 4> points{random_point(random, size), random_point(random, size),
+                                       random_point(random, size), random_point(random, far)};
+    check(points, extent_of(points), tally);
+  }
+  EXPECT_GT(tally.sure, tally.asked / 3);
+  EXPECT_LT(tally.sure, tally.asked * 9 / 10);
+}
+
 TEST(FacetPlane, OverflowMakesTheFilterUnsure) {
   Random random(6);
   Tally tally;

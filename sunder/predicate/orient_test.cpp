@@ -266,7 +266,7 @@ TEST(OrientTest, EachStageOfPosedPoints) {
     const Kind kind = static_cast<Kind>(i % kinds);
     // The body's scale, the inverse in the pose, and one for both.
     const double inner = kind == extreme || random.below(2) ? 1 : power_of_two(random.between(-500, 500));
-    const double outer = random.below(2) ? 1 : power_of_two(random.between(-330, 330));
+    const double outer = random.below(2) ? 1 : power_of_two(random.between(-450, 330));
     Affine3 first = any_pose(random), second = any_pose(random);
     if (random.below(2)) second = first;
     if (determinant_sign(first) == Sign::negative) ++reflected;
@@ -371,6 +371,28 @@ TEST(OrientTest, StageThatDecides) {
   }
   EXPECT_EQ(decided({0, 0, 0}, {1e300, 0, 0}, {0, 1e-300, 0}, {0, 0, least}).first, positive);
   EXPECT_EQ(decided({0, 0, least}, {1e300, 0, 0}, {0, 1e300, 0}, {0, 0, 0}).first, negative);
+}
+
+// Images that are translations alone, down to where their products vanish.
+TEST(OrientTest, ImagesThatAreTranslations) {
+  Random random(seed(8));
+  const int n = instances(3000);
+  Record sides;
+  for (int i = 0; i < n; ++i) {
+    const double scale = power_of_two(random.between(-1074, 1020));
+    std::array<Affine3, 4> poses;
+    for (Affine3& pose : poses) {
+      const Point3 t = scale * on_grid(random, 3);
+      pose.translation = {t.x, t.y, t.z};
+    }
+    const auto at = [&](std::size_t j) { return posed(Point3{}, poses[j]); };
+    sides.check_side(at(0), at(1), at(2), at(3));
+    if (HasFatalFailure()) FAIL() << "instance " << i << ", scale " << scale;
+  }
+  EXPECT_LT(sides.zero, n / 2);
+  EXPECT_GT(sides.rounded, n / 20);
+  EXPECT_GT(sides.interval, n / 20);
+  EXPECT_GT(sides.exact, n / 20);
 }
 
 TEST(OrientTest, ExchangingPointsFlipsTheSign) {

@@ -560,7 +560,7 @@ TEST(ConvexHull, Prisms) {
 }
 
 TEST(ConvexHull, LargeFacetsAreNotQuadratic) {
-  // A billion triangles if each new corner replaced those of its facet, and some minutes.
+  // Hundreds of millions of triangles, if each new corner replaced all those of its facet.
   const ConvexHull hull = convex_hull(prism(20000));
   EXPECT_EQ(facet_count(hull), 20002u);
 }

@@ -14,14 +14,13 @@
 //     hole are strictly visible and no plane of a triangle contains p'. What is visible from a point in general
 //     position is a disk.
 // Q3. The new triangles and the kept ones cover the boundary of C' = hull(C, p) once: the kept ones are the part of the
-//     boundary of C that p does not see strictly, which stays on the boundary; the rest is the cone from p over the
-//     rim.
+//     boundary of C that p is not strictly above, which stays boundary; the rest is the cone from p over the rim.
 // Q4. A point q of the list of a removed triangle R is inside C' or on its boundary, or strictly above a new triangle.
 //     Suppose it is not strictly above any. The new triangles are all those at p, so q lies in the cone from p over C:
 //     q = p + t (x - p) for an x in C. If t <= 1, q is in C'. Otherwise x is strictly between p and q, which are both
 //     strictly above R, so x in C is strictly above R too, which contradicts that R bounds C.
-//     So points that are above no new triangle can be dropped, being no extreme points of the whole set, or
-//     repetitions.
+//     So points strictly above no new triangle can be dropped: they repeat a corner or are not extreme in the whole
+//     set.
 // Q5. The lists are empty in the end, so all points are in the hull, and each extreme point is inserted. Each insertion
 //     takes a point from the lists for good, and so the end comes.
 // Q6. Equal points are always in the same list, because where a point goes depends on its coordinates only. The first

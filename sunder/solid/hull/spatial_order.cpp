@@ -35,13 +35,15 @@ class CellsOfAxis {
 std::vector<std::uint32_t> spatial_order(std::span<const Point3> points) {
   int bits = 0;  // of the cell numbers of each axis: at least half as many cells as points, bar the limit
   while (bits < 8 && std::size_t{1} << (3 * bits + 1) < points.size()) ++bits;
-  const CellsOfAxis x_cell(points, &Point3::x, bits), y_cell(points, &Point3::y, bits),
-      z_cell(points, &Point3::z, bits);
+  const CellsOfAxis x_cell(points, &Point3::x, bits);
+  const CellsOfAxis y_cell(points, &Point3::y, bits);
+  const CellsOfAxis z_cell(points, &Point3::z, bits);
   const auto cell_of = [&](const Point3& p) {
     const std::uint32_t x = x_cell(p), y = y_cell(p), z = z_cell(p);
     std::uint32_t code = 0;
-    for (int bit = bits - 1; bit >= 0; --bit)
+    for (int bit = bits - 1; bit >= 0; --bit) {
       code = code << 3 | (x >> bit & 1) << 2 | (y >> bit & 1) << 1 | (z >> bit & 1);
+    }
     return code;
   };
 

@@ -218,22 +218,88 @@ bool check_apart(const Placed& a, const Placed& b, const Point3& direction, std:
   return true;
 }
 
+namespace {
+
+double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Point3 cross(const Point3& a, const Point3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+// Does the direction named by these features part the bodies? `towards` tells the sense.
+bool parts_along_features(const Placed& a, const Placed& b, Direction::Kind kind,
+                          const std::array<std::uint32_t, 4>& index, const Point3& towards, std::uint32_t near_a,
+                          std::uint32_t near_b, PairCertificate& certificate, StageTally& tally) {
+  Direction& d = certificate.direction;
+  d.kind = kind;
+  d.index = index;
+  d.reversed = false;
+  const Vector3<Interval> n = world_direction(d, vertices_of(a), vertices_of(b)).enclosure();
+  d.reversed = dot({n.x.low, n.y.low, n.z.low}, towards) < 0;
+  return parts(a, b, world_direction(d, vertices_of(a), vertices_of(b)), near_a, near_b, certificate, tally);
+}
+
+// Two vertices next to each other: if a plane parts the bodies there, one along a facet at either vertex does, because
+// these normals span the cone of all directions along which the vertex is extreme. Tries the facet whose normal goes
+// furthest along the exact difference of the vertices.
+bool parts_along_facet_at(const Placed& a, const Placed& b, const DifferenceVertex& w, PairCertificate& certificate,
+                          StageTally& tally) {
+  const Vector3<Interval> exact = difference_direction(a[w.a], b[w.b]).enclosure();
+  const Point3 difference{exact.x.low, exact.y.low, exact.z.low};
+  double best = 0;
+  Point3 towards;
+  Direction::Kind kind = Direction::Kind::given;
+  std::array<std::uint32_t, 4> index{};
+  for (const bool of_a : {true, false}) {
+    const Placed& body = of_a ? a : b;
+    const std::uint32_t v = of_a ? w.a : w.b;
+    const VertexBlock block = body.graph.block(body.graph.place[v]);
+    const Point3 p = block.at();
+    const auto& m = body.pose.linear;
+    const auto edge = [&](const Point3& to) {
+      const Point3 e{to.x - p.x, to.y - p.y, to.z - p.z};
+      return Point3{m[0] * e.x + m[1] * e.y + m[2] * e.z, m[3] * e.x + m[4] * e.y + m[5] * e.z,
+                    m[6] * e.x + m[7] * e.y + m[8] * e.z};
+    };
+    const Point3 inward = edge(body.graph.middle);
+    const std::uint32_t count = block.count();
+    if (count < 3) continue;
+    for (std::uint32_t j = 0; j < count; ++j) {
+      const std::uint32_t next = j + 1 < count ? j + 1 : 0;
+      Point3 n = cross(edge({block.x()[j], block.y()[j], block.z()[j]}),
+                       edge({block.x()[next], block.y()[next], block.z()[next]}));
+      if ((dot(n, inward) < 0) != of_a) n = {-n.x, -n.y, -n.z};  // out of A, into B
+      const double along = dot(n, difference) / std::sqrt(dot(n, n));
+      if (!(along > best)) continue;
+      best = along;
+      towards = n;
+      kind = of_a ? Direction::Kind::normal_of_a : Direction::Kind::normal_of_b;
+      const auto number = [&](std::uint32_t k) { return body.graph.block(block.place(k)).vertex(); };
+      index = {v, number(j), number(next), 0};
+    }
+  }
+  return best > 0 && parts_along_features(a, b, kind, index, towards, w.a, w.b, certificate, tally);
+}
+
+}  // namespace
+
 bool check_apart_by_features(const Placed& a, const Placed& b, const DifferenceSimplex& simplex, const Point3& towards,
                              PairCertificate& certificate, StageTally& tally) {
   Support of_a, of_b;
+  const DifferenceVertex* nearest = nullptr;
+  double largest = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.count); ++i) {
-    of_a.add(simplex.vertex[i].a);
-    of_b.add(simplex.vertex[i].b);
+    const DifferenceVertex& w = simplex.vertex[i];
+    of_a.add(w.a);
+    of_b.add(w.b);
+    largest = std::max(largest, dot(w.at, w.at));
+    if (nearest == nullptr || dot(w.at, w.at) < dot(nearest->at, nearest->at)) nearest = &w;
+  }
+  if (nearest == nullptr) return false;
+  if (simplex.count == 1 || dot(nearest->at, nearest->at) < largest * negligible * negligible) {
+    if (parts_along_facet_at(a, b, *nearest, certificate, tally)) return true;
   }
   const auto attempt = [&](Direction::Kind kind, const std::array<std::uint32_t, 4>& index) {
-    Direction& d = certificate.direction;
-    d.kind = kind;
-    d.index = index;
-    d.reversed = false;
-    const Vector3<Interval> n = world_direction(d, vertices_of(a), vertices_of(b)).enclosure();
-    d.reversed = n.x.low * towards.x + n.y.low * towards.y + n.z.low * towards.z < 0;
-    return parts(a, b, world_direction(d, vertices_of(a), vertices_of(b)), of_a.vertex[0], of_b.vertex[0], certificate,
-                 tally);
+    return parts_along_features(a, b, kind, index, towards, of_a.vertex[0], of_b.vertex[0], certificate, tally);
   };
   const auto& p = of_a.vertex;
   const auto& q = of_b.vertex;

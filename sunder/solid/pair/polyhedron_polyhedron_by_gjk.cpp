@@ -174,7 +174,7 @@ PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& body_a, const Po
   }
 
   if (!decided) decided = check_meet(a, b, search.simplex, answer.evidence, tally);
-  if (!decided && !enclosed) decided = check_apart_by_features(a, b, search.simplex, search.direction, answer.evidence, tally);
+  if (!decided) decided = check_apart_by_features(a, b, search.simplex, search.direction, answer.evidence, tally);
   answer.decided_by = tally.exact == 0 ? DecidedBy::filter : DecidedBy::evidence;
   if (!decided) {
     answer.evidence = decide_by_exact_simplex(a, b, search.simplex, tally);

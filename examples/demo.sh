@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# The demo: which links of a robot arm meet, in two placements, with proofs that two verifiers check.
+#
+#   examples/demo.sh PROGRAM [OUT_DIR]        PROGRAM: the built `sunder`; OUT_DIR: build/demo by default
+#
+# Exit code: 0 when all went as it should, 1 otherwise.
+set -euo pipefail
+
+if [ $# -lt 1 ] || [ $# -gt 2 ] || [ ! -x "$1" ]; then
+  echo "demo.sh: name the program: examples/demo.sh build/bin/sunder [OUT_DIR]" >&2
+  exit 2
+fi
+program=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
+out=${2:-}
+[ -n "$out" ] && mkdir -p "$out" && out=$(cd "$out" && pwd)
+cd "$(dirname "$0")/.."
+[ -n "$out" ] || { out=build/demo && mkdir -p "$out"; }
+
+bold= dim= plain=
+if [ -t 1 ] && [ -z "${NO_COLOR:-}" ]; then bold=$'\e[1m' dim=$'\e[2m' plain=$'\e[0m'; fi
+say() { printf '\n%s%s%s\n' "$bold" "$*" "$plain"; }
+show() { printf '%s$ %s%s\n' "$dim" "$*" "$plain"; }
+fail() { printf 'demo: %s\n' "$*" >&2; exit 1; }
+started=$(date +%s.%N)
+
+question=(cases/panda/panda.urdf --joints-file cases/scene/ready.joints --joints-file cases/scene/folded.joints
+          --allow adjacent --classify)
+proofs=$out/panda.proofs.json
+
+say "A Franka Emika Panda in two placements: which links meet?"
+show "sunder scene ${question[*]}"
+code=0
+"$program" scene "${question[@]}" --certificate "$proofs" --svg "$out/panda.svg" \
+  --title "Franka Emika Panda: which links meet?" || code=$?
+[ $code -eq 1 ] || fail "expected that some links meet (exit code 1), but the exit code is $code"
+echo "Allowed: neighbours only, whose shapes overlap by design: links joined by a joint (link7 and the hand through link8,"
+echo "which has no shape). No other pair is excused."
+"$program" scene "${question[@]}" --json > "$out/panda.json" 2> /dev/null || [ $? -eq 1 ]
+echo "report: $out/panda.json"
+
+say "Every answer is proved. A short verifier in Python, which shares no code with Sunder, checks all proofs:"
+show "python3 verifier/sunder_verify.py $proofs | tail -n 1"
+python3 verifier/sunder_verify.py "$proofs" > "$out/verified.txt" || fail "the Python verifier refuses: $out/verified.txt"
+tail -n 1 "$out/verified.txt"
+show "sunder verify $proofs"
+"$program" verify "$proofs" || fail "sunder verify refuses"
+
+say "One digit of one proof changed, and it is refused:"
+python3 - "$proofs" "$out/changed.json" <<'PYTHON'
+import re, sys
+text = open(sys.argv[1]).read()
+point = re.search(r'"verdict": "meet", "point": \["(-?\d+)', text)  # the numerator of x of a common point
+end = point.end(1)
+digit = str((int(text[end - 1]) + 1) % 10)
+open(sys.argv[2], "w").write(text[:end - 1] + digit + text[end:])
+def short(number):
+    return number if len(number) < 30 else "%s...%s (%d digits)" % (number[:8], number[-8:], len(number.lstrip("-")))
+print("x of the common point is a fraction; its numerator %s ends in %s instead of %s"
+      % (short(point.group(1)), digit, text[end - 1]))
+PYTHON
+show "python3 verifier/sunder_verify.py --quiet $out/changed.json"
+code=0
+python3 verifier/sunder_verify.py --quiet "$out/changed.json" || code=$?
+[ $code -eq 1 ] || fail "the Python verifier did not refuse the changed proof"
+show "sunder verify $out/changed.json"
+code=0
+"$program" verify "$out/changed.json" || code=$?
+[ $code -eq 1 ] || fail "sunder verify did not refuse the changed proof"
+
+printf '\nAll of this took %.1f s. The picture: %s\n' "$(echo "$(date +%s.%N) $started" | awk '{print $1 - $2}')" "$out/panda.svg"

@@ -1,0 +1,56 @@
+#include <sunder/base/random.h>
+#include <sunder/scene/sweep.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+namespace sunder::scene {
+namespace {
+
+std::vector<std::array<std::uint32_t, 2>> by_all_pairs(const std::vector<WorldBox>& boxes) {
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    for (std::uint32_t j = i + 1; j < boxes.size(); ++j) {
+      if (boxes_meet(boxes[i], boxes[j])) pairs.push_back({i, j});
+    }
+  }
+  return pairs;
+}
+
+TEST(Sweep, IsAllPairs) {
+  Random random(3);
+  std::size_t pairs = 0, empty = 0, infinite = 0;
+  for (int round = 0; round < 500; ++round) {
+    std::vector<WorldBox> boxes(random.below(60));
+    const std::int64_t spread = random.between(1, 40);  // small: equal ends, touching boxes, and boxes in boxes
+    for (WorldBox& box : boxes) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        box.low[k] = static_cast<double>(random.between(-spread, spread));
+        box.high[k] = box.low[k] + static_cast<double>(random.below(4));
+        if (random.below(200) == 0) {
+          box.low[k] = -std::numeric_limits<double>::infinity();
+          ++infinite;
+        }
+        if (random.below(200) == 0) box.high[k] = std::numeric_limits<double>::infinity();
+      }
+    }
+    const auto expected = by_all_pairs(boxes);
+    ASSERT_EQ(meeting_boxes(boxes), expected);
+    pairs += expected.size();
+    empty += expected.empty();
+  }
+  EXPECT_GT(pairs, 10000u);
+  EXPECT_GT(empty, 10u);
+  EXPECT_GT(infinite, 100u);
+}
+
+TEST(Sweep, NoBoxOneBox) {
+  EXPECT_TRUE(meeting_boxes({}).empty());
+  EXPECT_TRUE(meeting_boxes(std::vector<WorldBox>(1)).empty());
+  EXPECT_EQ(meeting_boxes(std::vector<WorldBox>(3)).size(), 3u);  // equal boxes
+}
+
+}  // namespace
+}  // namespace sunder::scene

@@ -1,0 +1,125 @@
+#include <sunder/base/random.h>
+#include <sunder/certificate/check.h>
+#include <sunder/predicate/orient.h>
+#include <sunder/scene/world_box.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace sunder::scene {
+namespace {
+
+using solid::ConvexPolyhedron;
+using solid::Placed;
+using solid::Pose;
+
+Pose random_pose(Random& random, double scale) {
+  const auto u = [&] { return random.uniform(-1, 1); };
+  return Pose::from_quaternion(u(), u(), u(), u() + 1.5, {scale * u(), scale * u(), scale * u()});
+}
+
+ConvexPolyhedron random_body(Random& random, double scale, int points) {
+  std::vector<Point3> all;
+  for (int i = 0; i < points; ++i) {
+    all.push_back({scale * random.uniform(-1, 1), scale * random.uniform(-1, 1), scale * random.uniform(-1, 1)});
+  }
+  return ConvexPolyhedron(all);
+}
+
+// Compares a bound, which is a double, with the image of a point exactly.
+Sign from_bound_to_image(int axis, double bound, const Posed& image) {
+  const Affine3 identity;
+  const Point3 at{axis == 0 ? bound : 0, axis == 1 ? bound : 0, axis == 2 ? bound : 0};
+  return compare_coordinate(axis, posed(at, identity), image);
+}
+
+TEST(WorldBox, HoldsEveryImageExactly) {
+  Random random(1);
+  int tight = 0, bounds = 0;
+  for (int round = 0; round < 300; ++round) {
+    const double scale = std::ldexp(1.0, static_cast<int>(random.between(-900, 900)));
+    const ConvexPolyhedron body = random_body(random, scale, static_cast<int>(random.between(1, 40)));
+    const Pose pose = random_pose(random, scale);
+    const Placed placed(body, pose);
+    const WorldBox box = world_box(placed);
+    for (const int axis : {0, 1, 2}) {
+      const std::size_t k = static_cast<std::size_t>(axis);
+      for (std::uint32_t v = 0; v < body.vertices().size(); ++v) {
+        ASSERT_NE(from_bound_to_image(axis, box.low[k], placed[v]), Sign::negative);
+        ASSERT_NE(from_bound_to_image(axis, box.high[k], placed[v]), Sign::positive);
+        ASSERT_NE(compare_coordinate(axis, placed[box.lowest[k]], placed[v]), Sign::negative);
+        ASSERT_NE(compare_coordinate(axis, placed[v], placed[box.highest[k]]), Sign::negative);
+      }
+      const double slack = 16 * scale * std::numeric_limits<double>::epsilon();
+      bounds += 2;
+      tight += from_bound_to_image(axis, box.low[k] + slack, placed[box.lowest[k]]) == Sign::negative;
+      tight += from_bound_to_image(axis, box.high[k] - slack, placed[box.highest[k]]) == Sign::positive;
+    }
+  }
+  EXPECT_EQ(tight, bounds);
+}
+
+TEST(WorldBox, OverflowIsInfinite) {
+  const std::vector<Point3> points{{1e308, 0, 0}, {-1e308, 1, 0}};
+  const ConvexPolyhedron body(points);
+  const Pose pose = Pose::from_matrix({10, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0});
+  const WorldBox box = world_box(Placed(body, pose));
+  EXPECT_EQ(box.low[0], -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(box.high[0], std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(boxes_meet(box, box));
+  EXPECT_FALSE(apart_by_boxes(box, box));
+}
+
+// Cubes on a lattice: boxes touch in faces, edges and corners, exactly and by one step of doubles more or less.
+TEST(WorldBox, NeverPartsWhatTouches) {
+  const std::vector<Point3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
+                                    {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
+  const ConvexPolyhedron cube(corners);
+  int touching = 0;
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = -1; z <= 1; ++z) {
+        const Pose here, there = Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1},
+                                                   {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)});
+        const WorldBox a = world_box(Placed(cube, here)), b = world_box(Placed(cube, there));
+        ASSERT_TRUE(boxes_meet(a, b));
+        ASSERT_FALSE(apart_by_boxes(a, b));
+        ++touching;
+      }
+    }
+  }
+  EXPECT_EQ(touching, 27);
+}
+
+TEST(WorldBox, CertificatesHold) {
+  Random random(2);
+  int parted = 0, near_miss = 0;
+  std::array<int, 6> directions{};
+  for (int round = 0; round < 4000; ++round) {
+    const ConvexPolyhedron body_a = random_body(random, 1, 12), body_b = random_body(random, 1, 12);
+    const Pose pose_a = random_pose(random, 3), pose_b = random_pose(random, 3);
+    const Placed a(body_a, pose_a), b(body_b, pose_b);
+    const WorldBox box_a = world_box(a), box_b = world_box(b);
+    const auto certificate = apart_by_boxes(box_a, box_b);
+    ASSERT_EQ(certificate.has_value(), !boxes_meet(box_a, box_b));
+    if (!certificate) {
+      ++near_miss;
+      continue;
+    }
+    ++parted;
+    const PlacedVertices in_a{body_a.vertices(), pose_a.affine(), false}, in_b{body_b.vertices(), pose_b.affine(), false};
+    ASSERT_EQ(check_absolutely(*certificate, in_a, in_b), CheckResult::accepted);
+    const Point3& d = certificate->direction.given;
+    ++directions[d.x > 0 ? 0 : d.x < 0 ? 1 : d.y > 0 ? 2 : d.y < 0 ? 3 : d.z > 0 ? 4 : 5];
+  }
+  EXPECT_GT(parted, 1000);
+  EXPECT_GT(near_miss, 500);
+  for (const int count : directions) EXPECT_GT(count, 50);
+}
+
+}  // namespace
+}  // namespace sunder::scene
