@@ -49,7 +49,8 @@ void append(const Json& json, std::size_t indent, std::string& text) {
     text += compact(json);
     return;
   }
-  const bool small = is_flat(json) || std::all_of(json.begin(), json.end(), [](const Json& item) { return is_flat(item); });
+  const bool small =
+      is_flat(json) || std::all_of(json.begin(), json.end(), [](const Json& item) { return is_flat(item); });
   if (small && indent > 0) {
     std::string line = on_one_line(json);
     if (line.size() + indent <= text_width) {
@@ -72,8 +73,7 @@ void append(const Json& json, std::size_t indent, std::string& text) {
 
 }  // namespace
 
-const char* const pose_forms =
-    "tx,ty,tz; or qw,qx,qy,qz,tx,ty,tz; or 12 or 16 numbers of a matrix row by row";
+const char* const pose_forms = "tx,ty,tz; or qw,qx,qy,qz,tx,ty,tz; or 12 or 16 numbers of a matrix row by row";
 
 void print(std::string_view text) {
   errno = 0;
@@ -137,11 +137,12 @@ solid::Pose parse_pose(std::string_view text, const std::string& place) {
   } catch (const Error& error) {
     throw Error(error.code(), error.what(), place);
   }
-  throw Error(ErrorCode::bad_call, fmt::format("a pose of {}; give {}", count_of(n.size(), "number"), pose_forms), place);
+  throw Error(ErrorCode::bad_call, fmt::format("a pose of {}; give {}", count_of(n.size(), "number"), pose_forms),
+              place);
 }
 
 Json envelope(std::string_view verb, const Json& answer, const Json& method) {
-  return {{"sunder", 1},        {"verb", verb},    {"answer", answer},         {"method", method},
+  return {{"sunder", 1},           {"verb", verb},    {"answer", answer},        {"method", method},
           {"decided_by", nullptr}, {"cost", nullptr}, {"objects", Json::array()}};
 }
 
@@ -161,6 +162,8 @@ std::string about(double x) { return fmt::format("{:.4g}", x == 0 ? 0.0 : x); }
 
 std::string about(const Point3& p) { return fmt::format("({}, {}, {})", about(p.x), about(p.y), about(p.z)); }
 
-std::string count_of(std::uint64_t n, std::string_view noun) { return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s"); }
+std::string count_of(std::uint64_t n, std::string_view noun) {
+  return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
+}
 
 }  // namespace sunder::cli

@@ -27,8 +27,9 @@ std::string evidence_text(const PairCertificate& c, const PlacedVertices& a, con
                        c.count_a == 1 ? "1 vertex" : fmt::format("{} vertices", c.count_a), name_a, c.count_b, name_b);
   }
   const scene::RoundedGap gap = scene::rounded_gap(c, a, b);
-  return fmt::format("an empty slab about {} wide across the direction of about {}, from vertex {} of {} to vertex {} of {}",
-                     about(gap.width), about(gap.direction), c.extreme_a, name_a, c.extreme_b, name_b);
+  return fmt::format(
+      "an empty slab about {} wide across the direction of about {}, from vertex {} of {} to vertex {} of {}",
+      about(gap.width), about(gap.direction), c.extreme_a, name_a, c.extreme_b, name_b);
 }
 
 Json evidence_json(const PairCertificate& c, const PlacedVertices& a, const PlacedVertices& b) {

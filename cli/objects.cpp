@@ -64,8 +64,14 @@ const char* name_of(Shape shape) {
 Object make_object(const io::Mesh& whole, const std::filesystem::path& file, bool require_convex) {
   const io::Mesh mesh = without_unused(whole);
   const std::string shown = io::one_line(file.string());
-  Object object{shown, io::one_line(file.stem().string()), mesh.format, static_cast<std::uint32_t>(mesh.vertices.size()),
-                mesh.polygon_count(), Shape::points, "", solid::ConvexPolyhedron(mesh.vertices)};
+  Object object{shown,
+                io::one_line(file.stem().string()),
+                mesh.format,
+                static_cast<std::uint32_t>(mesh.vertices.size()),
+                mesh.polygon_count(),
+                Shape::points,
+                "",
+                solid::ConvexPolyhedron(mesh.vertices)};
   if (mesh.polygon_count() == 0) return object;
 
   scene::MeshDefect defect =

@@ -24,7 +24,7 @@ enum class Shape : std::uint8_t {
 const char* name_of(Shape shape);
 
 struct Object {
-  std::string file;    // as the user wrote it, in one line of UTF-8
+  std::string file;  // as the user wrote it, in one line of UTF-8
   std::string name;
   std::string format;
   std::uint32_t mesh_vertices = 0;  // those in use

@@ -4,9 +4,9 @@
 #include <sunder/base/error.h>
 #include <sunder/io/text.h>
 
+#include <fmt/format.h>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -42,13 +42,13 @@ std::string names_of_verbs(const CLI::App& program) {
 int complain(const CLI::App& program, const CLI::ParseError& error, const std::vector<std::string>& words) {
   const auto called = program.get_subcommands();
   if (called.empty()) {
-    const auto word = std::find_if(words.begin(), words.end(), [](const std::string& w) { return !w.starts_with('-'); });
+    const auto word =
+        std::find_if(words.begin(), words.end(), [](const std::string& w) { return !w.starts_with('-'); });
     const bool verb_missing = word == words.end() && words.empty();
-    const std::string what = verb_missing           ? "no verb is given"
+    const std::string what = verb_missing          ? "no verb is given"
                              : word != words.end() ? "there is no verb " + io::quote(*word)
                                                    : "there is no option " + io::quote(words.front());
-    return complain(exit_code::bad,
-                    fmt::format("{}; verbs are {}; see sunder --help", what, names_of_verbs(program)));
+    return complain(exit_code::bad, fmt::format("{}; verbs are {}; see sunder --help", what, names_of_verbs(program)));
   }
   const std::string verb = called.front()->get_name();
   std::string what = error.what();

@@ -145,7 +145,7 @@ void SceneInput::add_mesh(const std::string& file, bool require_convex) {
 void SceneInput::add_robot(const std::string& file, bool require_convex) {
   if (robot_) fail_call("a second robot; give one URDF file in a call", io::one_line(file));
   robot_ = io::read_urdf(file);
-  for (const std::string& line : robot_->skipped) note("left out: " + line);
+  left_out_ = robot_->skipped;
   std::map<fs::path, std::vector<Object>> meshes;  // a file may serve several links
   for (std::uint32_t l = 0; l < robot_->links.size(); ++l) {
     const io::Link& link = robot_->links[l];
@@ -249,7 +249,8 @@ std::vector<std::array<std::uint32_t, 2>> SceneInput::allowed(const std::string&
              body_named(std::string(trimmed(std::string_view(text).substr(comma + 1))), place)}};
   }
   if (!fs::exists(text)) {
-    fail_call("is no file; give adjacent, touch, NAME,NAME, or a file with two names a line", "--allow " + io::one_line(text));
+    fail_call("is no file; give adjacent, touch, NAME,NAME, or a file with two names a line",
+              "--allow " + io::one_line(text));
   }
   std::vector<std::array<std::uint32_t, 2>> pairs;
   for (const auto& [number, line] : lines_of(io::read_file(text))) {

@@ -36,14 +36,12 @@ class SceneInput {
   // are out of their limits.
   std::vector<scene::Body> bodies(const Placement& placement) const;
 
-  // Pairs of bodies out of: "adjacent" (links joined by a joint, or by joints through links without shapes), "NAME,NAME",
-  // or a file with two names a line. Throws Error.
+  // Pairs of bodies out of: "adjacent" (links joined by a joint, or by joints through links without shapes),
+  // "NAME,NAME", or a file with two names a line. Throws Error.
   std::vector<std::array<std::uint32_t, 2>> allowed(const std::string& text) const;
 
-  std::vector<const Object*> objects() const;  // all parts in order
-  std::size_t body_count() const { return bodies_.size(); }
-  const std::string& body_name(std::size_t b) const { return bodies_[b].name; }
-  bool has_robot() const { return robot_.has_value(); }
+  std::vector<const Object*> objects() const;                             // all parts in order
+  const std::vector<std::string>& left_out() const { return left_out_; }  // shapes that are not read: must be shown
 
  private:
   struct Part {
@@ -71,6 +69,7 @@ class SceneInput {
   std::vector<Input> inputs_;
   std::vector<Body> bodies_;
   std::optional<io::Robot> robot_;
+  std::vector<std::string> left_out_;
 };
 
 }  // namespace sunder::cli

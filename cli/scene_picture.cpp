@@ -16,8 +16,8 @@ namespace {
 
 // Sizes in pixels.
 constexpr double panel_width = 560, panel_height = 560, margin = 44, header = 84, footer = 112;
-constexpr double label_size = 14, label_height = 22, letter_width = 0.66;// a letter's part of the size
-constexpr std::size_t most_labels = 6;                                    // of one placement
+constexpr double label_size = 14, label_height = 22, letter_width = 0.66;  // a letter's part of the size
+constexpr std::size_t most_labels = 6;                                     // of one placement
 
 struct Colour {
   double red, green, blue;
@@ -125,7 +125,8 @@ class Picture {
     const double width = panel_width * static_cast<double>(report_.placements.size());
     const double height = header + panel_height + footer;
     out_ = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
+        "height=\"{1:.0f}\" "
         "font-family=\"Inter, 'Helvetica Neue', Helvetica, Arial, sans-serif\">\n"
         "<style>.o,.r{{fill:none;stroke-width:10}}.o{{stroke:#46586f}}.r{{stroke:#7d2115}}</style>\n"
         "<rect width=\"{0:.0f}\" height=\"{1:.0f}\" rx=\"18\" fill=\"#fbfcfe\"/>\n",
@@ -165,8 +166,9 @@ class Picture {
 
   void write_text(double x, double y, double size, const char* colour, int weight, const std::string& text,
                   const std::string& more = "") {
-    out_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{:.0f}\" fill=\"{}\" font-weight=\"{}\"{}>{}</text>\n",
-                        x, y, size, colour, weight, more, escaped(text));
+    out_ +=
+        fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{:.0f}\" fill=\"{}\" font-weight=\"{}\"{}>{}</text>\n",
+                    x, y, size, colour, weight, more, escaped(text));
   }
 
   void circle(double x, double y, double radius, const char* more) {
@@ -202,7 +204,8 @@ class Picture {
   void draw(const Piece& piece, const Colour& colour, char outline_class, const Frame& frame) {
     const std::string fill = shaded(colour, piece.light);
     if (piece.corners.size() < 3) {
-      out_ += fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"40\"/>\n", outline_of(piece.corners, frame), fill);
+      out_ +=
+          fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"40\"/>\n", outline_of(piece.corners, frame), fill);
       return;
     }
     // Strokes hide the seams between neighbours; a little lighter, they show the facets.
@@ -235,7 +238,8 @@ class Picture {
         out_ += line + "\"#fbfcfe\" stroke-width=\"4\"/>\n" + line + "\"#1f2a3a\" stroke-width=\"1.3\"/>\n";
         const double text_x = right ? place.left : place.right, text_y = place.bottom - 6;
         const std::string anchor = right ? "" : " text-anchor=\"end\"";
-        write_text(text_x, text_y, label_size, "#fbfcfe", 600, label, anchor + " stroke=\"#fbfcfe\" stroke-width=\"5\"");
+        write_text(text_x, text_y, label_size, "#fbfcfe", 600, label,
+                   anchor + " stroke=\"#fbfcfe\" stroke-width=\"5\"");
         write_text(text_x, text_y, label_size, "#1f2a3a", 600, label, anchor);
       }
       circle(x, y, 11, "fill=\"#fff\" fill-opacity=\".4\" stroke=\"#fff\" stroke-width=\"5\"");
@@ -245,8 +249,8 @@ class Picture {
   }
 
   // A place for a label of this width, near the height y, beside what is drawn there, on the nearer side if it fits.
-  Bounds free_place(double x, double y, double width, const std::vector<Bounds>& labels, const std::vector<Piece>& pieces,
-                    const Frame& frame, double left) const {
+  Bounds free_place(double x, double y, double width, const std::vector<Bounds>& labels,
+                    const std::vector<Piece>& pieces, const Frame& frame, double left) const {
     for (int attempt = 0; attempt < 40; ++attempt) {
       const double shift = label_height * ((attempt + 1) / 2) * (attempt % 2 == 0 ? 1 : -1);
       Bounds place{0, 0, y + shift - label_height / 2, y + shift + label_height / 2, false};
@@ -277,15 +281,16 @@ class Picture {
     const scene::Counts& c = placed.answer.counts;
     const std::uint64_t meeting = c.meeting - c.touching_only, asked = c.pairs - c.allowed;
     if (report_.placements.size() > 1) write_text(left, top + 18, 18, "#1f2a3a", 600, placed.title);
-    write_text(left, top + 42, 15, meeting > 0 ? "#c23b22" : "#2f7d5b", 600,
-               meeting > 0 ? fmt::format("{} of {} pairs meet", meeting, asked) : fmt::format("none of {} pairs meet", asked));
+    write_text(
+        left, top + 42, 15, meeting > 0 ? "#c23b22" : "#2f7d5b", 600,
+        meeting > 0 ? fmt::format("{} of {} pairs meet", meeting, asked) : fmt::format("none of {} pairs meet", asked));
   }
 
   void legend(double y) {
     double x = margin;
     const auto swatch = [&](const Colour& colour) {
-      out_ += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"14\" height=\"12\" rx=\"3\" fill=\"{}\"/>\n", x, y - 10,
-                          shaded(colour, 0.8));
+      out_ += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"14\" height=\"12\" rx=\"3\" fill=\"{}\"/>\n", x,
+                          y - 10, shaded(colour, 0.8));
       x += 17;
     };
     const auto words = [&](const std::string& text) {

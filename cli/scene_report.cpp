@@ -37,9 +37,12 @@ std::vector<std::vector<char>> cells_of(const SceneReport& report, const Placed&
   }
   for (const PartPair& pair : placed.answer.pairs) {
     char& cell = cells[pair.body_b][pair.body_a];
-    if (pair.counts) cell = meeting;
-    else if (pair.answer.meet() && cell != meeting) cell = touching;
-    else if (!pair.by_boxes && cell == by_boxes) cell = by_method;
+    if (pair.counts)
+      cell = meeting;
+    else if (pair.answer.meet() && cell != meeting)
+      cell = touching;
+    else if (!pair.by_boxes && cell == by_boxes)
+      cell = by_method;
   }
   return cells;
 }
@@ -108,12 +111,12 @@ std::string matrix_text(const SceneReport& report) {
 std::string counts_text(const SceneReport& report) {
   std::size_t width = 9;
   for (const Placed& placed : report.placements) width = std::max(width, placed.title.size());
-  std::string text = fmt::format("{:<{}}  {:>14} {:>8} {:>9} {:>10} {:>8} {:>10}\n", "placement", width, "pairs of parts", "allowed",
-                                 "by boxes", "by method", "meeting", "time");
+  std::string text = fmt::format("{:<{}}  {:>14} {:>8} {:>9} {:>10} {:>8} {:>10}\n", "placement", width,
+                                 "pairs of parts", "allowed", "by boxes", "by method", "meeting", "time");
   for (const Placed& placed : report.placements) {
     const scene::Counts& c = placed.answer.counts;
-    text += fmt::format("{:<{}}  {:>14} {:>8} {:>9} {:>10} {:>8} {:>7.2f} ms\n", placed.title, width, c.pairs, c.allowed,
-                        c.by_boxes, c.by_method, c.meeting, 1e3 * placed.seconds);
+    text += fmt::format("{:<{}}  {:>14} {:>8} {:>9} {:>10} {:>8} {:>7.2f} ms\n", placed.title, width, c.pairs,
+                        c.allowed, c.by_boxes, c.by_method, c.meeting, 1e3 * placed.seconds);
   }
   return text;
 }
@@ -148,14 +151,18 @@ Json pair_json(const SceneReport& report, std::size_t p, const PartPair& pair) {
   json["counts"] = pair.counts;
   json["decided_by"] = pair.by_boxes ? "boxes" : std::string(name_of(pair.answer.decided_by));
   json["cost"] = to_json(pair.answer.cost);
-  json["evidence"] = evidence_json(pair.answer.certificate(), vertices_of(part_a(placed, pair)),
-                                   vertices_of(part_b(placed, pair)));
+  json["evidence"] =
+      evidence_json(pair.answer.certificate(), vertices_of(part_a(placed, pair)), vertices_of(part_b(placed, pair)));
   return json;
 }
 
 Json to_json(const scene::Counts& c) {
-  return {{"parts", c.parts},         {"pairs", c.pairs},     {"allowed", c.allowed},
-          {"by_boxes", c.by_boxes},   {"by_method", c.by_method}, {"meeting", c.meeting},
+  return {{"parts", c.parts},
+          {"pairs", c.pairs},
+          {"allowed", c.allowed},
+          {"by_boxes", c.by_boxes},
+          {"by_method", c.by_method},
+          {"meeting", c.meeting},
           {"touching_only", c.touching_only}};
 }
 
@@ -201,10 +208,10 @@ Point3 point_about(const Placed& placed, const PartPair& pair) {
 
 std::string scene_text(const SceneReport& report) {
   const std::vector<scene::Body>& bodies = report.placements.front().bodies;
-  std::string text = fmt::format("{} with {}{}\n", bodies.size() == 1 ? "1 body" : fmt::format("{} bodies", bodies.size()),
-                                 count_of(report.placements.front().answer.counts.parts, "part"),
-                                 report.placements.size() > 1 ? fmt::format(", {} placements", report.placements.size())
-                                                              : "");
+  std::string text =
+      fmt::format("{} with {}{}\n", bodies.size() == 1 ? "1 body" : fmt::format("{} bodies", bodies.size()),
+                  count_of(report.placements.front().answer.counts.parts, "part"),
+                  report.placements.size() > 1 ? fmt::format(", {} placements", report.placements.size()) : "");
   if (bodies.size() <= most_in_matrix && bodies.size() > 1) text += matrix_text(report);
   text += counts_text(report);
   for (const Placed& placed : report.placements) text += meeting_text(report, placed);
@@ -233,8 +240,10 @@ Json scene_json(const SceneReport& report, const std::vector<const Object*>& obj
   scene::Counts counts;
   for (std::size_t p = 0; p < report.placements.size(); ++p) {
     const Placed& placed = report.placements[p];
-    json["placements"].push_back({{"name", placed.title}, {"answer", placed.answer.some_meet() ? "some" : "none"},
-                                  {"joints", placed.placement.joints}, {"counts", to_json(placed.answer.counts)},
+    json["placements"].push_back({{"name", placed.title},
+                                  {"answer", placed.answer.some_meet() ? "some" : "none"},
+                                  {"joints", placed.placement.joints},
+                                  {"counts", to_json(placed.answer.counts)},
                                   {"seconds", placed.seconds}});
     add(placed.answer.counts, counts);
     for (const PartPair& pair : placed.answer.pairs) {

@@ -96,9 +96,10 @@ void add_pieces(std::uint32_t body, std::uint32_t number, const scene::Part& par
 View::View(double azimuth, double elevation)
     : right_{-std::sin(azimuth), std::cos(azimuth), 0},
       up_{-std::sin(elevation) * std::cos(azimuth), -std::sin(elevation) * std::sin(azimuth), std::cos(elevation)},
-      to_viewer_{std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)} {
+      to_viewer_{std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
+                 std::sin(elevation)} {
   // From above the viewer's left shoulder.
-  const auto along = [&](double Point3::*c) { return 0.55 * to_viewer_.*c + 0.75 * up_.*c - 0.5 * right_.*c; };
+  const auto along = [&](double Point3::* c) { return 0.55 * to_viewer_.*c + 0.75 * up_.*c - 0.5 * right_.*c; };
   to_light_ = unit({along(&Point3::x), along(&Point3::y), along(&Point3::z)});
 }
 

@@ -51,8 +51,8 @@ int run(const Call& call) {
     print(to_text(json));
     return exit_code::no;
   }
-  std::string text = fmt::format("{}: hull of dimension {}: a {}\n", object.file, hull.dimension(),
-                                 dimension_name(hull.dimension()));
+  std::string text =
+      fmt::format("{}: hull of dimension {}: a {}\n", object.file, hull.dimension(), dimension_name(hull.dimension()));
   text += fmt::format("  vertices  {} of {}\n", hull.vertices().size(), object.mesh_vertices);
   text += fmt::format("  edges     {}\n  facets    {}\n", edge_count(hull), hull.facet_count());
   text += fmt::format("  box       {} to {}\n", about(low), about(high));

@@ -90,12 +90,19 @@ Info describe_robot(const std::string& file) {
   for (const io::Joint& joint : robot.joints) {
     const std::string& parent = robot.links[joint.parent].name;
     const std::string& child = robot.links[joint.child].name;
-    info.json["joints"].push_back({{"name", joint.name}, {"type", type_name(joint.type)}, {"parent", parent},
-                                   {"child", child}, {"lower", limit(joint.lower)}, {"upper", limit(joint.upper)},
-                                   {"mimic", joint.mimic ? Json(robot.joints[joint.mimic->joint].name) : Json(nullptr)}});
+    info.json["joints"].push_back(
+        {{"name", joint.name},
+         {"type", type_name(joint.type)},
+         {"parent", parent},
+         {"child", child},
+         {"lower", limit(joint.lower)},
+         {"upper", limit(joint.upper)},
+         {"mimic", joint.mimic ? Json(robot.joints[joint.mimic->joint].name) : Json(nullptr)}});
     std::string range;
-    if (joint.mimic) range = ", follows " + robot.joints[joint.mimic->joint].name;
-    else if (std::isfinite(joint.upper)) range = fmt::format(" from {} to {}", joint.lower, joint.upper);
+    if (joint.mimic)
+      range = ", follows " + robot.joints[joint.mimic->joint].name;
+    else if (std::isfinite(joint.upper))
+      range = fmt::format(" from {} to {}", joint.lower, joint.upper);
     info.text += fmt::format("  joint  {:<{}}  {} to {}, {}{}\n", joint.name, width, parent, child,
                              type_name(joint.type), range);
   }
@@ -109,16 +116,18 @@ Info describe_mesh(const std::string& file) {
   const auto [low, high] = object.hull.box();
   Info info;
   info.json = to_json(object);
-  info.json["mesh"] = {{"vertices", mesh.vertices.size()}, {"in_use", object.mesh_vertices},
-                       {"polygons", mesh.polygon_count()}, {"parts", mesh.parts.size()}};
+  info.json["mesh"] = {{"vertices", mesh.vertices.size()},
+                       {"in_use", object.mesh_vertices},
+                       {"polygons", mesh.polygon_count()},
+                       {"parts", mesh.parts.size()}};
   info.json["why_hull"] = object.why_hull.empty() ? Json(nullptr) : Json(object.why_hull);
   info.json["box"] = Json::array({to_json(low), to_json(high)});
 
   info.text = fmt::format("{}: {}\n", object.file, object.format);
-  info.text += fmt::format("  holds   {} vertices{}, {}, {}\n", mesh.vertices.size(),
-                           object.mesh_vertices < mesh.vertices.size()
-                               ? fmt::format(" ({} in use)", object.mesh_vertices) : "",
-                           count_of(mesh.polygon_count(), "polygon"), count_of(mesh.parts.size(), "part"));
+  info.text +=
+      fmt::format("  holds   {} vertices{}, {}, {}\n", mesh.vertices.size(),
+                  object.mesh_vertices < mesh.vertices.size() ? fmt::format(" ({} in use)", object.mesh_vertices) : "",
+                  count_of(mesh.polygon_count(), "polygon"), count_of(mesh.parts.size(), "part"));
   const std::string why = object.shape == Shape::convex ? "exactly convex"
                           : object.shape == Shape::hull ? "not exactly convex: " + object.why_hull
                                                         : "a set of points";

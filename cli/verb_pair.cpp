@@ -54,12 +54,13 @@ std::string human_text(const Call& call, const Placed& a, const Placed& b, const
   };
   for (const Placed* p : {&a, &b}) {
     const solid::ConvexPolyhedron& hull = p->object.hull;
-    const char* shape = p->object.shape == Shape::convex ? "" : p->object.shape == Shape::hull ? ", hull of the mesh"
-                                                                                              : ", hull of the points";
-    line(p == &a ? "A" : "B", fmt::format("{}: {}, {}, {}{}", p->object.name, dimension_name(hull.dimension()),
-                                          hull.vertices().size() == 1 ? "1 vertex"
-                                                                      : fmt::format("{} vertices", hull.vertices().size()),
-                                          count_of(hull.facet_count(), "facet"), shape));
+    const char* shape = p->object.shape == Shape::convex ? ""
+                        : p->object.shape == Shape::hull ? ", hull of the mesh"
+                                                         : ", hull of the points";
+    line(p == &a ? "A" : "B",
+         fmt::format("{}: {}, {}, {}{}", p->object.name, dimension_name(hull.dimension()),
+                     hull.vertices().size() == 1 ? "1 vertex" : fmt::format("{} vertices", hull.vertices().size()),
+                     count_of(hull.facet_count(), "facet"), shape));
   }
   line("evidence", evidence_text(answer.certificate(), a.vertices(), b.vertices(), "A", "B"));
   line("decided by", decided_text(answer.decided_by));
@@ -83,7 +84,6 @@ int run(const Call& call) {
   const PairMethod method = pair_method(call.method);
   const Placed a = read(call.file_a, call.pose_a, "--pose-a", call.require_convex);
   const Placed b = read(call.file_b, call.pose_b, "--pose-b", call.require_convex);
-  note_hulls({&a.object, &b.object});
 
   const solid::PairAnswer answer = method(a.object.hull, a.pose, b.object.hull, b.pose);
   const Contact contact = call.classify && answer.meet()
@@ -92,6 +92,7 @@ int run(const Call& call) {
   if (!call.certificate.empty()) {
     io::write_file_atomically(call.certificate, certificate_text(a, b, answer.certificate()));
   }
+  note_hulls({&a.object, &b.object});
   print(call.json ? to_text(report(call, a, b, answer, contact)) : human_text(call, a, b, answer, contact));
   return answer.meet() ? exit_code::yes : exit_code::no;
 }

@@ -71,7 +71,6 @@ int run(const Call& call) {
   report.contacts = question.contacts;
   report.touching_allowed = question.touching_allowed;
   report.colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
-  note_hulls(input.objects());
   for (const Placement& placement : placements) {
     const std::string number = placements.size() == 1 ? "as given" : std::to_string(report.placements.size() + 1);
     report.placements.push_back(ask(input, placement, placement.name.empty() ? number : placement.name, question));
@@ -79,6 +78,8 @@ int run(const Call& call) {
 
   if (!call.certificate.empty()) io::write_file_atomically(call.certificate, scene_certificate(report));
   if (!call.svg.empty()) io::write_file_atomically(call.svg, scene_picture(report, call.title));
+  for (const std::string& line : input.left_out()) note("left out: " + line);
+  note_hulls(input.objects());
   std::string text = call.json ? to_text(scene_json(report, input.objects())) : scene_text(report);
   if (!call.json && !call.certificate.empty()) {
     std::size_t pairs = 0;
@@ -96,14 +97,21 @@ void add_scene(CLI::App& program, int& code) {
   auto call = std::make_shared<Call>();
   CLI::App* verb = program.add_subcommand("scene", "Which of many bodies meet? Meshes, and the links of a robot.");
   const auto one_each = [](CLI::Option* option, const char* type) { option->type_name(type)->allow_extra_args(false); };
-  verb->add_option("FILE", call->files, "a mesh (its objects are the parts of one body) or one robot (URDF: its links "
-                                        "are the bodies); FILE@POSE places it")->required()->type_name("");
-  one_each(verb->add_option("--pose", call->poses, std::string("place the file of this name: ") + pose_forms), "NAME=POSE");
-  one_each(verb->add_option("--joints", call->joints, "name=value,... or LABEL:name=value,...; again for another placement"),
-           "VALUES");
+  verb->add_option("FILE", call->files,
+                   "a mesh (its objects are the parts of one body) or one robot (URDF: its links "
+                   "are the bodies); FILE@POSE places it")
+      ->required()
+      ->type_name("");
+  one_each(verb->add_option("--pose", call->poses, std::string("place the file of this name: ") + pose_forms),
+           "NAME=POSE");
+  one_each(
+      verb->add_option("--joints", call->joints, "name=value,... or LABEL:name=value,...; again for another placement"),
+      "VALUES");
   one_each(verb->add_option("--joints-file", call->joints_files, "the same from a file, one joint a line"), "FILE");
-  one_each(verb->add_option("--allow", call->allow, "what may meet: adjacent (links joined by a joint), touch, NAME,NAME, "
-                                                    "or a file with two names a line"), "WHAT");
+  one_each(verb->add_option("--allow", call->allow,
+                            "what may meet: adjacent (links joined by a joint), touch, NAME,NAME, "
+                            "or a file with two names a line"),
+           "WHAT");
   verb->add_option("--method", call->method, "automatic, gjk, or scan")->type_name("NAME");
   verb->add_flag("--classify", call->classify, "tell touching from overlapping");
   verb->add_flag("--require-convex", call->require_convex, "a mesh that is not exactly convex is an error");

@@ -23,8 +23,8 @@ struct Call {
 struct File {
   std::string name;
   sunder_verifier::FileResult result;
-  std::uint64_t apart = 0, meet = 0;             // accepted pairs of each verdict
-  std::vector<std::size_t> refused;              // numbers of pairs
+  std::uint64_t apart = 0, meet = 0;  // accepted pairs of each verdict
+  std::vector<std::size_t> refused;   // numbers of pairs
 };
 
 File verify(const std::string& name) {
@@ -39,15 +39,18 @@ File verify(const std::string& name) {
   }
   for (std::size_t i = 0; i < file.result.pairs.size(); ++i) {
     const sunder_verifier::PairResult& pair = file.result.pairs[i];
-    if (!pair.accepted) file.refused.push_back(i);
-    else ++(pair.verdict == "meet" ? file.meet : file.apart);
+    if (!pair.accepted)
+      file.refused.push_back(i);
+    else
+      ++(pair.verdict == "meet" ? file.meet : file.apart);
   }
   return file;
 }
 
 std::string human_text(const File& file) {
   const sunder_verifier::FileResult& result = file.result;
-  if (!result.failed_form.empty()) return fmt::format("{}: REFUSED: check F: {}\n", file.name, io::one_line(result.failed_form));
+  if (!result.failed_form.empty())
+    return fmt::format("{}: REFUSED: check F: {}\n", file.name, io::one_line(result.failed_form));
   std::string text = fmt::format("{}: {}: {} of {} accepted ({} apart, {} meet)\n", file.name,
                                  result.accepted() ? "accepted" : "REFUSED", file.apart + file.meet,
                                  count_of(result.pairs.size(), "pair"), file.apart, file.meet);
@@ -62,15 +65,21 @@ std::string human_text(const File& file) {
 
 Json report(const File& file) {
   const sunder_verifier::FileResult& result = file.result;
-  Json json{{"file", file.name},        {"answer", result.accepted() ? "accepted" : "refused"},
-            {"pairs", result.pairs.size()}, {"apart", file.apart},
+  Json json{{"file", file.name},
+            {"answer", result.accepted() ? "accepted" : "refused"},
+            {"pairs", result.pairs.size()},
+            {"apart", file.apart},
             {"meet", file.meet}};
   json["refused"] = Json::array();
   if (!result.failed_form.empty()) json["refused"].push_back({{"check", "F"}, {"reason", result.failed_form}});
   for (const std::size_t i : file.refused) {
     const sunder_verifier::PairResult& pair = result.pairs[i];
-    json["refused"].push_back({{"pair", i}, {"a", pair.name_a}, {"b", pair.name_b}, {"verdict", pair.verdict},
-                               {"check", pair.failed_check}, {"reason", pair.reason}});
+    json["refused"].push_back({{"pair", i},
+                               {"a", pair.name_a},
+                               {"b", pair.name_b},
+                               {"verdict", pair.verdict},
+                               {"check", pair.failed_check},
+                               {"reason", pair.reason}});
   }
   return json;
 }

@@ -2,28 +2,34 @@
 #include <sunder/predicate/common_point.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace sunder {
 
 namespace {
 
-bool indices_exist(const Direction& d, std::size_t n_a, std::size_t n_b) {
+// Is there a direction at all: are its indices in range, and its numbers such as exact arithmetic can hold?
+bool names_a_direction(const Direction& d, std::size_t n_a, std::size_t n_b) {
+  constexpr std::int64_t most = 20000;  // the exponents of certificate files: docs/certificates.md
   const auto in_a = [&](std::size_t k) { return d.index[k] < n_a; };
   const auto in_b = [&](std::size_t k) { return d.index[k] < n_b; };
   switch (d.kind) {
-    case Direction::Kind::given: return true;
+    case Direction::Kind::given: return std::isfinite(d.given.x) && std::isfinite(d.given.y) && std::isfinite(d.given.z);
     case Direction::Kind::normal_of_a: return in_a(0) && in_a(1) && in_a(2);
     case Direction::Kind::normal_of_b: return in_b(0) && in_b(1) && in_b(2);
     case Direction::Kind::edge_cross_edge: return in_a(0) && in_a(1) && in_b(2) && in_b(3);
     case Direction::Kind::difference: return in_a(0) && in_b(1);
-    case Direction::Kind::exact: return d.numbers != nullptr;
+    case Direction::Kind::exact:
+      return d.numbers != nullptr && std::all_of(d.numbers->begin(), d.numbers->end(), [&](const Dyadic& x) {
+        return x.exponent() >= -most && x.exponent() <= most;
+      });
   }
   return false;
 }
 
 CheckResult check_apart(const PairCertificate& c, const PlacedVertices& a, const PlacedVertices& b) {
   if (c.extreme_a >= a.vertices.size() || c.extreme_b >= b.vertices.size()) return CheckResult::bad_index;
-  if (!indices_exist(c.direction, a.vertices.size(), b.vertices.size())) return CheckResult::bad_index;
+  if (!names_a_direction(c.direction, a.vertices.size(), b.vertices.size())) return CheckResult::bad_index;
   const WorldDirection direction = world_direction(c.direction, a, b);
   if (compare_along(direction, a[c.extreme_a], b[c.extreme_b]) != Sign::positive) return CheckResult::not_strictly_apart;
   Along along_a(direction, a.pose, a.tame), along_b(direction, b.pose, b.tame);

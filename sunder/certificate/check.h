@@ -12,7 +12,7 @@ namespace sunder {
 // What holds, or what failed first.
 enum class CheckResult : std::uint8_t {
   accepted,
-  bad_index,           // a vertex that does not exist, or too many or too few of them
+  bad_index,           // a vertex that does not exist, too many or too few of them, or a direction that is none
   not_extreme_in_a,    // a vertex of A is further along the direction than the one named
   not_extreme_in_b,    // a vertex of B is less far
   not_strictly_apart,  // the two extreme vertices are not strictly ordered

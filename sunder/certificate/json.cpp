@@ -2,18 +2,40 @@
 #include <sunder/certificate/json.h>
 #include <sunder/predicate/common_point.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace sunder {
 
 namespace {
 
-// A JSON string. Names are file names: anything may be in them.
+// The length of the UTF-8 character that begins at text[i]; 0 where none does.
+std::size_t utf8_length(const std::string& text, std::size_t i) {
+  const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
+  const unsigned first = byte(i), second = byte(i + 1);
+  if (first < 0x80) return 1;
+  const std::size_t length = first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
+  for (std::size_t k = 1; k < length; ++k) {
+    if (byte(i + k) >> 6 != 2) return 0;
+  }
+  // Longer than need be, surrogates, beyond the last character.
+  if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f)) return 0;
+  if ((first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f)) return 0;
+  return length;
+}
+
+// A JSON string. Names are file names: anything may be in them. What is not UTF-8 becomes the replacement character,
+// because readers refuse a file that is not.
 std::string quoted(const std::string& text) {
   std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
+  for (std::size_t i = 0, length = 0; i < text.size(); i += std::max<std::size_t>(length, 1)) {
+    const char c = text[i];
+    length = utf8_length(text, i);
+    if (length != 1) {
+      out += length == 0 ? "\\ufffd" : text.substr(i, length);
+    } else if (c == '"' || c == '\\') {
       out += '\\';
       out += c;
     } else if (static_cast<unsigned char>(c) < 0x20) {

@@ -47,7 +47,7 @@ void expect_error(Action action, const std::string& place, const std::string& fr
 
 TEST_F(File, ReadsAllBytes) {
   std::string bytes;
-  for (int i = 0; i < 300'000; ++i) bytes += static_cast<char>(i * i >> 3);
+  for (unsigned i = 0; i < 300'000; ++i) bytes += static_cast<char>(i * i >> 3);
   std::ofstream(folder_ / "x", std::ios::binary) << bytes;
   EXPECT_EQ(read_file(folder_ / "x"), bytes);
 }

@@ -50,7 +50,7 @@ double environment(const char* name, double otherwise) {
   const char* text = std::getenv(name);
   return text ? std::atof(text) : otherwise;
 }
-int instances(int n) { return std::max(200, static_cast<int>(n * environment("SUNDER_TEST_SCALE", 1))); }
+int instances(int n) { return std::max(std::min(n, 1000), static_cast<int>(n * environment("SUNDER_TEST_SCALE", 1))); }
 std::uint64_t seed(std::uint64_t s) {
   return s + 1000003 * static_cast<std::uint64_t>(environment("SUNDER_TEST_SEED", 0));
 }

@@ -69,7 +69,7 @@ double environment(const char* name, double otherwise) {
   const char* text = std::getenv(name);
   return text ? std::atof(text) : otherwise;
 }
-int instances(int n) { return std::max(200, static_cast<int>(n * environment("SUNDER_TEST_SCALE", 1))); }
+int instances(int n) { return std::max(std::min(n, 1000), static_cast<int>(n * environment("SUNDER_TEST_SCALE", 1))); }
 std::uint64_t seed(std::uint64_t s) {
   return s + 1000003 * static_cast<std::uint64_t>(environment("SUNDER_TEST_SEED", 0));
 }
@@ -298,7 +298,7 @@ TEST(OrientTest, EachStageOfPosedPoints) {
     EXPECT_GT((*of)[generic].rounded, n / kinds / 4);
     EXPECT_GT((*of)[generic].interval, n / kinds / 20);
     EXPECT_GT((*of)[grid].zero, n / kinds / 50);
-    EXPECT_GT((*of)[near_tie_by_units].exact, n / kinds / 10);
+    EXPECT_GT((*of)[near_tie_by_units].exact, n / kinds / 30);
   }
   EXPECT_GT(along_axis.zero, 0);
 }

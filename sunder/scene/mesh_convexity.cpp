@@ -61,9 +61,8 @@ class Convexity {
         if (next != corners_[i]) sides_.push_back({corners_[i], next, f});
       }
     }
-    std::sort(sides_.begin(), sides_.end(), [](const Side& s, const Side& t) {
-      return std::pair(s.ends(), s.face) < std::pair(t.ends(), t.face);
-    });
+    std::sort(sides_.begin(), sides_.end(),
+              [](const Side& s, const Side& t) { return std::pair(s.ends(), s.face) < std::pair(t.ends(), t.face); });
 
     hull_vertex_.assign(mesh.vertices.size(), no_vertex);
     for (std::uint32_t v = 0; v < hull.vertices().size(); ++v) hull_vertex_[lowest[hull.source()[v]]] = v;
@@ -144,7 +143,8 @@ class Convexity {
   }
 
   // C3: does the face, which lies on facet 0, cover the place just beside the edge from its corner 0 to its corner 1,
-  // close to corner 0? A face does, counted modulo two, when an odd number of its edges leaves corner 0 along that edge.
+  // close to corner 0? A face does, counted modulo two, when an odd number of its edges leaves corner 0 along that
+  // edge.
   bool covers_first_corner(std::uint32_t face) const {
     const auto all = corners(face);
     const std::uint32_t origin = hull_.facet(0)[0];
@@ -227,9 +227,8 @@ class Convexity {
 
   std::optional<Sign> bend_at(std::uint32_t a, std::uint32_t b) const {
     const std::pair<std::uint32_t, std::uint32_t> ends = std::minmax(a, b);
-    const auto [first, last] = std::equal_range(
-        sides_.begin(), sides_.end(), Side{ends.first, ends.second, 0},
-        [](const Side& s, const Side& t) { return s.ends() < t.ends(); });
+    const auto [first, last] = std::equal_range(sides_.begin(), sides_.end(), Side{ends.first, ends.second, 0},
+                                                [](const Side& s, const Side& t) { return s.ends() < t.ends(); });
     return last - first == 2 ? bend(first[0], first[1]) : std::nullopt;
   }
 
@@ -249,17 +248,15 @@ class Convexity {
 
   const MeshView& mesh_;
   const ConvexPolyhedron& hull_;
-  std::vector<std::uint32_t> corners_;      // of all faces, equal points joined, repetitions dropped
+  std::vector<std::uint32_t> corners_;  // of all faces, equal points joined, repetitions dropped
   std::vector<std::size_t> corner_begin_;
-  std::vector<Side> sides_;                 // by their ends
-  std::vector<std::uint32_t> hull_vertex_;  // of a vertex of the mesh; no_vertex where it is not extreme
+  std::vector<Side> sides_;                            // by their ends
+  std::vector<std::uint32_t> hull_vertex_;             // of a vertex of the mesh; no_vertex where it is not extreme
   std::vector<std::vector<std::uint32_t>> facets_at_;  // a vertex of the hull
 };
 
 }  // namespace
 
-MeshDefect find_mesh_defect(const MeshView& mesh, const ConvexPolyhedron& hull) {
-  return Convexity(mesh, hull).find();
-}
+MeshDefect find_mesh_defect(const MeshView& mesh, const ConvexPolyhedron& hull) { return Convexity(mesh, hull).find(); }
 
 }  // namespace sunder::scene

@@ -37,7 +37,7 @@ struct MeshDefect {
     doubled,      // the polygons cover the boundary of the hull an even number of times
   };
   Kind kind = Kind::none;
-  std::uint32_t face = 0;              // meaningless but for bent_face and inner_face
+  std::uint32_t face = 0;               // meaningless but for bent_face and inner_face
   std::array<std::uint32_t, 2> edge{};  // vertex numbers; meaningless but for open_edge and reflex_edge
 };
 
@@ -45,10 +45,10 @@ struct MeshDefect {
 //
 // A mesh is convex iff
 //   C1. the corners of every polygon lie on one facet of the hull,
-//   C2. every edge belongs to an even number of polygons (of a flat mesh: every edge but those on the hull's edges), and
-//   C3. beside the first edge of the hull's first facet the polygons cover that facet an odd number of times.
-// By C1 and C2 the polygons, counted modulo two, are a cycle on the hull's boundary, a sphere (or a disc relative to its
-// rim); so they cover all of it an odd number of times, or all of it an even number: C3 tells which. What the mesh
+//   C2. every edge belongs to an even number of polygons (of a flat mesh: every edge but those on the hull's edges),
+//   and C3. beside the first edge of the hull's first facet the polygons cover that facet an odd number of times.
+// By C1 and C2 the polygons, counted modulo two, are a cycle on the hull's boundary, a sphere (or a disc relative to
+// its rim); so they cover all of it an odd number of times, or all of it an even number: C3 tells which. What the mesh
 // encloses by the even-odd rule is then exactly the hull.
 // Vertices within facets and edges of the hull are allowed; so are facets cut into any polygons, convex or not.
 // Cost: n log n in floating point, plus the number of facets for each polygon without a corner that is extreme.

@@ -13,8 +13,8 @@ Point3 rounded_common_point(const PairCertificate& certificate, const PlacedVert
 // What an `apart` shows.
 struct RoundedGap {
   Point3 direction;  // from A to B, of length one up to rounding
-  double width = 0;  // of the empty slab across the direction: the bodies are no closer than this. Positive, and rounded
-                     // (0 where it is below the least double).
+  double width = 0;  // of the empty slab across the direction: the bodies are no closer than this. Positive, and
+                     // rounded (0 where it is below the least double).
 };
 
 // Requires a true certificate of that verdict.

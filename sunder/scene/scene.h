@@ -28,7 +28,7 @@ struct Part {
 };
 
 struct Body {
-  std::string name;  // for people
+  std::string name;         // for people
   std::vector<Part> parts;  // may be empty: a body that meets nothing
 };
 
@@ -47,8 +47,8 @@ struct PartPair {
   std::uint32_t body_a = 0, body_b = 0;  // body_a < body_b
   std::uint32_t part_a = 0, part_b = 0;
   solid::PairAnswer answer;
-  bool by_boxes = false;  // the boxes are apart: no method was called, and answer.cost is zero
-  bool counts = false;    // they meet, and that is not allowed
+  bool by_boxes = false;            // the boxes are apart: no method was called, and answer.cost is zero
+  bool counts = false;              // they meet, and that is not allowed
   Contact contact = Contact::none;  // meaningless for pairs that meet when contacts were not asked for
 };
 

@@ -142,9 +142,8 @@ TEST(Scene, BoxesNeverHideWhatOnlyTouches) {
 }
 
 TEST(Scene, TouchingMayBeAllowed) {
-  const std::vector<Body> bodies{{"a", {{"", cube(), Pose()}}},
-                                 {"b", {{"", cube(), shift(1, 0, 0)}}},
-                                 {"c", {{"", cube(), shift(1.5, 0, 0)}}}};
+  const std::vector<Body> bodies{
+      {"a", {{"", cube(), Pose()}}}, {"b", {{"", cube(), shift(1, 0, 0)}}}, {"c", {{"", cube(), shift(1.5, 0, 0)}}}};
   Question question;
   const Answer strict = meeting_pairs(bodies, question);
   question.touching_allowed = true;

@@ -24,7 +24,7 @@ TEST(Sweep, IsAllPairs) {
   std::size_t pairs = 0, empty = 0, infinite = 0;
   for (int round = 0; round < 500; ++round) {
     std::vector<WorldBox> boxes(random.below(60));
-    const std::int64_t spread = random.between(1, 40);  // small: equal ends, touching boxes, and boxes in boxes
+    const std::int64_t spread = random.between(1, 15);  // small: equal ends, touching boxes, and boxes in boxes
     for (WorldBox& box : boxes) {
       for (std::size_t k = 0; k < 3; ++k) {
         box.low[k] = static_cast<double>(random.between(-spread, spread));

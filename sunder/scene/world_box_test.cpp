@@ -83,8 +83,9 @@ TEST(WorldBox, NeverPartsWhatTouches) {
   for (int x = -1; x <= 1; ++x) {
     for (int y = -1; y <= 1; ++y) {
       for (int z = -1; z <= 1; ++z) {
-        const Pose here, there = Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1},
-                                                   {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)});
+        const Pose here,
+            there = Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1},
+                                      {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)});
         const WorldBox a = world_box(Placed(cube, here)), b = world_box(Placed(cube, there));
         ASSERT_TRUE(boxes_meet(a, b));
         ASSERT_FALSE(apart_by_boxes(a, b));
@@ -111,7 +112,8 @@ TEST(WorldBox, CertificatesHold) {
       continue;
     }
     ++parted;
-    const PlacedVertices in_a{body_a.vertices(), pose_a.affine(), false}, in_b{body_b.vertices(), pose_b.affine(), false};
+    const PlacedVertices in_a{body_a.vertices(), pose_a.affine(), false},
+        in_b{body_b.vertices(), pose_b.affine(), false};
     ASSERT_EQ(check_absolutely(*certificate, in_a, in_b), CheckResult::accepted);
     const Point3& d = certificate->direction.given;
     ++directions[d.x > 0 ? 0 : d.x < 0 ? 1 : d.y > 0 ? 2 : d.y < 0 ? 3 : d.z > 0 ? 4 : 5];

@@ -28,7 +28,7 @@ std::vector<std::uint32_t> monotone_chain(std::span<const Point3> points, int ax
 
   std::vector<std::uint32_t> cycle;
   // Appends the lower chain of the points in the order given, without its last point: that begins the next chain.
-  const auto append_chain = [&](auto first, auto last) {
+  const auto append_chain = [&](const auto& first, const auto& last) {
     const std::size_t begin = cycle.size();
     for (auto i = first; i != last; ++i) {
       while (cycle.size() >= begin + 2 && orient_2d_along(axis, points[cycle[cycle.size() - 2]], points[cycle.back()],

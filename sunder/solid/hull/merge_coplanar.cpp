@@ -29,7 +29,7 @@ class Merger {
     hull_.dimension = 3;
     find_creases();
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-      for (const int place : {0, 1, 2}) {
+      for (const std::uint32_t place : {0u, 1u, 2u}) {
         const Edge edge{t, place};
         if (!is_crease(edge) || !is_extreme(start_of(edge))) continue;
         if (number_[start_of(edge)] == none) collect_vertex(edge);
@@ -46,7 +46,7 @@ class Merger {
   // An edge, as the triangle on its left and the place of its first corner there.
   struct Edge {
     std::uint32_t triangle;
-    int place;
+    std::uint32_t place;
     friend bool operator==(const Edge&, const Edge&) = default;
   };
 
@@ -54,7 +54,7 @@ class Merger {
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
       const Triangle& triangle = triangles_[t];
       if (triangle.removed) continue;
-      for (const int place : {0, 1, 2}) {
+      for (const std::uint32_t place : {0u, 1u, 2u}) {
         if (triangle.adjacent[place] < t) continue;
         const Edge edge{t, place};
         const Edge twin = beyond(edge, end_of(edge));
@@ -74,8 +74,8 @@ class Merger {
 
   bool is_extreme(std::uint32_t p) const { return crease_count_[p] == 3; }
 
-  static std::uint8_t crease_mark(int place) { return static_cast<std::uint8_t>(1 << place); }
-  static std::uint8_t outline_mark(int place) { return static_cast<std::uint8_t>(8 << place); }
+  static std::uint8_t crease_mark(std::uint32_t place) { return static_cast<std::uint8_t>(1u << place); }
+  static std::uint8_t outline_mark(std::uint32_t place) { return static_cast<std::uint8_t>(8u << place); }
   bool is_crease(const Edge& edge) const { return (marks_[edge.triangle] & crease_mark(edge.place)) != 0; }
   bool is_outlined(const Edge& edge) const { return (marks_[edge.triangle] & outline_mark(edge.place)) != 0; }
 

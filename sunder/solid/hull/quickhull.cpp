@@ -67,7 +67,7 @@ class Quickhull {
   // An edge, as the triangle on its left and the place of its first corner there.
   struct Edge {
     std::uint32_t triangle;
-    int place;
+    std::uint32_t place;
     friend bool operator==(const Edge&, const Edge&) = default;
   };
 
@@ -128,7 +128,7 @@ class Quickhull {
     triangles_[t].removed = true;
     for (std::size_t i = 0; i < visible_.size(); ++i) {
       const std::uint32_t v = visible_[i];
-      for (const int e : {0, 1, 2}) {
+      for (const std::uint32_t e : {0u, 1u, 2u}) {
         const std::uint32_t beyond = triangles_[v].adjacent[e];
         if (triangles_[beyond].removed) continue;
         if (triangles_[beyond].side(points_, p) == Sign::positive) {

@@ -22,7 +22,7 @@ struct Triangle {
   bool removed = false;                     // no part of the hull: every other field is meaningless
 
   // Which corner point v is. Requires that it is one.
-  int place_of(std::uint32_t v) const { return (corner[1] == v ? 1 : 0) + (corner[2] == v ? 2 : 0); }
+  std::uint32_t place_of(std::uint32_t v) const { return (corner[1] == v ? 1u : 0u) + (corner[2] == v ? 2u : 0u); }
 
   // Exactly: positive when q is strictly outside the plane, negative when strictly inside.
   Sign side(std::span<const Point3> points, const Point3& q) const {
@@ -30,8 +30,8 @@ struct Triangle {
   }
 };
 
-constexpr int next(int place) { return place == 2 ? 0 : place + 1; }
-constexpr int previous(int place) { return place == 0 ? 2 : place - 1; }
+constexpr std::uint32_t next(std::uint32_t place) { return place == 2 ? 0 : place + 1; }
+constexpr std::uint32_t previous(std::uint32_t place) { return place == 0 ? 2 : place - 1; }
 
 // Triangles none of which is degenerate, that together with their adjacency cover the boundary of the hull exactly
 // once, among removed ones. Several may be coplanar, so corners may lie inside facets or edges of the hull, but every

@@ -65,7 +65,7 @@ Nearest of_triangle(const DifferenceSimplex& s, int newest, int b, int c, const 
 
 }  // namespace
 
-bool reduce_to_closest_face(DifferenceSimplex& s, Point3& towards) {
+bool reduce_to_closest_face(DifferenceSimplex& s, Point3& towards, double& distance2) {
   Nearest nearest;
   switch (s.count) {
     case 1: nearest = at_corner(s, 0); break;
@@ -102,6 +102,7 @@ bool reduce_to_closest_face(DifferenceSimplex& s, Point3& towards) {
   }
   s.count = nearest.count;
   towards = nearest.towards;
+  distance2 = nearest.distance2;
   return true;
 }
 

@@ -12,7 +12,7 @@ namespace sunder::solid {
 // A vertex of the difference A - B of two placed bodies: the image of vertex a minus that of vertex b, rounded.
 struct DifferenceVertex {
   Point3 at;
-  Point3 turned_a, turned_b;  // the images without the translations
+  Point3 turned_a, turned_b;  // the images without the translations, in the same scale
   std::uint32_t a = 0;
   std::uint32_t b = 0;
 };
@@ -28,7 +28,8 @@ struct DifferenceSimplex {
 // direction from the face to the origin: perpendicular to the face as well as floating point allows. Of a tetrahedron,
 // the face without the newest vertex must have been the closest one before.
 // Source: Ericson 2005, section 5.1 (regions of a triangle and a tetrahedron).
-bool reduce_to_closest_face(DifferenceSimplex& simplex, Point3& towards);
+// `distance2` is the square of the face's distance from the origin.
+bool reduce_to_closest_face(DifferenceSimplex& simplex, Point3& towards, double& distance2);
 
 // The weights of the origin in a tetrahedron that holds it, up to a factor.
 std::array<double, 4> weights_of_origin(const DifferenceSimplex& tetrahedron);

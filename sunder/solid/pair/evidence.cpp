@@ -282,8 +282,19 @@ bool parts_along_facet_at(const Placed& a, const Placed& b, const DifferenceVert
 
 }  // namespace
 
-bool check_apart_by_features(const Placed& a, const Placed& b, const DifferenceSimplex& simplex, const Point3& towards,
+bool check_apart_by_features(const Placed& a, const Placed& b, const DifferenceSimplex& given, const Point3& towards,
                              PairCertificate& certificate, StageTally& tally) {
+  // A tetrahedron with the origin next to a face counts as that face.
+  DifferenceSimplex simplex = given;
+  if (given.count == 4) {
+    const std::array<double, 4> weights = weights_of_origin(given);
+    const double least = *std::max_element(weights.begin(), weights.end()) * negligible;
+    simplex.count = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (weights[i] > least) simplex.vertex[static_cast<std::size_t>(simplex.count++)] = given.vertex[i];
+    }
+    if (simplex.count == 4) return false;
+  }
   Support of_a, of_b;
   const DifferenceVertex* nearest = nullptr;
   double largest = 0;

@@ -48,8 +48,8 @@ class Search {
     const auto& s = a.pose.translation;
     const auto& t = b.pose.translation;
     if (!a.tame || !b.tame) scale_ = scale_of(a, b);
-    shift_ = {t[0] - s[0], t[1] - s[1], t[2] - s[2]};
-    const Point3 p = turned(a.pose, a.graph.middle), q = turned(b.pose, b.graph.middle);
+    shift_ = {(t[0] - s[0]) * scale_, (t[1] - s[1]) * scale_, (t[2] - s[2]) * scale_};
+    const Point3 p = image(a.pose, a.graph.middle), q = image(b.pose, b.graph.middle);
     direction = {(q.x - p.x) + shift_.x, (q.y - p.y) + shift_.y, (q.z - p.z) + shift_.z};
     if (!(dot(direction, direction) > 0)) direction = {1, 0, 0};
   }
@@ -62,9 +62,9 @@ class Search {
     const std::uint32_t start_a = search_start(a_.graph, e), start_b = search_start(b_.graph, g);
     w.a = furthest_from(a_.graph, e, start_a, cost.probes);
     w.b = furthest_from(b_.graph, g, start_b, cost.probes);
-    const Point3 p = w.turned_a = turned(a_.pose, a_.graph.vertices[w.a]);
-    const Point3 q = w.turned_b = turned(b_.pose, b_.graph.vertices[w.b]);
-    w.at = {((p.x - q.x) - shift_.x) * scale_, ((p.y - q.y) - shift_.y) * scale_, ((p.z - q.z) - shift_.z) * scale_};
+    const Point3 p = w.turned_a = image(a_.pose, a_.graph.vertices[w.a]);
+    const Point3 q = w.turned_b = image(b_.pose, b_.graph.vertices[w.b]);
+    w.at = {(p.x - q.x) - shift_.x, (p.y - q.y) - shift_.y, (p.z - q.z) - shift_.z};
     return w;
   }
 
@@ -126,6 +126,12 @@ class Search {
   DifferenceSimplex simplex;   // the face nearest to the origin, or the tetrahedron around it
 
  private:
+  // The image without the translation, in the search's scale.
+  Point3 image(const Affine3& pose, const Point3& v) const {
+    const Point3 p = turned(pose, v);
+    return {p.x * scale_, p.y * scale_, p.z * scale_};
+  }
+
   // A power of two that brings differences of images near 1: squares of them must neither overflow nor vanish.
   static double scale_of(const Placed& a, const Placed& b) {
     double size = 0;
@@ -169,8 +175,11 @@ PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& body_a, const Po
     }
     if (!search.gains_by(w)) break;
     search.simplex.vertex[static_cast<std::size_t>(search.simplex.count++)] = w;
-    enclosed = !reduce_to_closest_face(search.simplex, search.direction);
-    if (!enclosed && !(dot(search.direction, search.direction) > 0)) break;
+    double distance2 = 0;
+    enclosed = !reduce_to_closest_face(search.simplex, search.direction, distance2);
+    // From a vertex nearer than the noise of floating point no direction is worth going.
+    const double noise2 = 0x1p-92 * (dot(w.turned_a, w.turned_a) + dot(w.turned_b, w.turned_b));
+    if (!enclosed && !(distance2 > (search.simplex.count == 1 ? noise2 : 0))) break;
   }
 
   if (!decided) decided = check_meet(a, b, search.simplex, answer.evidence, tally);

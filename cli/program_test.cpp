@@ -1,0 +1,378 @@
+// Runs the program: exit codes, messages, reports, files.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+const std::string cases = SUNDER_CASES_DIR;
+const std::string cube = cases + "/mesh/cube.obj";
+const std::string tetrahedron = cases + "/mesh/tetrahedron.stl";
+const std::string panda = cases + "/panda/panda.urdf";
+const std::string ready = " --joints-file " + cases + "/scene/ready.joints";
+const std::string folded = " --joints-file " + cases + "/scene/folded.joints";
+
+std::string read_text(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::stringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+void write_text(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+
+// A folder of its own for each test, removed at the end.
+class Program : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "sunder_program_XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string in_folder(const std::string& name) const { return (folder_ / name).string(); }
+
+  struct Run {
+    int code = -1;
+    std::string out, err;
+  };
+
+  // The arguments as a shell reads them.
+  Run run(const std::string& arguments) const {
+    const std::string err = in_folder("stderr");
+    const std::string command = std::string("'") + SUNDER_PROGRAM + "' " + arguments + " 2> '" + err + "'";
+    Run result;
+    std::FILE* pipe = popen(command.c_str(), "r");
+    if (pipe == nullptr) return result;
+    std::array<char, 4096> buffer;
+    for (std::size_t n = 0; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+      result.out.append(buffer.data(), n);
+    const int status = pclose(pipe);
+    if (WIFEXITED(status)) result.code = WEXITSTATUS(status);
+    result.err = read_text(err);
+    fs::remove(err);
+    return result;
+  }
+
+  std::size_t files_in_folder() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+
+  // Code 2, nothing on standard output, one line on standard error that holds `part`, no file left behind.
+  void expect_bad(const std::string& arguments, const std::string& part) {
+    const std::size_t before = files_in_folder();
+    const Run r = run(arguments);
+    EXPECT_EQ(r.code, 2) << arguments << "\n" << r.err;
+    EXPECT_EQ(r.out, "") << arguments;
+    EXPECT_TRUE(r.err.starts_with("sunder: ")) << arguments << "\n" << r.err;
+    EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << arguments << "\n" << r.err;
+    EXPECT_NE(r.err.find(part), std::string::npos) << arguments << "\n" << r.err << "expected: " << part;
+    EXPECT_EQ(files_in_folder(), before) << arguments;
+  }
+
+  // The report, with the keys that all verbs have.
+  json report(const std::string& arguments, int code) {
+    const Run r = run(arguments + " --json");
+    EXPECT_EQ(r.code, code) << arguments << "\n" << r.err;
+    const json j = json::parse(r.out, nullptr, false);
+    EXPECT_FALSE(j.is_discarded()) << r.out;
+    for (const char* key : {"sunder", "verb", "answer", "method", "decided_by", "cost", "objects"}) {
+      EXPECT_TRUE(j.contains(key)) << arguments << ": " << key;
+    }
+    EXPECT_EQ(j.value("sunder", 0), 1);
+    EXPECT_EQ(j.value("verb", ""), arguments.substr(0, arguments.find(' ')));
+    return j;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Program, HelpAndVersion) {
+  for (const char* call : {"--help", "pair --help", "scene --help", "hull --help", "info --help", "verify --help"}) {
+    const Run r = run(call);
+    EXPECT_EQ(r.code, 0) << call;
+    EXPECT_NE(r.out.find("Usage"), std::string::npos) << call;
+    EXPECT_EQ(r.err, "") << call;
+  }
+  EXPECT_TRUE(run("--version").out.starts_with("sunder "));
+}
+
+TEST_F(Program, BadCalls) {
+  expect_bad("", "no verb is given; verbs are pair, scene, hull, info, verify");
+  expect_bad("frob", "there is no verb 'frob'");
+  expect_bad("--frob", "there is no option '--frob'");
+  expect_bad("pair", "A is required");
+  expect_bad("pair " + cube, "B is required");
+  expect_bad("pair a b c", "nothing is expected at 'c'");
+  expect_bad("pair a b --frob", "there is no option '--frob'; see sunder pair --help");
+  expect_bad("pair a b --method", "--method");
+  expect_bad("pair " + cube + " " + cube + " --method frob",
+             "there is no method 'frob'; choose one of automatic, gjk, scan");
+  expect_bad("hull", "FILE is required");
+  expect_bad("info", "name files, or ask for --formats");
+  expect_bad("verify", "FILE is required");
+  expect_bad("scene", "FILE is required");
+  expect_bad("hull " + cube + " -o " + in_folder("hull.xyz"), "hull.xyz");
+}
+
+TEST_F(Program, BadPoses) {
+  const std::string call = "pair " + cube + " " + cube + " --certificate " + in_folder("c.json") + " --pose-b ";
+  expect_bad(call + "1,2", "--pose-b: a pose of 2 numbers; give tx,ty,tz");
+  expect_bad(call + "1,2,x", "--pose-b: 'x' is not a number");
+  expect_bad(call + "1,2,", "--pose-b: '' is not a number");
+  expect_bad(call + "nan,0,0", "--pose-b: 'nan' is NaN");
+  expect_bad(call + "0,inf,0", "'inf' is infinite");
+  expect_bad(call + "0,0,1e999", "too large");
+  expect_bad(call + "0,0,0,0,1,2,3", "length zero");
+  expect_bad(call + "1,0,0,0,0,1,0,0,1,1,0,0", "singular");
+  expect_bad(call + "1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,2", "last row");
+}
+
+TEST_F(Program, BadFilesOfAllKinds) {
+  expect_bad("pair " + cube + " " + in_folder("none.obj"), "none.obj: no such file");
+  expect_bad("pair " + cube + " " + folder_.string(), "is a folder");
+  std::size_t meshes = 0, robots = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(cases + "/broken")) {
+    const std::string name = entry.path().filename().string();
+    if (name == "README.md" || name == "EXPECTED.tsv") continue;
+    const std::string file = "'" + entry.path().string() + "'";
+    if (entry.path().extension() == ".urdf") {
+      expect_bad("scene " + file + " --svg " + in_folder("s.svg"), name);
+      ++robots;
+    } else {
+      expect_bad("pair " + cube + " " + file + " --certificate " + in_folder("c.json"), name);
+      ++meshes;
+    }
+  }
+  EXPECT_GE(meshes, 60u);
+  EXPECT_GE(robots, 15u);
+  const std::string broken = cases + "/broken/nan.obj";
+  for (const std::string& call :
+       {"hull " + broken + " -o " + in_folder("h.obj"), "info " + broken, "scene " + broken}) {
+    expect_bad(call, "nan.obj:2");
+  }
+}
+
+TEST_F(Program, NothingIsHalfWritten) {
+  const std::string pair = "pair " + cube + " " + tetrahedron;
+  expect_bad(pair + " --certificate " + in_folder("no/such/folder/c.json"), "c.json");
+  expect_bad(pair + " --certificate " + folder_.string(), "is a folder");
+  const std::string old = in_folder("old.json");
+  write_text(old, "old");
+  expect_bad("pair " + cube + " " + in_folder("none.obj") + " --certificate " + old, "none.obj");
+  EXPECT_EQ(read_text(old), "old");
+  if (fs::exists("/dev/full")) {
+    const Run r = run(pair + " > /dev/full");
+    EXPECT_EQ(r.code, 2);
+    EXPECT_NE(r.err.find("standard output: cannot be written"), std::string::npos) << r.err;
+  }
+}
+
+TEST_F(Program, PairAnswers) {
+  const std::string pair = "pair " + cube + " " + cube;
+  for (const char* method : {"automatic", "gjk", "scan"}) {
+    const std::string with = pair + " --method " + method;
+    EXPECT_EQ(run(with + " --pose-b 3,0,0").code, 0) << method;
+    EXPECT_EQ(run(with + " --pose-b -1,0,0").code, 1) << method;
+    EXPECT_EQ(run(with + " --pose-b -1.0000000000000002,0,0").code, 0) << method;
+    EXPECT_EQ(report(with, 1)["method"], method);
+  }
+  // The same pose in all forms: a quarter turn about z, then a shift.
+  for (const char* pose : {"1,0,0,1,2.5,0,0", "0,-1,0,2.5,1,0,0,0,0,0,1,0", "0,-1,0,2.5,1,0,0,0,0,0,1,0,0,0,0,1",
+                           "0 -1 0 2.5  1 0 0 0  0 0 1 0", "0, -1, 0, 2.5, 1, 0, 0, 0, 0, 0, 1, 0"}) {
+    const json j = report(pair + " --pose-b '" + pose + "'", 0);
+    EXPECT_EQ(j["answer"], "apart") << pose;
+    EXPECT_GT(j["evidence"]["gap_about"].get<double>(), 0) << pose;
+  }
+  EXPECT_EQ(run(pair + " --pose-a 0,1,0 --pose-b 0,1,0.5").code, 1);
+}
+
+TEST_F(Program, PairReport) {
+  const json j = report("pair " + cube + " " + tetrahedron + " --pose-b 0.5,0,0 --classify", 1);
+  EXPECT_EQ(j["answer"], "meet");
+  EXPECT_EQ(j["contact"], "touching");
+  EXPECT_EQ(j["objects"].size(), 2u);
+  EXPECT_EQ(j["objects"][0]["shape"], "convex");
+  EXPECT_EQ(j["objects"][0]["vertices"], 8);
+  EXPECT_EQ(j["objects"][0]["facets"], 6);
+  EXPECT_EQ(j["objects"][1]["vertices"], 4);
+  EXPECT_GT(j["cost"]["probes"].get<int>(), 0);
+  EXPECT_EQ(j["evidence"]["point_about"].size(), 3u);
+  EXPECT_EQ(report("pair " + cube + " " + tetrahedron + " --classify", 1)["contact"], "overlapping");
+  EXPECT_EQ(report("pair " + cube + " " + tetrahedron + " --classify --pose-b 0.6,0,0", 0)["contact"], "none");
+}
+
+TEST_F(Program, PairTextNamesWhatMatters) {
+  const Run meet = run("pair " + cube + " " + tetrahedron);
+  for (const char* part : {"meet", "cube", "tetrahedron", "common point", "about", "decided by", "probes"}) {
+    EXPECT_NE(meet.out.find(part), std::string::npos) << part;
+  }
+  const Run apart = run("pair " + cube + " " + tetrahedron + " --pose-b 9,0,0");
+  for (const char* part : {"apart", "slab", "direction", "about", "vertex"}) {
+    EXPECT_NE(apart.out.find(part), std::string::npos) << part;
+  }
+}
+
+TEST_F(Program, MeshesThatAreNotConvex) {
+  const std::string file = in_folder("dent.off");
+  write_text(file,
+             "OFF\n9 9 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n0.5 0.5 0.75\n"
+             "4 0 4 6 2\n4 1 3 7 5\n4 0 1 5 4\n4 2 6 7 3\n4 0 2 3 1\n3 4 5 8\n3 5 7 8\n3 7 6 8\n3 6 4 8\n");
+  const Run r = run("pair " + cube + " " + file + " --json");
+  EXPECT_EQ(r.code, 1);
+  EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1);
+  EXPECT_NE(r.err.find("its hull stands for it"), std::string::npos) << r.err;
+  const json j = json::parse(r.out);
+  EXPECT_EQ(j["objects"][0]["shape"], "convex");
+  EXPECT_EQ(j["objects"][1]["shape"], "hull");
+  for (const std::string& call : {"pair " + cube + " " + file, "scene " + file}) {
+    expect_bad(call + " --require-convex",
+               "not exactly convex: it bends inwards at the reflex edge from vertex 4 (0, 0, 1)");
+  }
+  EXPECT_EQ(run("pair " + cube + " " + cube + " --require-convex").code, 1);
+  EXPECT_NE(run("info " + file).out.find("reflex edge"), std::string::npos);
+}
+
+TEST_F(Program, CertificatesAreVerified) {
+  const std::string apart = in_folder("apart.json"), meet = in_folder("meet.json");
+  ASSERT_EQ(run("pair " + cube + " " + tetrahedron + " --pose-b 3,0.1,0.2 --certificate " + apart).code, 0);
+  ASSERT_EQ(run("pair " + cube + " " + tetrahedron + " --pose-b 0.1,0.1,0.2 --certificate " + meet).code, 1);
+  EXPECT_EQ(run("verify " + apart + " " + meet).code, 0);
+  EXPECT_EQ(report("verify " + apart, 0)["answer"], "accepted");
+
+  std::string text = read_text(apart);
+  const std::size_t at = text.find("\"extreme_b\": ") + 13;
+  text[at] = text[at] == '0' ? '1' : '0';
+  const std::string changed = in_folder("changed.json");
+  write_text(changed, text);
+  EXPECT_EQ(run("verify " + changed).code, 1);
+  EXPECT_EQ(run("verify " + apart + " " + changed).code, 1);
+  const json j = report("verify " + changed, 1);
+  EXPECT_EQ(j["answer"], "refused");
+  EXPECT_EQ(j["objects"][0]["refused"][0]["check"], "A2");
+
+  expect_bad("verify " + in_folder("none.json"), "no such file");
+  expect_bad("verify " + cube, "cube.obj");
+  write_text(changed, text.substr(0, text.size() / 2));
+  expect_bad("verify " + changed, "changed.json");
+}
+
+TEST_F(Program, HullWritesWhatInfoReads) {
+  const std::string points = in_folder("points.obj");
+  write_text(points,
+             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 1 1\nv 0.5 0.5 0.5\nv 0.5 0.5 1\n");
+  for (const char* ending : {"obj", "off", "ply", "stl"}) {
+    const std::string out = in_folder(std::string("hull.") + ending);
+    const json j = report("hull " + points + " -o " + out, 0);
+    EXPECT_EQ(j["answer"], "body");
+    EXPECT_EQ(j["objects"][0]["vertices"], 8);
+    EXPECT_EQ(j["objects"][0]["facets"], 6);
+    EXPECT_EQ(j["edges"], 12);
+    const json info = report("info " + out, 0);
+    EXPECT_EQ(info["objects"][0]["shape"], "convex") << ending;
+    EXPECT_EQ(info["objects"][0]["facets"], 6) << ending;
+  }
+}
+
+TEST_F(Program, Info) {
+  const json robot = report("info " + panda, 0);
+  EXPECT_EQ(robot["objects"][0]["links"].size(), 13u);
+  EXPECT_EQ(robot["objects"][0]["joints"].size(), 12u);
+  const json formats = report("info --formats", 0);
+  EXPECT_GE(formats["formats"].size(), 5u);
+  const json two = report("info " + cube + " " + cases + "/mesh/points.obj", 0);
+  EXPECT_EQ(two["objects"][1]["shape"], "points");
+}
+
+TEST_F(Program, SceneOfTheArm) {
+  const std::string call = "scene " + panda + ready + folded + " --allow adjacent --classify";
+  const std::string proofs = in_folder("proofs.json"), svg = in_folder("arm.svg");
+  const json j = report(call + " --certificate " + proofs + " --svg " + svg, 1);
+  EXPECT_EQ(j["answer"], "some");
+  EXPECT_EQ(j["bodies"].size(), 11u);
+  ASSERT_EQ(j["placements"].size(), 2u);
+  EXPECT_EQ(j["placements"][0]["name"], "ready");
+  EXPECT_EQ(j["placements"][0]["answer"], "none");
+  EXPECT_EQ(j["placements"][1]["answer"], "some");
+  std::vector<json> meeting;
+  for (const json& pair : j["pairs"]) {
+    if (pair["answer"] == "meet") meeting.push_back(pair);
+  }
+  ASSERT_EQ(meeting.size(), 1u);
+  EXPECT_EQ(meeting[0]["a"], "panda_link1");
+  EXPECT_EQ(meeting[0]["b"], "panda_hand");
+  EXPECT_EQ(meeting[0]["contact"], "overlapping");
+  EXPECT_EQ(meeting[0]["placement"], 1);
+  EXPECT_EQ(j["counts"]["pairs"].get<int>(), 248);
+  EXPECT_EQ(j["pairs"].size(), j["counts"]["pairs"].get<std::size_t>() - j["counts"]["allowed"].get<std::size_t>());
+
+  const json verified = report("verify " + proofs, 0);
+  EXPECT_EQ(verified["objects"][0]["pairs"], j["pairs"].size());
+  EXPECT_EQ(verified["objects"][0]["meet"], 1);
+
+  const std::string picture = read_text(svg);
+  EXPECT_TRUE(picture.starts_with("<svg ") && picture.ends_with("</svg>\n"));
+  EXPECT_NE(picture.find("panda_link1 meets panda_hand"), std::string::npos);
+  EXPECT_EQ(picture.find("nan"), std::string::npos);
+
+  EXPECT_EQ(run("scene " + panda + ready + " --allow adjacent").code, 0);
+  EXPECT_EQ(run("scene " + panda + ready).code, 1);  // neighbours meet
+  EXPECT_EQ(run("scene " + panda + folded + " --allow adjacent --allow panda_hand,panda_link1").code, 0);
+  write_text(in_folder("allow"), "# what may meet\npanda_link1 panda_hand\n");
+  EXPECT_EQ(run("scene " + panda + folded + " --allow adjacent --allow " + in_folder("allow")).code, 0);
+}
+
+TEST_F(Program, SceneOfMeshes) {
+  EXPECT_EQ(run("scene " + cube + " " + cube + "@3,0,0").code, 0);
+  EXPECT_EQ(run("scene " + cube + " " + cube + "@1,0,0").code, 1);
+  EXPECT_EQ(run("scene " + cube + " " + cube + "@1,0,0 --allow touch").code, 0);
+  EXPECT_EQ(run("scene " + cube + " " + cube + " --pose 'cube#2=1,0.5,3'").code, 0);
+  const json j = report("scene " + cases + "/mesh/two_parts.obj " + tetrahedron + "@20,0,0", 0);
+  EXPECT_EQ(j["bodies"][0]["parts"].size(), 2u);
+  EXPECT_EQ(j["counts"]["pairs"], 2);
+  EXPECT_EQ(j["pairs"].size(), 0u);
+  const json far = report("scene " + cube + " " + cube + "@3,0,0 --certificate " + in_folder("c.json"), 0);
+  ASSERT_EQ(far["pairs"].size(), 1u);
+  EXPECT_EQ(far["pairs"][0]["decided_by"], "boxes");
+  EXPECT_EQ(run("verify " + in_folder("c.json")).code, 0);
+  EXPECT_EQ(run("scene " + panda + ready + " --allow adjacent " + cube + "@0,0,-0.45").code, 1);  // under its base
+}
+
+TEST_F(Program, BadScenes) {
+  const std::string arm = "scene " + panda;
+  expect_bad(arm + " --joints panda_joint1", "'panda_joint1' is no joint with a value");
+  expect_bad(arm + " --joints panda_joint1=x", "'x' is not a number");
+  expect_bad(arm + " --joints panda_joint1=9", "out of the limits");
+  expect_bad(arm + " --joints elbow=1", "joint 'elbow'");
+  expect_bad(arm + " --joints panda_joint1=0,panda_joint1=1", "comes twice");
+  expect_bad(arm + " --joints-file " + in_folder("none"), "no such file");
+  expect_bad(arm + " --allow neighbours", "give adjacent, touch, NAME,NAME, or a file");
+  expect_bad(arm + " --allow panda_link1,elbow", "no body is named 'elbow'");
+  expect_bad(arm + " " + panda, "a second robot");
+  expect_bad("scene " + cube + " --joints a=1", "there is no robot");
+  expect_bad("scene " + cube + " --allow adjacent", "there is no robot");
+  expect_bad("scene " + cube + "@1,2", "a pose of 2 numbers");
+  expect_bad("scene " + cube + " --pose sphere=1,2,3", "nothing is named 'sphere'; names are cube");
+  expect_bad("scene " + cube + " --pose cube", "is not of the form NAME=POSE");
+  expect_bad("scene " + cube + " --method frob", "choose one of automatic, gjk, scan");
+  write_text(in_folder("bad.joints"), "# fine\npanda_joint1 = 0.1\npanda_joint2 = far\n");
+  expect_bad(arm + " --joints-file " + in_folder("bad.joints"), "bad.joints:3");
+}
+
+}  // namespace

@@ -1,0 +1,281 @@
+// The certificate file, read back by a foreign JSON parser and an own reader of its numbers, in fractions.
+#include <sunder/base/random.h>
+#include <sunder/certificate/json.h>
+#include <sunder/predicate/common_point.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+#include <regex>
+
+namespace sunder {
+namespace {
+
+using nlohmann::json;
+using Whole = boost::multiprecision::cpp_int;
+using Fraction = boost::multiprecision::cpp_rational;
+using Exact3 = std::array<Fraction, 3>;
+
+Fraction times_power(const Whole& m, std::int64_t e) {
+  const Whole power = Whole(1) << static_cast<unsigned>(std::abs(e));
+  return e < 0 ? Fraction(m, power) : Fraction(m * power);
+}
+
+Fraction exact(double x) {
+  int e = 0;
+  const double m = std::frexp(x, &e);
+  return times_power(static_cast<std::int64_t>(std::ldexp(m, 53)), e - 53);
+}
+
+// A number of docs/certificates.md; throws for anything else.
+Fraction number(const json& text) {
+  static const std::regex hexadecimal("(-?)0x([0-9a-fA-F]+)(\\.([0-9a-fA-F]+))?p([-+]?[0-9]+)");
+  static const std::regex fraction("(-?)([0-9]+)(/([0-9]+))?");
+  const std::string s = text.get<std::string>();
+  if (s.size() > 20000) throw std::runtime_error("too long");
+  std::smatch m;
+  Fraction size;
+  if (std::regex_match(s, m, hexadecimal)) {
+    const std::string digits = m[2].str() + m[4].str();
+    const long e = std::stol(m[5]);
+    if (std::abs(e) > 20000) throw std::runtime_error("exponent: " + s);
+    size = times_power(Whole("0x" + digits), e - 4 * m[4].length());
+  } else if (std::regex_match(s, m, fraction)) {
+    // A leading zero would make the rest octal for cpp_int: none is written.
+    if (m[2].length() > 1 && m[2].str()[0] == '0') throw std::runtime_error("leading zero: " + s);
+    size = Fraction(Whole(m[2].str()), m[4].matched ? Whole(m[4].str()) : Whole(1));
+  } else {
+    throw std::runtime_error("no number: " + s);
+  }
+  return m[1].length() ? Fraction(-size) : size;
+}
+
+Exact3 numbers(const json& list) {
+  EXPECT_EQ(list.size(), 3u);
+  return {number(list.at(0)), number(list.at(1)), number(list.at(2))};
+}
+
+Exact3 image(const Affine3& pose, const Point3& p) {
+  Exact3 out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    out[i] = exact(pose.linear[3 * i]) * exact(p.x) + exact(pose.linear[3 * i + 1]) * exact(p.y) +
+             exact(pose.linear[3 * i + 2]) * exact(p.z) + exact(pose.translation[i]);
+  }
+  return out;
+}
+
+// Is it, as a double, this very double?
+bool is_exactly(const json& text, double x) { return number(text) == exact(x); }
+
+const std::vector<double> odd_doubles{0.0, -0.0, 1, -1, 0.1, 1.0 / 3, 5e-324, -5e-324, 2.2250738585072014e-308,
+                                      2.225073858507201e-308, std::numeric_limits<double>::max(),
+                                      -std::numeric_limits<double>::max(), 0x1.fffffffffffffp-1, 1e-300, 123456789};
+
+TEST(CertificateJsonTest, AnEmptyFileIsOne) {
+  const json file = json::parse(CertificateWriter().text());
+  EXPECT_EQ(file.at("sunder_certificate"), 1);
+  for (const char* key : {"bodies", "placed", "pairs"}) {
+    EXPECT_TRUE(file.at(key).is_array());
+    EXPECT_TRUE(file.at(key).empty());
+  }
+  EXPECT_EQ(file.size(), 4u);
+}
+
+TEST(CertificateJsonTest, DoublesAreExact) {
+  Random random(3);
+  std::vector<Point3> points;
+  for (const double x : odd_doubles) points.push_back({x, -x, 1});
+  for (int i = 0; i < 300; ++i) {
+    const auto any = [&] { return std::ldexp(random.uniform(-1, 1), static_cast<int>(random.between(-1074, 1023))); };
+    points.push_back({any(), any(), any()});
+  }
+  Affine3 pose;
+  for (std::size_t i = 0; i < 9; ++i) pose.linear[i] = odd_doubles[i + 4];
+  pose.translation = {5e-324, -0.1, -0.0};
+  CertificateWriter writer;
+  EXPECT_EQ(writer.add_body("first", std::vector<Point3>{{1, 2, 3}}), 0u);
+  EXPECT_EQ(writer.add_body("second", points), 1u);
+  EXPECT_EQ(writer.add_placed("here", 1, pose), 0u);
+  EXPECT_EQ(writer.add_placed("there", 0, Affine3()), 1u);
+  const json file = json::parse(writer.text());
+  ASSERT_EQ(file.at("bodies").size(), 2u);
+  EXPECT_EQ(file["bodies"][0]["name"], "first");
+  const json& vertices = file["bodies"][1]["vertices"];
+  ASSERT_EQ(vertices.size(), points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ASSERT_TRUE(is_exactly(vertices[i][0], points[i].x)) << vertices[i];
+    ASSERT_TRUE(is_exactly(vertices[i][1], points[i].y)) << vertices[i];
+    ASSERT_TRUE(is_exactly(vertices[i][2], points[i].z)) << vertices[i];
+    ASSERT_EQ(vertices[i].size(), 3u);
+  }
+  ASSERT_EQ(file.at("placed").size(), 2u);
+  const json& placed = file["placed"][0];
+  EXPECT_EQ(placed.at("name"), "here");
+  EXPECT_EQ(placed.at("body"), 1);
+  ASSERT_EQ(placed.at("linear").size(), 9u);
+  ASSERT_EQ(placed.at("translation").size(), 3u);
+  for (std::size_t i = 0; i < 9; ++i) EXPECT_TRUE(is_exactly(placed["linear"][i], pose.linear[i]));
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(is_exactly(placed["translation"][i], pose.translation[i]));
+}
+
+// Any bytes may be in a name: what is UTF-8 comes back as it was, what is not does not spoil the file.
+TEST(CertificateJsonTest, NamesMayHoldAnything) {
+  std::string control;
+  for (char c = 0; c < 0x20; ++c) control += c;
+  const std::vector<std::string> good{"", "plain", "a \"quoted\" name", "back\\slash\\", control + "\x7f", "</script>",
+                                      "gr\xc3\xbc\xc3\x9f", "\xe2\x82\xac \xf0\x9f\x98\x80 \xf4\x8f\xbf\xbf \xed\x9f\xbf"};
+  const std::vector<std::string> bad{"latin \xfc", "\xc3", "\xe2\x82", "\xc0\xaf",         "\xe0\x80\xaf", "\xed\xa0\x80",
+                                     "\xff\xfe",   "\x80", "\xf5\x80\x80\x80", "\xf4\x90\x80\x80", "\xf0\x80\x80\x80", "\xc3\"\\"};
+  CertificateWriter writer;
+  for (const std::string& name : good) writer.add_placed(name, writer.add_body(name, std::vector<Point3>{{}}), Affine3());
+  for (const std::string& name : bad) writer.add_placed(name, writer.add_body(name, std::vector<Point3>{{}}), Affine3());
+  const json file = json::parse(writer.text());  // throws unless the text is UTF-8
+  for (const char* key : {"bodies", "placed"}) {
+    ASSERT_EQ(file.at(key).size(), good.size() + bad.size());
+    for (std::size_t i = 0; i < good.size(); ++i) EXPECT_EQ(file[key][i].at("name"), good[i]) << i;
+    for (std::size_t i = good.size(); i < good.size() + bad.size(); ++i) {
+      EXPECT_NE(file[key][i].at("name").get<std::string>().find("\xef\xbf\xbd"), std::string::npos) << i;
+    }
+  }
+  EXPECT_EQ(file["bodies"].back()["name"], "\xef\xbf\xbd\"\\");
+}
+
+class CertificateJsonPairTest : public testing::Test {
+ protected:
+  CertificateJsonPairTest() {
+    writer_.add_placed("a", writer_.add_body("cube", cube_), pose_a_);
+    writer_.add_placed("b", writer_.add_body("point", other_), pose_b_);
+  }
+
+  json pair(const PairCertificate& c) {
+    writer_.add_pair(0, 1, c);
+    const json file = json::parse(writer_.text());
+    const json last = file.at("pairs").back();
+    EXPECT_EQ(last.at("a"), 0);
+    EXPECT_EQ(last.at("b"), 1);
+    return last;
+  }
+
+  // Parallel, and not against each other.
+  static bool same_ray(const Exact3& a, const Exact3& b) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        if (a[i] * b[j] != a[j] * b[i]) return false;
+      }
+    }
+    return Fraction(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) > 0;
+  }
+
+  const std::vector<Point3> cube_{{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1},
+                                  {-1, -1, 1},  {1, -1, 1},  {-1, 1, 1},  {1, 1, 1}};
+  const std::vector<Point3> other_{{0.1, 0.2, 0.3}, {0.7, 5e-324, 1e300}, {3, -2, 1e-200}, {0.3, -0.1, 2}};
+  const Affine3 pose_a_{{1, 0.1, 0, 0, 0.3, -0.1, 0.7, 0, 1}, {0.1, -5e-324, 1}};
+  const Affine3 pose_b_{{0.5, 0.25, 0, 1e-9, 1, 0, 0, 0, 1}, {1, 1, 1}};
+  CertificateWriter writer_;
+};
+
+TEST_F(CertificateJsonPairTest, DirectionsAreExact) {
+  PairCertificate c;
+  c.extreme_a = 5;
+  c.extreme_b = 3;
+  Direction& d = c.direction;
+  d.given = {5e-324, 0.1, -std::numeric_limits<double>::max()};
+  json p = pair(c);
+  EXPECT_EQ(p.at("verdict"), "apart");
+  EXPECT_EQ(p.at("extreme_a"), 5);
+  EXPECT_EQ(p.at("extreme_b"), 3);
+  EXPECT_EQ(numbers(p.at("direction")), (Exact3{exact(d.given.x), exact(d.given.y), exact(d.given.z)}));
+
+  const auto minus = [](const Exact3& a, const Exact3& b) { return Exact3{a[0] - b[0], a[1] - b[1], a[2] - b[2]}; };
+  const auto cross = [](const Exact3& a, const Exact3& b) {
+    return Exact3{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  };
+  const auto at_a = [&](std::size_t i) { return image(pose_a_, cube_[i]); };
+  const auto at_b = [&](std::size_t i) { return image(pose_b_, other_[i]); };
+  const auto expect = [&](Direction::Kind kind, std::array<std::uint32_t, 4> index, const Exact3& forward) {
+    d.kind = kind;
+    d.index = index;
+    d.reversed = false;
+    EXPECT_TRUE(same_ray(numbers(pair(c).at("direction")), forward)) << static_cast<int>(kind);
+    d.reversed = true;
+    EXPECT_TRUE(same_ray(numbers(pair(c).at("direction")), minus({}, forward))) << static_cast<int>(kind);
+  };
+  expect(Direction::Kind::normal_of_a, {0, 3, 6, 0}, cross(minus(at_a(3), at_a(0)), minus(at_a(6), at_a(0))));
+  expect(Direction::Kind::normal_of_b, {1, 2, 3, 0}, cross(minus(at_b(2), at_b(1)), minus(at_b(3), at_b(1))));
+  expect(Direction::Kind::edge_cross_edge, {7, 2, 0, 3}, cross(minus(at_a(2), at_a(7)), minus(at_b(3), at_b(0))));
+  expect(Direction::Kind::difference, {4, 2, 0, 0}, minus(at_b(2), at_a(4)));
+
+  d.kind = Direction::Kind::exact;
+  d.numbers = std::make_shared<const std::array<Dyadic, 3>>(
+      std::array<Dyadic, 3>{Dyadic((Integer(1) << 3000) + 1, -4000), 0.0, Dyadic(-12, 5)});
+  EXPECT_TRUE(same_ray(numbers(pair(c).at("direction")),
+                       {times_power((Whole(1) << 3000) + 1, -4000), 0, times_power(-12, 5)}));
+}
+
+// The weights sum to 1 and give the point, exactly: for each way to share out two to five vertices.
+TEST_F(CertificateJsonPairTest, WeightsAndPointAreExact) {
+  struct Case {
+    std::vector<Point3> a, b;
+  };
+  const std::vector<Case> cases{
+      {{{1, 2, 3}}, {{1, 2, 3}}},
+      {{{0, 0, 0}}, {{-1, -1, -1}, {2, 2, 2}}},
+      {{{0, 0, 0}, {3, 3, 3}}, {{1, 1, 1}}},
+      {{{-1, 0, 0}, {2, 0, 0}}, {{0, -0.1, 0}, {0, 0.3, 0}}},
+      {{{0, 0, 0}, {5, 0, 0}, {0, 7, 0}}, {{1, 1, 0}}},
+      {{{0.25, 0, 0}}, {{0, -1, 0}, {1, -1, 0}, {0, 2, 0}}},
+      {{{0, 0, -1}, {0, 0, 2}}, {{-1, -1, 0}, {3, -1, 0}, {0, 2, 0}}},
+      {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{1, 1, -0.1}, {1.5, 1, 0.7}}},
+      {{{0.1, 0.1, 0.1}}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+      {{{-1, -1, -1}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3}}, {{0.1, 0.2, 0.3}}},
+  };
+  int seen = 0;
+  for (const Case& k : cases) {
+    // Under one map for both, the common point stays.
+    for (const Affine3& pose : {Affine3(), pose_a_}) {
+      CertificateWriter writer;
+      writer.add_placed("a", writer.add_body("a", k.a), pose);
+      writer.add_placed("b", writer.add_body("b", k.b), pose);
+      PairCertificate c;
+      c.verdict = Verdict::meet;
+      c.count_a = static_cast<std::uint8_t>(k.a.size());
+      c.count_b = static_cast<std::uint8_t>(k.b.size());
+      for (std::uint32_t i = 0; i < c.count_a; ++i) c.vertices[i] = c.count_a - 1 - i;
+      for (std::uint32_t i = 0; i < c.count_b; ++i) c.vertices[c.count_a + i] = c.count_b - 1 - i;
+      std::vector<Posed> posed_a, posed_b;
+      for (std::uint32_t i = c.count_a; i-- > 0;) posed_a.push_back(posed(k.a[i], pose));
+      for (std::uint32_t i = c.count_b; i-- > 0;) posed_b.push_back(posed(k.b[i], pose));
+      if (!have_common_point(posed_a, posed_b)) continue;
+      ++seen;
+      writer.add_pair(0, 1, c);
+      const json p = json::parse(writer.text()).at("pairs").at(0);
+      EXPECT_EQ(p.at("verdict"), "meet");
+      const Exact3 point = numbers(p.at("point"));
+      const auto expect = [&](const json& weights, const std::vector<Point3>& points) {
+        ASSERT_EQ(weights.size(), points.size());
+        Fraction total = 0;
+        Exact3 sum{0, 0, 0};
+        for (const json& w : weights) {
+          ASSERT_EQ(w.size(), 2u);
+          ASSERT_TRUE(w[0].is_number_integer());
+          const Fraction weight = number(w[1]);
+          EXPECT_GT(weight, 0);
+          total += weight;
+          const Exact3 x = image(pose, points.at(w[0].get<std::size_t>()));
+          for (std::size_t i = 0; i < 3; ++i) sum[i] += weight * x[i];
+        }
+        EXPECT_EQ(total, 1);
+        EXPECT_EQ(sum, point);
+      };
+      expect(p.at("weights_a"), k.a);
+      expect(p.at("weights_b"), k.b);
+    }
+  }
+  EXPECT_GE(seen, 16);
+}
+
+}  // namespace
+}  // namespace sunder

@@ -1,0 +1,45 @@
+// Certificates are plain data: what a default one holds, and what copying one means.
+#include <sunder/certificate/pair.h>
+
+#include <gtest/gtest.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace sunder {
+namespace {
+
+TEST(PairCertificateTest, IsSmallPlainData) {
+  static_assert(std::is_nothrow_default_constructible_v<PairCertificate>);
+  static_assert(std::is_nothrow_copy_constructible_v<PairCertificate>);
+  static_assert(std::is_nothrow_copy_assignable_v<PairCertificate>);
+  static_assert(std::is_nothrow_move_constructible_v<PairCertificate>);
+  static_assert(std::is_nothrow_move_assignable_v<PairCertificate>);
+  static_assert(sizeof(PairCertificate) <= 128, "two cache lines");
+}
+
+TEST(PairCertificateTest, ADefaultOneStatesNothingThatHolds) {
+  const PairCertificate c;
+  EXPECT_EQ(c.verdict, Verdict::apart);
+  EXPECT_EQ(c.direction.kind, Direction::Kind::given);
+  EXPECT_EQ(c.direction.given, Point3());  // along which nothing is strictly apart
+  EXPECT_FALSE(c.direction.reversed);
+  EXPECT_EQ(c.direction.numbers, nullptr);
+  EXPECT_EQ(c.count_a + c.count_b, 0);
+}
+
+TEST(PairCertificateTest, CopiesShareTheExactNumbers) {
+  PairCertificate c;
+  c.direction.kind = Direction::Kind::exact;
+  c.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(std::array<Dyadic, 3>{1.0, -0.5, Dyadic(7, -2000)});
+  PairCertificate copy = c;
+  EXPECT_EQ(copy.direction.numbers.get(), c.direction.numbers.get());
+  const PairCertificate moved = std::move(copy);
+  copy = {};
+  c = {};
+  ASSERT_NE(moved.direction.numbers, nullptr);
+  EXPECT_TRUE((*moved.direction.numbers)[2] == Dyadic(7, -2000));
+}
+
+}  // namespace
+}  // namespace sunder
