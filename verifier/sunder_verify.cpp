@@ -215,7 +215,7 @@ std::size_t read_index(const json& value, std::size_t size, const std::string& w
   const bool in_range = value.is_number_integer() && (value.is_number_unsigned() || value.get<std::int64_t>() >= 0) &&
                         value.get<std::uint64_t>() < size;
   if (!in_range) refuse_form(where + " is not an index in range");
-  return static_cast<std::size_t>(value.get<std::uint64_t>());
+  return value.get<std::size_t>();
 }
 
 std::size_t index_member(const json& item, const char* key, std::size_t size, const std::string& where) {

@@ -205,6 +205,23 @@ TEST(CommonPointTest, KnownCases) {
   EXPECT_FALSE(have_common_point(std::array{at(0, 0, 1)}, std::array{posed({0, 0, 0x1p-60}, shifted)}));
 }
 
+// One body is tame; the other's image has a size but would be one point in floating point.
+TEST(CommonPointTest, OneBodyUnderflows) {
+  const Affine3 identity, tiny{{1e-200, 0, 0, 0, 1e-200, 0, 0, 0, 1e-200}, {}};
+  const std::array a{posed({0, 0, 1}, identity), posed({0, 0, -1}, identity)};
+  const double s = 1e-200;
+  for (const double shift : {0.0, 2 * s}) {
+    std::array b{posed({s + shift, 0, 0}, tiny), posed({-s + shift, s, 0}, tiny), posed({-s + shift, -s, 0}, tiny)};
+    ASSERT_TRUE(a[0].tame);
+    ASSERT_FALSE(b[0].tame);
+    for (int turn = 0; turn < 3; ++turn) {
+      EXPECT_EQ(have_common_point(a, b), shift == 0);
+      EXPECT_EQ(have_common_point(b, a), shift == 0);
+      std::rotate(b.begin(), b.begin() + 1, b.end());
+    }
+  }
+}
+
 // All placements of up to four points on the corners of a cube.
 TEST(CommonPointTest, AllOfUpToFourCorners) {
   Body first, second;

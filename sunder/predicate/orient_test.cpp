@@ -248,8 +248,8 @@ TEST(OrientTest, EachStageOfPoints) {
   for (const auto* of : {&side_of, &turn_of}) {
     EXPECT_GT((*of)[generic].interval, n / kinds / 8);
     EXPECT_EQ((*of)[generic].zero, 0);
-    EXPECT_GT((*of)[grid].zero, n / kinds / 50);
-    EXPECT_GT((*of)[grid].exact, n / kinds / 100);
+    EXPECT_GT((*of)[grid].zero, n / kinds / 200);
+    EXPECT_GT((*of)[grid].exact, n / kinds / 200);
     EXPECT_GT((*of)[extreme].zero, n / kinds / 100);
   }
   EXPECT_GT(side_of[near_tie].exact, n / kinds / 10);
@@ -297,7 +297,7 @@ TEST(OrientTest, EachStageOfPosedPoints) {
   for (const auto* of : {&side_of, &turn_of}) {
     EXPECT_GT((*of)[generic].rounded, n / kinds / 4);
     EXPECT_GT((*of)[generic].interval, n / kinds / 20);
-    EXPECT_GT((*of)[grid].zero, n / kinds / 50);
+    EXPECT_GT((*of)[grid].zero, n / kinds / 200);
     EXPECT_GT((*of)[near_tie_by_units].exact, n / kinds / 30);
   }
   EXPECT_GT(along_axis.zero, 0);
@@ -416,7 +416,7 @@ TEST(OrientTest, ExchangingPointsFlipsTheSign) {
       }
     } while (std::next_permutation(order.begin(), order.end()));
   }
-  EXPECT_GT(zero, n / 50);
+  EXPECT_GT(zero, n / 200);
   EXPECT_LT(zero, n / 2);
 }
 
@@ -435,7 +435,7 @@ TEST(OrientTest, ScalingAndExactShiftsKeepTheSign) {
     for (Point3& q : p) q = {q.x + by.x, q.y + by.y, q.z + by.z};
     ASSERT_EQ(orient_3d(p[0], p[1], p[2], p[3]), s) << i;
   }
-  EXPECT_GT(zero, n / 50);
+  EXPECT_GT(zero, n / 200);
   EXPECT_LT(zero, n / 2);
 }
 

@@ -206,8 +206,8 @@ class Quickhull {
 
   // Long lists are worked off in the order in which they came up, so that the hull grows evenly all round: else a
   // region can fill up with needles that end at a corner far away, which are replaced again and again. Short lists are
-  // worked off at once, while what they need is in the memory caches.
-  static constexpr std::uint32_t long_list = 32;
+  // worked off at once, while what they need is in the memory caches. The limit is uncritical.
+  static constexpr std::uint32_t long_list = 64;
 
   void queue_fresh() {
     for (const Fresh& fresh : fresh_) {

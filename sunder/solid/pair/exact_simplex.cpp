@@ -175,7 +175,7 @@ class ExactSimplex {
   PairCertificate certificate() const {
     PairCertificate c;
     const Column y = multipliers();
-    if (Integer(y[3] + y[4]) > 0) {  // the sum of the artificial variables
+    if (y[3] + y[4] > 0) {  // the sum of the artificial variables
       c.verdict = Verdict::apart;
       c.direction.kind = Direction::Kind::exact;
       c.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(
