@@ -28,7 +28,7 @@ std::string evidence_text(const PairCertificate& c, const PlacedVertices& a, con
   }
   const scene::RoundedGap gap = scene::rounded_gap(c, a, b);
   return fmt::format(
-      "an empty slab about {} wide across the direction of about {}, from vertex {} of {} to vertex {} of {}",
+      "an empty slab about {} wide across the direction of about {},\nfrom vertex {} of {} to vertex {} of {}",
       about(gap.width), about(gap.direction), c.extreme_a, name_a, c.extreme_b, name_b);
 }
 

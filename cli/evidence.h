@@ -15,7 +15,7 @@ PlacedVertices placed_vertices(const solid::ConvexPolyhedron& shape, const solid
 // Who decided, in words.
 std::string decided_text(DecidedBy decided_by);
 
-// One sentence. The names are those of A and B.
+// One sentence in one or two lines. The names are those of A and B.
 std::string evidence_text(const PairCertificate& certificate, const PlacedVertices& a, const PlacedVertices& b,
                           const std::string& name_a, const std::string& name_b);
 

@@ -203,9 +203,12 @@ std::vector<Piece> in_painters_order(std::vector<Piece> pieces) {
     for (const Seen& p : piece.corners) size = std::max({size, std::fabs(p.x), std::fabs(p.y), std::fabs(p.depth)});
   }
   if (pieces.size() <= too_many && std::isfinite(size)) return Painter(1e-6 * size).order(std::move(pieces));
-  std::stable_sort(pieces.begin(), pieces.end(),
-                   [](const Piece& p, const Piece& q) { return Item(p).middle < Item(q).middle; });
-  return pieces;
+  std::vector<std::pair<double, std::size_t>> by_depth;
+  for (std::size_t i = 0; i < pieces.size(); ++i) by_depth.emplace_back(Item(pieces[i]).middle, i);
+  std::sort(by_depth.begin(), by_depth.end());
+  std::vector<Piece> sorted;
+  for (const auto& [depth, i] : by_depth) sorted.push_back(std::move(pieces[i]));
+  return sorted;
 }
 
 }  // namespace sunder::cli

@@ -16,7 +16,7 @@ namespace {
 
 // Sizes in pixels.
 constexpr double panel_width = 560, panel_height = 560, margin = 44, header = 84, footer = 112;
-constexpr double label_size = 14, label_height = 22, letter_width = 0.66;  // a letter's part of the size
+constexpr double label_size = 14, label_height = 22, letter_width = 0.62;  // a letter's part of the size
 constexpr std::size_t most_labels = 6;                                     // of one placement
 
 struct Colour {
@@ -221,26 +221,24 @@ class Picture {
 
   // The common points, and beside the bodies who meets there.
   void mark(const Placed& placed, const std::vector<Piece>& pieces, const Frame& frame, double left) {
-    std::vector<Bounds> labels;
+    std::vector<Bounds> taken;
+    for (const Piece& piece : pieces) {
+      Bounds of_piece;
+      for (const Seen& p : piece.corners) of_piece.include(frame.px(p), frame.py(p));
+      taken.push_back(of_piece);
+    }
+    std::size_t labels = 0;
     for (const scene::PartPair& pair : placed.answer.pairs) {
       if (!pair.counts) continue;
       const Seen at = view_(point_about(placed, pair));
       const double x = frame.px(at), y = frame.py(at);
-      if (labels.size() < most_labels) {
-        const std::string label = part_name(placed.bodies[pair.body_a], pair.part_a) + " meets " +
-                                  part_name(placed.bodies[pair.body_b], pair.part_b);
-        const double width = letter_width * label_size * static_cast<double>(label.size());
-        const Bounds place = free_place(x, y, width, labels, pieces, frame, left);
-        labels.push_back(place);
-        const bool right = place.left > x;
-        const std::string line = fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" fill=\"none\" stroke=", x, y,
-                                             right ? place.left - 5 : place.right + 5, (place.top + place.bottom) / 2);
-        out_ += line + "\"#fbfcfe\" stroke-width=\"4\"/>\n" + line + "\"#1f2a3a\" stroke-width=\"1.3\"/>\n";
-        const double text_x = right ? place.left : place.right, text_y = place.bottom - 6;
-        const std::string anchor = right ? "" : " text-anchor=\"end\"";
-        write_text(text_x, text_y, label_size, "#fbfcfe", 600, label,
-                   anchor + " stroke=\"#fbfcfe\" stroke-width=\"5\"");
-        write_text(text_x, text_y, label_size, "#1f2a3a", 600, label, anchor);
+      if (labels++ < most_labels) {
+        const std::string text = part_name(placed.bodies[pair.body_a], pair.part_a) + " meets " +
+                                 part_name(placed.bodies[pair.body_b], pair.part_b);
+        const Bounds place =
+            free_place(x, y, letter_width * label_size * static_cast<double>(text.size()), taken, left);
+        taken.push_back(place);
+        label(x, y, place, text);
       }
       circle(x, y, 11, "fill=\"#fff\" fill-opacity=\".4\" stroke=\"#fff\" stroke-width=\"5\"");
       circle(x, y, 11, "fill=\"none\" stroke=\"#1f2a3a\" stroke-width=\"2\"");
@@ -248,32 +246,44 @@ class Picture {
     }
   }
 
-  // A place for a label of this width, near the height y, beside what is drawn there, on the nearer side if it fits.
-  Bounds free_place(double x, double y, double width, const std::vector<Bounds>& labels,
-                    const std::vector<Piece>& pieces, const Frame& frame, double left) const {
-    for (int attempt = 0; attempt < 40; ++attempt) {
-      const double shift = label_height * ((attempt + 1) / 2) * (attempt % 2 == 0 ? 1 : -1);
-      Bounds place{0, 0, y + shift - label_height / 2, y + shift + label_height / 2, false};
-      double first = x, last = x;  // what is drawn at this height
-      for (const Piece& piece : pieces) {
-        Bounds of_piece;
-        for (const Seen& p : piece.corners) of_piece.include(frame.px(p), frame.py(p));
-        if (of_piece.bottom < place.top || of_piece.top > place.bottom) continue;
-        first = std::min(first, of_piece.left);
-        last = std::max(last, of_piece.right);
+  // A text in its place, and a line to it; both with a halo.
+  void label(double x, double y, const Bounds& place, const std::string& text) {
+    const double to_x = std::clamp(x, place.left - 4, place.right + 4),
+                 to_y = std::clamp(y, place.top + 2, place.bottom);
+    const std::string line =
+        fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" fill=\"none\" stroke=", x, y, to_x, to_y);
+    out_ += line + "\"#fbfcfe\" stroke-width=\"4\"/>\n" + line + "\"#1f2a3a\" stroke-width=\"1.3\"/>\n";
+    const double middle = (place.left + place.right) / 2;
+    const std::string centred = " text-anchor=\"middle\"";
+    write_text(middle, place.bottom - 6, label_size, "#fbfcfe", 600, text,
+               centred + " stroke=\"#fbfcfe\" stroke-width=\"5\"");
+    write_text(middle, place.bottom - 6, label_size, "#1f2a3a", 600, text, centred);
+  }
+
+  // A place for a label of this width as near to (x, y) as can be found, within the panel and over nothing that is
+  // taken; where there is none, at (x, y).
+  static Bounds free_place(double x, double y, double width, const std::vector<Bounds>& taken, double left) {
+    constexpr double step = 11, gap = 16, border = 10;
+    const double most_left = left + border, most_right = std::max(most_left, left + panel_width - border - width);
+    Bounds best{most_left, most_left + width, y - label_height / 2, y + label_height / 2, true};
+    double least = 0;
+    for (double top = header; top < header + panel_height - label_height; top += step) {
+      for (double first = most_left; first <= most_right; first += step) {
+        const Bounds place{first, first + width, top, top + label_height, false};
+        const double dx = x - std::clamp(x, place.left, place.right), dy = y - std::clamp(y, place.top, place.bottom);
+        const double beside = x - (place.left + place.right) / 2;  // a centred place is a little better
+        const double cost = dx * dx + dy * dy + 0.05 * beside * beside;
+        if (dx * dx + dy * dy < 4 * gap * gap || (!best.empty && cost >= least)) continue;
+        const bool is_free = std::none_of(taken.begin(), taken.end(), [&](const Bounds& b) {
+          return b.left - gap < place.right && place.left < b.right + gap && b.top - 2 < place.bottom &&
+                 place.top < b.bottom + 2;
+        });
+        if (!is_free) continue;
+        best = place;
+        least = cost;
       }
-      constexpr double gap = 18, border = 8;
-      const bool fits_left = first - gap - width > left + border;
-      const bool fits_right = last + gap + width < left + panel_width - border;
-      const bool right = fits_right && (!fits_left || last - x < x - first);
-      place.left = right ? last + gap : first - gap - width;
-      place.right = place.left + width;
-      const bool taken = std::any_of(labels.begin(), labels.end(), [&](const Bounds& b) {
-        return b.left < place.right && place.left < b.right && b.top < place.bottom && place.top < b.bottom;
-      });
-      if ((fits_left || fits_right) && !taken) return place;
     }
-    return {left + 8, left + 8 + width, y - label_height / 2, y + label_height / 2, false};
+    return best;
   }
 
   void caption(const Placed& placed, double left) {
@@ -295,10 +305,10 @@ class Picture {
     };
     const auto words = [&](const std::string& text) {
       write_text(x + 5, y, 13, "#55677f", 400, text);
-      x += 34 + 6.6 * static_cast<double>(text.size());
+      x += 28 + 6.6 * static_cast<double>(text.size());
     };
     for (const Colour& colour : calm) swatch(colour);
-    words("meets nothing, or only what it may");
+    words("apart, or allowed to meet");
     for (const Colour& colour : alarming) swatch(colour);
     words("meets another");
     circle(x + 7, y - 4, 6, "fill=\"none\" stroke=\"#1f2a3a\" stroke-width=\"1.5\"");

@@ -49,7 +49,8 @@ std::string human_text(const Call& call, const Placed& a, const Placed& b, const
   const bool meet = answer.meet();
   const std::string answer_text = !meet ? "apart" : call.classify ? fmt::format("meet ({})", name_of(contact)) : "meet";
   std::string text = fmt::format("{} and {}: {}\n", a.object.file, b.object.file, answer_text);
-  const auto line = [&](const char* title, const std::string& value) {
+  const auto line = [&](const char* title, std::string value) {
+    if (const std::size_t end = value.find('\n'); end != std::string::npos) value.insert(end + 1, 14, ' ');
     text += fmt::format("  {:<10}  {}\n", title, value);
   };
   for (const Placed* p : {&a, &b}) {

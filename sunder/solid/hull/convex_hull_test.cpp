@@ -1,3 +1,4 @@
+// long because: each property of the contract has its examples, and each family of inputs its oracle
 #include <sunder/solid/hull/convex_hull.h>
 
 #include <sunder/base/error.h>

@@ -1,0 +1,254 @@
+// Proposals, true and false: what is accepted is a certificate, what is false is refused, and what a search would
+// propose in the plain cases is accepted.
+#include <sunder/base/random.h>
+#include <sunder/certificate/check.h>
+#include <sunder/solid/pair/evidence.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <vector>
+
+namespace sunder::solid {
+namespace {
+
+std::uint64_t seed(std::uint64_t s) {
+  const char* text = std::getenv("SUNDER_TEST_SEED");
+  return s + 1000003 * (text ? std::strtoull(text, nullptr, 10) : 0);
+}
+
+CheckResult check(const PairCertificate& c, const Placed& a, const Placed& b) {
+  return check_absolutely(c, {a.graph.vertices, a.pose, false}, {b.graph.vertices, b.pose, false});
+}
+
+Point3 image(const Placed& body, std::uint32_t v) {
+  const Point3& p = body.graph.vertices[v];
+  const auto& m = body.pose.linear;
+  return {m[0] * p.x + m[1] * p.y + m[2] * p.z, m[3] * p.x + m[4] * p.y + m[5] * p.z, m[6] * p.x + m[7] * p.y + m[8] * p.z};
+}
+
+// As the search makes it.
+DifferenceVertex difference(const Placed& a, const Placed& b, std::uint32_t v, std::uint32_t w) {
+  DifferenceVertex d;
+  d.a = v;
+  d.b = w;
+  d.turned_a = image(a, v);
+  d.turned_b = image(b, w);
+  const auto &s = a.pose.translation, &t = b.pose.translation;
+  d.at = {(d.turned_a.x - d.turned_b.x) - (t[0] - s[0]), (d.turned_a.y - d.turned_b.y) - (t[1] - s[1]),
+          (d.turned_a.z - d.turned_b.z) - (t[2] - s[2])};
+  return d;
+}
+
+DifferenceSimplex simplex_of(const Placed& a, const Placed& b, const std::vector<std::array<std::uint32_t, 2>>& pairs) {
+  DifferenceSimplex s;
+  for (const auto& [v, w] : pairs) s.vertex[static_cast<std::size_t>(s.count++)] = difference(a, b, v, w);
+  return s;
+}
+
+double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+std::vector<Point3> cube_points() {
+  std::vector<Point3> points;
+  for (int i = 0; i < 8; ++i) points.push_back({i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0});
+  return points;
+}
+
+Pose shifted(double x, double y, double z) { return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {x, y, z}); }
+
+std::uint32_t vertex_at(const ConvexPolyhedron& body, const Point3& p) {
+  const auto v = body.vertices();
+  return static_cast<std::uint32_t>(std::find(v.begin(), v.end(), p) - v.begin());
+}
+
+class EvidenceTest : public testing::Test {
+ protected:
+  ConvexPolyhedron some_body() {
+    std::vector<Point3> points;
+    const auto coordinate = [&] { return static_cast<double>(random_.between(-2, 2)); };
+    for (std::int64_t n = random_.between(1, 10); n > 0; --n) points.push_back({coordinate(), coordinate(), coordinate()});
+    return ConvexPolyhedron(points);
+  }
+  std::uint32_t some_vertex(const Placed& p) { return static_cast<std::uint32_t>(random_.below(p.graph.vertices.size())); }
+
+  Random random_{seed(89)};
+  StageTally tally_;
+};
+
+// Whatever vertices the walk begins at, the answer is that of all vertices. Small integers: doubles are exact.
+TEST_F(EvidenceTest, CheckApartIsThePlainTruthFromAnyStart) {
+  int accepted = 0, refused = 0, ties = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const ConvexPolyhedron body_a = some_body(), body_b = some_body();
+    const Pose here, there = shifted(static_cast<double>(random_.between(0, 5)), 1, 0);
+    const Placed a(body_a, here), b(body_b, there);
+    const auto coordinate = [&] { return static_cast<double>(random_.between(-2, 2)); };
+    const Point3 d{coordinate() + 2, coordinate(), coordinate()};
+    double most = -1e9, least = 1e9;
+    for (const Point3& p : body_a.vertices()) most = std::max(most, dot(d, p));
+    for (const Point3& p : body_b.vertices()) least = std::min(least, dot(d, {p.x + there.affine().translation[0], p.y + 1, p.z}));
+    PairCertificate c;
+    const bool parted = check_apart(a, b, d, some_vertex(a), some_vertex(b), c, tally_);
+    ASSERT_EQ(parted, most < least) << i;
+    ties += most == least;
+    ++(parted ? accepted : refused);
+    if (!parted) continue;
+    ASSERT_EQ(c.verdict, Verdict::apart);
+    ASSERT_EQ(c.direction.kind, Direction::Kind::given);
+    ASSERT_EQ(c.direction.given, d);
+    ASSERT_EQ(check(c, a, b), CheckResult::accepted);
+  }
+  EXPECT_GT(accepted, 500);
+  EXPECT_GT(refused, 500);
+  EXPECT_GT(ties, 100);
+}
+
+// Simplices at random, most of them not what a search would leave: what is accepted holds.
+TEST_F(EvidenceTest, WhatIsAcceptedHolds) {
+  std::map<Direction::Kind, int> kinds;
+  std::map<int, int> counts;
+  int refused = 0;
+  for (int i = 0; i < 30000; ++i) {
+    const ConvexPolyhedron body_a = some_body(), body_b = some_body();
+    const Pose here = random_.below(2) ? Pose() : Pose::from_matrix({1, 0.5, 0, 0, 1, 0.25, 0.1, 0, -1}, {0.1, 0, 0});
+    const Pose there = shifted(static_cast<double>(random_.between(0, 5)), 0, 0);
+    const Placed a(body_a, here), b(body_b, there);
+    std::vector<std::array<std::uint32_t, 2>> pairs;
+    for (std::int64_t n = random_.between(1, 4); n > 0; --n) pairs.push_back({some_vertex(a), some_vertex(b)});
+    const DifferenceSimplex s = simplex_of(a, b, pairs);
+    PairCertificate c;
+    if (check_apart_by_features(a, b, s, {1, random_.uniform(-1, 1), random_.uniform(-1, 1)}, c, tally_)) {
+      ASSERT_EQ(c.verdict, Verdict::apart);
+      ASSERT_EQ(check(c, a, b), CheckResult::accepted) << i;
+      ++kinds[c.direction.kind];
+    } else {
+      ++refused;
+    }
+    if (check_meet(a, b, s, c, tally_)) {
+      ASSERT_EQ(c.verdict, Verdict::meet);
+      ASSERT_EQ(check(c, a, b), CheckResult::accepted) << i;
+      ++counts[c.count_a + c.count_b];
+    } else {
+      ++refused;
+    }
+  }
+  for (const auto kind : {Direction::Kind::normal_of_a, Direction::Kind::normal_of_b, Direction::Kind::edge_cross_edge,
+                          Direction::Kind::difference}) {
+    EXPECT_GT(kinds[kind], 20) << static_cast<int>(kind);
+  }
+  for (const int count : {2, 3, 4, 5}) EXPECT_GT(counts[count], 5) << count;
+  EXPECT_GT(refused, 10000);
+}
+
+// Gaps that no direction of doubles can show: 5e-324 beyond a facet, an edge, a vertex.
+TEST_F(EvidenceTest, FeaturesPartWhatDoublesCannot) {
+  // Irregular numbers: the features' exact directions are no triples of doubles.
+  const Pose pose = Pose::from_matrix({0.1, 0.7, -0.3, 0.4, 0.2, 0.9, -0.8, 0.3, 0.35}, {0.1, 0.2, 0.3});
+  const ConvexPolyhedron cube(cube_points());
+  const Placed a(cube, pose);
+  const auto apart = [&](const ConvexPolyhedron& other, const std::vector<std::array<Point3, 2>>& pairs, const Point3& outward,
+                         PairCertificate& c) {
+    const Placed b(other, pose);
+    std::vector<std::array<std::uint32_t, 2>> numbers;
+    for (const auto& [p, q] : pairs) numbers.push_back({vertex_at(cube, p), vertex_at(other, q)});
+    const bool parted = check_apart_by_features(a, b, simplex_of(a, b, numbers), outward, c, tally_);
+    EXPECT_TRUE(!parted || check(c, a, b) == CheckResult::accepted);
+    return parted;
+  };
+  const auto turned = [&](const Point3& p) {  // normals go with the inverse transpose: by cross products of columns
+    const auto& m = pose.affine().linear;
+    const std::array<Point3, 3> column{Point3{m[0], m[3], m[6]}, Point3{m[1], m[4], m[7]}, Point3{m[2], m[5], m[8]}};
+    const auto cross = [](const Point3& u, const Point3& v) {
+      return Point3{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+    };
+    const Point3 n[3] = {cross(column[1], column[2]), cross(column[2], column[0]), cross(column[0], column[1])};
+    const double sense = dot(n[0], column[0]) > 0 ? 1 : -1;
+    return Point3{sense * (p.x * n[0].x + p.y * n[1].x + p.z * n[2].x), sense * (p.x * n[0].y + p.y * n[1].y + p.z * n[2].y),
+                  sense * (p.x * n[0].z + p.y * n[1].z + p.z * n[2].z)};
+  };
+  constexpr double bit = 0x1p-52;
+  for (const double gap : {bit, 0.0}) {
+    PairCertificate c;
+    const ConvexPolyhedron point(std::vector<Point3>{{1 + gap, 0.1, 0.2}});
+    const Point3 q = point.vertices()[0];
+    EXPECT_EQ(apart(point, {{Point3{1, 1, 1}, q}, {Point3{1, -1, 1}, q}, {Point3{1, -1, -1}, q}}, turned({1, 0, 0}), c), gap > 0);
+    EXPECT_TRUE(gap == 0 || c.direction.kind == Direction::Kind::normal_of_a);
+
+    const ConvexPolyhedron plate(std::vector<Point3>{{1 + gap, 5, 7}, {1 + gap, -9, 5}, {1 + gap, 4, -8}, {3, 0, 0}});
+    const Point3 r{1, 1, 1};
+    EXPECT_EQ(apart(plate, {{r, Point3{1 + gap, 5, 7}}, {r, Point3{1 + gap, -9, 5}}, {r, Point3{1 + gap, 4, -8}}}, turned({1, 0, 0}), c),
+              gap > 0);
+    EXPECT_TRUE(gap == 0 || c.direction.kind == Direction::Kind::normal_of_b);
+
+    const ConvexPolyhedron edge(std::vector<Point3>{{2 + gap, 0, 0.25}, {0 + gap, 2, 0.25}, {3, 3, 0.5}, {3, 3, -0.5}});
+    EXPECT_EQ(apart(edge, {{Point3{1, 1, 1}, Point3{2 + gap, 0, 0.25}}, {Point3{1, 1, -1}, Point3{gap, 2, 0.25}}}, turned({1, 1, 0}), c),
+              gap > 0);
+    EXPECT_TRUE(gap == 0 || c.direction.kind == Direction::Kind::edge_cross_edge);
+  }
+}
+
+// Proper overlaps: the plain case.
+TEST_F(EvidenceTest, TetrahedraAroundTheOriginAreAccepted) {
+  int enclosing = 0, accepted = 0;
+  for (int i = 0; i < 40000 && enclosing < 1000; ++i) {
+    std::vector<Point3> p, q;
+    for (int k = 0; k < 6; ++k) {
+      p.push_back({random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1)});
+      q.push_back({random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1)});
+    }
+    const ConvexPolyhedron body_a(p), body_b(q);
+    const Pose pose;
+    const Placed a(body_a, pose), b(body_b, pose);
+    std::vector<std::array<std::uint32_t, 2>> pairs;
+    for (int k = 0; k < 4; ++k) pairs.push_back({some_vertex(a), some_vertex(b)});
+    const DifferenceSimplex s = simplex_of(a, b, pairs);
+    const std::array<double, 4> w = weights_of_origin(s);
+    if (*std::min_element(w.begin(), w.end()) < 1e-6) continue;
+    ++enclosing;
+    PairCertificate c;
+    if (!check_meet(a, b, s, c, tally_)) continue;
+    ++accepted;
+    ASSERT_EQ(check(c, a, b), CheckResult::accepted);
+  }
+  EXPECT_EQ(enclosing, 1000);
+  EXPECT_GE(accepted, enclosing - enclosing / 100);
+}
+
+// Touching: the nearest face is a corner, an edge or a triangle that holds the origin, some weights are zero.
+TEST_F(EvidenceTest, TouchingPairsAreAccepted) {
+  const ConvexPolyhedron cube(cube_points());
+  const Pose here, there = shifted(2, 0.5, -0.25);
+  const Placed a(cube, here), b(cube, there);
+  const auto v = [&](double x, double y, double z) { return vertex_at(cube, {x, y, z}); };
+  PairCertificate c;
+  // (1, 1, 1) - (-1, -1, 1) and others: the facets x = 1 and x = -1 have common points.
+  const DifferenceSimplex s = simplex_of(a, b, {{v(1, 1, 1), v(-1, -1, -1)}, {v(1, -1, 1), v(-1, 1, -1)}, {v(1, -1, -1), v(-1, -1, 1)}});
+  ASSERT_TRUE(check_meet(a, b, s, c, tally_));
+  EXPECT_EQ(check(c, a, b), CheckResult::accepted);
+
+  const Pose corner = shifted(2, 2, 2);
+  const Placed at_corner(cube, corner);
+  ASSERT_TRUE(check_meet(a, at_corner, simplex_of(a, at_corner, {{v(1, 1, 1), v(-1, -1, -1)}}), c, tally_));
+  EXPECT_EQ(c.count_a + c.count_b, 2);
+  EXPECT_EQ(check(c, a, at_corner), CheckResult::accepted);
+
+  const Pose off = shifted(2, 2, std::nextafter(2.0, 3.0));
+  const Placed off_corner(cube, off);
+  EXPECT_FALSE(check_meet(a, off_corner, simplex_of(a, off_corner, {{v(1, 1, 1), v(-1, -1, -1)}}), c, tally_));
+}
+
+TEST_F(EvidenceTest, AnEmptySimplexProposesNothing) {
+  const ConvexPolyhedron cube(cube_points());
+  const Pose pose;
+  const Placed a(cube, pose);
+  PairCertificate c;
+  EXPECT_FALSE(check_meet(a, a, {}, c, tally_));
+  EXPECT_FALSE(check_apart_by_features(a, a, {}, {1, 0, 0}, c, tally_));
+}
+
+}  // namespace
+}  // namespace sunder::solid

@@ -1,0 +1,424 @@
+// The numbered properties of the question, by hand-made cases of each way to touch, and by random ones. The
+// differential test in tests/ goes on from here.
+#include <sunder/base/random.h>
+#include <sunder/certificate/check.h>
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+// Counts what this thread allocates, in the whole program of tests. (Inlined, GCC takes the pair for a mismatch.)
+static thread_local std::uint64_t allocations = 0;
+
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+
+namespace sunder::solid {
+namespace {
+
+using Points = std::vector<Point3>;
+using Method = PairAnswer (*)(const ConvexPolyhedron&, const Pose&, const ConvexPolyhedron&, const Pose&);
+
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr double least = std::numeric_limits<double>::denorm_min();
+
+std::uint64_t seed(std::uint64_t s) {
+  const char* text = std::getenv("SUNDER_TEST_SEED");
+  return s + 1000003 * (text ? std::strtoull(text, nullptr, 10) : 0);
+}
+
+const std::vector<std::pair<std::string, Method>> methods{
+    {"front", polyhedron_polyhedron},
+    {"gjk", polyhedron_polyhedron_by_gjk},
+    {"scan", polyhedron_polyhedron_by_scan},
+    {"intersect", [](const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b) {
+       return intersect(a, pose_a, b, pose_b);
+     }}};
+
+// P1, P3 and the swap of P2 for all methods, and the kind of contact.
+void expect_contact(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b,
+                    Contact expected, const std::string& what) {
+  const PlacedVertices in_a{a.vertices(), pose_a.affine(), false}, in_b{b.vertices(), pose_b.affine(), false};
+  for (const auto& [name, method] : methods) {
+    const PairAnswer there = method(a, pose_a, b, pose_b), back = method(b, pose_b, a, pose_a);
+    EXPECT_EQ(there.meet(), expected != Contact::none) << what << " by " << name;
+    EXPECT_EQ(back.meet(), expected != Contact::none) << what << " by " << name << ", swapped";
+    EXPECT_EQ(name_of(check_absolutely(there.certificate(), in_a, in_b)), "accepted") << what << " by " << name;
+    EXPECT_EQ(name_of(check_absolutely(back.certificate(), in_b, in_a)), "accepted") << what << " by " << name << ", swapped";
+  }
+  EXPECT_EQ(name_of(polyhedron_polyhedron_contact(a, pose_a, b, pose_b)), name_of(expected)) << what;
+  EXPECT_EQ(name_of(polyhedron_polyhedron_contact(b, pose_b, a, pose_a)), name_of(expected)) << what << ", swapped";
+}
+
+// Bodies that touch, and a direction in which any shift of B parts them and against which any small one makes their
+// interiors meet.
+struct Touch {
+  std::string name;
+  Points a, b;
+  Point3 outward;
+};
+
+Points cube() {
+  Points points;
+  for (int i = 0; i < 8; ++i) points.push_back({i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0});
+  return points;
+}
+
+Points moved(Points points, const Point3& by) {
+  for (Point3& p : points) p = {p.x + by.x, p.y + by.y, p.z + by.z};
+  return points;
+}
+
+std::vector<Touch> touches() {
+  return {
+      {"vertex, vertex", cube(), moved(cube(), {2, 2, 2}), {1, 1, 1}},
+      {"vertex, edge", cube(), {{1, 1, 0.25}, {3, 2, 1}, {2, 3, 0}, {3, 3, -1}}, {1, 1, 0}},
+      {"vertex, facet", cube(), {{1, 0.25, -0.5}, {2, 0, 0}, {3, 1, 0}, {2, 0, 1}}, {1, 0, 0}},
+      {"edge, edge crossing", cube(), {{2, 0, 0.25}, {0, 2, 0.25}, {3, 3, 1}, {3, 3, -1}}, {1, 1, 0}},
+      {"edge, edge along", cube(), {{1, 1, 0}, {1, 1, 5}, {3, 2, 1}, {2, 3, 1}}, {1, 1, 0}},
+      {"edge, edge the same", cube(), {{1, 1, -1}, {1, 1, 1}, {3, 2, 1}, {2, 3, 1}}, {1, 1, 0}},
+      {"edge, facet", cube(), {{1, 0.25, -0.5}, {1, 4, 0.5}, {2, 0, 0}, {3, 1, 1}}, {1, 0, 0}},
+      {"edge, facet across", cube(), {{1, -4, -0.5}, {1, 4, 0.5}, {2, 0, 0}, {3, 1, 1}}, {1, 0, 0}},
+      {"facet, facet", cube(), moved(cube(), {2, 0.5, 0.25}), {1, 0, 0}},
+      {"facet, facet the same", cube(), moved(cube(), {2, 0, 0}), {1, 0, 0}},
+      {"facet, facet inside", cube(), {{1, 0, 0}, {1, 0.5, 0}, {1, 0, 0.5}, {2, 0, 0}}, {1, 0, 0}},
+      {"point, facet", cube(), {{1, 0.25, -0.5}}, {1, 0, 0}},
+      {"point, edge", cube(), {{1, 1, -0.5}}, {1, 1, 0}},
+      {"point, vertex", cube(), {{1, 1, -1}}, {1, 1, -1}},
+      {"segment, facet", cube(), {{1, 0.25, -0.5}, {3, 0, 0}}, {1, 0, 0}},
+      {"segment in facet", cube(), {{1, 0.25, -0.5}, {1, -0.5, 0}}, {1, 0, 0}},
+      {"segment on edge", cube(), {{1, 1, -3}, {1, 1, 0}}, {1, 1, 0}},
+      {"segment, edge crossing", cube(), {{0, 2, 0}, {2, 0, 0}}, {1, 1, 0}},
+      {"polygon on facet", cube(), {{1, 0, 0}, {1, 5, 0}, {1, 0, 5}}, {1, 0, 0}},
+      {"polygon, edge", cube(), {{0, 2, 0}, {2, 0, 0}, {0, 2, 5}, {2, 0, 5}}, {1, 1, 0}},
+      {"polygon, vertex", cube(), {{3, 0, 0}, {0, 3, 0}, {0, 0, 3}}, {1, 1, 1}},
+      {"segment, segment crossing", {{-1, 0, 0}, {1, 0, 0}}, {{0, -1, 0}, {0, 1, 0}}, {0, 0, 0}},
+      {"segment, segment end to end", {{-1, 0, 0}, {1, 0, 0}}, {{1, 0, 0}, {2, 0, 0}}, {1, 0, 0}},
+      {"triangle, triangle corner in", {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{1, 1, 0}, {1, 1, 3}, {2, 1, 3}}, {0, 0, 1}},
+      {"triangle, triangle in a plane", {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{4, 0, 0}, {0, 4, 0}, {4, 4, 0}}, {1, 1, 0}},
+  };
+}
+
+bool flat(const Touch& t) { return ConvexPolyhedron(t.a).dimension() < 3; }
+
+// P1 at each kind of touch, and beyond and before it by gaps from the least double on.
+TEST(PolyhedronPolyhedronTest, P1_TouchesAreExactForEachPairOfFeatures) {
+  for (const Touch& t : touches()) {
+    const ConvexPolyhedron a(t.a), b(t.b);
+    if (t.outward == Point3()) continue;  // crosses: no sense is outward
+    expect_contact(a, Pose(), b, Pose(), Contact::touching, t.name);
+    for (const double gap : {least, 1e-310, 1e-200, 0x1p-60, 0x1p-53, 0x1p-52, 0x1p-40, 0x1p-6}) {
+      const auto shift = [&](double by) {
+        return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {t.outward.x * by, t.outward.y * by, t.outward.z * by});
+      };
+      const std::string what = t.name + ", gap " + std::to_string(std::log2(gap));
+      expect_contact(a, Pose(), b, shift(gap), Contact::none, what);
+      // Against it their interiors meet, where bodies have an interior about the touch.
+      if (!flat(t)) expect_contact(a, Pose(), b, shift(-gap), Contact::overlapping, what + " before");
+    }
+  }
+}
+
+// P1: 5e-324 and 1.7e308, by coordinates or by poses.
+TEST(PolyhedronPolyhedronTest, P1_TheEndsOfTheRangeOfDoubles) {
+  const auto scaled = [](const Points& points, double s) {
+    Points out;
+    for (const Point3& p : points) out.push_back({p.x * s, p.y * s, p.z * s});
+    return ConvexPolyhedron(out);
+  };
+  for (const double s : {4 * least, 0x1p-1060, 0x1p-500, 0x1p500, 0x1p1020}) {  // exactly, the coordinates are small
+    for (const Touch& t : touches()) {
+      if (t.outward == Point3()) continue;
+      if (s == 4 * least && t.name.find("facet, facet") == std::string::npos) continue;  // halves and quarters only
+      const auto name = t.name + ", scale " + std::to_string(std::ilogb(s));
+      const Pose by_pose = Pose::from_matrix({s, 0, 0, 0, s, 0, 0, 0, s}, {0, 0, 0});
+      expect_contact(scaled(t.a, s), Pose(), scaled(t.b, s), Pose(), Contact::touching, name + " points");
+      expect_contact(ConvexPolyhedron(t.a), by_pose, ConvexPolyhedron(t.b), by_pose, Contact::touching, name + " pose");
+      const Pose beyond = Pose::from_matrix(by_pose.affine().linear, {t.outward.x * least, t.outward.y * least, t.outward.z * least});
+      expect_contact(ConvexPolyhedron(t.a), by_pose, ConvexPolyhedron(t.b), beyond, Contact::none, name + " apart");
+    }
+  }
+  const ConvexPolyhedron huge(Points{{largest, largest, largest}, {-largest, largest, largest}, {0, -largest, largest}, {0, 0, -largest}});
+  const ConvexPolyhedron top(Points{{0, 0, largest}}), corner(Points{{largest, largest, largest}}), beside(Points{{largest, largest, std::nextafter(largest, 0)}});
+  expect_contact(huge, Pose(), top, Pose(), Contact::touching, "huge, facet");
+  expect_contact(huge, Pose(), corner, Pose(), Contact::touching, "huge, vertex");
+  expect_contact(huge, Pose(), beside, Pose(), Contact::none, "huge, beside");
+  expect_contact(huge, Pose(), huge, Pose(), Contact::overlapping, "huge, itself");
+  // The image is up to 3 largest^2, or the least double's square.
+  const Pose larger = Pose::from_matrix({largest, 0, 0, 0, largest, 0, 0, 0, largest}, {0, 0, 0});
+  const Pose larger_on = Pose::from_matrix(larger.affine().linear, {0, 0, least});
+  expect_contact(huge, larger, top, larger, Contact::touching, "squares");
+  expect_contact(huge, larger, top, larger_on, Contact::none, "squares, and the least double");
+  const ConvexPolyhedron tiny(Points{{least, 0, 0}, {0, least, 0}, {0, 0, least}, {0, 0, 0}}), dot(Points{{least, 0, 0}});
+  const Pose smaller = Pose::from_matrix({least, 0, 0, 0, least, 0, 0, 0, least}, {0, 0, 0});
+  expect_contact(tiny, smaller, dot, smaller, Contact::touching, "tiny squares");
+  expect_contact(tiny, smaller, dot, Pose(), Contact::none, "tiny squares, and the least double");
+  // A body of 1e300 and one of 1e-300 in it, on it, beside it.
+  const ConvexPolyhedron large_cube = scaled(cube(), 0x1p1000), small_cube = scaled(cube(), 0x1p-1000);
+  for (const double sense : {1.0, -1.0}) {
+    const auto at = [&](double y) { return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {sense * 0x1p1000, y, 0}); };
+    expect_contact(large_cube, Pose(), small_cube, at(0), Contact::overlapping, "small on large");
+    expect_contact(large_cube, at(0), small_cube, Pose(), Contact::overlapping, "small on shifted large");
+    const ConvexPolyhedron on(moved(Points(small_cube.vertices().begin(), small_cube.vertices().end()), {sense * 0x1p-1000, 0, 0}));
+    expect_contact(large_cube, at(0), on, Pose(), Contact::overlapping, "small under the facet");
+    const Pose against = Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {-sense * 0x1p-1000, 0, 0});
+    expect_contact(large_cube, at(0), small_cube, against, Contact::touching, "small against the facet");
+  }
+}
+
+TEST(PolyhedronPolyhedronTest, P1_ContainmentAndCrossing) {
+  const ConvexPolyhedron box(cube()), point(Points{{0, 0, 0}});
+  const auto small = [](double s, const Point3& at) {
+    return Pose::from_matrix({s, 0, 0, 0, s, 0, 0, 0, s}, {at.x, at.y, at.z});
+  };
+  expect_contact(box, Pose(), box, Pose(), Contact::overlapping, "itself");
+  for (const double s : {0.5, 1e-9, 1e-300, 0x1p-1074}) {
+    expect_contact(box, Pose(), box, small(s, {0.1, 0.2, -0.3}), Contact::overlapping, "inside");
+    expect_contact(box, Pose(), box, small(s, {1, 1, 1}), Contact::overlapping, "about a vertex");
+    expect_contact(box, Pose(), box, small(s, {3, 1, 1}), Contact::none, "outside");
+  }
+  expect_contact(box, Pose(), box, small(0.5, {0.5, 0.5, 0.5}), Contact::overlapping, "inside, sharing a vertex");
+  expect_contact(box, Pose(), point, Pose(), Contact::overlapping, "a point inside");
+  expect_contact(point, Pose(), point, Pose(), Contact::overlapping, "a point and itself");
+  expect_contact(point, Pose(), point, small(1, {least, 0, 0}), Contact::none, "two points");
+  const ConvexPolyhedron segment(Points{{-3, 0, 0}, {3, 0, 0}}), other(Points{{0, -1, 0}, {0, 1, 0}});
+  expect_contact(box, Pose(), segment, Pose(), Contact::overlapping, "a segment through");
+  expect_contact(segment, Pose(), other, Pose(), Contact::overlapping, "segments that cross");
+  expect_contact(segment, Pose(), other, small(1, {0, 1, 0}), Contact::touching, "segments in a T");
+  expect_contact(segment, Pose(), other, small(1, {3, 1, 0}), Contact::touching, "segments in an L");
+  expect_contact(segment, Pose(), other, small(1, {0, 0, least}), Contact::none, "skew segments");
+  expect_contact(segment, Pose(), segment, small(1, {5, 0, 0}), Contact::overlapping, "segments along");
+  expect_contact(segment, Pose(), segment, small(1, {6, 0, 0}), Contact::touching, "segments end to end");
+  expect_contact(segment, Pose(), segment, small(1, {6, 0, least}), Contact::none, "segments next to each other");
+  expect_contact(segment, Pose(), point, small(1, {3, 0, 0}), Contact::touching, "a point at an end");
+  expect_contact(segment, Pose(), point, small(1, {2, 0, 0}), Contact::overlapping, "a point on a segment");
+  const ConvexPolyhedron square(Points{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
+  const Pose upright = Pose::from_matrix({1, 0, 0, 0, 0, -1, 0, 1, 0}, {0, 0, 0});
+  expect_contact(square, Pose(), square, upright, Contact::overlapping, "squares that cross");
+  expect_contact(square, Pose(), square, small(1, {2, 0, 0}), Contact::touching, "squares side by side");
+  expect_contact(square, Pose(), square, small(1, {1, 1, 0}), Contact::overlapping, "squares in a plane");
+  expect_contact(square, Pose(), square, small(1, {0, 0, least}), Contact::none, "squares above each other");
+  expect_contact(square, Pose(), segment, Pose(), Contact::overlapping, "a segment across a square");
+  expect_contact(square, Pose(), other, Pose::from_matrix({1, 0, 0, 0, 0, -1, 0, 1, 0}, {0.5, 0.5, 0}), Contact::overlapping, "a segment through a square");
+  expect_contact(square, Pose(), other, Pose::from_matrix({1, 0, 0, 0, 0, -1, 0, 1, 0}, {1, 0.5, 0}), Contact::touching, "a segment through a side");
+}
+
+// P2: scaling and shifting exactly, and reflecting; any one affine map for both keeps touches.
+TEST(PolyhedronPolyhedronTest, P2_ExactMapsForBothChangeNothing) {
+  Random random(seed(97));
+  for (const Touch& t : touches()) {
+    const ConvexPolyhedron a(t.a), b(t.b);
+    const Contact contact = t.outward == Point3() ? Contact::overlapping : Contact::touching;
+    const std::vector<std::pair<std::string, Pose>> maps{
+        {"reflected in x", Pose::from_matrix({-1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0})},
+        {"reflected in the origin", Pose::from_matrix({-1, 0, 0, 0, -1, 0, 0, 0, -1}, {0, 0, 0})},
+        {"axes exchanged", Pose::from_matrix({0, 1, 0, 1, 0, 0, 0, 0, 1}, {0, 0, 0})},
+        {"scaled", Pose::from_matrix({0x1p-300, 0, 0, 0, 0x1p-300, 0, 0, 0, 0x1p-300}, {0, 0, 0})},
+        {"shifted", Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {1000, -0.5, 0x1p40})},
+        {"shifted far", Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {1e300, -1e300, 1e-300})},
+        {"sheared", Pose::from_matrix({1, 0.3, 0, 0, 1, 0.7, 0.1, 0, 1}, {0.1, 0.2, 0.3})},
+        {"rotated", Pose::from_quaternion(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), 0.5, {0.1, 7, -3})},
+        {"flattened", Pose::from_matrix({1, 0.3, 0, 0, 0x1p-40, 0, 0.1, 0, 0x1p40}, {0.1, 0.2, 0.3})}};
+    for (const auto& [name, pose] : maps) expect_contact(a, pose, b, pose, contact, t.name + " " + name);
+  }
+}
+
+// P3 and P1 on random bodies of all dimensions against the scan; the differential test has the nasty ones.
+TEST(PolyhedronPolyhedronTest, P3_CertificatesAreAccepted) {
+  Random random(seed(101));
+  int meets = 0;
+  constexpr int count = 600;
+  for (int i = 0; i < count; ++i) {
+    const auto some_body = [&] {
+      Points points;
+      for (std::int64_t n = random.between(1, 12); n > 0; --n) {
+        points.push_back({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+      }
+      return ConvexPolyhedron(points);
+    };
+    const ConvexPolyhedron a = some_body(), b = some_body();
+    const Pose pose = Pose::from_quaternion(random.uniform(0.1, 1), random.uniform(-1, 1), random.uniform(-1, 1),
+                                            random.uniform(-1, 1), {random.uniform(-1, 1), 0, 0});
+    const bool meet = polyhedron_polyhedron_by_scan(a, Pose(), b, pose).meet();
+    meets += meet;
+    for (const auto& [name, method] : methods) {
+      const PairAnswer answer = method(a, Pose(), b, pose);
+      ASSERT_EQ(answer.meet(), meet) << i << " " << name;
+      ASSERT_EQ(check_absolutely(answer.certificate(), {a.vertices(), Pose().affine(), false}, {b.vertices(), pose.affine(), false}),
+                CheckResult::accepted)
+          << i << " " << name;
+    }
+  }
+  EXPECT_GT(meets, count / 5);
+  EXPECT_LT(meets, count - count / 5);
+}
+
+// All of an answer as text, but for what its kind leaves meaningless.
+std::string text_of(const PairAnswer& answer) {
+  const PairCertificate& c = answer.evidence;
+  std::string out = answer.meet() ? "meet" : "apart";
+  const auto add = [&](const auto& x) { out += ' ' + std::to_string(x); };
+  if (answer.meet()) {
+    add(c.count_a);
+    for (std::size_t i = 0; i < std::size_t{c.count_a} + c.count_b; ++i) add(c.vertices[i]);
+  } else {
+    add(static_cast<int>(c.direction.kind));
+    add(c.extreme_a);
+    add(c.extreme_b);
+    if (c.direction.kind == Direction::Kind::given) {
+      for (const double x : {c.direction.given.x, c.direction.given.y, c.direction.given.z}) out += ' ' + Dyadic(x).hexadecimal();
+    } else if (c.direction.kind == Direction::Kind::exact) {
+      for (const Dyadic& x : *c.direction.numbers) out += ' ' + x.hexadecimal();
+    } else {
+      add(c.direction.reversed ? 1 : 0);
+      for (const std::uint32_t v : c.direction.index) add(v);
+    }
+  }
+  out += ' ' + std::string(name_of(answer.decided_by));
+  add(answer.cost.probes);
+  add(answer.cost.iterations);
+  add(answer.cost.exact);
+  return out;
+}
+
+// P4: from many threads at once, in any order, on bodies made anew, the same answers, certificates and counts. (That
+// compilers agree is for the lanes that compare builds.)
+TEST(PolyhedronPolyhedronTest, P4_AnswersAreReproducible) {
+  struct Question {
+    Points a, b;
+    Pose pose_a, pose_b;
+  };
+  std::vector<Question> questions;
+  for (const Touch& t : touches()) questions.push_back({t.a, t.b, Pose(), Pose()});
+  Random random(seed(103));
+  for (int i = 0; i < 100; ++i) {
+    Question q;
+    for (int k = 0; k < 50; ++k) {
+      q.a.push_back({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+      q.b.push_back({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+    }
+    q.pose_b = Pose::from_quaternion(0.3, random.uniform(-1, 1), 0.2, 0.1, {random.uniform(-3, 3), 0, 0});
+    questions.push_back(q);
+  }
+  std::vector<std::pair<ConvexPolyhedron, ConvexPolyhedron>> bodies;
+  for (const Question& q : questions) bodies.emplace_back(ConvexPolyhedron(q.a), ConvexPolyhedron(q.b));
+  const std::size_t n = questions.size();
+  std::vector<std::string> first(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    first[i] = text_of(polyhedron_polyhedron(bodies[i].first, questions[i].pose_a, bodies[i].second, questions[i].pose_b));
+  }
+  constexpr std::size_t threads = 4;
+  std::vector<std::vector<std::string>> again(threads, std::vector<std::string>(n));
+  std::vector<std::thread> running;
+  for (std::size_t t = 0; t < threads; ++t) {
+    running.emplace_back([&, t] {
+      for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t i = (k * (2 * t + 1) + t) % n;
+        const Question& q = questions[i];
+        again[t][i] = t == 0 ? text_of(polyhedron_polyhedron(ConvexPolyhedron(q.a), q.pose_a, ConvexPolyhedron(q.b), q.pose_b))
+                             : text_of(polyhedron_polyhedron(bodies[i].first, q.pose_a, bodies[i].second, q.pose_b));
+      }
+    });
+  }
+  for (std::thread& t : running) t.join();
+  for (std::size_t t = 0; t < threads; ++t) {
+    for (std::size_t i = 0; i < n; ++i) {
+      if (again[t][i].empty()) continue;  // k -> k m + t need not reach every question
+      EXPECT_EQ(again[t][i], first[i]) << t << " " << i;
+    }
+  }
+  EXPECT_EQ(std::set<std::string>(first.begin(), first.end()).count(""), 0u);
+}
+
+// General position: filters decide nearly always, the search is short, and nothing is allocated.
+TEST(PolyhedronPolyhedronTest, FiltersDecideInGeneral) {
+  Random random(seed(107));
+  int filter = 0, meets = 0;
+  std::uint64_t allocated = 0;
+  double iterations = 0;
+  constexpr int count = 2000;
+  std::vector<ConvexPolyhedron> pool;
+  for (int i = 0; i < 30; ++i) {
+    Points points;
+    for (int k = 0; k < 10 + 10 * i; ++k) points.push_back({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+    pool.emplace_back(points);
+  }
+  for (int i = 0; i < count; ++i) {
+    const auto some_pose = [&](double distance) {
+      return Pose::from_quaternion(random.uniform(0.1, 1), random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1),
+                                   {distance * random.uniform(-1, 1), distance * random.uniform(-1, 1), distance * random.uniform(-1, 1)});
+    };
+    const ConvexPolyhedron &a = pool[random.below(pool.size())], &b = pool[random.below(pool.size())];
+    const Pose here = some_pose(0), there = some_pose(3);
+    const std::uint64_t before = allocations;
+    const PairAnswer answer = polyhedron_polyhedron(a, here, b, there);
+    if (answer.decided_by == DecidedBy::filter) allocated += allocations - before;
+    filter += answer.decided_by == DecidedBy::filter;
+    EXPECT_EQ(answer.cost.exact == 0, answer.decided_by == DecidedBy::filter);
+    meets += answer.meet();
+    iterations += answer.cost.iterations;
+    EXPECT_GT(answer.cost.probes, 0u);
+  }
+  EXPECT_GE(filter, count - count / 100);
+  EXPECT_EQ(allocated, 0u);
+  EXPECT_GT(allocations, 0u);  // they are counted
+  EXPECT_LT(iterations / count, 8);
+  EXPECT_GT(meets, count / 10);
+  EXPECT_LT(meets, count - count / 10);
+}
+
+// No cliff between the tame range and the scales at which the search works in another unit.
+TEST(PolyhedronPolyhedronTest, FiltersDecideAtEveryScale) {
+  Random random(seed(109));
+  std::vector<ConvexPolyhedron> pool;
+  for (int i = 0; i < 10; ++i) {
+    Points points;
+    for (int k = 0; k < 30; ++k) points.push_back({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+    pool.emplace_back(points);
+  }
+  for (int e = -900; e <= 900; e += 15) {
+    int finishing = 0;
+    for (int i = 0; i < 40; ++i) {
+      const double s = std::ldexp(1.0, e);
+      std::array<double, 9> linear = Pose::from_quaternion(0.5, random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), {}).affine().linear;
+      for (double& x : linear) x *= s;
+      const Pose here = Pose::from_matrix(linear, {0, 0, 0});
+      const Pose there = Pose::from_matrix({s, 0, 0, 0, s, 0, 0, 0, s}, {s * random.uniform(-2, 2), s * random.uniform(-1, 1), 0});
+      finishing += polyhedron_polyhedron(pool[random.below(10)], here, pool[random.below(10)], there).decided_by == DecidedBy::finishing;
+    }
+    EXPECT_LE(finishing, 1) << "scale 2^" << e;
+  }
+}
+
+TEST(PolyhedronPolyhedronTest, NamesAreDifferent) {
+  EXPECT_EQ(name_of(DecidedBy::filter), "filter");
+  EXPECT_EQ(name_of(DecidedBy::evidence), "evidence");
+  EXPECT_EQ(name_of(DecidedBy::finishing), "finishing");
+  EXPECT_EQ(name_of(Contact::none), "none");
+  EXPECT_EQ(name_of(Contact::touching), "touching");
+  EXPECT_EQ(name_of(Contact::overlapping), "overlapping");
+}
+
+TEST(PolyhedronPolyhedronTest, TheShortNameAnswersTheSame) {
+  const ConvexPolyhedron box(cube());
+  EXPECT_TRUE(intersect(box, box).meet());
+  EXPECT_FALSE(intersect(box, ConvexPolyhedron(moved(cube(), {3, 0, 0}))).meet());
+}
+
+}  // namespace
+}  // namespace sunder::solid
