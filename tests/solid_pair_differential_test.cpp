@@ -53,7 +53,8 @@ TEST(SolidPairDifferential, MethodsAgreeWithTheScan) {
     ASSERT_EQ(scan.meet(), front.meet()) << i << " " << name_of(c.family);
     for (const PairAnswer* answer : {&scan, &gjk, &front}) {
       ASSERT_EQ(check(answer->evidence, c.a, c.pose_a, c.b, c.pose_b), CheckResult::accepted)
-          << i << " " << name_of(c.family) << "\n" << as_text(c, *answer);
+          << i << " " << name_of(c.family) << "\n"
+          << as_text(c, *answer);
     }
     if (c.touches_exactly) {
       ASSERT_TRUE(gjk.meet()) << i;
@@ -89,7 +90,8 @@ TEST(SolidPairDifferential, MethodsAgreeWithTheScan) {
   const Tally& general = tallies[Family::general];
   EXPECT_LE(general.finishing, general.cases / 1000);
   // And the hard families do reach the exact methods.
-  EXPECT_GT(tallies[Family::touching].evidence + tallies[Family::touching].finishing, tallies[Family::touching].cases / 2);
+  EXPECT_GT(tallies[Family::touching].evidence + tallies[Family::touching].finishing,
+            tallies[Family::touching].cases / 2);
   EXPECT_GT(tallies[Family::grid].finishing + tallies[Family::grid].evidence, 0);
 }
 
@@ -138,7 +140,8 @@ TEST(SolidPairDifferential, SymmetriesKeepTheVerdict) {
     if (c.a.vertices().size() < 100) {
       std::vector<Point3> points(c.a.vertices().begin(), c.a.vertices().end());
       for (std::size_t k = points.size(); k > 1; --k) std::swap(points[k - 1], points[pairs.random().below(k)]);
-      ASSERT_EQ(polyhedron_polyhedron(ConvexPolyhedron(points), c.pose_a, c.b, c.pose_b).meet(), meet) << "permuted " << i;
+      ASSERT_EQ(polyhedron_polyhedron(ConvexPolyhedron(points), c.pose_a, c.b, c.pose_b).meet(), meet)
+          << "permuted " << i;
     }
   }
   EXPECT_GT(meets, count / 5);
@@ -154,10 +157,14 @@ TEST(SolidPairDifferential, ContactTellsTouchingFromOverlapping) {
   int overlapping = 0;
   for (int i = 0; i < count; ++i) {
     const PairCase touching = pairs.next(Family::touching);
-    ASSERT_EQ(polyhedron_polyhedron_contact(touching.a, touching.pose_a, touching.b, touching.pose_b), Contact::touching) << i;
+    ASSERT_EQ(polyhedron_polyhedron_contact(touching.a, touching.pose_a, touching.b, touching.pose_b),
+              Contact::touching)
+        << i;
     // A body and itself, and a body and a smaller one inside: overlapping, whatever the dimension.
     const PairCase contained = pairs.next(Family::contained);
-    ASSERT_EQ(polyhedron_polyhedron_contact(contained.a, contained.pose_a, contained.a, contained.pose_a), Contact::overlapping) << i;
+    ASSERT_EQ(polyhedron_polyhedron_contact(contained.a, contained.pose_a, contained.a, contained.pose_a),
+              Contact::overlapping)
+        << i;
     // A small integer body against one shifted by a unit: an oracle by shifts of 2^-40 in many directions.
     const PairCase grid = pairs.next(Family::grid);
     const Contact contact = polyhedron_polyhedron_contact(grid.a, grid.pose_a, grid.b, grid.pose_b);

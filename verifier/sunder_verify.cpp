@@ -452,8 +452,10 @@ PairResult check(const Pair& pair) {
   result.name_b = pair.b->name;
   result.verdict = pair.verdict;
   try {
-    if (pair.verdict == "apart") check_apart(pair);
-    else check_meet(pair);
+    if (pair.verdict == "apart")
+      check_apart(pair);
+    else
+      check_meet(pair);
     result.accepted = true;
   } catch (const Refused& refused) {
     result.failed_check = refused.check;

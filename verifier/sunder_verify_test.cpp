@@ -289,8 +289,10 @@ class Generator {
       case 2: side.translation[below(3)] += step * pick(1, 3); break;
       case 3: s.vector[below(3)] += step; break;
       case 4:
-        if (s.meet) std::swap(side.weights[below(side.weights.size())].second, side.weights[0].second);
-        else s.vector = {-s.vector[0], -s.vector[1], -s.vector[2]};
+        if (s.meet)
+          std::swap(side.weights[below(side.weights.size())].second, side.weights[0].second);
+        else
+          s.vector = {-s.vector[0], -s.vector[1], -s.vector[2]};
         break;
       case 5:
         if (s.meet) {
@@ -439,8 +441,10 @@ std::string python_summary(const fs::path& folder, std::size_t count) {
   while (std::getline(lines, line)) {
     const std::string place = line.substr(0, line.find(':'));
     if (place.find(' ') != std::string::npos) continue;  // the last line, the totals
-    if (line.starts_with(place + ": refused: F: ")) line = place + ": refused: F";
-    else if (!line.starts_with(place + ": pair ")) line = place + ": unreadable";
+    if (line.starts_with(place + ": refused: F: "))
+      line = place + ": refused: F";
+    else if (!line.starts_with(place + ": pair "))
+      line = place + ": unreadable";
     result += line + "\n";
   }
   return result;

@@ -11,11 +11,11 @@
 namespace sunder {
 
 enum class ErrorCode {
-  bad_value,      // a number that is not finite, or out of the range that the question allows
-  bad_shape,      // an object without vertices, a mesh that is not convex where convexity was required
-  bad_pose,       // a pose that is singular or not finite
-  bad_file,       // a file that cannot be read, is truncated, or is not of its format
-  bad_call,       // an unknown option, method, or combination
+  bad_value,  // a number that is not finite, or out of the range that the question allows
+  bad_shape,  // an object without vertices, a mesh that is not convex where convexity was required
+  bad_pose,   // a pose that is singular or not finite
+  bad_file,   // a file that cannot be read, is truncated, or is not of its format
+  bad_call,   // an unknown option, method, or combination
 };
 
 class Error : public std::runtime_error {

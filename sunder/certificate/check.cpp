@@ -14,15 +14,16 @@ bool names_a_direction(const Direction& d, std::size_t n_a, std::size_t n_b) {
   const auto in_a = [&](std::size_t k) { return d.index[k] < n_a; };
   const auto in_b = [&](std::size_t k) { return d.index[k] < n_b; };
   switch (d.kind) {
-    case Direction::Kind::given: return std::isfinite(d.given.x) && std::isfinite(d.given.y) && std::isfinite(d.given.z);
+    case Direction::Kind::given:
+      return std::isfinite(d.given.x) && std::isfinite(d.given.y) && std::isfinite(d.given.z);
     case Direction::Kind::normal_of_a: return in_a(0) && in_a(1) && in_a(2);
     case Direction::Kind::normal_of_b: return in_b(0) && in_b(1) && in_b(2);
     case Direction::Kind::edge_cross_edge: return in_a(0) && in_a(1) && in_b(2) && in_b(3);
     case Direction::Kind::difference: return in_a(0) && in_b(1);
     case Direction::Kind::exact:
       return d.numbers != nullptr && std::all_of(d.numbers->begin(), d.numbers->end(), [&](const Dyadic& x) {
-        return x.exponent() >= -most && x.exponent() <= most;
-      });
+               return x.exponent() >= -most && x.exponent() <= most;
+             });
   }
   return false;
 }
@@ -31,7 +32,8 @@ CheckResult check_apart(const PairCertificate& c, const PlacedVertices& a, const
   if (c.extreme_a >= a.vertices.size() || c.extreme_b >= b.vertices.size()) return CheckResult::bad_index;
   if (!names_a_direction(c.direction, a.vertices.size(), b.vertices.size())) return CheckResult::bad_index;
   const WorldDirection direction = world_direction(c.direction, a, b);
-  if (compare_along(direction, a[c.extreme_a], b[c.extreme_b]) != Sign::positive) return CheckResult::not_strictly_apart;
+  if (compare_along(direction, a[c.extreme_a], b[c.extreme_b]) != Sign::positive)
+    return CheckResult::not_strictly_apart;
   Along along_a(direction, a.pose, a.tame), along_b(direction, b.pose, b.tame);
   for (const Point3& p : a.vertices) {
     if (along_a.compare(a.vertices[c.extreme_a], p) == Sign::positive) return CheckResult::not_extreme_in_a;

@@ -3,9 +3,10 @@
 #include <sunder/base/random.h>
 #include <sunder/certificate/check.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
+#include <boost/multiprecision/cpp_int.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -27,7 +28,8 @@ double environment(const char* name, double otherwise) {
   const char* text = std::getenv(name);
   return text ? std::atof(text) : otherwise;
 }
-int instances(int n) { return std::max(200, static_cast<int>(n * environment("SUNDER_TEST_SCALE", 1))); }
+// Never fewer than n: the rates below are asserted.
+int instances(int n) { return std::max(n, static_cast<int>(n * environment("SUNDER_TEST_SCALE", 1))); }
 std::uint64_t seed(std::uint64_t s) {
   return s + 1000003 * static_cast<std::uint64_t>(environment("SUNDER_TEST_SEED", 0));
 }
@@ -64,7 +66,8 @@ Whole3 direction_of(const Direction& d, const Body& a, const Body& b) {
   Whole3 forward{};
   switch (d.kind) {
     case Direction::Kind::given:
-      return {static_cast<std::int64_t>(d.given.x), static_cast<std::int64_t>(d.given.y), static_cast<std::int64_t>(d.given.z)};
+      return {static_cast<std::int64_t>(d.given.x), static_cast<std::int64_t>(d.given.y),
+              static_cast<std::int64_t>(d.given.z)};
     case Direction::Kind::exact: return {whole((*d.numbers)[0]), whole((*d.numbers)[1]), whole((*d.numbers)[2])};
     case Direction::Kind::normal_of_a: forward = cross(minus(p(1), p(0)), minus(p(2), p(0))); break;
     case Direction::Kind::normal_of_b: forward = cross(minus(q(1), q(0)), minus(q(2), q(0))); break;
@@ -144,9 +147,9 @@ CheckResult definition(const PairCertificate& c, const Body& a, const Body& b) {
 
 class CheckTest : public testing::Test {
  protected:
-  static constexpr std::array<Direction::Kind, 6> kinds{
-      Direction::Kind::given,           Direction::Kind::normal_of_a, Direction::Kind::normal_of_b,
-      Direction::Kind::edge_cross_edge, Direction::Kind::difference,  Direction::Kind::exact};
+  static constexpr std::array<Direction::Kind, 6> kinds{Direction::Kind::given,       Direction::Kind::normal_of_a,
+                                                        Direction::Kind::normal_of_b, Direction::Kind::edge_cross_edge,
+                                                        Direction::Kind::difference,  Direction::Kind::exact};
 
   // Integers about the origin, and moved by about `where`.
   Body some_body(std::int64_t where) {
@@ -163,7 +166,9 @@ class CheckTest : public testing::Test {
     return body;
   }
 
-  std::uint32_t some_vertex(const Body& body) { return static_cast<std::uint32_t>(random_.below(body.vertices.size())); }
+  std::uint32_t some_vertex(const Body& body) {
+    return static_cast<std::uint32_t>(random_.below(body.vertices.size()));
+  }
 
   // Extreme vertices along the direction, and the sense in which B is beyond A, if it is in one.
   void complete(PairCertificate& c, const Body& a, const Body& b) {
@@ -191,8 +196,8 @@ class CheckTest : public testing::Test {
     const auto component = [&] { return static_cast<double>(random_.between(-3, 3)); };
     c.direction.given = {component() + 2, component(), component()};
     if (kind == Direction::Kind::exact) {
-      c.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(
-          std::array<Dyadic, 3>{Dyadic(component() + 2), Dyadic(static_cast<std::int64_t>(component()) * 64, -6), Dyadic(component())});
+      c.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(std::array<Dyadic, 3>{
+          Dyadic(component() + 2), Dyadic(static_cast<std::int64_t>(component()) * 64, -6), Dyadic(component())});
     }
     for (const auto& [k, of_a] : places_of(kind)) c.direction.index[k] = some_vertex(of_a ? a : b);
     complete(c, a, b);
@@ -271,40 +276,53 @@ TEST_F(CheckTest, RefusesEveryUntrueMutation) {
       {"extreme of a", [](auto& c, auto& a, auto&, auto& random) { c.extreme_a = another(c.extreme_a, a, random); }},
       {"extreme of b", [](auto& c, auto&, auto& b, auto& random) { c.extreme_b = another(c.extreme_b, b, random); }},
       {"extremes exchanged", [](auto& c, auto&, auto&, auto&) { std::swap(c.extreme_a, c.extreme_b); }},
-      {"extreme of a out of range", [](auto& c, auto& a, auto&, auto&) { c.extreme_a = static_cast<std::uint32_t>(a.vertices.size()); }},
-      {"extreme of b out of range", [](auto& c, auto&, auto& b, auto&) { c.extreme_b = static_cast<std::uint32_t>(b.vertices.size()); }},
+      {"extreme of a out of range",
+       [](auto& c, auto& a, auto&, auto&) { c.extreme_a = static_cast<std::uint32_t>(a.vertices.size()); }},
+      {"extreme of b out of range",
+       [](auto& c, auto&, auto& b, auto&) { c.extreme_b = static_cast<std::uint32_t>(b.vertices.size()); }},
       {"reversed", [](auto& c, auto&, auto&, auto&) { c.direction.reversed = !c.direction.reversed; }},
       {"negated",
        [](auto& c, auto&, auto&, auto&) {
          c.direction.given = {-c.direction.given.x, -c.direction.given.y, -c.direction.given.z};
          if (!c.direction.numbers) return;
          const auto& n = *c.direction.numbers;
-         c.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(std::array<Dyadic, 3>{-n[0], -n[1], -n[2]});
+         c.direction.numbers =
+             std::make_shared<const std::array<Dyadic, 3>>(std::array<Dyadic, 3>{-n[0], -n[1], -n[2]});
        }},
-      {"component exchanged", [](auto& c, auto&, auto&, auto&) { std::swap(c.direction.given.x, c.direction.given.z); }},
+      {"component exchanged",
+       [](auto& c, auto&, auto&, auto&) { std::swap(c.direction.given.x, c.direction.given.z); }},
       {"index changed",
        [](auto& c, auto& a, auto& b, auto& random) {
          for (const auto& [k, of_a] : places_of(c.direction.kind)) {
            if (random.below(2)) c.direction.index[k] = another(c.direction.index[k], of_a ? a : b, random);
          }
        }},
-      {"indices exchanged", [](auto& c, auto&, auto&, auto&) { std::swap(c.direction.index[0], c.direction.index[1]); }},
+      {"indices exchanged",
+       [](auto& c, auto&, auto&, auto&) { std::swap(c.direction.index[0], c.direction.index[1]); }},
       {"index out of range",
        [](auto& c, auto& a, auto& b, auto& random) {
          const auto places = places_of(c.direction.kind);
          if (places.empty()) return;
          const auto [k, of_a] = places[random.below(places.size())];
-         c.direction.index[k] = static_cast<std::uint32_t>((of_a ? a : b).vertices.size() + random.below(2) * 0xffff0000u);
+         c.direction.index[k] =
+             static_cast<std::uint32_t>((of_a ? a : b).vertices.size() + random.below(2) * 0xffff0000u);
        }},
       {"another kind",
        [](auto& c, auto& a, auto& b, auto& random) {
          c.direction.kind = static_cast<Direction::Kind>(random.below(5));
-         for (auto& v : c.direction.index) v = static_cast<std::uint32_t>(v % std::min(a.vertices.size(), b.vertices.size()));
+         for (auto& v : c.direction.index)
+           v = static_cast<std::uint32_t>(v % std::min(a.vertices.size(), b.vertices.size()));
        }},
       {"verdict",
        [](auto& c, auto&, auto&, auto&) { c.verdict = c.verdict == Verdict::apart ? Verdict::meet : Verdict::apart; }},
-      {"count of a", [](auto& c, auto&, auto&, auto& random) { c.count_a = static_cast<std::uint8_t>(c.count_a + (random.below(2) ? 1 : -1)); }},
-      {"count of b", [](auto& c, auto&, auto&, auto& random) { c.count_b = static_cast<std::uint8_t>(c.count_b + (random.below(2) ? 1 : -1)); }},
+      {"count of a",
+       [](auto& c, auto&, auto&, auto& random) {
+         c.count_a = static_cast<std::uint8_t>(c.count_a + (random.below(2) ? 1 : -1));
+       }},
+      {"count of b",
+       [](auto& c, auto&, auto&, auto& random) {
+         c.count_b = static_cast<std::uint8_t>(c.count_b + (random.below(2) ? 1 : -1));
+       }},
       {"counts exchanged", [](auto& c, auto&, auto&, auto&) { std::swap(c.count_a, c.count_b); }},
       {"counts huge", [](auto& c, auto&, auto&, auto&) { c.count_a = c.count_b = 255; }},
       {"vertex changed",
@@ -314,7 +332,8 @@ TEST_F(CheckTest, RefusesEveryUntrueMutation) {
          c.vertices[i] = another(c.vertices[i], i < c.count_a ? a : b, random);
        }},
       {"vertex twice", [](auto& c, auto&, auto&, auto&) { c.vertices[c.count_a > 1 ? 1 : 2] = c.vertices[0]; }},
-      {"vertex out of range", [](auto& c, auto& a, auto& b, auto&) {
+      {"vertex out of range",
+       [](auto& c, auto& a, auto& b, auto&) {
          c.vertices[c.count_a > 1 ? 1 : 0] = static_cast<std::uint32_t>(a.vertices.size() + b.vertices.size());
        }},
   };
@@ -331,7 +350,8 @@ TEST_F(CheckTest, RefusesEveryUntrueMutation) {
       PairCertificate mutant = c;
       mutate(mutant, a, b, random_);
       const CheckResult expected = definition(mutant, a, b);
-      ASSERT_EQ(name_of(check_absolutely(mutant, a.placed(true), b.placed(true))), name_of(expected)) << i << " " << name;
+      ASSERT_EQ(name_of(check_absolutely(mutant, a.placed(true), b.placed(true))), name_of(expected))
+          << i << " " << name;
       ++seen[name][expected];
       if (c.verdict == Verdict::apart && expected != CheckResult::accepted) kinds_refused.insert(c.direction.kind);
     }

@@ -2,8 +2,8 @@
 #include <sunder/base/random.h>
 #include <sunder/certificate/direction.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
+#include <boost/multiprecision/cpp_int.hpp>
 
 #include <cmath>
 #include <cstdlib>
@@ -102,7 +102,8 @@ TEST_F(DirectionTest, IsThatOfTheFeaturesItNames) {
       d.reversed = false;
       EXPECT_TRUE(same_ray(exact(world_direction(d, a, b)), forward)) << i << " kind " << static_cast<int>(kind);
       d.reversed = true;
-      EXPECT_TRUE(same_ray(exact(world_direction(d, a, b)), minus({}, forward))) << i << " kind " << static_cast<int>(kind);
+      EXPECT_TRUE(same_ray(exact(world_direction(d, a, b)), minus({}, forward)))
+          << i << " kind " << static_cast<int>(kind);
       ++(is_zero(forward) ? degenerate : proper);
     };
     expect(Direction::Kind::normal_of_a, cross(minus(p(1), p(0)), minus(p(2), p(0))));
@@ -127,7 +128,8 @@ TEST_F(DirectionTest, GivenNumbersAreTakenAsTheyAre) {
     EXPECT_EQ(w.doubles(), d.given);
   }
   d.kind = Direction::Kind::exact;
-  d.numbers = std::make_shared<const std::array<Dyadic, 3>>(std::array<Dyadic, 3>{Dyadic(3, -5000), 0.0, Dyadic(-1, 4000)});
+  d.numbers =
+      std::make_shared<const std::array<Dyadic, 3>>(std::array<Dyadic, 3>{Dyadic(3, -5000), 0.0, Dyadic(-1, 4000)});
   for (const bool reversed : {false, true}) {
     d.reversed = reversed;
     const WorldDirection w = world_direction(d, a, a);

@@ -52,7 +52,8 @@ std::string quoted(const std::string& text) {
 
 std::string number(double x) {
   std::array<char, 40> digits;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), std::fabs(x), std::chars_format::hex).ptr;
+  const auto end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), std::fabs(x), std::chars_format::hex).ptr;
   return (std::signbit(x) ? "\"-0x" : "\"0x") + std::string(digits.data(), end) + '"';
 }
 
@@ -129,9 +130,8 @@ void CertificateWriter::add_pair(std::uint32_t a, std::uint32_t b, const PairCer
 
 std::string CertificateWriter::text() const {
   const auto body = [](const Body& b) {
-    return "\n    {\"name\": " + quoted(b.name) + ", \"vertices\": " + list(b.vertices, [](const Point3& p) {
-      return "\n      " + doubles(std::array{p.x, p.y, p.z});
-    }, ",") + '}';
+    return "\n    {\"name\": " + quoted(b.name) + ", \"vertices\": " +
+           list(b.vertices, [](const Point3& p) { return "\n      " + doubles(std::array{p.x, p.y, p.z}); }, ",") + '}';
   };
   const auto placed = [](const Placed& p) {
     return "\n    {\"name\": " + quoted(p.name) + ", \"body\": " + std::to_string(p.body) +

@@ -3,8 +3,8 @@
 #include <sunder/certificate/json.h>
 #include <sunder/predicate/common_point.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -70,9 +70,21 @@ Exact3 image(const Affine3& pose, const Point3& p) {
 // Is it, as a double, this very double?
 bool is_exactly(const json& text, double x) { return number(text) == exact(x); }
 
-const std::vector<double> odd_doubles{0.0, -0.0, 1, -1, 0.1, 1.0 / 3, 5e-324, -5e-324, 2.2250738585072014e-308,
-                                      2.225073858507201e-308, std::numeric_limits<double>::max(),
-                                      -std::numeric_limits<double>::max(), 0x1.fffffffffffffp-1, 1e-300, 123456789};
+const std::vector<double> odd_doubles{0.0,
+                                      -0.0,
+                                      1,
+                                      -1,
+                                      0.1,
+                                      1.0 / 3,
+                                      5e-324,
+                                      -5e-324,
+                                      2.2250738585072014e-308,
+                                      2.225073858507201e-308,
+                                      std::numeric_limits<double>::max(),
+                                      -std::numeric_limits<double>::max(),
+                                      0x1.fffffffffffffp-1,
+                                      1e-300,
+                                      123456789};
 
 TEST(CertificateJsonTest, AnEmptyFileIsOne) {
   const json file = json::parse(CertificateWriter().text());
@@ -125,13 +137,22 @@ TEST(CertificateJsonTest, DoublesAreExact) {
 TEST(CertificateJsonTest, NamesMayHoldAnything) {
   std::string control;
   for (char c = 0; c < 0x20; ++c) control += c;
-  const std::vector<std::string> good{"", "plain", "a \"quoted\" name", "back\\slash\\", control + "\x7f", "</script>",
-                                      "gr\xc3\xbc\xc3\x9f", "\xe2\x82\xac \xf0\x9f\x98\x80 \xf4\x8f\xbf\xbf \xed\x9f\xbf"};
-  const std::vector<std::string> bad{"latin \xfc", "\xc3", "\xe2\x82", "\xc0\xaf",         "\xe0\x80\xaf", "\xed\xa0\x80",
-                                     "\xff\xfe",   "\x80", "\xf5\x80\x80\x80", "\xf4\x90\x80\x80", "\xf0\x80\x80\x80", "\xc3\"\\"};
+  const std::vector<std::string> good{"",
+                                      "plain",
+                                      "a \"quoted\" name",
+                                      "back\\slash\\",
+                                      control + "\x7f",
+                                      "</script>",
+                                      "gr\xc3\xbc\xc3\x9f",
+                                      "\xe2\x82\xac \xf0\x9f\x98\x80 \xf4\x8f\xbf\xbf \xed\x9f\xbf"};
+  const std::vector<std::string> bad{"latin \xfc",       "\xc3",     "\xe2\x82", "\xc0\xaf",         "\xe0\x80\xaf",
+                                     "\xed\xa0\x80",     "\xff\xfe", "\x80",     "\xf5\x80\x80\x80", "\xf4\x90\x80\x80",
+                                     "\xf0\x80\x80\x80", "\xc3\"\\"};
   CertificateWriter writer;
-  for (const std::string& name : good) writer.add_placed(name, writer.add_body(name, std::vector<Point3>{{}}), Affine3());
-  for (const std::string& name : bad) writer.add_placed(name, writer.add_body(name, std::vector<Point3>{{}}), Affine3());
+  for (const std::string& name : good)
+    writer.add_placed(name, writer.add_body(name, std::vector<Point3>{{}}), Affine3());
+  for (const std::string& name : bad)
+    writer.add_placed(name, writer.add_body(name, std::vector<Point3>{{}}), Affine3());
   const json file = json::parse(writer.text());  // throws unless the text is UTF-8
   for (const char* key : {"bodies", "placed"}) {
     ASSERT_EQ(file.at(key).size(), good.size() + bad.size());
@@ -211,8 +232,8 @@ TEST_F(CertificateJsonPairTest, DirectionsAreExact) {
   d.kind = Direction::Kind::exact;
   d.numbers = std::make_shared<const std::array<Dyadic, 3>>(
       std::array<Dyadic, 3>{Dyadic((Integer(1) << 3000) + 1, -4000), 0.0, Dyadic(-12, 5)});
-  EXPECT_TRUE(same_ray(numbers(pair(c).at("direction")),
-                       {times_power((Whole(1) << 3000) + 1, -4000), 0, times_power(-12, 5)}));
+  EXPECT_TRUE(
+      same_ray(numbers(pair(c).at("direction")), {times_power((Whole(1) << 3000) + 1, -4000), 0, times_power(-12, 5)}));
 }
 
 // The weights sum to 1 and give the point, exactly: for each way to share out two to five vertices.

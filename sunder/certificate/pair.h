@@ -19,17 +19,17 @@ enum class Verdict : std::uint8_t { apart, meet };
 // of the placed bodies A and B, whose exact coordinates make it, or carried as exact numbers.
 struct Direction {
   enum class Kind : std::uint8_t {
-    given,             // the three doubles
-    normal_of_a,       // (a1 - a0) x (a2 - a0): vertices index[0..2] of A
-    normal_of_b,       // (b1 - b0) x (b2 - b0): vertices index[0..2] of B
-    edge_cross_edge,   // (a1 - a0) x (b1 - b0): vertices index[0..1] of A, index[2..3] of B
-    difference,        // b0 - a0: vertices index[0] of A, index[1] of B
-    exact,             // *numbers
+    given,            // the three doubles
+    normal_of_a,      // (a1 - a0) x (a2 - a0): vertices index[0..2] of A
+    normal_of_b,      // (b1 - b0) x (b2 - b0): vertices index[0..2] of B
+    edge_cross_edge,  // (a1 - a0) x (b1 - b0): vertices index[0..1] of A, index[2..3] of B
+    difference,       // b0 - a0: vertices index[0] of A, index[1] of B
+    exact,            // *numbers
   };
   Kind kind = Kind::given;
-  bool reversed = false;                  // the named direction times -1 (not used with `given` and `exact`)
-  std::array<std::uint32_t, 4> index{};   // meaningless for `given` and `exact`
-  Point3 given;                           // meaningless but for `given`
+  bool reversed = false;                 // the named direction times -1 (not used with `given` and `exact`)
+  std::array<std::uint32_t, 4> index{};  // meaningless for `given` and `exact`
+  Point3 given;                          // meaningless but for `given`
   std::shared_ptr<const std::array<Dyadic, 3>> numbers;  // null but for `exact`
 };
 

@@ -31,7 +31,8 @@ TEST(PairCertificateTest, ADefaultOneStatesNothingThatHolds) {
 TEST(PairCertificateTest, CopiesShareTheExactNumbers) {
   PairCertificate c;
   c.direction.kind = Direction::Kind::exact;
-  c.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(std::array<Dyadic, 3>{1.0, -0.5, Dyadic(7, -2000)});
+  c.direction.numbers =
+      std::make_shared<const std::array<Dyadic, 3>>(std::array<Dyadic, 3>{1.0, -0.5, Dyadic(7, -2000)});
   PairCertificate copy = c;
   EXPECT_EQ(copy.direction.numbers.get(), c.direction.numbers.get());
   const PairCertificate moved = std::move(copy);

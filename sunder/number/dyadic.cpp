@@ -16,8 +16,8 @@ std::int64_t bit_length(const Integer& x) {
 struct Cut {
   std::uint64_t mantissa;  // below 2^53
   std::int64_t exponent;
-  bool exact;              // nothing was cut
-  int rest;                // the rest against half a unit: -1 below, 0 equal, 1 above
+  bool exact;  // nothing was cut
+  int rest;    // the rest against half a unit: -1 below, 0 equal, 1 above
 };
 
 Cut cut_to_double(const Integer& mantissa, std::int64_t exponent) {
@@ -97,9 +97,7 @@ Dyadic operator+(const Dyadic& a, const Dyadic& b) {
 
 Dyadic operator-(const Dyadic& a, const Dyadic& b) { return a + (-b); }
 
-Dyadic operator*(const Dyadic& a, const Dyadic& b) {
-  return {a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_};
-}
+Dyadic operator*(const Dyadic& a, const Dyadic& b) { return {a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_}; }
 
 std::string fraction_text(const Dyadic& numerator, const Dyadic& denominator) {
   Integer n = numerator.mantissa();

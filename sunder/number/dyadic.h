@@ -13,10 +13,11 @@
 namespace sunder {
 
 // Integers that need no memory of their own up to 768 bits, and may grow beyond.
-using Integer = boost::multiprecision::number<
-    boost::multiprecision::cpp_int_backend<768, 0, boost::multiprecision::signed_magnitude,
-                                           boost::multiprecision::unchecked, std::allocator<boost::multiprecision::limb_type>>,
-    boost::multiprecision::et_off>;
+using Integer =
+    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<
+                                      768, 0, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked,
+                                      std::allocator<boost::multiprecision::limb_type>>,
+                                  boost::multiprecision::et_off>;
 
 class Dyadic {
  public:

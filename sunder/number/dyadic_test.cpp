@@ -13,7 +13,8 @@
 namespace sunder {
 namespace {
 
-using Rational = boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
+using Rational =
+    boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
 using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -42,7 +43,7 @@ std::uint64_t seed(std::uint64_t s) {
   return s + 1000003 * static_cast<std::uint64_t>(environment("SUNDER_TEST_SEED", 0));
 }
 
-constexpr std::array special{0.0,   -0.0,  1.0,   least,   2 * least,   0x1p-1022,   0x1.fffffffffffffp-1023,
+constexpr std::array special{0.0,    -0.0,  1.0,     least,   2 * least,   0x1p-1022,   0x1.fffffffffffffp-1023,
                              1e-300, 1e300, 0x1p511, largest, 1 + 0x1p-52, 1 - 0x1p-53, 0x1p53};
 
 double nasty(Random& random) {
@@ -249,7 +250,8 @@ TEST(DyadicTest, FractionText) {
     Dyadic b = small ? Dyadic(Integer(random.between(-9, 9)), random.between(-3, 3)) : any(random);
     if (b.sign() == Sign::zero) b = Dyadic(-7.0);
     const Rational r = rational(a) / rational(b);
-    const std::string expected = denominator(r) == 1 ? numerator(r).str() : numerator(r).str() + "/" + denominator(r).str();
+    const std::string expected =
+        denominator(r) == 1 ? numerator(r).str() : numerator(r).str() + "/" + denominator(r).str();
     ASSERT_EQ(fraction_text(a, b), expected) << i;
     if (denominator(r) == 1) ++wholes;
   }

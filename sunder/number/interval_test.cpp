@@ -2,8 +2,8 @@
 #include <sunder/base/random.h>
 #include <sunder/number/interval.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
+#include <boost/multiprecision/cpp_int.hpp>
 
 #include <array>
 #include <cstdlib>
@@ -55,9 +55,9 @@ std::uint64_t seed(std::uint64_t s) {
   return s + 1000003 * static_cast<std::uint64_t>(environment("SUNDER_TEST_SEED", 0));
 }
 
-constexpr std::array special{0.0,  -0.0,    1.0,      least,          2 * least, 0x1p-1022, 0x1.fffffffffffffp-1023,
-                             1e-300, 0x1p-537, 0x1.8p-538, 1e300,          0x1p511,   0x1p512,   0x1.fffffffffffffp511,
-                             largest, 0x1p1023, 1 + 0x1p-52, 1 - 0x1p-53,  3.0,       0x1p-970};
+constexpr std::array special{0.0,     -0.0,     1.0,         least,       2 * least, 0x1p-1022, 0x1.fffffffffffffp-1023,
+                             1e-300,  0x1p-537, 0x1.8p-538,  1e300,       0x1p511,   0x1p512,   0x1.fffffffffffffp511,
+                             largest, 0x1p1023, 1 + 0x1p-52, 1 - 0x1p-53, 3.0,       0x1p-970};
 
 double nasty(Random& random) {
   const double sign = random.below(2) ? 1 : -1;

@@ -2,8 +2,8 @@
 #include <sunder/base/random.h>
 #include <sunder/number/rounded.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
+#include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,8 @@
 namespace sunder {
 namespace {
 
-using Rational = boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
+using Rational =
+    boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
 using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -70,8 +71,8 @@ struct Record {
 
   template <class Formula>
   void check(const Formula& formula, const std::array<double, 8>& x) {
-    const auto rounded = formula(std::array{leaf(x[0]), leaf(x[1]), leaf(x[2]), leaf(x[3]), leaf(x[4]), leaf(x[5]),
-                                            leaf(x[6]), leaf(x[7])});
+    const auto rounded = formula(
+        std::array{leaf(x[0]), leaf(x[1]), leaf(x[2]), leaf(x[3]), leaf(x[4]), leaf(x[5]), leaf(x[6]), leaf(x[7])});
     const Terms exact = formula(std::array{terms(x[0]), terms(x[1]), terms(x[2]), terms(x[3]), terms(x[4]), terms(x[5]),
                                            terms(x[6]), terms(x[7])});
     constexpr int k = roundings(decltype(rounded){});

@@ -23,9 +23,7 @@ Vector3<Interval> WorldDirection::enclosure() const {
   return {scaled(exact_->x), scaled(exact_->y), scaled(exact_->z)};
 }
 
-Vector3<Dyadic> WorldDirection::exact() const {
-  return is_doubles_ ? lift<ExactStage>(doubles_) : *exact_;
-}
+Vector3<Dyadic> WorldDirection::exact() const { return is_doubles_ ? lift<ExactStage>(doubles_) : *exact_; }
 
 WorldDirection cross_direction(const Posed& a, const Posed& b, const Posed& c, const Posed& d) {
   return WorldDirection(cross(lift<ExactStage>(b) - lift<ExactStage>(a), lift<ExactStage>(d) - lift<ExactStage>(c)));

@@ -116,7 +116,8 @@ class Along {
 Sign compare_along_further(const WorldDirection& direction, const Posed& a, const Posed& b, StageTally* tally);
 
 // The sign of direction . (b - a) for posed points of any two bodies: positive when b is further along.
-inline Sign compare_along(const WorldDirection& direction, const Posed& a, const Posed& b, StageTally* tally = nullptr) {
+inline Sign compare_along(const WorldDirection& direction, const Posed& a, const Posed& b,
+                          StageTally* tally = nullptr) {
   if (direction.is_tame() && a.tame && b.tame) {
     const Guess guess =
         sign(dot(lift<RoundedStage>(direction.doubles()), lift<RoundedStage>(b) - lift<RoundedStage>(a)));

@@ -51,8 +51,8 @@ bool is_flat(const std::array<Posed, 3>& p, StageTally* tally) {
   return true;
 }
 
-// The minors c_i of five points in any stage's numbers. The last is minus the sum of the others, so four triple products
-// of differences do, and these share two vector products.
+// The minors c_i of five points in any stage's numbers. The last is minus the sum of the others, so four triple
+// products of differences do, and these share two vector products.
 template <class P>
 auto five_minors(const std::array<P, 5>& p) {
   const auto y0 = p[0] - p[4], y1 = p[1] - p[4], y2 = p[2] - p[4], y3 = p[3] - p[4];

@@ -19,7 +19,7 @@ namespace sunder {
 
 // True iff the k = a.size() + b.size() points span a space of dimension k - 2 exactly and their dependency separates A
 // from B as above, no c_i zero. Exact. Requires both non-empty, k <= 5.
-// Cost: five orientations of five points in floating point at k = 5 when filters decide; below, exact arithmetic.
+// Cost: four triple products in floating point at k = 5 when filters decide; below, exact arithmetic.
 bool have_common_point(std::span<const Posed> a, std::span<const Posed> b, StageTally* tally = nullptr);
 
 // The exact weights of the common point: those of A, then those of B, as numerators over one common denominator, all

@@ -134,8 +134,9 @@ struct Body {
     return y;
   }
   Posed place(const WholePoint& x) const {
-    return posed({scale * static_cast<double>(x[0]), scale * static_cast<double>(x[1]),
-                  scale * static_cast<double>(x[2])}, pose);
+    return posed(
+        {scale * static_cast<double>(x[0]), scale * static_cast<double>(x[1]), scale * static_cast<double>(x[2])},
+        pose);
   }
 };
 
@@ -144,7 +145,8 @@ struct Counts {
 };
 
 // Compares the answer and its weights with the oracle's.
-void check(const Body& first, const Body& second, const std::vector<WholePoint>& x, std::size_t count_a, Counts& counts) {
+void check(const Body& first, const Body& second, const std::vector<WholePoint>& x, std::size_t count_a,
+           Counts& counts) {
   std::vector<WholePoint> images;
   std::vector<Posed> placed;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -260,7 +262,8 @@ TEST(CommonPointTest, RandomPointsOfGrids) {
     if (flat) second = first;
     const bool scaled = i % 3 == 2;
     const int outer = scaled ? static_cast<int>(random.between(-500, 500)) : 0;
-    for (Body* body : {&first, &second}) body->make_pose(scaled ? static_cast<int>(random.between(-500, 500)) : 0, outer);
+    for (Body* body : {&first, &second})
+      body->make_pose(scaled ? static_cast<int>(random.between(-500, 500)) : 0, outer);
     std::vector<WholePoint> x(k);
     const auto fill = [&](WholePoint& p, std::int64_t low, std::int64_t high) {
       for (std::int64_t& c : p) c = random.between(low, high);
@@ -327,7 +330,7 @@ TEST(CommonPointTest, FivePointsOfAnySize) {
   const auto in_cube = [&] { return Point3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}; };
   for (int i = 0; i < n; ++i) {
     const Kind kind = static_cast<Kind>(i % kinds);
-    const std::size_t count_a = 1 + random.below(4);
+    std::size_t count_a = 1 + random.below(4);
     std::array<Affine3, 2> pose;
     for (double& m : pose[0].linear) m = random.uniform(-1, 1);
     if (kind == far) {
@@ -337,12 +340,17 @@ TEST(CommonPointTest, FivePointsOfAnySize) {
     pose[1] = pose[0];
     std::array<Point3, 5> x{in_cube(), in_cube(), in_cube(), in_cube(), in_cube()};
     if (kind == near_tie) {
-      // One point nearly on the plane, the line, or the place of three others.
-      const std::array<double, 3> w{random.uniform(-1, 1), random.below(2) ? random.uniform(-1, 1) : 0, 0};
-      const double last = 1 - w[0] - w[1];
-      const double offset = random.below(2) ? random.log_uniform(0x1p-70, 1) : 0;
-      x[4] = {w[0] * x[0].x + w[1] * x[1].x + last * x[2].x + offset, w[0] * x[0].y + w[1] * x[1].y + last * x[2].y,
-              w[0] * x[0].z + w[1] * x[1].z + last * x[2].z};
+      // One point nearly on the plane, the line, or the place of three others; mostly between them, and then whether
+      // the bodies meet hangs on that.
+      const bool between = random.below(4) != 0;
+      const double s = between ? random.unit() : random.uniform(-1, 1);
+      const double t = random.below(4) == 0 ? 0 : between ? (1 - s) * random.unit() : random.uniform(-1, 1);
+      const double offset = random.below(2) ? random.log_uniform(0x1p-70, 1) : 0, r = 1 - s - t;
+      x[4] = {s * x[0].x + t * x[1].x + r * x[2].x + offset, s * x[0].y + t * x[1].y + r * x[2].y,
+              s * x[0].z + t * x[1].z + r * x[2].z};
+      if (between) count_a = 3 + random.below(2);
+    } else {
+      std::swap(x[4], x[random.below(5)]);
     }
     if (kind == extreme) {
       const int e = static_cast<int>(random.between(-1074, 1020));
@@ -352,7 +360,6 @@ TEST(CommonPointTest, FivePointsOfAnySize) {
       if (random.below(2)) pose[0].linear = {0, 1, 0, -1, 0, 0, 0, 0, 1};
       if (random.below(4) == 0) pose[1].translation = {1e300, -5e-324, 1};
     }
-    std::swap(x[4], x[random.below(5)]);
     std::array<Posed, 5> p{};
     for (std::size_t j = 0; j < 5; ++j) p[j] = posed(x[j], pose[j < count_a ? 0 : 1]);
     const std::span<const Posed> a(p.data(), count_a), b(p.data() + count_a, 5 - count_a);

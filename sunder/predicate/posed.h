@@ -13,7 +13,7 @@ namespace sunder {
 
 // How often which stage decided (see predicate/stages.h). Predicates add to it where one is given.
 struct StageTally {
-  std::uint32_t rounded = 0;   // floating point with an error bound
+  std::uint32_t rounded = 0;  // floating point with an error bound
   std::uint32_t interval = 0;
   std::uint32_t exact = 0;
 };
@@ -49,12 +49,12 @@ inline SizeRange size_range(std::span<const Point3> points) {
 
 // True when floating point neither overflows nor underflows in formulas of up to three factors over images of such
 // points, and in the products direction . matrix . difference of predicate/along.h. Only products can underflow.
-// Rounded, a product of a matrix entry and a coordinate is zero or in [2^-200, 2^250], a multiple of 2^-252. A number of
-// the translation is a multiple of 2^-302. So images and their differences are multiples of 2^-302 below 2^253, and a
-// product of three of them is a multiple of 2^-906 below 2^762.
-// A matrix entry times a component of a tame direction, zero or in [2^-60, 1], is zero or at least 2^-960. With m and x
-// the least entry and coordinate, sums of these are zero or at least m 2^-113, differences of coordinates zero or at
-// least x 2^-53: so their product is zero or at least 2^-366.
+// Rounded, a product of a matrix entry and a coordinate is zero or in [2^-200, 2^250], a multiple of 2^-252. A number
+// of the translation is a multiple of 2^-302. So images and their differences are multiples of 2^-302 below 2^253, and
+// a product of three of them is a multiple of 2^-906 below 2^762. A matrix entry times a component of a tame direction,
+// zero or in [2^-60, 1], is zero or at least 2^-960. With m and x the least entry and coordinate, sums of these are
+// zero or at least m 2^-113, differences of coordinates zero or at least x 2^-53: so their product is zero or at least
+// 2^-366.
 inline bool images_are_tame(const SizeRange& linear, const SizeRange& translation, const SizeRange& points) {
   const double least = linear.least * points.least;  // an underflow gives 0: not tame; no number at all: infinity
   const double greatest = linear.greatest * points.greatest;

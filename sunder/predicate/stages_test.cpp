@@ -11,7 +11,8 @@
 namespace sunder {
 namespace {
 
-using Rational = boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
+using Rational =
+    boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
 using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
 
 constexpr double largest = std::numeric_limits<double>::max();
@@ -101,7 +102,8 @@ TEST(StagesTest, ImagesOfPosedPoints) {
     const auto rounded = lift<RoundedStage>(p);
     if (p.tame) ++tame;
     for (std::size_t r = 0; r < 3; ++r) {
-      const Rational expected = rational(pose.linear[3 * r]) * rational(x.x) + rational(pose.linear[3 * r + 1]) * rational(x.y) +
+      const Rational expected = rational(pose.linear[3 * r]) * rational(x.x) +
+                                rational(pose.linear[3 * r + 1]) * rational(x.y) +
                                 rational(pose.linear[3 * r + 2]) * rational(x.z) + rational(pose.translation[r]);
       ASSERT_EQ(rational(r == 0 ? exact.x : r == 1 ? exact.y : exact.z), expected) << i;
       const Interval e = r == 0 ? interval.x : r == 1 ? interval.y : interval.z;

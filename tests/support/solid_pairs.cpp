@@ -12,8 +12,9 @@ using solid::ConvexPolyhedron;
 using solid::Pose;
 
 std::string_view name_of(Family family) {
-  constexpr std::array<std::string_view, family_count> names{
-      "general", "near contact", "touching", "last bit", "grid", "flat", "needle", "tiny or huge", "contained", "large"};
+  constexpr std::array<std::string_view, family_count> names{"general",   "near contact", "touching", "last bit",
+                                                             "grid",      "flat",         "needle",   "tiny or huge",
+                                                             "contained", "large"};
   return names[static_cast<std::size_t>(family)];
 }
 
@@ -82,7 +83,8 @@ ConvexPolyhedron SolidPairs::some_body() {
       std::vector<Point3> points;
       for (int i = 0; i < n; ++i) {
         std::array<double, 3> c = random_.below(2) ? std::array<double, 3>{1, 4, 8} : std::array<double, 3>{4, 4, 7};
-        for (int k = 2; k > 0; --k) std::swap(c[static_cast<std::size_t>(k)], c[random_.below(static_cast<std::uint64_t>(k) + 1)]);
+        for (int k = 2; k > 0; --k)
+          std::swap(c[static_cast<std::size_t>(k)], c[random_.below(static_cast<std::uint64_t>(k) + 1)]);
         for (double& x : c) x *= random_.below(2) ? 0.125 : -0.125;
         points.push_back({c[0], c[1], c[2]});
       }
@@ -100,7 +102,8 @@ ConvexPolyhedron SolidPairs::some_body() {
     default: {  // a box
       const Point3 half{random_.uniform(0.1, 1), random_.uniform(0.1, 1), random_.uniform(0.1, 1)};
       std::vector<Point3> points;
-      for (int i = 0; i < 8; ++i) points.push_back({i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y, i & 4 ? half.z : -half.z});
+      for (int i = 0; i < 8; ++i)
+        points.push_back({i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y, i & 4 ? half.z : -half.z});
       return ConvexPolyhedron(points);
     }
   }
@@ -140,12 +143,13 @@ Pose SolidPairs::some_affine_pose() {
 }
 
 // P, and P mirrored in a point x of its surface: 2 x - P lies on the other side of any supporting plane at x, and x is
-// in both. Coordinates are multiples of 2^-20 below 4 and x is a dyadic combination of a facet's vertices, so 2 x - p is
-// a double. One affine map for both keeps the touch exact.
+// in both. Coordinates are multiples of 2^-20 below 4 and x is a dyadic combination of a facet's vertices, so 2 x - p
+// is a double. One affine map for both keeps the touch exact.
 PairCase SolidPairs::touching_case(Family family) {
   const auto& body = pool_[random_.below(pool_.size())];
   const auto rounded = mapped(body.vertices(), [](const Point3& p) {
-    return Point3{std::round(p.x * 0x1p20) * 0x1p-20, std::round(p.y * 0x1p20) * 0x1p-20, std::round(p.z * 0x1p20) * 0x1p-20};
+    return Point3{std::round(p.x * 0x1p20) * 0x1p-20, std::round(p.y * 0x1p20) * 0x1p-20,
+                  std::round(p.z * 0x1p20) * 0x1p-20};
   });
   const ConvexPolyhedron a(rounded);
   const auto v = a.vertices();
@@ -222,7 +226,8 @@ PairCase SolidPairs::next(Family family) {
     case Family::needle: {
       const auto stretched = [&](const ConvexPolyhedron& body) {
         const double thin = random_.log_uniform(1e-12, 0.1);
-        return ConvexPolyhedron(mapped(body.vertices(), [&](const Point3& v) { return Point3{v.x * thin, v.y * thin, v.z * 3}; }));
+        return ConvexPolyhedron(
+            mapped(body.vertices(), [&](const Point3& v) { return Point3{v.x * thin, v.y * thin, v.z * 3}; }));
       };
       return {family, stretched(p), stretched(q), some_pose(0), some_pose(random_.log_uniform(1e-12, 3))};
     }

@@ -45,9 +45,8 @@ std::vector<std::uint32_t> order_along_curve(std::span<const Point3> points, std
   }
   std::vector<std::uint32_t> order(vertices.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-    return code[i] != code[j] ? code[i] < code[j] : i < j;
-  });
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t i, std::uint32_t j) { return code[i] != code[j] ? code[i] < code[j] : i < j; });
   return order;
 }
 
@@ -92,7 +91,9 @@ std::span<const std::uint32_t> ConvexPolyhedron::neighbours(std::uint32_t v) con
   return {graph.neighbours.data() + graph.begin[v], graph.begin[v + 1] - graph.begin[v]};
 }
 
-std::uint32_t ConvexPolyhedron::facet_count() const { return static_cast<std::uint32_t>(data_->facet_begin.size() - 1); }
+std::uint32_t ConvexPolyhedron::facet_count() const {
+  return static_cast<std::uint32_t>(data_->facet_begin.size() - 1);
+}
 
 std::span<const std::uint32_t> ConvexPolyhedron::facet(std::uint32_t f) const {
   return {data_->facet_vertices.data() + data_->facet_begin[f], data_->facet_begin[f + 1] - data_->facet_begin[f]};

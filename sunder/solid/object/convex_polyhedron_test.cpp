@@ -62,7 +62,7 @@ void expect_hull(const std::vector<Point3>& points) {
   ASSERT_EQ(facets.size(), body.facet_count());
 
   const auto [low, high] = body.box();
-  const auto range = [&](double Point3::*member) {
+  const auto range = [&](double Point3::* member) {
     const auto [first, last] = std::minmax_element(
         points.begin(), points.end(), [&](const Point3& p, const Point3& q) { return p.*member < q.*member; });
     return std::pair{(*first).*member, (*last).*member};
@@ -124,7 +124,8 @@ TEST(ConvexPolyhedronTest, TheEndsOfTheRangeOfDoubles) {
     EXPECT_EQ(ConvexPolyhedron(cube).facet_count(), 6u) << size;
     EXPECT_EQ(ConvexPolyhedron(cube).search_graph().middle, Point3()) << size;
   }
-  ASSERT_NO_FATAL_FAILURE(expect_hull({{largest, 0, 0}, {-largest, least, 0}, {0, -largest, least}, {least, 0, largest}}));
+  ASSERT_NO_FATAL_FAILURE(
+      expect_hull({{largest, 0, 0}, {-largest, least, 0}, {0, -largest, least}, {least, 0, largest}}));
   ASSERT_NO_FATAL_FAILURE(expect_hull({{largest, largest, largest}}));
   ASSERT_NO_FATAL_FAILURE(expect_hull({{-largest, 0, 0}, {largest, 0, 0}}));
 }

@@ -12,7 +12,8 @@ template <std::size_t N>
 void require_finite(const std::array<double, N>& numbers, const char* what) {
   for (const double x : numbers) {
     if (!std::isfinite(x)) {
-      throw Error(ErrorCode::bad_pose, std::string(what) + " has a number that is not finite; give finite doubles", "pose");
+      throw Error(ErrorCode::bad_pose, std::string(what) + " has a number that is not finite; give finite doubles",
+                  "pose");
     }
   }
 }
@@ -56,8 +57,8 @@ Pose Pose::from_quaternion(double w, double x, double y, double z, const std::ar
   // As quotients, so that quarter and half turns about the axes come out exactly, whatever the quaternion's length.
   const double ww = w * w, xx = x * x, yy = y * y, zz = z * z;
   const double n = (ww + xx) + (yy + zz);
-  return from_matrix({((ww + xx) - (yy + zz)) / n, 2 * (x * y - w * z) / n, 2 * (x * z + w * y) / n,      //
-                      2 * (x * y + w * z) / n, ((ww + yy) - (xx + zz)) / n, 2 * (y * z - w * x) / n,      //
+  return from_matrix({((ww + xx) - (yy + zz)) / n, 2 * (x * y - w * z) / n, 2 * (x * z + w * y) / n,  //
+                      2 * (x * y + w * z) / n, ((ww + yy) - (xx + zz)) / n, 2 * (y * z - w * x) / n,  //
                       2 * (x * z - w * y) / n, 2 * (y * z + w * x) / n, ((ww + zz) - (xx + yy)) / n},
                      translation);
 }
@@ -72,7 +73,8 @@ Pose compose(const Pose& outer, const Pose& inner) {
     for (std::size_t j = 0; j < 3; ++j) {
       linear[3 * i + j] = row[0] * b.linear[j] + row[1] * b.linear[3 + j] + row[2] * b.linear[6 + j];
     }
-    translation[i] = row[0] * b.translation[0] + row[1] * b.translation[1] + row[2] * b.translation[2] + a.translation[i];
+    translation[i] =
+        row[0] * b.translation[0] + row[1] * b.translation[1] + row[2] * b.translation[2] + a.translation[i];
   }
   return Pose::from_matrix(linear, translation);
 }

@@ -2,8 +2,8 @@
 #include <sunder/base/random.h>
 #include <sunder/solid/object/pose.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
+#include <boost/multiprecision/cpp_int.hpp>
 
 #include <cstdlib>
 #include <string>
@@ -151,8 +151,8 @@ TEST(PoseTest, SingularAgainstIntegers) {
     for (std::size_t j = 0; j < 3; ++j) m[6 + j] = s * m[j] + t * m[3 + j];
     m[6] += random.between(-1, 1);
     const auto w = [&](std::size_t j) { return Whole(m[j]); };
-    const Whole det = w(0) * (w(4) * w(8) - w(5) * w(7)) - w(1) * (w(3) * w(8) - w(5) * w(6)) +
-                      w(2) * (w(3) * w(7) - w(4) * w(6));
+    const Whole det =
+        w(0) * (w(4) * w(8) - w(5) * w(7)) - w(1) * (w(3) * w(8) - w(5) * w(6)) + w(2) * (w(3) * w(7) - w(4) * w(6));
     Rows linear{};
     const int scale = static_cast<int>(random.between(-1074, 970));
     for (std::size_t j = 0; j < 9; ++j) linear[j] = std::ldexp(static_cast<double>(m[j]), scale);
@@ -173,7 +173,8 @@ TEST(PoseTest, KnownRotations) {
   const auto linear = [](double w, double x, double y, double z) {
     return Pose::from_quaternion(w, x, y, z, nowhere).affine().linear;
   };
-  const Rows about_z{0, -1, 0, 1, 0, 0, 0, 0, 1}, about_x{1, 0, 0, 0, 0, -1, 0, 1, 0}, about_y{0, 0, 1, 0, 1, 0, -1, 0, 0};
+  const Rows about_z{0, -1, 0, 1, 0, 0, 0, 0, 1}, about_x{1, 0, 0, 0, 0, -1, 0, 1, 0},
+      about_y{0, 0, 1, 0, 1, 0, -1, 0, 0};
   // Quarter turns, from quaternions of any length: exact.
   EXPECT_EQ(linear(1, 0, 0, 0), identity);
   EXPECT_EQ(linear(-3, 0, 0, 0), identity);
@@ -206,12 +207,14 @@ TEST(PoseTest, RandomRotations) {
   Random random(seed(2));
   const int n = instances(4000);
   for (int i = 0; i < n; ++i) {
-    const double w = random.uniform(-1, 1), x = random.uniform(-1, 1), y = random.uniform(-1, 1), z = random.uniform(-1, 1);
+    const double w = random.uniform(-1, 1), x = random.uniform(-1, 1), y = random.uniform(-1, 1),
+                 z = random.uniform(-1, 1);
     const Rows m = Pose::from_quaternion(w, x, y, z, nowhere).affine().linear;
     ASSERT_NEAR(determinant(m), 1, 1e-14) << i;
     for (std::size_t r = 0; r < 3; ++r) {
       for (std::size_t s = 0; s < 3; ++s) {
-        ASSERT_NEAR(m[3 * r] * m[3 * s] + m[3 * r + 1] * m[3 * s + 1] + m[3 * r + 2] * m[3 * s + 2], r == s ? 1 : 0, 1e-14);
+        ASSERT_NEAR(m[3 * r] * m[3 * s] + m[3 * r + 1] * m[3 * s + 1] + m[3 * r + 2] * m[3 * s + 2], r == s ? 1 : 0,
+                    1e-14);
       }
     }
     // The axis stays, and the angle's cosine is that of the quaternion.
@@ -224,7 +227,10 @@ TEST(PoseTest, RandomRotations) {
     // A power of two changes nothing.
     const int e = static_cast<int>(random.between(-950, 1020));
     ASSERT_EQ(Pose::from_quaternion(std::ldexp(w, e), std::ldexp(x, e), std::ldexp(y, e), std::ldexp(z, e), nowhere)
-                  .affine().linear, m) << i << " " << e;
+                  .affine()
+                  .linear,
+              m)
+        << i << " " << e;
     ASSERT_EQ(Pose::from_quaternion(-w, -x, -y, -z, nowhere).affine().linear, m);
   }
 }

@@ -1,8 +1,8 @@
 // What the searches walk on: the vertex graph of a convex polyhedron, laid out for the memory cache.
 //
 // A search at vertex v reads one block: v's coordinates, and those of its neighbours side by side. A table over
-// directions gives a start near the goal. So a step touches a few neighbouring cache lines, and depends on one load. For
-// bodies of few vertices, reading them all is faster than walking: `all` holds them coordinate by coordinate.
+// directions gives a start near the goal. So a step touches a few neighbouring cache lines, and depends on one load.
+// For bodies of few vertices, reading them all is faster than walking: `all` holds them coordinate by coordinate.
 #pragma once
 
 #include <sunder/predicate/point.h>

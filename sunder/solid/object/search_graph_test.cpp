@@ -102,10 +102,11 @@ int count_wrong_entries(const ConvexPolyhedron& body) {
   const SearchGraph& graph = body.search_graph();
   int wrong = 0;
   for (std::uint32_t i = 0; i < graph.table.size(); ++i) {
-    const std::uint32_t face = i / (graph.side * graph.side), row = i / graph.side % graph.side, column = i % graph.side;
+    const std::uint32_t face = i / (graph.side * graph.side), row = i / graph.side % graph.side,
+                        column = i % graph.side;
     const double u = (2.0 * column + 1) / graph.side - 1, v = (2.0 * row + 1) / graph.side - 1;
-    const std::array<Point3, 6> directions{Point3{1, u, v}, Point3{-1, u, v}, Point3{u, 1, v},
-                                           Point3{u, -1, v}, Point3{u, v, 1}, Point3{u, v, -1}};
+    const std::array<Point3, 6> directions{Point3{1, u, v},  Point3{-1, u, v}, Point3{u, 1, v},
+                                           Point3{u, -1, v}, Point3{u, v, 1},  Point3{u, v, -1}};
     const WorldDirection direction(directions[face]);
     const Affine3 identity;
     Along along(direction, identity, false);

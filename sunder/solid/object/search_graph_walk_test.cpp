@@ -152,7 +152,8 @@ TEST(SearchGraphWalkTest, AnyDirectionWillDo) {
   for (const std::uint32_t n : {4u, 30u, 100u, 1000u}) {
     const ConvexPolyhedron body(sphere(random, n));
     const SearchGraph& graph = body.search_graph();
-    const std::vector<double> odd{0.0, -0.0, least, -least, 1e-310, 1.0, -1.0, largest, -largest, infinity, -infinity, not_a_number};
+    const std::vector<double> odd{0.0,  -0.0,    least,    -least,   1e-310,    1.0,
+                                  -1.0, largest, -largest, infinity, -infinity, not_a_number};
     for (const double x : odd) {
       for (const double y : odd) {
         for (const double z : odd) {
@@ -176,7 +177,8 @@ TEST(SearchGraphWalkTest, HugeAndTinyBodies) {
       const Point3 d = on_sphere(random);
       for (const double length : {least, 1.0, largest}) {
         std::uint32_t probes = 0;
-        ASSERT_LT(furthest(body.search_graph(), {d.x * length, d.y * length, d.z * length}, probes), body.vertices().size());
+        ASSERT_LT(furthest(body.search_graph(), {d.x * length, d.y * length, d.z * length}, probes),
+                  body.vertices().size());
       }
     }
   }

@@ -46,8 +46,8 @@ Nearest of_segment(const DifferenceSimplex& s, int newest, int older) {
   return {{older, newest, 0}, 2, d, distance2};
 }
 
-// Of the triangle of the newest corner a and two older ones, b before c, with n = (b - a) x (c - a). What is nearest has
-// a among its corners, because the search went from the edge b c towards the origin.
+// Of the triangle of the newest corner a and two older ones, b before c, with n = (b - a) x (c - a). What is nearest
+// has a among its corners, because the search went from the edge b c towards the origin.
 Nearest of_triangle(const DifferenceSimplex& s, int newest, int b, int c, const Point3& n) {
   const Point3& a = corner(s, newest);
   const Point3 ab = minus(corner(s, b), a), ac = minus(corner(s, c), a);

@@ -117,7 +117,9 @@ class ClosestSimplexTest : public testing::Test {
     Point3 towards{1, 0, 0};
     for (int step = 0; step < 30; ++step) {
       std::uint32_t furthest = 0;
-      const auto along = [&](std::uint32_t i) { return towards.x * cloud[i].x + towards.y * cloud[i].y + towards.z * cloud[i].z; };
+      const auto along = [&](std::uint32_t i) {
+        return towards.x * cloud[i].x + towards.y * cloud[i].y + towards.z * cloud[i].z;
+      };
       for (std::uint32_t i = 1; i < cloud.size(); ++i) furthest = along(i) > along(furthest) ? i : furthest;
       for (int i = 0; i < s.count; ++i) {
         if (s.vertex[static_cast<std::size_t>(i)].a == furthest) return;
@@ -182,7 +184,8 @@ TEST_F(ClosestSimplexTest, IsTheNearestOfAllFaces) {
     std::vector<Point3> cloud;
     const int n = static_cast<int>(random_.between(1, 20));
     const Point3 centre{coordinate(), coordinate(), coordinate()};
-    for (int k = 0; k < n; ++k) cloud.push_back({centre.x + coordinate(), centre.y + coordinate(), centre.z + coordinate()});
+    for (int k = 0; k < n; ++k)
+      cloud.push_back({centre.x + coordinate(), centre.y + coordinate(), centre.z + coordinate()});
     ASSERT_NO_FATAL_FAILURE(search(cloud)) << i;
   }
   EXPECT_GT(inside_, 500);

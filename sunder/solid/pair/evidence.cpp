@@ -16,8 +16,8 @@ constexpr double negligible = 0x1p-40;
 PlacedVertices vertices_of(const Placed& body) { return {body.graph.vertices, body.pose, body.tame}; }
 
 // The exact part of both apart checks: the extreme vertices, then strictness.
-bool parts(const Placed& a, const Placed& b, const WorldDirection& direction, std::uint32_t near_a, std::uint32_t near_b,
-           PairCertificate& certificate, StageTally& tally) {
+bool parts(const Placed& a, const Placed& b, const WorldDirection& direction, std::uint32_t near_a,
+           std::uint32_t near_b, PairCertificate& certificate, StageTally& tally) {
   // The strict comparison first: it costs least and fails most.
   if (compare_along(direction, a[near_a], b[near_b], &tally) != Sign::positive) return false;
   Along along_a(direction, a.pose, a.tame), along_b(direction, b.pose, b.tame);
@@ -203,8 +203,8 @@ class Reduction {
   std::array<Row, 3> edges_;  // by coordinate; those of B negated
   std::array<bool, places> is_free_{};
   std::array<std::size_t, 3> pivot_{none, none, none};
-  std::array<Row, 6> dependency_;            // along which weights vanished: the first eliminated_
-  std::array<std::size_t, 6> leaver_;        // and which weight did
+  std::array<Row, 6> dependency_;      // along which weights vanished: the first eliminated_
+  std::array<std::size_t, 6> leaver_;  // and which weight did
   std::size_t eliminated_ = 0;
 };
 
@@ -316,7 +316,8 @@ bool check_apart_by_features(const Placed& a, const Placed& b, const DifferenceS
   const auto& q = of_b.vertex;
   if (of_a.count == 3 && attempt(Direction::Kind::normal_of_a, {p[0], p[1], p[2]})) return true;
   if (of_b.count == 3 && attempt(Direction::Kind::normal_of_b, {q[0], q[1], q[2]})) return true;
-  if (of_a.count == 2 && of_b.count == 2 && attempt(Direction::Kind::edge_cross_edge, {p[0], p[1], q[0], q[1]})) return true;
+  if (of_a.count == 2 && of_b.count == 2 && attempt(Direction::Kind::edge_cross_edge, {p[0], p[1], q[0], q[1]}))
+    return true;
   return of_a.count == 1 && of_b.count == 1 && attempt(Direction::Kind::difference, {p[0], q[0]});
 }
 
@@ -335,8 +336,8 @@ bool meet_with_weights(const Placed& a, const Placed& b, const DifferenceSimplex
   for (std::size_t i = 0; i < k; ++i) {
     points[i] = i < certificate.count_a ? a[certificate.vertices[i]] : b[certificate.vertices[i]];
   }
-  return have_common_point({points.data(), certificate.count_a}, {points.data() + certificate.count_a, k - certificate.count_a},
-                           &tally);
+  return have_common_point({points.data(), certificate.count_a},
+                           {points.data() + certificate.count_a, k - certificate.count_a}, &tally);
 }
 
 }  // namespace

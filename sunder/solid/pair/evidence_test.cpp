@@ -28,7 +28,8 @@ CheckResult check(const PairCertificate& c, const Placed& a, const Placed& b) {
 Point3 image(const Placed& body, std::uint32_t v) {
   const Point3& p = body.graph.vertices[v];
   const auto& m = body.pose.linear;
-  return {m[0] * p.x + m[1] * p.y + m[2] * p.z, m[3] * p.x + m[4] * p.y + m[5] * p.z, m[6] * p.x + m[7] * p.y + m[8] * p.z};
+  return {m[0] * p.x + m[1] * p.y + m[2] * p.z, m[3] * p.x + m[4] * p.y + m[5] * p.z,
+          m[6] * p.x + m[7] * p.y + m[8] * p.z};
 }
 
 // As the search makes it.
@@ -70,10 +71,13 @@ class EvidenceTest : public testing::Test {
   ConvexPolyhedron some_body() {
     std::vector<Point3> points;
     const auto coordinate = [&] { return static_cast<double>(random_.between(-2, 2)); };
-    for (std::int64_t n = random_.between(1, 10); n > 0; --n) points.push_back({coordinate(), coordinate(), coordinate()});
+    for (std::int64_t n = random_.between(1, 10); n > 0; --n)
+      points.push_back({coordinate(), coordinate(), coordinate()});
     return ConvexPolyhedron(points);
   }
-  std::uint32_t some_vertex(const Placed& p) { return static_cast<std::uint32_t>(random_.below(p.graph.vertices.size())); }
+  std::uint32_t some_vertex(const Placed& p) {
+    return static_cast<std::uint32_t>(random_.below(p.graph.vertices.size()));
+  }
 
   Random random_{seed(89)};
   StageTally tally_;
@@ -90,7 +94,8 @@ TEST_F(EvidenceTest, CheckApartIsThePlainTruthFromAnyStart) {
     const Point3 d{coordinate() + 2, coordinate(), coordinate()};
     double most = -1e9, least = 1e9;
     for (const Point3& p : body_a.vertices()) most = std::max(most, dot(d, p));
-    for (const Point3& p : body_b.vertices()) least = std::min(least, dot(d, {p.x + there.affine().translation[0], p.y + 1, p.z}));
+    for (const Point3& p : body_b.vertices())
+      least = std::min(least, dot(d, {p.x + there.affine().translation[0], p.y + 1, p.z}));
     PairCertificate c;
     const bool parted = check_apart(a, b, d, some_vertex(a), some_vertex(b), c, tally_);
     ASSERT_EQ(parted, most < least) << i;
@@ -150,8 +155,8 @@ TEST_F(EvidenceTest, FeaturesPartWhatDoublesCannot) {
   const Pose pose = Pose::from_matrix({0.1, 0.7, -0.3, 0.4, 0.2, 0.9, -0.8, 0.3, 0.35}, {0.1, 0.2, 0.3});
   const ConvexPolyhedron cube(cube_points());
   const Placed a(cube, pose);
-  const auto apart = [&](const ConvexPolyhedron& other, const std::vector<std::array<Point3, 2>>& pairs, const Point3& outward,
-                         PairCertificate& c) {
+  const auto apart = [&](const ConvexPolyhedron& other, const std::vector<std::array<Point3, 2>>& pairs,
+                         const Point3& outward, PairCertificate& c) {
     const Placed b(other, pose);
     std::vector<std::array<std::uint32_t, 2>> numbers;
     for (const auto& [p, q] : pairs) numbers.push_back({vertex_at(cube, p), vertex_at(other, q)});
@@ -167,7 +172,8 @@ TEST_F(EvidenceTest, FeaturesPartWhatDoublesCannot) {
     };
     const Point3 n[3] = {cross(column[1], column[2]), cross(column[2], column[0]), cross(column[0], column[1])};
     const double sense = dot(n[0], column[0]) > 0 ? 1 : -1;
-    return Point3{sense * (p.x * n[0].x + p.y * n[1].x + p.z * n[2].x), sense * (p.x * n[0].y + p.y * n[1].y + p.z * n[2].y),
+    return Point3{sense * (p.x * n[0].x + p.y * n[1].x + p.z * n[2].x),
+                  sense * (p.x * n[0].y + p.y * n[1].y + p.z * n[2].y),
                   sense * (p.x * n[0].z + p.y * n[1].z + p.z * n[2].z)};
   };
   constexpr double bit = 0x1p-52;
@@ -175,17 +181,20 @@ TEST_F(EvidenceTest, FeaturesPartWhatDoublesCannot) {
     PairCertificate c;
     const ConvexPolyhedron point(std::vector<Point3>{{1 + gap, 0.1, 0.2}});
     const Point3 q = point.vertices()[0];
-    EXPECT_EQ(apart(point, {{Point3{1, 1, 1}, q}, {Point3{1, -1, 1}, q}, {Point3{1, -1, -1}, q}}, turned({1, 0, 0}), c), gap > 0);
+    EXPECT_EQ(apart(point, {{Point3{1, 1, 1}, q}, {Point3{1, -1, 1}, q}, {Point3{1, -1, -1}, q}}, turned({1, 0, 0}), c),
+              gap > 0);
     EXPECT_TRUE(gap == 0 || c.direction.kind == Direction::Kind::normal_of_a);
 
     const ConvexPolyhedron plate(std::vector<Point3>{{1 + gap, 5, 7}, {1 + gap, -9, 5}, {1 + gap, 4, -8}, {3, 0, 0}});
     const Point3 r{1, 1, 1};
-    EXPECT_EQ(apart(plate, {{r, Point3{1 + gap, 5, 7}}, {r, Point3{1 + gap, -9, 5}}, {r, Point3{1 + gap, 4, -8}}}, turned({1, 0, 0}), c),
+    EXPECT_EQ(apart(plate, {{r, Point3{1 + gap, 5, 7}}, {r, Point3{1 + gap, -9, 5}}, {r, Point3{1 + gap, 4, -8}}},
+                    turned({1, 0, 0}), c),
               gap > 0);
     EXPECT_TRUE(gap == 0 || c.direction.kind == Direction::Kind::normal_of_b);
 
     const ConvexPolyhedron edge(std::vector<Point3>{{2 + gap, 0, 0.25}, {0 + gap, 2, 0.25}, {3, 3, 0.5}, {3, 3, -0.5}});
-    EXPECT_EQ(apart(edge, {{Point3{1, 1, 1}, Point3{2 + gap, 0, 0.25}}, {Point3{1, 1, -1}, Point3{gap, 2, 0.25}}}, turned({1, 1, 0}), c),
+    EXPECT_EQ(apart(edge, {{Point3{1, 1, 1}, Point3{2 + gap, 0, 0.25}}, {Point3{1, 1, -1}, Point3{gap, 2, 0.25}}},
+                    turned({1, 1, 0}), c),
               gap > 0);
     EXPECT_TRUE(gap == 0 || c.direction.kind == Direction::Kind::edge_cross_edge);
   }
@@ -226,7 +235,8 @@ TEST_F(EvidenceTest, TouchingPairsAreAccepted) {
   const auto v = [&](double x, double y, double z) { return vertex_at(cube, {x, y, z}); };
   PairCertificate c;
   // (1, 1, 1) - (-1, -1, 1) and others: the facets x = 1 and x = -1 have common points.
-  const DifferenceSimplex s = simplex_of(a, b, {{v(1, 1, 1), v(-1, -1, -1)}, {v(1, -1, 1), v(-1, 1, -1)}, {v(1, -1, -1), v(-1, -1, 1)}});
+  const DifferenceSimplex s =
+      simplex_of(a, b, {{v(1, 1, 1), v(-1, -1, -1)}, {v(1, -1, 1), v(-1, 1, -1)}, {v(1, -1, -1), v(-1, -1, 1)}});
   ASSERT_TRUE(check_meet(a, b, s, c, tally_));
   EXPECT_EQ(check(c, a, b), CheckResult::accepted);
 

@@ -97,8 +97,7 @@ class ExactSimplex {
   static std::int64_t least_exponent(const Placed& body) {
     const auto lowest_bit = [](const SizeRange& range) {
       // A double of size at least s is a multiple of 2^(exponent of s - 52), and of 2^-1074.
-      return range.greatest == 0 ? std::int64_t{0}
-                                 : std::max<std::int64_t>(std::ilogb(range.least) - 52, -1074);
+      return range.greatest == 0 ? std::int64_t{0} : std::max<std::int64_t>(std::ilogb(range.least) - 52, -1074);
     };
     const SizeRange linear = size_range(std::span<const double>(body.pose.linear));
     const SizeRange translation = size_range(std::span<const double>(body.pose.translation));
@@ -199,13 +198,13 @@ class ExactSimplex {
   const Placed& a_;
   const Placed& b_;
   StageTally& tally_;
-  std::int64_t exponent_;                  // images are multiples of 2^exponent_, and counted in it
+  std::int64_t exponent_;  // images are multiples of 2^exponent_, and counted in it
   std::size_t rows_ = 0;
-  std::uint32_t at_a_ = 0, at_b_ = 0;      // the extreme vertices along the last direction
+  std::uint32_t at_a_ = 0, at_b_ = 0;  // the extreme vertices along the last direction
   std::array<Variable, most_rows> basis_{};
-  Integer determinant_ = 1;                // of the basis, as its absolute value
+  Integer determinant_ = 1;                  // of the basis, as its absolute value
   std::array<Column, most_rows> inverse_{};  // of the basis, times determinant_
-  Column solution_{};                      // the values of the basic variables, times determinant_
+  Column solution_{};                        // the values of the basic variables, times determinant_
 };
 
 }  // namespace

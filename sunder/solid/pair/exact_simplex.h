@@ -3,14 +3,14 @@
 // The linear program: weights l_i >= 0 of A's vertices and m_j >= 0 of B's with
 //   sum l_i a_i - sum m_j b_j = 0,  sum l_i = 1,  sum m_j = 1
 // over the exact images a_i, b_j. Phase one starts from five artificial variables and minimises their sum. Its
-// multipliers (d, alpha, beta) price a vertex of A at d . a_i + alpha and one of B at -d . b_j + beta: the best to enter
-// is an extreme vertex along d, which a walk over the vertex graph finds by exact comparisons. When none has a positive
-// price, either the sum is zero, and the basis is a common point with at most five vertices, or d parts the bodies
-// strictly:  d . a_i <= -alpha < beta <= d . b_j.
+// multipliers (d, alpha, beta) price a vertex of A at d . a_i + alpha and one of B at -d . b_j + beta: the best to
+// enter is an extreme vertex along d, which a walk over the vertex graph finds by exact comparisons. When none has a
+// positive price, either the sum is zero, and the basis is a common point with at most five vertices, or d parts the
+// bodies strictly:  d . a_i <= -alpha < beta <= d . b_j.
 //
 // The question of overlapping interiors is a second program of the same kind. Let c be a point in the relative interior
-// of the difference A - B. The relative interiors meet iff the origin is in that of A - B (Rockafellar 1970, theorem 6.3
-// and corollary 6.6.2), that is, iff -c is in the cone of A - B:
+// of the difference A - B. The relative interiors meet iff the origin is in that of A - B (Rockafellar 1970,
+// theorem 6.3 and corollary 6.6.2), that is, iff -c is in the cone of A - B:
 //   sum l_i a_i - sum m_j b_j = -c,  sum l_i - sum m_j = 0.
 //
 // Arithmetic is on integers (images scaled by one power of two), fraction-free: the inverse of the basis times its

@@ -2,8 +2,8 @@
 #include <sunder/base/random.h>
 #include <sunder/solid/pair/extreme_vertex.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
+#include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <array>
@@ -56,7 +56,8 @@ class ExtremeVertexTest : public testing::Test {
   Pose some_pose(bool whole_numbers) {
     while (true) {
       Affine3 pose;
-      for (double& x : pose.linear) x = whole_numbers ? static_cast<double>(random_.between(-2, 2)) : random_.uniform(-1, 1);
+      for (double& x : pose.linear)
+        x = whole_numbers ? static_cast<double>(random_.between(-2, 2)) : random_.uniform(-1, 1);
       try {
         return Pose::from_matrix(pose.linear, {1, -2, 0.1});
       } catch (const std::exception&) {  // singular

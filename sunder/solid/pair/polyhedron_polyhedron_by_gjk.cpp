@@ -122,8 +122,8 @@ class Search {
     return normalize(d);
   }
 
-  Point3 direction;            // of the world, from A towards B
-  DifferenceSimplex simplex;   // the face nearest to the origin, or the tetrahedron around it
+  Point3 direction;           // of the world, from A towards B
+  DifferenceSimplex simplex;  // the face nearest to the origin, or the tetrahedron around it
 
  private:
   // The image without the translation, in the search's scale.

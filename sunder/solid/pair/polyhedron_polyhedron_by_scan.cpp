@@ -125,8 +125,8 @@ class Scan {
       const double* row = &pose.linear[3 * i];
       const double value = row[0] * p.x + row[1] * p.y + row[2] * p.z + pose.translation[i];
       s.approx[i] = body == 0 ? value : -value;
-      s.size[i] = std::fabs(row[0] * p.x) + std::fabs(row[1] * p.y) + std::fabs(row[2] * p.z) +
-                  std::fabs(pose.translation[i]);
+      s.size[i] =
+          std::fabs(row[0] * p.x) + std::fabs(row[1] * p.y) + std::fabs(row[2] * p.z) + std::fabs(pose.translation[i]);
     }
     return s;
   }
