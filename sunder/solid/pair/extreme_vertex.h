@@ -15,11 +15,13 @@ struct Placed {
   const SearchGraph& graph;
   const Affine3& pose;
   bool tame;
+  double size;  // no coordinate of an image is larger than four times this; infinite where it overflows
 
   Placed(const ConvexPolyhedron& body, const Pose& at)
       : graph(body.search_graph()),
         pose(at.affine()),
-        tame(images_are_tame(at.linear_range(), at.translation_range(), graph.sizes)) {}
+        tame(images_are_tame(at.linear_range(), at.translation_range(), graph.sizes)),
+        size(std::max(at.linear_range().greatest * graph.sizes.greatest, at.translation_range().greatest)) {}
 
   Posed operator[](std::uint32_t v) const { return {graph.vertices[v], &pose, tame}; }
 };

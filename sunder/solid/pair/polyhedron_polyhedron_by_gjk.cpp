@@ -47,7 +47,7 @@ class Search {
   Search(const Placed& a, const Placed& b) : a_(a), b_(b) {
     const auto& s = a.pose.translation;
     const auto& t = b.pose.translation;
-    if (!a.tame || !b.tame) scale_ = scale_of(a, b);
+    scale_ = scale_of(std::max(a.size, b.size));
     shift_ = {(t[0] - s[0]) * scale_, (t[1] - s[1]) * scale_, (t[2] - s[2]) * scale_};
     const Point3 p = image(a.pose, a.graph.middle), q = image(b.pose, b.graph.middle);
     direction = {(q.x - p.x) + shift_.x, (q.y - p.y) + shift_.y, (q.z - p.z) + shift_.z};
@@ -132,14 +132,10 @@ class Search {
     return {p.x * scale_, p.y * scale_, p.z * scale_};
   }
 
-  // A power of two that brings differences of images near 1: squares of them must neither overflow nor vanish.
-  static double scale_of(const Placed& a, const Placed& b) {
-    double size = 0;
-    for (const Placed* body : {&a, &b}) {
-      const double linear = size_range(std::span<const double>(body->pose.linear)).greatest;
-      const double translation = size_range(std::span<const double>(body->pose.translation)).greatest;
-      size = std::max(size, std::max(linear * body->graph.sizes.greatest, translation));
-    }
+  // A power of two that brings differences of images near 1 where sixth powers of them could overflow or vanish, as
+  // they occur in closest_simplex.cpp; else 1.
+  static double scale_of(double size) {
+    if (size >= 0x1p-100 && size <= 0x1p100) return 1;
     if (!(size > 0 && size <= std::numeric_limits<double>::max())) return 1;
     return std::ldexp(1.0, std::clamp(-std::ilogb(size), -1022, 1022));
   }
