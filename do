@@ -460,7 +460,7 @@ part_verify() {
   verify_sample() {
     certificates "$folder" build "$count" || return 1
     local accepted
-    find "$folder" -name '*.json' -print0 | sort -z | xargs -0 -n 20 -P "$(job_count)" \
+    find "$folder" -name '*.json' -print0 | sort -z | xargs -0 -n 5 -P "$(job_count)" \
       python3 verifier/sunder_verify.py >"$folder/verdicts" || { grep -vE 'accepted$' "$folder/verdicts"; return 1; }
     accepted=$(grep -cE '^.*: pair [0-9]+: .*: accepted$' "$folder/verdicts" || true)
     echo "$accepted certificates accepted"
