@@ -267,8 +267,12 @@ class Picture {
     const double most_left = left + border, most_right = std::max(most_left, left + panel_width - border - width);
     Bounds best{most_left, most_left + width, y - label_height / 2, y + label_height / 2, true};
     double least = 0;
-    for (double top = header; top < header + panel_height - label_height; top += step) {
-      for (double first = most_left; first <= most_right; first += step) {
+    const int rows = static_cast<int>((panel_height - label_height) / step) + 1;
+    const int columns = static_cast<int>((most_right - most_left) / step) + 1;
+    for (int row = 0; row < rows; ++row) {
+      const double top = header + row * step;
+      for (int column = 0; column < columns; ++column) {
+        const double first = most_left + column * step;
         const Bounds place{first, first + width, top, top + label_height, false};
         const double dx = x - std::clamp(x, place.left, place.right), dy = y - std::clamp(y, place.top, place.bottom);
         const double beside = x - (place.left + place.right) / 2;  // a centred place is a little better

@@ -270,7 +270,7 @@ class BinaryBody {
   void end_row() {}
 
   double number(Type type, std::string_view what) {
-    const double value = type == Type::float32   ? double{take<float>()}
+    const double value = type == Type::float32   ? static_cast<double>(take<float>())
                          : type == Type::float64 ? take<double>()
                                                  : static_cast<double>(integer(type, what));
     if (!std::isfinite(value)) {

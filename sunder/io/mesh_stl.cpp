@@ -119,7 +119,7 @@ Mesh parse_binary(std::string_view bytes, std::string_view place) {
       const std::size_t from = at + normal_bytes * (1 + corner);
       double numbers[3] = {};
       for (std::size_t i = 0; i < 3; ++i) {
-        numbers[i] = double{load<float>(bytes.data() + from + 4 * i, ByteOrder::little_endian)};
+        numbers[i] = static_cast<double>(load<float>(bytes.data() + from + 4 * i, ByteOrder::little_endian));
         if (!std::isfinite(numbers[i])) {
           fail_byte(place, from + 4 * i,
                     fmt::format("{} of a vertex is {}; every number must be finite: repair the mesh", "xyz"[i],
