@@ -187,7 +187,9 @@ TEST(SolidPairDifferential, ContactTellsTouchingFromOverlapping) {
       overlapping += interiors;
     }
   }
-  if (count >= 500) EXPECT_GT(overlapping, count / 20);  // the rate of a smaller run says little
+  if (count >= 500) {  // the rate of a smaller run says little
+    EXPECT_GT(overlapping, count / 20);
+  }
 }
 
 }  // namespace

@@ -147,7 +147,7 @@ TEST(UrdfKinematics, RefusesWrongValues) {
   EXPECT_NE(error("elbow", 0).find("joint 'elbow': the robot has no joint of this name"), std::string::npos);
   EXPECT_NE(error("panda_joint8", 0).find("is fixed"), std::string::npos);
   EXPECT_NE(error("panda_finger_joint2", 0).find("follows joint 'panda_finger_joint1'"), std::string::npos);
-  EXPECT_NE(error("panda_joint1", NAN).find("not finite"), std::string::npos);
+  EXPECT_NE(error("panda_joint1", std::numeric_limits<double>::quiet_NaN()).find("not finite"), std::string::npos);
   EXPECT_EQ(error("panda_joint1", 2.8973), "no error") << "limits are included";
   EXPECT_NE(error("panda_joint1", std::nextafter(2.8973, 3)).find("out of the limits"), std::string::npos);
   EXPECT_EQ(error_of([&] { joint_values(robot, {{"a\nb", 1}}); }).find('\n'), std::string::npos);

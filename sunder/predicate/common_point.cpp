@@ -2,6 +2,9 @@
 #include <sunder/predicate/orient.h>
 #include <sunder/predicate/stages.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace sunder {
 
 namespace {
@@ -14,6 +17,13 @@ std::array<T, N - 1> others(const std::array<T, N>& points, std::size_t left_out
     if (i != left_out) rest[j++] = points[i];
   }
   return rest;
+}
+
+template <std::size_t N>
+std::array<Posed, N> joined(std::span<const Posed> a, std::span<const Posed> b) {
+  std::array<Posed, N> points{};
+  for (std::size_t i = 0; i < N; ++i) points[i] = i < a.size() ? a[i] : b[i - a.size()];
+  return points;
 }
 
 // The orientation of N points in the space of N - 1 dimensions that is left when the projection drops axes, in any
@@ -85,9 +95,61 @@ Guess five_are_separated(const std::array<Posed, 5>& points, std::size_t count_a
   return unsure ? Guess::unsure : Guess::positive;
 }
 
-bool five_have_common_point(const std::array<Posed, 5>& points, std::size_t count_a, StageTally* tally) {
+// The same in floating point with one error bound for all: cheaper than Rounded, and enough where the five points are
+// not nearly in a plane. Requires tame points.
+//
+// Let u = 2^-53. An image's coordinate is a Rounded<3> with a magnitude of at most 4 reach (1 + u); so its error is at
+// most e = bound<4> 4 reach. A difference y of two has an error of at most d = 2 e + u Y, where Y is the greatest
+// computed |y|. A triple product is a sum of six products of three differences, computed with bound<5>:
+//   |error| <= 6 ((Y + d)^3 - Y^3) + bound<5> 6 Y^3 <= 18 d (Y + d)^2 + 36 u Y^3
+// and the last minor, a sum of four of these in two steps, has four times that error and 2.1 u times 4 * 6.1 Y^3. The
+// factors below are larger by more than what the rounding of the bound itself takes away.
+Guess five_are_separated_by_far(std::span<const Posed> a, std::span<const Posed> b) {
+  std::array<Vector3<double>, 5> images;
+  double reach = 0;
+  std::size_t n = 0;
+  for (const std::span<const Posed>& part : {a, b}) {
+    for (const Posed& p : part) {
+      const auto& m = p.pose->linear;
+      const auto& t = p.pose->translation;
+      const Point3& v = p.point;
+      images[n++] = {(m[0] * v.x + m[1] * v.y) + (m[2] * v.z + t[0]), (m[3] * v.x + m[4] * v.y) + (m[5] * v.z + t[1]),
+                     (m[6] * v.x + m[7] * v.y) + (m[8] * v.z + t[2])};
+      reach = std::max(reach, p.reach);
+    }
+  }
+  double size = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vector3<double> y = images[i] - images[4];
+    size = std::max(size, std::max(std::fabs(y.x), std::max(std::fabs(y.y), std::fabs(y.z))));
+  }
+  const double off = 2 * (Rounded<4>::bound * 4 * reach) + 0x1p-53 * size;
+  const double error = 20 * off * ((size + off) * (size + off)) + 40 * 0x1p-53 * (size * size * size);
+  const auto [first, last] = five_minors(images);
+  // c_i with its sign turned over for B: all five beyond the error on one side, or one of them on either.
+  const std::size_t count_a = a.size();
+  const auto side = [&](std::size_t i, double c) { return (i == 1 || i == 3) == (i < count_a) ? -c : c; };
+  const double s0 = side(0, first[0]), s1 = side(1, first[1]), s2 = side(2, first[2]), s3 = side(3, first[3]),
+               s4 = side(4, last) / 6;
+  const double least = std::min(std::min(s0, s1), std::min(std::min(s2, s3), s4));
+  const double greatest = std::max(std::max(s0, s1), std::max(std::max(s2, s3), s4));
+  if (least > error || greatest < -error) return Guess::positive;
+  return least < -error && greatest > error ? Guess::negative : Guess::unsure;
+}
+
+bool five_have_common_point(std::span<const Posed> a, std::span<const Posed> b, StageTally* tally) {
   bool all_tame = true;
-  for (const Posed& p : points) all_tame = all_tame && p.tame;
+  for (const Posed& p : a) all_tame = all_tame && p.tame;
+  for (const Posed& p : b) all_tame = all_tame && p.tame;
+  if (all_tame) {
+    const Guess guess = five_are_separated_by_far(a, b);
+    if (is_sure(guess)) {
+      if (tally) ++tally->rounded;
+      return guess == Guess::positive;
+    }
+  }
+  const std::array<Posed, 5> points = joined<5>(a, b);
+  const std::size_t count_a = a.size();
   if (all_tame) {
     const Guess guess = five_are_separated<RoundedStage>(points, count_a);
     if (is_sure(guess)) {
@@ -124,25 +186,14 @@ int separated_along(int axis, const std::array<Posed, N>& points, std::size_t co
 }
 
 template <std::size_t N>
-std::array<Posed, N> joined(std::span<const Posed> a, std::span<const Posed> b) {
-  std::array<Posed, N> points{};
-  for (std::size_t i = 0; i < N; ++i) points[i] = i < a.size() ? a[i] : b[i - a.size()];
-  return points;
-}
-
-template <std::size_t N>
 bool have_common_point_of(std::span<const Posed> a, std::span<const Posed> b, StageTally* tally) {
   const std::array<Posed, N> points = joined<N>(a, b);
-  if constexpr (N == 5) {
-    return five_have_common_point(points, a.size(), tally);
-  } else {
-    if (!is_flat(points, tally)) return false;
-    for (int axis = 0; axis < 3; ++axis) {
-      const int separated = separated_along(axis, points, a.size(), tally);
-      if (separated != 0) return separated > 0;
-    }
-    return false;
+  if (!is_flat(points, tally)) return false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int separated = separated_along(axis, points, a.size(), tally);
+    if (separated != 0) return separated > 0;
   }
+  return false;
 }
 
 template <std::size_t N>
@@ -181,7 +232,7 @@ bool have_common_point(std::span<const Posed> a, std::span<const Posed> b, Stage
       return true;
     case 3: return have_common_point_of<3>(a, b, tally);
     case 4: return have_common_point_of<4>(a, b, tally);
-    case 5: return have_common_point_of<5>(a, b, tally);
+    case 5: return five_have_common_point(a, b, tally);
     default: return false;
   }
 }

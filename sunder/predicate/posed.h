@@ -68,13 +68,18 @@ struct Posed {
   Point3 point;
   const Affine3* pose;
   bool tame;
+  // No product of an entry of the linear part and a coordinate, and no number of the translation, is larger. Infinite
+  // where that is not known; it costs time only.
+  double reach = std::numeric_limits<double>::infinity();
 };
 
-// A convenience where speed does not matter: finds out by itself whether the image is tame.
+// A convenience where speed does not matter: finds out by itself whether the image is tame, and its reach.
 inline Posed posed(const Point3& point, const Affine3& pose) {
-  return {point, &pose,
-          images_are_tame(size_range(std::span<const double>(pose.linear)),
-                          size_range(std::span<const double>(pose.translation)), size_range({&point, 1}))};
+  const SizeRange linear = size_range(std::span<const double>(pose.linear)),
+                  translation = size_range(std::span<const double>(pose.translation)),
+                  coordinates = size_range({&point, 1});
+  return {point, &pose, images_are_tame(linear, translation, coordinates),
+          std::max(linear.greatest * coordinates.greatest, translation.greatest)};
 }
 
 }  // namespace sunder

@@ -7,24 +7,26 @@ namespace sunder::solid {
 
 namespace {
 
+// The direction that unfolds to (u, v).
+Point3 folded(double u, double v) {
+  const double z = 1 - std::fabs(u) - std::fabs(v);
+  if (z >= 0) return {u, v, z};
+  return {std::copysign(1 - std::fabs(v), u), std::copysign(1 - std::fabs(u), v), z};
+}
+
 void fill_table(SearchGraph& graph) {
-  const double n = static_cast<double>(graph.vertices.size());
-  graph.side = static_cast<std::uint32_t>(std::ceil(std::sqrt(n / 6)));
-  const std::uint32_t side = graph.side;
-  graph.table.assign(std::size_t{6} * side * side, 0);
+  const std::uint32_t side =
+      static_cast<std::uint32_t>(std::ceil(std::sqrt(8.0 * static_cast<double>(graph.vertices.size()))));
+  graph.side = side;
+  graph.table.assign(std::size_t{side} * side, 0);
   std::uint32_t last = graph.place[0];
-  for (std::uint32_t face = 0; face < 6; ++face) {
-    for (std::uint32_t row = 0; row < side; ++row) {
-      for (std::uint32_t step = 0; step < side; ++step) {
-        const std::uint32_t column = row % 2 == 0 ? step : side - 1 - step;  // to and fro: cells in turn are adjacent
-        const double u = (2.0 * column + 1) / side - 1;
-        const double v = (2.0 * row + 1) / side - 1;
-        const double w = face % 2 == 0 ? 1 : -1;
-        const Point3 direction = face < 2 ? Point3{w, u, v} : face < 4 ? Point3{u, w, v} : Point3{u, v, w};
-        std::uint32_t probes = 0;
-        last = walk(graph, direction, last, probes);
-        graph.table[(face * side + row) * side + column] = last;
-      }
+  for (std::uint32_t row = 0; row < side; ++row) {
+    for (std::uint32_t step = 0; step < side; ++step) {
+      const std::uint32_t column = row % 2 == 0 ? step : side - 1 - step;  // to and fro: cells in turn are adjacent
+      const Point3 direction = folded((2.0 * column + 1) / side - 1, (2.0 * row + 1) / side - 1);
+      std::uint32_t probes = 0;
+      last = walk(graph, direction, last, probes);
+      graph.table[row * side + column] = last;
     }
   }
 }
@@ -40,7 +42,7 @@ void fill_blocks(SearchGraph& graph) {
   for (std::size_t v = 0; v < n; ++v) {
     const std::uint32_t count = graph.begin[v + 1] - graph.begin[v];
     graph.place.push_back(size);
-    size += 4 + 3 * count + (count + 1) / 2;
+    size += 4 + VertexBlock::padded(count) / 2 * 7;
   }
   graph.blocks.reserve(size);
   for (std::size_t v = 0; v < n; ++v) {
@@ -49,11 +51,13 @@ void fill_blocks(SearchGraph& graph) {
     const std::uint32_t count = static_cast<std::uint32_t>(around.size());
     const Point3& p = graph.vertices[v];
     graph.blocks.insert(graph.blocks.end(), {p.x, p.y, p.z, word(static_cast<std::uint32_t>(v), count)});
-    for (const std::uint32_t w : around) graph.blocks.push_back(graph.vertices[w].x);
-    for (const std::uint32_t w : around) graph.blocks.push_back(graph.vertices[w].y);
-    for (const std::uint32_t w : around) graph.blocks.push_back(graph.vertices[w].z);
-    for (std::size_t j = 0; j < count; j += 2) {
-      graph.blocks.push_back(word(graph.place[around[j]], j + 1 < count ? graph.place[around[j + 1]] : 0));
+    const std::uint32_t padded = VertexBlock::padded(count);
+    const auto neighbour = [&](std::uint32_t j) { return around[j < count ? j : 0]; };
+    for (std::uint32_t j = 0; j < padded; ++j) graph.blocks.push_back(graph.vertices[neighbour(j)].x);
+    for (std::uint32_t j = 0; j < padded; ++j) graph.blocks.push_back(graph.vertices[neighbour(j)].y);
+    for (std::uint32_t j = 0; j < padded; ++j) graph.blocks.push_back(graph.vertices[neighbour(j)].z);
+    for (std::uint32_t j = 0; j < padded; j += 2) {
+      graph.blocks.push_back(word(graph.place[neighbour(j)], graph.place[neighbour(j + 1)]));
     }
   }
 }

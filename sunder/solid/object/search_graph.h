@@ -17,8 +17,9 @@
 namespace sunder::solid {
 
 // One vertex's block, k neighbours, as it lies in SearchGraph::blocks:
-//   x y z of the vertex | its number and k | k times x | k times y | k times z | k places of blocks, two in a word
-// all in words of 64 bits. The neighbours stand counter-clockwise.
+//   x y z of the vertex | its number and k | p times x | p times y | p times z | p places of blocks, two in a word
+// all in words of 64 bits. The neighbours stand counter-clockwise; p is k rounded up to a multiple of four, and the
+// first neighbour stands once more in what is left over, so that loops have no remainder.
 class VertexBlock {
  public:
   explicit VertexBlock(const double* words) : words_(words) {}
@@ -27,15 +28,18 @@ class VertexBlock {
   std::uint32_t vertex() const { return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(words_[3])); }
   std::uint32_t count() const { return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(words_[3]) >> 32); }
 
-  // count() numbers each.
-  const double* x() const { return words_ + 4; }
-  const double* y() const { return words_ + 4 + count(); }
-  const double* z() const { return words_ + 4 + 2 * std::size_t{count()}; }
+  std::uint32_t padded() const { return padded(count()); }
+  static std::uint32_t padded(std::uint32_t count) { return (count + 3) / 4 * 4; }
 
-  // The place of the j-th neighbour's block. Requires j < count().
+  // padded() numbers each.
+  const double* x() const { return words_ + 4; }
+  const double* y() const { return words_ + 4 + padded(); }
+  const double* z() const { return words_ + 4 + 2 * std::size_t{padded()}; }
+
+  // The place of the j-th neighbour's block. Requires j < padded().
   std::uint32_t place(std::uint32_t j) const {
-    const std::uint64_t pair = std::bit_cast<std::uint64_t>(words_[4 + 3 * std::size_t{count()} + j / 2]);
-    return static_cast<std::uint32_t>(j % 2 == 0 ? pair : pair >> 32);
+    const std::uint64_t pair = std::bit_cast<std::uint64_t>(words_[4 + 3 * std::size_t{padded()} + j / 2]);
+    return static_cast<std::uint32_t>(pair >> (j % 2 * 32));
   }
 
  private:
@@ -58,8 +62,11 @@ struct SearchGraph {
 
   VertexBlock block(std::uint32_t at) const { return VertexBlock(blocks.data() + at); }
 
-  // Empty with few vertices. Else a cube of directions, each of its six faces (+x -x +y -y +z -z) cut into side x side
-  // cells row by row; the entry is the place of a vertex that is extreme along the direction to the middle of the cell.
+  // Empty with few vertices. Else the octahedron of directions, |x| + |y| + |z| = 1, unfolded into the square [-1, 1]^2
+  // and cut into side x side cells row by row: the upper half, z >= 0, is seen from above; the four faces of the lower
+  // half are turned outwards about their upper edges. The entry is the place of a vertex that is extreme along the
+  // direction to the middle of the cell.
+  // Source of the map: Engelhardt and Dachsbacher 2008, octahedron environment maps.
   std::uint32_t side = 0;
   std::vector<std::uint32_t> table;
 

@@ -2,12 +2,38 @@
 // (solid/pair/extreme_vertex.h).
 #pragma once
 
+#include <sunder/base/lanes.h>
 #include <sunder/solid/object/search_graph.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
 namespace sunder::solid {
+
+// The greatest of the values direction . (x[j], y[j], z[j]), j < count. Requires count to be a positive
+// multiple of four. Does not tell which it is: so the processor need not wait for the answer before it goes on, as long
+// as it guesses well whether the value is looked at (see walk).
+inline double greatest_along(const Point3& direction, const double* x, const double* y, const double* z,
+                             std::uint32_t count) {
+  const auto values = [&](std::uint32_t j) {
+    return direction.x * lanes_at(x + j) + direction.y * lanes_at(y + j) + direction.z * lanes_at(z + j);
+  };
+  Lanes best = values(0), other = values(2);
+  for (std::uint32_t j = 4; j < count; j += 4) {
+    best = greater_of(best, values(j));
+    other = greater_of(other, values(j + 2));
+  }
+  return greater_lane(greater_of(best, other));
+}
+
+// The first j < count of which direction . (x[j], y[j], z[j]) is `value`, else count.
+inline std::uint32_t first_with_value(const Point3& direction, const double* x, const double* y, const double* z,
+                                      std::uint32_t count, double value) {
+  std::uint32_t j = 0;
+  while (j < count && direction.x * x[j] + direction.y * y[j] + direction.z * z[j] != value) ++j;
+  return j;
+}
 
 // Goes from the block at `start` to ever better neighbours until none is better in floating point: the best neighbour
 // each time, of equals the first. Returns the place of the last block. Adds the vertices it looks at to `probes`. Ends,
@@ -19,55 +45,35 @@ inline std::uint32_t walk(const SearchGraph& graph, const Point3& direction, std
   const Point3 p = block.at();
   double best = direction.x * p.x + direction.y * p.y + direction.z * p.z;
   ++probes;
-  while (true) {
-    const std::uint32_t count = block.count();
+  while (block.count() > 0) {
     const double *x = block.x(), *y = block.y(), *z = block.z();
-    probes += count;
-    std::uint32_t winner = count;
-    for (std::uint32_t j = 0; j < count; ++j) {
-      const double value = direction.x * x[j] + direction.y * y[j] + direction.z * z[j];
-      if (value > best) {
-        best = value;
-        winner = j;
-      }
-    }
-    if (winner == count) return at;
-    at = block.place(winner);
+    probes += block.count();
+    const double greatest = greatest_along(direction, x, y, z, block.padded());
+    if (!(greatest > best)) break;
+    best = greatest;
+    at = block.place(first_with_value(direction, x, y, z, block.count(), greatest));
     block = graph.block(at);
   }
+  return at;
 }
 
 // The cell of the direction table: the place of a vertex extreme along a direction nearby. Requires a table. Any
 // direction will do, even one that is zero or not finite.
 inline std::uint32_t table_start(const SearchGraph& graph, const Point3& direction) {
-  const double ax = std::fabs(direction.x), ay = std::fabs(direction.y), az = std::fabs(direction.z);
-  std::uint32_t face;
-  double largest, u, v;
-  if (ax >= ay && ax >= az) {
-    face = direction.x < 0 ? 1 : 0;
-    largest = ax;
-    u = direction.y;
-    v = direction.z;
-  } else if (ay >= az) {
-    face = direction.y < 0 ? 3 : 2;
-    largest = ay;
-    u = direction.x;
-    v = direction.z;
-  } else {
-    face = direction.z < 0 ? 5 : 4;
-    largest = az;
-    u = direction.x;
-    v = direction.y;
-  }
-  const double side = graph.side;
-  const double scale = side / 2 / largest;
-  const double column = u * scale + side / 2;
-  const double row = v * scale + side / 2;
-  if (!(column >= 0 && row >= 0 && column <= side && row <= side)) return graph.table[0];
+  const double scale = 1 / (std::fabs(direction.x) + std::fabs(direction.y) + std::fabs(direction.z));
+  const Lanes xy = Lanes{direction.x, direction.y} * scale;
+  const Lanes beyond = 1 - absolute(swapped(xy));
+  const Lanes turned_out = xy < 0 ? -beyond : beyond;
+  const Lanes z{direction.z, direction.z};
+  const Lanes uv = z < 0 ? turned_out : xy;
+  const double half = graph.side * 0.5;
+  const Lanes cell = uv * half + half;
+  const double column = cell[0], row = cell[1];
+  if (!(column >= 0 && row >= 0 && column <= graph.side && row <= graph.side)) return graph.table[0];
   const std::uint32_t last = graph.side - 1;
   const std::uint32_t c = std::min(static_cast<std::uint32_t>(column), last);
   const std::uint32_t r = std::min(static_cast<std::uint32_t>(row), last);
-  return graph.table[(face * graph.side + r) * graph.side + c];
+  return graph.table[r * graph.side + c];
 }
 
 // The first vertex that is furthest in floating point, reading them all. Requires few vertices.
@@ -76,14 +82,17 @@ inline std::uint32_t furthest_of_few(const SearchGraph& graph, const Point3& dir
   const double* x = graph.all.data();
   const double* y = x + n;
   const double* z = y + n;
-  double value[SearchGraph::few];
-  for (std::uint32_t i = 0; i < n; ++i) value[i] = direction.x * x[i] + direction.y * y[i] + direction.z * z[i];
-  std::uint32_t best = 0;
-  for (std::uint32_t i = 1; i < n; ++i) {
-    if (value[i] > value[best]) best = i;
+  Lanes values[SearchGraph::few / 2];
+  const auto value = [&](std::uint32_t i) {
+    return direction.x * lanes_at(x + i) + direction.y * lanes_at(y + i) + direction.z * lanes_at(z + i);
+  };
+  for (std::uint32_t i = 0; i < n; i += 4) {
+    values[i / 2] = value(i);
+    values[i / 2 + 1] = value(i + 2);
   }
   probes += static_cast<std::uint32_t>(graph.vertices.size());
-  return best;
+  const std::uint32_t first = first_of_greatest(values, n / 2);
+  return first < graph.vertices.size() ? first : 0;  // a copy of the first that fills up
 }
 
 // Where a search along the direction begins, for furthest_from; asks for the memory that it will read.

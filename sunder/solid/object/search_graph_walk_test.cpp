@@ -124,25 +124,22 @@ TEST(SearchGraphWalkTest, AWalkEndsWhereNoNeighbourIsBetter) {
   }
 }
 
-// The cell of a direction is that whose middle lies nearest along the cube: its entry is extreme along a direction not
-// further away than a cell is wide.
+// The cell of a direction is the one it unfolds into: its entry is extreme along a direction not further away than a
+// cell is wide.
 TEST(SearchGraphWalkTest, TheTableIsReadAtTheDirectionsOwnCell) {
   Random random(53);
   const ConvexPolyhedron body(sphere(random, 2000));
   const SearchGraph& graph = body.search_graph();
-  for (std::uint32_t face = 0; face < 6; ++face) {
-    for (std::uint32_t row = 0; row < graph.side; ++row) {
-      for (std::uint32_t column = 0; column < graph.side; ++column) {
-        // Anywhere inside the cell, at any length.
-        const double u = 2 * (column + random.uniform(0.01, 0.99)) / graph.side - 1;
-        const double v = 2 * (row + random.uniform(0.01, 0.99)) / graph.side - 1;
-        const double length = std::ldexp(1.0, static_cast<int>(random.between(-1000, 1000)));
-        const double w = (face % 2 == 0 ? 1 : -1) * length;
-        const Point3 d = face < 2   ? Point3{w, u * length, v * length}
-                         : face < 4 ? Point3{u * length, w, v * length}
-                                    : Point3{u * length, v * length, w};
-        ASSERT_EQ(table_start(graph, d), graph.table[(face * graph.side + row) * graph.side + column]);
-      }
+  for (std::uint32_t row = 0; row < graph.side; ++row) {
+    for (std::uint32_t column = 0; column < graph.side; ++column) {
+      // Anywhere inside the cell, at any length.
+      const double u = 2 * (column + random.uniform(0.01, 0.99)) / graph.side - 1;
+      const double v = 2 * (row + random.uniform(0.01, 0.99)) / graph.side - 1;
+      const double over = std::fabs(u) + std::fabs(v) - 1;  // below the upper half's diamond: mirrored in its edge
+      const double back = std::max(over, 0.0);
+      const double length = std::ldexp(1.0, static_cast<int>(random.between(-1000, 1000)));
+      const Point3 d{(u - std::copysign(back, u)) * length, (v - std::copysign(back, v)) * length, -over * length};
+      ASSERT_EQ(table_start(graph, d), graph.table[row * graph.side + column]) << u << ' ' << v;
     }
   }
 }

@@ -1,5 +1,6 @@
 #include <sunder/solid/pair/closest_simplex.h>
 
+#include <cmath>
 #include <limits>
 
 namespace sunder::solid {
@@ -60,7 +61,8 @@ Nearest of_triangle(const DifferenceSimplex& s, int newest, int b, int c, const 
   if (beyond_ac) return of_segment(s, newest, c);
   const double height = dot(n, a);
   const double area2 = dot(n, n);
-  return {{b, c, newest}, 3, height > 0 ? negated(n) : n, area2 > 0 ? height * height / area2 : 0};
+  const double sense = -std::copysign(1.0, height);
+  return {{b, c, newest}, 3, {sense * n.x, sense * n.y, sense * n.z}, area2 > 0 ? height * height / area2 : 0};
 }
 
 }  // namespace

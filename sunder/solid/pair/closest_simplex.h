@@ -9,10 +9,10 @@
 
 namespace sunder::solid {
 
-// A vertex of the difference A - B of two placed bodies: the image of vertex a minus that of vertex b, rounded.
+// A vertex of the difference A - B of two placed bodies: the image of vertex a minus that of vertex b, times the scale
+// of the simplex, rounded.
 struct DifferenceVertex {
   Point3 at;
-  Point3 turned_a, turned_b;  // the images without the translations, in the same scale
   std::uint32_t a = 0;
   std::uint32_t b = 0;
 };
@@ -21,6 +21,7 @@ struct DifferenceVertex {
 struct DifferenceSimplex {
   std::array<DifferenceVertex, 4> vertex;
   int count = 0;
+  double scale = 1;  // a power of two
 };
 
 // Replaces the simplex by its least face that holds the point nearest to the origin. Returns false when that is the

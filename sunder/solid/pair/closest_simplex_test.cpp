@@ -21,7 +21,8 @@ std::uint64_t seed(std::uint64_t s) {
 
 using Long3 = std::array<long double, 3>;
 
-Long3 long3(const Point3& p) { return {p.x, p.y, p.z}; }
+long double wide(double x) { return static_cast<long double>(x); }
+Long3 long3(const Point3& p) { return {wide(p.x), wide(p.y), wide(p.z)}; }
 Long3 minus(const Long3& a, const Long3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Long3 cross(const Long3& a, const Long3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -168,8 +169,8 @@ class ClosestSimplexTest : public testing::Test {
     long double total = 0;
     for (std::size_t i = 0; i < 4; ++i) {
       EXPECT_GT(w[i], 0);
-      total += w[i];
-      for (std::size_t k = 0; k < 3; ++k) sum[k] += w[i] * long3(s.vertex[i].at)[k];
+      total += wide(w[i]);
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += wide(w[i]) * long3(s.vertex[i].at)[k];
     }
     EXPECT_LT(length(sum), 1e-14L + 1e-9L * total);
   }

@@ -1,8 +1,10 @@
+#include <sunder/base/lanes.h>
 #include <sunder/certificate/direction.h>
 #include <sunder/predicate/common_point.h>
 #include <sunder/solid/pair/evidence.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <span>
 
@@ -12,6 +14,12 @@ namespace {
 
 // Weights below this part of the largest are taken for zero where a proposal is made from what a search left.
 constexpr double negligible = 0x1p-40;
+
+Point3 minus(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Point3 cross(const Point3& a, const Point3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 
 PlacedVertices vertices_of(const Placed& body) { return {body.graph.vertices, body.pose, body.tame}; }
 
@@ -51,8 +59,6 @@ struct Support {
 // that holds it (closest_simplex.h).
 std::array<double, 4> weights_of_nearest(const DifferenceSimplex& s) {
   const Point3 &a = s.vertex[0].at, &b = s.vertex[1].at, &c = s.vertex[2].at;
-  const auto minus = [](const Point3& p, const Point3& q) { return Point3{p.x - q.x, p.y - q.y, p.z - q.z}; };
-  const auto dot = [](const Point3& p, const Point3& q) { return p.x * q.x + p.y * q.y + p.z * q.z; };
   switch (s.count) {
     case 1: return {1};
     case 2: {
@@ -69,6 +75,87 @@ std::array<double, 4> weights_of_nearest(const DifferenceSimplex& s) {
   }
 }
 
+// Of the vertices that make a tetrahedron which holds the origin, five that are enough (Caratheodory's theorem), in
+// floating point. This is what a search for deep bodies ends with; so there are no branches, and no stores of single
+// numbers into rows that are read whole.
+//
+// The four difference vertices w_k = a_k - b_k have weights m_k > 0 with sum m_k w_k = 0. Moving weight from a_0 to a_k
+// is made good by weight on the w_m: with sum y_m w_m = a_0 - a_k and sum y_m = 0, the weights may move along
+//   1 at a_k, -1 at a_0, and y_m at both a_m and b_m
+// until the first one vanishes. The three moves, k = 1, 2, 3, are independent; after each, the others are combined with
+// it so that they leave alone what has vanished. Five columns without a dependency are left, so no vertex twice.
+class TetrahedronReduction {
+ public:
+  // The weights: of the origin in the tetrahedron, up to a factor, all positive.
+  TetrahedronReduction(const Placed& a, const DifferenceSimplex& tetrahedron, const std::array<double, 4>& weights)
+      : vertex_(tetrahedron.vertex) {
+    const Point3 w0 = vertex_[0].at, a0 = a.turned(vertex_[0].a, tetrahedron.scale);
+    const Point3 e1 = minus(vertex_[1].at, w0), e2 = minus(vertex_[2].at, w0), e3 = minus(vertex_[3].at, w0);
+    const Point3 n1 = cross(e2, e3), n2 = cross(e3, e1), n3 = cross(e1, e2);
+    const double scale = 1 / dot(e1, n1);
+    const auto move = [&](std::size_t k, double to1, double to2, double to3) {
+      const Point3 back = minus(a0, a.turned(vertex_[k].a, tetrahedron.scale));
+      const double y1 = dot(n1, back) * scale, y2 = dot(n2, back) * scale, y3 = dot(n3, back) * scale;
+      const double y0 = -(y1 + y2 + y3);
+      return Row{Lanes{y0 - 1, y1 + to1}, Lanes{y2 + to2, y3 + to3}, Lanes{y0, y1}, Lanes{y2, y3}};
+    };
+    moves_ = {move(1, 1, 0, 0), move(2, 0, 1, 0), move(3, 0, 0, 1)};
+    const Lanes w01{weights[0], weights[1]}, w23{weights[2], weights[3]};
+    weight_ = {w01, w23, w01, w23};
+  }
+
+  // Names the five vertices. False where rounding has left no move, or vertices of one body only.
+  bool reduce(PairCertificate& certificate) {
+    std::uint32_t held = 255;  // a bit for each place
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Row& move = moves_[k];
+      Row speed;
+      for (std::size_t i = 0; i < 4; ++i) speed[i] = move[i] / weight_[i];
+      const std::uint32_t leaver = first_of_greatest(speed.data(), 4);
+      if (!(at(speed, leaver) > 0)) return false;
+      held &= ~(1u << leaver);
+      const Row& others = others_than[leaver];
+      const double step = 1 / at(speed, leaver), part = 1 / at(move, leaver);
+      for (std::size_t next = k + 1; next < 3; ++next) {
+        Row& changed = moves_[next];
+        const double factor = at(changed, leaver) * part;
+        for (std::size_t i = 0; i < 4; ++i) changed[i] = (changed[i] - factor * move[i]) * others[i];
+      }
+      // What has vanished counts as 1 from here on; no move touches it.
+      for (std::size_t i = 0; i < 4; ++i) weight_[i] = (weight_[i] - step * move[i]) * others[i] + (1 - others[i]);
+    }
+    certificate.verdict = Verdict::meet;
+    std::uint32_t of_a = 0;
+    for (std::uint32_t& name : certificate.vertices) {
+      const std::size_t place = static_cast<std::size_t>(std::countr_zero(held)) % places;
+      name = place < 4 ? vertex_[place].a : vertex_[place - 4].b;
+      of_a += std::uint32_t{place < 4};
+      held &= held - 1;
+    }
+    certificate.count_a = static_cast<std::uint8_t>(of_a);
+    certificate.count_b = static_cast<std::uint8_t>(5 - of_a);
+    return certificate.count_a > 0 && certificate.count_b > 0;
+  }
+
+ private:
+  static constexpr std::size_t places = 8;  // a_0 to a_3, then b_0 to b_3
+  using Row = std::array<Lanes, places / 2>;
+
+  static double at(const Row& row, std::uint32_t place) { return row[place / 2][place % 2]; }
+
+  // 0 in one place, 1 elsewhere.
+  static constexpr std::array<Row, places> others_than{
+      Row{Lanes{0, 1}, Lanes{1, 1}, Lanes{1, 1}, Lanes{1, 1}}, Row{Lanes{1, 0}, Lanes{1, 1}, Lanes{1, 1}, Lanes{1, 1}},
+      Row{Lanes{1, 1}, Lanes{0, 1}, Lanes{1, 1}, Lanes{1, 1}}, Row{Lanes{1, 1}, Lanes{1, 0}, Lanes{1, 1}, Lanes{1, 1}},
+      Row{Lanes{1, 1}, Lanes{1, 1}, Lanes{0, 1}, Lanes{1, 1}}, Row{Lanes{1, 1}, Lanes{1, 1}, Lanes{1, 0}, Lanes{1, 1}},
+      Row{Lanes{1, 1}, Lanes{1, 1}, Lanes{1, 1}, Lanes{0, 1}}, Row{Lanes{1, 1}, Lanes{1, 1}, Lanes{1, 1}, Lanes{1, 0}},
+  };
+
+  const std::array<DifferenceVertex, 4>& vertex_;
+  Row weight_;
+  std::array<Row, 3> moves_;
+};
+
 // The vertices of both bodies that a simplex is made of, with weights: solutions of
 //   sum over A of w_i a_i = sum over B of w_j b_j,  sum over A of w_i = sum over B of w_j.
 // Drops vertices, keeping a solution with weights that are not negative, until what is left has only one (up to a
@@ -81,7 +168,7 @@ class Reduction {
   static constexpr std::size_t first_of_b = 4;
   using Row = std::array<double, places>;
 
-  Reduction(const DifferenceSimplex& simplex, const std::array<double, 4>& weights) {
+  Reduction(const Placed& a, const Placed& b, const DifferenceSimplex& simplex, const std::array<double, 4>& weights) {
     weight_.fill(0);
     for (Row& row : edges_) row.fill(0);
     const DifferenceVertex* first = nullptr;
@@ -89,8 +176,9 @@ class Reduction {
       if (weights[i] == 0) continue;
       const DifferenceVertex& v = simplex.vertex[i];
       if (first == nullptr) first = &v;
-      add(of_a_, 0, v.a, first->turned_a, v.turned_a, weights[i]);
-      add(of_b_, first_of_b, v.b, v.turned_b, first->turned_b, weights[i]);
+      const double scale = simplex.scale;
+      add(of_a_, 0, v.a, a.turned(first->a, scale), a.turned(v.a, scale), weights[i]);
+      add(of_b_, first_of_b, v.b, b.turned(v.b, scale), b.turned(first->b, scale), weights[i]);
     }
   }
 
@@ -220,11 +308,6 @@ bool check_apart(const Placed& a, const Placed& b, const Point3& direction, std:
 
 namespace {
 
-double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Point3 cross(const Point3& a, const Point3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 // Does the direction named by these features part the bodies? `towards` tells the sense.
 bool parts_along_features(const Placed& a, const Placed& b, Direction::Kind kind,
                           const std::array<std::uint32_t, 4>& index, const Point3& towards, std::uint32_t near_a,
@@ -323,15 +406,9 @@ bool check_apart_by_features(const Placed& a, const Placed& b, const DifferenceS
 
 namespace {
 
-// check_meet with given weights, either as they are or with negligible ones taken for zero.
-bool meet_with_weights(const Placed& a, const Placed& b, const DifferenceSimplex& simplex,
-                       const std::array<double, 4>& weights, bool drop, PairCertificate& certificate,
-                       StageTally& tally) {
-  Reduction reduction(simplex, weights);
-  reduction.reduce();
-  if (drop) reduction.drop_negligible();
-  if (!reduction.write(certificate)) return false;
-  std::array<Posed, 5> points{};
+// Do the vertices that a certificate names have a common point?
+bool named_vertices_meet(const Placed& a, const Placed& b, const PairCertificate& certificate, StageTally& tally) {
+  std::array<Posed, 5> points;
   const std::size_t k = std::size_t{certificate.count_a} + certificate.count_b;
   for (std::size_t i = 0; i < k; ++i) {
     points[i] = i < certificate.count_a ? a[certificate.vertices[i]] : b[certificate.vertices[i]];
@@ -340,12 +417,28 @@ bool meet_with_weights(const Placed& a, const Placed& b, const DifferenceSimplex
                            {points.data() + certificate.count_a, k - certificate.count_a}, &tally);
 }
 
+// check_meet with given weights, either as they are or with negligible ones taken for zero.
+bool meet_with_weights(const Placed& a, const Placed& b, const DifferenceSimplex& simplex,
+                       const std::array<double, 4>& weights, bool drop, PairCertificate& certificate,
+                       StageTally& tally) {
+  Reduction reduction(a, b, simplex, weights);
+  reduction.reduce();
+  if (drop) reduction.drop_negligible();
+  return reduction.write(certificate) && named_vertices_meet(a, b, certificate, tally);
+}
+
 }  // namespace
 
 bool check_meet(const Placed& a, const Placed& b, const DifferenceSimplex& simplex, PairCertificate& certificate,
                 StageTally& tally) {
   if (simplex.count == 0) return false;
   const std::array<double, 4> weights = weights_of_nearest(simplex);
+  if (simplex.count == 4 && *std::min_element(weights.begin(), weights.end()) > 0) {
+    if (TetrahedronReduction(a, simplex, weights).reduce(certificate) &&
+        named_vertices_meet(a, b, certificate, tally)) {
+      return true;
+    }
+  }
   if (simplex.count == 4 && meet_with_weights(a, b, simplex, weights, false, certificate, tally)) return true;
   std::array<double, 4> without_negligible = weights;
   const double largest = *std::max_element(weights.begin(), weights.end());

@@ -37,11 +37,9 @@ DifferenceVertex difference(const Placed& a, const Placed& b, std::uint32_t v, s
   DifferenceVertex d;
   d.a = v;
   d.b = w;
-  d.turned_a = image(a, v);
-  d.turned_b = image(b, w);
+  const Point3 p = image(a, v), q = image(b, w);
   const auto &s = a.pose.translation, &t = b.pose.translation;
-  d.at = {(d.turned_a.x - d.turned_b.x) - (t[0] - s[0]), (d.turned_a.y - d.turned_b.y) - (t[1] - s[1]),
-          (d.turned_a.z - d.turned_b.z) - (t[2] - s[2])};
+  d.at = {(p.x - q.x) - (t[0] - s[0]), (p.y - q.y) - (t[1] - s[1]), (p.z - q.z) - (t[2] - s[2])};
   return d;
 }
 

@@ -22,12 +22,6 @@ Point3 pulled(const Affine3& pose, const Point3& d) {
           m[2] * d.x + m[5] * d.y + m[8] * d.z};
 }
 
-Point3 turned(const Affine3& pose, const Point3& p) {
-  const auto& m = pose.linear;
-  return {m[0] * p.x + m[1] * p.y + m[2] * p.z, m[3] * p.x + m[4] * p.y + m[5] * p.z,
-          m[6] * p.x + m[7] * p.y + m[8] * p.z};
-}
-
 // Scales the direction so that its largest component has size about 1, and drops components that are negligible then;
 // so it is tame (predicate/along.h). Returns false for zero and for what is not finite.
 bool normalize(Point3& d) {
@@ -47,9 +41,9 @@ class Search {
   Search(const Placed& a, const Placed& b) : a_(a), b_(b) {
     const auto& s = a.pose.translation;
     const auto& t = b.pose.translation;
-    scale_ = scale_of(std::max(a.size, b.size));
-    shift_ = {(t[0] - s[0]) * scale_, (t[1] - s[1]) * scale_, (t[2] - s[2]) * scale_};
-    const Point3 p = image(a.pose, a.graph.middle), q = image(b.pose, b.graph.middle);
+    const double scale = simplex.scale = scale_of(std::max(a.size, b.size));
+    shift_ = {(t[0] - s[0]) * scale, (t[1] - s[1]) * scale, (t[2] - s[2]) * scale};
+    const Point3 p = a.turned(a.graph.middle, scale), q = b.turned(b.graph.middle, scale);
     direction = {(q.x - p.x) + shift_.x, (q.y - p.y) + shift_.y, (q.z - p.z) + shift_.z};
     if (!(dot(direction, direction) > 0)) direction = {1, 0, 0};
   }
@@ -62,23 +56,31 @@ class Search {
     const std::uint32_t start_a = search_start(a_.graph, e), start_b = search_start(b_.graph, g);
     w.a = furthest_from(a_.graph, e, start_a, cost.probes);
     w.b = furthest_from(b_.graph, g, start_b, cost.probes);
-    const Point3 p = w.turned_a = image(a_.pose, a_.graph.vertices[w.a]);
-    const Point3 q = w.turned_b = image(b_.pose, b_.graph.vertices[w.b]);
+    const Point3 p = a_.turned(w.a, simplex.scale), q = b_.turned(w.b, simplex.scale);
     w.at = {(p.x - q.x) - shift_.x, (p.y - q.y) - shift_.y, (p.z - q.z) - shift_.z};
     return w;
   }
 
   // Is w further along the direction than the face, by more than the noise of floating point?
   bool gains_by(const DifferenceVertex& w) const {
-    for (int i = 0; i < simplex.count; ++i) {
-      const DifferenceVertex& v = simplex.vertex[static_cast<std::size_t>(i)];
-      if (v.a == w.a && v.b == w.b) return false;
-    }
     if (simplex.count == 0) return true;
+    bool is_there = false;  // without branches: how many vertices there are is hard to predict
+    for (int i = 0; i < 4; ++i) {
+      const DifferenceVertex& v = simplex.vertex[static_cast<std::size_t>(i)];
+      is_there |= (i < simplex.count) & (v.a == w.a) & (v.b == w.b);
+    }
+    if (is_there) return false;
     const Point3& v = simplex.vertex[0].at;
     const Point3& d = direction;
     const double gain = dot(d, {w.at.x - v.x, w.at.y - v.y, w.at.z - v.z});
     return gain > 0x1p-44 * (std::fabs(d.x * w.at.x) + std::fabs(d.y * w.at.y) + std::fabs(d.z * w.at.z));
+  }
+
+  // The square of the distance from which on no direction is worth going: for a vertex, the noise of floating point.
+  double noise2() const {
+    if (simplex.count != 1) return 0;
+    const Point3 p = a_.turned(simplex.vertex[0].a, simplex.scale), q = b_.turned(simplex.vertex[0].b, simplex.scale);
+    return 0x1p-92 * (dot(p, p) + dot(q, q));
   }
 
   // The direction as a certificate can hold it: tame, and with one vertex of the difference clearly furthest.
@@ -126,12 +128,6 @@ class Search {
   DifferenceSimplex simplex;  // the face nearest to the origin, or the tetrahedron around it
 
  private:
-  // The image without the translation, in the search's scale.
-  Point3 image(const Affine3& pose, const Point3& v) const {
-    const Point3 p = turned(pose, v);
-    return {p.x * scale_, p.y * scale_, p.z * scale_};
-  }
-
   // A power of two that brings differences of images near 1 where sixth powers of them could overflow or vanish, as
   // they occur in closest_simplex.cpp; else 1.
   static double scale_of(double size) {
@@ -143,7 +139,6 @@ class Search {
   const Placed& a_;
   const Placed& b_;
   Point3 shift_;
-  double scale_ = 1;
 };
 
 constexpr int most_iterations = 100;
@@ -173,9 +168,7 @@ PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& body_a, const Po
     search.simplex.vertex[static_cast<std::size_t>(search.simplex.count++)] = w;
     double distance2 = 0;
     enclosed = !reduce_to_closest_face(search.simplex, search.direction, distance2);
-    // From a vertex nearer than the noise of floating point no direction is worth going.
-    const double noise2 = 0x1p-92 * (dot(w.turned_a, w.turned_a) + dot(w.turned_b, w.turned_b));
-    if (!enclosed && !(distance2 > (search.simplex.count == 1 ? noise2 : 0))) break;
+    if (!enclosed && !(distance2 > search.noise2())) break;
   }
 
   if (!decided) decided = check_meet(a, b, search.simplex, answer.evidence, tally);
