@@ -1,8 +1,8 @@
 // The part of a simplex nearest to the origin, in floating point: the inner step of the Gilbert-Johnson-Keerthi
-// search. Nothing here decides anything.
+// search, in double or in double-double precision. Nothing here decides anything.
 #pragma once
 
-#include <sunder/predicate/point.h>
+#include <sunder/solid/pair/search_vector.h>
 
 #include <array>
 #include <cstdint>
@@ -11,18 +11,22 @@ namespace sunder::solid {
 
 // A vertex of the difference A - B of two placed bodies: the image of vertex a minus that of vertex b, times the scale
 // of the simplex, rounded.
-struct DifferenceVertex {
-  Point3 at;
+template <class Real>
+struct DifferenceVertexOf {
+  VectorOf<Real> at;
   std::uint32_t a = 0;
   std::uint32_t b = 0;
 };
+using DifferenceVertex = DifferenceVertexOf<double>;
 
 // One to four difference vertices; the last is the newest.
-struct DifferenceSimplex {
-  std::array<DifferenceVertex, 4> vertex;
+template <class Real>
+struct DifferenceSimplexOf {
+  std::array<DifferenceVertexOf<Real>, 4> vertex;
   int count = 0;
   double scale = 1;  // a power of two
 };
+using DifferenceSimplex = DifferenceSimplexOf<double>;
 
 // Replaces the simplex by its least face that holds the point nearest to the origin. Returns false when that is the
 // whole tetrahedron, that is, when the origin is inside as far as floating point can tell. Else `towards` is a
@@ -30,9 +34,16 @@ struct DifferenceSimplex {
 // the face without the newest vertex must have been the closest one before.
 // Source: Ericson 2005, section 5.1 (regions of a triangle and a tetrahedron).
 // `distance2` is the square of the face's distance from the origin.
-bool reduce_to_closest_face(DifferenceSimplex& simplex, Point3& towards, double& distance2);
+template <class Real>
+bool reduce_to_closest_face(DifferenceSimplexOf<Real>& simplex, VectorOf<Real>& towards, Real& distance2);
+
+// The weights, up to a factor, of the point of the simplex that is nearest to the origin. The simplex must be the least
+// face that holds it.
+template <class Real>
+std::array<Real, 4> weights_of_nearest(const DifferenceSimplexOf<Real>& simplex);
 
 // The weights of the origin in a tetrahedron that holds it, up to a factor.
-std::array<double, 4> weights_of_origin(const DifferenceSimplex& tetrahedron);
+template <class Real>
+std::array<Real, 4> weights_of_origin(const DifferenceSimplexOf<Real>& tetrahedron);
 
 }  // namespace sunder::solid

@@ -18,8 +18,15 @@ bool check_apart(const Placed& a, const Placed& b, const Point3& direction, std:
 bool check_apart_by_features(const Placed& a, const Placed& b, const DifferenceSimplex& simplex, const Point3& towards,
                              PairCertificate& certificate, StageTally& tally);
 
-// Have the simplex's vertices of A and of B a common point? Picks at most five of them first (Caratheodory).
-bool check_meet(const Placed& a, const Placed& b, const DifferenceSimplex& simplex, PairCertificate& certificate,
-                StageTally& tally);
+// Does the exact direction perpendicular to the simplex, a vertex, an edge or a triangle of the difference, part the
+// bodies? `near_a` and `near_b` are where to look first for the extreme vertices. Allocates where it does.
+bool check_apart_perpendicular(const Placed& a, const Placed& b, const DifferenceSimplexOf<DoubleDouble>& simplex,
+                               std::uint32_t near_a, std::uint32_t near_b, PairCertificate& certificate,
+                               StageTally& tally);
+
+// Have the simplex's vertices of A and of B a common point? Picks at most five of them first (caratheodory.h).
+template <class Real>
+bool check_meet(const Placed& a, const Placed& b, const DifferenceSimplexOf<Real>& simplex,
+                PairCertificate& certificate, StageTally& tally);
 
 }  // namespace sunder::solid

@@ -254,7 +254,7 @@ TEST_F(EvidenceTest, AnEmptySimplexProposesNothing) {
   const Pose pose;
   const Placed a(cube, pose);
   PairCertificate c;
-  EXPECT_FALSE(check_meet(a, a, {}, c, tally_));
+  EXPECT_FALSE(check_meet(a, a, DifferenceSimplex(), c, tally_));
   EXPECT_FALSE(check_apart_by_features(a, a, {}, {1, 0, 0}, c, tally_));
 }
 

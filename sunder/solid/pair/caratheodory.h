@@ -1,0 +1,24 @@
+// Of the vertices that a simplex of the difference is made of, up to eight, at most five that are enough for a common
+// point (Caratheodory's theorem). In floating point: the outcome is a proposal.
+#pragma once
+
+#include <sunder/certificate/pair.h>
+#include <sunder/solid/pair/closest_simplex.h>
+#include <sunder/solid/pair/placed.h>
+
+#include <array>
+
+namespace sunder::solid {
+
+// Of a tetrahedron that holds the origin, with the origin's weights, up to a factor, all positive. Names the vertices
+// in the certificate. False where rounding spoils it.
+bool name_five_of_tetrahedron(const Placed& a, const DifferenceSimplex& tetrahedron,
+                              const std::array<double, 4>& weights, PairCertificate& certificate);
+
+// Of any simplex, with the weights of the point nearest to the origin. `drop_negligible`: weights that are next to
+// nothing beside the largest count as zero, before and after.
+template <class Real>
+bool name_at_most_five(const Placed& a, const Placed& b, const DifferenceSimplexOf<Real>& simplex,
+                       const std::array<Real, 4>& weights, bool drop_negligible, PairCertificate& certificate);
+
+}  // namespace sunder::solid

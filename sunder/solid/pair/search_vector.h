@@ -1,0 +1,62 @@
+// Vectors as searches use them, in one of two precisions: Real is double or DoubleDouble. Nothing here decides
+// anything.
+#pragma once
+
+#include <sunder/number/double_double.h>
+#include <sunder/predicate/point.h>
+#include <sunder/predicate/stages.h>
+
+#include <type_traits>
+
+namespace sunder::solid {
+
+template <class Real>
+using VectorOf = std::conditional_t<std::is_same_v<Real, double>, Point3, Vector3<Real>>;
+
+template <class V>
+V minus(const V& a, const V& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+template <class V>
+V negated(const V& a) {
+  return {-a.x, -a.y, -a.z};
+}
+
+template <class V>
+auto inner(const V& a, const V& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class V>
+V outer(const V& a, const V& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+// In doubles.
+template <class V>
+Point3 rounded(const V& a) {
+  return {nearest(a.x), nearest(a.y), nearest(a.z)};
+}
+
+// A product of doubles, rounded to a Real. (Of DoubleDouble: exact.)
+template <class Real>
+Real product(double a, double b) {
+  if constexpr (std::is_same_v<Real, double>) {
+    return a * b;
+  } else {
+    return exact_product(a, b);
+  }
+}
+
+// A difference of doubles, rounded to a Real. (Of DoubleDouble: exact.)
+template <class Real>
+Real difference(double a, double b) {
+  if constexpr (std::is_same_v<Real, double>) {
+    return a - b;
+  } else {
+    return exact_sum(a, -b);
+  }
+}
+
+}  // namespace sunder::solid
