@@ -9,7 +9,9 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -19,7 +21,12 @@ namespace sunder::solid {
 
 namespace {
 
-using boost::multiprecision::cpp_int;
+// With 512 bits in place, so that most of them allocate nothing.
+using cpp_int =
+    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<
+                                      512, 0, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked,
+                                      std::allocator<boost::multiprecision::limb_type>>,
+                                  boost::multiprecision::et_off>;
 
 // x = mantissa 2^exponent; zero has the largest exponent, so that it never is the least.
 struct Parts {
@@ -29,9 +36,11 @@ struct Parts {
 
 Parts parts_of(double x) {
   if (x == 0) return {};
-  int exponent = 0;
-  const double fraction = std::frexp(x, &exponent);
-  return {static_cast<std::int64_t>(std::ldexp(fraction, 53)), exponent - 53};
+  const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
+  const std::int64_t fraction = static_cast<std::int64_t>(bits & 0xfffffffffffffu);
+  const int biased = static_cast<int>(bits >> 52 & 0x7ffu);
+  const std::int64_t mantissa = biased == 0 ? fraction : fraction | std::int64_t{1} << 52;
+  return {x < 0 ? -mantissa : mantissa, std::max(biased, 1) - 1075};
 }
 
 // Adds a b 2^(exponents) / 2^unit to the sum.
@@ -169,6 +178,20 @@ class Scan {
     return price;
   }
 
+  // A price, and how far off it may be.
+  struct PriceOfSketch {
+    double price = 0, error = std::numeric_limits<double>::infinity();
+  };
+  PriceOfSketch price_of_sketch(const std::array<double, 5>& q, std::size_t j) const {
+    const Sketch& s = sketches_[j];
+    const double own = q[body_of(j) == 0 ? 3 : 4];
+    const double price = q[0] * s.approx[0] + q[1] * s.approx[1] + q[2] * s.approx[2] + own;
+    const double size =
+        std::fabs(q[0]) * s.size[0] + std::fabs(q[1]) * s.size[1] + std::fabs(q[2]) * s.size[2] + std::fabs(own);
+    if (!(size > 0x1p-500 && size < 0x1p500)) return {};
+    return {price, size * 0x1p-45};
+  }
+
   // A column with a positive price: the largest as far as can be seen, or just the first; none if there is none.
   std::optional<std::size_t> price_all(bool first) {
     const std::array<cpp_int, 5> y = multipliers();
@@ -178,14 +201,9 @@ class Scan {
     std::optional<std::size_t> best;
     double best_price = 0;
     for (std::size_t j = 0; j < columns_.size(); ++j) {
-      const Sketch& s = sketches_[j];
-      const double price = q[0] * s.approx[0] + q[1] * s.approx[1] + q[2] * s.approx[2] + q[body_of(j) == 0 ? 3 : 4];
-      const double size = std::fabs(q[0]) * s.size[0] + std::fabs(q[1]) * s.size[1] + std::fabs(q[2]) * s.size[2] +
-                          std::fabs(q[body_of(j) == 0 ? 3 : 4]);
-      const double error = size * 0x1p-45;
-      const bool ordinary = sketchy && size > 0x1p-500 && size < 0x1p500;
-      if (ordinary && price < -error) continue;
-      if (!(ordinary && price > error) && exact_price(y, j) <= 0) continue;
+      const auto [price, error] = sketchy ? price_of_sketch(q, j) : PriceOfSketch{};
+      if (price < -error) continue;
+      if (!(price > error) && exact_price(y, j) <= 0) continue;
       if (first) return j;
       if (!best || price > best_price) {
         best = j;
@@ -245,18 +263,25 @@ class Scan {
     basis_[r] = static_cast<std::int64_t>(number);
   }
 
+  // The vertex of the body with the greatest price, exactly. Most are surely not it.
   std::uint32_t furthest(std::size_t body, const std::array<cpp_int, 5>& y) {
     const std::size_t first = body == 0 ? 0 : vertices_[0].size();
-    std::size_t best = first;
-    cpp_int best_price = exact_price(y, first);
-    for (std::size_t j = first + 1; j < first + vertices_[body].size(); ++j) {
+    const std::size_t end = first + vertices_[body].size();
+    std::array<double, 5> q{};
+    const bool sketchy = to_doubles(y, q);
+    const auto sketch_of = [&](std::size_t j) { return sketchy ? price_of_sketch(q, j) : PriceOfSketch{}; };
+    double surely = -std::numeric_limits<double>::infinity();
+    for (std::size_t j = first; j < end; ++j) surely = std::max(surely, sketch_of(j).price - sketch_of(j).error);
+    std::optional<std::size_t> best;
+    cpp_int best_price;
+    for (std::size_t j = first; j < end; ++j) {
+      if (sketch_of(j).price + sketch_of(j).error < surely) continue;
       const cpp_int price = exact_price(y, j);
-      if (price > best_price) {
-        best_price = price;
-        best = j;
-      }
+      if (best && price <= best_price) continue;
+      best_price = price;
+      best = j;
     }
-    return vertex_of(best);
+    return vertex_of(*best);
   }
 
   std::array<std::span<const Point3>, 2> vertices_;
