@@ -91,6 +91,11 @@ TEST(SolidPairDifferential, MethodsAgreeWithTheScan) {
   // General position is decided without exact finishing: at least 99.9 % (see the issue of the first path).
   const Tally& general = tallies[Family::general];
   EXPECT_LE(general.finishing, general.cases / 1000);
+  // So is nearly everything else, because the search in double-double precision sees the last bits; but not where the
+  // bodies' sizes are further apart than even its numbers reach.
+  for (const auto& [family, t] : tallies) {
+    EXPECT_LE(t.finishing, family == Family::tiny_or_huge ? t.cases / 10 : t.cases / 200) << name_of(family);
+  }
   // And the hard families do reach the exact methods.
   EXPECT_GT(tallies[Family::touching].evidence + tallies[Family::touching].finishing,
             tallies[Family::touching].cases / 2);

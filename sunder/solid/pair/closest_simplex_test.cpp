@@ -231,6 +231,35 @@ TEST_F(ClosestSimplexTest, OfASegmentTheEndOrTheMiddle) {
   EXPECT_EQ(towards, (Point3{0, -2, 0}));
 }
 
+// In twice the precision: distances from the origin that doubles lose.
+TEST_F(ClosestSimplexTest, InDoubleDoubles) {
+  for (int i = 0; i < 4000; ++i) {
+    // A triangle nearly through the origin, then a corner on the origin's side of it.
+    const double height = std::ldexp(random_.uniform(0.5, 1) * (random_.below(2) ? 1 : -1), -70);
+    const std::array<Point3, 4> corners{
+        Point3{2, -1, 1}, {-1, 2, 1}, {-1, -1, 1}, {0.25, 0.125, height > 0 ? 0.0 : 2.0}};
+    DifferenceSimplexOf<DoubleDouble> s;
+    Vector3<DoubleDouble> towards;
+    for (std::size_t k = 0; k < 4; ++k) {
+      DifferenceVertexOf<DoubleDouble>& v = s.vertex[static_cast<std::size_t>(s.count++)];
+      v.a = static_cast<std::uint32_t>(k);
+      v.at = {corners[k].x, corners[k].y, DoubleDouble(corners[k].z) - DoubleDouble(1, -height)};
+      DoubleDouble distance2;
+      ASSERT_EQ(reduce_to_closest_face(s, towards, distance2), k < 3);
+      if (k != 2) continue;
+      ASSERT_EQ(s.count, 3);
+      ASSERT_NEAR(nearest(distance2), height * height, 1e-9 * height * height);
+      ASSERT_EQ(towards.z.high > 0, height < 0);
+      ASSERT_LT(std::fabs(towards.x.high) + std::fabs(towards.y.high), 1e-9 * std::fabs(towards.z.high));
+    }
+    ASSERT_EQ(s.count, 4);
+    const std::array<DoubleDouble, 4> w = weights_of_origin(s);
+    const DoubleDouble total = w[0] + w[1] + w[2] + w[3];
+    ASSERT_NEAR(nearest(w[3] / total), std::fabs(height), 1e-9 * std::fabs(height));
+    ASSERT_EQ(weights_of_nearest(s), w);
+  }
+}
+
 // Nothing is promised of degenerate simplices but an answer: a face of the simplex, and no vertex made up.
 TEST_F(ClosestSimplexTest, DegenerateSimplicesAreReduced) {
   for (int i = 0; i < 20000; ++i) {

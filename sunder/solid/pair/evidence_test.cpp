@@ -2,6 +2,7 @@
 // propose in the plain cases is accepted.
 #include <sunder/base/random.h>
 #include <sunder/certificate/check.h>
+#include <sunder/solid/pair/caratheodory.h>
 #include <sunder/solid/pair/evidence.h>
 
 #include <gtest/gtest.h>
@@ -46,6 +47,22 @@ DifferenceVertex difference(const Placed& a, const Placed& b, std::uint32_t v, s
 DifferenceSimplex simplex_of(const Placed& a, const Placed& b, const std::vector<std::array<std::uint32_t, 2>>& pairs) {
   DifferenceSimplex s;
   for (const auto& [v, w] : pairs) s.vertex[static_cast<std::size_t>(s.count++)] = difference(a, b, v, w);
+  return s;
+}
+
+// The same vertices in twice the precision, so with the exact differences where the numbers are short.
+DifferenceSimplexOf<DoubleDouble> finer(const Placed& a, const Placed& b, const DifferenceSimplex& coarse) {
+  DifferenceSimplexOf<DoubleDouble> s;
+  s.count = coarse.count;
+  const auto &from = a.pose.translation, &to = b.pose.translation;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(s.count); ++i) {
+    const DifferenceVertex& w = coarse.vertex[i];
+    const auto p = a.turned<DoubleDouble>(w.a, 1), q = b.turned<DoubleDouble>(w.b, 1);
+    s.vertex[i] = {{p.x - q.x - exact_sum(to[0], -from[0]), p.y - q.y - exact_sum(to[1], -from[1]),
+                    p.z - q.z - exact_sum(to[2], -from[2])},
+                   w.a,
+                   w.b};
+  }
   return s;
 }
 
@@ -113,7 +130,7 @@ TEST_F(EvidenceTest, CheckApartIsThePlainTruthFromAnyStart) {
 // Simplices at random, most of them not what a search would leave: what is accepted holds.
 TEST_F(EvidenceTest, WhatIsAcceptedHolds) {
   std::map<Direction::Kind, int> kinds;
-  std::map<int, int> counts;
+  std::map<int, int> counts, finer_counts, perpendicular;
   int refused = 0;
   for (int i = 0; i < 30000; ++i) {
     const ConvexPolyhedron body_a = some_body(), body_b = some_body();
@@ -138,12 +155,31 @@ TEST_F(EvidenceTest, WhatIsAcceptedHolds) {
     } else {
       ++refused;
     }
+    const DifferenceSimplexOf<DoubleDouble> t = finer(a, b, s);
+    if (check_meet(a, b, t, c, tally_)) {
+      ASSERT_EQ(c.verdict, Verdict::meet);
+      ASSERT_EQ(check(c, a, b), CheckResult::accepted) << i;
+      ++finer_counts[c.count_a + c.count_b];
+    }
+    if (check_apart_perpendicular(a, b, t, some_vertex(a), some_vertex(b), c, tally_)) {
+      ASSERT_EQ(c.verdict, Verdict::apart);
+      ASSERT_EQ(c.direction.kind, Direction::Kind::exact);
+      ASSERT_EQ(check(c, a, b), CheckResult::accepted) << i;
+      ++perpendicular[s.count];
+    } else {
+      ++refused;
+    }
   }
   for (const auto kind : {Direction::Kind::normal_of_a, Direction::Kind::normal_of_b, Direction::Kind::edge_cross_edge,
                           Direction::Kind::difference}) {
     EXPECT_GT(kinds[kind], 20) << static_cast<int>(kind);
   }
-  for (const int count : {2, 3, 4, 5}) EXPECT_GT(counts[count], 5) << count;
+  for (const int count : {2, 3, 4, 5}) {
+    EXPECT_GT(counts[count], 5) << count;
+    EXPECT_GT(finer_counts[count], 5) << count;
+  }
+  for (const int count : {1, 2, 3}) EXPECT_GT(perpendicular[count], 100) << count;
+  EXPECT_EQ(perpendicular[4], 0);
   EXPECT_GT(refused, 10000);
 }
 
@@ -198,9 +234,48 @@ TEST_F(EvidenceTest, FeaturesPartWhatDoublesCannot) {
   }
 }
 
+// The nearest parts of a vertex and an edge's inside, or of a vertex and a vertex, one unit in the last place apart.
+TEST_F(EvidenceTest, ThePerpendicularPartsWhatDoublesCannot) {
+  const Pose pose = Pose::from_matrix({0.1, 0.7, -0.3, 0.4, 0.2, 0.9, -0.8, 0.3, 0.35}, {0.1, 0.2, 0.3});
+  const ConvexPolyhedron cube(cube_points());
+  const Placed a(cube, pose);
+  for (const double gap : {0x1p-52, 0.0, -0x1p-52}) {
+    // Beyond the edge x = y = 1, and beyond the corner.
+    for (const double z : {0.3, 1 + gap}) {
+      const ConvexPolyhedron needle(std::vector<Point3>{{1 + gap, 1 + gap, z}, {3, 3, 3}});
+      const Placed b(needle, pose);
+      const std::uint32_t tip = vertex_at(needle, {1 + gap, 1 + gap, z});
+      std::vector<std::array<std::uint32_t, 2>> pairs{{vertex_at(cube, {1, 1, 1}), tip}};
+      if (z == 0.3) pairs.push_back({vertex_at(cube, {1, 1, -1}), tip});
+      PairCertificate c;
+      const bool parted =
+          check_apart_perpendicular(a, b, finer(a, b, simplex_of(a, b, pairs)), pairs[0][0], tip, c, tally_);
+      // The perpendicular of a sheared cube's edge or corner need not part even what is apart; what it says holds.
+      if (gap <= 0) {
+        EXPECT_FALSE(parted);
+      }
+      EXPECT_TRUE(!parted || check(c, a, b) == CheckResult::accepted);
+    }
+  }
+  // With right angles it does.
+  const Pose turn = Pose::from_matrix({0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1}, {0.1, 0.2, 0.3});
+  const Placed straight(cube, turn);
+  for (const double z : {0.3, 1 + 0x1p-52}) {
+    const ConvexPolyhedron needle(std::vector<Point3>{{1 + 0x1p-52, 1 + 0x1p-52, z}, {3, 3, 3}});
+    const Placed b(needle, turn);
+    const std::uint32_t tip = vertex_at(needle, {1 + 0x1p-52, 1 + 0x1p-52, z});
+    std::vector<std::array<std::uint32_t, 2>> pairs{{vertex_at(cube, {1, 1, 1}), tip}};
+    if (z == 0.3) pairs.push_back({vertex_at(cube, {1, 1, -1}), tip});
+    PairCertificate c;
+    EXPECT_TRUE(check_apart_perpendicular(straight, b, finer(straight, b, simplex_of(straight, b, pairs)), pairs[0][0],
+                                          tip, c, tally_));
+    EXPECT_EQ(check(c, straight, b), CheckResult::accepted);
+  }
+}
+
 // Proper overlaps: the plain case.
 TEST_F(EvidenceTest, TetrahedraAroundTheOriginAreAccepted) {
-  int enclosing = 0, accepted = 0;
+  int enclosing = 0, accepted = 0, at_once = 0, finer_accepted = 0;
   for (int i = 0; i < 40000 && enclosing < 1000; ++i) {
     std::vector<Point3> p, q;
     for (int k = 0; k < 6; ++k) {
@@ -217,12 +292,23 @@ TEST_F(EvidenceTest, TetrahedraAroundTheOriginAreAccepted) {
     if (*std::min_element(w.begin(), w.end()) < 1e-6) continue;
     ++enclosing;
     PairCertificate c;
+    if (name_five_of_tetrahedron(a, s, w, c)) {
+      // Never a vertex twice, whatever the tetrahedron shares.
+      std::array<std::uint32_t, 5> names = c.vertices;
+      for (std::size_t k = c.count_a; k < 5; ++k) names[k] += 100;
+      std::sort(names.begin(), names.end());
+      EXPECT_EQ(std::unique(names.begin(), names.end()), names.end());
+      at_once += check(c, a, b) == CheckResult::accepted;
+    }
+    finer_accepted += check_meet(a, b, finer(a, b, s), c, tally_);
     if (!check_meet(a, b, s, c, tally_)) continue;
     ++accepted;
     ASSERT_EQ(check(c, a, b), CheckResult::accepted);
   }
   EXPECT_EQ(enclosing, 1000);
   EXPECT_GE(accepted, enclosing - enclosing / 100);
+  EXPECT_GE(at_once, enclosing - enclosing / 100);
+  EXPECT_GE(finer_accepted, enclosing - enclosing / 100);
 }
 
 // Touching: the nearest face is a corner, an edge or a triangle that holds the origin, some weights are zero.
