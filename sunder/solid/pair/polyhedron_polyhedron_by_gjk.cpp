@@ -25,19 +25,20 @@ bool normalize(Point3& d) {
   return true;
 }
 
-// From a vertex that doubles find furthest along the direction to one that DoubleDouble finds furthest.
+// From a vertex that doubles find furthest along the direction to one that DoubleDouble finds furthest. Ends, because a
+// vertex has one value, counted from where the climb began, and it grows strictly.
 std::uint32_t climb(const Placed& body, const Vector3<DoubleDouble>& direction, std::uint32_t from, Cost& cost) {
   VertexBlock block = body.graph.block(body.graph.place[from]);
+  const Point3 origin = block.at();
+  DoubleDouble greatest = 0;
   while (true) {
-    const Point3 p = block.at();
     std::uint32_t best = block.count();
-    DoubleDouble gain = 0;
     for (std::uint32_t j = 0; j < block.count(); ++j) {
-      const DoubleDouble along = direction.x * exact_sum(block.x()[j], -p.x) +
-                                 direction.y * exact_sum(block.y()[j], -p.y) +
-                                 direction.z * exact_sum(block.z()[j], -p.z);
-      if (!(along > gain)) continue;
-      gain = along;
+      const DoubleDouble value = direction.x * exact_sum(block.x()[j], -origin.x) +
+                                 direction.y * exact_sum(block.y()[j], -origin.y) +
+                                 direction.z * exact_sum(block.z()[j], -origin.z);
+      if (!(value > greatest)) continue;
+      greatest = value;
       best = j;
     }
     cost.probes += block.count();
