@@ -1,0 +1,35 @@
+// Segments of the plane: closed, of any length, also zero.
+#pragma once
+
+#include <sunder/predicate/point.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace sunder::planar {
+
+// In lexicographic order: by x, then by y. (-0 equals 0.)
+inline bool lexicographically_less(const Point2& p, const Point2& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
+
+struct Segment {
+  Point2 a, b;  // of a member of Segments: a is lexicographically not after b
+  friend bool operator==(const Segment&, const Segment&) = default;
+};
+
+// A set of segments, numbered from 0. Immutable; any number of threads may use it.
+// P1. All coordinates are finite.
+// P2. a of each segment is lexicographically not after b. Which end was given first is not kept.
+class Segments {
+ public:
+  // Throws Error bad_value: "segment 7: ..." where a coordinate is not finite; bad_shape for 2^31 segments or more.
+  explicit Segments(std::span<const Segment> given);
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(segments_.size()); }
+  const Segment& operator[](std::uint32_t i) const { return segments_[i]; }
+
+ private:
+  std::vector<Segment> segments_;
+};
+
+}  // namespace sunder::planar

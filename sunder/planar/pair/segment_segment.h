@@ -1,0 +1,37 @@
+// How do two closed segments meet? Exact, for every finite double.
+//
+// This is the one place where the kinds of contact are told apart; every question about sets of segments asks here.
+#pragma once
+
+#include <sunder/number/dyadic.h>
+#include <sunder/planar/object/segments.h>
+#include <sunder/predicate/posed.h>
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace sunder::planar {
+
+enum class ContactKind : std::uint8_t {
+  none,
+  shared_endpoint,  // one common point, an end of both
+  touch,            // one common point, an end of one and not of the other (which a segment of length zero touches too)
+  crossing,         // one common point, an end of neither
+  overlap,          // a common part of positive length
+};
+
+std::string_view name_of(ContactKind);  // "shared-endpoint"
+
+// For members of Segments (a lexicographically not after b). Symmetric. Cost: up to four orientations.
+ContactKind segment_segment(const Segment& s, const Segment& t, StageTally* tally = nullptr);
+
+// A common point of two segments that meet: of an overlap, its lexicographically first end. Coordinates are
+// numerator / denominator, exactly; the denominator is positive.
+struct CommonPoint {
+  std::array<Dyadic, 2> numerators;
+  Dyadic denominator;
+};
+CommonPoint common_point(const Segment& s, const Segment& t);
+
+}  // namespace sunder::planar

@@ -1,0 +1,66 @@
+// Do any two of N closed segments meet?
+//
+// The answer is exactly right for the doubles given, whatever the position: vertical, horizontal, collinear,
+// overlapping, zero-length, repeated segments, many through one point. It comes with its evidence: two segments that
+// meet in a way that counts, or a transcript of a sweep that proves that there are none (certificate format:
+// docs/certificates.md).
+//   P1. meet() is true iff some two segments have a contact whose kind counts under the rule.
+//   P2. The contact named counts; it need not be the leftmost, nor the same for all methods.
+//   P3. The answer does not depend on the compiler.
+// Source: Shamos & Hoey 1976, section III, Algorithm 1 and Theorems 2 and 3.
+#pragma once
+
+#include <sunder/base/cost.h>
+#include <sunder/planar/object/segments.h>
+#include <sunder/planar/pair/segment_segment.h>
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace sunder::planar {
+
+// What does not count as a contact. Each allows what the one before does.
+enum class Allowed : std::uint8_t {
+  nothing,
+  shared_endpoint,  // one common point that is an end of both: roads at a junction, consecutive edges
+  touch,            // any contact in one point that is an end of one of them
+};
+
+std::string_view name_of(Allowed);  // "shared-endpoint"
+bool counts(ContactKind kind, Allowed allowed);
+
+// The sweep that met no contact. `events`: the endpoints in the order of the sweep, 2 i for the first end of segment i
+// and 2 i + 1 for its last; `below`: for each first end, in that order, the segment just below it then, or no_segment.
+// A checker keeps a linked list, and tests each two segments that become neighbours (docs/certificates.md).
+inline constexpr std::uint32_t no_segment = 0xffffffffu;
+struct SweepTranscript {
+  std::vector<std::uint32_t> events;
+  std::vector<std::uint32_t> below;
+};
+
+struct SegmentsAnswer {
+  ContactKind kind = ContactKind::none;  // of the contact; none: no two segments meet in a way that counts
+  std::uint32_t i = 0, j = 0;            // the two segments, i < j; meaningless for `none`
+  SweepTranscript transcript;            // empty unless asked for, and for `none`
+  Cost cost;                             // probes: pairs of segments that were compared
+
+  bool meet() const { return kind != ContactKind::none; }
+};
+
+struct SegmentsOptions {
+  Allowed allowed = Allowed::nothing;
+  bool transcript = false;
+};
+
+// The front door: the fastest method measured.
+SegmentsAnswer segments_any(const Segments& segments, const SegmentsOptions& options = {});
+
+// Algorithm 1: a line sweeps over the plane; segments are tested when they become neighbours on it.
+// Cost: O(N log N) comparisons; O(N) memory.
+SegmentsAnswer segments_any_by_sweep(const Segments& segments, const SegmentsOptions& options = {});
+
+// Every pair: the oracle. Names the first pair. Writes no transcript. O(N^2) time.
+SegmentsAnswer segments_any_by_scan(const Segments& segments, const SegmentsOptions& options = {});
+
+}  // namespace sunder::planar
