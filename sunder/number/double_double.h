@@ -1,13 +1,15 @@
 // Numbers of about 106 bits as unevaluated sums of two doubles: for searches that double precision is too coarse for.
-// Proposals only: nothing is decided with them, and underflow and overflow are not looked after.
-// Source: Dekker 1971; Knuth 1997, section 4.2.2, theorem B. Without fused multiply-add, so the same everywhere.
+// Proposals only: nothing is decided with them. What is said of exactness and errors holds for results of size
+// 2^-900 to 2^990 and factors below 2^990; underflow and overflow are not looked after.
+// Sources: Dekker 1971; Knuth 1997, section 4.2.2, theorem B; error bounds: Joldes, Muller, Popescu 2017. Without fused
+// multiply-add, so the same everywhere.
 #pragma once
 
 #include <cmath>
 
 namespace sunder {
 
-// high + low, where high is the sum rounded to a double.
+// high + low, where high is the sum rounded to a double. Whoever gives both keeps to that.
 struct DoubleDouble {
   double high = 0, low = 0;
 
@@ -34,7 +36,7 @@ inline DoubleDouble exact_product(double a, double b) {
   return {product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2};
 }
 
-// Relative errors of the following: a few times 2^-104, where sums do not cancel.
+// Relative errors: at most 3 2^-106 of a sum, also where it cancels, and a few 2^-106 of a product or quotient.
 inline DoubleDouble operator-(const DoubleDouble& a) { return {-a.high, -a.low}; }
 
 inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {

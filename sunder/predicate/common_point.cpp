@@ -98,13 +98,13 @@ Guess five_are_separated(const std::array<Posed, 5>& points, std::size_t count_a
 // The same in floating point with one error bound for all: cheaper than Rounded, and enough where the five points are
 // not nearly in a plane. Requires tame points.
 //
-// Let u = 2^-53. An image's coordinate is a Rounded<3> with a magnitude of at most 4 reach (1 + u); so its error is at
-// most e = bound<4> 4 reach. A difference y of two has an error of at most d = 2 e + u Y, where Y is the greatest
-// computed |y|. A triple product is a sum of six products of three differences, computed with bound<5>:
+// Let u = 2^-53. An image's coordinate is a Rounded<3> with a magnitude of at most 4 reach, but for roundings; so its
+// error is at most e = bound<4> 4 reach. A difference y of two has an error of at most d = 2 e + u Y, where Y is the
+// greatest computed |y|. A triple product is a sum of six products of three differences, computed with bound<5>:
 //   |error| <= 6 ((Y + d)^3 - Y^3) + bound<5> 6 Y^3 <= 18 d (Y + d)^2 + 36 u Y^3
 // and the last minor, a sum of four of these in two steps, has four times that error and 2.1 u times 4 * 6.1 Y^3. The
 // factors below are larger by more than what the rounding of the bound itself takes away.
-Guess five_are_separated_by_far(std::span<const Posed> a, std::span<const Posed> b) {
+Guess five_are_separated_with_one_bound(std::span<const Posed> a, std::span<const Posed> b) {
   std::array<Vector3<double>, 5> images;
   double reach = 0;
   std::size_t n = 0;
@@ -142,7 +142,7 @@ bool five_have_common_point(std::span<const Posed> a, std::span<const Posed> b, 
   for (const Posed& p : a) all_tame = all_tame && p.tame;
   for (const Posed& p : b) all_tame = all_tame && p.tame;
   if (all_tame) {
-    const Guess guess = five_are_separated_by_far(a, b);
+    const Guess guess = five_are_separated_with_one_bound(a, b);
     if (is_sure(guess)) {
       if (tally) ++tally->rounded;
       return guess == Guess::positive;

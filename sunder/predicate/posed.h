@@ -68,8 +68,8 @@ struct Posed {
   Point3 point;
   const Affine3* pose;
   bool tame;
-  // No product of an entry of the linear part and a coordinate, and no number of the translation, is larger. Infinite
-  // where that is not known; it costs time only.
+  // No product of an entry of the linear part and a coordinate, rounded, and no number of the translation is larger in
+  // size. Infinite where that is not known; it costs time only. Used where the image is tame.
   double reach = std::numeric_limits<double>::infinity();
 };
 

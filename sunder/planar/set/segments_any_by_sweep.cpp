@@ -6,7 +6,7 @@
 //
 // Order on the line. A segment that begins at p is above another one if p is above it; where p lies on the other (which
 // begins at p too, or passes through p), if its last end is above the line through the other. Where that ties, both
-// are collinear and overlap, which always counts.
+// are collinear and overlap, which always counts; or it has length zero, and then it is above those that it lies on.
 //
 // Why allowed contacts do no harm. Crossings and overlaps always count. So while none has been met the order of two
 // segments on the line never changes, whatever touches. Take two segments of which the first contact that counts, in

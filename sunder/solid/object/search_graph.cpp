@@ -1,7 +1,9 @@
+#include <sunder/base/error.h>
 #include <sunder/solid/object/search_graph.h>
 #include <sunder/solid/object/search_graph_walk.h>
 
 #include <cmath>
+#include <limits>
 
 namespace sunder::solid {
 
@@ -21,7 +23,7 @@ void fill_table(SearchGraph& graph) {
   graph.table.assign(std::size_t{side} * side, 0);
   std::uint32_t last = graph.place[0];
   for (std::uint32_t row = 0; row < side; ++row) {
-    for (std::uint32_t step = 0; step < side; ++step) {
+    for (std::uint32_t step = 0; step < side; ++step) {                    // side^2 is about 8 n, and n < 2^28
       const std::uint32_t column = row % 2 == 0 ? step : side - 1 - step;  // to and fro: cells in turn are adjacent
       const Point3 direction = folded((2.0 * column + 1) / side - 1, (2.0 * row + 1) / side - 1);
       std::uint32_t probes = 0;
@@ -38,13 +40,16 @@ double word(std::uint32_t low, std::uint32_t high) {
 
 void fill_blocks(SearchGraph& graph) {
   const std::size_t n = graph.vertices.size();
-  std::uint32_t size = 0;
+  std::size_t size = 0;
   for (std::size_t v = 0; v < n; ++v) {
     const std::uint32_t count = graph.begin[v + 1] - graph.begin[v];
-    graph.place.push_back(size);
-    size += 4 + VertexBlock::padded(count) / 2 * 7;
+    graph.place.push_back(static_cast<std::uint32_t>(size));
+    size += 4 + std::size_t{VertexBlock::padded(count)} / 2 * 7;
+    if (size > std::numeric_limits<std::uint32_t>::max()) {
+      throw Error(ErrorCode::bad_shape, "a body this large has no place in memory; give it fewer vertices");
+    }
   }
-  graph.blocks.reserve(size);
+  graph.blocks.reserve(size + VertexBlock::words_ahead);
   for (std::size_t v = 0; v < n; ++v) {
     const std::span<const std::uint32_t> around(graph.neighbours.data() + graph.begin[v],
                                                 graph.begin[v + 1] - graph.begin[v]);
@@ -60,6 +65,7 @@ void fill_blocks(SearchGraph& graph) {
       graph.blocks.push_back(word(graph.place[neighbour(j)], graph.place[neighbour(j + 1)]));
     }
   }
+  graph.blocks.resize(size + VertexBlock::words_ahead);
 }
 
 void fill_all(SearchGraph& graph) {

@@ -24,6 +24,8 @@ class VertexBlock {
  public:
   explicit VertexBlock(const double* words) : words_(words) {}
 
+  static constexpr std::uint32_t words_ahead = 24;  // how far from a block's beginning memory is asked for ahead
+
   Point3 at() const { return {words_[0], words_[1], words_[2]}; }
   std::uint32_t vertex() const { return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(words_[3])); }
   std::uint32_t count() const { return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(words_[3]) >> 32); }
@@ -56,7 +58,8 @@ struct SearchGraph {
   std::vector<std::uint32_t> begin{0};
   std::vector<std::uint32_t> neighbours;
 
-  // The block of v starts at blocks[place[v]].
+  // The block of v starts at blocks[place[v]]. After the last one there are some more words that nothing reads, so that
+  // asking for memory ahead stays within.
   std::vector<std::uint32_t> place;
   std::vector<double> blocks;
 
@@ -64,8 +67,8 @@ struct SearchGraph {
 
   // Empty with few vertices. Else the octahedron of directions, |x| + |y| + |z| = 1, unfolded into the square [-1, 1]^2
   // and cut into side x side cells row by row: the upper half, z >= 0, is seen from above; the four faces of the lower
-  // half are turned outwards about their upper edges. The entry is the place of a vertex that is extreme along the
-  // direction to the middle of the cell.
+  // half are turned outwards about their upper edges. The entry is the place of a vertex that is extreme, as far as
+  // doubles tell, along the direction to the middle of the cell.
   // Source of the map: Engelhardt and Dachsbacher 2008, octahedron environment maps.
   std::uint32_t side = 0;
   std::vector<std::uint32_t> table;
@@ -79,6 +82,7 @@ struct SearchGraph {
   Point3 low, high;  // the box
 };
 
+// Throws Error bad_shape where the blocks have 2^32 words or more: about 10^8 vertices.
 SearchGraph make_search_graph(std::span<const Point3> vertices, std::span<const std::uint32_t> neighbour_begin,
                               std::span<const std::uint32_t> neighbours);
 

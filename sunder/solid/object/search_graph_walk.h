@@ -50,8 +50,10 @@ inline std::uint32_t walk(const SearchGraph& graph, const Point3& direction, std
     probes += block.count();
     const double greatest = greatest_along(direction, x, y, z, block.padded());
     if (!(greatest > best)) break;
+    const std::uint32_t j = first_with_value(direction, x, y, z, block.count(), greatest);
+    if (j == block.count()) break;  // only if lanes and single doubles were compiled to differ
     best = greatest;
-    at = block.place(first_with_value(direction, x, y, z, block.count(), greatest));
+    at = block.place(j);
     block = graph.block(at);
   }
   return at;
@@ -92,7 +94,7 @@ inline std::uint32_t furthest_of_few(const SearchGraph& graph, const Point3& dir
   }
   probes += static_cast<std::uint32_t>(graph.vertices.size());
   const std::uint32_t first = first_of_greatest(values, n / 2);
-  return first < graph.vertices.size() ? first : 0;  // a copy of the first that fills up
+  return first < graph.vertices.size() ? first : 0;  // past the end where values are not numbers
 }
 
 // Where a search along the direction begins, for furthest_from; asks for the memory that it will read.

@@ -19,7 +19,7 @@ struct DifferenceVertexOf {
 };
 using DifferenceVertex = DifferenceVertexOf<double>;
 
-// One to four difference vertices; the last is the newest.
+// Up to four difference vertices; the last is the newest.
 template <class Real>
 struct DifferenceSimplexOf {
   std::array<DifferenceVertexOf<Real>, 4> vertex;
@@ -30,8 +30,9 @@ using DifferenceSimplex = DifferenceSimplexOf<double>;
 
 // Replaces the simplex by its least face that holds the point nearest to the origin. Returns false when that is the
 // whole tetrahedron, that is, when the origin is inside as far as floating point can tell. Else `towards` is a
-// direction from the face to the origin: perpendicular to the face as well as floating point allows. Of a tetrahedron,
-// the face without the newest vertex must have been the closest one before.
+// direction from the face to the origin: perpendicular to the face as well as floating point allows. Requires a
+// vertex; and the part without the newest vertex must have been the closest one before, as it is when the search goes
+// from there towards the origin.
 // Source: Ericson 2005, section 5.1 (regions of a triangle and a tetrahedron).
 // `distance2` is the square of the face's distance from the origin.
 template <class Real>

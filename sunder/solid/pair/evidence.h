@@ -8,8 +8,8 @@
 
 namespace sunder::solid {
 
-// Does the direction (doubles, from A to B) part the bodies strictly? `near_a` and `near_b` are where to look first for
-// the extreme vertices.
+// Does the direction (finite doubles, from A to B) part the bodies strictly? `near_a` and `near_b` are where to look
+// first for the extreme vertices.
 bool check_apart(const Placed& a, const Placed& b, const Point3& direction, std::uint32_t near_a, std::uint32_t near_b,
                  PairCertificate& certificate, StageTally& tally);
 

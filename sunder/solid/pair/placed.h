@@ -16,7 +16,7 @@ struct Placed {
   const SearchGraph& graph;
   const Affine3& pose;
   bool tame;
-  double size;  // no coordinate of an image is larger than four times this; infinite where it overflows
+  double size;  // the reach of all its points (predicate/posed.h); infinite where it overflows
 
   Placed(const ConvexPolyhedron& body, const Pose& at)
       : graph(body.search_graph()),

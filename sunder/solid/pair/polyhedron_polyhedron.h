@@ -21,8 +21,8 @@ namespace sunder {
 
 // How an answer came about.
 enum class DecidedBy : std::uint8_t {
-  filter,     // the search's evidence, accepted by filters alone
-  evidence,   // the search's evidence, accepted with the help of exact arithmetic
+  filter,     // the search's evidence in doubles, accepted by filters alone
+  evidence,   // the search's evidence, made or accepted with the help of exact arithmetic
   finishing,  // an exact method, because the search's evidence did not hold
 };
 

@@ -16,7 +16,7 @@ namespace {
 // so it is tame (predicate/along.h). Returns false for zero and for what is not finite.
 bool normalize(Point3& d) {
   const double largest = std::max(std::fabs(d.x), std::max(std::fabs(d.y), std::fabs(d.z)));
-  if (!(largest > 0 && largest <= std::numeric_limits<double>::max())) return false;
+  if (!(largest > 0) || !std::isfinite(d.x) || !std::isfinite(d.y) || !std::isfinite(d.z)) return false;
   const auto component = [&](double x) {
     const double part = x / largest;
     return std::fabs(part) < 0x1p-60 ? 0.0 : part;
@@ -224,7 +224,10 @@ PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& body_a, const Po
   Search<double> search(a, b);
   const bool decided =
       decide_in_doubles(a, b, search, answer, tally) || decide_in_double_doubles(a, b, search.direction, answer, tally);
-  answer.decided_by = tally.exact == 0 ? DecidedBy::filter : DecidedBy::evidence;
+  // A direction that is not doubles was made by exact arithmetic, even where filters then compare along it.
+  const bool by_filters =
+      tally.exact == 0 && (answer.meet() || answer.evidence.direction.kind == Direction::Kind::given);
+  answer.decided_by = by_filters ? DecidedBy::filter : DecidedBy::evidence;
   if (!decided) {
     answer.evidence = decide_by_exact_simplex(a, b, search.simplex, tally);
     answer.decided_by = DecidedBy::finishing;
