@@ -100,11 +100,18 @@ class Program : public testing::Test {
     return j;
   }
 
+  // Does the Python verifier accept the file?
+  static bool python_accepts(const std::string& file) {
+    const std::string verifier = SUNDER_SOURCE_DIR "/verifier/sunder_verify.py";
+    return std::system(("python3 '" + verifier + "' --quiet '" + file + "' > /dev/null").c_str()) == 0;
+  }
+
   fs::path folder_;
 };
 
 TEST_F(Program, HelpAndVersion) {
-  for (const char* call : {"--help", "pair --help", "scene --help", "hull --help", "info --help", "verify --help"}) {
+  for (const char* call :
+       {"--help", "pair --help", "scene --help", "segments --help", "hull --help", "info --help", "verify --help"}) {
     const Run r = run(call);
     EXPECT_EQ(r.code, 0) << call;
     EXPECT_NE(r.out.find("Usage"), std::string::npos) << call;
@@ -114,7 +121,7 @@ TEST_F(Program, HelpAndVersion) {
 }
 
 TEST_F(Program, BadCalls) {
-  expect_bad("", "no verb is given; verbs are pair, scene, hull, info, verify");
+  expect_bad("", "no verb is given; verbs are pair, scene, segments, hull, info, verify");
   expect_bad("frob", "there is no verb 'frob'");
   expect_bad("--frob", "there is no option '--frob'");
   expect_bad("pair", "A is required");
@@ -373,6 +380,54 @@ TEST_F(Program, BadScenes) {
   expect_bad("scene " + cube + " --method frob", "choose one of automatic, gjk, scan");
   write_text(in_folder("bad.joints"), "# fine\npanda_joint1 = 0.1\npanda_joint2 = far\n");
   expect_bad(arm + " --joints-file " + in_folder("bad.joints"), "bad.joints:3");
+}
+
+TEST_F(Program, SegmentsSomeMeet) {
+  const std::string proof = in_folder("proof.json");
+  const json r = report("segments " + cases + "/segments/wires.csv --certificate '" + proof + "'", 1);
+  EXPECT_EQ(r["answer"], "some");
+  ASSERT_EQ(r["contacts"].size(), 1u);
+  EXPECT_EQ(r["contacts"][0]["kind"], "crossing");
+  EXPECT_EQ(r["contacts"][0]["features"], (json{"clock", "reset"}));
+  EXPECT_EQ(r["contacts"][0]["lines"], (json{3, 5}));
+  EXPECT_NEAR(r["contacts"][0]["point"][0], 2.0, 1e-12);
+  EXPECT_NEAR(r["contacts"][0]["point"][1], 1.5, 1e-12);
+  EXPECT_TRUE(python_accepts(proof));
+  const Run text = run("segments " + cases + "/segments/wires.csv");
+  EXPECT_EQ(text.code, 1);
+  EXPECT_NE(text.out.find("some meet: crossing at about (2, 1.5)"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("feature reset, line 5: (1, 0.5) to (3, 2.5)"), std::string::npos) << text.out;
+}
+
+TEST_F(Program, SegmentsUnderRules) {
+  const std::string paths = cases + "/segments/paths.wkt", pond = cases + "/segments/pond.geojson";
+  const std::string proof = in_folder("proof.json");
+  for (const char* method : {"automatic", "sweep", "scan"}) {
+    const std::string by = std::string(" --method ") + method;
+    EXPECT_EQ(run("segments " + paths + by).code, 1);
+    EXPECT_EQ(run("segments " + paths + by + " --allow shared-endpoint").code, 0);
+    EXPECT_EQ(run("segments " + pond + by + " --allow shared-endpoint").code, 1);
+    EXPECT_EQ(run("segments " + pond + by + " --allow touch").code, 0);
+  }
+  const Run r = run("segments " + pond + " --allow touch --certificate '" + proof + "'");
+  EXPECT_EQ(r.code, 0);
+  EXPECT_NE(r.out.find("none meet (touch allowed)"), std::string::npos) << r.out;
+  EXPECT_TRUE(python_accepts(proof));
+  // The same transcript does not prove more than it does.
+  std::string text = read_text(proof);
+  text.replace(text.find("\"touch\""), 7, "\"shared-endpoint\"");
+  write_text(proof, text);
+  EXPECT_FALSE(python_accepts(proof));
+}
+
+TEST_F(Program, SegmentsBadCallsAndFiles) {
+  const std::string wires = cases + "/segments/wires.csv";
+  expect_bad("segments " + wires + " --allow crossing", "there is nothing named 'crossing' to allow");
+  expect_bad("segments " + wires + " --method fast", "methods are automatic, sweep, scan");
+  expect_bad("segments " + wires + " --method scan --certificate '" + in_folder("p.json") + "'", "scan writes no");
+  expect_bad("segments " + in_folder("none.csv"), "none.csv");
+  write_text(in_folder("bad.wkt"), "LINESTRING (0 0, 1 nan)\n");
+  expect_bad("segments '" + in_folder("bad.wkt") + "'", "bad.wkt:1: 'nan' is NaN");
 }
 
 }  // namespace
