@@ -413,11 +413,15 @@ TEST_F(Program, SegmentsUnderRules) {
   EXPECT_EQ(r.code, 0);
   EXPECT_NE(r.out.find("none meet (touch allowed)"), std::string::npos) << r.out;
   EXPECT_TRUE(python_accepts(proof));
+  const Run verdict = run("verify '" + proof + "'");
+  EXPECT_EQ(verdict.code, 0);
+  EXPECT_NE(verdict.out.find("1 of 1 statement accepted (1 none, 0 some)"), std::string::npos) << verdict.out;
   // The same transcript does not prove more than it does.
   std::string text = read_text(proof);
   text.replace(text.find("\"touch\""), 7, "\"shared-endpoint\"");
   write_text(proof, text);
   EXPECT_FALSE(python_accepts(proof));
+  EXPECT_EQ(run("verify '" + proof + "'").code, 1);
 }
 
 TEST_F(Program, SegmentsBadCallsAndFiles) {

@@ -23,8 +23,9 @@ struct Call {
 struct File {
   std::string name;
   sunder_verifier::FileResult result;
-  std::uint64_t apart = 0, meet = 0;  // accepted pairs of each verdict
-  std::vector<std::size_t> refused;   // numbers of pairs
+  std::uint64_t apart = 0, meet = 0;  // accepted pairs of each verdict; of a file about a set: none, some
+  bool is_set = false;
+  std::vector<std::size_t> refused;  // numbers of pairs
 };
 
 File verify(const std::string& name) {
@@ -39,10 +40,11 @@ File verify(const std::string& name) {
   }
   for (std::size_t i = 0; i < file.result.pairs.size(); ++i) {
     const sunder_verifier::PairResult& pair = file.result.pairs[i];
+    file.is_set = pair.verdict == "none" || pair.verdict == "some";
     if (!pair.accepted)
       file.refused.push_back(i);
     else
-      ++(pair.verdict == "meet" ? file.meet : file.apart);
+      ++(pair.verdict == "meet" || pair.verdict == "some" ? file.meet : file.apart);
   }
   return file;
 }
@@ -51,11 +53,17 @@ std::string human_text(const File& file) {
   const sunder_verifier::FileResult& result = file.result;
   if (!result.failed_form.empty())
     return fmt::format("{}: REFUSED: check F: {}\n", file.name, io::one_line(result.failed_form));
-  std::string text = fmt::format("{}: {}: {} of {} accepted ({} apart, {} meet)\n", file.name,
-                                 result.accepted() ? "accepted" : "REFUSED", file.apart + file.meet,
-                                 count_of(result.pairs.size(), "pair"), file.apart, file.meet);
+  std::string text =
+      fmt::format("{}: {}: {} of {} accepted ({} {}, {} {})\n", file.name, result.accepted() ? "accepted" : "REFUSED",
+                  file.apart + file.meet, count_of(result.pairs.size(), file.is_set ? "statement" : "pair"), file.apart,
+                  file.is_set ? "none" : "apart", file.meet, file.is_set ? "some" : "meet");
   for (const std::size_t i : file.refused) {
     const sunder_verifier::PairResult& pair = result.pairs[i];
+    if (file.is_set) {
+      text += fmt::format("  statement {}, {}, said that {} meet: check {}: {}\n", i, io::one_line(pair.name_b),
+                          pair.verdict, pair.failed_check, io::one_line(pair.reason));
+      continue;
+    }
     text += fmt::format("  pair {}, {} and {}, said to {}: check {}: {}\n", i, io::one_line(pair.name_a),
                         io::one_line(pair.name_b), pair.verdict == "meet" ? "meet" : "be apart", pair.failed_check,
                         io::one_line(pair.reason));
@@ -67,9 +75,9 @@ Json report(const File& file) {
   const sunder_verifier::FileResult& result = file.result;
   Json json{{"file", file.name},
             {"answer", result.accepted() ? "accepted" : "refused"},
-            {"pairs", result.pairs.size()},
-            {"apart", file.apart},
-            {"meet", file.meet}};
+            {file.is_set ? "statements" : "pairs", result.pairs.size()},
+            {file.is_set ? "none" : "apart", file.apart},
+            {file.is_set ? "some" : "meet", file.meet}};
   json["refused"] = Json::array();
   if (!result.failed_form.empty()) json["refused"].push_back({{"check", "F"}, {"reason", result.failed_form}});
   for (const std::size_t i : file.refused) {

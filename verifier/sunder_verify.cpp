@@ -1,5 +1,8 @@
 #include "sunder_verify.h"
 
+#include "statement_reader.h"
+#include "sunder_verify_segments.h"
+
 #include <boost/multiprecision/cpp_int.hpp>
 #include <nlohmann/json.hpp>
 
@@ -18,209 +21,8 @@
 namespace sunder_verifier {
 namespace {
 
-using Integer = boost::multiprecision::cpp_int;
-using Integers = std::vector<Integer>;
-using nlohmann::json;
-
-constexpr std::size_t kMaxCharacters = 20000;  // of a number
-constexpr std::int64_t kMaxExponent = 20000;   // E of a hexadecimal number, either sign
-constexpr std::size_t kMaxWeights = 16;        // of one body in a pair; 4 are always enough
-constexpr std::size_t kMaxDepth = 500;         // of nested JSON; a certificate needs 5 levels
-
-// A check failed. Thrown and caught in this file only.
-struct Refused {
-  std::string check;
-  std::string reason;
-};
-
-[[noreturn]] void refuse_form(const std::string& reason) { throw Refused{"F", reason}; }
-
-// The number n / d * 2^e, with d > 0.
-struct Number {
-  Integer n;
-  Integer d = 1;
-  std::int64_t e = 0;
-};
-
-using Numbers = std::vector<Number>;
-
-// Numbers brought to a common denominator: each is its integer / d * 2^e, with d > 0.
-struct Common {
-  Integers integers;
-  Integer d = 1;
-  std::int64_t e = 0;
-};
-
-Integer shifted(const Integer& n, std::int64_t bits) { return n << static_cast<unsigned>(bits); }  // bits >= 0
-
-Common common(const Numbers& values) {
-  Common result;
-  bool first = true;
-  for (const Number& value : values) {
-    if (value.n != 0 && (first || value.e < result.e)) {
-      result.e = value.e;
-      first = false;
-    }
-  }
-  for (const Number& value : values) {
-    if (value.d != 1) {
-      for (Integer& integer : result.integers) integer *= value.d;
-    }
-    const Integer scaled = value.n * result.d;
-    result.integers.push_back(value.n == 0 ? Integer(0) : shifted(scaled, value.e - result.e));
-    result.d *= value.d;
-  }
-  return result;
-}
-
-// ---- Reading: everything that is required here is check F.
-
-bool is_digit(char c, int base) {
-  const bool letter = (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
-  return (c >= '0' && c <= '9') || (base == 16 && letter);
-}
-
-int digit_value(char c) {
-  if (c >= 'a') return c - 'a' + 10;
-  if (c >= 'A') return c - 'A' + 10;
-  return c - '0';
-}
-
-// Takes the longest run of digits off the front of text.
-std::string_view take_digits(std::string_view& text, int base) {
-  std::size_t length = 0;
-  while (length < text.size() && is_digit(text[length], base)) ++length;
-  const std::string_view digits = text.substr(0, length);
-  text.remove_prefix(length);
-  return digits;
-}
-
-bool take(std::string_view& text, std::string_view expected) {
-  if (text.substr(0, expected.size()) != expected) return false;
-  text.remove_prefix(expected.size());
-  return true;
-}
-
-// value, followed by more digits.
-Integer append_digits(Integer value, std::string_view digits, int base) {
-  while (!digits.empty()) {
-    std::int64_t chunk = 0, scale = 1;
-    const std::size_t length = std::min<std::size_t>(digits.size(), 15);  // 16^15 < 2^63
-    for (char c : digits.substr(0, length)) {
-      chunk = chunk * base + digit_value(c);
-      scale *= base;
-    }
-    value *= scale;
-    value += chunk;
-    digits.remove_prefix(length);
-  }
-  return value;
-}
-
-// (hexadecimal integer or fraction) p E. The result's n is odd or zero. False: not of this form.
-bool parse_hexadecimal(std::string_view text, Number& number, const std::string& where) {
-  const bool negative = take(text, "-");
-  if (!take(text, "0x")) return false;
-  const std::string_view whole = take_digits(text, 16);
-  const bool point = take(text, ".");
-  const std::string_view fraction = point ? take_digits(text, 16) : std::string_view();
-  if (whole.empty() || (point && fraction.empty()) || !take(text, "p")) return false;
-  const bool negative_exponent = take(text, "-");
-  if (!negative_exponent) take(text, "+");
-  const std::string_view exponent = take_digits(text, 10);
-  if (exponent.empty() || !text.empty()) return false;
-  std::int64_t e = 0;
-  for (char c : exponent) {
-    e = 10 * e + digit_value(c);
-    if (e > kMaxExponent) refuse_form(where + " has too large an exponent");
-  }
-  number.n = append_digits(append_digits(0, whole, 16), fraction, 16);
-  number.d = 1;
-  number.e = (negative_exponent ? -e : e) - 4 * static_cast<std::int64_t>(fraction.size());
-  if (number.n != 0) {
-    const unsigned zeros = boost::multiprecision::lsb(number.n);
-    number.n >>= zeros;
-    number.e += zeros;
-    if (negative) number.n = -number.n;
-  }
-  return true;
-}
-
-// D or D/D. False: not of this form.
-bool parse_decimal(std::string_view text, Number& number, const std::string& where) {
-  const bool negative = take(text, "-");
-  const std::string_view above = take_digits(text, 10);
-  const bool slash = take(text, "/");
-  const std::string_view below = slash ? take_digits(text, 10) : std::string_view("1");
-  if (above.empty() || below.empty() || !text.empty()) return false;
-  number.n = append_digits(0, above, 10);
-  number.d = append_digits(0, below, 10);
-  number.e = 0;
-  if (negative) number.n = -number.n;
-  if (number.d == 0) refuse_form(where + " has denominator zero");
-  return true;
-}
-
-Number read_number(const json& value, const std::string& where) {
-  const auto* text = value.get_ptr<const std::string*>();
-  if (text == nullptr || text->size() > kMaxCharacters) refuse_form(where + " is not a number as a string");
-  Number number;
-  if (!parse_hexadecimal(*text, number, where) && !parse_decimal(*text, number, where)) {
-    refuse_form(where + " is not a number of one of the three forms");
-  }
-  return number;
-}
-
-Number read_double(const json& value, const std::string& where) {
-  const Number number = read_number(value, where);
-  bool is_double = value.get_ref<const std::string&>().find('x') != std::string::npos;
-  if (number.n != 0) {
-    const std::int64_t bits = static_cast<std::int64_t>(boost::multiprecision::msb(abs(number.n))) + 1;
-    is_double = is_double && bits <= 53 && number.e >= -1074 && bits + number.e <= 1024;
-  }
-  if (!is_double) refuse_form(where + " is not a hexadecimal double");
-  return number;
-}
-
-Numbers read_numbers(const json& value, std::size_t count, Number (*read)(const json&, const std::string&),
-                     const std::string& where) {
-  if (!value.is_array() || value.size() != count) {
-    refuse_form(where + " is not a list of " + std::to_string(count));
-  }
-  Numbers result;
-  for (const json& item : value) result.push_back(read(item, where));
-  return result;
-}
-
-const json& member(const json& item, const char* key, const std::string& where) {
-  if (!item.is_object()) refuse_form(where + " is not an object");
-  const auto found = item.find(key);
-  if (found == item.end()) refuse_form(where + " has no " + key);
-  return *found;
-}
-
-const json& list_member(const json& item, const char* key, const std::string& where) {
-  const json& value = member(item, key, where);
-  if (!value.is_array()) refuse_form(where + "." + key + " is not a list");
-  return value;
-}
-
-std::string string_member(const json& item, const char* key, const std::string& where) {
-  const json& value = member(item, key, where);
-  if (!value.is_string()) refuse_form(where + "." + key + " is not a string");
-  return value.get<std::string>();
-}
-
-std::size_t read_index(const json& value, std::size_t size, const std::string& where) {
-  const bool in_range = value.is_number_integer() && (value.is_number_unsigned() || value.get<std::int64_t>() >= 0) &&
-                        value.get<std::uint64_t>() < size;
-  if (!in_range) refuse_form(where + " is not an index in range");
-  return value.get<std::size_t>();
-}
-
-std::size_t index_member(const json& item, const char* key, std::size_t size, const std::string& where) {
-  return read_index(member(item, key, where), size, where + "." + key);
-}
+constexpr std::size_t kMaxWeights = 16;  // of one body in a pair; 4 are always enough
+constexpr std::size_t kMaxDepth = 500;   // of nested JSON; a certificate needs 5 levels
 
 using Vector = std::array<Integer, 3>;
 
@@ -531,8 +333,13 @@ void verify_into(std::string_view text, const std::string& prefix, FileResult& r
   result.readable = true;
   try {
     if (first.repeated) refuse_form("an object has a key twice");
+    const json top = json::parse(text.begin(), text.end());
+    if (top.is_object() && top.contains("sunder_set_certificate")) {
+      result.pairs = verify_set(top);
+      return;
+    }
     File file;
-    read_file(json::parse(text.begin(), text.end()), file);
+    read_file(top, file);
     for (const Pair& pair : file.pairs) result.pairs.push_back(check(pair));
   } catch (const Refused& refused) {
     result.failed_form = refused.reason;

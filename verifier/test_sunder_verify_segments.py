@@ -3,7 +3,9 @@
 import json
 import os
 import random
+import subprocess
 import sys
+import tempfile
 import unittest
 from fractions import Fraction
 
@@ -179,6 +181,66 @@ class Segments(unittest.TestCase):
         self.assertEqual(outcome(as_file(flat, {**none, "below": [-1, 0]})), "F")
         crossed = [((0, 0), (9, 4)), flat[1], ((2, 3), (8, 2))]
         self.assertEqual(outcome(as_file(crossed, {**none, "below": [-1, 0, 1]})), "T4")
+
+
+class Twins(unittest.TestCase):
+    @unittest.skipUnless("SUNDER_PROGRAM" in os.environ, "SUNDER_PROGRAM does not name the program")
+    def test_the_twins_agree(self):
+        rng = random.Random(4)
+        count = {}
+        with tempfile.TemporaryDirectory() as folder:
+            files = []
+            for k in range(250):
+                segments, statements = some_set(rng), []
+                events, below = transcript(segments)
+                for _ in range(6):
+                    allowed, mutated = rng.choice(RULES), rng.randrange(3)
+                    if rng.randrange(3) and len(segments) > 1:
+                        i, j = rng.sample(range(len(segments)), 2)
+                        kind = checker.kind_of(segments[i], segments[j]) or "crossing"
+                        point = list(max(segments[i][0], segments[j][0]))
+                        if mutated == 0:
+                            kind = rng.choice(checker.KINDS)
+                        if mutated == 1:
+                            point = ["%d/%d" % (rng.randint(0, 20), rng.randint(1, 4)) for _ in range(2)]
+                        statements.append({"question": "segments_any", "allowed": allowed, "verdict": "some", "i": i,
+                                           "j": j, "kind": kind, "point": [str(x) for x in point]})
+                    else:
+                        order, lower = events[:], below[:]
+                        if mutated == 0:
+                            lower[rng.randrange(len(lower))] = rng.randint(-1, len(segments) - 1)
+                        if mutated == 1:
+                            i, j = rng.randrange(len(order)), rng.randrange(len(order))
+                            order[i], order[j] = order[j], order[i]
+                        if mutated == 2 and not rng.randrange(8):
+                            order[0] = order[-1]
+                        statements.append({"question": "segments_any", "allowed": allowed, "verdict": "none",
+                                           "events": order, "below": lower})
+                data = json.loads(as_file(segments, None))
+                data["statements"] = statements
+                if not rng.randrange(12):
+                    del data["statements"][0][rng.choice(sorted(statements[0]))]
+                files.append(os.path.join(folder, "%d.json" % k))
+                with open(files[-1], "w") as stream:
+                    json.dump(data, stream)
+            done = subprocess.run([os.environ["SUNDER_PROGRAM"], "verify", "--json"] + files, capture_output=True)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            reports = json.loads(done.stdout)["objects"]
+            self.assertEqual(len(reports), len(files))
+            for file, report in zip(files, reports):
+                found = [(r.get("pair"), r["check"]) for r in report["refused"]]
+                try:
+                    with open(file, "rb") as stream:
+                        results = sunder_verify.verify(stream.read())
+                    expected = [(r[0], r[4][0]) for r in results if r[4]]
+                except sunder_verify.Refused as error:
+                    expected = [(None, error.args[0])]
+                self.assertEqual(found, expected, file)
+                for _, check in expected:
+                    count[check] = count.get(check, 0) + 1
+                count["-"] = count.get("-", 0) + report.get("none", 0) + report.get("some", 0)
+        for check in ("-", "F", "C1", "C2", "C3", "T1", "T2", "T3", "T4"):
+            self.assertGreaterEqual(count.get(check, 0), 5, (check, count))
 
 
 if __name__ == "__main__":

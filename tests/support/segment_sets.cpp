@@ -71,7 +71,8 @@ SegmentSet SegmentSets::next() {
     case SegmentFamily::star: {
       const std::int64_t n = random_.between(3, 40);
       for (std::int64_t k = 0; k < n; ++k) {
-        const double y = static_cast<double>(k) / static_cast<double>(n), slope = random_.uniform(0, 0.5 / static_cast<double>(n));
+        const double y = static_cast<double>(k) / static_cast<double>(n),
+                     slope = random_.uniform(0, 0.5 / static_cast<double>(n));
         s.push_back({{-1 - random_.unit(), y}, {1 + random_.unit(), y + slope}});
       }
       if (random_.below(2)) {

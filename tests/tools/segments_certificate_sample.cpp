@@ -1,0 +1,40 @@
+// Writes a sample of certificate files about sets of segments, for checkers other than the library's:
+// segments_certificate_sample FOLDER COUNT [SEED].
+//
+// Every family of tests/support/segment_sets.h in turn, under every rule, a set each.
+#include <sunder/planar/set/segments_any_json.h>
+#include <tests/support/segment_sets.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+int main(int argc, char** argv) {
+  using namespace sunder;
+  using planar::Allowed;
+  if (argc < 3) {
+    std::fprintf(stderr, "usage: segments_certificate_sample FOLDER COUNT [SEED]\n");
+    return 2;
+  }
+  const std::filesystem::path folder = argv[1];
+  const int count = std::atoi(argv[2]);
+  tests::SegmentSets sets(argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
+  std::filesystem::create_directories(folder);
+  int meets = 0;
+  for (int i = 0; i < count; ++i) {
+    const planar::Segments segments(sets.next().segments);
+    const Allowed allowed = i % 3 == 0 ? Allowed::nothing : i % 3 == 1 ? Allowed::shared_endpoint : Allowed::touch;
+    const planar::SegmentsAnswer answer = planar::segments_any(segments, {allowed, true});
+    meets += answer.meet();
+    std::ofstream file(folder / ("segments_" + std::to_string(i) + ".json"), std::ios::binary);
+    file << planar::certificate_text(segments, allowed, answer);
+    if (!file.flush()) {
+      std::fprintf(stderr, "%s: cannot be written\n", folder.c_str());
+      return 2;
+    }
+  }
+  std::printf("%d certificates of sets of segments, some meet in %d\n", count, meets);
+  return 0;
+}
