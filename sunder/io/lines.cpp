@@ -242,10 +242,11 @@ class GeoJson {
     add_geometry(*geometry);
   }
 
-  void add_geometry(const nlohmann::json& item) {
+  void add_geometry(const nlohmann::json& item, int depth = 0) {
     const std::string type = type_of(item);
     if (type == "GeometryCollection") {
-      for (const nlohmann::json& part : list(item, "geometries")) add_geometry(part);
+      if (depth == 100) builder_.fail("has collections nested 100 deep; unpack them");
+      for (const nlohmann::json& part : list(item, "geometries")) add_geometry(part, depth + 1);
       return;
     }
     const bool known = type == "LineString" || type == "MultiLineString" || type == "Polygon" || type == "MultiPolygon";

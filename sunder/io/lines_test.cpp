@@ -69,6 +69,16 @@ TEST(LinesTest, GeoJson) {
   EXPECT_EQ(parse_lines(collection, "-", true).segments.size(), 4u);
 }
 
+TEST(LinesTest, DeepNestingIsRefused) {
+  std::string text = R"({"type": "LineString", "coordinates": [[0, 0], [1, 1]]})";
+  for (int depth = 0; depth < 100; ++depth) {
+    EXPECT_EQ(parse_lines(text, "a.json").segments.size(), 1u) << depth;
+    text = R"({"type": "GeometryCollection", "geometries": [)" + text + "]}";
+  }
+  text = R"({"type": "GeometryCollection", "geometries": [)" + text + "]}";
+  EXPECT_NE(error(text, "a.json").find("nested 100 deep"), std::string::npos);
+}
+
 TEST(LinesTest, WhatIsWrongAndWhere) {
   const std::vector<std::array<std::string, 3>> wrong{
       {"a.csv", " \n", "a.csv: has nothing in it"},
