@@ -107,10 +107,7 @@ class Sweep {
     const Segment &s = segments_[i], &t = segments_[other];
     const Sign begins = orient_2d(t.a, t.b, s.a);
     if (begins != Sign::zero) return begins == Sign::positive;
-    const Sign goes = orient_2d(t.a, t.b, s.b);
-    if (goes != Sign::zero) return goes == Sign::positive;
-    test(i, other);  // an overlap, or a point on the other
-    return true;
+    return orient_2d(t.a, t.b, s.b) != Sign::negative;  // a tie, overlap or point, is looked at as neighbours then
   }
 
   void test(std::uint32_t i, std::uint32_t j) {

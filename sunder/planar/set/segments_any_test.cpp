@@ -97,6 +97,15 @@ TEST(SegmentsAnyTest, TheTranscript) {
   EXPECT_EQ(answer.transcript.below, (std::vector<std::uint32_t>{no_segment, 0, 0, 1}));
 }
 
+// At one point: what ends, then points, each for itself, then what begins.
+TEST(SegmentsAnyTest, TheTranscriptAtOnePoint) {
+  const Segments segments(
+      std::vector<Segment>{{{1, 1}, {2, 2}}, {{1, 1}, {1, 1}}, {{0, 0}, {1, 1}}, {{1, 1}, {1, 1}}, {{0, 3}, {1, 1}}});
+  const SegmentsAnswer answer = segments_any(segments, {Allowed::shared_endpoint, true});
+  ASSERT_FALSE(answer.meet());
+  EXPECT_EQ(answer.transcript.events, (std::vector<std::uint32_t>{4, 8, 5, 9, 2, 3, 6, 7, 0, 1}));
+}
+
 // Complexity (SH76, Theorem 3): comparisons within N log2 N, over four decades and more: on edges of a jittered grid,
 // where a square root of N is cut at once, and on a star of long spikes, where half of all are.
 TEST(SegmentsAnyTest, ComparisonsGrowAsNLogN) {
