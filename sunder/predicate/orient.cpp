@@ -14,7 +14,7 @@ Sign orient_2d_along_axis(int axis, const P& a, const P& b, const P& c, StageTal
 
 }  // namespace
 
-Sign orient_2d(const Point2& a, const Point2& b, const Point2& c, StageTally* tally) {
+Sign orient_2d_further(const Point2& a, const Point2& b, const Point2& c, StageTally* tally) {
   const auto in_space = [](const Point2& p) { return Point3{p.x, p.y, 0}; };
   return decide(tally, orient_2d_formula<2>, in_space(a), in_space(b), in_space(c));
 }

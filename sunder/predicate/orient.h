@@ -5,15 +5,19 @@
 // Sources: Shewchuk 1997 for the idea of adaptive signs; the bounds are derived in number/rounded.h.
 #pragma once
 
+#include <sunder/number/rounded.h>
 #include <sunder/number/sign.h>
 #include <sunder/predicate/point.h>
 #include <sunder/predicate/posed.h>
+
+#include <cmath>
 
 namespace sunder {
 
 // positive: a, b, c turn counter-clockwise (left); zero: collinear; negative: clockwise.
 // Formula: (b - a) x (c - a). Exchanging two points flips the sign.
-Sign orient_2d(const Point2& a, const Point2& b, const Point2& c, StageTally* tally = nullptr);
+// Where two of the points are equal it is zero at once.
+inline Sign orient_2d(const Point2& a, const Point2& b, const Point2& c, StageTally* tally = nullptr);
 
 // The same for points of space projected along an axis (0: x, 1: y, 2: z) on the plane of the other two in cyclic
 // order (for axis 2: x, y).
@@ -29,6 +33,24 @@ Sign orient_3d(const Posed& a, const Posed& b, const Posed& c, const Posed& d, S
 
 // The sign of b's coordinate minus a's (axis 0: x, 1: y, 2: z).
 Sign compare_coordinate(int axis, const Posed& a, const Posed& b, StageTally* tally = nullptr);
+
+// orient_2d for what its first stage does not decide.
+Sign orient_2d_further(const Point2& a, const Point2& b, const Point2& c, StageTally* tally);
+
+// The first stage: the formula as a Rounded<4>, whose magnitude is the sum of the two products' sizes. Differences of
+// doubles never underflow; a product that does is off by at most 2^-1075, which the last term pays for many times over.
+// Overflow makes the error infinite or the comparisons false.
+inline Sign orient_2d(const Point2& a, const Point2& b, const Point2& c, StageTally* tally) {
+  const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
+  const double value = left - right;
+  const double error = Rounded<4>::bound * (std::fabs(left) + std::fabs(right)) + 0x1p-1060;
+  const bool is_sure = value > error || value < -error;
+  if (is_sure || a == c || b == c || a == b) {
+    if (tally) ++tally->rounded;
+    return value > error ? Sign::positive : value < -error ? Sign::negative : Sign::zero;
+  }
+  return orient_2d_further(a, b, c, tally);
+}
 
 // The sign of the determinant of the 3 x 3 matrix of a pose, row by row.
 Sign determinant_sign(const Affine3& pose);
