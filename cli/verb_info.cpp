@@ -29,12 +29,15 @@ struct Format {
   const char *name, *endings, *access, *what;
 };
 
-constexpr std::array<Format, 6> formats{
+constexpr std::array<Format, 9> formats{
     {{"OBJ", ".obj", "read, write", "Wavefront; objects are parts of a body"},
      {"STL", ".stl", "read, write", "binary (read; single precision) and ASCII; equal points are joined"},
      {"PLY", ".ply", "read, write", "ASCII, and binary of either byte order (read)"},
      {"OFF", ".off", "read, write", "Object File Format, ASCII"},
      {"URDF", ".urdf", "read", "robots: links with meshes and boxes, joints with limits"},
+     {"CSV", ".csv", "read", "segments: x1,y1,x2,y2 and, if there is one, an id"},
+     {"WKT", ".wkt", "read", "lines and polygons, a geometry on each line; their edges are segments"},
+     {"GeoJSON", ".geojson", "read", "lines and polygons; their edges are segments"},
      {"certificate", ".json", "write, verify", "proofs: docs/certificates.md"}}};
 
 const char* type_name(io::JointType type) {

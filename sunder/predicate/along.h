@@ -1,6 +1,7 @@
 // Comparisons along a direction of the world, exact, for points of posed bodies.
 #pragma once
 
+#include <sunder/base/lanes.h>
 #include <sunder/predicate/posed.h>
 #include <sunder/predicate/stages.h>
 
@@ -63,7 +64,8 @@ class Along {
   }
 
   // Are all `count` points, coordinate by coordinate, surely less far than `at`? False also means: not sure. `reach` is
-  // an upper bound on the sizes of all coordinates involved. Floating point with one error bound for all.
+  // an upper bound on the sizes of all coordinates involved. Floating point with one error bound for all. Requires an
+  // even count, at least two.
   bool surely_less_far(const double* x, const double* y, const double* z, std::size_t count, const Point3& at,
                        double reach) const {
     return surely_beyond<-1>(x, y, z, count, at, reach);
@@ -95,11 +97,11 @@ class Along {
     const double magnitude = rounded_.x.magnitude + rounded_.y.magnitude + rounded_.z.magnitude;
     const double error = Rounded<12>::bound * (magnitude * (2 * reach));
     const double dx = Side * rounded_.x.value, dy = Side * rounded_.y.value, dz = Side * rounded_.z.value;
-    bool all = true;
-    for (std::size_t j = 0; j < count; ++j) {
-      all &= dx * (x[j] - at.x) + dy * (y[j] - at.y) + dz * (z[j] - at.z) > error;
+    auto all = lanes_at(x) == lanes_at(x);
+    for (std::size_t j = 0; j < count; j += 2) {
+      all &= dx * (lanes_at(x + j) - at.x) + dy * (lanes_at(y + j) - at.y) + dz * (lanes_at(z + j) - at.z) > error;
     }
-    return all;
+    return (all[0] & all[1]) != 0;
   }
 
   Sign compare_further(const Point3& from, const Point3& to, StageTally* tally);
@@ -116,9 +118,20 @@ class Along {
 Sign compare_along_further(const WorldDirection& direction, const Posed& a, const Posed& b, StageTally* tally);
 
 // The sign of direction . (b - a) for posed points of any two bodies: positive when b is further along.
+// First with one bound from the points' reach: the formula is a Rounded<7>, its magnitude at most the sum of the sizes
+// of the direction's components times four times the sum of both reaches; another Rounded step pays for the rounding of
+// that product.
 inline Sign compare_along(const WorldDirection& direction, const Posed& a, const Posed& b,
                           StageTally* tally = nullptr) {
   if (direction.is_tame() && a.tame && b.tame) {
+    const Point3& d = direction.doubles();
+    const double value = dot(Vector3<double>{d.x, d.y, d.z}, rounded_image(b) - rounded_image(a));
+    const double error =
+        Rounded<12>::bound * ((std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z)) * (4 * (a.reach + b.reach)));
+    if (value > error || value < -error) {
+      if (tally) ++tally->rounded;
+      return value > 0 ? Sign::positive : Sign::negative;
+    }
     const Guess guess =
         sign(dot(lift<RoundedStage>(direction.doubles()), lift<RoundedStage>(b) - lift<RoundedStage>(a)));
     if (is_sure(guess)) {

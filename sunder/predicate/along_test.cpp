@@ -350,7 +350,7 @@ TEST(AlongTest, ManyPointsAtOnce) {
     const int e = i % 3 == 0 ? static_cast<int>(random.between(-900, 900)) : 0;
     for (double& m : q.pose.linear) m = std::ldexp(m, -e);
     const std::size_t count = is_near ? 1 : 3;
-    std::array<double, 3> x{}, y{}, z{};
+    std::array<double, 4> x{}, y{}, z{};
     double reach = 0;
     const Point3 at{std::ldexp(q.from.x, e), std::ldexp(q.from.y, e), std::ldexp(q.from.z, e)};
     for (std::size_t j = 0; j < count; ++j) {
@@ -362,6 +362,11 @@ TEST(AlongTest, ManyPointsAtOnce) {
       for (const double c : {x[j], y[j], z[j], at.x, at.y, at.z}) reach = std::max(reach, std::fabs(c));
     }
     if (!std::isfinite(reach)) continue;
+    // To an even count, with the first point once more; in any order.
+    const std::size_t even = count + 1;
+    x[count] = x[0], y[count] = y[0], z[count] = z[0];
+    const std::size_t other = random.below(even);
+    std::swap(x[0], x[other]), std::swap(y[0], y[other]), std::swap(z[0], z[other]);
     const WorldDirection direction(q.direction);
     q.direction = {-q.direction.x, -q.direction.y, -q.direction.z};
     const WorldDirection opposite(q.direction);
@@ -372,16 +377,16 @@ TEST(AlongTest, ManyPointsAtOnce) {
       less = less && further(exact(direction), image(r), image(p)) == Sign::negative;
     }
     const Along along(direction, q.pose, tame), along_opposite(opposite, q.pose, tame);
-    const bool answer = along.surely_less_far(x.data(), y.data(), z.data(), count, at, reach);
+    const bool answer = along.surely_less_far(x.data(), y.data(), z.data(), even, at, reach);
     ASSERT_TRUE(!answer || less) << i << " " << e;
-    ASSERT_EQ(along_opposite.surely_further(x.data(), y.data(), z.data(), count, at, reach), answer) << i;
+    ASSERT_EQ(along_opposite.surely_further(x.data(), y.data(), z.data(), even, at, reach), answer) << i;
     if (!tame || !direction.is_tame()) {
       ASSERT_FALSE(answer) << i;
     } else if (less) {
       ++(is_near ? near : all_less);
       if (answer && !is_near) ++sure;
     }
-    ASSERT_FALSE(answer && along.surely_further(x.data(), y.data(), z.data(), count, at, reach));
+    ASSERT_FALSE(answer && along.surely_further(x.data(), y.data(), z.data(), even, at, reach));
   }
   EXPECT_GT(all_less, n / 40);
   EXPECT_GE(sure, all_less * 98 / 100);

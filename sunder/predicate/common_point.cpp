@@ -110,11 +110,7 @@ Guess five_are_separated_with_one_bound(std::span<const Posed> a, std::span<cons
   std::size_t n = 0;
   for (const std::span<const Posed>& part : {a, b}) {
     for (const Posed& p : part) {
-      const auto& m = p.pose->linear;
-      const auto& t = p.pose->translation;
-      const Point3& v = p.point;
-      images[n++] = {(m[0] * v.x + m[1] * v.y) + (m[2] * v.z + t[0]), (m[3] * v.x + m[4] * v.y) + (m[5] * v.z + t[1]),
-                     (m[6] * v.x + m[7] * v.y) + (m[8] * v.z + t[2])};
+      images[n++] = rounded_image(p);
       reach = std::max(reach, p.reach);
     }
   }

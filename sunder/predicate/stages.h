@@ -59,6 +59,15 @@ auto lift(const Posed& p) {
   return Vector3<decltype(row(0))>{row(0), row(1), row(2)};
 }
 
+// What floating point makes of an image: the value of lift<RoundedStage>(p), without the magnitude.
+inline Vector3<double> rounded_image(const Posed& p) {
+  const auto row = [&](std::size_t i) {
+    const auto& m = p.pose->linear;
+    return (m[3 * i] * p.point.x + m[3 * i + 1] * p.point.y) + (m[3 * i + 2] * p.point.z + p.pose->translation[i]);
+  };
+  return {row(0), row(1), row(2)};
+}
+
 // Is the floating-point stage free of underflow for formulas of up to three factors?
 inline bool is_tame(const Point3& p) { return tame(p.x) && tame(p.y) && tame(p.z); }
 inline bool is_tame(const Posed& p) { return p.tame; }

@@ -158,7 +158,7 @@ PairCase SolidPairs::touching_case(Family family) {
     const auto facet = a.facet(static_cast<std::uint32_t>(random_.below(a.facet_count())));
     const std::size_t n = facet.size(), i = random_.below(n);
     const Point3 &p = v[facet[i]], &q = v[facet[(i + 1) % n]], &r = v[facet[(i + 2) % n]];
-    switch (random_.below(3)) {
+    switch (random_.below(a.dimension() == 3 ? 3 : 2)) {  // inside of a flat body the mirror image overlaps it
       case 0: x = p; break;
       case 1: x = plus(times(p, 0.25), times(q, 0.75)); break;
       default: x = plus(times(p, 0.5), plus(times(q, 0.25), times(r, 0.25)));

@@ -11,8 +11,9 @@ std::uint32_t extreme_vertex_from(const Placed& body, Along& along, End end, std
     const double *x = block.x(), *y = block.y(), *z = block.z();
     const Point3 at = block.at();
     const double reach = graph.sizes.greatest;
-    const bool sure = end == End::greatest ? along.surely_less_far(x, y, z, count, at, reach)
-                                           : along.surely_further(x, y, z, count, at, reach);
+    const std::uint32_t padded = block.padded();  // what is left over repeats a neighbour
+    const bool sure = padded > 0 && (end == End::greatest ? along.surely_less_far(x, y, z, padded, at, reach)
+                                                          : along.surely_further(x, y, z, padded, at, reach));
     if (sure) {
       tally.rounded += count;
       return block.vertex();
