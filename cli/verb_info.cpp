@@ -151,7 +151,7 @@ int run(const Call& call) {
     json["formats"] = Json::array();
     for (const Format& f : formats) {
       json["formats"].push_back({{"name", f.name}, {"endings", f.endings}, {"access", f.access}, {"what", f.what}});
-      text += fmt::format("{:<12} {:<6} {:<14} {}\n", f.name, f.endings, f.access, f.what);
+      text += fmt::format("{:<12} {:<9} {:<14} {}\n", f.name, f.endings, f.access, f.what);
     }
   }
   for (const std::string& file : call.files) {
