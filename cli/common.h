@@ -30,6 +30,7 @@ void add_hull(CLI::App& program, int& code);
 void add_info(CLI::App& program, int& code);
 void add_verify(CLI::App& program, int& code);
 void add_segments(CLI::App& program, int& code);
+void add_simple(CLI::App& program, int& code);
 
 // Writes to standard output at once. Throws Error bad_call where that fails (a full disk).
 void print(std::string_view text);

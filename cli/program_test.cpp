@@ -110,8 +110,8 @@ class Program : public testing::Test {
 };
 
 TEST_F(Program, HelpAndVersion) {
-  for (const char* call :
-       {"--help", "pair --help", "scene --help", "segments --help", "hull --help", "info --help", "verify --help"}) {
+  for (const char* call : {"--help", "pair --help", "scene --help", "segments --help", "simple --help", "hull --help",
+                           "info --help", "verify --help"}) {
     const Run r = run(call);
     EXPECT_EQ(r.code, 0) << call;
     EXPECT_NE(r.out.find("Usage"), std::string::npos) << call;
@@ -121,7 +121,7 @@ TEST_F(Program, HelpAndVersion) {
 }
 
 TEST_F(Program, BadCalls) {
-  expect_bad("", "no verb is given; verbs are pair, scene, segments, hull, info, verify");
+  expect_bad("", "no verb is given; verbs are pair, scene, segments, simple, hull, info, verify");
   expect_bad("frob", "there is no verb 'frob'");
   expect_bad("--frob", "there is no option '--frob'");
   expect_bad("pair", "A is required");
@@ -432,6 +432,25 @@ TEST_F(Program, SegmentsBadCallsAndFiles) {
   expect_bad("segments " + in_folder("none.csv"), "none.csv");
   write_text(in_folder("bad.wkt"), "LINESTRING (0 0, 1 nan)\n");
   expect_bad("segments '" + in_folder("bad.wkt") + "'", "bad.wkt:1: 'nan' is NaN");
+}
+
+TEST_F(Program, SimplePolygons) {
+  EXPECT_EQ(run("simple " + cases + "/segments/paths.wkt").code, 0);
+  EXPECT_EQ(run("simple " + cases + "/segments/pond.geojson --method scan").code, 0);
+  expect_bad("simple " + cases + "/segments/wires.csv", "has no polygons; for lines, ask sunder segments");
+  expect_bad("simple " + cases + "/segments/paths.wkt --method fast", "methods are automatic, sweep, scan");
+  const std::string file = in_folder("two.wkt");
+  write_text(file, "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\nPOLYGON ((0 0, 4 4, 4 0, 0 4, 0 0), (9 9, 8 9, 8 8, 9 9))\n");
+  const json r = report("simple '" + file + "'", 1);
+  EXPECT_EQ(r["answer"], "not simple");
+  ASSERT_EQ(r["objects"].size(), 2u);
+  EXPECT_EQ(r["objects"][0]["answer"], "simple");
+  EXPECT_EQ(r["objects"][1]["contact"]["kind"], "crossing");
+  EXPECT_EQ(r["objects"][1]["rings"], 2);
+  const Run text = run("simple '" + file + "'");
+  EXPECT_NE(text.out.find("feature 2: not simple: crossing"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("ring 0, edge 0, line 2: (0, 0) to (4, 4)"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("1 of 2 polygons simple, 11 edges"), std::string::npos) << text.out;
 }
 
 }  // namespace

@@ -40,12 +40,18 @@ class Builder {
     file.source.push_back({static_cast<std::uint32_t>(file.features.size() - 1), line_});
   }
 
+  void begin_polygon() { ++polygons_; }
+
   void add_line(const std::vector<Point2>& points, bool ring) {
     if (ring && (points.size() < 4 || points.front() != points.back())) {
       fail(points.size() < 4 ? "a ring has fewer than four points; give at least three corners and the first again"
                              : "a ring does not end where it began; repeat its first point at its end");
     }
     if (points.size() < 2) fail("a line has fewer than two points; leave it out");
+    if (ring) {
+      file.rings.push_back({static_cast<std::uint32_t>(file.segments.size()),
+                            static_cast<std::uint32_t>(points.size() - 1), polygons_ - 1});
+    }
     for (std::size_t i = 1; i < points.size(); ++i) add(points[i - 1], points[i]);
   }
 
@@ -64,7 +70,7 @@ class Builder {
 
  private:
   std::string_view place_;
-  std::uint32_t line_ = 0;
+  std::uint32_t line_ = 0, polygons_ = 0;
 };
 
 // Calls with each line that is not blank, and its number.
@@ -122,9 +128,9 @@ class Wkt {
     } else if (type == "MULTILINESTRING") {
       list([&] { line(false); });
     } else if (type == "POLYGON") {
-      list([&] { line(true); });
+      polygon();
     } else if (type == "MULTIPOLYGON") {
-      list([&] { list([&] { line(true); }); });
+      list([&] { polygon(); });
     } else {
       builder_.fail(
           fmt::format("{} is not read here; give LINESTRING, MULTILINESTRING, POLYGON or MULTIPOLYGON", quote(type)));
@@ -162,6 +168,11 @@ class Wkt {
     do item();
     while (take(','));
     expect(')');
+  }
+
+  void polygon() {
+    builder_.begin_polygon();
+    list([&] { line(true); });
   }
 
   void line(bool ring) {
@@ -203,7 +214,11 @@ class GeoJson {
       const std::size_t at = what.find(" at line ");
       fail_file(place, "is not JSON: " + one_line(at == std::string::npos ? what : what.substr(at + 1)));
     }
-    if (type_of(top) == "FeatureCollection") {
+    if (top.is_array() && !top.empty() && top[0].is_array()) {
+      builder_.begin_feature({}, 0);
+      builder_.begin_polygon();
+      for (const nlohmann::json& ring : top) add_line(ring, true, true);
+    } else if (type_of(top) == "FeatureCollection") {
       const auto features = top.find("features");
       if (features == top.end() || !features->is_array()) builder_.fail("the collection has no list \"features\"");
       for (const nlohmann::json& feature : *features) add_feature(feature);
@@ -255,10 +270,12 @@ class GeoJson {
     }
     const nlohmann::json& coordinates = list(item, "coordinates");
     if (type == "LineString") return add_line(coordinates, false);
+    if (type == "Polygon") builder_.begin_polygon();
     for (const nlohmann::json& part : coordinates) {
       if (type != "MultiPolygon") {
         add_line(part, type == "Polygon");
       } else {
+        builder_.begin_polygon();
         if (!part.is_array()) builder_.fail("coordinates are not lists of the depth that the type needs");
         for (const nlohmann::json& ring : part) add_line(ring, true);
       }
@@ -273,7 +290,7 @@ class GeoJson {
     return *value;
   }
 
-  void add_line(const nlohmann::json& points, bool ring) {
+  void add_line(const nlohmann::json& points, bool ring, bool close = false) {
     if (!points.is_array()) builder_.fail("coordinates are not lists of the depth that the type needs");
     std::vector<Point2> line;
     for (const nlohmann::json& p : points) {
@@ -283,6 +300,7 @@ class GeoJson {
       if (p.size() > 2 && !drop_z_) builder_.fail("has a third coordinate; to ignore it, give --drop-z");
       line.push_back({p[0].get<double>(), p[1].get<double>()});
     }
+    if (close && !line.empty() && line.front() != line.back()) line.push_back(line.front());
     builder_.add_line(line, ring);
   }
 

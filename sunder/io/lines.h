@@ -1,4 +1,4 @@
-// Segments out of files: CSV, WKT, GeoJSON.
+// Segments, and the rings of polygons, out of files: CSV, WKT, GeoJSON.
 #pragma once
 
 #include <sunder/planar/object/segments.h>
@@ -17,11 +17,19 @@ struct LineSource {
   std::uint32_t line = 0;     // of the file, from 1; 0 where the format does not tell (GeoJSON)
 };
 
+// The edges of a ring: segments[first .. first + count), in its direction.
+struct LineRing {
+  std::uint32_t first = 0, count = 0;
+  std::uint32_t polygon = 0;  // counted from 0; its rings stand together
+};
+
 // L1. There is a segment; coordinates are finite.
 // L2. source has an entry for each segment; its features increase, and are positions in features.
+// L3. rings are in the order of their segments; each has at least three, and ends where it began.
 struct LineFile {
   std::vector<planar::Segment> segments;  // ends in the order of the file
   std::vector<LineSource> source;
+  std::vector<LineRing> rings;
   std::vector<std::string> features;  // names: what the file gives as id or name, else the number counted from 1
   std::string format;                 // for people: "WKT"
 };
@@ -30,6 +38,7 @@ struct LineFile {
 //   CSV      x1,y1,x2,y2 and, if there is one, an id; a first line of names is skipped. A line is a feature.
 //   WKT      a geometry on each line: LINESTRING, MULTILINESTRING, POLYGON, MULTIPOLYGON. A line is a feature.
 //   GeoJSON  the same geometries, and collections of them; "id", else the property "name" or "id", names a feature.
+//            Also plain JSON that is a list of rings: one polygon, whose rings need not repeat their first point.
 // Lines of two points or more, and the edges of rings, become segments. A ring must end where it began. A third
 // coordinate is refused unless drop_z. Empty lines are skipped.
 // Throws Error bad_file: "FILE:LINE: what; remedy". Cost: linear.

@@ -69,6 +69,23 @@ TEST(LinesTest, GeoJson) {
   EXPECT_EQ(parse_lines(collection, "-", true).segments.size(), 4u);
 }
 
+TEST(LinesTest, Rings) {
+  const auto rings = [](const LineFile& file) {
+    std::vector<std::array<std::uint32_t, 3>> found;
+    for (const LineRing& r : file.rings) found.push_back({r.first, r.count, r.polygon});
+    return found;
+  };
+  using Rings = std::vector<std::array<std::uint32_t, 3>>;
+  EXPECT_EQ(rings(read_lines(cases / "wires.csv")), Rings{});
+  EXPECT_EQ(rings(read_lines(cases / "paths.wkt")), (Rings{{5, 4, 0}, {9, 3, 0}}));
+  EXPECT_EQ(rings(read_lines(cases / "pond.geojson")), (Rings{{0, 4, 0}, {4, 3, 0}}));
+  EXPECT_EQ(rings(parse_lines("MULTIPOLYGON(((0 0,1 0,0 1,0 0)),((5 5,6 5,5 6,5 5),(7 7,8 7,7 8,7 7)))", "x.wkt")),
+            (Rings{{0, 3, 0}, {3, 3, 1}, {6, 3, 1}}));
+  const LineFile plain = parse_lines("[[[0, 0], [4, 0], [4, 4]], [[1, 1], [2, 1], [2, 2], [1, 1]]]", "x.json");
+  EXPECT_EQ(rings(plain), (Rings{{0, 3, 0}, {3, 3, 0}}));
+  EXPECT_EQ(plain.segments[2], (Segment{{4, 4}, {0, 0}}));
+}
+
 TEST(LinesTest, DeepNestingIsRefused) {
   std::string text = R"({"type": "LineString", "coordinates": [[0, 0], [1, 1]]})";
   for (int depth = 0; depth < 100; ++depth) {

@@ -1,0 +1,30 @@
+#include <sunder/base/error.h>
+#include <sunder/planar/object/polygon.h>
+
+#include <cmath>
+#include <string>
+
+namespace sunder::planar {
+
+Polygon::Polygon(std::span<const std::vector<Point2>> rings) {
+  if (rings.empty()) throw Error(ErrorCode::bad_shape, "a polygon has at least one ring");
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const std::vector<Point2>& ring = rings[r];
+    const std::string place = "ring " + std::to_string(r);
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      if (std::isfinite(ring[k].x) && std::isfinite(ring[k].y)) continue;
+      throw Error(ErrorCode::bad_value, "a coordinate is not finite; every number must be: repair the data",
+                  place + ", vertex " + std::to_string(k));
+    }
+    const std::size_t count = ring.size() > 1 && ring.front() == ring.back() ? ring.size() - 1 : ring.size();
+    if (count < 3) throw Error(ErrorCode::bad_shape, "a ring has at least three vertices; leave it out", place);
+    if (vertices_.size() + count >= std::size_t{1} << 31) {
+      throw Error(ErrorCode::bad_shape, "a polygon has fewer than 2^31 vertices; split it", place);
+    }
+    vertices_.insert(vertices_.end(), ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(count));
+    ring_.resize(vertices_.size(), static_cast<std::uint32_t>(r));
+    begin_.push_back(static_cast<std::uint32_t>(vertices_.size()));
+  }
+}
+
+}  // namespace sunder::planar

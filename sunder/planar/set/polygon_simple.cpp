@@ -1,0 +1,79 @@
+#include <sunder/planar/set/polygon_simple.h>
+#include <sunder/planar/set/segments_any.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+namespace sunder::planar {
+
+namespace {
+
+Segment sorted(const Segment& s) { return lexicographically_less(s.b, s.a) ? Segment{s.b, s.a} : s; }
+
+void name(PolygonSimpleAnswer& answer, ContactKind kind, std::uint32_t i, std::uint32_t j) {
+  answer.kind = kind;
+  answer.i = std::min(i, j);
+  answer.j = std::max(i, j);
+}
+
+// Two vertices that are equal: some of the edges at one and some at the other have a contact that counts.
+void name_equal_vertices(const Polygon& polygon, std::uint32_t u, std::uint32_t v, PolygonSimpleAnswer& answer) {
+  for (const std::uint32_t i : {u, polygon.previous(u)}) {
+    for (const std::uint32_t j : {v, polygon.previous(v)}) {
+      if (i == j) continue;
+      const ContactKind kind = counted_contact(polygon, i, j);
+      if (kind != ContactKind::none) return name(answer, kind, i, j);
+    }
+  }
+}
+
+}  // namespace
+
+ContactKind counted_contact(const Polygon& polygon, std::uint32_t i, std::uint32_t j) {
+  const ContactKind kind = segment_segment(sorted(polygon.edge(i)), sorted(polygon.edge(j)));
+  const bool follow = polygon.next(i) == j || polygon.next(j) == i;
+  return follow && kind == ContactKind::shared_endpoint ? ContactKind::none : kind;
+}
+
+PolygonSimpleAnswer polygon_simple(const Polygon& polygon) { return polygon_simple_by_sweep(polygon); }
+
+PolygonSimpleAnswer polygon_simple_by_sweep(const Polygon& polygon) {
+  PolygonSimpleAnswer answer;
+  const std::vector<Point2>& p = polygon.vertices();
+  std::vector<std::uint32_t> order(polygon.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t u, std::uint32_t v) {
+    return lexicographically_less(p[u], p[v]) || (p[u] == p[v] && u < v);
+  });
+  for (std::size_t k = 1; k < order.size() && answer.simple(); ++k) {
+    ++answer.cost.probes;
+    if (p[order[k - 1]] == p[order[k]]) name_equal_vertices(polygon, order[k - 1], order[k], answer);
+  }
+  if (!answer.simple()) return answer;
+
+  std::vector<Segment> edges;
+  edges.reserve(polygon.size());
+  for (std::uint32_t k = 0; k < polygon.size(); ++k) edges.push_back(polygon.edge(k));
+  const SegmentsAnswer contact = segments_any_by_sweep(Segments(edges), {Allowed::shared_endpoint, false});
+  answer.cost.probes += contact.cost.probes;
+  if (contact.meet()) name(answer, contact.kind, contact.i, contact.j);
+  return answer;
+}
+
+PolygonSimpleAnswer polygon_simple_by_scan(const Polygon& polygon) {
+  PolygonSimpleAnswer answer;
+  for (std::uint32_t i = 0; i < polygon.size(); ++i) {
+    for (std::uint32_t j = i + 1; j < polygon.size(); ++j) {
+      ++answer.cost.probes;
+      const ContactKind kind = counted_contact(polygon, i, j);
+      if (kind == ContactKind::none) continue;
+      name(answer, kind, i, j);
+      return answer;
+    }
+  }
+  return answer;
+}
+
+}  // namespace sunder::planar

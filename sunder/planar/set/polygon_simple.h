@@ -1,0 +1,41 @@
+// Is a polygon simple: do no two of its edges meet but where one follows the other?
+//
+// Edges that follow each other in a ring share an end, which does not count; any other contact does: a crossing, a
+// touch, an overlap (also of edges that follow each other: a spike), an end shared by edges that do not follow each
+// other (a vertex that two rings, or one ring twice, pass through, and a vertex that is repeated).
+//   P1. simple() is true iff no two edges have a contact that counts.
+//   P2. The contact named counts; which one it is may differ from method to method.
+// Not asked here: whether holes lie inside of the outer ring, and which way rings are turned.
+// Source: Shamos & Hoey 1976, section IV, Theorem 4.
+#pragma once
+
+#include <sunder/base/cost.h>
+#include <sunder/planar/object/polygon.h>
+#include <sunder/planar/pair/segment_segment.h>
+
+#include <cstdint>
+
+namespace sunder::planar {
+
+struct PolygonSimpleAnswer {
+  ContactKind kind = ContactKind::none;  // of the contact; none: the polygon is simple
+  std::uint32_t i = 0, j = 0;            // the two edges, i < j; meaningless for `none`
+  Cost cost;                             // probes: pairs of edges and of vertices that were compared
+
+  bool simple() const { return kind == ContactKind::none; }
+};
+
+// The front door: the fastest method measured.
+PolygonSimpleAnswer polygon_simple(const Polygon& polygon);
+
+// Equal vertices by sorting, then segments_any on the edges, where shared ends are allowed: all that are left are of
+// edges that follow each other. O(N log N) comparisons, O(N) memory.
+PolygonSimpleAnswer polygon_simple_by_sweep(const Polygon& polygon);
+
+// Every pair of edges: the oracle. O(N^2) time.
+PolygonSimpleAnswer polygon_simple_by_scan(const Polygon& polygon);
+
+// How two different edges meet, where it counts; else none.
+ContactKind counted_contact(const Polygon& polygon, std::uint32_t i, std::uint32_t j);
+
+}  // namespace sunder::planar

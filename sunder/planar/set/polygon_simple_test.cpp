@@ -1,0 +1,123 @@
+// Simple or not, and by which edges; against every pair.
+#include <sunder/base/error.h>
+#include <sunder/base/random.h>
+#include <sunder/planar/set/polygon_simple.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <vector>
+
+namespace sunder::planar {
+namespace {
+
+using Ring = std::vector<Point2>;
+
+// Both methods, checked against each other.
+PolygonSimpleAnswer ask(const std::vector<Ring>& rings) {
+  const Polygon polygon(rings);
+  const PolygonSimpleAnswer scan = polygon_simple_by_scan(polygon), sweep = polygon_simple_by_sweep(polygon);
+  EXPECT_EQ(scan.simple(), sweep.simple());
+  EXPECT_EQ(scan.simple(), polygon_simple(polygon).simple());
+  if (!sweep.simple()) {
+    EXPECT_LT(sweep.i, sweep.j);
+    EXPECT_EQ(counted_contact(polygon, sweep.i, sweep.j), sweep.kind);
+  }
+  return sweep;
+}
+
+const Ring square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+
+TEST(PolygonSimpleTest, SimpleOnes) {
+  EXPECT_TRUE(ask({square}).simple());
+  EXPECT_TRUE(ask({{{0, 0}, {4, 0}, {0, 4}}}).simple());
+  EXPECT_TRUE(ask({{{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}}}).simple());  // a vertex in the middle of a side
+  EXPECT_TRUE(ask({square, {{1, 1}, {2, 1}, {1, 2}}}).simple());
+  EXPECT_TRUE(ask({{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}}).simple());  // closed, as in files
+}
+
+TEST(PolygonSimpleTest, OthersAndWhy) {
+  const auto kind = [](const std::vector<Ring>& rings) { return ask(rings).kind; };
+  EXPECT_EQ(kind({{{0, 0}, {4, 4}, {4, 0}, {0, 4}}}), ContactKind::crossing);                         // an hourglass
+  EXPECT_EQ(kind({{{0, 0}, {4, 0}, {2, 2}, {4, 4}, {0, 4}, {2, 2}}}), ContactKind::shared_endpoint);  // through (2, 2)
+  EXPECT_EQ(kind({{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}}), ContactKind::touch);
+  EXPECT_NE(kind({{{0, 0}, {4, 0}, {6, 0}, {4, 0}, {4, 4}}}), ContactKind::none);  // a spike: overlap, shared end
+  EXPECT_EQ(kind({{{0, 0}, {1, 1}, {2, 2}}}), ContactKind::overlap);               // flat
+  EXPECT_NE(kind({{{0, 0}, {4, 0}, {4, 0}, {4, 4}}}), ContactKind::none);          // a repeated vertex
+  EXPECT_NE(kind({{{1, 1}, {1, 1}, {2, 1}, {1, 2}}}), ContactKind::none);
+  EXPECT_EQ(kind({square, {{4, 2}, {2, 3}, {2, 1}}}), ContactKind::touch);  // a hole at the shore
+  EXPECT_EQ(kind({square, {{4, 4}, {2, 3}, {3, 2}}}), ContactKind::shared_endpoint);
+  EXPECT_EQ(kind({square, {{3, 1}, {5, 2}, {3, 2}}}), ContactKind::crossing);
+  EXPECT_NE(kind({square, square}), ContactKind::none);
+}
+
+TEST(PolygonSimpleTest, RingsAreNumberedThrough) {
+  const Polygon polygon(std::vector<Ring>{square, {{1, 1}, {2, 1}, {1, 2}, {1, 1}}});
+  EXPECT_EQ(polygon.size(), 7u);
+  EXPECT_EQ(polygon.ring_count(), 2u);
+  EXPECT_EQ(polygon.ring_begin(1), 4u);
+  EXPECT_EQ(polygon.ring_of(3), 0u);
+  EXPECT_EQ(polygon.ring_of(4), 1u);
+  EXPECT_EQ(polygon.next(3), 0u);
+  EXPECT_EQ(polygon.next(6), 4u);
+  EXPECT_EQ(polygon.previous(4), 6u);
+  EXPECT_EQ(polygon.previous(0), 3u);
+  EXPECT_EQ(polygon.edge(6), (Segment{{1, 2}, {1, 1}}));
+}
+
+TEST(PolygonSimpleTest, BadRingsAreRefused) {
+  const auto code = [](const std::vector<Ring>& rings) {
+    try {
+      Polygon{rings};
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return ErrorCode::bad_call;
+  };
+  EXPECT_EQ(code({}), ErrorCode::bad_shape);
+  EXPECT_EQ(code({{{0, 0}, {1, 1}}}), ErrorCode::bad_shape);
+  EXPECT_EQ(code({{{0, 0}, {1, 1}, {0, 0}}}), ErrorCode::bad_shape);
+  EXPECT_EQ(code({square, {{0, 0}, {1, std::numeric_limits<double>::infinity()}, {0, 0}}}), ErrorCode::bad_value);
+}
+
+// Small grids, where every degeneracy is common; and stars, which are simple, with a vertex moved sometimes.
+TEST(PolygonSimpleTest, AgainstEveryPair) {
+  Random random(107);
+  const char* text = std::getenv("SUNDER_TEST_SCALE");
+  const int count = static_cast<int>(20000 * std::min(1.0, text ? std::atof(text) : 1.0));
+  std::map<ContactKind, int> seen;
+  for (int i = 0; i < count; ++i) {
+    std::vector<Ring> rings(1 + random.below(i % 3 == 0 ? 2 : 1));
+    for (Ring& ring : rings) {
+      const std::int64_t n = random.between(3, 9);
+      if (i % 2 == 0) {
+        const std::int64_t side = random.between(2, 6);
+        const auto whole = [&] { return static_cast<double>(random.between(0, side)); };
+        for (std::int64_t k = 0; k < n; ++k) ring.push_back({whole(), whole()});
+      } else {
+        const Point2 centre{random.uniform(-2, 2), random.uniform(-2, 2)};
+        for (std::int64_t k = 0; k < n; ++k) {
+          const double t = 6.283185307179586 * static_cast<double>(k) / static_cast<double>(n),
+                       r = random.uniform(0.2, 1);
+          ring.push_back({centre.x + r * std::cos(t), centre.y + r * std::sin(t)});
+        }
+        if (random.below(2)) ring[0] = {random.uniform(-1, 1), random.uniform(-1, 1)};
+      }
+      if (ring.front() == ring.back() && ring.size() == 3) ring[0].x += 9;
+    }
+    ++seen[ask(rings).kind];
+    if (HasFailure()) FAIL() << i;
+  }
+  if (count < 2000) return;
+  for (const ContactKind kind : {ContactKind::none, ContactKind::shared_endpoint, ContactKind::touch,
+                                 ContactKind::crossing, ContactKind::overlap}) {
+    EXPECT_GT(seen[kind], count / 100) << name_of(kind);
+  }
+}
+
+}  // namespace
+}  // namespace sunder::planar
