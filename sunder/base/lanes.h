@@ -10,6 +10,7 @@
 namespace sunder {
 
 using Lanes = double __attribute__((vector_size(16)));
+using LanesMask = std::int64_t __attribute__((vector_size(16)));  // of comparisons: -1 where true, else 0
 
 inline Lanes lanes_at(const double* p) {
   Lanes lanes;
@@ -33,8 +34,7 @@ inline std::uint32_t first_of_greatest(const Lanes* values, std::uint32_t count)
     right = greater_of(right, values[i + 1]);
   }
   const double greatest = greater_lane(greater_of(left, right));
-  using Bits = std::int64_t __attribute__((vector_size(16)));
-  Bits found{0, 0}, bit{1, 2}, next_bit{4, 8};
+  LanesMask found{0, 0}, bit{1, 2}, next_bit{4, 8};
   for (std::uint32_t i = 0; i < count; i += 2) {
     found |= ((values[i] == greatest) & bit) | ((values[i + 1] == greatest) & next_bit);
     bit <<= 4;

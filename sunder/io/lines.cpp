@@ -209,10 +209,11 @@ class GeoJson {
     nlohmann::json top;
     try {
       top = nlohmann::json::parse(text);
-    } catch (const nlohmann::json::parse_error& error) {
+    } catch (const nlohmann::json::exception& error) {  // not JSON, or a number beyond the doubles
       const std::string what = error.what();
-      const std::size_t at = what.find(" at line ");
-      fail_file(place, "is not JSON: " + one_line(at == std::string::npos ? what : what.substr(at + 1)));
+      std::size_t at = what.find(" at line ");
+      if (at == std::string::npos) at = what.find("] ") + 1;
+      fail_file(place, "is not JSON that can be read: " + one_line(what.substr(at + 1)));
     }
     if (top.is_array() && !top.empty() && top[0].is_array()) {
       builder_.begin_feature({}, 0);

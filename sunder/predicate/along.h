@@ -97,7 +97,7 @@ class Along {
     const double magnitude = rounded_.x.magnitude + rounded_.y.magnitude + rounded_.z.magnitude;
     const double error = Rounded<12>::bound * (magnitude * (2 * reach));
     const double dx = Side * rounded_.x.value, dy = Side * rounded_.y.value, dz = Side * rounded_.z.value;
-    auto all = lanes_at(x) == lanes_at(x);
+    LanesMask all{-1, -1};
     for (std::size_t j = 0; j < count; j += 2) {
       all &= dx * (lanes_at(x + j) - at.x) + dy * (lanes_at(y + j) - at.y) + dz * (lanes_at(z + j) - at.z) > error;
     }
