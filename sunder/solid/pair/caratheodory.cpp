@@ -9,10 +9,6 @@ namespace sunder::solid {
 
 namespace {
 
-// Weights below this part of the largest are taken for zero.
-template <class Real>
-constexpr double negligible = std::is_same_v<Real, double> ? 0x1p-40 : 0x1p-92;
-
 // Of the vertices that make a tetrahedron which holds the origin, five that are enough (Caratheodory's theorem), in
 // floating point. This is what a search for deep bodies ends with; so there are no branches, and no stores of single
 // numbers into rows that are read whole.
@@ -92,21 +88,6 @@ class TetrahedronReduction {
   const std::array<DifferenceVertex, 4>& vertex_;
   Row weight_;
   std::array<Row, 3> moves_;
-};
-
-// The different vertices of one body in a simplex.
-struct Support {
-  std::array<std::uint32_t, 4> vertex{};
-  std::size_t count = 0;
-
-  // Returns where the vertex stands.
-  std::size_t add(std::uint32_t v) {
-    for (std::size_t i = 0; i < count; ++i) {
-      if (vertex[i] == v) return i;
-    }
-    vertex[count] = v;
-    return count++;
-  }
 };
 
 // The vertices of both bodies that a simplex is made of, with weights: solutions of

@@ -7,8 +7,29 @@
 #include <sunder/solid/pair/placed.h>
 
 #include <array>
+#include <cstdint>
+#include <type_traits>
 
 namespace sunder::solid {
+
+// Weights below this part of the largest are taken for zero.
+template <class Real>
+constexpr double negligible = std::is_same_v<Real, double> ? 0x1p-40 : 0x1p-92;
+
+// The different vertices of one body in a simplex.
+struct Support {
+  std::array<std::uint32_t, 4> vertex{};
+  std::size_t count = 0;
+
+  // Returns where the vertex stands.
+  std::size_t add(std::uint32_t v) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (vertex[i] == v) return i;
+    }
+    vertex[count] = v;
+    return count++;
+  }
+};
 
 // Of a tetrahedron that holds the origin, with the origin's weights, up to a factor, all positive. Names the vertices
 // in the certificate. False where rounding spoils it.

@@ -11,9 +11,6 @@ namespace sunder::solid {
 
 namespace {
 
-// Weights below this part of the largest are taken for zero.
-constexpr double negligible = 0x1p-40;
-
 PlacedVertices vertices_of(const Placed& body) { return {body.graph.vertices, body.pose, body.tame}; }
 
 // The exact part of both apart checks: the extreme vertices, then strictness.
@@ -32,21 +29,6 @@ bool parts(const Placed& a, const Placed& b, const WorldDirection& direction, st
   certificate.extreme_b = last_b;
   return true;
 }
-
-// The different vertices of one body in a simplex.
-struct Support {
-  std::array<std::uint32_t, 4> vertex{};
-  std::size_t count = 0;
-
-  // Returns where the vertex stands.
-  std::size_t add(std::uint32_t v) {
-    for (std::size_t i = 0; i < count; ++i) {
-      if (vertex[i] == v) return i;
-    }
-    vertex[count] = v;
-    return count++;
-  }
-};
 
 }  // namespace
 
@@ -123,7 +105,7 @@ bool check_apart_by_features(const Placed& a, const Placed& b, const DifferenceS
   DifferenceSimplex simplex = given;
   if (given.count == 4) {
     const std::array<double, 4> weights = weights_of_origin(given);
-    const double least = *std::max_element(weights.begin(), weights.end()) * negligible;
+    const double least = *std::max_element(weights.begin(), weights.end()) * negligible<double>;
     simplex.count = 0;
     for (std::size_t i = 0; i < 4; ++i) {
       if (weights[i] > least) simplex.vertex[static_cast<std::size_t>(simplex.count++)] = given.vertex[i];
@@ -141,7 +123,7 @@ bool check_apart_by_features(const Placed& a, const Placed& b, const DifferenceS
     if (nearest == nullptr || inner(w.at, w.at) < inner(nearest->at, nearest->at)) nearest = &w;
   }
   if (nearest == nullptr) return false;
-  if (simplex.count == 1 || inner(nearest->at, nearest->at) < largest * negligible * negligible) {
+  if (simplex.count == 1 || inner(nearest->at, nearest->at) < largest * (negligible<double> * negligible<double>)) {
     if (parts_along_facet_at(a, b, *nearest, certificate, tally)) return true;
   }
   const auto attempt = [&](Direction::Kind kind, const std::array<std::uint32_t, 4>& index) {
