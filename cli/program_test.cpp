@@ -424,6 +424,13 @@ TEST_F(Program, SegmentsUnderRules) {
   EXPECT_EQ(run("verify '" + proof + "'").code, 1);
 }
 
+TEST_F(Program, SegmentsNearTheEndOfTheRange) {
+  write_text(in_folder("large.csv"), "1.5e308,1.5e308,1.7e308,1.71e308\n1.5e308,1.7e308,1.7e308,1.52e308\n");
+  const json r = report("segments '" + in_folder("large.csv") + "'", 1);
+  EXPECT_GT(r["contacts"][0]["point"][0], 1.5e308);
+  EXPECT_LT(r["contacts"][0]["point"][0], 1.7e308);
+}
+
 TEST_F(Program, SegmentsBadCallsAndFiles) {
   const std::string wires = cases + "/segments/wires.csv";
   expect_bad("segments " + wires + " --allow crossing", "there is nothing named 'crossing' to allow");
@@ -451,6 +458,13 @@ TEST_F(Program, SimplePolygons) {
   EXPECT_NE(text.out.find("feature 2: not simple: crossing"), std::string::npos) << text.out;
   EXPECT_NE(text.out.find("ring 0, edge 0, line 2: (0, 0) to (4, 4)"), std::string::npos) << text.out;
   EXPECT_NE(text.out.find("1 of 2 polygons simple, 11 edges"), std::string::npos) << text.out;
+  // A vertex repeated just where the ring is closed counts as anywhere else.
+  write_text(file, "POLYGON ((0 0, 1 0, 0 1, 0 0, 0 0))\n");
+  EXPECT_EQ(run("simple '" + file + "'").code, 1);
+  write_text(file, "POLYGON ((0 0, 0 0, 0 0, 0 0, 0 0))\n");
+  EXPECT_EQ(run("simple '" + file + "'").code, 1);
+  write_text(file, "POLYGON ((0 0, 1 0, 0 1, 0 0))\nLINESTRING (0 0, 1 1)\n");
+  EXPECT_NE(run("simple '" + file + "'").out.find("1 segment of lines passed over"), std::string::npos);
 }
 
 }  // namespace

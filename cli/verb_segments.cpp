@@ -54,12 +54,12 @@ SegmentsAnswer answer_by(const std::string& method, const Segments& segments, co
 
 std::string about(const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); }
 
-// The common point in the nearest doubles, for people.
+// The common point in doubles, for people.
 Point2 common_point_about(const Segment& s, const Segment& t) {
   const planar::CommonPoint p = planar::common_point(s, t);
   const auto ratio = [&](const Dyadic& n) {
-    // Numerators may be beyond the doubles: both are brought near 1 first.
-    const std::int64_t bits = static_cast<std::int64_t>(msb(p.denominator.mantissa())) + p.denominator.exponent();
+    // The denominator is brought into [1/2, 1): so the numerator is not larger than the coordinate.
+    const std::int64_t bits = static_cast<std::int64_t>(msb(p.denominator.mantissa())) + p.denominator.exponent() + 1;
     const auto scaled = [&](const Dyadic& x) { return Dyadic(x.mantissa(), x.exponent() - bits).nearest(); };
     return scaled(n) / scaled(p.denominator);
   };

@@ -46,9 +46,16 @@ std::vector<Result> answers(const Call& call, const io::LineFile& file) {
     for (; r < file.rings.size() && file.rings[r].polygon == number; ++r) {
       std::vector<Point2>& ring = rings.emplace_back();
       for (std::uint32_t k = 0; k < file.rings[r].count; ++k) ring.push_back(file.segments[file.rings[r].first + k].a);
+      ring.push_back(ring.front());  // as in the file: Polygon leaves out exactly this one
     }
-    const Polygon polygon(rings);
-    results.push_back({first, file.source[file.rings[first].first].feature, polygon, answer_by(call.method, polygon)});
+    const std::uint32_t feature = file.source[file.rings[first].first].feature;
+    try {
+      const Polygon polygon(rings);
+      results.push_back({first, feature, polygon, answer_by(call.method, polygon)});
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::bad_call) throw;
+      io::fail_file(call.file, fmt::format("feature {}: {}", file.features[feature], error.what()));
+    }
   }
   return results;
 }
@@ -63,6 +70,12 @@ std::string edge_text(const io::LineFile& file, const Result& result, std::uint3
                      line > 0 ? fmt::format(", line {}", line) : "", about(edge.a), about(edge.b));
 }
 
+std::uint64_t edges_of_rings(const io::LineFile& file) {
+  std::uint64_t edges = 0;
+  for (const io::LineRing& ring : file.rings) edges += ring.count;
+  return edges;
+}
+
 std::string human_text(const Call& call, const io::LineFile& file, const std::vector<Result>& results) {
   std::string text;
   std::uint64_t simple = 0, edges = 0;
@@ -75,8 +88,11 @@ std::string human_text(const Call& call, const io::LineFile& file, const std::ve
       text += "  " + edge_text(file, result, k) + "\n";
     }
   }
-  return text + fmt::format("{}: {} of {} simple, {}, {}\n", call.file, simple, count_of(results.size(), "polygon"),
-                            count_of(edges, "edge"), file.format);
+  text += fmt::format("{}: {} of {} simple, {}, {}\n", call.file, simple, count_of(results.size(), "polygon"),
+                      count_of(edges, "edge"), file.format);
+  const std::uint64_t others = file.segments.size() - edges_of_rings(file);
+  if (others > 0) text += fmt::format("{} of lines passed over\n", count_of(others, "segment"));
+  return text;
 }
 
 Json report(const Call& call, const io::LineFile& file, const std::vector<Result>& results, bool all) {

@@ -35,6 +35,8 @@ class Builder {
     file.features.push_back(name.empty() ? std::to_string(file.features.size() + 1) : std::move(name));
   }
 
+  void at_line(std::uint32_t line) { line_ = line; }
+
   void add(const Point2& a, const Point2& b) {
     file.segments.push_back({a, b});
     file.source.push_back({static_cast<std::uint32_t>(file.features.size() - 1), line_});
@@ -73,38 +75,74 @@ class Builder {
   std::uint32_t line_ = 0, polygons_ = 0;
 };
 
-// Calls with each line that is not blank, and its number.
+// Calls with each line that is not blank, and its number. A line ends with LF, CR LF or CR.
 template <class OfLine>
 void for_each_line(std::string_view text, const OfLine& of_line) {
   std::uint32_t number = 0;
   while (!text.empty()) {
     ++number;
-    const std::size_t end = text.find('\n');
+    const std::size_t end = text.find_first_of("\r\n");
     const std::string_view line = trimmed(text.substr(0, end));
     if (!line.empty()) of_line(line, number);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    const bool two = end != std::string_view::npos && text.substr(end, 2) == "\r\n";
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + (two ? 2 : 1));
   }
+}
+
+// A field without blanks and without a pair of quotes around it.
+std::string_view field_of(std::string_view text, const Builder& builder) {
+  text = trimmed(text);
+  if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = trimmed(text.substr(1, text.size() - 2));
+  if (text.find('"') != std::string_view::npos) {
+    builder.fail(fmt::format("{} has a quote within; write fields without separators and quotes", quote(text)));
+  }
+  return text;
+}
+
+bool is_number(std::string_view word) {
+  double value = 0;
+  return parse_number(word, value) == nullptr;
+}
+
+// Is this a line of names? None of the first four is a number, and the first begins as names do.
+bool are_names(const std::vector<std::string_view>& fields) {
+  const std::size_t looked_at = std::min<std::size_t>(fields.size(), 4);
+  if (std::any_of(fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(looked_at), is_number)) return false;
+  std::string first(fields[0].substr(0, 8));
+  std::transform(first.begin(), first.end(), first.begin(), upper);
+  if (first.empty() || first == "NAN" || first == "INF" || first == "INFINITY") return false;
+  return ('A' <= first[0] && first[0] <= 'Z') || first[0] == '_';
 }
 
 void parse_csv(std::string_view text, Builder& builder) {
   bool first = true;
+  char separator = ',';
   for_each_line(text, [&](std::string_view line, std::uint32_t number) {
+    if (first && line.find(';') != std::string_view::npos) separator = ';';
+    builder.at_line(number);
     std::vector<std::string_view> fields;
     for (std::string_view rest = line;;) {
-      const std::size_t comma = rest.find_first_of(",;");
-      fields.push_back(trimmed(rest.substr(0, comma)));
-      if (comma == std::string_view::npos) break;
-      rest.remove_prefix(comma + 1);
+      const std::size_t end = rest.find(separator);
+      fields.push_back(field_of(rest.substr(0, end), builder));
+      if (end == std::string_view::npos) break;
+      rest.remove_prefix(end + 1);
     }
-    double value = 0;
-    const bool names = first && parse_number(fields[0], value) != nullptr && fields[0].find_first_of("0123456789") != 0;
+    const bool names = first && are_names(fields);
     first = false;
-    if (names) return;
-    builder.begin_feature(fields.size() > 4 ? one_line(fields[4]) : std::string(), number);
-    if (fields.size() < 4)
+    if (fields.size() < 4 || fields.size() > 5) {
       builder.fail(fmt::format("has {} fields; give x1,y1,x2,y2 and, if you like, an id", fields.size()));
-    builder.add({builder.number(fields[0]), builder.number(fields[1])},
-                {builder.number(fields[2]), builder.number(fields[3])});
+    }
+    if (names) {
+      const char initial = upper(fields[0][0]);
+      if (initial != 'X' && fields.size() == 5) {
+        builder.fail(fmt::format("the first column is named {}; the order is x1,y1,x2,y2,id", quote(fields[0])));
+      }
+      return;
+    }
+    builder.begin_feature(fields.size() > 4 ? one_line(fields[4]) : std::string(), number);
+    const Point2 from{builder.number(fields[0]), builder.number(fields[1])};
+    const Point2 to{builder.number(fields[2]), builder.number(fields[3])};
+    builder.add(from, to);
   });
 }
 
@@ -116,11 +154,8 @@ class Wkt {
   void geometry() {
     const std::string type = word();
     const std::string tag = word();
-    if (tag == "Z" || tag == "M" || tag == "ZM") {
-      z_ = tag.size();
-    } else if (tag == "EMPTY") {
-      builder_.fail("is empty; leave the line out");
-    } else if (!tag.empty()) {
+    if (tag == "EMPTY") builder_.fail("is empty; leave the line out");
+    if (!tag.empty() && tag != "Z" && tag != "M" && tag != "ZM") {
       builder_.fail(fmt::format("{} after {} is not understood", quote(tag), type));
     }
     if (type == "LINESTRING") {
@@ -198,7 +233,6 @@ class Wkt {
   std::string_view rest_;
   Builder& builder_;
   bool drop_z_;
-  std::size_t z_ = 0;
 };
 
 class GeoJson {

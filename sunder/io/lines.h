@@ -24,7 +24,7 @@ struct LineRing {
 };
 
 // L1. There is a segment; coordinates are finite.
-// L2. source has an entry for each segment; its features increase, and are positions in features.
+// L2. source has an entry for each segment; its features do not decrease, and are positions in features.
 // L3. rings are in the order of their segments; each has at least three, and ends where it began.
 struct LineFile {
   std::vector<planar::Segment> segments;  // ends in the order of the file
@@ -35,7 +35,8 @@ struct LineFile {
 };
 
 // Reads the file whole; its format is told by its ending (.csv, .wkt, .geojson, .json), else by its first character.
-//   CSV      x1,y1,x2,y2 and, if there is one, an id; a first line of names is skipped. A line is a feature.
+//   CSV      x1,y1,x2,y2 and, if there is one, an id; a first line of names is skipped. A line is a feature. Where the
+//            first line has a semicolon, semicolons part the fields. A field may stand in quotes, but hold none.
 //   WKT      a geometry on each line: LINESTRING, MULTILINESTRING, POLYGON, MULTIPOLYGON. A line is a feature.
 //   GeoJSON  the same geometries, and collections of them; "id", else the property "name" or "id", names a feature.
 //            Also plain JSON that is a list of rings: one polygon, whose rings need not repeat their first point.

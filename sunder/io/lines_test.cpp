@@ -37,11 +37,19 @@ TEST(LinesTest, Csv) {
 }
 
 TEST(LinesTest, CsvWithoutNames) {
-  const LineFile file = parse_lines("1;2;3;4\r\n\r\n -1e3 , +5, 2,.5\r\n", "numbers");
+  const LineFile file = parse_lines("1;2;3;4\r\n\r\n -1e3 ; +5; 2;.5\r\n", "numbers");
   ASSERT_EQ(file.segments.size(), 2u);
   EXPECT_EQ(file.segments[1], (Segment{{-1000, 5}, {2, 0.5}}));
   EXPECT_EQ(file.features, (std::vector<std::string>{"1", "2"}));
   EXPECT_EQ(file.source[1].line, 3u);
+}
+
+TEST(LinesTest, CsvInQuotesAndWithOldLineEnds) {
+  const LineFile file = parse_lines("\"0\",\"0\",\"1\",\"1\"\r0,0,1,1,a\r\n0,1,1,0,\"b c\"\r", "a.csv");
+  ASSERT_EQ(file.segments.size(), 3u);
+  EXPECT_EQ(file.segments[0], (Segment{{0, 0}, {1, 1}}));
+  EXPECT_EQ(file.features, (std::vector<std::string>{"1", "a", "b c"}));
+  EXPECT_EQ(file.source[2].line, 3u);
 }
 
 TEST(LinesTest, Wkt) {
@@ -104,6 +112,14 @@ TEST(LinesTest, WhatIsWrongAndWhere) {
       {"a.csv", "1,2,3,4\n1,2,nan,4\n", "a.csv:2: 'nan' is NaN"},
       {"a.csv", "1,2,3,4\n\n1,2,3,1e999\n", "a.csv:3: '1e999' is too large"},
       {"a.csv", "1,2,3,x\n", "a.csv:1: 'x' is not a number"},
+      {"a.csv", "inf,0,1,1\n5,5,6,6\n", "a.csv:1: 'inf' is infinite"},
+      {"a.csv", "nan,nan,nan,nan\n5,5,6,6\n", "a.csv:1: 'nan' is NaN"},
+      {"a.csv", "-1e400,0,1,1\n5,5,6,6\n", "a.csv:1: '-1e400' is too large"},
+      {"a.csv", ".x,0,1,1\n5,5,6,6\n", "a.csv:1: '.x' is not a number"},
+      {"a.csv", "0,5;1,0;2,0;3,0\n", "a.csv:1: '0,5'"},
+      {"a.csv", "x1,y1,z1,x2,y2,z2\n0,0,0,1,1,0\n", "a.csv:1: has 6 fields"},
+      {"a.csv", "id,x1,y1,x2,y2\n1,0,0,5,5\n", "the order is x1,y1,x2,y2,id"},
+      {"a.csv", "0,0,1,1,\"a,b\"\n", "a.csv:1"},
       {"a.wkt", "LINESTRING (0 0, 1 1\n", "a.wkt:1: ends where ')' is expected"},
       {"a.wkt", "LINESTRING (0 0)\n", "a.wkt:1: a line has fewer than two points"},
       {"a.wkt", "LINESTRING (0 0, 1)\n", "a.wkt:1: a point has two numbers"},

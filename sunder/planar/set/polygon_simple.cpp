@@ -12,19 +12,22 @@ namespace {
 
 Segment sorted(const Segment& s) { return lexicographically_less(s.b, s.a) ? Segment{s.b, s.a} : s; }
 
-void name(PolygonSimpleAnswer& answer, ContactKind kind, std::uint32_t i, std::uint32_t j) {
+void report(PolygonSimpleAnswer& answer, ContactKind kind, std::uint32_t i, std::uint32_t j) {
   answer.kind = kind;
   answer.i = std::min(i, j);
   answer.j = std::max(i, j);
 }
 
-// Two vertices that are equal: some of the edges at one and some at the other have a contact that counts.
-void name_equal_vertices(const Polygon& polygon, std::uint32_t u, std::uint32_t v, PolygonSimpleAnswer& answer) {
+// Two vertices that are equal, next to each other in the order of vertices. Of the edges at one and the other some two
+// have a contact that counts: where the vertices do not follow each other, any two that do not; where they do, the edge
+// between them has length zero, and those around it share its point, or are one edge (a ring of three), whose two
+// directions overlap, or have length zero too.
+void report_equal_vertices(const Polygon& polygon, std::uint32_t u, std::uint32_t v, PolygonSimpleAnswer& answer) {
   for (const std::uint32_t i : {u, polygon.previous(u)}) {
     for (const std::uint32_t j : {v, polygon.previous(v)}) {
       if (i == j) continue;
       const ContactKind kind = counted_contact(polygon, i, j);
-      if (kind != ContactKind::none) return name(answer, kind, i, j);
+      if (kind != ContactKind::none) return report(answer, kind, i, j);
     }
   }
 }
@@ -34,7 +37,9 @@ void name_equal_vertices(const Polygon& polygon, std::uint32_t u, std::uint32_t 
 ContactKind counted_contact(const Polygon& polygon, std::uint32_t i, std::uint32_t j) {
   const ContactKind kind = segment_segment(sorted(polygon.edge(i)), sorted(polygon.edge(j)));
   const bool follow = polygon.next(i) == j || polygon.next(j) == i;
-  return follow && kind == ContactKind::shared_endpoint ? ContactKind::none : kind;
+  const auto is_point = [&](std::uint32_t k) { return polygon.edge(k).a == polygon.edge(k).b; };
+  const bool both_points = is_point(i) && is_point(j);  // three equal vertices in turn
+  return follow && kind == ContactKind::shared_endpoint && !both_points ? ContactKind::none : kind;
 }
 
 PolygonSimpleAnswer polygon_simple(const Polygon& polygon) { return polygon_simple_by_sweep(polygon); }
@@ -49,7 +54,7 @@ PolygonSimpleAnswer polygon_simple_by_sweep(const Polygon& polygon) {
   });
   for (std::size_t k = 1; k < order.size() && answer.simple(); ++k) {
     ++answer.cost.probes;
-    if (p[order[k - 1]] == p[order[k]]) name_equal_vertices(polygon, order[k - 1], order[k], answer);
+    if (p[order[k - 1]] == p[order[k]]) report_equal_vertices(polygon, order[k - 1], order[k], answer);
   }
   if (!answer.simple()) return answer;
 
@@ -58,7 +63,7 @@ PolygonSimpleAnswer polygon_simple_by_sweep(const Polygon& polygon) {
   for (std::uint32_t k = 0; k < polygon.size(); ++k) edges.push_back(polygon.edge(k));
   const SegmentsAnswer contact = segments_any_by_sweep(Segments(edges), {Allowed::shared_endpoint, false});
   answer.cost.probes += contact.cost.probes;
-  if (contact.meet()) name(answer, contact.kind, contact.i, contact.j);
+  if (contact.meet()) report(answer, contact.kind, contact.i, contact.j);
   return answer;
 }
 
@@ -69,7 +74,7 @@ PolygonSimpleAnswer polygon_simple_by_scan(const Polygon& polygon) {
       ++answer.cost.probes;
       const ContactKind kind = counted_contact(polygon, i, j);
       if (kind == ContactKind::none) continue;
-      name(answer, kind, i, j);
+      report(answer, kind, i, j);
       return answer;
     }
   }

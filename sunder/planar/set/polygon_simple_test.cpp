@@ -53,6 +53,11 @@ TEST(PolygonSimpleTest, OthersAndWhy) {
   EXPECT_EQ(kind({square, {{4, 4}, {2, 3}, {3, 2}}}), ContactKind::shared_endpoint);
   EXPECT_EQ(kind({square, {{3, 1}, {5, 2}, {3, 2}}}), ContactKind::crossing);
   EXPECT_NE(kind({square, square}), ContactKind::none);
+  // Repeated at the end, where a file closes the ring; and nothing but one point.
+  EXPECT_EQ(kind({{{0, 0}, {1, 0}, {0, 1}, {0, 0}}}), ContactKind::none);
+  EXPECT_NE(kind({{{0, 0}, {1, 0}, {0, 1}, {0, 0}, {0, 0}}}), ContactKind::none);
+  EXPECT_NE(kind({{{1, 1}, {1, 1}, {1, 1}, {1, 1}}}), ContactKind::none);
+  EXPECT_NE(kind({{{1, 1}, {1, 1}, {1, 1}, {1, 1}, {1, 1}}}), ContactKind::none);
 }
 
 TEST(PolygonSimpleTest, RingsAreNumberedThrough) {

@@ -8,15 +8,21 @@
 // begins at p too, or passes through p), if its last end is above the line through the other. Where that ties, both
 // are collinear and overlap, which always counts; or it has length zero, and then it is above those that it lies on.
 //
-// Why allowed contacts do no harm. Crossings and overlaps always count. So while none has been met the order of two
-// segments on the line never changes, whatever touches. Take two segments of which the first contact that counts, in
-// lexicographic order, is at p. If it is a crossing, then of the segments between them on the line just before p, each
-// one passes through p or ends there: two that pass through it and are neighbours once the others have left cross at p;
-// they were tested when they became neighbours. If it is a touch or an overlap that begins at p, one of the two begins
-// or ends at p. One that ends there has next to it, towards the other, that other, or a segment that ends at p too and
-// so touches the other one: neighbours again. One that begins at p enters next to the other, or next to one that began
-// at p before it and touches the other likewise. Ends that are shared are never neighbours on the line, as they leave
-// first; where they count, equal events are looked for instead.
+// Why allowed contacts do no harm. Crossings and overlaps always count. So while none has been met, the order of two
+// segments on the line never changes, whatever touches. At p, when the segments that end there have left, at most one
+// in the list passes through p: two would cross there, two such that are neighbours were tested when they became so.
+// Hence "above" is monotone along the list: by the side of p, and through p by direction. Take two segments s and t
+// whose contact counts and is at p, the first of all such points. On the line next to p, those between s and t contain
+// p too.
+//   A crossing: both pass through p, and when those between that end at p have left, they are neighbours.
+//   A touch, s ends: just before p, between s and t stand only segments that end at p or pass through it. From s to t
+//     some two neighbours are one that ends and one that does not (t itself at last): they touch.
+//   A touch, s begins: likewise just after p, with one that begins and the one that passes through.
+//   An overlap that begins at p: both have one direction from p, so between them stand only others of that direction,
+//     which overlap them: some two neighbours overlap.
+//   A point on t: points come before what begins, so t is the only one through p, and the point is put next to it.
+// Two segments that only share an end, last of one and first of the other, are never neighbours, as what ends leaves
+// first. Where shared ends count, equal events are looked for instead.
 #include <sunder/planar/set/segments_any.h>
 #include <sunder/planar/set/sweep_status.h>
 #include <sunder/predicate/orient.h>
