@@ -25,11 +25,11 @@ class TetrahedronReduction {
       : vertex_(tetrahedron.vertex) {
     const Point3 w0 = vertex_[0].at, a0 = a.turned(vertex_[0].a, tetrahedron.scale);
     const Point3 e1 = minus(vertex_[1].at, w0), e2 = minus(vertex_[2].at, w0), e3 = minus(vertex_[3].at, w0);
-    const Point3 n1 = outer(e2, e3), n2 = outer(e3, e1), n3 = outer(e1, e2);
-    const double scale = 1 / inner(e1, n1);
+    const Point3 n1 = cross(e2, e3), n2 = cross(e3, e1), n3 = cross(e1, e2);
+    const double scale = 1 / dot(e1, n1);
     const auto move = [&](std::size_t k, double to1, double to2, double to3) {
       const Point3 back = minus(a0, a.turned(vertex_[k].a, tetrahedron.scale));
-      const double y1 = inner(n1, back) * scale, y2 = inner(n2, back) * scale, y3 = inner(n3, back) * scale;
+      const double y1 = dot(n1, back) * scale, y2 = dot(n2, back) * scale, y3 = dot(n3, back) * scale;
       const double y0 = -(y1 + y2 + y3);
       return Row{Lanes{y0 - 1, y1 + to1}, Lanes{y2 + to2, y3 + to3}, Lanes{y0, y1}, Lanes{y2, y3}};
     };

@@ -9,7 +9,7 @@ namespace {
 
 template <class V>
 auto determinant(const V& a, const V& b, const V& c) {
-  return inner(outer(a, b), c);
+  return dot(cross(a, b), c);
 }
 
 // What is nearest within one part of the simplex: which corners span it, in increasing order, and how near.
@@ -29,7 +29,7 @@ const VectorOf<Real>& corner(const DifferenceSimplexOf<Real>& s, int i) {
 template <class Real>
 Nearest<Real> at_corner(const DifferenceSimplexOf<Real>& s, int i) {
   const VectorOf<Real>& p = corner(s, i);
-  return {{i, 0, 0}, 1, negated(p), inner(p, p)};
+  return {{i, 0, 0}, 1, negated(p), dot(p, p)};
 }
 
 // Of the segment from the newest corner to an older one.
@@ -38,15 +38,15 @@ Nearest<Real> of_segment(const DifferenceSimplexOf<Real>& s, int newest, int old
   using Vector = VectorOf<Real>;
   const Vector& a = corner(s, newest);
   const Vector e = minus(corner(s, older), a);
-  const Real t = -inner(a, e);
+  const Real t = -dot(a, e);
   if (!(t > 0)) return at_corner(s, newest);
-  const Real length2 = inner(e, e);
+  const Real length2 = dot(e, e);
   if (t >= length2) return at_corner(s, older);
   const Real part = t / length2;
   Vector d{-(a.x + part * e.x), -(a.y + part * e.y), -(a.z + part * e.z)};
-  const Real distance2 = inner(d, d);
+  const Real distance2 = dot(d, d);
   // Made perpendicular to the edge once more: near contact, d is small and carries the error of large numbers.
-  const Real off = inner(d, e) / length2;
+  const Real off = dot(d, e) / length2;
   d = {d.x - off * e.x, d.y - off * e.y, d.z - off * e.z};
   return {{older, newest, 0}, 2, d, distance2};
 }
@@ -57,15 +57,15 @@ template <class Real>
 Nearest<Real> of_triangle(const DifferenceSimplexOf<Real>& s, int newest, int b, int c, const VectorOf<Real>& n) {
   const VectorOf<Real>& a = corner(s, newest);
   const VectorOf<Real> ab = minus(corner(s, b), a), ac = minus(corner(s, c), a);
-  const bool beyond_ab = inner(outer(ab, n), a) < 0;
-  const bool beyond_ac = inner(outer(n, ac), a) < 0;
+  const bool beyond_ab = dot(cross(ab, n), a) < 0;
+  const bool beyond_ac = dot(cross(n, ac), a) < 0;
   if (beyond_ab) {
     const Nearest<Real> on_ab = of_segment(s, newest, b);
     if (!beyond_ac || on_ab.count == 2) return on_ab;
   }
   if (beyond_ac) return of_segment(s, newest, c);
-  const Real height = inner(n, a);
-  const Real area2 = inner(n, n);
+  const Real height = dot(n, a);
+  const Real area2 = dot(n, n);
   const double sense = -std::copysign(1.0, nearest(height));
   return {{b, c, newest}, 3, {sense * n.x, sense * n.y, sense * n.z}, area2 > 0 ? height * height / area2 : Real(0)};
 }
@@ -81,7 +81,7 @@ bool reduce_to_closest_face(DifferenceSimplexOf<Real>& s, VectorOf<Real>& toward
     case 2: nearest = of_segment(s, 1, 0); break;
     case 3: {
       const Vector& a = corner(s, 2);
-      nearest = of_triangle(s, 2, 0, 1, outer(minus(corner(s, 0), a), minus(corner(s, 1), a)));
+      nearest = of_triangle(s, 2, 0, 1, cross(minus(corner(s, 0), a), minus(corner(s, 1), a)));
       break;
     }
     default: {
@@ -89,13 +89,13 @@ bool reduce_to_closest_face(DifferenceSimplexOf<Real>& s, VectorOf<Real>& toward
       // one: the search went from it towards the origin.
       const Vector& a = corner(s, 3);
       const Vector ab = minus(corner(s, 0), a), ac = minus(corner(s, 1), a), ad = minus(corner(s, 2), a);
-      const Vector bc = outer(ab, ac), cd = outer(ac, ad), bd = outer(ab, ad);
-      const Real volume = inner(bc, ad);
+      const Vector bc = cross(ab, ac), cd = cross(ac, ad), bd = cross(ab, ad);
+      const Real volume = dot(bc, ad);
       nearest.count = 0;
       nearest.distance2 = std::numeric_limits<double>::infinity();
       const auto consider = [&](int i, int j, const Vector& n, const Real& side) {
         // The fourth corner is on the side of n where `side` is positive.
-        if (side * inner(n, a) < 0) return;
+        if (side * dot(n, a) < 0) return;
         const Nearest<Real> found = of_triangle(s, 3, i, j, n);
         if (found.distance2 < nearest.distance2) nearest = found;
       };
@@ -123,11 +123,11 @@ std::array<Real, 4> weights_of_nearest(const DifferenceSimplexOf<Real>& s) {
     case 1: return {1};
     case 2: {
       const Vector e = minus(b, a);
-      return {inner(b, e), -inner(a, e)};
+      return {dot(b, e), -dot(a, e)};
     }
     case 3: {
       const Vector u = minus(b, a), v = minus(c, a);
-      const Real uu = inner(u, u), uv = inner(u, v), vv = inner(v, v), ua = -inner(u, a), va = -inner(v, a);
+      const Real uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), ua = -dot(u, a), va = -dot(v, a);
       const Real wb = vv * ua - uv * va, wc = uu * va - uv * ua;
       return {(uu * vv - uv * uv) - wb - wc, wb, wc};
     }

@@ -51,7 +51,7 @@ bool parts_along_features(const Placed& a, const Placed& b, Direction::Kind kind
   d.index = index;
   d.reversed = false;
   const Vector3<Interval> n = world_direction(d, vertices_of(a), vertices_of(b)).enclosure();
-  d.reversed = inner({n.x.low, n.y.low, n.z.low}, towards) < 0;
+  d.reversed = dot({n.x.low, n.y.low, n.z.low}, towards) < 0;
   return parts(a, b, world_direction(d, vertices_of(a), vertices_of(b)), near_a, near_b, certificate, tally);
 }
 
@@ -82,10 +82,10 @@ bool parts_along_facet_at(const Placed& a, const Placed& b, const DifferenceVert
     if (count < 3) continue;
     for (std::uint32_t j = 0; j < count; ++j) {
       const std::uint32_t next = j + 1 < count ? j + 1 : 0;
-      Point3 n = outer(edge({block.x()[j], block.y()[j], block.z()[j]}),
+      Point3 n = cross(edge({block.x()[j], block.y()[j], block.z()[j]}),
                        edge({block.x()[next], block.y()[next], block.z()[next]}));
-      if ((inner(n, inward) < 0) != of_a) n = {-n.x, -n.y, -n.z};  // out of A, into B
-      const double along = inner(n, difference) / std::sqrt(inner(n, n));
+      if ((dot(n, inward) < 0) != of_a) n = {-n.x, -n.y, -n.z};  // out of A, into B
+      const double along = dot(n, difference) / std::sqrt(dot(n, n));
       if (!(along > best)) continue;
       best = along;
       towards = n;
@@ -119,11 +119,11 @@ bool check_apart_by_features(const Placed& a, const Placed& b, const DifferenceS
     const DifferenceVertex& w = simplex.vertex[i];
     of_a.add(w.a);
     of_b.add(w.b);
-    largest = std::max(largest, inner(w.at, w.at));
-    if (nearest == nullptr || inner(w.at, w.at) < inner(nearest->at, nearest->at)) nearest = &w;
+    largest = std::max(largest, dot(w.at, w.at));
+    if (nearest == nullptr || dot(w.at, w.at) < dot(nearest->at, nearest->at)) nearest = &w;
   }
   if (nearest == nullptr) return false;
-  if (simplex.count == 1 || inner(nearest->at, nearest->at) < largest * (negligible<double> * negligible<double>)) {
+  if (simplex.count == 1 || dot(nearest->at, nearest->at) < largest * (negligible<double> * negligible<double>)) {
     if (parts_along_facet_at(a, b, *nearest, certificate, tally)) return true;
   }
   const auto attempt = [&](Direction::Kind kind, const std::array<std::uint32_t, 4>& index) {

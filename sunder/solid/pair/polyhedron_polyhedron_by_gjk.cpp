@@ -67,7 +67,7 @@ class Search {
     const Vector p = a_.turned<Real>(a_.graph.middle, simplex.scale),
                  q = b_.turned<Real>(b_.graph.middle, simplex.scale);
     const Vector d{(q.x - p.x) + shift_.x, (q.y - p.y) + shift_.y, (q.z - p.z) + shift_.z};
-    return inner(d, d) > 0 ? d : Vector{1, 0, 0};
+    return dot(d, d) > 0 ? d : Vector{1, 0, 0};
   }
 
   // The two vertices furthest towards each other along `direction`, and their difference.
@@ -97,7 +97,7 @@ class Search {
     }
     if (is_there) return false;
     const Vector& d = direction;
-    const Real gain = inner(d, minus(w.at, simplex.vertex[0].at));
+    const Real gain = dot(d, minus(w.at, simplex.vertex[0].at));
     return gain > 4 * noise * (magnitude(d.x * w.at.x) + magnitude(d.y * w.at.y) + magnitude(d.z * w.at.z));
   }
 
@@ -110,7 +110,7 @@ class Search {
     if (simplex.count != 1) return distance2 > 0;
     const Vector p = a_.turned<Real>(simplex.vertex[0].a, simplex.scale),
                  q = b_.turned<Real>(simplex.vertex[0].b, simplex.scale);
-    return distance2 > noise * noise * (inner(p, p) + inner(q, q));
+    return distance2 > noise * noise * (dot(p, p) + dot(q, q));
   }
 
   Vector direction;                   // of the world, from A towards B
@@ -154,21 +154,21 @@ bool settle(const DifferenceSimplex& simplex, Point3& d, DifferenceVertex& w) {
     return Point3{p.x - centroid.x, p.y - centroid.y, p.z - centroid.z};
   };
   // A vertex clearly beyond the face is furthest anyway.
-  const double gap = -inner(d, w.at);
+  const double gap = -dot(d, w.at);
   const Point3 beyond = from_centroid(w.at);
-  const double height = inner(d, beyond);
-  if (height * height > 0x1p-40 * inner(beyond, beyond)) return true;
+  const double height = dot(d, beyond);
+  if (height * height > 0x1p-40 * dot(beyond, beyond)) return true;
   // Else the vertex of the face that is furthest from the centroid.
   Point3 e;
   double length2 = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const Point3 f = from_centroid(simplex.vertex[i].at);
-    if (inner(f, f) <= length2) continue;
-    length2 = inner(f, f);
+    if (dot(f, f) <= length2) continue;
+    length2 = dot(f, f);
     e = f;
     w = simplex.vertex[i];
   }
-  const double amount = std::min(0x1p-7 / std::sqrt(length2), 0.25 * gap / std::fabs(inner(e, w.at)));
+  const double amount = std::min(0x1p-7 / std::sqrt(length2), 0.25 * gap / std::fabs(dot(e, w.at)));
   d = {d.x + amount * e.x, d.y + amount * e.y, d.z + amount * e.z};
   return normalize(d);
 }
@@ -182,7 +182,7 @@ bool decide_in_doubles(const Placed& a, const Placed& b, Search<double>& search,
   for (int i = 0; i < most_iterations; ++i) {
     ++answer.cost.iterations;
     const DifferenceVertex w = search.probe(answer.cost);
-    if (inner(search.direction, w.at) < 0) {
+    if (dot(search.direction, w.at) < 0) {
       DifferenceVertex furthest = w;
       Point3 direction = search.direction;
       if (settle(search.simplex, direction, furthest) &&
@@ -205,7 +205,7 @@ bool decide_in_double_doubles(const Placed& a, const Placed& b, const Point3& di
   for (int i = 0; i < most_iterations; ++i) {
     ++answer.cost.iterations;
     const DifferenceVertexOf<DoubleDouble> w = search.probe(answer.cost);
-    if (inner(search.direction, w.at) < 0 &&
+    if (dot(search.direction, w.at) < 0 &&
         check_apart_perpendicular(a, b, search.simplex, w.a, w.b, answer.evidence, tally)) {
       return true;
     }

@@ -23,13 +23,9 @@ V negated(const V& a) {
   return {-a.x, -a.y, -a.z};
 }
 
-template <class V>
-auto inner(const V& a, const V& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-template <class V>
-V outer(const V& a, const V& b) {
+// Of Vector3: dot and cross of predicate/stages.h.
+inline double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Point3 cross(const Point3& a, const Point3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
