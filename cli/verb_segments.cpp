@@ -54,18 +54,6 @@ SegmentsAnswer answer_by(const std::string& method, const Segments& segments, co
 
 std::string about(const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); }
 
-// The common point in doubles, for people.
-Point2 common_point_about(const Segment& s, const Segment& t) {
-  const planar::CommonPoint p = planar::common_point(s, t);
-  const auto ratio = [&](const Dyadic& n) {
-    // The denominator is brought into [1/2, 1): so the numerator is not larger than the coordinate.
-    const std::int64_t bits = static_cast<std::int64_t>(msb(p.denominator.mantissa())) + p.denominator.exponent() + 1;
-    const auto scaled = [&](const Dyadic& x) { return Dyadic(x.mantissa(), x.exponent() - bits).nearest(); };
-    return scaled(n) / scaled(p.denominator);
-  };
-  return {ratio(p.numerators[0]), ratio(p.numerators[1])};
-}
-
 std::string place_of(const io::LineFile& file, std::uint32_t i) {
   const io::LineSource& source = file.source[i];
   std::string place = fmt::format("feature {}", file.features[source.feature]);
@@ -82,7 +70,7 @@ std::string human_text(const Call& call, const io::LineFile& file, const Segment
     text += fmt::format("none meet{}\n", allowing);
   } else {
     text += fmt::format("some meet{}: {} at about {}\n", allowing, name_of(answer.kind),
-                        about(common_point_about(segments[answer.i], segments[answer.j])));
+                        about(planar::common_point_rounded(segments[answer.i], segments[answer.j])));
     for (const std::uint32_t i : {answer.i, answer.j}) {
       text += fmt::format("  segment {}, {}: {} to {}\n", i, place_of(file, i), about(file.segments[i].a),
                           about(file.segments[i].b));
@@ -107,7 +95,7 @@ Json report(const Call& call, const io::LineFile& file, const Segments& segments
   json["contacts"] = Json::array();
   if (answer.meet()) {
     Json contact = {{"i", answer.i}, {"j", answer.j}, {"kind", name_of(answer.kind)}};
-    const Point2 p = common_point_about(segments[answer.i], segments[answer.j]);
+    const Point2 p = planar::common_point_rounded(segments[answer.i], segments[answer.j]);
     contact["point"] = {p.x, p.y};
     for (const std::uint32_t i : {answer.i, answer.j}) {
       const io::LineSource& source = file.source[i];
@@ -121,7 +109,7 @@ Json report(const Call& call, const io::LineFile& file, const Segments& segments
 
 int run(const Call& call) {
   const Allowed allowed = allowed_by(call.allow);
-  const io::LineFile file = io::read_lines(call.file, call.drop_z);
+  const io::LineFile file = io::read_lines(call.file, {call.drop_z, {}});
   const Segments segments(file.segments);
   const SegmentsAnswer answer = answer_by(call.method, segments, {allowed, !call.certificate.empty()});
   if (!call.certificate.empty()) {

@@ -124,7 +124,7 @@ Json report(const Call& call, const io::LineFile& file, const std::vector<Result
 }
 
 int run(const Call& call) {
-  const io::LineFile file = io::read_lines(call.file, call.drop_z);
+  const io::LineFile file = io::read_lines(call.file, {call.drop_z, {}});
   if (file.rings.empty()) io::fail_file(call.file, "has no polygons; for lines, ask sunder segments");
   const std::vector<Result> results = answers(call, file);
   bool all = true;

@@ -1,5 +1,5 @@
-// Any bytes, read as CSV, WKT and GeoJSON, then asked for contacts.
-// Seeds: cases/segments.
+// Any bytes, read as CSV, WKT, GeoJSON and KiCad boards, with and without groups, then asked for contacts.
+// Seeds: cases/segments, cases/boards, cases/broken-lines.
 #include <sunder/base/error.h>
 #include <sunder/io/lines.h>
 #include <sunder/planar/set/segments_any.h>
@@ -7,7 +7,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace {
 
@@ -15,13 +17,27 @@ void require(bool condition) {
   if (!condition) std::abort();
 }
 
-void check(std::string_view text, std::string_view place, bool drop_z) {
+// L4: each segment has its entry, or there are no names; names come in the order of their first segments.
+void check_names(const std::vector<std::uint32_t>& of_segment, const std::vector<std::string>& names,
+                 std::size_t segments) {
+  require(of_segment.size() == (names.empty() ? 0 : segments));
+  std::size_t seen = 0;
+  for (const std::uint32_t i : of_segment) {
+    require(i <= seen && i < names.size());
+    if (i == seen) ++seen;
+  }
+  require(seen == names.size());
+  for (const std::string& name : names) require(name.find('\n') == std::string::npos);
+}
+
+void check(std::string_view text, std::string_view place, const sunder::io::LineOptions& options) {
   sunder::io::LineFile file;
   try {
-    file = sunder::io::parse_lines(text, place, drop_z);
+    file = sunder::io::parse_lines(text, place, options);
   } catch (const sunder::Error& error) {
     const std::string_view message = error.what();
-    require(error.code() == sunder::ErrorCode::bad_file);
+    const bool of_group = error.code() == sunder::ErrorCode::bad_call && !options.group.empty();
+    require(error.code() == sunder::ErrorCode::bad_file || of_group);
     require(message.starts_with(place) && message.find('\n') == std::string_view::npos);
     return;
   }
@@ -29,6 +45,15 @@ void check(std::string_view text, std::string_view place, bool drop_z) {
   for (std::size_t i = 0; i < file.source.size(); ++i) {
     require(file.source[i].feature < file.features.size());
     require(i == 0 || file.source[i - 1].feature <= file.source[i].feature);
+  }
+  const bool board = file.format == "KiCad board";
+  require(file.groups.empty() == (options.group.empty() && !board) && file.layers.empty() == !board);
+  check_names(file.group, file.groups, file.segments.size());
+  check_names(file.layer, file.layers, file.segments.size());
+  for (const std::string& remark : file.remarks) require(remark.find('\n') == std::string::npos);
+  for (const sunder::io::LineRing& ring : file.rings) {
+    require(ring.count >= 3 && ring.first + ring.count <= file.segments.size());
+    require(file.segments[ring.first].a == file.segments[ring.first + ring.count - 1].b);
   }
   const sunder::planar::Segments segments(file.segments);  // throws where a coordinate is not finite
   if (segments.size() > 60) return;
@@ -43,6 +68,8 @@ void check(std::string_view text, std::string_view place, bool drop_z) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  for (const std::string_view place : {"a.csv", "a.wkt", "a.geojson", "a"}) check(text, place, size % 2 == 0);
+  const std::vector<std::string> groups{"", "feature", "ring", "net", "layer"};
+  const sunder::io::LineOptions options{size % 2 == 0, groups[size / 2 % groups.size()]};
+  for (const std::string_view place : {"a.csv", "a.wkt", "a.geojson", "a.kicad_pcb", "a"}) check(text, place, options);
   return 0;
 }

@@ -53,6 +53,8 @@ TEST(SegmentsAnyDifferential, MethodsAgreeWithTheScan) {
         ASSERT_EQ(sweep.transcript.events.size(), sweep.meet() ? 0 : 2 * segments.size());
         ++kinds[sweep.kind];
       }
+      const SegmentsAnswer grid = planar::segments_any_by_grid(segments, {rules[r], false});
+      ASSERT_NO_FATAL_FAILURE(expect_truth(grid, scan, segments, rules[r])) << i << " " << name_of(set.family);
       const SegmentsAnswer front = planar::segments_any(segments, {rules[r], false});
       ASSERT_NO_FATAL_FAILURE(expect_truth(front, scan, segments, rules[r])) << i << " " << name_of(set.family);
       meets[set.family][r] += scan.meet();

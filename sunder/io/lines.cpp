@@ -1,18 +1,18 @@
+#include <sunder/base/error.h>
 #include <sunder/io/file.h>
+#include <sunder/io/kicad.h>
 #include <sunder/io/lines.h>
+#include <sunder/io/lines_builder.h>
+#include <sunder/io/lines_geojson.h>
 #include <sunder/io/text.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <limits>
 
 namespace sunder::io {
 
 namespace {
-
-using planar::Segment;
 
 constexpr std::string_view blanks = " \t\r\f\v";
 
@@ -23,57 +23,6 @@ std::string_view trimmed(std::string_view text) {
 }
 
 char upper(char c) { return 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-
-// Adds lines and rings to the file under construction.
-class Builder {
- public:
-  explicit Builder(std::string_view place) : place_(place) {}
-
-  void begin_feature(std::string name, std::uint32_t line) {
-    if (file.features.size() == std::numeric_limits<std::uint32_t>::max()) fail("has too many features; split it");
-    line_ = line;
-    file.features.push_back(name.empty() ? std::to_string(file.features.size() + 1) : std::move(name));
-  }
-
-  void at_line(std::uint32_t line) { line_ = line; }
-
-  void add(const Point2& a, const Point2& b) {
-    file.segments.push_back({a, b});
-    file.source.push_back({static_cast<std::uint32_t>(file.features.size() - 1), line_});
-  }
-
-  void begin_polygon() { ++polygons_; }
-
-  void add_line(const std::vector<Point2>& points, bool ring) {
-    if (ring && (points.size() < 4 || points.front() != points.back())) {
-      fail(points.size() < 4 ? "a ring has fewer than four points; give at least three corners and the first again"
-                             : "a ring does not end where it began; repeat its first point at its end");
-    }
-    if (points.size() < 2) fail("a line has fewer than two points; leave it out");
-    if (ring) {
-      file.rings.push_back({static_cast<std::uint32_t>(file.segments.size()),
-                            static_cast<std::uint32_t>(points.size() - 1), polygons_ - 1});
-    }
-    for (std::size_t i = 1; i < points.size(); ++i) add(points[i - 1], points[i]);
-  }
-
-  [[noreturn]] void fail(const std::string& what) const {
-    if (line_ > 0) fail_line(place_, line_, what);
-    fail_file(place_, file.features.empty() ? what : fmt::format("feature {}: {}", quote(file.features.back()), what));
-  }
-
-  double number(std::string_view word) const {
-    double value = 0;
-    if (const char* problem = parse_number(word, value)) fail(fmt::format("{} {}", quote(word), problem));
-    return value;
-  }
-
-  LineFile file;
-
- private:
-  std::string_view place_;
-  std::uint32_t line_ = 0, polygons_ = 0;
-};
 
 // Calls with each line that is not blank, and its number. A line ends with LF, CR LF or CR.
 template <class OfLine>
@@ -90,7 +39,7 @@ void for_each_line(std::string_view text, const OfLine& of_line) {
 }
 
 // A field without blanks and without a pair of quotes around it.
-std::string_view field_of(std::string_view text, const Builder& builder) {
+std::string_view field_of(std::string_view text, const LineBuilder& builder) {
   text = trimmed(text);
   if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = trimmed(text.substr(1, text.size() - 2));
   if (text.find('"') != std::string_view::npos) {
@@ -99,78 +48,136 @@ std::string_view field_of(std::string_view text, const Builder& builder) {
   return text;
 }
 
-bool is_number(std::string_view word) {
-  double value = 0;
-  return parse_number(word, value) == nullptr;
-}
-
 // Is this a line of names? None of the first four is a number, and the first begins as names do.
 bool are_names(const std::vector<std::string_view>& fields) {
-  const std::size_t looked_at = std::min<std::size_t>(fields.size(), 4);
-  if (std::any_of(fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(looked_at), is_number)) return false;
+  double value = 0;
+  for (std::size_t i = 0; i < std::min<std::size_t>(fields.size(), 4); ++i) {
+    if (parse_number(fields[i], value) == nullptr) return false;
+  }
   std::string first(fields[0].substr(0, 8));
   std::transform(first.begin(), first.end(), first.begin(), upper);
   if (first.empty() || first == "NAN" || first == "INF" || first == "INFINITY") return false;
   return ('A' <= first[0] && first[0] <= 'Z') || first[0] == '_';
 }
 
-void parse_csv(std::string_view text, Builder& builder) {
-  bool first = true;
-  char separator = ',';
-  for_each_line(text, [&](std::string_view line, std::uint32_t number) {
-    if (first && line.find(';') != std::string_view::npos) separator = ';';
-    builder.at_line(number);
+class Csv {
+ public:
+  explicit Csv(LineBuilder& builder) : builder_(builder), group_(builder.options().group) {}
+
+  void parse(std::string_view text) {
+    bool first = true;
+    for_each_line(text, [&](std::string_view line, std::uint32_t number) {
+      if (first && line.find(';') != std::string_view::npos) separator_ = ';';
+      builder_.at_line(number);
+      const std::vector<std::string_view> fields = fields_of(line);
+      const bool names = first && are_names(fields);
+      if (names) read_names(fields);
+      if (first) choose_group(names ? fields : std::vector<std::string_view>());
+      first = false;
+      if (!names) add(fields, number);
+    });
+  }
+
+ private:
+  std::vector<std::string_view> fields_of(std::string_view line) const {
     std::vector<std::string_view> fields;
-    for (std::string_view rest = line;;) {
-      const std::size_t end = rest.find(separator);
-      fields.push_back(field_of(rest.substr(0, end), builder));
-      if (end == std::string_view::npos) break;
-      rest.remove_prefix(end + 1);
+    for (;;) {
+      const std::size_t end = line.find(separator_);
+      fields.push_back(field_of(line.substr(0, end), builder_));
+      if (end == std::string_view::npos) return fields;
+      line.remove_prefix(end + 1);
     }
-    const bool names = first && are_names(fields);
-    first = false;
-    if (fields.size() < 4 || fields.size() > 5) {
-      builder.fail(fmt::format("has {} fields; give x1,y1,x2,y2 and, if you like, an id", fields.size()));
+  }
+
+  void check_count(std::size_t count) const {
+    if (columns_ > 0 && count != columns_) {
+      builder_.fail(fmt::format("has {} fields, but the line of names has {}; give the same number", count, columns_));
     }
-    if (names) {
-      const char initial = upper(fields[0][0]);
-      if (initial != 'X' && fields.size() == 5) {
-        builder.fail(fmt::format("the first column is named {}; the order is x1,y1,x2,y2,id", quote(fields[0])));
-      }
-      return;
+    if (count < 4 || (count > 5 && columns_ == 0)) {
+      builder_.fail(fmt::format("has {} fields; give x1,y1,x2,y2 and, if you like, an id", count));
     }
-    builder.begin_feature(fields.size() > 4 ? one_line(fields[4]) : std::string(), number);
-    const Point2 from{builder.number(fields[0]), builder.number(fields[1])};
-    const Point2 to{builder.number(fields[2]), builder.number(fields[3])};
-    builder.add(from, to);
-  });
-}
+  }
+
+  void read_names(const std::vector<std::string_view>& names) {
+    if (!group_.empty()) columns_ = names.size();
+    check_count(names.size());
+    if (upper(names[0][0]) != 'X' && names.size() >= 5) {
+      builder_.fail(fmt::format("the first column is named {}; the order is x1,y1,x2,y2,id", quote(names[0])));
+    }
+    const auto id = std::find(names.begin() + 4, names.end(), "id");
+    if (id != names.end()) id_column_ = static_cast<std::size_t>(id - names.begin());
+  }
+
+  // names: of the columns; empty where there are none.
+  void choose_group(const std::vector<std::string_view>& names) {
+    if (group_.empty()) return;
+    std::string known = "feature";
+    for (std::size_t i = 4; i < names.size(); ++i) {
+      if (i < 20) known += fmt::format(", {}", shorten(names[i]));
+      if (names[i] != group_) continue;
+      if (group_column_ > 0) builder_.fail(fmt::format("two columns are named {}; rename one", quote(group_)));
+      group_column_ = i;
+    }
+    if (names.size() > 20) known += ", ...";
+    if (names.empty()) known += ", and the columns after the fourth where a first line names them";
+    if (group_column_ == 0 && group_ != "feature") fail_group(builder_.place(), group_, known);
+    builder_.group_by(group_column_ > 0 ? GroupBy::field : GroupBy::feature);
+  }
+
+  void add(const std::vector<std::string_view>& fields, std::uint32_t number) {
+    check_count(fields.size());
+    builder_.begin_feature(id_column_ < fields.size() ? one_line(fields[id_column_]) : std::string(), number);
+    if (group_column_ > 0) {
+      const std::string_view value = fields[group_column_];
+      if (value.empty()) builder_.fail(fmt::format("has no value in the column {}; give one", quote(group_)));
+      builder_.group_value(std::string(value));
+    }
+    const Point2 from{builder_.number(fields[0]), builder_.number(fields[1])};
+    const Point2 to{builder_.number(fields[2]), builder_.number(fields[3])};
+    builder_.add(from, to);
+  }
+
+  LineBuilder& builder_;
+  const std::string& group_;
+  char separator_ = ',';
+  std::size_t columns_ = 0;       // that each line must have; 0: four or five
+  std::size_t id_column_ = 4;     // past the end: none
+  std::size_t group_column_ = 0;  // 0: none
+};
 
 // A geometry in WKT.
 class Wkt {
  public:
-  Wkt(std::string_view text, Builder& builder, bool drop_z) : rest_(text), builder_(builder), drop_z_(drop_z) {}
+  Wkt(std::string_view text, LineBuilder& builder) : rest_(text), builder_(builder) {}
 
-  void geometry() {
-    const std::string type = word();
-    const std::string tag = word();
+  // Did an SRID stand before it?
+  bool geometry() {
+    std::string type = word();
+    const bool srid = type == "SRID";
+    if (srid) {
+      pass_srid();
+      type = word();
+    }
+    std::string tag = word();
+    if (tag.empty()) tag = cut_tag(type);
     if (tag == "EMPTY") builder_.fail("is empty; leave the line out");
     if (!tag.empty() && tag != "Z" && tag != "M" && tag != "ZM") {
       builder_.fail(fmt::format("{} after {} is not understood", quote(tag), type));
     }
     if (type == "LINESTRING") {
-      line(false);
+      builder_.add_line(points());
     } else if (type == "MULTILINESTRING") {
-      list([&] { line(false); });
+      list([&] { builder_.add_line(points()); });
     } else if (type == "POLYGON") {
-      polygon();
+      polygon(false);
     } else if (type == "MULTIPOLYGON") {
-      list([&] { polygon(); });
+      list([&] { polygon(true); });
     } else {
       builder_.fail(
           fmt::format("{} is not read here; give LINESTRING, MULTILINESTRING, POLYGON or MULTIPOLYGON", quote(type)));
     }
     if (!(rest_ = trimmed(rest_)).empty()) builder_.fail(fmt::format("{} stands after the geometry", quote(rest_)));
+    return srid;
   }
 
  private:
@@ -182,6 +189,29 @@ class Wkt {
       rest_.remove_prefix(1);
     }
     return word;
+  }
+
+  // Behind the "SRID" of "SRID=4326;".
+  void pass_srid() {
+    const bool equals = take('=');
+    const std::size_t end = std::min(rest_.find(';'), rest_.size());
+    std::int64_t number = 0;
+    if (!equals || end == rest_.size() || !parse_integer(trimmed(rest_.substr(0, end)), number)) {
+      builder_.fail("SRID is not followed by =, a number and a semicolon; write them, or leave SRID out");
+    }
+    rest_.remove_prefix(end + 1);
+  }
+
+  // The tag that is written to the type without a blank, as in POLYGONZ, cut off it.
+  static std::string cut_tag(std::string& type) {
+    for (const std::string_view tag : {"ZM", "Z", "M"}) {
+      for (const std::string_view known : {"LINESTRING", "MULTILINESTRING", "POLYGON", "MULTIPOLYGON"}) {
+        if (type.size() != known.size() + tag.size() || !type.starts_with(known) || !type.ends_with(tag)) continue;
+        type = known;
+        return std::string(tag);
+      }
+    }
+    return {};
   }
 
   bool take(char c) {
@@ -205,12 +235,15 @@ class Wkt {
     expect(')');
   }
 
-  void polygon() {
-    builder_.begin_polygon();
-    list([&] { line(true); });
+  void polygon(bool several) {
+    builder_.begin_polygon(several);
+    list([&] {
+      builder_.begin_ring();
+      builder_.add_ring(points());
+    });
   }
 
-  void line(bool ring) {
+  std::vector<Point2> points() {
     std::vector<Point2> points;
     list([&] {
       rest_ = trimmed(rest_);
@@ -224,124 +257,28 @@ class Wkt {
         numbers = trimmed(numbers.substr(blank));
       }
       if (x.size() < 2 || x.size() > 4) builder_.fail("a point has two numbers, parted by a blank");
-      if (x.size() > 2 && !drop_z_) builder_.fail("has a third coordinate; to ignore it, give --drop-z");
+      builder_.check_dimension(x.size());
       points.push_back({x[0], x[1]});
     });
-    builder_.add_line(points, ring);
+    return points;
   }
 
   std::string_view rest_;
-  Builder& builder_;
-  bool drop_z_;
+  LineBuilder& builder_;
 };
 
-class GeoJson {
- public:
-  GeoJson(Builder& builder, bool drop_z) : builder_(builder), drop_z_(drop_z) {}
-
-  void parse(std::string_view text, std::string_view place) {
-    nlohmann::json top;
-    try {
-      top = nlohmann::json::parse(text);
-    } catch (const nlohmann::json::exception& error) {  // not JSON, or a number beyond the doubles
-      const std::string what = error.what();
-      std::size_t at = what.find(" at line ");
-      if (at == std::string::npos) at = what.find("] ") + 1;
-      fail_file(place, "is not JSON that can be read: " + one_line(what.substr(at + 1)));
-    }
-    if (top.is_array() && !top.empty() && top[0].is_array()) {
-      builder_.begin_feature({}, 0);
-      builder_.begin_polygon();
-      for (const nlohmann::json& ring : top) add_line(ring, true, true);
-    } else if (type_of(top) == "FeatureCollection") {
-      const auto features = top.find("features");
-      if (features == top.end() || !features->is_array()) builder_.fail("the collection has no list \"features\"");
-      for (const nlohmann::json& feature : *features) add_feature(feature);
-    } else {
-      add_feature(top);
-    }
+void parse_wkt(std::string_view text, LineBuilder& builder) {
+  builder.group_by_feature_or_ring();
+  std::uint32_t srids = 0;
+  for_each_line(text, [&](std::string_view line, std::uint32_t number) {
+    builder.begin_feature({}, number);
+    if (Wkt(line, builder).geometry()) ++srids;
+  });
+  if (srids > 0) {
+    builder.file.remarks.push_back(
+        fmt::format("lines with an SRID: {}; it is passed over: coordinates count as those of a plane", srids));
   }
-
- private:
-  std::string type_of(const nlohmann::json& item) const {
-    if (!item.is_object()) builder_.fail("is no GeoJSON: an object with a \"type\" is expected");
-    const auto type = item.find("type");
-    if (type == item.end() || !type->is_string()) builder_.fail("is no GeoJSON: an object has no \"type\"");
-    return *type;
-  }
-
-  static std::string text_of(const nlohmann::json& value) {
-    return value.is_string() ? one_line(value.get<std::string>()) : value.is_number() ? value.dump() : std::string();
-  }
-
-  void add_feature(const nlohmann::json& item) {
-    const bool wrapped = type_of(item) == "Feature";
-    std::string name;
-    if (wrapped) {
-      if (const auto id = item.find("id"); id != item.end()) name = text_of(*id);
-      const auto properties = item.find("properties");
-      for (const char* key : {"name", "NAME", "id"}) {
-        if (!name.empty() || properties == item.end() || !properties->is_object()) break;
-        if (const auto value = properties->find(key); value != properties->end()) name = text_of(*value);
-      }
-    }
-    builder_.begin_feature(name, 0);
-    if (!wrapped) return add_geometry(item);
-    const auto geometry = item.find("geometry");
-    if (geometry == item.end() || geometry->is_null()) builder_.fail("has no geometry; leave it out");
-    add_geometry(*geometry);
-  }
-
-  void add_geometry(const nlohmann::json& item, int depth = 0) {
-    const std::string type = type_of(item);
-    if (type == "GeometryCollection") {
-      if (depth == 100) builder_.fail("has collections nested 100 deep; unpack them");
-      for (const nlohmann::json& part : list(item, "geometries")) add_geometry(part, depth + 1);
-      return;
-    }
-    const bool known = type == "LineString" || type == "MultiLineString" || type == "Polygon" || type == "MultiPolygon";
-    if (!known) {
-      builder_.fail(fmt::format("geometry {} has no segments; give lines and polygons only", quote(type)));
-    }
-    const nlohmann::json& coordinates = list(item, "coordinates");
-    if (type == "LineString") return add_line(coordinates, false);
-    if (type == "Polygon") builder_.begin_polygon();
-    for (const nlohmann::json& part : coordinates) {
-      if (type != "MultiPolygon") {
-        add_line(part, type == "Polygon");
-      } else {
-        builder_.begin_polygon();
-        if (!part.is_array()) builder_.fail("coordinates are not lists of the depth that the type needs");
-        for (const nlohmann::json& ring : part) add_line(ring, true);
-      }
-    }
-  }
-
-  const nlohmann::json& list(const nlohmann::json& item, const char* key) const {
-    const auto value = item.find(key);
-    if (value == item.end() || !value->is_array() || value->empty()) {
-      builder_.fail(fmt::format("has no list \"{}\", or an empty one", key));
-    }
-    return *value;
-  }
-
-  void add_line(const nlohmann::json& points, bool ring, bool close = false) {
-    if (!points.is_array()) builder_.fail("coordinates are not lists of the depth that the type needs");
-    std::vector<Point2> line;
-    for (const nlohmann::json& p : points) {
-      const bool numbers =
-          p.is_array() && p.size() >= 2 && std::all_of(p.begin(), p.end(), [](const auto& x) { return x.is_number(); });
-      if (!numbers) builder_.fail("a position is not a list of two numbers");
-      if (p.size() > 2 && !drop_z_) builder_.fail("has a third coordinate; to ignore it, give --drop-z");
-      line.push_back({p[0].get<double>(), p[1].get<double>()});
-    }
-    if (close && !line.empty() && line.front() != line.back()) line.push_back(line.front());
-    builder_.add_line(line, ring);
-  }
-
-  Builder& builder_;
-  bool drop_z_;
-};
+}
 
 std::string ending_of(std::string_view place) {
   std::string ending = std::filesystem::path(place).extension().string();
@@ -351,33 +288,37 @@ std::string ending_of(std::string_view place) {
 
 }  // namespace
 
-LineFile parse_lines(std::string_view text, std::string_view place, bool drop_z) {
+LineFile parse_lines(std::string_view text, std::string_view place, const LineOptions& options) {
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-  Builder builder(place);
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
   if (begin == std::string_view::npos) fail_file(place, "has nothing in it; give a file with lines");
   const std::string ending = ending_of(place);
+  if (ending == ".KICAD_PCB" || text.substr(begin).starts_with("(kicad_")) return parse_kicad(text, place, options);
+  LineBuilder builder(place, options);
   const char first = text[begin];
   const bool is_json = first == '{' || first == '[', is_word = 'A' <= upper(first) && upper(first) <= 'Z';
   if (ending == ".GEOJSON" || ending == ".JSON" || (is_json && ending != ".CSV" && ending != ".WKT")) {
     builder.file.format = "GeoJSON";
-    GeoJson(builder, drop_z).parse(text, place);
+    parse_geojson(text, builder);
   } else if (ending == ".WKT" || (is_word && ending != ".CSV")) {
     builder.file.format = "WKT";
-    for_each_line(text, [&](std::string_view line, std::uint32_t number) {
-      builder.begin_feature({}, number);
-      Wkt(line, builder, drop_z).geometry();
-    });
+    parse_wkt(text, builder);
   } else {
     builder.file.format = "CSV";
-    parse_csv(text, builder);
+    Csv(builder).parse(text);
   }
   if (builder.file.segments.empty()) fail_file(place, "has no segments; give a file with lines");
   return std::move(builder.file);
 }
 
-LineFile read_lines(const std::filesystem::path& path, bool drop_z) {
-  return parse_lines(read_file(path), path.string(), drop_z);
+LineFile read_lines(const std::filesystem::path& path, const LineOptions& options) {
+  return parse_lines(read_file(path), path.string(), options);
+}
+
+void fail_group(std::string_view file, std::string_view group, std::string_view known) {
+  throw Error(ErrorCode::bad_call,
+              fmt::format("there is no field {} to group by; there are {}", quote(group), one_line(known)),
+              one_line(file));
 }
 
 }  // namespace sunder::io

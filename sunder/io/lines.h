@@ -1,4 +1,4 @@
-// Segments, and the rings of polygons, out of files: CSV, WKT, GeoJSON.
+// Segments, and the rings of polygons, out of files: CSV, WKT, GeoJSON, KiCad boards (kicad.h).
 #pragma once
 
 #include <sunder/planar/object/segments.h>
@@ -10,6 +10,12 @@
 #include <vector>
 
 namespace sunder::io {
+
+// What is asked of a reader.
+struct LineOptions {
+  bool drop_z = false;  // ignore third coordinates; else they are refused
+  std::string group;    // the field that says which segments belong together; empty: none, for a board "net"
+};
 
 // Where a segment is from.
 struct LineSource {
@@ -26,26 +32,46 @@ struct LineRing {
 // L1. There is a segment; coordinates are finite.
 // L2. source has an entry for each segment; its features do not decrease, and are positions in features.
 // L3. rings are in the order of their segments; each has at least three, and ends where it began.
+// L4. group is empty, and groups too, or group has an entry for each segment, a position in groups. So are layer and
+//     layers. Both lists of names are in the order in which their first segments come; names need not differ.
 struct LineFile {
   std::vector<planar::Segment> segments;  // ends in the order of the file
   std::vector<LineSource> source;
   std::vector<LineRing> rings;
-  std::vector<std::string> features;  // names: what the file gives as id or name, else the number counted from 1
+  std::vector<std::string> features;  // names: what the file gives as id or name, else its number, counted from 1
+  std::vector<std::uint32_t> group;   // empty unless a group was asked for, or the file is a board
+  std::vector<std::string> groups;    // names: "GND"; where rings are grouped: "pond, ring 1"
+  std::vector<std::uint32_t> layer;   // empty where the format has no layers
+  std::vector<std::string> layers;    // names: "F.Cu"
+  std::vector<std::string> remarks;   // for people, one line each: what was read but is not looked at, or approximated
   std::string format;                 // for people: "WKT"
 };
 
-// Reads the file whole; its format is told by its ending (.csv, .wkt, .geojson, .json), else by its first character.
+// Reads the file whole; its format is told by its first letters "(kicad_", by its ending (.csv, .wkt, .geojson, .json,
+// .kicad_pcb), else by its first character.
 //   CSV      x1,y1,x2,y2 and, if there is one, an id; a first line of names is skipped. A line is a feature. Where the
 //            first line has a semicolon, semicolons part the fields. A field may stand in quotes, but hold none.
+//            Where a group is asked for and there is a line of names, any columns may follow the first four; the id is
+//            the one named "id", else the fifth.
 //   WKT      a geometry on each line: LINESTRING, MULTILINESTRING, POLYGON, MULTIPOLYGON. A line is a feature.
+//            "SRID=4326;" before it is passed over, with a remark.
 //   GeoJSON  the same geometries, and collections of them; "id", else the property "name" or "id", names a feature.
+//            A feature whose geometry is null is passed over, with a remark. A key may not stand twice in an object.
 //            Also plain JSON that is a list of rings: one polygon, whose rings need not repeat their first point.
 // Lines of two points or more, and the edges of rings, become segments. A ring must end where it began. A third
-// coordinate is refused unless drop_z. Empty lines are skipped.
-// Throws Error bad_file: "FILE:LINE: what; remedy". Cost: linear.
-LineFile read_lines(const std::filesystem::path& path, bool drop_z = false);
+// coordinate is refused unless drop_z. Empty lines are skipped. Messages and names count rings and polygons from 0.
+//
+// Groups: "feature" puts the segments of a feature together, "ring" those of a ring or of an open line (not in CSV).
+// In CSV any column behind the fourth may be named instead, also one named "feature"; in GeoJSON any other property,
+// whose value is text, a number, true or false. Values are the same where they are written the same. Each line and
+// feature must have one.
+// Throws Error bad_file: "FILE:LINE: what; remedy"; bad_call where the file has no such group. Cost: linear.
+LineFile read_lines(const std::filesystem::path& path, const LineOptions& options = {});
 
 // As read_lines, from memory. place: the file's name, for its ending and for messages.
-LineFile parse_lines(std::string_view text, std::string_view place, bool drop_z = false);
+LineFile parse_lines(std::string_view text, std::string_view place, const LineOptions& options = {});
+
+// Throws Error bad_call: "FILE: there is no field 'x' to group by; there are feature, ring". For readers.
+[[noreturn]] void fail_group(std::string_view file, std::string_view group, std::string_view known);
 
 }  // namespace sunder::io

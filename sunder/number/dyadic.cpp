@@ -99,6 +99,20 @@ Dyadic operator-(const Dyadic& a, const Dyadic& b) { return a + (-b); }
 
 Dyadic operator*(const Dyadic& a, const Dyadic& b) { return {a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_}; }
 
+double nearest_ratio(const Dyadic& numerator, const Dyadic& denominator) {
+  if (numerator.sign() == Sign::zero) return 0;
+  Integer n = boost::multiprecision::abs(numerator.mantissa());
+  const Integer d = boost::multiprecision::abs(denominator.mantissa());
+  // A quotient of at least 64 bits, and one more bit that tells whether a rest is left: it rounds as the fraction does.
+  const std::int64_t shift = std::max<std::int64_t>(0, 65 - (bit_length(n) - bit_length(d)));
+  n <<= static_cast<unsigned long>(shift);
+  Integer quotient, rest;
+  boost::multiprecision::divide_qr(n, d, quotient, rest);
+  quotient = (quotient << 1) + (rest == 0 ? 0 : 1);
+  const double size = Dyadic(quotient, numerator.exponent() - denominator.exponent() - shift - 1).nearest();
+  return numerator.sign() == denominator.sign() ? size : -size;
+}
+
 std::string fraction_text(const Dyadic& numerator, const Dyadic& denominator) {
   Integer n = numerator.mantissa();
   Integer d = denominator.mantissa();

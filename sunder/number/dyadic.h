@@ -52,6 +52,9 @@ class Dyadic {
 
 inline Guess sign(const Dyadic& x) { return static_cast<Guess>(static_cast<std::int8_t>(x.sign())); }
 
+// The double nearest to numerator / denominator, ties to even; infinite beyond the range. Requires denominator != 0.
+double nearest_ratio(const Dyadic& numerator, const Dyadic& denominator);
+
 // The fraction numerator / denominator in lowest terms, as "n/d", or "n" where d is 1. Requires denominator != 0.
 std::string fraction_text(const Dyadic& numerator, const Dyadic& denominator);
 

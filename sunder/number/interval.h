@@ -64,6 +64,16 @@ inline Interval operator*(const Interval& a, const Interval& b) {
   return interval_detail::widened(std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s)));
 }
 
+// Where the divisor holds zero: the whole line.
+inline Interval operator/(const Interval& a, const Interval& b) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (b.low <= 0 && b.high >= 0) return {-infinity, infinity};
+  if (interval_detail::is_zero(a)) return {0.0};
+  const double p = a.low / b.low, q = a.low / b.high, r = a.high / b.low, s = a.high / b.high;
+  if (std::isnan(p + q) || std::isnan(r + s)) return {-infinity, infinity};
+  return interval_detail::widened(std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s)));
+}
+
 inline Guess sign(const Interval& x) {
   if (x.low > 0) return Guess::positive;
   if (x.high < 0) return Guess::negative;

@@ -27,6 +27,7 @@ class Segments {
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(segments_.size()); }
   const Segment& operator[](std::uint32_t i) const { return segments_[i]; }
+  std::span<const Segment> all() const { return segments_; }
 
  private:
   std::vector<Segment> segments_;

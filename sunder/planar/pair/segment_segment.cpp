@@ -40,6 +40,13 @@ std::string_view name_of(ContactKind kind) {
 
 ContactKind segment_segment(const Segment& s, const Segment& t, StageTally* tally) {
   if (boxes_are_apart(s, t)) return ContactKind::none;
+  // One begins where the other ends: lexicographically, nothing else of them can meet.
+  const bool same_first = s.a == t.a, same_last = s.b == t.b;
+  if (!same_first && !same_last && (s.b == t.a || t.b == s.a)) return ContactKind::shared_endpoint;
+  if (same_first || same_last) {
+    const bool one_line = orient_2d(s.a, s.b, same_first ? t.b : t.a, tally) == Sign::zero;
+    return one_line ? on_one_line(s, t) : ContactKind::shared_endpoint;
+  }
   const Sign ta = orient_2d(s.a, s.b, t.a, tally), tb = orient_2d(s.a, s.b, t.b, tally);
   if (ta == tb && ta != Sign::zero) return ContactKind::none;
   const Sign sa = orient_2d(t.a, t.b, s.a, tally), sb = orient_2d(t.a, t.b, s.b, tally);
@@ -51,28 +58,20 @@ ContactKind segment_segment(const Segment& s, const Segment& t, StageTally* tall
   return is_end_of(s.a, t) || is_end_of(s.b, t) ? ContactKind::shared_endpoint : ContactKind::touch;
 }
 
-CommonPoint common_point(const Segment& s, const Segment& t) {
-  const auto whole = [](const Point2& p) { return CommonPoint{{Dyadic(p.x), Dyadic(p.y)}, Dyadic(1)}; };
+ExactPoint2 common_point(const Segment& s, const Segment& t) {
+  const auto whole = [](const Point2& p) { return ExactPoint2{Dyadic(p.x), Dyadic(p.y), Dyadic(1)}; };
   // An end of one that the other holds; of an overlap, the first.
   const Segment first_of_s{s.a, s.a}, first_of_t{t.a, t.a}, last_of_s{s.b, s.b}, last_of_t{t.b, t.b};
   if (segment_segment(first_of_t, s) != ContactKind::none) return whole(t.a);
   if (segment_segment(first_of_s, t) != ContactKind::none) return whole(s.a);
   if (segment_segment(last_of_t, s) != ContactKind::none) return whole(t.b);
   if (segment_segment(last_of_s, t) != ContactKind::none) return whole(s.b);
-  // s.a + (n / d) (s.b - s.a), where n and d are cross products.
-  const auto minus = [](const Point2& p, const Point2& q) {
-    return std::array{Dyadic(p.x) - Dyadic(q.x), Dyadic(p.y) - Dyadic(q.y)};
-  };
-  const auto cross = [](const std::array<Dyadic, 2>& u, const std::array<Dyadic, 2>& v) {
-    return u[0] * v[1] - u[1] * v[0];
-  };
-  const auto along_s = minus(s.b, s.a), along_t = minus(t.b, t.a), across = minus(t.a, s.a);
-  Dyadic n = cross(across, along_t), d = cross(along_s, along_t);
-  if (d.sign() == Sign::negative) {
-    n = -n;
-    d = -d;
-  }
-  return {{Dyadic(s.a.x) * d + n * along_s[0], Dyadic(s.a.y) * d + n * along_s[1]}, d};
+  return exact_point({s.a, s.b, t.a, t.b});
+}
+
+Point2 common_point_rounded(const Segment& s, const Segment& t) {
+  const ExactPoint2 p = common_point(s, t);
+  return {nearest_ratio(p.x, p.denominator), nearest_ratio(p.y, p.denominator)};
 }
 
 }  // namespace sunder::planar

@@ -3,11 +3,10 @@
 // This is the one place where the kinds of contact are told apart; every question about sets of segments asks here.
 #pragma once
 
-#include <sunder/number/dyadic.h>
 #include <sunder/planar/object/segments.h>
+#include <sunder/predicate/crossing.h>
 #include <sunder/predicate/posed.h>
 
-#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -26,12 +25,10 @@ std::string_view name_of(ContactKind);  // "shared-endpoint"
 // For members of Segments (a lexicographically not after b). Symmetric. Cost: up to four orientations.
 ContactKind segment_segment(const Segment& s, const Segment& t, StageTally* tally = nullptr);
 
-// A common point of two segments that meet: of an overlap, its lexicographically first end. Coordinates are
-// numerator / denominator, exactly; the denominator is positive.
-struct CommonPoint {
-  std::array<Dyadic, 2> numerators;
-  Dyadic denominator;
-};
-CommonPoint common_point(const Segment& s, const Segment& t);
+// A common point of two segments that meet: of an overlap, its lexicographically first end.
+ExactPoint2 common_point(const Segment& s, const Segment& t);
+
+// The same in doubles: each coordinate is the nearest one, ties to even.
+Point2 common_point_rounded(const Segment& s, const Segment& t);
 
 }  // namespace sunder::planar

@@ -134,9 +134,9 @@ TEST(SegmentSegmentTest, AgainstFractions) {
     ASSERT_EQ(found, by_fractions(s, t)) << i;
     ++seen[found];
     if (found == ContactKind::none) continue;
-    const CommonPoint p = common_point(s, t);
+    const ExactPoint2 p = common_point(s, t);
     ASSERT_EQ(p.denominator.sign(), Sign::positive);
-    const Fraction d = fraction(p.denominator), x = fraction(p.numerators[0]) / d, y = fraction(p.numerators[1]) / d;
+    const Fraction d = fraction(p.denominator), x = fraction(p.x) / d, y = fraction(p.y) / d;
     ASSERT_TRUE(holds(s, x, y) && holds(t, x, y)) << i;
   }
   for (const ContactKind k : {ContactKind::none, ContactKind::shared_endpoint, ContactKind::touch,

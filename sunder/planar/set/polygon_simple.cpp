@@ -1,10 +1,9 @@
+#include <sunder/planar/set/ends_in_order.h>
+#include <sunder/planar/set/near_pairs.h>
 #include <sunder/planar/set/polygon_simple.h>
 #include <sunder/planar/set/segments_any.h>
 
 #include <algorithm>
-#include <array>
-#include <numeric>
-#include <utility>
 
 namespace sunder::planar {
 
@@ -32,6 +31,34 @@ void report_equal_vertices(const Polygon& polygon, std::uint32_t u, std::uint32_
   }
 }
 
+Segments edges_of(const Polygon& polygon) {
+  std::vector<Segment> edges;
+  edges.reserve(polygon.size());
+  for (std::uint32_t k = 0; k < polygon.size(); ++k) edges.push_back(polygon.edge(k));
+  return Segments(edges);
+}
+
+// A vertex is the end of two edges. Where more ends come together, vertices are equal.
+PolygonSimpleAnswer by_sweep(const Polygon& polygon, const Segments& edges) {
+  PolygonSimpleAnswer answer;
+  const std::vector<Point2>& p = polygon.vertices();
+  const auto vertex_at = [&](std::uint32_t end) {
+    const std::uint32_t k = end / 2;
+    return end_point(edges.all(), end) == p[k] ? k : polygon.next(k);
+  };
+  const std::vector<std::uint32_t> ends = ends_in_order(edges.all());
+  for (std::size_t k = 1; k < ends.size() && answer.simple(); ++k) {
+    ++answer.cost.probes;
+    const std::uint32_t u = vertex_at(ends[k - 1]), v = vertex_at(ends[k]);
+    if (u != v && p[u] == p[v]) report_equal_vertices(polygon, std::min(u, v), std::max(u, v), answer);
+  }
+  if (!answer.simple()) return answer;
+  const SegmentsAnswer contact = segments_any_by_sweep(edges, {Allowed::shared_endpoint, false});
+  answer.cost.probes += contact.cost.probes;
+  if (contact.meet()) report(answer, contact.kind, contact.i, contact.j);
+  return answer;
+}
+
 }  // namespace
 
 ContactKind counted_contact(const Polygon& polygon, std::uint32_t i, std::uint32_t j) {
@@ -42,30 +69,24 @@ ContactKind counted_contact(const Polygon& polygon, std::uint32_t i, std::uint32
   return follow && kind == ContactKind::shared_endpoint && !both_points ? ContactKind::none : kind;
 }
 
-PolygonSimpleAnswer polygon_simple(const Polygon& polygon) { return polygon_simple_by_sweep(polygon); }
+PolygonSimpleAnswer polygon_simple(const Polygon& polygon) { return polygon_simple_by_grid(polygon); }
 
-PolygonSimpleAnswer polygon_simple_by_sweep(const Polygon& polygon) {
+PolygonSimpleAnswer polygon_simple_by_grid(const Polygon& polygon) {
+  const Segments edges = edges_of(polygon);
+  const std::optional<SegmentGrid> grid = SegmentGrid::over(edges.all());
+  if (!grid || crowded(*grid) > 0) return by_sweep(polygon, edges);
   PolygonSimpleAnswer answer;
-  const std::vector<Point2>& p = polygon.vertices();
-  std::vector<std::uint32_t> order(polygon.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t u, std::uint32_t v) {
-    return lexicographically_less(p[u], p[v]) || (p[u] == p[v] && u < v);
-  });
-  for (std::size_t k = 1; k < order.size() && answer.simple(); ++k) {
+  const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {
     ++answer.cost.probes;
-    if (p[order[k - 1]] == p[order[k]]) report_equal_vertices(polygon, order[k - 1], order[k], answer);
-  }
-  if (!answer.simple()) return answer;
-
-  std::vector<Segment> edges;
-  edges.reserve(polygon.size());
-  for (std::uint32_t k = 0; k < polygon.size(); ++k) edges.push_back(polygon.edge(k));
-  const SegmentsAnswer contact = segments_any_by_sweep(Segments(edges), {Allowed::shared_endpoint, false});
-  answer.cost.probes += contact.cost.probes;
-  if (contact.meet()) report(answer, contact.kind, contact.i, contact.j);
+    const ContactKind kind = counted_contact(polygon, i, j);
+    if (kind != ContactKind::none) report(answer, kind, i, j);
+    return answer.simple();
+  };
+  for_each_near_pair(edges.all(), *grid, of_pair, [](std::uint32_t) { return true; });
   return answer;
 }
+
+PolygonSimpleAnswer polygon_simple_by_sweep(const Polygon& polygon) { return by_sweep(polygon, edges_of(polygon)); }
 
 PolygonSimpleAnswer polygon_simple_by_scan(const Polygon& polygon) {
   PolygonSimpleAnswer answer;

@@ -32,6 +32,9 @@ PolygonSimpleAnswer polygon_simple(const Polygon& polygon);
 // edges that follow each other. O(N log N) comparisons, O(N) memory.
 PolygonSimpleAnswer polygon_simple_by_sweep(const Polygon& polygon);
 
+// A uniform grid over the edges' boxes; where it does not pay, or many edges crowd in a cell, by sweep.
+PolygonSimpleAnswer polygon_simple_by_grid(const Polygon& polygon);
+
 // Every pair of edges: the oracle. O(N^2) time.
 PolygonSimpleAnswer polygon_simple_by_scan(const Polygon& polygon);
 

@@ -13,22 +13,13 @@
 #include <sunder/base/cost.h>
 #include <sunder/planar/object/segments.h>
 #include <sunder/planar/pair/segment_segment.h>
+#include <sunder/planar/set/contact_rule.h>
 
 #include <cstdint>
-#include <string_view>
+#include <functional>
 #include <vector>
 
 namespace sunder::planar {
-
-// What does not count as a contact. Each allows what the one before does.
-enum class Allowed : std::uint8_t {
-  nothing,
-  shared_endpoint,  // one common point that is an end of both: roads at a junction, consecutive edges
-  touch,            // any contact in one point that is an end of one of them
-};
-
-std::string_view name_of(Allowed);  // "shared-endpoint"
-bool counts(ContactKind kind, Allowed allowed);
 
 // The sweep that met no contact. `events`: the endpoints in the order of the sweep, 2 i for the first end of segment i
 // and 2 i + 1 for its last; `below`: for each first end, in that order, the segment just below it then, or no_segment.
@@ -51,14 +42,25 @@ struct SegmentsAnswer {
 struct SegmentsOptions {
   Allowed allowed = Allowed::nothing;
   bool transcript = false;
+  Groups groups{};                                 // members of one group may meet
+  std::function<void(double)> progress = nullptr;  // called now and then with the part that is done, 0 to 1
 };
 
 // The front door: the fastest method measured.
 SegmentsAnswer segments_any(const Segments& segments, const SegmentsOptions& options = {});
 
 // Algorithm 1: a line sweeps over the plane; segments are tested when they become neighbours on it.
-// Cost: O(N log N) comparisons; O(N) memory.
+// Cost: O(N log N) comparisons; O(N) memory. Where there are groups, whose members may cross: by Bentley and Ottmann.
 SegmentsAnswer segments_any_by_sweep(const Segments& segments, const SegmentsOptions& options = {});
+
+// The sweep that passes crossings, up to the first contact that counts. Writes no transcript.
+// Cost: O((N + k) log N) comparisons for k contacts that do not count; O(N + k) memory.
+SegmentsAnswer segments_any_by_bentley_ottmann(const Segments& segments, const SegmentsOptions& options = {});
+
+// A uniform grid over the segments' boxes finds the pairs that are near each other. Where boxes are long against the
+// grid, or a transcript is asked for, the sweep decides instead, and where too many crowd in a cell, the sweep decides
+// about these; so its bound holds.
+SegmentsAnswer segments_any_by_grid(const Segments& segments, const SegmentsOptions& options = {});
 
 // Every pair: the oracle. Names the first pair. Writes no transcript. O(N^2) time.
 SegmentsAnswer segments_any_by_scan(const Segments& segments, const SegmentsOptions& options = {});

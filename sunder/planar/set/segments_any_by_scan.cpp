@@ -9,7 +9,7 @@ SegmentsAnswer segments_any_by_scan(const Segments& segments, const SegmentsOpti
     for (std::uint32_t j = i + 1; j < segments.size(); ++j) {
       ++answer.cost.probes;
       const ContactKind kind = segment_segment(segments[i], segments[j]);
-      if (!counts(kind, options.allowed)) continue;
+      if (!counts(kind, options.allowed) || may_meet(options.groups, i, j)) continue;
       answer.kind = kind;
       answer.i = i;
       answer.j = j;

@@ -23,6 +23,7 @@
 //   A point on t: points come before what begins, so t is the only one through p, and the point is put next to it.
 // Two segments that only share an end, last of one and first of the other, are never neighbours, as what ends leaves
 // first. Where shared ends count, equal events are looked for instead.
+#include <sunder/planar/set/ends_in_order.h>
 #include <sunder/planar/set/segments_any.h>
 #include <sunder/planar/set/sweep_status.h>
 #include <sunder/predicate/orient.h>
@@ -33,91 +34,78 @@ namespace sunder::planar {
 
 namespace {
 
-static_assert(SweepStatus::none == no_segment);
-
-struct Event {
-  enum class Kind : std::uint32_t { end, point, begin };  // in the order in which they are taken at one place
-  Point2 at;
-  std::uint32_t segment;
-  Kind kind;
-};
-
-bool operator<(const Event& a, const Event& b) {
-  if (a.at.x != b.at.x) return a.at.x < b.at.x;
-  if (a.at.y != b.at.y) return a.at.y < b.at.y;
-  if (a.kind != b.kind) return a.kind < b.kind;
-  return a.segment < b.segment;
-}
-
-std::vector<Event> sorted_events(const Segments& segments) {
-  std::vector<Event> events;
-  events.reserve(2 * std::size_t{segments.size()});
-  for (std::uint32_t i = 0; i < segments.size(); ++i) {
-    const Segment& s = segments[i];
-    if (s.a == s.b) {
-      events.push_back({s.a, i, Event::Kind::point});
-    } else {
-      events.push_back({s.a, i, Event::Kind::begin});
-      events.push_back({s.b, i, Event::Kind::end});
-    }
-  }
-  std::sort(events.begin(), events.end());
-  return events;
-}
+static_assert(SweepStatus<Segment>::none == no_segment);
 
 class Sweep {
  public:
   Sweep(const Segments& segments, const SegmentsOptions& options)
-      : segments_(segments), options_(options), status_(segments.size()) {}
+      : segments_(segments), options_(options), status_(segments.all()) {}
 
   SegmentsAnswer run() {
-    const std::vector<Event> events = sorted_events(segments_);
-    const bool record = options_.transcript;
-    if (record) {
-      answer_.transcript.events.reserve(2 * std::size_t{segments_.size()});
-      answer_.transcript.below.reserve(segments_.size());
+    const std::vector<std::uint32_t> ends = ends_in_order(segments_.all());
+    if (options_.transcript) answer_.transcript.below.reserve(segments_.size());
+    for (std::size_t k = 0; k < ends.size() && !answer_.meet(); ++k) {
+      const std::uint32_t i = ends[k] / 2;
+      if (k + ahead < ends.size()) __builtin_prefetch(&segments_[ends[k + ahead] / 2]);
+      if (options_.allowed == Allowed::nothing && k + 1 < ends.size()) test_equal_ends(ends[k], ends[k + 1]);
+      ends[k] % 2 == 0 ? enter(i) : leave(i);
     }
-    for (std::size_t k = 0; k < events.size() && !answer_.meet(); ++k) {
-      const Event& event = events[k];
-      if (options_.allowed == Allowed::nothing && k + 1 < events.size() && events[k + 1].at == event.at) {
-        test(event.segment, events[k + 1].segment);
-        continue;
-      }
-      if (event.kind != Event::Kind::end) enter(event.segment);
-      if (event.kind != Event::Kind::begin) leave(event.segment);
+    if (answer_.meet()) {
+      answer_.transcript = {};
+    } else if (options_.transcript) {
+      answer_.transcript.events = ends;
     }
-    if (answer_.meet()) answer_.transcript = {};
     return std::move(answer_);
   }
 
  private:
-  void enter(std::uint32_t i) {
-    const auto around = status_.insert(i, [&](std::uint32_t other) { return is_above(i, other); });
-    if (options_.transcript) {
-      answer_.transcript.events.push_back(2 * i);
-      answer_.transcript.below.push_back(around.below);
+  static constexpr std::size_t ahead = 12;
+
+  void test_equal_ends(std::uint32_t end, std::uint32_t next) {
+    if (end / 2 != next / 2 && end_point(segments_.all(), end) == end_point(segments_.all(), next)) {
+      test(end / 2, next / 2);
     }
-    test(i, around.below);
-    test(i, around.above);
+  }
+
+  void enter(std::uint32_t i) {
+    const Segment& s = segments_[i];
+    begins_on_another_ = false;
+    const auto around = status_.insert(i, [&](const Segment& other) { return is_above(s, other); });
+    if (options_.transcript) answer_.transcript.below.push_back(around.below);
+    test_neighbours(around.below, i, begins_on_another_);
+    test_neighbours(i, around.above, begins_on_another_);
   }
 
   void leave(std::uint32_t i) {
     const auto around = status_.erase(i);
-    if (options_.transcript) answer_.transcript.events.push_back(2 * i + 1);
-    if (around.below != no_segment) test(around.below, around.above);
+    test_neighbours(around.below, around.above, false);
   }
 
   // Is segment i, which begins now, above the other one just after?
-  bool is_above(std::uint32_t i, std::uint32_t other) {
+  bool is_above(const Segment& s, const Segment& t) {
     ++answer_.cost.probes;
-    const Segment &s = segments_[i], &t = segments_[other];
     const Sign begins = orient_2d(t.a, t.b, s.a);
     if (begins != Sign::zero) return begins == Sign::positive;
+    begins_on_another_ = true;
     return orient_2d(t.a, t.b, s.b) != Sign::negative;  // a tie, overlap or point, is looked at as neighbours then
   }
 
+  // Two that are neighbours now, neither of which begins here on another, meet further on or not at all. Where they do,
+  // the one that ends first does so on the other one or beyond.
+  void test_neighbours(std::uint32_t lower, std::uint32_t upper, bool begins_on_another) {
+    if (lower == no_segment || upper == no_segment) return;
+    const Segment &s = segments_[lower], &t = segments_[upper];
+    if (!begins_on_another) {
+      ++answer_.cost.probes;
+      const bool s_ends_first = lexicographically_less(s.b, t.b);
+      const Sign side = s_ends_first ? orient_2d(t.a, t.b, s.b) : orient_2d(s.a, s.b, t.b);
+      if (side == (s_ends_first ? Sign::negative : Sign::positive)) return;
+    }
+    test(lower, upper);
+  }
+
   void test(std::uint32_t i, std::uint32_t j) {
-    if (j == no_segment || answer_.meet()) return;
+    if (answer_.meet()) return;
     ++answer_.cost.probes;
     const ContactKind kind = segment_segment(segments_[i], segments_[j]);
     if (!counts(kind, options_.allowed)) return;
@@ -128,13 +116,15 @@ class Sweep {
 
   const Segments& segments_;
   const SegmentsOptions options_;
-  SweepStatus status_;
+  SweepStatus<Segment> status_;
   SegmentsAnswer answer_;
+  bool begins_on_another_ = false;  // does the segment that enters begin on one that it was compared with?
 };
 
 }  // namespace
 
 SegmentsAnswer segments_any_by_sweep(const Segments& segments, const SegmentsOptions& options) {
+  if (!options.groups.empty()) return segments_any_by_bentley_ottmann(segments, options);
   return Sweep(segments, options).run();
 }
 

@@ -33,10 +33,10 @@ std::string certificate_text(const Segments& segments, Allowed allowed, const Se
   text += "],\n \"statements\": [\n  {\"question\": \"segments_any\", \"allowed\": \"" + std::string(name_of(allowed)) +
           "\", \"verdict\": \"" + (answer.meet() ? "some" : "none") + "\",\n   ";
   if (answer.meet()) {
-    const CommonPoint p = common_point(segments[answer.i], segments[answer.j]);
+    const ExactPoint2 p = common_point(segments[answer.i], segments[answer.j]);
     text += "\"i\": " + std::to_string(answer.i) + ", \"j\": " + std::to_string(answer.j) + ", \"kind\": \"" +
-            std::string(name_of(answer.kind)) + "\", \"point\": [\"" + fraction_text(p.numerators[0], p.denominator) +
-            "\", \"" + fraction_text(p.numerators[1], p.denominator) + "\"]";
+            std::string(name_of(answer.kind)) + "\", \"point\": [\"" + fraction_text(p.x, p.denominator) + "\", \"" +
+            fraction_text(p.y, p.denominator) + "\"]";
   } else {
     text += "\"events\":\n    ";
     append(text, answer.transcript.events);

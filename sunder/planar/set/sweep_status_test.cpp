@@ -19,7 +19,7 @@ TEST(SweepStatusTest, IsAnOrderedList) {
   constexpr std::uint32_t count = 3000;
   std::vector<std::uint64_t> key(count);
   for (std::uint64_t& k : key) k = random.next();
-  SweepStatus status(count);
+  SweepStatus<std::uint64_t> status(key);
   std::vector<std::uint32_t> listed, absent(count);
   std::iota(absent.begin(), absent.end(), 0u);
   const auto less = [&](std::uint32_t a, std::uint32_t b) { return key[a] < key[b]; };
@@ -33,13 +33,13 @@ TEST(SweepStatusTest, IsAnOrderedList) {
     const std::uint32_t item = from[pick];
     from.erase(from.begin() + static_cast<std::ptrdiff_t>(pick));
     const auto place = std::lower_bound(listed.begin(), listed.end(), item, less);
-    const std::uint32_t below = place == listed.begin() ? SweepStatus::none : *(place - 1);
-    const std::uint32_t above = place == listed.end() ? SweepStatus::none : *place;
+    const std::uint32_t below = place == listed.begin() ? SweepStatus<std::uint64_t>::none : *(place - 1);
+    const std::uint32_t above = place == listed.end() ? SweepStatus<std::uint64_t>::none : *place;
     std::uint32_t asked = 0;
     const auto around = insert ? status.insert(item,
-                                               [&](std::uint32_t other) {
+                                               [&](std::uint64_t other) {
                                                  ++asked;
-                                                 return key[other] < key[item];
+                                                 return other < key[item];
                                                })
                                : status.erase(item);
     ASSERT_EQ(around.below, below) << step;

@@ -26,7 +26,7 @@ void fill_table(SearchGraph& graph) {
     for (std::uint32_t step = 0; step < side; ++step) {                    // side^2 is about 8 n, and n < 2^28
       const std::uint32_t column = row % 2 == 0 ? step : side - 1 - step;  // to and fro: cells in turn are adjacent
       const Point3 direction = folded((2.0 * column + 1) / side - 1, (2.0 * row + 1) / side - 1);
-      std::uint32_t probes = 0;
+      std::uint64_t probes = 0;
       last = walk(graph, direction, last, probes);
       graph.table[row * side + column] = last;
     }

@@ -39,7 +39,7 @@ inline std::uint32_t first_with_value(const Point3& direction, const double* x, 
 // each time, of equals the first. Returns the place of the last block. Adds the vertices it looks at to `probes`. Ends,
 // because the value grows strictly.
 inline std::uint32_t walk(const SearchGraph& graph, const Point3& direction, std::uint32_t start,
-                          std::uint32_t& probes) {
+                          std::uint64_t& probes) {
   std::uint32_t at = start;
   VertexBlock block = graph.block(at);
   const Point3 p = block.at();
@@ -79,7 +79,7 @@ inline std::uint32_t table_start(const SearchGraph& graph, const Point3& directi
 }
 
 // The first vertex that is furthest in floating point, reading them all. Requires few vertices.
-inline std::uint32_t furthest_of_few(const SearchGraph& graph, const Point3& direction, std::uint32_t& probes) {
+inline std::uint32_t furthest_of_few(const SearchGraph& graph, const Point3& direction, std::uint64_t& probes) {
   const std::uint32_t n = graph.padded;
   const double* x = graph.all.data();
   const double* y = x + n;
@@ -111,12 +111,12 @@ inline std::uint32_t search_start(const SearchGraph& graph, const Point3& direct
 
 // A vertex that is furthest along the direction as far as floating point can tell. `start` is search_start().
 inline std::uint32_t furthest_from(const SearchGraph& graph, const Point3& direction, std::uint32_t start,
-                                   std::uint32_t& probes) {
+                                   std::uint64_t& probes) {
   if (graph.padded != 0) return furthest_of_few(graph, direction, probes);
   return graph.block(walk(graph, direction, start, probes)).vertex();
 }
 
-inline std::uint32_t furthest(const SearchGraph& graph, const Point3& direction, std::uint32_t& probes) {
+inline std::uint32_t furthest(const SearchGraph& graph, const Point3& direction, std::uint64_t& probes) {
   return furthest_from(graph, direction, search_start(graph, direction), probes);
 }
 

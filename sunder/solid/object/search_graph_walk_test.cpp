@@ -73,7 +73,7 @@ TEST(SearchGraphWalkTest, FurthestAgainstReadingAll) {
     const ConvexPolyhedron body(points);
     const SearchGraph& graph = body.search_graph();
     for (const Point3& d : directions_for(body, random, 100)) {
-      std::uint32_t probes = 0;
+      std::uint64_t probes = 0;
       const std::uint32_t found = furthest(graph, d, probes);
       ASSERT_LT(found, body.vertices().size());
       ASSERT_GT(probes, 0u);
@@ -93,7 +93,7 @@ TEST(SearchGraphWalkTest, OfEqualsTheFirst) {
   const ConvexPolyhedron cube(points);
   Random random(3);
   for (const Point3& d : directions_for(cube, random, 100)) {
-    std::uint32_t probes = 0;
+    std::uint64_t probes = 0;
     const std::uint32_t found = furthest_of_few(cube.search_graph(), d, probes);
     EXPECT_EQ(probes, 8u);
     std::uint32_t first = 0;
@@ -110,7 +110,7 @@ TEST(SearchGraphWalkTest, AWalkEndsWhereNoNeighbourIsBetter) {
   const SearchGraph& graph = body.search_graph();
   for (int i = 0; i < 300; ++i) {
     const Point3 d = on_sphere(random);
-    std::uint32_t probes = 0;
+    std::uint64_t probes = 0;
     const std::uint32_t start = graph.place[random.below(graph.place.size())];
     const VertexBlock end = graph.block(walk(graph, d, start, probes));
     for (std::uint32_t j = 0; j < end.count(); ++j) {
@@ -154,7 +154,7 @@ TEST(SearchGraphWalkTest, AnyDirectionWillDo) {
     for (const double x : odd) {
       for (const double y : odd) {
         for (const double z : odd) {
-          std::uint32_t probes = 0;
+          std::uint64_t probes = 0;
           ASSERT_LT(furthest(graph, {x, y, z}, probes), body.vertices().size());
           ASSERT_LE(probes, 50 * body.vertices().size());
         }
@@ -173,7 +173,7 @@ TEST(SearchGraphWalkTest, HugeAndTinyBodies) {
     for (int i = 0; i < 50; ++i) {
       const Point3 d = on_sphere(random);
       for (const double length : {least, 1.0, largest}) {
-        std::uint32_t probes = 0;
+        std::uint64_t probes = 0;
         ASSERT_LT(furthest(body.search_graph(), {d.x * length, d.y * length, d.z * length}, probes),
                   body.vertices().size());
       }
@@ -190,12 +190,12 @@ TEST(SearchGraphWalkTest, ProbesDoNotGrow) {
     const ConvexPolyhedron body(sphere(random, n));
     ASSERT_EQ(body.vertices().size(), n);
     double total = 0;
-    std::uint32_t most = 0;
+    std::uint64_t most = 0;
     constexpr int directions = 2000;
     for (int i = 0; i < directions; ++i) {
-      std::uint32_t probes = 0;
+      std::uint64_t probes = 0;
       furthest(body.search_graph(), on_sphere(random), probes);
-      total += probes;
+      total += static_cast<double>(probes);
       most = std::max(most, probes);
     }
     RecordProperty("mean_probes_" + std::to_string(n), std::to_string(total / directions));

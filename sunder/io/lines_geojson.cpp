@@ -1,0 +1,184 @@
+#include <sunder/io/lines_geojson.h>
+#include <sunder/io/text.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+namespace sunder::io {
+
+namespace {
+
+class GeoJson {
+ public:
+  explicit GeoJson(LineBuilder& builder) : builder_(builder), group_(builder.options().group) {
+    builder.group_by(by_name(group_));
+  }
+
+  void parse(std::string_view text) {
+    const std::string_view place = builder_.place();
+    nlohmann::json top;
+    try {
+      top = nlohmann::json::parse(text, refuser_of_repeated_keys(place));
+    } catch (const nlohmann::json::exception& error) {  // not JSON, or a number beyond the doubles
+      const std::string what = error.what();
+      std::size_t at = what.find(" at line ");
+      if (at == std::string::npos) at = what.find("] ") + 1;
+      fail_file(place, "is not JSON that can be read: " + one_line(what.substr(at + 1)));
+    }
+    if (top.is_array() && !top.empty() && top[0].is_array()) {
+      builder_.group_by_feature_or_ring();
+      builder_.begin_feature({}, 0);
+      builder_.begin_polygon();
+      for (const nlohmann::json& ring : top) add_ring(ring, true);
+    } else if (type_of(top) == "FeatureCollection") {
+      const auto features = top.find("features");
+      if (features == top.end() || !features->is_array()) builder_.fail("the collection has no list \"features\"");
+      for (std::size_t i = 0; i < features->size(); ++i) add_feature((*features)[i], i);
+    } else {
+      add_feature(top, 0);
+    }
+    if (without_geometry_ > 0) {
+      builder_.file.remarks.push_back(fmt::format("features without a geometry, passed over: {}", without_geometry_));
+    }
+  }
+
+ private:
+  // For the parser, which would take the last of them.
+  static nlohmann::json::parser_callback_t refuser_of_repeated_keys(std::string_view place) {
+    using Event = nlohmann::json::parse_event_t;
+    std::vector<std::unordered_set<std::string>> keys;  // of the objects that are open
+    return [place, keys](int, Event event, const nlohmann::json& parsed) mutable {
+      if (event == Event::object_start) keys.emplace_back();
+      if (event == Event::object_end) keys.pop_back();
+      if (event == Event::key && !keys.back().insert(parsed.get<std::string>()).second) {
+        fail_file(place, fmt::format("the key {} stands twice in one object; remove one",
+                                     quote(parsed.get_ref<const std::string&>())));
+      }
+      return true;
+    };
+  }
+
+  std::string type_of(const nlohmann::json& item) const {
+    if (!item.is_object()) builder_.fail("is no GeoJSON: an object with a \"type\" is expected");
+    const auto type = item.find("type");
+    if (type == item.end() || !type->is_string()) builder_.fail("is no GeoJSON: an object has no \"type\"");
+    return *type;
+  }
+
+  static std::string text_of(const nlohmann::json& value) {
+    return value.is_string() ? one_line(value.get<std::string>()) : value.is_number() ? value.dump() : std::string();
+  }
+
+  // The value of the property that groups, as it is written.
+  std::string group_of(const nlohmann::json& feature, bool wrapped) const {
+    const auto properties = wrapped ? feature.find("properties") : feature.end();
+    const bool some = properties != feature.end() && properties->is_object();
+    const auto value = some ? properties->find(group_) : nlohmann::json::const_iterator();
+    if (!some || value == properties->end()) {
+      builder_.fail(fmt::format("has no property {}; give it one, or group by feature or ring", quote(group_)));
+    }
+    if (value->is_string()) return value->get<std::string>();
+    if (!value->is_number() && !value->is_boolean()) {
+      builder_.fail(
+          fmt::format("property {} is neither text nor a number, true or false; give it one of these", quote(group_)));
+    }
+    return value->dump();
+  }
+
+  void add_feature(const nlohmann::json& item, std::size_t position) {
+    const bool wrapped = type_of(item) == "Feature";
+    std::string name;
+    if (wrapped) {
+      if (const auto id = item.find("id"); id != item.end()) name = text_of(*id);
+      const auto properties = item.find("properties");
+      for (const char* key : {"name", "NAME", "id"}) {
+        if (!name.empty() || properties == item.end() || !properties->is_object()) break;
+        if (const auto value = properties->find(key); value != properties->end()) name = text_of(*value);
+      }
+    }
+    const auto geometry = wrapped ? item.find("geometry") : item.end();
+    if (geometry != item.end() && geometry->is_null()) {
+      ++without_geometry_;
+      return;
+    }
+    builder_.begin_feature(name.empty() ? std::to_string(position + 1) : name, 0);
+    if (by_name(group_) == GroupBy::field) builder_.group_value(group_of(item, wrapped));
+    if (!wrapped) return add_geometry(item);
+    if (geometry == item.end()) builder_.fail("has no \"geometry\"; give it, or null");
+    add_geometry(*geometry);
+  }
+
+  void add_geometry(const nlohmann::json& item, int depth = 0) {
+    const std::string type = type_of(item);
+    if (type == "GeometryCollection") {
+      if (depth == 100) builder_.fail("has collections nested 100 deep; unpack them");
+      for (const nlohmann::json& part : list(item, "geometries")) add_geometry(part, depth + 1);
+      return;
+    }
+    const bool known = type == "LineString" || type == "MultiLineString" || type == "Polygon" || type == "MultiPolygon";
+    if (!known) {
+      builder_.fail(fmt::format("geometry {} has no segments; give lines and polygons only", quote(type)));
+    }
+    const nlohmann::json& coordinates = list(item, "coordinates");
+    if (type == "LineString") return builder_.add_line(points_of(coordinates));
+    if (type == "Polygon") return add_polygon(coordinates, false);
+    for (const nlohmann::json& part : coordinates) {
+      if (type == "MultiPolygon") {
+        add_polygon(part, true);
+      } else {
+        builder_.add_line(points_of(part));
+      }
+    }
+  }
+
+  void add_polygon(const nlohmann::json& rings, bool several) {
+    builder_.begin_polygon(several);
+    if (!rings.is_array()) builder_.fail("coordinates are not lists of the depth that the type needs");
+    if (rings.empty()) builder_.fail("a polygon has no rings; leave it out");
+    for (const nlohmann::json& ring : rings) add_ring(ring, false);
+  }
+
+  const nlohmann::json& list(const nlohmann::json& item, const char* key) const {
+    const auto value = item.find(key);
+    if (value == item.end() || !value->is_array() || value->empty()) {
+      builder_.fail(fmt::format("has no list \"{}\", or an empty one", key));
+    }
+    return *value;
+  }
+
+  // close: where the first point is not repeated, do.
+  void add_ring(const nlohmann::json& list, bool close) {
+    builder_.begin_ring();
+    std::vector<Point2> points = points_of(list);
+    if (close && !points.empty() && points.front() != points.back()) points.push_back(points.front());
+    builder_.add_ring(points);
+  }
+
+  std::vector<Point2> points_of(const nlohmann::json& list) const {
+    if (!list.is_array()) builder_.fail("coordinates are not lists of the depth that the type needs");
+    std::vector<Point2> points;
+    for (const nlohmann::json& p : list) {
+      const bool numbers =
+          p.is_array() && p.size() >= 2 && std::all_of(p.begin(), p.end(), [](const auto& x) { return x.is_number(); });
+      if (!numbers) builder_.fail("a position is not a list of two numbers");
+      builder_.check_dimension(p.size());
+      points.push_back({p[0].get<double>(), p[1].get<double>()});
+    }
+    return points;
+  }
+
+  LineBuilder& builder_;
+  const std::string& group_;
+  std::uint32_t without_geometry_ = 0;
+};
+
+}  // namespace
+
+void parse_geojson(std::string_view text, LineBuilder& builder) { GeoJson(builder).parse(text); }
+
+}  // namespace sunder::io

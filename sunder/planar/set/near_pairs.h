@@ -1,0 +1,89 @@
+// The pairs of segments that a grid finds near each other.
+#pragma once
+
+#include <sunder/planar/set/contact_rule.h>
+#include <sunder/planar/set/segment_grid.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace sunder::planar {
+
+// Of more segments in a cell, a sweep needs fewer comparisons than all pairs.
+inline constexpr std::size_t crowd = 48;
+
+// How many places in cells are in crowded ones?
+inline std::size_t crowded(const SegmentGrid& grid) {
+  std::size_t count = 0;
+  for (std::uint32_t c = 0; c < grid.cell_count(); ++c) {
+    if (grid.cell(c).size() > crowd) count += grid.cell(c).size();
+  }
+  return count;
+}
+
+// The low corner of the common part of two boxes that have one.
+inline Point2 low_corner(const Segment& s, const Segment& t) {
+  return {std::max(s.a.x, t.a.x), std::max(std::min(s.a.y, s.b.y), std::min(t.a.y, t.b.y))};
+}
+
+// Some of the segments as a set of their own, with their groups.
+struct Part {
+  Part(const Segments& all, Groups all_groups, std::span<const std::uint32_t> members)
+      : segments(chosen(all, members)) {
+    if (all_groups.empty()) return;
+    for (const std::uint32_t i : members) groups.push_back(all_groups[i]);
+  }
+
+  Segments segments;
+  std::vector<std::uint32_t> groups;
+
+ private:
+  static Segments chosen(const Segments& all, std::span<const std::uint32_t> members) {
+    std::vector<Segment> part;
+    part.reserve(members.size());
+    for (const std::uint32_t i : members) part.push_back(all[i]);
+    return Segments(part);
+  }
+};
+
+// Calls of_pair(i, j), i < j, once for each pair whose boxes meet, save for pairs of crowded cells: of_crowd(c) is
+// called for these. Stops when one of them returns false.
+template <class OfPair, class OfCrowd>
+void for_each_near_pair(std::span<const Segment> segments, const SegmentGrid& grid, const OfPair& of_pair,
+                        const OfCrowd& of_crowd, const std::function<void(double)>& progress = nullptr) {
+  struct Box {
+    double left, right, bottom, top;
+  };
+  std::array<Box, crowd> box;
+  constexpr std::uint32_t ahead = 8;
+  const std::uint32_t cells = grid.cell_count();
+  for (std::uint32_t c = 0; c < cells; ++c) {
+    if (progress && c % 65536 == 0) progress(static_cast<double>(c) / cells);
+    if (c + ahead < cells) {
+      for (const std::uint32_t i : grid.cell(c + ahead)) __builtin_prefetch(&segments[i]);
+    }
+    const auto cell = grid.cell(c);
+    if (cell.size() < 2) continue;
+    if (cell.size() > crowd) {
+      if (!of_crowd(c)) return;
+      continue;
+    }
+    for (std::size_t l = 0; l < cell.size(); ++l) {
+      const Segment& t = segments[cell[l]];
+      const Box b = box[l] = {t.a.x, t.b.x, std::min(t.a.y, t.b.y), std::max(t.a.y, t.b.y)};
+      for (std::size_t k = 0; k < l; ++k) {
+        const Box& a = box[k];
+        const Point2 corner{std::max(a.left, b.left), std::max(a.bottom, b.bottom)};
+        if ((corner.x > std::min(a.right, b.right)) | (corner.y > std::min(a.top, b.top))) continue;
+        if (grid.looks_at(c, corner) && !of_pair(cell[k], cell[l])) return;
+      }
+    }
+  }
+}
+
+}  // namespace sunder::planar

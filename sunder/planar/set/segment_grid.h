@@ -1,0 +1,47 @@
+// A uniform grid over the boxes of segments: two segments that meet have a cell in common.
+//
+// A cell is a product of ranges of x and y; the number of a range grows with the coordinate, whatever is rounded in
+// computing it. The low corner of the common part of two boxes has coordinates of the segments' ends, so both boxes
+// cover its cell: that cell is the one that looks at the pair.
+#pragma once
+
+#include <sunder/planar/object/segments.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace sunder::planar {
+
+class SegmentGrid {
+ public:
+  // A grid with about as many cells as segments, or nothing where it would not pay: boxes that cover more than
+  // `most_covered` cells each on average, ranges that overflow, or fewer than two segments. Cost: linear.
+  static std::optional<SegmentGrid> over(std::span<const Segment> segments, double most_covered = 8);
+
+  std::uint32_t cell_count() const { return static_cast<std::uint32_t>(first_.size() - 1); }
+  // The segments whose boxes cover the cell, the lower numbers first.
+  std::span<const std::uint32_t> cell(std::uint32_t c) const {
+    return {covering_.data() + first_[c], covering_.data() + first_[c + 1]};
+  }
+
+  // Is this the cell that looks at a pair whose boxes' common part has this low corner?
+  bool looks_at(std::uint32_t c, const Point2& low_corner) const { return c == cell_of(low_corner); }
+
+ private:
+  SegmentGrid() = default;
+
+  std::uint32_t column(double x) const { return static_cast<std::uint32_t>((x - low_.x) * per_x_); }
+  std::uint32_t row(double y) const { return static_cast<std::uint32_t>((y - low_.y) * per_y_); }
+  std::uint32_t cell_of(const Point2& p) const { return row(p.y) * columns_ + column(p.x); }
+
+  Point2 low_{};
+  double per_x_ = 0, per_y_ = 0;
+  std::uint32_t columns_ = 1;
+  std::vector<std::uint32_t> first_;     // of each cell, its place in covering_; and the end
+  std::vector<std::uint32_t> covering_;  // segments, cell after cell
+};
+
+}  // namespace sunder::planar

@@ -1,0 +1,56 @@
+// Which pairs of N closed segments meet, and how many are they?
+//
+//   P1. Each pair that has a contact whose kind counts, and whose segments are not of one group, is given once.
+//   P2. The pairs given and their kinds do not depend on the method; their order does.
+//   P3. The answer does not depend on the compiler.
+// k is the number of all contacts, also of those that do not count.
+// Sources: Shamos & Hoey 1976, section VI (the question); Bentley & Ottmann 1979.
+#pragma once
+
+#include <sunder/base/cost.h>
+#include <sunder/planar/object/segments.h>
+#include <sunder/planar/set/segments_any.h>
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace sunder::planar {
+
+struct SegmentsContact {
+  std::uint32_t i = 0, j = 0;  // i < j
+  ContactKind kind = ContactKind::none;
+  friend auto operator<=>(const SegmentsContact&, const SegmentsContact&) = default;
+};
+
+struct SegmentsAllAnswer {
+  std::vector<SegmentsContact> contacts;
+  Cost cost;  // probes: pairs that were compared
+};
+
+struct SegmentsCountAnswer {
+  std::uint64_t count = 0;
+  Cost cost;
+};
+
+// The front doors: the fastest method measured. `transcript` of the options is not looked at.
+SegmentsAllAnswer segments_all(const Segments& segments, const SegmentsOptions& options = {});
+SegmentsCountAnswer segments_count(const Segments& segments, const SegmentsOptions& options = {});
+
+// Calls for each contact, in the order of the method, until the visitor returns false.
+using ContactVisitor = std::function<bool(const SegmentsContact&)>;
+using ContactMethod = Cost(const Segments& segments, const SegmentsOptions& options, const ContactVisitor& visit);
+
+ContactMethod visit_contacts;  // the front door
+
+// A grid over the segments' boxes; where it does not pay, or many crowd in a cell, the sweep.
+ContactMethod visit_contacts_by_grid;
+
+// The sweep of Bentley and Ottmann: contacts in lexicographic order of their (first) common point.
+// O((N + k) log N) comparisons; O(N + k) memory.
+ContactMethod visit_contacts_by_bentley_ottmann;
+
+// Every pair: the oracle, by i, then j. O(N^2) time.
+ContactMethod visit_contacts_by_scan;
+
+}  // namespace sunder::planar

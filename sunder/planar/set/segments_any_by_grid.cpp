@@ -1,0 +1,36 @@
+// A grid finds the pairs that are near each other; where too many crowd in a cell, a sweep decides about that cell.
+#include <sunder/planar/set/near_pairs.h>
+#include <sunder/planar/set/segments_any.h>
+
+namespace sunder::planar {
+
+SegmentsAnswer segments_any_by_grid(const Segments& segments, const SegmentsOptions& options) {
+  const std::optional<SegmentGrid> grid = SegmentGrid::over(segments.all());
+  if (!grid || options.transcript || crowded(*grid) > segments.size() / 2) {
+    return segments_any_by_sweep(segments, options);
+  }
+  SegmentsAnswer answer;
+  const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {
+    if (may_meet(options.groups, i, j)) return true;
+    ++answer.cost.probes;
+    const ContactKind kind = segment_segment(segments[i], segments[j]);
+    if (!counts(kind, options.allowed)) return true;
+    answer.kind = kind;
+    answer.i = i;
+    answer.j = j;
+    return false;
+  };
+  const auto of_crowd = [&](std::uint32_t c) {
+    const Part part(segments, options.groups, grid->cell(c));
+    const SegmentsAnswer contact = segments_any_by_sweep(part.segments, {options.allowed, false, part.groups});
+    answer.cost.probes += contact.cost.probes;
+    answer.kind = contact.kind;
+    answer.i = grid->cell(c)[contact.i];
+    answer.j = grid->cell(c)[contact.j];
+    return !contact.meet();
+  };
+  for_each_near_pair(segments.all(), *grid, of_pair, of_crowd, options.progress);
+  return answer;
+}
+
+}  // namespace sunder::planar

@@ -1,0 +1,39 @@
+// The point in which two segments cross, without computing it: predicates decide about the exact point.
+#pragma once
+
+#include <sunder/number/dyadic.h>
+#include <sunder/number/interval.h>
+#include <sunder/number/sign.h>
+#include <sunder/predicate/point.h>
+#include <sunder/predicate/posed.h>
+
+namespace sunder {
+
+// The common point of the lines ab and cd, which are not parallel.
+struct Crossing {
+  Point2 a, b, c, d;
+};
+
+// Coordinates x / denominator and y / denominator; the denominator is positive.
+struct ExactPoint2 {
+  Dyadic x, y, denominator;
+};
+ExactPoint2 exact_point(const Crossing& p);
+
+// Hold its coordinates; the whole line where floating point can tell nothing.
+struct Enclosure2 {
+  Interval x, y;
+};
+Enclosure2 enclosure(const Crossing& p);
+
+// Lexicographically (by x, then by y): the sign of p - q. `p_in` and `q_in` are enclosures of the points.
+// Cost: two comparisons where enclosures are apart; else exact arithmetic.
+Sign compare(const Crossing& p, const Enclosure2& p_in, const Crossing& q, const Enclosure2& q_in,
+             StageTally* tally = nullptr);
+Sign compare(const Crossing& p, const Enclosure2& p_in, const Point2& q, StageTally* tally = nullptr);
+
+// As orient_2d of s, t and p: positive where p is left of the line from s to t.
+Sign orient_2d(const Point2& s, const Point2& t, const Crossing& p, const Enclosure2& p_in,
+               StageTally* tally = nullptr);
+
+}  // namespace sunder

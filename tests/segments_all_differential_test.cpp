@@ -1,0 +1,146 @@
+// All methods of segments_all against every pair, under every rule, with and without groups; and segments_any with
+// groups.
+#include <tests/support/segment_sets.h>
+#include <tests/support/solid_pairs.h>
+
+#include <sunder/planar/set/segments_all.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <map>
+#include <optional>
+
+namespace sunder::tests {
+namespace {
+
+using planar::Allowed;
+using planar::ContactKind;
+using planar::Segments;
+using planar::SegmentsContact;
+using planar::SegmentsOptions;
+
+std::vector<SegmentsContact> listed(planar::ContactMethod& method, const Segments& segments,
+                                    const SegmentsOptions& options) {
+  std::vector<SegmentsContact> contacts;
+  method(segments, options, [&](const SegmentsContact& contact) {
+    contacts.push_back(contact);
+    return true;
+  });
+  std::sort(contacts.begin(), contacts.end());
+  return contacts;
+}
+
+TEST(SegmentsAllDifferential, MethodsAgreeWithTheScan) {
+  const int count = scaled_count(20000);
+  const std::uint64_t seed = chosen_seed(20261122);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  SegmentSets sets(seed);
+  std::map<SegmentFamily, std::array<std::size_t, 2>> contacts;  // without and with groups
+  std::map<ContactKind, int> kinds;
+  int any_meet = 0;
+  for (int i = 0; i < count; ++i) {
+    const SegmentSet set = sets.next();
+    const Segments segments(set.segments);
+    std::vector<std::uint32_t> groups;
+    const std::uint64_t group_count = 1 + sets.random().below(4);
+    for (std::uint32_t k = 0; k < segments.size(); ++k) {
+      groups.push_back(static_cast<std::uint32_t>(sets.random().below(group_count)));
+    }
+    for (const bool grouped : {false, true}) {
+      const Allowed allowed = static_cast<Allowed>(i % 3);
+      SegmentsOptions options{allowed, false};
+      if (grouped) options.groups = groups;
+      const std::vector<SegmentsContact> truth = listed(planar::visit_contacts_by_scan, segments, options);
+      for (planar::ContactMethod* method :
+           {&planar::visit_contacts_by_bentley_ottmann, &planar::visit_contacts_by_grid, &planar::visit_contacts}) {
+        ASSERT_EQ(listed(*method, segments, options), truth)
+            << i << " " << name_of(set.family) << " allowed " << name_of(allowed) << (grouped ? " groups" : "");
+      }
+      ASSERT_EQ(planar::segments_all(segments, options).contacts.size(), truth.size());
+      ASSERT_EQ(planar::segments_count(segments, options).count, truth.size());
+      for (const auto& answer :
+           {planar::segments_any(segments, options), planar::segments_any_by_bentley_ottmann(segments, options),
+            planar::segments_any_by_sweep(segments, options), planar::segments_any_by_scan(segments, options)}) {
+        ASSERT_EQ(answer.meet(), !truth.empty()) << i;
+        if (!answer.meet()) continue;
+        const SegmentsContact found{answer.i, answer.j, answer.kind};
+        ASSERT_TRUE(std::binary_search(truth.begin(), truth.end(), found)) << i;
+      }
+      any_meet += !truth.empty();
+      contacts[set.family][grouped] += truth.size();
+      for (const SegmentsContact& contact : truth) ++kinds[contact.kind];
+    }
+  }
+  std::printf("%-10s %10s %12s\n", "family", "contacts", "with groups");
+  for (const auto& [family, c] : contacts) {
+    std::printf("%-10s %10zu %12zu\n", std::string(name_of(family)).c_str(), c[0], c[1]);
+    if (count < 2000) continue;
+    EXPECT_GT(c[1], static_cast<std::size_t>(count / 100)) << name_of(family);
+    EXPECT_LT(c[1], c[0]) << name_of(family);
+  }
+  if (count < 2000) return;
+  EXPECT_GT(any_meet, count / 5);
+  EXPECT_LT(any_meet, 2 * count - count / 5);
+  for (const ContactKind kind :
+       {ContactKind::shared_endpoint, ContactKind::touch, ContactKind::crossing, ContactKind::overlap}) {
+    EXPECT_GT(kinds[kind], count / 20) << planar::name_of(kind);
+  }
+}
+
+// Larger sets on few places: crowded cells, many through one point, long rows.
+TEST(SegmentsAllDifferential, CrowdsAgreeWithTheScan) {
+  const int count = scaled_count(60);
+  Random random(chosen_seed(20261123));
+  std::size_t contacts = 0;
+  for (int i = 0; i < count; ++i) {
+    std::vector<planar::Segment> given;
+    const int n = 100 + static_cast<int>(random.below(300));
+    // Some far apart, so that the grid pays, and a few places where many are.
+    for (int k = 0; k < n; ++k) {
+      const double x = static_cast<double>(random.below(1000)), y = static_cast<double>(random.below(1000));
+      given.push_back({{x, y}, {x + 3, y + static_cast<double>(random.below(5))}});
+    }
+    const auto near = [&](double at) { return at + static_cast<double>(random.below(i % 2 == 0 ? 8 : 40)) / 8; };
+    for (int k = 0; k < n / 3; ++k) given.push_back({{near(500), near(500)}, {near(500), near(500)}});
+    const Segments segments(given);
+    const std::vector<SegmentsContact> truth = listed(planar::visit_contacts_by_scan, segments, {});
+    ASSERT_EQ(listed(planar::visit_contacts_by_bentley_ottmann, segments, {}), truth) << i;
+    ASSERT_EQ(listed(planar::visit_contacts_by_grid, segments, {}), truth) << i;
+    contacts += truth.size();
+    for (const Allowed allowed : {Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}) {
+      const bool meet = std::any_of(truth.begin(), truth.end(), [&](const auto& c) { return counts(c.kind, allowed); });
+      ASSERT_EQ(planar::segments_any_by_grid(segments, {allowed, false}).meet(), meet);
+      ASSERT_EQ(planar::segments_any_by_sweep(segments, {allowed, false}).meet(), meet);
+    }
+  }
+  EXPECT_GT(contacts, static_cast<std::size_t>(count) * 100);
+}
+
+// Bentley and Ottmann's contacts come in the order of their first common points.
+TEST(SegmentsAllDifferential, CrossingsComeInOrder) {
+  const int count = scaled_count(2000);
+  SegmentSets sets(chosen_seed(13));
+  int compared = 0;
+  for (int i = 0; i < count; ++i) {
+    const Segments segments(sets.next().segments);
+    std::optional<ExactPoint2> last;
+    planar::visit_contacts_by_bentley_ottmann(segments, {}, [&](const SegmentsContact& contact) {
+      const ExactPoint2 p = planar::common_point(segments[contact.i], segments[contact.j]);
+      if (last) {
+        const Sign by_x = (p.x * last->denominator - last->x * p.denominator).sign();
+        const Sign by_y = (p.y * last->denominator - last->y * p.denominator).sign();
+        EXPECT_TRUE(by_x == Sign::positive || (by_x == Sign::zero && by_y != Sign::negative)) << i;
+        ++compared;
+      }
+      last = p;
+      return true;
+    });
+  }
+  EXPECT_GT(compared, count);
+}
+
+}  // namespace
+}  // namespace sunder::tests
