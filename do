@@ -90,6 +90,9 @@ has_package() {
     libeigen3-dev) has_header eigen3/Eigen/Core ;;
     libbullet-dev) has_header bullet/btBulletCollisionCommon.h ;;
     libqhull-dev) has_header libqhull_r/libqhull_r.h ;;
+    libcgal-dev) has_header CGAL/Surface_sweep_2_algorithms.h ;;
+    libgeos-dev) has_header geos_c.h ;;
+    libgeos++-dev) has_header geos/noding/MCIndexNoder.h ;;
     libbenchmark-dev) has_header benchmark/benchmark.h ;;
     libtbb-dev) has_header tbb/version.h ;;
     libhwy-dev) has_header hwy/highway.h ;;
@@ -226,7 +229,8 @@ need_clang() {
   need "clang-$clang" "clang-tidy-$clang" "clang-format-$clang" "libclang-rt-$clang-dev"
 }
 need_to_bench() {
-  need_to_build_program pkg-config libfcl-dev libccd-dev libeigen3-dev libbullet-dev libqhull-dev libbenchmark-dev
+  need_to_build_program pkg-config libfcl-dev libccd-dev libeigen3-dev libbullet-dev libqhull-dev libbenchmark-dev \
+    libcgal-dev libgeos-dev libgeos++-dev
 }
 
 # --- Building -----------------------------------------------------------------------------------------------------

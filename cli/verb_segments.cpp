@@ -1,33 +1,58 @@
-// sunder segments FILE: do any two segments meet?
+// sunder segments FILE: do any two segments meet? Which? How many?
 #include <cli/common.h>
+#include <cli/progress.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
 #include <sunder/io/lines.h>
 #include <sunder/io/text.h>
+#include <sunder/planar/set/segments_all.h>
 #include <sunder/planar/set/segments_any_json.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
-#include <optional>
 
 namespace sunder::cli {
 
 namespace {
 
 using planar::Allowed;
+using planar::ContactKind;
 using planar::Segment;
 using planar::Segments;
 using planar::SegmentsAnswer;
+using planar::SegmentsOptions;
 
 struct Call {
   std::string file;
+  bool any = false, all = false, count = false;  // at most one; none: any
+  std::string group, layer;
+  bool across_layers = false;
   std::string allow = "nothing";
   std::string method = "automatic";
-  std::string certificate;
+  std::string certificate, geojson, svg;
   bool drop_z = false;
   bool json = false;
+
+  bool lists() const { return all || !geojson.empty() || !svg.empty(); }
+};
+
+// What is asked about together: all of a file, or one layer of it.
+struct Sheet {
+  std::vector<std::uint32_t> members;  // segments of the file
+  Segments segments;
+  std::vector<std::uint32_t> groups;
+};
+
+struct Result {
+  std::vector<planar::SegmentsContact> contacts;  // by numbers of the file; with --any at most one
+  std::uint64_t count = 0;                        // with --all and --count
+  planar::SweepTranscript transcript;
+  Cost cost;
 };
 
 Allowed allowed_by(const std::string& name) {
@@ -41,82 +66,219 @@ Allowed allowed_by(const std::string& name) {
               "--allow");
 }
 
-SegmentsAnswer answer_by(const std::string& method, const Segments& segments, const planar::SegmentsOptions& options) {
-  if (method == "automatic") return segments_any(segments, options);
-  if (method == "sweep") return segments_any_by_sweep(segments, options);
-  if (method == "scan" && !options.transcript) return segments_any_by_scan(segments, options);
-  if (method == "scan") {
-    throw Error(ErrorCode::bad_call, "scan writes no certificates; give automatic or sweep", "--method");
+[[noreturn]] void refuse_method(const std::string& method, std::string_view known) {
+  throw Error(ErrorCode::bad_call, fmt::format("there is no method {}; methods are {}", io::quote(method), known),
+              "--method");
+}
+
+using AnyMethod = SegmentsAnswer(const Segments&, const SegmentsOptions&);
+AnyMethod* any_method(const std::string& name) {
+  if (name == "automatic") return planar::segments_any;
+  if (name == "grid") return planar::segments_any_by_grid;
+  if (name == "sweep") return planar::segments_any_by_sweep;
+  if (name == "bentley-ottmann") return planar::segments_any_by_bentley_ottmann;
+  if (name == "scan") return planar::segments_any_by_scan;
+  refuse_method(name, "automatic, grid, sweep, bentley-ottmann, scan");
+}
+planar::ContactMethod* contact_method(const std::string& name) {
+  if (name == "automatic") return planar::visit_contacts;
+  if (name == "grid") return planar::visit_contacts_by_grid;
+  if (name == "bentley-ottmann") return planar::visit_contacts_by_bentley_ottmann;
+  if (name == "scan") return planar::visit_contacts_by_scan;
+  refuse_method(name, "automatic, grid, bentley-ottmann, scan (for lists and counts)");
+}
+
+// The layers that are asked about, each a sheet; or one sheet of all.
+std::vector<Sheet> sheets_of(const Call& call, const io::LineFile& file) {
+  const bool has_layers = !file.layers.empty();
+  if (!has_layers && (!call.layer.empty() || call.across_layers)) {
+    throw Error(ErrorCode::bad_call, fmt::format("{} has no layers; leave it out", call.file),
+                call.layer.empty() ? "--across-layers" : "--layer");
   }
-  throw Error(ErrorCode::bad_call,
-              fmt::format("there is no method {}; methods are automatic, sweep, scan", io::quote(method)), "--method");
+  std::vector<std::vector<std::uint32_t>> members(has_layers && !call.across_layers ? file.layers.size() : 1);
+  for (std::uint32_t i = 0; i < file.segments.size(); ++i) {
+    if (!call.layer.empty() && file.layers[file.layer[i]] != call.layer) continue;
+    members[members.size() > 1 ? file.layer[i] : 0].push_back(i);
+  }
+  std::vector<Sheet> sheets;
+  for (std::vector<std::uint32_t>& m : members) {
+    if (m.empty()) continue;
+    std::vector<Segment> segments;
+    std::vector<std::uint32_t> groups;
+    for (const std::uint32_t i : m) {
+      segments.push_back(file.segments[i]);
+      if (!file.group.empty()) groups.push_back(file.group[i]);
+    }
+    sheets.push_back({std::move(m), Segments(segments), std::move(groups)});
+  }
+  if (sheets.empty()) {
+    throw Error(
+        ErrorCode::bad_call,
+        fmt::format("no segment is on a layer {}; layers are {}", io::quote(call.layer), fmt::join(file.layers, ", ")),
+        "--layer");
+  }
+  return sheets;
+}
+
+void ask(const Call& call, const Sheet& sheet, const SegmentsOptions& options, Result& result) {
+  const auto in_file = [&](std::uint32_t i, std::uint32_t j, ContactKind kind) {
+    return planar::SegmentsContact{sheet.members[i], sheet.members[j], kind};  // members rise, so i < j stays
+  };
+  if (call.lists() || call.count) {
+    const Cost cost = contact_method(call.method)(sheet.segments, options, [&](const planar::SegmentsContact& c) {
+      ++result.count;
+      if (call.lists()) result.contacts.push_back(in_file(c.i, c.j, c.kind));
+      return true;
+    });
+    result.cost.probes += cost.probes;
+    return;
+  }
+  SegmentsAnswer answer = any_method(call.method)(sheet.segments, options);
+  result.cost.probes += answer.cost.probes;
+  if (answer.meet()) result.contacts.push_back(in_file(answer.i, answer.j, answer.kind));
+  result.transcript = std::move(answer.transcript);
 }
 
 std::string about(const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); }
 
-std::string place_of(const io::LineFile& file, std::uint32_t i) {
+Point2 place_of(const io::LineFile& file, const planar::SegmentsContact& contact) {
+  const Segments two(std::array{file.segments[contact.i], file.segments[contact.j]});
+  return planar::common_point_rounded(two[0], two[1]);
+}
+
+std::string source_of(const io::LineFile& file, std::uint32_t i) {
   const io::LineSource& source = file.source[i];
   std::string place = fmt::format("feature {}", file.features[source.feature]);
+  if (!file.layers.empty()) place += fmt::format(", layer {}", file.layers[file.layer[i]]);
   if (source.line > 0) place += fmt::format(", line {}", source.line);
   return place;
 }
 
-std::string human_text(const Call& call, const io::LineFile& file, const Segments& segments,
-                       const SegmentsAnswer& answer) {
-  const std::string allowing = call.allow == "nothing" ? "" : fmt::format(" ({} allowed)", call.allow);
-  std::string text = fmt::format("{}: {} of {}, {}\n", call.file, count_of(segments.size(), "segment"),
-                                 count_of(file.features.size(), "feature"), file.format);
-  if (!answer.meet()) {
-    text += fmt::format("none meet{}\n", allowing);
-  } else {
-    text += fmt::format("some meet{}: {} at about {}\n", allowing, name_of(answer.kind),
-                        about(planar::common_point_rounded(segments[answer.i], segments[answer.j])));
-    for (const std::uint32_t i : {answer.i, answer.j}) {
-      text += fmt::format("  segment {}, {}: {} to {}\n", i, place_of(file, i), about(file.segments[i].a),
+// "(touch allowed; members of one net may meet; layer by layer)"
+std::string rule_text(const Call& call, const io::LineFile& file) {
+  std::vector<std::string> rules;
+  if (call.allow != "nothing") rules.push_back(call.allow + " allowed");
+  if (!file.groups.empty())
+    rules.push_back(fmt::format("those of one {} may meet", call.group.empty() ? "net" : call.group));
+  if (!call.layer.empty()) rules.push_back("layer " + call.layer);
+  if (!file.layers.empty() && call.layer.empty())
+    rules.push_back(call.across_layers ? "across layers" : "each layer by itself");
+  return rules.empty() ? "" : fmt::format(" ({})", fmt::join(rules, "; "));
+}
+
+constexpr std::size_t most_listed = 20;
+
+std::string human_text(const Call& call, const io::LineFile& file, const Result& result) {
+  std::string text = fmt::format("{}: {} of {}", call.file, count_of(file.segments.size(), "segment"),
+                                 count_of(file.features.size(), "feature"));
+  if (!file.layers.empty()) text += fmt::format(", {}", count_of(file.layers.size(), "layer"));
+  if (!file.groups.empty()) text += fmt::format(", {}", count_of(file.groups.size(), "group"));
+  text += fmt::format(", {}\n", file.format);
+  const bool some = result.count > 0 || !result.contacts.empty();
+  text += fmt::format("{} meet{}", some ? "some" : "none", rule_text(call, file));
+  if (some && (call.lists() || call.count)) text += fmt::format(": {}", count_of(result.count, "pair"));
+  text += '\n';
+  for (std::size_t k = 0; k < std::min(result.contacts.size(), most_listed); ++k) {
+    const planar::SegmentsContact& contact = result.contacts[k];
+    text += fmt::format("{} {} at about {}\n", call.lists() ? fmt::format("  {}.", k + 1) : " ", name_of(contact.kind),
+                        about(place_of(file, contact)));
+    for (const std::uint32_t i : {contact.i, contact.j}) {
+      text += fmt::format("    segment {}, {}: {} to {}\n", i, source_of(file, i), about(file.segments[i].a),
                           about(file.segments[i].b));
     }
-    if (answer.kind == planar::ContactKind::shared_endpoint) {
-      text += "  edges that follow each other share an end: to pass over such contacts, give --allow shared-endpoint\n";
-    }
   }
-  text += fmt::format("  cost        {}\n", count_of(answer.cost.probes, "comparison"));
+  if (result.contacts.size() > most_listed) {
+    text += fmt::format("  and {} more; --json, --geojson or --svg have all\n", result.contacts.size() - most_listed);
+  }
+  const bool only_shared = some && !result.contacts.empty() &&
+                           std::all_of(result.contacts.begin(), result.contacts.end(), [](const auto& contact) {
+                             return contact.kind == ContactKind::shared_endpoint;
+                           });
+  if (only_shared) {
+    text += "  edges that follow each other share an end: to pass over such contacts, give --allow shared-endpoint\n";
+  }
+  for (const std::string& remark : file.remarks) text += fmt::format("  remark      {}\n", remark);
+  text += fmt::format("  cost        {}\n", count_of(result.cost.probes, "comparison"));
   if (!call.certificate.empty()) text += fmt::format("  proof       {}\n", call.certificate);
+  if (!call.geojson.empty()) text += fmt::format("  contacts    {}\n", call.geojson);
+  if (!call.svg.empty()) text += fmt::format("  picture     {}\n", call.svg);
   return text;
 }
 
-Json report(const Call& call, const io::LineFile& file, const Segments& segments, const SegmentsAnswer& answer) {
-  Json json = envelope("segments", answer.meet() ? "some" : "none", call.method);
-  json["cost"] = to_json(answer.cost);
-  json["objects"] = {{{"file", call.file},
-                      {"format", file.format},
-                      {"segments", segments.size()},
-                      {"features", file.features.size()}}};
+Json report(const Call& call, const io::LineFile& file, const Result& result) {
+  const bool some = result.count > 0 || !result.contacts.empty();
+  Json json = envelope("segments", some ? "some" : "none", call.method);
+  json["cost"] = to_json(result.cost);
+  Json object = {{"file", call.file},
+                 {"format", file.format},
+                 {"segments", file.segments.size()},
+                 {"features", file.features.size()}};
+  if (!file.groups.empty()) object["groups"] = file.groups.size();
+  if (!file.layers.empty()) object["layers"] = file.layers;
+  json["objects"] = Json::array({object});
   json["allowed"] = call.allow;
+  if (!file.groups.empty()) json["group"] = call.group.empty() ? "net" : call.group;
+  if (!file.layers.empty()) json["across_layers"] = call.across_layers;
+  if (!call.layer.empty()) json["layer"] = call.layer;
+  if (!file.remarks.empty()) json["remarks"] = file.remarks;
+  if (call.lists() || call.count) json["count"] = result.count;
   json["contacts"] = Json::array();
-  if (answer.meet()) {
-    Json contact = {{"i", answer.i}, {"j", answer.j}, {"kind", name_of(answer.kind)}};
-    const Point2 p = planar::common_point_rounded(segments[answer.i], segments[answer.j]);
-    contact["point"] = {p.x, p.y};
-    for (const std::uint32_t i : {answer.i, answer.j}) {
+  for (const planar::SegmentsContact& c : result.contacts) {
+    const Point2 p = place_of(file, c);
+    Json contact = {{"i", c.i}, {"j", c.j}, {"kind", name_of(c.kind)}, {"point", {p.x, p.y}}};
+    for (const std::uint32_t i : {c.i, c.j}) {
       const io::LineSource& source = file.source[i];
       contact["features"].push_back(file.features[source.feature]);
       contact["lines"].push_back(source.line > 0 ? Json(source.line) : Json(nullptr));
+      if (!file.groups.empty()) contact["groups"].push_back(file.groups[file.group[i]]);
+      if (!file.layers.empty()) contact["layers"].push_back(file.layers[file.layer[i]]);
     }
     json["contacts"].push_back(contact);
   }
   return json;
 }
 
-int run(const Call& call) {
-  const Allowed allowed = allowed_by(call.allow);
-  const io::LineFile file = io::read_lines(call.file, {call.drop_z, {}});
-  const Segments segments(file.segments);
-  const SegmentsAnswer answer = answer_by(call.method, segments, {allowed, !call.certificate.empty()});
-  if (!call.certificate.empty()) {
-    io::write_file_atomically(call.certificate, planar::certificate_text(segments, allowed, answer));
+void check(const Call& call, const io::LineFile& file) {
+  if (call.certificate.empty()) return;
+  const auto refuse = [](std::string_view why) { throw Error(ErrorCode::bad_call, std::string(why), "--certificate"); };
+  if (call.lists() || call.count) refuse("lists and counts have no proof; ask whether any two meet");
+  if (!file.groups.empty() || !file.layers.empty())
+    refuse("with groups or layers no proof is written yet; leave it out");
+  if (call.method == "scan" || call.method == "bentley-ottmann") {
+    throw Error(ErrorCode::bad_call, call.method + " writes no certificates; give automatic or sweep", "--method");
   }
-  print(call.json ? to_text(report(call, file, segments, answer)) : human_text(call, file, segments, answer));
-  return answer.meet() ? exit_code::yes : exit_code::no;
+}
+
+int run(const Call& call) {
+  SegmentsOptions options;
+  options.allowed = allowed_by(call.allow);
+  options.transcript = !call.certificate.empty();
+  call.lists() || call.count ? static_cast<void>(contact_method(call.method))
+                             : static_cast<void>(any_method(call.method));
+  const io::LineFile file = io::read_lines(call.file, {call.drop_z, call.group});
+  check(call, file);
+  const std::vector<Sheet> sheets = sheets_of(call, file);
+  Result result;
+  for (const Sheet& sheet : sheets) {
+    Progress progress("comparing");
+    options.progress = progress.reporter();
+    options.groups = sheet.groups;
+    ask(call, sheet, options, result);
+    if (!call.lists() && !call.count && !result.contacts.empty()) break;
+  }
+  std::sort(result.contacts.begin(), result.contacts.end());
+  if (!call.certificate.empty()) {
+    SegmentsAnswer answer;
+    if (!result.contacts.empty()) {
+      answer.kind = result.contacts[0].kind;
+      answer.i = result.contacts[0].i;
+      answer.j = result.contacts[0].j;
+    }
+    answer.transcript = std::move(result.transcript);
+    io::write_file_atomically(call.certificate, planar::certificate_text(sheets[0].segments, options.allowed, answer));
+  }
+  print(call.json ? to_text(report(call, file, result)) : human_text(call, file, result));
+  return result.contacts.empty() && result.count == 0 ? exit_code::no : exit_code::yes;
 }
 
 }  // namespace
@@ -125,10 +287,23 @@ void add_segments(CLI::App& program, int& code) {
   auto call = std::make_shared<Call>();
   CLI::App* verb =
       program.add_subcommand("segments", "Do any two segments of a file meet? Which, or a proof that none do.");
-  verb->add_option("FILE", call->file, "segments, lines or polygons: CSV (x1,y1,x2,y2), WKT, GeoJSON")->required();
+  verb->add_option("FILE", call->file, "segments, lines or polygons: CSV (x1,y1,x2,y2), WKT, GeoJSON, KiCad board")
+      ->required();
+  auto* any = verb->add_flag("--any", call->any, "does any pair meet? (unless told otherwise)");
+  auto* all = verb->add_flag("--all", call->all, "list all pairs that meet");
+  auto* count = verb->add_flag("--count", call->count, "count the pairs that meet");
+  any->excludes(all)->excludes(count);
+  all->excludes(count);
   verb->add_option("--allow", call->allow, "what does not count: nothing, shared-endpoint, or touch")
       ->type_name("KIND");
-  verb->add_option("--method", call->method, "automatic, sweep, or scan")->type_name("NAME");
+  verb->add_option("--group", call->group,
+                   "segments that are the same in this may meet and cross: feature, ring, a column of the CSV, a "
+                   "property of the GeoJSON; of a board net (unless told otherwise) or layer")
+      ->type_name("FIELD");
+  auto* layer = verb->add_option("--layer", call->layer, "of a board, this layer only")->type_name("NAME");
+  verb->add_flag("--across-layers", call->across_layers, "of a board, tracks of different layers may meet too")
+      ->excludes(layer);
+  verb->add_option("--method", call->method, "automatic, grid, sweep, bentley-ottmann, or scan")->type_name("NAME");
   verb->add_option("--certificate", call->certificate, "write the proof here")->type_name("FILE");
   verb->add_flag("--drop-z", call->drop_z, "ignore third coordinates");
   verb->add_flag("--json", call->json, "print a report in JSON");

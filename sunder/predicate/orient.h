@@ -40,16 +40,35 @@ Sign orient_2d_further(const Point2& a, const Point2& b, const Point2& c, StageT
 // The first stage: the formula as a Rounded<4>, whose magnitude is the sum of the two products' sizes. Differences of
 // doubles never underflow; a product that does is off by at most 2^-1075, which the last term pays for many times over.
 // Overflow makes the error infinite or the comparisons false.
+struct RoundedOrientation {
+  double value, error;
+  RoundedOrientation(const Point2& a, const Point2& b, const Point2& c) {
+    const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
+    value = left - right;
+    error = Rounded<4>::bound * (std::fabs(left) + std::fabs(right)) + 0x1p-1060;
+  }
+  bool is_sure() const { return value > error || value < -error; }
+};
+
 inline Sign orient_2d(const Point2& a, const Point2& b, const Point2& c, StageTally* tally) {
-  const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
-  const double value = left - right;
-  const double error = Rounded<4>::bound * (std::fabs(left) + std::fabs(right)) + 0x1p-1060;
-  const bool is_sure = value > error || value < -error;
-  if (is_sure || a == c || b == c || a == b) {
+  const RoundedOrientation rounded(a, b, c);
+  if (rounded.is_sure() || a == c || b == c || a == b) {
     if (tally) ++tally->rounded;
-    return value > error ? Sign::positive : value < -error ? Sign::negative : Sign::zero;
+    return rounded.value > rounded.error    ? Sign::positive
+           : rounded.value < -rounded.error ? Sign::negative
+                                            : Sign::zero;
   }
   return orient_2d_further(a, b, c, tally);
+}
+
+// Do the segments ab and cd cross in an inner point of both? positive: surely; negative: surely they do not even meet;
+// else unsure. By the first stage of the four orientations, without branches.
+inline Guess surely_cross_2d(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+  const RoundedOrientation of_c(a, b, c), of_d(a, b, d), of_a(c, d, a), of_b(c, d, b);
+  const auto is_sure = [](const RoundedOrientation& o) { return std::fabs(o.value) > o.error; };
+  if (!(is_sure(of_c) & is_sure(of_d) & is_sure(of_a) & is_sure(of_b))) return Guess::unsure;
+  const bool cross = ((of_c.value > 0) != (of_d.value > 0)) & ((of_a.value > 0) != (of_b.value > 0));
+  return cross ? Guess::positive : Guess::negative;
 }
 
 // The sign of the determinant of the 3 x 3 matrix of a pose, row by row.

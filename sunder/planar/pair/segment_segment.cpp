@@ -47,6 +47,11 @@ ContactKind segment_segment(const Segment& s, const Segment& t, StageTally* tall
     const bool one_line = orient_2d(s.a, s.b, same_first ? t.b : t.a, tally) == Sign::zero;
     return one_line ? on_one_line(s, t) : ContactKind::shared_endpoint;
   }
+  const Guess cross = surely_cross_2d(s.a, s.b, t.a, t.b);
+  if (is_sure(cross)) {
+    if (tally) tally->rounded += 4;
+    return cross == Guess::positive ? ContactKind::crossing : ContactKind::none;
+  }
   const Sign ta = orient_2d(s.a, s.b, t.a, tally), tb = orient_2d(s.a, s.b, t.b, tally);
   if (ta == tb && ta != Sign::zero) return ContactKind::none;
   const Sign sa = orient_2d(t.a, t.b, s.a, tally), sb = orient_2d(t.a, t.b, s.b, tally);

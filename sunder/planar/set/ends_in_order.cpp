@@ -80,11 +80,20 @@ std::vector<std::uint32_t> ends_in_order(std::span<const Segment> segments) {
     // The bits in which keys differ, or the leading ones of these.
     const int shift = std::max(0, static_cast<int>(std::bit_width(least ^ greatest)) - digits * digit_bits);
     sort_by_digits(entries, shift);
-    for (auto run = entries.begin(); run != entries.end();) {
-      auto end = run + 1;
-      while (end != entries.end() && end->key >> shift == run->key >> shift) ++end;
-      if (end - run > 1) std::sort(run, end, less);
-      run = end;
+    const auto are_equal = [&](std::size_t k, std::size_t l) {
+      return entries[k].key >> shift == entries[l].key >> shift;
+    };
+    constexpr std::size_t ahead = 16;
+    for (std::size_t run = 0, end; run < entries.size(); run = end) {
+      for (end = run + 1; end < entries.size() && are_equal(run, end);) ++end;
+      for (std::size_t k = run + ahead; k < std::min(end + ahead, entries.size()); ++k) {  // where it will compare
+        if (are_equal(k - 1, k)) {
+          __builtin_prefetch(&segments[entries[k - 1].end / 2]);
+          __builtin_prefetch(&segments[entries[k].end / 2]);
+        }
+      }
+      const auto at = entries.begin() + static_cast<std::ptrdiff_t>(run);
+      if (end - run > 1) std::sort(at, at + static_cast<std::ptrdiff_t>(end - run), less);
     }
   }
   std::vector<std::uint32_t> ends(entries.size());

@@ -15,7 +15,7 @@
 namespace sunder::planar {
 
 // Of more segments in a cell, a sweep needs fewer comparisons than all pairs.
-inline constexpr std::size_t crowd = 48;
+inline constexpr std::size_t crowd = 256;
 
 // How many places in cells are in crowded ones?
 inline std::size_t crowded(const SegmentGrid& grid) {
@@ -56,10 +56,8 @@ struct Part {
 template <class OfPair, class OfCrowd>
 void for_each_near_pair(std::span<const Segment> segments, const SegmentGrid& grid, const OfPair& of_pair,
                         const OfCrowd& of_crowd, const std::function<void(double)>& progress = nullptr) {
-  struct Box {
-    double left, right, bottom, top;
-  };
-  std::array<Box, crowd> box;
+  std::array<double, crowd> left, right, bottom, top;  // of the boxes of a cell
+  std::array<std::uint32_t, crowd> near;
   constexpr std::uint32_t ahead = 8;
   const std::uint32_t cells = grid.cell_count();
   for (std::uint32_t c = 0; c < cells; ++c) {
@@ -73,15 +71,24 @@ void for_each_near_pair(std::span<const Segment> segments, const SegmentGrid& gr
       if (!of_crowd(c)) return;
       continue;
     }
-    for (std::size_t l = 0; l < cell.size(); ++l) {
+    for (std::uint32_t l = 0; l < cell.size(); ++l) {
       const Segment& t = segments[cell[l]];
-      const Box b = box[l] = {t.a.x, t.b.x, std::min(t.a.y, t.b.y), std::max(t.a.y, t.b.y)};
-      for (std::size_t k = 0; k < l; ++k) {
-        const Box& a = box[k];
-        const Point2 corner{std::max(a.left, b.left), std::max(a.bottom, b.bottom)};
-        if ((corner.x > std::min(a.right, b.right)) | (corner.y > std::min(a.top, b.top))) continue;
+      const double t_bottom = std::min(t.a.y, t.b.y), t_top = std::max(t.a.y, t.b.y);
+      std::size_t found = 0;
+      for (std::uint32_t k = 0; k < l; ++k) {  // without branches
+        near[found] = k;
+        found += static_cast<std::size_t>((left[k] <= t.b.x) & (t.a.x <= right[k]) & (bottom[k] <= t_top) &
+                                          (t_bottom <= top[k]));
+      }
+      for (std::size_t n = 0; n < found; ++n) {
+        const std::uint32_t k = near[n];
+        const Point2 corner{std::max(left[k], t.a.x), std::max(bottom[k], t_bottom)};
         if (grid.looks_at(c, corner) && !of_pair(cell[k], cell[l])) return;
       }
+      left[l] = t.a.x;
+      right[l] = t.b.x;
+      bottom[l] = t_bottom;
+      top[l] = t_top;
     }
   }
 }

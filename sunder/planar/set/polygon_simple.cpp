@@ -4,6 +4,7 @@
 #include <sunder/planar/set/segments_any.h>
 
 #include <algorithm>
+#include <array>
 
 namespace sunder::planar {
 
@@ -17,7 +18,7 @@ void report(PolygonSimpleAnswer& answer, ContactKind kind, std::uint32_t i, std:
   answer.j = std::max(i, j);
 }
 
-// Two vertices that are equal, next to each other in the order of vertices. Of the edges at one and the other some two
+// Two vertices u < v that are equal. Of the edges at one and the other some two
 // have a contact that counts: where the vertices do not follow each other, any two that do not; where they do, the edge
 // between them has length zero, and those around it share its point, or are one edge (a ring of three), whose two
 // directions overlap, or have length zero too.
@@ -38,22 +39,27 @@ Segments edges_of(const Polygon& polygon) {
   return Segments(edges);
 }
 
-// A vertex is the end of two edges. Where more ends come together, vertices are equal.
+// A vertex is the end of two edges. Where three ends come together, two vertices are equal.
 PolygonSimpleAnswer by_sweep(const Polygon& polygon, const Segments& edges) {
   PolygonSimpleAnswer answer;
   const std::vector<Point2>& p = polygon.vertices();
   const auto vertex_at = [&](std::uint32_t end) {
     const std::uint32_t k = end / 2;
-    return end_point(edges.all(), end) == p[k] ? k : polygon.next(k);
+    const bool is_point = edges[k].a == edges[k].b;
+    return (is_point ? end % 2 == 0 : end_point(edges.all(), end) == p[k]) ? k : polygon.next(k);
   };
   const std::vector<std::uint32_t> ends = ends_in_order(edges.all());
-  for (std::size_t k = 1; k < ends.size() && answer.simple(); ++k) {
+  constexpr std::size_t ahead = 16;
+  for (std::size_t k = 2; k < ends.size(); ++k) {
+    if (k + ahead < ends.size()) __builtin_prefetch(&edges[ends[k + ahead] / 2]);
     ++answer.cost.probes;
-    const std::uint32_t u = vertex_at(ends[k - 1]), v = vertex_at(ends[k]);
-    if (u != v && p[u] == p[v]) report_equal_vertices(polygon, std::min(u, v), std::max(u, v), answer);
+    if (end_point(edges.all(), ends[k - 2]) != end_point(edges.all(), ends[k])) continue;
+    std::array vertices{vertex_at(ends[k - 2]), vertex_at(ends[k - 1]), vertex_at(ends[k])};
+    std::sort(vertices.begin(), vertices.end());
+    report_equal_vertices(polygon, vertices[0], vertices[2], answer);
+    return answer;
   }
-  if (!answer.simple()) return answer;
-  const SegmentsAnswer contact = segments_any_by_sweep(edges, {Allowed::shared_endpoint, false});
+  const SegmentsAnswer contact = segments_any_by_sweep_over(edges, ends, {Allowed::shared_endpoint, false});
   answer.cost.probes += contact.cost.probes;
   if (contact.meet()) report(answer, contact.kind, contact.i, contact.j);
   return answer;

@@ -26,6 +26,8 @@ struct Extents {
   }
 };
 
+constexpr double finest = 1.2;  // cells that the mean box is long
+
 }  // namespace
 
 std::optional<SegmentGrid> SegmentGrid::over(std::span<const Segment> segments, double most_covered) {
@@ -36,9 +38,10 @@ std::optional<SegmentGrid> SegmentGrid::over(std::span<const Segment> segments, 
   // Columns and rows in the proportion of how many mean segments the range holds, at most as many as segments each.
   const auto fit = [&](double range, double sum) { return sum > 0 ? std::min(range / (sum / count), count) : count; };
   const double fit_x = fit(width, extents.sum_x), fit_y = fit(height, extents.sum_y);
-  const double scale = std::sqrt(count / (fit_x * fit_y));
+  // As many cells as segments, but none smaller than most boxes.
+  const double scale = std::min(std::sqrt(count / (fit_x * fit_y)), finest);
   const double columns = std::floor(std::clamp(fit_x * scale, 1.0, count));
-  const double rows = std::floor(std::clamp(fit_y * scale, 1.0, count / columns));
+  const double rows = std::floor(std::clamp(fit_y * scale, 1.0, std::max(1.0, count / columns)));
   SegmentGrid grid;
   grid.low_ = extents.low;
   // A little less than columns / width, so that rounding does not lead beyond the last column.

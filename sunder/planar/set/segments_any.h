@@ -53,6 +53,10 @@ SegmentsAnswer segments_any(const Segments& segments, const SegmentsOptions& opt
 // Cost: O(N log N) comparisons; O(N) memory. Where there are groups, whose members may cross: by Bentley and Ottmann.
 SegmentsAnswer segments_any_by_sweep(const Segments& segments, const SegmentsOptions& options = {});
 
+// The same where the order of the ends (as by ends_in_order) is known. Requires that there are no groups.
+SegmentsAnswer segments_any_by_sweep_over(const Segments& segments, std::span<const std::uint32_t> ends,
+                                          const SegmentsOptions& options = {});
+
 // The sweep that passes crossings, up to the first contact that counts. Writes no transcript.
 // Cost: O((N + k) log N) comparisons for k contacts that do not count; O(N + k) memory.
 SegmentsAnswer segments_any_by_bentley_ottmann(const Segments& segments, const SegmentsOptions& options = {});

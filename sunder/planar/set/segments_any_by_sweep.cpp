@@ -41,11 +41,13 @@ class Sweep {
   Sweep(const Segments& segments, const SegmentsOptions& options)
       : segments_(segments), options_(options), status_(segments.all()) {}
 
-  SegmentsAnswer run() {
-    const std::vector<std::uint32_t> ends = ends_in_order(segments_.all());
+  SegmentsAnswer run(std::span<const std::uint32_t> ends) {
     if (options_.transcript) answer_.transcript.below.reserve(segments_.size());
     for (std::size_t k = 0; k < ends.size() && !answer_.meet(); ++k) {
       const std::uint32_t i = ends[k] / 2;
+      if (options_.progress && k % 65536 == 0) {
+        options_.progress(static_cast<double>(k) / static_cast<double>(ends.size()));
+      }
       if (k + ahead < ends.size()) __builtin_prefetch(&segments_[ends[k + ahead] / 2]);
       if (options_.allowed == Allowed::nothing && k + 1 < ends.size()) test_equal_ends(ends[k], ends[k + 1]);
       ends[k] % 2 == 0 ? enter(i) : leave(i);
@@ -53,7 +55,7 @@ class Sweep {
     if (answer_.meet()) {
       answer_.transcript = {};
     } else if (options_.transcript) {
-      answer_.transcript.events = ends;
+      answer_.transcript.events.assign(ends.begin(), ends.end());
     }
     return std::move(answer_);
   }
@@ -125,7 +127,12 @@ class Sweep {
 
 SegmentsAnswer segments_any_by_sweep(const Segments& segments, const SegmentsOptions& options) {
   if (!options.groups.empty()) return segments_any_by_bentley_ottmann(segments, options);
-  return Sweep(segments, options).run();
+  return segments_any_by_sweep_over(segments, ends_in_order(segments.all()), options);
+}
+
+SegmentsAnswer segments_any_by_sweep_over(const Segments& segments, std::span<const std::uint32_t> ends,
+                                          const SegmentsOptions& options) {
+  return Sweep(segments, options).run(ends);
 }
 
 }  // namespace sunder::planar

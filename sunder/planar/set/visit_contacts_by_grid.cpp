@@ -5,9 +5,16 @@
 
 namespace sunder::planar {
 
+namespace {
+
+constexpr std::uint32_t few = 128;  // of so many, all pairs are tested faster than any order is made
+
+}  // namespace
+
 Cost visit_contacts_by_grid(const Segments& segments, const SegmentsOptions& options, const ContactVisitor& visit) {
   const std::optional<SegmentGrid> grid = SegmentGrid::over(segments.all());
   if (!grid || crowded(*grid) > segments.size() / 2) {
+    if (segments.size() <= few) return visit_contacts_by_scan(segments, options, visit);
     return visit_contacts_by_bentley_ottmann(segments, options, visit);
   }
   Cost cost;

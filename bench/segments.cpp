@@ -1,0 +1,335 @@
+// bench_segments: do any two of N segments meet? Which do? Is a polygon simple? Against CGAL, GEOS, Boost.Geometry, and
+// against sorting.
+//
+// The yardstick is std::sort of the 2 N endpoints by (x, y): what no sweep does without. Only ratios mean anything.
+//
+// Fairness:
+//   - All contestants answer the same inputs in one run, in rounds, and take turns in going first. The time of a
+//     contestant is the median over its rounds of its mean per call, in processor time of its thread, one thread each.
+//     Whoever takes long takes part in fewer rounds, at least three.
+//   - Each library may prepare objects of its own outside of the loop: segments, lines, boxes. What an algorithm builds
+//     to answer (trees, sorted lists) is timed. The making of Sunder's Segments is a line of its own, "make".
+//   - Peers are asked by every way that they offer (see peers/segment_peer.h). Of each library the fastest way that is
+//     right on all inputs of the row counts. Where none is right the fastest wrong one is shown with "!", and does not
+//     count.
+//   - A way that takes more than 3 s for one call, or by its growth would take twice that, is left out: "over 3 s".
+//     "-": the library does not answer that. No peer writes a transcript.
+//   - Small sizes rotate over many inputs, so that no branch predictor learns one by heart.
+//   - Peers are as Debian built them, header-only ones compiled here with the flags of this build.
+#include <sunder/io/lines.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "report.h"
+#include "segment_contest.h"
+#include "segment_scenarios.h"
+#include "segment_subject.h"
+
+#ifndef SUNDER_BENCH_MAP
+#define SUNDER_BENCH_MAP "../shared/data/planar/natural-earth/ne_50m_coastline.json"
+#endif
+
+namespace bench {
+namespace {
+
+constexpr std::size_t kDemandedFrom = 100000;  // segments, for ratios to the sort
+
+const std::vector<Plan> kPlans{
+    {SegmentFamily::mesh, {Question::make, Question::any, Question::transcript}},
+    {SegmentFamily::loose_mesh, {Question::make, Question::any, Question::transcript}},
+    {SegmentFamily::star, {Question::make, Question::any, Question::transcript, Question::simple}},
+    {SegmentFamily::loose_star, {Question::make, Question::any, Question::transcript}},
+    {SegmentFamily::map, {Question::make, Question::any, Question::transcript}},
+    {SegmentFamily::wires, {Question::make, Question::any, Question::transcript}},
+    {SegmentFamily::hidden_end, {Question::any}},
+    {SegmentFamily::hidden_random, {Question::any}},
+    {SegmentFamily::meander, {Question::simple}},
+    {SegmentFamily::crossed_mesh, {Question::all, Question::count}},
+    {SegmentFamily::random, {Question::all, Question::count}},
+    {SegmentFamily::tangled_star, {Question::all, Question::count}},
+};
+
+// What `--check` demands of Sunder: at most so many times the sort; 0: nothing.
+double allowed_sorts(SegmentFamily family, Question question) {
+  const bool star = family == SegmentFamily::star || family == SegmentFamily::loose_star;
+  const bool local =
+      family == SegmentFamily::mesh || family == SegmentFamily::loose_mesh || family == SegmentFamily::map;
+  switch (question) {
+    case Question::any: return local ? 1.5 : star ? 4 : 0;
+    case Question::transcript: return local || star ? 6 : 0;
+    case Question::simple: return 4;
+    case Question::all: return family == SegmentFamily::crossed_mesh ? 3 : family == SegmentFamily::random ? 9 : 0;
+    default: return 0;
+  }
+}
+
+struct Options : ContestOptions {
+  bool check = false;
+  bool ways = false;  // print the first look at every way
+  std::vector<std::size_t> sizes;
+  std::string json, commit, map = SUNDER_BENCH_MAP;
+};
+
+// --- Telling ---------------------------------------------------------------------------------------------------------
+
+void print_head() {
+  std::printf(
+      "Times in milliseconds per call. \"sorts\": Sunder's time in sorts of the endpoints. The peers' columns: their "
+      "time "
+      "in\nSunder's. \"wrong\": inputs with a wrong answer, of Sunder, CGAL, GEOS, Boost; \"!\": no way was "
+      "right.\n\n");
+  std::printf("%8s %-13s %-10s %11s %11s %7s %9s %9s %9s  %-9s %s\n", "N", "input", "question", "sort", "sunder",
+              "sorts", "cgal", "geos", "boost", "wrong", "by which way");
+}
+
+void print(const Row& row, bool ways) {
+  using State = Result::State;
+  const bool known = row.sunder.state == State::measured;
+  char text[64];
+  std::printf("%8.0f %-13s %-10s %11.4f", row.segments, name_of(row.family).data(), name_of(row.question).data(),
+              1e3 * row.sort_s);
+  if (known) {
+    std::printf(" %11.4f %7.2f", 1e3 * row.sunder.median_s, row.sorts());
+  } else {
+    std::printf(" %11s %7s", "-", "-");
+  }
+  std::string wrong = known ? std::to_string(row.sunder.wrong) : "-", methods;
+  for (const Result& peer : row.peers) {
+    std::string cell = "-";
+    if (peer.state == State::over) cell = "over 3 s";
+    if (peer.state == State::measured) {
+      if (known) {
+        std::snprintf(text, sizeof text, "%.2f", peer.median_s / row.sunder.median_s);
+      } else {
+        std::snprintf(text, sizeof text, "%.3g ms", 1e3 * peer.median_s);
+      }
+      cell = std::string(peer.wrong > 0 ? "!" : "") + text;
+      methods += (methods.empty() ? "" : "; ") + peer.method;
+    }
+    wrong += peer.state == State::measured ? "/" + std::to_string(peer.wrong) : "/-";
+    std::printf(" %9s", cell.c_str());
+  }
+  std::printf("  %-9s %s\n", wrong.c_str(), methods.c_str());
+  for (const Look& look : row.looks) {
+    if (!ways) break;
+    std::printf("%45s %11.4f  %s, %s; wrong: %zu of %zu\n", "at first sight", 1e3 * look.seconds, look.library.c_str(),
+                look.method.c_str(), look.wrong, row.inputs);
+  }
+  std::fflush(stdout);
+}
+
+void print_json(std::FILE* out, const Result& r) {
+  if (r.state != Result::State::measured) {
+    const bool over = r.state == Result::State::over;
+    std::fprintf(out, "{\"library\": \"%s\", \"left_out\": \"%s\"}", r.library.c_str(),
+                 over ? "over 3 s" : "does not answer");
+    return;
+  }
+  std::fprintf(out,
+               "{\"library\": \"%s\", \"method\": \"%s\", \"median_ms\": %.6f, \"lowest_ms\": %.6f, \"wrong\": %zu}",
+               r.library.c_str(), r.method.c_str(), 1e3 * r.median_s, 1e3 * r.lowest_s, r.wrong);
+}
+
+void write_json(const Options& options, const std::vector<Row>& rows, const std::vector<std::string>& failures) {
+  ReportFile file(options.json);
+  std::FILE* out = file.get();
+  std::fprintf(out, "{\n  \"benchmark\": \"segments\",\n");
+  print_json(out, circumstances(options.commit));
+  std::fprintf(out, "  \"rounds\": %zu,\n  \"seed\": %llu,\n  \"failures\": [", options.rounds,
+               static_cast<unsigned long long>(options.seed));
+  for (std::size_t i = 0; i < failures.size(); ++i) {
+    std::fprintf(out, "%s\"%s\"", i == 0 ? "" : ", ", failures[i].c_str());
+  }
+  std::fprintf(out, "],\n  \"rows\": [\n");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Row& row = rows[i];
+    std::fprintf(out,
+                 "    {\"n\": %zu, \"input\": \"%s\", \"question\": \"%s\", \"inputs\": %zu, \"segments\": %.1f, "
+                 "\"pairs\": %.1f, \"sort_ms\": %.6f",
+                 row.n, name_of(row.family).data(), name_of(row.question).data(), row.inputs, row.segments, row.pairs,
+                 1e3 * row.sort_s);
+    if (row.sunder.state == Result::State::measured) {
+      std::fprintf(out, ", \"sorts\": %.3f,\n     \"results\": [\n      ", row.sorts());
+      print_json(out, row.sunder);
+      std::fprintf(out, ",\n      ");
+    } else {
+      std::fprintf(out, ",\n     \"results\": [\n      ");
+    }
+    for (std::size_t k = 0; k < row.peers.size(); ++k) {
+      print_json(out, row.peers[k]);
+      std::fprintf(out, "%s", k + 1 == row.peers.size() ? "],\n     \"first_looks\": [" : ",\n      ");
+    }
+    for (std::size_t k = 0; k < row.looks.size(); ++k) {
+      const Look& look = row.looks[k];
+      std::fprintf(out, "%s\n      {\"library\": \"%s\", \"method\": \"%s\", \"ms\": %.6f, \"wrong\": %zu}",
+                   k == 0 ? "" : ",", look.library.c_str(), look.method.c_str(), 1e3 * look.seconds, look.wrong);
+    }
+    std::fprintf(out, "]}");
+    std::fprintf(out, "%s\n", i + 1 == rows.size() ? "" : ",");
+  }
+  std::fprintf(out, "  ]\n}\n");
+  file.commit();
+}
+
+std::vector<std::string> failures_of(const std::vector<Row>& rows) {
+  std::vector<std::string> failures;
+  for (const Row& row : rows) {
+    char line[200];
+    const std::string what = std::string(name_of(row.family)) + ", " + std::string(name_of(row.question)) + ", " +
+                             std::to_string(row.n) + " segments: ";
+    if (row.sunder.state != Result::State::measured) {
+      failures.push_back(what + "Sunder does not answer yet");
+      continue;
+    }
+    if (row.sunder.wrong > 0)
+      failures.push_back(what + std::to_string(row.sunder.wrong) + " of Sunder's answers are WRONG");
+    const double allowed = allowed_sorts(row.family, row.question);
+    if (allowed > 0 && row.n >= kDemandedFrom && row.sorts() > allowed) {
+      std::snprintf(line, sizeof line, "%.2f sorts (allowed: %.1f)", row.sorts(), allowed);
+      failures.push_back(what + line);
+    }
+    for (const Result& peer : row.peers) {
+      const bool counts =
+          peer.state == Result::State::over || (peer.state == Result::State::measured && peer.wrong == 0);
+      const double time = peer.state == Result::State::over ? kMostSeconds : peer.median_s;
+      if (!counts || time > row.sunder.median_s) continue;
+      if (peer.state == Result::State::over) {
+        std::snprintf(line, sizeof line, "Sunder takes over %.0f s, for which %s is left out", kMostSeconds,
+                      peer.library.c_str());
+      } else {
+        std::snprintf(line, sizeof line, "%s takes %.2f of Sunder's time", peer.library.c_str(),
+                      time / row.sunder.median_s);
+      }
+      failures.push_back(what + line);
+    }
+  }
+  return failures;
+}
+
+std::vector<Line> read_map(const std::string& path) {
+  std::vector<Line> lines;
+  if (!std::filesystem::exists(path)) {
+    std::printf("Left out: the map. There is no %s\n", path.c_str());
+    return lines;
+  }
+  for (const sunder::planar::Segment& s : sunder::io::read_lines(path).segments) {
+    lines.push_back({{s.a.x, s.a.y}, {s.b.x, s.b.y}});
+  }
+  return rounded(std::move(lines));
+}
+
+int run(const Options& options) {
+  print_text(stdout, circumstances(options.commit));
+  const std::vector<Line> map = read_map(options.map);
+  print_head();
+
+  // Sizes between, which nobody asked for, tell how fast the time of a peer grows.
+  std::vector<std::size_t> sizes = options.sizes;
+  for (std::size_t n = 100; n < *std::max_element(options.sizes.begin(), options.sizes.end()); n *= 10)
+    sizes.push_back(n);
+  std::sort(sizes.begin(), sizes.end());
+  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+
+  std::vector<Row> rows;
+  for (const Plan& plan : kPlans) {
+    if (plan.family == SegmentFamily::map && map.empty()) continue;
+    if (std::none_of(plan.questions.begin(), plan.questions.end(), [&](Question q) { return options.asks(q); }))
+      continue;
+    History history;
+    for (const std::size_t n : sizes) {
+      const bool wanted = std::find(options.sizes.begin(), options.sizes.end(), n) != options.sizes.end();
+      for (const Row& row : measure(plan, n, !wanted, map, options, history)) {
+        print(row, options.ways);
+        rows.push_back(row);
+      }
+    }
+  }
+  const std::vector<std::string> failures = failures_of(rows);
+  std::printf("\n");
+  for (const std::string& failure : failures) std::printf("FAILED: %s\n", failure.c_str());
+  if (failures.empty()) std::printf("All that is demanded holds.\n");
+  if (!options.json.empty()) write_json(options, rows, failures);
+  return options.check && !failures.empty() ? 1 : 0;
+}
+
+int usage(const std::string& problem) {
+  std::fprintf(stderr,
+               "bench_segments: %s\n"
+               "usage: bench_segments [--check] [--quick] [--ways] [--only any|simple|all]... [--sizes N,N,...] "
+               "[--rounds COUNT] "
+               "[--seed SEED] [--map FILE] [--json FILE] [--commit ID]\n",
+               problem.c_str());
+  return 2;
+}
+
+bool parse_number(const std::string& text, std::uint64_t least, std::uint64_t& out) {
+  char* end = nullptr;
+  out = std::strtoull(text.c_str(), &end, 10);
+  return !text.empty() && *end == '\0' && out >= least;
+}
+
+}  // namespace
+}  // namespace bench
+
+int main(int argc, char** argv) {
+  using bench::Question;
+  bench::Options options;
+  bool quick = false;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument == "--check" || argument == "--quick" || argument == "--ways") {
+      (argument == "--check" ? options.check : argument == "--quick" ? quick : options.ways) = true;
+      continue;
+    }
+    if (i + 1 == argc) return bench::usage("unknown option, or value missing: " + argument);
+    const std::string value = argv[++i];
+    std::uint64_t number = 0;
+    bool good = true;
+    if (argument == "--json") {
+      options.json = value;
+    } else if (argument == "--commit") {
+      options.commit = value;
+    } else if (argument == "--map") {
+      options.map = value;
+    } else if (argument == "--rounds") {
+      if ((good = bench::parse_number(value, 1, number))) options.rounds = number;
+    } else if (argument == "--seed") {
+      if ((good = bench::parse_number(value, 0, number))) options.seed = number;
+    } else if (argument == "--sizes") {
+      for (std::size_t from = 0; good && from <= value.size();) {
+        const std::size_t comma = std::min(value.find(',', from), value.size());
+        if ((good = bench::parse_number(value.substr(from, comma - from), 100, number)))
+          options.sizes.push_back(number);
+        from = comma + 1;
+      }
+    } else if (argument == "--only") {
+      std::vector<Question> add;
+      if (value == "any") add = {Question::make, Question::any, Question::transcript};
+      if (value == "simple") add = {Question::simple};
+      if (value == "all") add = {Question::all, Question::count};
+      good = !add.empty();
+      options.questions.insert(options.questions.end(), add.begin(), add.end());
+    } else {
+      return bench::usage("unknown option: " + argument);
+    }
+    if (!good) return bench::usage(argument + ": bad value: " + value);
+  }
+  if (quick) options.rounds = std::min<std::size_t>(options.rounds, 5);
+  if (options.sizes.empty()) {
+    options.sizes = {100, 1000, 10000, 100000};
+    if (!quick) options.sizes.push_back(1000000);
+  }
+  try {
+    return bench::run(options);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_segments: %s\n", error.what());
+    return 3;
+  }
+}
