@@ -395,14 +395,14 @@ TEST_F(Program, SegmentsSomeMeet) {
   EXPECT_TRUE(python_accepts(proof));
   const Run text = run("segments " + cases + "/segments/wires.csv");
   EXPECT_EQ(text.code, 1);
-  EXPECT_NE(text.out.find("some meet: crossing at about (2, 1.5)"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("some meet\n  crossing at about (2, 1.5)"), std::string::npos) << text.out;
   EXPECT_NE(text.out.find("feature reset, line 5: (1, 0.5) to (3, 2.5)"), std::string::npos) << text.out;
 }
 
 TEST_F(Program, SegmentsUnderRules) {
   const std::string paths = cases + "/segments/paths.wkt", pond = cases + "/segments/pond.geojson";
   const std::string proof = in_folder("proof.json");
-  for (const char* method : {"automatic", "sweep", "scan"}) {
+  for (const char* method : {"automatic", "grid", "sweep", "bentley-ottmann", "scan"}) {
     const std::string by = std::string(" --method ") + method;
     EXPECT_EQ(run("segments " + paths + by).code, 1);
     EXPECT_EQ(run("segments " + paths + by + " --allow shared-endpoint").code, 0);
@@ -424,6 +424,39 @@ TEST_F(Program, SegmentsUnderRules) {
   EXPECT_EQ(run("verify '" + proof + "'").code, 1);
 }
 
+TEST_F(Program, SegmentsAllAndCount) {
+  const std::string pond = cases + "/segments/pond.geojson";
+  const json list = report("segments " + pond + " --all --allow shared-endpoint", 1);
+  ASSERT_GT(list["count"], 0);
+  EXPECT_EQ(list["count"], list["contacts"].size());
+  for (const char* method : {"automatic", "grid", "bentley-ottmann", "scan"}) {
+    const std::string by = std::string(" --allow shared-endpoint --method ") + method;
+    EXPECT_EQ(report("segments " + pond + " --all" + by, 1)["contacts"], list["contacts"]) << method;
+    const json counted = report("segments " + pond + " --count" + by, 1);
+    EXPECT_EQ(counted["count"], list["count"]) << method;
+    EXPECT_TRUE(counted["contacts"].empty());
+  }
+  EXPECT_EQ(report("segments " + pond + " --count --allow touch", 0)["count"], 0);
+}
+
+TEST_F(Program, SegmentsOfABoard) {
+  const std::string two = cases + "/boards/two_nets.kicad_pcb", crossing = cases + "/boards/crossing_nets.kicad_pcb";
+  EXPECT_EQ(run("segments " + two).code, 0);
+  EXPECT_EQ(run("segments " + two + " --layer B.Cu").code, 0);
+  const json across = report("segments " + two + " --all --across-layers", 1);
+  ASSERT_EQ(across["contacts"].size(), 1u);
+  EXPECT_NE(across["contacts"][0]["layers"][0], across["contacts"][0]["layers"][1]);
+  EXPECT_NE(across["contacts"][0]["groups"][0], across["contacts"][0]["groups"][1]);
+  const json r = report("segments " + crossing, 1);
+  EXPECT_EQ(r["group"], "net");
+  EXPECT_EQ(r["contacts"][0]["groups"], (json{"GND", "CLOCK"}));
+  EXPECT_EQ(r["contacts"][0]["lines"], (json{11, 13}));
+  EXPECT_EQ(r["contacts"][0]["i"], 0);
+  EXPECT_EQ(r["contacts"][0]["j"], 2);
+  EXPECT_EQ(report("segments " + crossing + " --group layer --all", 0)["contacts"].size(), 0u);
+  EXPECT_EQ(report("segments " + crossing + " --group feature --count --allow shared-endpoint", 1)["count"], 1);
+}
+
 TEST_F(Program, SegmentsNearTheEndOfTheRange) {
   write_text(in_folder("large.csv"), "1.5e308,1.5e308,1.7e308,1.71e308\n1.5e308,1.7e308,1.7e308,1.52e308\n");
   const json r = report("segments '" + in_folder("large.csv") + "'", 1);
@@ -434,7 +467,17 @@ TEST_F(Program, SegmentsNearTheEndOfTheRange) {
 TEST_F(Program, SegmentsBadCallsAndFiles) {
   const std::string wires = cases + "/segments/wires.csv";
   expect_bad("segments " + wires + " --allow crossing", "there is nothing named 'crossing' to allow");
-  expect_bad("segments " + wires + " --method fast", "methods are automatic, sweep, scan");
+  expect_bad("segments " + wires + " --method fast", "methods are automatic, grid, sweep, bentley-ottmann, scan");
+  expect_bad("segments " + wires + " --count --method sweep",
+             "methods are automatic, grid, bentley-ottmann, scan (for");
+  expect_bad("segments " + wires + " --count --certificate '" + in_folder("p.json") + "'", "counts have no proof");
+  expect_bad("segments " + wires + " --any --count", "excludes");
+  expect_bad("segments " + wires + " --layer F.Cu", "has no layers");
+  expect_bad("segments " + wires + " --across-layers", "has no layers");
+  expect_bad("segments " + wires + " --group net", "no field 'net' to group by");
+  expect_bad("segments " + cases + "/boards/two_nets.kicad_pcb --layer Top", "layers are F.Cu, B.Cu");
+  expect_bad("segments " + cases + "/boards/two_nets.kicad_pcb --certificate '" + in_folder("p.json") + "'",
+             "--certificate");
   expect_bad("segments " + wires + " --method scan --certificate '" + in_folder("p.json") + "'", "scan writes no");
   expect_bad("segments " + in_folder("none.csv"), "none.csv");
   write_text(in_folder("bad.wkt"), "LINESTRING (0 0, 1 nan)\n");

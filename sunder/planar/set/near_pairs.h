@@ -14,11 +14,12 @@
 
 namespace sunder::planar {
 
-// Of more segments in a cell, a sweep needs fewer comparisons than all pairs.
-inline constexpr std::size_t crowd = 256;
+// How many segments make a crowd in a cell: of more, a sweep is faster than all pairs. The sweep that stops at a
+// contact is fast, the one that passes them is slow.
+inline constexpr std::size_t crowd_for_any = 48, crowd_for_all = 256;
 
 // How many places in cells are in crowded ones?
-inline std::size_t crowded(const SegmentGrid& grid) {
+inline std::size_t crowded(const SegmentGrid& grid, std::size_t crowd) {
   std::size_t count = 0;
   for (std::uint32_t c = 0; c < grid.cell_count(); ++c) {
     if (grid.cell(c).size() > crowd) count += grid.cell(c).size();
@@ -53,7 +54,7 @@ struct Part {
 
 // Calls of_pair(i, j), i < j, once for each pair whose boxes meet, save for pairs of crowded cells: of_crowd(c) is
 // called for these. Stops when one of them returns false.
-template <class OfPair, class OfCrowd>
+template <std::size_t crowd, class OfPair, class OfCrowd>
 void for_each_near_pair(std::span<const Segment> segments, const SegmentGrid& grid, const OfPair& of_pair,
                         const OfCrowd& of_crowd, const std::function<void(double)>& progress = nullptr) {
   std::array<double, crowd> left, right, bottom, top;  // of the boxes of a cell

@@ -80,7 +80,7 @@ PolygonSimpleAnswer polygon_simple(const Polygon& polygon) { return polygon_simp
 PolygonSimpleAnswer polygon_simple_by_grid(const Polygon& polygon) {
   const Segments edges = edges_of(polygon);
   const std::optional<SegmentGrid> grid = SegmentGrid::over(edges.all());
-  if (!grid || crowded(*grid) > 0) return by_sweep(polygon, edges);
+  if (!grid || crowded(*grid, crowd_for_any) > 0) return by_sweep(polygon, edges);
   PolygonSimpleAnswer answer;
   const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {
     ++answer.cost.probes;
@@ -88,7 +88,7 @@ PolygonSimpleAnswer polygon_simple_by_grid(const Polygon& polygon) {
     if (kind != ContactKind::none) report(answer, kind, i, j);
     return answer.simple();
   };
-  for_each_near_pair(edges.all(), *grid, of_pair, [](std::uint32_t) { return true; });
+  for_each_near_pair<crowd_for_any>(edges.all(), *grid, of_pair, [](std::uint32_t) { return true; });
   return answer;
 }
 

@@ -6,7 +6,7 @@ namespace sunder::planar {
 
 SegmentsAnswer segments_any_by_grid(const Segments& segments, const SegmentsOptions& options) {
   const std::optional<SegmentGrid> grid = SegmentGrid::over(segments.all());
-  if (!grid || options.transcript || crowded(*grid) > segments.size() / 2) {
+  if (!grid || options.transcript || crowded(*grid, crowd_for_any) > segments.size() / 2) {
     return segments_any_by_sweep(segments, options);
   }
   SegmentsAnswer answer;
@@ -29,7 +29,7 @@ SegmentsAnswer segments_any_by_grid(const Segments& segments, const SegmentsOpti
     answer.j = grid->cell(c)[contact.j];
     return !contact.meet();
   };
-  for_each_near_pair(segments.all(), *grid, of_pair, of_crowd, options.progress);
+  for_each_near_pair<crowd_for_any>(segments.all(), *grid, of_pair, of_crowd, options.progress);
   return answer;
 }
 

@@ -110,7 +110,7 @@ TEST(SegmentsAnyTest, TheTranscriptAtOnePoint) {
 // where a square root of N is cut at once, and on a star of long spikes, where half of all are.
 TEST(SegmentsAnyTest, ComparisonsGrowAsNLogN) {
   Random random(103);
-  for (std::uint32_t n = 64; n <= 1u << 18; n *= 4) {
+  for (std::uint32_t n = 64; n <= 1u << 20; n *= 4) {
     for (const bool star : {false, true}) {
       std::vector<Segment> given;
       if (star) {

@@ -13,7 +13,7 @@ constexpr std::uint32_t few = 128;  // of so many, all pairs are tested faster t
 
 Cost visit_contacts_by_grid(const Segments& segments, const SegmentsOptions& options, const ContactVisitor& visit) {
   const std::optional<SegmentGrid> grid = SegmentGrid::over(segments.all());
-  if (!grid || crowded(*grid) > segments.size() / 2) {
+  if (!grid || crowded(*grid, crowd_for_all) > segments.size() / 2) {
     if (segments.size() <= few) return visit_contacts_by_scan(segments, options, visit);
     return visit_contacts_by_bentley_ottmann(segments, options, visit);
   }
@@ -37,7 +37,7 @@ Cost visit_contacts_by_grid(const Segments& segments, const SegmentsOptions& opt
     cost.probes += of_part.probes;
     return goes_on;
   };
-  for_each_near_pair(segments.all(), *grid, of_pair, of_crowd, options.progress);
+  for_each_near_pair<crowd_for_all>(segments.all(), *grid, of_pair, of_crowd, options.progress);
   return cost;
 }
 

@@ -1,0 +1,39 @@
+// Do any two of N closed intervals on a line meet?
+//
+//   P1. meet() is true iff some two have a contact whose kind counts: shared_endpoint (one common point, an end of
+//       both), touch (an interval of length zero inside of another), overlap (a common part of positive length).
+//   P2. Where none meet, `order` proves it: each interval ends before the next begins, or, where shared ends are
+//       allowed, where the next begins. (Where touches are allowed: once those of length zero are left out.)
+// Source: Shamos & Hoey 1976, section II: sorting is enough, and no fewer comparisons than N log N do.
+#pragma once
+
+#include <sunder/base/cost.h>
+#include <sunder/planar/set/contact_rule.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace sunder::planar {
+
+struct LineInterval {
+  double low = 0, high = 0;
+};
+
+struct IntervalsAnswer {
+  ContactKind kind = ContactKind::none;  // none: no two meet in a way that counts
+  std::uint32_t i = 0, j = 0;            // the two intervals, i < j; meaningless for `none`
+  std::vector<std::uint32_t> order;      // where none meet: the intervals from left to right
+  Cost cost;                             // probes: comparisons of intervals
+
+  bool meet() const { return kind != ContactKind::none; }
+};
+
+// Throws Error bad_value, "interval 7: ...", where an end is not finite or low > high; bad_shape for 2^31 or more.
+// Cost: O(N log N) comparisons, O(N) memory.
+IntervalsAnswer intervals_any(std::span<const LineInterval> intervals, Allowed allowed = Allowed::nothing);
+
+// Every pair: the oracle. Gives no order.
+IntervalsAnswer intervals_any_by_scan(std::span<const LineInterval> intervals, Allowed allowed = Allowed::nothing);
+
+}  // namespace sunder::planar
