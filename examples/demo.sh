@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The demo: which links of a robot arm meet, in two placements, with proofs that two verifiers check.
+# The demo: which links of a robot arm meet, which tracks of a board, which coastlines, which polygons are simple; with
+# proofs that two verifiers check.
 #
 #   examples/demo.sh PROGRAM [OUT_DIR]        PROGRAM: the built `sunder`; OUT_DIR: build/demo by default
 #
@@ -67,4 +68,41 @@ code=0
 "$program" verify "$out/changed.json" || code=$?
 [ $code -eq 1 ] || fail "sunder verify did not refuse the changed proof"
 
-printf '\nAll of this took %.1f s. The picture: %s\n' "$(echo "$(date +%s.%N) $started" | awk '{print $1 - $2}')" "$out/panda.svg"
+board=cases/boards/tinyfpga/TinyFPGA-BX.kicad_pcb
+say "A routed board: do two nets cross on a layer?"
+show "sunder segments $board"
+"$program" segments "$board" || fail "expected that none meet (exit code 0)"
+say "And seen through all layers?"
+show "sunder segments $board --all --across-layers --svg $out/board.svg | head -n 8"
+code=0
+"$program" segments "$board" --all --across-layers --svg "$out/board.svg" > "$out/board.txt" || code=$?
+[ $code -eq 1 ] || fail "expected that some meet (exit code 1), but the exit code is $code"
+head -n 8 "$out/board.txt"
+
+coast=cases/coastline/coastline_50m.wkt
+say "The coastlines of the world: does any cross itself or another? (Segments that follow each other share ends.)"
+show "sunder segments $coast --allow shared-endpoint --certificate $out/coast.proof.json"
+"$program" segments "$coast" --allow shared-endpoint --certificate "$out/coast.proof.json" \
+  || fail "expected that none meet (exit code 0)"
+show "python3 verifier/sunder_verify.py $out/coast.proof.json"
+python3 verifier/sunder_verify.py "$out/coast.proof.json" || fail "the Python verifier refuses"
+show "sunder verify $out/coast.proof.json"
+"$program" verify "$out/coast.proof.json" || fail "sunder verify refuses"
+
+say "Fifty polygons that have troubled a triangulator: which are simple?"
+show "for f in cases/polygons/*.json; do sunder simple \$f; done"
+simple=0 tangled=0 refused=0
+for file in cases/polygons/*.json; do
+  code=0
+  "$program" simple "$file" > "$out/simple.txt" 2> "$out/refused.txt" || code=$?
+  case $code in
+    0) simple=$((simple + 1)) ;;
+    1) tangled=$((tangled + 1)); [ $tangled -gt 1 ] || head -n 3 "$out/simple.txt" ;;
+    2) refused=$((refused + 1)); [ $refused -gt 1 ] || cat "$out/refused.txt" ;;
+    *) fail "exit code $code for $file" ;;
+  esac
+done
+echo "simple: $simple; not simple, with two edges named: $tangled; refused, with the reason: $refused"
+
+printf '\nAll of this took %.1f s. Pictures: %s\n' "$(echo "$(date +%s.%N) $started" | awk '{print $1 - $2}')" \
+  "$out/panda.svg, $out/board.svg"
