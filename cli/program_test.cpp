@@ -488,7 +488,7 @@ TEST_F(Program, SimplePolygons) {
   EXPECT_EQ(run("simple " + cases + "/segments/paths.wkt").code, 0);
   EXPECT_EQ(run("simple " + cases + "/segments/pond.geojson --method scan").code, 0);
   expect_bad("simple " + cases + "/segments/wires.csv", "has no polygons; for lines, ask sunder segments");
-  expect_bad("simple " + cases + "/segments/paths.wkt --method fast", "methods are automatic, sweep, scan");
+  expect_bad("simple " + cases + "/segments/paths.wkt --method fast", "methods are automatic, grid, sweep, scan");
   const std::string file = in_folder("two.wkt");
   write_text(file, "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\nPOLYGON ((0 0, 4 4, 4 0, 0 4, 0 0), (9 9, 8 9, 8 8, 9 9))\n");
   const json r = report("simple '" + file + "'", 1);

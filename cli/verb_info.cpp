@@ -29,7 +29,7 @@ struct Format {
   const char *name, *endings, *access, *what;
 };
 
-constexpr std::array<Format, 9> formats{
+constexpr std::array<Format, 10> formats{
     {{"OBJ", ".obj", "read, write", "Wavefront; objects are parts of a body"},
      {"STL", ".stl", "read, write", "binary (read; single precision) and ASCII; equal points are joined"},
      {"PLY", ".ply", "read, write", "ASCII, and binary of either byte order (read)"},
@@ -38,6 +38,7 @@ constexpr std::array<Format, 9> formats{
      {"CSV", ".csv", "read", "segments: x1,y1,x2,y2 and, if there is one, an id"},
      {"WKT", ".wkt", "read", "lines and polygons, a geometry on each line; their edges are segments"},
      {"GeoJSON", ".geojson", "read", "lines and polygons; their edges are segments"},
+     {"KiCad board", ".kicad_pcb", "read", "tracks by layer and net; arcs as polylines"},
      {"certificate", ".json", "write, verify", "proofs: docs/certificates.md"}}};
 
 const char* type_name(io::JointType type) {
@@ -151,7 +152,7 @@ int run(const Call& call) {
     json["formats"] = Json::array();
     for (const Format& f : formats) {
       json["formats"].push_back({{"name", f.name}, {"endings", f.endings}, {"access", f.access}, {"what", f.what}});
-      text += fmt::format("{:<12} {:<9} {:<14} {}\n", f.name, f.endings, f.access, f.what);
+      text += fmt::format("{:<12} {:<10} {:<14} {}\n", f.name, f.endings, f.access, f.what);
     }
   }
   for (const std::string& file : call.files) {

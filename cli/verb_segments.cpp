@@ -249,13 +249,18 @@ void check(const Call& call, const io::LineFile& file) {
   }
 }
 
+io::LineFile read(const Call& call) {
+  Progress progress("reading");
+  return io::read_lines(call.file, {call.drop_z, call.group, progress.reporter()});
+}
+
 int run(const Call& call) {
   SegmentsOptions options;
   options.allowed = allowed_by(call.allow);
   options.transcript = !call.certificate.empty();
   call.lists() || call.count ? static_cast<void>(contact_method(call.method))
                              : static_cast<void>(any_method(call.method));
-  const io::LineFile file = io::read_lines(call.file, {call.drop_z, call.group});
+  const io::LineFile file = read(call);
   check(call, file);
   const std::vector<Sheet> sheets = sheets_of(call, file);
   Result result;

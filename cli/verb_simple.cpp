@@ -32,10 +32,12 @@ struct Result {
 
 PolygonSimpleAnswer answer_by(const std::string& method, const Polygon& polygon) {
   if (method == "automatic") return polygon_simple(polygon);
+  if (method == "grid") return polygon_simple_by_grid(polygon);
   if (method == "sweep") return polygon_simple_by_sweep(polygon);
   if (method == "scan") return polygon_simple_by_scan(polygon);
   throw Error(ErrorCode::bad_call,
-              fmt::format("there is no method {}; methods are automatic, sweep, scan", io::quote(method)), "--method");
+              fmt::format("there is no method {}; methods are automatic, grid, sweep, scan", io::quote(method)),
+              "--method");
 }
 
 std::vector<Result> answers(const Call& call, const io::LineFile& file) {
@@ -124,7 +126,7 @@ Json report(const Call& call, const io::LineFile& file, const std::vector<Result
 }
 
 int run(const Call& call) {
-  const io::LineFile file = io::read_lines(call.file, {call.drop_z, {}});
+  const io::LineFile file = io::read_lines(call.file, {call.drop_z, {}, nullptr});
   if (file.rings.empty()) io::fail_file(call.file, "has no polygons; for lines, ask sunder segments");
   const std::vector<Result> results = answers(call, file);
   bool all = true;
@@ -139,7 +141,7 @@ void add_simple(CLI::App& program, int& code) {
   auto call = std::make_shared<Call>();
   CLI::App* verb = program.add_subcommand("simple", "Are the polygons of a file simple? If not, which edges meet?");
   verb->add_option("FILE", call->file, "polygons: WKT, GeoJSON, or JSON that is a list of rings")->required();
-  verb->add_option("--method", call->method, "automatic, sweep, or scan")->type_name("NAME");
+  verb->add_option("--method", call->method, "automatic, grid, sweep, or scan")->type_name("NAME");
   verb->add_flag("--drop-z", call->drop_z, "ignore third coordinates");
   verb->add_flag("--json", call->json, "print a report in JSON");
   verb->callback([call, &code] { code = run(*call); });

@@ -26,9 +26,11 @@ char upper(char c) { return 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + '
 
 // Calls with each line that is not blank, and its number. A line ends with LF, CR LF or CR.
 template <class OfLine>
-void for_each_line(std::string_view text, const OfLine& of_line) {
+void for_each_line(std::string_view text, const LineOptions& options, const OfLine& of_line) {
   std::uint32_t number = 0;
+  const double all = static_cast<double>(text.size());
   while (!text.empty()) {
+    if (options.progress && number % 65536 == 0) options.progress(1 - static_cast<double>(text.size()) / all);
     ++number;
     const std::size_t end = text.find_first_of("\r\n");
     const std::string_view line = trimmed(text.substr(0, end));
@@ -66,7 +68,7 @@ class Csv {
 
   void parse(std::string_view text) {
     bool first = true;
-    for_each_line(text, [&](std::string_view line, std::uint32_t number) {
+    for_each_line(text, builder_.options(), [&](std::string_view line, std::uint32_t number) {
       if (first && line.find(';') != std::string_view::npos) separator_ = ';';
       builder_.at_line(number);
       const std::vector<std::string_view> fields = fields_of(line);
@@ -270,7 +272,7 @@ class Wkt {
 void parse_wkt(std::string_view text, LineBuilder& builder) {
   builder.group_by_feature_or_ring();
   std::uint32_t srids = 0;
-  for_each_line(text, [&](std::string_view line, std::uint32_t number) {
+  for_each_line(text, builder.options(), [&](std::string_view line, std::uint32_t number) {
     builder.begin_feature({}, number);
     if (Wkt(line, builder).geometry()) ++srids;
   });

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,7 @@ namespace sunder::io {
 struct LineOptions {
   bool drop_z = false;  // ignore third coordinates; else they are refused
   std::string group;    // the field that says which segments belong together; empty: none, for a board "net"
+  std::function<void(double)> progress = nullptr;  // called now and then with the part that is read (CSV, WKT), 0 to 1
 };
 
 // Where a segment is from.
