@@ -476,8 +476,6 @@ TEST_F(Program, SegmentsBadCallsAndFiles) {
   expect_bad("segments " + wires + " --across-layers", "has no layers");
   expect_bad("segments " + wires + " --group net", "no field 'net' to group by");
   expect_bad("segments " + cases + "/boards/two_nets.kicad_pcb --layer Top", "layers are F.Cu, B.Cu");
-  expect_bad("segments " + cases + "/boards/two_nets.kicad_pcb --certificate '" + in_folder("p.json") + "'",
-             "--certificate");
   expect_bad("segments " + wires + " --method scan --certificate '" + in_folder("p.json") + "'", "scan writes no");
   expect_bad("segments " + in_folder("none.csv"), "none.csv");
   write_text(in_folder("bad.wkt"), "LINESTRING (0 0, 1 nan)\n");

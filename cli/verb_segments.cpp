@@ -1,6 +1,8 @@
 // sunder segments FILE: do any two segments meet? Which? How many?
 #include <cli/common.h>
+#include <cli/contacts_geojson.h>
 #include <cli/progress.h>
+#include <cli/segments_picture.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
@@ -14,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <memory>
 
 namespace sunder::cli {
@@ -34,7 +37,7 @@ struct Call {
   bool across_layers = false;
   std::string allow = "nothing";
   std::string method = "automatic";
-  std::string certificate, geojson, svg;
+  std::string certificate, geojson, svg, title;
   bool drop_z = false;
   bool json = false;
 
@@ -46,12 +49,13 @@ struct Sheet {
   std::vector<std::uint32_t> members;  // segments of the file
   Segments segments;
   std::vector<std::uint32_t> groups;
+  std::string layer;  // its name, where it is one of several sheets
 };
 
 struct Result {
   std::vector<planar::SegmentsContact> contacts;  // by numbers of the file; with --any at most one
   std::uint64_t count = 0;                        // with --all and --count
-  planar::SweepTranscript transcript;
+  std::vector<std::string> proofs;                // files written
   Cost cost;
 };
 
@@ -109,7 +113,8 @@ std::vector<Sheet> sheets_of(const Call& call, const io::LineFile& file) {
       segments.push_back(file.segments[i]);
       if (!file.group.empty()) groups.push_back(file.group[i]);
     }
-    sheets.push_back({std::move(m), Segments(segments), std::move(groups)});
+    const std::string layer = members.size() > 1 && call.layer.empty() ? file.layers[file.layer[m[0]]] : "";
+    sheets.push_back({std::move(m), Segments(segments), std::move(groups), layer});
   }
   if (sheets.empty()) {
     throw Error(
@@ -118,6 +123,14 @@ std::vector<Sheet> sheets_of(const Call& call, const io::LineFile& file) {
         "--layer");
   }
   return sheets;
+}
+
+// "proof.json", or of a layer among others "proof.F.Cu.json".
+std::filesystem::path certificate_of(const Call& call, const Sheet& sheet) {
+  std::filesystem::path path = call.certificate;
+  if (sheet.layer.empty()) return path;
+  const std::string ending = path.extension().string();
+  return path.replace_extension("." + sheet.layer + ending);
 }
 
 void ask(const Call& call, const Sheet& sheet, const SegmentsOptions& options, Result& result) {
@@ -133,10 +146,13 @@ void ask(const Call& call, const Sheet& sheet, const SegmentsOptions& options, R
     result.cost.probes += cost.probes;
     return;
   }
-  SegmentsAnswer answer = any_method(call.method)(sheet.segments, options);
+  const SegmentsAnswer answer = any_method(call.method)(sheet.segments, options);
   result.cost.probes += answer.cost.probes;
   if (answer.meet()) result.contacts.push_back(in_file(answer.i, answer.j, answer.kind));
-  result.transcript = std::move(answer.transcript);
+  if (call.certificate.empty()) return;
+  result.proofs.push_back(certificate_of(call, sheet).string());
+  io::write_file_atomically(result.proofs.back(),
+                            planar::certificate_text(sheet.segments, options.allowed, answer, sheet.groups));
 }
 
 std::string about(const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); }
@@ -199,7 +215,7 @@ std::string human_text(const Call& call, const io::LineFile& file, const Result&
   }
   for (const std::string& remark : file.remarks) text += fmt::format("  remark      {}\n", remark);
   text += fmt::format("  cost        {}\n", count_of(result.cost.probes, "comparison"));
-  if (!call.certificate.empty()) text += fmt::format("  proof       {}\n", call.certificate);
+  for (const std::string& proof : result.proofs) text += fmt::format("  proof       {}\n", proof);
   if (!call.geojson.empty()) text += fmt::format("  contacts    {}\n", call.geojson);
   if (!call.svg.empty()) text += fmt::format("  picture     {}\n", call.svg);
   return text;
@@ -238,14 +254,13 @@ Json report(const Call& call, const io::LineFile& file, const Result& result) {
   return json;
 }
 
-void check(const Call& call, const io::LineFile& file) {
+void check(const Call& call) {
   if (call.certificate.empty()) return;
-  const auto refuse = [](std::string_view why) { throw Error(ErrorCode::bad_call, std::string(why), "--certificate"); };
-  if (call.lists() || call.count) refuse("lists and counts have no proof; ask whether any two meet");
-  if (!file.groups.empty() || !file.layers.empty())
-    refuse("with groups or layers no proof is written yet; leave it out");
-  if (call.method == "scan" || call.method == "bentley-ottmann") {
-    throw Error(ErrorCode::bad_call, call.method + " writes no certificates; give automatic or sweep", "--method");
+  if (call.lists() || call.count) {
+    throw Error(ErrorCode::bad_call, "lists and counts have no proof; ask whether any two meet", "--certificate");
+  }
+  if (call.method == "scan") {
+    throw Error(ErrorCode::bad_call, "scan writes no certificates; give automatic or sweep", "--method");
   }
 }
 
@@ -255,13 +270,13 @@ io::LineFile read(const Call& call) {
 }
 
 int run(const Call& call) {
+  check(call);
   SegmentsOptions options;
   options.allowed = allowed_by(call.allow);
   options.transcript = !call.certificate.empty();
   call.lists() || call.count ? static_cast<void>(contact_method(call.method))
                              : static_cast<void>(any_method(call.method));
   const io::LineFile file = read(call);
-  check(call, file);
   const std::vector<Sheet> sheets = sheets_of(call, file);
   Result result;
   for (const Sheet& sheet : sheets) {
@@ -272,15 +287,15 @@ int run(const Call& call) {
     if (!call.lists() && !call.count && !result.contacts.empty()) break;
   }
   std::sort(result.contacts.begin(), result.contacts.end());
-  if (!call.certificate.empty()) {
-    SegmentsAnswer answer;
-    if (!result.contacts.empty()) {
-      answer.kind = result.contacts[0].kind;
-      answer.i = result.contacts[0].i;
-      answer.j = result.contacts[0].j;
+  if (!call.geojson.empty() || !call.svg.empty()) {
+    const Segments segments(file.segments);
+    if (!call.geojson.empty()) {
+      io::write_file_atomically(call.geojson, contacts_geojson(file, segments, result.contacts));
     }
-    answer.transcript = std::move(result.transcript);
-    io::write_file_atomically(call.certificate, planar::certificate_text(sheets[0].segments, options.allowed, answer));
+    const bool y_down = file.format == "KiCad board";
+    if (!call.svg.empty()) {
+      io::write_file_atomically(call.svg, segments_svg({file, segments, result.contacts, call.title, y_down}));
+    }
   }
   print(call.json ? to_text(report(call, file, result)) : human_text(call, file, result));
   return result.contacts.empty() && result.count == 0 ? exit_code::no : exit_code::yes;
@@ -310,6 +325,9 @@ void add_segments(CLI::App& program, int& code) {
       ->excludes(layer);
   verb->add_option("--method", call->method, "automatic, grid, sweep, bentley-ottmann, or scan")->type_name("NAME");
   verb->add_option("--certificate", call->certificate, "write the proof here")->type_name("FILE");
+  verb->add_option("--geojson", call->geojson, "write all contacts here, to lay over a map")->type_name("FILE");
+  auto* svg = verb->add_option("--svg", call->svg, "draw the segments and all contacts here")->type_name("FILE");
+  verb->add_option("--title", call->title, "of the picture")->needs(svg);
   verb->add_flag("--drop-z", call->drop_z, "ignore third coordinates");
   verb->add_flag("--json", call->json, "print a report in JSON");
   verb->callback([call, &code] { code = run(*call); });

@@ -1,7 +1,9 @@
 // sunder simple FILE: are the polygons of a file simple?
 #include <cli/common.h>
+#include <cli/segments_picture.h>
 
 #include <sunder/base/error.h>
+#include <sunder/io/file.h>
 #include <sunder/io/lines.h>
 #include <sunder/io/text.h>
 #include <sunder/planar/set/polygon_simple.h>
@@ -20,6 +22,7 @@ using planar::PolygonSimpleAnswer;
 struct Call {
   std::string file;
   std::string method = "automatic";
+  std::string svg, title;
   bool drop_z = false;
   bool json = false;
 };
@@ -131,6 +134,16 @@ int run(const Call& call) {
   const std::vector<Result> results = answers(call, file);
   bool all = true;
   for (const Result& result : results) all = all && result.answer.simple();
+  if (!call.svg.empty()) {
+    std::vector<planar::SegmentsContact> contacts;
+    for (const Result& result : results) {
+      if (result.answer.simple()) continue;
+      const std::uint32_t first = file.rings[result.first_ring].first;  // rings of a polygon stand together
+      contacts.push_back({first + result.answer.i, first + result.answer.j, result.answer.kind});
+    }
+    const planar::Segments segments(file.segments);
+    io::write_file_atomically(call.svg, segments_svg({file, segments, contacts, call.title}));
+  }
   print(call.json ? to_text(report(call, file, results, all)) : human_text(call, file, results));
   return all ? exit_code::no : exit_code::yes;
 }
@@ -142,6 +155,8 @@ void add_simple(CLI::App& program, int& code) {
   CLI::App* verb = program.add_subcommand("simple", "Are the polygons of a file simple? If not, which edges meet?");
   verb->add_option("FILE", call->file, "polygons: WKT, GeoJSON, or JSON that is a list of rings")->required();
   verb->add_option("--method", call->method, "automatic, grid, sweep, or scan")->type_name("NAME");
+  auto* svg = verb->add_option("--svg", call->svg, "draw the polygons and the edges named here")->type_name("FILE");
+  verb->add_option("--title", call->title, "of the picture")->needs(svg);
   verb->add_flag("--drop-z", call->drop_z, "ignore third coordinates");
   verb->add_flag("--json", call->json, "print a report in JSON");
   verb->callback([call, &code] { code = run(*call); });

@@ -15,6 +15,7 @@
 #include <sunder/planar/pair/segment_segment.h>
 #include <sunder/planar/set/contact_rule.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -23,11 +24,14 @@ namespace sunder::planar {
 
 // The sweep that met no contact. `events`: the endpoints in the order of the sweep, 2 i for the first end of segment i
 // and 2 i + 1 for its last; `below`: for each first end, in that order, the segment just below it then, or no_segment.
-// A checker keeps a linked list, and tests each two segments that become neighbours (docs/certificates.md).
-inline constexpr std::uint32_t no_segment = 0xffffffffu;
+// Where there are groups, `exchange` among the events stands for two neighbours that cross: `exchanges` has them in
+// order, the lower one first. A checker keeps a linked list, and tests each two segments that become neighbours
+// (docs/certificates.md).
+inline constexpr std::uint32_t no_segment = 0xffffffffu, exchange = 0xffffffffu;
 struct SweepTranscript {
   std::vector<std::uint32_t> events;
   std::vector<std::uint32_t> below;
+  std::vector<std::array<std::uint32_t, 2>> exchanges;
 };
 
 struct SegmentsAnswer {
@@ -57,7 +61,7 @@ SegmentsAnswer segments_any_by_sweep(const Segments& segments, const SegmentsOpt
 SegmentsAnswer segments_any_by_sweep_over(const Segments& segments, std::span<const std::uint32_t> ends,
                                           const SegmentsOptions& options = {});
 
-// The sweep that passes crossings, up to the first contact that counts. Writes no transcript.
+// The sweep that passes crossings, up to the first contact that counts.
 // Cost: O((N + k) log N) comparisons for k contacts that do not count; O(N + k) memory.
 SegmentsAnswer segments_any_by_bentley_ottmann(const Segments& segments, const SegmentsOptions& options = {});
 

@@ -7,8 +7,9 @@
 
 namespace sunder::planar {
 
-// Requires an answer about these segments under this rule; one of `none` with its transcript. The certificate must be
-// true: the common point is computed here.
-std::string certificate_text(const Segments& segments, Allowed allowed, const SegmentsAnswer& answer);
+// Requires an answer about these segments under this rule and with these groups; one of `none` with its transcript. The
+// certificate must be true: the common point is computed here.
+std::string certificate_text(const Segments& segments, Allowed allowed, const SegmentsAnswer& answer,
+                             Groups groups = {});
 
 }  // namespace sunder::planar

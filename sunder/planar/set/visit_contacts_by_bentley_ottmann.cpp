@@ -28,8 +28,15 @@ constexpr std::uint32_t none = no_segment;
 
 class BentleyOttmann {
  public:
-  BentleyOttmann(const Segments& segments, const SegmentsOptions& options, const ContactVisitor& visit)
-      : segments_(segments), options_(options), visit_(visit), status_(segments.all()), ends_on_(segments.size()) {}
+  // record: where to write the transcript, or null.
+  BentleyOttmann(const Segments& segments, const SegmentsOptions& options, const ContactVisitor& visit,
+                 SweepTranscript* record)
+      : segments_(segments),
+        options_(options),
+        visit_(visit),
+        record_(record),
+        status_(segments.all()),
+        ends_on_(segments.size()) {}
 
   Cost run() {
     const std::vector<std::uint32_t> ends = ends_in_order(segments_.all());
@@ -89,8 +96,8 @@ class BentleyOttmann {
       return orient_2d(segments_[i].a, segments_[i].b, p, in) == Sign::zero;
     });
     report_pairs();
-    reverse(row_);
-    meet_neighbours(row_.back(), row_.front());
+    pass(row_);
+    meet_neighbours(row_.front(), row_.back());
   }
 
   // --- Where segments begin or end ---
@@ -124,17 +131,24 @@ class BentleyOttmann {
       const std::uint32_t i = row_[k];
       if (segments_[i].b == p) {
         status_.erase(i);
+        record_last_end(i);
       } else {
         passing_.push_back(i);
       }
     }
-    reverse(passing_);
+    pass(passing_);
     std::uint32_t member = passing_.empty() ? none : passing_[0];
     for (std::size_t k = old; k < row_.size(); ++k) {
       const std::uint32_t i = row_[k];
-      if (segments_[i].a == segments_[i].b) continue;
-      member = i;
-      status_.insert(i, [&](const Segment& other) { return is_above(segments_[i], other); });
+      const auto above = [&](const Segment& other) { return is_above(segments_[i], other); };
+      if (segments_[i].a == segments_[i].b) {  // comes and goes
+        if (record_ == nullptr) continue;
+        record_first_end(i, status_.around(above).below);
+        record_last_end(i);
+      } else {
+        member = i;
+        record_first_end(i, status_.insert(i, above).below);
+      }
     }
     if (member == none) return meet_neighbours(none, none);
     std::uint32_t first = member, last = member;
@@ -147,6 +161,7 @@ class BentleyOttmann {
   bool leave_alone(std::uint32_t i) {
     if (ends_on_[i] != 0) return false;
     const auto around = status_.erase(i);
+    record_last_end(i);
     meet(around.below, around.above);
     return true;
   }
@@ -157,6 +172,7 @@ class BentleyOttmann {
       status_.erase(i);
       return false;
     }
+    record_first_end(i, around.below);
     meet(around.below, i);
     meet(i, around.above);
     return true;
@@ -182,9 +198,32 @@ class BentleyOttmann {
     }
   }
 
-  // Reverses a row of the list.
-  void reverse(const std::vector<std::uint32_t>& row) {
-    for (std::size_t k = 0, l = row.size(); k + 1 < l; ++k) status_.exchange(row[k], row[--l]);
+  // Reverses a row of the list, whose members pass through the place, and the row given.
+  void pass(std::vector<std::uint32_t>& row) {
+    if (record_ == nullptr) {
+      for (std::size_t k = 0, l = row.size(); k + 1 < l; ++k) status_.exchange(row[k], row[--l]);
+      std::reverse(row.begin(), row.end());
+      return;
+    }
+    // In turn, and without those that overlap, which stand together and stay as they are.
+    for (std::size_t l = 1; l < row.size(); ++l) {
+      for (std::size_t k = l; k > 0; --k) {
+        if (segment_segment(segments_[row[k - 1]], segments_[row[k]]) != ContactKind::crossing) break;
+        status_.exchange(row[k - 1], row[k]);
+        record_->events.push_back(exchange);
+        record_->exchanges.push_back({row[k - 1], row[k]});
+        std::swap(row[k - 1], row[k]);
+      }
+    }
+  }
+
+  void record_first_end(std::uint32_t i, std::uint32_t below) {
+    if (record_ == nullptr) return;
+    record_->events.push_back(2 * i);
+    record_->below.push_back(below);
+  }
+  void record_last_end(std::uint32_t i) {
+    if (record_ != nullptr) record_->events.push_back(2 * i + 1);
   }
 
   // All pairs of the row, the members from `fresh` on being new; of overlaps those of which one is new.
@@ -244,6 +283,7 @@ class BentleyOttmann {
   const Segments& segments_;
   const SegmentsOptions& options_;
   const ContactVisitor& visit_;
+  SweepTranscript* record_;
   SweepStatus<Segment> status_;
   std::vector<std::uint8_t> ends_on_;  // of each segment: does it end on one that it was a neighbour of?
   std::vector<Event> crossings_;       // a heap
@@ -257,7 +297,22 @@ class BentleyOttmann {
 
 Cost visit_contacts_by_bentley_ottmann(const Segments& segments, const SegmentsOptions& options,
                                        const ContactVisitor& visit) {
-  return BentleyOttmann(segments, options, visit).run();
+  return BentleyOttmann(segments, options, visit, nullptr).run();
+}
+
+SegmentsAnswer segments_any_by_bentley_ottmann(const Segments& segments, const SegmentsOptions& options) {
+  SegmentsAnswer answer;
+  const auto stop = [&](const SegmentsContact& contact) {
+    answer.kind = contact.kind;
+    answer.i = contact.i;
+    answer.j = contact.j;
+    return false;
+  };
+  const ContactVisitor visit = stop;
+  SweepTranscript* record = options.transcript ? &answer.transcript : nullptr;
+  answer.cost = BentleyOttmann(segments, options, visit, record).run();
+  if (answer.meet()) answer.transcript = {};
+  return answer;
 }
 
 }  // namespace sunder::planar
