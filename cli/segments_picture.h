@@ -30,7 +30,7 @@ struct SegmentsPicture {
 //       first contact stands for all of them, with their numbers, "3, 8" or "12-37", or how many they are, with a
 //       multiplication sign.
 //   S5. x and y are to one scale unless one extent is more than 20 times the other; the picture says so.
-// What it does not do: decide. Positions are rounded. Size: about 5 bytes for a short segment of a line, 15 for one by
+// What it does not do: decide. Positions are rounded. Size: about 5 bytes for a short segment of a line, 20 for one by
 // itself; a few hundred bytes for a ring, of which there is room for about 2000.
 std::string segments_svg(const SegmentsPicture& picture);
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <optional>
@@ -117,6 +118,55 @@ TEST(SegmentsAllDifferential, CrowdsAgreeWithTheScan) {
     }
   }
   EXPECT_GT(contacts, static_cast<std::size_t>(count) * 100);
+}
+
+// A jittered grid's edges and a star's spikes, cut short so that none meet, and a few strokes across the middle of some
+// edges: these cross and nothing else does.
+TEST(SegmentsAllDifferential, LargeSetsWithAKnownAnswer) {
+  const int side = std::clamp(scaled_count(150), 20, 400);
+  for (const bool star : {false, true}) {
+    Random random(chosen_seed(17));
+    std::vector<planar::Segment> edges;
+    const auto add = [&](const Point2& p, const Point2& q) {  // the middle 90 %
+      const double x = (q.x - p.x) / 20, y = (q.y - p.y) / 20;
+      edges.push_back({{p.x + x, p.y + y}, {q.x - x, q.y - y}});
+    };
+    std::vector<Point2> points;
+    if (star) {
+      const int n = side * side;
+      for (int k = 0; k < n; ++k) {
+        const double angle = 6.283185307179586 * k / n, r = k % 2 == 0 ? 1 : random.uniform(0.1, 0.2);
+        points.push_back({r * std::cos(angle), r * std::sin(angle)});
+      }
+      for (std::size_t k = 0; k + 1 < points.size(); ++k) add(points[k], points[k + 1]);
+    } else {
+      const auto at = [&](int x, int y) { return points[static_cast<std::size_t>(y * side + x)]; };
+      for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) points.push_back({x + random.uniform(-0.3, 0.3), y + random.uniform(-0.3, 0.3)});
+      }
+      for (int y = 1; y < side; ++y) {
+        for (int x = 1; x < side; ++x) {
+          add(at(x - 1, y), at(x, y));
+          add(at(x, y - 1), at(x, y));
+        }
+      }
+    }
+    std::vector<SegmentsContact> truth;
+    std::vector<planar::Segment> all = edges;
+    for (std::uint32_t i = 0; i < edges.size(); i += 1 + static_cast<std::uint32_t>(edges.size() / 50)) {
+      const Point2 middle{(edges[i].a.x + edges[i].b.x) / 2, (edges[i].a.y + edges[i].b.y) / 2};
+      const double x = 1e-7 * (edges[i].b.y - edges[i].a.y), y = 1e-7 * (edges[i].a.x - edges[i].b.x);
+      truth.push_back({i, static_cast<std::uint32_t>(all.size()), ContactKind::crossing});
+      all.push_back({{middle.x - x, middle.y - y}, {middle.x + x, middle.y + y}});
+    }
+    EXPECT_FALSE(planar::segments_any(Segments(edges)).meet());
+    EXPECT_FALSE(planar::segments_any_by_sweep(Segments(edges)).meet());
+    const Segments segments(all);
+    EXPECT_EQ(listed(planar::visit_contacts_by_grid, segments, {}), truth);
+    EXPECT_EQ(listed(planar::visit_contacts_by_bentley_ottmann, segments, {}), truth);
+    EXPECT_TRUE(planar::segments_any(segments).meet());
+    EXPECT_TRUE(planar::segments_any_by_sweep(segments).meet());
+  }
 }
 
 // Bentley and Ottmann's contacts come in the order of their first common points.
