@@ -14,9 +14,8 @@ namespace sunder::cli {
 planar::Segment common_part(const planar::Segment& s, const planar::Segment& t);
 
 // A FeatureCollection with a feature for each contact, in their order, one on each line: lines can be compared (diff).
-//   geometry    Point, planar::common_point_rounded; of an overlap LineString, its common part. Numbers are the
-//   shortest
-//               that read back as the same double. They are those of the file: a board's y still points down.
+//   geometry    Point, planar::common_point_rounded; of an overlap LineString, its common part. Numbers are
+//               the shortest that read back as the same double, and those of the file: a board's y still points down.
 //   properties  number (from 1), kind, i, j, and as lists of two: features (names), lines (null where the format does
 //               not tell), and if the file has them groups and layers.
 // Bytes of names that are no UTF-8 become U+FFFD. Requires that `segments` are those of the file, in its order;

@@ -429,7 +429,7 @@ TEST_F(Program, SegmentsAllAndCount) {
   const json list = report("segments " + pond + " --all --allow shared-endpoint", 1);
   ASSERT_GT(list["count"], 0);
   EXPECT_EQ(list["count"], list["contacts"].size());
-  for (const char* method : {"automatic", "grid", "bentley-ottmann", "scan"}) {
+  for (const char* method : {"automatic", "grid", "bentley-ottmann", "balaban", "scan"}) {
     const std::string by = std::string(" --allow shared-endpoint --method ") + method;
     EXPECT_EQ(report("segments " + pond + " --all" + by, 1)["contacts"], list["contacts"]) << method;
     const json counted = report("segments " + pond + " --count" + by, 1);
@@ -469,7 +469,7 @@ TEST_F(Program, SegmentsBadCallsAndFiles) {
   expect_bad("segments " + wires + " --allow crossing", "there is nothing named 'crossing' to allow");
   expect_bad("segments " + wires + " --method fast", "methods are automatic, grid, sweep, bentley-ottmann, scan");
   expect_bad("segments " + wires + " --count --method sweep",
-             "methods are automatic, grid, bentley-ottmann, scan (for");
+             "methods are automatic, grid, bentley-ottmann, balaban, scan (for");
   expect_bad("segments " + wires + " --count --certificate '" + in_folder("p.json") + "'", "counts have no proof");
   expect_bad("segments " + wires + " --any --count", "excludes");
   expect_bad("segments " + wires + " --layer F.Cu", "has no layers");

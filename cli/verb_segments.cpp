@@ -88,8 +88,9 @@ planar::ContactMethod* contact_method(const std::string& name) {
   if (name == "automatic") return planar::visit_contacts;
   if (name == "grid") return planar::visit_contacts_by_grid;
   if (name == "bentley-ottmann") return planar::visit_contacts_by_bentley_ottmann;
+  if (name == "balaban") return planar::visit_contacts_by_balaban;
   if (name == "scan") return planar::visit_contacts_by_scan;
-  refuse_method(name, "automatic, grid, bentley-ottmann, scan (for lists and counts)");
+  refuse_method(name, "automatic, grid, bentley-ottmann, balaban, scan (for lists and counts)");
 }
 
 // The layers that are asked about, each a sheet; or one sheet of all.
@@ -323,7 +324,9 @@ void add_segments(CLI::App& program, int& code) {
   auto* layer = verb->add_option("--layer", call->layer, "of a board, this layer only")->type_name("NAME");
   verb->add_flag("--across-layers", call->across_layers, "of a board, tracks of different layers may meet too")
       ->excludes(layer);
-  verb->add_option("--method", call->method, "automatic, grid, sweep, bentley-ottmann, or scan")->type_name("NAME");
+  verb->add_option("--method", call->method,
+                   "automatic, grid, sweep (not for lists), bentley-ottmann, balaban (for lists), or scan")
+      ->type_name("NAME");
   verb->add_option("--certificate", call->certificate, "write the proof here")->type_name("FILE");
   verb->add_option("--geojson", call->geojson, "write all contacts here, to lay over a map")->type_name("FILE");
   auto* svg = verb->add_option("--svg", call->svg, "draw the segments and all contacts here")->type_name("FILE");

@@ -56,7 +56,8 @@ TEST(SegmentsAllDifferential, MethodsAgreeWithTheScan) {
       if (grouped) options.groups = groups;
       const std::vector<SegmentsContact> truth = listed(planar::visit_contacts_by_scan, segments, options);
       for (planar::ContactMethod* method :
-           {&planar::visit_contacts_by_bentley_ottmann, &planar::visit_contacts_by_grid, &planar::visit_contacts}) {
+           {&planar::visit_contacts_by_bentley_ottmann, &planar::visit_contacts_by_balaban,
+            &planar::visit_contacts_by_grid, &planar::visit_contacts}) {
         ASSERT_EQ(listed(*method, segments, options), truth)
             << i << " " << name_of(set.family) << " allowed " << name_of(allowed) << (grouped ? " groups" : "");
       }
@@ -109,6 +110,7 @@ TEST(SegmentsAllDifferential, CrowdsAgreeWithTheScan) {
     const Segments segments(given);
     const std::vector<SegmentsContact> truth = listed(planar::visit_contacts_by_scan, segments, {});
     ASSERT_EQ(listed(planar::visit_contacts_by_bentley_ottmann, segments, {}), truth) << i;
+    ASSERT_EQ(listed(planar::visit_contacts_by_balaban, segments, {}), truth) << i;
     ASSERT_EQ(listed(planar::visit_contacts_by_grid, segments, {}), truth) << i;
     contacts += truth.size();
     for (const Allowed allowed : {Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}) {
@@ -164,6 +166,7 @@ TEST(SegmentsAllDifferential, LargeSetsWithAKnownAnswer) {
     const Segments segments(all);
     EXPECT_EQ(listed(planar::visit_contacts_by_grid, segments, {}), truth);
     EXPECT_EQ(listed(planar::visit_contacts_by_bentley_ottmann, segments, {}), truth);
+    EXPECT_EQ(listed(planar::visit_contacts_by_balaban, segments, {}), truth);
     EXPECT_TRUE(planar::segments_any(segments).meet());
     EXPECT_TRUE(planar::segments_any_by_sweep(segments).meet());
   }

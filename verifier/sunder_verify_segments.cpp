@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,10 +23,19 @@ struct Segment {
   Point first, last;
 };
 
-// The segments in units of 2^e.
+// The segments in units of 2^e. Where the file has no groups, each segment is one of its own.
 struct Set {
   std::vector<Segment> segments;
+  std::vector<std::int64_t> groups;
+  bool has_groups = false;
   std::int64_t e = 0;
+
+  bool is_one_group(std::size_t i, std::size_t j) const { return groups[i] == groups[j]; }
+};
+
+// The point x / w, y / w; w > 0.
+struct Place {
+  Integer x, y, w;
 };
 
 constexpr std::array<const char*, 4> kinds{"shared-endpoint", "touch", "crossing", "overlap"};  // and "none"
@@ -65,11 +75,46 @@ std::string kind_of(const Segment& s, const Segment& t) {
   return is_end(s.first, t) || is_end(s.last, t) ? kinds[0] : kinds[1];
 }
 
-// Is s, just after it begins, above t, which has begun? A segment of length zero is above those that it lies on.
-bool is_above(const Segment& s, const Segment& t) {
+bool do_cross(const Segment& s, const Segment& t) { return kind_of(s, t) == kinds[2]; }
+
+// Requires that they cross.
+Place crossing_of(const Segment& s, const Segment& t) {
+  const Integer ux = s.last.x - s.first.x, uy = s.last.y - s.first.y;
+  const Integer vx = t.last.x - t.first.x, vy = t.last.y - t.first.y;
+  Integer w = ux * vy - uy * vx;
+  Integer part = (t.first.x - s.first.x) * vy - (t.first.y - s.first.y) * vx;  // of s, before it, times w
+  if (w < 0) {
+    w = -w;
+    part = -part;
+  }
+  return {s.first.x * w + part * ux, s.first.y * w + part * uy, w};
+}
+
+// -1: p comes first; 1: q; 0: they are one point.
+int order(const Place& p, const Place& q) {
+  const auto compare = [&](const Integer& a, const Integer& b) {
+    return p.w == 1 && q.w == 1 ? a.compare(b) : Integer(a * q.w).compare(Integer(b * p.w));
+  };
+  const int x = compare(p.x, q.x), both = x != 0 ? x : compare(p.y, q.y);
+  return (both > 0) - (both < 0);
+}
+
+// Is s, just after it begins, above t, which has begun? A segment of length zero is above those that it lies on. On one
+// line s is above the members of its group.
+bool is_above(const Segment& s, const Segment& t, bool is_one_group) {
   const int begins = turn(t.first, t.last, s.first);
   if (begins != 0) return begins > 0;
-  return s.first == s.last || turn(t.first, t.last, s.last) > 0;
+  if (s.first == s.last) return true;
+  const int ends = turn(t.first, t.last, s.last);
+  return ends > 0 || (ends == 0 && is_one_group);
+}
+
+// Do two cross, the lower one being below the other before?
+bool cross_further_on(const Segment& lower, const Segment& upper) {
+  const bool lower_ends_first = lower.last < upper.last;
+  const bool is_past =
+      lower_ends_first ? turn(upper.first, upper.last, lower.last) > 0 : turn(lower.first, lower.last, upper.last) < 0;
+  return is_past && do_cross(lower, upper);
 }
 
 struct Some {
@@ -80,6 +125,8 @@ struct Some {
 
 void check_some(const Set& set, Allowed allowed, const Some& some) {
   require(!is_allowed(some.kind, allowed), "C1", some.kind + " does not count");
+  require(!set.is_one_group(some.i, some.j), "C1",
+          "segments " + std::to_string(some.i) + " and " + std::to_string(some.j) + " are of one group");
   const Number &x = some.point[0], &y = some.point[1];
   const std::int64_t low = std::min(set.e, std::min(x.e, y.e));
   const Integer unit = shifted(x.d * y.d, set.e - low);  // one unit of the coordinates
@@ -98,79 +145,241 @@ void check_some(const Set& set, Allowed allowed, const Some& some) {
   require(found == some.kind, "C3", "the contact is " + found);
 }
 
+constexpr std::size_t exchange = std::numeric_limits<std::size_t>::max();  // the event
+
 struct None {
   std::vector<std::size_t> events;
   std::vector<std::int64_t> below;
+  std::vector<std::pair<std::size_t, std::size_t>> exchanges;
 };
 
-// The order of events at one point: ends, then points, one after the other, then beginnings.
-std::pair<int, std::size_t> rank(const Segment& s, std::size_t event) {
-  if (s.first == s.last) return {1, event};
-  return {event % 2 == 1 ? 0 : 2, 0};
+const Point& end_of(const Set& set, std::size_t event) {
+  const Segment& s = set.segments[event / 2];
+  return event % 2 == 1 ? s.last : s.first;
 }
 
-void check_order(const Set& set, Allowed allowed, const std::vector<std::size_t>& events) {
+// The order of events at one point: last ends, exchanges, points, one after the other, first ends.
+using Rank = std::pair<int, std::size_t>;
+Rank rank_of(const Set& set, std::size_t event) {
+  if (event == exchange) return {1, 0};
+  const Segment& s = set.segments[event / 2];
+  if (s.first == s.last) return {2, event};
+  return {event % 2 == 1 ? 0 : 3, 0};
+}
+
+// T1, and of T5 what needs no list. The place of each exchange.
+std::vector<Place> check_order(const Set& set, Allowed allowed, const None& none) {
   std::vector<bool> seen(2 * set.segments.size());
-  for (const std::size_t event : events) {
+  std::size_t ends = 0;
+  for (const std::size_t event : none.events) {
+    if (event == exchange) continue;
     require(!seen[event], "T1", "event " + std::to_string(event) + " is there twice");
     seen[event] = true;
+    ++ends;
   }
-  require(events.size() == seen.size(), "T1", "the events are not each end of each segment once");
-  const auto place = [&](std::size_t event) -> const Point& {
-    const Segment& s = set.segments[event / 2];
-    return event % 2 == 1 ? s.last : s.first;
-  };
-  for (std::size_t k = 1; k < events.size(); ++k) {
-    const std::size_t before = events[k - 1], here = events[k];
-    const Point &p = place(before), &q = place(here);
-    const bool same = p == q;
-    const bool in_order = same ? rank(set.segments[before / 2], before) <= rank(set.segments[here / 2], here) : p < q;
-    require(in_order, "T1", "event " + std::to_string(k) + " is out of order");
-    require(allowed != Allowed::nothing || !same || before / 2 == here / 2, "T1",
-            "event " + std::to_string(k) + " shares its point with another segment");
+  require(ends == seen.size(), "T1", "the events are not each end of each segment once");
+  std::vector<Place> places;
+  places.reserve(none.exchanges.size());
+  Place before;
+  Rank rank_before;
+  std::size_t end_before = exchange;  // the last event that is an end, if any
+  for (std::size_t k = 0; k < none.events.size(); ++k) {
+    const std::size_t event = none.events[k];
+    Place here;
+    if (event == exchange) {
+      const auto [i, j] = none.exchanges[places.size()];
+      require(set.is_one_group(i, j) && do_cross(set.segments[i], set.segments[j]), "T5",
+              "segments " + std::to_string(i) + " and " + std::to_string(j) +
+                  ", which are exchanged, are not of one group or do not cross");
+      here = crossing_of(set.segments[i], set.segments[j]);
+      places.push_back(here);
+    } else {
+      const Point& p = end_of(set, event);
+      here = {p.x, p.y, 1};
+    }
+    const Rank rank = rank_of(set, event);
+    if (k > 0) {
+      const int step = order(before, here);
+      require(step < 0 || (step == 0 && rank_before <= rank), "T1", "event " + std::to_string(k) + " is out of order");
+    }
+    if (event != exchange) {
+      const bool shared =
+          allowed == Allowed::nothing && end_before != exchange && end_of(set, end_before) == end_of(set, event);
+      require(!shared || set.is_one_group(end_before / 2, event / 2), "T1",
+              "event " + std::to_string(k) + " shares its point with a segment that it may not meet");
+      end_before = event;
+    }
+    before = std::move(here);
+    rank_before = rank;
   }
+  return places;
 }
 
-void check_none(const Set& set, Allowed allowed, const None& none) {
-  check_order(set, allowed, none.events);
-  const std::size_t size = set.segments.size();
-  const auto neighbours = [&](std::size_t lower, std::size_t upper) {
-    if (lower == size || upper == size) return;
-    const std::string kind = kind_of(set.segments[lower], set.segments[upper]);
-    require(
-        is_allowed(kind, allowed), "T4",
-        "segments " + std::to_string(lower) + " and " + std::to_string(upper) + " become neighbours and meet: " + kind);
-  };
-  // A ring: `size` stands below and above all.
-  std::vector<std::size_t> above(size + 1, size), below(size + 1, size);
-  std::vector<bool> is_cut(size + 1);
-  is_cut[size] = true;
-  std::size_t begun = 0;
-  for (const std::size_t event : none.events) {
-    const std::size_t s = event / 2;
-    if (event % 2 == 1) {
-      require(is_cut[s], "T2", "segment " + std::to_string(s) + " ends before it begins");
-      is_cut[s] = false;
-      above[below[s]] = above[s];
-      below[above[s]] = below[s];
-      neighbours(below[s], above[s]);
-      continue;
+// T6: the ends at one point, and a segment that holds the point inside.
+class Holders {
+ public:
+  explicit Holders(const Set& set) : set_(set) {}
+
+  // The next end, and what stands next to its segment in the list; there, `size` is none.
+  void look(std::size_t event, std::size_t lower, std::size_t upper) {
+    const std::size_t s = event / 2, none = set_.segments.size();
+    const Point& p = end_of(set_, event);
+    if (!any_ || end_of(set_, first_) != p) {
+      any_ = true;
+      first_ = event;
+      are_mixed_ = has_holder_ = false;
     }
-    const std::int64_t named = none.below[begun++];
-    const std::size_t lower = named < 0 ? size : static_cast<std::size_t>(named);
-    require(is_cut[lower], "T2",
+    are_mixed_ = are_mixed_ || !set_.is_one_group(first_ / 2, s);
+    for (const std::size_t n : {lower, upper}) {
+      if (n == none || is_end(p, set_.segments[n])) continue;
+      if (turn(set_.segments[n].first, set_.segments[n].last, p) != 0) continue;
+      has_holder_ = true;
+      holder_ = n;
+    }
+    require(
+        !has_holder_ || (!are_mixed_ && set_.is_one_group(holder_, s)), "T6",
+        "where segment " + std::to_string(s) + " has an end, another group holds the point of the ends, or has one");
+  }
+
+ private:
+  const Set& set_;
+  std::size_t first_ = 0, holder_ = 0;
+  bool any_ = false, are_mixed_ = false, has_holder_ = false;
+};
+
+class Transcript {
+ public:
+  Transcript(const Set& set, Allowed allowed)
+      : set_(set), allowed_(allowed), size_(set.segments.size()), above_(size_ + 1, size_), below_(above_) {
+    is_cut_.resize(size_ + 1);
+    is_cut_[size_] = true;
+  }
+
+  void check(const None& none) {
+    const std::vector<Place> places = check_order(set_, allowed_, none);
+    const bool looks = set_.has_groups && allowed_ != Allowed::touch;
+    Holders holders(set_);
+    std::size_t begun = 0, exchanged = 0;
+    for (const std::size_t event : none.events) {
+      at_exchange_ = event == exchange ? &places[exchanged] : nullptr;
+      event_ = event;
+      if (event == exchange) {
+        const auto [i, j] = none.exchanges[exchanged++];
+        exchange_neighbours(i, j);
+        continue;
+      }
+      const auto [lower, upper] = event % 2 == 1 ? take_out(event / 2) : put_in(event / 2, none.below[begun++]);
+      if (looks) holders.look(event, lower, upper);
+    }
+  }
+
+ private:
+  using Around = std::pair<std::size_t, std::size_t>;
+
+  Around put_in(std::size_t s, std::int64_t named) {
+    const std::size_t lower = named < 0 ? size_ : static_cast<std::size_t>(named);
+    require(is_cut_[lower], "T2",
             "segment " + std::to_string(s) + " begins above " + std::to_string(named) + ", which is not cut then");
-    const std::size_t upper = above[lower];
-    require(lower == size || is_above(set.segments[s], set.segments[lower]), "T3",
+    const std::size_t upper = above_[lower];
+    require(lower == size_ || begins_above(s, lower), "T3",
             "segment " + std::to_string(s) + " does not begin above " + std::to_string(lower));
-    require(upper == size || !is_above(set.segments[s], set.segments[upper]), "T3",
+    require(upper == size_ || !begins_above(s, upper), "T3",
             "segment " + std::to_string(s) + " does not begin below " + std::to_string(upper));
-    is_cut[s] = true;
-    above[s] = upper;
-    below[s] = lower;
-    above[lower] = below[upper] = s;
-    neighbours(lower, s);
-    neighbours(s, upper);
+    part(lower, upper);
+    is_cut_[s] = true;
+    link(lower, s);
+    link(s, upper);
+    become_neighbours(lower, s);
+    become_neighbours(s, upper);
+    return {lower, upper};
+  }
+
+  Around take_out(std::size_t s) {
+    require(is_cut_[s], "T2", "segment " + std::to_string(s) + " ends before it begins");
+    const std::size_t lower = below_[s], upper = above_[s];
+    part(lower, s);
+    part(s, upper);
+    is_cut_[s] = false;
+    link(lower, upper);
+    become_neighbours(lower, upper);
+    return {lower, upper};
+  }
+
+  void exchange_neighbours(std::size_t i, std::size_t j) {
+    require(
+        is_cut_[i] && above_[i] == j, "T5",
+        "segment " + std::to_string(i) + " is not just below " + std::to_string(j) + ", with which it is exchanged");
+    const std::size_t lower = below_[i], upper = above_[j];
+    part(lower, i);
+    part(i, j);
+    part(j, upper);
+    link(lower, j);
+    link(j, i);
+    link(i, upper);
+    become_neighbours(lower, j);
+    become_neighbours(i, upper);
+  }
+
+  bool begins_above(std::size_t s, std::size_t t) const {
+    return is_above(set_.segments[s], set_.segments[t], set_.is_one_group(s, t));
+  }
+
+  void link(std::size_t lower, std::size_t upper) {
+    above_[lower] = upper;
+    below_[upper] = lower;
+  }
+
+  bool may_meet(std::size_t i, std::size_t j) const { return i == size_ || j == size_ || set_.is_one_group(i, j); }
+
+  void become_neighbours(std::size_t lower, std::size_t upper) const {
+    if (may_meet(lower, upper)) return;
+    const std::string kind = kind_of(set_.segments[lower], set_.segments[upper]);
+    require(
+        is_allowed(kind, allowed_), "T4",
+        "segments " + std::to_string(lower) + " and " + std::to_string(upper) + " become neighbours and meet: " + kind);
+  }
+
+  // Two neighbours are not neighbours any longer. Those of two groups do not cross, by T4.
+  void part(std::size_t lower, std::size_t upper) const {
+    if (lower == size_ || upper == size_ || !set_.is_one_group(lower, upper)) return;
+    const Segment &s = set_.segments[lower], &t = set_.segments[upper];
+    if (!cross_further_on(s, t)) return;
+    const Place crossing = crossing_of(s, t);
+    require(order(place(), crossing) <= 0, "T5",
+            "segments " + std::to_string(lower) + " and " + std::to_string(upper) +
+                " are neighbours still where they have crossed");
+  }
+
+  Place place() const {
+    if (at_exchange_ != nullptr) return *at_exchange_;
+    const Point& p = end_of(set_, event_);
+    return {p.x, p.y, 1};
+  }
+
+  const Set& set_;
+  const Allowed allowed_;
+  const std::size_t size_;                  // stands below and above all: the list is a ring
+  std::vector<std::size_t> above_, below_;  // in the list
+  std::vector<bool> is_cut_;                // is the segment in the list?
+  std::size_t event_ = 0;                   // the one now
+  const Place* at_exchange_ = nullptr;      // its place, if it is an exchange
+};
+
+void read_groups(const json& top, Set& set) {
+  const std::size_t size = set.segments.size();
+  set.has_groups = top.contains("groups");
+  if (!set.has_groups) {
+    for (std::size_t i = 0; i < size; ++i) set.groups.push_back(static_cast<std::int64_t>(i));
+    return;
+  }
+  constexpr std::int64_t most = 999'999'999'999'999;  // all JSON readers agree about whole numbers up to this
+  const json& groups = list_member(top, "groups", "the file");
+  if (groups.size() != size) refuse_form("groups is not a list of " + std::to_string(size));
+  for (const json& item : groups) {
+    const bool is_small = item.is_number_unsigned() ? item.get<std::uint64_t>() <= most
+                                                    : item.is_number_integer() && item.get<std::int64_t>() >= -most;
+    if (!is_small) refuse_form("groups has an entry that is not a whole number of at most 15 digits");
+    set.groups.push_back(item.get<std::int64_t>());
   }
 }
 
@@ -194,7 +403,42 @@ Set read_set(const json& top) {
       refuse_form("segments[" + std::to_string(k / 4) + "] does not begin with its lexicographically first end");
     }
   }
+  read_groups(top, set);
   return set;
+}
+
+bool is_minus_one(const json& value) {
+  return value.is_number_integer() && !value.is_number_unsigned() && value.get<std::int64_t>() == -1;
+}
+
+None read_none(const json& item, const Set& set, const std::string& where) {
+  const std::size_t size = set.segments.size();
+  None none;
+  std::size_t exchanges = 0;
+  for (const json& event : list_member(item, "events", where)) {
+    const bool is_exchange = set.has_groups && is_minus_one(event);
+    none.events.push_back(is_exchange ? exchange : read_index(event, 2 * size, where + " event"));
+    if (is_exchange) ++exchanges;
+  }
+  if (item.contains("exchanges")) {
+    if (!set.has_groups) refuse_form(where + " has exchanges, but the file has no groups");
+    for (const json& pair : list_member(item, "exchanges", where)) {
+      if (!pair.is_array() || pair.size() != 2) refuse_form(where + ".exchanges has an entry that is no pair");
+      const std::string entry = where + ".exchanges entry";
+      none.exchanges.emplace_back(read_index(pair[0], size, entry), read_index(pair[1], size, entry));
+    }
+  }
+  if (exchanges != none.exchanges.size()) {
+    refuse_form(where + " has not one entry of exchanges for each event -1");
+  }
+  const json& below = list_member(item, "below", where);
+  if (below.size() != size) refuse_form(where + ".below is not a list of " + std::to_string(size));
+  for (const json& entry : below) {
+    none.below.push_back(is_minus_one(entry) ? -1
+                                             : static_cast<std::int64_t>(
+                                                   read_index(entry, size, where + ".below entry that is not -1")));
+  }
+  return none;
 }
 
 struct Statement {
@@ -204,7 +448,8 @@ struct Statement {
   None none;
 };
 
-Statement read_statement(const json& item, std::size_t size, const std::string& where) {
+Statement read_statement(const json& item, const Set& set, const std::string& where) {
+  const std::size_t size = set.segments.size();
   Statement statement;
   if (string_member(item, "question", where) != "segments_any") refuse_form(where + ".question is not segments_any");
   const std::string allowed = string_member(item, "allowed", where);
@@ -229,16 +474,7 @@ Statement read_statement(const json& item, std::size_t size, const std::string& 
     }
     some.point = read_numbers(list_member(item, "point", where), 2, read_number, where + ".point");
   } else if (statement.result.verdict == "none") {
-    for (const json& event : list_member(item, "events", where)) {
-      statement.none.events.push_back(read_index(event, 2 * size, where + " event"));
-    }
-    const json& below = list_member(item, "below", where);
-    if (below.size() != size) refuse_form(where + ".below is not a list of " + std::to_string(size));
-    for (const json& entry : below) {
-      const bool none = entry.is_number_integer() && !entry.is_number_unsigned() && entry.get<std::int64_t>() == -1;
-      statement.none.below.push_back(
-          none ? -1 : static_cast<std::int64_t>(read_index(entry, size, where + ".below entry that is not -1")));
-    }
+    statement.none = read_none(item, set, where);
   } else {
     refuse_form(where + ".verdict is neither none nor some");
   }
@@ -255,8 +491,7 @@ std::vector<PairResult> verify_set(const json& top) {
   const Set set = read_set(top);
   std::vector<Statement> statements;
   for (const json& item : list_member(top, "statements", "the file")) {
-    statements.push_back(
-        read_statement(item, set.segments.size(), "statements[" + std::to_string(statements.size()) + "]"));
+    statements.push_back(read_statement(item, set, "statements[" + std::to_string(statements.size()) + "]"));
   }
   std::vector<PairResult> results;
   for (Statement& statement : statements) {
@@ -265,7 +500,7 @@ std::vector<PairResult> verify_set(const json& top) {
       if (result.verdict == "some") {
         check_some(set, statement.allowed, statement.some);
       } else {
-        check_none(set, statement.allowed, statement.none);
+        Transcript(set, statement.allowed).check(statement.none);
       }
       result.accepted = true;
     } catch (const Refused& refused) {

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Tests of sunder_verify_segments.py: python3 verifier/test_sunder_verify_segments.py."""
+import itertools
 import json
 import os
 import random
@@ -59,6 +60,221 @@ def some_set(rng):
     return segments
 
 
+def some_groups(rng):
+    """A set with a group for each. Half of the sets are parted into groups so that none meet, as finely as can be."""
+    segments, allowed = some_set(rng), rng.choice(RULES)
+    while rng.randrange(3):
+        x, y = rng.choice(segments)[rng.randrange(2)]  # some pencils, some on one line
+        u, v = rng.choice(((1, 0), (1, 1), (0, 1), (1, -1), (2, 1)))
+        k, l = rng.randint(-2, 2), rng.randint(-2, 2)
+        segments.append(tuple(sorted(((x + k * u, y + k * v), (x + l * u, y + l * v)))))
+    is_joint = rng.randrange(4) == 0
+    if is_joint:  # some that begin or end on the inside of one
+        x, y = rng.randint(0, 4), rng.randint(0, 4)
+        segments = segments[:2] + [((x - k, y - k), (x + 1, y + 1)) for k in range(1, rng.randint(2, 3))]
+        segments += [tuple(sorted(((x, y), (x + rng.randint(-2, 2), y + rng.randint(-2, 2))))) for _ in range(3)]
+    rng.shuffle(segments)
+    groups = [rng.randint(1, rng.choice((1, 2, 3)))] * len(segments)
+    if rng.randrange(2 if is_joint else 4) == 0:
+        groups = [rng.randint(1, 2 if is_joint else 3) for _ in segments]
+    elif rng.randrange(3):
+        groups = list(range(len(segments)))
+        for i, j in itertools.combinations(range(len(segments)), 2):
+            if kind_by_fractions(segments[i], segments[j]) not in (None,) + checker.ALLOWED[allowed]:
+                groups = [groups[i] if group == groups[j] else group for group in groups]
+        if rng.randrange(2):
+            groups[rng.randrange(len(groups))] = rng.choice(groups)
+    return segments, groups, allowed
+
+
+def is_free(segments, groups, allowed):
+    """Does nothing count?"""
+    return not any(groups[i] != groups[j] and
+                   kind_by_fractions(segments[i], segments[j]) not in (None,) + checker.ALLOWED[allowed]
+                   for i, j in itertools.combinations(range(len(segments)), 2))
+
+
+def crossing_by_fractions(s, t):
+    """The point where two segments cross, or None."""
+    if kind_by_fractions(s, t) != "crossing":
+        return None
+    ((ax, ay), (bx, by)), ((cx, cy), (dx, dy)) = s, t
+    ux, uy, vx, vy = bx - ax, by - ay, dx - cx, dy - cy
+    p = Fraction((cx - ax) * vy - (cy - ay) * vx, ux * vy - uy * vx)
+    return ax + p * ux, ay + p * uy
+
+
+class Line:
+    """The sweep line at a point p, in fractions."""
+
+    def __init__(self, segments, groups):
+        self.segments, self.groups, self.cut = segments, groups, []
+
+    def height(self, i, p):
+        """Where segment i cuts the line, and how steeply it goes on."""
+        (ax, ay), (bx, by) = self.segments[i]
+        if ax == bx:
+            return p[1], 1, 0
+        slope = Fraction(by - ay, bx - ax)
+        return ay + slope * (p[0] - ax), 0, slope
+
+    def exchanges(self, p):
+        """The neighbours that cross at p and may do so: the places in the list of the lower ones."""
+        return [k for k, (i, j) in enumerate(zip(self.cut, self.cut[1:]))
+                if self.groups[i] == self.groups[j] and crossing_by_fractions(self.segments[i], self.segments[j]) == p]
+
+    def place_of_first_end(self, i):
+        p = self.segments[i][0]
+        key = self.height(i, p)
+        for at, other in enumerate(self.cut):
+            height = self.height(other, p)
+            if height[0] > p[1]:
+                return at
+            if height[0] == p[1] and self.segments[i][1] != p:
+                if height > key or (height == key and self.groups[other] != self.groups[i]):
+                    return at
+        return len(self.cut)
+
+
+def places_of_sweep(segments):
+    pairs = itertools.combinations(segments, 2)
+    return sorted({p for segment in segments for p in segment} |
+                  {crossing_by_fractions(s, t) for s, t in pairs} - {None})
+
+
+def events_at(segments, p):
+    """What happens at p, but for exchanges: those that end there, points, those that begin there."""
+    numbered = list(enumerate(segments))
+    return ([i for i, (a, b) in numbered if a < b == p], [i for i, (a, b) in numbered if a == b == p],
+            [i for i, (a, b) in numbered if p == a < b])
+
+
+def sweep(rng, segments, groups):
+    """A transcript: events, below, exchanges. Right if nothing counts. What comes first is random where either may."""
+    line, events, below, exchanges = Line(segments, groups), [], [], []
+
+    def enter(i):
+        at = line.place_of_first_end(i)
+        events.append(2 * i)
+        below.append(line.cut[at - 1] if at else -1)
+        line.cut.insert(at, i)
+
+    def leave(i):
+        events.append(2 * i + 1)
+        line.cut.remove(i)
+
+    for p in places_of_sweep(segments):
+        ending, points, beginning = events_at(segments, p)
+        rng.shuffle(ending)
+        rng.shuffle(beginning)
+        for i in ending:
+            leave(i)
+        while True:
+            wrong = [k for k in line.exchanges(p)
+                     if line.height(line.cut[k], p)[1:] > line.height(line.cut[k + 1], p)[1:]]
+            if not wrong:
+                break
+            k = rng.choice(wrong)
+            events.append(-1)
+            exchanges.append(line.cut[k:k + 2])
+            line.cut[k:k + 2] = reversed(line.cut[k:k + 2])
+        for i in points:
+            enter(i)
+            leave(i)
+        for i in beginning:
+            enter(i)
+    return events, below, exchanges
+
+
+def all_transcripts(segments, groups, most):
+    """All transcripts in which the events have an order that T1 allows, each segment begins above one that is cut, and
+    neighbours of one group are exchanged where they cross; no two exchanges at a point lead back to one list. At most
+    so many."""
+    places = places_of_sweep(segments)
+    count = [0]
+
+    def orders(line, p):
+        """The lists that exchanges at p make of one, each with the exchanges: all ways without a way back."""
+        found = [(line, [])]
+        stack = [(line, [], {tuple(line.cut)})]
+        while stack and len(found) < 40:
+            now, done, seen = stack.pop()
+            for k in now.exchanges(p):
+                after = Line(segments, groups)
+                after.cut = now.cut[:k] + [now.cut[k + 1], now.cut[k]] + now.cut[k + 2:]
+                if tuple(after.cut) not in seen:
+                    found.append((after, done + [now.cut[k:k + 2]]))
+                    stack.append((after, found[-1][1], seen | {tuple(after.cut)}))
+        return found
+
+    def enter(line, kinds, events, below):
+        """All ways to enter the segments in the order of `kinds`; the points leave at once."""
+        if not kinds:
+            yield line, events, below
+            return
+        i = kinds[0]
+        for at in range(len(line.cut) + 1):
+            after = Line(segments, groups)
+            after.cut = line.cut[:at] + [i] + line.cut[at:]
+            now = events + [2 * i]
+            if segments[i][0] == segments[i][1]:
+                after.cut.remove(i)
+                now.append(2 * i + 1)
+            yield from enter(after, kinds[1:], now, below + [line.cut[at - 1] if at else -1])
+
+    def go(n, line, events, below, exchanges):
+        if count[0] >= most:
+            return
+        if n == len(places):
+            count[0] += 1
+            yield events, below, exchanges
+            return
+        ending, points, beginning = events_at(segments, places[n])
+        for order in itertools.permutations(ending):
+            left = Line(segments, groups)
+            left.cut = [i for i in line.cut if i not in ending]
+            for changed, done in orders(left, places[n]):
+                now = events + [2 * i + 1 for i in order] + [-1] * len(done)
+                for begun in itertools.permutations(beginning):
+                    for after, then, lower in enter(changed, points + list(begun), now, below):
+                        yield from go(n + 1, after, then, lower, exchanges + done)
+
+    return go(0, Line(segments, groups), [], [], [])
+
+
+def mutate(rng, segments, groups, events, below, exchanges):
+    """One change of a transcript or of a group, in place; what was changed, or None where that cannot be."""
+    what = rng.choice(("drop", "move", "turn", "repeat", "group", "event", "below", "other"))
+    at = [k for k, event in enumerate(events) if event < 0]
+    if what == "group":
+        groups[rng.randrange(len(groups))] = rng.choice(groups)
+    elif what == "below":
+        below[rng.randrange(len(below))] = rng.randint(-1, len(segments) - 1)
+    elif what == "event":
+        i, event = rng.randrange(len(events)), rng.randrange(len(events))
+        events.insert(i, events.pop(event))
+    elif not at:
+        return None
+    else:
+        n = rng.randrange(len(at))
+        if what == "drop":
+            del events[at[n]], exchanges[n]
+        elif what == "repeat":
+            events.insert(at[n], -1)
+            exchanges.insert(n, rng.choice((exchanges[n], exchanges[n][::-1])))
+        elif what == "turn":
+            exchanges[n] = exchanges[n][::-1]
+        elif what == "other":
+            exchanges[n] = [rng.randrange(len(segments)) for _ in range(2)]
+        else:
+            to = rng.randrange(len(events))
+            exchange = exchanges.pop(n)
+            del events[at[n]]
+            exchanges.insert(sum(event < 0 for event in events[:to]), exchange)
+            events.insert(to, -1)
+    return what
+
+
 def transcript(segments):
     """The sweep, without looking for contacts: wrong where segments meet in a way that it does not expect."""
     def place(event):
@@ -73,24 +289,32 @@ def transcript(segments):
             line.remove(s)
         else:
             at = 0
-            while at < len(line) and checker.is_above(segments[s], segments[line[at]]):
+            while at < len(line) and checker.is_above(segments[s], segments[line[at]], False):
                 at += 1
             below.append(line[at - 1] if at else -1)
             line.insert(at, s)
     return events, below
 
 
-def accepted(segments, allowed, events, below):
+def refusal_of(segments, groups, allowed, events, below, exchanges):
+    """The check that fails, or None. Without groups, where these are None."""
+    own = range(len(segments))
     try:
-        checker.check_none(segments, allowed, events, below)
-    except sunder_verify.Refused:
-        return False
-    return True
+        checker.check_none(segments, own if groups is None else groups, allowed, events, below, exchanges,
+                           groups is not None)
+    except sunder_verify.Refused as error:
+        return error.args[0]
+    return None
 
 
-def as_file(segments, statement):
+def accepted(segments, allowed, events, below):
+    return refusal_of(segments, None, allowed, events, below, []) is None
+
+
+def as_file(segments, statement, groups=None):
     text = [["%s0x%xp+0" % ("-" if x < 0 else "", abs(x)) for point in segment for x in point] for segment in segments]
-    return json.dumps({"sunder_set_certificate": 1, "segments": text, "statements": [statement]}).encode()
+    top = {"sunder_set_certificate": 1, "segments": text, "statements": [statement]}
+    return json.dumps(top if groups is None else {**top, "groups": groups}).encode()
 
 
 def outcome(data):
@@ -183,64 +407,246 @@ class Segments(unittest.TestCase):
         self.assertEqual(outcome(as_file(crossed, {**none, "below": [-1, 0, 1]})), "T4")
 
 
+class Groups(unittest.TestCase):
+    def test_a_transcript_is_accepted_if_and_only_if_nothing_counts(self):
+        rng = random.Random(5)
+        count, most, refused = {}, 0, {}
+        for _ in range(12000):
+            segments, groups, allowed = some_groups(rng)
+            free = is_free(segments, groups, allowed)
+            events, below, exchanges = sweep(rng, segments, groups)
+            check = refusal_of(segments, groups, allowed, events, below, exchanges)
+            self.assertEqual(check is None, free, (segments, groups, allowed, check))
+            overlaps = any(groups[i] == groups[j] and checker.kind_of(segments[i], segments[j]) == "overlap"
+                           for i, j in itertools.combinations(range(len(segments)), 2))
+            key = allowed, len(set(groups)) > 1, free
+            seen = count.setdefault(key, [0, 0, 0])
+            for k, is_so in enumerate((True, len(exchanges) > 0, overlaps)):
+                seen[k] += is_so
+            most = max(most, len(exchanges) if free else 0)
+            refused[check] = refused.get(check, 0) + 1
+        for allowed in RULES:
+            for several, free in ((False, True), (True, True), (True, False)):
+                for k in range(3):
+                    self.assertGreater(count[allowed, several, free][k], 40, (allowed, several, free, count))
+        self.assertGreater(most, 8)
+        for check, least in (("T1", 100), ("T4", 100), ("T6", 10)):
+            self.assertGreater(refused.get(check, 0), least, refused)
+
+    def test_without_groups_and_each_its_own_are_one(self):
+        rng = random.Random(6)
+        for _ in range(3000):
+            segments, allowed = some_set(rng), rng.choice(RULES)
+            events, below = transcript(segments)
+            own = list(range(len(segments)))
+            self.assertEqual(accepted(segments, allowed, events, below),
+                             refusal_of(segments, own, allowed, events, below, []) is None, (segments, allowed))
+
+    def test_no_mutated_transcript_proves_what_is_not_true(self):
+        rng = random.Random(7)
+        count = {}
+        for _ in range(14000):
+            segments, groups, allowed = some_groups(rng)
+            evidence = sweep(rng, segments, groups)
+            what = [mutate(rng, segments, groups, *evidence) for _ in range(rng.choice((1, 1, 2)))]
+            free = is_free(segments, groups, allowed)
+            check = refusal_of(segments, groups, allowed, *evidence)
+            if not free:
+                self.assertIsNotNone(check, (segments, groups, allowed, evidence))
+            if len(what) == 1:
+                key = what[0], free, check is None
+                count[key] = count.get(key, 0) + 1
+        for what in ("drop", "move", "turn", "repeat", "group", "event", "below", "other"):
+            self.assertGreater(count[what, False, False], 15, count)
+            self.assertGreater(count[what, True, False] + count.get((what, True, True), 0), 100, count)
+        for what in ("drop", "turn", "other"):  # each pair is exchanged exactly once
+            self.assertLess(count.get((what, True, True), 0), 0.2 * count[what, True, False], count)
+
+    def test_no_transcript_at_all_proves_what_is_not_true(self):
+        rng = random.Random(8)
+        sets = tried = exchanged = 0
+        while sets < 1200:
+            segments, groups, allowed = some_groups(rng)
+            if len(segments) > 5 or len(set(groups)) == len(groups):
+                continue
+            free = is_free(segments, groups, allowed)
+            if free and rng.randrange(4):
+                continue
+            found = 0
+            for evidence in all_transcripts(segments, groups, 400):
+                is_accepted = refusal_of(segments, groups, allowed, *evidence) is None
+                self.assertFalse(is_accepted and not free, (segments, groups, allowed, evidence))
+                found += is_accepted
+                tried += 1
+                exchanged += len(evidence[2]) > 0
+            sets += 1
+        self.assertGreater(tried, 20000)
+        self.assertGreater(exchanged, 4000)
+
+    def test_files_and_the_check_that_each_fails(self):
+        # A cross of one group, whose arms are met by a segment that ends on one, and one of another group above it.
+        segments = [((0, 0), (4, 4)), ((0, 4), (4, 0)), ((0, 6), (9, 6)), ((3, 3), (5, 2))]
+        groups = [7, 7, -3, 7]
+        none = {"question": "segments_any", "allowed": "nothing", "verdict": "none",
+                "events": [0, 2, 4, -1, 6, 3, 1, 7, 5], "below": [-1, 0, 1, 1], "exchanges": [[0, 1]]}
+
+        def found(changes, groups=groups, segments=segments):
+            return outcome(as_file(segments, {key: value for key, value in {**none, **changes}.items()
+                                              if value is not None}, groups))
+
+        self.assertEqual(found({}), "-")
+        self.assertEqual(found({"allowed": "touch"}), "-")
+        self.assertEqual(found({}, [7, 7, 0, 8]), "T4")
+        self.assertEqual(found({"allowed": "touch"}, [7, 7, 0, 8]), "-")
+        self.assertEqual(found({}, [7, 8, 0, 7]), "T5")
+        # Places: too late, or too soon.
+        self.assertEqual(found({"events": [0, 2, 4, 6, -1, 3, 1, 7, 5]}), "T1")
+        self.assertEqual(found({"events": [0, -1, 2, 4, 6, 3, 1, 7, 5]}), "T1")
+        # At one point: what ends, the exchange, points, what begins.
+        star = segments[:2] + [((0, 2), (2, 2)), ((2, 2), (2, 2)), ((2, 2), (5, 2))]
+        ray = {"events": [0, 4, 2, 5, -1, 6, 7, 8, 3, 1, 9], "below": [-1, 0, 2, 0, 1]}
+        self.assertEqual(found(ray, [1] * 5, star), "-")
+        for events in ([0, 4, 2, -1, 5, 6, 7, 8, 3, 1, 9], [0, 4, 2, 5, 6, 7, -1, 8, 3, 1, 9],
+                       [0, 4, 2, 5, 6, -1, 7, 8, 3, 1, 9], [0, 4, 2, 5, -1, 8, 6, 7, 3, 1, 9]):
+            self.assertEqual(found({**ray, "events": events}, [1] * 5, star), "T1", events)
+        # Pairs that are not neighbours, not in this order, do not cross, are one segment, are not exchanged.
+        self.assertEqual(found({"exchanges": [[1, 0]]}), "T5")
+        self.assertEqual(found({"exchanges": [[0, 3]]}), "T5")
+        self.assertEqual(found({"exchanges": [[0, 0]]}), "T5")
+        self.assertEqual(found({"events": [0, 2, 4, 6, 3, 1, 7, 5], "exchanges": None}), "T5")
+        # The form.
+        for groups_of_wrong_form in ([7, 7, 0], [7, 7, 0, 7, 7], [7, 7, 0, "7"], [7, 7, 0, 7.0], [7, 7, 0, True], 7,
+                                     [7, 7, 0, 10 ** 15], [7, 7, 0, -10 ** 15], [7, 7, 0, 10 ** 30], {}, [[7]] * 4):
+            self.assertEqual(found({}, groups_of_wrong_form), "F", groups_of_wrong_form)
+        self.assertEqual(found({}, [10 ** 15 - 1, 10 ** 15 - 1, 1 - 10 ** 15, 10 ** 15 - 1]), "-")
+        for exchanges in (None, [], [[0, 1], [0, 1]], [[0]], [[0, 1, 2]], [0], [[0, 4]], [[-1, 1]], [[0, "1"]], "", {}):
+            self.assertEqual(found({"exchanges": exchanges}), "F", exchanges)
+        self.assertEqual(found({}, None), "F")
+        self.assertEqual(found({"events": [0, 2, 4, 6, 3, 1, 7, 5]}, None), "F")
+        self.assertEqual(found({"exchanges": None}, None), "F")
+        self.assertEqual(found({"events": [0, 2, 4, -2, 6, 3, 1, 7, 5]}), "F")
+        # An end of another group on the inside of one, behind one of its own group: neighbours alone do not tell.
+        hub = [((0, 0), (4, 4)), ((0, 2), (2, 2)), ((0, 3), (2, 2))]
+        behind = {"events": [0, 2, 4, 3, 5, 1], "below": [-1, 0, 1], "exchanges": None, "allowed": "shared-endpoint"}
+        self.assertEqual(found(behind, [1, 1, 1], hub), "-")
+        self.assertEqual(found(behind, [1, 1, 2], hub), "T4")
+        self.assertEqual(found({**behind, "events": [0, 2, 4, 5, 3, 1]}, [1, 1, 2], hub), "T6")
+        self.assertEqual(found({**behind, "allowed": "nothing"}, [1, 1, 2], hub), "T1")
+        # Contacts within a group do not count.
+        some = {"question": "segments_any", "allowed": "nothing", "verdict": "some", "i": 0, "j": 1, "kind": "crossing",
+                "point": ["2", "2"]}
+        self.assertEqual(outcome(as_file(segments, some, groups)), "C1")
+        self.assertEqual(outcome(as_file(segments, some, [1, 2, 3, 4])), "-")
+
+
+@unittest.skipUnless("SUNDER_PROGRAM" in os.environ, "SUNDER_PROGRAM does not name the program")
 class Twins(unittest.TestCase):
-    @unittest.skipUnless("SUNDER_PROGRAM" in os.environ, "SUNDER_PROGRAM does not name the program")
-    def test_the_twins_agree(self):
-        rng = random.Random(4)
+    def count_agreed(self, tops):
+        """How often each check refuses files, and "-" a statement is accepted. The twins must agree about all."""
         count = {}
         with tempfile.TemporaryDirectory() as folder:
             files = []
-            for k in range(250):
-                segments, statements = some_set(rng), []
-                events, below = transcript(segments)
-                for _ in range(6):
-                    allowed, mutated = rng.choice(RULES), rng.randrange(3)
-                    if rng.randrange(3) and len(segments) > 1:
-                        i, j = rng.sample(range(len(segments)), 2)
-                        kind = checker.kind_of(segments[i], segments[j]) or "crossing"
-                        point = list(max(segments[i][0], segments[j][0]))
-                        if mutated == 0:
-                            kind = rng.choice(checker.KINDS)
-                        if mutated == 1:
-                            point = ["%d/%d" % (rng.randint(0, 20), rng.randint(1, 4)) for _ in range(2)]
-                        statements.append({"question": "segments_any", "allowed": allowed, "verdict": "some", "i": i,
-                                           "j": j, "kind": kind, "point": [str(x) for x in point]})
-                    else:
-                        order, lower = events[:], below[:]
-                        if mutated == 0:
-                            lower[rng.randrange(len(lower))] = rng.randint(-1, len(segments) - 1)
-                        if mutated == 1:
-                            i, j = rng.randrange(len(order)), rng.randrange(len(order))
-                            order[i], order[j] = order[j], order[i]
-                        if mutated == 2 and not rng.randrange(8):
-                            order[0] = order[-1]
-                        statements.append({"question": "segments_any", "allowed": allowed, "verdict": "none",
-                                           "events": order, "below": lower})
-                data = json.loads(as_file(segments, None))
-                data["statements"] = statements
-                if not rng.randrange(12):
-                    del data["statements"][0][rng.choice(sorted(statements[0]))]
+            for k, top in enumerate(tops):
                 files.append(os.path.join(folder, "%d.json" % k))
                 with open(files[-1], "w") as stream:
-                    json.dump(data, stream)
+                    json.dump(top, stream)
             done = subprocess.run([os.environ["SUNDER_PROGRAM"], "verify", "--json"] + files, capture_output=True)
             self.assertEqual(done.returncode, 1, done.stderr)
             reports = json.loads(done.stdout)["objects"]
             self.assertEqual(len(reports), len(files))
             for file, report in zip(files, reports):
                 found = [(r.get("pair"), r["check"]) for r in report["refused"]]
+                with open(file, "rb") as stream:
+                    data = stream.read()
                 try:
-                    with open(file, "rb") as stream:
-                        results = sunder_verify.verify(stream.read())
-                    expected = [(r[0], r[4][0]) for r in results if r[4]]
+                    expected = [(r[0], r[4][0]) for r in sunder_verify.verify(data) if r[4]]
                 except sunder_verify.Refused as error:
                     expected = [(None, error.args[0])]
-                self.assertEqual(found, expected, file)
+                self.assertEqual(found, expected, data)
                 for _, check in expected:
                     count[check] = count.get(check, 0) + 1
                 count["-"] = count.get("-", 0) + report.get("none", 0) + report.get("some", 0)
+        return count
+
+    @staticmethod
+    def some_contact(rng, segments, allowed):
+        """A statement that two segments meet, often a wrong one."""
+        i, j = rng.sample(range(len(segments)), 2)
+        kind = checker.kind_of(segments[i], segments[j]) or "crossing"
+        point = crossing_by_fractions(segments[i], segments[j]) or max(segments[i][0], segments[j][0])
+        mutated = rng.randrange(3)
+        if mutated == 0:
+            kind = rng.choice(checker.KINDS)
+        if mutated == 1:
+            point = ["%d/%d" % (rng.randint(0, 20), rng.randint(1, 4)) for _ in range(2)]
+        return {"question": "segments_any", "allowed": allowed, "verdict": "some", "i": i, "j": j, "kind": kind,
+                "point": [str(x) for x in point]}
+
+    def test_the_twins_agree(self):
+        rng, tops = random.Random(4), []
+        for _ in range(250):
+            segments, statements = some_set(rng), []
+            events, below = transcript(segments)
+            for _ in range(6):
+                allowed, mutated = rng.choice(RULES), rng.randrange(3)
+                if rng.randrange(3) and len(segments) > 1:
+                    statements.append(self.some_contact(rng, segments, allowed))
+                    continue
+                order, lower = events[:], below[:]
+                if mutated == 0:
+                    lower[rng.randrange(len(lower))] = rng.randint(-1, len(segments) - 1)
+                if mutated == 1:
+                    i, j = rng.randrange(len(order)), rng.randrange(len(order))
+                    order[i], order[j] = order[j], order[i]
+                if mutated == 2 and not rng.randrange(8):
+                    order[0] = order[-1]
+                statements.append({"question": "segments_any", "allowed": allowed, "verdict": "none", "events": order,
+                                   "below": lower})
+            tops.append({**json.loads(as_file(segments, None)), "statements": statements})
+            if not rng.randrange(12):
+                del statements[0][rng.choice(sorted(statements[0]))]
+        count = self.count_agreed(tops)
         for check in ("-", "F", "C1", "C2", "C3", "T1", "T2", "T3", "T4"):
             self.assertGreaterEqual(count.get(check, 0), 5, (check, count))
+
+    def test_the_twins_agree_about_groups(self):
+        rng, tops = random.Random(9), []
+        for _ in range(2000):
+            segments, groups, allowed = some_groups(rng)
+            statements = []
+            for _ in range(4):
+                if not rng.randrange(6) and len(segments) > 1:
+                    statements.append(self.some_contact(rng, segments, rng.choice(RULES)))
+                    continue
+                events, below, exchanges = sweep(rng, segments, groups)
+                for _ in range(rng.choice((0, 1, 1, 3))):
+                    mutate(rng, segments, groups, events, below, exchanges)
+                statements.append({"question": "segments_any", "allowed": rng.choice((allowed, rng.choice(RULES))),
+                                   "verdict": "none", "events": events, "below": below})
+                if exchanges or rng.randrange(2):
+                    statements[-1]["exchanges"] = exchanges
+            tops.append({**json.loads(as_file(segments, None, groups)), "statements": statements})
+            if not rng.randrange(12):
+                what = rng.randrange(6)
+                if what == 0:
+                    del tops[-1]["groups"]
+                elif what == 1:
+                    groups = groups + [1]
+                elif what == 2:
+                    groups = groups[1:] + [rng.choice((1.0, None, "1", True, 10 ** 15, -10 ** 15, 10 ** 18, 10 ** 19,
+                                                       -10 ** 18, 10 ** 40, [1], 10 ** 15 - 1, 1 - 10 ** 15, -0.0))]
+                elif what == 3:
+                    statements[0]["exchanges"] = rng.choice(([], {}, [[0]], [[0, len(segments)]], [0], [[0, -1]], "01"))
+                elif what == 4 and "events" in statements[0]:
+                    statements[0]["events"].insert(1, rng.choice((-1, -2, -1.0, None, False)))
+                else:
+                    del statements[0][rng.choice(sorted(statements[0]))]
+                if "groups" in tops[-1]:
+                    tops[-1]["groups"] = groups
+        count = self.count_agreed(tops)
+        for check, least in (("-", 800), ("F", 40), ("C1", 40), ("C2", 40), ("C3", 10), ("T1", 200), ("T2", 40),
+                             ("T3", 40), ("T4", 200), ("T5", 40), ("T6", 3)):
+            self.assertGreaterEqual(count.get(check, 0), least, (check, count))
 
 
 if __name__ == "__main__":

@@ -196,6 +196,59 @@ TEST(DyadicTest, NearestAtTheEndsOfTheRange) {
   EXPECT_EQ((Dyadic(0x1p53) + Dyadic(3.0)).nearest(), 0x1p53 + 4);
 }
 
+TEST(DyadicTest, NearestRatio) {
+  Random random(seed(6));
+  const int n = instances(1000);
+  int infinite = 0, subnormal = 0, zero = 0, ties = 0;
+  for (int i = 0; i < n; ++i) {
+    Dyadic b = any(random);
+    if (b.sign() == Sign::zero) b = Dyadic(-7.0);
+    // Any quotient; or one that is given: a double, halfway between two, or nearly so.
+    const bool given = random.below(2) == 0;
+    const Dyadic quotient = any(random);
+    const Dyadic a = given ? quotient * b : quotient;
+    const double x = nearest_ratio(a, b);
+    const Rational r = rational(a) / rational(b);
+    expect_nearest(r, x);
+    if (HasFatalFailure()) FAIL() << "instance " << i << ": " << fraction_text(a, b);
+    ASSERT_EQ(nearest_ratio(-a, b), -x) << i;
+    ASSERT_EQ(nearest_ratio(a, -b), -x) << i;
+    infinite += std::isinf(x);
+    subnormal += x != 0 && std::fabs(x) < 0x1p-1022;
+    zero += x == 0;
+    if (!given || !std::isfinite(x) || r == rational(x)) continue;
+    const double next = std::nextafter(x, r > rational(x) ? infinity : -infinity);
+    if (std::isfinite(next)) ties += abs(r - rational(x)) == abs(r - rational(next));
+  }
+  EXPECT_GT(infinite, n / 50);
+  EXPECT_GT(subnormal, n / 100);
+  EXPECT_GT(zero, n / 50);
+  EXPECT_GT(ties, n / 20);
+}
+
+TEST(DyadicTest, NearestRatioByHand) {
+  const auto ratio = [](double n, double d) { return nearest_ratio(Dyadic(n), Dyadic(d)); };
+  EXPECT_EQ(ratio(1, 3), 1.0 / 3);  // the machine divides correctly rounded
+  EXPECT_EQ(ratio(-2, 3), -2.0 / 3);
+  EXPECT_EQ(ratio(0, -3), 0);
+  EXPECT_EQ(ratio(6, -3), -2);
+  EXPECT_EQ(ratio(largest, 0.5), infinity);
+  EXPECT_EQ(ratio(-largest, least), -infinity);
+  EXPECT_EQ(ratio(least, 2), 0);  // a tie, to even
+  EXPECT_EQ(ratio(3 * least, 2), 2 * least);
+  EXPECT_EQ(ratio(least, 1 + 0x1p-52), least);
+  EXPECT_EQ(ratio(least, -largest), 0);
+  EXPECT_EQ(ratio(0x1p-1022, 3), 0x1p-1022 / 3);
+  // One part in 2^1000 off a tie: the rest counts, however small it is.
+  const Dyadic tie = Dyadic(1.0) + Dyadic(0x1p-53), odd_tie = Dyadic(1.0) + Dyadic(3 * 0x1p-53), tiny(0x1p-1000),
+               seven(7.0);
+  EXPECT_EQ(nearest_ratio(tie * seven, seven), 1);
+  EXPECT_EQ(nearest_ratio(odd_tie * seven, seven), 1 + 0x1p-51);
+  EXPECT_EQ(nearest_ratio(tie * seven + tiny, seven), 1 + 0x1p-52);
+  EXPECT_EQ(nearest_ratio(odd_tie * seven - tiny, seven), 1 + 0x1p-52);
+  EXPECT_EQ(nearest_ratio(-tie * seven - tiny, seven), -1 - 0x1p-52);
+}
+
 TEST(DyadicTest, HexadecimalOfKnownNumbers) {
   EXPECT_EQ(Dyadic().hexadecimal(), "0x0p+0");
   EXPECT_EQ(Dyadic(-0.0).hexadecimal(), "0x0p+0");

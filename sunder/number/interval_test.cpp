@@ -184,6 +184,68 @@ TEST(IntervalTest, ExactZeroStaysZero) {
   EXPECT_EQ(sign(Interval(least) * Interval(least)), Guess::unsure);
 }
 
+// I1 for quotients: with an exact quotient at hand, which lies between those of the ends, no division is needed.
+TEST(IntervalTest, QuotientsEncloseExactOnes) {
+  Random random(seed(6));
+  const int n = instances(40000);
+  const auto times = [](const Exact& x, const Exact& y) { return x * y; };
+  int finite = 0, whole = 0, infinite = 0, tiny = 0, sure = 0;
+  for (int i = 0; i < n; ++i) {
+    const Member a = member(random), b = member(random);
+    const Interval r = a.interval / b.interval;
+    ASSERT_TRUE(r.low <= r.high && r.low < infinity && r.high > -infinity) << i;
+    if (b.interval.low <= 0 && b.interval.high >= 0) {
+      ASSERT_TRUE(same(r, -infinity, infinity)) << i;
+      ++whole;
+      continue;
+    }
+    // low <= a / b <= high, times |b|.
+    const bool negative = b.value.n < 0;
+    const Exact size = negative ? -b.value : b.value, value = negative ? -a.value : a.value;
+    ASSERT_TRUE(std::isinf(r.low) || times(r.low, size) <= value) << i;
+    ASSERT_TRUE(std::isinf(r.high) || value <= times(r.high, size)) << i;
+    const Guess guess = sign(r);
+    if (is_sure(guess)) {
+      ASSERT_EQ(static_cast<int>(guess), value.n.sign()) << i;
+      ++sure;
+    }
+    const bool is_finite = std::isfinite(r.low) && std::isfinite(r.high);
+    ++(is_finite ? finite : infinite);
+    tiny += std::fabs(r.low) < 0x1p-1020 && std::fabs(r.high) < 0x1p-1020;
+    const bool points = a.interval.low == a.interval.high && b.interval.low == b.interval.high;
+    if (points && is_finite) {
+      const double largest_end = std::max(std::fabs(r.low), std::fabs(r.high));
+      ASSERT_LE(r.high - r.low, largest_end * 0x1p-50 + 4 * least) << i;
+    }
+  }
+  EXPECT_GT(finite, n / 10);
+  EXPECT_GT(whole, n / 20);
+  EXPECT_GT(infinite, n / 20);
+  EXPECT_GT(tiny, n / 100);
+  EXPECT_GT(sure, n / 10);
+}
+
+TEST(IntervalTest, QuotientsByHand) {
+  const Interval third = Interval(1) / Interval(3), zero;
+  EXPECT_LT(third.low, 1.0 / 3);
+  EXPECT_GT(third.high, 1.0 / 3);
+  EXPECT_TRUE(same(Interval(1) / Interval(-0.0), -infinity, infinity));
+  EXPECT_TRUE(same(Interval(1) / Interval(0, 1), -infinity, infinity));
+  EXPECT_TRUE(same(Interval(1) / Interval(-1, -0.0), -infinity, infinity));
+  EXPECT_TRUE(same(zero / zero, -infinity, infinity));
+  EXPECT_TRUE(same(zero / Interval(-2, -1), 0, 0));
+  EXPECT_TRUE(same(Interval(1) / Interval(least), largest, infinity));
+  EXPECT_TRUE(same(Interval(-1) / Interval(least), -infinity, -largest));
+  EXPECT_EQ(sign(Interval(least) / Interval(largest)), Guess::unsure);
+  const Interval beyond(largest, infinity);
+  EXPECT_TRUE(same(beyond / beyond, -infinity, infinity));
+  const Interval least_share = Interval(1) / beyond;
+  EXPECT_LE(least_share.low, 0);
+  EXPECT_GE(least_share.high, 0x1p-1024);
+  EXPECT_LE((Interval(-6, 3) / Interval(-3, -1)).low, -3);
+  EXPECT_GE((Interval(-6, 3) / Interval(-3, -1)).high, 6);
+}
+
 TEST(IntervalTest, Overflow) {
   const Interval sum = Interval(largest) + Interval(largest);
   EXPECT_TRUE(same(sum, largest, infinity));

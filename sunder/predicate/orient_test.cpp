@@ -472,6 +472,73 @@ TEST(OrientTest, OnePoseMultipliesByItsDeterminant) {
   EXPECT_GT(far, n / 4);
 }
 
+// The four signs at once: where it says something, that is so; it speaks for generic points, and is silent where some
+// three points are on one line.
+TEST(OrientTest, SurelyCross) {
+  Random random(seed(9));
+  const int n = instances(30000);
+  std::array<int, 4> cross{}, apart{}, unsure{}, on_line{};
+  for (int i = 0; i < n; ++i) {
+    const std::size_t kind = static_cast<std::size_t>(i % 4);
+    const double scale = power_of_two(random.between(-1070, 1020));
+    const auto number = [&] {
+      switch (kind) {
+        case 0: return random.uniform(-1, 1);
+        case 1: return nasty(random);
+        case 2: return scale * static_cast<double>(random.between(-3, 3));
+        default: return 0.5 + static_cast<double>(random.between(0, 4)) * 0x1p-53;
+      }
+    };
+    std::array<Point2, 4> p;
+    for (Point2& q : p) q = {number(), number()};
+    if (kind == 0 && i % 8 == 4) {  // ends on the other one, but for rounding
+      const double t = random.unit();
+      p[3] = {p[0].x + t * (p[1].x - p[0].x), p[0].y + t * (p[1].y - p[0].y)};
+    }
+    const auto of = [&](std::size_t a, std::size_t b, std::size_t c) {
+      const auto in_space = [](const Point2& q) { return image(Point3{q.x, q.y, 0}); };
+      return turn(in_space(p[a]), in_space(p[b]), in_space(p[c]), 0, 1);
+    };
+    const Sign c = of(0, 1, 2), d = of(0, 1, 3), a = of(2, 3, 0), b = of(2, 3, 1);
+    const bool none_zero = c != Sign::zero && d != Sign::zero && a != Sign::zero && b != Sign::zero;
+    const bool crossing = none_zero && c != d && a != b;
+    const Guess guess = surely_cross_2d(p[0], p[1], p[2], p[3]);
+    ASSERT_NE(guess, Guess::zero);
+    if (is_sure(guess)) {
+      ASSERT_TRUE(none_zero) << i;
+      ASSERT_EQ(guess == Guess::positive, crossing) << i;
+    }
+    ++(guess == Guess::positive ? cross : guess == Guess::negative ? apart : unsure)[kind];
+    on_line[kind] += !none_zero;
+  }
+  EXPECT_GT(cross[0], n / 40);
+  EXPECT_GT(apart[0], n / 20);
+  EXPECT_LT(unsure[0], n / 8 + n / 100);  // those made to touch
+  EXPECT_GT(unsure[0], n / 16);
+  EXPECT_GT(unsure[1], n / 50);
+  for (const std::size_t kind : {1u, 2u, 3u}) EXPECT_GT(cross[kind] + apart[kind], n / 100) << kind;
+  EXPECT_GT(on_line[2], n / 20);
+  EXPECT_GT(on_line[3], n / 20);
+}
+
+TEST(OrientTest, SurelyCrossAtTheEndsOfTheRange) {
+  const auto plus = [](double s) { return surely_cross_2d({-s, 0}, {s, 0}, {0, -s}, {0, s}); };
+  const auto side_by_side = [](double s) { return surely_cross_2d({-s, 0}, {s, 0}, {-s, s}, {s, s}); };
+  for (const double s : {0x1p-500, 1.0, 0x1p500}) {
+    EXPECT_EQ(plus(s), Guess::positive) << s;
+    EXPECT_EQ(side_by_side(s), Guess::negative) << s;
+  }
+  // Products that vanish, differences and products that overflow.
+  for (const double s : {least, 0x1p-1022, 0x1p-540, 0x1p-531, 0x1p512, 0x1p1023, largest}) {
+    EXPECT_EQ(plus(s), Guess::unsure) << s;
+    EXPECT_EQ(side_by_side(s), Guess::unsure) << s;
+  }
+  EXPECT_EQ(surely_cross_2d({0, 0}, {0, 0}, {1, 1}, {2, 0}), Guess::unsure);
+  // A product that vanishes next to one that does not.
+  EXPECT_EQ(surely_cross_2d({0, 0}, {1, least}, {0.5, 0}, {0.5, 1}), Guess::unsure);
+  EXPECT_EQ(surely_cross_2d({0, 0}, {1, least}, {0.5, -1}, {0.5, 1}), Guess::positive);
+}
+
 TEST(OrientTest, Determinant) {
   EXPECT_EQ(determinant_sign(Affine3{}), Sign::positive);
   EXPECT_EQ(determinant_sign({{0, 1, 0, 1, 0, 0, 0, 0, 1}, {}}), Sign::negative);

@@ -1,7 +1,7 @@
 // Writes a sample of certificate files about sets of segments, for checkers other than the library's:
 // segments_certificate_sample FOLDER COUNT [SEED].
 //
-// Every family of tests/support/segment_sets.h in turn, under every rule, a set each.
+// Every family of tests/support/segment_sets.h in turn, under every rule, a set each; every second one with groups.
 #include <sunder/planar/set/segments_any_json.h>
 #include <tests/support/segment_sets.h>
 
@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 int main(int argc, char** argv) {
   using namespace sunder;
@@ -23,18 +24,25 @@ int main(int argc, char** argv) {
   tests::SegmentSets sets(argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
   std::filesystem::create_directories(folder);
   int meets = 0;
+  std::size_t exchanges = 0;
   for (int i = 0; i < count; ++i) {
     const planar::Segments segments(sets.next().segments);
     const Allowed allowed = i % 3 == 0 ? Allowed::nothing : i % 3 == 1 ? Allowed::shared_endpoint : Allowed::touch;
-    const planar::SegmentsAnswer answer = planar::segments_any(segments, {allowed, true});
+    std::vector<std::uint32_t> groups;
+    const std::uint64_t group_count = 1 + sets.random().below(3);
+    for (std::uint32_t k = 0; i % 2 == 1 && k < segments.size(); ++k) {
+      groups.push_back(static_cast<std::uint32_t>(sets.random().below(group_count)));
+    }
+    const planar::SegmentsAnswer answer = planar::segments_any(segments, {allowed, true, groups});
     meets += answer.meet();
+    exchanges += answer.transcript.exchanges.size();
     std::ofstream file(folder / ("segments_" + std::to_string(i) + ".json"), std::ios::binary);
-    file << planar::certificate_text(segments, allowed, answer);
+    file << planar::certificate_text(segments, allowed, answer, groups);
     if (!file.flush()) {
       std::fprintf(stderr, "%s: cannot be written\n", folder.c_str());
       return 2;
     }
   }
-  std::printf("%d certificates of sets of segments, some meet in %d\n", count, meets);
+  std::printf("%d certificates of sets of segments, some meet in %d; %zu exchanges\n", count, meets, exchanges);
   return 0;
 }

@@ -17,15 +17,16 @@ namespace {
 
 using Ring = std::vector<Point2>;
 
-// Both methods, checked against each other.
+// All methods, checked against each other.
 PolygonSimpleAnswer ask(const std::vector<Ring>& rings) {
   const Polygon polygon(rings);
   const PolygonSimpleAnswer scan = polygon_simple_by_scan(polygon), sweep = polygon_simple_by_sweep(polygon);
-  EXPECT_EQ(scan.simple(), sweep.simple());
-  EXPECT_EQ(scan.simple(), polygon_simple(polygon).simple());
-  if (!sweep.simple()) {
-    EXPECT_LT(sweep.i, sweep.j);
-    EXPECT_EQ(counted_contact(polygon, sweep.i, sweep.j), sweep.kind);
+  for (const PolygonSimpleAnswer& answer : {sweep, polygon_simple_by_grid(polygon), polygon_simple(polygon)}) {
+    EXPECT_EQ(scan.simple(), answer.simple());
+    if (answer.simple()) continue;
+    EXPECT_LT(answer.i, answer.j);
+    EXPECT_LT(answer.j, polygon.size());
+    EXPECT_EQ(counted_contact(polygon, answer.i, answer.j), answer.kind);
   }
   return sweep;
 }
@@ -121,6 +122,80 @@ TEST(PolygonSimpleTest, AgainstEveryPair) {
   for (const ContactKind kind : {ContactKind::none, ContactKind::shared_endpoint, ContactKind::touch,
                                  ContactKind::crossing, ContactKind::overlap}) {
     EXPECT_GT(seen[kind], count / 100) << name_of(kind);
+  }
+}
+
+// Every ring of three to seven vertices on a few places, three of them on one line: all ways in which vertices repeat
+// and edges have no length. A ring is simple iff each vertex is new and it is no path to and fro; there are few such.
+TEST(PolygonSimpleTest, EveryRingOnFewPlaces) {
+  const std::array<Point2, 4> place{Point2{0, 0}, {1, 0}, {2, 0}, {0, 1}};
+  int simple = 0, rings = 0;
+  for (std::size_t length = 3; length <= 7; ++length) {
+    for (std::size_t code = 0; code < std::size_t{1} << (2 * length); ++code) {
+      Ring ring;
+      for (std::size_t k = 0; k < length; ++k) ring.push_back(place[code >> (2 * k) & 3]);
+      if (length == 3 && ring.front() == ring.back()) continue;
+      ++rings;
+      simple += ask({ring}).simple();
+      if (HasFailure()) FAIL() << length << " " << code;
+    }
+  }
+  EXPECT_EQ(rings, 64 - 16 + 256 + 1024 + 4096 + 16384);
+  // Triangles: three choices of two places on the line, times six orders; all four places: the line's must stand in
+  // order, so eight. Each once more where the first vertex is repeated at the end.
+  EXPECT_EQ(simple, 2 * (3 * 6 + 8));
+}
+
+TEST(PolygonSimpleTest, EveryPairOfTrianglesOnFewPlaces) {
+  const std::array<Point2, 4> place{Point2{0, 0}, {1, 0}, {2, 0}, {0, 1}};
+  for (std::size_t code = 0; code < 4096; ++code) {
+    Ring ring;
+    for (std::size_t k = 0; k < 6; ++k) ring.push_back(place[code >> (2 * k) & 3]);
+    if (ring[0] == ring[2] || ring[3] == ring[5]) continue;
+    EXPECT_FALSE(ask({{ring[0], ring[1], ring[2]}, {ring[3], ring[4], ring[5]}}).simple());  // of four places, six
+    if (HasFailure()) FAIL() << code;
+  }
+}
+
+// Where there is no grid, as its range overflows.
+TEST(PolygonSimpleTest, AtTheEndsOfTheRange) {
+  const double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
+  for (const double x : {most, least}) {
+    for (const double y : {most, least}) {
+      EXPECT_TRUE(ask({{{-x, -y}, {x, -y}, {x, y}, {-x, y}}}).simple());
+      EXPECT_EQ(ask({{{-x, -y}, {x, y}, {x, -y}, {-x, y}}}).kind, ContactKind::crossing);
+      EXPECT_EQ(ask({{{-x, -y}, {x, -y}, {x, y}, {0, -y}, {-x, y}}}).kind, ContactKind::touch);
+    }
+  }
+}
+
+// A circle, with and without a bay where many edges crowd, and a fault somewhere.
+TEST(PolygonSimpleTest, ManyEdges) {
+  Random random(109);
+  for (const std::size_t in_bay : {0u, 30u, 600u}) {
+    Ring circle;
+    for (int k = 0; k < 1500; ++k) {
+      const double t = 6.283185307179586 * k / 1500;
+      circle.push_back({std::cos(t), std::sin(t)});
+    }
+    for (std::size_t k = 0; k < in_bay; ++k) {
+      circle.push_back({0.9 + 1e-6 * static_cast<double>(in_bay - k), k % 2 == 0 ? -2e-3 : -1e-3});  // to and fro
+    }
+    EXPECT_TRUE(ask({circle}).simple()) << in_bay;
+    const std::uint64_t by_grid = polygon_simple_by_grid(Polygon(std::vector<Ring>{circle})).cost.probes;
+    const std::uint64_t by_sweep = polygon_simple_by_sweep(Polygon(std::vector<Ring>{circle})).cost.probes;
+    EXPECT_EQ(by_grid == by_sweep, in_bay == 600) << in_bay;  // too many in the bay: the grid leaves it to the sweep
+    EXPECT_TRUE(in_bay == 600 || by_grid < 3 * circle.size()) << in_bay;
+    for (int i = 0; i < 5; ++i) {
+      Ring worse = circle;
+      const std::size_t n = circle.size(), k = i == 0 ? n - 9 : random.below(n), l = (k + n / 2) % n;
+      switch (i % 3) {
+        case 0: std::swap(worse[k], worse[(k + 2) % n]); break;
+        case 1: worse[k] = worse[l]; break;
+        default: worse.insert(worse.begin() + static_cast<std::ptrdiff_t>(k), worse[k]); break;
+      }
+      EXPECT_FALSE(ask({worse}).simple()) << in_bay << " " << i << " " << k;
+    }
   }
 }
 

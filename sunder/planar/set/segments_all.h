@@ -4,7 +4,7 @@
 //   P2. The pairs given and their kinds do not depend on the method; their order does.
 //   P3. The answer does not depend on the compiler.
 // k is the number of all contacts, also of those that do not count.
-// Sources: Shamos & Hoey 1976, section VI (the question); Bentley & Ottmann 1979.
+// Sources: Shamos & Hoey 1976, section VI (the question); Bentley & Ottmann 1979; Balaban 1995.
 #pragma once
 
 #include <sunder/base/cost.h>
@@ -43,12 +43,16 @@ using ContactMethod = Cost(const Segments& segments, const SegmentsOptions& opti
 
 ContactMethod visit_contacts;  // the front door
 
-// A grid over the segments' boxes; where it does not pay, or many crowd in a cell, the sweep.
+// A grid over the segments' boxes; where it does not pay, or many crowd in a cell, by Balaban where a sample of pairs
+// tells that k is much larger than N, else by Bentley and Ottmann.
 ContactMethod visit_contacts_by_grid;
 
 // The sweep of Bentley and Ottmann: contacts in lexicographic order of their (first) common point.
 // O((N + k) log N) comparisons; O(N + k) memory.
 ContactMethod visit_contacts_by_bentley_ottmann;
+
+// Balaban's staircases: contacts in no particular order. O(N log N + k) comparisons; O(N) memory.
+ContactMethod visit_contacts_by_balaban;
 
 // Every pair: the oracle, by i, then j. O(N^2) time.
 ContactMethod visit_contacts_by_scan;

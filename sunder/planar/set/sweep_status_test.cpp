@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace sunder::planar {
@@ -56,6 +59,165 @@ TEST(SweepStatusTest, IsAnOrderedList) {
   }
   EXPECT_GT(longest, 1000u);
   EXPECT_GT(emptied, 0);
+}
+
+// The list as a map from marks, which items get in the order of the list and exchange with each other. A key is the
+// number of its item, so that one that lags behind leads a search astray.
+class Marked {
+ public:
+  explicit Marked(std::uint32_t count) : mark_(count), key_(count), status_(key_) {
+    std::iota(key_.begin(), key_.end(), 0u);
+  }
+
+  std::size_t size() const { return listed_.size(); }
+  bool has(std::uint64_t mark) const { return listed_.count(mark) != 0; }
+  std::uint32_t asked() const { return asked_; }
+
+  void insert(std::uint32_t item, std::uint64_t mark) {
+    ASSERT_FALSE(status_.holds(item));
+    const auto is_above = [&](std::uint32_t other) {
+      ++asked_;
+      return mark > mark_[other];
+    };
+    const auto next = listed_.lower_bound(mark);
+    expect(status_.around(is_above), next, next);
+    asked_ = 0;
+    const auto around = status_.insert(item, is_above);
+    mark_[item] = mark;
+    const auto place = listed_.emplace(mark, item).first;
+    expect(around, place, std::next(place));
+    expect_known(item);
+  }
+  void erase(std::uint32_t item) {
+    const auto place = listed_.find(mark_[item]);
+    expect(status_.erase(item), place, std::next(place));
+    listed_.erase(place);
+    EXPECT_FALSE(status_.holds(item));
+  }
+  void exchange(std::uint32_t item, std::uint32_t other) {
+    if (mark_[item] > mark_[other]) std::swap(item, other);
+    status_.exchange(item, other);
+    std::swap(mark_[item], mark_[other]);
+    listed_[mark_[item]] = item;
+    listed_[mark_[other]] = other;
+    expect_known(item);
+    expect_known(other);
+  }
+  void expect_known(std::uint32_t item) const {
+    EXPECT_TRUE(status_.holds(item));
+    const auto place = listed_.find(mark_[item]);
+    expect(status_.neighbours_of(item), place, std::next(place));
+  }
+  // The first one from a mark on.
+  std::uint32_t from(std::uint64_t mark) const {
+    const auto at = listed_.lower_bound(mark);
+    return at == listed_.end() ? listed_.begin()->second : at->second;
+  }
+  std::uint32_t after(std::uint32_t item) const {
+    const auto next = std::next(listed_.find(mark_[item]));
+    return next == listed_.end() ? item : next->second;
+  }
+  std::vector<std::uint32_t> items() const {
+    std::vector<std::uint32_t> all;
+    for (const auto& [mark, item] : listed_) all.push_back(item);
+    return all;
+  }
+
+ private:
+  using Status = SweepStatus<std::uint32_t>;
+  using Place = std::map<std::uint64_t, std::uint32_t>::const_iterator;
+  void expect(const Status::Neighbours& around, Place place, Place next) const {
+    ASSERT_EQ(around.below, place == listed_.begin() ? Status::none : std::prev(place)->second);
+    ASSERT_EQ(around.above, next == listed_.end() ? Status::none : next->second);
+  }
+
+  std::vector<std::uint64_t> mark_;
+  std::vector<std::uint32_t> key_;
+  Status status_;
+  std::map<std::uint64_t, std::uint32_t> listed_;
+  std::uint32_t asked_ = 0;
+};
+
+// Three levels of nodes from 1800 items on, four from 54000 on where they come in order.
+TEST(SweepStatusTest, DeepTrees) {
+  for (const std::string order : {"upwards", "downwards", "any"}) {
+    Random random(103);
+    const std::uint32_t count = order == "upwards" ? 60000 : 9000;
+    Marked list(count);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::uint64_t mark = (order == "any" ? random.next() >> 24 : order == "upwards" ? k : count - k) << 20 | k;
+      list.insert(k, mark);
+      // Nodes are at least half full: a comparison more a level, at worst.
+      ASSERT_LE(list.asked(), std::log2(k + 1.0) + 5) << order << " " << k;
+      if (HasFailure()) FAIL() << order << " " << k;
+    }
+    // Neighbours and others change places: the first of leaves and of inner nodes among them.
+    std::vector<std::uint32_t> items = list.items();
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::uint32_t item = list.from(random.next());
+      list.exchange(items[k], list.after(items[k]));
+      list.exchange(items[k], item);
+      if (HasFailure()) FAIL() << order << " " << k;
+    }
+    // Whole leaves and inner nodes vanish, from either end and in the middle, and come back.
+    items = list.items();
+    const std::size_t from = count / 3, to = 2 * from;
+    for (std::size_t k = from; k < to; ++k) list.erase(items[k]);
+    for (std::size_t k = 0; k < from / 2; ++k) list.erase(items[k]);
+    for (std::size_t k = count; k-- > to + from / 2;) list.erase(items[k]);
+    if (HasFailure()) FAIL() << order;
+    const auto return_of = [&](std::size_t k) {
+      std::uint64_t mark = random.next() >> (random.below(2) ? 0 : 20);
+      while (list.has(mark)) ++mark;
+      list.insert(items[k], mark);
+    };
+    for (std::size_t k = from; k < to; ++k) return_of(k);
+    for (std::size_t k = 0; k < from / 2; ++k) return_of(k);
+    if (HasFailure()) FAIL() << order;
+    for (const std::uint32_t item : list.items()) list.expect_known(item);
+    // To nothing, in no order; then again.
+    items = list.items();
+    for (std::size_t k = items.size(); k > 0; --k) {
+      std::swap(items[k - 1], items[random.below(k)]);
+      list.erase(items[k - 1]);
+    }
+    ASSERT_EQ(list.size(), 0u);
+    for (std::uint32_t k = 0; k < 100; ++k) list.insert(k, random.next());
+    if (HasFailure()) FAIL() << order;
+  }
+}
+
+// All at once, in short runs: what a sweep does.
+TEST(SweepStatusTest, MixedSteps) {
+  Random random(104);
+  constexpr std::uint32_t count = 20000;
+  Marked list(count);
+  std::vector<std::uint32_t> absent(count), present;
+  std::iota(absent.begin(), absent.end(), 0u);
+  std::size_t longest = 0;
+  for (int step = 0; step < 150000; ++step) {
+    const bool growing = step / 25000 % 2 == 0;
+    const std::uint64_t what = random.below(10);
+    if (present.size() > 1 && what < 4) {
+      const std::uint32_t item = present[random.below(present.size())];
+      const std::uint32_t other = what < 2 ? list.after(item) : present[random.below(present.size())];
+      if (item != other) list.exchange(item, other);
+    } else if (!absent.empty() && (present.empty() || what < (growing ? 9u : 5u))) {
+      std::uint64_t mark = random.next() >> random.below(8);
+      while (list.has(mark)) ++mark;
+      list.insert(absent.back(), mark);
+      present.push_back(absent.back());
+      absent.pop_back();
+    } else {
+      std::swap(present[random.below(present.size())], present.back());
+      list.erase(present.back());
+      absent.push_back(present.back());
+      present.pop_back();
+    }
+    longest = std::max(longest, present.size());
+    if (HasFailure()) FAIL() << step;
+  }
+  EXPECT_GT(longest, 5000u);
 }
 
 }  // namespace

@@ -5,13 +5,12 @@
 // those that end there leave, the rest (which pass through) are reversed, and those that begin there enter, by their
 // direction. All pairs of the bundle meet in p. Then the row's first and last, and what stands next to them, are looked
 // at as neighbours.
-//   Two neighbours that cross further on are found by one orientation: the one that ends first does so on the wrong
-// side of the other. Where it ends on the other one, the end is marked, so that an end where nothing happens can be
-// told without looking for a row.
-//   Overlaps: of two on one line either may stand above the other as long as they overlap. They are given at their
-//   first
+// Two neighbours that cross further on are found by one orientation: the one that ends first does so on the wrong side
+// of the other. Where it ends on the other one, the end is marked, so that an end where nothing happens can be told
+// without looking for a row.
+// Overlaps: of two on one line either may stand above the other as long as they overlap. They are given at their first
 // common point, where one of them begins.
-//   The bundle of p is complete: just before p, those in the list that hold p have nothing else between them.
+// The bundle of p is complete: just before p, those in the list that hold p have nothing else between them.
 #include <sunder/planar/set/ends_in_order.h>
 #include <sunder/planar/set/segments_all.h>
 #include <sunder/planar/set/sweep_status.h>
@@ -42,8 +41,9 @@ class BentleyOttmann {
     const std::vector<std::uint32_t> ends = ends_in_order(segments_.all());
     std::size_t e = 0;
     for (std::size_t step = 0; !stopped_ && (e < ends.size() || !crossings_.empty()); ++step) {
-      if (options_.progress && step % 65536 == 0)
+      if (options_.progress && step % 65536 == 0) {
         options_.progress(static_cast<double>(e) / static_cast<double>(ends.size()));
+      }
       if (!crossings_.empty() && (e == ends.size() || order(crossings_.front(), point(ends[e])) == Sign::negative)) {
         at_crossing();
         continue;

@@ -1,5 +1,6 @@
 // A grid finds the pairs that are near each other; where too many crowd in a cell, the sweep lists that cell's
 // contacts, of which those are kept that the cell is to look at.
+#include <sunder/base/random.h>
 #include <sunder/planar/set/near_pairs.h>
 #include <sunder/planar/set/segments_all.h>
 
@@ -8,14 +9,33 @@ namespace sunder::planar {
 namespace {
 
 constexpr std::uint32_t few = 128;  // of so many, all pairs are tested faster than any order is made
+constexpr std::uint32_t many = 16;  // hits among N pairs by chance: k is about N times half of that
+
+// Is k much larger than N? By a sample, always the same one.
+bool many_meet(const Segments& segments) {
+  Random random(1);
+  std::uint32_t hits = 0;
+  for (std::uint32_t k = 0; k < segments.size() && hits < many; ++k) {
+    const std::uint32_t i = static_cast<std::uint32_t>(random.below(segments.size()));
+    const std::uint32_t j = static_cast<std::uint32_t>(random.below(segments.size()));
+    hits += i != j && segment_segment(segments[i], segments[j]) != ContactKind::none;
+  }
+  return hits == many;
+}
+
+Cost visit_contacts_without_grid(const Segments& segments, const SegmentsOptions& options,
+                                 const ContactVisitor& visit) {
+  if (segments.size() <= few) return visit_contacts_by_scan(segments, options, visit);
+  if (many_meet(segments)) return visit_contacts_by_balaban(segments, options, visit);
+  return visit_contacts_by_bentley_ottmann(segments, options, visit);
+}
 
 }  // namespace
 
 Cost visit_contacts_by_grid(const Segments& segments, const SegmentsOptions& options, const ContactVisitor& visit) {
   const std::optional<SegmentGrid> grid = SegmentGrid::over(segments.all());
   if (!grid || crowded(*grid, crowd_for_all) > segments.size() / 2) {
-    if (segments.size() <= few) return visit_contacts_by_scan(segments, options, visit);
-    return visit_contacts_by_bentley_ottmann(segments, options, visit);
+    return visit_contacts_without_grid(segments, options, visit);
   }
   Cost cost;
   const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {
@@ -28,12 +48,13 @@ Cost visit_contacts_by_grid(const Segments& segments, const SegmentsOptions& opt
     const auto cell = grid->cell(c);
     const Part part(segments, options.groups, cell);
     bool goes_on = true;
-    const Cost of_part = visit_contacts_by_bentley_ottmann(
-        part.segments, {options.allowed, false, part.groups}, [&](const SegmentsContact& contact) {
-          const std::uint32_t i = cell[contact.i], j = cell[contact.j];
-          if (!grid->looks_at(c, low_corner(segments[i], segments[j]))) return true;
-          return goes_on = visit({i, j, contact.kind});
-        });
+    const Cost of_part = visit_contacts_without_grid(part.segments, {options.allowed, false, part.groups},
+                                                     [&](const SegmentsContact& contact) {
+                                                       const std::uint32_t i = cell[contact.i], j = cell[contact.j];
+                                                       if (!grid->looks_at(c, low_corner(segments[i], segments[j])))
+                                                         return true;
+                                                       return goes_on = visit({i, j, contact.kind});
+                                                     });
     cost.probes += of_part.probes;
     return goes_on;
   };
