@@ -443,6 +443,12 @@ TEST_F(Program, SegmentsOfABoard) {
   const std::string two = cases + "/boards/two_nets.kicad_pcb", crossing = cases + "/boards/crossing_nets.kicad_pcb";
   EXPECT_EQ(run("segments " + two).code, 0);
   EXPECT_EQ(run("segments " + two + " --layer B.Cu").code, 0);
+  EXPECT_EQ(run("segments " + two + " --certificate '" + in_folder("two.json") + "'").code, 0);
+  for (const char* layer : {"F.Cu", "B.Cu"}) {
+    const std::string proof = in_folder(std::string("two.") + layer + ".json");
+    EXPECT_TRUE(python_accepts(proof)) << layer;
+    EXPECT_EQ(run("verify '" + proof + "'").code, 0) << layer;
+  }
   const json across = report("segments " + two + " --all --across-layers", 1);
   ASSERT_EQ(across["contacts"].size(), 1u);
   EXPECT_NE(across["contacts"][0]["layers"][0], across["contacts"][0]["layers"][1]);

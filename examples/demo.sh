@@ -70,8 +70,10 @@ code=0
 
 board=cases/boards/tinyfpga/TinyFPGA-BX.kicad_pcb
 say "A routed board: do two nets cross on a layer?"
-show "sunder segments $board"
-"$program" segments "$board" || fail "expected that none meet (exit code 0)"
+show "sunder segments $board --certificate $out/board.json"
+"$program" segments "$board" --certificate "$out/board.json" || fail "expected that none meet (exit code 0)"
+show "sunder verify $out/board.*.Cu.json"
+"$program" verify "$out"/board.*.Cu.json || fail "sunder verify refuses"
 say "And seen through all layers?"
 show "sunder segments $board --all --across-layers --svg $out/board.svg | head -n 8"
 code=0
