@@ -65,8 +65,8 @@ inline Sign orient_2d(const Point2& a, const Point2& b, const Point2& c, StageTa
 // else unsure. By the first stage of the four orientations, without branches.
 inline Guess surely_cross_2d(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   const RoundedOrientation of_c(a, b, c), of_d(a, b, d), of_a(c, d, a), of_b(c, d, b);
-  const auto is_sure = [](const RoundedOrientation& o) { return std::fabs(o.value) > o.error; };
-  if (!(is_sure(of_c) & is_sure(of_d) & is_sure(of_a) & is_sure(of_b))) return Guess::unsure;
+  const auto is_sure = [](const RoundedOrientation& o) { return static_cast<int>(std::fabs(o.value) > o.error); };
+  if ((is_sure(of_c) & is_sure(of_d) & is_sure(of_a) & is_sure(of_b)) == 0) return Guess::unsure;
   const bool cross = ((of_c.value > 0) != (of_d.value > 0)) & ((of_a.value > 0) != (of_b.value > 0));
   return cross ? Guess::positive : Guess::negative;
 }

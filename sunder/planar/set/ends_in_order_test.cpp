@@ -19,9 +19,9 @@ std::vector<std::uint32_t> sorted_ends(const Segments& segments) {
   const auto place = [&](std::uint32_t end) {
     const Segment& s = segments[end / 2];
     const bool is_point = s.a.x == s.b.x && s.a.y == s.b.y, is_last = end % 2 == 1;
-    return std::tuple{is_last ? s.b.x : s.a.x, is_last ? s.b.y : s.a.y, is_point ? 1 : is_last ? 0 : 2};
+    return std::tuple{is_last ? s.b.x : s.a.x, is_last ? s.b.y : s.a.y, is_point ? 1 : is_last ? 0 : 2, end};
   };
-  std::stable_sort(ends.begin(), ends.end(), [&](std::uint32_t e, std::uint32_t f) { return place(e) < place(f); });
+  std::sort(ends.begin(), ends.end(), [&](std::uint32_t e, std::uint32_t f) { return place(e) < place(f); });
   return ends;
 }
 

@@ -27,6 +27,20 @@ inline std::size_t crowded(const SegmentGrid& grid, std::size_t crowd) {
   return count;
 }
 
+// The segments of all crowded cells, the lower numbers first.
+inline std::vector<std::uint32_t> members_of_crowds(const SegmentGrid& grid, std::size_t crowd, std::uint32_t count) {
+  std::vector<bool> is_member(count);
+  for (std::uint32_t c = 0; c < grid.cell_count(); ++c) {
+    if (grid.cell(c).size() <= crowd) continue;
+    for (const std::uint32_t i : grid.cell(c)) is_member[i] = true;
+  }
+  std::vector<std::uint32_t> members;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (is_member[i]) members.push_back(i);
+  }
+  return members;
+}
+
 // The low corner of the common part of two boxes that have one.
 inline Point2 low_corner(const Segment& s, const Segment& t) {
   return {std::max(s.a.x, t.a.x), std::max(std::min(s.a.y, s.b.y), std::min(t.a.y, t.b.y))};
@@ -52,11 +66,11 @@ struct Part {
   }
 };
 
-// Calls of_pair(i, j), i < j, once for each pair whose boxes meet, save for pairs of crowded cells: of_crowd(c) is
-// called for these. Stops when one of them returns false.
-template <std::size_t crowd, class OfPair, class OfCrowd>
-void for_each_near_pair(std::span<const Segment> segments, const SegmentGrid& grid, const OfPair& of_pair,
-                        const OfCrowd& of_crowd, const std::function<void(double)>& progress = nullptr) {
+// Calls of_pair(i, j), i < j, once for each pair whose boxes meet, save for pairs that crowded cells look at. Stops,
+// and returns false, when it returns false.
+template <std::size_t crowd, class OfPair>
+bool for_each_near_pair(std::span<const Segment> segments, const SegmentGrid& grid, const OfPair& of_pair,
+                        const std::function<void(double)>& progress = nullptr) {
   std::array<double, crowd> left, right, bottom, top;  // of the boxes of a cell
   std::array<std::uint32_t, crowd> near;
   constexpr std::uint32_t ahead = 8;
@@ -67,24 +81,21 @@ void for_each_near_pair(std::span<const Segment> segments, const SegmentGrid& gr
       for (const std::uint32_t i : grid.cell(c + ahead)) __builtin_prefetch(&segments[i]);
     }
     const auto cell = grid.cell(c);
-    if (cell.size() < 2) continue;
-    if (cell.size() > crowd) {
-      if (!of_crowd(c)) return;
-      continue;
-    }
+    if (cell.size() < 2 || cell.size() > crowd) continue;
     for (std::uint32_t l = 0; l < cell.size(); ++l) {
       const Segment& t = segments[cell[l]];
       const double t_bottom = std::min(t.a.y, t.b.y), t_top = std::max(t.a.y, t.b.y);
       std::size_t found = 0;
       for (std::uint32_t k = 0; k < l; ++k) {  // without branches
         near[found] = k;
-        found += static_cast<std::size_t>((left[k] <= t.b.x) & (t.a.x <= right[k]) & (bottom[k] <= t_top) &
-                                          (t_bottom <= top[k]));
+        const std::size_t in_x = std::size_t{left[k] <= t.b.x} & std::size_t{t.a.x <= right[k]};
+        const std::size_t in_y = std::size_t{bottom[k] <= t_top} & std::size_t{t_bottom <= top[k]};
+        found += in_x & in_y;
       }
       for (std::size_t n = 0; n < found; ++n) {
         const std::uint32_t k = near[n];
         const Point2 corner{std::max(left[k], t.a.x), std::max(bottom[k], t_bottom)};
-        if (grid.looks_at(c, corner) && !of_pair(cell[k], cell[l])) return;
+        if (grid.looks_at(c, corner) && !of_pair(cell[k], cell[l])) return false;
       }
       left[l] = t.a.x;
       right[l] = t.b.x;
@@ -92,6 +103,7 @@ void for_each_near_pair(std::span<const Segment> segments, const SegmentGrid& gr
       top[l] = t_top;
     }
   }
+  return true;
 }
 
 }  // namespace sunder::planar

@@ -88,7 +88,7 @@ PolygonSimpleAnswer polygon_simple_by_grid(const Polygon& polygon) {
     if (kind != ContactKind::none) report(answer, kind, i, j);
     return answer.simple();
   };
-  for_each_near_pair<crowd_for_any>(edges.all(), *grid, of_pair, [](std::uint32_t) { return true; });
+  for_each_near_pair<crowd_for_any>(edges.all(), *grid, of_pair);
   return answer;
 }
 

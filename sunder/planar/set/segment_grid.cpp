@@ -42,16 +42,15 @@ std::optional<SegmentGrid> SegmentGrid::over(std::span<const Segment> segments, 
   const double scale = std::min(std::sqrt(count / (fit_x * fit_y)), finest);
   const double columns = std::floor(std::clamp(fit_x * scale, 1.0, count));
   const double rows = std::floor(std::clamp(fit_y * scale, 1.0, std::max(1.0, count / columns)));
+  const auto finite = [](double x) { return std::isfinite(x); };
+  if (!finite(width) || !finite(height) || !finite(scale)) return std::nullopt;
   SegmentGrid grid;
   grid.low_ = extents.low;
   // A little less than columns / width, so that rounding does not lead beyond the last column.
   grid.per_x_ = width > 0 ? columns * (1 - 0x1p-40) / width : 0;
   grid.per_y_ = height > 0 ? rows * (1 - 0x1p-40) / height : 0;
+  if (!finite(grid.per_x_) || !finite(grid.per_y_)) return std::nullopt;
   grid.columns_ = static_cast<std::uint32_t>(columns);
-  const auto finite = [](double x) { return std::isfinite(x); };
-  if (!finite(width) || !finite(height) || !finite(grid.per_x_) || !finite(grid.per_y_) || !finite(scale)) {
-    return std::nullopt;
-  }
 
   const auto for_each_cell = [&grid](const Segment& s, const auto& visit) {
     const std::uint32_t left = grid.column(s.a.x), right = grid.column(s.b.x);

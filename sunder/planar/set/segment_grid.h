@@ -27,7 +27,8 @@ class SegmentGrid {
     return {covering_.data() + first_[c], covering_.data() + first_[c + 1]};
   }
 
-  // Is this the cell that looks at a pair whose boxes' common part has this low corner?
+  // The cell that looks at a pair whose boxes' common part has this low corner.
+  std::uint32_t looking_cell(const Point2& low_corner) const { return cell_of(low_corner); }
   bool looks_at(std::uint32_t c, const Point2& low_corner) const { return c == cell_of(low_corner); }
 
  private:

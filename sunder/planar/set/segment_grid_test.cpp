@@ -73,19 +73,25 @@ std::size_t check(const Segments& segments, const SegmentGrid& grid, double most
     EXPECT_TRUE(near.insert({i, j}).second) << i << " " << j;
     return true;
   };
+  EXPECT_TRUE(for_each_near_pair<crowd>(segments.all(), grid, add));
+  const std::vector<std::uint32_t> members = members_of_crowds(grid, crowd, segments.size());
+  EXPECT_TRUE(std::is_sorted(members.begin(), members.end()));
   std::size_t in_crowds = 0;
-  for_each_near_pair<crowd>(segments.all(), grid, add, [&](std::uint32_t c) {
+  for (std::uint32_t c = 0; c < grid.cell_count(); ++c) {
     const auto cell = grid.cell(c);
-    EXPECT_GT(cell.size(), crowd);
+    if (cell.size() <= crowd) continue;
     in_crowds += cell.size();
-    for (const auto& [i, j] : meeting) {
-      const bool both =
-          std::binary_search(cell.begin(), cell.end(), i) && std::binary_search(cell.begin(), cell.end(), j);
-      if (both && grid.looks_at(c, low_corner(segments[i], segments[j]))) add(i, j);
-    }
-    return true;
-  });
+    EXPECT_TRUE(std::includes(members.begin(), members.end(), cell.begin(), cell.end()));
+  }
   EXPECT_EQ(crowded(grid, crowd), in_crowds);
+  EXPECT_LE(members.size(), in_crowds);
+  for (const auto& [i, j] : meeting) {
+    const std::uint32_t c = grid.looking_cell(low_corner(segments[i], segments[j]));
+    if (grid.cell(c).size() <= crowd) continue;
+    EXPECT_TRUE(std::binary_search(members.begin(), members.end(), i));
+    EXPECT_TRUE(std::binary_search(members.begin(), members.end(), j));
+    add(i, j);
+  }
   EXPECT_EQ(near, meeting);
   return meeting.size();
 }

@@ -193,28 +193,29 @@ TEST(SegmentsAllTest, Crowds) {
       EXPECT_LT(kinds_of(given, options)[ContactKind::crossing], all);
     }
   }
-  // A bundle through one place, all of one group but for one pair.
-  std::vector<Segment> given = short_ones(1000, 0, 0, 30, 1e-6, random);
-  for (int k = 0; k < 270; ++k) {
-    const double y = 1e-4 * k;
-    given.push_back({{10.25, 10.25 + y}, {10.3, 10.3 - y}});
+  // Two bundles whose members cross, all of one group but for one pair in either of them, or elsewhere.
+  std::vector<Segment> given = short_ones(1200, 0, 0, 30, 1e-6, random);
+  for (const double at : {10.25, 20.25}) {
+    for (int k = 0; k < 60; ++k) {
+      const double y = 1e-4 * k;
+      given.push_back({{at, at + y}, {at + 0.05, at + 0.05 - y}});
+    }
   }
-  std::vector<std::uint32_t> groups(given.size(), 5);
-  const auto meet = [&] {
-    const Segments segments(given);
+  given.push_back({{29, 29}, {29.25, 29}});
+  given.push_back({{29.125, 28.9}, {29.125, 29.1}});
+  const Segments segments(given);
+  for (const std::uint32_t other : {segments.size(), 1210u, 1270u, segments.size() - 1}) {
+    std::vector<std::uint32_t> groups(segments.size(), 5);
+    if (other < segments.size()) groups[other] = 6;
     SegmentsOptions options;
     options.groups = groups;
     const SegmentsAnswer grid = segments_any_by_grid(segments, options);
-    EXPECT_EQ(grid.meet(), segments_any_by_scan(segments, options).meet());
-    if (grid.meet()) {
-      EXPECT_NE(groups[grid.i], groups[grid.j]);
-      EXPECT_EQ(segment_segment(segments[grid.i], segments[grid.j]), grid.kind);
-    }
-    return grid.meet();
-  };
-  EXPECT_FALSE(meet());
-  groups.back() = 6;
-  EXPECT_TRUE(meet());
+    ASSERT_EQ(grid.meet(), other < segments.size()) << other;
+    if (!grid.meet()) continue;
+    EXPECT_LT(grid.i, grid.j);
+    EXPECT_TRUE(grid.i == other || grid.j == other) << other;
+    EXPECT_EQ(segment_segment(segments[grid.i], segments[grid.j]), grid.kind);
+  }
 }
 
 // The whole, in parts that do not shrink.
@@ -316,6 +317,45 @@ TEST(SegmentsAllTest, ComparisonsByGridGrowAsN) {
     const SegmentsCountAnswer all = segments_count(edges, {Allowed::nothing});
     EXPECT_LE(all.cost.probes, 7 * std::uint64_t{edges.size()}) << n;
   }
+}
+
+// Overlaps: k grows as N^2, and so may the comparisons, but not as N^3.
+TEST(SegmentsAllTest, OverlapsAreNotComparedAgainAtEachEnd) {
+  for (std::uint32_t n = 64; n <= 512; n *= 2) {
+    std::vector<Segment> stairs, across;
+    for (std::uint32_t k = 0; k < n; ++k) {
+      stairs.push_back({{1.0 * k, 0}, {n + k + 0.5, 0}});
+      across.push_back(k % 2 == 0 ? Segment{{-1.0 - k, 0}, {1.0 * n + k, 0}} : Segment{{k + 0.5, -1}, {k + 0.25, 1}});
+    }
+    for (const auto& given : {stairs, across}) {
+      const Segments segments(given);
+      const double size = n, contacts = static_cast<double>(segments_count(segments).count);
+      for (const auto& method : {&visit_contacts_by_bentley_ottmann, &visit_contacts}) {
+        const Cost cost = method(segments, {}, [](const SegmentsContact&) { return true; });
+        EXPECT_LE(static_cast<double>(cost.probes), 1.5 * (size + contacts) * (std::log2(size) + 3)) << n;
+      }
+    }
+  }
+}
+
+// Long ones that cross each other and share many crowded cells: their contacts are looked for once, not in each cell.
+TEST(SegmentsAllTest, CrowdsThatShareSegments) {
+  Random random(165);
+  const std::uint32_t n = 1u << 18, longs = 512;
+  const double side = std::sqrt(n);
+  std::vector<Segment> given;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    const Point2 p{random.uniform(0, side), random.uniform(1.2, side)};
+    given.push_back({p, {p.x + random.uniform(0, 0.3), p.y + random.uniform(-0.2, 0.3)}});
+  }
+  for (std::uint32_t k = 0; k < longs; ++k) {
+    given.push_back({{1, random.uniform(0, 0.3)}, {230, random.uniform(0, 0.3)}});
+  }
+  const Segments segments(given);
+  std::size_t contacts = 0;
+  const Cost cost = visit_contacts_by_grid(segments, {}, [&](const SegmentsContact&) { return ++contacts != 0; });
+  const double size = segments.size();
+  EXPECT_LE(static_cast<double>(cost.probes), 1.5 * (size + static_cast<double>(contacts)) * (std::log2(size) + 3));
 }
 
 }  // namespace

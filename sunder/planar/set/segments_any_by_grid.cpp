@@ -1,4 +1,4 @@
-// A grid finds the pairs that are near each other; where too many crowd in a cell, a sweep decides about that cell.
+// A grid finds the pairs that are near each other; where too many crowd in cells, a sweep decides about all of these.
 #include <sunder/planar/set/near_pairs.h>
 #include <sunder/planar/set/segments_any.h>
 
@@ -20,16 +20,16 @@ SegmentsAnswer segments_any_by_grid(const Segments& segments, const SegmentsOpti
     answer.j = j;
     return false;
   };
-  const auto of_crowd = [&](std::uint32_t c) {
-    const Part part(segments, options.groups, grid->cell(c));
-    const SegmentsAnswer contact = segments_any_by_sweep(part.segments, {options.allowed, false, part.groups});
-    answer.cost.probes += contact.cost.probes;
-    answer.kind = contact.kind;
-    answer.i = grid->cell(c)[contact.i];
-    answer.j = grid->cell(c)[contact.j];
-    return !contact.meet();
-  };
-  for_each_near_pair<crowd_for_any>(segments.all(), *grid, of_pair, of_crowd, options.progress);
+  if (!for_each_near_pair<crowd_for_any>(segments.all(), *grid, of_pair, options.progress)) return answer;
+  const std::vector<std::uint32_t> members = members_of_crowds(*grid, crowd_for_any, segments.size());
+  if (members.empty()) return answer;
+  const Part part(segments, options.groups, members);
+  const SegmentsAnswer contact = segments_any_by_sweep(part.segments, {options.allowed, false, part.groups});
+  answer.cost.probes += contact.cost.probes;
+  if (!contact.meet()) return answer;
+  answer.kind = contact.kind;
+  answer.i = members[contact.i];
+  answer.j = members[contact.j];
   return answer;
 }
 

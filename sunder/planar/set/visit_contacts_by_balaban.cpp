@@ -296,7 +296,9 @@ class Balaban {
     };
     const auto begins = row_.insert(row_.end(), begin_.begin(), begin_.end());
     std::sort(begins, row_.end(), is_lower);
-    std::inplace_merge(row_.begin(), begins, row_.end(), is_lower);
+    merged_.resize(row_.size());
+    std::merge(row_.begin(), begins, begins, row_.end(), merged_.begin(), is_lower);
+    row_.swap(merged_);
   }
 
   // --- Order ---
@@ -382,7 +384,7 @@ class Balaban {
   std::vector<std::uint32_t> list_;           // those alive that are in no staircase, in their order
   std::vector<Stair> stairs_;                 // of the strips around, one staircase after another, the innermost last
   std::vector<Staircase> staircases_;
-  std::vector<std::uint32_t> begin_, end_, passing_, row_;  // at a place
+  std::vector<std::uint32_t> begin_, end_, passing_, row_, merged_;  // at a place
   std::vector<std::uint32_t> stands_;  // of those in the list: the number in stairs_ of the first stair above
   bool stopped_ = false;
   Cost cost_;

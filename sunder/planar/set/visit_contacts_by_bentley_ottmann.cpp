@@ -226,18 +226,22 @@ class BentleyOttmann {
     if (record_ != nullptr) record_->events.push_back(2 * i + 1);
   }
 
-  // All pairs of the row, the members from `fresh` on being new; of overlaps those of which one is new.
+  // All pairs of the row, the members from `fresh` on being new; of overlaps those of which one is new: the others have
+  // been given, and stand together.
   void report_pairs(std::size_t fresh = none) {
+    std::size_t run = 0;  // where those begin that stand together and overlap, of those that are not new
     for (std::size_t l = 1; l < row_.size(); ++l) {
-      for (std::size_t k = 0; k < l && !stopped_; ++k) report(row_[k], row_[l], l >= fresh);
+      const bool is_new = l >= fresh;
+      if (!is_new && segment_segment(segments_[row_[l - 1]], segments_[row_[l]]) != ContactKind::overlap) run = l;
+      for (std::size_t k = 0; k < (is_new ? l : run) && !stopped_; ++k) report(row_[k], row_[l]);
     }
   }
 
-  void report(std::uint32_t i, std::uint32_t j, bool fresh) {
+  void report(std::uint32_t i, std::uint32_t j) {
     if (may_meet(options_.groups, i, j)) return;
     ++cost_.probes;
     const ContactKind kind = segment_segment(segments_[i], segments_[j]);
-    if (!counts(kind, options_.allowed) || (kind == ContactKind::overlap && !fresh)) return;
+    if (!counts(kind, options_.allowed)) return;
     stopped_ = !visit_({std::min(i, j), std::max(i, j), kind});
   }
 

@@ -1,5 +1,5 @@
-// A grid finds the pairs that are near each other; where too many crowd in a cell, the sweep lists that cell's
-// contacts, of which those are kept that the cell is to look at.
+// A grid finds the pairs that are near each other; where too many crowd in cells, another method lists the
+// contacts of all of these, of which those are kept that a crowded cell is to look at.
 #include <sunder/base/random.h>
 #include <sunder/planar/set/near_pairs.h>
 #include <sunder/planar/set/segments_all.h>
@@ -44,21 +44,16 @@ Cost visit_contacts_by_grid(const Segments& segments, const SegmentsOptions& opt
     const ContactKind kind = segment_segment(segments[i], segments[j]);
     return !counts(kind, options.allowed) || visit({i, j, kind});
   };
-  const auto of_crowd = [&](std::uint32_t c) {
-    const auto cell = grid->cell(c);
-    const Part part(segments, options.groups, cell);
-    bool goes_on = true;
-    const Cost of_part = visit_contacts_without_grid(part.segments, {options.allowed, false, part.groups},
-                                                     [&](const SegmentsContact& contact) {
-                                                       const std::uint32_t i = cell[contact.i], j = cell[contact.j];
-                                                       if (!grid->looks_at(c, low_corner(segments[i], segments[j])))
-                                                         return true;
-                                                       return goes_on = visit({i, j, contact.kind});
-                                                     });
-    cost.probes += of_part.probes;
-    return goes_on;
+  if (!for_each_near_pair<crowd_for_all>(segments.all(), *grid, of_pair, options.progress)) return cost;
+  const std::vector<std::uint32_t> members = members_of_crowds(*grid, crowd_for_all, segments.size());
+  if (members.empty()) return cost;
+  const Part part(segments, options.groups, members);
+  const ContactVisitor of_crowd = [&](const SegmentsContact& contact) {
+    const std::uint32_t i = members[contact.i], j = members[contact.j];
+    const std::uint32_t c = grid->looking_cell(low_corner(segments[i], segments[j]));
+    return grid->cell(c).size() <= crowd_for_all || visit({i, j, contact.kind});
   };
-  for_each_near_pair<crowd_for_all>(segments.all(), *grid, of_pair, of_crowd, options.progress);
+  cost.probes += visit_contacts_without_grid(part.segments, {options.allowed, false, part.groups}, of_crowd).probes;
   return cost;
 }
 
