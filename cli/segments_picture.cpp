@@ -118,7 +118,7 @@ class Axis {
   std::vector<std::pair<double, std::string>> ticks() const {
     const auto exact = [](double value) { return std::pair(value, fmt::format("{}", value + 0.0)); };
     if (flat()) return {exact(low_)};
-    const std::vector<std::pair<double, std::string>> extremes{exact(low_), exact(high_)};
+    std::vector<std::pair<double, std::string>> extremes{exact(low_), exact(high_)};
     const double parts = std::clamp(std::floor(std::fabs(length_) / tick_distance), 3.0, 10.0);
     const double least = high_ / parts - low_ / parts;
     if (!std::isnormal(least) || least < 1e-9 * std::max(std::fabs(low_), std::fabs(high_))) return extremes;
