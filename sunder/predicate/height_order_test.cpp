@@ -98,6 +98,7 @@ TEST(HeightOrderTest, AgreesWithIntegers) {
     }
     close.compare(a, b, a, d, a.x);
   }
+  if (instances(20000) < 20000) return;  // too few for the rates below
   EXPECT_GT(small.zeros, 300);
   EXPECT_GT(small.tally.rounded, 0u);
   for (const Lines* lines : {&small, &close, &wild}) {
