@@ -463,6 +463,20 @@ TEST_F(Program, SegmentsOfABoard) {
   EXPECT_EQ(report("segments " + crossing + " --group feature --count --allow shared-endpoint", 1)["count"], 1);
 }
 
+// Members of a group that cross and overlap, three of them in one point: each crossing is in the proof, as an exchange.
+TEST_F(Program, SegmentsOfGroupsAreProvedApart) {
+  const std::string file = in_folder("nets.csv"), proof = in_folder("nets.json");
+  write_text(file,
+             "x1,y1,x2,y2,net\n0,0,4,4,a\n0,4,4,0,a\n0,2,4,2,a\n1,2,3,2,a\n2.5,0,2.5,1,b\n3,0.5,2.75,1,b\n"
+             "0,5,4,5,b\n1,4.5,1,6,b\n");
+  EXPECT_EQ(report("segments '" + file + "' --count", 1)["count"], 7);  // one an overlap
+  const Run r = run("segments '" + file + "' --group net --certificate '" + proof + "'");
+  EXPECT_EQ(r.code, 0) << r.out;
+  EXPECT_EQ(json::parse(read_text(proof))["statements"][0]["exchanges"].size(), 6u);
+  EXPECT_TRUE(python_accepts(proof));
+  EXPECT_EQ(run("verify '" + proof + "'").code, 0);
+}
+
 TEST_F(Program, SegmentsNearTheEndOfTheRange) {
   write_text(in_folder("large.csv"), "1.5e308,1.5e308,1.7e308,1.71e308\n1.5e308,1.7e308,1.7e308,1.52e308\n");
   const json r = report("segments '" + in_folder("large.csv") + "'", 1);

@@ -255,7 +255,13 @@ Json report(const Call& call, const io::LineFile& file, const Result& result) {
   return json;
 }
 
+// What can be told before the file is read.
 void check(const Call& call) {
+  if (call.lists() || call.count) {
+    contact_method(call.method);
+  } else {
+    any_method(call.method);
+  }
   if (call.certificate.empty()) return;
   if (call.lists() || call.count) {
     throw Error(ErrorCode::bad_call, "lists and counts have no proof; ask whether any two meet", "--certificate");
@@ -275,8 +281,6 @@ int run(const Call& call) {
   SegmentsOptions options;
   options.allowed = allowed_by(call.allow);
   options.transcript = !call.certificate.empty();
-  call.lists() || call.count ? static_cast<void>(contact_method(call.method))
-                             : static_cast<void>(any_method(call.method));
   const io::LineFile file = read(call);
   const std::vector<Sheet> sheets = sheets_of(call, file);
   Result result;

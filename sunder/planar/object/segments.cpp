@@ -17,7 +17,7 @@ Segments::Segments(std::span<const Segment> given) {
       throw Error(ErrorCode::bad_value, "a coordinate is not finite; every number must be: repair the data",
                   "segment " + std::to_string(segments_.size()));
     }
-    segments_.push_back(lexicographically_less(s.b, s.a) ? Segment{s.b, s.a} : s);
+    segments_.push_back(sorted(s));
   }
 }
 

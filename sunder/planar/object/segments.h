@@ -17,6 +17,9 @@ struct Segment {
   friend bool operator==(const Segment&, const Segment&) = default;
 };
 
+// From its lexicographically first end to its last.
+inline Segment sorted(const Segment& s) { return lexicographically_less(s.b, s.a) ? Segment{s.b, s.a} : s; }
+
 // A set of segments, numbered from 0. Immutable; any number of threads may use it.
 // P1. All coordinates are finite.
 // P2. a of each segment is lexicographically not after b. Which end was given first is not kept.

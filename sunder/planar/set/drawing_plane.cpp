@@ -34,10 +34,6 @@ void check(std::span<const Point2> vertices, std::span<const DrawingEdge> edges)
   }
 }
 
-Segment sorted(const Point2& p, const Point2& q) {
-  return lexicographically_less(q, p) ? Segment{q, p} : Segment{p, q};
-}
-
 bool report(DrawingAnswer& answer, Contact contact, ContactKind kind, std::uint32_t i, std::uint32_t j) {
   answer.contact = contact;
   answer.kind = kind;
@@ -63,7 +59,7 @@ DrawingAnswer drawing_plane(std::span<const Point2> vertices, std::span<const Dr
   std::vector<Segment> segments;
   std::vector<bool> has_edge(vertices.size());
   for (const auto& [u, v] : edges) {
-    segments.push_back(sorted(vertices[u], vertices[v]));
+    segments.push_back(sorted({vertices[u], vertices[v]}));
     has_edge[u] = has_edge[v] = true;
   }
   std::vector<std::uint32_t> alone;
@@ -87,7 +83,7 @@ DrawingAnswer drawing_plane(std::span<const Point2> vertices, std::span<const Dr
 DrawingAnswer drawing_plane_by_scan(std::span<const Point2> vertices, std::span<const DrawingEdge> edges) {
   check(vertices, edges);
   DrawingAnswer answer;
-  const auto segment = [&](std::uint32_t e) { return sorted(vertices[edges[e][0]], vertices[edges[e][1]]); };
+  const auto segment = [&](std::uint32_t e) { return sorted({vertices[edges[e][0]], vertices[edges[e][1]]}); };
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {
     for (std::uint32_t u = 0; u < v; ++u) {
       ++answer.cost.probes;

@@ -95,7 +95,7 @@ bool for_each_near_pair(std::span<const Segment> segments, const SegmentGrid& gr
       for (std::size_t n = 0; n < found; ++n) {
         const std::uint32_t k = near[n];
         const Point2 corner{std::max(left[k], t.a.x), std::max(bottom[k], t_bottom)};
-        if (grid.looks_at(c, corner) && !of_pair(cell[k], cell[l])) return false;
+        if (grid.looking_cell(corner) == c && !of_pair(cell[k], cell[l])) return false;
       }
       left[l] = t.a.x;
       right[l] = t.b.x;

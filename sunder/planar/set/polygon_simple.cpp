@@ -10,8 +10,6 @@ namespace sunder::planar {
 
 namespace {
 
-Segment sorted(const Segment& s) { return lexicographically_less(s.b, s.a) ? Segment{s.b, s.a} : s; }
-
 void report(PolygonSimpleAnswer& answer, ContactKind kind, std::uint32_t i, std::uint32_t j) {
   answer.kind = kind;
   answer.i = std::min(i, j);

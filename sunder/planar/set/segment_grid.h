@@ -28,15 +28,15 @@ class SegmentGrid {
   }
 
   // The cell that looks at a pair whose boxes' common part has this low corner.
-  std::uint32_t looking_cell(const Point2& low_corner) const { return cell_of(low_corner); }
-  bool looks_at(std::uint32_t c, const Point2& low_corner) const { return c == cell_of(low_corner); }
+  std::uint32_t looking_cell(const Point2& low_corner) const {
+    return row(low_corner.y) * columns_ + column(low_corner.x);
+  }
 
  private:
   SegmentGrid() = default;
 
   std::uint32_t column(double x) const { return static_cast<std::uint32_t>((x - low_.x) * per_x_); }
   std::uint32_t row(double y) const { return static_cast<std::uint32_t>((y - low_.y) * per_y_); }
-  std::uint32_t cell_of(const Point2& p) const { return row(p.y) * columns_ + column(p.x); }
 
   Point2 low_{};
   double per_x_ = 0, per_y_ = 0;

@@ -24,10 +24,10 @@ namespace sunder::planar {
 
 // The sweep that met no contact. `events`: the endpoints in the order of the sweep, 2 i for the first end of segment i
 // and 2 i + 1 for its last; `below`: for each first end, in that order, the segment just below it then, or no_segment.
-// Where there are groups, `exchange` among the events stands for two neighbours that cross: `exchanges` has them in
-// order, the lower one first. A checker keeps a linked list, and tests each two segments that become neighbours
+// Where there are groups, `exchange_event` among the events stands for two neighbours that cross: `exchanges` has them
+// in order, the lower one first. A checker keeps a linked list, and tests each two segments that become neighbours
 // (docs/certificates.md).
-inline constexpr std::uint32_t no_segment = 0xffffffffu, exchange = 0xffffffffu;
+inline constexpr std::uint32_t no_segment = 0xffffffffu, exchange_event = 0xffffffffu;
 struct SweepTranscript {
   std::vector<std::uint32_t> events;
   std::vector<std::uint32_t> below;

@@ -10,7 +10,7 @@ void append(std::string& text, std::span<const std::uint32_t> numbers) {
   text += '[';
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     if (k > 0) text += k % 32 == 0 ? ",\n     " : ",";
-    text += numbers[k] == no_segment ? "-1" : std::to_string(numbers[k]);  // and `exchange`
+    text += numbers[k] == no_segment ? "-1" : std::to_string(numbers[k]);  // and exchange_event
   }
   text += ']';
 }

@@ -208,9 +208,9 @@ class BentleyOttmann {
     // In turn, and without those that overlap, which stand together and stay as they are.
     for (std::size_t l = 1; l < row.size(); ++l) {
       for (std::size_t k = l; k > 0; --k) {
-        if (segment_segment(segments_[row[k - 1]], segments_[row[k]]) != ContactKind::crossing) break;
+        if (kind_of(row[k - 1], row[k]) != ContactKind::crossing) break;
         status_.exchange(row[k - 1], row[k]);
-        record_->events.push_back(exchange);
+        record_->events.push_back(exchange_event);
         record_->exchanges.push_back({row[k - 1], row[k]});
         std::swap(row[k - 1], row[k]);
       }
@@ -230,19 +230,31 @@ class BentleyOttmann {
   // been given, and stand together.
   void report_pairs(std::size_t fresh = none) {
     std::size_t run = 0;  // where those begin that stand together and overlap, of those that are not new
-    for (std::size_t l = 1; l < row_.size(); ++l) {
-      const bool is_new = l >= fresh;
-      if (!is_new && segment_segment(segments_[row_[l - 1]], segments_[row_[l]]) != ContactKind::overlap) run = l;
-      for (std::size_t k = 0; k < (is_new ? l : run) && !stopped_; ++k) report(row_[k], row_[l]);
+    for (std::size_t l = 1; l < row_.size() && !stopped_; ++l) {
+      std::size_t end = l;  // of those whose pairs with this one are given here
+      if (l < fresh) {
+        const ContactKind kind = kind_of(row_[l - 1], row_[l]);
+        if (kind != ContactKind::overlap) {
+          run = l;
+          report(row_[l - 1], row_[l], kind);
+        }
+        end = std::min(run, l - 1);
+      }
+      for (std::size_t k = 0; k < end && !stopped_; ++k) report(row_[k], row_[l]);
     }
   }
 
   void report(std::uint32_t i, std::uint32_t j) {
-    if (may_meet(options_.groups, i, j)) return;
-    ++cost_.probes;
-    const ContactKind kind = segment_segment(segments_[i], segments_[j]);
-    if (!counts(kind, options_.allowed)) return;
+    if (!may_meet(options_.groups, i, j)) report(i, j, kind_of(i, j));
+  }
+  void report(std::uint32_t i, std::uint32_t j, ContactKind kind) {
+    if (may_meet(options_.groups, i, j) || !counts(kind, options_.allowed)) return;
     stopped_ = !visit_({std::min(i, j), std::max(i, j), kind});
+  }
+
+  ContactKind kind_of(std::uint32_t i, std::uint32_t j) {
+    ++cost_.probes;
+    return segment_segment(segments_[i], segments_[j]);
   }
 
   // --- Neighbours ---
