@@ -20,6 +20,8 @@ bool names_a_direction(const Direction& d, std::size_t n_a, std::size_t n_b) {
     case Direction::Kind::normal_of_b: return in_b(0) && in_b(1) && in_b(2);
     case Direction::Kind::edge_cross_edge: return in_a(0) && in_a(1) && in_b(2) && in_b(3);
     case Direction::Kind::difference: return in_a(0) && in_b(1);
+    case Direction::Kind::side_of_a: return in_a(0) && in_a(1);
+    case Direction::Kind::side_of_b: return in_b(0) && in_b(1);
     case Direction::Kind::exact:
       return d.numbers != nullptr && std::all_of(d.numbers->begin(), d.numbers->end(), [&](const Dyadic& x) {
                return x.exponent() >= -most && x.exponent() <= most;

@@ -15,7 +15,7 @@ namespace sunder {
 
 enum class Verdict : std::uint8_t { apart, meet };
 
-// A direction in the world. Where doubles hold one that does the job, it is `given`; otherwise it is named by features
+// A direction in the world. (Planar objects are bodies in the plane z = 0.) Where doubles hold one that does the job, it is `given`; otherwise it is named by features
 // of the placed bodies A and B, whose exact coordinates make it, or carried as exact numbers.
 struct Direction {
   enum class Kind : std::uint8_t {
@@ -24,13 +24,15 @@ struct Direction {
     normal_of_b,      // (b1 - b0) x (b2 - b0): vertices index[0..2] of B
     edge_cross_edge,  // (a1 - a0) x (b1 - b0): vertices index[0..1] of A, index[2..3] of B
     difference,       // b0 - a0: vertices index[0] of A, index[1] of B
+    side_of_a,        // a1 - a0, turned to the right by a right angle, of vertices index[0..1] of A, which is in the
+    side_of_b,        // plane z = 0: the outward normal of an edge; the same of B
     exact,            // *numbers
   };
   Kind kind = Kind::given;
   bool reversed = false;                 // the named direction times -1 (not used with `given` and `exact`)
   std::array<std::uint32_t, 4> index{};  // meaningless for `given` and `exact`
-  Point3 given;                          // meaningless but for `given`
-  std::shared_ptr<const std::array<Dyadic, 3>> numbers;  // null but for `exact`
+  Point3 given{};                        // meaningless but for `given`
+  std::shared_ptr<const std::array<Dyadic, 3>> numbers{};  // null but for `exact`
 };
 
 struct PairCertificate {

@@ -15,7 +15,14 @@ struct Point3 {
   friend bool operator==(const Point3&, const Point3&) = default;
 };
 
-// The affine map x -> linear x + translation. The linear part is row by row: row i is linear[3 i .. 3 i + 2].
+// Affine maps of the plane and of space, x -> linear x + translation.
+struct Affine2 {
+  std::array<double, 4> linear{1, 0, 0, 1};  // row by row
+  std::array<double, 2> translation{0, 0};
+  friend bool operator==(const Affine2&, const Affine2&) = default;
+};
+
+// The linear part is row by row: row i is linear[3 i .. 3 i + 2].
 // The numbers *are* the map: a predicate on posed points decides about the exact images, which need not be doubles.
 struct Affine3 {
   std::array<double, 9> linear{1, 0, 0, 0, 1, 0, 0, 0, 1};

@@ -73,6 +73,13 @@ struct Posed {
   double reach = std::numeric_limits<double>::infinity();
 };
 
+// The same in the plane.
+struct Posed2 {
+  Point2 point;
+  const Affine2* pose;
+  bool tame;
+};
+
 // A convenience where speed does not matter: finds out by itself whether the image is tame, and its reach.
 inline Posed posed(const Point3& point, const Affine3& pose) {
   const SizeRange linear = size_range(std::span<const double>(pose.linear)),

@@ -14,6 +14,26 @@ struct Vector3 {
   T x, y, z;
 };
 
+template <class T>
+struct Vector2 {
+  T x, y;
+};
+
+template <class T, class U>
+auto operator-(const Vector2<T>& a, const Vector2<U>& b) {
+  return Vector2<decltype(a.x - b.x)>{a.x - b.x, a.y - b.y};
+}
+
+template <class T, class U>
+auto cross(const Vector2<T>& a, const Vector2<U>& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+template <class T, class U>
+auto dot(const Vector2<T>& a, const Vector2<U>& b) {
+  return a.x * b.x + a.y * b.y;
+}
+
 template <class T, class U>
 auto operator-(const Vector3<T>& a, const Vector3<U>& b) {
   return Vector3<decltype(a.x - b.x)>{a.x - b.x, a.y - b.y, a.z - b.z};
@@ -48,6 +68,22 @@ auto lift(const Point3& p) {
 }
 
 template <class Stage>
+auto lift(const Point2& p) {
+  const auto x = Stage::read(p.x);
+  return Vector2<decltype(Stage::read(0.0))>{x, Stage::read(p.y)};
+}
+
+template <class Stage>
+auto lift(const Posed2& p) {
+  const auto v = lift<Stage>(p.point);
+  const auto row = [&](std::size_t i) {
+    const auto& m = p.pose->linear;
+    return (Stage::read(m[2 * i]) * v.x + Stage::read(m[2 * i + 1]) * v.y) + Stage::read(p.pose->translation[i]);
+  };
+  return Vector2<decltype(row(0))>{row(0), row(1)};
+}
+
+template <class Stage>
 auto lift(const Posed& p) {
   const auto v = lift<Stage>(p.point);
   const auto row = [&](int i) {
@@ -71,6 +107,8 @@ inline Vector3<double> rounded_image(const Posed& p) {
 // Is the floating-point stage free of underflow for formulas of up to three factors?
 inline bool is_tame(const Point3& p) { return tame(p.x) && tame(p.y) && tame(p.z); }
 inline bool is_tame(const Posed& p) { return p.tame; }
+inline bool is_tame(const Point2& p) { return tame(p.x) && tame(p.y); }
+inline bool is_tame(const Posed2& p) { return p.tame; }
 
 // The sign of formula(points...), by the first stage that is sure.
 template <class Formula, class... Points>

@@ -1,0 +1,132 @@
+// From what a search proposes to a certificate, for sequences of vertices: each function checks a proposal exactly, and
+// fills in the certificate where it holds. A proposal that does not hold proves nothing.
+#pragma once
+
+#include <sunder/certificate/pair.h>
+#include <sunder/planar/pair/edge_runs.h>
+
+#include <array>
+#include <span>
+
+namespace sunder::planar {
+
+// Positions in a sequence, three at most.
+using Corners = std::span<const std::uint32_t>;
+
+namespace evidence {
+
+// p is inside, or on the boundary, of the triangle whose corners turn this way.
+template <class V>
+bool in_triangle(const V& p, const V& a, const V& b, const V& c, Sign turn, StageTally& tally) {
+  const auto outside = [&](const V& from, const V& to) { return cross_2d(from, to, from, p, &tally) == -turn; };
+  return !outside(a, b) && !outside(b, c) && !outside(c, a);
+}
+
+// p is on the segment ab, its ends included.
+template <class V>
+bool on_segment(const V& p, const V& a, const V& b, StageTally& tally) {
+  return cross_2d(a, b, a, p, &tally) == Sign::zero && dot_2d(a, p, b, p, &tally) != Sign::positive;
+}
+
+template <class V>
+bool equal(const V& p, const V& q, StageTally& tally) {
+  return dot_2d(p, q, p, q, &tally) == Sign::zero;
+}
+
+// The least set of corners whose hull holds p; empty where the hull of all does not.
+struct Few {
+  std::array<std::uint32_t, 3> at{};
+  std::uint8_t count = 0;
+};
+
+template <class Sequence>
+Few corners_around(const typename Sequence::Vertex& p, const Sequence& q, Corners corners, StageTally& tally) {
+  for (const std::uint32_t c : corners) {
+    if (equal(p, vertex_at(q, c), tally)) return {{c}, 1};
+  }
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (on_segment(p, vertex_at(q, corners[j]), vertex_at(q, corners[i]), tally)) return {{corners[j], corners[i]}, 2};
+    }
+  }
+  if (corners.size() < 3) return {};
+  const auto &a = vertex_at(q, corners[0]), &b = vertex_at(q, corners[1]), &c = vertex_at(q, corners[2]);
+  const Sign turn = cross_2d(a, b, a, c, &tally);
+  if (turn == Sign::zero || !in_triangle(p, a, b, c, turn, tally)) return {};
+  return {{corners[0], corners[1], corners[2]}, 3};
+}
+
+}  // namespace evidence
+
+// Have the hulls of these corners of a and of b a common point? Fills in at most four vertices.
+template <class A, class B>
+bool check_meet(const A& a, Corners of_a, const B& b, Corners of_b, PairCertificate& certificate, StageTally& tally) {
+  const auto fill = [&](Corners in_a, Corners in_b) {
+    certificate.verdict = Verdict::meet;
+    certificate.count_a = static_cast<std::uint8_t>(in_a.size());
+    certificate.count_b = static_cast<std::uint8_t>(in_b.size());
+    std::size_t k = 0;
+    for (const std::uint32_t c : in_a) certificate.vertices[k++] = a.number(position(a, c));
+    for (const std::uint32_t c : in_b) certificate.vertices[k++] = b.number(position(b, c));
+    return true;
+  };
+  for (std::size_t k = 0; k < of_b.size(); ++k) {
+    const evidence::Few few = evidence::corners_around(vertex_at(b, of_b[k]), a, of_a, tally);
+    if (few.count > 0) return fill({few.at.data(), few.count}, of_b.subspan(k, 1));
+  }
+  for (std::size_t k = 0; k < of_a.size(); ++k) {
+    const evidence::Few few = evidence::corners_around(vertex_at(a, of_a[k]), b, of_b, tally);
+    if (few.count > 0) return fill(of_a.subspan(k, 1), {few.at.data(), few.count});
+  }
+  // No corner of one is in the hull of the other: if they meet, then two edges cross inside both.
+  for (std::size_t i = 0; i < of_a.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto &p = vertex_at(a, of_a[j]), &q = vertex_at(a, of_a[i]);
+      for (std::size_t k = 0; k < of_b.size(); ++k) {
+        for (std::size_t l = 0; l < k; ++l) {
+          const auto &r = vertex_at(b, of_b[l]), &s = vertex_at(b, of_b[k]);
+          const auto part = [&](const auto& t, const auto& u, const auto& v, const auto& w) {
+            return cross_2d(t, u, t, v, &tally) * cross_2d(t, u, t, w, &tally) == Sign::negative;
+          };
+          if (part(p, q, r, s) && part(r, s, p, q)) {
+            return fill(std::array{of_a[j], of_a[i]}, std::array{of_b[l], of_b[k]});
+          }
+        }
+      }
+    }
+  }
+  return false;
+}
+
+// Has edge i of a all of a on its left and all of b strictly on its right? `near` is the vertex of b that should be
+// nearest to it. Looks at the edges beside this vertex only, which is enough: b is convex.
+template <class A, class B>
+bool parts(const A& a, std::uint32_t i, const B& b, std::uint32_t near, StageTally& tally) {
+  if (a.size() == 1) return false;
+  const auto &p = vertex_at(a, i), &q = vertex_at(a, position(a, i) + 1);
+  if (cross_2d(p, q, p, vertex_at(b, near), &tally) != Sign::negative) return false;
+  if (b.size() == 1) return true;
+  const std::uint32_t at = position(b, near);
+  const auto& v = vertex_at(b, at);
+  return cross_2d(p, q, v, vertex_at(b, at + 1), &tally) != Sign::positive &&
+         cross_2d(p, q, v, vertex_at(b, at + b.size() - 1), &tally) != Sign::positive;
+}
+
+template <class A, class B>
+void fill_apart_by_edge_of_a(const A& a, std::uint32_t i, const B& b, std::uint32_t near, PairCertificate& c) {
+  const std::uint32_t at = position(a, i), next = position(a, at + 1);
+  c.verdict = Verdict::apart;
+  c.direction = {.kind = Direction::Kind::side_of_a, .index = {a.number(at), a.number(next)}};
+  c.extreme_a = a.number(at);
+  c.extreme_b = b.number(position(b, near));
+}
+template <class A, class B>
+void fill_apart_by_edge_of_b(const A& a, std::uint32_t near, const B& b, std::uint32_t j, PairCertificate& c) {
+  const std::uint32_t at = position(b, j), next = position(b, at + 1);
+  c.verdict = Verdict::apart;
+  c.direction = {.kind = Direction::Kind::side_of_b, .reversed = true, .index = {b.number(at), b.number(next)}};
+  c.extreme_a = a.number(position(a, near));
+  c.extreme_b = b.number(at);
+}
+
+}  // namespace sunder::planar

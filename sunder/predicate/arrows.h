@@ -1,0 +1,60 @@
+// Arrows of the plane, from one point to another: which way is one against the other? Exact, for every finite double.
+//
+// Points are plain (Point2) or under poses (Posed2, whose exact images are meant); all four of one kind.
+#pragma once
+
+#include <sunder/number/rounded.h>
+#include <sunder/number/sign.h>
+#include <sunder/predicate/point.h>
+#include <sunder/predicate/posed.h>
+
+#include <cmath>
+
+namespace sunder {
+
+// positive: the arrow rs points to the left of the arrow pq; zero: they are parallel, or one is a point; negative: to
+// the right. Formula: (q - p) x (s - r). With r = p: the orientation of p, q, s.
+inline Sign cross_2d(const Point2& p, const Point2& q, const Point2& r, const Point2& s, StageTally* tally = nullptr);
+Sign cross_2d(const Posed2& p, const Posed2& q, const Posed2& r, const Posed2& s, StageTally* tally = nullptr);
+
+// positive: the arrow rs points along the arrow pq, less than a right angle away; zero: they are perpendicular, or one
+// is a point; negative: it points against it. Formula: (q - p) . (s - r).
+inline Sign dot_2d(const Point2& p, const Point2& q, const Point2& r, const Point2& s, StageTally* tally = nullptr);
+Sign dot_2d(const Posed2& p, const Posed2& q, const Posed2& r, const Posed2& s, StageTally* tally = nullptr);
+
+// What their first stages do not decide.
+Sign cross_2d_further(const Point2& p, const Point2& q, const Point2& r, const Point2& s, StageTally* tally);
+Sign dot_2d_further(const Point2& p, const Point2& q, const Point2& r, const Point2& s, StageTally* tally);
+
+// The sign of a b + c d for differences a, b, c, d of doubles, rounded: the first stage. As a Rounded<4>, whose
+// magnitude is the sum of the products' sizes. Differences of doubles never underflow, and are zero only where exact
+// ones are: so a product with such a factor is exactly zero, and the sign of a single product that is left is sure. A
+// product that underflows is off by at most 2^-1075, which the last term pays for many times over. Overflow makes the
+// error infinite or the comparisons false.
+inline Guess sign_of_products(double a, double b, double c, double d) {
+  const double left = a * b, right = c * d, value = left + right;
+  const double error = Rounded<4>::bound * (std::fabs(left) + std::fabs(right)) + 0x1p-1060;
+  if (value > error) return Guess::positive;
+  if (value < -error) return Guess::negative;
+  const bool no_left = a == 0 || b == 0, no_right = c == 0 || d == 0;
+  if (no_left && no_right) return Guess::zero;
+  if (no_right) return (a > 0) == (b > 0) ? Guess::positive : Guess::negative;
+  if (no_left) return (c > 0) == (d > 0) ? Guess::positive : Guess::negative;
+  return Guess::unsure;
+}
+
+inline Sign cross_2d(const Point2& p, const Point2& q, const Point2& r, const Point2& s, StageTally* tally) {
+  const Guess guess = sign_of_products(q.x - p.x, s.y - r.y, p.y - q.y, s.x - r.x);
+  if (!is_sure(guess)) return cross_2d_further(p, q, r, s, tally);
+  if (tally) ++tally->rounded;
+  return to_sign(guess);
+}
+
+inline Sign dot_2d(const Point2& p, const Point2& q, const Point2& r, const Point2& s, StageTally* tally) {
+  const Guess guess = sign_of_products(q.x - p.x, s.x - r.x, q.y - p.y, s.y - r.y);
+  if (!is_sure(guess)) return dot_2d_further(p, q, r, s, tally);
+  if (tally) ++tally->rounded;
+  return to_sign(guess);
+}
+
+}  // namespace sunder
