@@ -98,7 +98,12 @@ bool peers_question(Question question, SegmentQuestion& out) {
 
 struct Looks {
   std::vector<Look> looks;
-  std::vector<std::string> over;  // libraries of which some way is left out as too slow
+  std::map<std::string, double> over;  // libraries of which some way is left out as too slow: the least such time
+
+  void leave_out(const std::string& library, double seconds) {
+    const auto [at, is_new] = over.emplace(library, seconds);
+    if (!is_new) at->second = std::min(at->second, seconds);
+  }
 };
 
 // Looks at all ways of all peers; keeps of each library those that may be its fastest.
@@ -113,8 +118,8 @@ std::vector<Contestant> look_at_peers(const std::vector<SegmentInput>& inputs, S
     const std::string key =
         std::string(name_of(family)) + "/" + std::string(name_of(question)) + "/" + library + "/" + method;
     const double size = static_cast<double>(n);
-    if (history.predict(key, size) > kSureSeconds) {
-      looks.over.push_back(library);
+    if (const double predicted = history.predict(key, size); predicted > kSureSeconds) {
+      looks.leave_out(library, predicted);
       continue;
     }
     std::vector<Asked> asks;
@@ -128,13 +133,13 @@ std::vector<Contestant> look_at_peers(const std::vector<SegmentInput>& inputs, S
     history.note(key, size, contestant.look);
     looks.looks.push_back({library, method, contestant.look, contestant.wrong});
     if (contestant.look > kMostSeconds) {
-      looks.over.push_back(library);
+      looks.leave_out(library, contestant.look);
     } else {
       looked[library].push_back(std::move(contestant));
     }
   }
   for (auto& [library, ways] : looked) {
-    const bool some_over = std::find(looks.over.begin(), looks.over.end(), library) != looks.over.end();
+    const bool some_over = looks.over.contains(library);
     const bool some_right = std::any_of(ways.begin(), ways.end(), [](const Contestant& c) { return c.wrong == 0; });
     const auto out = [&](const Contestant& c) { return c.wrong > 0 && (some_right || some_over); };
     double fastest = kMostSeconds;
@@ -220,7 +225,10 @@ std::vector<Row> measure(const Plan& plan, std::size_t n, bool look_only, const 
       Result& best = row.peers.emplace_back();
       best.library = library;
       const auto& slow = looks[question].over;
-      if (std::find(slow.begin(), slow.end(), library) != slow.end()) best.state = Result::State::over;
+      if (const auto found = slow.find(library); found != slow.end()) {
+        best.state = Result::State::over;
+        best.median_s = found->second;
+      }
     }
     for (const Contestant& contestant : contestants) {
       if (contestant.asks.empty() || contestant.question != question) continue;
