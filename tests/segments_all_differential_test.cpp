@@ -1,7 +1,7 @@
 // All methods of segments_all against every pair, under every rule, with and without groups; and segments_any with
 // groups.
+#include <tests/support/scale.h>
 #include <tests/support/segment_sets.h>
-#include <tests/support/solid_pairs.h>
 
 #include <sunder/planar/set/segments_all.h>
 

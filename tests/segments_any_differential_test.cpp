@@ -1,6 +1,6 @@
 // segments_any and its methods against segments_any_by_scan, under every rule.
+#include <tests/support/scale.h>
 #include <tests/support/segment_sets.h>
-#include <tests/support/solid_pairs.h>
 
 #include <sunder/planar/set/segments_any.h>
 

@@ -15,8 +15,9 @@ namespace sunder {
 
 enum class Verdict : std::uint8_t { apart, meet };
 
-// A direction in the world. (Planar objects are bodies in the plane z = 0.) Where doubles hold one that does the job, it is `given`; otherwise it is named by features
-// of the placed bodies A and B, whose exact coordinates make it, or carried as exact numbers.
+// A direction in the world. (Planar objects are bodies in the plane z = 0.) Where doubles hold one that does the job,
+// it is `given`; otherwise it is named by features of the placed bodies A and B, whose exact coordinates make it, or
+// carried as exact numbers.
 struct Direction {
   enum class Kind : std::uint8_t {
     given,            // the three doubles

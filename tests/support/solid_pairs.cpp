@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace sunder::tests {
 
@@ -16,16 +15,6 @@ std::string_view name_of(Family family) {
                                                              "grid",      "flat",         "needle",   "tiny or huge",
                                                              "contained", "large"};
   return names[static_cast<std::size_t>(family)];
-}
-
-int scaled_count(int count) {
-  const char* scale = std::getenv("SUNDER_TEST_SCALE");
-  return std::max(1, static_cast<int>(count * (scale ? std::atof(scale) : 1.0)));
-}
-
-std::uint64_t chosen_seed(std::uint64_t seed) {
-  const char* given = std::getenv("SUNDER_TEST_SEED");
-  return given ? std::strtoull(given, nullptr, 10) : seed;
 }
 
 namespace {

@@ -1,6 +1,8 @@
 // Pairs of placed convex polyhedra for differential tests: random and nasty, from a seed.
 #pragma once
 
+#include <tests/support/scale.h>
+
 #include <sunder/base/random.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
@@ -56,11 +58,5 @@ class SolidPairs {
   std::vector<solid::ConvexPolyhedron> large_;
   int turn_ = 0;
 };
-
-// How many cases a test should run: `count` times the environment variable SUNDER_TEST_SCALE (default 1).
-int scaled_count(int count);
-
-// The seed of a test: SUNDER_TEST_SEED, or `seed`.
-std::uint64_t chosen_seed(std::uint64_t seed);
 
 }  // namespace sunder::tests

@@ -58,7 +58,8 @@ std::optional<Fault> fault_of(std::span<const Point2> p) {
     const auto to_right = [&](std::size_t k) { return lexicographically_less(p[k % n], p[(k + 1) % n]); };
     starts += !to_right(v + n - 1) && to_right(v) ? 1 : 0;
   }
-  if (starts != 1) return Fault{0, "the first one of a boundary that winds about more than once; give a simple polygon"};
+  if (starts != 1)
+    return Fault{0, "the first one of a boundary that winds about more than once; give a simple polygon"};
   return {};
 }
 
@@ -109,7 +110,8 @@ ConvexPolygon ConvexPolygon::mended(std::span<const Point2> given) {
     }
     corners.push_back(v);
   }
-  while (corners.size() > 2 && straight(corners[corners.size() - 2], corners.back(), corners.front())) corners.pop_back();
+  while (corners.size() > 2 && straight(corners[corners.size() - 2], corners.back(), corners.front()))
+    corners.pop_back();
   std::size_t left = 0, right = 0;
   const std::size_t n = corners.size();
   for (std::size_t k = 0; n > 2 && k < n; ++k) {
@@ -133,7 +135,8 @@ ConvexPolygon ConvexPolygon::hull_of(std::span<const Point2> points) {
   if (p.size() < 3) return ConvexPolygon(std::move(p));
   std::vector<Point2> hull;  // the chain below, then that above
   const auto extend = [&hull](const Point2& q, std::size_t begin) {
-    while (hull.size() > begin + 1 && orient_2d(hull[hull.size() - 2], hull.back(), q) != Sign::positive) hull.pop_back();
+    while (hull.size() > begin + 1 && orient_2d(hull[hull.size() - 2], hull.back(), q) != Sign::positive)
+      hull.pop_back();
     hull.push_back(q);
   };
   for (const Point2& q : p) extend(q, 0);

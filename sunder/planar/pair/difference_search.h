@@ -28,7 +28,7 @@ namespace difference_search {
 // What is asked about D beyond the origin being in it.
 struct Found {
   bool meet = false;
-  bool inside = false;  // the origin is in the relative interior of D; unknown (false) where `at_corner`
+  bool inside = false;     // the origin is in the relative interior of D; unknown (false) where `at_corner`
   bool at_corner = false;  // a0 and b0 are one point
 };
 
@@ -65,6 +65,7 @@ difference_search::Found search_difference(const A& a, std::uint32_t of_a, const
   std::uint32_t low_a = chain_a.begin, high_a = chain_a.end, low_b = chain_b.begin, high_b = chain_b.end;
   const auto height = [&](std::uint32_t i, std::uint32_t j) {
     ++cost.probes;
+    if (position(a, i) == of_a && position(b, j) == of_b) return Sign::zero;  // where the ray begins
     return cross_2d(a0, b0, vertex_at(b, j), vertex_at(a, i), &tally);
   };
   const auto below = [&](std::uint32_t i, std::uint32_t j) { return height(i, j) == Sign::negative; };

@@ -5,6 +5,7 @@
 #include <sunder/certificate/pair.h>
 #include <sunder/planar/pair/edge_runs.h>
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -37,7 +38,20 @@ bool equal(const V& p, const V& q, StageTally& tally) {
 struct Few {
   std::array<std::uint32_t, 3> at{};
   std::uint8_t count = 0;
+
+  operator Corners() const { return {at.data(), count}; }
 };
+
+// Each position once.
+template <class Sequence>
+Few without_repeats(const Sequence& p, Corners corners) {
+  Few few;
+  for (const std::uint32_t c : corners) {
+    const auto end = few.at.begin() + few.count;
+    if (std::find(few.at.begin(), end, position(p, c)) == end) few.at[few.count++] = position(p, c);
+  }
+  return few;
+}
 
 template <class Sequence>
 Few corners_around(const typename Sequence::Vertex& p, const Sequence& q, Corners corners, StageTally& tally) {
@@ -46,7 +60,8 @@ Few corners_around(const typename Sequence::Vertex& p, const Sequence& q, Corner
   }
   for (std::size_t i = 0; i < corners.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (on_segment(p, vertex_at(q, corners[j]), vertex_at(q, corners[i]), tally)) return {{corners[j], corners[i]}, 2};
+      if (on_segment(p, vertex_at(q, corners[j]), vertex_at(q, corners[i]), tally))
+        return {{corners[j], corners[i]}, 2};
     }
   }
   if (corners.size() < 3) return {};
@@ -60,7 +75,10 @@ Few corners_around(const typename Sequence::Vertex& p, const Sequence& q, Corner
 
 // Have the hulls of these corners of a and of b a common point? Fills in at most four vertices.
 template <class A, class B>
-bool check_meet(const A& a, Corners of_a, const B& b, Corners of_b, PairCertificate& certificate, StageTally& tally) {
+bool check_meet(const A& a, Corners from_a, const B& b, Corners from_b, PairCertificate& certificate,
+                StageTally& tally) {
+  const evidence::Few few_a = evidence::without_repeats(a, from_a), few_b = evidence::without_repeats(b, from_b);
+  const Corners of_a = few_a, of_b = few_b;
   const auto fill = [&](Corners in_a, Corners in_b) {
     certificate.verdict = Verdict::meet;
     certificate.count_a = static_cast<std::uint8_t>(in_a.size());
@@ -72,11 +90,11 @@ bool check_meet(const A& a, Corners of_a, const B& b, Corners of_b, PairCertific
   };
   for (std::size_t k = 0; k < of_b.size(); ++k) {
     const evidence::Few few = evidence::corners_around(vertex_at(b, of_b[k]), a, of_a, tally);
-    if (few.count > 0) return fill({few.at.data(), few.count}, of_b.subspan(k, 1));
+    if (few.count > 0) return fill(few, of_b.subspan(k, 1));
   }
   for (std::size_t k = 0; k < of_a.size(); ++k) {
     const evidence::Few few = evidence::corners_around(vertex_at(a, of_a[k]), b, of_b, tally);
-    if (few.count > 0) return fill(of_a.subspan(k, 1), {few.at.data(), few.count});
+    if (few.count > 0) return fill(of_a.subspan(k, 1), few);
   }
   // No corner of one is in the hull of the other: if they meet, then two edges cross inside both.
   for (std::size_t i = 0; i < of_a.size(); ++i) {

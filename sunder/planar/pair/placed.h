@@ -58,7 +58,8 @@ class PosedPolygon {
     return {m[0] * p.x + m[1] * p.y + t[0], m[2] * p.x + m[3] * p.y + t[1]};
   }
 
-  // As above. Reflected, the polygon is passed through the other way, with a vertical edge at the end of its half again.
+  // As above. Reflected, the polygon is passed through the other way, with a vertical edge at the end of its half
+  // again.
   std::uint32_t first() const { return reflected_ ? number(other_end(polygon_.rightmost())) : polygon_.leftmost(); }
   std::uint32_t second() const { return reflected_ ? number(other_end(polygon_.leftmost())) : polygon_.rightmost(); }
   std::array<Posed2, 2> up() const { return {Posed2{{0, 0}, &pose_, false}, Posed2{{0, 1}, &pose_, false}}; }

@@ -9,9 +9,8 @@ PairAnswer polygon_polygon(const ConvexPolygon& a, const Pose& pose_a, const Con
 
 Contact polygon_polygon_contact(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b,
                                 const Pose& pose_b) {
-  return with_placed(a, pose_a, b, pose_b, [](const auto& in_a, const auto& in_b) {
-    return contact_by_difference(in_a, in_b);
-  });
+  return with_placed(a, pose_a, b, pose_b,
+                     [](const auto& in_a, const auto& in_b) { return contact_by_difference(in_a, in_b); });
 }
 
 }  // namespace sunder::planar

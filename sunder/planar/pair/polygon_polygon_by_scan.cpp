@@ -1,10 +1,11 @@
-// The oracle: it shares no search with the other methods. Two convex polygons are apart iff the normal of an edge of one
-// of them parts them strictly, or they are segments of one line, or points: then the difference of two vertices does.
+// The oracle: it shares no search with the other methods. Two convex polygons are apart iff the normal of an edge of
+// one of them parts them strictly, or they are segments of one line, or points: then the difference of two vertices
+// does.
 #include <sunder/planar/pair/placed.h>
 #include <sunder/planar/pair/polygon_polygon.h>
-#include <sunder/predicate/common_point.h>
 
-#include <array>
+#include <algorithm>
+#include <initializer_list>
 
 namespace sunder::planar {
 
@@ -78,43 +79,64 @@ struct Scan {
     return false;
   }
 
-  // Which of all sets of at most four vertices have a common point that they alone determine? The first.
-  void meet() {
-    const Affine3 in_space_a = in_space(pose_a.affine()), in_space_b = in_space(pose_b.affine());
+  Sign turn(const Posed2& p, const Posed2& q, const Posed2& r) {
+    ++answer.cost.probes;
+    return cross_2d(p, q, p, r, &tally);
+  }
+
+  void fill(std::initializer_list<std::uint32_t> in_a, std::initializer_list<std::uint32_t> in_b) {
     PairCertificate& c = answer.evidence;
     c = {};
     c.verdict = Verdict::meet;
-    std::array<Posed, 4> points{};
-    const auto meet_with = [&](std::uint8_t count_a, std::uint8_t count_b) {
-      c.count_a = count_a;
-      c.count_b = count_b;
-      const std::uint32_t k = count_a + std::uint32_t{count_b};
-      for (std::uint32_t s = 0; s < k; ++s) c.vertices[s] = s < count_a ? s : s - count_a;
-      const auto limit = [&](std::uint32_t s) { return s < count_a ? a.size() : b.size(); };
-      if (count_a > a.size() || count_b > b.size()) return false;
-      while (true) {
-        for (std::uint32_t s = 0; s < k; ++s) {
-          const Point2& p = s < count_a ? a[c.vertices[s]] : b[c.vertices[s]];
-          points[s] = {{p.x, p.y, 0}, s < count_a ? &in_space_a : &in_space_b, false};
-        }
-        ++answer.cost.probes;
-        const std::span<const Posed> all(points.data(), k);
-        if (have_common_point(all.first(count_a), all.subspan(count_a), &tally)) return true;
-        // The next set: the last number that can grow, and those behind it as small as can be.
-        std::uint32_t s = k;
-        while (s > 0) {
-          --s;
-          const std::uint32_t behind = s < count_a ? count_a - 1 - s : k - 1 - s;
-          if (c.vertices[s] + 1 + behind < limit(s)) break;
-          if (s == 0) return false;
-        }
-        ++c.vertices[s];
-        for (std::uint32_t t = s + 1; t < k; ++t) c.vertices[t] = t == count_a ? 0 : c.vertices[t - 1] + 1;
-      }
+    c.count_a = static_cast<std::uint8_t>(in_a.size());
+    c.count_b = static_cast<std::uint8_t>(in_b.size());
+    std::copy(in_b.begin(), in_b.end(), std::copy(in_a.begin(), in_a.end(), c.vertices.begin()));
+  }
+
+  // Is p one of the vertices, inside a segment from vertex 0 to another one or of an edge, or inside a triangle of
+  // vertex 0 and an edge? These make up the whole polygon.
+  template <class Polygon, class Fill>
+  bool holds(const Posed2& p, std::uint32_t count, const Polygon& at, const Fill& fill_corners) {
+    const auto between = [&](std::uint32_t k, std::uint32_t l) {
+      return turn(at(k), at(l), p) == Sign::zero && dot_2d(at(k), p, at(l), p, &tally) == Sign::negative;
     };
-    const bool found = meet_with(1, 1) || meet_with(1, 2) || meet_with(2, 1) || meet_with(2, 2) || meet_with(1, 3) ||
-                       meet_with(3, 1);
-    if (!found) c = {};  // cannot be: Caratheodory
+    for (std::uint32_t k = 0; k < count; ++k) {
+      if (dot_2d(at(k), p, at(k), p, &tally) == Sign::zero) return fill_corners({k}), true;
+    }
+    for (std::uint32_t k = 1; k < count; ++k) {
+      if (between(0, k)) return fill_corners({0, k}), true;
+      if (k > 1 && between(k - 1, k)) return fill_corners({k - 1, k}), true;
+      if (k == 1) continue;
+      const Sign side = turn(at(0), at(k - 1), at(k));
+      if (turn(at(0), at(k - 1), p) == side && turn(at(k - 1), at(k), p) == side && turn(at(k), at(0), p) == side) {
+        return fill_corners({0, k - 1, k}), true;
+      }
+    }
+    return false;
+  }
+
+  // A vertex of one is in the other, or two edges cross.
+  void meet() {
+    const auto in_a = [this](std::uint32_t v) { return of_a(v); };
+    const auto in_b = [this](std::uint32_t v) { return of_b(v); };
+    for (std::uint32_t j = 0; j < b.size(); ++j) {
+      if (holds(of_b(j), a.size(), in_a, [&](std::initializer_list<std::uint32_t> c) { fill(c, {j}); })) return;
+    }
+    for (std::uint32_t i = 0; i < a.size(); ++i) {
+      if (holds(of_a(i), b.size(), in_b, [&](std::initializer_list<std::uint32_t> c) { fill({i}, c); })) return;
+    }
+    for (std::uint32_t i = 0; i < a.size(); ++i) {
+      const std::uint32_t i_next = (i + 1) % a.size();
+      const Posed2 p = of_a(i), q = of_a(i_next);
+      for (std::uint32_t j = 0; j < b.size(); ++j) {
+        const std::uint32_t j_next = (j + 1) % b.size();
+        const Posed2 r = of_b(j), s = of_b(j_next);
+        if (turn(p, q, r) * turn(p, q, s) == Sign::negative && turn(r, s, p) * turn(r, s, q) == Sign::negative) {
+          return fill({i, i_next}, {j, j_next});
+        }
+      }
+    }
+    answer.evidence = {};  // cannot be
   }
 };
 
