@@ -30,6 +30,12 @@ struct Found {
   bool meet = false;
   bool inside = false;     // the origin is in the relative interior of D; unknown (false) where `at_corner`
   bool at_corner = false;  // a0 and b0 are one point
+
+  // The edges to the left of the ray, and e: edge `edge_a` of A where `of_a`, else edge `edge_b` of B; the other number
+  // is the vertex that belongs to it. Where D is on the ray's line there are no edges: the vertices furthest along it.
+  EdgeRun chain_a{}, chain_b{};
+  bool of_a = true;
+  std::uint32_t edge_a = 0, edge_b = 0;
 };
 
 }  // namespace difference_search
@@ -42,9 +48,12 @@ difference_search::Found search_difference(const A& a, std::uint32_t of_a, const
   const auto b0 = b[of_b];
   if (evidence::equal(a0, b0, tally)) {
     check_meet(a, {&of_a, 1}, b, {&of_b, 1}, certificate, tally);
-    return {true, false, true};
+    return {.meet = true, .inside = false, .at_corner = true};
   }
   const EdgeRun chain_a = edges_to_left(a, a0, b0, cost, tally), chain_b = edges_to_left(b, b0, a0, cost, tally);
+  const auto found = [&](bool meet, bool inside, bool of_edge_a, std::uint32_t i, std::uint32_t j) {
+    return difference_search::Found{meet, inside, false, chain_a, chain_b, of_edge_a, i, j};
+  };
   if (chain_a.empty() && chain_b.empty()) {  // points, and segments along u: what is furthest along it
     const auto last_along = [&](const auto& p, const auto& from, const auto& to) {
       return p.size() == 2 && dot_2d(from, to, p[0], p[1], &tally) == Sign::positive ? 1u : 0u;
@@ -56,10 +65,10 @@ difference_search::Found search_difference(const A& a, std::uint32_t of_a, const
       certificate.direction = {.kind = Direction::Kind::difference, .index = {a.number(of_a), b.number(of_b)}};
       certificate.extreme_a = a.number(i);
       certificate.extreme_b = b.number(j);
-      return {};
+      return found(false, false, true, i, j);
     }
     check_meet(a, std::array{of_a, i}, b, std::array{of_b, j}, certificate, tally);
-    return {true, beyond == Sign::negative, false};
+    return found(true, beyond == Sign::negative, true, i, j);
   }
 
   std::uint32_t low_a = chain_a.begin, high_a = chain_a.end, low_b = chain_b.begin, high_b = chain_b.end;
@@ -102,10 +111,10 @@ difference_search::Found search_difference(const A& a, std::uint32_t of_a, const
     const Sign side = cross_2d(vertex_at(a, i), vertex_at(a, next), vertex_at(a, i), vertex_at(b, j), &tally);
     if (side == Sign::negative) {
       fill_apart_by_edge_of_a(a, i, b, j, certificate);
-      return {};
+      return found(false, false, true, i, j);
     }
     check_meet(a, std::array{of_a, i, next}, b, std::array{of_b, j}, certificate, tally);
-    return {true, side == Sign::positive && is_inner_ray(), false};
+    return found(true, side == Sign::positive && is_inner_ray(), true, i, j);
   }
   const std::uint32_t i = low_a;
   const std::uint32_t j = first_where(low_b, high_b - 1, [&](std::uint32_t k) {
@@ -116,10 +125,10 @@ difference_search::Found search_difference(const A& a, std::uint32_t of_a, const
   const Sign side = cross_2d(vertex_at(b, j), vertex_at(b, next), vertex_at(b, j), vertex_at(a, i), &tally);
   if (side == Sign::negative) {
     fill_apart_by_edge_of_b(a, i, b, j, certificate);
-    return {};
+    return found(false, false, false, i, j);
   }
   check_meet(a, std::array{of_a, i}, b, std::array{of_b, j, next}, certificate, tally);
-  return {true, side == Sign::positive && is_inner_ray(), false};
+  return found(true, side == Sign::positive && is_inner_ray(), false, i, j);
 }
 
 // Touching or overlapping? Where the two vertices that the ray begins with are one point, another vertex is taken.
