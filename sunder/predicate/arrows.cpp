@@ -17,13 +17,13 @@ constexpr auto dot_formula = [](const auto& p, const auto& q, const auto& r, con
 Sign cross_2d_further(const Point2& p, const Point2& q, const Point2& r, const Point2& s, StageTally* tally) {
   return decide(tally, cross_formula, p, q, r, s);
 }
-Sign cross_2d(const Posed2& p, const Posed2& q, const Posed2& r, const Posed2& s, StageTally* tally) {
+Sign cross_2d_further(const Posed2& p, const Posed2& q, const Posed2& r, const Posed2& s, StageTally* tally) {
   return decide(tally, cross_formula, p, q, r, s);
 }
 Sign dot_2d_further(const Point2& p, const Point2& q, const Point2& r, const Point2& s, StageTally* tally) {
   return decide(tally, dot_formula, p, q, r, s);
 }
-Sign dot_2d(const Posed2& p, const Posed2& q, const Posed2& r, const Posed2& s, StageTally* tally) {
+Sign dot_2d_further(const Posed2& p, const Posed2& q, const Posed2& r, const Posed2& s, StageTally* tally) {
   return decide(tally, dot_formula, p, q, r, s);
 }
 

@@ -1,6 +1,7 @@
 // A point under a pose, without computing its image: predicates decide about the exact image.
 #pragma once
 
+#include <sunder/number/rounded.h>
 #include <sunder/predicate/point.h>
 
 #include <algorithm>
@@ -78,7 +79,21 @@ struct Posed2 {
   Point2 point;
   const Affine2* pose;
   bool tame;
+  // No coordinate of the image, computed as (m0 x + m1 y) + t, is further than this from the exact one. Infinite where
+  // that is not known or the image is not tame; it costs time only.
+  double error = std::numeric_limits<double>::infinity();
+
+  Point2 rounded_image() const {
+    const auto& [m, t] = *pose;
+    return {(m[0] * point.x + m[1] * point.y) + t[0], (m[2] * point.x + m[3] * point.y) + t[1]};
+  }
 };
+
+// The error of images (Posed2) of points whose coordinates are at most `coordinates` in size: three roundings, of sums
+// of at most 2 linear coordinates + translation; one more pays for computing the bound.
+inline double image_error(const SizeRange& linear, const SizeRange& translation, double coordinates) {
+  return Rounded<4>::bound * (2 * (linear.greatest * coordinates) + translation.greatest);
+}
 
 // A convenience where speed does not matter: finds out by itself whether the image is tame, and its reach.
 inline Posed posed(const Point3& point, const Affine3& pose) {

@@ -45,26 +45,32 @@ class PosedPolygon {
       : polygon_(polygon),
         pose_(pose.affine()),
         reflected_(pose.reflects()),
-        tame_(images_are_tame(pose.linear_range(), pose.translation_range(), polygon.sizes())) {}
+        tame_(images_are_tame(pose.linear_range(), pose.translation_range(), polygon.sizes())),
+        axis_tame_(images_are_tame(pose.linear_range(), pose.translation_range(), {1, 1})),
+        error_(error_of(pose, polygon.sizes().greatest, tame_)),
+        axis_error_(error_of(pose, 1, axis_tame_)) {}
 
   std::uint32_t size() const { return polygon_.size(); }
   std::uint32_t number(std::uint32_t k) const { return reflected_ ? size() - 1 - k : k; }
-  Posed2 operator[](std::uint32_t k) const { return {polygon_[number(k)], &pose_, tame_}; }
+  Posed2 operator[](std::uint32_t k) const { return {polygon_[number(k)], &pose_, tame_, error_}; }
 
   // The image, rounded: for searches.
-  Point2 rounded(std::uint32_t k) const {
-    const auto& [m, t] = pose_;
-    const Point2& p = polygon_[number(k)];
-    return {m[0] * p.x + m[1] * p.y + t[0], m[2] * p.x + m[3] * p.y + t[1]};
-  }
+  Point2 rounded(std::uint32_t k) const { return (*this)[k].rounded_image(); }
 
   // As above. Reflected, the polygon is passed through the other way, with a vertical edge at the end of its half
   // again.
   std::uint32_t first() const { return reflected_ ? number(other_end(polygon_.rightmost())) : polygon_.leftmost(); }
   std::uint32_t second() const { return reflected_ ? number(other_end(polygon_.leftmost())) : polygon_.rightmost(); }
-  std::array<Posed2, 2> up() const { return {Posed2{{0, 0}, &pose_, false}, Posed2{{0, 1}, &pose_, false}}; }
+  std::array<Posed2, 2> up() const {
+    return {Posed2{{0, 0}, &pose_, axis_tame_, axis_error_}, Posed2{{0, 1}, &pose_, axis_tame_, axis_error_}};
+  }
 
  private:
+  static double error_of(const Pose& pose, double coordinates, bool tame) {
+    return tame ? image_error(pose.linear_range(), pose.translation_range(), coordinates)
+                : std::numeric_limits<double>::infinity();
+  }
+
   // Of the vertical edge that ends at this vertex of the polygon, if there is one.
   std::uint32_t other_end(std::uint32_t v) const {
     const std::uint32_t before = (v == 0 ? size() : v) - 1;
@@ -73,7 +79,8 @@ class PosedPolygon {
 
   const ConvexPolygon& polygon_;
   const Affine2& pose_;
-  bool reflected_, tame_;
+  bool reflected_, tame_, axis_tame_;
+  double error_, axis_error_;
 };
 
 // Calls method(a, b) with two sequences of one kind.
