@@ -2,9 +2,12 @@
 #include <cli/common.h>
 #include <cli/evidence.h>
 #include <cli/objects.h>
+#include <cli/pair_planar.h>
 
+#include <sunder/base/error.h>
 #include <sunder/certificate/json.h>
 #include <sunder/io/file.h>
+#include <sunder/io/planar_objects.h>
 
 #include <fmt/format.h>
 
@@ -14,13 +17,9 @@ namespace sunder::cli {
 
 namespace {
 
-struct Call {
-  std::string file_a, file_b, pose_a, pose_b;
-  std::string method = "automatic";
-  std::string certificate;
-  bool classify = false;
+// The options of both kinds of pairs.
+struct Call : PlanarPairCall {
   bool require_convex = false;
-  bool json = false;
 };
 
 struct Placed {
@@ -82,6 +81,21 @@ Json report(const Call& call, const Placed& a, const Placed& b, const solid::Pai
 }
 
 int run(const Call& call) {
+  if (io::is_planar(call.file_a) || io::is_planar(call.file_b)) {
+    if (call.require_convex) {
+      throw Error(ErrorCode::bad_call, "polygons are always required to be convex; leave it out", "--require-convex");
+    }
+    return run_planar_pair(call);
+  }
+  for (const auto& [is_given, option] : {std::pair(!call.svg.empty(), "--svg"),
+                                         {call.distance, "--distance"},
+                                         {call.mend, "--mend"},
+                                         {call.hull, "--hull"},
+                                         {call.drop_z, "--drop-z"},
+                                         {!call.feature_a.empty(), "--feature-a"},
+                                         {!call.feature_b.empty(), "--feature-b"}}) {
+    if (is_given) throw Error(ErrorCode::bad_call, "is for planar objects only; leave it out", option);
+  }
   const PairMethod method = pair_method(call.method);
   const Placed a = read(call.file_a, call.pose_a, "--pose-a", call.require_convex);
   const Placed b = read(call.file_b, call.pose_b, "--pose-b", call.require_convex);
@@ -103,15 +117,29 @@ int run(const Call& call) {
 void add_pair(CLI::App& program, int& code) {
   auto call = std::make_shared<Call>();
   CLI::App* verb = program.add_subcommand("pair", "Do two convex objects meet? A common point, or what parts them.");
-  verb->add_option("A", call->file_a, "a mesh or a set of points: OBJ, STL, PLY, OFF")->required();
-  verb->add_option("B", call->file_b, "the other")->required();
-  verb->add_option("--pose-a", call->pose_a, std::string("where A is: ") + pose_forms)->type_name("POSE");
+  verb->add_option("A", call->file_a,
+                   "a mesh or a set of points: OBJ, STL, PLY, OFF; or a planar object: WKT, GeoJSON, CSV")
+      ->required();
+  verb->add_option("B", call->file_b, "the other, of the same kind")->required();
+  verb->add_option("--pose-a", call->pose_a,
+                   std::string("where A is: ") + pose_forms + "; in the plane " + planar_pose_forms)
+      ->type_name("POSE");
   verb->add_option("--pose-b", call->pose_b, "where B is")->type_name("POSE");
-  verb->add_option("--method", call->method, "automatic, gjk, or scan")->type_name("NAME");
+  verb->add_option("--method", call->method, "automatic, gjk, or scan; in the plane automatic, difference, or scan")
+      ->type_name("NAME");
   verb->add_flag("--classify", call->classify, "tell touching from overlapping");
   verb->add_flag("--require-convex", call->require_convex, "a mesh that is not exactly convex is an error");
   verb->add_option("--certificate", call->certificate, "write the proof here")->type_name("FILE");
   verb->add_flag("--json", call->json, "print a report in JSON");
+  verb->add_flag("--distance", call->distance, "planar: tell how far apart they are, and the closest features");
+  verb->add_option("--feature-a", call->feature_a, "planar: which object of the file A is")->type_name("NAME");
+  verb->add_option("--feature-b", call->feature_b, "planar: which object of the file B is")->type_name("NAME");
+  verb->add_flag("--mend", call->mend, "planar: leave out repeated and collinear vertices, turn clockwise ones round");
+  verb->add_flag("--hull", call->hull, "planar: take the convex hull");
+  verb->add_flag("--drop-z", call->drop_z, "planar: ignore third coordinates");
+  auto* svg =
+      verb->add_option("--svg", call->svg, "planar: draw the polygons and the evidence here")->type_name("FILE");
+  verb->add_option("--title", call->title, "of the picture")->needs(svg);
   verb->callback([call, &code] { code = run(*call); });
 }
 

@@ -174,9 +174,11 @@ class Wkt {
       polygon(false);
     } else if (type == "MULTIPOLYGON") {
       list([&] { polygon(true); });
+    } else if (type == "POINT" && builder_.options().points) {
+      builder_.add_point(points());
     } else {
-      builder_.fail(
-          fmt::format("{} is not read here; give LINESTRING, MULTILINESTRING, POLYGON or MULTIPOLYGON", quote(type)));
+      builder_.fail(fmt::format("{} is not read here; give {}LINESTRING, MULTILINESTRING, POLYGON or MULTIPOLYGON",
+                                quote(type), builder_.options().points ? "POINT, " : ""));
     }
     if (!(rest_ = trimmed(rest_)).empty()) builder_.fail(fmt::format("{} stands after the geometry", quote(rest_)));
     return srid;
@@ -207,7 +209,7 @@ class Wkt {
   // The tag that is written to the type without a blank, as in POLYGONZ, cut off it.
   static std::string cut_tag(std::string& type) {
     for (const std::string_view tag : {"ZM", "Z", "M"}) {
-      for (const std::string_view known : {"LINESTRING", "MULTILINESTRING", "POLYGON", "MULTIPOLYGON"}) {
+      for (const std::string_view known : {"POINT", "LINESTRING", "MULTILINESTRING", "POLYGON", "MULTIPOLYGON"}) {
         if (type.size() != known.size() + tag.size() || !type.starts_with(known) || !type.ends_with(tag)) continue;
         type = known;
         return std::string(tag);

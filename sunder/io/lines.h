@@ -17,6 +17,7 @@ struct LineOptions {
   bool drop_z = false;  // ignore third coordinates; else they are refused
   std::string group;    // the field that says which segments belong together; empty: none, for a board "net"
   std::function<void(double)> progress = nullptr;  // called now and then with the part that is read (CSV, WKT), 0 to 1
+  bool points = false;  // take points too (WKT, GeoJSON), as segments of length zero; else they are refused
 };
 
 // Where a segment is from.

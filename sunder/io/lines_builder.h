@@ -83,6 +83,11 @@ class LineBuilder {
     for (std::size_t i = 1; i < points.size(); ++i) add(points[i - 1], points[i]);
   }
 
+  void add_point(const std::vector<Point2>& points) {
+    if (points.size() != 1) fail(fmt::format("a point has {} positions; give one", points.size()));
+    add(points[0], points[0]);
+  }
+
   void add_ring(const std::vector<Point2>& points) {
     const bool closed = points.size() > 1 && points.front() == points.back();
     if (points.size() - (closed ? 1 : 0) < 3) {

@@ -120,6 +120,9 @@ class GeoJson {
       for (const nlohmann::json& part : list(item, "geometries")) add_geometry(part, depth + 1);
       return;
     }
+    if (type == "Point" && builder_.options().points) {
+      return builder_.add_point(points_of(nlohmann::json::array({list(item, "coordinates")})));
+    }
     const bool known = type == "LineString" || type == "MultiLineString" || type == "Polygon" || type == "MultiPolygon";
     if (!known) {
       builder_.fail(fmt::format("geometry {} has no segments; give lines and polygons only", quote(type)));
