@@ -225,6 +225,65 @@ TEST_F(Program, PairReport) {
   EXPECT_EQ(report("pair " + cube + " " + tetrahedron + " --classify --pose-b 0.6,0,0", 0)["contact"], "none");
 }
 
+TEST_F(Program, PlanarPairs) {
+  const std::string square = in_folder("square.wkt"), others = in_folder("others.geojson"), points = in_folder("p.csv");
+  write_text(square, "POLYGON ((0 0, 4 0, 4 3, 0 3, 0 0))\n");
+  write_text(others,
+             R"({"type":"FeatureCollection","features":[
+               {"type":"Feature","id":"far","geometry":{"type":"Polygon","coordinates":[[[7,1],[9,0],[9,4],[7,1]]]}},
+               {"type":"Feature","id":"corner","geometry":{"type":"Point","coordinates":[4,3]}},
+               {"type":"Feature","id":"across","geometry":{"type":"LineString","coordinates":[[0,5],[8,-1]]}}]})");
+  write_text(points, "0,0\n2,0\n1,0.25\n1,1\n");
+  const std::string pair = "pair '" + square + "' '" + others + "' ", proof = in_folder("planar.json");
+  const json far = report(pair + "--feature-b far --distance --certificate '" + proof + "'", 0);
+  EXPECT_EQ(far["answer"], "apart");
+  EXPECT_EQ(far["distance"]["a"]["edge"], json::parse("[1, 2]"));
+  EXPECT_EQ(far["distance"]["b"]["vertex"], 0);
+  EXPECT_LE(far["distance"]["low"].get<double>(), 3);
+  EXPECT_GE(far["distance"]["high"].get<double>(), 3);
+  EXPECT_EQ(far["evidence"]["direction_about"].size(), 2u);
+  EXPECT_TRUE(python_accepts(proof));
+  EXPECT_EQ(run("verify '" + proof + "'").code, 0);
+  for (const char* method : {"automatic", "difference", "scan"}) {
+    const std::string with = pair + "--method " + method + " --classify --certificate '" + proof + "' ";
+    EXPECT_EQ(report(with + "--feature-b corner", 1)["contact"], "touching") << method;
+    EXPECT_TRUE(python_accepts(proof)) << method;
+    EXPECT_EQ(report(with + "--feature-b across", 1)["contact"], "overlapping") << method;
+    EXPECT_TRUE(python_accepts(proof)) << method;
+    // Three forms of the same pose, then one that reflects.
+    for (const char* pose : {"0,1", "0,0,1", "1,0,0,0,1,1", "1,0,0, 0,1,1, 0,0,1"}) {
+      EXPECT_EQ(run(with + "--feature-b corner --pose-b '" + pose + "'").code, 0) << method << " " << pose;
+    }
+    EXPECT_EQ(run(with + "--feature-b far --pose-b '-1,0,10,0,1,0'").code, 1) << method;
+    EXPECT_TRUE(python_accepts(proof)) << method;
+  }
+  // What is not convex, or not one object, or not planar.
+  const std::string dent = "pair '" + points + "' '" + square + "' ";
+  EXPECT_EQ(run(dent).code, 2);
+  EXPECT_NE(run(dent).err.find("p.csv:1: vertex 2: reflex"), std::string::npos) << run(dent).err;
+  EXPECT_EQ(run(dent + "--hull").code, 1);
+  for (const auto& [arguments, part] : std::vector<std::pair<std::string, std::string>>{
+           {pair, "has 3 objects, 'far' first; name one by --feature-b"},
+           {pair + "--feature-b none", "has no feature 'none'"},
+           {"pair '" + square + "' " + cube, "is not planar"},
+           {"pair " + cube + " " + cube + " --distance", "is for planar objects only"},
+           {pair + "--feature-b far --method gjkk", "there is no method 'gjkk' for planar objects"},
+           {pair + "--feature-b far --pose-a 1", "a pose of 1 number"},
+           {pair + "--feature-b far --pose-a 1,0,0,2,0,0", "singular"},
+           {pair + "--feature-b far --hull --mend", "not both"}}) {
+    const Run r = run(arguments);
+    EXPECT_EQ(r.code, 2) << arguments;
+    EXPECT_NE(r.err.find(part), std::string::npos) << r.err;
+    EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << r.err;
+  }
+  const std::string picture = in_folder("pair.svg");
+  EXPECT_EQ(run(pair + "--feature-b far --svg '" + picture + "' --title 'A & B'").code, 0);
+  const std::string svg = read_text(picture);
+  for (const char* part : {"<svg", "A &amp; B", "looked at", "two parallel lines", "stroke-dasharray", "</svg>"}) {
+    EXPECT_NE(svg.find(part), std::string::npos) << part;
+  }
+}
+
 TEST_F(Program, PairTextNamesWhatMatters) {
   const Run meet = run("pair " + cube + " " + tetrahedron);
   for (const char* part : {"meet", "cube", "tetrahedron", "common point", "about", "decided by", "probes"}) {

@@ -12,7 +12,7 @@
 //     e is not among the edges of A up to i.
 //   - Else the start of edge j, some (i', j) with i' > i, is not below: e is not among the edges of B from j on.
 // So each step halves one of the two, by two signs. All signs are those of products of two differences.
-// Cost: a step for each halving, two looks each, and as many looks again to find the chains: see edge_runs.h.
+// Cost: two probes for each halving, and as many again to find the chains (edge_runs.h).
 //
 // The idea, that the middle edges of two sorted chains tell which of them may be cut, is that of finding an element of
 // given rank in two sorted arrays at once; the question is that of Chazelle & Dobkin 1987, section 2.4.

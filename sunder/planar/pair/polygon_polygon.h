@@ -24,7 +24,7 @@ namespace planar {
 PairAnswer polygon_polygon(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b, const Pose& pose_b);
 
 // By one search for the edge of the difference A - B through which a ray leaves it: signs only, no constructed points,
-// so that there is nothing to finish. At most 2 (log2 n + log2 m) + c looks at edges, and log2 n + log2 m steps.
+// so that there is nothing to finish. Cost: at most 4 (log2 n + log2 m) + 8 probes.
 PairAnswer polygon_polygon_by_difference(const ConvexPolygon& a, const Pose& pose_a,  //
                                          const ConvexPolygon& b, const Pose& pose_b);
 
