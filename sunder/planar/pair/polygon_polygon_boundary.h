@@ -1,0 +1,40 @@
+// Do the boundaries of two placed convex polygons meet, or is one of them inside the other?
+//
+// The boundary of a segment or a point is all of it. Exactly right for the doubles given; touching is meeting.
+// None throws, and none allocates while filters decide.
+// Source: Chazelle & Dobkin 1987, Theorem 5: no test by vertices in random access can do with less than linear time,
+// as each vertex of a polygon around another one may be the only one that is not far enough out.
+#pragma once
+
+#include <sunder/base/cost.h>
+#include <sunder/planar/object/convex_polygon.h>
+#include <sunder/planar/object/pose.h>
+
+#include <cstdint>
+#include <string_view>
+
+namespace sunder::planar {
+
+enum class Boundaries : std::uint8_t {
+  apart,       // the polygons do not meet
+  meet,        // the boundaries have a common point
+  a_inside_b,  // A is in the interior of B
+  b_inside_a,
+};
+
+std::string_view name_of(Boundaries);
+
+struct BoundariesAnswer {
+  Boundaries relation = Boundaries::apart;
+  Cost cost;
+};
+
+// Cost: that of polygon_polygon where they are apart; else at most 4 (n + m) probes more.
+BoundariesAnswer polygon_polygon_boundary(const ConvexPolygon& a, const Pose& pose_a,  //
+                                          const ConvexPolygon& b, const Pose& pose_b);
+
+// Every vertex against every edge: the oracle. O(n m).
+BoundariesAnswer polygon_polygon_boundary_by_scan(const ConvexPolygon& a, const Pose& pose_a,  //
+                                                  const ConvexPolygon& b, const Pose& pose_b);
+
+}  // namespace sunder::planar
