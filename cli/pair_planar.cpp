@@ -114,9 +114,12 @@ Object read(const PlanarPairCall& call, bool is_a) {
 using Method = PairAnswer (*)(const ConvexPolygon&, const Pose&, const ConvexPolygon&, const Pose&);
 
 Method method_of(const std::string& name) {
-  static constexpr std::array<std::pair<const char*, Method>, 3> methods{
+  static constexpr std::array<std::pair<const char*, Method>, 6> methods{
       {{"automatic", planar::polygon_polygon},
        {"difference", planar::polygon_polygon_by_difference},
+       {"halving", planar::polygon_polygon_by_halving},
+       {"triangles", planar::polygon_polygon_by_triangles},
+       {"gjk", planar::polygon_polygon_by_gjk},
        {"scan", planar::polygon_polygon_by_scan}}};
   std::string known;
   for (const auto& [known_name, method] : methods) {

@@ -244,7 +244,7 @@ TEST_F(Program, PlanarPairs) {
   EXPECT_EQ(far["evidence"]["direction_about"].size(), 2u);
   EXPECT_TRUE(python_accepts(proof));
   EXPECT_EQ(run("verify '" + proof + "'").code, 0);
-  for (const char* method : {"automatic", "difference", "scan"}) {
+  for (const char* method : {"automatic", "difference", "halving", "triangles", "gjk", "scan"}) {
     const std::string with = pair + "--method " + method + " --classify --certificate '" + proof + "' ";
     EXPECT_EQ(report(with + "--feature-b corner", 1)["contact"], "touching") << method;
     EXPECT_TRUE(python_accepts(proof)) << method;

@@ -24,7 +24,9 @@ struct Bounded {
   double factor, constant;
 };
 constexpr std::array methods{Bounded{"front door", planar::polygon_polygon, 4, 8},
-                             Bounded{"difference", planar::polygon_polygon_by_difference, 4, 8}};
+                             Bounded{"difference", planar::polygon_polygon_by_difference, 4, 8},
+                             Bounded{"halving", planar::polygon_polygon_by_halving, 20, 20},
+                             Bounded{"triangles", planar::polygon_polygon_by_triangles, 3, 20}};
 
 ConvexPolygon ellipse(std::uint32_t n, double wide, double high) {
   std::vector<Point2> points;

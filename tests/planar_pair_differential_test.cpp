@@ -24,7 +24,10 @@ struct NamedMethod {
   Method method;
 };
 constexpr std::array methods{NamedMethod{"front door", planar::polygon_polygon},
-                             NamedMethod{"difference", planar::polygon_polygon_by_difference}};
+                             NamedMethod{"difference", planar::polygon_polygon_by_difference},
+                             NamedMethod{"halving", planar::polygon_polygon_by_halving},
+                             NamedMethod{"triangles", planar::polygon_polygon_by_triangles},
+                             NamedMethod{"gjk", planar::polygon_polygon_by_gjk}};
 
 std::vector<Point3> in_space(const ConvexPolygon& p) {
   std::vector<Point3> out;

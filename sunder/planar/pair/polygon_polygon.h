@@ -28,6 +28,24 @@ PairAnswer polygon_polygon(const ConvexPolygon& a, const Pose& pose_a, const Con
 PairAnswer polygon_polygon_by_difference(const ConvexPolygon& a, const Pose& pose_a,  //
                                          const ConvexPolygon& b, const Pose& pose_b);
 
+// By halving two chains, one of each polygon (Chazelle & Dobkin 1987, section 2.4, IGG and Theorem 4): see halving.h.
+// Its evidence is made of signs; should it ever not hold, the exact search by the difference finishes (no such case is
+// known). Points and segments go to that search at once, which does not count as finishing.
+// Cost: at most 20 (log2 n + log2 m) + 20 probes, and log2 n + log2 m + 1 rounds.
+PairAnswer polygon_polygon_by_halving(const ConvexPolygon& a, const Pose& pose_a,  //
+                                      const ConvexPolygon& b, const Pose& pose_b);
+
+// A triangle inside one against three half-planes around the other (Barba & Langerman 2015, section 2), in doubles; its
+// evidence is checked exactly, and where it does not hold, the exact search finishes. Points and segments as above.
+// Cost: at most 3 (log2 n + log2 m) + 20 probes, or 6 (log2 n + log2 m) + 20 where the exact search finishes.
+PairAnswer polygon_polygon_by_triangles(const ConvexPolygon& a, const Pose& pose_a,  //
+                                        const ConvexPolygon& b, const Pose& pose_b);
+
+// By the nearest point of A - B to the origin (Gilbert, Johnson & Keerthi 1988, in the plane), in doubles; evidence,
+// finishing, points and segments as above. At most 64 rounds of log2 n + log2 m + O(1) probes each.
+PairAnswer polygon_polygon_by_gjk(const ConvexPolygon& a, const Pose& pose_a,  //
+                                  const ConvexPolygon& b, const Pose& pose_b);
+
 // Against every edge of both: slow and obvious, the oracle of the others. Cost: O((n + m)^2) probes.
 PairAnswer polygon_polygon_by_scan(const ConvexPolygon& a, const Pose& pose_a,  //
                                    const ConvexPolygon& b, const Pose& pose_b);

@@ -1,0 +1,66 @@
+// Is a point outside a placed convex polygon, on its boundary (where?), or inside? And from outside: its two tangents.
+//
+// Exactly right for the doubles given. The point is in the world; the polygon is closed. Segments and points are
+// polygons of two vertices and of one: all their points are on the boundary.
+//   P1. The answer is that of the exact images of the vertices under the pose.
+//   P2. All methods give the same place and the same feature, and evidence that passes certificate/check.h.
+// None throws, and none allocates while filters decide. Requires finite coordinates.
+// Source: the question is that of Shamos, Preparata and others; Chazelle & Dobkin 1987, section 2.3, reduce it to the
+// intersection with a line, and name log2 n as its lower bound. Here it is a search in the fan of a vertex.
+#pragma once
+
+#include <sunder/certificate/pair_answer.h>
+#include <sunder/planar/object/convex_polygon.h>
+#include <sunder/planar/object/pose.h>
+
+#include <cstdint>
+#include <string_view>
+
+namespace sunder::planar {
+
+// Where a point is, seen from a polygon.
+enum class Place : std::uint8_t { outside, vertex, edge, inside };
+
+std::string_view name_of(Place);
+
+struct PolygonPoint {
+  Place place = Place::outside;
+
+  // The vertex, or the edge in whose inside the point is: edge v goes from vertex v to the next one in the polygon's
+  // own order (of two vertices, edge 0). Meaningless for `outside` and `inside`.
+  std::uint32_t feature = 0;
+
+  // With the polygon as A and the point as B, of the one vertex 0. Outside: an edge that has the point strictly beyond
+  // it, or the difference to the nearest vertex. Else: the vertex, the two, or the three whose hull holds the point.
+  PairCertificate evidence;
+  DecidedBy decided_by = DecidedBy::filter;
+  Cost cost;
+};
+
+// Cost: at most log2 n + 4 probes, one sign each.
+PolygonPoint polygon_point(const ConvexPolygon& polygon, const Pose& pose, const Point2& point);
+inline PolygonPoint polygon_point(const ConvexPolygon& polygon, const Point2& point) {
+  return polygon_point(polygon, Pose(), point);
+}
+
+// Against every edge: the oracle.
+PolygonPoint polygon_point_by_scan(const ConvexPolygon& polygon, const Pose& pose, const Point2& point);
+
+// The vertices in which the lines through a point outside touch the polygon: seen from the point, no vertex is further
+// to the left than `left`, none further to the right than `right`. Of two in line with the point, the nearer one.
+struct Tangents {
+  Place place = Place::outside;       // of the point; there are tangents only from outside
+  std::uint32_t left = 0, right = 0;  // meaningless unless `outside`
+  DecidedBy decided_by = DecidedBy::filter;
+  Cost cost;
+};
+
+// Cost: at most 4 log2 n + 6 probes, one sign each. (A search each for an edge that has the point beyond it, for the
+// vertex furthest from this edge, at which there is an edge that does not, and for the ends of the run between.)
+Tangents tangents(const ConvexPolygon& polygon, const Pose& pose, const Point2& point);
+inline Tangents tangents(const ConvexPolygon& polygon, const Point2& point) { return tangents(polygon, Pose(), point); }
+
+// Of all vertices: the oracle.
+Tangents tangents_by_scan(const ConvexPolygon& polygon, const Pose& pose, const Point2& point);
+
+}  // namespace sunder::planar
