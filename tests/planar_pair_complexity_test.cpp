@@ -30,7 +30,8 @@ constexpr std::array methods{Bounded{"front door", planar::polygon_polygon, 4, 8
 
 ConvexPolygon ellipse(std::uint32_t n, double wide, double high) {
   std::vector<Point2> points;
-  for (const Point2& p : regular_polygon(n, 1, 0.123).vertices()) points.push_back({p.x * wide, p.y * high});
+  const ConvexPolygon round = regular_polygon(n, 1, 0.123);
+  for (const Point2& p : round.vertices()) points.push_back({p.x * wide, p.y * high});
   return ConvexPolygon::hull_of(points);
 }
 

@@ -207,10 +207,11 @@ class Wkt {
   }
 
   // The tag that is written to the type without a blank, as in POLYGONZ, cut off it.
-  static std::string cut_tag(std::string& type) {
+  std::string cut_tag(std::string& type) const {
     for (const std::string_view tag : {"ZM", "Z", "M"}) {
       for (const std::string_view known : {"POINT", "LINESTRING", "MULTILINESTRING", "POLYGON", "MULTIPOLYGON"}) {
         if (type.size() != known.size() + tag.size() || !type.starts_with(known) || !type.ends_with(tag)) continue;
+        if (known == "POINT" && !builder_.options().points) continue;  // refused under its own name
         type = known;
         return std::string(tag);
       }

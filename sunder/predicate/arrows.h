@@ -46,6 +46,10 @@ inline Guess sign_of_products(double a, double b, double c, double d) {
   return Guess::unsure;
 }
 
+// The sign of (a1 - a0) (b1 - b0) + (c1 - c0) (d1 - d0) where doubles hold the differences exactly, as they do for
+// numbers of like size, so that their products are exact pairs of doubles (number/double_double.h); else unsure.
+Guess sign_of_exact_differences(double a1, double a0, double b1, double b0, double c1, double c0, double d1, double d0);
+
 inline Sign cross_2d(const Point2& p, const Point2& q, const Point2& r, const Point2& s, StageTally* tally) {
   const Guess guess = sign_of_products(q.x - p.x, s.y - r.y, p.y - q.y, s.x - r.x);
   if (!is_sure(guess)) return cross_2d_further(p, q, r, s, tally);

@@ -34,7 +34,8 @@ class ConvexPolygon {
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(vertices_.size()); }
   const Point2& operator[](std::uint32_t v) const { return vertices_[v]; }
-  std::span<const Point2> vertices() const { return vertices_; }
+  std::span<const Point2> vertices() const& { return vertices_; }
+  std::span<const Point2> vertices() && = delete;  // they would be gone
 
   // The vertices that are lexicographically first and last. Edges from the first to the last one run to the right, or
   // vertically up; those back run to the left, or vertically down.

@@ -47,7 +47,7 @@ std::uint32_t first_where(std::uint32_t low, std::uint32_t high, const Predicate
 
 // The edges of p that point to the left of the arrow from `from` to `to`, two different points. vertex_at(p, begin) is
 // then furthest to its right, and of two such the one further along; vertex_at(p, end) is furthest to its left.
-// Cost: log2 n + O(1) probes, one sign each.
+// Cost: at most 2 log2 n probes, one sign each: about log2 n for each end.
 template <class Sequence>
 EdgeRun edges_to_left(const Sequence& p, const typename Sequence::Vertex& from, const typename Sequence::Vertex& to,
                       Cost& cost, StageTally& tally) {

@@ -34,7 +34,7 @@ bool equal(const V& p, const V& q, StageTally& tally) {
   return dot_2d(p, q, p, q, &tally) == Sign::zero;
 }
 
-// The least set of corners whose hull holds p; empty where the hull of all does not.
+// Some of three corners.
 struct Few {
   std::array<std::uint32_t, 3> at{};
   std::uint8_t count = 0;
@@ -53,8 +53,24 @@ Few without_repeats(const Sequence& p, Corners corners) {
   return few;
 }
 
+// The least set of corners whose hull holds p; empty where the hull of all does not.
 template <class Sequence>
 Few corners_around(const typename Sequence::Vertex& p, const Sequence& q, Corners corners, StageTally& tally) {
+  if (corners.size() == 3) {
+    const auto &a = vertex_at(q, corners[0]), &b = vertex_at(q, corners[1]), &c = vertex_at(q, corners[2]);
+    if (const Sign turn = cross_2d(a, b, a, c, &tally); turn != Sign::zero) {
+      const Sign ab = cross_2d(a, b, a, p, &tally), bc = ab == -turn ? ab : cross_2d(b, c, b, p, &tally),
+                 ca = bc == -turn ? bc : cross_2d(c, a, c, p, &tally);
+      if (ca == -turn) return {};
+      if (ab != Sign::zero && bc != Sign::zero && ca != Sign::zero) return {{corners[0], corners[1], corners[2]}, 3};
+      // On the lines of two edges: in their corner. On that of one: inside it.
+      const std::uint32_t of_ab = ab == Sign::zero ? 1 : 0, of_bc = bc == Sign::zero ? 1 : 0,
+                          of_ca = ca == Sign::zero ? 1 : 0;
+      if (of_ab + of_bc + of_ca == 2) return {{corners[of_bc == 0 ? 0 : of_ca == 0 ? 1 : 2]}, 1};
+      if (of_ab == 1) return {{corners[0], corners[1]}, 2};
+      return of_bc == 1 ? Few{{corners[1], corners[2]}, 2} : Few{{corners[0], corners[2]}, 2};
+    }
+  }
   for (const std::uint32_t c : corners) {
     if (equal(p, vertex_at(q, c), tally)) return {{c}, 1};
   }
@@ -64,11 +80,7 @@ Few corners_around(const typename Sequence::Vertex& p, const Sequence& q, Corner
         return {{corners[j], corners[i]}, 2};
     }
   }
-  if (corners.size() < 3) return {};
-  const auto &a = vertex_at(q, corners[0]), &b = vertex_at(q, corners[1]), &c = vertex_at(q, corners[2]);
-  const Sign turn = cross_2d(a, b, a, c, &tally);
-  if (turn == Sign::zero || !in_triangle(p, a, b, c, turn, tally)) return {};
-  return {{corners[0], corners[1], corners[2]}, 3};
+  return {};
 }
 
 }  // namespace evidence

@@ -36,11 +36,12 @@ class PlainPolygon {
   const Point2* vertices_;
 };
 
-// Under a pose. One that reflects turns the order of the vertices round.
+// Under a pose, to which it refers. One that reflects turns the order of the vertices round.
 class PosedPolygon {
  public:
   using Vertex = Posed2;
 
+  PosedPolygon(const ConvexPolygon& polygon, Pose&& pose) = delete;
   PosedPolygon(const ConvexPolygon& polygon, const Pose& pose)
       : polygon_(polygon),
         pose_(pose.affine()),
