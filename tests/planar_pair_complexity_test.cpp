@@ -23,7 +23,7 @@ struct Bounded {
   PairAnswer (*method)(const ConvexPolygon&, const Pose&, const ConvexPolygon&, const Pose&);
   double factor, constant;
 };
-constexpr std::array methods{Bounded{"front door", planar::polygon_polygon, 4, 8},
+constexpr std::array methods{Bounded{"front door", planar::polygon_polygon, 7, 24},
                              Bounded{"difference", planar::polygon_polygon_by_difference, 4, 8},
                              Bounded{"halving", planar::polygon_polygon_by_halving, 20, 20},
                              Bounded{"triangles", planar::polygon_polygon_by_triangles, 3, 20}};
