@@ -125,7 +125,8 @@ void add_pair(CLI::App& program, int& code) {
                    std::string("where A is: ") + pose_forms + "; in the plane " + planar_pose_forms)
       ->type_name("POSE");
   verb->add_option("--pose-b", call->pose_b, "where B is")->type_name("POSE");
-  verb->add_option("--method", call->method, "automatic, gjk, or scan; in the plane also difference, halving, triangles")
+  verb->add_option("--method", call->method,
+                   "automatic, gjk, or scan; in the plane also difference, halving, triangles")
       ->type_name("NAME");
   verb->add_flag("--classify", call->classify, "tell touching from overlapping");
   verb->add_flag("--require-convex", call->require_convex, "a mesh that is not exactly convex is an error");

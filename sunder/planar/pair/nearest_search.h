@@ -17,7 +17,10 @@ namespace sunder::planar {
 
 namespace nearest_search {
 
-using namespace in_doubles;
+using in_doubles::cross;
+using in_doubles::dot;
+using in_doubles::operator-;
+using in_doubles::scaled;
 
 // The arrow from p to q.
 inline Point2 arrow(const Point2& p, const Point2& q) { return q - p; }
@@ -136,7 +139,12 @@ struct Patience {
 template <class A, class B>
 bool search_nearest(const A& a, const B& b, const Patience& patience, PairCertificate& certificate, Cost& cost,
                     StageTally& tally) {
-  using namespace nearest_search;
+  using nearest_search::Difference;
+  using nearest_search::DifferentCorners;
+  using nearest_search::dot;
+  using nearest_search::operator-;
+  using nearest_search::Simplex;
+  using nearest_search::Support;
   const double scale = scale_near_one({a.rounded(0), a.rounded(a.size() / 2), b.rounded(0), b.rounded(b.size() / 2)});
   const Support of_a(a, scale, cost), of_b(b, scale, cost);
   Difference furthest{0, 0, of_a.vertex(0) - of_b.vertex(0)};

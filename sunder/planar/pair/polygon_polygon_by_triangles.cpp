@@ -26,7 +26,10 @@ namespace sunder::planar {
 
 namespace {
 
-using namespace in_doubles;
+using in_doubles::cross;
+using in_doubles::dot;
+using in_doubles::operator-;
+using in_doubles::scaled;
 
 // Heights of a point to the left of six lines: of the outer triangle's edges, and of the segments that lead from the
 // end of each to the start of the next one.
