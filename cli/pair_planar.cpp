@@ -98,8 +98,10 @@ Object read(const PlanarPairCall& call, bool is_a) {
   for (const std::string& remark : file.remarks) note(fmt::format("{}: {}", io::one_line(path), remark));
   const PlanarObject& object = chosen(file, path, is_a ? call.feature_a : call.feature_b,  //
                                       is_a ? "--feature-a" : "--feature-b");
+  // What the file does not name is called as the file is.
+  const bool unnamed = file.objects.size() == 1 && object.name == "1";
   Object out{io::one_line(path),
-             object.name,
+             unnamed ? io::one_line(std::filesystem::path(path).stem().string()) : object.name,
              file.format,
              static_cast<std::uint32_t>(object.vertices.size()),
              shape_of(object, path, call),

@@ -177,8 +177,7 @@ PlanarCase PlanarPairs::next(PlanarFamily family) {
     case PlanarFamily::any_scale: {
       const auto scale = [this] { return std::exp2(static_cast<double>(random_.between(-1000, 1000))); };
       const double one = scale(), other = random_.below(3) == 0 ? scale() : one;
-      const PlanarCase c =
-          next(static_cast<PlanarFamily>(random_.below(2) == 0 ? PlanarFamily::grid : PlanarFamily::touching));
+      const PlanarCase c = next(random_.below(2) == 0 ? PlanarFamily::grid : PlanarFamily::touching);
       return {family, scaled(c.a, one, one), scaled(c.b, other, other)};
     }
     case PlanarFamily::contained: {

@@ -56,7 +56,7 @@ std::optional<Fault> fault_of(std::span<const Point2> p) {
   std::size_t starts = 0;
   for (std::size_t v = 0; v < n; ++v) {
     const auto to_right = [&](std::size_t k) { return lexicographically_less(p[k % n], p[(k + 1) % n]); };
-    starts += !to_right(v + n - 1) && to_right(v) ? 1 : 0;
+    if (!to_right(v + n - 1) && to_right(v)) ++starts;
   }
   if (starts != 1)
     return Fault{0, "the first one of a boundary that winds about more than once; give a simple polygon"};
@@ -116,8 +116,8 @@ ConvexPolygon ConvexPolygon::mended(std::span<const Point2> given) {
   const std::size_t n = corners.size();
   for (std::size_t k = 0; n > 2 && k < n; ++k) {
     const Sign turn = orient_2d(given[corners[(k + n - 1) % n]], given[corners[k]], given[corners[(k + 1) % n]]);
-    left += turn == Sign::positive ? 1 : 0;
-    right += turn == Sign::negative ? 1 : 0;
+    if (turn == Sign::positive) ++left;
+    if (turn == Sign::negative) ++right;
   }
   if (right > left) std::reverse(corners.begin(), corners.end());
   std::vector<Point2> vertices;

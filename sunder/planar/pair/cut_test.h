@@ -16,15 +16,21 @@ inline void expect_same(const PolygonCut& found, const PolygonCut& other, bool o
   EXPECT_EQ(found.kind, other.kind) << name_of(found.kind) << ' ' << name_of(other.kind);
   if (found.kind != other.kind) return;
   if (found.kind == CutKind::nothing) {
-    if (of_line) EXPECT_EQ(found.nearest, other.nearest);
+    if (of_line) {
+      EXPECT_EQ(found.nearest, other.nearest);
+    }
     return;
   }
   for (const auto& [f, o] : {std::pair(found.first, other.first), std::pair(found.last, other.last)}) {
     EXPECT_EQ(f.place, o.place) << name_of(f.place) << ' ' << name_of(o.place);
-    if (f.place != Place::inside) EXPECT_EQ(f.feature, o.feature);
+    if (f.place != Place::inside) {
+      EXPECT_EQ(f.feature, o.feature);
+    }
     EXPECT_EQ(f.own, o.own);
   }
-  if (found.kind == CutKind::along) EXPECT_EQ(found.edge, other.edge);
+  if (found.kind == CutKind::along) {
+    EXPECT_EQ(found.edge, other.edge);
+  }
 }
 
 namespace cut_test {
@@ -76,8 +82,12 @@ inline void expect_true(const ConvexPolygon& polygon, const Pose& pose, const Po
     EXPECT_EQ(e.point.denominator.sign(), Sign::positive);
     EXPECT_EQ(e.along_line.denominator.sign(), Sign::positive);
     EXPECT_TRUE(is_at(e.point, from, to, e.along_line));
-    if (end.own == OwnEnd::a) EXPECT_EQ(e.along_line.numerator.sign(), Sign::zero);
-    if (end.own == OwnEnd::b) EXPECT_TRUE(e.along_line.numerator == e.along_line.denominator);
+    if (end.own == OwnEnd::a) {
+      EXPECT_EQ(e.along_line.numerator.sign(), Sign::zero);
+    }
+    if (end.own == OwnEnd::b) {
+      EXPECT_TRUE(e.along_line.numerator == e.along_line.denominator);
+    }
     if (end.place == Place::inside) {
       EXPECT_NE(end.own, OwnEnd::none);
       for (std::uint32_t k = 0; k < n; ++k) EXPECT_EQ(side_of(k, e.point), Sign::positive);

@@ -17,7 +17,9 @@ PolygonHalfPlane ask(const ConvexPolygon& polygon, const Pose& pose, const HalfP
   EXPECT_EQ(found.meet && other.meet, line.meet());
   EXPECT_EQ(found.touching || other.touching,
             line.meet() && line.kind != CutKind::across && !(line.first.place == Place::edge));
-  if (!line.meet()) EXPECT_EQ(line.nearest, found.meet ? other.witness : found.witness);
+  if (!line.meet()) {
+    EXPECT_EQ(line.nearest, found.meet ? other.witness : found.witness);
+  }
   if (!with_scan) return found;
   const PolygonHalfPlane scanned = polygon_half_plane_by_scan(polygon, pose, h);
   EXPECT_EQ(found.meet, scanned.meet);
@@ -65,7 +67,9 @@ TEST(PolygonHalfPlaneTest, LargePolygonsAndComplexity) {
         const auto j = static_cast<std::uint32_t>(random.below(n)), k = static_cast<std::uint32_t>(random.below(n - 1));
         const std::uint32_t to = i % 2 == 0 ? (j + 1) % n : k + (k >= j ? 1 : 0);
         const PolygonHalfPlane answer = ask(p, Pose(), HalfPlane::left_of(p[to], p[j]), n < 300000 && i < 4);
-        if (i % 2 == 0) EXPECT_TRUE(answer.touching);
+        if (i % 2 == 0) {
+          EXPECT_TRUE(answer.touching);
+        }
         worst = std::max(worst, static_cast<double>(answer.cost.probes));
       }
     }

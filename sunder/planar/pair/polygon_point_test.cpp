@@ -29,11 +29,15 @@ PolygonPoint ask(const ConvexPolygon& polygon, const Pose& pose, const Point2& p
   EXPECT_EQ(t.place, found.place);
   if (!with_scan) return found;
   const bool with_check = polygon.size() < 2000;  // it is slow
-  if (with_check) EXPECT_EQ(check(found, polygon, pose, point), CheckResult::accepted);
+  if (with_check) {
+    EXPECT_EQ(check(found, polygon, pose, point), CheckResult::accepted);
+  }
   const PolygonPoint scanned = polygon_point_by_scan(polygon, pose, point);
   EXPECT_EQ(found.place, scanned.place) << name_of(found.place) << ' ' << name_of(scanned.place);
   EXPECT_EQ(found.feature, scanned.feature);
-  if (with_check) EXPECT_EQ(check(scanned, polygon, pose, point), CheckResult::accepted);
+  if (with_check) {
+    EXPECT_EQ(check(scanned, polygon, pose, point), CheckResult::accepted);
+  }
   const Tangents s = tangents_by_scan(polygon, pose, point);
   EXPECT_EQ(t.place, s.place);
   EXPECT_EQ(t.left, s.left);
@@ -123,7 +127,9 @@ TEST(PolygonPointTest, AgreesWithScanOnLargePolygons) {
         // Beyond the range of filters, a scan of many vertices takes long.
         const PolygonPoint answer =
             ask(p, random.below(2) == 0 ? Pose() : mirrored, {v.x * stretch, v.y * stretch}, n < 2000 || radius == 1);
-        if (stretch == 1 && answer.decided_by == DecidedBy::filter) EXPECT_NE(answer.place, Place::inside);
+        if (stretch == 1 && answer.decided_by == DecidedBy::filter) {
+          EXPECT_NE(answer.place, Place::inside);
+        }
       }
     }
   }

@@ -16,7 +16,9 @@ PolygonCut ask(const ConvexPolygon& polygon, const Pose& pose, const Ray& ray, b
                    back = polygon_ray(polygon, pose, Ray::from(ray.b, ray.a)),
                    between = polygon_segment(polygon, pose, {ray.a, ray.b});
   EXPECT_EQ(line.meet(), found.meet() || back.meet());
-  if (line.meet()) EXPECT_EQ(between.meet(), found.meet() && back.meet());
+  if (line.meet()) {
+    EXPECT_EQ(between.meet(), found.meet() && back.meet());
+  }
   if (!with_scan) return found;
   expect_same(found, polygon_ray_by_scan(polygon, pose, ray), false);
   expect_true(polygon, pose, ray.a, ray.b, found);

@@ -31,7 +31,7 @@ inline bool is_proved(const PairAnswer& answer, const ConvexPolygon& a, const Po
   return check_absolutely(answer.evidence, {of_a, map_a, false}, {of_b, map_b, false}) == CheckResult::accepted;
 }
 
-inline std::size_t index_below(Random& random, std::size_t n) { return static_cast<std::size_t>(random.below(n)); }
+inline std::size_t index_below(Random& random, std::size_t n) { return random.below(n); }
 
 // Small integers: every coincidence there is.
 inline ConvexPolygon on_grid(Random& random, double unit) {
