@@ -56,6 +56,7 @@ Whole3 minus(const Whole3& a, const Whole3& b) { return {a[0] - b[0], a[1] - b[1
 Whole3 cross(const Whole3& a, const Whole3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
+Whole3 turned_right(const Whole3& v) { return {v[1], -v[0], 0}; }  // as seen on the plane z = 0
 std::int64_t dot(const Whole3& a, const Whole3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 // The direction that a certificate names; requires indices in range. `given` and `exact` hold small integers here.
@@ -73,6 +74,8 @@ Whole3 direction_of(const Direction& d, const Body& a, const Body& b) {
     case Direction::Kind::normal_of_b: forward = cross(minus(q(1), q(0)), minus(q(2), q(0))); break;
     case Direction::Kind::edge_cross_edge: forward = cross(minus(p(1), p(0)), minus(q(3), q(2))); break;
     case Direction::Kind::difference: forward = minus(q(1), p(0)); break;
+    case Direction::Kind::side_of_a: forward = turned_right(minus(p(1), p(0))); break;
+    case Direction::Kind::side_of_b: forward = turned_right(minus(q(1), q(0))); break;
   }
   return d.reversed ? minus({}, forward) : forward;
 }
@@ -84,6 +87,8 @@ std::vector<std::pair<std::size_t, bool>> places_of(Direction::Kind kind) {
     case Direction::Kind::normal_of_b: return {{0, false}, {1, false}, {2, false}};
     case Direction::Kind::edge_cross_edge: return {{0, true}, {1, true}, {2, false}, {3, false}};
     case Direction::Kind::difference: return {{0, true}, {1, false}};
+    case Direction::Kind::side_of_a: return {{0, true}, {1, true}};
+    case Direction::Kind::side_of_b: return {{0, false}, {1, false}};
     default: return {};
   }
 }
@@ -147,9 +152,10 @@ CheckResult definition(const PairCertificate& c, const Body& a, const Body& b) {
 
 class CheckTest : public testing::Test {
  protected:
-  static constexpr std::array<Direction::Kind, 6> kinds{Direction::Kind::given,       Direction::Kind::normal_of_a,
+  static constexpr std::array<Direction::Kind, 8> kinds{Direction::Kind::given,       Direction::Kind::normal_of_a,
                                                         Direction::Kind::normal_of_b, Direction::Kind::edge_cross_edge,
-                                                        Direction::Kind::difference,  Direction::Kind::exact};
+                                                        Direction::Kind::difference,  Direction::Kind::exact,
+                                                        Direction::Kind::side_of_a,   Direction::Kind::side_of_b};
 
   // Integers about the origin, and moved by about `where`.
   Body some_body(std::int64_t where) {
