@@ -124,6 +124,30 @@ TEST(PlanarPairDifferential, MethodsAgreeWithTheScan) {
   }
 }
 
+// A million vertices: the answer is known, and the certificate is checked against every vertex.
+TEST(PlanarPairDifferential, PolygonsOfAMillionVertices) {
+  const std::uint32_t n = scaled_count(1 << 20) < (1 << 20) ? 1u << 14 : 1u << 20;
+  const ConvexPolygon one = regular_polygon(n), other = regular_polygon(n - 1, 1, 0.5),
+                      small = regular_polygon(5, 1e-3);
+  const auto at = [](double x, double y) { return Pose::from_matrix({1, 0, 0, 1}, {x, y}); };
+  const std::array cases{
+      std::pair(PlanarCase{PlanarFamily::large, one, other, Pose(), at(2.5, 1)}, false),
+      std::pair(PlanarCase{PlanarFamily::large, one, other, Pose(), at(2 + 1e-9, 0)}, false),
+      std::pair(PlanarCase{PlanarFamily::large, one, other, Pose(), at(1.3, 1.5)}, true),
+      std::pair(PlanarCase{PlanarFamily::large, one, small, Pose(), at(0.3, 0.2)}, true),
+      std::pair(PlanarCase{PlanarFamily::large, one, one, Pose(), Pose::from_matrix({-1, 0, 0, -1}, {2, 0}), true},
+                true)};  // its image in the vertex (1, 0)
+  for (const auto& [c, meet] : cases) {
+    for (const auto& [name, method] : methods) {
+      const PairAnswer answer = method(c.a, c.pose_a, c.b, c.pose_b);
+      EXPECT_EQ(answer.meet(), meet) << name;
+      EXPECT_EQ(check(answer, c), CheckResult::accepted) << name;
+    }
+    const Contact contact = planar::polygon_polygon_contact(c.a, c.pose_a, c.b, c.pose_b);
+    EXPECT_EQ(contact == Contact::touching, c.touches_exactly);
+  }
+}
+
 // Touching and overlapping against the definition: the interiors meet iff a pair shrunk a little does. On integer grids
 // with at least three vertices each, a shift by less than any distance that can be between them tells.
 TEST(PlanarPairDifferential, ContactsOfGrids) {

@@ -129,10 +129,11 @@ class DifferentCorners {
 
 }  // namespace nearest_search
 
-// How many rounds are looked for the nearest point, and whether the last of them then proposes what it can, however
-// unlikely.
+// When to give up: after so many rounds; where the vertex found is beyond the origin by less than this part of how far
+// the simplex is on its other side, which tells a contact, or nearly one. To the end: propose what is likely then.
 struct Patience {
   std::uint32_t rounds = 64;
+  double near = 0;
   bool to_the_end = true;
 };
 
@@ -162,7 +163,9 @@ bool search_nearest(const A& a, const B& b, const Patience& patience, PairCertif
     furthest.j = of_b.furthest_along({-d.x, -d.y});
     furthest.p = of_a.vertex(furthest.i) - of_b.vertex(furthest.j);
     cost.probes += 2;
-    if (dot(d, furthest.p) < 0 && are_apart()) return true;
+    const double beyond = dot(d, furthest.p);
+    if (beyond < 0 && are_apart()) return true;
+    if (beyond < -patience.near * dot(d, simplex.at[0].p)) return false;
     if (simplex.has(furthest) || !(dot(d, furthest.p - simplex.at[0].p) > 0)) break;
     simplex.add(furthest);
   }

@@ -8,7 +8,7 @@ namespace {
 
 // Most pairs are clearly apart, or overlap clearly: a few rounds in doubles tell, and what they say is checked. The
 // others cost these rounds more.
-constexpr Patience short_look{3, false};
+constexpr Patience short_look{3, 0.2, false};
 
 }  // namespace
 
