@@ -14,7 +14,7 @@ TEST(PolygonPolygonByGjk, AgreesWithTheScanOnMoreGrids) { agrees_on_grids(method
 
 TEST(PolygonPolygonByGjk, SeldomFinishes) { seldom_finishes(method, 2, 300, 0.01, 1e-17, 1500, 1); }
 
-TEST(PolygonPolygonByGjk, SeldomFinishesWithSlivers) { seldom_finishes(method, 3, 300, 1e-8, 1e-17, 1500, 2); }
+TEST(PolygonPolygonByGjk, SeldomFinishesWithSlivers) { seldom_finishes(method, 3, 300, 1e-8, 1e-17, 1500, 8); }
 
 TEST(PolygonPolygonByGjk, SeldomFinishesWithManyVertices) { seldom_finishes(method, 4, 1e5, 0.01, 1e-17, 30, 0); }
 

@@ -176,7 +176,7 @@ inline void seldom_finishes(Method method, std::uint64_t seed, double most, doub
     }
     EXPECT_LE(finished * 1000, per_mille * cases);
     const bool apart = regime == Regime::apart || regime == Regime::near_apart, anywhere = regime == Regime::anywhere;
-    EXPECT_GE(meet, apart ? 0 : anywhere ? cases / 20 : cases / 2);
+    EXPECT_GE(meet, apart ? 0 : anywhere ? cases / 40 : cases / 2);
     EXPECT_LE(meet, apart ? cases / 5 : anywhere ? cases / 2 : cases);
   }
 }
