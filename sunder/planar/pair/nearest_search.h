@@ -165,7 +165,7 @@ bool search_nearest(const A& a, const B& b, const Patience& patience, PairCertif
     cost.probes += 2;
     const double beyond = dot(d, furthest.p);
     if (beyond < 0 && are_apart()) return true;
-    if (beyond < -patience.near * dot(d, simplex.at[0].p)) return false;
+    if (beyond >= 0 && beyond < -patience.near * dot(d, simplex.at[0].p)) return false;
     if (simplex.has(furthest) || !(dot(d, furthest.p - simplex.at[0].p) > 0)) break;
     simplex.add(furthest);
   }
