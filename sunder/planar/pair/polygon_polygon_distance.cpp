@@ -24,7 +24,9 @@
 #include <sunder/planar/pair/polygon_polygon_distance.h>
 #include <sunder/predicate/stages.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sunder::planar {
 
@@ -84,7 +86,7 @@ void fill(PolygonDistance& out, const A& a, std::uint32_t i, bool edge_of_a, con
   const int power = static_cast<int>(shift / 2);
   const double low = std::ldexp(scaled.low, power), high = std::ldexp(scaled.high, power);
   out.distance = {power < -900 ? interval_detail::down(low) : low, power < -900 ? interval_detail::up(high) : high};
-  if (out.distance.low < 0) out.distance.low = 0;
+  out.distance.low = std::clamp(out.distance.low, 0.0, std::numeric_limits<double>::max());  // where it overflows
 }
 
 // The windows low .. high - 1 of edges of A and of B, in order of direction, all within a right angle.

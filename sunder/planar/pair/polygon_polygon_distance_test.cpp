@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace sunder::planar {
@@ -59,6 +60,11 @@ TEST(PolygonPolygonDistanceTest, FarBeyondTheRangeOfSquares) {
   EXPECT_GE(tiny.distance.high, tiny.distance.low);
   EXPECT_NEAR(huge.distance.low / 5e300, 1, 1e-12);
   EXPECT_LE(huge.distance.high / huge.distance.low, 1 + 1e-15);
+  // Beyond all doubles: the enclosure is true still.
+  const PolygonDistance beyond = distance(point(-1.7e308, 0), point(1.7e308, 1.7e308));
+  EXPECT_EQ(beyond.distance.low, std::numeric_limits<double>::max());
+  EXPECT_EQ(beyond.distance.high, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(compare_distance(beyond, std::numeric_limits<double>::max()), Sign::positive);
 }
 
 TEST(PolygonPolygonDistanceTest, AgreesWithTheScan) {
