@@ -148,7 +148,7 @@ std::string evidence_text(const PairCertificate& c, const Object& a, const Objec
   if (c.verdict == Verdict::meet) {
     return fmt::format("a common point at about {}, made of {} of A and {} of B",
                        about_2d(scene::rounded_common_point(c, a.in_space(), b.in_space())),
-                       count_of(c.count_a, c.count_a == 1 ? "vertex" : "vertice"), c.count_b);
+                       c.count_a == 1 ? "1 vertex" : fmt::format("{} vertices", c.count_a), c.count_b);
   }
   const scene::RoundedGap gap = scene::rounded_gap(c, a.in_space(), b.in_space());
   return fmt::format(

@@ -56,7 +56,6 @@ std::uint32_t extreme_vertex_by_bisection(const Sequence& p, const typename Sequ
   if (end < begin) end += n;
   return position(p, first_where(begin, end, [&](std::uint32_t k) {
                     ++cost.probes;
-                    ++cost.iterations;
                     return cross_2d(from, to, vertex_at(p, k), vertex_at(p, position(p, k) + 1), &tally) !=
                            Sign::positive;
                   }));

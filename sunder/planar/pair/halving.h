@@ -32,6 +32,7 @@
 #pragma once
 
 #include <sunder/planar/pair/evidence.h>
+#include <sunder/planar/pair/extreme_vertex.h>
 
 #include <algorithm>
 #include <array>
@@ -146,24 +147,6 @@ struct Crossing {
   std::uint32_t edge = 0, exit = 0;
 };
 
-// The vertex of q furthest to the left of the arrow; of two, the one further along: edges_to_left(...).end alone.
-// Cost: log2 n + O(1) probes.
-template <class Q>
-std::uint32_t furthest_left(const Q& q, const typename Q::Vertex& tail, const typename Q::Vertex& head, Cost& cost,
-                            StageTally& tally) {
-  const auto [below, above] = q.up();
-  Sign upward = cross_2d(tail, head, below, above, &tally);
-  if (upward == Sign::zero) upward = dot_2d(tail, head, below, above, &tally);
-  const std::uint32_t begin = upward == Sign::positive ? q.second() : q.first();
-  std::uint32_t end = upward == Sign::positive ? q.first() : q.second();
-  if (end < begin) end += q.size();
-  const auto does_not_point_left = [&](std::uint32_t k) {
-    ++cost.probes;
-    return cross_2d(tail, head, vertex_at(q, k), vertex_at(q, position(q, k) + 1), &tally) != Sign::positive;
-  };
-  return position(q, first_where(begin, end, does_not_point_left));
-}
-
 // IGL for q, of three vertices at least. Exact.
 // Cost: log2 n + O(1) probes for `right`, and as many more for `ahead`, and for `behind` and `within` again; twice that
 // much again at most where vertex 0 of q is not to the right of the line.
@@ -176,7 +159,7 @@ Crossing cross_line(const typename Q::Vertex& tail, const typename Q::Vertex& he
     ++cost.probes;
     return cross_2d(tail, head, tail, vertex_at(q, k), &tally);
   };
-  std::uint32_t top = furthest_left(q, tail, head, cost, tally);
+  std::uint32_t top = extreme_vertex_by_bisection(q, tail, head, cost, tally);
   const Sign leftmost = side(top);
   if (leftmost == Sign::negative) return {right, top};
   // A vertex to the right of the line: vertex 0, or the one furthest to the right.
@@ -343,8 +326,8 @@ bool search_by_halving(const A& a, const B& b, PairCertificate& certificate, Cos
           of_w(left_turn ? v : v_next) == Sign::negative && of_v(left_turn ? w_next : w) == Sign::negative &&
           halving::seem_to_cross_outside(a, i, of_b, b, j, of_a)) {
         may_guess = false;  // case 2
-        if (known.apart_by_other(j, halving::furthest_left(a, w, w_next, cost, tally))) return true;
-        if (known.apart_by_own(i, halving::furthest_left(b, v, v_next, cost, tally))) return true;
+        if (known.apart_by_other(j, extreme_vertex_by_bisection(a, w, w_next, cost, tally))) return true;
+        if (known.apart_by_own(i, extreme_vertex_by_bisection(b, v, v_next, cost, tally))) return true;
       }
       // Case 3.
       if (end_of_v != Sign::positive) (left_turn ? in_a.high : in_a.low) = left_turn ? i + 1 : i;

@@ -114,19 +114,6 @@ struct Simplex {
   }
 };
 
-// Three positions at most, each once.
-class DifferentCorners {
- public:
-  void add(std::uint32_t k) {
-    if (std::find(at_.begin(), at_.begin() + size_, k) == at_.begin() + size_) at_[size_++] = k;
-  }
-  Corners all() const { return {at_.data(), size_}; }
-
- private:
-  std::array<std::uint32_t, 3> at_{};
-  std::uint32_t size_ = 0;
-};
-
 }  // namespace nearest_search
 
 // When to give up: after so many rounds; where the vertex found is beyond the origin by less than this part of how far
@@ -141,7 +128,6 @@ template <class A, class B>
 bool search_nearest(const A& a, const B& b, const Patience& patience, PairCertificate& certificate, Cost& cost,
                     StageTally& tally) {
   using nearest_search::Difference;
-  using nearest_search::DifferentCorners;
   using nearest_search::dot;
   using nearest_search::operator-;
   using nearest_search::Simplex;
@@ -171,9 +157,10 @@ bool search_nearest(const A& a, const B& b, const Patience& patience, PairCertif
   }
   if (!inside && !patience.to_the_end) return false;
   // The origin is in the simplex, or nearest to it, or the rounds are used up.
-  DifferentCorners in_a, in_b;
-  for (std::uint32_t k = 0; k < simplex.size; ++k) in_a.add(simplex.at[k].i), in_b.add(simplex.at[k].j);
-  if (check_meet(a, in_a.all(), b, in_b.all(), certificate, tally) || are_apart()) return true;
+  std::array<std::uint32_t, 3> in_a{}, in_b{};
+  for (std::uint32_t k = 0; k < simplex.size; ++k) in_a[k] = simplex.at[k].i, in_b[k] = simplex.at[k].j;
+  const Corners of_simplex_a{in_a.data(), simplex.size}, of_simplex_b{in_b.data(), simplex.size};
+  if (check_meet(a, of_simplex_a, b, of_simplex_b, certificate, tally) || are_apart()) return true;
   // As rounding may have it, they only just overlap, beside the two vertices that are nearest to parting them.
   const auto [i, j, p] = furthest;
   return check_meet(a, std::array{i, i + 1, i + a.size() - 1}, b, std::array{j, j + 1, j + b.size() - 1}, certificate,

@@ -21,7 +21,8 @@ namespace sunder {
 namespace planar {
 
 // The front door: the fastest that was measured: three rounds of GJK's search in doubles, whose evidence is checked
-// exactly, and then the search over the difference. Cost: at most 7 (log2 n + log2 m) + 24 probes.
+// exactly, and then the search over the difference, which does not count as finishing. Cost: at most 7 (log2 n + log2
+// m) + 24 probes.
 PairAnswer polygon_polygon(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b, const Pose& pose_b);
 
 // By one search for the edge of the difference A - B through which a ray leaves it: signs only, no constructed points,
