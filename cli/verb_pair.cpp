@@ -117,29 +117,33 @@ int run(const Call& call) {
 void add_pair(CLI::App& program, int& code) {
   auto call = std::make_shared<Call>();
   CLI::App* verb = program.add_subcommand("pair", "Do two convex objects meet? A common point, or what parts them.");
-  verb->add_option("A", call->file_a,
-                   "a mesh or a set of points: OBJ, STL, PLY, OFF; or a planar object: WKT, GeoJSON, CSV")
+  verb->add_option(
+          "A", call->file_a,
+          "a mesh or a set of points: OBJ, STL, PLY, OFF; or a planar object: WKT, GeoJSON, CSV. Lines, rays, "
+          "half-planes: in CSV line,x1,y1,x2,y2 (ray, half-plane), in WKT LINE (x1 y1, x2 y2) (RAY, HALFPLANE)")
       ->required();
-  verb->add_option("B", call->file_b, "the other, of the same kind")->required();
+  verb->add_option("B", call->file_b, "the other, of the same kind; in the plane, one of the two is bounded")
+      ->required();
   verb->add_option("--pose-a", call->pose_a,
                    std::string("where A is: ") + pose_forms + "; in the plane " + planar_pose_forms)
       ->type_name("POSE");
   verb->add_option("--pose-b", call->pose_b, "where B is")->type_name("POSE");
   verb->add_option("--method", call->method,
-                   "automatic, gjk, or scan; in the plane also difference, halving, triangles")
+                   "automatic, gjk, or scan; in the plane also difference, halving, triangles; with a line automatic, "
+                   "fibonacci, scan; with a ray or half-plane automatic, scan")
       ->type_name("NAME");
   verb->add_flag("--classify", call->classify, "tell touching from overlapping");
   verb->add_flag("--require-convex", call->require_convex, "a mesh that is not exactly convex is an error");
   verb->add_option("--certificate", call->certificate, "write the proof here")->type_name("FILE");
   verb->add_flag("--json", call->json, "print a report in JSON");
-  verb->add_flag("--distance", call->distance, "planar: tell how far apart they are, and the closest features");
+  verb->add_flag("--distance", call->distance,
+                 "planar, both bounded: tell how far apart they are, and the closest features");
   verb->add_option("--feature-a", call->feature_a, "planar: which object of the file A is")->type_name("NAME");
   verb->add_option("--feature-b", call->feature_b, "planar: which object of the file B is")->type_name("NAME");
   verb->add_flag("--mend", call->mend, "planar: leave out repeated and collinear vertices, turn clockwise ones round");
   verb->add_flag("--hull", call->hull, "planar: take the convex hull");
   verb->add_flag("--drop-z", call->drop_z, "planar: ignore third coordinates");
-  auto* svg =
-      verb->add_option("--svg", call->svg, "planar: draw the polygons and the evidence here")->type_name("FILE");
+  auto* svg = verb->add_option("--svg", call->svg, "planar: draw the objects and the evidence here")->type_name("FILE");
   verb->add_option("--title", call->title, "of the picture")->needs(svg);
   verb->callback([call, &code] { code = run(*call); });
 }

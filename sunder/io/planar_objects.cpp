@@ -1,3 +1,4 @@
+#include <sunder/io/csv.h>
 #include <sunder/io/file.h>
 #include <sunder/io/lines.h>
 #include <sunder/io/planar_objects.h>
@@ -7,78 +8,190 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <optional>
+#include <utility>
 
 namespace sunder::io {
 
 namespace {
 
-std::string ending_of(std::string_view place) {
-  std::string ending = std::filesystem::path(place).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
+using Kind = PlanarObject::Kind;
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-// The lines of a CSV file whose first line with numbers has two of them; nothing for other files.
-bool parse_vertices(std::string_view text, std::string_view place, PlanarFile& file) {
-  PlanarObject object{PlanarObject::Kind::polygon, "1", 0, {}};
-  std::uint32_t number = 0;
-  while (!text.empty()) {
-    ++number;
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = trimmed(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (line.empty()) continue;
-    std::array<std::string_view, 2> fields;
-    std::size_t count = 0;
-    for (std::size_t begin = 0; begin <= line.size(); ++count) {
-      const std::size_t next = std::min(line.find_first_of(",;", begin), line.size());
-      if (count < 2) fields[count] = trimmed(line.substr(begin, next - begin));
-      begin = next + 1;
-    }
-    std::array<double, 2> xy{};
-    const std::array problems{parse_number(fields[0], xy[0]), count > 1 ? parse_number(fields[1], xy[1]) : nullptr};
-    if (object.vertices.empty() && object.line == 0 && problems[0] != nullptr && count == 2) {
-      object.line = number;  // a line of names, perhaps; the next one must be numbers
-      continue;
-    }
-    if (object.vertices.empty() && count != 2) return false;
-    if (count != 2)
-      fail_line(place, number, fmt::format("has {} fields; give two, x and y, as in the lines before", count));
-    for (std::size_t k = 0; k < 2; ++k) {
-      if (problems[k] != nullptr) fail_line(place, number, fmt::format("{} {}", quote(fields[k]), problems[k]));
-    }
-    if (object.vertices.empty()) object.line = number;
-    object.vertices.push_back({xy[0], xy[1]});
+std::string in_small_letters(std::string_view word) {
+  std::string small(word);
+  for (char& c : small) {
+    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
-  if (object.vertices.empty()) return false;
-  if (object.vertices.size() > 1 && object.vertices.front() == object.vertices.back()) object.vertices.pop_back();
-  object.kind = object.vertices.size() == 1   ? PlanarObject::Kind::point
-                : object.vertices.size() == 2 ? PlanarObject::Kind::segment
-                                              : PlanarObject::Kind::polygon;
-  file.objects.push_back(std::move(object));
-  file.format = "CSV";
-  return true;
+  return small;
 }
 
-}  // namespace
-
-bool is_planar(const std::filesystem::path& path) {
-  const std::string ending = ending_of(path.string());
-  return ending == ".wkt" || ending == ".csv" || ending == ".geojson" || ending == ".json";
+// The kinds that a word names; a polygon has no word in CSV, and those of WKT are read in lines.h.
+std::optional<Kind> kind_of(std::string_view word) {
+  const std::string small = in_small_letters(word.substr(0, 20));
+  if (small == "halfplane") return Kind::half_plane;
+  for (const Kind kind : {Kind::point, Kind::segment, Kind::line, Kind::ray, Kind::half_plane}) {
+    if (small == name_of(kind)) return kind;
+  }
+  return std::nullopt;
 }
 
-PlanarFile parse_planar_objects(std::string_view text, std::string_view place, bool drop_z) {
-  PlanarFile file;
-  if (ending_of(place) == ".csv" && parse_vertices(text, place, file)) return file;
+double number_of(std::string_view word, std::string_view place, std::uint32_t line) {
+  double value = 0;
+  if (const char* problem = parse_number(word, value))
+    fail_line(place, line, fmt::format("{} {}", quote(word), problem));
+  return value;
+}
+
+void require_two_points(const PlanarObject& object, std::string_view place) {
+  if (!object.unbounded() || object.vertices[0] != object.vertices[1]) return;
+  fail_line(place, object.line,
+            fmt::format("the two points of this {} are equal; give two different ones", name_of(object.kind)));
+}
+
+// CSV in which each line is an object, or a vertex.
+class Csv {
+ public:
+  Csv(std::string_view text, std::string_view place, PlanarFile& file) : text_(text), place_(place), file_(file) {}
+
+  // False where the file is of neither form; then nothing was read.
+  bool parse() {
+    // Its first line that is not blank.
+    const std::string_view from_first = text_.substr(std::min(text_.find_first_not_of(" \t\r\n\f\v"), text_.size()));
+    const std::string_view first = from_first.substr(0, from_first.find_first_of("\r\n"));
+    if (first.empty()) return false;
+    if (first.find(';') != std::string_view::npos) separator_ = ';';
+    std::vector<std::string_view> fields;
+    if (!split_fields(first, separator_, fields)) return false;
+    file_.format = "CSV";
+    const bool names_kinds = in_small_letters(fields[0].substr(0, 20)) == "kind";
+    if (names_kinds || kind_of(fields[0])) {
+      parse_objects(names_kinds);
+      return true;
+    }
+    if (fields.size() != 2) return false;
+    parse_vertices(are_names(fields, 2));
+    return true;
+  }
+
+ private:
+  std::vector<std::string_view> fields_of(std::string_view line, std::uint32_t number) const {
+    std::vector<std::string_view> fields;
+    if (!split_fields(line, separator_, fields)) {
+      fail_line(place_, number,
+                fmt::format("{} has a quote within; write fields without separators and quotes", quote(fields.back())));
+    }
+    return fields;
+  }
+
+  Point2 point(const std::vector<std::string_view>& fields, std::size_t k, std::uint32_t line) const {
+    const double x = number_of(fields[k], place_, line), y = number_of(fields[k + 1], place_, line);
+    return {x, y};
+  }
+
+  void parse_objects(bool skip_first) {
+    for_each_line(text_, nullptr, [&](std::string_view line, std::uint32_t number) {
+      if (!std::exchange(skip_first, false)) add_object(fields_of(line, number), number);
+    });
+    if (file_.objects.empty()) fail_file(place_, "has a line of names only; give objects behind it");
+  }
+
+  void add_object(const std::vector<std::string_view>& fields, std::uint32_t line) {
+    const std::optional<Kind> kind = kind_of(fields[0]);
+    if (!kind) {
+      fail_line(place_, line,
+                fmt::format("{} is no kind; give point, segment, line, ray or half-plane", quote(fields[0])));
+    }
+    const std::size_t points = *kind == Kind::point ? 1 : 2, needed = 1 + 2 * points;
+    if (fields.size() < needed || fields.size() > needed + 1) {
+      fail_line(place_, line,
+                fmt::format("has {} fields; give {},{} and, if you like, a name", fields.size(), name_of(*kind),
+                            points == 1 ? "x,y" : "x1,y1,x2,y2"));
+    }
+    PlanarObject object{*kind, one_line(fields.size() > needed ? fields[needed] : ""), line, {}};
+    for (std::size_t k = 0; k < points; ++k) object.vertices.push_back(point(fields, 1 + 2 * k, line));
+    require_two_points(object, place_);
+    if (object.name.empty()) object.name = std::to_string(file_.objects.size() + 1);
+    if (object.kind == Kind::segment && object.vertices[0] == object.vertices[1]) {
+      object.kind = Kind::point;
+      object.vertices.pop_back();
+    }
+    file_.objects.push_back(std::move(object));
+  }
+
+  void parse_vertices(bool skip_first) {
+    PlanarObject object{Kind::polygon, "1", 0, {}};
+    for_each_line(text_, nullptr, [&](std::string_view line, std::uint32_t number) {
+      if (std::exchange(skip_first, false)) return;
+      const std::vector<std::string_view> fields = fields_of(line, number);
+      if (fields.size() != 2) {
+        fail_line(place_, number,
+                  fmt::format("has {} fields; give two, x and y, as in the lines before", fields.size()));
+      }
+      if (object.vertices.empty()) object.line = number;
+      object.vertices.push_back(point(fields, 0, number));
+    });
+    if (object.vertices.empty()) fail_file(place_, "has a line of names only; give vertices behind it");
+    if (object.vertices.size() > 1 && object.vertices.front() == object.vertices.back()) object.vertices.pop_back();
+    object.kind = object.vertices.size() == 1   ? Kind::point
+                  : object.vertices.size() == 2 ? Kind::segment
+                                                : Kind::polygon;
+    file_.objects.push_back(std::move(object));
+  }
+
+  std::string_view text_, place_;
+  PlanarFile& file_;
+  char separator_ = ',';
+};
+
+// The points between parentheses that are all of the text.
+std::vector<Point2> points_of(std::string_view text, std::string_view place, std::uint32_t line, bool drop_z) {
+  text = trimmed(text);
+  if (!text.starts_with('(') || !text.ends_with(')')) {
+    fail_line(place, line,
+              fmt::format("{} stands where points in parentheses are expected, as in (0 0, 1 2)", quote(text)));
+  }
+  text = text.substr(1, text.size() - 2);
+  std::vector<Point2> points;
+  for (bool more = true; more;) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    more = comma < text.size();
+    std::string_view numbers = trimmed(text.substr(0, comma));
+    text.remove_prefix(std::min(comma + 1, text.size()));
+    std::vector<double> x;
+    while (!numbers.empty()) {
+      const std::size_t blank = std::min(numbers.find_first_of(blanks), numbers.size());
+      x.push_back(number_of(numbers.substr(0, blank), place, line));
+      numbers = trimmed(numbers.substr(blank));
+    }
+    if (x.size() < 2 || x.size() > 4) fail_line(place, line, "a point has two numbers, parted by a blank");
+    if (x.size() > 2 && !drop_z) fail_line(place, line, "has a third coordinate; to ignore it, give --drop-z");
+    points.push_back({x[0], x[1]});
+  }
+  return points;
+}
+
+// Takes the lines with words of ours out of WKT: blanks stand in their place, so that lines keep their numbers.
+std::string take_unbounded(std::string_view text, std::string_view place, bool drop_z, PlanarFile& file) {
+  std::string rest(text);
+  for_each_line(text, nullptr, [&](std::string_view words, std::uint32_t number) {
+    const auto is_letter = [](char c) { return ('A' <= c && c <= 'Z') || ('a' <= c && c <= 'z') || c == '-'; };
+    const auto end = static_cast<std::size_t>(std::find_if_not(words.begin(), words.end(), is_letter) - words.begin());
+    const std::optional<Kind> kind = kind_of(words.substr(0, end));
+    if (!kind || *kind == Kind::point || *kind == Kind::segment) return;
+    PlanarObject object{*kind, {}, number, points_of(words.substr(end), place, number, drop_z)};
+    if (object.vertices.size() != 2) {
+      fail_line(place, number,
+                fmt::format("a {} has two points; {} are given", name_of(*kind), object.vertices.size()));
+    }
+    require_two_points(object, place);
+    file.objects.push_back(std::move(object));
+    rest.replace(static_cast<std::size_t>(words.data() - text.data()), words.size(), words.size(), ' ');
+  });
+  return rest;
+}
+
+// What lines.h reads.
+void parse_bounded(std::string_view text, std::string_view place, bool drop_z, PlanarFile& file) {
   LineOptions options;
   options.drop_z = drop_z;
   options.points = true;
@@ -95,20 +208,20 @@ PlanarFile parse_planar_objects(std::string_view text, std::string_view place, b
     const auto [feature, line] = lines.source[s];
     std::uint32_t end = s + 1;
     while (!csv && end < lines.segments.size() && lines.source[end].feature == feature) ++end;
-    PlanarObject object{PlanarObject::Kind::segment, lines.features[feature], line, {}};
+    PlanarObject object{Kind::segment, lines.features[feature], line, {}};
     const bool is_ring = ring < lines.rings.size() && lines.rings[ring].first == s;
     if (is_ring) {
       if (lines.rings[ring].count != end - s) {
         fail(feature, line, "has holes, or several parts; give one polygon without holes");
       }
       ++ring;
-      object.kind = PlanarObject::Kind::polygon;
+      object.kind = Kind::polygon;
       for (std::uint32_t k = s; k < end; ++k) object.vertices.push_back(lines.segments[k].a);
     } else {
       if (end - s != 1) fail(feature, line, "has several segments; give a point, a segment or a polygon");
       object.vertices = {lines.segments[s].a};
       if (lines.segments[s].a == lines.segments[s].b) {
-        object.kind = PlanarObject::Kind::point;
+        object.kind = Kind::point;
       } else {
         object.vertices.push_back(lines.segments[s].b);
       }
@@ -116,6 +229,49 @@ PlanarFile parse_planar_objects(std::string_view text, std::string_view place, b
     file.objects.push_back(std::move(object));
     s = end;
   }
+}
+
+}  // namespace
+
+std::string_view name_of(PlanarObject::Kind kind) {
+  switch (kind) {
+    case Kind::point: return "point";
+    case Kind::segment: return "segment";
+    case Kind::polygon: return "polygon";
+    case Kind::line: return "line";
+    case Kind::ray: return "ray";
+    case Kind::half_plane: return "half-plane";
+  }
+  return "";
+}
+
+bool is_planar(const std::filesystem::path& path) {
+  const std::string ending = ending_of(path.string());
+  return ending == ".wkt" || ending == ".csv" || ending == ".geojson" || ending == ".json";
+}
+
+PlanarFile parse_planar_objects(std::string_view text, std::string_view place, bool drop_z) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  PlanarFile file;
+  const std::string ending = ending_of(place);
+  if (ending == ".csv" && Csv(text, place, file).parse()) return file;
+  if (ending != ".wkt") {
+    parse_bounded(text, place, drop_z, file);
+    return file;
+  }
+  const std::string rest = take_unbounded(text, place, drop_z, file);
+  if (file.objects.empty()) {
+    parse_bounded(text, place, drop_z, file);
+    return file;
+  }
+  bool more = false;
+  for_each_line(rest, nullptr, [&](std::string_view, std::uint32_t) { more = true; });
+  file.format = "WKT";
+  if (more) parse_bounded(rest, place, drop_z, file);
+  // In the order of the file, counted as it is read.
+  std::sort(file.objects.begin(), file.objects.end(),
+            [](const PlanarObject& p, const PlanarObject& q) { return p.line < q.line; });
+  for (std::size_t i = 0; i < file.objects.size(); ++i) file.objects[i].name = std::to_string(i + 1);
   return file;
 }
 

@@ -1,4 +1,5 @@
-// Points, segments and polygons of the plane, each an object of its own, out of files: WKT, GeoJSON, CSV.
+// Points, segments, polygons, lines, rays and half-planes of the plane, each an object of its own, out of files: WKT,
+// GeoJSON, CSV.
 #pragma once
 
 #include <sunder/predicate/point.h>
@@ -12,11 +13,18 @@
 namespace sunder::io {
 
 struct PlanarObject {
-  enum class Kind : std::uint8_t { point, segment, polygon } kind = Kind::polygon;
-  std::string name;              // what the file gives as id or name, else the feature's number, counted from 1
-  std::uint32_t line = 0;        // of the file, from 1; 0 where the format does not tell (GeoJSON)
-  std::vector<Point2> vertices;  // finite; of a polygon: as the file lists them, without the repeated last one
+  enum class Kind : std::uint8_t { point, segment, polygon, line, ray, half_plane } kind = Kind::polygon;
+  std::string name;        // what the file gives as id or name, else the feature's number, counted from 1
+  std::uint32_t line = 0;  // of the file, from 1; 0 where the format does not tell (GeoJSON)
+
+  // Finite. Of a polygon: as the file lists them, without the repeated last one. Of a line, a ray and a half-plane: its
+  // two points, which differ; the ray begins in the first one, the half-plane is to the left of the way to the second.
+  std::vector<Point2> vertices;
+
+  bool unbounded() const { return kind == Kind::line || kind == Kind::ray || kind == Kind::half_plane; }
 };
+
+std::string_view name_of(PlanarObject::Kind);  // "half-plane"
 
 struct PlanarFile {
   std::vector<PlanarObject> objects;  // at least one
@@ -29,8 +37,14 @@ bool is_planar(const std::filesystem::path& path);
 
 // Reads the file whole.
 //   WKT, GeoJSON  as in lines.h: a POINT, a LINESTRING of two points, or a POLYGON without holes is an object.
+//                 In WKT also LINE (x y, x y), RAY (x y, x y) and HALFPLANE (x y, x y), words of ours on lines of
+//                 their own; GeoJSON has no such objects.
 //   CSV           two numbers a line: the vertices of one polygon in order (one line: a point; two: a segment).
 //                 Four and more: a segment a line, as in lines.h.
+//                 Where the first line begins with a kind, each line is an object: line,x1,y1,x2,y2 and, if it has one,
+//                 its name; the same with ray, half-plane and segment; point,x,y. A line of names may stand first,
+//                 if its first one is "kind".
+// Semicolons part the fields where the first line has one. Small and large letters of kinds are the same.
 // Throws Error bad_file: "FILE:LINE: what; remedy". Cost: linear.
 PlanarFile read_planar_objects(const std::filesystem::path& path, bool drop_z = false);
 

@@ -1,9 +1,14 @@
 #include <sunder/base/error.h>
+#include <sunder/io/file.h>
 #include <sunder/io/planar_objects.h>
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <set>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace sunder::io {
 namespace {
@@ -60,6 +65,89 @@ TEST(PlanarObjectsTest, Csv) {
   ASSERT_EQ(segments.objects.size(), 2u);
   EXPECT_EQ(segments.objects[0].name, "first");
   EXPECT_EQ(segments.objects[1].kind, Kind::point);
+}
+
+TEST(PlanarObjectsTest, CsvOfKinds) {
+  const PlanarFile file = parse_planar_objects(
+      "Kind;x1;y1;x2;y2;name\r\nline;0;0;1;2;axis\rRAY;3;4;-5;6\n\n\"half-plane\";0;1; 0 ;-1;left\nHalfPlane;1;1;2;2;\n"
+      "point;7;8\nsegment;0;0;1;1;bar\nsegment;2;2;2;2\n",
+      "some.csv");
+  const std::vector<std::pair<Kind, Points>> expected{{Kind::line, {{0, 0}, {1, 2}}},
+                                                      {Kind::ray, {{3, 4}, {-5, 6}}},
+                                                      {Kind::half_plane, {{0, 1}, {0, -1}}},
+                                                      {Kind::half_plane, {{1, 1}, {2, 2}}},
+                                                      {Kind::point, {{7, 8}}},
+                                                      {Kind::segment, {{0, 0}, {1, 1}}},
+                                                      {Kind::point, {{2, 2}}}};
+  const std::vector<std::string> names{"axis", "2", "left", "4", "5", "bar", "7"};
+  const std::vector<std::uint32_t> lines{2, 3, 5, 6, 7, 8, 9};
+  ASSERT_EQ(file.objects.size(), expected.size());
+  EXPECT_EQ(file.format, "CSV");
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    SCOPED_TRACE(i);
+    EXPECT_EQ(file.objects[i].kind, expected[i].first);
+    EXPECT_EQ(file.objects[i].vertices, expected[i].second);
+    EXPECT_EQ(file.objects[i].name, names[i]);
+    EXPECT_EQ(file.objects[i].line, lines[i]);
+    EXPECT_EQ(file.objects[i].unbounded(), i < 4);
+  }
+}
+
+TEST(PlanarObjectsTest, WktOfLines) {
+  const PlanarFile mixed = parse_planar_objects(
+      "POINT (1 2)\r\nLINE (0 0, 1 2)\n\nray( -1 0.5 ,2 1e3 )\nPOLYGON ((0 0, 1 0, 0 1, 0 0))\nHalf-Plane (0 0, 0 1)\n",
+      "some.wkt");
+  const std::vector<Kind> kinds{Kind::point, Kind::line, Kind::ray, Kind::polygon, Kind::half_plane};
+  const std::vector<std::uint32_t> lines{1, 2, 4, 5, 6};
+  ASSERT_EQ(mixed.objects.size(), kinds.size());
+  EXPECT_EQ(mixed.format, "WKT");
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    EXPECT_EQ(mixed.objects[i].kind, kinds[i]);
+    EXPECT_EQ(mixed.objects[i].name, std::to_string(i + 1));
+    EXPECT_EQ(mixed.objects[i].line, lines[i]);
+  }
+  EXPECT_EQ(mixed.objects[2].vertices, (Points{{-1, 0.5}, {2, 1000}}));
+  const PlanarFile alone = parse_planar_objects("\xef\xbb\xbfLINE (0 0 9, 1 2 9)\n", "some.WKT", true);
+  ASSERT_EQ(alone.objects.size(), 1u);
+  EXPECT_EQ(alone.objects[0].vertices, (Points{{0, 0}, {1, 2}}));
+  EXPECT_EQ(alone.format, "WKT");
+  // The words are ours in WKT only.
+  EXPECT_NE(refusal("LINE (0 0, 1 2)", "some.geojson"), "accepted");
+}
+
+// What comes first is not taken for a line of names unless it is one; a byte order mark is nothing.
+TEST(PlanarObjectsTest, NoVertexIsLost) {
+  EXPECT_EQ(parse_planar_objects("\xef\xbb\xbf"
+                                 "0,0\n1,0\n0,1\n",
+                                 "some.csv")
+                .objects[0]
+                .vertices.size(),
+            3u);
+  EXPECT_EQ(parse_planar_objects("0,0\r1,0\r0,1\r", "some.csv").objects[0].vertices.size(), 3u);
+  EXPECT_EQ(parse_planar_objects("\"x\",\"y\"\n0,0\n1,0\n0,1\n", "some.csv").objects[0].vertices.size(), 3u);
+  EXPECT_EQ(refusal("O,0\n1,0\n0,1\n", "some.csv").substr(0, 14), "some.csv:1: 'O");
+  EXPECT_EQ(refusal("x,y\n", "some.csv"), "some.csv: has a line of names only; give vertices behind it");
+}
+
+// Every file of cases/broken-planar is refused as its table says.
+TEST(PlanarObjectsTest, BrokenFiles) {
+  const std::filesystem::path folder = std::filesystem::path(SUNDER_CASES_DIR) / "broken-planar";
+  std::set<std::string> seen{"EXPECTED.tsv", "README.md"}, found;
+  std::istringstream table(read_file(folder / "EXPECTED.tsv"));
+  for (std::string row; std::getline(table, row);) {
+    if (row.starts_with('#')) continue;
+    const std::size_t tab = row.find('\t');
+    ASSERT_NE(tab, std::string::npos) << row;
+    const std::string name = row.substr(0, tab), part = row.substr(tab + 1);
+    SCOPED_TRACE(name);
+    EXPECT_TRUE(seen.insert(name).second) << "twice in the table";
+    const std::string path = (folder / name).string(), message = refusal(read_file(path), path);
+    EXPECT_TRUE(message.starts_with(path + part)) << "expected: " << part << "\nmessage: " << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) found.insert(entry.path().filename().string());
+  EXPECT_EQ(seen, found) << "EXPECTED.tsv and the folder differ";
+  EXPECT_GE(seen.size(), 20u);
 }
 
 TEST(PlanarObjectsTest, BadFiles) {

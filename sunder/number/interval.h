@@ -74,6 +74,13 @@ inline Interval operator/(const Interval& a, const Interval& b) {
   return interval_detail::widened(std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s)));
 }
 
+// Of the members that are not negative; there has to be one, exactly, if not in the interval as it is rounded.
+inline Interval square_root(const Interval& x) {
+  const double low = std::sqrt(std::max(x.low, 0.0)), high = std::sqrt(std::max(x.high, 0.0));
+  const Interval wide = interval_detail::widened(low, high);
+  return {std::max(wide.low, 0.0), wide.high};
+}
+
 inline Guess sign(const Interval& x) {
   if (x.low > 0) return Guess::positive;
   if (x.high < 0) return Guess::negative;

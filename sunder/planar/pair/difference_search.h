@@ -38,12 +38,79 @@ struct Found {
   std::uint32_t edge_a = 0, edge_b = 0;
 };
 
+// An edge of D: edge i of A with vertex j of B where of_a, else edge j of B with vertex i of A. Numbers modulo n.
+struct Edge {
+  bool of_a = true;
+  std::uint32_t i = 0, j = 0;
+};
+
+// The height u x (v - r) of vertex (i, j) of D.
+template <class A, class B>
+Sign height(const A& a, std::uint32_t of_a, const B& b, std::uint32_t of_b, std::uint32_t i, std::uint32_t j,
+            StageTally& tally) {
+  if (position(a, i) == of_a && position(b, j) == of_b) return Sign::zero;  // where the ray begins
+  return cross_2d(a[of_a], b[of_b], vertex_at(b, j), vertex_at(a, i), &tally);
+}
+
+// Which side of edge e of p is vertex k of q on?
+template <class P, class Q>
+Sign side_of_edge(const P& p, std::uint32_t e, const Q& q, std::uint32_t k, StageTally& tally) {
+  const auto &from = vertex_at(p, e), &to = vertex_at(p, position(p, e) + 1);
+  return cross_2d(from, to, from, vertex_at(q, k), &tally);
+}
+
+// The edge e among those of two chains, not both empty. Where the ray leaves D elsewhere: any of them.
+template <class A, class B>
+Edge exit_edge(const A& a, std::uint32_t of_a, const B& b, std::uint32_t of_b, const EdgeRun& chain_a,
+               const EdgeRun& chain_b, Cost& cost, StageTally& tally) {
+  std::uint32_t low_a = chain_a.begin, high_a = chain_a.end, low_b = chain_b.begin, high_b = chain_b.end;
+  const auto below = [&](std::uint32_t i, std::uint32_t j) {
+    ++cost.probes;
+    return height(a, of_a, b, of_b, i, j, tally) == Sign::negative;
+  };
+  while (low_a < high_a && low_b < high_b) {
+    ++cost.iterations;
+    ++cost.probes;
+    const std::uint32_t i = low_a + (high_a - low_a) / 2, j = low_b + (high_b - low_b) / 2;
+    const bool a_first = cross_2d(vertex_at(a, i), vertex_at(a, position(a, i) + 1),  //
+                                  vertex_at(b, position(b, j) + 1), vertex_at(b, j), &tally) != Sign::negative;
+    if (a_first) {
+      if (below(position(a, i) + 1, j)) {
+        low_a = i + 1;
+      } else {
+        high_b = j;
+      }
+    } else if (below(i, position(b, j) + 1)) {
+      low_b = j + 1;
+    } else {
+      high_a = i;
+    }
+  }
+  // One chain has no edge left, so that its vertex is known.
+  if (low_a < high_a) {
+    const std::uint32_t i = first_where(low_a, high_a - 1, [&](std::uint32_t k) {
+      ++cost.iterations;
+      return !below(position(a, k) + 1, low_b);
+    });
+    return {true, i, low_b};
+  }
+  const std::uint32_t j = first_where(low_b, high_b - 1, [&](std::uint32_t k) {
+    ++cost.iterations;
+    return !below(low_a, position(b, k) + 1);
+  });
+  return {false, low_a, j};
+}
+
 }  // namespace difference_search
 
 // Decides exactly, with positions `of_a` and `of_b` for a0 and b0. Fills in the certificate.
 template <class A, class B>
 difference_search::Found search_difference(const A& a, std::uint32_t of_a, const B& b, std::uint32_t of_b,
                                            PairCertificate& certificate, Cost& cost, StageTally& tally) {
+  using difference_search::Edge;
+  using difference_search::exit_edge;
+  using difference_search::height;
+  using difference_search::side_of_edge;
   const auto a0 = a[of_a];
   const auto b0 = b[of_b];
   if (evidence::equal(a0, b0, tally)) {
@@ -71,64 +138,29 @@ difference_search::Found search_difference(const A& a, std::uint32_t of_a, const
     return found(true, beyond == Sign::negative, true, i, j);
   }
 
-  std::uint32_t low_a = chain_a.begin, high_a = chain_a.end, low_b = chain_b.begin, high_b = chain_b.end;
-  const auto height = [&](std::uint32_t i, std::uint32_t j) {
-    ++cost.probes;
-    if (position(a, i) == of_a && position(b, j) == of_b) return Sign::zero;  // where the ray begins
-    return cross_2d(a0, b0, vertex_at(b, j), vertex_at(a, i), &tally);
-  };
-  const auto below = [&](std::uint32_t i, std::uint32_t j) { return height(i, j) == Sign::negative; };
+  const Edge exit = exit_edge(a, of_a, b, of_b, chain_a, chain_b, cost, tally);
   // The ray does not run along an edge of D, nor through a vertex only: D is on both sides of it.
   const auto is_inner_ray = [&] {
-    return below(chain_a.begin, chain_b.begin) && height(chain_a.end, chain_b.end) == Sign::positive;
+    cost.probes += 2;
+    return height(a, of_a, b, of_b, chain_a.begin, chain_b.begin, tally) == Sign::negative &&
+           height(a, of_a, b, of_b, chain_a.end, chain_b.end, tally) == Sign::positive;
   };
-  while (low_a < high_a && low_b < high_b) {
-    ++cost.iterations;
-    ++cost.probes;
-    const std::uint32_t i = low_a + (high_a - low_a) / 2, j = low_b + (high_b - low_b) / 2;
-    const bool a_first = cross_2d(vertex_at(a, i), vertex_at(a, position(a, i) + 1),  //
-                                  vertex_at(b, position(b, j) + 1), vertex_at(b, j), &tally) != Sign::negative;
-    if (a_first) {
-      if (below(position(a, i) + 1, j)) {
-        low_a = i + 1;
-      } else {
-        high_b = j;
-      }
-    } else if (below(i, position(b, j) + 1)) {
-      low_b = j + 1;
-    } else {
-      high_a = i;
-    }
-  }
-  // One chain has no edge left, so that its vertex is known.
-  if (low_a < high_a) {
-    const std::uint32_t j = low_b;
-    const std::uint32_t i = first_where(low_a, high_a - 1, [&](std::uint32_t k) {
-      ++cost.iterations;
-      return !below(position(a, k) + 1, j);
-    });
-    const std::uint32_t next = position(a, i) + 1;
-    const Sign side = cross_2d(vertex_at(a, i), vertex_at(a, next), vertex_at(a, i), vertex_at(b, j), &tally);
+  if (exit.of_a) {
+    const Sign side = side_of_edge(a, exit.i, b, exit.j, tally);
     if (side == Sign::negative) {
-      fill_apart_by_edge_of_a(a, i, b, j, certificate);
-      return found(false, false, true, i, j);
+      fill_apart_by_edge_of_a(a, exit.i, b, exit.j, certificate);
+      return found(false, false, true, exit.i, exit.j);
     }
-    check_meet(a, std::array{of_a, i, next}, b, std::array{of_b, j}, certificate, tally);
-    return found(true, side == Sign::positive && is_inner_ray(), true, i, j);
+    check_meet(a, std::array{of_a, exit.i, exit.i + 1}, b, std::array{of_b, exit.j}, certificate, tally);
+    return found(true, side == Sign::positive && is_inner_ray(), true, exit.i, exit.j);
   }
-  const std::uint32_t i = low_a;
-  const std::uint32_t j = first_where(low_b, high_b - 1, [&](std::uint32_t k) {
-    ++cost.iterations;
-    return !below(i, position(b, k) + 1);
-  });
-  const std::uint32_t next = position(b, j) + 1;
-  const Sign side = cross_2d(vertex_at(b, j), vertex_at(b, next), vertex_at(b, j), vertex_at(a, i), &tally);
+  const Sign side = side_of_edge(b, exit.j, a, exit.i, tally);
   if (side == Sign::negative) {
-    fill_apart_by_edge_of_b(a, i, b, j, certificate);
-    return found(false, false, false, i, j);
+    fill_apart_by_edge_of_b(a, exit.i, b, exit.j, certificate);
+    return found(false, false, false, exit.i, exit.j);
   }
-  check_meet(a, std::array{of_a, i}, b, std::array{of_b, j, next}, certificate, tally);
-  return found(true, side == Sign::positive && is_inner_ray(), false, i, j);
+  check_meet(a, std::array{of_a, exit.i}, b, std::array{of_b, exit.j, exit.j + 1}, certificate, tally);
+  return found(true, side == Sign::positive && is_inner_ray(), false, exit.i, exit.j);
 }
 
 // Touching or overlapping? Where the two vertices that the ray begins with are one point, another vertex is taken.

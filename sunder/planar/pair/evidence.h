@@ -5,7 +5,6 @@
 #include <sunder/certificate/pair.h>
 #include <sunder/planar/pair/edge_runs.h>
 
-#include <algorithm>
 #include <array>
 #include <span>
 
@@ -15,13 +14,6 @@ namespace sunder::planar {
 using Corners = std::span<const std::uint32_t>;
 
 namespace evidence {
-
-// p is inside, or on the boundary, of the triangle whose corners turn this way.
-template <class V>
-bool in_triangle(const V& p, const V& a, const V& b, const V& c, Sign turn, StageTally& tally) {
-  const auto outside = [&](const V& from, const V& to) { return cross_2d(from, to, from, p, &tally) == -turn; };
-  return !outside(a, b) && !outside(b, c) && !outside(c, a);
-}
 
 // p is on the segment ab, its ends included.
 template <class V>
@@ -42,34 +34,42 @@ struct Few {
   operator Corners() const { return {at.data(), count}; }
 };
 
-// Each position once.
+// Each position once, in ascending order: counter-clockwise.
 template <class Sequence>
-Few without_repeats(const Sequence& p, Corners corners) {
+Few in_order(const Sequence& p, Corners corners) {
   Few few;
   for (const std::uint32_t c : corners) {
-    const auto end = few.at.begin() + few.count;
-    if (std::find(few.at.begin(), end, position(p, c)) == end) few.at[few.count++] = position(p, c);
+    const std::uint32_t at = position(p, c);
+    std::uint8_t k = few.count;
+    while (k > 0 && few.at[k - 1] > at) --k;
+    if (k > 0 && few.at[k - 1] == at) continue;
+    for (std::uint8_t l = few.count; l > k; --l) few.at[l] = few.at[l - 1];
+    few.at[k] = at;
+    ++few.count;
   }
   return few;
 }
 
-// The least set of corners whose hull holds p; empty where the hull of all does not.
+// The least set of corners, given in order, whose hull holds p; empty where the hull of all does not.
 template <class Sequence>
 Few corners_around(const typename Sequence::Vertex& p, const Sequence& q, Corners corners, StageTally& tally) {
   if (corners.size() == 3) {
-    const auto &a = vertex_at(q, corners[0]), &b = vertex_at(q, corners[1]), &c = vertex_at(q, corners[2]);
-    if (const Sign turn = cross_2d(a, b, a, c, &tally); turn != Sign::zero) {
-      const Sign ab = cross_2d(a, b, a, p, &tally), bc = ab == -turn ? ab : cross_2d(b, c, b, p, &tally),
-                 ca = bc == -turn ? bc : cross_2d(c, a, c, p, &tally);
-      if (ca == -turn) return {};
-      if (ab != Sign::zero && bc != Sign::zero && ca != Sign::zero) return {{corners[0], corners[1], corners[2]}, 3};
-      // On the lines of two edges: in their corner. On that of one: inside it.
-      const std::uint32_t of_ab = ab == Sign::zero ? 1 : 0, of_bc = bc == Sign::zero ? 1 : 0,
-                          of_ca = ca == Sign::zero ? 1 : 0;
-      if (of_ab + of_bc + of_ca == 2) return {{corners[of_bc == 0 ? 0 : of_ca == 0 ? 1 : 2]}, 1};
-      if (of_ab == 1) return {{corners[0], corners[1]}, 2};
-      return of_bc == 1 ? Few{{corners[1], corners[2]}, 2} : Few{{corners[0], corners[2]}, 2};
+    const auto &a = q[corners[0]], &b = q[corners[1]], &c = q[corners[2]];
+    const Sign ab = cross_2d(a, b, a, p, &tally);
+    if (ab == Sign::negative) return {};
+    const Sign bc = cross_2d(b, c, b, p, &tally);
+    if (bc == Sign::negative) return {};
+    const Sign ca = cross_2d(c, a, c, p, &tally);
+    if (ca == Sign::negative) return {};
+    // On the lines of two edges: in their corner. On that of one: inside it.
+    if (ab == Sign::zero) {
+      if (bc == Sign::zero) return {{corners[1]}, 1};
+      if (ca == Sign::zero) return {{corners[0]}, 1};
+      return {{corners[0], corners[1]}, 2};
     }
+    if (bc == Sign::zero) return ca == Sign::zero ? Few{{corners[2]}, 1} : Few{{corners[1], corners[2]}, 2};
+    if (ca == Sign::zero) return {{corners[0], corners[2]}, 2};
+    return {{corners[0], corners[1], corners[2]}, 3};
   }
   for (const std::uint32_t c : corners) {
     if (equal(p, vertex_at(q, c), tally)) return {{c}, 1};
@@ -89,32 +89,32 @@ Few corners_around(const typename Sequence::Vertex& p, const Sequence& q, Corner
 template <class A, class B>
 bool check_meet(const A& a, Corners from_a, const B& b, Corners from_b, PairCertificate& certificate,
                 StageTally& tally) {
-  const evidence::Few few_a = evidence::without_repeats(a, from_a), few_b = evidence::without_repeats(b, from_b);
+  const evidence::Few few_a = evidence::in_order(a, from_a), few_b = evidence::in_order(b, from_b);
   const Corners of_a = few_a, of_b = few_b;
   const auto fill = [&](Corners in_a, Corners in_b) {
     certificate.verdict = Verdict::meet;
     certificate.count_a = static_cast<std::uint8_t>(in_a.size());
     certificate.count_b = static_cast<std::uint8_t>(in_b.size());
     std::size_t k = 0;
-    for (const std::uint32_t c : in_a) certificate.vertices[k++] = a.number(position(a, c));
-    for (const std::uint32_t c : in_b) certificate.vertices[k++] = b.number(position(b, c));
+    for (const std::uint32_t c : in_a) certificate.vertices[k++] = a.number(c);
+    for (const std::uint32_t c : in_b) certificate.vertices[k++] = b.number(c);
     return true;
   };
   for (std::size_t k = 0; k < of_b.size(); ++k) {
-    const evidence::Few few = evidence::corners_around(vertex_at(b, of_b[k]), a, of_a, tally);
+    const evidence::Few few = evidence::corners_around(b[of_b[k]], a, of_a, tally);
     if (few.count > 0) return fill(few, of_b.subspan(k, 1));
   }
   for (std::size_t k = 0; k < of_a.size(); ++k) {
-    const evidence::Few few = evidence::corners_around(vertex_at(a, of_a[k]), b, of_b, tally);
+    const evidence::Few few = evidence::corners_around(a[of_a[k]], b, of_b, tally);
     if (few.count > 0) return fill(of_a.subspan(k, 1), few);
   }
   // No corner of one is in the hull of the other: if they meet, then two edges cross inside both.
   for (std::size_t i = 0; i < of_a.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const auto &p = vertex_at(a, of_a[j]), &q = vertex_at(a, of_a[i]);
+      const auto &p = a[of_a[j]], &q = a[of_a[i]];
       for (std::size_t k = 0; k < of_b.size(); ++k) {
         for (std::size_t l = 0; l < k; ++l) {
-          const auto &r = vertex_at(b, of_b[l]), &s = vertex_at(b, of_b[k]);
+          const auto &r = b[of_b[l]], &s = b[of_b[k]];
           const auto part = [&](const auto& t, const auto& u, const auto& v, const auto& w) {
             return cross_2d(t, u, t, v, &tally) * cross_2d(t, u, t, w, &tally) == Sign::negative;
           };

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <sunder/planar/pair/proposal.h>
+#include <sunder/planar/pair/support.h>
 
 namespace sunder::planar {
 
@@ -20,54 +21,6 @@ namespace nearest_search {
 using in_doubles::cross;
 using in_doubles::dot;
 using in_doubles::operator-;
-using in_doubles::scaled;
-
-// The arrow from p to q.
-inline Point2 arrow(const Point2& p, const Point2& q) { return q - p; }
-inline Point2 arrow(const Posed2& p, const Posed2& q) {
-  const auto& m = p.pose->linear;
-  const Point2 v = q.point - p.point;
-  return {m[0] * v.x + m[1] * v.y, m[2] * v.x + m[3] * v.y};
-}
-
-// The polygon's vertex that is furthest along a direction: log2 n + O(1) probes.
-template <class Sequence>
-class Support {
- public:
-  Support(const Sequence& sequence, double scale, Cost& cost) : sequence_(sequence), scale_(scale), cost_(cost) {
-    const auto [below, above] = sequence.up();
-    up_ = arrow(below, above);
-  }
-
-  Point2 vertex(std::uint32_t k) const { return scaled(sequence_.rounded(k), scale_); }
-
-  // Where the edges begin that descend, seen along d; these are to the left of d turned left: see edge_runs.h. Where
-  // rounding takes the wrong half, the extreme vertex is at an end of it.
-  std::uint32_t furthest_along(const Point2& d) const {
-    const std::uint32_t n = sequence_.size();
-    const double down = -dot(d, up_), upward = down != 0 ? down : cross(d, up_);
-    const std::uint32_t first = upward > 0 ? sequence_.first() : sequence_.second();
-    std::uint32_t second = upward > 0 ? sequence_.second() : sequence_.first();
-    if (second < first) second += n;
-    const std::uint32_t k = first_where(first, second, [&](std::uint32_t e) {
-      ++cost_.probes;
-      return dot(d, vertex(position(sequence_, position(sequence_, e) + 1)) - vertex(position(sequence_, e))) < 0;
-    });
-    return position(sequence_, k);
-  }
-
- private:
-  const Sequence& sequence_;
-  double scale_;
-  Cost& cost_;
-  Point2 up_;
-};
-
-// A vertex of D: that of a at position i, less that of b at position j.
-struct Difference {
-  std::uint32_t i = 0, j = 0;
-  Point2 p{};
-};
 
 struct Simplex {
   std::array<Difference, 3> at{};
@@ -116,46 +69,26 @@ struct Simplex {
 
 }  // namespace nearest_search
 
-// When to give up: after so many rounds; where the vertex found is beyond the origin by less than this part of how far
-// the simplex is on its other side, which tells a contact, or nearly one. To the end: propose what is likely then.
-struct Patience {
-  std::uint32_t rounds = 64;
-  double near = 0;
-  bool to_the_end = true;
-};
-
 template <class A, class B>
-bool search_nearest(const A& a, const B& b, const Patience& patience, PairCertificate& certificate, Cost& cost,
-                    StageTally& tally) {
-  using nearest_search::Difference;
-  using nearest_search::dot;
-  using nearest_search::operator-;
+bool search_nearest(const A& a, const B& b, PairCertificate& certificate, Cost& cost, StageTally& tally) {
+  using in_doubles::dot;
+  using in_doubles::operator-;
   using nearest_search::Simplex;
-  using nearest_search::Support;
-  const double scale = scale_near_one({a.rounded(0), a.rounded(a.size() / 2), b.rounded(0), b.rounded(b.size() / 2)});
-  const Support of_a(a, scale, cost), of_b(b, scale, cost);
-  Difference furthest{0, 0, of_a.vertex(0) - of_b.vertex(0)};
-  cost.probes += 2;
+  constexpr std::uint32_t most_rounds = 64;
+  const SupportOfDifference support(a, b, cost);
+  Difference furthest = support.vertex(0, 0);
   Simplex simplex;
   const auto are_apart = [&] { return propose_apart(a, furthest.i, b, furthest.j, certificate, tally); };
   simplex.add(furthest);
-  bool inside = false;
-  while (cost.iterations < patience.rounds) {
+  while (cost.iterations < most_rounds) {
     ++cost.iterations;
     const Point2 d = simplex.reduce();
-    inside = d.x == 0 && d.y == 0;
-    if (inside) break;
-    furthest.i = of_a.furthest_along(d);
-    furthest.j = of_b.furthest_along({-d.x, -d.y});
-    furthest.p = of_a.vertex(furthest.i) - of_b.vertex(furthest.j);
-    cost.probes += 2;
-    const double beyond = dot(d, furthest.p);
-    if (beyond < 0 && are_apart()) return true;
-    if (beyond >= 0 && beyond < -patience.near * dot(d, simplex.at[0].p)) return false;
+    if (d.x == 0 && d.y == 0) break;
+    furthest = support.furthest_along(d);
+    if (dot(d, furthest.p) < 0 && are_apart()) return true;
     if (simplex.has(furthest) || !(dot(d, furthest.p - simplex.at[0].p) > 0)) break;
     simplex.add(furthest);
   }
-  if (!inside && !patience.to_the_end) return false;
   // The origin is in the simplex, or nearest to it, or the rounds are used up.
   std::array<std::uint32_t, 3> in_a{}, in_b{};
   for (std::uint32_t k = 0; k < simplex.size; ++k) in_a[k] = simplex.at[k].i, in_b[k] = simplex.at[k].j;

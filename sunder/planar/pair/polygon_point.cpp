@@ -26,7 +26,8 @@ Answer ask(const ConvexPolygon& polygon, const Pose& pose, const Point2& point, 
   });
 }
 
-// Without any search: an edge that has x beyond it, or in its line; else one of the triangles of vertex 0.
+// Without any search: an edge that has x beyond it, or in its line; else the first of the triangles of vertex 0 that
+// does not have x beyond its last side.
 template <class Sequence>
 Located locate_by_scan(const Sequence& p, const typename Sequence::Vertex& x, Cost& cost, StageTally& tally) {
   const std::uint32_t n = p.size();
@@ -45,7 +46,7 @@ Located locate_by_scan(const Sequence& p, const typename Sequence::Vertex& x, Co
   }
   for (std::uint32_t k = 1; k + 2 < n; ++k) {
     ++cost.probes;
-    if (evidence::in_triangle(x, p[0], p[k], p[k + 1], Sign::positive, tally)) return {Place::inside, k};
+    if (cross_2d(p[0], p[k + 1], p[0], x, &tally) != Sign::positive) return {Place::inside, k};
   }
   return {Place::inside, n - 2};
 }

@@ -1,23 +1,15 @@
+#include <sunder/planar/pair/cone_search.h>
 #include <sunder/planar/pair/difference_search.h>
-#include <sunder/planar/pair/nearest_search.h>
 #include <sunder/planar/pair/polygon_polygon.h>
 
 namespace sunder::planar {
-
-namespace {
-
-// Most pairs are clearly apart, or overlap clearly: a few rounds in doubles tell, and what they say is checked. The
-// others cost these rounds more.
-constexpr Patience short_look{3, 0.2, false};
-
-}  // namespace
 
 PairAnswer polygon_polygon(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b, const Pose& pose_b) {
   return with_placed(a, pose_a, b, pose_b, [](const auto& in_a, const auto& in_b) {
     PairAnswer answer;
     StageTally tally;
     const bool flat = in_a.size() < 3 || in_b.size() < 3;
-    if (flat || !search_nearest(in_a, in_b, short_look, answer.evidence, answer.cost, tally)) {
+    if (flat || !search_cone(in_a, in_b, answer.evidence, answer.cost, tally)) {
       answer.evidence = {};
       search_difference(in_a, 0, in_b, 0, answer.evidence, answer.cost, tally);
     }

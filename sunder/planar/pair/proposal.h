@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
@@ -20,7 +21,9 @@ inline double scale_near_one(std::initializer_list<Point2> points) {
   double greatest = 0;
   for (const Point2& p : points) greatest = std::max({greatest, std::fabs(p.x), std::fabs(p.y)});
   if (!(greatest > 0) || std::isinf(greatest)) return 1;
-  return std::ldexp(1.0, std::clamp(-std::ilogb(greatest), -1000, 1000));
+  constexpr std::uint64_t bias = 1023, least = bias - 1000, most = bias + 1000;  // 2^e is stored as e + bias
+  const std::uint64_t stored = std::clamp(std::bit_cast<std::uint64_t>(greatest) >> 52, least, most);
+  return std::bit_cast<double>((2 * bias - stored) << 52);
 }
 
 namespace in_doubles {

@@ -1,0 +1,13 @@
+// sunder pair where one of A and B is a line, a ray or a half-plane, and the other one a point, segment or polygon.
+#pragma once
+
+#include <cli/pair_planar_input.h>
+
+namespace sunder::cli {
+
+// Prints what the two have in common; returns the exit code. Requires one of them, or both, to be unbounded. Throws
+// Error for bad input: two unbounded objects; --distance; a pose of the unbounded object under which one of its two
+// points is no pair of doubles; a certificate that no bounded piece of it gives (see certificate_of_unbounded).
+int run_unbounded_pair(const PlanarPairCall& call, const PlanarInput& a, const PlanarInput& b);
+
+}  // namespace sunder::cli

@@ -1,0 +1,82 @@
+// Do two convex polygons meet: a triangle in their difference, and then one search behind one of its sides.
+//
+// D = A - B holds the origin iff A and B meet (difference_search.h). In doubles: r is a vertex of D, s the vertex of D
+// furthest from r towards the origin, t the one furthest from the line rs on the origin's side. Where the origin is
+// beyond s, or beyond t, A and B are apart; this is how most pairs that are apart are told. Where it is in the triangle
+// rst they meet. Else it is beyond the side st, seen from r, or beyond rt, seen from s (not both: D would not reach
+// that far). The ray from there through the origin leaves D behind that side: between two vertices of D that are known,
+// which bound the chains of edges to be searched. (Without the triangle, finding the chains takes half of a search.)
+//
+// All of this proposes; a proposal is checked exactly. Rounding may spoil it near contact: then nothing is proposed.
+// Cost: two searches for a furthest vertex in each polygon, then two probes for each halving of what is left:
+// at most 4 (log2 n + log2 m) + O(1).
+#pragma once
+
+#include <sunder/planar/pair/difference_search.h>
+#include <sunder/planar/pair/proposal.h>
+#include <sunder/planar/pair/support.h>
+
+namespace sunder::planar {
+
+namespace cone_search {
+
+// Edges of the polygon from the position `begin` on to the position `end`.
+inline EdgeRun run_between(std::uint32_t begin, std::uint32_t end, std::uint32_t n) {
+  return {begin, end < begin ? end + n : end};
+}
+
+// The origin is seen from `apex` between `from` and `to`, counter-clockwise in this order: does the ray leave D through
+// an edge between these two that decides?
+template <class A, class B>
+bool propose_behind(const A& a, const B& b, const Difference& apex, const Difference& from, const Difference& to,
+                    PairCertificate& certificate, Cost& cost, StageTally& tally) {
+  const EdgeRun chain_a = run_between(from.i, to.i, a.size()), chain_b = run_between(from.j, to.j, b.size());
+  if (chain_a.empty() && chain_b.empty()) return false;
+  const auto [of_a, i, j] = difference_search::exit_edge(a, apex.i, b, apex.j, chain_a, chain_b, cost, tally);
+  if (of_a) {
+    if (parts(a, i, b, j, tally)) {
+      fill_apart_by_edge_of_a(a, i, b, j, certificate);
+      return true;
+    }
+    return check_meet(a, std::array{apex.i, i, i + 1}, b, std::array{apex.j, j}, certificate, tally);
+  }
+  if (parts(b, j, a, i, tally)) {
+    fill_apart_by_edge_of_b(a, i, b, j, certificate);
+    return true;
+  }
+  return check_meet(a, std::array{apex.i, i}, b, std::array{apex.j, j, j + 1}, certificate, tally);
+}
+
+}  // namespace cone_search
+
+// Requires three vertices at least of both. Fills in the certificate where a proposal holds.
+template <class A, class B>
+bool search_cone(const A& a, const B& b, PairCertificate& certificate, Cost& cost, StageTally& tally) {
+  using in_doubles::cross;
+  using in_doubles::dot;
+  using in_doubles::operator-;
+  const SupportOfDifference support(a, b, cost);
+  const auto is_apart = [&](const Difference& w) { return propose_apart(a, w.i, b, w.j, certificate, tally); };
+
+  const Difference r = support.vertex(0, 0);
+  const Point2 to_origin{-r.p.x, -r.p.y};
+  const Difference s = support.furthest_along(to_origin);
+  if (dot(to_origin, s.p) < 0) return is_apart(s);
+  const double side = cross(r.p, s.p);  // positive: the origin is to the left of the arrow from r to s
+  const Point2 along = s.p - r.p, across = side > 0 ? Point2{-along.y, along.x} : Point2{along.y, -along.x};
+  const Difference t = support.furthest_along(across);
+  if (dot(across, t.p) < 0) return is_apart(t);
+
+  // Counter-clockwise: r, s, t where `side` is positive, else r, t, s.
+  const bool left = side > 0;
+  const double st = left ? cross(s.p, t.p) : cross(t.p, s.p), tr = left ? cross(t.p, r.p) : cross(r.p, t.p);
+  if (st < 0) {
+    return cone_search::propose_behind(a, b, r, left ? s : t, left ? t : s, certificate, cost, tally);
+  }
+  if (tr < 0) {
+    return cone_search::propose_behind(a, b, s, left ? t : r, left ? r : t, certificate, cost, tally);
+  }
+  return check_meet(a, std::array{r.i, s.i, t.i}, b, std::array{r.j, s.j, t.j}, certificate, tally);
+}
+
+}  // namespace sunder::planar
