@@ -1,19 +1,9 @@
 #include <sunder/planar/set/segments_any_json.h>
+#include <sunder/planar/set/tables_json.h>
 
 namespace sunder::planar {
 
 namespace {
-
-void append(std::string& text, double x) { text += '"' + Dyadic(x).hexadecimal() + '"'; }
-
-void append(std::string& text, std::span<const std::uint32_t> numbers) {
-  text += '[';
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    if (k > 0) text += k % 32 == 0 ? ",\n     " : ",";
-    text += numbers[k] == no_segment ? "-1" : std::to_string(numbers[k]);  // and exchange_event
-  }
-  text += ']';
-}
 
 std::string pair_text(const std::array<std::uint32_t, 2>& pair) {
   return '[' + std::to_string(pair[0]) + ',' + std::to_string(pair[1]) + ']';
@@ -22,21 +12,14 @@ std::string pair_text(const std::array<std::uint32_t, 2>& pair) {
 }  // namespace
 
 std::string certificate_text(const Segments& segments, Allowed allowed, const SegmentsAnswer& answer, Groups groups) {
-  std::string text = "{\"sunder_set_certificate\": 1,\n \"segments\": [";
+  std::string text = std::string(json_file_begin) + " \"segments\": [";
   for (std::uint32_t i = 0; i < segments.size(); ++i) {
-    text += i > 0 ? ",\n  [" : "\n  [";
-    append(text, segments[i].a.x);
-    text += ',';
-    append(text, segments[i].a.y);
-    text += ',';
-    append(text, segments[i].b.x);
-    text += ',';
-    append(text, segments[i].b.y);
-    text += ']';
+    text += i > 0 ? ",\n  " : "\n  ";
+    append_doubles(text, std::array{segments[i].a.x, segments[i].a.y, segments[i].b.x, segments[i].b.y});
   }
   if (!groups.empty()) {
     text += "],\n \"groups\":\n    ";
-    append(text, groups);
+    append_indices(text, groups);
     text += ",\n";
   } else {
     text += "],\n";
@@ -44,15 +27,14 @@ std::string certificate_text(const Segments& segments, Allowed allowed, const Se
   text += " \"statements\": [\n  {\"question\": \"segments_any\", \"allowed\": \"" + std::string(name_of(allowed)) +
           "\", \"verdict\": \"" + (answer.meet() ? "some" : "none") + "\",\n   ";
   if (answer.meet()) {
-    const ExactPoint2 p = common_point(segments[answer.i], segments[answer.j]);
     text += "\"i\": " + std::to_string(answer.i) + ", \"j\": " + std::to_string(answer.j) + ", \"kind\": \"" +
-            std::string(name_of(answer.kind)) + "\", \"point\": [\"" + fraction_text(p.x, p.denominator) + "\", \"" +
-            fraction_text(p.y, p.denominator) + "\"]";
+            std::string(name_of(answer.kind)) + "\", \"point\": ";
+    append_point(text, common_point(segments[answer.i], segments[answer.j]));
   } else {
     text += "\"events\":\n    ";
-    append(text, answer.transcript.events);
+    append_indices(text, answer.transcript.events);
     text += ",\n   \"below\":\n    ";
-    append(text, answer.transcript.below);
+    append_indices(text, answer.transcript.below);
     if (!answer.transcript.exchanges.empty()) {
       text += ",\n   \"exchanges\": [";
       for (std::size_t k = 0; k < answer.transcript.exchanges.size(); ++k) {

@@ -1,0 +1,14 @@
+// The certificate file of the common part of discs (docs/certificates-sets.md, "circles"): whether it is empty, a
+// point, or a region; not which arcs bound it.
+#pragma once
+
+#include <sunder/planar/region/circles.h>
+
+#include <string>
+
+namespace sunder::planar {
+
+// Requires the common part of these circles. The certificate must be true: its exact numbers are computed here.
+std::string certificate_text(const Circles& circles, const CirclesPart& part);
+
+}  // namespace sunder::planar

@@ -1,0 +1,17 @@
+// The certificate file of the common part of half-planes (docs/certificates-sets.md, "half_planes").
+#pragma once
+
+#include <sunder/planar/region/region.h>
+
+#include <string>
+
+namespace sunder::planar {
+
+// Requires the region of these half-planes with its evidence. `Given` is Constraints or HalfPlanes.
+template <class Given>
+std::string certificate_text(const Given& given, const Region& region);
+
+extern template std::string certificate_text(const Constraints&, const Region&);
+extern template std::string certificate_text(const HalfPlanes&, const Region&);
+
+}  // namespace sunder::planar

@@ -1,0 +1,13 @@
+// The certificate file of a kernel (docs/certificates-sets.md, "kernel").
+#pragma once
+
+#include <sunder/planar/region/kernel.h>
+
+#include <string>
+
+namespace sunder::planar {
+
+// Requires the kernel of this polygon with its evidence.
+std::string certificate_text(const PolygonSides& polygon, const Region& kernel);
+
+}  // namespace sunder::planar

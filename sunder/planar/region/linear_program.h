@@ -1,0 +1,123 @@
+// Which points of N half-planes are furthest in a direction (p, q): the linear program "maximize p x + q y"?
+//
+// The answer is exactly right for the doubles given, whatever the position, and comes with its evidence, which names
+// half-planes by number. Angles are those of normals, counter-clockwise; a half-plane's line runs counter-clockwise
+// too: with the half-plane on its left, that is, its normal on its right.
+//   L1. All methods give the same outcome, and the same optimal points. The half-planes named may differ.
+//   L2. check() accepts the answer.
+//   L3. The answer does not depend on the compiler.
+// None throws, but for want of memory. `Given` is Constraints or HalfPlanes.
+// Source: Shamos & Hoey 1976, section V, Theorems 11 and 12, and the remark on many objectives after it.
+// Departure: Theorem 12 makes the region first, in O(N log N); here Seidel's method (1991) and sampling (Clarkson 1995)
+// take O(N) expected. by_region is the remark.
+#pragma once
+
+#include <sunder/planar/region/region.h>
+#include <sunder/planar/region/side_table.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace sunder::planar {
+
+enum class Optimum : std::uint8_t {
+  one,         // point
+  many,        // a segment, ray or line; for p = q = 0: all common points
+  unbounded,   // common points are as far as one likes
+  infeasible,  // no common point
+};
+
+std::string_view name_of(Optimum);
+
+inline constexpr std::uint32_t no_half_plane = 0xffffffffu;
+
+// Its three half-planes, where set (not no_half_plane), by outcome:
+//   one: the corner of before and after, whose normals turn, less than a half turn, from one side of (p, q) to the
+//     other; or where `side` is set, whose normal is in the direction (p, q): the corner of before and side, through
+//     which the line of after goes.
+//   many: the points of the line of `side`, whose normal is in the direction (p, q), from its corner with before to
+//   that
+//     with after; it is unbounded on a side where that is not set. For p = q = 0: `side` is not set, and the common
+//     point below is one of them.
+//   unbounded: a common point, below, and a direction in which one never leaves: that of the line of `side`, or where
+//     `backward`, its opposite; where `side` is not set, (p, q).
+//   infeasible: before, side, after have no common point, and follow each other counter-clockwise; where `side` is not
+//     set, before and after have none.
+// The common point: the corner of before and after; where after is not set, all lines are parallel to that of before,
+// and each of its points is one; where both are not set, there are no half-planes.
+struct LinearProgramAnswer {
+  Optimum outcome = Optimum::infeasible;
+  std::uint32_t before = no_half_plane, side = no_half_plane, after = no_half_plane;
+  bool backward = false;  // meaningless unless unbounded
+  Cost cost;              // probes: signs that were asked for; exact: those that needed exact arithmetic
+
+  bool feasible() const { return outcome != Optimum::infeasible; }
+};
+
+// The direction; both numbers finite.
+struct Objective {
+  double p = 0, q = 0;
+};
+
+// The front door: the fastest method measured.
+template <class Given>
+LinearProgramAnswer linear_program(const Given& given, const Objective& objective);
+
+// Half-planes in random order, from a fixed seed; where the optimum so far is outside of the next one, it is found anew
+// on that one's line. Cost: O(N) expected signs.
+template <class Given>
+LinearProgramAnswer linear_program_by_seidel(const Given& given, const Objective& objective);
+
+// By Seidel for a random sample, to which those that do not hold its optimum are added, until there are none: at most
+// four rounds. Cost: O(N) expected signs; half-planes are looked at in their order in memory.
+template <class Given>
+LinearProgramAnswer linear_program_by_sampling(const Given& given, const Objective& objective);
+
+// For many objectives: `region` is the common part of the half-planes. Cost: O(log N) signs; allocates nothing while
+// filters decide.
+template <class Given>
+LinearProgramAnswer linear_program_by_region(const Given& given, const Region& region, const Objective& objective);
+
+// A region with its sides' normals in a row, as they are needed for objectives: for very many of them. It keeps
+// references to both. Immutable; any number of threads may use it.
+template <class Given>
+class PreparedRegion {
+ public:
+  PreparedRegion(const Given& given, const Region& region)
+      : given_(given), region_(region), table_(given, region.sides) {
+    for (const std::uint32_t side : region.sides) sides_.push_back(given[side]);
+  }
+
+  const Given& given() const { return given_; }
+  const Region& region() const { return region_; }
+  const SideTable& table() const { return table_; }
+  const typename Given::Half& side(std::size_t p) const { return sides_[p]; }
+
+ private:
+  const Given& given_;
+  const Region& region_;
+  SideTable table_;
+  std::vector<typename Given::Half> sides_;
+};
+
+// The same; a table of angles proposes where to begin. Cost: O(1) signs for sides' angles spread evenly, O(log N) at
+// worst.
+template <class Given>
+LinearProgramAnswer linear_program_by_region(const PreparedRegion<Given>& region, const Objective& objective);
+
+// Every corner: the oracle. O(N^3) signs.
+template <class Given>
+LinearProgramAnswer linear_program_by_scan(const Given& given, const Objective& objective);
+
+// A point that is optimal, or for `unbounded` a common one. Requires a feasible answer. Cost: exact arithmetic.
+template <class Given>
+ExactPoint2 point_of(const Given& given, const LinearProgramAnswer& answer);
+
+// Is the answer what it says it is, by its evidence alone? Nothing of a search is used. Cost: O(N) signs.
+template <class Given>
+bool check(const Given& given, const Objective& objective, const LinearProgramAnswer& answer);
+
+}  // namespace sunder::planar

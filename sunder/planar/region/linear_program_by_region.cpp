@@ -1,0 +1,157 @@
+// A binary search over the sides of a region, which are sorted by angle (SH76, section V: "a line of support").
+#include <sunder/planar/region/linear_program.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace sunder::planar {
+
+namespace {
+
+template <class Given>
+class Support {
+ public:
+  using Half = typename Given::Half;
+  Support(const Given& given, const Region& region, const Objective& objective, const PreparedRegion<Given>* prepared)
+      : given_(given), region_(region), prepared_(prepared), up_(through_origin<Half>(objective.p, objective.q)) {}
+
+  LinearProgramAnswer answer() {
+    LinearProgramAnswer answer = answer_of_kind();
+    answer.cost = {probes_, 0, tally_.exact};
+    return answer;
+  }
+
+  // For the objective zero.
+  static LinearProgramAnswer any_point(const Region& region) {
+    if (region.empty()) return contradiction(region);
+    const auto& s = region.sides;
+    const bool has_corner = region.kind != RegionKind::half_plane && region.kind != RegionKind::strip &&
+                            region.kind != RegionKind::line && region.kind != RegionKind::plane;
+    return {
+        Optimum::many, s.empty() ? no_half_plane : s[0], no_half_plane, has_corner ? s[1] : no_half_plane, false, {}};
+  }
+
+ private:
+  Half side(std::size_t p) const { return prepared_ ? prepared_->side(p) : given_[region_.sides[p]]; }
+  Sign turn_to_up(std::size_t p) { return ++probes_, turn(side(p), up_, &tally_); }
+  bool is_up(std::size_t p) { return turn_to_up(p) == Sign::zero && facing(side(p), up_, &tally_) == Sign::positive; }
+
+  LinearProgramAnswer answer_of_kind() {
+    switch (region_.kind) {
+      case RegionKind::empty: return contradiction(region_);
+      case RegionKind::plane: return {Optimum::unbounded, no_half_plane, no_half_plane, no_half_plane, false, {}};
+      case RegionKind::half_plane:
+      case RegionKind::strip:
+      case RegionKind::line: return without_corner();
+      case RegionKind::ray:
+      case RegionKind::unbounded: return open();
+      case RegionKind::point:
+      case RegionKind::segment:
+      case RegionKind::bounded: break;
+    }
+    return closed();
+  }
+
+  static LinearProgramAnswer contradiction(const Region& region) {
+    const auto& s = region.sides;
+    return {Optimum::infeasible, s.front(), s.size() == 3 ? s[1] : no_half_plane, s.back(), false, {}};
+  }
+
+  LinearProgramAnswer without_corner() {
+    const std::vector<std::uint32_t>& sides = region_.sides;
+    for (std::size_t p = 0; p < sides.size(); ++p) {
+      if (is_up(p)) return {Optimum::many, no_half_plane, sides[p], no_half_plane, false, {}};
+    }
+    const Sign turn = turn_to_up(0);
+    return {Optimum::unbounded,     sides[0], turn == Sign::zero ? no_half_plane : sides[0], no_half_plane,
+            turn == Sign::negative, {}};
+  }
+
+  // The answer where the objective's direction is that of side p, or between those of it and the next.
+  LinearProgramAnswer at(std::size_t p) {
+    const std::vector<std::uint32_t>& sides = region_.sides;
+    const std::size_t n = sides.size();
+    const bool is_closed = region_.kind != RegionKind::ray && region_.kind != RegionKind::unbounded;
+    const std::uint32_t next = p + 1 < n ? sides[p + 1] : is_closed ? sides[0] : no_half_plane;
+    if (!is_up(p)) return {Optimum::one, sides[p], no_half_plane, next, false, {}};
+    const std::uint32_t previous = p > 0 ? sides[p - 1] : is_closed ? sides[n - 1] : no_half_plane;
+    LinearProgramAnswer answer{Optimum::many, previous, sides[p], next, false, {}};
+    const bool is_flat =
+        region_.kind == RegionKind::point || region_.kind == RegionKind::segment || region_.kind == RegionKind::ray;
+    if (is_flat && previous != no_half_plane && next != no_half_plane) {
+      ++probes_;
+      const Sign end = corner_side(given_[previous], given_[sides[p]], given_[next], &tally_);
+      if (end == Sign::zero) answer.outcome = Optimum::one;
+    }
+    return answer;
+  }
+
+  // Sides begin at the x axis.
+  LinearProgramAnswer closed() {
+    if (prepared_) {
+      const std::size_t p = prepared_->table().position(up_), next = p + 1 == region_.sides.size() ? 0 : p + 1;
+      const Sign from_p = turn_to_up(p);
+      if (from_p != Sign::negative && turn_to_up(next) == Sign::negative) {
+        if (from_p == Sign::zero) return at(p);
+        return {Optimum::one, region_.sides[p], no_half_plane, region_.sides[next], false, {}};
+      }
+    }
+    const bool down = points_down(up_);
+    std::size_t first = 0, last = region_.sides.size();  // those before first are not after the objective
+    while (first < last) {
+      const std::size_t middle = first + (last - first) / 2;
+      const Half half = side(middle);
+      const bool half_down = points_down(half);
+      const bool is_after = half_down != down ? half_down : (++probes_, turn(up_, half, &tally_) == Sign::positive);
+      (is_after ? last : first) = is_after ? middle : middle + 1;
+    }
+    return at((first == 0 ? region_.sides.size() : first) - 1);
+  }
+
+  // Sides lie within a half turn, and where the objective is not between them, it is in the gap.
+  LinearProgramAnswer open() {
+    const std::vector<std::uint32_t>& sides = region_.sides;
+    const std::size_t n = sides.size();
+    if (is_up(0)) return at(0);
+    if (is_up(n - 1)) return at(n - 1);
+    const bool forward = turn_to_up(n - 1) == Sign::positive, backward = turn_to_up(0) == Sign::negative;
+    const LinearProgramAnswer far{Optimum::unbounded, sides[0], forward ? sides[n - 1] : sides[0],
+                                  sides[1],           !forward, {}};
+    if (forward || backward) return far;
+    std::size_t first = 1, last = n - 1;  // the first side that is after the objective
+    while (first < last) {
+      const std::size_t middle = first + (last - first) / 2;
+      const bool is_after = turn_to_up(middle) == Sign::negative;
+      (is_after ? last : first) = is_after ? middle : middle + 1;
+    }
+    return at(first - 1);
+  }
+
+  const Given& given_;
+  const Region& region_;
+  const PreparedRegion<Given>* prepared_;  // where there is one
+  Half up_;
+  StageTally tally_;
+  std::uint64_t probes_ = 0;
+};
+
+}  // namespace
+
+template <class Given>
+LinearProgramAnswer linear_program_by_region(const Given& given, const Region& region, const Objective& objective) {
+  if (objective.p == 0 && objective.q == 0) return Support<Given>::any_point(region);
+  return Support<Given>(given, region, objective, nullptr).answer();
+}
+
+template <class Given>
+LinearProgramAnswer linear_program_by_region(const PreparedRegion<Given>& prepared, const Objective& objective) {
+  if (objective.p == 0 && objective.q == 0) return Support<Given>::any_point(prepared.region());
+  return Support<Given>(prepared.given(), prepared.region(), objective, &prepared).answer();
+}
+
+template LinearProgramAnswer linear_program_by_region(const Constraints&, const Region&, const Objective&);
+template LinearProgramAnswer linear_program_by_region(const HalfPlanes&, const Region&, const Objective&);
+template LinearProgramAnswer linear_program_by_region(const PreparedRegion<Constraints>&, const Objective&);
+template LinearProgramAnswer linear_program_by_region(const PreparedRegion<HalfPlanes>&, const Objective&);
+
+}  // namespace sunder::planar

@@ -1,0 +1,57 @@
+// Which pairs of N circles with their insides, closed discs, meet, and how many are they?
+//
+//   P1. Each pair that has a contact whose kind counts, and whose discs are not of one group, is given once.
+//   P2. The pairs given and their kinds do not depend on the method; their order does.
+//   P3. The answer does not depend on the compiler.
+// k is the number of pairs whose boxes meet, also of those that do not count: all contacts are among them.
+// Source: Shamos & Hoey 1976, section VI (the question). That the list is complete has no short proof.
+#pragma once
+
+#include <sunder/base/cost.h>
+#include <sunder/planar/object/circle.h>
+#include <sunder/planar/set/circles_any.h>
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace sunder::planar {
+
+struct CirclesContact {
+  std::uint32_t i = 0, j = 0;  // i < j
+  DiscContact kind = DiscContact::none;
+  friend auto operator<=>(const CirclesContact&, const CirclesContact&) = default;
+};
+
+struct CirclesAllAnswer {
+  std::vector<CirclesContact> contacts;
+  Cost cost;  // probes: pairs that were compared
+};
+
+struct CirclesCountAnswer {
+  std::uint64_t count = 0;
+  Cost cost;
+};
+
+// The front doors: the fastest method measured. `transcript` of the options is not looked at.
+CirclesAllAnswer circles_all(const Circles& circles, const CirclesOptions& options = {});
+CirclesCountAnswer circles_count(const Circles& circles, const CirclesOptions& options = {});
+
+// Calls for each contact, in the order of the method, until the visitor returns false.
+using CirclesContactVisitor = std::function<bool(const CirclesContact&)>;
+using CirclesContactMethod = Cost(const Circles& circles, const CirclesOptions& options,
+                                  const CirclesContactVisitor& visit);
+
+CirclesContactMethod visit_circle_contacts;  // the front door
+
+// A uniform grid over the discs' boxes; where it does not pay, or many crowd in a cell, by sweep.
+CirclesContactMethod visit_circle_contacts_by_grid;
+
+// A line sweeps from left to right over the discs' boxes; a tree of greatest ordinates over those that it cuts finds
+// the boxes that a new one meets. O((N + k) log N) time, O(N) memory; k pairs are compared.
+CirclesContactMethod visit_circle_contacts_by_sweep;
+
+// Every pair: the oracle, by i, then j. O(N^2) time.
+CirclesContactMethod visit_circle_contacts_by_scan;
+
+}  // namespace sunder::planar

@@ -1,0 +1,83 @@
+// Do any two of N convex polygons meet? (Segments and points are polygons of two vertices and of one.)
+//
+// The polygons are closed: touching is meeting, and one inside another meets it. The answer is exactly right for the
+// doubles given, whatever the position. It comes with its evidence: two polygons that meet in a way that counts, with
+// the certificate of this pair; or a transcript of a sweep that proves that there are none.
+//   P1. meet() is true iff some two polygons have a contact that counts.
+//   P2. The contact named counts; it need not be the leftmost, nor the same for all methods. `evidence` passes the
+//       absolute check of certificate/check.h, with polygon i as body A and polygon j as body B.
+//   P3. The answer does not depend on the compiler.
+// Source: Shamos & Hoey 1976, section IV, Theorem 6.
+#pragma once
+
+#include <sunder/base/cost.h>
+#include <sunder/certificate/pair_answer.h>
+#include <sunder/planar/object/convex_polygon.h>
+#include <sunder/planar/set/contact_rule.h>
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace sunder::planar {
+
+// Two polygons that became neighbours on the sweep line. What proves that they have no contact that counts: that they
+// are apart; where touching is allowed and they touch, only the meeting is proved, and a checker finds by itself that
+// no common point is inside of both.
+struct NeighboursEvidence {
+  std::uint32_t below = 0, above = 0;  // the bodies A and B of the evidence
+  PairCertificate evidence;
+};
+
+// The sweep that met no contact that counts. `events`: 2 i for the leftmost vertex of polygon i and 2 i + 1 for its
+// rightmost, in the order of ends_in_order; `below`: for each leftmost vertex, in that order, the polygon just below it
+// then, or no_polygon; `neighbours`: in the order in which they became neighbours.
+inline constexpr std::uint32_t no_polygon = 0xffffffffu;
+struct ConvexPolygonsTranscript {
+  std::vector<std::uint32_t> events;
+  std::vector<std::uint32_t> below;
+  std::vector<NeighboursEvidence> neighbours;
+};
+
+struct ConvexPolygonsAnswer {
+  Contact contact = Contact::none;      // none: no two polygons meet in a way that counts
+  std::uint32_t i = 0, j = 0;           // the two polygons, i < j; meaningless for `none`
+  PairCertificate evidence;             // that they meet; meaningless for `none`
+  ConvexPolygonsTranscript transcript;  // empty unless asked for, and for `none`
+  Cost cost;                            // probes: vertices looked at, and pairs of boxes or polygons compared
+
+  bool meet() const { return contact != Contact::none; }
+};
+
+struct ConvexPolygonsOptions {
+  Allowed allowed = Allowed::nothing;  // `touch`: only overlapping counts; `shared_endpoint` allows nothing here
+  bool transcript = false;
+  Groups groups{};                                 // members of one group may meet and overlap
+  std::function<void(double)> progress = nullptr;  // called now and then with the part that is done, 0 to 1
+};
+
+inline bool counts(Contact contact, Allowed allowed) {
+  return contact == Contact::overlapping || (contact == Contact::touching && allowed != Allowed::touch);
+}
+
+// The front door: the fastest method measured. Requires fewer than 2^31 polygons, as all of them.
+ConvexPolygonsAnswer convex_polygons_any(std::span<const ConvexPolygon> polygons,
+                                         const ConvexPolygonsOptions& options = {});
+
+// Theorem 6: a line sweeps over the plane, and polygons are compared when they become neighbours on it.
+// Cost: O(N log N log k) probes for polygons of at most k vertices; O(N) memory. Where there are groups, whose members
+// may overlap, it does not apply: then pairs of boxes that meet are looked at.
+ConvexPolygonsAnswer convex_polygons_any_by_sweep(std::span<const ConvexPolygon> polygons,
+                                                  const ConvexPolygonsOptions& options = {});
+
+// The pairs whose boxes meet, by a uniform grid over the boxes. Where that does not pay, or a transcript is asked for,
+// the sweep decides instead, and where too many crowd in a cell, the sweep decides about these; so its bound holds.
+ConvexPolygonsAnswer convex_polygons_any_by_grid(std::span<const ConvexPolygon> polygons,
+                                                 const ConvexPolygonsOptions& options = {});
+
+// Every pair, by its edges: the oracle. Names the first pair. Writes no transcript. O(N^2 k^2) time.
+ConvexPolygonsAnswer convex_polygons_any_by_scan(std::span<const ConvexPolygon> polygons,
+                                                 const ConvexPolygonsOptions& options = {});
+
+}  // namespace sunder::planar

@@ -1,0 +1,36 @@
+// The contacts of edges of a set of polygons, listed for PolygonMeetings.
+#pragma once
+
+#include <sunder/planar/set/polygon_meetings.h>
+#include <sunder/planar/set/segments_all.h>
+
+#include <functional>
+#include <optional>
+#include <span>
+
+namespace sunder::planar {
+
+// Which contacts of edges are wanted: those of polygons that are not of one group, and, where `own` is set, those
+// within a polygon too, save of edges that follow each other.
+struct WantedContacts {
+  Groups groups{};
+  bool own = true;
+  std::function<void(double)> progress = nullptr;
+};
+
+// By a grid; where it does not pay, or many edges crowd in a cell, as visit_contacts. Stops, and returns false, where
+// `meetings` does.
+bool take_contacts_by_grid(const PolygonEdges& edges, const WantedContacts& wanted, PolygonMeetings& meetings);
+
+// By a grid, or not at all: nothing where that does not pay, or many edges crowd in a cell.
+std::optional<bool> take_contacts_by_grid_alone(const PolygonEdges& edges, const WantedContacts& wanted,
+                                                PolygonMeetings& meetings);
+
+// By the sweep of Bentley and Ottmann.
+bool take_contacts_by_sweep(const PolygonEdges& edges, const WantedContacts& wanted, PolygonMeetings& meetings);
+
+// Of some edges only, by grid or, if they are few, each against each.
+bool take_contacts_of(std::span<const std::uint32_t> some, const PolygonEdges& edges, const WantedContacts& wanted,
+                      PolygonMeetings& meetings);
+
+}  // namespace sunder::planar

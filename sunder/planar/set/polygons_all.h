@@ -1,0 +1,42 @@
+// Which pairs of N polygons with holes meet, and how? (What polygons are: polygons_any.h.)
+//
+//   P1. Each pair that has a contact that counts, and whose polygons are not of one group, is given once.
+//   P2. The pairs given, and whether they touch or overlap, do not depend on the method. Of a touching pair, kind is
+//       the greatest there is: shared_endpoint iff all common points are vertices of both; overlap iff they have a
+//       common border. Which edges show it may differ.
+//   P3. The pairs are in the order of i, then of j.
+// Source: Shamos & Hoey 1976, sections IV (Theorem 7) and VI (listing).
+#pragma once
+
+#include <sunder/planar/set/polygons_any.h>
+
+#include <vector>
+
+namespace sunder::planar {
+
+struct PolygonsAllAnswer {
+  std::vector<PolygonsContact> contacts;
+  Cost cost;
+};
+
+struct PolygonsCountAnswer {
+  std::uint64_t touching = 0, overlapping = 0;  // pairs that count
+  Cost cost;
+};
+
+// The front doors: the fastest method measured.
+PolygonsAllAnswer polygons_all(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
+PolygonsCountAnswer polygons_count(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
+
+// The contacts of edges by a grid over their boxes (where it does not pay, or many edges crowd in a cell, as
+// visit_contacts does), then the polygons around each common point, then rings inside of other polygons.
+// O(n log n + k) comparisons in all but crowded sets, for k contacts of edges; O(n + k) memory.
+PolygonsAllAnswer polygons_all_by_grid(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
+
+// The same with the contacts of edges by the sweep of Bentley and Ottmann. O((n + k) log n) comparisons.
+PolygonsAllAnswer polygons_all_by_sweep(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
+
+// Every pair: the oracle.
+PolygonsAllAnswer polygons_all_by_scan(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
+
+}  // namespace sunder::planar

@@ -1,0 +1,9 @@
+#include <sunder/planar/set/polygons_any.h>
+
+namespace sunder::planar {
+
+PolygonsAnswer polygons_any(std::span<const Polygon> polygons, const PolygonsOptions& options) {
+  return polygons_any_by_grid(polygons, options);
+}
+
+}  // namespace sunder::planar

@@ -1,0 +1,92 @@
+// Do any two of N polygons with holes meet: touch, overlap, or lie one inside the other?
+//
+// A polygon is the closed region that an odd number of its rings encloses (the even-odd rule): what is inside of the
+// outer ring and not in a hole, or on an island in a hole, with its boundary. Required of each: its rings neither
+// cross nor overlap, themselves or one another; they may touch in points (polygon_simple tells more strictly). What
+// does not keep to that is answered somehow. The answer is exactly right for the doubles given, and comes with
+// evidence: two edges that meet, or a vertex of one polygon inside of the other.
+//   P1. meet() is true iff some two polygons have a contact that counts.
+//   P2. The contact named counts; it need not be the leftmost, nor the same for all methods.
+//   P3. The answer does not depend on the compiler.
+//   P4. Two polygons overlap iff their interiors have a common point; they touch iff they meet and do not overlap:
+//       parcels along a common border touch, however they share its vertices.
+// Source: Shamos & Hoey 1976, section IV, Theorems 5 and 7.
+#pragma once
+
+#include <sunder/base/cost.h>
+#include <sunder/certificate/pair_answer.h>
+#include <sunder/planar/object/polygon.h>
+#include <sunder/planar/pair/segment_segment.h>
+#include <sunder/planar/set/contact_rule.h>
+#include <sunder/planar/set/segments_any.h>
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+namespace sunder::planar {
+
+// How two polygons meet, and what shows it: an edge of each that meet, or a vertex of one inside of the other.
+// Overlapping is shown by edges that cross; else by edges with a common point (of an overlap, its first or its last
+// end) around which the interiors have common points, as the edges of both polygons there tell; or by the vertex.
+struct PolygonsContact {
+  Contact contact = Contact::none;
+  ContactKind kind = ContactKind::none;  // of the two edges; none: it is shown by a vertex
+  bool i_inside = false;                 // where kind is none: is it a vertex of i?
+  std::uint32_t i = 0, j = 0;            // the polygons, i < j; meaningless for Contact::none, like all that follows
+  std::uint32_t of_i = 0, of_j = 0;      // edges of i and of j; or the vertex of the one that is inside
+  friend bool operator==(const PolygonsContact&, const PolygonsContact&) = default;
+};
+
+// Overlapping always counts. Touching does not where `touch` is allowed, nor where `shared_endpoint` is and all common
+// points are vertices of both: then kind is shared_endpoint.
+inline bool counts(const PolygonsContact& c, Allowed allowed) {
+  if (c.contact != Contact::touching) return c.contact == Contact::overlapping;
+  return allowed == Allowed::nothing || (allowed == Allowed::shared_endpoint && c.kind != ContactKind::shared_endpoint);
+}
+
+struct PolygonsAnswer {
+  PolygonsContact found;       // Contact::none: no two polygons meet in a way that counts
+  SweepTranscript transcript;  // empty unless asked for, and where they meet; of edges, as numbered (see below)
+  Cost cost;                   // probes: pairs of edges or boxes compared, and edges looked at for points inside
+
+  bool meet() const { return found.contact != Contact::none; }
+};
+
+// A transcript is that of segments_any for the edges of all polygons, numbered over all polygons in turn. It proves
+// that no polygons meet: neighbours of different polygons have no contact, those of one polygon touch at most; and when
+// all that begins at a point has been put in, what is just below an edge that begins there is of its own polygon, or
+// has the inside of its polygon below. Written by the sweep, where nothing is allowed and there are no groups; else
+// empty.
+struct PolygonsOptions {
+  Allowed allowed = Allowed::nothing;
+  bool transcript = false;
+  Groups groups{};                                 // of the polygons; members of one group may meet and overlap
+  std::function<void(double)> progress = nullptr;  // called now and then with the part that is done, 0 to 1
+};
+
+// How do two polygons meet? Of a touching pair, kind is the greatest there is. i is 0 and j is 1.
+// Cost: linear, and the contacts of those edges that are near the other polygon, listed as by polygons_any_by_grid.
+PolygonsAnswer polygons_contact(const Polygon& a, const Polygon& b);
+
+// Every two edges, and all pieces into which they part each other, in exact fractions: the oracle, which requires
+// nothing of the polygons. The edges that it names meet, and need not show where the polygons overlap.
+// O((n + m)^3 log (n + m)) time.
+PolygonsAnswer polygons_contact_by_scan(const Polygon& a, const Polygon& b);
+
+// The front door: the fastest method measured. Requires fewer than 2^31 edges in all, as all methods.
+PolygonsAnswer polygons_any(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
+
+// Theorem 7: a line sweeps over the edges, which know the polygon above them. O(n log n) comparisons for n edges in
+// all. Where something is allowed, borders may run along each other, which that sweep does not take: then the contacts
+// of edges are listed by the sweep of Bentley and Ottmann, and the polygons are compared around each common point;
+// O((n + k) log n) for k contacts of edges.
+PolygonsAnswer polygons_any_by_sweep(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
+
+// A uniform grid over the edges' boxes. Where it does not pay, or many edges crowd in cells, by sweep.
+PolygonsAnswer polygons_any_by_grid(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
+
+// Every pair of polygons by polygons_contact_by_scan: the oracle. Names the first pair.
+PolygonsAnswer polygons_any_by_scan(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
+
+}  // namespace sunder::planar

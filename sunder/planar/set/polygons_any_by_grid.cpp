@@ -1,0 +1,27 @@
+#include <sunder/planar/set/edge_contact_lists.h>
+#include <sunder/planar/set/first_that_counts.h>
+#include <sunder/planar/set/polygons_any.h>
+
+namespace sunder::planar {
+
+PolygonsAnswer polygons_any_by_grid(std::span<const Polygon> polygons, const PolygonsOptions& options) {
+  const bool nothing_allowed = options.allowed == Allowed::nothing && options.groups.empty();
+  if (options.transcript && nothing_allowed) return polygons_any_by_sweep(polygons, options);
+  PolygonEdges edges(pointers_to(polygons));
+  PolygonsAnswer answer;
+  PolygonMeetings meetings(edges, options.groups, first_that_counts(answer, options.allowed));
+  const WantedContacts wanted{options.groups, options.allowed != Allowed::nothing, options.progress};
+  std::optional<bool> none_counts;
+  if (nothing_allowed) {
+    none_counts = take_contacts_by_grid_alone(edges, wanted, meetings);
+    if (!none_counts) return polygons_any_by_sweep(polygons, options);
+  } else {
+    none_counts = take_contacts_by_grid(edges, wanted, meetings);
+  }
+  if (*none_counts && meetings.look_around_points()) meetings.look_inside();
+  answer.cost = meetings.cost;
+  classify(polygons, answer);
+  return answer;
+}
+
+}  // namespace sunder::planar

@@ -1,0 +1,40 @@
+#include <sunder/planar/set/tables_json.h>
+
+#include <array>
+
+namespace sunder::planar {
+
+void append_double(std::string& text, double x) { text += '"' + Dyadic(x).hexadecimal() + '"'; }
+
+void append_indices(std::string& text, std::span<const std::uint32_t> indices) {
+  text += '[';
+  for (std::size_t k = 0; k < indices.size(); ++k) {
+    if (k > 0) text += k % 32 == 0 ? ",\n     " : ",";
+    text += indices[k] == 0xffffffffu ? "-1" : std::to_string(indices[k]);
+  }
+  text += ']';
+}
+
+void append_point(std::string& text, const ExactPoint2& p) {
+  text += "[\"" + fraction_text(p.x, p.denominator) + "\", \"" + fraction_text(p.y, p.denominator) + "\"]";
+}
+
+void append_doubles(std::string& text, std::span<const double> numbers) {
+  text += '[';
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    if (k > 0) text += ',';
+    append_double(text, numbers[k]);
+  }
+  text += ']';
+}
+
+void append_circles(std::string& text, std::span<const Circle> circles) {
+  text += " \"circles\": [";
+  for (std::size_t k = 0; k < circles.size(); ++k) {
+    text += k > 0 ? ",\n  " : "\n  ";
+    append_doubles(text, std::array{circles[k].center.x, circles[k].center.y, circles[k].radius});
+  }
+  text += ']';
+}
+
+}  // namespace sunder::planar
