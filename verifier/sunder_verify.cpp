@@ -1,7 +1,7 @@
 #include "sunder_verify.h"
 
 #include "statement_reader.h"
-#include "sunder_verify_segments.h"
+#include "sunder_verify_sets.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <nlohmann/json.hpp>

@@ -241,8 +241,8 @@ def verify(data, only=None):
     refusal is None or (check, reason). Raises Unreadable, or Refused where the form is wrong."""
     top = load(data)
     if type(top) is dict and "sunder_set_certificate" in top:
-        import sunder_verify_segments  # beside this file
-        return sunder_verify_segments.verify(top)
+        import sunder_verify_sets  # beside this file
+        return sunder_verify_sets.verify(top)
     pairs = read(top)
     if only is not None and not 0 <= only < len(pairs):
         raise Unreadable("no pair %d; the file has %d, counted from 0" % (only, len(pairs)))

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,10 +47,6 @@ bool is_allowed(const std::string& kind, Allowed allowed) {
   if (kind == "none") return true;
   if (kind == kinds[0]) return allowed != Allowed::nothing;
   return kind == kinds[1] && allowed == Allowed::touch;
-}
-
-void require(bool condition, const char* check, const std::string& reason) {
-  if (!condition) throw Refused{check, reason};
 }
 
 // 1: p, q, r turn left; -1: right; 0: on one line.
@@ -149,7 +146,7 @@ constexpr std::size_t exchange = std::numeric_limits<std::size_t>::max();  // th
 
 struct None {
   std::vector<std::size_t> events;
-  std::vector<std::int64_t> below;
+  std::vector<std::size_t> below;  // or no_index
   std::vector<std::pair<std::size_t, std::size_t>> exchanges;
 };
 
@@ -276,10 +273,10 @@ class Transcript {
  private:
   using Around = std::pair<std::size_t, std::size_t>;
 
-  Around put_in(std::size_t s, std::int64_t named) {
-    const std::size_t lower = named < 0 ? size_ : static_cast<std::size_t>(named);
+  Around put_in(std::size_t s, std::size_t named) {
+    const std::size_t lower = named == no_index ? size_ : named;
     require(is_cut_[lower], "T2",
-            "segment " + std::to_string(s) + " begins above " + std::to_string(named) + ", which is not cut then");
+            "segment " + std::to_string(s) + " begins above " + std::to_string(lower) + ", which is not cut then");
     const std::size_t upper = above_[lower];
     require(lower == size_ || begins_above(s, lower), "T3",
             "segment " + std::to_string(s) + " does not begin above " + std::to_string(lower));
@@ -365,24 +362,6 @@ class Transcript {
   const Place* at_exchange_ = nullptr;      // its place, if it is an exchange
 };
 
-void read_groups(const json& top, Set& set) {
-  const std::size_t size = set.segments.size();
-  set.has_groups = top.contains("groups");
-  if (!set.has_groups) {
-    for (std::size_t i = 0; i < size; ++i) set.groups.push_back(static_cast<std::int64_t>(i));
-    return;
-  }
-  constexpr std::int64_t most = 999'999'999'999'999;  // all JSON readers agree about whole numbers up to this
-  const json& groups = list_member(top, "groups", "the file");
-  if (groups.size() != size) refuse_form("groups is not a list of " + std::to_string(size));
-  for (const json& item : groups) {
-    const bool is_small = item.is_number_unsigned() ? item.get<std::uint64_t>() <= most
-                                                    : item.is_number_integer() && item.get<std::int64_t>() >= -most;
-    if (!is_small) refuse_form("groups has an entry that is not a whole number of at most 15 digits");
-    set.groups.push_back(item.get<std::int64_t>());
-  }
-}
-
 Set read_set(const json& top) {
   Numbers flat;
   std::size_t count = 0;
@@ -403,12 +382,14 @@ Set read_set(const json& top) {
       refuse_form("segments[" + std::to_string(k / 4) + "] does not begin with its lexicographically first end");
     }
   }
-  read_groups(top, set);
+  const std::size_t size = set.segments.size();
+  set.has_groups = top.contains("groups");
+  if (set.has_groups) {
+    set.groups = read_groups(top, size, "the file");
+  } else {
+    for (std::size_t i = 0; i < size; ++i) set.groups.push_back(static_cast<std::int64_t>(i));
+  }
   return set;
-}
-
-bool is_minus_one(const json& value) {
-  return value.is_number_integer() && !value.is_number_unsigned() && value.get<std::int64_t>() == -1;
 }
 
 None read_none(const json& item, const Set& set, const std::string& where) {
@@ -431,85 +412,45 @@ None read_none(const json& item, const Set& set, const std::string& where) {
   if (exchanges != none.exchanges.size()) {
     refuse_form(where + " has not one entry of exchanges for each event -1");
   }
-  const json& below = list_member(item, "below", where);
-  if (below.size() != size) refuse_form(where + ".below is not a list of " + std::to_string(size));
-  for (const json& entry : below) {
-    none.below.push_back(is_minus_one(entry) ? -1
-                                             : static_cast<std::int64_t>(
-                                                   read_index(entry, size, where + ".below entry that is not -1")));
-  }
+  none.below = index_or_none_list(item, "below", size, size, where);
   return none;
 }
 
-struct Statement {
-  Allowed allowed = Allowed::nothing;
-  PairResult result;
-  Some some;
-  None none;
-};
-
-Statement read_statement(const json& item, const Set& set, const std::string& where) {
+Some read_some(const json& item, const Set& set, const std::string& where) {
   const std::size_t size = set.segments.size();
-  Statement statement;
-  if (string_member(item, "question", where) != "segments_any") refuse_form(where + ".question is not segments_any");
-  const std::string allowed = string_member(item, "allowed", where);
-  if (allowed == "shared-endpoint") {
-    statement.allowed = Allowed::shared_endpoint;
-  } else if (allowed == "touch") {
-    statement.allowed = Allowed::touch;
-  } else if (allowed != "nothing") {
-    refuse_form(where + ".allowed is none of nothing, shared-endpoint, touch");
+  Some some;
+  some.i = index_member(item, "i", size, where);
+  some.j = index_member(item, "j", size, where);
+  if (some.i == some.j) refuse_form(where + " names one segment twice");
+  some.kind = string_member(item, "kind", where);
+  if (std::find(kinds.begin(), kinds.end(), some.kind) == kinds.end()) {
+    refuse_form(where + ".kind is no kind of contact");
   }
-  statement.result.name_a = "segments";
-  statement.result.name_b = allowed + " allowed";
-  statement.result.verdict = string_member(item, "verdict", where);
-  if (statement.result.verdict == "some") {
-    Some& some = statement.some;
-    some.i = index_member(item, "i", size, where);
-    some.j = index_member(item, "j", size, where);
-    if (some.i == some.j) refuse_form(where + " names one segment twice");
-    some.kind = string_member(item, "kind", where);
-    if (std::find(kinds.begin(), kinds.end(), some.kind) == kinds.end()) {
-      refuse_form(where + ".kind is no kind of contact");
-    }
-    some.point = read_numbers(list_member(item, "point", where), 2, read_number, where + ".point");
-  } else if (statement.result.verdict == "none") {
-    statement.none = read_none(item, set, where);
-  } else {
-    refuse_form(where + ".verdict is neither none nor some");
-  }
-  return statement;
+  some.point = read_numbers(list_member(item, "point", where), 2, read_number, where + ".point");
+  return some;
+}
+
+Allowed allowed_of(const std::string& rule) {
+  return rule == "touch" ? Allowed::touch : rule == "nothing" ? Allowed::nothing : Allowed::shared_endpoint;
 }
 
 }  // namespace
 
-std::vector<PairResult> verify_set(const json& top) {
-  const json& version = member(top, "sunder_set_certificate", "the file");
-  if (!version.is_number_integer() || version.get<std::int64_t>() != 1) {
-    refuse_form("sunder_set_certificate is not 1");
-  }
-  const Set set = read_set(top);
-  std::vector<Statement> statements;
-  for (const json& item : list_member(top, "statements", "the file")) {
-    statements.push_back(read_statement(item, set, "statements[" + std::to_string(statements.size()) + "]"));
-  }
-  std::vector<PairResult> results;
-  for (Statement& statement : statements) {
-    PairResult& result = statement.result;
-    try {
-      if (result.verdict == "some") {
-        check_some(set, statement.allowed, statement.some);
-      } else {
-        Transcript(set, statement.allowed).check(statement.none);
-      }
-      result.accepted = true;
-    } catch (const Refused& refused) {
-      result.failed_check = refused.check;
-      result.reason = refused.reason;
+void add_segment_questions(const json& top, Questions& questions) {
+  if (!top.contains("segments")) return;
+  const auto set = std::make_shared<const Set>(read_set(top));
+  questions["segments_any"] = [set](const json& item, const std::string& where) {
+    const std::string rule = read_rule(item, where);
+    const Allowed allowed = allowed_of(rule);
+    const std::string verdict = string_member(item, "verdict", where);
+    if (verdict != "some" && verdict != "none") refuse_form(where + ".verdict is neither none nor some");
+    if (verdict == "some") {
+      const Some some = read_some(item, *set, where);
+      return make_statement("segments", rule + " allowed", verdict, [=] { check_some(*set, allowed, some); });
     }
-    results.push_back(std::move(result));
-  }
-  return results;
+    const None none = read_none(item, *set, where);
+    return make_statement("segments", rule + " allowed", verdict, [=] { Transcript(*set, allowed).check(none); });
+  };
 }
 
 }  // namespace sunder_verifier

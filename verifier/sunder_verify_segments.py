@@ -1,4 +1,4 @@
-"""Checks statements about sets of segments: the part of sunder_verify.py for files with "sunder_set_certificate".
+"""Checks statements about sets of segments: a part of sunder_verify_sets.py.
 
 The format and the checks C1-C3 and T1-T6 are those of docs/certificates.md, "Sets"; no code is shared with the library.
 All coordinates are integers here: multiples of one power of two, which all comparisons may leave out. Where a file has
@@ -222,52 +222,48 @@ def read_exchanges(item, size, has_groups, where):
     return exchanges
 
 
-def read_statement(item, size, has_groups, where):
-    require(member(item, "question", str, where) == "segments_any", "F", where + ".question is not segments_any")
-    allowed = member(item, "allowed", str, where)
-    require(allowed in ALLOWED, "F", where + ".allowed is none of nothing, shared-endpoint, touch")
-    verdict = member(item, "verdict", str, where)
-    require(verdict in ("none", "some"), "F", where + ".verdict is neither none nor some")
-    if verdict == "some":
-        i, j = (index(member(item, key, int, where), size, "%s.%s" % (where, key)) for key in "ij")
-        require(i != j, "F", where + " names one segment twice")
-        kind = member(item, "kind", str, where)
-        require(kind in KINDS, "F", where + ".kind is no kind of contact")
-        return verdict, (allowed, i, j, kind, numbers(member(item, "point", list, where), 2, number, where + ".point"))
-    events = [EXCHANGE if has_groups and type(e) is int and e == EXCHANGE else index(e, 2 * size, where + " event")
-              for e in member(item, "events", list, where)]
-    exchanges = read_exchanges(item, size, has_groups, where)
-    require(events.count(EXCHANGE) == len(exchanges), "F", where + " has not one entry of exchanges for each event -1")
-    below = member(item, "below", list, where)
-    require(len(below) == size, "F", where + ".below is not a list of %d" % size)
-    for b in below:
-        require(type(b) is int and -1 <= b < size, "F", where + ".below has an entry that is no index and not -1")
-    return verdict, (allowed, events, below, exchanges)
+class Table:
+    """The segments of a file, and their groups."""
+
+    def __init__(self, top):
+        flat = []
+        for i, item in enumerate(member(top, "segments", list, "the file")):
+            flat += numbers(item, 4, double, "segments[%d]" % i)
+        flat, _, self.exponent = common(flat)
+        self.segments = [((flat[k], flat[k + 1]), (flat[k + 2], flat[k + 3])) for k in range(0, len(flat), 4)]
+        for i, (a, b) in enumerate(self.segments):
+            require(a <= b, "F", "segments[%d] does not begin with its lexicographically first end" % i)
+        self.has_groups = "groups" in top
+        self.groups = read_groups(top, len(self.segments)) if self.has_groups else range(len(self.segments))
+
+    def read_statement(self, item, where):
+        size, has_groups = len(self.segments), self.has_groups
+        allowed = member(item, "allowed", str, where)
+        require(allowed in ALLOWED, "F", where + ".allowed is none of nothing, shared-endpoint, touch")
+        verdict = member(item, "verdict", str, where)
+        require(verdict in ("none", "some"), "F", where + ".verdict is neither none nor some")
+        rule = allowed + " allowed"
+        if verdict == "some":
+            i, j = (index(member(item, key, int, where), size, "%s.%s" % (where, key)) for key in "ij")
+            require(i != j, "F", where + " names one segment twice")
+            kind = member(item, "kind", str, where)
+            require(kind in KINDS, "F", where + ".kind is no kind of contact")
+            point = numbers(member(item, "point", list, where), 2, number, where + ".point")
+            return "segments", rule, verdict, lambda: check_some(self.segments, self.groups, self.exponent, allowed,
+                                                                 i, j, kind, point)
+        events = [EXCHANGE if has_groups and type(e) is int and e == EXCHANGE else index(e, 2 * size, where + " event")
+                  for e in member(item, "events", list, where)]
+        exchanges = read_exchanges(item, size, has_groups, where)
+        require(events.count(EXCHANGE) == len(exchanges), "F",
+                where + " has not one entry of exchanges for each event -1")
+        below = member(item, "below", list, where)
+        require(len(below) == size, "F", where + ".below is not a list of %d" % size)
+        for b in below:
+            require(type(b) is int and -1 <= b < size, "F", where + ".below has an entry that is no index and not -1")
+        return "segments", rule, verdict, lambda: check_none(self.segments, self.groups, allowed, events, below,
+                                                             exchanges, has_groups)
 
 
-def verify(top):
-    """As verify of sunder_verify.py, from a JSON object: the statements are its pairs, without names."""
-    require(member(top, "sunder_set_certificate", int, "the file") == 1, "F", "sunder_set_certificate is not 1")
-    flat = []
-    for i, item in enumerate(member(top, "segments", list, "the file")):
-        flat += numbers(item, 4, double, "segments[%d]" % i)
-    flat, _, exponent = common(flat)
-    segments = [((flat[k], flat[k + 1]), (flat[k + 2], flat[k + 3])) for k in range(0, len(flat), 4)]
-    for i, (a, b) in enumerate(segments):
-        require(a <= b, "F", "segments[%d] does not begin with its lexicographically first end" % i)
-    has_groups = "groups" in top
-    groups = read_groups(top, len(segments)) if has_groups else range(len(segments))
-    statements = [read_statement(item, len(segments), has_groups, "statements[%d]" % i)
-                  for i, item in enumerate(member(top, "statements", list, "the file"))]
-    results = []
-    for i, (verdict, evidence) in enumerate(statements):
-        refusal = None
-        try:
-            if verdict == "some":
-                check_some(segments, groups, exponent, *evidence)
-            else:
-                check_none(segments, groups, *evidence, has_groups)
-        except Refused as error:
-            refusal = error.args
-        results.append((i, "segments", evidence[0] + " allowed", verdict, refusal))
-    return results
+def questions(top):
+    """How a statement is read, for each question that the tables of a file allow."""
+    return {"segments_any": Table(top).read_statement} if "segments" in top else {}
