@@ -31,6 +31,10 @@ void add_info(CLI::App& program, int& code);
 void add_verify(CLI::App& program, int& code);
 void add_segments(CLI::App& program, int& code);
 void add_simple(CLI::App& program, int& code);
+void add_circles(CLI::App& program, int& code);
+void add_polygons(CLI::App& program, int& code);
+void add_region(CLI::App& program, int& code);
+void add_kernel(CLI::App& program, int& code);
 
 // Writes to standard output at once. Throws Error bad_call where that fails (a full disk).
 void print(std::string_view text);

@@ -23,7 +23,8 @@ namespace sunder::cli {
 
 namespace {
 
-constexpr std::array<AddVerb, 7> verbs{add_pair, add_scene, add_segments, add_simple, add_hull, add_info, add_verify};
+constexpr std::array<AddVerb, 11> verbs{add_pair,   add_scene,  add_segments, add_simple, add_circles, add_polygons,
+                                        add_region, add_kernel, add_hull,     add_info,   add_verify};
 
 int complain(int code, const std::string& text) {
   fmt::print(stderr, "sunder: {}\n", io::one_line(text));

@@ -1,4 +1,5 @@
 // Runs the program: exit codes, messages, reports, files.
+// long because: it goes through the program verb by verb, with one set of helpers.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -121,7 +122,9 @@ TEST_F(Program, HelpAndVersion) {
 }
 
 TEST_F(Program, BadCalls) {
-  expect_bad("", "no verb is given; verbs are pair, scene, segments, simple, hull, info, verify");
+  expect_bad("",
+             "no verb is given; verbs are pair, scene, segments, simple, circles, polygons, region, kernel, hull, "
+             "info, verify");
   expect_bad("frob", "there is no verb 'frob'");
   expect_bad("--frob", "there is no option '--frob'");
   expect_bad("pair", "A is required");
@@ -281,6 +284,94 @@ TEST_F(Program, PlanarPairs) {
   const std::string svg = read_text(picture);
   for (const char* part : {"<svg", "A &amp; B", "looked at", "two parallel lines", "stroke-dasharray", "</svg>"}) {
     EXPECT_NE(svg.find(part), std::string::npos) << part;
+  }
+}
+
+// Lines, rays and half-planes against a polygon: what they have in common, in either order, by all methods; and what a
+// certificate says of them.
+TEST_F(Program, UnboundedPairs) {
+  const std::string plate = cases + "/planar-pair/plate.wkt", paths = cases + "/planar-pair/paths.csv";
+  const std::string proof = in_folder("proof.json"), picture = in_folder("cut.svg");
+  struct Expected {
+    const char *feature, *kind, *contact;
+    std::size_t statements;
+  };
+  for (const auto& [feature, kind, contact, statements] :
+       std::vector<Expected>{{"diagonal", "across", "overlapping", 1},
+                             {"roof", "along", "touching", 1},
+                             {"corner", "point", "touching", 1},
+                             {"above", "nothing", "none", 2},
+                             {"beam", "across", "overlapping", 1},
+                             {"away", "nothing", "none", 1},
+                             {"tip", "point", "touching", 1},
+                             {"east", "part", "overlapping", 1},
+                             {"river", "along", "touching", 1},
+                             {"north", "whole", "overlapping", 1},
+                             {"hill", "nothing", "none", 2}}) {
+    SCOPED_TRACE(feature);
+    const std::string options = " --classify --certificate '" + proof + "' --svg '" + picture + "' --feature-";
+    const int code = std::string(kind) == "nothing" ? 0 : 1;
+    for (const char* method : {"automatic", "scan"}) {
+      const std::string with = std::string(feature) + " --method " + method;
+      const json j = report("pair " + plate + " " + paths + options + "b " + with, code);
+      EXPECT_EQ(j["answer"], code == 1 ? "meet" : "apart");
+      EXPECT_EQ(j["common"]["kind"], kind);
+      EXPECT_EQ(j["contact"], contact);
+      EXPECT_EQ(j["objects"][1]["name"], feature);
+      EXPECT_EQ(j["objects"][1]["points"].size(), 2u);
+      EXPECT_EQ(run("verify '" + proof + "'").code, 0);
+      EXPECT_EQ(json::parse(read_text(proof))["pairs"].size(), statements);
+      EXPECT_NE(read_text(picture).find("</svg>"), std::string::npos);
+      EXPECT_EQ(read_text(picture).find("nan"), std::string::npos);
+      const json other_order = report("pair " + paths + " " + plate + options + "a " + with, code);
+      EXPECT_EQ(other_order["common"], j["common"]);
+      EXPECT_EQ(other_order["objects"][0], j["objects"][1]);
+    }
+    EXPECT_TRUE(python_accepts(proof));
+  }
+  const std::string pair = "pair " + plate + " " + paths + " --feature-b ";
+  const json across = report(pair + "diagonal --method fibonacci", 1)["common"];
+  EXPECT_EQ(across["first"], json::parse(R"({"point_about": [1.0, 3.0], "along_line": "1/4", "edge": [2, 3],
+                                             "along_edge": "3/4"})"));
+  EXPECT_EQ(across["last"]["along_line"], "5/8");
+  EXPECT_EQ(report(pair + "above", 0)["common"]["nearest"], 3);
+  EXPECT_EQ(report(pair + "beam", 1)["common"]["first"],
+            json::parse(R"({"point_about": [2.0, 1.0], "along_line": "0", "inside": true, "beginning": true})"));
+  EXPECT_EQ(report(pair + "hill", 0)["common"]["nearest"], 3);
+  for (const auto& [feature, part] : std::vector<std::pair<std::string, std::string>>{
+           {"diagonal", "a segment, from about (1, 3), edge 2-3 of A, t = 1/4\n"},
+           {"roof", "edge 2-3 of A, from about (0, 3), vertex 3 of A, t = 0\n"},
+           {"corner", "one point, about (4, 3), vertex 2 of A, t = 1/2"},
+           {"above", "nothing; vertex 3 of A is nearest to the line"},
+           {"beam", "the ray's beginning at about (2, 1), inside A"},
+           {"east", "a part, cut off from about (1, 3)"},
+           {"north", "all of A; vertex 2 of A is furthest within"}}) {
+    EXPECT_NE(run(pair + feature).out.find(part), std::string::npos) << run(pair + feature).out;
+  }
+
+  // Segments and points; poses of both; WKT.
+  const std::string site = " " + cases + "/planar-pair/site.geojson ", wkt = cases + "/planar-pair/paths.wkt";
+  EXPECT_EQ(report("pair " + wkt + site + "--classify --feature-a 1 --feature-b cable", 1)["contact"], "overlapping");
+  EXPECT_EQ(report("pair " + wkt + site + "--classify --feature-a 3 --feature-b mast --pose-a 4,0", 0)["contact"],
+            "none");
+  EXPECT_EQ(report("pair " + wkt + site + "--classify --feature-a 3 --feature-b mast --pose-a 3,0", 1)["contact"],
+            "touching");
+  EXPECT_EQ(report("pair " + wkt + site + "--feature-a 3 --feature-b mast --pose-a -1,0,2,0,1,0", 0)["answer"],
+            "apart");
+  EXPECT_EQ(report(pair + "above --pose-a 0,1", 0)["common"]["nearest"], 3);
+  EXPECT_EQ(report(pair + "above --pose-b 0,-5", 1)["objects"][1]["points"], json::parse("[[-3.0, 0.0], [1.0, 3.0]]"));
+
+  for (const auto& [arguments, part] : std::vector<std::pair<std::string, std::string>>{
+           {pair + "diagonal --pose-b 0.3,0,0",
+            "is no pair of doubles, and is not rounded; give the line in its place"},
+           {"pair " + paths + " " + paths + " --feature-a beam --feature-b hill",
+            "A is a ray and B a half-plane; one of"},
+           {pair + "roof --distance", "--distance: is for points, segments and polygons"},
+           {pair + "beam --method fibonacci", "where one object is a ray; choose one of automatic, scan"},
+           {pair + "roof --method gjk", "where one object is a line; choose one of automatic, fibonacci, scan"},
+           {pair + "roof --pose-a 9,0 --certificate '" + in_folder("none.json") + "'", "between the two points given"},
+           {"pair " + cases + "/planar-pair/dented.wkt " + paths + " --feature-b roof", "reflex"}}) {
+    expect_bad(arguments, part);
   }
 }
 
@@ -585,6 +676,103 @@ TEST_F(Program, SimplePolygons) {
   EXPECT_EQ(run("simple '" + file + "'").code, 1);
   write_text(file, "POLYGON ((0 0, 1 0, 0 1, 0 0))\nLINESTRING (0 0, 1 1)\n");
   EXPECT_NE(run("simple '" + file + "'").out.find("1 segment of lines passed over"), std::string::npos);
+}
+
+TEST_F(Program, Circles) {
+  const std::string moon = cases + "/circles/moon.csv";
+  const Run count = run("circles " + moon + " --count --json");
+  EXPECT_EQ(count.code, 1) << count.err;
+  const json report = json::parse(count.out);
+  EXPECT_EQ(report["count"], 86);
+  EXPECT_EQ(report["counts"]["overlapping"], 74);
+  for (const std::string method : {"grid", "sweep", "scan"}) {
+    EXPECT_EQ(json::parse(run("circles " + moon + " --all --json --method " + method).out)["contacts"].size(), 86u);
+  }
+  const std::string apart = in_folder("apart.csv"), proof = in_folder("proof.json");
+  write_text(apart, "0,0,1\n2,0,1\n");
+  EXPECT_EQ(run("circles " + apart).code, 1);
+  EXPECT_EQ(run("circles " + apart + " --allow touch --certificate " + proof).code, 0);
+  EXPECT_EQ(run("verify " + proof).code, 0);
+  EXPECT_EQ(run("circles " + moon + " --svg " + in_folder("moon.svg")).code, 1);
+  EXPECT_NE(read_text(in_folder("moon.svg")).find("inside 12"), std::string::npos);
+  write_text(apart, "0,0,1\n2,0,-1\n");
+  const Run negative = run("circles " + apart);
+  EXPECT_EQ(negative.code, 2);
+  EXPECT_NE(negative.err.find("apart.csv:2: has a negative radius"), std::string::npos) << negative.err;
+  EXPECT_EQ(run("circles " + moon + " --all --certificate " + proof).code, 2);
+}
+
+TEST_F(Program, Polygons) {
+  const std::string tracts = cases + "/tracts/tracts.wkt";
+  const Run count = run("polygons " + tracts + " --count --json");
+  EXPECT_EQ(count.code, 1) << count.err;
+  EXPECT_EQ(json::parse(count.out)["counts"]["touching"], 607);
+  EXPECT_EQ(run("polygons " + tracts + " --allow touch").code, 0);
+  const std::string two = in_folder("two.wkt");
+  write_text(two, "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\nPOLYGON ((1 1, 2 1, 2 2, 1 1))\n");
+  for (const std::string method : {"automatic", "grid", "sweep", "scan"}) {
+    const Run inside = run("polygons " + two + " --allow touch --method " + method);
+    EXPECT_EQ(inside.code, 1) << inside.err;
+    EXPECT_NE(inside.out.find("overlapping: 1 (line 1) and 2 (line 2): a vertex inside"), std::string::npos)
+        << inside.out;
+  }
+  EXPECT_EQ(run("polygons " + two + " --svg " + in_folder("two.svg")).code, 1);
+  write_text(two, "POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))\n");
+  const Run crossed = run("polygons " + two);
+  EXPECT_EQ(crossed.code, 2);
+  EXPECT_NE(crossed.err.find("feature 1: is not simple: edge 0 of ring 0"), std::string::npos) << crossed.err;
+}
+
+TEST_F(Program, Regions) {
+  const std::string some = cases + "/half-planes/co2-five-years.csv", none = cases + "/half-planes/co2.csv";
+  const std::string proof = in_folder("proof.json");
+  for (const std::string method : {"automatic", "sort", "division", "scan"}) {
+    const Run region = run("region " + some + " --json --method " + method + " --certificate " + proof);
+    EXPECT_EQ(region.code, 0) << region.err;
+    EXPECT_EQ(json::parse(region.out)["region"]["corners"].size(), 4u);
+    EXPECT_EQ(run("verify " + proof).code, 0);
+  }
+  const Run best = run("region " + some + " --maximize 1,0 --certificate " + proof);
+  EXPECT_NE(best.out.find("is greatest, about 0.7733333333"), std::string::npos) << best.out;
+  EXPECT_EQ(run("verify " + proof).code, 0);
+  const Run empty = run("region " + none + " --certificate " + proof + " --svg " + in_folder("none.svg"));
+  EXPECT_EQ(empty.code, 1);
+  EXPECT_NE(empty.out.find("contradict each other"), std::string::npos);
+  EXPECT_EQ(run("verify " + proof).code, 0);
+  const std::string file = in_folder("rows.csv");
+  write_text(file, "1,0,1\n0,0,1\n");
+  const Run zero = run("region " + file);
+  EXPECT_EQ(zero.code, 2);
+  EXPECT_NE(zero.err.find("rows.csv:2: a and b are zero"), std::string::npos) << zero.err;
+  write_text(file, "0,0,5\n3,0,5\n0,4,5\n");
+  const Run circles = run("region --of circles " + file + " --json --certificate " + proof);
+  EXPECT_EQ(circles.code, 0) << circles.err;
+  EXPECT_EQ(json::parse(circles.out)["region"]["arcs"].size(), 3u);
+  EXPECT_EQ(run("verify " + proof).code, 0);
+  EXPECT_EQ(run("region --of circles " + file + " --svg " + in_folder("part.svg")).code, 0);
+  EXPECT_EQ(run("region --of squares " + file).code, 2);
+  EXPECT_EQ(run("region " + some + " --maximize 1").code, 2);
+}
+
+TEST_F(Program, Kernels) {
+  const std::string file = in_folder("two.wkt"), proof = in_folder("proof.json");
+  write_text(file,
+             "POLYGON ((0 0, 10 0, 10 10, 5 4, 0 10, 0 0))\n"
+             "POLYGON ((0 0, 10 0, 10 10, 9 1, 1 1, 0 10, 0 0))\n");
+  const Run both = run("kernel " + file + " --svg " + in_folder("two.svg"));
+  EXPECT_EQ(both.code, 1) << both.err;
+  EXPECT_NE(both.out.find("1 of 2 polygons have a kernel"), std::string::npos) << both.out;
+  for (const std::string method : {"automatic", "half-planes", "lee-preparata", "scan"}) {
+    for (const std::string feature : {"1", "2"}) {
+      const Run one =
+          run("kernel " + file + " --feature " + feature + " --method " + method + " --certificate " + proof);
+      EXPECT_EQ(one.code, feature == "1" ? 0 : 1) << one.err;
+      EXPECT_EQ(run("verify " + proof).code, 0);
+    }
+  }
+  EXPECT_EQ(run("kernel " + file + " --feature 3").code, 2);
+  write_text(file, "POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))\n");
+  EXPECT_EQ(run("kernel " + file).code, 2);
 }
 
 }  // namespace

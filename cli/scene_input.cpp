@@ -25,13 +25,6 @@ namespace fs = std::filesystem;
 
 bool is_urdf(const std::string& file) { return fs::path(file).extension() == ".urdf" || file.ends_with(".URDF"); }
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
-  text.remove_prefix(first);
-  return text.substr(0, text.find_last_not_of(blanks) + 1);
-}
-
 // "name=value" or "name value".
 void add_joint(std::string_view text, const std::string& place, Placement& placement) {
   const std::size_t between = text.find_first_of("= \t");
@@ -39,8 +32,8 @@ void add_joint(std::string_view text, const std::string& place, Placement& place
     fail_call(io::quote(text) + " is no joint with a value; write name=value", place);
   }
   const std::string name(text.substr(0, between));
-  std::string_view word = trimmed(text.substr(between));
-  if (word.starts_with('=')) word = trimmed(word.substr(1));
+  std::string_view word = io::trimmed(text.substr(between));
+  if (word.starts_with('=')) word = io::trimmed(word.substr(1));
   double value = 0;
   if (const char* problem = io::parse_number(word, value)) {
     fail_call("joint " + io::quote(name) + ": " + io::quote(word) + " " + problem, place);
@@ -55,7 +48,7 @@ std::vector<std::pair<std::size_t, std::string>> lines_of(std::string_view text)
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
-    line = trimmed(line.substr(0, line.find('#')));
+    line = io::trimmed(line.substr(0, line.find('#')));
     if (!line.empty()) lines.emplace_back(number, line);
   }
   return lines;
@@ -68,12 +61,12 @@ Placement parse_joints(const std::string& text) {
   std::string_view rest = text;
   const std::size_t colon = rest.find(':');
   if (colon < rest.find('=')) {
-    placement.name = io::one_line(trimmed(rest.substr(0, colon)));
+    placement.name = io::one_line(io::trimmed(rest.substr(0, colon)));
     rest.remove_prefix(colon + 1);
   }
-  while (!trimmed(rest).empty()) {
+  while (!io::trimmed(rest).empty()) {
     const std::size_t comma = std::min(rest.find(','), rest.size());
-    add_joint(trimmed(rest.substr(0, comma)), "--joints", placement);
+    add_joint(io::trimmed(rest.substr(0, comma)), "--joints", placement);
     rest.remove_prefix(std::min(comma + 1, rest.size()));
   }
   return placement;
@@ -245,8 +238,8 @@ std::vector<std::array<std::uint32_t, 2>> SceneInput::allowed(const std::string&
   const std::size_t comma = text.find(',');
   if (comma != std::string::npos && !fs::exists(text)) {
     const std::string place = "--allow";
-    return {{body_named(std::string(trimmed(std::string_view(text).substr(0, comma))), place),
-             body_named(std::string(trimmed(std::string_view(text).substr(comma + 1))), place)}};
+    return {{body_named(std::string(io::trimmed(std::string_view(text).substr(0, comma))), place),
+             body_named(std::string(io::trimmed(std::string_view(text).substr(comma + 1))), place)}};
   }
   if (!fs::exists(text)) {
     fail_call("is no file; give adjacent, touch, NAME,NAME, or a file with two names a line",

@@ -1,5 +1,6 @@
 #include <cli/scene_picture.h>
 #include <cli/scene_view.h>
+#include <cli/svg_text.h>
 
 #include <fmt/format.h>
 
@@ -31,20 +32,6 @@ std::string shaded(const Colour& c, double light) {
   const double k = 0.58 + 0.46 * light;
   const auto channel = [&](double x) { return static_cast<int>(std::min(255.0, x * k)); };
   return fmt::format("#{:02x}{:02x}{:02x}", channel(c.red), channel(c.green), channel(c.blue));
-}
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
-    }
-  }
-  return out;
 }
 
 // A rectangle that grows with what it must hold.

@@ -1,6 +1,7 @@
 #include <cli/common.h>
 #include <cli/contacts_geojson.h>
 #include <cli/segments_picture.h>
+#include <cli/svg_text.h>
 
 #include <sunder/io/text.h>
 #include <sunder/planar/pair/segment_segment.h>
@@ -58,24 +59,6 @@ std::size_t style_of(ContactKind kind) {
 
 // Of classes of thin lines, in turns.
 constexpr std::array<const char*, 6> calm{"#66758c", "#b8965a", "#86a65c", "#a48fc0", "#5fa3ad", "#ad7564"};
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (const auto three = text.substr(i, 3); three == "\xef\xbf\xbe" || three == "\xef\xbf\xbf") {
-      out += '?';  // is UTF-8, but not XML
-      i += 2;
-      continue;
-    }
-    switch (text[i]) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      default: out += text[i];
-    }
-  }
-  return out;
-}
 
 // A name out of a file or a call, for XML: one line, not long.
 std::string name_text(std::string_view name, std::size_t longest = 40) {

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace sunder::cli {
 
@@ -23,10 +25,14 @@ struct Call {
 struct File {
   std::string name;
   sunder_verifier::FileResult result;
-  std::uint64_t apart = 0, meet = 0;  // accepted pairs of each verdict; of a file about a set: none, some
   bool is_set = false;
-  std::vector<std::size_t> refused;  // numbers of pairs
+  std::vector<std::pair<std::string, std::uint64_t>> accepted;  // how many of each verdict; "apart" or "none" first
+  std::vector<std::size_t> refused;                             // numbers of pairs
+
+  std::uint64_t accepted_pairs() const { return result.pairs.size() - refused.size(); }
 };
+
+bool is_of_sets(const std::string& verdict) { return verdict == "none" || verdict == "some"; }
 
 File verify(const std::string& name) {
   File file;
@@ -38,30 +44,47 @@ File verify(const std::string& name) {
     if (text.starts_with(file.name + ": ")) text = text.substr(file.name.size() + 2);
     io::fail_file(name, text);
   }
-  for (std::size_t i = 0; i < file.result.pairs.size(); ++i) {
-    const sunder_verifier::PairResult& pair = file.result.pairs[i];
-    file.is_set = pair.verdict == "none" || pair.verdict == "some";
-    if (!pair.accepted)
+  const std::vector<sunder_verifier::PairResult>& pairs = file.result.pairs;
+  const bool of_sets = !pairs.empty() && is_of_sets(pairs[0].verdict);
+  file.is_set = !pairs.empty() && pairs[0].verdict != "apart" && pairs[0].verdict != "meet";
+  // Both verdicts about pairs, and both about sets, are always told.
+  if (!file.is_set) file.accepted = {{"apart", 0}, {"meet", 0}};
+  if (of_sets) file.accepted = {{"none", 0}, {"some", 0}};
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (!pairs[i].accepted) {
       file.refused.push_back(i);
-    else
-      ++(pair.verdict == "meet" || pair.verdict == "some" ? file.meet : file.apart);
+      continue;
+    }
+    auto known = std::find_if(file.accepted.begin(), file.accepted.end(),
+                              [&](const auto& entry) { return entry.first == pairs[i].verdict; });
+    if (known == file.accepted.end()) known = file.accepted.insert(known, {io::one_line(pairs[i].verdict), 0});
+    ++known->second;
   }
   return file;
+}
+
+std::string counts_text(const File& file) {
+  std::string text;
+  for (const auto& [verdict, count] : file.accepted) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, verdict);
+  }
+  return text.empty() ? "" : fmt::format(" ({})", text);
 }
 
 std::string human_text(const File& file) {
   const sunder_verifier::FileResult& result = file.result;
   if (!result.failed_form.empty())
     return fmt::format("{}: REFUSED: check F: {}\n", file.name, io::one_line(result.failed_form));
-  std::string text =
-      fmt::format("{}: {}: {} of {} accepted ({} {}, {} {})\n", file.name, result.accepted() ? "accepted" : "REFUSED",
-                  file.apart + file.meet, count_of(result.pairs.size(), file.is_set ? "statement" : "pair"), file.apart,
-                  file.is_set ? "none" : "apart", file.meet, file.is_set ? "some" : "meet");
+  std::string text = fmt::format("{}: {}: {} of {} accepted{}\n", file.name, result.accepted() ? "accepted" : "REFUSED",
+                                 file.accepted_pairs(),
+                                 count_of(result.pairs.size(), file.is_set ? "statement" : "pair"), counts_text(file));
   for (const std::size_t i : file.refused) {
     const sunder_verifier::PairResult& pair = result.pairs[i];
     if (file.is_set) {
-      text += fmt::format("  statement {}, {}, said that {} meet: check {}: {}\n", i, io::one_line(pair.name_b),
-                          pair.verdict, pair.failed_check, io::one_line(pair.reason));
+      const std::string said = is_of_sets(pair.verdict) ? fmt::format("said that {} meet", pair.verdict)
+                                                        : fmt::format("said to be {}", io::one_line(pair.verdict));
+      text += fmt::format("  statement {}, {}, {}: check {}: {}\n", i, io::one_line(pair.name_b), said,
+                          pair.failed_check, io::one_line(pair.reason));
       continue;
     }
     text += fmt::format("  pair {}, {} and {}, said to {}: check {}: {}\n", i, io::one_line(pair.name_a),
@@ -75,9 +98,8 @@ Json report(const File& file) {
   const sunder_verifier::FileResult& result = file.result;
   Json json{{"file", file.name},
             {"answer", result.accepted() ? "accepted" : "refused"},
-            {file.is_set ? "statements" : "pairs", result.pairs.size()},
-            {file.is_set ? "none" : "apart", file.apart},
-            {file.is_set ? "some" : "meet", file.meet}};
+            {file.is_set ? "statements" : "pairs", result.pairs.size()}};
+  for (const auto& [verdict, count] : file.accepted) json[verdict] = count;
   json["refused"] = Json::array();
   if (!result.failed_form.empty()) json["refused"].push_back({{"check", "F"}, {"reason", result.failed_form}});
   for (const std::size_t i : file.refused) {

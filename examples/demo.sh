@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The demo: which links of a robot arm meet, which tracks of a board, which coastlines, which polygons are simple; with
-# proofs that two verifiers check.
+# The demo: which links of a robot arm meet, which tracks of a board, which coastlines, which polygons are simple, which
+# craters overlap, whether a line goes through all error bars; with proofs that two verifiers check.
 #
 #   examples/demo.sh PROGRAM [OUT_DIR]        PROGRAM: the built `sunder`; OUT_DIR: build/demo by default
 #
@@ -106,5 +106,26 @@ for file in cases/polygons/*.json; do
 done
 echo "simple: $simple; not simple, with two edges named: $tangled; refused, with the reason: $refused"
 
+say "Named craters of the Moon's near side, as circles of the plane (a stereographic projection keeps circles circles): which overlap?"
+show "sunder circles cases/circles/moon.csv --all --svg $out/craters.svg | head -n 5"
+code=0
+"$program" circles cases/circles/moon.csv --all --svg "$out/craters.svg" > "$out/craters.txt" || code=$?
+[ $code -eq 1 ] || fail "expected that some meet (exit code 1), but the exit code is $code"
+head -n 5 "$out/craters.txt"
+
+say "Census tracts: they share borders; do any two overlap?"
+show "sunder polygons cases/tracts/tracts.wkt --allow touch"
+"$program" polygons cases/tracts/tracts.wkt --allow touch || fail "expected that none overlap (exit code 0)"
+
+say "CO2 at Mauna Loa, 1959 to 2025: is there a line through all error bars?"
+show "sunder region cases/half-planes/co2.csv --certificate $out/co2.json"
+code=0
+"$program" region cases/half-planes/co2.csv --certificate "$out/co2.json" || code=$?
+[ $code -eq 1 ] || fail "expected that there is none (exit code 1), but the exit code is $code"
+python3 verifier/sunder_verify.py "$out/co2.json" || fail "the Python verifier refuses"
+say "And through those of the first five years? The steepest:"
+show "sunder region cases/half-planes/co2-five-years.csv --maximize 1,0 --svg $out/co2.svg"
+"$program" region cases/half-planes/co2-five-years.csv --maximize 1,0 --svg "$out/co2.svg" || fail "expected that there is one"
+
 printf '\nAll of this took %.1f s. Pictures: %s\n' "$(echo "$(date +%s.%N) $started" | awk '{print $1 - $2}')" \
-  "$out/panda.svg, $out/board.svg"
+  "$out/panda.svg, $out/board.svg, $out/craters.svg, $out/co2.svg"

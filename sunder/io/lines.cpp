@@ -1,4 +1,5 @@
 #include <sunder/base/error.h>
+#include <sunder/io/csv.h>
 #include <sunder/io/file.h>
 #include <sunder/io/kicad.h>
 #include <sunder/io/lines.h>
@@ -14,53 +15,7 @@ namespace sunder::io {
 
 namespace {
 
-constexpr std::string_view blanks = " \t\r\f\v";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 char upper(char c) { return 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-
-// Calls with each line that is not blank, and its number. A line ends with LF, CR LF or CR.
-template <class OfLine>
-void for_each_line(std::string_view text, const LineOptions& options, const OfLine& of_line) {
-  std::uint32_t number = 0;
-  const double all = static_cast<double>(text.size());
-  while (!text.empty()) {
-    if (options.progress && number % 65536 == 0) options.progress(1 - static_cast<double>(text.size()) / all);
-    ++number;
-    const std::size_t end = text.find_first_of("\r\n");
-    const std::string_view line = trimmed(text.substr(0, end));
-    if (!line.empty()) of_line(line, number);
-    const bool two = end != std::string_view::npos && text.substr(end, 2) == "\r\n";
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + (two ? 2 : 1));
-  }
-}
-
-// A field without blanks and without a pair of quotes around it.
-std::string_view field_of(std::string_view text, const LineBuilder& builder) {
-  text = trimmed(text);
-  if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = trimmed(text.substr(1, text.size() - 2));
-  if (text.find('"') != std::string_view::npos) {
-    builder.fail(fmt::format("{} has a quote within; write fields without separators and quotes", quote(text)));
-  }
-  return text;
-}
-
-// Is this a line of names? None of the first four is a number, and the first begins as names do.
-bool are_names(const std::vector<std::string_view>& fields) {
-  double value = 0;
-  for (std::size_t i = 0; i < std::min<std::size_t>(fields.size(), 4); ++i) {
-    if (parse_number(fields[i], value) == nullptr) return false;
-  }
-  std::string first(fields[0].substr(0, 8));
-  std::transform(first.begin(), first.end(), first.begin(), upper);
-  if (first.empty() || first == "NAN" || first == "INF" || first == "INFINITY") return false;
-  return ('A' <= first[0] && first[0] <= 'Z') || first[0] == '_';
-}
 
 class Csv {
  public:
@@ -68,11 +23,11 @@ class Csv {
 
   void parse(std::string_view text) {
     bool first = true;
-    for_each_line(text, builder_.options(), [&](std::string_view line, std::uint32_t number) {
+    for_each_line(text, builder_.options().progress, [&](std::string_view line, std::uint32_t number) {
       if (first && line.find(';') != std::string_view::npos) separator_ = ';';
       builder_.at_line(number);
       const std::vector<std::string_view> fields = fields_of(line);
-      const bool names = first && are_names(fields);
+      const bool names = first && are_names(fields, 4);
       if (names) read_names(fields);
       if (first) choose_group(names ? fields : std::vector<std::string_view>());
       first = false;
@@ -83,12 +38,9 @@ class Csv {
  private:
   std::vector<std::string_view> fields_of(std::string_view line) const {
     std::vector<std::string_view> fields;
-    for (;;) {
-      const std::size_t end = line.find(separator_);
-      fields.push_back(field_of(line.substr(0, end), builder_));
-      if (end == std::string_view::npos) return fields;
-      line.remove_prefix(end + 1);
-    }
+    if (split_fields(line, separator_, fields)) return fields;
+    builder_.fail(
+        fmt::format("{} has a quote within; write fields without separators and quotes", quote(fields.back())));
   }
 
   void check_count(std::size_t count) const {
@@ -275,7 +227,7 @@ class Wkt {
 void parse_wkt(std::string_view text, LineBuilder& builder) {
   builder.group_by_feature_or_ring();
   std::uint32_t srids = 0;
-  for_each_line(text, builder.options(), [&](std::string_view line, std::uint32_t number) {
+  for_each_line(text, builder.options().progress, [&](std::string_view line, std::uint32_t number) {
     builder.begin_feature({}, number);
     if (Wkt(line, builder).geometry()) ++srids;
   });
@@ -285,12 +237,6 @@ void parse_wkt(std::string_view text, LineBuilder& builder) {
   }
 }
 
-std::string ending_of(std::string_view place) {
-  std::string ending = std::filesystem::path(place).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), upper);
-  return ending;
-}
-
 }  // namespace
 
 LineFile parse_lines(std::string_view text, std::string_view place, const LineOptions& options) {
@@ -298,14 +244,14 @@ LineFile parse_lines(std::string_view text, std::string_view place, const LineOp
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
   if (begin == std::string_view::npos) fail_file(place, "has nothing in it; give a file with lines");
   const std::string ending = ending_of(place);
-  if (ending == ".KICAD_PCB" || text.substr(begin).starts_with("(kicad_")) return parse_kicad(text, place, options);
+  if (ending == ".kicad_pcb" || text.substr(begin).starts_with("(kicad_")) return parse_kicad(text, place, options);
   LineBuilder builder(place, options);
   const char first = text[begin];
   const bool is_json = first == '{' || first == '[', is_word = 'A' <= upper(first) && upper(first) <= 'Z';
-  if (ending == ".GEOJSON" || ending == ".JSON" || (is_json && ending != ".CSV" && ending != ".WKT")) {
+  if (ending == ".geojson" || ending == ".json" || (is_json && ending != ".csv" && ending != ".wkt")) {
     builder.file.format = "GeoJSON";
     parse_geojson(text, builder);
-  } else if (ending == ".WKT" || (is_word && ending != ".CSV")) {
+  } else if (ending == ".wkt" || (is_word && ending != ".csv")) {
     builder.file.format = "WKT";
     parse_wkt(text, builder);
   } else {

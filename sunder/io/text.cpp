@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <system_error>
 
 namespace sunder::io {
@@ -83,6 +84,20 @@ std::string shorten(std::string_view text) {
 }
 
 std::string quote(std::string_view text) { return "'" + shorten(text) + "'"; }
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::string ending_of(std::string_view file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  for (char& c : ending) {
+    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return ending;
+}
 
 const char* parse_number(std::string_view word, double& value) {
   std::string_view number = word;

@@ -18,6 +18,13 @@ std::string one_line(std::string_view text);
 std::string shorten(std::string_view text);
 std::string quote(std::string_view text);
 
+// What parts words within a line, and the text without what of it stands at its ends.
+inline constexpr std::string_view blanks = " \t\r\f\v";
+std::string_view trimmed(std::string_view text);
+
+// The ending of a file's name, in small letters: ".wkt"; empty where there is none.
+std::string ending_of(std::string_view file);
+
 // Reads the whole word as a finite decimal number, rounded once to the nearest double (so 1e-400 is 0).
 // Forms: what std::from_chars reads, in any locale, and a leading '+'.
 // Returns nullptr when `value` was set; otherwise the problem and its remedy, to stand after the quoted word: "is NaN;

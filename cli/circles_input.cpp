@@ -1,0 +1,23 @@
+#include <cli/circles_input.h>
+#include <cli/progress.h>
+
+#include <sunder/io/text.h>
+
+#include <utility>
+
+namespace sunder::cli {
+
+CirclesInput read_circles(const std::string& name) {
+  Progress progress("reading");
+  io::TripleFile file = io::read_triples(name, io::circle_rows, progress.reporter());
+  std::vector<planar::Circle> circles;
+  circles.reserve(file.rows.size());
+  for (std::size_t k = 0; k < file.rows.size(); ++k) {
+    const auto& [x, y, r] = file.rows[k];
+    if (r < 0) io::fail_line(name, file.line[k], "has a negative radius; give x,y,r with r of at least 0");
+    circles.push_back({{x, y}, r});
+  }
+  return {std::move(file), planar::Circles(circles)};
+}
+
+}  // namespace sunder::cli

@@ -1,0 +1,82 @@
+// Any bytes, read as circles and as half-planes, then asked: do any two meet, what is the common part?
+// Seeds: cases/circles, cases/half-planes.
+#include <sunder/base/error.h>
+#include <sunder/io/triples.h>
+#include <sunder/planar/region/half_planes.h>
+#include <sunder/planar/set/circles_any.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using namespace std::string_view_literals;
+using sunder::planar::Circle;
+using sunder::planar::Circles;
+using sunder::planar::Constraints;
+using sunder::planar::Region;
+
+constexpr std::size_t most_rows = 40;  // for the oracles
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+void ask_circles(const sunder::io::TripleFile& file) {
+  std::vector<Circle> circles;
+  for (const auto& [x, y, r] : file.rows) circles.push_back({{x, y}, std::fabs(r)});
+  const Circles set(circles);
+  for (const auto allowed : {sunder::planar::Allowed::nothing, sunder::planar::Allowed::touch}) {
+    const sunder::planar::CirclesOptions options{allowed, true, {}, nullptr};
+    const bool meet = sunder::planar::circles_any_by_scan(set, options).meet();
+    require(sunder::planar::circles_any(set, options).meet() == meet);
+    require(sunder::planar::circles_any_by_grid(set, options).meet() == meet);
+    require(sunder::planar::circles_any_by_sweep(set, options).meet() == meet);
+  }
+}
+
+void ask_half_planes(const sunder::io::TripleFile& file) {
+  std::vector<sunder::Constraint> rows;
+  for (const auto& [a, b, c] : file.rows) {
+    if (a != 0 || b != 0) rows.push_back({a, b, c});
+  }
+  if (rows.empty()) return;
+  const Constraints constraints(rows);
+  const Region oracle = half_planes_by_scan(constraints);
+  for (const Region& region : {half_planes(constraints, {true}), half_planes_by_division(constraints, {true})}) {
+    require(region.kind == oracle.kind);
+    require(region.empty() || region.sides == oracle.sides);
+    require(check(constraints, region));
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const bool of_circles = size % 2 == 0;
+  sunder::io::TripleFile file;
+  try {
+    file =
+        sunder::io::parse_triples(text, "a.csv"sv, of_circles ? sunder::io::circle_rows : sunder::io::half_plane_rows);
+  } catch (const sunder::Error& error) {
+    const std::string_view message = error.what();
+    require(error.code() == sunder::ErrorCode::bad_file);
+    require(message.starts_with("a.csv"sv) && message.find('\n') == std::string_view::npos);
+    return 0;
+  }
+  require(!file.rows.empty() && file.name.size() == file.rows.size() && file.line.size() == file.rows.size());
+  for (const auto& row : file.rows) {
+    for (const double x : row) require(std::isfinite(x));
+  }
+  if (file.rows.size() > most_rows) return 0;
+  if (of_circles) {
+    ask_circles(file);
+  } else {
+    ask_half_planes(file);
+  }
+  return 0;
+}

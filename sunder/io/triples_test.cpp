@@ -1,0 +1,53 @@
+#include <sunder/base/error.h>
+#include <sunder/io/triples.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace sunder::io {
+namespace {
+
+std::string refusal(std::string_view text, const TripleKind& kind = circle_rows) {
+  try {
+    parse_triples(text, "f.csv", kind);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::bad_file);
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(TriplesTest, RowsNamesAndLines) {
+  const TripleFile file = parse_triples("x,y,r,name\n1,2,3,Copernicus\n\n-1e-3, +2 ,0\r\n", "f.csv", circle_rows);
+  ASSERT_EQ(file.rows.size(), 2u);
+  EXPECT_EQ(file.rows[0], (std::array{1.0, 2.0, 3.0}));
+  EXPECT_EQ(file.rows[1], (std::array{-1e-3, 2.0, 0.0}));
+  EXPECT_EQ(file.name, (std::vector<std::string>{"Copernicus", "2"}));
+  EXPECT_EQ(file.line, (std::vector<std::uint32_t>{2, 4}));
+}
+
+TEST(TriplesTest, Semicolons) {
+  const TripleFile file = parse_triples("1;2;3;\"a, b\"\n", "f.csv", half_plane_rows);
+  EXPECT_EQ(file.name[0], "a, b");
+  EXPECT_EQ(file.rows[0], (std::array{1.0, 2.0, 3.0}));
+}
+
+TEST(TriplesTest, NumbersAreRoundedOnce) {
+  const TripleFile file = parse_triples("0.1,1e-400,1.7976931348623157e308", "f.csv", half_plane_rows);
+  EXPECT_EQ(file.rows[0], (std::array{0.1, 0.0, 1.7976931348623157e308}));
+}
+
+TEST(TriplesTest, Refusals) {
+  EXPECT_EQ(refusal(""), "f.csv: has no circles; give lines x,y,r");
+  EXPECT_EQ(refusal("a,b,c\n", half_plane_rows), "f.csv: has no half-planes; give lines a,b,c");
+  EXPECT_EQ(refusal("1,2\n"), "f.csv:1: has 2 fields; give x,y,r and, if you like, a name");
+  EXPECT_EQ(refusal("1,2,3\n1,2,3,4,5\n"), "f.csv:2: has 5 fields; give x,y,r and, if you like, a name");
+  EXPECT_NE(refusal("1,2,nan\n").find("f.csv:1: 'nan' is NaN"), std::string::npos);
+  EXPECT_NE(refusal("1,2,1e999\n").find("f.csv:1: '1e999' is too large"), std::string::npos);
+  EXPECT_NE(refusal("1,2,3\nx,y,r\n").find("f.csv:2: 'x' is not a number"), std::string::npos);
+  EXPECT_NE(refusal("1,2,3,a\"b\n").find("has a quote within"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sunder::io
