@@ -1,0 +1,81 @@
+// The contest of bench_sets and bench_regions: one question about one family of inputs at one size, all contestants in
+// turns.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bench {
+
+using Asked = std::function<std::uint64_t()>;  // asks once
+
+constexpr double kMostSeconds = 3;  // for one call of a peer
+
+struct Entry {
+  std::string library, method;
+  // Prepares input k, which outlives it; empty where this does not answer the question.
+  std::function<Asked(std::size_t k)> make;
+};
+
+struct Contest {
+  std::string input, question;
+  std::size_t n = 0;                  // objects of one input
+  std::vector<std::uint64_t> truths;  // for each input, what a call has to give
+  double batch = 1;                   // questions in a call: times are of one of them
+  // The yardstick: std::sort of each of these, with the index of each number beside it, or without.
+  std::vector<std::vector<double>> keys;
+  bool with_indices = true;
+  Entry subject;
+  std::vector<Entry> peers;
+};
+
+struct ContestOptions {
+  std::size_t rounds = 11;
+  std::uint64_t seed = 1;
+};
+
+struct Result {
+  enum class State : std::uint8_t { none, over, measured } state = State::none;
+  std::string library, method;
+  double median_s = 0, lowest_s = 0;  // over: what it took, or would take by its growth
+  std::size_t wrong = 0;
+};
+
+// The first look at a way: it counts the wrong answers, but its time is that of one call in the cold.
+struct Look {
+  std::string library, method;
+  double seconds = 0;
+  std::size_t wrong = 0;
+};
+
+struct Row {
+  std::string input, question;
+  std::size_t n = 0, inputs = 0;
+  double sort_s = 0;
+  Result sunder;
+  std::vector<Result> peers;  // one for each library
+  std::vector<Look> looks;    // at all ways
+  double sorts() const { return sunder.median_s / sort_s; }
+};
+
+// What one call took at smaller sizes, by input, question, library and method.
+class History {
+ public:
+  void note(const std::string& key, double n, double seconds) { seen_[key].push_back({n, seconds}); }
+  // For one call of n objects: at least linear, else by the growth between the last two sizes.
+  double predict(const std::string& key, double n) const;
+
+ private:
+  std::map<std::string, std::vector<std::pair<double, double>>> seen_;
+};
+
+// look_only: peers take their first look, for the history; the row is empty.
+Row measure(const Contest& contest, const std::vector<std::string>& libraries, bool look_only,
+            const ContestOptions& options, History& history);
+
+}  // namespace bench
