@@ -41,7 +41,7 @@ TEST(PlanarPairComplexity, ProbesGrowAsTheSumOfLogarithms) {
   std::printf("\n");
   std::vector<ConvexPolygon> small;
   for (const std::uint32_t m : {1u, 2u, 3u, 8u}) small.push_back(regular_polygon(m, 1, 0.3));
-  for (std::uint32_t n = 8; n <= 1u << 20; n *= 4) {
+  for (std::uint32_t n = 8; n <= 1u << 20; n *= 2) {
     const ConvexPolygon a = regular_polygon(n), alike = ellipse(n, 1.5, 0.7);
     std::vector<const ConvexPolygon*> others{&alike};
     for (const ConvexPolygon& s : small) others.push_back(&s);

@@ -1,0 +1,180 @@
+// Evidence about circles, half-planes, linear programs and convex polygons against the checker: what the library says
+// is accepted, and what is accepted is true, also of a set that was changed a little.
+#include <sunder/base/random.h>
+#include <sunder/planar/region/circles_json.h>
+#include <sunder/planar/region/half_planes.h>
+#include <sunder/planar/region/half_planes_json.h>
+#include <sunder/planar/region/linear_program_json.h>
+#include <sunder/planar/set/circles_any_json.h>
+#include <sunder/planar/set/convex_polygons_any_json.h>
+#include <tests/support/scale.h>
+#include <verifier/sunder_verify.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace sunder;
+using namespace sunder::planar;
+using nlohmann::json;
+
+class SetCertificates : public testing::Test {
+ protected:
+  Random random{tests::chosen_seed(51)};
+  int accepted = 0, refused = 0;
+  std::map<std::string, int> verdicts;
+
+  double whole(std::uint64_t size) {
+    return static_cast<double>(random.below(2 * size + 1)) - static_cast<double>(size);
+  }
+
+  // Small whole numbers, so that everything degenerate is common.
+  Circle circle() {
+    const double x = whole(6), y = whole(6);
+    return {{x, y}, std::fabs(whole(3))};
+  }
+
+  Constraint constraint() {
+    for (;;) {
+      const double a = whole(2), b = whole(2), c = whole(3);
+      if (a != 0 || b != 0) return {a, b, c};
+    }
+  }
+
+  ConvexPolygon polygon() {
+    const double x = whole(8), y = whole(8);
+    std::vector<Point2> points;
+    for (std::uint64_t k = 1 + random.below(4); k > 0; --k) {
+      const double dx = whole(2), dy = whole(2);
+      points.push_back({x + dx, y + dy});
+    }
+    return ConvexPolygon::hull_of(points);
+  }
+
+  template <class Make>
+  auto set_of(std::uint64_t most, const Make& make) {
+    std::vector<decltype(make())> all;
+    for (std::uint64_t k = 1 + random.below(most); k > 0; --k) all.push_back(make());
+    return all;
+  }
+
+  template <class Make, class Set>
+  Set changed(Set set, const Make& make) {
+    set[random.below(set.size())] = make();
+    return set;
+  }
+
+  void expect_accepted(const std::string& text) {
+    const sunder_verifier::FileResult result = sunder_verifier::verify_text(text, "library");
+    ASSERT_TRUE(result.accepted()) << text;
+    ++verdicts[result.pairs.at(0).verdict];
+  }
+
+  // The statement of one file about the table of another one, for which the verdict would be `truth`.
+  void expect_true_if_accepted(const std::string& text, const std::string& other, const char* table,
+                               const std::string& truth) {
+    json top = json::parse(text);
+    top[table] = json::parse(other)[table];
+    if (!sunder_verifier::verify_text(top.dump(), "changed").accepted()) {
+      ++refused;
+      return;
+    }
+    ++accepted;
+    EXPECT_EQ(top["statements"][0]["verdict"].get<std::string>(), truth) << top.dump();
+  }
+
+  void expect_hits(int rounds, int kinds) {
+    if (tests::scaled_count(100) < 100) return;
+    EXPECT_GE(accepted, rounds / 50);
+    EXPECT_GE(refused, rounds / 50);
+    EXPECT_GE(static_cast<int>(verdicts.size()), kinds);
+  }
+};
+
+TEST_F(SetCertificates, CirclesThatMeet) {
+  const int rounds = tests::scaled_count(3000);
+  for (int round = 0; round < rounds; ++round) {
+    const auto make = [this] { return circle(); };
+    const std::vector<Circle> given = set_of(7, make);
+    const Circles circles(given), others(changed(given, make));
+    const Allowed allowed = random.below(2) == 0 ? Allowed::nothing : Allowed::touch;
+    const auto text = [&](const Circles& c) { return certificate_text(c, allowed, circles_any(c, {allowed, true})); };
+    const std::string own = text(circles);
+    expect_accepted(own);
+    const bool meet = circles_any_by_scan(others, {allowed}).meet();
+    expect_true_if_accepted(own, text(others), "circles", meet ? "some" : "none");
+  }
+  expect_hits(rounds, 2);
+}
+
+TEST_F(SetCertificates, CommonPartsOfCircles) {
+  const int rounds = tests::scaled_count(2000);
+  for (int round = 0; round < rounds; ++round) {
+    const auto make = [this] { return circle(); };
+    const std::vector<Circle> given = set_of(4, make);
+    const Circles circles(given), others(changed(given, make));
+    const auto text = [](const Circles& c) { return certificate_text(c, circles_common_part(c)); };
+    const std::string own = text(circles);
+    expect_accepted(own);
+    expect_true_if_accepted(own, text(others), "circles",
+                            std::string(name_of(circles_common_part_by_scan(others).kind)));
+  }
+  expect_hits(rounds, 3);
+}
+
+TEST_F(SetCertificates, CommonPartsOfHalfPlanes) {
+  const int rounds = tests::scaled_count(4000);
+  for (int round = 0; round < rounds; ++round) {
+    const auto make = [this] { return constraint(); };
+    const std::vector<Constraint> given = set_of(7, make);
+    const Constraints half(given), others(changed(given, make));
+    const auto text = [](const Constraints& h) { return certificate_text(h, half_planes(h, {true})); };
+    const std::string own = text(half);
+    expect_accepted(own);
+    expect_true_if_accepted(own, text(others), "half_planes", std::string(name_of(half_planes_by_scan(others).kind)));
+  }
+  expect_hits(rounds, 9);
+}
+
+TEST_F(SetCertificates, LinearPrograms) {
+  const int rounds = tests::scaled_count(4000);
+  for (int round = 0; round < rounds; ++round) {
+    const auto make = [this] { return constraint(); };
+    const std::vector<Constraint> given = set_of(7, make);
+    const Constraints half(given), others(changed(given, make));
+    const double p = whole(2), q = whole(2);
+    const Objective objective{p, q};
+    const auto text = [&](const Constraints& h) {
+      return certificate_text(h, objective, linear_program(h, objective));
+    };
+    const std::string own = text(half);
+    expect_accepted(own);
+    expect_true_if_accepted(own, text(others), "half_planes",
+                            std::string(name_of(linear_program_by_scan(others, objective).outcome)));
+  }
+  expect_hits(rounds, 4);
+}
+
+TEST_F(SetCertificates, ConvexPolygonsThatMeet) {
+  const int rounds = tests::scaled_count(2000);
+  for (int round = 0; round < rounds; ++round) {
+    const auto make = [this] { return polygon(); };
+    const std::vector<ConvexPolygon> given = set_of(6, make), others = changed(given, make);
+    const auto text = [&](const std::vector<ConvexPolygon>& polygons) {
+      return certificate_text(polygons, Allowed::nothing, convex_polygons_any(polygons, {Allowed::nothing, true}));
+    };
+    const std::string own = text(given);
+    expect_accepted(own);
+    const bool meet = convex_polygons_any_by_scan(others, {Allowed::nothing}).meet();
+    expect_true_if_accepted(own, text(others), "convex_polygons", meet ? "some" : "none");
+  }
+  expect_hits(rounds, 2);
+}
+
+}  // namespace

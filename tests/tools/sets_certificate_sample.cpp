@@ -1,0 +1,175 @@
+// Writes a sample of certificate files about circles, half-planes, linear programs and convex polygons, for checkers
+// other than the library's: sets_certificate_sample FOLDER COUNT [SEED]. COUNT files in all, the questions in turn.
+#include <sunder/base/random.h>
+#include <sunder/planar/region/circles_json.h>
+#include <sunder/planar/region/half_planes.h>
+#include <sunder/planar/region/half_planes_json.h>
+#include <sunder/planar/region/linear_program_json.h>
+#include <sunder/planar/set/circles_any_json.h>
+#include <sunder/planar/set/convex_polygons_any_json.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace sunder;
+using namespace sunder::planar;
+
+// Whole numbers, so that touching, parallel and concurrent things are common; or doubles of any scale.
+class Numbers {
+ public:
+  explicit Numbers(std::uint64_t seed) : random_(seed) {}
+
+  void next() {
+    size_ = 1 + static_cast<int>(random_.below(8));
+    kind_ = random_.below(4);
+    scale_ = std::ldexp(1.0, static_cast<int>(random_.below(1800)) - 1000);
+  }
+  double whole() { return static_cast<double>(random_.below(2 * static_cast<std::uint64_t>(size_) + 1)) - size_; }
+  double number() {
+    if (kind_ == 0) return random_.uniform(-1, 1);
+    if (kind_ == 1) return whole() * scale_;
+    return whole();
+  }
+  std::uint64_t below(std::uint64_t n) { return random_.below(n); }
+
+ private:
+  Random random_;
+  int size_ = 1;
+  std::uint64_t kind_ = 0;
+  double scale_ = 1;
+};
+
+std::vector<Circle> some_circles(Numbers& numbers, std::uint64_t most, std::uint64_t divisor) {
+  numbers.next();
+  const std::uint64_t count = 1 + numbers.below(most);
+  std::vector<Circle> circles;
+  while (circles.size() < count) {
+    const double x = numbers.number(), y = numbers.number(), r = numbers.number();
+    circles.push_back({{x, y}, std::fabs(r) / static_cast<double>(divisor)});
+  }
+  return circles;
+}
+
+std::vector<Constraint> some_constraints(Numbers& numbers) {
+  numbers.next();
+  const std::uint64_t count = numbers.below(12);
+  const bool around = numbers.below(3) > 0;  // the origin is common
+  std::vector<Constraint> all;
+  while (all.size() < count) {
+    if (!all.empty() && numbers.below(5) == 0) {  // an opposite one, often of the same line
+      const Constraint h = all[numbers.below(all.size())];
+      all.push_back({-h.a, -h.b, numbers.below(3) == 0 ? h.c : -h.c});
+      continue;
+    }
+    const double a = numbers.number(), b = numbers.number(), c = numbers.number();
+    if (a != 0 || b != 0) all.push_back({a, b, around ? std::fabs(c) : c});
+  }
+  return all;
+}
+
+std::vector<HalfPlane> some_arrows(Numbers& numbers) {
+  numbers.next();
+  const std::uint64_t count = numbers.below(12);
+  std::vector<HalfPlane> all;
+  while (all.size() < count) {
+    const double ax = numbers.number(), ay = numbers.number(), bx = numbers.number(), by = numbers.number();
+    if (ax != bx || ay != by) all.push_back(HalfPlane::left_of({ax, ay}, {bx, by}));
+  }
+  return all;
+}
+
+template <class Given>
+std::string region_text(const Given& given) {
+  return certificate_text(given, half_planes(given, {true}));
+}
+
+template <class Given>
+std::string program_text(const Given& given, const Objective& objective) {
+  return certificate_text(given, objective, linear_program(given, objective));
+}
+
+std::vector<ConvexPolygon> some_polygons(Numbers& numbers) {
+  numbers.next();
+  const std::uint64_t count = 1 + numbers.below(8);
+  const double divisor = static_cast<double>(1 + numbers.below(8));
+  std::vector<ConvexPolygon> all;
+  while (all.size() < count) {
+    const double x = numbers.number(), y = numbers.number();
+    std::vector<Point2> points{{x, y}};
+    for (std::uint64_t k = numbers.below(6); k > 0; --k) {
+      const double dx = numbers.number(), dy = numbers.number();
+      points.push_back({x + dx / divisor, y + dy / divisor});
+    }
+    all.push_back(ConvexPolygon::hull_of(points));
+  }
+  return all;
+}
+
+std::string some_text(Numbers& numbers, int question) {
+  if (question == 4) {
+    const std::vector<ConvexPolygon> polygons = some_polygons(numbers);
+    ConvexPolygonsAnswer answer = convex_polygons_any(polygons, {Allowed::touch, false});
+    if (answer.meet()) return certificate_text(polygons, Allowed::touch, answer);
+    answer = convex_polygons_any(polygons, {Allowed::nothing, true});
+    return certificate_text(polygons, Allowed::nothing, answer);
+  }
+  if (question == 0) {
+    const std::uint64_t divisor = 1 + numbers.below(6);
+    const Circles circles(some_circles(numbers, 12, divisor));
+    const Allowed allowed = numbers.below(2) == 0 ? Allowed::nothing : Allowed::touch;
+    return certificate_text(circles, allowed, circles_any(circles, {allowed, true}));
+  }
+  if (question == 1) {
+    const Circles circles(some_circles(numbers, 4, 1));
+    return certificate_text(circles, circles_common_part(circles));
+  }
+  const bool is_region = question == 2;
+  const bool of_arrows = numbers.below(3) == 0;
+  const std::vector<HalfPlane> arrows = some_arrows(numbers);
+  const Constraints constraints(some_constraints(numbers));
+  const double p = numbers.whole(), q = numbers.whole();
+  if (of_arrows) return is_region ? region_text(HalfPlanes(arrows)) : program_text(HalfPlanes(arrows), {p, q});
+  return is_region ? region_text(constraints) : program_text(constraints, {p, q});
+}
+
+std::string verdict_of(const std::string& text) {
+  const std::string key = "\"verdict\": \"";
+  const std::size_t begin = text.find(key) + key.size();
+  return text.substr(begin, text.find('"', begin) - begin);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 3) {
+    std::fprintf(stderr, "usage: sets_certificate_sample FOLDER COUNT [SEED]\n");
+    return 2;
+  }
+  const std::filesystem::path folder = argv[1];
+  const int count = std::atoi(argv[2]);
+  Numbers numbers(argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
+  std::filesystem::create_directories(folder);
+  std::map<std::string, int> verdicts;
+  for (int i = 0; i < count; ++i) {
+    const std::string text = some_text(numbers, i % 5);
+    ++verdicts[verdict_of(text)];
+    std::ofstream file(folder / ("sets_" + std::to_string(i) + ".json"), std::ios::binary);
+    file << text;
+    if (!file.flush()) {
+      std::fprintf(stderr, "%s: cannot be written\n", folder.c_str());
+      return 2;
+    }
+  }
+  std::printf("%d certificates of circles, half-planes, linear programs and convex polygons:", count);
+  for (const auto& [verdict, times] : verdicts) std::printf(" %s %d", verdict.c_str(), times);
+  std::printf("\n");
+  return 0;
+}
