@@ -2,12 +2,19 @@
 // Seeds: cases/certificates/accepted and cases/certificates/refused.
 #include "../verifier/sunder_verify.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
 
 namespace {
+
+// Of pairs; of sets; of common parts; of linear programs.
+constexpr std::array<std::string_view, 18> verdicts{"apart",   "meet",  "none",   "some",  "empty",      "point",
+                                                    "segment", "ray",   "line",   "strip", "half-plane", "unbounded",
+                                                    "bounded", "plane", "region", "one",   "many",       "infeasible"};
 
 void require(bool condition) {
   if (!condition) std::abort();
@@ -23,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!result.readable || !result.failed_form.empty()) require(result.pairs.empty());
   bool accepted = result.readable && result.failed_form.empty();
   for (const sunder_verifier::PairResult& pair : result.pairs) {
-    require(pair.verdict == "apart" || pair.verdict == "meet" || pair.verdict == "none" || pair.verdict == "some");
+    require(std::find(verdicts.begin(), verdicts.end(), pair.verdict) != verdicts.end());
     require(pair.accepted == pair.failed_check.empty() && pair.accepted == pair.reason.empty());
     accepted = accepted && pair.accepted;
   }

@@ -12,7 +12,7 @@ namespace sunder_verifier {
 struct PairResult {
   std::string name_a;        // the name of the first placed body, as in the file: any UTF-8 text
   std::string name_b;        // the name of the second
-  std::string verdict;       // "apart" or "meet": what the file states, not what is true
+  std::string verdict;       // "apart" or "meet", of sets and regions one of their words: stated, not what is true
   bool accepted = false;     // the statement is proved
   std::string failed_check;  // "A1" .. "A3", "M1" .. "M3": the first check that failed; empty if accepted
   std::string reason;        // what failed, in words; empty if accepted
