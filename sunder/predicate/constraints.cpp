@@ -82,7 +82,7 @@ Guess corner_side_by_differences(const Constraint& i, const Constraint& j, const
   const double a = std::fabs(i.a), b = std::fabs(i.b), c = std::fabs(i.c);
   const double size =
       a * (std::fabs(cb) + std::fabs(bc)) + b * (std::fabs(ac) + std::fabs(ca)) + c * (std::fabs(ab) + std::fabs(ba));
-  const double error = Rounded<7>::bound * size + 0x1p-1070 * (a + b + c + 1);
+  const double error = Rounded<7>::bound * size + 0x1p-1020 * (a + b + c + 1);
   return value > error ? Guess::positive : value < -error ? Guess::negative : Guess::unsure;
 }
 Guess corner_side_by_differences(const LeftOf&, const LeftOf&, const LeftOf&) { return Guess::unsure; }

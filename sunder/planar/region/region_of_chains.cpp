@@ -42,24 +42,31 @@ Sides sides_of_point(Signs<Given>& signs, std::uint32_t i, std::uint32_t j) {
   return sides;
 }
 
-// The sides that have more than a point of the boundary, of sides that turn around once.
+// Has side p, between two others, more than a point of the boundary? Within a chain each has; `chain` sides are of the
+// first one.
 template <class Given>
-Sides sides_with_extent(Signs<Given>& signs, const Sides& sides) {
-  Sides kept;
+bool has_extent(Signs<Given>& signs, const Sides& sides, std::size_t chain, std::size_t p) {
   const std::size_t n = sides.size();
-  for (std::size_t p = 0; p < n; ++p) {
-    signs.prefetch(sides, p);
-    const Sign end = signs.corner_side(sides[p == 0 ? n - 1 : p - 1], sides[p], sides[p + 1 == n ? 0 : p + 1]);
-    if (end == Sign::negative) kept.push_back(sides[p]);
+  if (p > 0 && p + 1 != chain && p != chain && p + 1 < n) return true;
+  return signs.corner_side(sides[p == 0 ? n - 1 : p - 1], sides[p], sides[p + 1 == n ? 0 : p + 1]) == Sign::negative;
+}
+
+// The sides that have, of sides that turn around once.
+template <class Given>
+Sides sides_with_extent(Signs<Given>& signs, const Sides& sides, std::size_t chain) {
+  Sides kept;
+  kept.reserve(sides.size());
+  for (std::size_t p = 0; p < sides.size(); ++p) {
+    if (has_extent(signs, sides, chain, p)) kept.push_back(sides[p]);
   }
   return kept;
 }
 
 // What is closed has two dimensions, and three sides with extent or more, or it is a segment, and has two, or a point.
 template <class Given>
-void settle_closed(Signs<Given>& signs, Region& region) {
+void settle_closed(Signs<Given>& signs, Region& region, std::size_t chain) {
   const Sides sides = std::exchange(region.sides, {});
-  region.sides = sides_with_extent(signs, sides);
+  region.sides = sides_with_extent(signs, sides, chain);
   if (region.sides.size() >= 3) {
     region.kind = RegionKind::bounded;
   } else if (region.sides.size() == 2) {
@@ -76,7 +83,7 @@ void settle_closed(Signs<Given>& signs, Region& region) {
 }
 
 template <class Given>
-void settle_open(Signs<Given>& signs, Region& region) {
+void settle_open(Signs<Given>& signs, Region& region, std::size_t chain) {
   Sides& sides = region.sides;
   const std::size_t n = sides.size();
   if (n < 2) {
@@ -94,7 +101,7 @@ void settle_open(Signs<Given>& signs, Region& region) {
     region.kind = RegionKind::unbounded;
     Sides kept{sides.front()};
     for (std::size_t p = 1; p + 1 < n; ++p) {
-      if (signs.corner_side(sides[p - 1], sides[p], sides[p + 1]) == Sign::negative) kept.push_back(sides[p]);
+      if (has_extent(signs, sides, chain, p)) kept.push_back(sides[p]);
     }
     kept.push_back(sides.back());
     sides = std::move(kept);
@@ -142,7 +149,8 @@ Region region_of(Signs<Given>& signs, const Chains& chains, const RegionOptions&
     region.sides = chains.contradiction;
   } else {
     region.sides = sides_in_turn(chains);
-    chains.right&& chains.left ? settle_closed(signs, region) : settle_open(signs, region);
+    const std::size_t chain = first_of(chains).size();
+    chains.right&& chains.left ? settle_closed(signs, region, chain) : settle_open(signs, region, chain);
     if (options.evidence) add_cones(signs, region);
   }
   signs.add_to(region.cost);

@@ -84,6 +84,7 @@ class Signs {
 };
 
 // Two chains with their joints. The region is that of the sides alone; ties of lower dimensions are not settled yet.
+// Within a chain each side, between its neighbours, has more than a point of the boundary.
 struct Chains {
   std::vector<std::uint32_t> contradiction;  // not empty: the region is
   std::vector<std::uint32_t> up, down;       // in the order of angles
@@ -169,11 +170,15 @@ Chains common_part_of_sorted(Signs<Given>& signs, std::span<const std::uint32_t>
   return chains;
 }
 
-// The sides of both chains, from the gap on where there is one joint alone.
+// The chain that comes first, from the gap on where there is one joint alone.
+inline const std::vector<std::uint32_t>& first_of(const Chains& chains) {
+  return chains.right && !chains.left ? chains.down : chains.up;
+}
+
+// The sides of both chains, in turn.
 inline std::vector<std::uint32_t> sides_in_turn(const Chains& chains) {
-  const bool from_down = chains.right && !chains.left;
-  const std::vector<std::uint32_t>& first = from_down ? chains.down : chains.up;
-  const std::vector<std::uint32_t>& second = from_down ? chains.up : chains.down;
+  const std::vector<std::uint32_t>& first = first_of(chains);
+  const std::vector<std::uint32_t>& second = &first == &chains.up ? chains.down : chains.up;
   std::vector<std::uint32_t> sides;
   sides.reserve(first.size() + second.size());
   sides.insert(sides.end(), first.begin(), first.end());
