@@ -47,6 +47,7 @@ class HalfPlaneSets {
     x_ = random_.uniform(-1, 1);
     y_ = random_.uniform(-1, 1);
     way_count_ = 1 + random_.below(3);
+    wide_ = turn_ / half_plane_family_count % 4 == 0;
     for (auto& [a, b] : ways_) {
       a = whole(3);
       b = a == 0 ? 1 : whole(3);
@@ -116,8 +117,8 @@ class HalfPlaneSets {
       case HalfPlaneFamily::few_ways: {
         const auto& [a, b] = ways_[random_.below(way_count_)];
         const double size = static_cast<double>(random_.between(1, 3)) * (random_.below(2) == 0 ? 1 : -1);
-        return {a * size, b * size,
-                (random_.below(3) > 0 ? 0 : size * whole(1)) + std::fabs(size) * (random_.below(3) > 0 ? 0 : whole(1))};
+        const double shift = random_.below(3) > 0 ? 0 : size * whole(1), room = random_.below(3) > 0 ? 0 : whole(1);
+        return {a * size, b * size, wide_ ? std::fabs(size) : shift + std::fabs(size) * room};
       }
       case HalfPlaneFamily::last_bit: {
         const double a = random_.uniform(-1, 1), b = random_.uniform(-1, 1);
@@ -147,6 +148,7 @@ class HalfPlaneSets {
   double px_ = 0, py_ = 0, x_ = 0, y_ = 0;
   std::array<std::array<double, 2>, 3> ways_{};
   std::uint64_t way_count_ = 1;
+  bool wide_ = false;  // few_ways: around the origin, so that strips are common
 };
 
 }  // namespace sunder::planar
