@@ -83,9 +83,11 @@ Asked ask_sunder_by_region(const RegionInput& input, std::span<const Objective> 
   const auto given = constraints_of(input);
   std::vector<sunder::planar::Objective> asked;
   for (const Objective& o : objectives) asked.push_back(objective_of(o));
-  return [given, region = half_planes(*given), asked = std::move(asked)]() -> std::uint64_t {
+  const auto region = std::make_shared<const sunder::planar::Region>(half_planes(*given));
+  return [given, region, prepared = sunder::planar::PreparedRegion(*given, *region),
+          asked = std::move(asked)]() -> std::uint64_t {
     std::uint64_t sum = 0;
-    for (const sunder::planar::Objective& o : asked) sum += pair_of(linear_program_by_region(*given, region, o));
+    for (const sunder::planar::Objective& o : asked) sum += pair_of(linear_program_by_region(prepared, o));
     return sum;
   };
 }

@@ -81,30 +81,39 @@ LinearProgramAnswer linear_program_by_sampling(const Given& given, const Objecti
 template <class Given>
 LinearProgramAnswer linear_program_by_region(const Given& given, const Region& region, const Objective& objective);
 
-// A region with its sides' normals in a row, as they are needed for objectives: for very many of them. It keeps
-// references to both. Immutable; any number of threads may use it.
+// A region with its sides in a row, and a table of their angles: for very many objectives. It keeps references to both.
+// Immutable; any number of threads may use it. Cost: O(sides) to make.
 template <class Given>
 class PreparedRegion {
  public:
+  using Half = typename Given::Half;
+  struct Side {
+    Half half;
+    std::uint32_t number;  // of the half-plane
+  };
+
   PreparedRegion(const Given& given, const Region& region)
-      : given_(given), region_(region), table_(given, region.sides) {
-    for (const std::uint32_t side : region.sides) sides_.push_back(given[side]);
+      : given_(given), region_(region), buckets_(SideTable::keys_of(given, region.sides)) {
+    sides_.reserve(region.sides.size());
+    for (const std::uint32_t side : region.sides) sides_.push_back({given[side], side});
   }
 
   const Given& given() const { return given_; }
   const Region& region() const { return region_; }
-  const SideTable& table() const { return table_; }
-  const typename Given::Half& side(std::size_t p) const { return sides_[p]; }
+  std::span<const Side> sides() const { return sides_; }
+
+  // The positions of sides of nearly the same angle.
+  AngleBuckets::Range around(const Half& half) const { return buckets_.around(side_table_detail::key_of(half)); }
 
  private:
   const Given& given_;
   const Region& region_;
-  SideTable table_;
-  std::vector<typename Given::Half> sides_;
+  AngleBuckets buckets_;
+  std::vector<Side> sides_;
 };
 
-// The same; a table of angles proposes where to begin. Cost: O(1) signs for sides' angles spread evenly, O(log N) at
-// worst.
+// The same; a table of angles proposes where to search, so that two places in memory are read. Cost: O(1) signs for
+// sides' angles spread evenly, O(log N) at worst.
 template <class Given>
 LinearProgramAnswer linear_program_by_region(const PreparedRegion<Given>& region, const Objective& objective);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 
 namespace sunder::planar {
 
@@ -32,7 +33,8 @@ class Support {
   }
 
  private:
-  Half side(std::size_t p) const { return prepared_ ? prepared_->side(p) : given_[region_.sides[p]]; }
+  std::uint32_t number(std::size_t p) const { return prepared_ ? prepared_->sides()[p].number : region_.sides[p]; }
+  Half side(std::size_t p) const { return prepared_ ? prepared_->sides()[p].half : given_[region_.sides[p]]; }
   Sign turn_to_up(std::size_t p) { return ++probes_, turn(side(p), up_, &tally_); }
   bool is_up(std::size_t p) { return turn_to_up(p) == Sign::zero && facing(side(p), up_, &tally_) == Sign::positive; }
 
@@ -69,33 +71,40 @@ class Support {
 
   // The answer where the objective's direction is that of side p, or between those of it and the next.
   LinearProgramAnswer at(std::size_t p) {
-    const std::vector<std::uint32_t>& sides = region_.sides;
-    const std::size_t n = sides.size();
+    const std::size_t n = region_.sides.size();
     const bool is_closed = region_.kind != RegionKind::ray && region_.kind != RegionKind::unbounded;
-    const std::uint32_t next = p + 1 < n ? sides[p + 1] : is_closed ? sides[0] : no_half_plane;
-    if (!is_up(p)) return {Optimum::one, sides[p], no_half_plane, next, false, {}};
-    const std::uint32_t previous = p > 0 ? sides[p - 1] : is_closed ? sides[n - 1] : no_half_plane;
-    LinearProgramAnswer answer{Optimum::many, previous, sides[p], next, false, {}};
+    const std::uint32_t next = p + 1 < n ? number(p + 1) : is_closed ? number(0) : no_half_plane;
+    if (!is_up(p)) return {Optimum::one, number(p), no_half_plane, next, false, {}};
+    const std::uint32_t previous = p > 0 ? number(p - 1) : is_closed ? number(n - 1) : no_half_plane;
+    LinearProgramAnswer answer{Optimum::many, previous, number(p), next, false, {}};
     const bool is_flat =
         region_.kind == RegionKind::point || region_.kind == RegionKind::segment || region_.kind == RegionKind::ray;
     if (is_flat && previous != no_half_plane && next != no_half_plane) {
       ++probes_;
-      const Sign end = corner_side(given_[previous], given_[sides[p]], given_[next], &tally_);
+      const Sign end = corner_side(given_[previous], side(p), given_[next], &tally_);
       if (end == Sign::zero) answer.outcome = Optimum::one;
     }
     return answer;
   }
 
+  // Among the sides of nearly the objective's angle: the position of the last side that is not after it, where the next
+  // one is. Both are asked, since the table is rounded.
+  std::optional<std::size_t> position_by_table() {
+    if (!prepared_) return std::nullopt;
+    auto [first, last] = prepared_->around(up_);
+    while (first < last) {
+      const std::uint32_t middle = first + (last - first) / 2;
+      const bool is_after = turn_to_up(middle) == Sign::negative;
+      (is_after ? last : first) = is_after ? middle : middle + 1;
+    }
+    const std::size_t n = region_.sides.size(), p = (first == 0 ? n : first) - 1, next = first == n ? 0 : first;
+    const bool is_between = turn_to_up(p) != Sign::negative && turn_to_up(next) == Sign::negative;
+    return is_between ? std::optional(p) : std::nullopt;
+  }
+
   // Sides begin at the x axis.
   LinearProgramAnswer closed() {
-    if (prepared_) {
-      const std::size_t p = prepared_->table().position(up_), next = p + 1 == region_.sides.size() ? 0 : p + 1;
-      const Sign from_p = turn_to_up(p);
-      if (from_p != Sign::negative && turn_to_up(next) == Sign::negative) {
-        if (from_p == Sign::zero) return at(p);
-        return {Optimum::one, region_.sides[p], no_half_plane, region_.sides[next], false, {}};
-      }
-    }
+    if (const std::optional<std::size_t> p = position_by_table()) return at(*p);
     const bool down = points_down(up_);
     std::size_t first = 0, last = region_.sides.size();  // those before first are not after the objective
     while (first < last) {
@@ -110,14 +119,13 @@ class Support {
 
   // Sides lie within a half turn, and where the objective is not between them, it is in the gap.
   LinearProgramAnswer open() {
-    const std::vector<std::uint32_t>& sides = region_.sides;
-    const std::size_t n = sides.size();
+    const std::size_t n = region_.sides.size();
     if (is_up(0)) return at(0);
     if (is_up(n - 1)) return at(n - 1);
     const bool forward = turn_to_up(n - 1) == Sign::positive, backward = turn_to_up(0) == Sign::negative;
-    const LinearProgramAnswer far{Optimum::unbounded, sides[0], forward ? sides[n - 1] : sides[0],
-                                  sides[1],           !forward, {}};
+    const LinearProgramAnswer far{Optimum::unbounded, number(0), number(forward ? n - 1 : 0), number(1), !forward, {}};
     if (forward || backward) return far;
+    if (const std::optional<std::size_t> p = position_by_table()) return at(*p);
     std::size_t first = 1, last = n - 1;  // the first side that is after the objective
     while (first < last) {
       const std::size_t middle = first + (last - first) / 2;

@@ -156,6 +156,67 @@ TEST(LinearProgramTest, SamplingAgreesWithSeidelOnLargeSets) {
   }
 }
 
+// The table of angles finds the place by few signs, also where sides go across the x axis, or lie within a half turn.
+TEST(LinearProgramTest, TheTableFindsThePlace) {
+  struct Range {
+    double from, to;
+  };
+  for (const auto& [from, to] : {Range{0, 6.28}, {-1, 2}, {2, 4.5}, {-3, 0}, {3.2, 3.3}}) {
+    Random random(20261210);
+    std::vector<Constraint> given;
+    for (int k = 0; k < 1000; ++k) {
+      const double angle = random.uniform(from, to);
+      given.push_back({std::cos(angle), std::sin(angle), 1});
+    }
+    const Constraints constraints(given);
+    const Region region = half_planes(constraints);
+    const PreparedRegion prepared(constraints, region);
+    double probes = 0;
+    constexpr int times = 200;
+    for (int i = 0; i < times; ++i) {
+      const double angle = random.uniform(from, to);
+      const Objective objective{std::cos(angle), std::sin(angle)};
+      const LinearProgramAnswer answer = linear_program_by_region(prepared, objective);
+      ASSERT_TRUE(check(constraints, objective, answer));
+      expect_same(constraints, answer, linear_program_by_region(constraints, region, objective));
+      probes += static_cast<double>(answer.cost.probes) / times;
+    }
+    // Two to confirm, one or two for the side, four for the gap, and those within the range: many where all sides have
+    // nearly one angle.
+    EXPECT_LT(probes, to - from > 4 ? 5 : to - from > 1 ? 10 : 14) << from;
+  }
+}
+
+// Sides and objectives where ranges of the table meet, of one direction but for rounding: some lie in the wrong range.
+TEST(LinearProgramTest, TheTableIsRounded) {
+  Random random(20261211);
+  constexpr int sides = 47;
+  int searched = 0;
+  for (int i = 0; i < 100; ++i) {
+    const auto normal = [&](int n) {
+      const double key = 2.0 * n / sides, q = key < 2 ? 1 - key : key - 3, scale = random.uniform(1, 2);
+      return Objective{q * scale, (key < 2 ? 1 - std::fabs(q) : std::fabs(q) - 1) * scale};
+    };
+    std::vector<Constraint> given;
+    for (int n = 0; n < 2 * sides; n += 2) {
+      const auto [a, b] = normal(n);
+      given.push_back({a, b, std::hypot(a, b)});
+    }
+    const Constraints constraints(given);
+    const Region region = half_planes(constraints);
+    const PreparedRegion prepared(constraints, region);
+    ASSERT_EQ(region.sides.size(), given.size());
+    for (int n = 0; n < 2 * sides; n += 2) {
+      const Objective objective = normal(n);
+      const LinearProgramAnswer answer = linear_program_by_region(prepared, objective);
+      ASSERT_TRUE(check(constraints, objective, answer));
+      expect_same(constraints, answer, linear_program_by_region(constraints, region, objective));
+      if (answer.cost.probes > 6) ++searched;
+    }
+  }
+  EXPECT_GT(searched, 10);
+}
+
 // Complexity: O(N) expected signs for Seidel and by sampling; O(log N) in a region, from 2^4 to 2^17.
 TEST(LinearProgramTest, SignsGrowAsNAndAsLogN) {
   std::printf("%-8s %10s %10s %10s %10s\n", "N", "front/N", "seidel/N", "region", "prepared");
