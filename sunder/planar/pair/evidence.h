@@ -4,8 +4,11 @@
 
 #include <sunder/certificate/pair.h>
 #include <sunder/planar/pair/edge_runs.h>
+#include <sunder/predicate/triangles.h>
 
 #include <array>
+#include <bit>
+#include <optional>
 #include <span>
 
 namespace sunder::planar {
@@ -33,6 +36,12 @@ struct Few {
 
   operator Corners() const { return {at.data(), count}; }
 };
+
+// The edges of the hull of some corners, in order: three, one or none.
+inline std::uint32_t edges(Corners of) { return of.size() == 3 ? 3 : static_cast<std::uint32_t>(of.size() - 1); }
+inline std::array<std::uint32_t, 2> edge(Corners of, std::uint32_t e) {
+  return e == 2 ? std::array{of[0], of[2]} : std::array{of[e], of[e + 1]};
+}
 
 // Each position once, in ascending order: counter-clockwise.
 template <class Sequence>
@@ -85,21 +94,50 @@ Few corners_around(const typename Sequence::Vertex& p, const Sequence& q, Corner
 
 }  // namespace evidence
 
+// Fills in that these corners of a and of b have a common point in their hulls: at most four.
+template <class A, class B>
+bool fill_meet(const A& a, Corners of_a, const B& b, Corners of_b, PairCertificate& certificate) {
+  certificate.verdict = Verdict::meet;
+  certificate.count_a = static_cast<std::uint8_t>(of_a.size());
+  certificate.count_b = static_cast<std::uint8_t>(of_b.size());
+  std::size_t k = 0;
+  for (const std::uint32_t c : of_a) certificate.vertices[k++] = a.number(c);
+  for (const std::uint32_t c : of_b) certificate.vertices[k++] = b.number(c);
+  return true;
+}
+
+// Do these triangles meet, by signs that their first stages decide? Three corners of each, counter-clockwise. None:
+// a sign is left open, or zero.
+template <class A, class B>
+std::optional<bool> check_triangles(const A& a, Corners of_a, const B& b, Corners of_b, PairCertificate& certificate,
+                                    StageTally& tally) {
+  const TriangleSides sides = sides_of_triangles(std::array{a[of_a[0]], a[of_a[1]], a[of_a[2]]},
+                                                 std::array{b[of_b[0]], b[of_b[1]], b[of_b[2]]});
+  if (!sides.sure) return std::nullopt;
+  tally.rounded += 18;
+  const auto first_bit = [](std::uint32_t bits) { return static_cast<std::uint32_t>(std::countr_zero(bits)); };
+  if (const std::uint32_t in_a = sides.inside_first(); in_a != 0) {
+    return fill_meet(a, of_a, b, of_b.subspan(first_bit(in_a), 1), certificate);
+  }
+  if (const std::uint32_t in_b = sides.inside_second(); in_b != 0) {
+    return fill_meet(a, of_a.subspan(first_bit(in_b) / 3, 1), b, of_b, certificate);
+  }
+  const std::uint32_t crossings = sides.crossings();
+  if (crossings == 0) return false;
+  const std::uint32_t at = first_bit(crossings);
+  return fill_meet(a, evidence::edge(of_a, at / 3), b, evidence::edge(of_b, at % 3), certificate);
+}
+
 // Have the hulls of these corners of a and of b a common point? Fills in at most four vertices.
 template <class A, class B>
 bool check_meet(const A& a, Corners from_a, const B& b, Corners from_b, PairCertificate& certificate,
                 StageTally& tally) {
   const evidence::Few few_a = evidence::in_order(a, from_a), few_b = evidence::in_order(b, from_b);
   const Corners of_a = few_a, of_b = few_b;
-  const auto fill = [&](Corners in_a, Corners in_b) {
-    certificate.verdict = Verdict::meet;
-    certificate.count_a = static_cast<std::uint8_t>(in_a.size());
-    certificate.count_b = static_cast<std::uint8_t>(in_b.size());
-    std::size_t k = 0;
-    for (const std::uint32_t c : in_a) certificate.vertices[k++] = a.number(c);
-    for (const std::uint32_t c : in_b) certificate.vertices[k++] = b.number(c);
-    return true;
-  };
+  if (of_a.size() == 3 && of_b.size() == 3) {
+    if (const std::optional<bool> told = check_triangles(a, of_a, b, of_b, certificate, tally)) return *told;
+  }
+  const auto fill = [&](Corners in_a, Corners in_b) { return fill_meet(a, in_a, b, in_b, certificate); };
   for (std::size_t k = 0; k < of_b.size(); ++k) {
     const evidence::Few few = evidence::corners_around(b[of_b[k]], a, of_a, tally);
     if (few.count > 0) return fill(few, of_b.subspan(k, 1));
@@ -109,20 +147,15 @@ bool check_meet(const A& a, Corners from_a, const B& b, Corners from_b, PairCert
     if (few.count > 0) return fill(of_a.subspan(k, 1), few);
   }
   // No corner of one is in the hull of the other: if they meet, then two edges cross inside both.
-  for (std::size_t i = 0; i < of_a.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const auto &p = a[of_a[j]], &q = a[of_a[i]];
-      for (std::size_t k = 0; k < of_b.size(); ++k) {
-        for (std::size_t l = 0; l < k; ++l) {
-          const auto &r = b[of_b[l]], &s = b[of_b[k]];
-          const auto part = [&](const auto& t, const auto& u, const auto& v, const auto& w) {
-            return cross_2d(t, u, t, v, &tally) * cross_2d(t, u, t, w, &tally) == Sign::negative;
-          };
-          if (part(p, q, r, s) && part(r, s, p, q)) {
-            return fill(std::array{of_a[j], of_a[i]}, std::array{of_b[l], of_b[k]});
-          }
-        }
-      }
+  for (std::uint32_t e = 0; e < evidence::edges(of_a); ++e) {
+    for (std::uint32_t f = 0; f < evidence::edges(of_b); ++f) {
+      const auto in_a = evidence::edge(of_a, e), in_b = evidence::edge(of_b, f);
+      const auto &p = a[in_a[0]], &q = a[in_a[1]];
+      const auto &r = b[in_b[0]], &s = b[in_b[1]];
+      const auto part = [&](const auto& t, const auto& u, const auto& v, const auto& w) {
+        return cross_2d(t, u, t, v, &tally) * cross_2d(t, u, t, w, &tally) == Sign::negative;
+      };
+      if (part(p, q, r, s) && part(r, s, p, q)) return fill(in_a, in_b);
     }
   }
   return false;
