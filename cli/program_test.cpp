@@ -754,6 +754,39 @@ TEST_F(Program, Regions) {
   EXPECT_EQ(run("region " + some + " --maximize 1").code, 2);
 }
 
+TEST_F(Program, RegionsOfPolygons) {
+  const std::string file = in_folder("convex.wkt"), proof = in_folder("proof.json");
+  const auto ask = [&](const std::string& rest) {
+    return run("region --of polygons " + file + " --certificate " + proof + rest);
+  };
+  write_text(file, "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\nPOLYGON ((3 1, 7 1, 7 3, 3 3, 3 1))\n");
+  for (const std::string method : {"automatic", "division", "edges", "scan"}) {
+    const Run some = ask(" --json --method " + method);
+    EXPECT_EQ(some.code, 0) << some.err;
+    const json region = json::parse(some.out)["region"];
+    EXPECT_EQ(region["kind"], "polygon");
+    EXPECT_EQ(region["corners"].size(), 4u);
+    EXPECT_EQ(run("verify " + proof).code, 0);
+  }
+  EXPECT_NE(ask(" --svg " + in_folder("convex.svg")).out.find("edge 1 of 1 (line 1)"), std::string::npos)
+      << ask("").out;
+  write_text(file, "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\nPOLYGON ((4 4, 7 4, 7 5, 4 4))\n");
+  EXPECT_NE(ask("").out.find("one point"), std::string::npos);
+  EXPECT_EQ(run("verify " + proof).code, 0);
+  write_text(file, "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\nPOLYGON ((4 5, 7 4, 7 5, 4 5))\n");
+  const Run empty = ask(" --svg " + in_folder("none.svg"));
+  EXPECT_EQ(empty.code, 1);
+  EXPECT_NE(empty.out.find("nothing in common"), std::string::npos);
+  EXPECT_EQ(run("verify " + proof).code, 0);
+  write_text(file, "POLYGON ((0 0, 0 4, 4 4, 4 0, 0 0))\n");
+  EXPECT_NE(ask("").err.find("clockwise"), std::string::npos) << ask("").err;
+  EXPECT_EQ(ask(" --mend").code, 0);
+  EXPECT_EQ(ask(" --maximize 1,0").code, 2);
+  EXPECT_EQ(run("region --mend " + cases + "/half-planes/co2.csv").code, 2);
+  write_text(file, "POLYGON ((0 0, 9 0, 9 9, 0 0), (5 1, 6 1, 6 2, 5 1))\n");
+  EXPECT_NE(ask("").err.find("has holes"), std::string::npos);
+}
+
 TEST_F(Program, Kernels) {
   const std::string file = in_folder("two.wkt"), proof = in_folder("proof.json");
   write_text(file,

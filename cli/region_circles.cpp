@@ -51,7 +51,7 @@ Point2 deepest_of(const Circles& circles, const CirclesPart& part) {
 
 class Report {
  public:
-  Report(const RegionCirclesCall& call, const io::TripleFile& file, const Circles& circles, const CirclesPart& part)
+  Report(const RegionCall& call, const io::TripleFile& file, const Circles& circles, const CirclesPart& part)
       : call_(call), file_(file), circles_(circles), part_(part), deepest_(deepest_of(circles, part)) {}
 
   std::string human() const {
@@ -185,7 +185,7 @@ class Report {
     return points;
   }
 
-  const RegionCirclesCall& call_;
+  const RegionCall& call_;
   const io::TripleFile& file_;
   const Circles& circles_;
   const CirclesPart& part_;
@@ -194,7 +194,7 @@ class Report {
 
 }  // namespace
 
-int run_region_circles(const RegionCirclesCall& call) {
+int run_region_circles(const RegionCall& call) {
   PartMethod* const method = part_method(call.method);
   const auto [file, circles] = read_circles(call.file);
   const CirclesPart part = method(circles);

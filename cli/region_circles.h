@@ -1,18 +1,11 @@
 // sunder region --of circles: what is the common part of circles, with their insides?
 #pragma once
 
-#include <string>
+#include <cli/region_call.h>
 
 namespace sunder::cli {
 
-struct RegionCirclesCall {
-  std::string file;
-  std::string method = "automatic";
-  std::string certificate, svg, title;
-  bool json = false;
-};
-
 // Prints the answer; returns the exit code. Throws Error for bad input.
-int run_region_circles(const RegionCirclesCall& call);
+int run_region_circles(const RegionCall& call);
 
 }  // namespace sunder::cli

@@ -1,8 +1,9 @@
-// sunder region FILE: what is the common part of half-planes, of circles? Its best point?
+// sunder region FILE: what is the common part of half-planes, of circles, of convex polygons? Its best point?
 #include <cli/common.h>
 #include <cli/progress.h>
 #include <cli/region_circles.h>
 #include <cli/region_picture.h>
+#include <cli/region_polygons.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
@@ -32,14 +33,7 @@ using planar::Optimum;
 using planar::Region;
 using planar::RegionKind;
 
-struct Call {
-  std::string file;
-  std::string of = "half-planes";
-  std::string maximize;
-  std::string method = "automatic";
-  std::string certificate, svg, title;
-  bool json = false;
-};
+using Call = RegionCall;
 
 using RegionMethod = Region(const Constraints&, const planar::RegionOptions&);
 RegionMethod* region_method(const std::string& name) {
@@ -249,35 +243,46 @@ int run_half_planes(const Call& call) {
 }
 
 int run(const Call& call) {
-  if (call.of == "half-planes") return run_half_planes(call);
-  if (call.of != "circles") {
-    throw Error(ErrorCode::bad_call,
-                fmt::format("there is no common part of {}; there are half-planes, circles", io::quote(call.of)),
-                "--of");
+  const bool of_half_planes = call.of == "half-planes", of_circles = call.of == "circles";
+  const bool of_polygons = call.of == "polygons";
+  if (!of_half_planes && !of_circles && !of_polygons) {
+    throw Error(
+        ErrorCode::bad_call,
+        fmt::format("there is no common part of {}; there are half-planes, circles, polygons", io::quote(call.of)),
+        "--of");
   }
-  if (!call.maximize.empty()) {
+  if (!of_half_planes && !call.maximize.empty()) {
     throw Error(ErrorCode::bad_call, "only half-planes have a best point here; leave it out", "--maximize");
   }
-  return run_region_circles({call.file, call.method, call.certificate, call.svg, call.title, call.json});
+  for (const auto& [given, option] : {std::pair(call.mend, "--mend"), std::pair(call.drop_z, "--drop-z")}) {
+    if (given && !of_polygons) throw Error(ErrorCode::bad_call, "is for polygons; leave it out", option);
+  }
+  if (of_half_planes) return run_half_planes(call);
+  return of_circles ? run_region_circles(call) : run_region_polygons(call);
 }
 
 }  // namespace
 
 void add_region(CLI::App& program, int& code) {
   auto call = std::make_shared<Call>();
-  CLI::App* verb = program.add_subcommand(
-      "region", "What is the common part of half-planes, or of circles? Its best point? Which contradict each other?");
+  CLI::App* verb = program.add_subcommand("region",
+                                          "What is the common part of half-planes, circles, or convex polygons? Its "
+                                          "best point? Which contradict each other?");
   verb->add_option("FILE", call->file, "half-planes a x + b y <= c: CSV (a,b,c, and a name if you like)")->required();
-  verb->add_option("--of", call->of, "half-planes; or circles, then the CSV is x,y,r")->type_name("KIND");
+  verb->add_option("--of", call->of, "half-planes; circles: CSV x,y,r; or convex polygons: WKT, GeoJSON")
+      ->type_name("KIND");
   verb->add_option("--maximize", call->maximize, "two numbers p,q: where is p x + q y greatest?")->type_name("P,Q");
   verb->add_option("--method", call->method,
-                   "automatic, sort, division, or scan; of circles: automatic, division, scan")
+                   "automatic, sort, division, or scan; circles: not sort; polygons: edges for sort")
       ->type_name("NAME");
   verb->add_option("--certificate", call->certificate,
                    "write the proof here: of the region, or with --maximize of the best point")
       ->type_name("FILE");
   auto* svg = verb->add_option("--svg", call->svg, "draw the common part here")->type_name("FILE");
   verb->add_option("--title", call->title, "of the picture")->needs(svg);
+  verb->add_flag("--mend", call->mend,
+                 "polygons: leave out repeated and collinear vertices, turn clockwise ones round");
+  verb->add_flag("--drop-z", call->drop_z, "polygons: ignore third coordinates");
   verb->add_flag("--json", call->json, "print a report in JSON");
   verb->callback([call, &code] { code = run(*call); });
 }

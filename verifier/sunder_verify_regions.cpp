@@ -128,15 +128,25 @@ class RegionChecker {
   const std::size_t size_;
 };
 
+// A list of `least` vertices or more.
+std::vector<Numbers> read_vertices(const json& item, std::size_t least, const std::string& where) {
+  if (!item.is_array() || item.size() < least) {
+    refuse_form(where + " is not a list of " + std::to_string(least) + " vertices or more");
+  }
+  std::vector<Numbers> vertices;
+  for (const json& vertex : item) vertices.push_back(read_numbers(vertex, 2, read_double, where + " vertex"));
+  return vertices;
+}
+
+HalfPlane left_of_edge(const Numbers& p, const Numbers& q, const std::string& where) {
+  return left_of({p[0], p[1], q[0], q[1]}, where);
+}
+
 // Of each edge of a ring the half-plane of the side where its inside is.
 HalfPlanes sides_of_ring(const json& item, const std::string& where) {
-  if (!item.is_array() || item.size() < 3) refuse_form(where + " is not a list of three vertices or more");
-  std::vector<Numbers> vertices;
+  const std::vector<Numbers> vertices = read_vertices(item, 3, where);
   Numbers flat;
-  for (const json& vertex : item) {
-    vertices.push_back(read_numbers(vertex, 2, read_double, where + " vertex"));
-    flat.insert(flat.end(), vertices.back().begin(), vertices.back().end());
-  }
+  for (const Numbers& vertex : vertices) flat.insert(flat.end(), vertex.begin(), vertex.end());
   const Integers scaled = common(flat).integers;
   const std::size_t size = vertices.size();
   const auto next = [size](std::size_t k) { return k + 1 == size ? 0 : k + 1; };
@@ -148,10 +158,7 @@ HalfPlanes sides_of_ring(const json& item, const std::string& where) {
   std::vector<HalfPlane> sides;
   for (std::size_t k = 0; k < size; ++k) {
     const Numbers &p = vertices[k], &q = vertices[next(k)];
-    const bool is_forward = area > 0;
-    Numbers arrow = is_forward ? p : q;
-    arrow.insert(arrow.end(), (is_forward ? q : p).begin(), (is_forward ? q : p).end());
-    sides.push_back(left_of(arrow, where));
+    sides.push_back(area > 0 ? left_of_edge(p, q, where) : left_of_edge(q, p, where));
   }
   return std::make_shared<const std::vector<HalfPlane>>(std::move(sides));
 }
@@ -163,6 +170,60 @@ void add_kernel_question(const json& top, Questions& questions) {
   }
   questions["kernel"] = [rings](const json& item, const std::string& where) {
     return read_region(item, rings[index_member(item, "ring", rings.size(), where)], "rings", "kernel", where);
+  };
+}
+
+// x or y of this number at most, or at least.
+HalfPlane beside(std::size_t axis, const Number& limit, bool at_most) {
+  Number one;
+  one.n = at_most ? 1 : -1;
+  Number signed_limit = limit;
+  if (!at_most) signed_limit.n = -limit.n;
+  const Integers scaled = common({one, signed_limit}).integers;
+  const Integer zero;
+  return {axis == 0 ? scaled[0] : zero, axis == 0 ? zero : scaled[0], scaled[1]};
+}
+
+// Appends the half-planes whose common part is a convex polygon, a segment or a point.
+void append_sides_of_convex(const json& item, const std::string& where, std::vector<HalfPlane>& sides) {
+  const std::vector<Numbers> vertices = read_vertices(item, 1, where);
+  const std::size_t size = vertices.size(), first = sides.size();
+  if (size == 1) {
+    for (const bool at_most : {true, false}) {
+      for (const std::size_t axis : {0u, 1u}) sides.push_back(beside(axis, vertices[0][axis], at_most));
+    }
+    return;
+  }
+  for (std::size_t k = 0; k < size; ++k) {
+    sides.push_back(left_of_edge(vertices[k], vertices[k + 1 == size ? 0 : k + 1], where));
+  }
+  if (size == 2) {
+    const Integers x = common({vertices[0][0], vertices[1][0]}).integers;
+    const Integers y = common({vertices[0][1], vertices[1][1]}).integers;
+    const std::size_t axis = x[0] != x[1] ? 0 : 1, greater = axis == 0 ? x[1] > x[0] : y[1] > y[0];
+    sides.push_back(beside(axis, vertices[greater][axis], true));
+    sides.push_back(beside(axis, vertices[1 - greater][axis], false));
+    return;
+  }
+  int rounds = 0;
+  for (std::size_t k = 0; k < size; ++k) {
+    const HalfPlane &h = sides[first + k], &next = sides[first + (k + 1 == size ? 0 : k + 1)];
+    if (turn(h, next) <= 0) refuse_form(where + " is not strictly convex and counter-clockwise");
+    rounds += is_in_lower_half(h) && !is_in_lower_half(next);
+  }
+  if (rounds != 1) refuse_form(where + " is not strictly convex and counter-clockwise");
+}
+
+// Looks at the polygons where it is asked for: other questions do not mind in which order vertices are.
+void add_convex_question(const json& top, Questions& questions) {
+  questions["convex_polygons"] = [&top](const json& item, const std::string& where) {
+    std::vector<HalfPlane> given;
+    std::size_t number = 0;
+    for (const json& polygon : list_member(top, "convex_polygons", "the file")) {
+      append_sides_of_convex(polygon, "convex_polygons[" + std::to_string(number++) + "]", given);
+    }
+    return read_region(item, std::make_shared<const std::vector<HalfPlane>>(std::move(given)), "convex polygons",
+                       "common part", where);
   };
 }
 
@@ -189,6 +250,7 @@ void check_contradict(const std::vector<HalfPlane>& given, const std::vector<std
 
 void add_region_questions(const json& top, Questions& questions) {
   if (top.contains("rings")) add_kernel_question(top, questions);
+  if (top.contains("convex_polygons")) add_convex_question(top, questions);
   if (!top.contains("half_planes")) return;
   std::vector<HalfPlane> table;
   for (const json& item : list_member(top, "half_planes", "the file")) {

@@ -1,7 +1,7 @@
 """Checks statements about the common part of half-planes: a part of sunder_verify_sets.py.
 
-The format and the checks are those of docs/certificates-sets.md, "half_planes", "linear_program" and "kernel"; no code
-is shared with the library.
+The format and the checks are those of docs/certificates-sets.md, "half_planes", "linear_program", "kernel" and
+"convex_polygons"; no code is shared with the library.
 A half-plane a x + b y <= c is a triple (a, b, c) of integers: any positive multiple of it is the same half-plane.
 """
 from sunder_verify import common, double, index, member, number, numbers, require
@@ -295,6 +295,50 @@ class Rings:
         return read_region(item, self.sides[ring], ("rings", "kernel"), where)
 
 
+def sides_of_convex(item, where):
+    """The half-planes whose common part is a convex polygon, a segment or a point."""
+    require(type(item) is list and item, "F", where + " is not a list of a vertex or more")
+    flat = []
+    for vertex in item:
+        flat += numbers(vertex, 2, double, where + " vertex")
+    flat, _, e = common(flat)
+    vertices = list(zip(flat[0::2], flat[1::2]))
+    n = len(vertices)
+
+    def at_most(axis, limit):
+        one = 1 << max(-e, 0)
+        return (one, 0, limit << max(e, 0)) if axis == 0 else (0, one, limit << max(e, 0))
+
+    def at_least(axis, limit):
+        a, b, c = at_most(axis, -limit)
+        return -a, -b, c
+
+    if n == 1:
+        x, y = vertices[0]
+        return [at_most(0, x), at_most(1, y), at_least(0, x), at_least(1, y)]
+    sides = [left_of(p + q, e, where) for p, q in zip(vertices, vertices[1:] + vertices[:1])]
+    if n == 2:
+        axis = 0 if vertices[0][0] != vertices[1][0] else 1
+        ends = [v[axis] for v in vertices]
+        return sides + [at_most(axis, max(ends)), at_least(axis, min(ends))]
+    require(all(turn(h, k) > 0 for h, k in zip(sides, sides[1:] + sides[:1])) and goes_round_once(sides), "F",
+            where + " is not strictly convex and counter-clockwise")
+    return sides
+
+
+class ConvexPolygons:
+    """The convex polygons of a file, for their common part; they are looked at where it is asked for."""
+
+    def __init__(self, top):
+        self.top = top
+
+    def read_common_part(self, item, where):
+        given = []
+        for i, polygon in enumerate(member(self.top, "convex_polygons", list, "the file")):
+            given += sides_of_convex(polygon, "convex_polygons[%d]" % i)
+        return read_region(item, given, ("convex polygons", "common part"), where)
+
+
 def questions(top):
     """How a statement is read, for each question that the tables of a file allow."""
     result = {}
@@ -303,4 +347,6 @@ def questions(top):
         result = {"half_planes": table.read_region, "linear_program": table.read_linear_program}
     if "rings" in top:
         result["kernel"] = Rings(top).read_kernel
+    if "convex_polygons" in top:
+        result["convex_polygons"] = ConvexPolygons(top).read_common_part
     return result

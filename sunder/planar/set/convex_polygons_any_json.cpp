@@ -50,25 +50,12 @@ void append_meeting(std::string& text, const ConvexPolygon& a, const ConvexPolyg
   append_weights("weights_j", c.count_a, c.count_b);
 }
 
-void append_polygons(std::string& text, std::span<const ConvexPolygon> polygons) {
-  text += " \"convex_polygons\": [";
-  for (std::size_t i = 0; i < polygons.size(); ++i) {
-    text += i > 0 ? ",\n  [" : "\n  [";
-    for (std::uint32_t v = 0; v < polygons[i].size(); ++v) {
-      if (v > 0) text += ", ";
-      append_doubles(text, std::array{polygons[i][v].x, polygons[i][v].y});
-    }
-    text += ']';
-  }
-  text += ']';
-}
-
 }  // namespace
 
 std::string certificate_text(std::span<const ConvexPolygon> polygons, Allowed allowed,
                              const ConvexPolygonsAnswer& answer, Groups groups) {
   std::string text = json_file_begin;
-  append_polygons(text, polygons);
+  append_convex_polygons(text, polygons);
   text += ",\n \"statements\": [\n  {\"question\": \"convex_polygons_any\", \"allowed\": \"" +
           std::string(name_of(allowed)) + "\", \"verdict\": \"" + (answer.meet() ? "some" : "none") + "\",\n   ";
   if (answer.meet()) {

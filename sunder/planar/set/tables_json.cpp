@@ -37,4 +37,17 @@ void append_circles(std::string& text, std::span<const Circle> circles) {
   text += ']';
 }
 
+void append_convex_polygons(std::string& text, std::span<const ConvexPolygon> polygons) {
+  text += " \"convex_polygons\": [";
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    text += i > 0 ? ",\n  [" : "\n  [";
+    for (std::uint32_t v = 0; v < polygons[i].size(); ++v) {
+      if (v > 0) text += ", ";
+      append_doubles(text, std::array{polygons[i][v].x, polygons[i][v].y});
+    }
+    text += ']';
+  }
+  text += ']';
+}
+
 }  // namespace sunder::planar

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <sunder/planar/object/circle.h>
+#include <sunder/planar/object/convex_polygon.h>
 #include <sunder/predicate/crossing.h>
 
 #include <cstdint>
@@ -25,7 +26,8 @@ void append_point(std::string& text, const ExactPoint2& p);
 // A list of doubles.
 void append_doubles(std::string& text, std::span<const double> numbers);
 
-// The table, with its key.
+// The tables, each with its key.
 void append_circles(std::string& text, std::span<const Circle> circles);
+void append_convex_polygons(std::string& text, std::span<const ConvexPolygon> polygons);
 
 }  // namespace sunder::planar
