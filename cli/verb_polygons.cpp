@@ -61,7 +61,8 @@ struct Methods {
   AnyMethod* any;
   AllMethod* all;
 };
-constexpr std::array<Methods, 4> methods{{{"automatic", planar::polygons_any, planar::polygons_all},
+constexpr std::array<Methods, 5> methods{{{"automatic", planar::polygons_any, planar::polygons_all},
+                                          {"boxes", planar::polygons_any_by_boxes, planar::polygons_all_by_boxes},
                                           {"grid", planar::polygons_any_by_grid, planar::polygons_all_by_grid},
                                           {"sweep", planar::polygons_any_by_sweep, planar::polygons_all_by_sweep},
                                           {"scan", planar::polygons_any_by_scan, planar::polygons_all_by_scan}}};
@@ -71,7 +72,7 @@ const Methods& methods_by(const std::string& name) {
     if (m.name == name) return m;
   }
   throw Error(ErrorCode::bad_call,
-              fmt::format("there is no method {}; methods are automatic, grid, sweep, scan", io::quote(name)),
+              fmt::format("there is no method {}; methods are automatic, boxes, grid, sweep, scan", io::quote(name)),
               "--method");
 }
 
@@ -244,7 +245,7 @@ void add_polygons(CLI::App& program, int& code) {
   all->excludes(count);
   verb->add_option("--allow", call->allow, "what does not count: nothing, shared-endpoint, or touch")
       ->type_name("KIND");
-  verb->add_option("--method", call->method, "automatic, grid, sweep, or scan")->type_name("NAME");
+  verb->add_option("--method", call->method, "automatic, boxes, grid, sweep, or scan")->type_name("NAME");
   auto* svg = verb->add_option("--svg", call->svg, "draw the polygons and the pairs that meet here")->type_name("FILE");
   verb->add_option("--title", call->title, "of the picture")->needs(svg);
   verb->add_flag("--drop-z", call->drop_z, "ignore third coordinates");

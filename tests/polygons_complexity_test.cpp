@@ -4,7 +4,8 @@
 //   N (log2 N + 2) (2 log2 k + 7)   for the places of those that enter, each by halvings of two chains, and
 //   3 N (14 log2 k + 26)            for tests of neighbours, two when a polygon enters and one when it leaves.
 // polygons_any_by_sweep, n edges, nothing allowed: at most n (log2 n + 2) comparisons for places, and 3 n tests.
-// By grid, on local data that does not meet: linear.
+// By grid, and by boxes, on local data that does not meet: linear. By boxes where that is not so: 64 n more than by
+// sweep (the grid does not pay there).
 #include <sunder/base/random.h>
 #include <sunder/planar/set/convex_polygons_any.h>
 #include <sunder/planar/set/polygons_any.h>
@@ -96,6 +97,9 @@ TEST(PolygonsComplexity, PolygonsBySweep) {
       const double probes = static_cast<double>(answer.cost.probes);
       std::printf("%-8s %7.0f %10.0f %8.3f\n", local ? "lattice" : "slivers", n, probes, probes / most);
       EXPECT_LE(probes, most);
+      const planar::PolygonsAnswer boxes = planar::polygons_any_by_boxes(polygons);
+      EXPECT_FALSE(boxes.meet());
+      EXPECT_LE(static_cast<double>(boxes.cost.probes), local ? 4 * n : 65 * n + most);
       if (!local) continue;
       const planar::PolygonsAnswer grid = planar::polygons_any_by_grid(polygons);
       EXPECT_FALSE(grid.meet());

@@ -348,7 +348,7 @@ void compare_on(const std::vector<Polygon>& polygons, planar::Groups groups, Rat
     std::copy_if(truth.contacts.begin(), truth.contacts.end(), std::back_inserter(count_here),
                  [&](const PolygonsContact& c) { return counts(c, rules[r]); });
     rates.meet[r] += !count_here.empty();
-    for (auto* method : {planar::polygons_any_by_grid, planar::polygons_any_by_sweep}) {
+    for (auto* method : {planar::polygons_any_by_boxes, planar::polygons_any_by_grid, planar::polygons_any_by_sweep}) {
       const PolygonsAnswer answer = method(polygons, options);
       ASSERT_EQ(answer.meet(), !count_here.empty()) << "allowed " << name_of(rules[r]);
       if (!answer.meet()) continue;
@@ -358,7 +358,7 @@ void compare_on(const std::vector<Polygon>& polygons, planar::Groups groups, Rat
       ASSERT_NE(at, count_here.end());
       ASSERT_EQ(answer.found.contact, at->contact);
     }
-    for (auto* method : {planar::polygons_all_by_grid, planar::polygons_all_by_sweep}) {
+    for (auto* method : {planar::polygons_all_by_boxes, planar::polygons_all_by_grid, planar::polygons_all_by_sweep}) {
       const PolygonsAllAnswer all = method(polygons, options);
       ASSERT_EQ(all.contacts.size(), count_here.size()) << "allowed " << name_of(rules[r]);
       for (std::size_t k = 0; k < count_here.size(); ++k) {
@@ -374,7 +374,7 @@ void compare_on(const std::vector<Polygon>& polygons, planar::Groups groups, Rat
       }
     }
   }
-  for (auto* method : {planar::polygons_any_by_grid, planar::polygons_any_by_sweep}) {
+  for (auto* method : {planar::polygons_any_by_boxes, planar::polygons_any_by_grid, planar::polygons_any_by_sweep}) {
     const PolygonsAnswer answer = method(polygons, {Allowed::nothing, true, groups, nullptr});
     if (answer.meet() || !groups.empty()) {
       ASSERT_TRUE(answer.transcript.events.empty());

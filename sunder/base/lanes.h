@@ -22,7 +22,17 @@ inline Lanes swapped(Lanes a) { return Lanes{a[1], a[0]}; }
 
 // Lane by lane; a where they are equal.
 inline Lanes greater_of(Lanes a, Lanes b) { return b > a ? b : a; }
+inline Lanes smaller_of(Lanes a, Lanes b) { return b < a ? b : a; }
 inline Lanes absolute(Lanes a) { return greater_of(a, -a); }  // of a zero, either
+// As bits, the first lane's the lowest.
+inline std::uint32_t bits_of(LanesMask mask) {
+#ifdef __SSE2__
+  return static_cast<std::uint32_t>(__builtin_ia32_movmskpd(reinterpret_cast<Lanes>(mask)));
+#else
+  return static_cast<std::uint32_t>((mask[0] & 1) | (mask[1] & 2));
+#endif
+}
+
 inline double greater_lane(Lanes a) { return a[1] > a[0] ? a[1] : a[0]; }
 
 // Which of the numbers values[0][0], values[0][1], values[1][0], ... is the greatest: of equals the first. Where some

@@ -58,5 +58,15 @@ TEST(LanesTest, FirstOfGreatestStaysInRangeWhateverItReads) {
   }
 }
 
+TEST(LanesTest, SmallerAndBits) {
+  const Lanes a{1, 4}, b{2, 3}, smaller = smaller_of(a, b);
+  EXPECT_EQ(smaller[0], 1);
+  EXPECT_EQ(smaller[1], 3);
+  EXPECT_EQ(bits_of(a < b), 1u);
+  EXPECT_EQ(bits_of(a > b), 2u);
+  EXPECT_EQ(bits_of(a == b), 0u);
+  EXPECT_EQ(bits_of(a != b), 3u);
+}
+
 }  // namespace
 }  // namespace sunder

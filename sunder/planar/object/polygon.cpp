@@ -22,9 +22,17 @@ Polygon::Polygon(std::span<const std::vector<Point2>> rings) {
       throw Error(ErrorCode::bad_shape, "a polygon has fewer than 2^31 vertices; split it", place);
     }
     vertices_.insert(vertices_.end(), ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(count));
-    ring_.resize(vertices_.size(), static_cast<std::uint32_t>(r));
+    if (rings.size() > 1) ring_.resize(vertices_.size(), static_cast<std::uint32_t>(r));
     begin_.push_back(static_cast<std::uint32_t>(vertices_.size()));
   }
+  std::vector<Segment> edges;
+  edges.reserve(size());
+  for (std::uint32_t k = 0; k < size(); ++k) edges.push_back(edge(k));
+  edge_boxes_ = EdgeBoxes(edges);
+  const std::span<const LanesBox> runs = edge_boxes_.level(edge_boxes_.top());
+  LanesBox all = runs[0];
+  for (const LanesBox& run : runs) all = hull(all, run);
+  box_ = {all.low[0], all.high[0], all.low[1], all.high[1]};
 }
 
 }  // namespace sunder::planar

@@ -1,6 +1,7 @@
 // A polygon with holes: closed rings of vertices, not necessarily simple.
 #pragma once
 
+#include <sunder/planar/object/edge_boxes.h>
 #include <sunder/planar/object/segments.h>
 
 #include <cstdint>
@@ -22,19 +23,30 @@ class Polygon {
   std::uint32_t size() const { return static_cast<std::uint32_t>(vertices_.size()); }  // of vertices, and of edges
   const std::vector<Point2>& vertices() const { return vertices_; }
 
+  const Box& box() const { return box_; }                      // the smallest that holds all vertices
+  const EdgeBoxes& edge_boxes() const { return edge_boxes_; }  // for searches
+
   std::uint32_t ring_count() const { return static_cast<std::uint32_t>(begin_.size() - 1); }
   std::uint32_t ring_begin(std::uint32_t ring) const { return begin_[ring]; }  // also of ring ring_count(): the end
-  std::uint32_t ring_of(std::uint32_t k) const { return ring_[k]; }
+  std::uint32_t ring_of(std::uint32_t k) const { return ring_.empty() ? 0 : ring_[k]; }
 
   // The vertex, or edge, after and before k in its ring.
-  std::uint32_t next(std::uint32_t k) const { return k + 1 == begin_[ring_[k] + 1] ? begin_[ring_[k]] : k + 1; }
-  std::uint32_t previous(std::uint32_t k) const { return (k == begin_[ring_[k]] ? begin_[ring_[k] + 1] : k) - 1; }
+  std::uint32_t next(std::uint32_t k) const {
+    if (ring_.empty()) return k + 1 == size() ? 0 : k + 1;
+    return k + 1 == begin_[ring_[k] + 1] ? begin_[ring_[k]] : k + 1;
+  }
+  std::uint32_t previous(std::uint32_t k) const {
+    if (ring_.empty()) return (k == 0 ? size() : k) - 1;
+    return (k == begin_[ring_[k]] ? begin_[ring_[k] + 1] : k) - 1;
+  }
 
   Segment edge(std::uint32_t k) const { return {vertices_[k], vertices_[next(k)]}; }  // in the ring's direction
 
  private:
   std::vector<Point2> vertices_;
-  std::vector<std::uint32_t> begin_{0}, ring_;
+  std::vector<std::uint32_t> begin_{0}, ring_;  // ring_ is empty where there is one
+  Box box_;
+  EdgeBoxes edge_boxes_;
 };
 
 }  // namespace sunder::planar

@@ -5,6 +5,8 @@
 // that cell is the one that looks at the pair.
 #pragma once
 
+#include <sunder/planar/object/box.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -13,15 +15,6 @@
 #include <vector>
 
 namespace sunder::planar {
-
-struct Box {
-  double left = 0, right = 0, bottom = 0, top = 0;  // finite; left <= right, bottom <= top
-  friend bool operator==(const Box&, const Box&) = default;
-};
-
-inline bool meet(const Box& a, const Box& b) {
-  return a.left <= b.right && b.left <= a.right && a.bottom <= b.top && b.bottom <= a.top;
-}
 
 class BoxGrid {
  public:

@@ -68,9 +68,4 @@ inline std::vector<const Polygon*> pointers_to(std::span<const Polygon> polygons
 
 Box box_of_ring(const Polygon& polygon, std::uint32_t ring);
 
-inline bool holds(const Box& outer, const Box& inner) {
-  return outer.left <= inner.left && inner.right <= outer.right && outer.bottom <= inner.bottom &&
-         inner.top <= outer.top;
-}
-
 }  // namespace sunder::planar

@@ -1,4 +1,5 @@
 #include <sunder/planar/set/edge_contact_lists.h>
+#include <sunder/planar/set/polygon_pairs.h>
 #include <sunder/planar/set/polygons_all.h>
 
 #include <algorithm>
@@ -46,7 +47,7 @@ PolygonsAllAnswer all_by(Take* take, std::span<const Polygon> polygons, const Po
 }  // namespace
 
 PolygonsAllAnswer polygons_all(std::span<const Polygon> polygons, const PolygonsOptions& options) {
-  return polygons_all_by_grid(polygons, options);
+  return polygons_all_by_boxes(polygons, options);
 }
 
 PolygonsCountAnswer polygons_count(std::span<const Polygon> polygons, const PolygonsOptions& options) {
@@ -55,6 +56,24 @@ PolygonsCountAnswer polygons_count(std::span<const Polygon> polygons, const Poly
   answer.cost = all.cost;
   for (const PolygonsContact& c : all.contacts)
     ++(c.contact == Contact::touching ? answer.touching : answer.overlapping);
+  return answer;
+}
+
+PolygonsAllAnswer polygons_all_by_boxes(std::span<const Polygon> polygons, const PolygonsOptions& options) {
+  PolygonsAllAnswer answer;
+  const auto add = [&](const PolygonsContact& c) {
+    if (counts(c, options.allowed)) answer.contacts.push_back(c);
+    return true;
+  };
+  Cost cost;
+  if (for_each_meeting_pair(polygons, options, cost, add)) {
+    std::sort(answer.contacts.begin(), answer.contacts.end(), [](const PolygonsContact& a, const PolygonsContact& b) {
+      return std::tie(a.i, a.j) < std::tie(b.i, b.j);
+    });
+  } else {
+    answer = polygons_all_by_grid(polygons, options);
+  }
+  answer.cost.probes += cost.probes;
   return answer;
 }
 

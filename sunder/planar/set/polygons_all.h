@@ -28,6 +28,10 @@ struct PolygonsCountAnswer {
 PolygonsAllAnswer polygons_all(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
 PolygonsCountAnswer polygons_count(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
 
+// The pairs of polygons whose boxes meet; of each, the runs of edges whose boxes meet (EdgeBoxes), down to edges. Where
+// that takes more than 64 looks at boxes and edges for each edge, by grid. Memory: O(N) for N polygons.
+PolygonsAllAnswer polygons_all_by_boxes(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
+
 // The contacts of edges by a grid over their boxes (where it does not pay, or many edges crowd in a cell, as
 // visit_contacts does), then the polygons around each common point, then rings inside of other polygons.
 // O(n log n + k) comparisons in all but crowded sets, for k contacts of edges; O(n + k) memory.

@@ -3,7 +3,7 @@
 namespace sunder::planar {
 
 PolygonsAnswer polygons_any(std::span<const Polygon> polygons, const PolygonsOptions& options) {
-  return polygons_any_by_grid(polygons, options);
+  return polygons_any_by_boxes(polygons, options);
 }
 
 }  // namespace sunder::planar

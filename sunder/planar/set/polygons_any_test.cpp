@@ -30,7 +30,8 @@ PolygonsContact contact(const Rings& a, const Rings& b) {
   EXPECT_EQ(found.contact, polygons_contact_by_scan(set[0], set[1]).found.contact);
   EXPECT_EQ(found.contact, polygons_contact(set[1], set[0]).found.contact);
   for (const Allowed allowed : {Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}) {
-    for (auto* method : {polygons_any, polygons_any_by_grid, polygons_any_by_sweep, polygons_any_by_scan}) {
+    for (auto* method :
+         {polygons_any, polygons_any_by_boxes, polygons_any_by_grid, polygons_any_by_sweep, polygons_any_by_scan}) {
       const PolygonsAnswer answer = method(set, {allowed, false, {}, nullptr});
       EXPECT_EQ(answer.meet(), counts(found, allowed));
       if (answer.meet()) {
@@ -88,14 +89,14 @@ TEST(PolygonsAny, TractsMayTouchAndNotOverlap) {
   for (double x = 0; x < 5; ++x) {
     for (double y = 0; y < 5; ++y) tracts.emplace_back(Rings{box(x, y, x + 1, y + 1)});
   }
-  for (auto* method : {polygons_any_by_grid, polygons_any_by_sweep, polygons_any_by_scan}) {
+  for (auto* method : {polygons_any_by_boxes, polygons_any_by_grid, polygons_any_by_sweep, polygons_any_by_scan}) {
     EXPECT_FALSE(method(tracts, {Allowed::touch, false, {}, nullptr}).meet());
     EXPECT_TRUE(method(tracts, {Allowed::shared_endpoint, false, {}, nullptr}).meet());
   }
   EXPECT_EQ(polygons_count(tracts).touching, 72u);
   EXPECT_EQ(polygons_count(tracts, {Allowed::shared_endpoint, false, {}, nullptr}).touching, 40u);
   tracts[12] = Polygon(Rings{box(2, 2, std::nextafter(3.0, 4.0), 3)});
-  for (auto* method : {polygons_any_by_grid, polygons_any_by_sweep, polygons_any_by_scan}) {
+  for (auto* method : {polygons_any_by_boxes, polygons_any_by_grid, polygons_any_by_sweep, polygons_any_by_scan}) {
     const PolygonsAnswer answer = method(tracts, {Allowed::touch, false, {}, nullptr});
     EXPECT_EQ(answer.found.contact, Contact::overlapping);
     EXPECT_EQ(answer.found.i, 12u);
@@ -136,6 +137,55 @@ Ring star(Random& random, const Point2& c, std::size_t n, double radius) {
   return ring;
 }
 
+// A band of 2 n vertices that winds outwards.
+Ring spiral(double turn, std::size_t n) {
+  Ring ring;
+  for (std::size_t k = 0; k < 2 * n; ++k) {
+    const std::size_t at = k < n ? k : 2 * n - 1 - k;
+    const double angle = 0.1 * static_cast<double>(at), r = 1 + angle / (2 * std::numbers::pi) + (k < n ? 0 : 0.02);
+    ring.push_back({r * std::cos(angle + turn), r * std::sin(angle + turn)});
+  }
+  return ring;
+}
+
+// Each is in the boxes of all others.
+TEST(PolygonsAny, BoxesWithinBoxes) {
+  std::vector<Polygon> spirals, slivers;
+  for (int k = 0; k < 10; ++k) spirals.emplace_back(Rings{spiral(0.2 * std::numbers::pi * k, 1000)});
+  for (int k = 0; k < 400; ++k) {
+    const double y = 3.0 * k;
+    slivers.emplace_back(Rings{{{-1e4, y - 1e4}, {1e4, y + 1e4}, {0, y + 1}}});
+  }
+  for (std::vector<Polygon>* set : {&spirals, &slivers}) {
+    EXPECT_FALSE(polygons_any_by_boxes(*set).meet());
+    EXPECT_TRUE(polygons_all_by_boxes(*set).contacts.empty());
+    const Point2 first = set->back().vertices()[0], second = set->back().vertices()[1];
+    set->emplace_back(Rings{{first, second, {first.x, second.y}}});
+    const PolygonsAnswer answer = polygons_any_by_boxes(*set);
+    EXPECT_TRUE(answer.meet());
+    EXPECT_EQ(answer.found.j + 1, set->size());
+    EXPECT_EQ(polygons_all_by_boxes(*set).contacts.size(), polygons_all_by_sweep(*set).contacts.size());
+  }
+}
+
+// A frame of many edges, with many in its hole, on its rim, and outside.
+TEST(PolygonsAny, ManyInAHole) {
+  Random random(20261128);
+  const Rings frame{star(random, {0, 0}, 20000, 300), star(random, {0, 0}, 20000, 100)};
+  std::vector<Polygon> set{Polygon(frame)};
+  for (int x = -13; x <= 13; ++x) {
+    for (int y = -13; y <= 13; ++y) set.emplace_back(Rings{star(random, {2.0 * x, 2.0 * y}, 5, 0.9)});
+  }
+  const PolygonsAnswer in_hole = polygons_any_by_boxes(set);
+  EXPECT_FALSE(in_hole.meet());
+  EXPECT_LE(in_hole.cost.probes, 60u * 40000);
+  set.emplace_back(Rings{star(random, {110, 0}, 5, 0.001)});
+  const PolygonsAllAnswer all = polygons_all_by_boxes(set);
+  ASSERT_EQ(all.contacts.size(), 1u);
+  EXPECT_EQ(all.contacts[0].kind, ContactKind::none);
+  EXPECT_LE(all.cost.probes, 60u * 40000);
+}
+
 TEST(PolygonsAny, MethodsAgreeOnLargerSets) {
   Random random(20261125);
   int some = 0, none = 0, insides = 0;
@@ -153,17 +203,20 @@ TEST(PolygonsAny, MethodsAgreeOnLargerSets) {
       if (random.below(k % 5 == 0 ? 20 : 1000) == 0) set.emplace_back(Rings{star(random, c, 5, 0.17)});
     }
     if (k % 7 == 0) set.emplace_back(Rings{star(random, {0, 0}, 9, 200)});  // around all
-    const PolygonsAllAnswer all = polygons_all_by_grid(set), by_sweep = polygons_all_by_sweep(set);
-    ASSERT_EQ(all.contacts.size(), by_sweep.contacts.size()) << k;
-    for (std::size_t c = 0; c < all.contacts.size(); ++c) {
-      ASSERT_EQ(all.contacts[c].i, by_sweep.contacts[c].i);
-      ASSERT_EQ(all.contacts[c].j, by_sweep.contacts[c].j);
-      ASSERT_EQ(all.contacts[c].contact, by_sweep.contacts[c].contact);
-      insides += all.contacts[c].kind == ContactKind::none;
+    const PolygonsAllAnswer all = polygons_all_by_grid(set);
+    for (auto* method : {polygons_all_by_boxes, polygons_all_by_sweep}) {
+      const PolygonsAllAnswer other = method(set, {});
+      ASSERT_EQ(all.contacts.size(), other.contacts.size()) << k;
+      for (std::size_t c = 0; c < all.contacts.size(); ++c) {
+        ASSERT_EQ(all.contacts[c].i, other.contacts[c].i);
+        ASSERT_EQ(all.contacts[c].j, other.contacts[c].j);
+        ASSERT_EQ(all.contacts[c].contact, other.contacts[c].contact);
+      }
     }
+    for (const PolygonsContact& c : all.contacts) insides += c.kind == ContactKind::none;
     (all.contacts.empty() ? none : some)++;
     for (const Allowed allowed : {Allowed::nothing, Allowed::touch}) {
-      for (auto* method : {polygons_any_by_grid, polygons_any_by_sweep}) {
+      for (auto* method : {polygons_any_by_boxes, polygons_any_by_grid, polygons_any_by_sweep}) {
         const PolygonsAnswer answer = method(set, {allowed, false, {}, nullptr});
         ASSERT_EQ(answer.meet(), !all.contacts.empty()) << k;
         const auto is_it = [&](const PolygonsContact& c) { return c.i == answer.found.i && c.j == answer.found.j; };

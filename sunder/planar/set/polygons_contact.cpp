@@ -7,29 +7,10 @@
 
 namespace sunder::planar {
 
-namespace {
-
-Box common_box(const Polygon& a, const Polygon& b) {
-  const auto box_of = [](const Polygon& polygon) {
-    Box box = box_of_ring(polygon, 0);
-    for (std::uint32_t r = 1; r < polygon.ring_count(); ++r) {
-      const Box ring = box_of_ring(polygon, r);
-      box = {std::min(box.left, ring.left), std::max(box.right, ring.right), std::min(box.bottom, ring.bottom),
-             std::max(box.top, ring.top)};
-    }
-    return box;
-  };
-  const Box in_a = box_of(a), in_b = box_of(b);
-  return {std::max(in_a.left, in_b.left), std::min(in_a.right, in_b.right), std::max(in_a.bottom, in_b.bottom),
-          std::min(in_a.top, in_b.top)};
-}
-
-}  // namespace
-
 PolygonsAnswer polygons_contact(const Polygon& a, const Polygon& b) {
   PolygonsAnswer answer;
-  const Box common = common_box(a, b);
-  if (common.left > common.right || common.bottom > common.top) return answer;
+  if (!meet(a.box(), b.box())) return answer;
+  const Box common = common_part(a.box(), b.box());
   PolygonEdges edges({&a, &b});
   PolygonMeetings meetings(edges, {}, [&](const PolygonsContact& found) {
     const bool more = found.contact != Contact::touching || found.kind > answer.found.kind;

@@ -1,0 +1,222 @@
+// Runs of edges of the one and of the other whose boxes meet are taken apart together, down to edges.
+//
+// Let no edges of two polygons meet. Then a ring is inside of the other polygon, or outside, as a whole, and polygons
+// that have a common point have a ring of one inside of the other: what they have in common has a boundary, of which
+// each point is on a ring of one and inside of the other.
+#include <sunder/planar/set/box_pairs.h>
+#include <sunder/planar/set/polygon_pairs.h>
+#include <sunder/predicate/orient.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace sunder::planar {
+
+namespace {
+
+constexpr std::uint32_t fan = EdgeBoxes::fan;
+
+// The numbers of the boxes that meet the box, and their common box with it.
+struct Chosen {
+  std::array<std::uint32_t, EdgeBoxes::most> numbers;
+  std::size_t count = 0;
+};
+Chosen meeting(std::span<const LanesBox> boxes, const LanesBox& box) {
+  Chosen chosen;
+  for (std::uint32_t k = 0; k < boxes.size(); ++k) {  // without branches
+    chosen.numbers[chosen.count] = k;
+    chosen.count += meet(boxes[k], box);
+  }
+  return chosen;
+}
+
+std::span<const LanesBox> top_level(const Polygon& polygon) {
+  return polygon.edge_boxes().level(polygon.edge_boxes().top());
+}
+
+LanesBox box_in_lanes(const Polygon& polygon) {
+  const Box& box = polygon.box();
+  return {Lanes{box.left, box.bottom}, Lanes{box.right, box.top}};
+}
+
+// May an edge in the box be below the point?
+bool is_above(const Point2& p, const LanesBox& box) {
+  return box.low[0] <= p.x && p.x <= box.high[0] && box.low[1] <= p.y;
+}
+
+// Of the edges of a run: fewer than fan where the polygon's last ones are in it.
+struct BoxesOfEdges {
+  std::array<LanesBox, fan> boxes;
+  std::uint32_t count = 0;
+
+  BoxesOfEdges(const Polygon& polygon, std::uint32_t run) {
+    const Point2* const v = polygon.vertices().data();
+    const std::uint32_t end = std::min(fan * (run + 1), polygon.size());
+    for (std::uint32_t k = fan * run; k < end; ++k) boxes[count++] = box_of_edge(v[k], v[polygon.next(k)]);
+  }
+};
+
+}  // namespace
+
+// Each of these returns false when it has found a contact of edges, or gives up.
+bool PolygonPairs::compare(const Polygon& a, const Polygon& b) {
+  const LanesBox common = common_part(box_in_lanes(a), box_in_lanes(b));
+  const std::span<const LanesBox> of_a = top_level(a), of_b = top_level(b);
+  cost.probes += of_a.size();
+  const Chosen in_a = meeting(of_a, common);
+  if (in_a.count == 0) return true;
+  cost.probes += of_b.size();
+  const Chosen in_b = meeting(of_b, common);
+  cost.probes += in_a.count * in_b.count;
+  for (std::size_t k = 0; k < in_a.count; ++k) {
+    for (std::size_t l = 0; l < in_b.count; ++l) {
+      const std::uint32_t r = in_a.numbers[k], s = in_b.numbers[l];
+      if (!meet(of_a[r], of_b[s])) continue;
+      if (!compare_runs({a, a.edge_boxes().top(), r}, {b, b.edge_boxes().top(), s})) return false;
+    }
+  }
+  return true;
+}
+
+// Their boxes meet.
+bool PolygonPairs::compare_runs(const Run& r, const Run& s) {
+  if (gave_up()) return false;
+  if (r.level == 0 && s.level == 0) return compare_edges(r, s);
+  const bool first = r.level >= s.level;
+  const Run &parted = first ? r : s, &whole = first ? s : r;
+  const LanesBox& box = whole.polygon.edge_boxes().level(whole.level)[whole.number];
+  const std::span<const LanesBox> parts = parted.polygon.edge_boxes().level(parted.level - 1);
+  const std::size_t end = std::min<std::size_t>(fan * (parted.number + 1), parts.size());
+  cost.probes += fan;
+  for (std::uint32_t k = fan * parted.number; k < end; ++k) {
+    if (!meet(parts[k], box)) continue;
+    const Run part{parted.polygon, parted.level - 1, k};
+    if (!(first ? compare_runs(part, s) : compare_runs(r, part))) return false;
+  }
+  return true;
+}
+
+bool PolygonPairs::compare_edges(const Run& r, const Run& s) {
+  const BoxesOfEdges of_r(r.polygon, r.number);
+  const LanesBox box_of_s = s.polygon.edge_boxes().level(0)[s.number];
+  std::uint32_t near = 0;  // a bit of each edge of r that is near s
+  for (std::uint32_t k = 0; k < of_r.count; ++k) near |= std::uint32_t{meet(of_r.boxes[k], box_of_s)} << k;
+  cost.probes += of_r.count;
+  if (near == 0) return true;
+  const BoxesOfEdges of_s(s.polygon, s.number);
+  std::uint32_t pairs = 0;  // a bit of each whose boxes meet
+  static_assert(fan * fan <= 32);
+  for (; near != 0; near &= near - 1) {
+    const std::uint32_t k = static_cast<std::uint32_t>(std::countr_zero(near));
+    for (std::uint32_t l = 0; l < of_s.count; ++l) {
+      pairs |= std::uint32_t{meet(of_r.boxes[k], of_s.boxes[l])} << (fan * k + l);
+    }
+    cost.probes += of_s.count;
+  }
+  for (; pairs != 0; pairs &= pairs - 1) {
+    const std::uint32_t pair = static_cast<std::uint32_t>(std::countr_zero(pairs));
+    const std::uint32_t e = fan * r.number + pair / fan, f = fan * s.number + pair % fan;
+    const ContactKind kind = segment_segment(sorted(r.polygon.edge(e)), sorted(s.polygon.edge(f)));
+    if (kind == ContactKind::none) continue;
+    found_.contact = kind == ContactKind::crossing ? Contact::overlapping : Contact::touching;
+    found_.kind = kind;
+    found_.of_i = e;
+    found_.of_j = f;
+    return false;
+  }
+  return true;
+}
+
+// Is the number of edges of the run that are below the point odd? (ring_tests.h says what is below.)
+bool PolygonPairs::is_odd_below(const Run& r, const Point2& p) {
+  bool odd = false;
+  if (r.level > 0) {
+    const std::span<const LanesBox> parts = r.polygon.edge_boxes().level(r.level - 1);
+    const std::size_t end = std::min<std::size_t>(fan * (r.number + 1), parts.size());
+    cost.probes += fan;
+    for (std::uint32_t k = fan * r.number; k < end; ++k) {
+      if (is_above(p, parts[k])) odd ^= is_odd_below({r.polygon, r.level - 1, k}, p);
+    }
+    return odd;
+  }
+  cost.probes += fan;
+  for (std::uint32_t k = fan * r.number; k < std::min(fan * (r.number + 1), r.polygon.size()); ++k) {
+    const Segment edge = sorted(r.polygon.edge(k));
+    if (lexicographically_less(p, edge.a) || !lexicographically_less(p, edge.b)) continue;
+    odd ^= orient_2d(edge.a, edge.b, p) == Sign::positive;
+  }
+  return odd;
+}
+
+// Requires that the point is on no edge.
+bool PolygonPairs::is_inside(const Polygon& polygon, const Point2& p) {
+  bool inside = false;
+  const std::span<const LanesBox> runs = top_level(polygon);
+  cost.probes += runs.size();
+  for (std::uint32_t k = 0; k < runs.size(); ++k) {
+    if (is_above(p, runs[k])) inside ^= is_odd_below({polygon, polygon.edge_boxes().top(), k}, p);
+  }
+  return inside;
+}
+
+// The first vertex of a ring of the one that is inside of the other. Requires that no edges of them meet.
+std::optional<std::uint32_t> PolygonPairs::vertex_inside(const Polygon& inner, const Polygon& outer) {
+  if (inner.ring_count() == 1 && !holds(outer.box(), inner.box())) return std::nullopt;
+  for (std::uint32_t ring = 0; ring < inner.ring_count() && !gave_up(); ++ring) {
+    const Point2& v = inner.vertices()[inner.ring_begin(ring)];
+    ++cost.probes;
+    if (holds(outer.box(), {v.x, v.x, v.y, v.y}) && is_inside(outer, v)) return inner.ring_begin(ring);
+  }
+  return std::nullopt;
+}
+
+std::optional<PolygonsContact> PolygonPairs::contact(std::uint32_t i, std::uint32_t j) {
+  const Polygon &a = polygons_[i], &b = polygons_[j];
+  found_ = {Contact::none, ContactKind::none, false, i, j, 0, 0};
+  if (!compare(a, b)) {
+    if (found_.contact == Contact::none) return std::nullopt;
+    if (found_.contact == Contact::overlapping) return found_;
+    const PolygonsAnswer pair = polygons_contact(a, b);
+    cost.probes += pair.cost.probes;
+    found_ = pair.found;
+    found_.i = i;
+    found_.j = j;
+    return found_;
+  }
+  if (const auto vertex = vertex_inside(a, b)) {
+    return PolygonsContact{Contact::overlapping, ContactKind::none, true, i, j, *vertex, 0};
+  }
+  if (const auto vertex = vertex_inside(b, a)) {
+    return PolygonsContact{Contact::overlapping, ContactKind::none, false, i, j, 0, *vertex};
+  }
+  if (gave_up()) return std::nullopt;
+  return found_;
+}
+
+std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, const PolygonsOptions& options, Cost& cost,
+                                          const std::function<bool(const PolygonsContact&)>& found) {
+  // To look at an edge takes a hundredth of the time that it takes to put it in a grid, or a sweep.
+  constexpr std::uint64_t looks = 64;
+  std::vector<Box> boxes;
+  boxes.reserve(polygons.size());
+  std::uint64_t edges = 0;
+  for (const Polygon& polygon : polygons) {
+    boxes.push_back(polygon.box());
+    edges += polygon.size();
+  }
+  PolygonPairs pairs(polygons, looks * edges);
+  bool gave_up = false;
+  const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {
+    if (may_meet(options.groups, i, j)) return true;
+    const std::optional<PolygonsContact> contact = pairs.contact(i, j);
+    gave_up = !contact;
+    return contact && (contact->contact == Contact::none || found(*contact));
+  };
+  const bool all = for_each_box_pair(boxes, of_pair, options.progress);
+  cost.probes += pairs.cost.probes;
+  if (gave_up) return std::nullopt;
+  return all;
+}
+
+}  // namespace sunder::planar

@@ -1,0 +1,48 @@
+// Two polygons of a set at a time: only edges near both are looked at. For use by polygons_any and polygons_all.
+#pragma once
+
+#include <sunder/planar/set/polygons_any.h>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+
+namespace sunder::planar {
+
+class PolygonPairs {
+ public:
+  // Gives up when it has looked at more than `most` boxes and edges.
+  PolygonPairs(std::span<const Polygon> polygons, std::uint64_t most) : polygons_(polygons), most_(most) {}
+
+  // How do the polygons i < j meet? Requires that their boxes do. Nothing where it gives up. Where they touch, the cost
+  // is that of polygons_contact.
+  std::optional<PolygonsContact> contact(std::uint32_t i, std::uint32_t j);
+
+  Cost cost{};  // probes: boxes and edges looked at
+
+ private:
+  // A run of edges of a polygon, or edges where the level is 0.
+  struct Run {
+    const Polygon& polygon;
+    std::uint32_t level, number;
+  };
+  bool gave_up() const { return cost.probes > most_; }
+  bool compare(const Polygon& a, const Polygon& b);
+  bool compare_runs(const Run& r, const Run& s);
+  bool compare_edges(const Run& r, const Run& s);
+  bool is_inside(const Polygon& polygon, const Point2& p);
+  bool is_odd_below(const Run& r, const Point2& p);
+  std::optional<std::uint32_t> vertex_inside(const Polygon& inner, const Polygon& outer);
+
+  std::span<const Polygon> polygons_;
+  std::uint64_t most_;
+  PolygonsContact found_;  // of the two that are compared
+};
+
+// Calls found(contact) for each pair of polygons of different groups that meet, once, until it returns false. Returns
+// whether it never did; nothing where that would take long: then some pairs may have been given.
+std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, const PolygonsOptions& options, Cost& cost,
+                                          const std::function<bool(const PolygonsContact&)>& found);
+
+}  // namespace sunder::planar
