@@ -76,6 +76,8 @@ TEST(PolygonsContact, HolesAndIslands) {
   const Rings with_island{box(0, 0, 20, 20), box(5, 5, 15, 15), box(8, 8, 12, 12)};
   EXPECT_EQ(contact(with_island, {box(9, 9, 10, 10)}).contact, Contact::overlapping);
   EXPECT_EQ(contact(with_island, {box(5, 5, 15, 15), box(8, 8, 12, 12)}).contact, Contact::touching);
+  // One part inside, one far away.
+  EXPECT_EQ(contact({box(30, 0, 31, 1), box(1, 1, 2, 2)}, {box(0, 0, 9, 9)}).contact, Contact::overlapping);
   // A hole that touches the lower side from inside, above one whose upper side passes there.
   EXPECT_EQ(contact({box(0, 0, 8, 8), {{4, 0}, {6, 4}, {2, 4}}}, {box(-1, -3, 9, 0)}).contact, Contact::touching);
   // Of two parts each, one of which they have in common.
