@@ -117,6 +117,14 @@ say "Census tracts: they share borders; do any two overlap?"
 show "sunder polygons cases/tracts/tracts.wkt --allow touch"
 "$program" polygons cases/tracts/tracts.wkt --allow touch || fail "expected that none overlap (exit code 0)"
 
+say "A drawing of two bodies seen from above: can one hide a part of the other?"
+show "python3 examples/hidden_lines.py z cases/mesh/cube.obj cases/mesh/tetrahedron.obj > $out/outlines.geojson"
+python3 examples/hidden_lines.py z cases/mesh/cube.obj cases/mesh/tetrahedron.obj > "$out/outlines.geojson"
+show "sunder polygons $out/outlines.geojson --allow touch"
+code=0
+"$program" polygons "$out/outlines.geojson" --allow touch || code=$?
+[ $code -eq 1 ] || fail "expected that their outlines overlap (exit code 1), but the exit code is $code"
+
 say "CO2 at Mauna Loa, 1959 to 2025: is there a line through all error bars?"
 show "sunder region cases/half-planes/co2.csv --certificate $out/co2.json"
 code=0

@@ -2,6 +2,8 @@
 // is accepted, and what is accepted is true, also of a set that was changed a little.
 #include <sunder/base/random.h>
 #include <sunder/planar/region/circles_json.h>
+#include <sunder/planar/region/convex_polygons.h>
+#include <sunder/planar/region/convex_polygons_json.h>
 #include <sunder/planar/region/half_planes.h>
 #include <sunder/planar/region/half_planes_json.h>
 #include <sunder/planar/region/linear_program_json.h>
@@ -175,6 +177,31 @@ TEST_F(SetCertificates, ConvexPolygonsThatMeet) {
     expect_true_if_accepted(own, text(others), "convex_polygons", meet ? "some" : "none");
   }
   expect_hits(rounds, 2);
+}
+
+TEST_F(SetCertificates, CommonPartsOfConvexPolygons) {
+  const int rounds = tests::scaled_count(3000);
+  for (int round = 0; round < rounds; ++round) {
+    // Around one place, so that there is a common part often enough.
+    const auto make = [this] {
+      std::vector<Point2> points;
+      for (std::uint64_t k = 1 + random.below(5); k > 0; --k) {
+        const double x = whole(3), y = whole(3);
+        points.push_back({x, y});
+      }
+      return ConvexPolygon::hull_of(points);
+    };
+    const std::vector<ConvexPolygon> given = set_of(3, make), others = changed(given, make);
+    const auto truth = [](const std::vector<ConvexPolygon>& polygons) {
+      const PolygonsPartKind kind = convex_polygons_common_part_by_scan(polygons).kind;
+      return std::string(kind == PolygonsPartKind::polygon ? "bounded" : name_of(kind));
+    };
+    const std::string own = certificate_text(given);
+    expect_accepted(own);
+    EXPECT_EQ(json::parse(own)["statements"][0]["verdict"].get<std::string>(), truth(given));
+    expect_true_if_accepted(own, certificate_text(others), "convex_polygons", truth(others));
+  }
+  expect_hits(rounds, 4);
 }
 
 }  // namespace

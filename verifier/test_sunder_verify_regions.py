@@ -398,5 +398,38 @@ class Kernels(unittest.TestCase):
             self.assertEqual(found(ring, {}), "F", ring)
 
 
+class ConvexPolygons(unittest.TestCase):
+    def test_files_and_the_check_that_each_fails(self):
+        def found(polygons, change):
+            item = {"question": "convex_polygons", "verdict": "bounded", "sides": [1, 2, 0], "cones": [2, 0, 1]}
+            table = [[[hexadecimal(n) for n in p] for p in polygon] for polygon in polygons]
+            return outcome(json.dumps({"sunder_set_certificate": 1, "convex_polygons": table,
+                                       "statements": [{**item, **change}]}).encode())
+
+        triangle = [(0, 0), (4, 0), (0, 4)]
+        self.assertEqual(found([triangle], {}), "-")
+        self.assertEqual(found([triangle], {"cones": [0, 0, 1]}), "S3")
+        self.assertEqual(found([triangle], {"verdict": "point"}), "S2")
+        # Not counter-clockwise, not strictly convex, twice round; no vertex; no number.
+        twice = [(0, 0), (5, 0), (5, 5), (1, 6), (-1, -1), (6, -1), (6, 6), (0, 5)]
+        for bad in (triangle[::-1], [(0, 0), (2, 0), (4, 0), (0, 4)], [(0, 0), (0, 0), (4, 0)], twice, [],
+                    [(0, 0), (0, 0)], [(0,)]):
+            self.assertEqual(found([bad], {}), "F", bad)
+        # A point: its half-planes are x <= 1, y <= 1, x >= 1, y >= 1.
+        at = {"verdict": "point", "sides": [0, 1, 2, 3], "cones": [0, 1, 2, 3]}
+        self.assertEqual(found([[(1, 1)]], at), "-")
+        self.assertEqual(found([[(1, 1)], triangle], {**at, "cones": [0, 1, 2, 3, 3, 0, 1]}), "-")
+        self.assertEqual(found([[(1, 1)], [(4, 4)]], {**at, "cones": [0, 1, 2, 3, 0, 1, 2, 3]}), "S4")
+        self.assertEqual(found([[(1, 1)], [(4, 4)]], {"verdict": "empty", "sides": [0, 6]}), "-")
+        self.assertEqual(found([[(1, 1)], [(1, 4)]], {"verdict": "empty", "sides": [0, 6]}), "S2")
+        # Segments: both edges, then the caps; a vertical one has them above and below.
+        rising, upright = [(0, 0), (4, 2)], [(1, 5), (1, 1)]
+        self.assertEqual(found([rising], {"verdict": "segment", "sides": [2, 1, 3, 0], "cones": [3, 1, 0, 2]}), "-")
+        self.assertEqual(found([upright], {"verdict": "segment", "sides": [1, 2, 0, 3], "cones": [2, 0, 1, 3]}), "-")
+        self.assertEqual(found([upright], {"verdict": "segment", "sides": [1, 2, 0, 3], "cones": [2, 0, 3, 1]}), "S3")
+        self.assertEqual(found([rising, upright], {"verdict": "empty", "sides": [1, 7]}), "S1")
+        self.assertEqual(found([[(0, 0), (1, 2)], [(2, 0), (2, 5)]], {"verdict": "empty", "sides": [2, 5]}), "-")
+
+
 if __name__ == "__main__":
     unittest.main()

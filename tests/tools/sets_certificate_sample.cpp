@@ -2,6 +2,7 @@
 // other than the library's: sets_certificate_sample FOLDER COUNT [SEED]. COUNT files in all, the questions in turn.
 #include <sunder/base/random.h>
 #include <sunder/planar/region/circles_json.h>
+#include <sunder/planar/region/convex_polygons_json.h>
 #include <sunder/planar/region/half_planes.h>
 #include <sunder/planar/region/half_planes_json.h>
 #include <sunder/planar/region/linear_program_json.h>
@@ -114,6 +115,12 @@ std::vector<ConvexPolygon> some_polygons(Numbers& numbers) {
 }
 
 std::string some_text(Numbers& numbers, int question) {
+  if (question == 5) {  // few, so that they have something in common often enough
+    std::vector<ConvexPolygon> polygons = some_polygons(numbers);
+    const std::size_t most = 1 + numbers.below(3);
+    while (polygons.size() > most) polygons.pop_back();
+    return certificate_text(polygons);
+  }
   if (question == 4) {
     const std::vector<ConvexPolygon> polygons = some_polygons(numbers);
     ConvexPolygonsAnswer answer = convex_polygons_any(polygons, {Allowed::touch, false});
@@ -159,7 +166,7 @@ int main(int argc, char** argv) {
   std::filesystem::create_directories(folder);
   std::map<std::string, int> verdicts;
   for (int i = 0; i < count; ++i) {
-    const std::string text = some_text(numbers, i % 5);
+    const std::string text = some_text(numbers, i % 6);
     ++verdicts[verdict_of(text)];
     std::ofstream file(folder / ("sets_" + std::to_string(i) + ".json"), std::ios::binary);
     file << text;
