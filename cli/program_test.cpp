@@ -708,6 +708,14 @@ TEST_F(Program, Polygons) {
   EXPECT_EQ(count.code, 1) << count.err;
   EXPECT_EQ(json::parse(count.out)["counts"]["touching"], 607);
   EXPECT_EQ(run("polygons " + tracts + " --allow touch").code, 0);
+  const std::string proof = in_folder("proof.json");
+  for (const std::string rule : {"nothing", "shared-endpoint", "touch"}) {
+    EXPECT_EQ(run("polygons " + tracts + " --certificate " + proof + " --allow " + rule).code, rule == "touch" ? 0 : 1);
+    EXPECT_EQ(run("verify " + proof).code, 0) << rule;
+    EXPECT_TRUE(python_accepts(proof)) << rule;
+  }
+  expect_bad("polygons " + tracts + " --all --certificate " + in_folder("none.json"), "have no proof");
+  expect_bad("polygons " + tracts + " --method scan --certificate " + in_folder("none.json"), "scan writes no");
   const std::string two = in_folder("two.wkt");
   write_text(two, "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\nPOLYGON ((1 1, 2 1, 2 2, 1 1))\n");
   for (const std::string method : {"automatic", "grid", "sweep", "scan"}) {

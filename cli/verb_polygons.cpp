@@ -8,6 +8,7 @@
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
 #include <sunder/planar/set/polygons_all.h>
+#include <sunder/planar/set/polygons_any_json.h>
 
 #include <fmt/format.h>
 
@@ -29,7 +30,7 @@ struct Call {
   bool any = false, all = false, count = false;  // at most one; none: any
   std::string allow = "nothing";
   std::string method = "automatic";
-  std::string svg, title;
+  std::string certificate, svg, title;
   bool drop_z = false;
   bool json = false;
 
@@ -76,10 +77,22 @@ const Methods& methods_by(const std::string& name) {
               "--method");
 }
 
+void require_provable(const Call& call) {
+  if (call.certificate.empty()) return;
+  if (call.lists() || call.count) {
+    throw Error(ErrorCode::bad_call, "lists, counts and pictures have no proof; ask whether any two meet",
+                "--certificate");
+  }
+  if (call.method == "scan") {
+    throw Error(ErrorCode::bad_call, "scan writes no certificates; give automatic or sweep", "--method");
+  }
+}
+
 Result ask(const Call& call, const Methods& by, const PolygonsInput& input) {
   Progress progress("comparing");
   PolygonsOptions options;
   options.allowed = allowed_by(call.allow);
+  options.transcript = !call.certificate.empty();
   options.progress = progress.reporter();
   Result result;
   const auto add = [&](const PolygonsContact& contact) {
@@ -94,6 +107,9 @@ Result ask(const Call& call, const Methods& by, const PolygonsInput& input) {
     const planar::PolygonsAnswer answer = by.any(input.polygons, options);
     if (answer.meet()) add(answer.found);
     result.cost = answer.cost;
+    if (!call.certificate.empty()) {
+      io::write_file_atomically(call.certificate, certificate_text(input.polygons, options.allowed, answer));
+    }
   }
   return result;
 }
@@ -157,6 +173,7 @@ std::string human_text(const Call& call, const PolygonsInput& input, const Resul
   }
   for (const std::string& remark : input.file.remarks) text += fmt::format("  remark      {}\n", remark);
   text += fmt::format("  cost        {}\n", count_of(result.cost.probes, "comparison"));
+  if (!call.certificate.empty()) text += fmt::format("  proof       {}\n", call.certificate);
   if (!call.svg.empty()) text += fmt::format("  picture     {}\n", call.svg);
   return text;
 }
@@ -224,6 +241,7 @@ std::string picture(const Call& call, const PolygonsInput& input, const Result& 
 int run(const Call& call) {
   const Methods& by = methods_by(call.method);
   allowed_by(call.allow);
+  require_provable(call);
   const PolygonsInput input = read_polygons(call.file, call.drop_z, true);
   const Result result = ask(call, by, input);
   if (!call.svg.empty()) io::write_file_atomically(call.svg, picture(call, input, result));
@@ -246,6 +264,7 @@ void add_polygons(CLI::App& program, int& code) {
   verb->add_option("--allow", call->allow, "what does not count: nothing, shared-endpoint, or touch")
       ->type_name("KIND");
   verb->add_option("--method", call->method, "automatic, boxes, grid, sweep, or scan")->type_name("NAME");
+  verb->add_option("--certificate", call->certificate, "write the proof here")->type_name("FILE");
   auto* svg = verb->add_option("--svg", call->svg, "draw the polygons and the pairs that meet here")->type_name("FILE");
   verb->add_option("--title", call->title, "of the picture")->needs(svg);
   verb->add_flag("--drop-z", call->drop_z, "ignore third coordinates");

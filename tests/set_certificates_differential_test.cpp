@@ -1,5 +1,5 @@
-// Evidence about circles, half-planes, linear programs and convex polygons against the checker: what the library says
-// is accepted, and what is accepted is true, also of a set that was changed a little.
+// Evidence about circles, half-planes, linear programs and polygons against the checker: what the library says is
+// accepted, and what is accepted is true, also of a set that was changed a little.
 #include <sunder/base/random.h>
 #include <sunder/planar/region/circles_json.h>
 #include <sunder/planar/region/convex_polygons.h>
@@ -9,12 +9,15 @@
 #include <sunder/planar/region/linear_program_json.h>
 #include <sunder/planar/set/circles_any_json.h>
 #include <sunder/planar/set/convex_polygons_any_json.h>
+#include <sunder/planar/set/polygon_simple.h>
+#include <sunder/planar/set/polygons_any_json.h>
 #include <tests/support/scale.h>
 #include <verifier/sunder_verify.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <string>
@@ -24,6 +27,7 @@ namespace {
 
 using namespace sunder;
 using namespace sunder::planar;
+using Rings = std::vector<std::vector<Point2>>;
 using nlohmann::json;
 
 class SetCertificates : public testing::Test {
@@ -57,6 +61,56 @@ class SetCertificates : public testing::Test {
       points.push_back({x + dx, y + dy});
     }
     return ConvexPolygon::hull_of(points);
+  }
+
+  // A few points around a corner of a coarse grid, in an order that makes a simple ring; or a cell of that grid, so
+  // that borders in common are common.
+  std::vector<Point2> ring(double x, double y) {
+    if (random.below(3) == 0) return {{x, y}, {x + 3, y}, {x + 3, y + 3}, {x, y + 3}};
+    for (;;) {
+      std::vector<Point2> points;
+      for (std::uint64_t k = 3 + random.below(4); k > 0; --k) {
+        const double dx = whole(2), dy = whole(2);
+        points.push_back({x + dx, y + dy});
+      }
+      if (points.front() != points.back() && polygon_simple_by_scan(Polygon(Rings{points})).simple()) {
+        return points;
+      }
+    }
+  }
+
+  Polygon polygon_with_holes() {
+    const double x = 3 * whole(3), y = 3 * whole(3);
+    Rings rings{ring(x, y)};
+    if (random.below(3) == 0) {  // around it, and it may be a hole
+      rings.insert(rings.begin(), {{x - 4, y - 3}, {x + 4, y - 5}, {x + 5, y + 4}, {x - 3, y + 4}});
+    }
+    const Polygon all(rings);
+    return polygon_simple_by_scan(all).simple() ? all : Polygon(Rings{rings.front()});
+  }
+
+  // With some vertex moved: it need not be simple any longer. But no two of its edges overlap, so that it has an
+  // inside.
+  Polygon bent(const Polygon& polygon) {
+    for (;;) {
+      Rings rings;
+      for (std::uint32_t r = 0; r < polygon.ring_count(); ++r) {
+        rings.emplace_back(polygon.vertices().begin() + polygon.ring_begin(r),
+                           polygon.vertices().begin() + polygon.ring_begin(r + 1));
+      }
+      std::vector<Point2>& ring = rings[random.below(rings.size())];
+      Point2& p = ring[random.below(ring.size())];
+      p = {p.x + whole(3), p.y + whole(3)};
+      if (ring.front() == ring.back()) continue;
+      const Polygon all(rings);
+      bool overlaps = false;
+      for (std::uint32_t e = 0; e < all.size(); ++e) {
+        for (std::uint32_t f = 0; f < e; ++f) {
+          overlaps |= segment_segment(sorted(all.edge(e)), sorted(all.edge(f))) == ContactKind::overlap;
+        }
+      }
+      if (!overlaps) return all;
+    }
   }
 
   template <class Make>
@@ -202,6 +256,35 @@ TEST_F(SetCertificates, CommonPartsOfConvexPolygons) {
     expect_true_if_accepted(own, certificate_text(others), "convex_polygons", truth(others));
   }
   expect_hits(rounds, 4);
+}
+
+TEST_F(SetCertificates, PolygonsThatMeet) {
+  const int rounds = tests::scaled_count(4000);
+  std::map<Allowed, std::map<std::string, int>> of_rule;
+  for (int round = 0; round < rounds; ++round) {
+    const std::vector<Polygon> given = set_of(6, [this] { return polygon_with_holes(); });
+    const Allowed allowed = std::array{Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}[random.below(3)];
+    const auto text = [&](const std::vector<Polygon>& polygons, const PolygonsAnswer& answer) {
+      return certificate_text(polygons, allowed, answer);
+    };
+    auto* method = random.below(2) == 0 ? polygons_any_by_sweep : polygons_any;
+    const PolygonsAnswer answer = method(given, {allowed, true, {}, nullptr});
+    ASSERT_EQ(answer.meet(), polygons_any_by_scan(given, {allowed, false, {}, nullptr}).meet());
+    const std::string own = text(given, answer);
+    expect_accepted(own);
+    ++of_rule[allowed][answer.meet() ? "some" : "none"];
+    std::vector<Polygon> others = given;
+    Polygon& other = others[random.below(others.size())];
+    other = random.below(3) == 0 ? polygon_with_holes() : bent(other);
+    const bool meet = polygons_any_by_scan(others, {allowed, false, {}, nullptr}).meet();
+    expect_true_if_accepted(own, text(others, {}), "polygons", meet ? "some" : "none");
+  }
+  expect_hits(rounds, 2);
+  if (rounds < 4000) return;
+  for (const auto& [allowed, times] : of_rule) {
+    EXPECT_EQ(times.size(), 2u);
+    for (const auto& [verdict, n] : times) EXPECT_GT(n, rounds / 50) << name_of(allowed) << " " << verdict;
+  }
 }
 
 }  // namespace

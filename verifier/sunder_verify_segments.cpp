@@ -1,5 +1,7 @@
 #include "sunder_verify_segments.h"
 
+#include "segment_set.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -13,66 +15,20 @@
 namespace sunder_verifier {
 namespace {
 
-struct Point {
-  Integer x, y;
-};
-
-bool operator==(const Point& p, const Point& q) { return p.x == q.x && p.y == q.y; }
-bool operator<(const Point& p, const Point& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
-
-struct Segment {
-  Point first, last;
-};
-
-// The segments in units of 2^e. Where the file has no groups, each segment is one of its own.
-struct Set {
-  std::vector<Segment> segments;
-  std::vector<std::int64_t> groups;
-  bool has_groups = false;
-  std::int64_t e = 0;
-
-  bool is_one_group(std::size_t i, std::size_t j) const { return groups[i] == groups[j]; }
-};
-
 // The point x / w, y / w; w > 0.
 struct Place {
   Integer x, y, w;
 };
 
-constexpr std::array<const char*, 4> kinds{"shared-endpoint", "touch", "crossing", "overlap"};  // and "none"
-
 enum class Allowed { nothing, shared_endpoint, touch };
 
 bool is_allowed(const std::string& kind, Allowed allowed) {
   if (kind == "none") return true;
-  if (kind == kinds[0]) return allowed != Allowed::nothing;
-  return kind == kinds[1] && allowed == Allowed::touch;
+  if (kind == contact_kinds[0]) return allowed != Allowed::nothing;
+  return kind == contact_kinds[1] && allowed == Allowed::touch;
 }
 
-// 1: p, q, r turn left; -1: right; 0: on one line.
-int turn(const Point& p, const Point& q, const Point& r) {
-  const Integer cross = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-  return cross.sign();
-}
-
-bool is_end(const Point& p, const Segment& s) { return p == s.first || p == s.last; }
-
-std::string kind_of(const Segment& s, const Segment& t) {
-  const int first_of_t = turn(s.first, s.last, t.first), last_of_t = turn(s.first, s.last, t.last);
-  const int first_of_s = turn(t.first, t.last, s.first), last_of_s = turn(t.first, t.last, s.last);
-  if (first_of_t == 0 && last_of_t == 0 && first_of_s == 0 && last_of_s == 0) {
-    const Point& first = s.first < t.first ? t.first : s.first;
-    const Point& last = s.last < t.last ? s.last : t.last;
-    if (last < first) return "none";
-    if (first < last) return kinds[3];
-    return is_end(first, s) && is_end(first, t) ? kinds[0] : kinds[1];
-  }
-  if (first_of_t * last_of_t > 0 || first_of_s * last_of_s > 0) return "none";
-  if (first_of_t * last_of_t < 0 && first_of_s * last_of_s < 0) return kinds[2];
-  return is_end(s.first, t) || is_end(s.last, t) ? kinds[0] : kinds[1];
-}
-
-bool do_cross(const Segment& s, const Segment& t) { return kind_of(s, t) == kinds[2]; }
+bool do_cross(const Segment& s, const Segment& t) { return kind_of(s, t) == contact_kinds[2]; }
 
 // Requires that they cross.
 Place crossing_of(const Segment& s, const Segment& t) {
@@ -120,7 +76,7 @@ struct Some {
   Numbers point;
 };
 
-void check_some(const Set& set, Allowed allowed, const Some& some) {
+void check_some(const SegmentSet& set, Allowed allowed, const Some& some) {
   require(!is_allowed(some.kind, allowed), "C1", some.kind + " does not count");
   require(!set.is_one_group(some.i, some.j), "C1",
           "segments " + std::to_string(some.i) + " and " + std::to_string(some.j) + " are of one group");
@@ -150,14 +106,9 @@ struct None {
   std::vector<std::pair<std::size_t, std::size_t>> exchanges;
 };
 
-const Point& end_of(const Set& set, std::size_t event) {
-  const Segment& s = set.segments[event / 2];
-  return event % 2 == 1 ? s.last : s.first;
-}
-
 // The order of events at one point: last ends, exchanges, points, one after the other, first ends.
 using Rank = std::pair<int, std::size_t>;
-Rank rank_of(const Set& set, std::size_t event) {
+Rank rank_of(const SegmentSet& set, std::size_t event) {
   if (event == exchange) return {1, 0};
   const Segment& s = set.segments[event / 2];
   if (s.first == s.last) return {2, event};
@@ -165,7 +116,7 @@ Rank rank_of(const Set& set, std::size_t event) {
 }
 
 // T1, and of T5 what needs no list. The place of each exchange.
-std::vector<Place> check_order(const Set& set, Allowed allowed, const None& none) {
+std::vector<Place> check_order(const SegmentSet& set, Allowed allowed, const None& none) {
   std::vector<bool> seen(2 * set.segments.size());
   std::size_t ends = 0;
   for (const std::size_t event : none.events) {
@@ -191,7 +142,7 @@ std::vector<Place> check_order(const Set& set, Allowed allowed, const None& none
       here = crossing_of(set.segments[i], set.segments[j]);
       places.push_back(here);
     } else {
-      const Point& p = end_of(set, event);
+      const Point& p = set.end_of(event);
       here = {p.x, p.y, 1};
     }
     const Rank rank = rank_of(set, event);
@@ -201,7 +152,7 @@ std::vector<Place> check_order(const Set& set, Allowed allowed, const None& none
     }
     if (event != exchange) {
       const bool shared =
-          allowed == Allowed::nothing && end_before != exchange && end_of(set, end_before) == end_of(set, event);
+          allowed == Allowed::nothing && end_before != exchange && set.end_of(end_before) == set.end_of(event);
       require(!shared || set.is_one_group(end_before / 2, event / 2), "T1",
               "event " + std::to_string(k) + " shares its point with a segment that it may not meet");
       end_before = event;
@@ -212,41 +163,9 @@ std::vector<Place> check_order(const Set& set, Allowed allowed, const None& none
   return places;
 }
 
-// T6: the ends at one point, and a segment that holds the point inside.
-class Holders {
- public:
-  explicit Holders(const Set& set) : set_(set) {}
-
-  // The next end, and what stands next to its segment in the list; there, `size` is none.
-  void look(std::size_t event, std::size_t lower, std::size_t upper) {
-    const std::size_t s = event / 2, none = set_.segments.size();
-    const Point& p = end_of(set_, event);
-    if (!any_ || end_of(set_, first_) != p) {
-      any_ = true;
-      first_ = event;
-      are_mixed_ = has_holder_ = false;
-    }
-    are_mixed_ = are_mixed_ || !set_.is_one_group(first_ / 2, s);
-    for (const std::size_t n : {lower, upper}) {
-      if (n == none || is_end(p, set_.segments[n])) continue;
-      if (turn(set_.segments[n].first, set_.segments[n].last, p) != 0) continue;
-      has_holder_ = true;
-      holder_ = n;
-    }
-    require(
-        !has_holder_ || (!are_mixed_ && set_.is_one_group(holder_, s)), "T6",
-        "where segment " + std::to_string(s) + " has an end, another group holds the point of the ends, or has one");
-  }
-
- private:
-  const Set& set_;
-  std::size_t first_ = 0, holder_ = 0;
-  bool any_ = false, are_mixed_ = false, has_holder_ = false;
-};
-
 class Transcript {
  public:
-  Transcript(const Set& set, Allowed allowed)
+  Transcript(const SegmentSet& set, Allowed allowed)
       : set_(set), allowed_(allowed), size_(set.segments.size()), above_(size_ + 1, size_), below_(above_) {
     is_cut_.resize(size_ + 1);
     is_cut_[size_] = true;
@@ -349,11 +268,11 @@ class Transcript {
 
   Place place() const {
     if (at_exchange_ != nullptr) return *at_exchange_;
-    const Point& p = end_of(set_, event_);
+    const Point& p = set_.end_of(event_);
     return {p.x, p.y, 1};
   }
 
-  const Set& set_;
+  const SegmentSet& set_;
   const Allowed allowed_;
   const std::size_t size_;                  // stands below and above all: the list is a ring
   std::vector<std::size_t> above_, below_;  // in the list
@@ -362,7 +281,7 @@ class Transcript {
   const Place* at_exchange_ = nullptr;      // its place, if it is an exchange
 };
 
-Set read_set(const json& top) {
+SegmentSet read_set(const json& top) {
   Numbers flat;
   std::size_t count = 0;
   for (const json& item : list_member(top, "segments", "the file")) {
@@ -372,7 +291,7 @@ Set read_set(const json& top) {
     ++count;
   }
   const Common scaled = common(flat);
-  Set set;
+  SegmentSet set;
   set.e = scaled.e;
   for (std::size_t k = 0; k < flat.size(); k += 4) {
     const Integer* x = &scaled.integers[k];
@@ -392,7 +311,7 @@ Set read_set(const json& top) {
   return set;
 }
 
-None read_none(const json& item, const Set& set, const std::string& where) {
+None read_none(const json& item, const SegmentSet& set, const std::string& where) {
   const std::size_t size = set.segments.size();
   None none;
   std::size_t exchanges = 0;
@@ -416,14 +335,14 @@ None read_none(const json& item, const Set& set, const std::string& where) {
   return none;
 }
 
-Some read_some(const json& item, const Set& set, const std::string& where) {
+Some read_some(const json& item, const SegmentSet& set, const std::string& where) {
   const std::size_t size = set.segments.size();
   Some some;
   some.i = index_member(item, "i", size, where);
   some.j = index_member(item, "j", size, where);
   if (some.i == some.j) refuse_form(where + " names one segment twice");
   some.kind = string_member(item, "kind", where);
-  if (std::find(kinds.begin(), kinds.end(), some.kind) == kinds.end()) {
+  if (std::find(contact_kinds.begin(), contact_kinds.end(), some.kind) == contact_kinds.end()) {
     refuse_form(where + ".kind is no kind of contact");
   }
   some.point = read_numbers(list_member(item, "point", where), 2, read_number, where + ".point");
@@ -438,7 +357,7 @@ Allowed allowed_of(const std::string& rule) {
 
 void add_segment_questions(const json& top, Questions& questions) {
   if (!top.contains("segments")) return;
-  const auto set = std::make_shared<const Set>(read_set(top));
+  const auto set = std::make_shared<const SegmentSet>(read_set(top));
   questions["segments_any"] = [set](const json& item, const std::string& where) {
     const std::string rule = read_rule(item, where);
     const Allowed allowed = allowed_of(rule);

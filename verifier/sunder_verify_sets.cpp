@@ -3,6 +3,7 @@
 #include "statement.h"
 #include "sunder_verify_circles.h"
 #include "sunder_verify_convex.h"
+#include "sunder_verify_polygons.h"
 #include "sunder_verify_regions.h"
 #include "sunder_verify_segments.h"
 
@@ -13,13 +14,15 @@
 namespace sunder_verifier {
 namespace {
 
-constexpr std::array<const char*, 5> tables{"segments", "circles", "convex_polygons", "half_planes", "rings"};
+constexpr std::array<const char*, 6> tables{"segments", "circles",     "convex_polygons",
+                                            "polygons", "half_planes", "rings"};
 
 Questions questions_of(const json& top) {
   Questions questions;
   add_segment_questions(top, questions);
   add_circle_questions(top, questions);
   add_convex_questions(top, questions);
+  add_polygon_questions(top, questions);
   add_region_questions(top, questions);
   return questions;
 }

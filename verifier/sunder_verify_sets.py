@@ -7,12 +7,14 @@ statement is about, the rule or what is asked for, the verdict, and a function t
 """
 import sunder_verify_circles
 import sunder_verify_convex
+import sunder_verify_polygons
 import sunder_verify_regions
 import sunder_verify_segments
 from sunder_verify import Refused, member, require
 
-MODULES = (sunder_verify_segments, sunder_verify_circles, sunder_verify_convex, sunder_verify_regions)
-TABLES = ("segments", "circles", "convex_polygons", "half_planes", "rings")
+MODULES = (sunder_verify_segments, sunder_verify_circles, sunder_verify_convex, sunder_verify_polygons,
+           sunder_verify_regions)
+TABLES = ("segments", "circles", "convex_polygons", "polygons", "half_planes", "rings")
 
 
 def verify(top):

@@ -1,5 +1,5 @@
-// Writes a sample of certificate files about circles, half-planes, linear programs and convex polygons, for checkers
-// other than the library's: sets_certificate_sample FOLDER COUNT [SEED]. COUNT files in all, the questions in turn.
+// Writes a sample of certificate files about circles, half-planes, linear programs and polygons, for checkers other
+// than the library's: sets_certificate_sample FOLDER COUNT [SEED]. COUNT files in all, the questions in turn.
 #include <sunder/base/random.h>
 #include <sunder/planar/region/circles_json.h>
 #include <sunder/planar/region/convex_polygons_json.h>
@@ -8,7 +8,10 @@
 #include <sunder/planar/region/linear_program_json.h>
 #include <sunder/planar/set/circles_any_json.h>
 #include <sunder/planar/set/convex_polygons_any_json.h>
+#include <sunder/planar/set/polygon_simple.h>
+#include <sunder/planar/set/polygons_any_json.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -22,6 +25,7 @@ namespace {
 
 using namespace sunder;
 using namespace sunder::planar;
+using Rings = std::vector<std::vector<Point2>>;
 
 // Whole numbers, so that touching, parallel and concurrent things are common; or doubles of any scale.
 class Numbers {
@@ -114,12 +118,46 @@ std::vector<ConvexPolygon> some_polygons(Numbers& numbers) {
   return all;
 }
 
+// Simple ones; of whole numbers half are cells of a grid, which have borders in common, and a few have a hole.
+std::vector<Polygon> some_simple_polygons(Numbers& numbers) {
+  numbers.next();
+  const std::uint64_t count = 1 + numbers.below(8);
+  const double divisor = static_cast<double>(2 + numbers.below(6));
+  std::vector<Polygon> all;
+  while (all.size() < count) {
+    double x = numbers.number(), y = numbers.number();
+    std::vector<Point2> ring;
+    if (numbers.below(2) == 0) {
+      x = numbers.whole();
+      y = numbers.whole();
+      ring = {{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}};
+    } else {
+      for (std::uint64_t k = 3 + numbers.below(4); k > 0; --k) {
+        const double dx = numbers.number(), dy = numbers.number();
+        ring.push_back({x + dx / divisor, y + dy / divisor});
+      }
+    }
+    Rings rings{ring};
+    if (numbers.below(4) == 0 && y + 0.25 != y + 0.75)
+      rings.push_back({{x + 0.25, y + 0.25}, {x + 0.5, y + 0.25}, {x + 0.25, y + 0.75}});
+    if (ring.front() == ring.back()) continue;
+    const Polygon polygon(rings);
+    if (polygon_simple(polygon).simple()) all.push_back(polygon);
+  }
+  return all;
+}
+
 std::string some_text(Numbers& numbers, int question) {
   if (question == 5) {  // few, so that they have something in common often enough
     std::vector<ConvexPolygon> polygons = some_polygons(numbers);
     const std::size_t most = 1 + numbers.below(3);
     while (polygons.size() > most) polygons.pop_back();
     return certificate_text(polygons);
+  }
+  if (question == 6) {
+    const std::vector<Polygon> polygons = some_simple_polygons(numbers);
+    const Allowed allowed = std::array{Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}[numbers.below(3)];
+    return certificate_text(polygons, allowed, polygons_any(polygons, {allowed, true, {}, nullptr}));
   }
   if (question == 4) {
     const std::vector<ConvexPolygon> polygons = some_polygons(numbers);
@@ -166,7 +204,7 @@ int main(int argc, char** argv) {
   std::filesystem::create_directories(folder);
   std::map<std::string, int> verdicts;
   for (int i = 0; i < count; ++i) {
-    const std::string text = some_text(numbers, i % 6);
+    const std::string text = some_text(numbers, i % 7);
     ++verdicts[verdict_of(text)];
     std::ofstream file(folder / ("sets_" + std::to_string(i) + ".json"), std::ios::binary);
     file << text;
@@ -175,7 +213,7 @@ int main(int argc, char** argv) {
       return 2;
     }
   }
-  std::printf("%d certificates of circles, half-planes, linear programs and convex polygons:", count);
+  std::printf("%d certificates of circles, half-planes, linear programs and polygons:", count);
   for (const auto& [verdict, times] : verdicts) std::printf(" %s %d", verdict.c_str(), times);
   std::printf("\n");
   return 0;

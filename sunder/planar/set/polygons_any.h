@@ -54,10 +54,10 @@ struct PolygonsAnswer {
 };
 
 // A transcript is that of segments_any for the edges of all polygons, numbered over all polygons in turn. It proves
-// that no polygons meet: neighbours of different polygons have no contact, those of one polygon touch at most; and when
-// all that begins at a point has been put in, what is just below an edge that begins there is of its own polygon, or
-// has the inside of its polygon below. Written by the sweep, where nothing is allowed and there are no groups; else
-// empty.
+// that no polygons meet in a way that counts: no neighbours cross, and those of different polygons have no contact that
+// counts; and when all events at a point are over, the edges of the list stand in pairs, each of one polygon, which
+// hold all insides (docs/certificates-sets.md). Of two that overlap, either may be below. Written by the sweep, where
+// there are no groups; else empty.
 struct PolygonsOptions {
   Allowed allowed = Allowed::nothing;
   bool transcript = false;

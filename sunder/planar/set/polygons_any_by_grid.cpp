@@ -6,7 +6,7 @@ namespace sunder::planar {
 
 PolygonsAnswer polygons_any_by_grid(std::span<const Polygon> polygons, const PolygonsOptions& options) {
   const bool nothing_allowed = options.allowed == Allowed::nothing && options.groups.empty();
-  if (options.transcript && nothing_allowed) return polygons_any_by_sweep(polygons, options);
+  if (options.transcript && options.groups.empty()) return polygons_any_by_sweep(polygons, options);
   PolygonEdges edges(pointers_to(polygons));
   PolygonsAnswer answer;
   PolygonMeetings meetings(edges, options.groups, first_that_counts(answer, options.allowed));

@@ -55,7 +55,7 @@ class Sweep {
     }
     if (answer_.meet()) {
       answer_.transcript = {};
-    } else if (options_.transcript && testing_) {
+    } else if (options_.transcript) {
       answer_.transcript.events = ends;
     }
   }
@@ -73,7 +73,7 @@ class Sweep {
 
   void enter(std::uint32_t e) {
     const auto around = status_.insert(e, [&](const InStatus& other) { return is_above(e, other); });
-    if (options_.transcript && testing_) answer_.transcript.below.push_back(around.below);
+    if (options_.transcript) answer_.transcript.below.push_back(around.below);
     test_neighbours(around.below, e);
     test_neighbours(e, around.above);
   }
