@@ -98,7 +98,7 @@ class Transcript {
       const std::size_t event = given_.events[k], s = event / 2;
       const auto [lower, upper] = event % 2 == 1 ? take_out(s) : put_in(s, given_.below[begun++]);
       if (allowed_ != Allowed::touch) holders.look(event, lower, upper);
-      changed_.insert(changed_.end(), {lower, s, upper});
+      changed_.insert(changed_.end(), {s, lower, upper});
       const bool more_here = k + 1 < given_.events.size() && set_.end_of(given_.events[k + 1]) == set_.end_of(event);
       if (!more_here) check_pairs();
     }

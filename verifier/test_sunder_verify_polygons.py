@@ -218,7 +218,8 @@ class Polygons(unittest.TestCase):
         self.assertEqual(found(some, {"point": ["4", "4"]}), "C2")
         self.assertEqual(found(some, {"point": ["1", "1"]}), "C2")
         self.assertEqual(found(some, {"j": 3, "point": ["4", "4"]}), "C2")  # in the hole
-        for change in ({"i": 2}, {"j": 4}, {"point": ["1"]}, {"groups": [1, 2]}, {"verdict": "many"}, {"allowed": "all"}):
+        for change in ({"i": 2}, {"j": 4}, {"point": ["1"]}, {"groups": [1, 2]}, {"verdict": "many"},
+                       {"allowed": "all"}):
             self.assertEqual(found(some, change), "F", change)
         for ring in ([(0, 0), (1, 0)], [(1, 1)] * 3, [(0, 0, 0), (1, 0, 0), (0, 1, 0)]):
             self.assertEqual(found(some, {}, (frame, tile, kite, [ring])), "F")
@@ -252,7 +253,16 @@ class Polygons(unittest.TestCase):
     def test_a_ring_through_another_one_of_its_polygon(self):
         # The second ring crosses a side of the first at a vertex: then no edge keeps its side.
         table = [edges_of([[(0, 0), (8, 0), (8, 8), (0, 8)], [(4, 0), (6, 3), (2, -3)]])]
-        self.assertIsNotNone(refused_by(lambda: polygons.check_none(table, "nothing", *transcript(table))))
+        self.assertEqual(refused_by(lambda: polygons.check_none(table, "nothing", *transcript(table))), "T4")
+        # Edges that lie on one another end to be a pair where a ring around them ends at one of their points.
+        table = [edges_of([[(-4, -3), (4, 0), (-4, 3)], [(0, 0), (8, 0), (9, 0)]])]
+        self.assertEqual(refused_by(lambda: polygons.check_none(table, "touch", *transcript(table))), "T5")
+        # Between edges that have crossed, by a list that has them as they were before, another polygon is outside.
+        table = [edges_of([[(0, 0), (8, 8), (8, 0), (0, 8)]]), edges_of([[(6, 4), (7, 4), (7, 5)]])]
+        self.assertTrue(any_meet(table, "touch"))
+        events = [0, 6, 7, 4, 8, 12, 9, 10, 11, 13, 5, 2, 1, 3]
+        self.assertEqual(refused_by(lambda: polygons.check_none(table, "touch", events, [-1, 0, 0, -1, 4, -1, -1])),
+                         "T4")
         # A corner of another polygon is on a side where a hole has a corner too, and in the hole.
         table = [edges_of([[(0, 0), (8, 0), (8, 8), (0, 8)], [(4, 0), (6, 3), (2, 3)]]),
                  edges_of([[(4, 0), (5, 2), (4, 2)]])]

@@ -1,0 +1,59 @@
+// Known cases of common_point of two polygons. (Small nasty sets: tests/polygons_differential_test.cpp.)
+#include <sunder/planar/set/polygons_common_point.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace sunder::planar {
+namespace {
+
+using Ring = std::vector<Point2>;
+using Rings = std::vector<Ring>;
+
+Ring box(double left, double bottom, double right, double top) {
+  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+}
+
+// Strictly between, exactly.
+bool is_inside(const Ring& box, const ExactPoint2& p) {
+  const auto between = [&](double low, const Dyadic& x, double high) {
+    return (x - Dyadic(low) * p.denominator).sign() == Sign::positive &&
+           (x - Dyadic(high) * p.denominator).sign() == Sign::negative;
+  };
+  return between(box[0].x, p.x, box[2].x) && between(box[0].y, p.y, box[2].y);
+}
+
+void expect_inside_both(const Ring& a, const Ring& b) {
+  const std::vector<Polygon> both{Polygon(Rings{a}), Polygon(Rings{b})};
+  for (auto* method : {polygons_any_by_grid, polygons_any_by_sweep}) {
+    for (const Allowed allowed : {Allowed::nothing, Allowed::touch}) {
+      const PolygonsContact found = method(both, {allowed, false, {}, nullptr}).found;
+      ASSERT_EQ(found.contact, Contact::overlapping);
+      const ExactPoint2 p = common_point(both[0], both[1], found);
+      EXPECT_TRUE(is_inside(a, p) && is_inside(b, p));
+    }
+  }
+}
+
+TEST(PolygonsCommonPoint, IsInsideOfBothWhereTheyOverlap) {
+  expect_inside_both(box(0, 0, 4, 4), box(3, 3, 9, 9));                           // across
+  expect_inside_both(box(0, 0, 4, 4), box(1, 1, 2, 2));                           // one in the other
+  expect_inside_both(box(0, 0, 4, 4), box(0, 0, 4, 4));                           // alike
+  expect_inside_both(box(0, 0, 4, 4), box(0, 1, 4, 3));                           // borders on borders
+  expect_inside_both(box(0, 0, 4, 4), box(std::nextafter(4, 3), 0, 8, 4));        // by one bit
+  expect_inside_both(box(0, 0, 0x1p-1074, 0x1p-1074), box(-1, -1, 1, 0x1p1000));  // of any scale
+}
+
+TEST(PolygonsCommonPoint, OfBordersInCommonIsTheMiddle) {
+  const Polygon a(Rings{box(0, 0, 4, 4)}), b(Rings{box(4, 1, 6, 2)});
+  const PolygonsContact found = polygons_contact(a, b).found;
+  ASSERT_EQ(found.kind, ContactKind::overlap);
+  const ExactPoint2 p = common_point(a, b, found);
+  EXPECT_EQ(nearest_ratio(p.x, p.denominator), 4);
+  EXPECT_EQ(nearest_ratio(p.y, p.denominator), 1.5);
+}
+
+}  // namespace
+}  // namespace sunder::planar
