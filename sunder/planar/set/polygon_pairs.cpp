@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <limits>
+#include <utility>
 
 namespace sunder::planar {
 
@@ -17,18 +19,18 @@ namespace {
 
 constexpr std::uint32_t fan = EdgeBoxes::fan;
 
-// The numbers of the boxes that meet the box, and their common box with it.
-struct Chosen {
-  std::array<std::uint32_t, EdgeBoxes::most> numbers;
-  std::size_t count = 0;
-};
-Chosen meeting(std::span<const LanesBox> boxes, const LanesBox& box) {
-  Chosen chosen;
-  for (std::uint32_t k = 0; k < boxes.size(); ++k) {  // without branches
-    chosen.numbers[chosen.count] = k;
-    chosen.count += meet(boxes[k], box);
-  }
-  return chosen;
+// A bit for each box that meets the box. Without branches, here and below: no one can predict these.
+std::uint32_t meeting(std::span<const LanesBox> boxes, const LanesBox& box) {
+  std::uint32_t bits = 0;
+  for (std::uint32_t k = 0; k < boxes.size(); ++k) bits |= std::uint32_t{meet(boxes[k], box)} << k;
+  return bits;
+}
+
+// The number of the lowest bit, which is taken away. Requires that there is one.
+std::uint32_t take_bit(std::uint32_t& bits) {
+  const int k = std::countr_zero(bits);
+  bits &= bits - 1;
+  return static_cast<std::uint32_t>(k);
 }
 
 std::span<const LanesBox> top_level(const Polygon& polygon) {
@@ -40,20 +42,33 @@ LanesBox box_in_lanes(const Polygon& polygon) {
   return {Lanes{box.left, box.bottom}, Lanes{box.right, box.top}};
 }
 
+// May a ring of the one be inside of the other?
+bool may_be_inside(const Polygon& inner, const Polygon& outer) {
+  return inner.ring_count() > 1 || holds(outer.box(), inner.box());
+}
+
 // May an edge in the box be below the point?
 bool is_above(const Point2& p, const LanesBox& box) {
   return box.low[0] <= p.x && p.x <= box.high[0] && box.low[1] <= p.y;
 }
 
-// Of the edges of a run: fewer than fan where the polygon's last ones are in it.
+// Of the edges of a run. Where the polygon's last ones are in it they are fewer than fan: then empty boxes follow.
 struct BoxesOfEdges {
   std::array<LanesBox, fan> boxes;
-  std::uint32_t count = 0;
 
   BoxesOfEdges(const Polygon& polygon, std::uint32_t run) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
     const Point2* const v = polygon.vertices().data();
-    const std::uint32_t end = std::min(fan * (run + 1), polygon.size());
-    for (std::uint32_t k = fan * run; k < end; ++k) boxes[count++] = box_of_edge(v[k], v[polygon.next(k)]);
+    for (std::uint32_t k = fan * run, l = 0; l < fan; ++k, ++l) {
+      boxes[l] = k < polygon.size() ? box_of_edge(v[k], v[polygon.next(k)])
+                                    : LanesBox{Lanes{infinite, infinite}, Lanes{-infinite, -infinite}};
+    }
+  }
+
+  std::uint32_t meeting(const LanesBox& box) const {
+    std::uint32_t bits = 0;
+    for (std::uint32_t k = 0; k < fan; ++k) bits |= std::uint32_t{meet(boxes[k], box)} << k;
+    return bits;
   }
 };
 
@@ -64,16 +79,19 @@ bool PolygonPairs::compare(const Polygon& a, const Polygon& b) {
   const LanesBox common = common_part(box_in_lanes(a), box_in_lanes(b));
   const std::span<const LanesBox> of_a = top_level(a), of_b = top_level(b);
   cost.probes += of_a.size();
-  const Chosen in_a = meeting(of_a, common);
-  if (in_a.count == 0) return true;
+  std::uint32_t in_a = meeting(of_a, common);
+  if (in_a == 0) return true;
   cost.probes += of_b.size();
-  const Chosen in_b = meeting(of_b, common);
-  cost.probes += in_a.count * in_b.count;
-  for (std::size_t k = 0; k < in_a.count; ++k) {
-    for (std::size_t l = 0; l < in_b.count; ++l) {
-      const std::uint32_t r = in_a.numbers[k], s = in_b.numbers[l];
-      if (!meet(of_a[r], of_b[s])) continue;
-      if (!compare_runs({a, a.edge_boxes().top(), r}, {b, b.edge_boxes().top(), s})) return false;
+  const std::uint32_t in_b = meeting(of_b, common);
+  while (in_a != 0) {
+    const std::uint32_t r = take_bit(in_a);
+    std::uint32_t near = 0;
+    for (std::uint32_t left = in_b; left != 0; ++cost.probes) {
+      const std::uint32_t s = take_bit(left);
+      near |= std::uint32_t{meet(of_a[r], of_b[s])} << s;
+    }
+    while (near != 0) {
+      if (!compare_runs({a, a.edge_boxes().top(), r}, {b, b.edge_boxes().top(), take_bit(near)})) return false;
     }
   }
   return true;
@@ -99,25 +117,22 @@ bool PolygonPairs::compare_runs(const Run& r, const Run& s) {
 
 bool PolygonPairs::compare_edges(const Run& r, const Run& s) {
   const BoxesOfEdges of_r(r.polygon, r.number);
-  const LanesBox box_of_s = s.polygon.edge_boxes().level(0)[s.number];
-  std::uint32_t near = 0;  // a bit of each edge of r that is near s
-  for (std::uint32_t k = 0; k < of_r.count; ++k) near |= std::uint32_t{meet(of_r.boxes[k], box_of_s)} << k;
-  cost.probes += of_r.count;
+  std::uint32_t near = of_r.meeting(s.polygon.edge_boxes().level(0)[s.number]);
+  cost.probes += fan;
   if (near == 0) return true;
   const BoxesOfEdges of_s(s.polygon, s.number);
   std::uint32_t pairs = 0;  // a bit of each whose boxes meet
   static_assert(fan * fan <= 32);
-  for (; near != 0; near &= near - 1) {
-    const std::uint32_t k = static_cast<std::uint32_t>(std::countr_zero(near));
-    for (std::uint32_t l = 0; l < of_s.count; ++l) {
-      pairs |= std::uint32_t{meet(of_r.boxes[k], of_s.boxes[l])} << (fan * k + l);
-    }
-    cost.probes += of_s.count;
+  for (; near != 0; cost.probes += fan) {
+    const std::uint32_t k = take_bit(near);
+    pairs |= of_s.meeting(of_r.boxes[k]) << (fan * k);
   }
-  for (; pairs != 0; pairs &= pairs - 1) {
-    const std::uint32_t pair = static_cast<std::uint32_t>(std::countr_zero(pairs));
+  while (pairs != 0) {
+    const std::uint32_t pair = take_bit(pairs);
     const std::uint32_t e = fan * r.number + pair / fan, f = fan * s.number + pair % fan;
-    const ContactKind kind = segment_segment(sorted(r.polygon.edge(e)), sorted(s.polygon.edge(f)));
+    const Segment p = r.polygon.edge(e), q = s.polygon.edge(f);
+    if (surely_on_one_side(p.a, p.b, q.a, q.b) || surely_on_one_side(q.a, q.b, p.a, p.b)) continue;
+    const ContactKind kind = segment_segment(sorted(p), sorted(q));
     if (kind == ContactKind::none) continue;
     found_.contact = kind == ContactKind::crossing ? Contact::overlapping : Contact::touching;
     found_.kind = kind;
@@ -162,7 +177,6 @@ bool PolygonPairs::is_inside(const Polygon& polygon, const Point2& p) {
 
 // The first vertex of a ring of the one that is inside of the other. Requires that no edges of them meet.
 std::optional<std::uint32_t> PolygonPairs::vertex_inside(const Polygon& inner, const Polygon& outer) {
-  if (inner.ring_count() == 1 && !holds(outer.box(), inner.box())) return std::nullopt;
   for (std::uint32_t ring = 0; ring < inner.ring_count() && !gave_up(); ++ring) {
     const Point2& v = inner.vertices()[inner.ring_begin(ring)];
     ++cost.probes;
@@ -184,11 +198,15 @@ std::optional<PolygonsContact> PolygonPairs::contact(std::uint32_t i, std::uint3
     found_.j = j;
     return found_;
   }
-  if (const auto vertex = vertex_inside(a, b)) {
-    return PolygonsContact{Contact::overlapping, ContactKind::none, true, i, j, *vertex, 0};
+  if (may_be_inside(a, b)) {
+    if (const auto vertex = vertex_inside(a, b)) {
+      return PolygonsContact{Contact::overlapping, ContactKind::none, true, i, j, *vertex, 0};
+    }
   }
-  if (const auto vertex = vertex_inside(b, a)) {
-    return PolygonsContact{Contact::overlapping, ContactKind::none, false, i, j, 0, *vertex};
+  if (may_be_inside(b, a)) {
+    if (const auto vertex = vertex_inside(b, a)) {
+      return PolygonsContact{Contact::overlapping, ContactKind::none, false, i, j, 0, *vertex};
+    }
   }
   if (gave_up()) return std::nullopt;
   return found_;
@@ -207,13 +225,26 @@ std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, con
   }
   PolygonPairs pairs(polygons, looks * edges);
   bool gave_up = false;
-  const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {
-    if (may_meet(options.groups, i, j)) return true;
-    const std::optional<PolygonsContact> contact = pairs.contact(i, j);
+  // A pair waits until the next one is known, while its boxes of edges come from memory.
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> waiting;
+  const auto of_waiting = [&] {
+    if (!waiting) return true;
+    const std::optional<PolygonsContact> contact = pairs.contact(waiting->first, waiting->second);
     gave_up = !contact;
     return contact && (contact->contact == Contact::none || found(*contact));
   };
-  const bool all = for_each_box_pair(boxes, of_pair, options.progress);
+  const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {
+    if (may_meet(options.groups, i, j)) return true;
+    for (const std::uint32_t polygon : {i, j}) {
+      const std::span<const LanesBox> runs = top_level(polygons[polygon]);
+      __builtin_prefetch(&runs.front());
+      __builtin_prefetch(&runs.back());
+    }
+    const bool go_on = of_waiting();
+    waiting = {i, j};
+    return go_on;
+  };
+  const bool all = for_each_box_pair(boxes, of_pair, options.progress) && of_waiting();
   cost.probes += pairs.cost.probes;
   if (gave_up) return std::nullopt;
   return all;
