@@ -144,9 +144,8 @@ ExactPoint2 common_point(const Polygon& a, const Polygon& b, const PolygonsConta
   const Point2 first = lexicographically_less(s.a, t.a) ? t.a : s.a,
                last = lexicographically_less(s.b, t.b) ? s.b : t.b;
   const bool is_overlap = found.kind == ContactKind::overlap;
-  const ExactPoint2 common = is_overlap
-                                 ? ExactPoint2{Dyadic(first.x) + Dyadic(last.x), Dyadic(first.y) + Dyadic(last.y), 2.0}
-                                 : common_point(s, t);
+  ExactPoint2 common = is_overlap ? ExactPoint2{Dyadic(first.x) + Dyadic(last.x), Dyadic(first.y) + Dyadic(last.y), 2.0}
+                                  : common_point(s, t);
   if (found.contact != Contact::overlapping) return common;
   if (!is_overlap) return inside_both_near(a, b, common).value_or(common);
   for (const Point2& end : {first, last}) {
