@@ -86,14 +86,29 @@ void print(std::string_view text) {
 
 void note(std::string_view text) { fmt::print(stderr, "sunder: note: {}\n", text); }
 
+void refuse_method(std::string_view method, std::string_view known) {
+  throw Error(ErrorCode::bad_call, fmt::format("there is no method {}; choose one of {}", io::quote(method), known),
+              "--method");
+}
+
+planar::Allowed allowed_by(std::string_view name) {
+  using planar::Allowed;
+  for (const Allowed allowed : {Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}) {
+    if (name == name_of(allowed)) return allowed;
+  }
+  throw Error(
+      ErrorCode::bad_call,
+      fmt::format("there is nothing named {} to allow; there are nothing, shared-endpoint, touch", io::quote(name)),
+      "--allow");
+}
+
 PairMethod pair_method(const std::string& name) {
   std::string known;
   for (const auto& [known_name, method] : pair_methods) {
     if (known_name == name) return method;
     known += fmt::format("{}{}", known.empty() ? "" : ", ", known_name);
   }
-  throw Error(ErrorCode::bad_call, fmt::format("there is no method {}; choose one of {}", io::quote(name), known),
-              "--method");
+  refuse_method(name, known);
 }
 
 std::vector<double> parse_numbers(std::string_view text, const std::string& place) {

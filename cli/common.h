@@ -1,6 +1,7 @@
-// What the verbs share: exit codes, methods, poses as text, the JSON envelope, and output.
+// What the verbs share: exit codes, methods and rules by name, poses as text, the JSON envelope, and output.
 #pragma once
 
+#include <sunder/planar/set/contact_rule.h>
 #include <sunder/solid/object/pose.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 
@@ -41,6 +42,12 @@ void print(std::string_view text);
 
 // One line on standard error: "sunder: note: ...".
 void note(std::string_view text);
+
+// There is no such method: throws Error bad_call that lists the `known`.
+[[noreturn]] void refuse_method(std::string_view method, std::string_view known);
+
+// The contacts that --allow names: nothing, shared-endpoint, touch. Throws Error bad_call that lists them.
+planar::Allowed allowed_by(std::string_view name);
 
 // A method for pair questions by its name: automatic, gjk, scan. Throws Error bad_call that names all.
 using PairMethod = solid::PairAnswer (*)(const solid::ConvexPolyhedron&, const solid::Pose&,  //

@@ -637,9 +637,9 @@ TEST_F(Program, SegmentsNearTheEndOfTheRange) {
 TEST_F(Program, SegmentsBadCallsAndFiles) {
   const std::string wires = cases + "/segments/wires.csv";
   expect_bad("segments " + wires + " --allow crossing", "there is nothing named 'crossing' to allow");
-  expect_bad("segments " + wires + " --method fast", "methods are automatic, grid, sweep, bentley-ottmann, scan");
+  expect_bad("segments " + wires + " --method fast", "choose one of automatic, grid, sweep, bentley-ottmann, scan");
   expect_bad("segments " + wires + " --count --method sweep",
-             "methods are automatic, grid, bentley-ottmann, balaban, scan (for");
+             "choose one of automatic, grid, bentley-ottmann, balaban, scan (for");
   expect_bad("segments " + wires + " --count --certificate '" + in_folder("p.json") + "'", "counts have no proof");
   expect_bad("segments " + wires + " --any --count", "excludes");
   expect_bad("segments " + wires + " --layer F.Cu", "has no layers");
@@ -656,7 +656,7 @@ TEST_F(Program, SimplePolygons) {
   EXPECT_EQ(run("simple " + cases + "/segments/paths.wkt").code, 0);
   EXPECT_EQ(run("simple " + cases + "/segments/pond.geojson --method scan").code, 0);
   expect_bad("simple " + cases + "/segments/wires.csv", "has no polygons; for lines, ask sunder segments");
-  expect_bad("simple " + cases + "/segments/paths.wkt --method fast", "methods are automatic, grid, sweep, scan");
+  expect_bad("simple " + cases + "/segments/paths.wkt --method fast", "choose one of automatic, grid, sweep, scan");
   const std::string file = in_folder("two.wkt");
   write_text(file, "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\nPOLYGON ((0 0, 4 4, 4 0, 0 4, 0 0), (9 9, 8 9, 8 8, 9 9))\n");
   const json r = report("simple '" + file + "'", 1);

@@ -32,8 +32,7 @@ PartMethod* part_method(const std::string& name) {
   if (name == "automatic") return planar::circles_common_part;
   if (name == "division") return planar::circles_common_part_by_division;
   if (name == "scan") return planar::circles_common_part_by_scan;
-  throw Error(ErrorCode::bad_call,
-              fmt::format("there is no method {}; methods are automatic, division, scan", io::quote(name)), "--method");
+  refuse_method(name, "automatic, division, scan");
 }
 
 std::string about(const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); }

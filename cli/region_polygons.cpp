@@ -30,9 +30,7 @@ PartMethod* part_method(const std::string& name) {
   if (name == "division") return planar::convex_polygons_common_part_by_division;
   if (name == "edges") return planar::convex_polygons_common_part_by_edges;
   if (name == "scan") return planar::convex_polygons_common_part_by_scan;
-  throw Error(ErrorCode::bad_call,
-              fmt::format("there is no method {}; methods are automatic, division, edges, scan", io::quote(name)),
-              "--method");
+  refuse_method(name, "automatic, division, edges, scan");
 }
 
 ConvexPolygon convex(const planar::Polygon& polygon, bool mend) {

@@ -54,16 +54,12 @@ struct Result {
 
 constexpr std::array kinds{DiscContact::overlapping, DiscContact::inside, DiscContact::touching};
 
-Allowed allowed_by(const std::string& name) {
+// Discs have no ends to share.
+Allowed allowed_for_discs(const std::string& name) {
   if (name == "nothing") return Allowed::nothing;
   if (name == "touch") return Allowed::touch;
   throw Error(ErrorCode::bad_call,
               fmt::format("there is nothing named {} to allow; there are nothing, touch", io::quote(name)), "--allow");
-}
-
-[[noreturn]] void refuse_method(const std::string& method, std::string_view known) {
-  throw Error(ErrorCode::bad_call, fmt::format("there is no method {}; methods are {}", io::quote(method), known),
-              "--method");
 }
 
 using AnyMethod = CirclesAnswer(const Circles&, const CirclesOptions&);
@@ -102,7 +98,7 @@ void check(const Call& call) {
 Result ask(const Call& call, const Circles& circles) {
   Progress progress("comparing");
   CirclesOptions options;
-  options.allowed = allowed_by(call.allow);
+  options.allowed = allowed_for_discs(call.allow);
   options.transcript = !call.certificate.empty();
   options.progress = progress.reporter();
   Result result;
@@ -224,7 +220,7 @@ std::string picture(const Call& call, const Circles& circles, const Result& resu
 
 int run(const Call& call) {
   check(call);
-  allowed_by(call.allow);
+  allowed_for_discs(call.allow);
   const auto [file, circles] = read_circles(call.file);
   const Result result = ask(call, circles);
   if (!call.svg.empty()) io::write_file_atomically(call.svg, picture(call, circles, result));

@@ -38,10 +38,7 @@ KernelMethod* kernel_method(const std::string& name) {
   if (name == "half-planes") return planar::kernel_by_half_planes;
   if (name == "lee-preparata") return planar::kernel_by_lee_preparata;
   if (name == "scan") return planar::kernel_by_scan;
-  throw Error(
-      ErrorCode::bad_call,
-      fmt::format("there is no method {}; methods are automatic, half-planes, lee-preparata, scan", io::quote(name)),
-      "--method");
+  refuse_method(name, "automatic, half-planes, lee-preparata, scan");
 }
 
 struct Result {

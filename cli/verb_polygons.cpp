@@ -20,7 +20,6 @@ namespace sunder::cli {
 
 namespace {
 
-using planar::Allowed;
 using planar::Polygon;
 using planar::PolygonsContact;
 using planar::PolygonsOptions;
@@ -45,16 +44,6 @@ struct Result {
   std::uint64_t pairs() const { return touching + overlapping; }
 };
 
-Allowed allowed_by(const std::string& name) {
-  for (const Allowed allowed : {Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}) {
-    if (name == name_of(allowed)) return allowed;
-  }
-  throw Error(
-      ErrorCode::bad_call,
-      fmt::format("there is nothing named {} to allow; there are nothing, shared-endpoint, touch", io::quote(name)),
-      "--allow");
-}
-
 using AnyMethod = planar::PolygonsAnswer(std::span<const Polygon>, const PolygonsOptions&);
 using AllMethod = planar::PolygonsAllAnswer(std::span<const Polygon>, const PolygonsOptions&);
 struct Methods {
@@ -72,9 +61,7 @@ const Methods& methods_by(const std::string& name) {
   for (const Methods& m : methods) {
     if (m.name == name) return m;
   }
-  throw Error(ErrorCode::bad_call,
-              fmt::format("there is no method {}; methods are automatic, boxes, grid, sweep, scan", io::quote(name)),
-              "--method");
+  refuse_method(name, "automatic, boxes, grid, sweep, scan");
 }
 
 void require_provable(const Call& call) {

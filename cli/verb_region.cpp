@@ -41,9 +41,7 @@ RegionMethod* region_method(const std::string& name) {
   if (name == "sort") return planar::half_planes_by_sort<Constraints>;
   if (name == "division") return planar::half_planes_by_division<Constraints>;
   if (name == "scan") return planar::half_planes_by_scan<Constraints>;
-  throw Error(ErrorCode::bad_call,
-              fmt::format("there is no method {}; methods are automatic, sort, division, scan", io::quote(name)),
-              "--method");
+  refuse_method(name, "automatic, sort, division, scan");
 }
 
 Constraints constraints_of(const io::TripleFile& file, const std::string& name) {

@@ -23,7 +23,6 @@ namespace sunder::cli {
 
 namespace {
 
-using planar::Allowed;
 using planar::ContactKind;
 using planar::Segment;
 using planar::Segments;
@@ -58,22 +57,6 @@ struct Result {
   std::vector<std::string> proofs;                // files written
   Cost cost;
 };
-
-Allowed allowed_by(const std::string& name) {
-  for (const Allowed allowed : {Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}) {
-    if (name == name_of(allowed)) return allowed;
-  }
-  throw Error(ErrorCode::bad_call,
-              fmt::format("there is nothing named {} to allow; there are nothing, shared-endpoint, "
-                          "touch",
-                          io::quote(name)),
-              "--allow");
-}
-
-[[noreturn]] void refuse_method(const std::string& method, std::string_view known) {
-  throw Error(ErrorCode::bad_call, fmt::format("there is no method {}; methods are {}", io::quote(method), known),
-              "--method");
-}
 
 using AnyMethod = SegmentsAnswer(const Segments&, const SegmentsOptions&);
 AnyMethod* any_method(const std::string& name) {

@@ -38,9 +38,7 @@ PolygonSimpleAnswer answer_by(const std::string& method, const Polygon& polygon)
   if (method == "grid") return polygon_simple_by_grid(polygon);
   if (method == "sweep") return polygon_simple_by_sweep(polygon);
   if (method == "scan") return polygon_simple_by_scan(polygon);
-  throw Error(ErrorCode::bad_call,
-              fmt::format("there is no method {}; methods are automatic, grid, sweep, scan", io::quote(method)),
-              "--method");
+  refuse_method(method, "automatic, grid, sweep, scan");
 }
 
 std::vector<Result> answers(const Call& call, const io::LineFile& file) {

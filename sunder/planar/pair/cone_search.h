@@ -38,7 +38,7 @@ bool thirds_meet(const A& a, const B& b, PairCertificate& certificate, Cost& cos
                      ((q[0].y - p[0].y) + (q[1].y - p[1].y)) + (q[2].y - p[2].y)};
   const double end = std::max({dot(along, p[0]), dot(along, p[1]), dot(along, p[2])});
   const double start = std::min({dot(along, q[0]), dot(along, q[1]), dot(along, q[2])});
-  return start <= end && check_triangles(a, at_a, b, at_b, certificate, tally) == true;
+  return start <= end && check_triangles(a, at_a, b, at_b, certificate, tally);
 }
 
 // Edges of the polygon from the position `begin` on to the position `end`.

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <bit>
-#include <optional>
 #include <span>
 
 namespace sunder::planar {
@@ -106,14 +105,14 @@ bool fill_meet(const A& a, Corners of_a, const B& b, Corners of_b, PairCertifica
   return true;
 }
 
-// Do these triangles meet, by signs that their first stages decide? Three corners of each, counter-clockwise. None:
-// a sign is left open, or zero.
+// Three corners of each, counter-clockwise: do these triangles meet, by signs that their first stages decide? Fills in
+// at most four vertices. False tells nothing where a sign is left open, or zero.
 template <class A, class B>
-std::optional<bool> check_triangles(const A& a, Corners of_a, const B& b, Corners of_b, PairCertificate& certificate,
-                                    StageTally& tally) {
+bool check_triangles(const A& a, Corners of_a, const B& b, Corners of_b, PairCertificate& certificate,
+                     StageTally& tally) {
   const TriangleSides sides = sides_of_triangles(std::array{a[of_a[0]], a[of_a[1]], a[of_a[2]]},
                                                  std::array{b[of_b[0]], b[of_b[1]], b[of_b[2]]});
-  if (!sides.sure) return std::nullopt;
+  if (!sides.sure) return false;
   tally.rounded += 18;
   const auto first_bit = [](std::uint32_t bits) { return static_cast<std::uint32_t>(std::countr_zero(bits)); };
   if (const std::uint32_t in_a = sides.inside_first(); in_a != 0) {
@@ -134,9 +133,6 @@ bool check_meet(const A& a, Corners from_a, const B& b, Corners from_b, PairCert
                 StageTally& tally) {
   const evidence::Few few_a = evidence::in_order(a, from_a), few_b = evidence::in_order(b, from_b);
   const Corners of_a = few_a, of_b = few_b;
-  if (of_a.size() == 3 && of_b.size() == 3) {
-    if (const std::optional<bool> told = check_triangles(a, of_a, b, of_b, certificate, tally)) return *told;
-  }
   const auto fill = [&](Corners in_a, Corners in_b) { return fill_meet(a, in_a, b, in_b, certificate); };
   for (std::size_t k = 0; k < of_b.size(); ++k) {
     const evidence::Few few = evidence::corners_around(b[of_b[k]], a, of_a, tally);
