@@ -382,7 +382,7 @@ TEST(CirclesDifferential, ListsAgreeWithTheScan) {
     ASSERT_EQ(planar::circles_all(circles, options).contacts.size(), truth.size());
     contacts += truth.size();
   }
-  EXPECT_GT(contacts, static_cast<std::uint64_t>(count >= 5000 ? count : 0));
+  EXPECT_GT(contacts, static_cast<std::uint64_t>(count >= 5000 ? count / 2 : 0));
 }
 
 // T1 to T4 are enough, and the sweep keeps to them: the checker accepts what the sweep writes, and a transcript that is
@@ -400,7 +400,7 @@ TEST(CirclesDifferential, TranscriptsProveThatNothingCounts) {
     const bool none = !planar::circles_any_by_scan(circles, {allowed, false, {}, nullptr}).meet();
     ASSERT_EQ(accepts(set, touching_allowed, untested(set, sets.random())), none) << i;
     (none ? accepted : refused) += 1;
-    if (!none) continue;
+    if (!none || set.empty()) continue;
     const CirclesAnswer answer = planar::circles_any(circles, {allowed, true, {}, nullptr});
     const Transcript written{answer.transcript.events, answer.transcript.below};
     ASSERT_TRUE(accepts(set, touching_allowed, written)) << i;

@@ -186,10 +186,10 @@ class Closing {
     }
     // Of slopes: upper(m - 1) > lower(m - 1) and upper(m) < lower(m). A third one is between the two of one boundary.
     const EdgePiece &u = upper(m - 1), &next_u = upper(m), &l = lower(m - 1), &next_l = lower(m);
-    if (compare_slopes(l, next_u, tally_) != Sign::negative) {
-      contradict(out_, {support(u), support(next_u), support(l)});
-    } else {
-      contradict(out_, {support(l), support(next_l), support(next_u)});
+    switch (compare_slopes(l, next_u, tally_)) {
+      case Sign::positive: return contradict(out_, {support(u), support(next_u), support(l)});
+      case Sign::zero: return contradict(out_, {support(next_u), support(l)});
+      case Sign::negative: return contradict(out_, {support(l), support(next_l), support(next_u)});
     }
   }
 

@@ -135,6 +135,14 @@ TEST(ConvexPolygonsTest, UntrueContradictionsAreRefused) {
   EXPECT_FALSE(is_contradiction({}, {}));
 }
 
+// Both boundaries break at one abscissa, and edges there are parallel: two supports do, and no third is named.
+TEST(ConvexPolygonsTest, ContradictionsAreMinimal) {
+  const Polygons above{polygon({{1, 0}, {2, 0}, {4, 1}, {2, 1}}), polygon({{0, 3}, {2, 3}, {3, 4}})};
+  EXPECT_EQ(common_part(above).contradiction_size, 2u);
+  const Polygons below{polygon({{1, 0}, {2, -1}, {4, -1}, {2, 0}}), polygon({{0, -3}, {3, -4}, {2, -3}})};
+  EXPECT_EQ(common_part(below).kind, Kind::empty);
+}
+
 TEST(ConvexPolygonsTest, Symmetries) {
   Random random(17);
   std::size_t polygons = 0;
