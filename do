@@ -3,7 +3,7 @@
 #
 #   demo                what Sunder does, in five minutes: builds the program, decides about a robot arm, proves it
 #   test [--quick]      build everything and run all tests (10 minutes; --quick: 1 minute); the rest goes to ctest
-#   build [PRESET]      build everything: release (default), dev, clang, asan-ubsan, tsan, coverage, fuzz, bench
+#   build [PRESET]      build everything: release (default), dev, clang, asan-ubsan, tsan, coverage, bench
 #   bench [OPTIONS]     run the benchmarks against other libraries; --check: the ratios that are promised
 #   check [PART...]     lint, sanitizers, fuzzers, the Python verifier (25 minutes)
 #                       parts: format headers tidy sanitize fuzz verify
@@ -312,7 +312,7 @@ command_build() {
     *) need_to_test ;;
   esac
   case $preset in
-    fuzz | clang | asan-ubsan) need_clang; compiler=clang++-$clang; say "Compiler: $compiler" ;;
+    clang | asan-ubsan) need_clang; compiler=clang++-$clang; say "Compiler: $compiler" ;;
     *) pick_compiler; compiler=$CXX ;;
   esac
   if [ "$preset" = release ]; then set -- -DSUNDER_TESTS=ON; else set --; fi
@@ -418,9 +418,9 @@ fuzz_one() {
 # Two at a time.
 part_fuzz() {
   local seconds=${SUNDER_FUZZ_SECONDS:-30} programs=() program result=0 first
-  configure fuzz "clang++-$clang" || return 1
-  build fuzz || return 1
-  for program in build/fuzz/fuzz/*_fuzz; do [ ! -x "$program" ] || programs+=("$program"); done
+  configure asan-ubsan "clang++-$clang" || return 1
+  build asan-ubsan fuzzers || return 1
+  for program in build/asan-ubsan/fuzz/*_fuzz; do [ ! -x "$program" ] || programs+=("$program"); done
   if [ ${#programs[@]} -eq 0 ]; then
     say "There is no fuzzer."
     return 1

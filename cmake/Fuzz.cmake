@@ -1,5 +1,6 @@
 # Every fuzz/x_fuzz.cpp (with LLVMFuzzerTestOneInput) is an executable in <build>/fuzz. Other sources of fuzz/ are linked
-# to all of them. fuzz/x_fuzz.options, one option of libFuzzer a line, is heeded by ./do check.
+# to all of them. fuzz/x_fuzz.options, one option of libFuzzer a line, is heeded by ./do check. The target fuzzers is all.
+add_custom_target(fuzzers)
 file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fuzz/*_fuzz.cpp)
 file(GLOB shared CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fuzz/*.cpp)
 list(FILTER shared EXCLUDE REGEX "_fuzz\\.cpp$")
@@ -15,4 +16,5 @@ foreach(source ${sources})
   endforeach()
   target_link_options(${name} PRIVATE -fsanitize=fuzzer)
   sunder_own_code(${name})
+  add_dependencies(fuzzers ${name})
 endforeach()

@@ -14,7 +14,7 @@ endif()
 
 if(SUNDER_FUZZ)
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-    message(FATAL_ERROR "Fuzzers need Clang: cmake --preset fuzz -DCMAKE_CXX_COMPILER=clang++-19, or ./do build fuzz")
+    message(FATAL_ERROR "Fuzzers need Clang: cmake --preset asan-ubsan -DCMAKE_CXX_COMPILER=clang++-19, or ./do build asan-ubsan")
   endif()
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
