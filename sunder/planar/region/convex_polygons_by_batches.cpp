@@ -37,18 +37,23 @@ class Batches {
   }
 
  private:
-  // A random sample of about twice the square root of all, then the others in order: they lie in memory so.
+  // The two polygons that bound the abscissas, without which a part is not closed; a random sample of about twice the
+  // square root of all; then the others in order: they lie in memory so.
   std::vector<std::uint32_t> sample_first() {
     const auto n = static_cast<std::uint32_t>(polygons_.size());
     sample_size_ = std::min<std::size_t>(n, 16 + static_cast<std::size_t>(2 * std::sqrt(n)));
     std::vector<bool> is_taken(n, false);
     std::vector<std::uint32_t> order;
     order.reserve(n);
-    Random random(14);
-    for (std::size_t tries = 0; tries < 2 * sample_size_ && order.size() < sample_size_; ++tries) {
-      const auto i = static_cast<std::uint32_t>(random.below(n));
+    const auto take_first = [&](std::uint32_t i) {
       if (!is_taken[i]) order.push_back(i);
       is_taken[i] = true;
+    };
+    take_first(common_.begins);
+    take_first(common_.ends);
+    Random random(14);
+    for (std::size_t tries = 0; tries < 2 * sample_size_ && order.size() < sample_size_; ++tries) {
+      take_first(static_cast<std::uint32_t>(random.below(n)));
     }
     for (std::uint32_t i = 0; i < n; ++i) {
       if (!is_taken[i]) order.push_back(i);

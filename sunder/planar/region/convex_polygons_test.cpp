@@ -143,6 +143,24 @@ TEST(ConvexPolygonsTest, ContradictionsAreMinimal) {
   EXPECT_EQ(common_part(below).kind, Kind::empty);
 }
 
+// Wedges end where another polygon does, on a slanted edge: wherever in the order that one comes.
+TEST(ConvexPolygonsTest, OnePolygonBoundsManyWedges) {
+  const ConvexPolygon wedge = polygon({{0, 0}, {10, -1}, {10, 1}}),
+                      last = polygon({{-1, -5}, {3, -5}, {4, 5}, {-1, 5}}),
+                      to_the_left = polygon({{0, 0}, {-10, 1}, {-10, -1}}),
+                      first = polygon({{1, -5}, {1, 5}, {-4, 5}, {-3, -5}});
+  for (std::size_t at = 0; at < 60; ++at) {
+    Polygons set(60, wedge), mirrored(60, to_the_left);
+    set[at] = last;
+    mirrored[at] = first;
+    for (const Polygons& each : {set, mirrored}) {
+      const PolygonsPart part = convex_polygons_common_part_by_division(each);
+      EXPECT_EQ(part.corners.size(), 3u);
+      EXPECT_EQ(convex_polygons_common_part_by_batches(each).corners, part.corners) << at;
+    }
+  }
+}
+
 TEST(ConvexPolygonsTest, Symmetries) {
   Random random(17);
   std::size_t polygons = 0;
