@@ -37,6 +37,18 @@ std::span<const LanesBox> top_level(const Polygon& polygon) {
   return polygon.edge_boxes().level(polygon.edge_boxes().top());
 }
 
+void prefetch(const Polygon& polygon) {
+  constexpr std::size_t line = 64;  // bytes
+  const char* const bytes = reinterpret_cast<const char*>(&polygon);
+  for (std::size_t at = 0; at < sizeof polygon; at += line) __builtin_prefetch(bytes + at);
+}
+
+void prefetch_boxes(const Polygon& polygon) {
+  const std::span<const LanesBox> runs = top_level(polygon);
+  __builtin_prefetch(&runs.front());
+  __builtin_prefetch(&runs.back());
+}
+
 LanesBox box_in_lanes(const Polygon& polygon) {
   const Box& box = polygon.box();
   return {Lanes{box.left, box.bottom}, Lanes{box.right, box.top}};
@@ -225,26 +237,28 @@ std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, con
   }
   PolygonPairs pairs(polygons, looks * edges);
   bool gave_up = false;
-  // A pair waits until the next one is known, while its boxes of edges come from memory.
-  std::optional<std::pair<std::uint32_t, std::uint32_t>> waiting;
-  const auto of_waiting = [&] {
-    if (!waiting) return true;
-    const std::optional<PolygonsContact> contact = pairs.contact(waiting->first, waiting->second);
+  // A pair waits until the next ones are known; meanwhile first its polygons, then their boxes come from memory.
+  constexpr std::uint32_t most_waiting = 4;
+  std::array<std::array<std::uint32_t, 2>, most_waiting> waiting;  // pair k is at k % most_waiting
+  std::uint32_t known = 0, compared = 0;
+  const auto compare_next = [&] {
+    const auto [i, j] = waiting[compared++ % most_waiting];
+    const std::optional<PolygonsContact> contact = pairs.contact(i, j);
     gave_up = !contact;
     return contact && (contact->contact == Contact::none || found(*contact));
   };
   const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {
     if (may_meet(options.groups, i, j)) return true;
-    for (const std::uint32_t polygon : {i, j}) {
-      const std::span<const LanesBox> runs = top_level(polygons[polygon]);
-      __builtin_prefetch(&runs.front());
-      __builtin_prefetch(&runs.back());
+    prefetch(polygons[i]);
+    prefetch(polygons[j]);
+    if (known > 0) {
+      for (const std::uint32_t polygon : waiting[(known - 1) % most_waiting]) prefetch_boxes(polygons[polygon]);
     }
-    const bool go_on = of_waiting();
-    waiting = {i, j};
-    return go_on;
+    waiting[known++ % most_waiting] = {i, j};
+    return known - compared < most_waiting || compare_next();
   };
-  const bool all = for_each_box_pair(boxes, of_pair, options.progress) && of_waiting();
+  bool all = for_each_box_pair(boxes, of_pair, options.progress);
+  while (all && compared < known) all = compare_next();
   cost.probes += pairs.cost.probes;
   if (gave_up) return std::nullopt;
   return all;
