@@ -35,12 +35,16 @@ std::uint32_t PolygonsInput::line(std::uint32_t polygon) const {
   return file.source[file.rings[first_ring[polygon]].first].line;
 }
 
-PolygonsInput read_polygons(const std::string& name, bool drop_z, bool simple) {
+PolygonsInput read_polygons(const std::string& name, bool drop_z, bool simple, const std::string& group) {
+  if (group == "ring") {
+    throw Error(ErrorCode::bad_call, "rings belong to polygons; group by feature, or by a property", "--group");
+  }
   PolygonsInput input;
   {
     Progress progress("reading");
     io::LineOptions options;
     options.drop_z = drop_z;
+    options.group = group;
     options.progress = progress.reporter();
     input.file = io::read_lines(name, options);
   }
@@ -55,6 +59,7 @@ PolygonsInput read_polygons(const std::string& name, bool drop_z, bool simple) {
       ring.push_back(ring.front());  // as in the file: Polygon leaves out exactly this one
     }
     input.first_ring.push_back(first);
+    if (!group.empty()) input.groups.push_back(file.group[file.rings[first].first]);
     try {
       input.polygons.emplace_back(rings);
       if (simple) require_simple(input.polygons.back());

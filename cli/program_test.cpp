@@ -731,6 +731,33 @@ TEST_F(Program, Polygons) {
   EXPECT_NE(crossed.err.find("feature 1: is not simple: edge 0 of ring 0"), std::string::npos) << crossed.err;
 }
 
+// Two layers of a map: parcels may meet one another, and zones too; the one parcel in a zone is found.
+TEST_F(Program, PolygonsOfGroups) {
+  const std::string map = in_folder("map.geojson");
+  const auto feature = [](const std::string& layer, const std::string& rings) {
+    return R"({"type": "Feature", "properties": {"layer": ")" + layer + R"("}, "geometry": {"type": "MultiPolygon", )" +
+           R"("coordinates": [)" + rings + "]}}";
+  };
+  const std::string left = "[[[0,0],[4,0],[4,4],[0,4],[0,0]]]", right = "[[[4,0],[8,0],[8,4],[4,4],[4,0]]]",
+                    zone = "[[[6,3],[9,3],[9,9],[6,9],[6,3]]]", other = "[[[7,8],[10,8],[10,10],[7,10],[7,8]]]";
+  write_text(map, R"({"type": "FeatureCollection", "features": [)" + feature("parcels", left + "," + right) + "," +
+                      feature("zones", zone) + "," + feature("zones", other) + "]}");
+  const json all = report("polygons " + map + " --all", 1),
+             by_layer = report("polygons " + map + " --all --group layer", 1);
+  EXPECT_EQ(all["count"], 3);
+  EXPECT_EQ(by_layer["count"], 1);
+  EXPECT_EQ(by_layer["contacts"][0]["i"], 1);
+  EXPECT_EQ(by_layer["contacts"][0]["j"], 2);
+  EXPECT_EQ(by_layer["contacts"][0]["groups"], (json{"parcels", "zones"}));
+  EXPECT_EQ(report("polygons " + map + " --count --group feature", 1)["count"], 2);
+  const Run text = run("polygons " + map + " --group layer");
+  EXPECT_NE(text.out.find("2 groups; those of one layer may meet\n"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find(" of parcels and "), std::string::npos) << text.out;
+  expect_bad("polygons " + map + " --group colour", "no field 'colour' to group by");
+  expect_bad("polygons " + map + " --group ring", "rings belong to polygons");
+  expect_bad("polygons " + map + " --group layer --certificate " + in_folder("none.json"), "has no proof yet");
+}
+
 TEST_F(Program, Regions) {
   const std::string some = cases + "/half-planes/co2-five-years.csv", none = cases + "/half-planes/co2.csv";
   const std::string proof = in_folder("proof.json");

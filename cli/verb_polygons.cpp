@@ -29,7 +29,7 @@ struct Call {
   bool any = false, all = false, count = false;  // at most one; none: any
   std::string allow = "nothing";
   std::string method = "automatic";
-  std::string certificate, svg, title;
+  std::string group, certificate, svg, title;
   bool drop_z = false;
   bool json = false;
 
@@ -70,6 +70,10 @@ void require_provable(const Call& call) {
     throw Error(ErrorCode::bad_call, "lists, counts and pictures have no proof; ask whether any two meet",
                 "--certificate");
   }
+  if (!call.group.empty()) {
+    throw Error(ErrorCode::bad_call, "that members of different groups do not meet has no proof yet; leave out one",
+                "--group and --certificate");
+  }
   if (call.method == "scan") {
     throw Error(ErrorCode::bad_call, "scan writes no certificates; give automatic or sweep", "--method");
   }
@@ -79,6 +83,7 @@ Result ask(const Call& call, const Methods& by, const PolygonsInput& input) {
   Progress progress("comparing");
   PolygonsOptions options;
   options.allowed = allowed_by(call.allow);
+  options.groups = input.groups;
   options.transcript = !call.certificate.empty();
   options.progress = progress.reporter();
   Result result;
@@ -134,11 +139,19 @@ std::uint64_t edges_of(const PolygonsInput& input) {
   return edges;
 }
 
+// Requires that a group was asked for.
+const std::string& group_of(const PolygonsInput& input, std::uint32_t polygon) {
+  return input.file.groups[input.groups[polygon]];
+}
+
 constexpr std::size_t most_listed = 20;
 
 std::string human_text(const Call& call, const PolygonsInput& input, const Result& result) {
   std::string text = fmt::format("{}: {}, {}, {}\n", call.file, count_of(input.polygons.size(), "polygon"),
                                  count_of(edges_of(input), "edge"), input.file.format);
+  if (!call.group.empty()) {
+    text += fmt::format("{}; those of one {} may meet\n", count_of(input.file.groups.size(), "group"), call.group);
+  }
   const bool some = result.pairs() > 0;
   text +=
       fmt::format("{} meet{}", some ? "some" : "none", call.allow == "nothing" ? "" : " (" + call.allow + " allowed)");
@@ -150,7 +163,8 @@ std::string human_text(const Call& call, const PolygonsInput& input, const Resul
     const PolygonsContact& c = result.contacts[k];
     const auto polygon = [&](std::uint32_t i) {
       const std::uint32_t line = input.line(i);
-      return fmt::format("{}{}", input.name(i), line > 0 ? fmt::format(" (line {})", line) : "");
+      const std::string group = call.group.empty() ? "" : fmt::format(" of {}", group_of(input, i));
+      return fmt::format("{}{}{}", input.name(i), group, line > 0 ? fmt::format(" (line {})", line) : "");
     };
     text += fmt::format("{} {}: {} and {}: {} at about {}\n", call.lists() ? fmt::format("  {}.", k + 1) : " ",
                         name_of(c.contact), polygon(c.i), polygon(c.j), shown_by(c), about(place_of(input, c)));
@@ -173,6 +187,7 @@ Json report(const Call& call, const PolygonsInput& input, const Result& result) 
                                   {"polygons", input.polygons.size()},
                                   {"edges", edges_of(input)}}});
   json["allowed"] = call.allow;
+  if (!call.group.empty()) json["group"] = call.group;
   if (call.lists() || call.count) {
     json["count"] = result.pairs();
     json["counts"] = {{"overlapping", result.overlapping}, {"touching", result.touching}};
@@ -186,6 +201,7 @@ Json report(const Call& call, const PolygonsInput& input, const Result& result) 
                     {"shown_by", shown_by(c)},
                     {"point", {p.x, p.y}},
                     {"names", {input.name(c.i), input.name(c.j)}}};
+    if (!call.group.empty()) contact["groups"] = {group_of(input, c.i), group_of(input, c.j)};
     json["contacts"].push_back(contact);
   }
   return json;
@@ -229,7 +245,7 @@ int run(const Call& call) {
   const Methods& by = methods_by(call.method);
   allowed_by(call.allow);
   require_provable(call);
-  const PolygonsInput input = read_polygons(call.file, call.drop_z, true);
+  const PolygonsInput input = read_polygons(call.file, call.drop_z, true, call.group);
   const Result result = ask(call, by, input);
   if (!call.svg.empty()) io::write_file_atomically(call.svg, picture(call, input, result));
   print(call.json ? to_text(report(call, input, result)) : human_text(call, input, result));
@@ -250,6 +266,9 @@ void add_polygons(CLI::App& program, int& code) {
   all->excludes(count);
   verb->add_option("--allow", call->allow, "what does not count: nothing, shared-endpoint, or touch")
       ->type_name("KIND");
+  verb->add_option("--group", call->group,
+                   "polygons that are the same in this may meet: feature, a property of the GeoJSON")
+      ->type_name("FIELD");
   verb->add_option("--method", call->method, "automatic, boxes, grid, sweep, or scan")->type_name("NAME");
   verb->add_option("--certificate", call->certificate, "write the proof here")->type_name("FILE");
   auto* svg = verb->add_option("--svg", call->svg, "draw the polygons and the pairs that meet here")->type_name("FILE");
