@@ -169,6 +169,54 @@ TEST_F(SetCertificates, CirclesThatMeet) {
   expect_hits(rounds, 2);
 }
 
+// Of equal discs the lowest number, and the list turned so that it is lexicographically least.
+std::vector<std::uint32_t> in_one_form(const Circles& circles, std::vector<std::uint32_t> arcs) {
+  for (std::uint32_t& arc : arcs) {
+    const auto equal = std::find(circles.all().begin(), circles.all().end(), circles[arc]);
+    arc = static_cast<std::uint32_t>(equal - circles.all().begin());
+  }
+  std::vector<std::uint32_t> least = arcs;
+  for (std::size_t k = 1; k < arcs.size(); ++k) {
+    std::rotate(arcs.begin(), arcs.begin() + 1, arcs.end());
+    least = std::min(least, arcs);
+  }
+  return least;
+}
+
+// Any list of arcs is accepted if and only if it is what bounds the region.
+TEST_F(SetCertificates, ArcsOfCommonPartsOfCircles) {
+  const int rounds = tests::scaled_count(3000);
+  for (int round = 0; round < rounds; ++round) {
+    const Circles circles(set_of(4, [this] { return circle(); }));
+    const planar::CirclesPart part = circles_common_part(circles);
+    if (part.kind != planar::CirclesPartKind::region) continue;
+    json top = json::parse(certificate_text(circles, part));
+    const std::vector<std::uint32_t> truth = in_one_form(circles, planar::circles_common_part_by_scan(circles).arcs);
+    for (int change = 0; change < 8; ++change) {
+      std::vector<std::uint32_t> arcs = part.arcs;
+      const auto at = [&](std::size_t more) {
+        return arcs.begin() + static_cast<std::ptrdiff_t>(random.below(arcs.size() + more));
+      };
+      const auto any = [&] { return static_cast<std::uint32_t>(random.below(circles.size())); };
+      switch (change) {
+        case 0: break;
+        case 1: std::rotate(arcs.begin(), at(0), arcs.end()); break;
+        case 2: std::reverse(arcs.begin(), arcs.end()); break;
+        case 3: arcs.insert(arcs.end(), part.arcs.begin(), part.arcs.end()); break;
+        case 4: arcs.erase(at(0)); break;
+        case 5: arcs.insert(at(1), any()); break;
+        default: *at(0) = any(); break;
+      }
+      top["statements"][0]["arcs"] = arcs;
+      const bool is_accepted = sunder_verifier::verify_text(top.dump(), "changed").accepted();
+      EXPECT_EQ(is_accepted, !arcs.empty() && in_one_form(circles, arcs) == truth) << top.dump();
+      (is_accepted ? accepted : refused) += 1;
+    }
+    ++verdicts[std::to_string(truth.size())];
+  }
+  expect_hits(rounds, 3);
+}
+
 TEST_F(SetCertificates, CommonPartsOfCircles) {
   const int rounds = tests::scaled_count(2000);
   for (int round = 0; round < rounds; ++round) {

@@ -1,15 +1,13 @@
 #include "sunder_verify_circles.h"
 
+#include "disc_arcs.h"
+
 #include <algorithm>
 #include <memory>
 #include <utility>
 
 namespace sunder_verifier {
 namespace {
-
-struct Disc {
-  Integer x, y, r;
-};
 
 // In units of 2^e.
 struct Discs {
@@ -18,8 +16,6 @@ struct Discs {
 };
 
 std::string text(std::size_t i) { return std::to_string(i); }
-
-Integer square(const Integer& n) { return n * n; }
 
 std::string kind_of(const Disc& c, const Disc& d) {
   const Integer distance = square(c.x - d.x) + square(c.y - d.y);  // squared
@@ -42,13 +38,15 @@ struct Some {
   std::vector<std::int64_t> groups;  // empty: none
 };
 
-// 1: the point is inside of the circle; 0: on it; -1: outside.
-int place_in(const Disc& disc, std::int64_t e, const Number& x, const Number& y) {
+PointInUnits in_integers(std::int64_t e, const Numbers& point) {
+  const Number &x = point[0], &y = point[1];
   const std::int64_t low = std::min(e, std::min(x.e, y.e));
-  const Integer unit = shifted(x.d * y.d, e - low);  // one unit of the disc
-  const Integer dx = shifted(x.n * y.d, x.e - low) - disc.x * unit;
-  const Integer dy = shifted(y.n * x.d, y.e - low) - disc.y * unit;
-  const Integer left = square(disc.r * unit) - square(dx) - square(dy);
+  return {shifted(x.n * y.d, x.e - low), shifted(y.n * x.d, y.e - low), shifted(x.d * y.d, e - low)};
+}
+
+// 1: the point is inside of the circle; 0: on it; -1: outside.
+int place_in(const Disc& disc, const PointInUnits& p) {
+  const Integer left = square(disc.r * p.unit) - square(p.x - disc.x * p.unit) - square(p.y - disc.y * p.unit);
   return left.sign();
 }
 
@@ -57,8 +55,7 @@ void check_some(const Discs& set, const std::string& rule, const Some& some) {
   require(some.groups.empty() || some.groups[some.i] != some.groups[some.j], "C1",
           "circles " + text(some.i) + " and " + text(some.j) + " are of one group");
   for (const std::size_t k : {some.i, some.j}) {
-    require(place_in(set.discs[k], set.e, some.point[0], some.point[1]) >= 0, "C2",
-            "the point is not in circle " + text(k));
+    require(place_in(set.discs[k], in_integers(set.e, some.point)) >= 0, "C2", "the point is not in circle " + text(k));
   }
   const std::string found = kind_of(set.discs[some.i], set.discs[some.j]);
   require(found == some.kind, "C3", "the contact is " + found);
@@ -145,6 +142,7 @@ class Transcript {
 struct CommonPart {
   std::string verdict;
   Numbers point;                   // region
+  std::vector<std::size_t> arcs;   // what bounds it; empty: not stated
   std::vector<std::size_t> named;  // empty and point
   Integers weights;                // of these, times something positive
 };
@@ -171,10 +169,11 @@ Mean mean_of(const std::vector<Disc>& discs, const CommonPart& part) {
 void check_common(const Discs& set, const CommonPart& part) {
   if (part.verdict == "plane") return;
   if (part.verdict == "region") {
+    const PointInUnits point = in_integers(set.e, part.point);
     for (std::size_t k = 0; k < set.discs.size(); ++k) {
-      require(place_in(set.discs[k], set.e, part.point[0], part.point[1]) > 0, "D3",
-              "the point is not inside of circle " + text(k));
+      require(place_in(set.discs[k], point) > 0, "D3", "the point is not inside of circle " + text(k));
     }
+    if (!part.arcs.empty()) check_arcs(set.discs, part.arcs, point);
     return;
   }
   const bool are_positive =
@@ -249,6 +248,10 @@ Statement read_common(const std::shared_ptr<const Discs>& set, const json& item,
   part.verdict = string_member(item, "verdict", where);
   if (part.verdict == "region") {
     part.point = read_numbers(member(item, "point", where), 2, read_number, where + ".point");
+    if (item.contains("arcs")) {
+      part.arcs = index_list(item, "arcs", set->discs.size(), no_index, where);
+      if (part.arcs.empty()) refuse_form(where + ".arcs is empty");
+    }
   } else if (part.verdict == "plane") {
     if (!set->discs.empty()) refuse_form(where + ".verdict is plane, but there are circles");
   } else if (part.verdict == "empty" || part.verdict == "point") {

@@ -5,6 +5,7 @@ the library.
 All numbers of discs are integers here, multiples of one power of two.
 """
 from sunder_verify import common, double, index, member, number, numbers, require
+from sunder_verify_arcs import check_arcs
 
 RULES = ("nothing", "shared-endpoint", "touch")  # all but the first: touching does not count
 KINDS = ("touching", "overlapping", "inside")
@@ -30,13 +31,17 @@ def may_meet(kind, allowed):
     return kind is None or (kind == "touching" and allowed != "nothing")
 
 
-def holds(disc, exponent, point, is_inside=False):
-    """Is a point, given as two numbers, in a disc? Or inside of its circle?"""
+def in_integers(exponent, point):
+    """A point, given as two numbers, as x, y and the one unit of the discs' numbers, in a smaller unit."""
     (px, dx, ex), (py, dy, ey) = point
     low = min(ex, ey, exponent)
-    unit = dx * dy << (exponent - low)  # one unit of the disc's numbers
-    ux = (px * dy << (ex - low)) - disc[0] * unit
-    uy = (py * dx << (ey - low)) - disc[1] * unit
+    return px * dy << (ex - low), py * dx << (ey - low), dx * dy << (exponent - low)
+
+
+def holds(disc, exponent, point, is_inside=False):
+    """Is a point, given as two numbers, in a disc? Or inside of its circle?"""
+    x, y, unit = in_integers(exponent, point)
+    ux, uy = x - disc[0] * unit, y - disc[1] * unit
     left = (disc[2] * unit) ** 2 - ux * ux - uy * uy
     return left > 0 or (left == 0 and not is_inside)
 
@@ -95,11 +100,14 @@ def depth(discs, weights):
     return total, total * sum(w * (d[0] ** 2 + d[1] ** 2 - d[2] ** 2) for w, d in zip(weights, discs)) - x * x - y * y
 
 
-def check_common(discs, exponent, verdict, named, weights, point):
+def check_common(discs, exponent, verdict, named, weights, point, arcs):
     """The common part of the discs."""
     if verdict == "region":
         for k, disc in enumerate(discs):
             require(holds(disc, exponent, point, True), "D3", "the point is not inside of circle %d" % k)
+        if arcs is not None:
+            x, y, unit = in_integers(exponent, point)
+            check_arcs(discs, arcs, (x, y), unit)
         return
     chosen = [discs[k] for k in named]
     require(all(w >= 0 for w in weights) and any(weights), "D1", "the weights are not at least 0, and not all 0")
@@ -165,9 +173,12 @@ class Table:
     def read_common(self, item, where):
         verdict = member(item, "verdict", str, where)
         require(verdict in ("empty", "point", "region", "plane"), "F", where + ".verdict is no kind of common part")
-        named, weights, point = [], [], None
+        named, weights, point, arcs = [], [], None, None
         if verdict == "region":
             point = numbers(member(item, "point", list, where), 2, number, where + ".point")
+            if "arcs" in item:
+                arcs = [index(k, len(self.discs), where + ".arcs entry") for k in member(item, "arcs", list, where)]
+                require(arcs, "F", where + ".arcs is empty")
         elif verdict == "plane":
             require(not self.discs, "F", where + ".verdict is plane, but there are circles")
         else:
@@ -175,7 +186,7 @@ class Table:
             require(len(named) <= MOST_NAMED, "F", "%s.discs has more than %d entries" % (where, MOST_NAMED))
             weights = common(numbers(member(item, "weights", list, where), len(named), number, where + ".weights"))[0]
         return "circles", "common part", verdict, lambda: verdict == "plane" or check_common(
-            self.discs, self.exponent, verdict, named, weights, point)
+            self.discs, self.exponent, verdict, named, weights, point, arcs)
 
 
 def questions(top):

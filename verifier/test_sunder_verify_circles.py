@@ -2,6 +2,7 @@
 """Tests of sunder_verify_circles.py: python3 verifier/test_sunder_verify_circles.py."""
 import itertools
 import json
+import math
 import os
 import random
 import sys
@@ -259,6 +260,37 @@ class CommonParts(unittest.TestCase):
         for check in (None, "F", "D1", "D2", "D3"):
             self.assertGreater(count.get(check, 0), 15, count)
 
+    # Of all lists of up to four arcs one is accepted, but for equal discs and where it begins: the one of which the
+    # circles are nearest in their directions from the point.
+    def test_one_list_of_arcs_is_accepted(self):
+        rng, count, sizes = random.Random(12), {}, {}
+        for _ in range(250):
+            discs = self.some(rng)[:3]
+            items = [item for item in true_common(discs) if item["verdict"] == "region"]
+            if not items:
+                continue
+            found = set()
+            for size in (1, 2, 3, 4):
+                for arcs in itertools.product(range(len(discs)), repeat=size):
+                    check = refusal_of_common(discs, {**items[0], "arcs": list(arcs)})
+                    count[check] = count.get(check, 0) + 1
+                    if check is None:
+                        found.add(min(tuple(discs[a] for a in arcs[k:] + arcs[:k]) for k in range(size)))
+            self.assertEqual(len(found), 1, (discs, items[0], found))
+            bounds = found.pop()
+            sizes[len(bounds)] = sizes.get(len(bounds), 0) + 1
+            x, y = (float(Fraction(n)) for n in items[0]["point"])
+            for k in range(100):
+                dx, dy = math.cos(k), math.sin(k)
+
+                def far(disc):
+                    along = (disc[0] - x) * dx + (disc[1] - y) * dy
+                    return along + math.sqrt(along ** 2 + disc[2] ** 2 - (disc[0] - x) ** 2 - (disc[1] - y) ** 2)
+                self.assertLess(min(map(far, bounds)), min(map(far, discs)) + 1e-9, (discs, bounds))
+        for check in (None, "B1", "B2", "B3", "B4"):
+            self.assertGreater(count.get(check, 0), 4, count)
+        self.assertGreater(min(sizes.get(n, 0) for n in (1, 2, 3)), 3, sizes)
+
     def test_files_and_the_check_that_each_fails(self):
         discs = [(0, 0, 2), (4, 0, 2), (2, 2, 2), (9, 0, 1)]
         point = {"question": "circles", "verdict": "point", "discs": [0, 1], "weights": ["1/2", "1/2"]}
@@ -282,6 +314,10 @@ class CommonParts(unittest.TestCase):
         self.assertEqual(found(region, {}, [discs[0], discs[2]]), "-")
         self.assertEqual(found(region, {"point": ["2", "0"]}, [discs[0], discs[2]]), "D3")
         self.assertEqual(found(region, {}, discs[:2]), "D3")
+        self.assertEqual(found(region, {"arcs": [0, 1]}, [discs[0], discs[2]]), "-")
+        self.assertEqual(found(region, {"arcs": [0]}, [discs[0], discs[2]]), "B1")
+        for arcs in ([], [0, 2], [0, -1], 0, ["0"]):
+            self.assertEqual(found(region, {"arcs": arcs}, [discs[0], discs[2]]), "F", arcs)
         self.assertEqual(found({"question": "circles", "verdict": "plane"}, {}, []), "-")
         for change in ({"verdict": "plane"}, {"verdict": "none"}, {"discs": [0, 4]}, {"discs": [0]}, {"weights": ["1"]},
                        {"discs": [0] * 17, "weights": ["1"] * 17}, {"weights": [1, 1]}, {"verdict": "region"}):

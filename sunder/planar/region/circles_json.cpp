@@ -28,6 +28,8 @@ std::string certificate_text(const Circles& circles, const CirclesPart& part) {
   if (part.kind == CirclesPartKind::region) {
     text += ", \"point\": ";
     append_point(text, deepest_point(discs_of(circles.all(), part.deepest.basis())));
+    text += ", \"arcs\": ";
+    append_indices(text, part.arcs);
   } else if (part.kind != CirclesPartKind::plane) {
     append_weights(text, circles, part.deepest);
   }

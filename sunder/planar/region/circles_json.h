@@ -1,5 +1,5 @@
 // The certificate file of the common part of discs (docs/certificates-sets.md, "circles"): whether it is empty, a
-// point, or a region; not which arcs bound it.
+// point, or a region, and which arcs bound it.
 #pragma once
 
 #include <sunder/planar/region/circles.h>
