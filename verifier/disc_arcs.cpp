@@ -27,7 +27,7 @@ struct Arrow {
 
 Integer cross(const Arrow& p, const Arrow& q) { return p.x * q.y - p.y * q.x; }
 
-// A vector with square roots, times something positive: even + odd sqrt(root).
+// A direction, as a vector with square roots: even + odd sqrt(root).
 struct Way {
   Arrow even, odd;
   Integer root;
@@ -59,10 +59,18 @@ class Corner {
 
   bool is_crossing() const { return root_ > 0; }
 
-  // The way from a point, times twice the square of the centres' distance.
-  Way seen_from(const Integer& x, const Integer& y) const {
+  Way from_first_centre() const { return {{along_ * u_.x, along_ * u_.y}, {-u_.y, u_.x}, root_}; }
+  Way from_second_centre() const {
+    const Integer back = along_ - 2 * distance_squared_;
+    return {{back * u_.x, back * u_.y}, {-u_.y, u_.x}, root_};
+  }
+
+  Way from(const PointInUnits& p) const {
+    const Way way = from_first_centre();
     const Integer twice = 2 * distance_squared_;
-    return {{twice * (a_.x - x) + along_ * u_.x, twice * (a_.y - y) + along_ * u_.y}, {-u_.y, u_.x}, root_};
+    return {{twice * (a_.x * p.unit - p.x) + way.even.x * p.unit, twice * (a_.y * p.unit - p.y) + way.even.y * p.unit},
+            {way.odd.x * p.unit, way.odd.y * p.unit},
+            root_};
   }
 
   // The powers of a point for two discs differ by a linear function of it; that for a is zero here.
@@ -74,7 +82,8 @@ class Corner {
 
  private:
   Disc a_;
-  Arrow u_;
+  Arrow u_;  // from centre to centre
+  // The corner is (along u + sqrt(root) u turned left) / (2 distance_squared) from the centre of a.
   Integer distance_squared_, along_, root_;
 };
 
@@ -95,6 +104,7 @@ bool go_round_once(const std::vector<Way>& ways) {
   for (std::size_t k = 0; k < ways.size(); ++k) {
     const Way &before = ways[(k == 0 ? ways.size() : k) - 1], &way = ways[k];
     const bool was = is_upper(before), is = is_upper(way);
+    // Past the bearing 0, if not forward within one half.
     rounds += was == is ? turn(before, way) <= 0 : is;
   }
   return rounds == 1;
@@ -114,20 +124,19 @@ void check_arcs(const std::vector<Disc>& discs, const std::vector<std::size_t>& 
   if (arcs.size() == 1) return check_whole_disc(discs, arcs[0]);
   std::vector<Corner> corners;
   std::vector<Way> around;  // the corners from the point
-  const auto larger = [&](const Disc& d) { return Disc{d.x * point.unit, d.y * point.unit, d.r * point.unit}; };
   for (std::size_t m = 0; m < arcs.size(); ++m) {
     const std::size_t next = arcs[m + 1 == arcs.size() ? 0 : m + 1];
     const Disc &a = discs[arcs[m]], &b = discs[next];
     corners.emplace_back(a, b);
     require(corners.back().is_crossing(), "B1",
-            name(arcs[m]) + " and " + std::to_string(next) + " do not cross in two points");
-    around.push_back(Corner(larger(a), larger(b)).seen_from(point.x, point.y));
+            "circles " + std::to_string(arcs[m]) + " and " + std::to_string(next) + " do not cross in two points");
+    around.push_back(corners.back().from(point));
   }
   require(go_round_once(around), "B2", "the corners do not go once around the point");
   for (std::size_t m = 0; m < arcs.size(); ++m) {
     const Disc& circle = discs[arcs[m]];
-    const Way begin = corners[(m == 0 ? arcs.size() : m) - 1].seen_from(circle.x, circle.y),
-              end = corners[m].seen_from(circle.x, circle.y);
+    const Way begin = corners[(m == 0 ? arcs.size() : m) - 1].from_second_centre(),
+              end = corners[m].from_first_centre();
     const int begin_to_end = turn(begin, end);
     for (std::size_t k = 0; k < discs.size(); ++k) {
       require(corners[m].is_in(discs[k]), "B3", "the end of arc " + std::to_string(m) + " is not in " + name(k));

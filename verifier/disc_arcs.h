@@ -15,7 +15,8 @@ struct PointInUnits {
 };
 
 // Throws Refused where these arcs, one or more, are not what bounds the common part, counter-clockwise. Requires that
-// the point is inside of the circles of all discs. Cost: for each arc and each disc the signs of a few integers.
+// the point is inside of the circles of all discs. Cost: for each arc and each disc the signs of a few numbers with a
+// square root.
 void check_arcs(const std::vector<Disc>& discs, const std::vector<std::size_t>& arcs, const PointInUnits& point);
 
 }  // namespace sunder_verifier

@@ -31,7 +31,7 @@ def cross(p, q):
 
 
 class Way:
-    """A vector with square roots, times something positive: even + odd sqrt(root)."""
+    """A direction, as a vector with square roots: even + odd sqrt(root)."""
 
     def __init__(self, even, odd, root):
         self.even, self.odd, self.root = even, odd, root
@@ -51,6 +51,8 @@ class Way:
 
 
 class Corner:
+    """With u from centre to centre it is (along u + sqrt(root) u turned left) / (2 distance_squared) from that of a."""
+
     def __init__(self, a, b):
         self.a, self.b = a, b
         self.ux, self.uy = b[0] - a[0], b[1] - a[1]
@@ -58,11 +60,12 @@ class Corner:
         self.along = self.distance_squared + a[2] * a[2] - b[2] * b[2]
         self.root = 4 * a[2] * a[2] * self.distance_squared - self.along * self.along  # positive where the circles cross
 
-    def seen_from(self, x, y):
-        """The way from a point, times twice the square of the centres' distance."""
+    def seen_from(self, x, y, unit=1):
+        """The way from a point, in a unit of which `unit` make one of the discs."""
         twice = 2 * self.distance_squared
-        return Way((twice * (self.a[0] - x) + self.along * self.ux, twice * (self.a[1] - y) + self.along * self.uy),
-                   (-self.uy, self.ux), self.root)
+        return Way((twice * (self.a[0] * unit - x) + self.along * self.ux * unit,
+                    twice * (self.a[1] * unit - y) + self.along * self.uy * unit),
+                   (-self.uy * unit, self.ux * unit), self.root)
 
     def is_in(self, disc):
         # The powers of a point for two discs differ by a linear function of it; that for the first disc is zero here.
@@ -78,7 +81,7 @@ def holds(outer, inner):
 
 
 def is_between(w, begin, end, turn):
-    """Is a vector inside of the angle from one way counter-clockwise to another, which turns to the first as said?"""
+    """Is a vector inside of the angle from one way counter-clockwise to another, to which the first turns as said?"""
     if turn > 0:
         return begin.turn(w) > 0 and end.turn(w) < 0
     if turn < 0:
@@ -91,12 +94,13 @@ def go_round_once(ways):
     rounds = 0
     for before, way in zip([ways[-1]] + ways, ways):
         was_upper, is_upper = before.is_upper(), way.is_upper()
+        # Past the bearing 0, if not forward within one half.
         rounds += before.turn_to(way) <= 0 if was_upper == is_upper else is_upper
     return rounds == 1
 
 
-def check_arcs(discs, arcs, point, unit):
-    """point: inside of all discs, in integers, after the discs are multiplied by unit."""
+def check_arcs(discs, arcs, x, y, unit):
+    """x, y: a point inside of all discs, in a unit of which `unit` make one of the discs."""
     if len(arcs) == 1:
         for k, disc in enumerate(discs):
             require(holds(disc, discs[arcs[0]]), "B1", "circle %d does not hold circle %d" % (k, arcs[0]))
@@ -105,8 +109,7 @@ def check_arcs(discs, arcs, point, unit):
     corners = [Corner(discs[a], discs[b]) for a, b in zip(arcs, after)]
     for a, b, corner in zip(arcs, after, corners):
         require(corner.root > 0, "B1", "circles %d and %d do not cross in two points" % (a, b))
-    larger = [tuple(n * unit for n in disc) for disc in discs] if unit != 1 else discs
-    require(go_round_once([Corner(larger[a], larger[b]).seen_from(*point) for a, b in zip(arcs, after)]), "B2",
+    require(go_round_once([corner.seen_from(x, y, unit) for corner in corners]), "B2",
             "the corners do not go once around the point")
     for m, (a, corner) in enumerate(zip(arcs, corners)):
         circle = discs[a]

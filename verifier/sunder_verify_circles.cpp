@@ -247,10 +247,12 @@ Statement read_common(const std::shared_ptr<const Discs>& set, const json& item,
   CommonPart part;
   part.verdict = string_member(item, "verdict", where);
   if (part.verdict == "region") {
+    if (set->discs.empty()) refuse_form(where + ".verdict is region, but there are no circles");
     part.point = read_numbers(member(item, "point", where), 2, read_number, where + ".point");
     if (item.contains("arcs")) {
       part.arcs = index_list(item, "arcs", set->discs.size(), no_index, where);
       if (part.arcs.empty()) refuse_form(where + ".arcs is empty");
+      if (part.arcs.size() > 2 * set->discs.size()) refuse_form(where + ".arcs has more than two arcs a circle");
     }
   } else if (part.verdict == "plane") {
     if (!set->discs.empty()) refuse_form(where + ".verdict is plane, but there are circles");

@@ -107,7 +107,7 @@ def check_common(discs, exponent, verdict, named, weights, point, arcs):
             require(holds(disc, exponent, point, True), "D3", "the point is not inside of circle %d" % k)
         if arcs is not None:
             x, y, unit = in_integers(exponent, point)
-            check_arcs(discs, arcs, (x, y), unit)
+            check_arcs(discs, arcs, x, y, unit)
         return
     chosen = [discs[k] for k in named]
     require(all(w >= 0 for w in weights) and any(weights), "D1", "the weights are not at least 0, and not all 0")
@@ -175,10 +175,12 @@ class Table:
         require(verdict in ("empty", "point", "region", "plane"), "F", where + ".verdict is no kind of common part")
         named, weights, point, arcs = [], [], None, None
         if verdict == "region":
+            require(self.discs, "F", where + ".verdict is region, but there are no circles")
             point = numbers(member(item, "point", list, where), 2, number, where + ".point")
             if "arcs" in item:
                 arcs = [index(k, len(self.discs), where + ".arcs entry") for k in member(item, "arcs", list, where)]
                 require(arcs, "F", where + ".arcs is empty")
+                require(len(arcs) <= 2 * len(self.discs), "F", where + ".arcs has more than two arcs a circle")
         elif verdict == "plane":
             require(not self.discs, "F", where + ".verdict is plane, but there are circles")
         else:

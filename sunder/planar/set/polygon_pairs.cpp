@@ -64,27 +64,44 @@ bool is_above(const Point2& p, const LanesBox& box) {
   return box.low[0] <= p.x && p.x <= box.high[0] && box.low[1] <= p.y;
 }
 
-// Of the edges of a run. Where the polygon's last ones are in it they are fewer than fan: then empty boxes follow.
-struct BoxesOfEdges {
+}  // namespace
+
+// The edges of a run. Where the polygon's last ones are in it they are fewer than fan: then empty boxes follow.
+struct PolygonPairs::Edges {
+  std::array<Segment, fan> edges;
   std::array<LanesBox, fan> boxes;
 
-  BoxesOfEdges(const Polygon& polygon, std::uint32_t run) {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    const Point2* const v = polygon.vertices().data();
-    for (std::uint32_t k = fan * run, l = 0; l < fan; ++k, ++l) {
-      boxes[l] = k < polygon.size() ? box_of_edge(v[k], v[polygon.next(k)])
-                                    : LanesBox{Lanes{infinite, infinite}, Lanes{-infinite, -infinite}};
+  static Edges of_run(const Polygon& polygon, std::uint32_t run) {
+    const std::uint32_t first = fan * run;
+    if (polygon.ring_count() == 1 && first + fan < polygon.size()) {  // most runs
+      const Point2* const v = polygon.vertices().data() + first;
+      return Edges({{{v[0], v[1]}, {v[1], v[2]}, {v[2], v[3]}, {v[3], v[4]}}});
     }
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const std::uint32_t count = std::min(fan, polygon.size() - first);
+    std::array<Segment, fan> some;
+    for (std::uint32_t k = 0; k < count; ++k) some[k] = polygon.edge(first + k);
+    Edges out(some);
+    for (std::uint32_t k = count; k < fan; ++k) {
+      out.boxes[k] = {Lanes{infinite, infinite}, Lanes{-infinite, -infinite}};
+    }
+    return out;
   }
 
+  // A bit for each edge whose box meets the box.
   std::uint32_t meeting(const LanesBox& box) const {
-    std::uint32_t bits = 0;
-    for (std::uint32_t k = 0; k < fan; ++k) bits |= std::uint32_t{meet(boxes[k], box)} << k;
-    return bits;
+    const auto bit = [&](std::uint32_t k) { return std::uint32_t{meet(boxes[k], box)} << k; };
+    return bit(0) | bit(1) | bit(2) | bit(3);
   }
-};
 
-}  // namespace
+ private:
+  // Written out, as other things here: what loops branch on would be guessed wrong.
+  static_assert(fan == 4);
+  explicit Edges(const std::array<Segment, fan>& e)
+      : edges(e),
+        boxes{box_of_edge(e[0].a, e[0].b), box_of_edge(e[1].a, e[1].b), box_of_edge(e[2].a, e[2].b),
+              box_of_edge(e[3].a, e[3].b)} {}
+};
 
 // Each of these returns false when it has found a contact of edges, or gives up.
 bool PolygonPairs::compare(const Polygon& a, const Polygon& b) {
@@ -95,6 +112,7 @@ bool PolygonPairs::compare(const Polygon& a, const Polygon& b) {
   if (in_a == 0) return true;
   cost.probes += of_b.size();
   const std::uint32_t in_b = meeting(of_b, common);
+  const bool are_edges = a.edge_boxes().top() == 0 && b.edge_boxes().top() == 0;
   while (in_a != 0) {
     const std::uint32_t r = take_bit(in_a);
     std::uint32_t near = 0;
@@ -102,8 +120,16 @@ bool PolygonPairs::compare(const Polygon& a, const Polygon& b) {
       const std::uint32_t s = take_bit(left);
       near |= std::uint32_t{meet(of_a[r], of_b[s])} << s;
     }
+    if (near == 0) continue;
+    const Run run{a, a.edge_boxes().top(), r};
+    if (are_edges) {
+      const Edges edges = Edges::of_run(a, r);
+      while (near != 0) {
+        if (gave_up() || !compare_edges(edges, run, {b, 0, take_bit(near)})) return false;
+      }
+    }
     while (near != 0) {
-      if (!compare_runs({a, a.edge_boxes().top(), r}, {b, b.edge_boxes().top(), take_bit(near)})) return false;
+      if (!compare_runs(run, {b, b.edge_boxes().top(), take_bit(near)})) return false;
     }
   }
   return true;
@@ -112,7 +138,7 @@ bool PolygonPairs::compare(const Polygon& a, const Polygon& b) {
 // Their boxes meet.
 bool PolygonPairs::compare_runs(const Run& r, const Run& s) {
   if (gave_up()) return false;
-  if (r.level == 0 && s.level == 0) return compare_edges(r, s);
+  if (r.level == 0 && s.level == 0) return compare_edges(Edges::of_run(r.polygon, r.number), r, s);
   const bool first = r.level >= s.level;
   const Run &parted = first ? r : s, &whole = first ? s : r;
   const LanesBox& box = whole.polygon.edge_boxes().level(whole.level)[whole.number];
@@ -127,12 +153,11 @@ bool PolygonPairs::compare_runs(const Run& r, const Run& s) {
   return true;
 }
 
-bool PolygonPairs::compare_edges(const Run& r, const Run& s) {
-  const BoxesOfEdges of_r(r.polygon, r.number);
+bool PolygonPairs::compare_edges(const Edges& of_r, const Run& r, const Run& s) {
   std::uint32_t near = of_r.meeting(s.polygon.edge_boxes().level(0)[s.number]);
   cost.probes += fan;
   if (near == 0) return true;
-  const BoxesOfEdges of_s(s.polygon, s.number);
+  const Edges of_s = Edges::of_run(s.polygon, s.number);
   std::uint32_t pairs = 0;  // a bit of each whose boxes meet
   static_assert(fan * fan <= 32);
   for (; near != 0; cost.probes += fan) {
@@ -142,7 +167,7 @@ bool PolygonPairs::compare_edges(const Run& r, const Run& s) {
   while (pairs != 0) {
     const std::uint32_t pair = take_bit(pairs);
     const std::uint32_t e = fan * r.number + pair / fan, f = fan * s.number + pair % fan;
-    const Segment p = r.polygon.edge(e), q = s.polygon.edge(f);
+    const Segment &p = of_r.edges[pair / fan], &q = of_s.edges[pair % fan];
     if (surely_on_one_side(p.a, p.b, q.a, q.b) || surely_on_one_side(q.a, q.b, p.a, p.b)) continue;
     const ContactKind kind = segment_segment(sorted(p), sorted(q));
     if (kind == ContactKind::none) continue;

@@ -22,6 +22,7 @@ class PolygonPairs {
   Cost cost{};  // probes: boxes and edges looked at
 
  private:
+  struct Edges;
   // A run of edges of a polygon, or edges where the level is 0.
   struct Run {
     const Polygon& polygon;
@@ -30,7 +31,7 @@ class PolygonPairs {
   bool gave_up() const { return cost.probes > most_; }
   bool compare(const Polygon& a, const Polygon& b);
   bool compare_runs(const Run& r, const Run& s);
-  bool compare_edges(const Run& r, const Run& s);
+  bool compare_edges(const Edges& of_r, const Run& r, const Run& s);
   bool is_inside(const Polygon& polygon, const Point2& p);
   bool is_odd_below(const Run& r, const Point2& p);
   std::optional<std::uint32_t> vertex_inside(const Polygon& inner, const Polygon& outer);
