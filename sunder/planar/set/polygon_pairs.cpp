@@ -37,10 +37,16 @@ std::span<const LanesBox> top_level(const Polygon& polygon) {
   return polygon.edge_boxes().level(polygon.edge_boxes().top());
 }
 
-void prefetch(const Polygon& polygon) {
-  constexpr std::size_t line = 64;  // bytes
-  const char* const bytes = reinterpret_cast<const char*>(&polygon);
-  for (std::size_t at = 0; at < sizeof polygon; at += line) __builtin_prefetch(bytes + at);
+void prefetch(const void* begin, std::size_t bytes) {
+  constexpr std::size_t line = 64;
+  const char* const first = static_cast<const char*>(begin);
+  for (std::size_t at = 0; at < bytes; at += line) __builtin_prefetch(first + at);
+}
+
+void prefetch_contents(const Polygon& polygon) {
+  const std::span<const LanesBox> runs = top_level(polygon);
+  prefetch(runs.data(), runs.size_bytes());
+  prefetch(polygon.vertices().data(), polygon.size() * sizeof(Point2));
 }
 
 void prefetch_boxes(const Polygon& polygon) {
@@ -253,12 +259,15 @@ std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, con
                                           const std::function<bool(const PolygonsContact&)>& found) {
   // To look at an edge takes a hundredth of the time that it takes to put it in a grid, or a sweep.
   constexpr std::uint64_t looks = 64;
+  // So many that they stay in the cache until they are looked at.
+  constexpr std::uint64_t few = 1 << 13;
   std::vector<Box> boxes;
   boxes.reserve(polygons.size());
   std::uint64_t edges = 0;
   for (const Polygon& polygon : polygons) {
     boxes.push_back(polygon.box());
     edges += polygon.size();
+    if (edges <= few) prefetch_contents(polygon);
   }
   PolygonPairs pairs(polygons, looks * edges);
   bool gave_up = false;
@@ -274,8 +283,8 @@ std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, con
   };
   const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {
     if (may_meet(options.groups, i, j)) return true;
-    prefetch(polygons[i]);
-    prefetch(polygons[j]);
+    prefetch(&polygons[i], sizeof(Polygon));
+    prefetch(&polygons[j], sizeof(Polygon));
     if (known > 0) {
       for (const std::uint32_t polygon : waiting[(known - 1) % most_waiting]) prefetch_boxes(polygons[polygon]);
     }
