@@ -20,9 +20,13 @@ namespace {
 constexpr std::uint32_t fan = EdgeBoxes::fan;
 
 // A bit for each box that meets the box. Without branches, here and below: no one can predict these.
-std::uint32_t meeting(std::span<const LanesBox> boxes, const LanesBox& box) {
-  std::uint32_t bits = 0;
-  for (std::uint32_t k = 0; k < boxes.size(); ++k) bits |= std::uint32_t{meet(boxes[k], box)} << k;
+std::uint32_t meeting(std::span<const FourBoxes> boxes, const CoarseBox& box) {
+  const FourBoxes four = FourBoxes::all(box);
+  std::uint32_t bits = 0, shift = 0;
+  for (const FourBoxes& some : boxes) {
+    bits |= meeting(some, four) << shift;
+    shift += fan;
+  }
   return bits;
 }
 
@@ -33,7 +37,7 @@ std::uint32_t take_bit(std::uint32_t& bits) {
   return static_cast<std::uint32_t>(k);
 }
 
-std::span<const LanesBox> top_level(const Polygon& polygon) {
+std::span<const FourBoxes> top_level(const Polygon& polygon) {
   return polygon.edge_boxes().level(polygon.edge_boxes().top());
 }
 
@@ -44,20 +48,15 @@ void prefetch(const void* begin, std::size_t bytes) {
 }
 
 void prefetch_contents(const Polygon& polygon) {
-  const std::span<const LanesBox> runs = top_level(polygon);
+  const std::span<const FourBoxes> runs = top_level(polygon);
   prefetch(runs.data(), runs.size_bytes());
   prefetch(polygon.vertices().data(), polygon.size() * sizeof(Point2));
 }
 
 void prefetch_boxes(const Polygon& polygon) {
-  const std::span<const LanesBox> runs = top_level(polygon);
+  const std::span<const FourBoxes> runs = top_level(polygon);
   __builtin_prefetch(&runs.front());
   __builtin_prefetch(&runs.back());
-}
-
-LanesBox box_in_lanes(const Polygon& polygon) {
-  const Box& box = polygon.box();
-  return {Lanes{box.left, box.bottom}, Lanes{box.right, box.top}};
 }
 
 // May a ring of the one be inside of the other?
@@ -66,7 +65,8 @@ bool may_be_inside(const Polygon& inner, const Polygon& outer) {
 }
 
 // May an edge in the box be below the point?
-bool is_above(const Point2& p, const LanesBox& box) {
+bool is_above(const Point2& p, const CoarseBox& coarse) {
+  const LanesBox box = coarse.in_doubles();
   return box.low[0] <= p.x && p.x <= box.high[0] && box.low[1] <= p.y;
 }
 
@@ -111,21 +111,15 @@ struct PolygonPairs::Edges {
 
 // Each of these returns false when it has found a contact of edges, or gives up.
 bool PolygonPairs::compare(const Polygon& a, const Polygon& b) {
-  const LanesBox common = common_part(box_in_lanes(a), box_in_lanes(b));
-  const std::span<const LanesBox> of_a = top_level(a), of_b = top_level(b);
-  cost.probes += of_a.size();
+  const CoarseBox common = common_part(a.edge_boxes().whole(), b.edge_boxes().whole());
+  const std::span<const FourBoxes> of_a = top_level(a), of_b = top_level(b);
+  cost.probes += fan * of_a.size();
   std::uint32_t in_a = meeting(of_a, common);
-  if (in_a == 0) return true;
-  cost.probes += of_b.size();
-  const std::uint32_t in_b = meeting(of_b, common);
   const bool are_edges = a.edge_boxes().top() == 0 && b.edge_boxes().top() == 0;
   while (in_a != 0) {
     const std::uint32_t r = take_bit(in_a);
-    std::uint32_t near = 0;
-    for (std::uint32_t left = in_b; left != 0; ++cost.probes) {
-      const std::uint32_t s = take_bit(left);
-      near |= std::uint32_t{meet(of_a[r], of_b[s])} << s;
-    }
+    cost.probes += fan * of_b.size();
+    std::uint32_t near = meeting(of_b, of_a[r / fan][r % fan]);
     if (near == 0) continue;
     const Run run{a, a.edge_boxes().top(), r};
     if (are_edges) {
@@ -147,20 +141,18 @@ bool PolygonPairs::compare_runs(const Run& r, const Run& s) {
   if (r.level == 0 && s.level == 0) return compare_edges(Edges::of_run(r.polygon, r.number), r, s);
   const bool first = r.level >= s.level;
   const Run &parted = first ? r : s, &whole = first ? s : r;
-  const LanesBox& box = whole.polygon.edge_boxes().level(whole.level)[whole.number];
-  const std::span<const LanesBox> parts = parted.polygon.edge_boxes().level(parted.level - 1);
-  const std::size_t end = std::min<std::size_t>(fan * (parted.number + 1), parts.size());
+  const FourBoxes& parts = parted.polygon.edge_boxes().level(parted.level - 1)[parted.number];
+  std::uint32_t near = meeting(parts, FourBoxes::all(whole.polygon.edge_boxes().box(whole.level, whole.number)));
   cost.probes += fan;
-  for (std::uint32_t k = fan * parted.number; k < end; ++k) {
-    if (!meet(parts[k], box)) continue;
-    const Run part{parted.polygon, parted.level - 1, k};
+  while (near != 0) {
+    const Run part{parted.polygon, parted.level - 1, fan * parted.number + take_bit(near)};
     if (!(first ? compare_runs(part, s) : compare_runs(r, part))) return false;
   }
   return true;
 }
 
 bool PolygonPairs::compare_edges(const Edges& of_r, const Run& r, const Run& s) {
-  std::uint32_t near = of_r.meeting(s.polygon.edge_boxes().level(0)[s.number]);
+  std::uint32_t near = of_r.meeting(s.polygon.edge_boxes().box(0, s.number).in_doubles());
   cost.probes += fan;
   if (near == 0) return true;
   const Edges of_s = Edges::of_run(s.polygon, s.number);
@@ -190,11 +182,10 @@ bool PolygonPairs::compare_edges(const Edges& of_r, const Run& r, const Run& s) 
 bool PolygonPairs::is_odd_below(const Run& r, const Point2& p) {
   bool odd = false;
   if (r.level > 0) {
-    const std::span<const LanesBox> parts = r.polygon.edge_boxes().level(r.level - 1);
-    const std::size_t end = std::min<std::size_t>(fan * (r.number + 1), parts.size());
+    const FourBoxes& parts = r.polygon.edge_boxes().level(r.level - 1)[r.number];
     cost.probes += fan;
-    for (std::uint32_t k = fan * r.number; k < end; ++k) {
-      if (is_above(p, parts[k])) odd ^= is_odd_below({r.polygon, r.level - 1, k}, p);
+    for (std::uint32_t k = 0; k < fan; ++k) {
+      if (is_above(p, parts[k])) odd ^= is_odd_below({r.polygon, r.level - 1, fan * r.number + k}, p);
     }
     return odd;
   }
@@ -210,10 +201,10 @@ bool PolygonPairs::is_odd_below(const Run& r, const Point2& p) {
 // Requires that the point is on no edge.
 bool PolygonPairs::is_inside(const Polygon& polygon, const Point2& p) {
   bool inside = false;
-  const std::span<const LanesBox> runs = top_level(polygon);
-  cost.probes += runs.size();
-  for (std::uint32_t k = 0; k < runs.size(); ++k) {
-    if (is_above(p, runs[k])) inside ^= is_odd_below({polygon, polygon.edge_boxes().top(), k}, p);
+  const std::span<const FourBoxes> runs = top_level(polygon);
+  cost.probes += fan * runs.size();
+  for (std::uint32_t k = 0; k < fan * runs.size(); ++k) {
+    if (is_above(p, runs[k / fan][k % fan])) inside ^= is_odd_below({polygon, polygon.edge_boxes().top(), k}, p);
   }
   return inside;
 }
