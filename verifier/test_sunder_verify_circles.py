@@ -316,9 +316,10 @@ class CommonParts(unittest.TestCase):
         self.assertEqual(found(region, {}, discs[:2]), "D3")
         self.assertEqual(found(region, {"arcs": [0, 1]}, [discs[0], discs[2]]), "-")
         self.assertEqual(found(region, {"arcs": [0]}, [discs[0], discs[2]]), "B1")
-        for arcs in ([], [0, 2], [0, -1], 0, ["0"]):
+        for arcs in ([], [0, 2], [0, -1], 0, ["0"], [0, 1] * 3):
             self.assertEqual(found(region, {"arcs": arcs}, [discs[0], discs[2]]), "F", arcs)
         self.assertEqual(found({"question": "circles", "verdict": "plane"}, {}, []), "-")
+        self.assertEqual(found(region, {}, []), "F")
         for change in ({"verdict": "plane"}, {"verdict": "none"}, {"discs": [0, 4]}, {"discs": [0]}, {"weights": ["1"]},
                        {"discs": [0] * 17, "weights": ["1"] * 17}, {"weights": [1, 1]}, {"verdict": "region"}):
             self.assertEqual(found(point, change), "F", change)
