@@ -44,6 +44,15 @@ inline std::uint32_t bits_of_four(FloatLanesMask mask) {
 #endif
 }
 
+// a <= b, for masks that are combined: GCC 12 takes `&` of plain comparisons of doubles apart into single lanes.
+inline LanesMask is_at_most(Lanes a, Lanes b) {
+#ifdef __SSE2__
+  return reinterpret_cast<LanesMask>(__builtin_ia32_cmplepd(a, b));
+#else
+  return a <= b;
+#endif
+}
+
 inline double greater_lane(Lanes a) { return a[1] > a[0] ? a[1] : a[0]; }
 
 // Which of the numbers values[0][0], values[0][1], values[1][0], ... is the greatest: of equals the first. Where some

@@ -2,11 +2,13 @@
 //
 // A cell is a product of ranges of x and y; the number of a range grows with the coordinate, whatever is rounded in
 // computing it. The low corner of the common part of two boxes has coordinates of theirs, so both boxes cover its cell:
-// that cell is the one that looks at the pair.
+// that cell is the one that looks at the pair. In other words, one of both begins in its column, and one in its row.
 #pragma once
 
 #include <sunder/planar/object/box.h>
+#include <sunder/planar/object/lanes_box.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -28,6 +30,11 @@ class BoxGrid {
     return {covering_.data() + first_[c], covering_.data() + first_[c + 1]};
   }
 
+  // Cell c is in column c % column_count() and in row c / column_count(). Of coordinates in the range of the boxes:
+  std::uint32_t column_count() const { return columns_; }
+  std::uint32_t column(double x) const { return static_cast<std::uint32_t>((x - left_) * per_x_); }
+  std::uint32_t row(double y) const { return static_cast<std::uint32_t>((y - bottom_) * per_y_); }
+
   // The cell that looks at a pair of boxes whose common part begins at this left and bottom.
   std::uint32_t looking_cell(double left, double bottom) const { return row(bottom) * columns_ + column(left); }
 
@@ -39,9 +46,6 @@ class BoxGrid {
 
  private:
   BoxGrid() = default;
-
-  std::uint32_t column(double x) const { return static_cast<std::uint32_t>((x - left_) * per_x_); }
-  std::uint32_t row(double y) const { return static_cast<std::uint32_t>((y - bottom_) * per_y_); }
 
   double left_ = 0, bottom_ = 0, per_x_ = 0, per_y_ = 0;
   std::uint32_t columns_ = 1, boxes_ = 0;
@@ -57,39 +61,53 @@ inline constexpr std::size_t crowd_of_boxes = 64;
 template <class OfPair>
 bool for_each_near_box_pair(std::span<const Box> boxes, const BoxGrid& grid, std::size_t crowd, const OfPair& of_pair,
                             const std::function<void(double)>& progress = nullptr) {
-  std::vector<Box> in_cell;
-  std::vector<std::uint32_t> near;
+  struct Member {
+    LanesBox box;
+    std::uint32_t number, begins;  // begins: bit 0, in this column; bit 1, in this row
+  };
+  std::vector<Member> members;
+  // Pairs wait until there are many: who calls of_pair cannot predict where the few of a cell end.
+  constexpr std::size_t batch = 32;
+  std::vector<std::array<std::uint32_t, 2>> pairs(2 * batch);
+  std::size_t found = 0;
+  const auto hand_over = [&] {
+    for (std::size_t n = 0; n < found; ++n) {
+      if (!of_pair(pairs[n][0], pairs[n][1])) return false;
+    }
+    found = 0;
+    return true;
+  };
   constexpr std::uint32_t ahead = 8;
   const std::uint32_t cells = grid.cell_count();
-  for (std::uint32_t c = 0; c < cells; ++c) {
+  std::uint32_t column = 0, row = 0;
+  for (std::uint32_t c = 0; c < cells; ++c, ++column) {
+    if (column == grid.column_count()) {
+      column = 0;
+      ++row;
+    }
     if (progress && c % 65536 == 0) progress(static_cast<double>(c) / cells);
     if (c + ahead < cells) {
       for (const std::uint32_t i : grid.cell(c + ahead)) __builtin_prefetch(&boxes[i]);
     }
     const std::span<const std::uint32_t> cell = grid.cell(c);
     if (cell.size() < 2 || cell.size() > crowd) continue;
-    if (in_cell.size() < cell.size()) {
-      in_cell.resize(2 * cell.size());
-      near.resize(2 * cell.size());
-    }
+    if (members.size() < cell.size()) members.resize(2 * cell.size());
     for (std::size_t l = 0; l < cell.size(); ++l) {
-      const Box b = in_cell[l] = boxes[cell[l]];
-      std::size_t found = 0;
+      const Box& box = boxes[cell[l]];
+      const std::uint32_t begins =
+          std::uint32_t{grid.column(box.left) == column} | std::uint32_t{grid.row(box.bottom) == row} << 1;
+      const Member& b = members[l] = {LanesBox::of(box), cell[l], begins};
+      if (pairs.size() < found + l) pairs.resize(2 * (found + l));
       for (std::size_t k = 0; k < l; ++k) {  // without branches
-        near[found] = static_cast<std::uint32_t>(k);
-        const Box& a = in_cell[k];
-        const std::size_t in_x = std::size_t{a.left <= b.right} & std::size_t{b.left <= a.right};
-        const std::size_t in_y = std::size_t{a.bottom <= b.top} & std::size_t{b.bottom <= a.top};
-        found += in_x & in_y;
+        const Member& a = members[k];
+        pairs[found] = {a.number, b.number};
+        found += std::size_t{meet(a.box, b.box)} & std::size_t{(a.begins | b.begins) == 3};
       }
-      for (std::size_t n = 0; n < found; ++n) {
-        const Box& a = in_cell[near[n]];
-        const double left = a.left > b.left ? a.left : b.left, bottom = a.bottom > b.bottom ? a.bottom : b.bottom;
-        if (grid.looking_cell(left, bottom) == c && !of_pair(cell[near[n]], cell[l])) return false;
-      }
+      // A cell of thousands has millions of pairs.
+      if (found >= batch && !hand_over()) return false;
     }
   }
-  return true;
+  return hand_over();
 }
 
 }  // namespace sunder::planar

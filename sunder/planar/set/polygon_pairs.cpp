@@ -3,6 +3,7 @@
 // Let no edges of two polygons meet. Then a ring is inside of the other polygon, or outside, as a whole, and polygons
 // that have a common point have a ring of one inside of the other: what they have in common has a boundary, of which
 // each point is on a ring of one and inside of the other.
+#include <sunder/base/lanes.h>
 #include <sunder/planar/set/box_pairs.h>
 #include <sunder/planar/set/polygon_pairs.h>
 #include <sunder/predicate/orient.h>
@@ -72,41 +73,63 @@ bool is_above(const Point2& p, const CoarseBox& coarse) {
 
 }  // namespace
 
-// The edges of a run. Where the polygon's last ones are in it they are fewer than fan: then empty boxes follow.
+// The boxes of the edges of a run, two in Lanes. For edges that are not there, boxes that meet none.
 struct PolygonPairs::Edges {
-  std::array<Segment, fan> edges;
-  std::array<LanesBox, fan> boxes;
+  std::array<Lanes, fan / 2> left, right, bottom, top;
 
   static Edges of_run(const Polygon& polygon, std::uint32_t run) {
-    const std::uint32_t first = fan * run;
-    if (polygon.ring_count() == 1 && first + fan < polygon.size()) {  // most runs
-      const Point2* const v = polygon.vertices().data() + first;
-      return Edges({{{v[0], v[1]}, {v[1], v[2]}, {v[2], v[3]}, {v[3], v[4]}}});
+    const std::uint32_t first = fan * run, size = polygon.size();
+    if (polygon.ring_count() == 1 && first + fan <= size) {  // most runs
+      const Point2* const v = polygon.vertices().data();
+      const Point2* const w = v + first;
+      const Point2& end = *(first + fan < size ? w + fan : v);
+      return {{w[0], w[1], w[2], w[3]}, {w[1], w[2], w[3], end}};
     }
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    const std::uint32_t count = std::min(fan, polygon.size() - first);
-    std::array<Segment, fan> some;
-    for (std::uint32_t k = 0; k < count; ++k) some[k] = polygon.edge(first + k);
-    Edges out(some);
-    for (std::uint32_t k = count; k < fan; ++k) {
-      out.boxes[k] = {Lanes{infinite, infinite}, Lanes{-infinite, -infinite}};
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();  // compares as false
+    std::array<Point2, fan> from, to;
+    from.fill({none, none});
+    to.fill({none, none});
+    for (std::uint32_t k = 0; k < std::min(fan, size - first); ++k) {
+      const Segment edge = polygon.edge(first + k);
+      from[k] = edge.a;
+      to[k] = edge.b;
     }
-    return out;
+    return {from, to};
   }
 
-  // A bit for each edge whose box meets the box.
-  std::uint32_t meeting(const LanesBox& box) const {
-    const auto bit = [&](std::uint32_t k) { return std::uint32_t{meet(boxes[k], box)} << k; };
-    return bit(0) | bit(1) | bit(2) | bit(3);
+  bool any_meets(const CoarseBox& box) const {
+    const auto twice = [](float x) { return Lanes{static_cast<double>(x), static_cast<double>(x)}; };
+    const Lanes l = twice(box.left), r = twice(box.right), b = twice(box.bottom), t = twice(box.top);
+    return bits_of(meeting(l, r, b, t, 0) | meeting(l, r, b, t, 1)) != 0;
+  }
+
+  // Bit fan e + f: do the boxes of edge e of the one and edge f of the other meet?
+  static std::uint32_t meeting(const Edges& one, const Edges& other) {
+    const auto of_edge = [&](std::uint32_t e) {
+      const auto twice = [e](const std::array<Lanes, 2>& x) { return Lanes{x[e / 2][e % 2], x[e / 2][e % 2]}; };
+      const Lanes l = twice(one.left), r = twice(one.right), b = twice(one.bottom), t = twice(one.top);
+      return (bits_of(other.meeting(l, r, b, t, 0)) | bits_of(other.meeting(l, r, b, t, 1)) << 2) << (fan * e);
+    };
+    return of_edge(0) | of_edge(1) | of_edge(2) | of_edge(3);  // written out: a loop would not keep them in registers
   }
 
  private:
-  // Written out, as other things here: what loops branch on would be guessed wrong.
   static_assert(fan == 4);
-  explicit Edges(const std::array<Segment, fan>& e)
-      : edges(e),
-        boxes{box_of_edge(e[0].a, e[0].b), box_of_edge(e[1].a, e[1].b), box_of_edge(e[2].a, e[2].b),
-              box_of_edge(e[3].a, e[3].b)} {}
+
+  Edges(const std::array<Point2, fan>& from, const std::array<Point2, fan>& to) {
+    for (std::uint32_t k = 0; k < fan / 2; ++k) {
+      const LanesBox a = box_of_edge(from[2 * k], to[2 * k]), b = box_of_edge(from[2 * k + 1], to[2 * k + 1]);
+      left[k] = Lanes{a.low[0], b.low[0]};
+      right[k] = Lanes{a.high[0], b.high[0]};
+      bottom[k] = Lanes{a.low[1], b.low[1]};
+      top[k] = Lanes{a.high[1], b.high[1]};
+    }
+  }
+
+  // Which boxes of half k, of edges 2 k and 2 k + 1, meet the box with these sides?
+  LanesMask meeting(Lanes l, Lanes r, Lanes b, Lanes t, std::uint32_t k) const {
+    return is_at_most(l, right[k]) & is_at_most(left[k], r) & is_at_most(b, top[k]) & is_at_most(bottom[k], t);
+  }
 };
 
 // Each of these returns false when it has found a contact of edges, or gives up.
@@ -116,6 +139,8 @@ bool PolygonPairs::compare(const Polygon& a, const Polygon& b) {
   cost.probes += fan * of_a.size();
   std::uint32_t in_a = meeting(of_a, common);
   const bool are_edges = a.edge_boxes().top() == 0 && b.edge_boxes().top() == 0;
+  near_count_ = 0;
+  near_edges_ = 0;
   while (in_a != 0) {
     const std::uint32_t r = take_bit(in_a);
     cost.probes += fan * of_b.size();
@@ -125,20 +150,20 @@ bool PolygonPairs::compare(const Polygon& a, const Polygon& b) {
     if (are_edges) {
       const Edges edges = Edges::of_run(a, r);
       while (near != 0) {
-        if (gave_up() || !compare_edges(edges, run, {b, 0, take_bit(near)})) return false;
+        if (!add_near(edges, run, {b, 0, take_bit(near)})) return false;
       }
     }
     while (near != 0) {
       if (!compare_runs(run, {b, b.edge_boxes().top(), take_bit(near)})) return false;
     }
   }
-  return true;
+  return compare_near(a, b);
 }
 
 // Their boxes meet.
 bool PolygonPairs::compare_runs(const Run& r, const Run& s) {
   if (gave_up()) return false;
-  if (r.level == 0 && s.level == 0) return compare_edges(Edges::of_run(r.polygon, r.number), r, s);
+  if (r.level == 0 && s.level == 0) return add_near(Edges::of_run(r.polygon, r.number), r, s);
   const bool first = r.level >= s.level;
   const Run &parted = first ? r : s, &whole = first ? s : r;
   const FourBoxes& parts = parted.polygon.edge_boxes().level(parted.level - 1)[parted.number];
@@ -151,23 +176,33 @@ bool PolygonPairs::compare_runs(const Run& r, const Run& s) {
   return true;
 }
 
-bool PolygonPairs::compare_edges(const Edges& of_r, const Run& r, const Run& s) {
-  std::uint32_t near = of_r.meeting(s.polygon.edge_boxes().box(0, s.number).in_doubles());
+bool PolygonPairs::add_near(const Edges& of_r, const Run& r, const Run& s) {
   cost.probes += fan;
-  if (near == 0) return true;
-  const Edges of_s = Edges::of_run(s.polygon, s.number);
-  std::uint32_t pairs = 0;  // a bit of each whose boxes meet
-  static_assert(fan * fan <= 32);
-  for (; near != 0; cost.probes += fan) {
-    const std::uint32_t k = take_bit(near);
-    pairs |= of_s.meeting(of_r.boxes[k]) << (fan * k);
-  }
-  while (pairs != 0) {
-    const std::uint32_t pair = take_bit(pairs);
-    const std::uint32_t e = fan * r.number + pair / fan, f = fan * s.number + pair % fan;
-    const Segment &p = of_r.edges[pair / fan], &q = of_s.edges[pair % fan];
-    if (surely_on_one_side(p.a, p.b, q.a, q.b) || surely_on_one_side(q.a, q.b, p.a, p.b)) continue;
-    const ContactKind kind = segment_segment(sorted(p), sorted(q));
+  if (!of_r.any_meets(s.polygon.edge_boxes().box(0, s.number))) return true;
+  cost.probes += fan;
+  const std::uint64_t edges = Edges::meeting(of_r, Edges::of_run(s.polygon, s.number));
+  near_edges_ |= edges << (fan * fan * near_count_);
+  near_[near_count_++] = {fan * r.number, fan * s.number};
+  return near_count_ < wait_for_ || compare_near(r.polygon, s.polygon);
+}
+
+bool PolygonPairs::compare_near(const Polygon& a, const Polygon& b) {
+  if (gave_up()) return false;
+  std::uint64_t edges = std::exchange(near_edges_, 0);
+  near_count_ = 0;
+  const Point2* const of_a = a.vertices().data();
+  const Point2* const of_b = b.vertices().data();
+  // Below these, the next one is the next number.
+  const std::uint32_t last_a = a.ring_count() == 1 ? a.size() - 1 : 0, last_b = b.ring_count() == 1 ? b.size() - 1 : 0;
+  while (edges != 0) {
+    const std::uint32_t pair = static_cast<std::uint32_t>(std::countr_zero(edges));
+    edges &= edges - 1;
+    const Near& near = near_[pair / (fan * fan)];
+    const std::uint32_t e = near.first_of_a + pair / fan % fan, f = near.first_of_b + pair % fan;
+    const Point2 &p = of_a[e], &p_end = of_a[e < last_a ? e + 1 : a.next(e)];
+    const Point2 &q = of_b[f], &q_end = of_b[f < last_b ? f + 1 : b.next(f)];
+    if (surely_on_one_side(p, p_end, q, q_end) || surely_on_one_side(q, q_end, p, p_end)) continue;
+    const ContactKind kind = segment_segment(sorted({p, p_end}), sorted({q, q_end}));
     if (kind == ContactKind::none) continue;
     found_.contact = kind == ContactKind::crossing ? Contact::overlapping : Contact::touching;
     found_.kind = kind;
@@ -222,7 +257,9 @@ std::optional<std::uint32_t> PolygonPairs::vertex_inside(const Polygon& inner, c
 std::optional<PolygonsContact> PolygonPairs::contact(std::uint32_t i, std::uint32_t j) {
   const Polygon &a = polygons_[i], &b = polygons_[j];
   found_ = {Contact::none, ContactKind::none, false, i, j, 0, 0};
-  if (!compare(a, b)) {
+  const bool are_apart = compare(a, b);
+  wait_for_ = are_apart ? most_near : 1;
+  if (!are_apart) {
     if (found_.contact == Contact::none) return std::nullopt;
     if (found_.contact == Contact::overlapping) return found_;
     const PolygonsAnswer pair = polygons_contact(a, b);

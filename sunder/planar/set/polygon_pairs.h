@@ -3,6 +3,7 @@
 
 #include <sunder/planar/set/polygons_any.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -31,7 +32,8 @@ class PolygonPairs {
   bool gave_up() const { return cost.probes > most_; }
   bool compare(const Polygon& a, const Polygon& b);
   bool compare_runs(const Run& r, const Run& s);
-  bool compare_edges(const Edges& of_r, const Run& r, const Run& s);
+  bool add_near(const Edges& of_r, const Run& r, const Run& s);
+  bool compare_near(const Polygon& a, const Polygon& b);
   bool is_inside(const Polygon& polygon, const Point2& p);
   bool is_odd_below(const Run& r, const Point2& p);
   std::optional<std::uint32_t> vertex_inside(const Polygon& inner, const Polygon& outer);
@@ -39,6 +41,17 @@ class PolygonPairs {
   std::span<const Polygon> polygons_;
   std::uint64_t most_;
   PolygonsContact found_;  // of the two that are compared
+
+  // Runs of their edges whose boxes meet wait here until there are some: each has few edges that are near the other
+  // one's, and where their number ends cannot be predicted.
+  struct Near {
+    std::uint32_t first_of_a, first_of_b;
+  };
+  static constexpr std::uint32_t most_near = 4;
+  std::array<Near, most_near> near_{};
+  std::uint32_t near_count_ = 0;
+  std::uint64_t near_edges_ = 0;        // bit 16 n + 4 e + f: of near_[n], do the boxes meet?
+  std::uint32_t wait_for_ = most_near;  // 1 where edges are expected to meet: the last two's did
 };
 
 // Calls found(contact) for each pair of polygons of different groups that meet, once, until it returns false. Returns
