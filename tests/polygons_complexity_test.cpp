@@ -56,6 +56,23 @@ std::vector<Ring> lattice(std::size_t n, std::size_t k, Random& random) {
   return rings;
 }
 
+// A comb whose teeth, of this length, point along (1, 1); or one whose teeth point downwards, between those.
+Ring comb(std::size_t teeth, double length, bool from_above) {
+  Ring ring;
+  const auto add = [&](double along, double across) {
+    const double u = from_above ? length + 1 - along : along, v = from_above ? across + 1 : across;
+    ring.push_back({u - v, u + v});
+  };
+  for (std::size_t i = 0; i < teeth; ++i) {
+    const double at = 2 * static_cast<double>(i);
+    for (const auto& [along, across] : {Point2{0, at}, {length, at}, {length, at + 0.5}, {0, at + 0.5}})
+      add(along, across);
+  }
+  add(-1, 2 * static_cast<double>(teeth));
+  add(-1, 0);
+  return ring;
+}
+
 TEST(PolygonsComplexity, ConvexPolygonsBySweep) {
   std::printf("%-8s %6s %5s %10s %8s\n", "family", "N", "k", "probes", "of most");
   for (const bool local : {true, false}) {
@@ -105,6 +122,22 @@ TEST(PolygonsComplexity, PolygonsBySweep) {
       EXPECT_FALSE(grid.meet());
       EXPECT_LE(static_cast<double>(grid.cost.probes), 4 * n);
     }
+  }
+}
+
+// Of two polygons, too: all runs of edges of the one are near all of the other.
+TEST(PolygonsComplexity, OfTwoCombs) {
+  std::printf("%-8s %7s %10s %8s\n", "family", "n", "probes", "of most");
+  for (std::size_t teeth = 8; teeth <= 32768; teeth *= 8) {
+    const double length = 4 * static_cast<double>(teeth);
+    const std::vector<Polygon> polygons{Polygon(std::vector<Ring>{comb(teeth, length, false)}),
+                                        Polygon(std::vector<Ring>{comb(teeth, length, true)})};
+    const planar::PolygonsAnswer answer = planar::polygons_any_by_boxes(polygons);
+    EXPECT_FALSE(answer.meet());
+    const double n = 2 * static_cast<double>(polygons[0].size()), most = 65 * n + n * (std::log2(n) + 2) + 3 * n;
+    const double probes = static_cast<double>(answer.cost.probes);
+    std::printf("%-8s %7.0f %10.0f %8.3f\n", "combs", n, probes, probes / most);
+    EXPECT_LE(probes, most);
   }
 }
 

@@ -88,7 +88,7 @@ struct PolygonPairs::Edges {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();  // compares as false
     std::array<Point2, fan> from, to;
     from.fill({none, none});
-    to.fill({none, none});
+    to = from;
     for (std::uint32_t k = 0; k < std::min(fan, size - first); ++k) {
       const Segment edge = polygon.edge(first + k);
       from[k] = edge.a;
@@ -139,8 +139,6 @@ bool PolygonPairs::compare(const Polygon& a, const Polygon& b) {
   cost.probes += fan * of_a.size();
   std::uint32_t in_a = meeting(of_a, common);
   const bool are_edges = a.edge_boxes().top() == 0 && b.edge_boxes().top() == 0;
-  near_count_ = 0;
-  near_edges_ = 0;
   while (in_a != 0) {
     const std::uint32_t r = take_bit(in_a);
     cost.probes += fan * of_b.size();
