@@ -7,9 +7,9 @@
 
 namespace sunder::cli {
 
-CirclesInput read_circles(const std::string& name) {
+CirclesInput read_circles(const std::string& name, const std::string& group) {
   Progress progress("reading");
-  io::TripleFile file = io::read_triples(name, io::circle_rows, progress.reporter());
+  io::TripleFile file = io::read_triples(name, io::circle_rows, group, progress.reporter());
   std::vector<planar::Circle> circles;
   circles.reserve(file.rows.size());
   for (std::size_t k = 0; k < file.rows.size(); ++k) {

@@ -13,7 +13,8 @@ struct CirclesInput {
   planar::Circles circles;
 };
 
-// Throws Error bad_file with the line, also for a negative radius.
-CirclesInput read_circles(const std::string& name);
+// group: the column to group by, if not empty.
+// Throws Error bad_file with the line, also for a negative radius; bad_call where there is no such column.
+CirclesInput read_circles(const std::string& name, const std::string& group = {});
 
 }  // namespace sunder::cli

@@ -732,6 +732,25 @@ TEST_F(Program, Polygons) {
 }
 
 // Two layers of a map: parcels may meet one another, and zones too; the one parcel in a zone is found.
+TEST_F(Program, CirclesOfGroups) {
+  const std::string pads = in_folder("pads.csv");
+  write_text(pads, "x,y,r,net,name\n0,0,2,GND,a\n3,0,2,GND,b\n6,0,2,VCC,c\n20,0,1,VCC,d\n");
+  EXPECT_EQ(run("circles " + pads).code, 2);
+  for (const std::string method : {"automatic", "grid", "sweep", "scan"}) {
+    const json all = report("circles " + pads + " --all --group net --method " + method, 1);
+    ASSERT_EQ(all["count"], 1) << method;
+    EXPECT_EQ(all["contacts"][0]["names"], (json{"b", "c"}));
+    EXPECT_EQ(all["contacts"][0]["groups"], (json{"GND", "VCC"}));
+    EXPECT_EQ(report("circles " + pads + " --group net --method " + method, 1)["contacts"].size(), 1u);
+  }
+  EXPECT_EQ(report("circles " + pads + " --count --group name", 1)["count"], 2);
+  const Run text = run("circles " + pads + " --group net");
+  EXPECT_NE(text.out.find("2 groups; those of one net may meet\n"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("circle b of GND, line 3: "), std::string::npos) << text.out;
+  expect_bad("circles " + pads + " --group layer", "no column 'layer' to group by; there are net, name");
+  expect_bad("circles " + pads + " --group net --certificate " + in_folder("none.json"), "has no proof yet");
+}
+
 TEST_F(Program, PolygonsOfGroups) {
   const std::string map = in_folder("map.geojson");
   const auto feature = [](const std::string& layer, const std::string& rings) {

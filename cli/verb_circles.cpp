@@ -33,7 +33,7 @@ struct Call {
   bool any = false, all = false, count = false;  // at most one; none: any
   std::string allow = "nothing";
   std::string method = "automatic";
-  std::string certificate, svg, title;
+  std::string group, certificate, svg, title;
   bool json = false;
 
   bool lists() const { return all || !svg.empty(); }
@@ -90,15 +90,20 @@ void check(const Call& call) {
     throw Error(ErrorCode::bad_call, "lists, counts and pictures have no proof; ask whether any two meet",
                 "--certificate");
   }
+  if (!call.group.empty()) {
+    throw Error(ErrorCode::bad_call, "that members of different groups do not meet has no proof yet; leave out one",
+                "--group and --certificate");
+  }
   if (call.method == "scan") {
     throw Error(ErrorCode::bad_call, "scan writes no certificates; give automatic or sweep", "--method");
   }
 }
 
-Result ask(const Call& call, const Circles& circles) {
+Result ask(const Call& call, const io::TripleFile& file, const Circles& circles) {
   Progress progress("comparing");
   CirclesOptions options;
   options.allowed = allowed_for_discs(call.allow);
+  options.groups = file.group;
   options.transcript = !call.certificate.empty();
   options.progress = progress.reporter();
   Result result;
@@ -137,6 +142,9 @@ constexpr std::size_t most_listed = 20;
 
 std::string human_text(const Call& call, const io::TripleFile& file, const Circles& circles, const Result& result) {
   std::string text = fmt::format("{}: {}\n", call.file, count_of(circles.size(), "circle"));
+  if (!call.group.empty()) {
+    text += fmt::format("{}; those of one {} may meet\n", count_of(file.groups.size(), "group"), call.group);
+  }
   const bool some = result.pairs() > 0;
   text += fmt::format("{} meet{}", some ? "some" : "none", call.allow == "touch" ? " (touch allowed)" : "");
   if (some && (call.lists() || call.count)) {
@@ -149,7 +157,8 @@ std::string human_text(const Call& call, const io::TripleFile& file, const Circl
     text += fmt::format("{} {}, with about ({:.10g}, {:.10g}) in common\n",
                         call.lists() ? fmt::format("  {}.", k + 1) : " ", name_of(contact.kind), p.x, p.y);
     for (const std::uint32_t i : {contact.i, contact.j}) {
-      text += fmt::format("    circle {}, line {}: {}\n", file.name[i], file.line[i], about(circles[i]));
+      const std::string group = call.group.empty() ? "" : " of " + file.groups[file.group[i]];
+      text += fmt::format("    circle {}{}, line {}: {}\n", file.name[i], group, file.line[i], about(circles[i]));
     }
   }
   if (result.contacts.size() > most_listed) {
@@ -166,6 +175,7 @@ Json report(const Call& call, const io::TripleFile& file, const Circles& circles
   json["cost"] = to_json(result.cost);
   json["objects"] = Json::array({{{"file", call.file}, {"circles", circles.size()}}});
   json["allowed"] = call.allow;
+  if (!call.group.empty()) json["group"] = call.group;
   if (call.lists() || call.count) {
     json["count"] = result.pairs();
     for (const DiscContact kind : kinds) json["counts"][std::string(name_of(kind))] = result.of(kind);
@@ -173,12 +183,14 @@ Json report(const Call& call, const io::TripleFile& file, const Circles& circles
   json["contacts"] = Json::array();
   for (const CirclesContact& c : result.contacts) {
     const Point2 p = planar::common_point_rounded(circles[c.i], circles[c.j]);
-    json["contacts"].push_back({{"i", c.i},
-                                {"j", c.j},
-                                {"kind", name_of(c.kind)},
-                                {"point", {p.x, p.y}},
-                                {"names", {file.name[c.i], file.name[c.j]}},
-                                {"lines", {file.line[c.i], file.line[c.j]}}});
+    Json contact = {{"i", c.i},
+                    {"j", c.j},
+                    {"kind", name_of(c.kind)},
+                    {"point", {p.x, p.y}},
+                    {"names", {file.name[c.i], file.name[c.j]}},
+                    {"lines", {file.line[c.i], file.line[c.j]}}};
+    if (!call.group.empty()) contact["groups"] = {file.groups[file.group[c.i]], file.groups[file.group[c.j]]};
+    json["contacts"].push_back(contact);
   }
   return json;
 }
@@ -221,8 +233,8 @@ std::string picture(const Call& call, const Circles& circles, const Result& resu
 int run(const Call& call) {
   check(call);
   allowed_for_discs(call.allow);
-  const auto [file, circles] = read_circles(call.file);
-  const Result result = ask(call, circles);
+  const auto [file, circles] = read_circles(call.file, call.group);
+  const Result result = ask(call, file, circles);
   if (!call.svg.empty()) io::write_file_atomically(call.svg, picture(call, circles, result));
   print(call.json ? to_text(report(call, file, circles, result)) : human_text(call, file, circles, result));
   return result.pairs() == 0 ? exit_code::no : exit_code::yes;
@@ -241,6 +253,8 @@ void add_circles(CLI::App& program, int& code) {
   any->excludes(all)->excludes(count);
   all->excludes(count);
   verb->add_option("--allow", call->allow, "what does not count: nothing, or touch")->type_name("KIND");
+  verb->add_option("--group", call->group, "circles that are the same in this may meet: a column of the CSV")
+      ->type_name("FIELD");
   verb->add_option("--method", call->method, "automatic, grid, sweep, or scan")->type_name("NAME");
   verb->add_option("--certificate", call->certificate, "write the proof here")->type_name("FILE");
   auto* svg = verb->add_option("--svg", call->svg, "draw the circles and the pairs that meet here")->type_name("FILE");

@@ -223,7 +223,7 @@ int run_half_planes(const Call& call) {
   const std::optional<Objective> objective = objective_of(call.maximize);
   const io::TripleFile file = [&] {
     Progress progress("reading");
-    return io::read_triples(call.file, io::half_plane_rows, progress.reporter());
+    return io::read_triples(call.file, io::half_plane_rows, {}, progress.reporter());
   }();
   const Constraints constraints = constraints_of(file, call.file);
   const Region region = method(constraints, {!call.certificate.empty()});

@@ -1,5 +1,5 @@
-// Any bytes, read as circles and as half-planes, then asked: do any two meet, what is the common part?
-// Seeds: cases/circles, cases/half-planes.
+// Any bytes, read as circles (some by a group) and as half-planes, then asked: do any two meet, what is the common
+// part? Seeds: cases/circles, cases/half-planes.
 #include <sunder/base/error.h>
 #include <sunder/io/triples.h>
 #include <sunder/planar/region/half_planes.h>
@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -30,7 +31,7 @@ void ask_circles(const sunder::io::TripleFile& file) {
   for (const auto& [x, y, r] : file.rows) circles.push_back({{x, y}, std::fabs(r)});
   const Circles set(circles);
   for (const auto allowed : {sunder::planar::Allowed::nothing, sunder::planar::Allowed::touch}) {
-    const sunder::planar::CirclesOptions options{allowed, true, {}, nullptr};
+    const sunder::planar::CirclesOptions options{allowed, file.group.empty(), file.group, nullptr};
     const bool meet = sunder::planar::circles_any_by_scan(set, options).meet();
     require(sunder::planar::circles_any(set, options).meet() == meet);
     require(sunder::planar::circles_any_by_grid(set, options).meet() == meet);
@@ -57,18 +58,21 @@ void ask_half_planes(const sunder::io::TripleFile& file) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  const bool of_circles = size % 2 == 0;
+  const bool of_circles = size % 2 == 0, by_group = size % 3 == 0;
+  const std::string group = by_group ? "name" : "";
   sunder::io::TripleFile file;
   try {
-    file =
-        sunder::io::parse_triples(text, "a.csv"sv, of_circles ? sunder::io::circle_rows : sunder::io::half_plane_rows);
+    const auto& kind = of_circles ? sunder::io::circle_rows : sunder::io::half_plane_rows;
+    file = sunder::io::parse_triples(text, "a.csv"sv, kind, group);
   } catch (const sunder::Error& error) {
     const std::string_view message = error.what();
-    require(error.code() == sunder::ErrorCode::bad_file);
+    require(error.code() == sunder::ErrorCode::bad_file || (by_group && error.code() == sunder::ErrorCode::bad_call));
     require(message.starts_with("a.csv"sv) && message.find('\n') == std::string_view::npos);
     return 0;
   }
   require(!file.rows.empty() && file.name.size() == file.rows.size() && file.line.size() == file.rows.size());
+  require(file.group.size() == (by_group ? file.rows.size() : 0));
+  for (const std::uint32_t g : file.group) require(g < file.groups.size());
   for (const auto& row : file.rows) {
     for (const double x : row) require(std::isfinite(x));
   }

@@ -38,6 +38,34 @@ TEST(TriplesTest, NumbersAreRoundedOnce) {
   EXPECT_EQ(file.rows[0], (std::array{0.1, 0.0, 1.7976931348623157e308}));
 }
 
+TEST(TriplesTest, Groups) {
+  const TripleFile file = parse_triples("x,y,r,net,layer,name\n1,2,3,GND,top,a\n4,5,6,VCC,top,\n7,8,9,GND,bottom,c\n",
+                                        "f.csv", circle_rows, "net");
+  EXPECT_EQ(file.groups, (std::vector<std::string>{"GND", "VCC"}));
+  EXPECT_EQ(file.group, (std::vector<std::uint32_t>{0, 1, 0}));
+  EXPECT_EQ(file.name, (std::vector<std::string>{"a", "2", "c"}));
+  EXPECT_EQ(parse_triples("x,y,r,net\n1,2,3,GND\n", "f.csv", circle_rows, "net").name[0], "GND");
+  EXPECT_TRUE(parse_triples("1,2,3,a\n", "f.csv", circle_rows).group.empty());
+}
+
+TEST(TriplesTest, RefusalsOfGroups) {
+  const auto refused = [](const std::string& text) {
+    try {
+      parse_triples(text, "f.csv", circle_rows, "net");
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_EQ(refused("x,y,r,layer,name\n1,2,3,4,5\n"),
+            "f.csv: there is no column 'net' to group by; there are layer, name");
+  EXPECT_EQ(refused("1,2,3,GND\n"),
+            "f.csv: there is no column 'net' to group by; a first line has to name the columns after x,y,r");
+  EXPECT_EQ(refused("x,y,r,net,net\n1,2,3,4,5\n"), "f.csv:1: two columns are named 'net'; rename one");
+  EXPECT_EQ(refused("x,y,r,net\n1,2,3\n"), "f.csv:2: has 3 fields, but the line of names has 4; give the same number");
+  EXPECT_EQ(refused("x,y,r,net\n1,2,3,\n"), "f.csv:2: has no value in the column 'net'; give one");
+}
+
 TEST(TriplesTest, Refusals) {
   EXPECT_EQ(refusal(""), "f.csv: has no circles; give lines x,y,r");
   EXPECT_EQ(refusal("a,b,c\n", half_plane_rows), "f.csv: has no half-planes; give lines a,b,c");
