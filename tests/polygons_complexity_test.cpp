@@ -4,7 +4,7 @@
 //   N (log2 N + 2) (2 log2 k + 7)   for the places of those that enter, each by halvings of two chains, and
 //   3 N (14 log2 k + 26)            for tests of neighbours, two when a polygon enters and one when it leaves.
 // polygons_any_by_sweep, n edges, nothing allowed: at most n (log2 n + 2) comparisons for places, and 3 n tests.
-// By grid, and by boxes, on local data that does not meet: linear. By boxes where that is not so: 64 n more than by
+// By grid, and by boxes, on local data that does not meet: linear. By boxes where that is not so: 65 n more than by
 // sweep (the grid does not pay there).
 #include <sunder/base/random.h>
 #include <sunder/planar/set/convex_polygons_any.h>
@@ -12,7 +12,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>

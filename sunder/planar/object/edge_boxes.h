@@ -2,7 +2,7 @@
 //
 // A run is a few edges that are numbered in turn; on the next level it is a few runs, and so on, until few are left.
 // Boxes of runs have their sides moved outwards to floats: what meets a true box meets its coarse one. Four of them,
-// which make a run of the next level, fill a cache line and are compared at once.
+// which make a run of the next level, are as large as a cache line and are compared at once.
 #pragma once
 
 #include <sunder/base/lanes.h>

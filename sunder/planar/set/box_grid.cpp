@@ -36,7 +36,7 @@ std::optional<BoxGrid> BoxGrid::over(std::span<const Box> boxes, double most_cov
   // Columns and rows in the proportion of how many mean boxes the range holds, at most as many as boxes each.
   const auto fit = [&](double range, double sum) { return sum > 0 ? std::min(range / (sum / count), count) : count; };
   const double fit_x = fit(width, extents.sum_x), fit_y = fit(height, extents.sum_y);
-  // As many cells as boxes, but none smaller than most boxes.
+  // As many cells as boxes, but hardly smaller ones than the mean box.
   const double scale = std::min(std::sqrt(count / (fit_x * fit_y)), finest);
   const auto finite = [](double x) { return std::isfinite(x); };
   if (!finite(width) || !finite(height) || !finite(scale)) return std::nullopt;

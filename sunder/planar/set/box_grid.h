@@ -20,8 +20,9 @@ namespace sunder::planar {
 
 class BoxGrid {
  public:
-  // A grid with about as many cells as boxes, or nothing where it would not pay: boxes that cover more than
-  // `most_covered` cells each on average, ranges that overflow, or fewer than two boxes. Cost: linear.
+  // A grid with about as many cells as boxes, fewer where boxes are large; or nothing where it would not pay: boxes
+  // that cover more than `most_covered` cells each on average, ranges too wide or too narrow for doubles, fewer than
+  // two boxes or 2^31. Cost: linear.
   static std::optional<BoxGrid> over(std::span<const Box> boxes, double most_covered = 8);
 
   std::uint32_t cell_count() const { return static_cast<std::uint32_t>(first_.size() - 1); }
@@ -34,9 +35,6 @@ class BoxGrid {
   std::uint32_t column_count() const { return columns_; }
   std::uint32_t column(double x) const { return static_cast<std::uint32_t>((x - left_) * per_x_); }
   std::uint32_t row(double y) const { return static_cast<std::uint32_t>((y - bottom_) * per_y_); }
-
-  // The cell that looks at a pair of boxes whose common part begins at this left and bottom.
-  std::uint32_t looking_cell(double left, double bottom) const { return row(bottom) * columns_ + column(left); }
 
   // How many places in cells are in crowds, that is, in cells of more than `crowd` boxes?
   std::size_t crowded(std::size_t crowd) const;

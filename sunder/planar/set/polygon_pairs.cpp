@@ -139,6 +139,8 @@ bool PolygonPairs::compare(const Polygon& a, const Polygon& b) {
   cost.probes += fan * of_a.size();
   std::uint32_t in_a = meeting(of_a, common);
   const bool are_edges = a.edge_boxes().top() == 0 && b.edge_boxes().top() == 0;
+  near_count_ = 0;  // where it gave up, some were left
+  near_bits_ = 0;
   while (in_a != 0) {
     const std::uint32_t r = take_bit(in_a);
     cost.probes += fan * of_b.size();
@@ -146,9 +148,9 @@ bool PolygonPairs::compare(const Polygon& a, const Polygon& b) {
     if (near == 0) continue;
     const Run run{a, a.edge_boxes().top(), r};
     if (are_edges) {
-      const Edges edges = Edges::of_run(a, r);
+      const Edges of_run = Edges::of_run(a, r);
       while (near != 0) {
-        if (!add_near(edges, run, {b, 0, take_bit(near)})) return false;
+        if (!add_near(of_run, run, {b, 0, take_bit(near)})) return false;
       }
     }
     while (near != 0) {
@@ -178,23 +180,23 @@ bool PolygonPairs::add_near(const Edges& of_r, const Run& r, const Run& s) {
   cost.probes += fan;
   if (!of_r.any_meets(s.polygon.edge_boxes().box(0, s.number))) return true;
   cost.probes += fan;
-  const std::uint64_t edges = Edges::meeting(of_r, Edges::of_run(s.polygon, s.number));
-  near_edges_ |= edges << (fan * fan * near_count_);
+  const std::uint64_t bits = Edges::meeting(of_r, Edges::of_run(s.polygon, s.number));
+  near_bits_ |= bits << (fan * fan * near_count_);
   near_[near_count_++] = {fan * r.number, fan * s.number};
   return near_count_ < wait_for_ || compare_near(r.polygon, s.polygon);
 }
 
 bool PolygonPairs::compare_near(const Polygon& a, const Polygon& b) {
   if (gave_up()) return false;
-  std::uint64_t edges = std::exchange(near_edges_, 0);
+  std::uint64_t bits = std::exchange(near_bits_, 0);
   near_count_ = 0;
   const Point2* const of_a = a.vertices().data();
   const Point2* const of_b = b.vertices().data();
   // Below these, the next one is the next number.
   const std::uint32_t last_a = a.ring_count() == 1 ? a.size() - 1 : 0, last_b = b.ring_count() == 1 ? b.size() - 1 : 0;
-  while (edges != 0) {
-    const std::uint32_t pair = static_cast<std::uint32_t>(std::countr_zero(edges));
-    edges &= edges - 1;
+  while (bits != 0) {
+    const std::uint32_t pair = static_cast<std::uint32_t>(std::countr_zero(bits));
+    bits &= bits - 1;
     const Near& near = near_[pair / (fan * fan)];
     const std::uint32_t e = near.first_of_a + pair / fan % fan, f = near.first_of_b + pair % fan;
     const Point2 &p = of_a[e], &p_end = of_a[e < last_a ? e + 1 : a.next(e)];
@@ -318,7 +320,7 @@ std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, con
     return known - compared < most_waiting || compare_next();
   };
   bool all = for_each_box_pair(boxes, of_pair, options.progress);
-  while (all && compared < known) all = compare_next();
+  while (all && compared != known) all = compare_next();
   cost.probes += pairs.cost.probes;
   if (gave_up) return std::nullopt;
   return all;

@@ -16,8 +16,8 @@ class PolygonPairs {
   // Gives up when it has looked at more than `most` boxes and edges.
   PolygonPairs(std::span<const Polygon> polygons, std::uint64_t most) : polygons_(polygons), most_(most) {}
 
-  // How do the polygons i < j meet? Requires that their boxes do. Nothing where it gives up. Where they touch, the cost
-  // is that of polygons_contact.
+  // How do the polygons i < j meet? Requires that their boxes do. Nothing where it gives up. Where
+  // the first edges found to meet do not cross, the cost is that of polygons_contact.
   std::optional<PolygonsContact> contact(std::uint32_t i, std::uint32_t j);
 
   Cost cost{};  // probes: boxes and edges looked at
@@ -50,7 +50,7 @@ class PolygonPairs {
   static constexpr std::uint32_t most_near = 4;
   std::array<Near, most_near> near_{};
   std::uint32_t near_count_ = 0;
-  std::uint64_t near_edges_ = 0;        // bit 16 n + 4 e + f: of near_[n], do the boxes meet?
+  std::uint64_t near_bits_ = 0;         // bit 16 n + 4 e + f: of near_[n], do the boxes meet?
   std::uint32_t wait_for_ = most_near;  // 1 where edges are expected to meet: the last two's did
 };
 

@@ -84,8 +84,8 @@ PolygonsAnswer polygons_any(std::span<const Polygon> polygons, const PolygonsOpt
 PolygonsAnswer polygons_any_by_sweep(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
 
 // The pairs of polygons whose boxes meet; of each, the runs of edges whose boxes meet (EdgeBoxes), down to edges. Where
-// that takes more than 64 looks at boxes and edges for each edge, by grid: O(N log N) comparisons and 64 n such looks
-// for N polygons of n edges in all, besides what the grid takes.
+// that takes more than 64 looks at boxes and edges for each edge, by grid: O(N log N) comparisons and about 64 n such
+// looks for N polygons of n edges in all (the last two may need a look at all of theirs), besides what the grid takes.
 PolygonsAnswer polygons_any_by_boxes(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
 
 // A uniform grid over the edges' boxes. Where it does not pay, or many edges crowd in cells, by sweep.
