@@ -3,7 +3,10 @@
 #include <sunder/planar/set/polygons_all.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace sunder::planar {
 
@@ -24,6 +27,19 @@ std::vector<PolygonsContact> one_of_each(std::vector<PolygonsContact> found, All
     if (is_first && counts(found[k], allowed)) contacts.push_back(found[k]);
   }
   return contacts;
+}
+
+// The contacts by this number, which is below `count`; those with the same one keep their order. Without comparisons,
+// whose outcome nobody can predict.
+std::vector<PolygonsContact> in_order_of(std::uint32_t PolygonsContact::* number, std::vector<PolygonsContact> contacts,
+                                         std::uint32_t count) {
+  std::vector<std::size_t> place(count);  // of the next one with this number
+  for (const PolygonsContact& c : contacts) ++place[c.*number];
+  std::size_t before = 0;
+  for (std::size_t& p : place) before += std::exchange(p, before);
+  std::vector<PolygonsContact> ordered(contacts.size());
+  for (const PolygonsContact& c : contacts) ordered[place[c.*number]++] = c;
+  return ordered;
 }
 
 using Take = bool(const PolygonEdges&, const WantedContacts&, PolygonMeetings&);
@@ -67,9 +83,9 @@ PolygonsAllAnswer polygons_all_by_boxes(std::span<const Polygon> polygons, const
   };
   Cost cost;
   if (for_each_meeting_pair(polygons, options, cost, add)) {
-    std::sort(answer.contacts.begin(), answer.contacts.end(), [](const PolygonsContact& a, const PolygonsContact& b) {
-      return std::tie(a.i, a.j) < std::tie(b.i, b.j);
-    });
+    const std::uint32_t count = static_cast<std::uint32_t>(polygons.size());
+    answer.contacts = in_order_of(&PolygonsContact::j, std::move(answer.contacts), count);
+    answer.contacts = in_order_of(&PolygonsContact::i, std::move(answer.contacts), count);
   } else {
     answer = polygons_all_by_grid(polygons, options);
   }
