@@ -731,7 +731,7 @@ TEST_F(Program, Polygons) {
   EXPECT_NE(crossed.err.find("feature 1: is not simple: edge 0 of ring 0"), std::string::npos) << crossed.err;
 }
 
-// Two layers of a map: parcels may meet one another, and zones too; the one parcel in a zone is found.
+// Pads of one net may meet; the one pair of two nets is found.
 TEST_F(Program, CirclesOfGroups) {
   const std::string pads = in_folder("pads.csv");
   write_text(pads, "x,y,r,net,name\n0,0,2,GND,a\n3,0,2,GND,b\n6,0,2,VCC,c\n20,0,1,VCC,d\n");
@@ -751,6 +751,7 @@ TEST_F(Program, CirclesOfGroups) {
   expect_bad("circles " + pads + " --group net --certificate " + in_folder("none.json"), "has no proof yet");
 }
 
+// Two layers of a map: parcels may meet one another, and zones too; the one parcel in a zone is found.
 TEST_F(Program, PolygonsOfGroups) {
   const std::string map = in_folder("map.geojson");
   const auto feature = [](const std::string& layer, const std::string& rings) {
