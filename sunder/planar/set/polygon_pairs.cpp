@@ -181,6 +181,7 @@ bool PolygonPairs::add_near(const Edges& of_r, const Run& r, const Run& s) {
   if (!of_r.any_meets(s.polygon.edge_boxes().box(0, s.number))) return true;
   cost.probes += fan;
   const std::uint64_t bits = Edges::meeting(of_r, Edges::of_run(s.polygon, s.number));
+  static_assert(fan * fan * most_near <= 64);
   near_bits_ |= bits << (fan * fan * near_count_);
   near_[near_count_++] = {fan * r.number, fan * s.number};
   return near_count_ < wait_for_ || compare_near(r.polygon, s.polygon);
