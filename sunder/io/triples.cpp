@@ -29,11 +29,11 @@ class Triples {
     if (!names) add(fields);
   }
 
-  [[noreturn]] void fail(const std::string& what) const { fail_line(place_, line_, what); }
-
   TripleFile file;
 
  private:
+  [[noreturn]] void fail(const std::string& what) const { fail_line(place_, line_, what); }
+
   // names: of the columns; empty where there are none.
   void choose_columns(const Fields& names) {
     std::string known;
