@@ -58,6 +58,14 @@ TEST(LanesTest, FirstOfGreatestStaysInRangeWhateverItReads) {
   }
 }
 
+TEST(LanesTest, IsAtMost) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(bits_of(is_at_most(Lanes{1, 2}, Lanes{1, 1})), 1u);  // equal counts
+  EXPECT_EQ(bits_of(is_at_most(Lanes{2, 1}, Lanes{1, 2})), 2u);
+  EXPECT_EQ(bits_of(is_at_most(Lanes{nan, 1}, Lanes{1, nan})), 0u);  // so boxes that are not there meet none
+  EXPECT_EQ(bits_of(is_at_most(Lanes{-0.0, 0.0}, Lanes{0.0, -0.0}) & is_at_most(Lanes{1, 2}, Lanes{1, 1})), 1u);
+}
+
 TEST(LanesTest, SmallerAndBits) {
   const Lanes a{1, 4}, b{2, 3}, smaller = smaller_of(a, b);
   EXPECT_EQ(smaller[0], 1);
