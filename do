@@ -2,12 +2,12 @@
 # ./do COMMAND - one entry for people. Works from any folder; installs what is missing on Debian and Ubuntu.
 #
 #   demo                what Sunder does, in five minutes: builds the program, decides about a robot arm, proves it
-#   test [--quick]      build everything and run all tests (10 minutes; --quick: 1 minute); the rest goes to ctest
+#   test [--quick]      build everything and run all tests (15 minutes; --quick: 1 minute); the rest goes to ctest
 #   build [PRESET]      build everything: release (default), dev, clang, asan-ubsan, tsan, coverage, bench
 #   bench [OPTIONS]     run the benchmarks against other libraries; --check: the ratios that are promised
-#   check [PART...]     lint, sanitizers, fuzzers, the Python verifier (25 minutes)
-#                       parts: format headers tidy sanitize fuzz verify
-#   soak [PART...]      hours: parts: differential[=FROM-TO] tsan clang fuzz coverage
+#   check [PART...]     lint (of what has changed since scripts/lint.base), sanitizers, fuzzers, the Python verifier
+#                       (20 minutes); parts: format headers tidy sanitize fuzz verify
+#   soak [PART...]      hours: parts: differential[=FROM-TO] tsan clang fuzz coverage lint
 #   docs                check the pages, and list them
 #   help                this text
 #
@@ -78,6 +78,7 @@ has_package() {
     g++ | g++-[0-9]*) pick_compiler quietly ;;
     cmake) has_command cmake && at_least "$(version_of cmake)" 3.25 ;;
     ninja-build) has_command ninja ;;
+    ccache) has_command ccache ;;
     libboost-dev) has_header boost/multiprecision/cpp_int.hpp ;;
     libcli11-dev) has_header CLI/CLI.hpp ;;
     libfmt-dev) has_header fmt/format.h ;;
@@ -221,9 +222,9 @@ pick_clang() {
 }
 
 need_to_build_program() {
-  need cmake ninja-build "$(compiler_package)" libboost-dev libcli11-dev libfmt-dev nlohmann-json3-dev libtinyxml2-dev "$@"
+  need cmake ninja-build ccache "$(compiler_package)" libboost-dev libcli11-dev libfmt-dev nlohmann-json3-dev libtinyxml2-dev "$@"
 }
-need_to_test() { need_to_build_program libgtest-dev librapidcheck-dev python3 "$@"; }
+need_to_test() { need_to_build_program libgtest-dev librapidcheck-dev libgeos-dev python3 "$@"; }
 need_clang() {
   pick_clang
   need "clang-$clang" "clang-tidy-$clang" "clang-format-$clang" "libclang-rt-$clang-dev"
@@ -387,13 +388,44 @@ part_headers() {
     cmake --build build --parallel "$(job_count)" --target all_verify_interface_header_sets
 }
 
-part_tidy() {
+# lint_files NAME...: clang-tidy on these sources.
+lint_files() {
   configure asan-ubsan "clang++-$clang" || return 1
-  check_tidy() {
-    find sunder cli verifier -name '*.cpp' ! -name '*_test.cpp' -print0 | sort -z |
-      xargs -0 -n 1 -P "$(job_count)" "clang-tidy-$clang" -p build/asan-ubsan --quiet
-  }
-  run tidy "clang-tidy-$clang on sunder/, cli/ and verifier/" check_tidy
+  check_tidy() { printf '%s\0' "$@" | xargs -0 -n 1 -P "$(job_count)" "clang-tidy-$clang" -p build/asan-ubsan --quiet; }
+  run tidy "clang-tidy-$clang on $# files" check_tidy "$@"
+}
+
+all_to_lint() { find sunder cli verifier -name '*.cpp' ! -name '*_test.cpp' | sort; }
+
+# What has changed since the commit of scripts/lint.base, at which all was linted; of a header, the source beside it or
+# else the first that includes it. All, where git does not know that commit.
+changed_to_lint() {
+  local base file beside
+  base=$(cat scripts/lint.base)
+  git cat-file -e "$base^{commit}" 2>/dev/null || { all_to_lint; return; }
+  { git diff --name-only --diff-filter=d "$base" -- sunder cli verifier
+    git ls-files --others --exclude-standard -- sunder cli verifier
+  } | grep -E '\.(h|cpp)$' | grep -vE '_test\.(h|cpp)$' | while read -r file; do
+    beside=${file%.*}.cpp
+    [ -f "$beside" ] || beside=$(grep -rlF --include='*.cpp' --exclude='*_test.cpp' "${file##*/}>" sunder cli verifier | sort | head -n 1)
+    [ -z "$beside" ] || echo "$beside"
+  done | sort -u
+}
+
+part_tidy() {
+  local files
+  mapfile -t files < <(changed_to_lint)
+  if [ ${#files[@]} -eq 0 ]; then
+    say "Nothing to lint has changed since $(cat scripts/lint.base)."
+    return 0
+  fi
+  lint_files "${files[@]}"
+}
+
+part_lint() {
+  local files
+  mapfile -t files < <(all_to_lint)
+  lint_files "${files[@]}" && say "All is linted: git rev-parse HEAD may go into scripts/lint.base"
 }
 
 part_sanitize() {
@@ -479,10 +511,10 @@ part_verify() {
 
 command_soak() {
   local part
-  [ $# -gt 0 ] || set -- clang tsan coverage fuzz differential
+  [ $# -gt 0 ] || set -- clang tsan coverage fuzz lint differential
   for part in "$@"; do
     case $part in
-      differential | differential=[0-9]*-[0-9]* | tsan | clang | fuzz | coverage) ;;
+      differential | differential=[0-9]*-[0-9]* | tsan | clang | fuzz | coverage | lint) ;;
       *) wrong_call "soak has no part '$part'" ;;
     esac
   done
@@ -520,9 +552,9 @@ part_tsan() {
     run_tests tsan tsan --label-regex '^(unit|tests|example)$' --label-exclude '^slow$'
 }
 
-# All tests with Clang; then the same certificates, byte for byte, as with the other compiler.
+# All tests with Clang, without precompiled headers; then the same certificates, byte for byte, as with the other compiler.
 part_clang() {
-  configure clang "clang++-$clang" || return 1
+  configure clang "clang++-$clang" -DSUNDER_PRECOMPILED_HEADERS=OFF || return 1
   build clang || return 1
   run_tests clang clang || return 1
   configure release "$CXX" -DSUNDER_TESTS=ON || return 1

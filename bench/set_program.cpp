@@ -155,7 +155,7 @@ void add_failures(const Row& row, const Demand& demand, std::vector<std::string>
     if (!right || demand.peers <= 0 || row.n < demand.peers_from) continue;
     if (!demand.library.empty() && demand.library != peer.library) continue;
     const double ratio = peer.median_s / row.sunder.median_s;
-    if (ratio > 1 && ratio >= demand.peers) continue;
+    if (ratio >= demand.peers && (ratio > 1 || demand.peers < 1)) continue;
     failures.push_back(what + peer.library + " takes " + ratio_text(ratio) + " of Sunder's time (demanded: " +
                        ratio_text(demand.peers) + ")" + (over ? ", by the growth of its times" : ""));
   }

@@ -14,7 +14,7 @@ namespace bench {
 // What `--check` demands of Sunder's time in a plan, beside right answers; 0: nothing.
 struct Demand {
   std::string library{};  // the peer that `peers` is about; empty: every one
-  double peers = 0;       // times as fast as the peer, at least, from peers_from objects on
+  double peers = 0;       // times as fast as the peer, at least, from peers_from objects on; from 1 on, faster
   double most_sorts = 0;  // at most so many times the sort, from sorts_from objects on
   double most_ns = 0;     // at most, at every size
   std::size_t peers_from = 0, sorts_from = 0;

@@ -26,6 +26,7 @@
 #include <string>
 #include <vector>
 
+#include "set_cliffs.h"
 #include "set_program.h"
 #include "set_scenarios.h"
 #include "set_subject.h"
@@ -105,6 +106,16 @@ std::vector<Plan> plans() {
     list.push_back(plan("polygons any", family, SetKind::polygons, any, twice));
   }
   list.push_back(plan("polygons all", SetFamily::crowded_coins, SetKind::polygons, all, twice));
+  Demand a_third, star;
+  a_third.library = "itself";
+  a_third.peers = 1.0 / 3;
+  star.most_sorts = 20;
+  list.push_back({"frames", "polygons any", a_third, {1000, 10000, 100000}, [](std::size_t n, std::uint64_t) {
+                    return frames_contest(n);
+                  }});
+  list.push_back({"many inside a star", "polygons all", star, {1000, 40000}, [](std::size_t n, std::uint64_t) {
+                    return star_contest(n);
+                  }});
   return list;
 }
 
@@ -112,10 +123,12 @@ std::vector<Plan> plans() {
 }  // namespace bench
 
 int main(int argc, char** argv) {
-  const bench::Program program{"bench_sets",
-                               "The sort: of the 2 N ends of the objects in x, with indices.",
-                               {"cgal", "geos", "boost"},
-                               {"circles", "circles any", "circles all", "convex", "polygons"},
-                               bench::plans()};
+  const bench::Program program{
+      "bench_sets",
+      "The sort: of the 2 N ends of the objects in x, with indices; for many inside a star, of its 4 N "
+      "vertices. \"itself\": Sunder with nothing allowed, where touching is.",
+      {"cgal", "geos", "boost", "itself"},
+      {"circles", "circles any", "circles all", "convex", "polygons"},
+      bench::plans()};
   return bench::run(program, argc, argv);
 }

@@ -7,9 +7,9 @@
 
 namespace sunder::cli {
 
-CirclesInput read_circles(const std::string& name, const std::string& group) {
+CirclesInput read_circles(const std::string& name, const std::string& group, const std::string& name_field) {
   Progress progress("reading");
-  io::TripleFile file = io::read_triples(name, io::circle_rows, group, progress.reporter());
+  io::TripleFile file = io::read_triples(name, io::circle_rows, group, progress.reporter(), name_field);
   std::vector<planar::Circle> circles;
   circles.reserve(file.rows.size());
   for (std::size_t k = 0; k < file.rows.size(); ++k) {

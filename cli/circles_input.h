@@ -13,8 +13,8 @@ struct CirclesInput {
   planar::Circles circles;
 };
 
-// group: the column to group by, if not empty.
+// group, name_field: the columns to group by and to name by, if not empty.
 // Throws Error bad_file with the line, also for a negative radius; bad_call where there is no such column.
-CirclesInput read_circles(const std::string& name, const std::string& group = {});
+CirclesInput read_circles(const std::string& name, const std::string& group = {}, const std::string& name_field = {});
 
 }  // namespace sunder::cli

@@ -84,7 +84,18 @@ void print(std::string_view text) {
               "standard output");
 }
 
-void note(std::string_view text) { fmt::print(stderr, "sunder: note: {}\n", text); }
+void print_for_people(std::string_view text) {
+  std::string shown;
+  while (!text.empty()) {
+    const std::size_t length = std::min(text.find('\n'), text.size());
+    shown += io::one_line(text.substr(0, length));
+    if (length < text.size()) shown += '\n';
+    text.remove_prefix(std::min(length + 1, text.size()));
+  }
+  print(shown);
+}
+
+void note(std::string_view text) { fmt::print(stderr, "sunder: note: {}\n", io::one_line(text)); }
 
 void refuse_method(std::string_view method, std::string_view known) {
   throw Error(ErrorCode::bad_call, fmt::format("there is no method {}; choose one of {}", io::quote(method), known),

@@ -40,6 +40,10 @@ void add_kernel(CLI::App& program, int& code);
 // Writes to standard output at once. Throws Error bad_call where that fails (a full disk).
 void print(std::string_view text);
 
+// The same for people: what a terminal might obey (control bytes, but for line feeds) goes as \xNN. Names that may hold
+// line feeds are made one line before: io::one_line.
+void print_for_people(std::string_view text);
+
 // One line on standard error: "sunder: note: ...".
 void note(std::string_view text);
 

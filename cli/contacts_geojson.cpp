@@ -2,12 +2,12 @@
 
 #include <sunder/planar/pair/segment_segment.h>
 
-#include <nlohmann/json.hpp>
-
 #include <array>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace sunder::cli {
@@ -24,10 +24,6 @@ std::string number_text(double x) {
 
 std::string point_text(const Point2& p) { return "[" + number_text(p.x) + "," + number_text(p.y) + "]"; }
 
-std::string name_text(const std::string& name) {
-  return nlohmann::json(name).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
 std::string geometry_text(const Segment& s, const Segment& t, planar::ContactKind kind) {
   if (kind == planar::ContactKind::overlap) {
     const Segment part = common_part(s, t);
@@ -36,7 +32,7 @@ std::string geometry_text(const Segment& s, const Segment& t, planar::ContactKin
   return R"({"type":"Point","coordinates":)" + point_text(planar::common_point_rounded(s, t)) + "}";
 }
 
-std::string properties_text(const io::LineFile& file, const SegmentsContact& contact, std::size_t number) {
+std::string properties_text(const io::LineFile& file, const SegmentsContact& contact, std::uint64_t number) {
   const auto member = [](const char* key, const std::string& value) {
     return ",\"" + std::string(key) + "\":" + value;
   };
@@ -46,11 +42,11 @@ std::string properties_text(const io::LineFile& file, const SegmentsContact& con
   const auto names = [&](const char* key, const std::vector<std::string>& list,
                          const std::vector<std::uint32_t>& entries) {
     if (list.empty()) return std::string();
-    return both(key, [&](std::uint32_t i) { return name_text(list[entries[i]]); });
+    return both(key, [&](std::uint32_t i) { return quoted_json(list[entries[i]]); });
   };
   return "{\"number\":" + std::to_string(number) + member("kind", "\"" + std::string(name_of(contact.kind)) + "\"") +
          member("i", std::to_string(contact.i)) + member("j", std::to_string(contact.j)) +
-         both("features", [&](std::uint32_t i) { return name_text(file.features[file.source[i].feature]); }) +
+         both("features", [&](std::uint32_t i) { return quoted_json(file.features[file.source[i].feature]); }) +
          both("lines",
               [&](std::uint32_t i) {
                 return file.source[i].line > 0 ? std::to_string(file.source[i].line) : std::string("null");
@@ -65,16 +61,13 @@ Segment common_part(const Segment& s, const Segment& t) {
   return {planar::lexicographically_less(s.a, t.a) ? t.a : s.a, planar::lexicographically_less(s.b, t.b) ? s.b : t.b};
 }
 
-std::string contacts_geojson(const io::LineFile& file, const planar::Segments& segments,
-                             std::span<const SegmentsContact> contacts) {
-  std::string text = R"({"type":"FeatureCollection","features":[)";
-  std::size_t number = 0;
-  for (const SegmentsContact& contact : contacts) {
-    text += number > 0 ? ",\n" : "\n";
-    text += R"({"type":"Feature","geometry":)" + geometry_text(segments[contact.i], segments[contact.j], contact.kind) +
-            R"(,"properties":)" + properties_text(file, contact, ++number) + "}";
-  }
-  return text + "\n]}\n";
+ContactsGeojson::ContactsGeojson(const io::LineFile& file, ListStream::Sink sink)
+    : file_(file), list_(R"({"type":"FeatureCollection","features":[)", "", std::move(sink)) {}
+
+void ContactsGeojson::add(const SegmentsContact& contact) {
+  const Segment s = planar::sorted(file_.segments[contact.i]), t = planar::sorted(file_.segments[contact.j]);
+  list_.add(R"({"type":"Feature","geometry":)" + geometry_text(s, t, contact.kind) + R"(,"properties":)" +
+            properties_text(file_, contact, list_.count() + 1) + "}");
 }
 
 }  // namespace sunder::cli

@@ -22,7 +22,11 @@ std::string text_of(const io::LineFile& file) {
   const Segments segments(file.segments);
   std::vector<planar::SegmentsContact> contacts = planar::segments_all(segments).contacts;
   std::sort(contacts.begin(), contacts.end());
-  return contacts_geojson(file, segments, contacts);
+  std::string text;
+  ContactsGeojson geojson(file, [&](std::string_view piece) { text += piece; });
+  for (const planar::SegmentsContact& contact : contacts) geojson.add(contact);
+  geojson.close();
+  return text;
 }
 
 std::string text_of(const std::string& csv) { return text_of(io::parse_lines(csv, "t.csv")); }

@@ -2,13 +2,15 @@
 #pragma once
 
 #include <cli/common.h>
+#include <cli/left_out.h>
 
 #include <sunder/io/mesh.h>
-#include <sunder/scene/mesh_convexity.h>
+#include <sunder/scene/mesh_departure.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,16 +32,22 @@ struct Object {
   std::uint32_t mesh_vertices = 0;  // those in use
   std::uint32_t mesh_polygons = 0;
   Shape shape = Shape::convex;
-  std::string why_hull;  // in words; empty unless shape is hull
+  std::string why_hull;                           // in words, with numbers of the file; empty unless shape is hull
+  std::optional<scene::MeshDeparture> departure;  // of a mesh from its hull: where shape is hull, of dimension 3
   solid::ConvexPolyhedron hull;
 };
 
-// The mesh as one object. Throws Error bad_shape where convexity is required and missing, naming the reflex edge.
+// The mesh as one object, without the vertices that are in no polygon. Throws Error bad_shape where convexity is
+// required and missing, naming the reflex edge.
 Object make_object(const io::Mesh& mesh, const std::filesystem::path& file, bool require_convex);
 
-// Reads the file as one object, or as one object for each of its parts.
-Object read_object(const std::filesystem::path& file, bool require_convex);
-std::vector<Object> read_parts(const std::filesystem::path& file, bool require_convex);
+// Reads the file as one object, or as one object for each of its parts; what is not read goes into `left_out`. Throws
+// Error also where something is not read, and the list has no consent.
+Object read_object(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out);
+std::vector<Object> read_parts(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out);
+
+// By how much the mesh departs from its hull: "deepest edge about 0.5 below the hull, ...". Empty where not known.
+std::string departure_text(const Object& object);
 
 // Says on standard error which hulls stand for meshes: one line, however many there are.
 void note_hulls(const std::vector<const Object*>& objects);

@@ -151,7 +151,7 @@ int run_planar_pair(const PlanarPairCall& call) {
   if (!call.svg.empty()) {
     io::write_file_atomically(call.svg, pair_svg({a.polygon, a.pose, a.name}, {b.polygon, b.pose, b.name}, call.title));
   }
-  print(call.json ? to_text(report(call, a, b, answers)) : human_text(call, a, b, answers));
+  call.json ? print(to_text(report(call, a, b, answers))) : print_for_people(human_text(call, a, b, answers));
   return answers.pair.meet() ? exit_code::yes : exit_code::no;
 }
 

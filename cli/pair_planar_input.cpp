@@ -44,6 +44,11 @@ Pose parse_planar_pose(const std::string& text, const std::string& place) {
 const PlanarObject& chosen(const io::PlanarFile& file, const std::string& path, const std::string& feature,
                            const char* option) {
   if (feature.empty()) {
+    if (!file.left_out.empty()) {
+      io::fail_file(path,
+                    fmt::format("holds a {} ({}), which is not read here; name the object that is asked about by {}",
+                                file.left_out.front().kind, file.left_out.front().of, option));
+    }
     if (file.objects.size() == 1) return file.objects.front();
     io::fail_file(path, fmt::format("has {} objects, {} first; name one by {}", file.objects.size(),
                                     io::quote(file.objects.front().name), option));

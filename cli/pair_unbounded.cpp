@@ -315,7 +315,7 @@ int run_unbounded_pair(const PlanarPairCall& call, const PlanarInput& a, const P
                               certificate_of_unbounded(body, unbounded, common.meet(), line, common.witness));
   }
   if (!call.svg.empty()) io::write_file_atomically(call.svg, picture(question, common));
-  print(call.json ? to_text(report(question, a, b, common)) : human_text(question, a, b, common));
+  call.json ? print(to_text(report(question, a, b, common))) : print_for_people(human_text(question, a, b, common));
   return common.meet() ? exit_code::yes : exit_code::no;
 }
 

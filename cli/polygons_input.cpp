@@ -1,75 +1,292 @@
+#include <cli/polygon_defect_text.h>
 #include <cli/polygons_input.h>
 #include <cli/progress.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/text.h>
-#include <sunder/planar/set/polygon_simple.h>
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <span>
 
 namespace sunder::cli {
 
 namespace {
 
-std::string about(const planar::Segment& s) {
-  return fmt::format("({:.10g}, {:.10g}) to ({:.10g}, {:.10g})", s.a.x, s.a.y, s.b.x, s.b.y);
+using planar::Polygon;
+
+// The parts of a feature.
+struct Parts {
+  std::uint32_t feature = 0, line = 0, group = 0;
+  std::vector<Rings> rings;
+  std::string broken;  // the first ring that is none
+};
+
+// Walks over the parts of a file, feature by feature.
+class PartsReader {
+ public:
+  explicit PartsReader(const io::LineFile& file) : file_(file) {}
+
+  // False at the end.
+  bool next(Parts& parts) {
+    if (at_end()) return false;
+    parts = {};
+    parts.feature = feature();
+    std::uint32_t polygon = 0;
+    for (bool first = true; !at_end() && feature() == parts.feature; first = false) {
+      const bool broken = is_broken();
+      const std::uint32_t number = broken ? file_.broken[broken_].polygon : file_.rings[ring_].polygon;
+      if (first || number != polygon) parts.rings.emplace_back();
+      polygon = number;
+      if (broken) {
+        const io::BrokenRing& ring = file_.broken[broken_++];
+        if (parts.broken.empty()) parts.broken = ring.what;
+        parts.rings.back().push_back(ring.points);
+        parts.group = ring.group;
+      } else {
+        parts.rings.back().push_back(points(file_.rings[ring_++], parts));
+      }
+    }
+    return true;
+  }
+
+ private:
+  bool at_end() const { return ring_ == file_.rings.size() && broken_ == file_.broken.size(); }
+  bool is_broken() const { return broken_ < file_.broken.size() && file_.broken[broken_].ring <= ring_; }
+  std::uint32_t feature() const {
+    return is_broken() ? file_.broken[broken_].feature : file_.source[file_.rings[ring_].first].feature;
+  }
+
+  std::vector<Point2> points(const io::LineRing& ring, Parts& parts) const {
+    std::vector<Point2> points;
+    points.reserve(ring.count + 1);
+    for (std::uint32_t k = 0; k < ring.count; ++k) points.push_back(file_.segments[ring.first + k].a);
+    points.push_back(points.front());
+    parts.line = file_.source[ring.first].line;
+    if (!file_.group.empty()) parts.group = file_.group[ring.first];
+    return points;
+  }
+
+  const io::LineFile& file_;
+  std::size_t ring_ = 0, broken_ = 0;
+};
+
+// What is wrong with the parts of a feature, in words, where something is.
+std::optional<std::string> defect_of(std::span<const Rings> parts, planar::PolygonRule rule) {
+  const planar::PolygonDefects answer = planar::polygon_defects(parts, {rule, 1});
+  if (answer.valid()) return std::nullopt;
+  return text_of(answer.defects.front(), parts.size() > 1);
 }
 
-void require_simple(const planar::Polygon& polygon) {
-  const planar::PolygonSimpleAnswer answer = polygon_simple(polygon);
-  if (answer.simple()) return;
-  const auto edge = [&](std::uint32_t k) {
-    return fmt::format("edge {} of ring {}, {}", k - polygon.ring_begin(polygon.ring_of(k)), polygon.ring_of(k),
-                       about(polygon.edge(k)));
-  };
-  throw Error(ErrorCode::bad_shape, fmt::format("is not simple: {} and {} ({}); mend it, see sunder simple",
-                                                edge(answer.i), edge(answer.j), name_of(answer.kind)));
+class Reader {
+ public:
+  explicit Reader(const PolygonsRequest& request) : request_(request) {
+    if (request.group == "ring") {
+      throw Error(ErrorCode::bad_call, "rings belong to polygons; group by a property", "--group");
+    }
+    if (request.files.size() > 1 && !request.group.empty()) {
+      throw Error(ErrorCode::bad_call, "two files are two groups; leave it out, or give one file", "--group");
+    }
+  }
+
+  PolygonsInput read() {
+    for (const std::string& name : request_.files) read_file(name);
+    if (!input_.skipped.empty() && !request_.skip_invalid) refuse();
+    for (std::uint32_t file = 0; file < input_.files.size(); ++file) {
+      const bool some = std::any_of(input_.source.begin(), input_.source.end(),
+                                    [&](const PolygonSource& source) { return source.file == file; });
+      if (some) continue;
+      io::fail_file(request_.files[file], input_.skipped.empty()
+                                              ? "no polygon with an area is left; give others"
+                                              : "no polygon is valid, so nothing is left to ask about");
+    }
+    return std::move(input_);
+  }
+
+ private:
+  void read_file(const std::string& name) {
+    const auto file = static_cast<std::uint32_t>(input_.files.size());
+    input_.names.push_back(name);
+    {
+      Progress progress("reading");
+      io::LineOptions options;
+      options.drop_z = request_.drop_z;
+      options.lines = false;
+      options.leave_out = request_.leave_out;
+      options.keep_broken = true;
+      options.group = request_.group == "feature" ? "" : request_.group;
+      options.name = request_.name;
+      options.progress = progress.reporter();
+      input_.files.push_back(io::read_lines(name, options));
+    }
+    input_.left_out.add(name, input_.files.back().left_out, "");
+    PartsReader reader(input_.files.back());
+    for (Parts parts; reader.next(parts);) add(file, parts);
+  }
+
+  void add(std::uint32_t file, Parts& parts) {
+    if (request_.mend) mend_parts(file, parts);
+    for (Rings& rings : parts.rings) {
+      for (std::vector<Point2>& ring : rings) {
+        if (!request_.by_part) leave_out_repeated(ring);
+      }
+    }
+    try {
+      if (!parts.broken.empty()) return skip(file, parts, parts.broken);
+      if (request_.rule) {
+        if (const auto defect = defect_of(parts.rings, *request_.rule)) return skip(file, parts, *defect);
+      }
+      add_polygons(file, parts);
+    } catch (const Error& error) {  // a ring of too few different vertices
+      skip(file, parts, error.what());
+    }
+  }
+
+  void mend_parts(std::uint32_t file, Parts& parts) {
+    MendedRings changes;
+    for (Rings& rings : parts.rings) changes += mend(rings);
+    std::erase_if(parts.rings, [](const Rings& rings) { return rings.empty(); });
+    parts.broken.clear();
+    if (changes.all() > 0) input_.mended.push_back({file, parts.feature, changes});
+  }
+
+  void skip(std::uint32_t file, const Parts& parts, const std::string& why) {
+    input_.skipped.push_back({file, parts.feature, parts.line, io::one_line(why)});
+  }
+
+  void add_polygons(std::uint32_t file, const Parts& parts) {
+    PolygonSource source{file, parts.feature, parts.line};
+    if (request_.by_part) {
+      for (const Rings& rings : parts.rings) {
+        add_polygon(rings, source, parts.group);
+        ++source.part;
+      }
+      return;
+    }
+    if (parts.rings.empty()) return;
+    Rings all;
+    for (std::uint32_t p = 0; p < parts.rings.size(); ++p) {
+      all.insert(all.end(), parts.rings[p].begin(), parts.rings[p].end());
+      if (parts.rings.size() > 1) source.part_of_ring.resize(all.size(), p);
+    }
+    add_polygon(all, source, parts.group);
+  }
+
+  void add_polygon(const Rings& rings, const PolygonSource& source, std::uint32_t group) {
+    input_.polygons.emplace_back(rings);
+    input_.source.push_back(source);
+    if (request_.files.size() > 1) {
+      input_.groups.push_back(source.file);
+    } else if (!input_.files.front().groups.empty()) {
+      input_.groups.push_back(group);
+    }
+  }
+
+  [[noreturn]] void refuse() const {
+    const SkippedFeature& first = input_.skipped.front();
+    const std::size_t others = input_.skipped.size() - 1;
+    const std::string what = fmt::format(
+        "feature {}: is not valid: {}{}; mend it (sunder simple tells more{}), or give --skip-invalid to ask about the "
+        "others",
+        input_.feature_text(first.file, first.feature), first.why,
+        others > 0 ? fmt::format("; nor {} {}", others == 1 ? "is" : "are", count_of(others, "other feature")) : "",
+        request_.mend ? "" : "; --mend does what is safe");
+    const std::string& name = input_.names[first.file];
+    if (first.line > 0) io::fail_line(name, first.line, what);
+    io::fail_file(name, what);
+  }
+
+  const PolygonsRequest& request_;
+  PolygonsInput input_;
+};
+
+constexpr std::size_t most_listed = 20;
+
+std::string and_more(std::size_t all) {
+  return all > most_listed ? fmt::format("              and {} more; --json has all\n", all - most_listed) : "";
 }
 
 }  // namespace
 
-std::string PolygonsInput::name(std::uint32_t polygon) const {
-  return file.features[file.source[file.rings[first_ring[polygon]].first].feature];
-}
-std::uint32_t PolygonsInput::line(std::uint32_t polygon) const {
-  return file.source[file.rings[first_ring[polygon]].first].line;
+const std::string& PolygonsInput::name(std::uint32_t polygon) const {
+  return files[source[polygon].file].features[source[polygon].feature];
 }
 
-PolygonsInput read_polygons(const std::string& name, bool drop_z, bool simple, const std::string& group) {
-  if (group == "ring") {
-    throw Error(ErrorCode::bad_call, "rings belong to polygons; group by feature, or by a property", "--group");
-  }
-  PolygonsInput input;
-  {
-    Progress progress("reading");
-    io::LineOptions options;
-    options.drop_z = drop_z;
-    options.group = group;
-    options.progress = progress.reporter();
-    input.file = io::read_lines(name, options);
-  }
-  const io::LineFile& file = input.file;
-  if (file.rings.empty()) io::fail_file(name, "has no polygons; for lines, ask sunder segments");
-  for (std::uint32_t r = 0; r < file.rings.size();) {
-    const std::uint32_t first = r, number = file.rings[r].polygon;
-    std::vector<std::vector<Point2>> rings;
-    for (; r < file.rings.size() && file.rings[r].polygon == number; ++r) {
-      std::vector<Point2>& ring = rings.emplace_back();
-      for (std::uint32_t k = 0; k < file.rings[r].count; ++k) ring.push_back(file.segments[file.rings[r].first + k].a);
-      ring.push_back(ring.front());  // as in the file: Polygon leaves out exactly this one
-    }
-    input.first_ring.push_back(first);
-    if (!group.empty()) input.groups.push_back(file.group[file.rings[first].first]);
-    try {
-      input.polygons.emplace_back(rings);
-      if (simple) require_simple(input.polygons.back());
-    } catch (const Error& error) {
-      io::fail_file(name,
-                    fmt::format("feature {}: {}", input.name(static_cast<std::uint32_t>(input.first_ring.size() - 1)),
-                                error.what()));
-    }
-  }
-  return input;
+std::uint64_t PolygonsInput::features() const {
+  std::uint64_t all = 0;
+  for (const io::LineFile& file : files) all += file.features.size();
+  return all;
 }
+
+std::uint64_t PolygonsInput::edges() const {
+  std::uint64_t all = 0;
+  for (const Polygon& polygon : polygons) all += polygon.size();
+  return all;
+}
+
+std::string PolygonsInput::feature_text(std::uint32_t file, std::uint32_t feature) const {
+  const std::string number = std::to_string(feature + 1), &name = files[file].features[feature];
+  return name == number ? number : fmt::format("{} ({})", number, name);
+}
+
+std::string PolygonsInput::left_out_words() const {
+  std::string words;
+  if (!skipped.empty()) words = fmt::format("skipped: {}", count_of(skipped.size(), "invalid feature"));
+  if (!left_out.empty()) words += fmt::format("{}left out: {}", words.empty() ? "" : "; ", left_out.text());
+  return words;
+}
+
+std::string PolygonsInput::note() const {
+  std::string note = left_out_words();
+  if (!mended.empty())
+    note += fmt::format("{}mended: {}", note.empty() ? "" : "; ", count_of(mended.size(), "feature"));
+  return note;
+}
+
+std::string PolygonsInput::tell() const {
+  std::string text;
+  const auto of_file = [&](std::uint32_t file) { return files.size() > 1 ? io::one_line(names[file]) + ": " : ""; };
+  for (std::size_t k = 0; k < std::min(skipped.size(), most_listed); ++k) {
+    const SkippedFeature& s = skipped[k];
+    text += fmt::format("  skipped     {}feature {}: {}\n", of_file(s.file), feature_text(s.file, s.feature), s.why);
+  }
+  text += and_more(skipped.size());
+  for (std::size_t k = 0; k < std::min(mended.size(), most_listed); ++k) {
+    const MendedFeature& m = mended[k];
+    text += fmt::format("  mended      {}feature {}: {}\n", of_file(m.file), feature_text(m.file, m.feature),
+                        text_of(m.changes));
+  }
+  text += and_more(mended.size());
+  if (!left_out.empty()) text += fmt::format("  left out    {}\n", left_out.text());
+  for (const io::LineFile& file : files) {
+    for (const std::string& remark : file.remarks) text += fmt::format("  remark      {}\n", remark);
+  }
+  return text;
+}
+
+void PolygonsInput::tell(Json& report) const {
+  const auto feature = [&](const auto& f) {
+    return Json{
+        {"file", io::one_line(names[f.file])}, {"feature", f.feature}, {"name", files[f.file].features[f.feature]}};
+  };
+  for (const SkippedFeature& s : skipped) {
+    Json entry = feature(s);
+    entry["why"] = s.why;
+    report["skipped"].push_back(entry);
+  }
+  for (const MendedFeature& m : mended) {
+    Json entry = feature(m);
+    entry.update(to_json(m.changes));
+    report["mended"].push_back(entry);
+  }
+  if (!left_out.empty()) report["left_out"] = left_out.json();
+  for (const io::LineFile& file : files) {
+    for (const std::string& remark : file.remarks) report["remarks"].push_back(remark);
+  }
+}
+
+PolygonsInput read_polygons(const PolygonsRequest& request) { return Reader(request).read(); }
 
 }  // namespace sunder::cli

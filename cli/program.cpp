@@ -1,7 +1,9 @@
 #include <cli/common.h>
+#include <cli/outputs.h>
 #include <cli/program.h>
 
 #include <sunder/base/error.h>
+#include <sunder/io/file.h>
 #include <sunder/io/text.h>
 
 #include <fmt/format.h>
@@ -10,8 +12,11 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
+#include <cstdio>
 #include <exception>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -26,9 +31,34 @@ namespace {
 constexpr std::array<AddVerb, 11> verbs{add_pair,   add_scene,  add_segments, add_simple, add_circles, add_polygons,
                                         add_region, add_kernel, add_hull,     add_info,   add_verify};
 
+// Signals that end the program unless it does something about them.
+constexpr std::array ending_signals{SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU, SIGXFSZ};
+
+extern "C" void end_by_signal(int signal) {
+  io::remove_unfinished_files();
+  raise(signal);  // which is as it was before, and ends the program when this returns
+}
+
+void handle_signals() {
+  struct sigaction action = {};
+  action.sa_handler = end_by_signal;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  for (const int signal : ending_signals) {
+    struct sigaction before = {};
+    const bool is_known = sigaction(signal, nullptr, &before) == 0;
+    if (is_known && before.sa_handler == SIG_DFL) sigaction(signal, &action, nullptr);  // nohup ignores some
+  }
+}
+
 int complain(int code, const std::string& text) {
   fmt::print(stderr, "sunder: {}\n", io::one_line(text));
   return code;
+}
+
+// Allocates nothing.
+int complain_of_memory() {
+  std::fputs("sunder: out of memory; give smaller files or more memory\n", stderr);
+  return exit_code::internal;
 }
 
 std::string names_of_verbs(const CLI::App& program) {
@@ -70,6 +100,7 @@ int run_checked(int argc, char** argv) {
   for (const AddVerb add : verbs) add(program, code);
   for (CLI::App* verb : program.get_subcommands([](const CLI::App*) { return true; })) {
     verb->get_formatter()->column_width(28);
+    verb->parse_complete_callback([verb] { require_apart(*verb); });
   }
   std::vector<std::string> words;
   for (int i = 1; i < argc; ++i) words.emplace_back(argv[i]);
@@ -89,12 +120,15 @@ int run_checked(int argc, char** argv) {
 }  // namespace
 
 int run(int argc, char** argv) {
+  handle_signals();
   try {
     return run_checked(argc, argv);
   } catch (const Error& error) {
     return complain(exit_code::bad, error.what());
   } catch (const std::bad_alloc&) {
-    return complain(exit_code::internal, "out of memory; give smaller files or more memory");
+    return complain_of_memory();
+  } catch (const std::length_error&) {
+    return complain_of_memory();
   } catch (const std::exception& error) {
     return complain(exit_code::internal, std::string("internal error: ") + error.what() + "; please report it");
   } catch (...) {

@@ -11,7 +11,8 @@ struct RegionCall {
   std::string maximize;
   std::string method = "automatic";
   std::string certificate, svg, title;
-  bool mend = false, drop_z = false;  // of polygons
+  bool mend = false, drop_z = false, leave_out = false, skip_invalid = false;  // of polygons
+  std::string name{};                                                          // of polygons: the field that names them
   bool json = false;
 };
 

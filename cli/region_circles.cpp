@@ -54,7 +54,7 @@ class Report {
       : call_(call), file_(file), circles_(circles), part_(part), deepest_(deepest_of(circles, part)) {}
 
   std::string human() const {
-    std::string text = fmt::format("{}: {}\n", call_.file, count_of(circles_.size(), "circle"));
+    std::string text = fmt::format("{}: {}\n", io::one_line(call_.file), count_of(circles_.size(), "circle"));
     const auto basis = part_.deepest.basis();
     switch (part_.kind) {
       case CirclesPartKind::empty:
@@ -72,9 +72,9 @@ class Report {
     }
     text += fmt::format("  cost        {}\n", count_of(part_.cost.probes, "comparison"));
     if (!call_.certificate.empty()) {
-      text += fmt::format("  proof       {} (of what kind it is, not of the arcs)\n", call_.certificate);
+      text += fmt::format("  proof       {} (of what kind it is, not of the arcs)\n", io::one_line(call_.certificate));
     }
-    if (!call_.svg.empty()) text += fmt::format("  picture     {}\n", call_.svg);
+    if (!call_.svg.empty()) text += fmt::format("  picture     {}\n", io::one_line(call_.svg));
     return text;
   }
 
@@ -200,7 +200,7 @@ int run_region_circles(const RegionCall& call) {
   if (!call.certificate.empty()) io::write_file_atomically(call.certificate, planar::certificate_text(circles, part));
   const Report report(call, file, circles, part);
   if (!call.svg.empty()) io::write_file_atomically(call.svg, report.picture());
-  print(call.json ? to_text(report.json()) : report.human());
+  call.json ? print(to_text(report.json())) : print_for_people(report.human());
   return part.kind == CirclesPartKind::empty ? exit_code::yes : exit_code::no;
 }
 

@@ -4,6 +4,7 @@
 #include <cli/region_polygons.h>
 
 #include <sunder/base/error.h>
+#include <sunder/certificate/json.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
 #include <sunder/planar/region/convex_polygons.h>
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sunder::cli {
 
@@ -42,16 +44,46 @@ ConvexPolygon convex(const planar::Polygon& polygon, bool mend) {
   }
 }
 
-std::vector<ConvexPolygon> convex_polygons(const RegionCall& call, const PolygonsInput& input) {
+// Does the convex polygon go round the other way than the ring that it was made of?
+bool turned(const ConvexPolygon& convex, const std::vector<Point2>& ring) {
+  const auto at = [&](std::uint32_t k) {
+    return std::find(ring.begin(), ring.end(), convex.vertices()[k]) - ring.begin();
+  };
+  return convex.size() > 2 && ((at(0) < at(1)) + (at(1) < at(2)) + (at(2) < at(0))) < 2;
+}
+
+// What --mend changed besides, as a remark; empty where nothing.
+std::string change_text(const ConvexPolygon& convex, const std::vector<Point2>& ring) {
+  std::string text;
+  if (convex.size() < ring.size()) text = fmt::format("{} of {} vertices kept", convex.size(), ring.size());
+  if (turned(convex, ring)) text += text.empty() ? "turned round" : ", turned round";
+  return text;
+}
+
+// Those of the input; it loses the ones that are skipped.
+std::vector<ConvexPolygon> convex_polygons(const RegionCall& call, PolygonsInput& input) {
   std::vector<ConvexPolygon> polygons;
   polygons.reserve(input.polygons.size());
+  std::vector<planar::Polygon> given;  // those that are not skipped, like kept
+  std::vector<PolygonSource> kept;
   for (std::uint32_t i = 0; i < input.polygons.size(); ++i) {
+    const PolygonSource& source = input.source[i];
+    const std::string feature = input.feature_text(source.file, source.feature);
     try {
       polygons.push_back(convex(input.polygons[i], call.mend));
+      const std::string change = change_text(polygons.back(), input.polygons[i].vertices());
+      if (!change.empty())
+        input.files.front().remarks.push_back(fmt::format("feature {}: mended: {}", feature, change));
+      given.push_back(std::move(input.polygons[i]));
+      kept.push_back(source);
     } catch (const Error& error) {
-      io::fail_file(call.file, fmt::format("feature {}: {}", input.name(i), error.what()));
+      if (!call.skip_invalid) io::fail_file(call.file, fmt::format("feature {}: {}", feature, error.what()));
+      input.skipped.push_back({source.file, source.feature, source.line, error.what()});
     }
   }
+  if (polygons.empty()) io::fail_file(call.file, "no polygon is convex, so nothing is left to ask about");
+  input.polygons = std::move(given);
+  input.source = std::move(kept);
   return polygons;
 }
 
@@ -66,17 +98,18 @@ class Report {
   }
 
   std::string human() const {
-    std::string text =
-        fmt::format("{}: {}, {}\n", call_.file, count_of(polygons_.size(), "convex polygon"), input_.file.format);
+    std::string text = fmt::format("{}: {}, {}\n", call_.file, count_of(polygons_.size(), "convex polygon"),
+                                   input_.files.front().format);
     if (part_.kind == PolygonsPartKind::empty) {
-      text += "empty: these have nothing in common\n";
+      text += fmt::format("empty{}: these have nothing in common\n", without());
       for (const std::uint32_t i : named()) text += fmt::format("    {}\n", polygon(i));
     } else {
-      text += fmt::format("{}\n", shape()) + corners_text();
+      text += fmt::format("{}{}\n", shape(), without()) + corners_text();
     }
+    text += input_.tell();
     text += fmt::format("  cost        {}\n", count_of(part_.cost.probes, "sign"));
-    if (!call_.certificate.empty()) text += fmt::format("  proof       {}\n", call_.certificate);
-    if (!call_.svg.empty()) text += fmt::format("  picture     {}\n", call_.svg);
+    if (!call_.certificate.empty()) text += fmt::format("  proof       {}\n", io::one_line(call_.certificate));
+    if (!call_.svg.empty()) text += fmt::format("  picture     {}\n", io::one_line(call_.svg));
     return text;
   }
 
@@ -97,6 +130,7 @@ class Report {
       json["region"]["corners"].push_back(corner);
     }
     if (empty) json["contradiction"] = named();
+    input_.tell(json);
     return json;
   }
 
@@ -126,6 +160,12 @@ class Report {
 
  private:
   static constexpr std::size_t most_listed = 20;
+
+  // Of what the verdict does not speak.
+  std::string without() const {
+    const std::string words = input_.left_out_words();
+    return words.empty() ? "" : fmt::format(", of the {} read ({})", count_of(polygons_.size(), "polygon"), words);
+  }
 
   // The polygons of a contradiction, each once.
   std::vector<std::uint32_t> named() const {
@@ -175,13 +215,23 @@ class Report {
 
 int run_region_polygons(const RegionCall& call) {
   PartMethod* const method = part_method(call.method);
-  const PolygonsInput input = read_polygons(call.file, call.drop_z, false);
+  PolygonsRequest request;
+  request.files = {call.file};
+  request.drop_z = call.drop_z;
+  request.leave_out = call.leave_out;
+  request.skip_invalid = call.skip_invalid;
+  request.mend = call.mend;
+  request.by_part = true;
+  request.name = call.name;
+  PolygonsInput input = read_polygons(request);
   const std::vector<ConvexPolygon> polygons = convex_polygons(call, input);
   const PolygonsPart part = method(polygons);
-  if (!call.certificate.empty()) io::write_file_atomically(call.certificate, planar::certificate_text(polygons));
+  if (!call.certificate.empty()) {
+    io::write_file_atomically(call.certificate, with_note(planar::certificate_text(polygons), input.note()));
+  }
   const Report report(call, input, polygons, part);
   if (!call.svg.empty()) io::write_file_atomically(call.svg, report.picture());
-  print(call.json ? to_text(report.json()) : report.human());
+  call.json ? print(to_text(report.json())) : print_for_people(report.human());
   return part.kind == PolygonsPartKind::empty ? exit_code::yes : exit_code::no;
 }
 

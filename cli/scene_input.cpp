@@ -82,7 +82,8 @@ Placement read_joints(const std::string& file) {
 }
 
 SceneInput::SceneInput(const std::vector<std::string>& files, const std::vector<std::string>& poses,
-                       bool require_convex) {
+                       bool require_convex, bool leave_out)
+    : left_out_(leave_out) {
   for (const std::string& word : files) {
     std::string file = word;
     solid::Pose pose;
@@ -111,6 +112,16 @@ SceneInput::SceneInput(const std::vector<std::string>& files, const std::vector<
     }
     input->pose = parse_pose(std::string_view(text).substr(equals + 1), "--pose " + io::one_line(name));
   }
+  require_some_body();
+}
+
+// A question about nothing has no answer that could be relied on.
+void SceneInput::require_some_body() const {
+  if (!bodies_.empty()) return;
+  fail_call(left_out_.empty()
+                ? "no link has a shape, so there is nothing to ask about; give the links <collision> shapes"
+                : "there is nothing to ask about; left out: " + left_out_.text(),
+            inputs_.back().name);
 }
 
 // `wish`, or wish#2, wish#3, ...: no input or body has it.
@@ -128,17 +139,32 @@ void SceneInput::add_mesh(const std::string& file, bool require_convex) {
   Body body;
   body.name = inputs_.back().name;
   body.input = inputs_.size() - 1;
-  for (Object& object : read_parts(file, require_convex)) {
+  for (Object& object : read_parts(file, require_convex, left_out_)) {
     std::string name = object.name;
     body.parts.push_back({std::move(name), std::move(object), solid::Pose()});
   }
   bodies_.push_back(std::move(body));
 }
 
+// The parts of the mesh of a link, kept in `known`; nothing where it cannot be read, and is left out.
+const std::vector<Object>* SceneInput::mesh_of(const io::CollisionShape& shape, const std::string& link,
+                                               bool require_convex, std::map<fs::path, std::vector<Object>>& known) {
+  try {
+    const fs::path path = io::resolve_mesh(shape.mesh, robot_->folder);
+    auto found = known.find(path);
+    if (found == known.end()) found = known.emplace(path, read_parts(path, require_convex, left_out_)).first;
+    return &found->second;
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::bad_file || !left_out_.consent()) throw;
+    left_out_.add(shape.mesh, std::array{io::LeftOut{"mesh", link, 1}}, "");
+    return nullptr;
+  }
+}
+
 void SceneInput::add_robot(const std::string& file, bool require_convex) {
   if (robot_) fail_call("a second robot; give one URDF file in a call", io::one_line(file));
   robot_ = io::read_urdf(file);
-  left_out_ = robot_->skipped;
+  left_out_.add(file, robot_->left_out, "give meshes in their stead");
   std::map<fs::path, std::vector<Object>> meshes;  // a file may serve several links
   for (std::uint32_t l = 0; l < robot_->links.size(); ++l) {
     const io::Link& link = robot_->links[l];
@@ -152,14 +178,13 @@ void SceneInput::add_robot(const std::string& file, bool require_convex) {
       if (shape.mesh.empty()) {
         const auto corners = io::box_corners(shape.size);
         const solid::ConvexPolyhedron box(corners);
-        body.parts.push_back({number, {io::one_line(file), "box", "box", 8, 6, Shape::convex, "", box}, pose});
+        body.parts.push_back({number, {io::one_line(file), "box", "box", 8, 6, Shape::convex, "", {}, box}, pose});
         continue;
       }
-      const fs::path path = io::resolve_mesh(shape.mesh, robot_->folder);
-      auto found = meshes.find(path);
-      if (found == meshes.end()) found = meshes.emplace(path, read_parts(path, require_convex)).first;
-      for (const Object& object : found->second) {
-        body.parts.push_back({found->second.size() == 1 ? number : number + "." + object.name, object, pose});
+      const std::vector<Object>* objects = mesh_of(shape, link.name, require_convex, meshes);
+      if (objects == nullptr) continue;
+      for (const Object& object : *objects) {
+        body.parts.push_back({objects->size() == 1 ? number : number + "." + object.name, object, pose});
       }
     }
     if (!body.parts.empty()) bodies_.push_back(std::move(body));
@@ -186,6 +211,15 @@ std::vector<scene::Body> SceneInput::bodies(const Placement& placement) const {
     placed.push_back(std::move(out));
   }
   return placed;
+}
+
+std::vector<std::vector<bool>> SceneInput::are_hulls() const {
+  std::vector<std::vector<bool>> all;
+  for (const Body& body : bodies_) {
+    all.emplace_back();
+    for (const Part& part : body.parts) all.back().push_back(part.object.shape == Shape::hull);
+  }
+  return all;
 }
 
 std::vector<const Object*> SceneInput::objects() const {

@@ -29,8 +29,10 @@ Placement read_joints(const std::string& file);
 
 class SceneInput {
  public:
-  // Each name is a file, or FILE@POSE. poses: "NAME=POSE" each, NAME as shown by `names`. Throws Error.
-  SceneInput(const std::vector<std::string>& files, const std::vector<std::string>& poses, bool require_convex);
+  // Each name is a file, or FILE@POSE. poses: "NAME=POSE" each, NAME as shown by `names`. Where leave_out, shapes of
+  // a robot that are not read, also meshes, are left out. Throws Error, also where there is no body at all.
+  SceneInput(const std::vector<std::string>& files, const std::vector<std::string>& poses, bool require_convex,
+             bool leave_out);
 
   // The bodies in the order of the files; links without shapes are none. Throws Error for joints that do not exist or
   // are out of their limits.
@@ -40,8 +42,9 @@ class SceneInput {
   // "NAME,NAME", or a file with two names a line. Throws Error.
   std::vector<std::array<std::uint32_t, 2>> allowed(const std::string& text) const;
 
-  std::vector<const Object*> objects() const;                             // all parts in order
-  const std::vector<std::string>& left_out() const { return left_out_; }  // shapes that are not read: must be shown
+  std::vector<std::vector<bool>> are_hulls() const;          // of each part of each body: does it stand for a mesh?
+  std::vector<const Object*> objects() const;                // all parts in order
+  const LeftOutList& left_out() const { return left_out_; }  // what is not read: must be shown
 
  private:
   struct Part {
@@ -62,6 +65,9 @@ class SceneInput {
 
   void add_mesh(const std::string& file, bool require_convex);
   void add_robot(const std::string& file, bool require_convex);
+  const std::vector<Object>* mesh_of(const io::CollisionShape& shape, const std::string& link, bool require_convex,
+                                     std::map<std::filesystem::path, std::vector<Object>>& known);
+  void require_some_body() const;
   std::string unused_name(const std::string& wish) const;
   std::uint32_t body_named(const std::string& name, const std::string& place) const;
   std::vector<std::array<std::uint32_t, 2>> adjacent() const;
@@ -69,7 +75,7 @@ class SceneInput {
   std::vector<Input> inputs_;
   std::vector<Body> bodies_;
   std::optional<io::Robot> robot_;
-  std::vector<std::string> left_out_;
+  LeftOutList left_out_;
 };
 
 }  // namespace sunder::cli

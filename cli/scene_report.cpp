@@ -131,11 +131,16 @@ std::string meeting_text(const SceneReport& report, const Placed& placed) {
     const std::string contact =
         report.contacts ? fmt::format(", {}{}", name_of(pair.contact), pair.counts ? "" : " (allowed)") : "";
     text += prefix + name_a(placed, pair) + " and " + name_b(placed, pair) + " " +
-            painted("meet", report.colour && pair.counts, "1;31") + contact + ", at about " +
-            about(point_about(placed, pair)) + "\n";
+            painted(report.meet_as_hulls(pair) ? "meet as hulls" : "meet", report.colour && pair.counts, "1;31") +
+            contact + ", at about " + about(point_about(placed, pair)) + "\n";
   }
   if (listed > most_listed) text += fmt::format("{}and {} more\n", prefix, count_of(listed - most_listed, "pair"));
-  if (listed == 0) text += prefix + "none meet\n";
+  if (listed == 0) {
+    text += prefix + (report.left_out->empty() ? "none meet" : "none of the bodies read meet") +
+            report.left_out->clause() + "\n";
+  } else if (!report.left_out->empty()) {
+    text += fmt::format("{}this is of the bodies read{}\n", prefix, report.left_out->clause());
+  }
   return text;
 }
 
@@ -148,6 +153,7 @@ Json pair_json(const SceneReport& report, std::size_t p, const PartPair& pair) {
             {"part_b", pair.part_b},
             {"answer", pair.answer.meet() ? "meet" : "apart"}};
   if (report.contacts) json["contact"] = name_of(pair.contact);
+  json["said_of"] = report.meet_as_hulls(pair) ? "hulls" : "bodies";
   json["counts"] = pair.counts;
   json["decided_by"] = pair.by_boxes ? "boxes" : std::string(name_of(pair.answer.decided_by));
   json["cost"] = to_json(pair.answer.cost);
@@ -197,6 +203,10 @@ bool SceneReport::some_meet() const {
   return std::any_of(placements.begin(), placements.end(), [](const Placed& p) { return p.answer.some_meet(); });
 }
 
+bool SceneReport::meet_as_hulls(const PartPair& pair) const {
+  return pair.answer.meet() && (is_hull[pair.body_a][pair.part_a] || is_hull[pair.body_b][pair.part_b]);
+}
+
 std::string part_name(const scene::Body& body, std::uint32_t part) {
   return body.parts.size() == 1 ? body.name : body.name + "/" + body.parts[part].name;
 }
@@ -222,6 +232,8 @@ Json scene_json(const SceneReport& report, const std::vector<const Object*>& obj
   Json json = envelope("scene", report.some_meet() ? "some" : "none", report.method);
   json["decided_by"] = decided_by(report);
   for (const Object* object : objects) json["objects"].push_back(to_json(*object));
+
+  json["left_out"] = report.left_out->json();
 
   json["bodies"] = Json::array();
   const std::vector<scene::Body>& bodies = report.placements.front().bodies;
@@ -282,7 +294,7 @@ std::string scene_certificate(const SceneReport& report) {
       writer.add_pair(index[pair.body_a][pair.part_a], index[pair.body_b][pair.part_b], pair.answer.certificate());
     }
   }
-  return writer.text();
+  return with_note(writer.text(), report.left_out->note());
 }
 
 }  // namespace sunder::cli

@@ -26,11 +26,15 @@ struct SceneReport {
   std::vector<std::array<std::uint32_t, 2>> allowed;
   std::vector<std::string> allowed_because;  // as the user wrote it
   std::string method;
+  const LeftOutList* left_out = nullptr;   // set
+  std::vector<std::vector<bool>> is_hull;  // of each part of each body: does a hull stand for a mesh?
   bool contacts = false;
   bool touching_allowed = false;
   bool colour = false;  // mark what meets by terminal colours
 
   bool some_meet() const;
+  // Do the parts meet, and is this said of hulls in the stead of meshes?
+  bool meet_as_hulls(const scene::PartPair& pair) const;
 };
 
 // "hand", or "hand/2" where the body has several parts.

@@ -1,6 +1,7 @@
 // sunder circles FILE: do any two circles, with their insides, meet? Which? How many?
 #include <cli/circles_input.h>
 #include <cli/common.h>
+#include <cli/list_stream.h>
 #include <cli/plane_picture.h>
 #include <cli/progress.h>
 
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 
 namespace sunder::cli {
 
@@ -33,21 +35,21 @@ struct Call {
   bool any = false, all = false, count = false;  // at most one; none: any
   std::string allow = "nothing";
   std::string method = "automatic";
-  std::string group, certificate, svg, title;
+  std::string group, name, certificate, svg, title;
+  std::uint64_t svg_limit = most_drawn;  // circles and contacts
   bool json = false;
 
   bool lists() const { return all || !svg.empty(); }
 };
 
+using Contacts = planar::ContactsInOrder<CirclesContact>;
+
 struct Result {
-  std::vector<CirclesContact> contacts;  // with --any at most one
+  std::unique_ptr<Contacts> contacts;    // with --any at most one; with --count null
   std::array<std::uint64_t, 4> count{};  // by kind
   Cost cost;
 
-  void add(const CirclesContact& contact, bool keep) {
-    ++count.at(static_cast<std::size_t>(contact.kind));
-    if (keep) contacts.push_back(contact);
-  }
+  void add(DiscContact kind) { ++count.at(static_cast<std::size_t>(kind)); }
   std::uint64_t pairs() const { return count[0] + count[1] + count[2] + count[3]; }
   std::uint64_t of(DiscContact kind) const { return count.at(static_cast<std::size_t>(kind)); }
 };
@@ -99,29 +101,50 @@ void check(const Call& call) {
   }
 }
 
-Result ask(const Call& call, const io::TripleFile& file, const Circles& circles) {
-  Progress progress("comparing");
+CirclesOptions options_of(const Call& call, const io::TripleFile& file) {
   CirclesOptions options;
   options.allowed = allowed_for_discs(call.allow);
   options.groups = file.group;
   options.transcript = !call.certificate.empty();
-  options.progress = progress.reporter();
-  Result result;
-  if (call.lists() || call.count) {
-    result.cost = contact_method(call.method)(circles, options, [&](const CirclesContact& contact) {
-      result.add(contact, call.lists());
-      return true;
-    });
-    std::sort(result.contacts.begin(), result.contacts.end());
-    return result;
+  return options;
+}
+
+// With --count, and where a list is wanted. Keeps the circles by reference.
+void count_and_list(const Call& call, const CirclesOptions& options, const Circles& circles, Result& result) {
+  const auto ask = [&, options](const planar::Block& block, const Contacts::Take& take) {
+    const bool is_first = result.contacts == nullptr;
+    Progress progress("comparing");
+    CirclesOptions shown = options;
+    shown.progress = progress.reporter();
+    const Cost cost = visit_circle_contacts_of_block(circles, shown, block, contact_method(call.method),
+                                                     [&](const CirclesContact& contact) {
+                                                       if (is_first) result.add(contact.kind);
+                                                       if (take) take(contact);
+                                                       return true;
+                                                     });
+    if (is_first) result.cost = cost;
+  };
+  if (call.lists()) {
+    result.contacts = std::make_unique<Contacts>(circles.size(), planar::most_held(circles.size()), ask);
+  } else {
+    ask({0, circles.size()}, nullptr);
   }
+}
+
+void find_any(const Call& call, CirclesOptions options, const Circles& circles, Result& result) {
+  Progress progress("comparing");
+  options.progress = progress.reporter();
   const CirclesAnswer answer = any_method(call.method)(circles, options);
   result.cost = answer.cost;
-  if (answer.meet()) result.add({answer.i, answer.j, answer.kind}, true);
+  std::vector<CirclesContact> found;
+  if (answer.meet()) {
+    found.push_back({answer.i, answer.j, answer.kind});
+    result.add(answer.kind);
+  }
+  result.contacts = std::make_unique<Contacts>(std::move(found));
   if (!call.certificate.empty()) {
     io::write_file_atomically(call.certificate, planar::certificate_text(circles, options.allowed, answer));
   }
-  return result;
 }
 
 std::string about(const Circle& c) {
@@ -140,8 +163,10 @@ std::string counts_text(const Result& result) {
 
 constexpr std::size_t most_listed = 20;
 
-std::string human_text(const Call& call, const io::TripleFile& file, const Circles& circles, const Result& result) {
-  std::string text = fmt::format("{}: {}\n", call.file, count_of(circles.size(), "circle"));
+// listed: the first of the contacts.
+std::string human_text(const Call& call, const io::TripleFile& file, const Circles& circles, const Result& result,
+                       const std::vector<CirclesContact>& listed) {
+  std::string text = fmt::format("{}: {}\n", io::one_line(call.file), count_of(circles.size(), "circle"));
   if (!call.group.empty()) {
     text += fmt::format("{}; those of one {} may meet\n", count_of(file.groups.size(), "group"), call.group);
   }
@@ -151,8 +176,8 @@ std::string human_text(const Call& call, const io::TripleFile& file, const Circl
     text += fmt::format(": {}: {}", count_of(result.pairs(), "pair"), counts_text(result));
   }
   text += '\n';
-  for (std::size_t k = 0; k < std::min(result.contacts.size(), most_listed); ++k) {
-    const CirclesContact& contact = result.contacts[k];
+  for (std::size_t k = 0; k < listed.size(); ++k) {
+    const CirclesContact& contact = listed[k];
     const Point2 p = planar::common_point_rounded(circles[contact.i], circles[contact.j]);
     text += fmt::format("{} {}, with about ({:.10g}, {:.10g}) in common\n",
                         call.lists() ? fmt::format("  {}.", k + 1) : " ", name_of(contact.kind), p.x, p.y);
@@ -161,16 +186,17 @@ std::string human_text(const Call& call, const io::TripleFile& file, const Circl
       text += fmt::format("    circle {}{}, line {}: {}\n", file.name[i], group, file.line[i], about(circles[i]));
     }
   }
-  if (result.contacts.size() > most_listed) {
-    text += fmt::format("  and {} more; --json or --svg have all\n", result.contacts.size() - most_listed);
+  if (call.lists() && result.pairs() > listed.size()) {
+    text += fmt::format("  and {} more; --json or --svg have all\n", result.pairs() - listed.size());
   }
   text += fmt::format("  cost        {}\n", count_of(result.cost.probes, "comparison"));
-  if (!call.certificate.empty()) text += fmt::format("  proof       {}\n", call.certificate);
-  if (!call.svg.empty()) text += fmt::format("  picture     {}\n", call.svg);
+  if (!call.certificate.empty()) text += fmt::format("  proof       {}\n", io::one_line(call.certificate));
+  if (!call.svg.empty()) text += fmt::format("  picture     {}\n", io::one_line(call.svg));
   return text;
 }
 
-Json report(const Call& call, const io::TripleFile& file, const Circles& circles, const Result& result) {
+// All but the contacts.
+Json report(const Call& call, const Circles& circles, const Result& result) {
   Json json = envelope("circles", result.pairs() > 0 ? "some" : "none", call.method);
   json["cost"] = to_json(result.cost);
   json["objects"] = Json::array({{{"file", call.file}, {"circles", circles.size()}}});
@@ -180,19 +206,21 @@ Json report(const Call& call, const io::TripleFile& file, const Circles& circles
     json["count"] = result.pairs();
     for (const DiscContact kind : kinds) json["counts"][std::string(name_of(kind))] = result.of(kind);
   }
-  json["contacts"] = Json::array();
-  for (const CirclesContact& c : result.contacts) {
-    const Point2 p = planar::common_point_rounded(circles[c.i], circles[c.j]);
-    Json contact = {{"i", c.i},
-                    {"j", c.j},
-                    {"kind", name_of(c.kind)},
-                    {"point", {p.x, p.y}},
-                    {"names", {file.name[c.i], file.name[c.j]}},
-                    {"lines", {file.line[c.i], file.line[c.j]}}};
-    if (!call.group.empty()) contact["groups"] = {file.groups[file.group[c.i]], file.groups[file.group[c.j]]};
-    json["contacts"].push_back(contact);
-  }
   return json;
+}
+
+std::string contact_json(const Call& call, const io::TripleFile& file, const Circles& circles,
+                         const CirclesContact& c) {
+  const Point2 p = planar::common_point_rounded(circles[c.i], circles[c.j]);
+  std::string text =
+      fmt::format(R"({{"i": {}, "j": {}, "kind": "{}", "point": {}, "names": {}, "lines": [{}, {}])", c.i, c.j,
+                  name_of(c.kind), pair_json(number_json(p.x), number_json(p.y)),
+                  pair_json(quoted_json(file.name[c.i]), quoted_json(file.name[c.j])), file.line[c.i], file.line[c.j]);
+  if (!call.group.empty()) {
+    text += R"(, "groups": )" + pair_json(quoted_json(file.groups[file.group[c.i]]),  //
+                                          quoted_json(file.groups[file.group[c.j]]));
+  }
+  return text + "}";
 }
 
 Ink ink_of(DiscContact kind) {
@@ -200,7 +228,8 @@ Ink ink_of(DiscContact kind) {
 }
 
 // A circle has the colour of the strongest contact that it is in.
-std::string picture(const Call& call, const Circles& circles, const Result& result) {
+std::string picture(const Call& call, const Circles& circles, const Result& result,
+                    const std::vector<CirclesContact>& drawn) {
   std::vector<Point2> seen;
   for (const Circle& c : circles.all()) {
     seen.push_back({c.center.x - c.radius, c.center.y - c.radius});
@@ -209,7 +238,7 @@ std::string picture(const Call& call, const Circles& circles, const Result& resu
   PlanePicture drawing(seen);
   std::vector<DiscContact> strongest(circles.size(), DiscContact::none);
   for (auto kind = kinds.rbegin(); kind != kinds.rend(); ++kind) {
-    for (const CirclesContact& c : result.contacts) {
+    for (const CirclesContact& c : drawn) {
       if (c.kind == *kind) strongest[c.i] = strongest[c.j] = *kind;
     }
   }
@@ -230,13 +259,43 @@ std::string picture(const Call& call, const Circles& circles, const Result& resu
                                   result.pairs() == 0 ? "none meet" : count_of(result.pairs(), "pair") + " meet"));
 }
 
+// Goes through the contacts once, and writes all that was asked for.
+void write(const Call& call, const io::TripleFile& file, const Circles& circles, const Result& result) {
+  std::optional<ListReport> json;
+  if (call.json) json.emplace(report(call, circles, result), "contacts");
+  std::vector<CirclesContact> listed, drawn;
+  const auto take = [&](const CirclesContact& contact) {
+    if (json) json->add(contact_json(call, file, circles, contact));
+    if (!call.svg.empty()) drawn.push_back(contact);
+    if (listed.size() < most_listed) listed.push_back(contact);
+    return json || !call.svg.empty() || listed.size() < most_listed;
+  };
+  if (result.contacts) result.contacts->visit(take);
+  if (!call.svg.empty()) io::write_file_atomically(call.svg, picture(call, circles, result, drawn));
+  if (json) {
+    json->close();
+  } else {
+    print_for_people(human_text(call, file, circles, result, listed));
+  }
+}
+
 int run(const Call& call) {
   check(call);
   allowed_for_discs(call.allow);
-  const auto [file, circles] = read_circles(call.file, call.group);
-  const Result result = ask(call, file, circles);
-  if (!call.svg.empty()) io::write_file_atomically(call.svg, picture(call, circles, result));
-  print(call.json ? to_text(report(call, file, circles, result)) : human_text(call, file, circles, result));
+  const CirclesInput input = read_circles(call.file, call.group, call.name);
+  const CirclesOptions options = options_of(call, input.file);
+  const auto require_drawable = [&](std::uint64_t contacts) {
+    if (!call.svg.empty()) cli::require_drawable(input.circles.size(), "circle", contacts, call.svg_limit);
+  };
+  require_drawable(0);
+  Result result;
+  if (call.lists() || call.count) {
+    count_and_list(call, options, input.circles, result);
+  } else {
+    find_any(call, options, input.circles, result);
+  }
+  require_drawable(result.pairs());
+  write(call, input.file, input.circles, result);
   return result.pairs() == 0 ? exit_code::no : exit_code::yes;
 }
 
@@ -255,10 +314,13 @@ void add_circles(CLI::App& program, int& code) {
   verb->add_option("--allow", call->allow, "what does not count: nothing, or touch")->type_name("KIND");
   verb->add_option("--group", call->group, "circles that are the same in this may meet: a column of the CSV")
       ->type_name("FIELD");
+  verb->add_option("--name", call->name, "the column that names circles; unless given, name, NAME, id")
+      ->type_name("FIELD");
   verb->add_option("--method", call->method, "automatic, grid, sweep, or scan")->type_name("NAME");
   verb->add_option("--certificate", call->certificate, "write the proof here")->type_name("FILE");
   auto* svg = verb->add_option("--svg", call->svg, "draw the circles and the pairs that meet here")->type_name("FILE");
   verb->add_option("--title", call->title, "of the picture")->needs(svg);
+  add_svg_limit(*verb, call->svg_limit);
   verb->add_flag("--json", call->json, "print a report in JSON");
   verb->callback([call, &code] { code = run(*call); });
 }

@@ -4,6 +4,7 @@
 
 #include <sunder/io/file.h>
 #include <sunder/io/mesh_write.h>
+#include <sunder/io/text.h>
 
 #include <fmt/format.h>
 
@@ -16,6 +17,7 @@ namespace {
 
 struct Call {
   std::string file, out;
+  bool leave_out = false;
   bool json = false;
 };
 
@@ -36,7 +38,8 @@ std::size_t edge_count(const solid::ConvexPolyhedron& hull) {
 
 int run(const Call& call) {
   const io::MeshFormat format = call.out.empty() ? io::MeshFormat::obj : io::mesh_format_of_name(call.out);
-  const Object object = read_object(call.file, false);
+  LeftOutList left_out(call.leave_out);
+  const Object object = read_object(call.file, false, left_out);
   const solid::ConvexPolyhedron& hull = object.hull;
   if (!call.out.empty()) io::write_file_atomically(call.out, mesh_text(hull, format));
 
@@ -45,21 +48,23 @@ int run(const Call& call) {
     Json json = envelope("hull", dimension_name(hull.dimension()), "quickhull");
     json["objects"] = Json::array({to_json(object)});
     json["input"] = {{"vertices", object.mesh_vertices}, {"polygons", object.mesh_polygons}};
+    json["left_out"] = left_out.json();
     json["edges"] = edge_count(hull);
     json["box"] = Json::array({to_json(low), to_json(high)});
     json["out"] = call.out.empty() ? Json(nullptr) : Json(call.out);
     print(to_text(json));
     return exit_code::no;
   }
-  std::string text =
-      fmt::format("{}: hull of dimension {}: a {}\n", object.file, hull.dimension(), dimension_name(hull.dimension()));
+  std::string text = fmt::format("{}: hull of dimension {}: a {}{}\n", object.file, hull.dimension(),
+                                 dimension_name(hull.dimension()), left_out.clause());
   text += fmt::format("  vertices  {} of {}\n", hull.vertices().size(), object.mesh_vertices);
   text += fmt::format("  edges     {}\n  facets    {}\n", edge_count(hull), hull.facet_count());
   text += fmt::format("  box       {} to {}\n", about(low), about(high));
   if (object.shape == Shape::convex) text += "  mesh      exactly convex: it bounds its hull\n";
   if (object.shape == Shape::hull) text += fmt::format("  mesh      not exactly convex: {}\n", object.why_hull);
-  if (!call.out.empty()) text += fmt::format("  written   {}\n", call.out);
-  print(text);
+  if (object.departure) text += fmt::format("            {}\n", departure_text(object));
+  if (!call.out.empty()) text += fmt::format("  written   {}\n", io::one_line(call.out));
+  print_for_people(text);
   return exit_code::no;
 }
 
@@ -70,6 +75,7 @@ void add_hull(CLI::App& program, int& code) {
   CLI::App* verb = program.add_subcommand("hull", "The exact convex hull of a mesh or a set of points.");
   verb->add_option("FILE", call->file, "a mesh or a set of points: OBJ, STL, PLY, OFF")->required();
   verb->add_option("-o,--out", call->out, "write the hull here: .obj, .off, .ply or .stl")->type_name("FILE");
+  verb->add_flag("--leave-out", call->leave_out, leave_out_help);
   verb->add_flag("--json", call->json, "print a report in JSON");
   verb->callback([call, &code] { code = run(*call); });
 }

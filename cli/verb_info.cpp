@@ -1,5 +1,6 @@
 // sunder info FILE...: what is in a file?
 #include <cli/common.h>
+#include <cli/info_planar.h>
 #include <cli/objects.h>
 
 #include <sunder/base/error.h>
@@ -35,7 +36,7 @@ constexpr std::array<Format, 10> formats{
      {"PLY", ".ply", "read, write", "ASCII, and binary of either byte order (read)"},
      {"OFF", ".off", "read, write", "Object File Format, ASCII"},
      {"URDF", ".urdf", "read", "robots: links with meshes and boxes, joints with limits"},
-     {"CSV", ".csv", "read", "segments: x1,y1,x2,y2 and, if there is one, an id"},
+     {"CSV", ".csv", "read", "segments: x1,y1,x2,y2; circles: x,y,r; half-planes: a,b,c; others by name"},
      {"WKT", ".wkt", "read", "lines and polygons, a geometry on each line; their edges are segments"},
      {"GeoJSON", ".geojson", "read", "lines and polygons; their edges are segments"},
      {"KiCad board", ".kicad_pcb", "read", "tracks by layer and net; arcs as polylines"},
@@ -61,11 +62,6 @@ bool is_robot(const std::string& file) {
 // A finite limit as a number, another as null.
 Json limit(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
-struct Info {
-  std::string text;
-  Json json;
-};
-
 Info describe_robot(const std::string& file) {
   const io::Robot robot = io::read_urdf(file);
   Info info;
@@ -73,7 +69,9 @@ Info describe_robot(const std::string& file) {
   info.json = {{"file", shown}, {"format", "URDF"}, {"name", robot.name}, {"root", robot.links[robot.root].name}};
   info.json["links"] = Json::array();
   info.json["joints"] = Json::array();
-  info.json["skipped"] = robot.skipped;
+  LeftOutList left_out(true);
+  left_out.add(file, robot.left_out, "");
+  info.json["left_out"] = left_out.json();
   info.text = fmt::format("{}: URDF robot {} of {} and {}\n", shown, robot.name, count_of(robot.links.size(), "link"),
                           count_of(robot.joints.size(), "joint"));
   std::size_t width = 0;
@@ -110,7 +108,7 @@ Info describe_robot(const std::string& file) {
     info.text += fmt::format("  joint  {:<{}}  {} to {}, {}{}\n", joint.name, width, parent, child,
                              type_name(joint.type), range);
   }
-  for (const std::string& line : robot.skipped) info.text += "  left out: " + line + "\n";
+  if (!left_out.empty()) info.text += fmt::format("  not read: {}\n", left_out.text());
   return info;
 }
 
@@ -118,8 +116,11 @@ Info describe_mesh(const std::string& file) {
   const io::Mesh mesh = io::read_mesh(file);
   const Object object = make_object(mesh, file, false);
   const auto [low, high] = object.hull.box();
+  LeftOutList left_out(true);
+  left_out.add(file, mesh.left_out, "");
   Info info;
   info.json = to_json(object);
+  info.json["left_out"] = left_out.json();
   info.json["mesh"] = {{"vertices", mesh.vertices.size()},
                        {"in_use", object.mesh_vertices},
                        {"polygons", mesh.polygon_count()},
@@ -136,6 +137,8 @@ Info describe_mesh(const std::string& file) {
                           : object.shape == Shape::hull ? "not exactly convex: " + object.why_hull
                                                         : "a set of points";
   info.text += fmt::format("  shape   {}\n", why);
+  if (object.departure) info.text += fmt::format("          {}\n", departure_text(object));
+  if (!left_out.empty()) info.text += fmt::format("          not read: {}\n", left_out.text());
   info.text += fmt::format("  hull    {}, {} vertices, {}\n", dimension_name(object.hull.dimension()),
                            object.hull.vertices().size(), count_of(object.hull.facet_count(), "facet"));
   info.text += fmt::format("  box     {} to {}\n", about(low), about(high));
@@ -156,11 +159,13 @@ int run(const Call& call) {
     }
   }
   for (const std::string& file : call.files) {
-    Info info = is_robot(file) ? describe_robot(file) : describe_mesh(file);
+    Info info = is_robot(file)          ? describe_robot(file)
+                : is_of_the_plane(file) ? describe_planar(file)
+                                        : describe_mesh(file);
     json["objects"].push_back(std::move(info.json));
     text += info.text;
   }
-  print(call.json ? to_text(json) : text);
+  call.json ? print(to_text(json)) : print_for_people(text);
   return exit_code::no;
 }
 
@@ -169,7 +174,7 @@ int run(const Call& call) {
 void add_info(CLI::App& program, int& code) {
   auto call = std::make_shared<Call>();
   CLI::App* verb = program.add_subcommand("info", "What is in these files? Which formats are read?");
-  verb->add_option("FILE", call->files, "meshes, sets of points, robots");
+  verb->add_option("FILE", call->files, "meshes, sets of points, robots, files of the plane");
   verb->add_flag("--formats", call->formats, "list the formats that are in");
   verb->add_flag("--json", call->json, "print a report in JSON");
   verb->callback([call, &code] { code = run(*call); });

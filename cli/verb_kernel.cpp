@@ -1,9 +1,11 @@
 // sunder kernel FILE: from which points of a polygon are all of its points seen?
 #include <cli/common.h>
+#include <cli/left_out.h>
 #include <cli/plane_picture.h>
 #include <cli/polygons_input.h>
 
 #include <sunder/base/error.h>
+#include <sunder/certificate/json.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
 #include <sunder/planar/region/kernel.h>
@@ -25,10 +27,10 @@ using planar::Region;
 using planar::RegionKind;
 
 struct Call {
-  std::string file, feature;
+  std::string file, feature, name;
   std::string method = "automatic";
   std::string certificate, svg, title;
-  bool drop_z = false;
+  bool drop_z = false, leave_out = false, skip_invalid = false, mend = false;
   bool json = false;
 };
 
@@ -79,9 +81,12 @@ std::string human_text(const Call& call, const PolygonsInput& input, const std::
       text += fmt::format("  and {} more; --json has all\n", result.corners.size() - most_listed);
     }
   }
-  text += fmt::format("{}: {} of {} have a kernel\n", call.file, seen, count_of(results.size(), "polygon"));
-  if (!call.certificate.empty()) text += fmt::format("  proof       {}\n", call.certificate);
-  if (!call.svg.empty()) text += fmt::format("  picture     {}\n", call.svg);
+  const std::string without = input.left_out_words();
+  text += fmt::format("{}: {} of {} have a kernel{}\n", io::one_line(call.file), seen,
+                      count_of(results.size(), "polygon"), without.empty() ? "" : ", said of these only: " + without);
+  text += input.tell();
+  if (!call.certificate.empty()) text += fmt::format("  proof       {}\n", io::one_line(call.certificate));
+  if (!call.svg.empty()) text += fmt::format("  picture     {}\n", io::one_line(call.svg));
   return text;
 }
 
@@ -101,6 +106,7 @@ Json report(const Call& call, const PolygonsInput& input, const std::vector<Resu
     json["objects"].push_back(object);
   }
   json["cost"] = to_json(cost);
+  input.tell(json);
   return json;
 }
 
@@ -131,7 +137,16 @@ std::string picture(const Call& call, const PolygonsInput& input, const std::vec
 
 int run(const Call& call) {
   KernelMethod* const method = kernel_method(call.method);
-  const PolygonsInput input = read_polygons(call.file, call.drop_z, true);
+  PolygonsRequest request;
+  request.files = {call.file};
+  request.drop_z = call.drop_z;
+  request.leave_out = call.leave_out;
+  request.skip_invalid = call.skip_invalid;
+  request.mend = call.mend;
+  request.by_part = true;
+  request.rule = planar::PolygonRule::simple;
+  request.name = call.name;
+  const PolygonsInput input = read_polygons(request);
   std::vector<Result> results;
   std::string certificate;
   for (std::uint32_t i = 0; i < input.polygons.size(); ++i) {
@@ -158,10 +173,13 @@ int run(const Call& call) {
     throw Error(ErrorCode::bad_call, fmt::format("{} has no polygon named {}", call.file, io::quote(call.feature)),
                 "--feature");
   }
-  if (!call.certificate.empty()) io::write_file_atomically(call.certificate, certificate);
+  if (!call.certificate.empty()) {
+    const std::string note = input.mended.empty() ? "" : input.note();
+    io::write_file_atomically(call.certificate, with_note(certificate, note));
+  }
   if (!call.svg.empty()) io::write_file_atomically(call.svg, picture(call, input, results));
   const bool all = std::none_of(results.begin(), results.end(), [](const Result& r) { return r.kernel.empty(); });
-  print(call.json ? to_text(report(call, input, results, all)) : human_text(call, input, results));
+  call.json ? print(to_text(report(call, input, results, all))) : print_for_people(human_text(call, input, results));
   return all ? exit_code::no : exit_code::yes;
 }
 
@@ -173,6 +191,10 @@ void add_kernel(CLI::App& program, int& code) {
       program.add_subcommand("kernel", "From which points of a simple polygon are all of its points seen?");
   verb->add_option("FILE", call->file, "simple polygons without holes: WKT, GeoJSON")->required();
   verb->add_option("--feature", call->feature, "this polygon only")->type_name("NAME");
+  verb->add_option("--name", call->name, name_help)->type_name("FIELD");
+  verb->add_flag("--skip-invalid", call->skip_invalid, skip_invalid_help);
+  verb->add_flag("--mend", call->mend, mend_help);
+  verb->add_flag("--leave-out", call->leave_out, leave_out_help);
   verb->add_option("--method", call->method, "automatic, half-planes, lee-preparata, or scan")->type_name("NAME");
   verb->add_option("--certificate", call->certificate, "write the proof here")->type_name("FILE");
   auto* svg = verb->add_option("--svg", call->svg, "draw the polygons and their kernels here")->type_name("FILE");

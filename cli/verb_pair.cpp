@@ -20,6 +20,7 @@ namespace {
 // The options of both kinds of pairs.
 struct Call : PlanarPairCall {
   bool require_convex = false;
+  bool leave_out = false;
 };
 
 struct Placed {
@@ -29,25 +30,32 @@ struct Placed {
   PlacedVertices vertices() const { return placed_vertices(object.hull, pose); }
 };
 
-Placed read(const std::string& file, const std::string& pose, const char* option, bool require_convex) {
-  return {read_object(file, require_convex), pose.empty() ? solid::Pose() : parse_pose(pose, option)};
+Placed read(const std::string& file, const std::string& pose, const char* option, bool require_convex,
+            LeftOutList& left_out) {
+  return {read_object(file, require_convex, left_out), pose.empty() ? solid::Pose() : parse_pose(pose, option)};
 }
 
-std::string certificate_text(const Placed& a, const Placed& b, const PairCertificate& evidence) {
+// Apart carries over from hulls to the meshes that they stand for; meet does not.
+bool is_said_of_hulls(const Placed& a, const Placed& b, const solid::PairAnswer& answer) {
+  return answer.meet() && (a.object.shape == Shape::hull || b.object.shape == Shape::hull);
+}
+
+std::string certificate_text(const Placed& a, const Placed& b, const PairCertificate& evidence,
+                             const LeftOutList& left_out) {
   CertificateWriter writer;
   const std::uint32_t body_a = writer.add_body(a.object.name, a.object.hull.vertices());
   const std::uint32_t body_b = writer.add_body(b.object.name, b.object.hull.vertices());
   const std::uint32_t placed_a = writer.add_placed(a.object.name, body_a, a.pose.affine());
   const std::uint32_t placed_b = writer.add_placed(b.object.name, body_b, b.pose.affine());
   writer.add_pair(placed_a, placed_b, evidence);
-  return writer.text();
+  return with_note(writer.text(), left_out.note());
 }
 
 std::string human_text(const Call& call, const Placed& a, const Placed& b, const solid::PairAnswer& answer,
-                       Contact contact) {
-  const bool meet = answer.meet();
-  const std::string answer_text = !meet ? "apart" : call.classify ? fmt::format("meet ({})", name_of(contact)) : "meet";
-  std::string text = fmt::format("{} and {}: {}\n", a.object.file, b.object.file, answer_text);
+                       Contact contact, const LeftOutList& left_out) {
+  std::string answer_text = !answer.meet() ? "apart" : is_said_of_hulls(a, b, answer) ? "meet as hulls" : "meet";
+  if (call.classify && answer.meet()) answer_text += fmt::format(" ({})", name_of(contact));
+  std::string text = fmt::format("{} and {}: {}{}\n", a.object.file, b.object.file, answer_text, left_out.clause());
   const auto line = [&](const char* title, std::string value) {
     if (const std::size_t end = value.find('\n'); end != std::string::npos) value.insert(end + 1, 14, ' ');
     text += fmt::format("  {:<10}  {}\n", title, value);
@@ -61,6 +69,7 @@ std::string human_text(const Call& call, const Placed& a, const Placed& b, const
          fmt::format("{}: {}, {}, {}{}", p->object.name, dimension_name(hull.dimension()),
                      hull.vertices().size() == 1 ? "1 vertex" : fmt::format("{} vertices", hull.vertices().size()),
                      count_of(hull.facet_count(), "facet"), shape));
+    if (const std::string departure = departure_text(p->object); !departure.empty()) line("", departure);
   }
   line("evidence", evidence_text(answer.certificate(), a.vertices(), b.vertices(), "A", "B"));
   line("decided by", decided_text(answer.decided_by));
@@ -70,11 +79,14 @@ std::string human_text(const Call& call, const Placed& a, const Placed& b, const
   return text;
 }
 
-Json report(const Call& call, const Placed& a, const Placed& b, const solid::PairAnswer& answer, Contact contact) {
+Json report(const Call& call, const Placed& a, const Placed& b, const solid::PairAnswer& answer, Contact contact,
+            const LeftOutList& left_out) {
   Json json = envelope("pair", answer.meet() ? "meet" : "apart", call.method);
   json["decided_by"] = name_of(answer.decided_by);
   json["cost"] = to_json(answer.cost);
   json["objects"] = {to_json(a.object), to_json(b.object)};
+  json["said_of"] = is_said_of_hulls(a, b, answer) ? "hulls" : "bodies";
+  json["left_out"] = left_out.json();
   if (call.classify) json["contact"] = name_of(contact);
   json["evidence"] = evidence_json(answer.certificate(), a.vertices(), b.vertices());
   return json;
@@ -85,6 +97,7 @@ int run(const Call& call) {
     if (call.require_convex) {
       throw Error(ErrorCode::bad_call, "polygons are always required to be convex; leave it out", "--require-convex");
     }
+    if (call.leave_out) throw Error(ErrorCode::bad_call, "is for meshes; leave it out", "--leave-out");
     return run_planar_pair(call);
   }
   for (const auto& [is_given, option] : {std::pair(!call.svg.empty(), "--svg"),
@@ -97,18 +110,20 @@ int run(const Call& call) {
     if (is_given) throw Error(ErrorCode::bad_call, "is for planar objects only; leave it out", option);
   }
   const PairMethod method = pair_method(call.method);
-  const Placed a = read(call.file_a, call.pose_a, "--pose-a", call.require_convex);
-  const Placed b = read(call.file_b, call.pose_b, "--pose-b", call.require_convex);
+  LeftOutList left_out(call.leave_out);
+  const Placed a = read(call.file_a, call.pose_a, "--pose-a", call.require_convex, left_out);
+  const Placed b = read(call.file_b, call.pose_b, "--pose-b", call.require_convex, left_out);
 
   const solid::PairAnswer answer = method(a.object.hull, a.pose, b.object.hull, b.pose);
   const Contact contact = call.classify && answer.meet()
                               ? solid::polyhedron_polyhedron_contact(a.object.hull, a.pose, b.object.hull, b.pose)
                               : Contact::none;
   if (!call.certificate.empty()) {
-    io::write_file_atomically(call.certificate, certificate_text(a, b, answer.certificate()));
+    io::write_file_atomically(call.certificate, certificate_text(a, b, answer.certificate(), left_out));
   }
   note_hulls({&a.object, &b.object});
-  print(call.json ? to_text(report(call, a, b, answer, contact)) : human_text(call, a, b, answer, contact));
+  call.json ? print(to_text(report(call, a, b, answer, contact, left_out)))
+            : print_for_people(human_text(call, a, b, answer, contact, left_out));
   return answer.meet() ? exit_code::yes : exit_code::no;
 }
 
@@ -134,6 +149,7 @@ void add_pair(CLI::App& program, int& code) {
       ->type_name("NAME");
   verb->add_flag("--classify", call->classify, "tell touching from overlapping");
   verb->add_flag("--require-convex", call->require_convex, "a mesh that is not exactly convex is an error");
+  verb->add_flag("--leave-out", call->leave_out, leave_out_help);
   verb->add_option("--certificate", call->certificate, "write the proof here")->type_name("FILE");
   verb->add_flag("--json", call->json, "print a report in JSON");
   verb->add_flag("--distance", call->distance,

@@ -83,7 +83,7 @@ class Report {
   }
 
   std::string human() const {
-    std::string text = fmt::format("{}: {}\n", call_.file, count_of(constraints_.size(), "half-plane"));
+    std::string text = fmt::format("{}: {}\n", io::one_line(call_.file), count_of(constraints_.size(), "half-plane"));
     if (region_.empty()) {
       text += "empty: these contradict each other\n" + contradiction();
     } else {
@@ -92,8 +92,8 @@ class Report {
     }
     if (objective_) text += best_text();
     text += fmt::format("  cost        {}\n", count_of(cost().probes, "sign"));
-    if (!call_.certificate.empty()) text += fmt::format("  proof       {}\n", call_.certificate);
-    if (!call_.svg.empty()) text += fmt::format("  picture     {}\n", call_.svg);
+    if (!call_.certificate.empty()) text += fmt::format("  proof       {}\n", io::one_line(call_.certificate));
+    if (!call_.svg.empty()) text += fmt::format("  picture     {}\n", io::one_line(call_.svg));
     return text;
   }
 
@@ -116,7 +116,7 @@ class Report {
     if (objective_) {
       json["best"] = {{"objective", {objective_->p, objective_->q}}, {"outcome", name_of(best_.outcome)}};
       for (const auto& [key, k] : tight()) {
-        if (k != planar::no_half_plane) json["best"][key] = k;
+        if (k != planar::no_half_plane && best_.outcome != Optimum::all) json["best"][key] = k;
       }
       if (best_.feasible()) {
         const Point2 p = best_point();
@@ -167,6 +167,11 @@ class Report {
   Point2 corner(std::uint32_t i, std::uint32_t j) const {
     return nearest(exact_corner(constraints_[i], constraints_[j]));
   }
+  // From the exact point: of rounded coordinates nothing may be left where products cancel. Infinite beyond doubles.
+  double best_value() const {
+    const ExactPoint2 p = point_of(constraints_, best_);
+    return nearest_ratio(Dyadic(objective_->p) * p.x + Dyadic(objective_->q) * p.y, p.denominator);
+  }
   Point2 best_point() const { return nearest(point_of(constraints_, best_)); }
 
   std::string half_plane(std::uint32_t k) const {
@@ -200,10 +205,14 @@ class Report {
         fmt::format("{:.10g} x {} {:.10g} y", objective_->p, objective_->q < 0 ? "-" : "+", std::fabs(objective_->q));
     if (!best_.feasible()) return "";
     if (best_.outcome == Optimum::unbounded) return fmt::format("{} is as great as one likes\n", aim);
-    const Point2 p = best_point();
+    if (best_.outcome == Optimum::all) {
+      return fmt::format("{} is zero everywhere: every common point is an optimum; they are {}\n", aim, shape());
+    }
+    const double value = best_value();
     std::string text =
-        fmt::format("{} is greatest, about {:.10g}, {} about {}\n", aim, objective_->p * p.x + objective_->q * p.y,
-                    best_.outcome == Optimum::one ? "at" : "at more points than one, such as", about(p));
+        fmt::format("{} is greatest, {}, {} about {}\n", aim,
+                    std::isfinite(value) ? fmt::format("about {:.10g}", value) : "beyond the range of doubles",
+                    best_.outcome == Optimum::one ? "at" : "at more points than one, such as", about(best_point()));
     for (const auto& [key, k] : tight()) {
       if (k != planar::no_half_plane) text += fmt::format("    held by half-plane {}\n", half_plane(k));
     }
@@ -236,7 +245,7 @@ int run_half_planes(const Call& call) {
   }
   const Report report(call, file, constraints, region, objective);
   if (!call.svg.empty()) io::write_file_atomically(call.svg, report.picture());
-  print(call.json ? to_text(report.json()) : report.human());
+  call.json ? print(to_text(report.json())) : print_for_people(report.human());
   return region.empty() ? exit_code::yes : exit_code::no;
 }
 
@@ -252,7 +261,9 @@ int run(const Call& call) {
   if (!of_half_planes && !call.maximize.empty()) {
     throw Error(ErrorCode::bad_call, "only half-planes have a best point here; leave it out", "--maximize");
   }
-  for (const auto& [given, option] : {std::pair(call.mend, "--mend"), std::pair(call.drop_z, "--drop-z")}) {
+  for (const auto& [given, option] :
+       {std::pair(call.mend, "--mend"), std::pair(call.drop_z, "--drop-z"), std::pair(call.leave_out, "--leave-out"),
+        std::pair(call.skip_invalid, "--skip-invalid"), std::pair(!call.name.empty(), "--name")}) {
     if (given && !of_polygons) throw Error(ErrorCode::bad_call, "is for polygons; leave it out", option);
   }
   if (of_half_planes) return run_half_planes(call);
@@ -280,6 +291,10 @@ void add_region(CLI::App& program, int& code) {
   verb->add_option("--title", call->title, "of the picture")->needs(svg);
   verb->add_flag("--mend", call->mend,
                  "polygons: leave out repeated and collinear vertices, turn clockwise ones round");
+  verb->add_flag("--skip-invalid", call->skip_invalid, "polygons: answer for the convex ones, and list the others");
+  verb->add_flag("--leave-out", call->leave_out, "polygons: leave out points and lines, and say so");
+  verb->add_option("--name", call->name, "polygons: the property that names them; unless given, name, NAME, id")
+      ->type_name("FIELD");
   verb->add_flag("--drop-z", call->drop_z, "polygons: ignore third coordinates");
   verb->add_flag("--json", call->json, "print a report in JSON");
   verb->callback([call, &code] { code = run(*call); });

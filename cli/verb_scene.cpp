@@ -1,11 +1,13 @@
 // sunder scene FILE...: which of these bodies meet?
 #include <cli/common.h>
+#include <cli/list_stream.h>
 #include <cli/scene_input.h>
 #include <cli/scene_picture.h>
 #include <cli/scene_report.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
+#include <sunder/io/text.h>
 
 #include <fmt/format.h>
 
@@ -23,8 +25,10 @@ struct Call {
   std::vector<std::string> files, poses, joints, joints_files, allow;
   std::string method = "automatic";
   std::string certificate, svg, title;
+  std::uint64_t svg_limit = 200'000;  // facets
   bool classify = false;
   bool require_convex = false;
+  bool leave_out = false;
   bool json = false;
 };
 
@@ -54,10 +58,16 @@ int run(const Call& call) {
   question.every_pair = !call.certificate.empty();
   question.contacts = call.classify;
   const std::vector<Placement> placements = placements_of(call);
-  const SceneInput input(call.files, call.poses, call.require_convex);
+  const SceneInput input(call.files, call.poses, call.require_convex, call.leave_out);
+  if (!call.svg.empty()) {
+    std::uint64_t facets = 0;
+    for (const Object* object : input.objects()) facets += object->hull.facet_count();
+    require_drawable(facets * placements.size(), "facet", 0, call.svg_limit);
+  }
 
   SceneReport report;
   report.method = call.method;
+  report.left_out = &input.left_out();
   for (const std::string& word : call.allow) {
     if (word == "touch") {
       question.touching_allowed = question.contacts = true;
@@ -71,6 +81,7 @@ int run(const Call& call) {
   report.contacts = question.contacts;
   report.touching_allowed = question.touching_allowed;
   report.colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
+  report.is_hull = input.are_hulls();
   for (const Placement& placement : placements) {
     const std::string number = placements.size() == 1 ? "as given" : std::to_string(report.placements.size() + 1);
     report.placements.push_back(ask(input, placement, placement.name.empty() ? number : placement.name, question));
@@ -78,16 +89,16 @@ int run(const Call& call) {
 
   if (!call.certificate.empty()) io::write_file_atomically(call.certificate, scene_certificate(report));
   if (!call.svg.empty()) io::write_file_atomically(call.svg, scene_picture(report, call.title));
-  for (const std::string& line : input.left_out()) note("left out: " + line);
   note_hulls(input.objects());
   std::string text = call.json ? to_text(scene_json(report, input.objects())) : scene_text(report);
   if (!call.json && !call.certificate.empty()) {
     std::size_t pairs = 0;
     for (const Placed& placed : report.placements) pairs += placed.answer.pairs.size();
-    text += fmt::format("proofs of {}, all but the allowed: {}\n", count_of(pairs, "pair"), call.certificate);
+    text +=
+        fmt::format("proofs of {}, all but the allowed: {}\n", count_of(pairs, "pair"), io::one_line(call.certificate));
   }
-  if (!call.json && !call.svg.empty()) text += fmt::format("picture: {}\n", call.svg);
-  print(text);
+  if (!call.json && !call.svg.empty()) text += fmt::format("picture: {}\n", io::one_line(call.svg));
+  call.json || report.colour ? print(text) : print_for_people(text);  // colours are control bytes
   return report.some_meet() ? exit_code::yes : exit_code::no;
 }
 
@@ -115,9 +126,11 @@ void add_scene(CLI::App& program, int& code) {
   verb->add_option("--method", call->method, "automatic, gjk, or scan")->type_name("NAME");
   verb->add_flag("--classify", call->classify, "tell touching from overlapping");
   verb->add_flag("--require-convex", call->require_convex, "a mesh that is not exactly convex is an error");
+  verb->add_flag("--leave-out", call->leave_out, leave_out_help);
   verb->add_option("--certificate", call->certificate, "write the proofs of all pairs here")->type_name("FILE");
   verb->add_option("--svg", call->svg, "draw the placements here")->type_name("FILE");
   verb->add_option("--title", call->title, "over the picture")->type_name("TEXT");
+  add_svg_limit(*verb, call->svg_limit);
   verb->add_flag("--json", call->json, "print a report in JSON");
   verb->callback([call, &code] { code = run(*call); });
 }

@@ -1,10 +1,14 @@
 // sunder segments FILE: do any two segments meet? Which? How many?
 #include <cli/common.h>
 #include <cli/contacts_geojson.h>
+#include <cli/left_out.h>
+#include <cli/list_stream.h>
+#include <cli/outputs.h>
 #include <cli/progress.h>
 #include <cli/segments_picture.h>
 
 #include <sunder/base/error.h>
+#include <sunder/certificate/json.h>
 #include <sunder/io/file.h>
 #include <sunder/io/lines.h>
 #include <sunder/io/text.h>
@@ -18,6 +22,8 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <numeric>
+#include <optional>
 
 namespace sunder::cli {
 
@@ -32,12 +38,13 @@ using planar::SegmentsOptions;
 struct Call {
   std::string file;
   bool any = false, all = false, count = false;  // at most one; none: any
-  std::string group, layer;
-  bool across_layers = false;
+  std::string group, layer, name;
+  bool across_layers = false, centre_lines = false;
   std::string allow = "nothing";
   std::string method = "automatic";
   std::string certificate, geojson, svg, title;
-  bool drop_z = false;
+  std::uint64_t svg_limit = most_drawn;  // segments and contacts
+  bool drop_z = false, leave_out = false;
   bool json = false;
 
   bool lists() const { return all || !geojson.empty() || !svg.empty(); }
@@ -51,11 +58,19 @@ struct Sheet {
   std::string layer;  // its name, where it is one of several sheets
 };
 
+using planar::SegmentsContact;
+using Contacts = planar::ContactsInOrder<SegmentsContact>;
+
 struct Result {
-  std::vector<planar::SegmentsContact> contacts;  // by numbers of the file; with --any at most one
-  std::uint64_t count = 0;                        // with --all and --count
-  std::vector<std::string> proofs;                // files written
+  std::unique_ptr<Contacts> contacts;     // by numbers of the file, with --any at most one; with --count null
+  std::array<std::uint64_t, 5> number{};  // of contacts, by kind
+  std::vector<std::string> proofs;        // files written
   Cost cost;
+
+  void add(ContactKind kind) { ++number.at(static_cast<std::size_t>(kind)); }
+  std::uint64_t count() const { return std::accumulate(number.begin(), number.end(), std::uint64_t{0}); }
+  bool some() const { return count() > 0; }
+  bool all_are(ContactKind kind) const { return some() && number.at(static_cast<std::size_t>(kind)) == count(); }
 };
 
 using AnyMethod = SegmentsAnswer(const Segments&, const SegmentsOptions&);
@@ -109,6 +124,30 @@ std::vector<Sheet> sheets_of(const Call& call, const io::LineFile& file) {
   return sheets;
 }
 
+bool is_board(const io::LineFile& file) { return file.format == "KiCad board"; }
+
+// Tracks are copper, and there is more copper than tracks: their lines are asked about by those who say so.
+void check_centre_lines(const Call& call, const io::LineFile& file) {
+  if (is_board(file) == call.centre_lines) return;
+  if (call.centre_lines) throw Error(ErrorCode::bad_call, "is for boards; leave it out", "--centre-lines");
+  io::fail_file(call.file, fmt::format("copper is not read ({}); to ask about the tracks' centre lines alone, say "
+                                       "--centre-lines",
+                                       fmt::join(file.remarks, "; ")));
+}
+
+LeftOutList left_out_of(const io::LineFile& file) {
+  LeftOutList list(true);  // the reader refuses what the caller does not let go
+  list.add("", file.left_out, "");
+  return list;
+}
+
+// What the certificate does not speak of.
+std::string note_of(const io::LineFile& file) {
+  return is_board(file)
+             ? fmt::format("of the centre lines of tracks; copper is not read: {}", fmt::join(file.remarks, "; "))
+             : left_out_of(file).note();
+}
+
 // "proof.json", or of a layer among others "proof.F.Cu.json".
 std::filesystem::path certificate_of(const Call& call, const Sheet& sheet) {
   std::filesystem::path path = call.certificate;
@@ -117,33 +156,93 @@ std::filesystem::path certificate_of(const Call& call, const Sheet& sheet) {
   return path.replace_extension("." + sheet.layer + ending);
 }
 
-void ask(const Call& call, const Sheet& sheet, const SegmentsOptions& options, Result& result) {
-  const auto in_file = [&](std::uint32_t i, std::uint32_t j, ContactKind kind) {
-    return planar::SegmentsContact{sheet.members[i], sheet.members[j], kind};  // members rise, so i < j stays
-  };
-  if (call.lists() || call.count) {
-    const Cost cost = contact_method(call.method)(sheet.segments, options, [&](const planar::SegmentsContact& c) {
-      ++result.count;
-      if (call.lists()) result.contacts.push_back(in_file(c.i, c.j, c.kind));
-      return true;
-    });
-    result.cost.probes += cost.probes;
-    return;
+// The names of certificates are known by now.
+void require_apart(const Call& call, const std::vector<Sheet>& sheets) {
+  std::vector<NamedFile> outputs;
+  if (!call.geojson.empty()) outputs.push_back({"--geojson", call.geojson});
+  if (!call.svg.empty()) outputs.push_back({"--svg", call.svg});
+  for (const Sheet& sheet : sheets) {
+    if (!call.certificate.empty()) outputs.push_back({"--certificate", certificate_of(call, sheet)});
   }
-  const SegmentsAnswer answer = any_method(call.method)(sheet.segments, options);
-  result.cost.probes += answer.cost.probes;
-  if (answer.meet()) result.contacts.push_back(in_file(answer.i, answer.j, answer.kind));
-  if (call.certificate.empty()) return;
-  result.proofs.push_back(certificate_of(call, sheet).string());
-  io::write_file_atomically(result.proofs.back(),
-                            planar::certificate_text(sheet.segments, options.allowed, answer, sheet.groups));
+  cli::require_apart({{"", call.file}}, outputs);
+}
+
+SegmentsContact in_file(const Sheet& sheet, const SegmentsContact& c) {
+  return {sheet.members[c.i], sheet.members[c.j], c.kind};  // members rise, so i < j stays
+}
+
+// The numbers in the sheet of those in the file.
+planar::Block in_sheet(const Sheet& sheet, const planar::Block& block) {
+  const auto number = [&](std::uint32_t i) {
+    return static_cast<std::uint32_t>(std::lower_bound(sheet.members.begin(), sheet.members.end(), i) -
+                                      sheet.members.begin());
+  };
+  return {number(block.first), number(block.last)};
+}
+
+// Calls take for each contact of the sheet whose i the block holds.
+template <class Take>
+Cost visit(const Call& call, const Sheet& sheet, SegmentsOptions options, const planar::Block& block,
+           const Take& take) {
+  Progress progress("comparing");
+  options.progress = progress.reporter();
+  options.groups = sheet.groups;
+  return visit_contacts_of_block(sheet.segments, options, in_sheet(sheet, block), contact_method(call.method),
+                                 [&](const SegmentsContact& c) {
+                                   take(in_file(sheet, c));
+                                   return true;
+                                 });
+}
+
+// With --count, and where a list is wanted. Keeps the sheets by reference.
+void count_and_list(const Call& call, const std::vector<Sheet>& sheets, const SegmentsOptions& options,
+                    std::uint32_t size, Result& result) {
+  const auto ask = [&, options](const planar::Block& block, const Contacts::Take& take) {
+    const bool is_first = result.contacts == nullptr;
+    for (const Sheet& sheet : sheets) {
+      const Cost cost = visit(call, sheet, options, block, [&](const SegmentsContact& c) {
+        if (is_first) result.add(c.kind);
+        if (take) take(c);
+      });
+      if (is_first) result.cost.probes += cost.probes;
+    }
+  };
+  if (call.lists()) {
+    result.contacts = std::make_unique<Contacts>(size, planar::most_held(size), ask);
+  } else {
+    ask({0, size}, nullptr);
+  }
+}
+
+// Does any pair meet? Sheet by sheet, until one does.
+void find_any(const Call& call, const std::vector<Sheet>& sheets, SegmentsOptions options, const std::string& note,
+              Result& result) {
+  std::vector<SegmentsContact> found;
+  for (const Sheet& sheet : sheets) {
+    Progress progress("comparing");
+    options.progress = progress.reporter();
+    options.groups = sheet.groups;
+    const SegmentsAnswer answer = any_method(call.method)(sheet.segments, options);
+    result.cost.probes += answer.cost.probes;
+    if (!call.certificate.empty()) {
+      result.proofs.push_back(certificate_of(call, sheet).string());
+      io::write_file_atomically(
+          result.proofs.back(),
+          with_note(planar::certificate_text(sheet.segments, options.allowed, answer, sheet.groups), note));
+    }
+    if (!answer.meet()) continue;
+    found.push_back(in_file(sheet, {answer.i, answer.j, answer.kind}));
+    result.add(answer.kind);
+    break;
+  }
+  result.contacts = std::make_unique<Contacts>(std::move(found));
 }
 
 std::string about(const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); }
 
-Point2 place_of(const io::LineFile& file, const planar::SegmentsContact& contact) {
-  const Segments two(std::array{file.segments[contact.i], file.segments[contact.j]});
-  return planar::common_point_rounded(two[0], two[1]);
+Point2 place_of(const io::LineFile& file, const SegmentsContact& contact) {
+  return planar::common_point_rounded(planar::sorted(file.segments[contact.i]),
+                                      planar::sorted(file.segments[contact.j]));
 }
 
 std::string source_of(const io::LineFile& file, std::uint32_t i) {
@@ -168,18 +267,20 @@ std::string rule_text(const Call& call, const io::LineFile& file) {
 
 constexpr std::size_t most_listed = 20;
 
-std::string human_text(const Call& call, const io::LineFile& file, const Result& result) {
-  std::string text = fmt::format("{}: {} of {}", call.file, count_of(file.segments.size(), "segment"),
+// listed: the first of the contacts.
+std::string human_text(const Call& call, const io::LineFile& file, const Result& result,
+                       const std::vector<SegmentsContact>& listed) {
+  std::string text = fmt::format("{}: {} of {}", io::one_line(call.file), count_of(file.segments.size(), "segment"),
                                  count_of(file.features.size(), "feature"));
   if (!file.layers.empty()) text += fmt::format(", {}", count_of(file.layers.size(), "layer"));
   if (!file.groups.empty()) text += fmt::format(", {}", count_of(file.groups.size(), "group"));
   text += fmt::format(", {}\n", file.format);
-  const bool some = result.count > 0 || !result.contacts.empty();
-  text += fmt::format("{} meet{}", some ? "some" : "none", rule_text(call, file));
-  if (some && (call.lists() || call.count)) text += fmt::format(": {}", count_of(result.count, "pair"));
-  text += '\n';
-  for (std::size_t k = 0; k < std::min(result.contacts.size(), most_listed); ++k) {
-    const planar::SegmentsContact& contact = result.contacts[k];
+  text += fmt::format("{}{} meet{}", result.some() ? "some" : "none",
+                      is_board(file) ? " of the tracks' centre lines" : "", rule_text(call, file));
+  if (result.some() && (call.lists() || call.count)) text += fmt::format(": {}", count_of(result.count(), "pair"));
+  text += left_out_of(file).clause() + '\n';
+  for (std::size_t k = 0; k < listed.size(); ++k) {
+    const SegmentsContact& contact = listed[k];
     text += fmt::format("{} {} at about {}\n", call.lists() ? fmt::format("  {}.", k + 1) : " ", name_of(contact.kind),
                         about(place_of(file, contact)));
     for (const std::uint32_t i : {contact.i, contact.j}) {
@@ -187,27 +288,23 @@ std::string human_text(const Call& call, const io::LineFile& file, const Result&
                           about(file.segments[i].b));
     }
   }
-  if (result.contacts.size() > most_listed) {
-    text += fmt::format("  and {} more; --json, --geojson or --svg have all\n", result.contacts.size() - most_listed);
+  if (call.lists() && result.count() > listed.size()) {
+    text += fmt::format("  and {} more; --json, --geojson or --svg have all\n", result.count() - listed.size());
   }
-  const bool only_shared = some && !result.contacts.empty() &&
-                           std::all_of(result.contacts.begin(), result.contacts.end(), [](const auto& contact) {
-                             return contact.kind == ContactKind::shared_endpoint;
-                           });
-  if (only_shared) {
+  if (!listed.empty() && result.all_are(ContactKind::shared_endpoint)) {
     text += "  edges that follow each other share an end: to pass over such contacts, give --allow shared-endpoint\n";
   }
   for (const std::string& remark : file.remarks) text += fmt::format("  remark      {}\n", remark);
   text += fmt::format("  cost        {}\n", count_of(result.cost.probes, "comparison"));
-  for (const std::string& proof : result.proofs) text += fmt::format("  proof       {}\n", proof);
-  if (!call.geojson.empty()) text += fmt::format("  contacts    {}\n", call.geojson);
-  if (!call.svg.empty()) text += fmt::format("  picture     {}\n", call.svg);
+  for (const std::string& proof : result.proofs) text += fmt::format("  proof       {}\n", io::one_line(proof));
+  if (!call.geojson.empty()) text += fmt::format("  contacts    {}\n", io::one_line(call.geojson));
+  if (!call.svg.empty()) text += fmt::format("  picture     {}\n", io::one_line(call.svg));
   return text;
 }
 
+// All but the contacts.
 Json report(const Call& call, const io::LineFile& file, const Result& result) {
-  const bool some = result.count > 0 || !result.contacts.empty();
-  Json json = envelope("segments", some ? "some" : "none", call.method);
+  Json json = envelope("segments", result.some() ? "some" : "none", call.method);
   json["cost"] = to_json(result.cost);
   Json object = {{"file", call.file},
                  {"format", file.format},
@@ -216,26 +313,63 @@ Json report(const Call& call, const io::LineFile& file, const Result& result) {
   if (!file.groups.empty()) object["groups"] = file.groups.size();
   if (!file.layers.empty()) object["layers"] = file.layers;
   json["objects"] = Json::array({object});
+  json["said_of"] = is_board(file) ? "centre lines" : "segments";
   json["allowed"] = call.allow;
   if (!file.groups.empty()) json["group"] = call.group.empty() ? "net" : call.group;
   if (!file.layers.empty()) json["across_layers"] = call.across_layers;
   if (!call.layer.empty()) json["layer"] = call.layer;
   if (!file.remarks.empty()) json["remarks"] = file.remarks;
-  if (call.lists() || call.count) json["count"] = result.count;
-  json["contacts"] = Json::array();
-  for (const planar::SegmentsContact& c : result.contacts) {
-    const Point2 p = place_of(file, c);
-    Json contact = {{"i", c.i}, {"j", c.j}, {"kind", name_of(c.kind)}, {"point", {p.x, p.y}}};
-    for (const std::uint32_t i : {c.i, c.j}) {
-      const io::LineSource& source = file.source[i];
-      contact["features"].push_back(file.features[source.feature]);
-      contact["lines"].push_back(source.line > 0 ? Json(source.line) : Json(nullptr));
-      if (!file.groups.empty()) contact["groups"].push_back(file.groups[file.group[i]]);
-      if (!file.layers.empty()) contact["layers"].push_back(file.layers[file.layer[i]]);
-    }
-    json["contacts"].push_back(contact);
-  }
+  if (!file.left_out.empty()) json["left_out"] = left_out_of(file).json();
+  if (call.lists() || call.count) json["count"] = result.count();
   return json;
+}
+
+std::string contact_json(const io::LineFile& file, const SegmentsContact& c) {
+  const Point2 p = place_of(file, c);
+  std::string text = fmt::format(R"({{"i": {}, "j": {}, "kind": "{}", "point": {})", c.i, c.j, name_of(c.kind),
+                                 pair_json(number_json(p.x), number_json(p.y)));
+  const auto add = [&](std::string_view key, const auto& of) {
+    text += fmt::format(R"(, "{}": {})", key, pair_json(of(c.i), of(c.j)));
+  };
+  add("features", [&](std::uint32_t i) { return quoted_json(file.features[file.source[i].feature]); });
+  add("lines", [&](std::uint32_t i) {
+    return file.source[i].line > 0 ? fmt::format_int(file.source[i].line).str() : std::string("null");
+  });
+  if (!file.groups.empty()) add("groups", [&](std::uint32_t i) { return quoted_json(file.groups[file.group[i]]); });
+  if (!file.layers.empty()) add("layers", [&](std::uint32_t i) { return quoted_json(file.layers[file.layer[i]]); });
+  return text + "}";
+}
+
+// Goes through the contacts once, and writes all that was asked for.
+void write(const Call& call, const io::LineFile& file, const Result& result) {
+  std::optional<io::OutputFile> geojson_file;
+  if (!call.geojson.empty()) geojson_file.emplace(call.geojson);
+  std::optional<ContactsGeojson> geojson;
+  if (geojson_file) geojson.emplace(file, [&](std::string_view text) { geojson_file->write(text); });
+  std::optional<ListReport> json;
+  if (call.json) json.emplace(report(call, file, result), "contacts");
+  std::vector<SegmentsContact> listed, drawn;
+  const auto take = [&](const SegmentsContact& contact) {
+    if (json) json->add(contact_json(file, contact));
+    if (geojson) geojson->add(contact);
+    if (!call.svg.empty()) drawn.push_back(contact);
+    if (listed.size() < most_listed) listed.push_back(contact);
+    return json || geojson || !call.svg.empty() || listed.size() < most_listed;
+  };
+  if (result.contacts) result.contacts->visit(take);
+  if (geojson) {
+    geojson->close();
+    geojson_file->commit();
+  }
+  if (!call.svg.empty()) {
+    io::write_file_atomically(call.svg,
+                              segments_svg({file, Segments(file.segments), drawn, call.title, is_board(file)}));
+  }
+  if (json) {
+    json->close();
+  } else {
+    print_for_people(human_text(call, file, result, listed));
+  }
 }
 
 // What can be told before the file is read.
@@ -256,7 +390,13 @@ void check(const Call& call) {
 
 io::LineFile read(const Call& call) {
   Progress progress("reading");
-  return io::read_lines(call.file, {call.drop_z, call.group, progress.reporter()});
+  io::LineOptions options;
+  options.drop_z = call.drop_z;
+  options.leave_out = call.leave_out;
+  options.group = call.group;
+  options.name = call.name;
+  options.progress = progress.reporter();
+  return io::read_lines(call.file, options);
 }
 
 int run(const Call& call) {
@@ -265,28 +405,23 @@ int run(const Call& call) {
   options.allowed = allowed_by(call.allow);
   options.transcript = !call.certificate.empty();
   const io::LineFile file = read(call);
+  check_centre_lines(call, file);
+  const auto require_drawable = [&](std::uint64_t contacts) {
+    if (!call.svg.empty()) cli::require_drawable(file.segments.size(), "segment", contacts, call.svg_limit);
+  };
+  require_drawable(0);
   const std::vector<Sheet> sheets = sheets_of(call, file);
+  require_apart(call, sheets);
+  const std::uint32_t size = static_cast<std::uint32_t>(file.segments.size());
   Result result;
-  for (const Sheet& sheet : sheets) {
-    Progress progress("comparing");
-    options.progress = progress.reporter();
-    options.groups = sheet.groups;
-    ask(call, sheet, options, result);
-    if (!call.lists() && !call.count && !result.contacts.empty()) break;
+  if (call.lists() || call.count) {
+    count_and_list(call, sheets, options, size, result);
+  } else {
+    find_any(call, sheets, options, note_of(file), result);
   }
-  std::sort(result.contacts.begin(), result.contacts.end());
-  if (!call.geojson.empty() || !call.svg.empty()) {
-    const Segments segments(file.segments);
-    if (!call.geojson.empty()) {
-      io::write_file_atomically(call.geojson, contacts_geojson(file, segments, result.contacts));
-    }
-    const bool y_down = file.format == "KiCad board";
-    if (!call.svg.empty()) {
-      io::write_file_atomically(call.svg, segments_svg({file, segments, result.contacts, call.title, y_down}));
-    }
-  }
-  print(call.json ? to_text(report(call, file, result)) : human_text(call, file, result));
-  return result.contacts.empty() && result.count == 0 ? exit_code::no : exit_code::yes;
+  require_drawable(result.count());
+  write(call, file, result);
+  return result.some() ? exit_code::yes : exit_code::no;
 }
 
 }  // namespace
@@ -311,6 +446,9 @@ void add_segments(CLI::App& program, int& code) {
   auto* layer = verb->add_option("--layer", call->layer, "of a board, this layer only")->type_name("NAME");
   verb->add_flag("--across-layers", call->across_layers, "of a board, tracks of different layers may meet too")
       ->excludes(layer);
+  verb->add_flag(
+      "--centre-lines", call->centre_lines,
+      "of a board, ask about the tracks' centre lines: copper is not read, neither widths nor pads nor zones");
   verb->add_option("--method", call->method,
                    "automatic, grid, sweep (not for lists), bentley-ottmann, balaban (for lists), or scan")
       ->type_name("NAME");
@@ -318,6 +456,10 @@ void add_segments(CLI::App& program, int& code) {
   verb->add_option("--geojson", call->geojson, "write all contacts here, to lay over a map")->type_name("FILE");
   auto* svg = verb->add_option("--svg", call->svg, "draw the segments and all contacts here")->type_name("FILE");
   verb->add_option("--title", call->title, "of the picture")->needs(svg);
+  add_svg_limit(*verb, call->svg_limit);
+  verb->add_option("--name", call->name, "the column or property that names features; unless given, name, NAME, id")
+      ->type_name("FIELD");
+  verb->add_flag("--leave-out", call->leave_out, leave_out_help);
   verb->add_flag("--drop-z", call->drop_z, "ignore third coordinates");
   verb->add_flag("--json", call->json, "print a report in JSON");
   verb->callback([call, &code] { code = run(*call); });

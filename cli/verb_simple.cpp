@@ -1,124 +1,183 @@
-// sunder simple FILE: are the polygons of a file simple?
+// sunder simple FILE: are the polygons of a file valid? If not, what is wrong, and where?
 #include <cli/common.h>
+#include <cli/left_out.h>
+#include <cli/list_stream.h>
+#include <cli/polygon_defect_text.h>
+#include <cli/polygon_mend.h>
+#include <cli/polygons_input.h>
 #include <cli/segments_picture.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
 #include <sunder/io/lines.h>
 #include <sunder/io/text.h>
-#include <sunder/planar/set/polygon_simple.h>
+#include <sunder/planar/set/polygon_valid.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace sunder::cli {
 
 namespace {
 
-using planar::Polygon;
-using planar::PolygonSimpleAnswer;
+using planar::PolygonDefect;
+using planar::PolygonDefects;
+using planar::PolygonRings;
+using planar::PolygonRule;
+using planar::RingPlace;
 
 struct Call {
   std::string file;
   std::string method = "automatic";
-  std::string svg, title;
-  bool drop_z = false;
+  std::string geojson, svg, title;
+  std::uint64_t svg_limit = most_drawn;  // segments
+  bool strict = false, self_touch = false;
+  bool all = false;
+  bool drop_z = false, leave_out = false, mend = false;
   bool json = false;
+
+  PolygonRule rule() const {
+    return strict ? PolygonRule::simple : self_touch ? PolygonRule::self_touch : PolygonRule::valid;
+  }
+  bool lists() const { return all || !geojson.empty() || !svg.empty(); }
+  std::string answer(bool yes) const { return fmt::format("{}{}", yes ? "" : "not ", strict ? "simple" : "valid"); }
 };
 
+// A feature: its polygons are the parts of one.
 struct Result {
-  std::uint32_t first_ring = 0, feature = 0;
-  Polygon polygon;
-  PolygonSimpleAnswer answer;
+  std::uint32_t feature = 0, line = 0;
+  std::vector<std::vector<std::uint32_t>> rings;  // of each part, as positions among the rings of the file
+  std::uint64_t edges = 0;
+  MendedRings mended;
+  PolygonDefects answer;
+
+  bool has_parts() const { return rings.size() > 1; }
 };
 
-PolygonSimpleAnswer answer_by(const std::string& method, const Polygon& polygon) {
-  if (method == "automatic") return polygon_simple(polygon);
-  if (method == "grid") return polygon_simple_by_grid(polygon);
-  if (method == "sweep") return polygon_simple_by_sweep(polygon);
-  if (method == "scan") return polygon_simple_by_scan(polygon);
-  refuse_method(method, "automatic, grid, sweep, scan");
+PolygonDefects answer_by(const Call& call, std::span<const PolygonRings> parts) {
+  planar::ValidOptions options{call.rule()};
+  if (!call.lists()) options.most = 1;
+  if (call.method == "automatic") return polygon_defects(parts, options);
+  if (call.method == "scan") return polygon_defects_by_scan(parts, options);
+  refuse_method(call.method, "automatic, scan");
 }
 
 std::vector<Result> answers(const Call& call, const io::LineFile& file) {
   std::vector<Result> results;
+  const auto feature_of = [&](std::uint32_t r) { return file.source[file.rings[r].first].feature; };
   for (std::uint32_t r = 0; r < file.rings.size();) {
-    const std::uint32_t first = r, number = file.rings[r].polygon;
-    std::vector<std::vector<Point2>> rings;
-    for (; r < file.rings.size() && file.rings[r].polygon == number; ++r) {
-      std::vector<Point2>& ring = rings.emplace_back();
-      for (std::uint32_t k = 0; k < file.rings[r].count; ++k) ring.push_back(file.segments[file.rings[r].first + k].a);
-      ring.push_back(ring.front());  // as in the file: Polygon leaves out exactly this one
+    Result& result = results.emplace_back();
+    result.feature = feature_of(r);
+    result.line = file.source[file.rings[r].first].line;
+    std::vector<PolygonRings> parts;
+    for (const std::uint32_t first = r; r < file.rings.size() && feature_of(r) == result.feature; ++r) {
+      const io::LineRing& ring = file.rings[r];
+      if (r == first || file.rings[r - 1].polygon != ring.polygon) {
+        parts.emplace_back();
+        result.rings.emplace_back();
+      }
+      result.rings.back().push_back(r);
+      result.edges += ring.count;
+      std::vector<Point2>& points = parts.back().emplace_back();
+      for (std::uint32_t k = 0; k < ring.count; ++k) points.push_back(file.segments[ring.first + k].a);
+      points.push_back(Point2{points.front()});  // as in the file
     }
-    const std::uint32_t feature = file.source[file.rings[first].first].feature;
-    try {
-      const Polygon polygon(rings);
-      results.push_back({first, feature, polygon, answer_by(call.method, polygon)});
-    } catch (const Error& error) {
-      if (error.code() == ErrorCode::bad_call) throw;
-      io::fail_file(call.file, fmt::format("feature {}: {}", file.features[feature], error.what()));
+    if (call.mend) {
+      for (PolygonRings& part : parts) result.mended += mend(part);
+      std::erase_if(parts, [](const PolygonRings& part) { return part.empty(); });
     }
+    result.answer = answer_by(call, parts);
   }
   return results;
 }
 
-std::string about(const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); }
-
-std::string edge_text(const io::LineFile& file, const Result& result, std::uint32_t k) {
-  const std::uint32_t ring = result.polygon.ring_of(k);
-  const planar::Segment edge = result.polygon.edge(k);
-  const std::uint32_t line = file.source[file.rings[result.first_ring + ring].first].line;
-  return fmt::format("ring {}, edge {}{}: {} to {}", ring, k - result.polygon.ring_begin(ring),
-                     line > 0 ? fmt::format(", line {}", line) : "", about(edge.a), about(edge.b));
+std::string feature_text(const io::LineFile& file, const Result& result) {
+  const std::string number = std::to_string(result.feature + 1), &name = file.features[result.feature];
+  return fmt::format("feature {}{}{}", number, name == number ? "" : fmt::format(" ({})", name),
+                     result.line > 0 ? fmt::format(", line {}", result.line) : "");
 }
 
-std::uint64_t edges_of_rings(const io::LineFile& file) {
-  std::uint64_t edges = 0;
-  for (const io::LineRing& ring : file.rings) edges += ring.count;
-  return edges;
+std::uint64_t valid_count(const std::vector<Result>& results) {
+  return static_cast<std::uint64_t>(
+      std::count_if(results.begin(), results.end(), [](const Result& r) { return r.answer.valid(); }));
 }
+
+LeftOutList left_out_of(const io::LineFile& file) {
+  LeftOutList list(true);  // the reader refuses what the caller does not let go
+  list.add("", file.left_out, "");
+  return list;
+}
+
+constexpr std::size_t most_listed = 20;  // of a feature, and features
 
 std::string human_text(const Call& call, const io::LineFile& file, const std::vector<Result>& results) {
   std::string text;
-  std::uint64_t simple = 0, edges = 0;
+  std::uint64_t edges = 0, listed = 0, mended = 0;
+  const std::uint64_t valid = valid_count(results);
   for (const Result& result : results) {
-    edges += result.polygon.size();
-    simple += result.answer.simple();
-    if (result.answer.simple()) continue;
-    text += fmt::format("feature {}: not simple: {}\n", file.features[result.feature], name_of(result.answer.kind));
-    for (const std::uint32_t k : {result.answer.i, result.answer.j}) {
-      text += "  " + edge_text(file, result, k) + "\n";
+    edges += result.edges;
+    if (result.mended.all() > 0 && ++mended <= most_listed) {
+      text += fmt::format("{}: mended: {}\n", feature_text(file, result), text_of(result.mended));
+    }
+    const std::vector<PolygonDefect>& defects = result.answer.defects;
+    if (defects.empty() || ++listed > most_listed) continue;
+    text += fmt::format("{}: {}\n", feature_text(file, result), call.answer(false));
+    for (std::size_t k = 0; k < std::min(defects.size(), most_listed); ++k) {
+      text += fmt::format("  {:16}{}\n", name_of(defects[k].kind), text_of(defects[k], result.has_parts()));
+    }
+    if (defects.size() > most_listed) {
+      text += fmt::format("  and {} more; --json or --geojson have all\n", defects.size() - most_listed);
     }
   }
-  text += fmt::format("{}: {} of {} simple, {}, {}\n", call.file, simple, count_of(results.size(), "polygon"),
-                      count_of(edges, "edge"), file.format);
-  const std::uint64_t others = file.segments.size() - edges_of_rings(file);
-  if (others > 0) text += fmt::format("{} of lines passed over\n", count_of(others, "segment"));
+  if (listed > most_listed) {
+    text += fmt::format("and {} more; --json or --geojson have all\n", count_of(listed - most_listed, "feature"));
+  }
+  text += fmt::format("{}: {} of {} {}, {}, {}\n", io::one_line(call.file), valid, count_of(results.size(), "feature"),
+                      call.answer(true), count_of(edges, "edge"), file.format);
+  if (valid < results.size() && !call.lists()) text += "one defect of each is named; --all lists all\n";
+  if (mended > 0) text += fmt::format("said of what was mended: {}\n", count_of(mended, "feature"));
+  const LeftOutList left_out = left_out_of(file);
+  if (!left_out.empty()) text += fmt::format("left out: {}\n", left_out.text());
+  for (const std::string& remark : file.remarks) text += fmt::format("remark: {}\n", remark);
   return text;
 }
 
-Json report(const Call& call, const io::LineFile& file, const std::vector<Result>& results, bool all) {
-  Json json = envelope("simple", all ? "simple" : "not simple", call.method);
+Json place_json(const RingPlace& place) { return {{"part", place.part}, {"ring", place.ring}, {"edge", place.edge}}; }
+
+Json defect_json(const PolygonDefect& defect, bool has_parts) {
+  return {{"kind", name_of(defect.kind)},
+          {"what", text_of(defect, has_parts)},
+          {"places", {place_json(defect.a), place_json(defect.b)}}};
+}
+
+Json point_json(const Point2& p) { return Json::array({p.x, p.y}); }
+
+Json report(const Call& call, const io::LineFile& file, const std::vector<Result>& results) {
+  Json json = envelope("simple", call.answer(valid_count(results) == results.size()), call.method);
   Cost cost;
+  json["rule"] = call.strict ? "simple" : call.self_touch ? "self-touch" : "valid";
+  if (!file.left_out.empty()) json["left_out"] = left_out_of(file).json();
   json["objects"] = Json::array();
   for (const Result& result : results) {
     cost.probes += result.answer.cost.probes;
+    std::size_t rings = 0;
+    for (const std::vector<std::uint32_t>& part : result.rings) rings += part.size();
     Json object = {{"file", call.file},
-                   {"feature", file.features[result.feature]},
-                   {"rings", result.polygon.ring_count()},
-                   {"edges", result.polygon.size()},
-                   {"answer", result.answer.simple() ? "simple" : "not simple"}};
-    if (!result.answer.simple()) {
-      object["contact"] = {{"kind", name_of(result.answer.kind)}};
-      for (const std::uint32_t k : {result.answer.i, result.answer.j}) {
-        const std::uint32_t ring = result.polygon.ring_of(k);
-        const planar::Segment e = result.polygon.edge(k);
-        object["contact"]["edges"].push_back({{"ring", ring},
-                                              {"edge", k - result.polygon.ring_begin(ring)},
-                                              {"from", {e.a.x, e.a.y}},
-                                              {"to", {e.b.x, e.b.y}}});
-      }
+                   {"feature", result.feature},
+                   {"name", file.features[result.feature]},
+                   {"parts", result.rings.size()},
+                   {"rings", rings},
+                   {"edges", result.edges},
+                   {"answer", call.answer(result.answer.valid())},
+                   {"defects", Json::array()}};
+    if (result.mended.all() > 0) object["mended"] = to_json(result.mended);
+    for (const PolygonDefect& defect : result.answer.defects) {
+      Json entry = defect_json(defect, result.has_parts());
+      entry["at"] = Json::array({point_json(defect.place.a)});
+      if (defect.place.a != defect.place.b) entry["at"].push_back(point_json(defect.place.b));
+      object["defects"].push_back(entry);
     }
     json["objects"].push_back(object);
   }
@@ -126,35 +185,77 @@ Json report(const Call& call, const io::LineFile& file, const std::vector<Result
   return json;
 }
 
-int run(const Call& call) {
-  const io::LineFile file = io::read_lines(call.file, {call.drop_z, {}, nullptr});
-  if (file.rings.empty()) io::fail_file(call.file, "has no polygons; for lines, ask sunder segments");
-  const std::vector<Result> results = answers(call, file);
-  bool all = true;
-  for (const Result& result : results) all = all && result.answer.simple();
-  if (!call.svg.empty()) {
-    std::vector<planar::SegmentsContact> contacts;
-    for (const Result& result : results) {
-      if (result.answer.simple()) continue;
-      const std::uint32_t first = file.rings[result.first_ring].first;  // rings of a polygon stand together
-      contacts.push_back({first + result.answer.i, first + result.answer.j, result.answer.kind});
+// Each defect as a point, or a line where a piece is in common; a line of the text for each.
+std::string defects_geojson(const io::LineFile& file, const std::vector<Result>& results) {
+  std::string text = R"({"type":"FeatureCollection","features":[)";
+  bool is_first = true;
+  for (const Result& result : results) {
+    for (const PolygonDefect& defect : result.answer.defects) {
+      const auto& [a, b] = defect.place;
+      Json geometry = {{"type", "Point"}, {"coordinates", point_json(a)}};
+      if (a != b) geometry = {{"type", "LineString"}, {"coordinates", {point_json(a), point_json(b)}}};
+      Json properties = {{"feature", result.feature}, {"name", file.features[result.feature]}};
+      properties.update(defect_json(defect, result.has_parts()));
+      const Json feature = {{"type", "Feature"}, {"geometry", geometry}, {"properties", properties}};
+      text += is_first ? "\n" : ",\n";
+      text += feature.dump(-1, ' ', false, Json::error_handler_t::replace);
+      is_first = false;
     }
-    const planar::Segments segments(file.segments);
-    io::write_file_atomically(call.svg, segments_svg({file, segments, contacts, call.title}));
   }
-  print(call.json ? to_text(report(call, file, results, all)) : human_text(call, file, results));
-  return all ? exit_code::no : exit_code::yes;
+  return text + "\n]}\n";
+}
+
+// Those defects that are two edges with a common point.
+std::string picture(const Call& call, const io::LineFile& file, const std::vector<Result>& results) {
+  const planar::Segments segments(file.segments);
+  std::vector<planar::SegmentsContact> contacts;
+  for (const Result& result : results) {
+    const auto edge = [&](const RingPlace& place) {
+      return file.rings[result.rings[place.part][place.ring]].first + place.edge;
+    };
+    for (const PolygonDefect& defect : result.answer.defects) {
+      const std::uint32_t i = std::min(edge(defect.a), edge(defect.b)), j = std::max(edge(defect.a), edge(defect.b));
+      const planar::ContactKind kind = segment_segment(segments[i], segments[j]);
+      if (i != j && kind != planar::ContactKind::none) contacts.push_back({i, j, kind});
+    }
+  }
+  const std::string title = call.title.empty() ? "Are these polygons " + call.answer(true) + "?" : call.title;
+  return segments_svg({file, segments, contacts, title});
+}
+
+int run(const Call& call) {
+  io::LineOptions options;
+  options.drop_z = call.drop_z;
+  options.leave_out = call.leave_out;
+  options.lines = false;
+  const io::LineFile file = io::read_lines(call.file, options);
+  if (file.rings.empty()) io::fail_file(call.file, "has no polygons");
+  if (!call.svg.empty()) require_drawable(file.segments.size(), "segment", 0, call.svg_limit);
+  const std::vector<Result> results = answers(call, file);
+  if (!call.geojson.empty()) io::write_file_atomically(call.geojson, defects_geojson(file, results));
+  if (!call.svg.empty()) io::write_file_atomically(call.svg, picture(call, file, results));
+  call.json ? print(to_text(report(call, file, results))) : print_for_people(human_text(call, file, results));
+  return valid_count(results) == results.size() ? exit_code::no : exit_code::yes;
 }
 
 }  // namespace
 
 void add_simple(CLI::App& program, int& code) {
   auto call = std::make_shared<Call>();
-  CLI::App* verb = program.add_subcommand("simple", "Are the polygons of a file simple? If not, which edges meet?");
+  CLI::App* verb = program.add_subcommand(
+      "simple", "Are the polygons of a file valid, or simple? If not, what is wrong, and where?");
   verb->add_option("FILE", call->file, "polygons: WKT, GeoJSON, or JSON that is a list of rings")->required();
-  verb->add_option("--method", call->method, "automatic, grid, sweep, or scan")->type_name("NAME");
-  auto* svg = verb->add_option("--svg", call->svg, "draw the polygons and the edges named here")->type_name("FILE");
+  verb->add_flag("--all", call->all, "list all defects of all features (unless told otherwise, one of each)");
+  auto* strict = verb->add_flag("--strict", call->strict, "no vertex repeated, no two rings with a common point");
+  verb->add_flag("--self-touch", call->self_touch, "a ring may touch itself in points")->excludes(strict);
+  verb->add_option("--method", call->method, "automatic, or scan")->type_name("NAME");
+  verb->add_option("--geojson", call->geojson, "write all defects here, as points and lines")->type_name("FILE");
+  auto* svg = verb->add_option("--svg", call->svg, "draw the polygons and the edges that meet here")->type_name("FILE");
   verb->add_option("--title", call->title, "of the picture")->needs(svg);
+  verb->add_flag("--leave-out", call->leave_out, leave_out_help);
+  verb->add_flag("--mend", call->mend, "ask about what is left without repeated vertices, spikes, rings without area")
+      ->excludes(svg);
+  add_svg_limit(*verb, call->svg_limit);
   verb->add_flag("--drop-z", call->drop_z, "ignore third coordinates");
   verb->add_flag("--json", call->json, "print a report in JSON");
   verb->callback([call, &code] { code = run(*call); });

@@ -1,6 +1,7 @@
 // sunder verify FILE...: are the certificates true?
 #include <cli/common.h>
 
+#include <sunder/base/error.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
 
@@ -19,6 +20,7 @@ namespace {
 
 struct Call {
   std::vector<std::string> files;
+  bool no_limit = false;
   bool json = false;
 };
 
@@ -34,10 +36,12 @@ struct File {
 
 bool is_of_sets(const std::string& verdict) { return verdict == "none" || verdict == "some"; }
 
-File verify(const std::string& name) {
+// Throws Error bad_file where it cannot be read.
+File verify(const std::string& name, bool no_limit) {
+  using sunder_verifier::Limit;
   File file;
   file.name = io::one_line(name);
-  file.result = sunder_verifier::verify_text(io::read_file(name), file.name);
+  file.result = sunder_verifier::verify_text(io::read_file(name), file.name, no_limit ? Limit::none : Limit::by_size);
   if (!file.result.readable) {
     // The verifier's line begins with the place already.
     std::string text = file.result.error;
@@ -78,6 +82,7 @@ std::string human_text(const File& file) {
   std::string text = fmt::format("{}: {}: {} of {} accepted{}\n", file.name, result.accepted() ? "accepted" : "REFUSED",
                                  file.accepted_pairs(),
                                  count_of(result.pairs.size(), file.is_set ? "statement" : "pair"), counts_text(file));
+  if (!result.note.empty()) text += fmt::format("  note: {}\n", io::one_line(result.note));
   for (const std::size_t i : file.refused) {
     const sunder_verifier::PairResult& pair = result.pairs[i];
     if (file.is_set) {
@@ -100,6 +105,7 @@ Json report(const File& file) {
             {"answer", result.accepted() ? "accepted" : "refused"},
             {file.is_set ? "statements" : "pairs", result.pairs.size()}};
   for (const auto& [verdict, count] : file.accepted) json[verdict] = count;
+  if (!result.note.empty()) json["note"] = result.note;
   json["refused"] = Json::array();
   if (!result.failed_form.empty()) json["refused"].push_back({{"check", "F"}, {"reason", result.failed_form}});
   for (const std::size_t i : file.refused) {
@@ -114,20 +120,34 @@ Json report(const File& file) {
   return json;
 }
 
+// Verdicts are told as they are known; what cannot be read is told in between, and does not end the call.
 int run(const Call& call) {
-  std::vector<File> files;
-  for (const std::string& name : call.files) files.push_back(verify(name));
-  const bool accepted = std::all_of(files.begin(), files.end(), [](const File& f) { return f.result.accepted(); });
-  std::string text;
-  if (call.json) {
-    Json json = envelope("verify", accepted ? "accepted" : "refused");
-    for (const File& file : files) json["objects"].push_back(report(file));
-    text = to_text(json);
-  } else {
-    for (const File& file : files) text += human_text(file);
+  int code = exit_code::no;
+  Json objects = Json::array();
+  for (const std::string& name : call.files) {
+    try {
+      const File file = verify(name, call.no_limit);
+      if (!file.result.accepted()) code = std::max(code, exit_code::yes);
+      if (call.json) {
+        objects.push_back(report(file));
+      } else {
+        print(human_text(file));
+      }
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::bad_file) throw;  // standard output
+      code = exit_code::bad;
+      fmt::print(stderr, "sunder: {}\n", io::one_line(error.what()));
+      objects.push_back({{"file", io::one_line(name)}, {"answer", "not checked"}, {"reason", error.what()}});
+    }
   }
-  print(text);
-  return accepted ? exit_code::no : exit_code::yes;
+  if (call.json && std::any_of(objects.begin(), objects.end(), [](const Json& o) { return o.contains("refused"); })) {
+    Json json = envelope("verify", code == exit_code::no    ? "accepted"
+                                   : code == exit_code::yes ? "refused"
+                                                            : "not all checked");
+    json["objects"] = std::move(objects);
+    print(to_text(json));
+  }
+  return code;
 }
 
 }  // namespace
@@ -136,6 +156,7 @@ void add_verify(CLI::App& program, int& code) {
   auto call = std::make_shared<Call>();
   CLI::App* verb = program.add_subcommand("verify", "Are these certificates true? Checked without the library.");
   verb->add_option("FILE", call->files, "certificate files")->required();
+  verb->add_flag("--no-limit", call->no_limit, "check files that take long, too");
   verb->add_flag("--json", call->json, "print a report in JSON");
   verb->callback([call, &code] { code = run(*call); });
 }

@@ -1,6 +1,7 @@
 # Tests by the place and name of their files (see CONTRIBUTING.md):
 #   sunder/<layer>/**/x_test.cpp   one executable a layer, ctest unit_<layer>                 labels unit, <layer>
 #   verifier/, cli/ x_test.cpp     the same: unit_verifier, unit_cli
+#   cli/program_x_test.cpp         runs the program; an executable and a ctest entry each     labels unit, program
 #   tests/x_<kind>_test.cpp        an executable and a ctest entry each: x_<kind>_test        labels tests, <kind>
 #   tests/support/*.cpp            linked to all of these
 #   tests/tools/x.cpp              an executable each, in <build>/tools
@@ -12,8 +13,6 @@ find_package(GTest REQUIRED)
 find_package(rapidcheck REQUIRED)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
-set(definitions SUNDER_CASES_DIR="${PROJECT_SOURCE_DIR}/cases" SUNDER_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-                SUNDER_BUILD_DIR="${PROJECT_BINARY_DIR}")
 set(environment SUNDER_CASES_DIR=${PROJECT_SOURCE_DIR}/cases SUNDER_SOURCE_DIR=${PROJECT_SOURCE_DIR}
                 PYTHONDONTWRITEBYTECODE=1)
 set(libraries sunder_core)
@@ -22,27 +21,49 @@ foreach(target sunder_io sunder_verifier)
     list(APPEND libraries ${target})
   endif()
 endforeach()
+# One file knows the names of folders, so that a compiler cache serves all clones.
+set(places SUNDER_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 if(TARGET sunder_cli)
-  list(APPEND definitions SUNDER_PROGRAM="$<TARGET_FILE:sunder_cli>")
+  list(APPEND places SUNDER_PROGRAM="$<TARGET_FILE:sunder_cli>")
   list(APPEND environment SUNDER_PROGRAM=$<TARGET_FILE:sunder_cli>)
 endif()
+set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/support/places.cpp PROPERTIES COMPILE_DEFINITIONS "${places}")
 
 sunder_glob(sources "tests/support/*.cpp")
 if(sources)
   add_library(sunder_test_support STATIC ${sources})
-  target_link_libraries(sunder_test_support PUBLIC ${libraries} GTest::gtest rapidcheck)
-  target_compile_definitions(sunder_test_support PUBLIC ${definitions})
+  target_link_libraries(sunder_test_support PUBLIC ${libraries} GTest::gtest rapidcheck nlohmann_json::nlohmann_json)
   sunder_own_code(sunder_test_support)
   list(APPEND libraries sunder_test_support)
 endif()
 
+# Tests compile at -O1, with the headers of others compiled once; those in which most of the time is run (differentials,
+# and what counts) as the library does.
+add_library(sunder_test_headers OBJECT ${PROJECT_SOURCE_DIR}/tests/support/places.cpp)
+target_link_libraries(sunder_test_headers PRIVATE ${libraries})
+set_target_properties(sunder_test_headers PROPERTIES POSITION_INDEPENDENT_CODE OFF)  # but as executables are compiled:
+target_compile_options(sunder_test_headers PRIVATE -fPIE)
+function(sunder_light target)
+  sunder_own_code(${target})
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>
+    $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)  # at -O1 it warns of what is set
+endfunction()
+sunder_light(sunder_test_headers)
+sunder_precompile(sunder_test_headers <gtest/gtest.h> <nlohmann/json.hpp> <boost/multiprecision/cpp_int.hpp>)
+
 function(sunder_add_executable target folder)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "SOURCES;LINK")
+  cmake_parse_arguments(PARSE_ARGV 2 arg "FAST" "" "SOURCES;LINK")
   add_executable(${target} ${arg_SOURCES})
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${folder})
-  target_compile_definitions(${target} PRIVATE ${definitions})
   target_link_libraries(${target} PRIVATE ${libraries} ${arg_LINK})
-  sunder_own_code(${target})
+  if(arg_FAST)
+    sunder_own_code(${target})
+    return()
+  endif()
+  sunder_light(${target})
+  if(SUNDER_PRECOMPILED_HEADERS)
+    target_precompile_headers(${target} REUSE_FROM sunder_test_headers)
+  endif()
 endfunction()
 
 function(sunder_add_test name)
@@ -62,25 +83,49 @@ foreach(folder ${SUNDER_CORE_LAYERS} io verifier cli)
     list(APPEND link sunder_cli_verbs)
   endif()
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${place}/*_test.cpp)
+  list(FILTER sources EXCLUDE REGEX "/cli/program_[^/]*$")
   if(sources)
     sunder_add_executable(sunder_unit_${folder} tests SOURCES ${sources} LINK ${link})
     sunder_add_test(unit_${folder} COMMAND sunder_unit_${folder} TIMEOUT 300 LABELS unit ${folder})
   endif()
 endforeach()
 
-# What is not one file's unit test.
+file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cli/program_*_test.cpp)
+foreach(source ${sources})
+  cmake_path(GET source STEM name)
+  sunder_add_executable(${name} tests SOURCES ${source} LINK GTest::gtest_main)
+  add_dependencies(${name} sunder_cli)
+  sunder_add_test(${name} COMMAND ${name} TIMEOUT 300 LABELS unit program)
+endforeach()
+
+# What is not one file's unit test. Tests against GEOS (LGPL) are built where it is found: Debian's libgeos-dev.
+find_path(SUNDER_GEOS_INCLUDE geos_c.h)
+find_library(SUNDER_GEOS_LIBRARY geos_c)
+mark_as_advanced(SUNDER_GEOS_INCLUDE SUNDER_GEOS_LIBRARY)
 file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/*_test.cpp)
+if(NOT SUNDER_GEOS_INCLUDE OR NOT SUNDER_GEOS_LIBRARY)
+  message(STATUS "GEOS is not found: tests against it are left out (Debian: libgeos-dev)")
+  list(FILTER sources EXCLUDE REGEX "_geos_[a-z]+_test\\.cpp$")
+endif()
 foreach(source ${sources})
   cmake_path(GET source STEM name)
   string(REGEX REPLACE "^(.*_)?([a-z]+)_test$" "\\2" kind ${name})
-  sunder_add_executable(${name} tests SOURCES ${source} LINK GTest::gtest_main rapidcheck)
+  set(fast "")
+  if(kind MATCHES "differential|complexity")
+    set(fast FAST)
+  endif()
+  sunder_add_executable(${name} tests ${fast} SOURCES ${source} LINK GTest::gtest_main rapidcheck)
+  if(name MATCHES "_geos_[a-z]+_test$")
+    target_include_directories(${name} SYSTEM PRIVATE ${SUNDER_GEOS_INCLUDE})
+    target_link_libraries(${name} PRIVATE ${SUNDER_GEOS_LIBRARY})
+  endif()
   sunder_add_test(${name} COMMAND ${name} TIMEOUT 900 LABELS tests ${kind})
 endforeach()
 
 file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/tools/*.cpp)
 foreach(source ${sources})
   cmake_path(GET source STEM name)
-  sunder_add_executable(${name} tools SOURCES ${source})
+  sunder_add_executable(${name} tools FAST SOURCES ${source})
 endforeach()
 
 file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/*.cpp)
@@ -95,6 +140,10 @@ foreach(name check_layers check_papers_table check_links)
   sunder_add_test(${name} COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/${name}.py ${PROJECT_SOURCE_DIR}
     TIMEOUT 60 LABELS script)
 endforeach()
+if(TARGET sunder_cli)
+  sunder_add_test(check_pages COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/check_pages.py
+    ${PROJECT_SOURCE_DIR} $<TARGET_FILE:sunder_cli> TIMEOUT 120 LABELS script)
+endif()
 set(sources "")
 foreach(folder tests verifier cli)
   file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*_test.py ${PROJECT_SOURCE_DIR}/${folder}/test_*.py)

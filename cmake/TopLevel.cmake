@@ -6,11 +6,24 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)          # for clang-tidy
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)        # for the Python package to come
 set(CMAKE_VERIFY_INTERFACE_HEADER_SETS ON)     # target all_verify_interface_header_sets: every header stands alone
 
+# A compiler's result is kept for all clones on a machine: what it saw is compared without the name of the folder.
 find_program(SUNDER_CCACHE ccache)
 mark_as_advanced(SUNDER_CCACHE)
 if(SUNDER_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${SUNDER_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
+      CCACHE_SLOPPINESS=pch_defines,time_macros ${SUNDER_CCACHE})
 endif()
+
+# Large headers of others that tests and the program see, compiled once. What a source needs it includes all the same:
+# ./do soak builds without.
+option(SUNDER_PRECOMPILED_HEADERS "Compile the headers of others once, for tests and program" ON)
+function(sunder_precompile target)
+  if(SUNDER_PRECOMPILED_HEADERS)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+    target_compile_options(${target} PRIVATE  # so that the compiler cache takes part
+      $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
+  endif()
+endfunction()
 
 if(SUNDER_FUZZ)
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The demo: which links of a robot arm meet, which tracks of a board, which coastlines, which polygons are simple, which
+# The demo: which links of a robot arm meet, which tracks of a board, which coastlines, which polygons are valid, which
 # craters overlap, whether a line goes through all error bars; with proofs that two verifiers check.
 #
 #   examples/demo.sh PROGRAM [OUT_DIR]        PROGRAM: the built `sunder`; OUT_DIR: build/demo by default
@@ -47,18 +47,8 @@ show "sunder verify $proofs"
 "$program" verify "$proofs" || fail "sunder verify refuses"
 
 say "One digit of one proof changed, and it is refused:"
-python3 - "$proofs" "$out/changed.json" <<'PYTHON'
-import re, sys
-text = open(sys.argv[1]).read()
-point = re.search(r'"verdict": "meet", "point": \["(-?\d+)', text)  # the numerator of x of a common point
-end = point.end(1)
-digit = str((int(text[end - 1]) + 1) % 10)
-open(sys.argv[2], "w").write(text[:end - 1] + digit + text[end:])
-def short(number):
-    return number if len(number) < 30 else "%s...%s (%d digits)" % (number[:8], number[-8:], len(number.lstrip("-")))
-print("x of the common point is a fraction; its numerator %s ends in %s instead of %s"
-      % (short(point.group(1)), digit, text[end - 1]))
-PYTHON
+show "python3 examples/change_a_digit.py $proofs > $out/changed.json"
+python3 examples/change_a_digit.py "$proofs" > "$out/changed.json"
 show "python3 verifier/sunder_verify.py --quiet $out/changed.json"
 code=0
 python3 verifier/sunder_verify.py --quiet "$out/changed.json" || code=$?
@@ -70,14 +60,14 @@ code=0
 
 board=cases/boards/tinyfpga/TinyFPGA-BX.kicad_pcb
 say "A routed board: do two nets cross on a layer?"
-show "sunder segments $board --certificate $out/board.json"
-"$program" segments "$board" --certificate "$out/board.json" || fail "expected that none meet (exit code 0)"
+show "sunder segments $board --centre-lines --certificate $out/board.json"
+"$program" segments "$board" --centre-lines --certificate "$out/board.json" || fail "expected that none meet (exit code 0)"
 show "sunder verify $out/board.*.Cu.json"
 "$program" verify "$out"/board.*.Cu.json || fail "sunder verify refuses"
 say "And seen through all layers?"
-show "sunder segments $board --all --across-layers --svg $out/board.svg | head -n 8"
+show "sunder segments $board --centre-lines --all --across-layers --svg $out/board.svg | head -n 8"
 code=0
-"$program" segments "$board" --all --across-layers --svg "$out/board.svg" > "$out/board.txt" || code=$?
+"$program" segments "$board" --centre-lines --all --across-layers --svg "$out/board.svg" > "$out/board.txt" || code=$?
 [ $code -eq 1 ] || fail "expected that some meet (exit code 1), but the exit code is $code"
 head -n 8 "$out/board.txt"
 
@@ -91,20 +81,20 @@ python3 verifier/sunder_verify.py "$out/coast.proof.json" || fail "the Python ve
 show "sunder verify $out/coast.proof.json"
 "$program" verify "$out/coast.proof.json" || fail "sunder verify refuses"
 
-say "Fifty polygons that have troubled a triangulator: which are simple?"
+say "Fifty polygons that have troubled a triangulator: which are valid?"
 show "for f in cases/polygons/*.json; do sunder simple \$f; done"
-simple=0 tangled=0 refused=0
+valid=0 invalid=0 refused=0
 for file in cases/polygons/*.json; do
   code=0
   "$program" simple "$file" > "$out/simple.txt" 2> "$out/refused.txt" || code=$?
   case $code in
-    0) simple=$((simple + 1)) ;;
-    1) tangled=$((tangled + 1)); [ $tangled -gt 1 ] || head -n 3 "$out/simple.txt" ;;
+    0) valid=$((valid + 1)) ;;
+    1) invalid=$((invalid + 1)); [ $invalid -gt 1 ] || head -n 3 "$out/simple.txt" ;;
     2) refused=$((refused + 1)); [ $refused -gt 1 ] || cat "$out/refused.txt" ;;
     *) fail "exit code $code for $file" ;;
   esac
 done
-echo "simple: $simple; not simple, with two edges named: $tangled; refused, with the reason: $refused"
+echo "valid: $valid; not valid, with what is wrong: $invalid; refused, with the reason: $refused"
 
 say "Named craters of the Moon's near side, as circles of the plane (a stereographic projection keeps circles circles): which overlap?"
 show "sunder circles cases/circles/moon.csv --all --svg $out/craters.svg | head -n 5"

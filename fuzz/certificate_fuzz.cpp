@@ -12,9 +12,9 @@
 namespace {
 
 // Of pairs; of sets; of common parts; of linear programs.
-constexpr std::array<std::string_view, 18> verdicts{"apart",   "meet",  "none",   "some",  "empty",      "point",
-                                                    "segment", "ray",   "line",   "strip", "half-plane", "unbounded",
-                                                    "bounded", "plane", "region", "one",   "many",       "infeasible"};
+constexpr std::array<std::string_view, 19> verdicts{
+    "apart",      "meet",      "none",    "some",  "empty",  "point", "segment", "ray", "line",      "strip",
+    "half-plane", "unbounded", "bounded", "plane", "region", "one",   "many",    "all", "infeasible"};
 
 void require(bool condition) {
   if (!condition) std::abort();

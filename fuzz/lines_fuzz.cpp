@@ -36,25 +36,33 @@ void check(std::string_view text, std::string_view place, const sunder::io::Line
     file = sunder::io::parse_lines(text, place, options);
   } catch (const sunder::Error& error) {
     const std::string_view message = error.what();
-    const bool of_group = error.code() == sunder::ErrorCode::bad_call && !options.group.empty();
+    const bool of_group =
+        error.code() == sunder::ErrorCode::bad_call && !(options.group.empty() && options.name.empty());
     require(error.code() == sunder::ErrorCode::bad_file || of_group);
     require(message.starts_with(place) && message.find('\n') == std::string_view::npos);
     return;
   }
-  require(!file.segments.empty() && file.source.size() == file.segments.size());
+  require(file.source.size() == file.segments.size() && !(file.segments.empty() && file.broken.empty()));
+  require(options.keep_broken || file.broken.empty());
+  require(options.leave_out || file.left_out.empty());
   for (std::size_t i = 0; i < file.source.size(); ++i) {
     require(file.source[i].feature < file.features.size());
     require(i == 0 || file.source[i - 1].feature <= file.source[i].feature);
   }
   const bool board = file.format == "KiCad board";
   require(file.groups.empty() == (options.group.empty() && !board) && file.layers.empty() == !board);
-  check_names(file.group, file.groups, file.segments.size());
+  if (file.broken.empty()) check_names(file.group, file.groups, file.segments.size());
+  for (const sunder::io::BrokenRing& ring : file.broken) {
+    require(ring.feature < file.features.size() && ring.ring <= file.rings.size());
+    require(file.groups.empty() || ring.group < file.groups.size());
+  }
   check_names(file.layer, file.layers, file.segments.size());
   for (const std::string& remark : file.remarks) require(remark.find('\n') == std::string::npos);
   for (const sunder::io::LineRing& ring : file.rings) {
     require(ring.count >= 3 && ring.first + ring.count <= file.segments.size());
     require(file.segments[ring.first].a == file.segments[ring.first + ring.count - 1].b);
   }
+  if (file.segments.empty()) return;
   const sunder::planar::Segments segments(file.segments);  // throws where a coordinate is not finite
   if (segments.size() > 60) return;
   for (const auto allowed :
@@ -69,7 +77,13 @@ void check(std::string_view text, std::string_view place, const sunder::io::Line
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   const std::vector<std::string> groups{"", "feature", "ring", "net", "layer"};
-  const sunder::io::LineOptions options{size % 2 == 0, groups[size / 2 % groups.size()]};
+  sunder::io::LineOptions options;
+  options.drop_z = size % 2 == 0;
+  options.group = groups[size / 2 % groups.size()];
+  options.leave_out = size / 10 % 2 == 0;
+  options.keep_broken = size / 20 % 2 == 0;
+  options.lines = size / 40 % 4 != 0;
+  if (size / 160 % 4 == 0) options.name = "id";
   for (const std::string_view place : {"a.csv", "a.wkt", "a.geojson", "a.kicad_pcb", "a"}) check(text, place, options);
   return 0;
 }

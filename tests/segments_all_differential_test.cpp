@@ -122,6 +122,40 @@ TEST(SegmentsAllDifferential, CrowdsAgreeWithTheScan) {
   EXPECT_GT(contacts, static_cast<std::size_t>(count) * 100);
 }
 
+// Many through few points, ending, passing and beginning there, along few lines, in few groups or many.
+TEST(SegmentsAllDifferential, BundlesAgreeWithTheScan) {
+  const int count = scaled_count(300);
+  Random random(chosen_seed(20261124));
+  std::array<std::size_t, 2> contacts{}, pairs{};
+  for (int i = 0; i < count; ++i) {
+    const std::uint64_t side = 2 + random.below(4), group_count = std::uint64_t{1} << random.below(6);
+    std::vector<planar::Segment> given;
+    std::vector<std::uint32_t> groups;
+    for (std::uint64_t n = 20 + random.below(180); n > 0; --n) {
+      const auto whole = [&] { return static_cast<double>(random.below(side)); };
+      given.push_back({{whole(), whole()}, {whole(), whole()}});
+      if (random.below(3) == 0) given.back().b = {3 * given.back().a.x, 3 * given.back().a.y};  // along lines from 0
+      groups.push_back(static_cast<std::uint32_t>(random.below(group_count)));
+    }
+    const Segments segments(given);
+    for (const bool grouped : {false, true}) {
+      SegmentsOptions options{static_cast<Allowed>(i % 3), false};
+      if (grouped) options.groups = groups;
+      const std::vector<SegmentsContact> truth = listed(planar::visit_contacts_by_scan, segments, options);
+      for (planar::ContactMethod* method : {&planar::visit_contacts_by_bentley_ottmann,
+                                            &planar::visit_contacts_by_balaban, &planar::visit_contacts_by_sweep}) {
+        ASSERT_EQ(listed(*method, segments, options), truth) << i << (grouped ? " groups" : "");
+      }
+      ASSERT_EQ(planar::segments_any_by_sweep(segments, options).meet(), !truth.empty()) << i;
+      contacts[grouped] += truth.size();
+      pairs[grouped] += given.size() * (given.size() - 1) / 2;
+    }
+  }
+  EXPECT_GT(contacts[0], pairs[0] / 10);
+  EXPECT_GT(contacts[1], pairs[1] / 20);
+  EXPECT_LT(contacts[1], contacts[0]);
+}
+
 // A jittered grid's edges and a star's spikes, cut short so that none meet, and a few strokes across the middle of some
 // edges: these cross and nothing else does.
 TEST(SegmentsAllDifferential, LargeSetsWithAKnownAnswer) {

@@ -2,6 +2,8 @@
 #include <sunder/certificate/check.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 
+#include <tests/support/places.h>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -23,7 +25,7 @@ using solid::Pose;
 double number(const json& text) { return std::strtod(text.get<std::string>().c_str(), nullptr); }
 
 TEST(SolidPairCases, EveryMethodGivesTheProvedVerdict) {
-  const std::filesystem::path folder = std::filesystem::path(SUNDER_CASES_DIR) / "solid-pair";
+  const std::filesystem::path folder = std::filesystem::path(tests::cases_folder()) / "solid-pair";
   int pairs = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".json") continue;

@@ -30,6 +30,7 @@ struct SegmentSet {
   std::vector<std::int64_t> groups;
   bool has_groups = false;
   std::int64_t e = 0;
+  std::size_t bits = 0;  // of the longest coordinate
 
   bool is_one_group(std::size_t i, std::size_t j) const { return groups[i] == groups[j]; }
 

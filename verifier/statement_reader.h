@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,17 @@ struct Refused {
   std::string check;
   std::string reason;
 };
+
+// Checking takes more steps than a file of its size may take. Never leaves the verifier.
+struct TooLong {
+  std::uint64_t most;
+};
+
+// How much work is left of what the file that this thread checks may take: docs/certificates.md, "Limits".
+void limit_steps(std::size_t bytes);
+void lift_limit();
+// So many looks at a number of a bits and one of b bits. Throws TooLong.
+void take_steps(std::uint64_t looks, std::size_t a, std::size_t b);
 
 [[noreturn]] void refuse_form(const std::string& reason);
 
@@ -41,6 +53,14 @@ struct Common {
 };
 
 Common common(const Numbers& values);
+Common common_weights(const Numbers& values);  // the same of weights; takes the steps
+
+std::size_t bits(const Integer& n);
+std::size_t bits(std::span<const Integer> integers);  // of the longest
+std::size_t length(const Numbers& values);            // all bits together, exponents counted as they are
+
+constexpr std::size_t most_weights = 16;               // of one body or polygon; 4 are always enough
+constexpr std::size_t most_name = 4000;                // characters
 Integer shifted(const Integer& n, std::int64_t bits);  // n * 2^bits; requires bits >= 0
 
 // `where` names the value in a refusal.
@@ -51,6 +71,8 @@ Numbers read_numbers(const json& value, std::size_t count, Number (*read)(const 
 const json& member(const json& item, const char* key, const std::string& where);
 const json& list_member(const json& item, const char* key, const std::string& where);
 std::string string_member(const json& item, const char* key, const std::string& where);
+std::size_t characters(const std::string& text);  // of UTF-8
+std::string name_member(const json& item, const std::string& where);
 std::size_t read_index(const json& value, std::size_t size, const std::string& where);
 std::size_t index_member(const json& item, const char* key, std::size_t size, const std::string& where);
 

@@ -21,8 +21,8 @@
 namespace sunder_verifier {
 namespace {
 
-constexpr std::size_t kMaxWeights = 16;  // of one body in a pair; 4 are always enough
-constexpr std::size_t kMaxDepth = 500;   // of nested JSON; a certificate needs 5 levels
+constexpr std::size_t kMaxNote = 4000;  // characters of a note
+constexpr std::size_t kMaxDepth = 500;  // of nested JSON; a certificate needs 5 levels
 
 using Vector = std::array<Integer, 3>;
 
@@ -30,10 +30,11 @@ using Vector = std::array<Integer, 3>;
 struct Body {
   std::vector<Vector> vertices;
   std::int64_t e = 0;
+  std::size_t bits = 0;  // of the longest integer
 };
 
 Body read_body(const json& item, const std::string& where) {
-  string_member(item, "name", where);
+  name_member(item, where);
   Numbers flat;
   std::size_t count = 0;
   for (const json& vertex : list_member(item, "vertices", where)) {
@@ -44,6 +45,7 @@ Body read_body(const json& item, const std::string& where) {
   Common scaled = common(flat);
   Body body;
   body.e = scaled.e;
+  body.bits = bits(scaled.integers);
   for (std::size_t i = 0; i < flat.size(); i += 3) {
     Integer* v = &scaled.integers[i];
     body.vertices.push_back({std::move(v[0]), std::move(v[1]), std::move(v[2])});
@@ -63,7 +65,7 @@ struct Placed {
 
 Placed read_placed(const json& item, const std::vector<Body>& bodies, const std::string& where) {
   Placed placed;
-  placed.name = string_member(item, "name", where);
+  placed.name = name_member(item, where);
   placed.body = &bodies[index_member(item, "body", bodies.size(), where)];
   const Common linear = common(read_numbers(member(item, "linear", where), 9, read_double, where + ".linear"));
   const Common translation =
@@ -83,7 +85,7 @@ struct Weights {
 Weights read_weights(const json& item, const char* key, std::size_t size, const std::string& parent) {
   const json& list = list_member(item, key, parent);
   const std::string where = parent + "." + key;
-  if (list.size() > kMaxWeights) refuse_form(where + " has more than " + std::to_string(kMaxWeights) + " entries");
+  if (list.size() > most_weights) refuse_form(where + " has more than " + std::to_string(most_weights) + " entries");
   Weights weights;
   for (const json& entry : list) {
     if (!entry.is_array() || entry.size() != 2) refuse_form(where + " has an entry that is not a list of 2");
@@ -147,6 +149,16 @@ void read_file(const json& top, File& file) {
   }
 }
 
+// What the file says that it does not speak of; empty where it has no note.
+std::string read_note(const json& top) {
+  if (!top.is_object() || !top.contains("note")) return "";
+  std::string note = string_member(top, "note", "the file");
+  if (note.empty() || characters(note) > kMaxNote) {
+    refuse_form("the note is not of 1 to " + std::to_string(kMaxNote) + " characters");
+  }
+  return note;
+}
+
 // ---- Checking.
 
 Integer dot(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
@@ -183,8 +195,10 @@ void check_apart(const Pair& pair) {
   const Integers scaled = common(pair.vector).integers;  // a positive multiple of the direction
   const Vector d = row(scaled, 0);
 
+  for (const Placed* placed : {pair.a, pair.b}) take_steps(9, bits(scaled), bits(placed->linear));
   const std::vector<Vector>& of_a = pair.a->body->vertices;
   const Vector row_a = pulled_back(d, *pair.a);
+  take_steps(of_a.size(), bits(row_a), pair.a->body->bits);
   const Integer furthest = dot(row_a, of_a[pair.extreme_a]);
   for (std::size_t i = 0; i < of_a.size(); ++i) {
     if (dot(row_a, of_a[i]) > furthest) {
@@ -193,6 +207,7 @@ void check_apart(const Pair& pair) {
   }
   const std::vector<Vector>& of_b = pair.b->body->vertices;
   const Vector row_b = pulled_back(d, *pair.b);
+  take_steps(of_b.size(), bits(row_b), pair.b->body->bits);
   const Integer least = dot(row_b, of_b[pair.extreme_b]);
   for (std::size_t i = 0; i < of_b.size(); ++i) {
     if (dot(row_b, of_b[i]) < least) {
@@ -240,8 +255,8 @@ void check_sum_is_point(const Placed& placed, const std::vector<std::size_t>& ve
 void check_meet(const Pair& pair) {
   check_not_negative(pair.weights_a, "A");
   check_not_negative(pair.weights_b, "B");
-  const Common weights_a = common(pair.weights_a.values);
-  const Common weights_b = common(pair.weights_b.values);
+  const Common weights_a = common_weights(pair.weights_a.values);
+  const Common weights_b = common_weights(pair.weights_b.values);
   check_sum_is_one(weights_a, "A");
   check_sum_is_one(weights_b, "B");
   check_sum_is_point(*pair.a, pair.weights_a.vertices, weights_a, pair.vector, "A");
@@ -334,13 +349,15 @@ void verify_into(std::string_view text, const std::string& prefix, FileResult& r
   try {
     if (first.repeated) refuse_form("an object has a key twice");
     const json top = json::parse(text.begin(), text.end());
+    std::string note = read_note(top);
     if (top.is_object() && top.contains("sunder_set_certificate")) {
       result.pairs = verify_set(top);
-      return;
+    } else {
+      File file;
+      read_file(top, file);
+      for (const Pair& pair : file.pairs) result.pairs.push_back(check(pair));
     }
-    File file;
-    read_file(top, file);
-    for (const Pair& pair : file.pairs) result.pairs.push_back(check(pair));
+    result.note = std::move(note);  // of a file whose form is right
   } catch (const Refused& refused) {
     result.failed_form = refused.reason;
   }
@@ -353,10 +370,17 @@ bool FileResult::accepted() const {
          std::all_of(pairs.begin(), pairs.end(), [](const PairResult& pair) { return pair.accepted; });
 }
 
-FileResult verify_text(std::string_view text, std::string_view place) {
+FileResult verify_text(std::string_view text, std::string_view place, Limit limit) {
   FileResult result;
+  const std::string prefix = std::string(place) + ": ";
+  lift_limit();
+  if (limit == Limit::by_size) limit_steps(text.size());
   try {
-    verify_into(text, std::string(place) + ": ", result);
+    verify_into(text, prefix, result);
+  } catch (const TooLong& error) {
+    result = FileResult();
+    result.error = prefix + "checking it takes more than " + std::to_string(error.most) +
+                   " steps, the limit for a file of its size; give --no-limit to check it all the same";
   } catch (const std::exception& error) {  // memory ran out
     result = FileResult();
     result.error = error.what();

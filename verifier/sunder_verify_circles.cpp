@@ -13,6 +13,7 @@ namespace {
 struct Discs {
   std::vector<Disc> discs;
   std::int64_t e = 0;
+  std::size_t bits = 0;  // of the longest number
 };
 
 std::string text(std::size_t i) { return std::to_string(i); }
@@ -51,6 +52,8 @@ int place_in(const Disc& disc, const PointInUnits& p) {
 }
 
 void check_some(const Discs& set, const std::string& rule, const Some& some) {
+  const std::size_t longest = length(some.point) + set.bits;
+  take_steps(16, longest, longest);
   require(counts(some.kind, rule), "C1", some.kind + " does not count where " + rule + " is allowed");
   require(some.groups.empty() || some.groups[some.i] != some.groups[some.j], "C1",
           "circles " + text(some.i) + " and " + text(some.j) + " are of one group");
@@ -169,6 +172,9 @@ Mean mean_of(const std::vector<Disc>& discs, const CommonPart& part) {
 void check_common(const Discs& set, const CommonPart& part) {
   if (part.verdict == "plane") return;
   if (part.verdict == "region") {
+    const std::size_t longest = length(part.point) + set.bits;
+    take_steps(4 * set.discs.size(), longest, longest);
+    take_steps(10 * set.discs.size() * part.arcs.size(), 4 * set.bits, 4 * set.bits);
     const PointInUnits point = in_integers(set.e, part.point);
     for (std::size_t k = 0; k < set.discs.size(); ++k) {
       require(place_in(set.discs[k], point) > 0, "D3", "the point is not inside of circle " + text(k));
@@ -186,6 +192,8 @@ void check_common(const Discs& set, const CommonPart& part) {
     return;
   }
   require(least == 0, "D2", "the named circles have no single common point, or these weights do not show it");
+  const std::size_t longest = bits(Integers{mean.x, mean.y, mean.total});
+  take_steps(4 * set.discs.size(), longest, longest);
   for (std::size_t k = 0; k < set.discs.size(); ++k) {
     const Disc& d = set.discs[k];
     require(square(mean.x - d.x * mean.total) + square(mean.y - d.y * mean.total) <= square(d.r * mean.total), "D3",
@@ -205,6 +213,7 @@ Discs read_discs(const json& top) {
   const Common scaled = common(flat);
   Discs set;
   set.e = scaled.e;
+  set.bits = bits(scaled.integers);
   for (std::size_t k = 0; k < flat.size(); k += 3) {
     set.discs.push_back({scaled.integers[k], scaled.integers[k + 1], scaled.integers[k + 2]});
     if (set.discs.back().r < 0) refuse_form("circles[" + text(k / 3) + "] has a negative radius");
@@ -260,7 +269,7 @@ Statement read_common(const std::shared_ptr<const Discs>& set, const json& item,
     part.named = index_list(item, "discs", set->discs.size(), no_index, where);
     if (part.named.size() > most) refuse_form(where + ".discs has more than " + text(most) + " entries");
     part.weights =
-        common(read_numbers(member(item, "weights", where), part.named.size(), read_number, where + ".weights"))
+        common_weights(read_numbers(member(item, "weights", where), part.named.size(), read_number, where + ".weights"))
             .integers;
   } else {
     refuse_form(where + ".verdict is no kind of common part");

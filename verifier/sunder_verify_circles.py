@@ -4,7 +4,7 @@ The format and the checks are those of docs/certificates-sets.md, "circles_any" 
 the library.
 All numbers of discs are integers here, multiples of one power of two.
 """
-from sunder_verify import common, double, index, member, number, numbers, require
+from sunder_verify import bits, common, common_weights, double, index, length, member, number, numbers, require, steps
 from sunder_verify_arcs import check_arcs
 
 RULES = ("nothing", "shared-endpoint", "touch")  # all but the first: touching does not count
@@ -46,7 +46,9 @@ def holds(disc, exponent, point, is_inside=False):
     return left > 0 or (left == 0 and not is_inside)
 
 
-def check_some(discs, exponent, groups, allowed, i, j, kind, point):
+def check_some(discs, greatest, exponent, groups, allowed, i, j, kind, point):
+    longest = length(*point) + greatest
+    steps.take(16, longest, longest)
     require(not may_meet(kind, allowed), "C1", "%s does not count where %s is allowed" % (kind, allowed))
     require(groups is None or groups[i] != groups[j], "C1", "circles %d and %d are of one group" % (i, j))
     for k in (i, j):
@@ -100,9 +102,13 @@ def depth(discs, weights):
     return total, total * sum(w * (d[0] ** 2 + d[1] ** 2 - d[2] ** 2) for w, d in zip(weights, discs)) - x * x - y * y
 
 
-def check_common(discs, exponent, verdict, named, weights, point, arcs):
+def check_common(discs, greatest, exponent, verdict, named, weights, point, arcs):
     """The common part of the discs."""
     if verdict == "region":
+        longest = length(*point) + greatest
+        steps.take(4 * len(discs), longest, longest)
+        if arcs is not None:
+            steps.take(10 * len(discs) * len(arcs), 4 * greatest, 4 * greatest)
         for k, disc in enumerate(discs):
             require(holds(disc, exponent, point, True), "D3", "the point is not inside of circle %d" % k)
         if arcs is not None:
@@ -117,6 +123,7 @@ def check_common(discs, exponent, verdict, named, weights, point, arcs):
         return
     require(power == 0, "D2", "the named circles have no single common point, or these weights do not show it")
     x, y = (sum(w * disc[axis] for w, disc in zip(weights, chosen)) for axis in (0, 1))
+    steps.take(4 * len(discs), bits((x, y, total)), bits((x, y, total)))
     for k, (cx, cy, r) in enumerate(discs):
         require((x - cx * total) ** 2 + (y - cy * total) ** 2 <= (r * total) ** 2, "D3",
                 "the point is not in circle %d" % k)
@@ -142,6 +149,7 @@ class Table:
         for i, item in enumerate(member(top, "circles", list, "the file")):
             flat += numbers(item, 3, double, "circles[%d]" % i)
         flat, _, self.exponent = common(flat)
+        self.bits = bits(flat)
         self.discs = list(zip(flat[0::3], flat[1::3], flat[2::3]))
         for i, (_, _, r) in enumerate(self.discs):
             require(r >= 0, "F", "circles[%d] has a negative radius" % i)
@@ -160,8 +168,8 @@ class Table:
             kind = member(item, "kind", str, where)
             require(kind in KINDS, "F", where + ".kind is no kind of contact")
             point = numbers(member(item, "point", list, where), 2, number, where + ".point")
-            return "circles", rule, verdict, lambda: check_some(self.discs, self.exponent, groups, allowed, i, j, kind,
-                                                                point)
+            return "circles", rule, verdict, lambda: check_some(self.discs, self.bits, self.exponent, groups, allowed,
+                                                                i, j, kind, point)
         require(groups is None, "F", where + " has groups, for which there is no transcript")
         events = [index(event, 2 * size, where + " event") for event in member(item, "events", list, where)]
         below = member(item, "below", list, where)
@@ -186,9 +194,10 @@ class Table:
         else:
             named = [index(k, len(self.discs), where + ".discs entry") for k in member(item, "discs", list, where)]
             require(len(named) <= MOST_NAMED, "F", "%s.discs has more than %d entries" % (where, MOST_NAMED))
-            weights = common(numbers(member(item, "weights", list, where), len(named), number, where + ".weights"))[0]
+            weights = common_weights(
+                numbers(member(item, "weights", list, where), len(named), number, where + ".weights"))[0]
         return "circles", "common part", verdict, lambda: verdict == "plane" or check_common(
-            self.discs, self.exponent, verdict, named, weights, point, arcs)
+            self.discs, self.bits, self.exponent, verdict, named, weights, point, arcs)
 
 
 def questions(top):

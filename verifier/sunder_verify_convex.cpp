@@ -24,6 +24,7 @@ using Vertices = std::vector<Vector>;  // a polygon: their convex hull
 struct Polygons {
   std::vector<Vertices> polygons;
   std::int64_t e = 0;
+  std::size_t bits = 0;  // of the longest coordinate
 };
 
 std::string text(std::size_t i) { return std::to_string(i); }
@@ -78,7 +79,7 @@ struct Some {
 };
 
 void check_weights(const Vertices& vertices, const Weights& weights, const Place& place, const std::string& polygon) {
-  const Common scaled = common(weights.values);
+  const Common scaled = common_weights(weights.values);
   Integer total;
   Vector sum;
   for (std::size_t k = 0; k < weights.vertices.size(); ++k) {
@@ -104,6 +105,8 @@ void check_some(const Polygons& set, const std::string& rule, const Some& some) 
   for (std::size_t k = 0; k < 2; ++k) {
     check_weights(set.polygons[some.of[k]], some.weights[k], place, text(some.of[k]));
   }
+  const std::size_t longest = length(some.point) + set.bits;
+  take_steps(8 * (set.polygons[i].size() + set.polygons[j].size()), longest, longest);
   const std::string found = contact_at(set.polygons[i], set.polygons[j], place);
   require(found == some.contact, "C3", "the contact is " + found);
 }
@@ -115,8 +118,13 @@ struct None {
 
 class Transcript {
  public:
-  Transcript(const std::vector<Vertices>& polygons, const None& none)
-      : polygons_(polygons), given_(none), none_(polygons.size()), above_(none_ + 1, none_), below_(none_ + 1, none_) {
+  Transcript(const Polygons& set, const None& none)
+      : polygons_(set.polygons),
+        bits_(set.bits),
+        given_(none),
+        none_(polygons_.size()),
+        above_(none_ + 1, none_),
+        below_(none_ + 1, none_) {
     is_cut_.resize(none_ + 1);
     is_cut_[none_] = true;
   }
@@ -173,11 +181,13 @@ class Transcript {
     require(!is_new || d.y > 0, "T3", "the direction between polygons " + pair + " does not point up");
     const auto less = [&](const Vector& u, const Vector& v) { return dot(d, u) < dot(d, v); };
     const Vertices &l = polygons_[lower], &u = polygons_[upper];
+    take_steps(l.size() + u.size(), std::max(bits(d.x), bits(d.y)), bits_);
     require(less(*std::max_element(l.begin(), l.end(), less), *std::min_element(u.begin(), u.end(), less)), "T4",
             "the direction does not part polygons " + pair + ", which become neighbours");
   }
 
   const std::vector<Vertices>& polygons_;
+  const std::size_t bits_;
   const None& given_;
   const std::size_t none_;                  // stands below and above all: the list is a ring
   std::vector<std::size_t> above_, below_;  // in the list
@@ -199,6 +209,7 @@ Polygons read_polygons(const json& top) {
   Common scaled = common(flat);
   Polygons set;
   set.e = scaled.e;
+  set.bits = bits(scaled.integers);
   std::size_t next = 0;
   for (const std::size_t size : sizes) {
     Vertices& vertices = set.polygons.emplace_back();
@@ -211,13 +222,15 @@ Polygons read_polygons(const json& top) {
 
 Weights read_weights(const json& item, const char* key, std::size_t size, const std::string& parent) {
   const std::string where = parent + "." + key;
+  const json& list = list_member(item, key, parent);
+  if (list.size() > most_weights) refuse_form(where + " has more than " + text(most_weights) + " entries");
   Weights weights;
-  std::vector<bool> seen(size);
-  for (const json& entry : list_member(item, key, parent)) {
+  for (const json& entry : list) {
     if (!entry.is_array() || entry.size() != 2) refuse_form(where + " has an entry that is not a list of 2");
     const std::size_t vertex = read_index(entry[0], size, where + " vertex");
-    if (seen[vertex]) refuse_form(where + " has vertex " + text(vertex) + " twice");
-    seen[vertex] = true;
+    if (std::count(weights.vertices.begin(), weights.vertices.end(), vertex) > 0) {
+      refuse_form(where + " has vertex " + text(vertex) + " twice");
+    }
     weights.vertices.push_back(vertex);
     weights.values.push_back(read_number(entry[1], where));
   }
@@ -266,8 +279,7 @@ Statement read_any(const std::shared_ptr<const Polygons>& set, const json& item,
     refuse_form(where + " has groups or allows touching, for which there is no transcript");
   }
   const None none = read_none(item, size, where);
-  return make_statement("convex polygons", rule + " allowed", verdict,
-                        [=] { Transcript(set->polygons, none).check(); });
+  return make_statement("convex polygons", rule + " allowed", verdict, [=] { Transcript(*set, none).check(); });
 }
 
 }  // namespace

@@ -6,7 +6,8 @@ are integers here, multiples of one power of two.
 """
 import functools
 
-from sunder_verify import common, double, index, member, number, numbers, require
+from sunder_verify import bits, common, common_weights, double, index, length, member, number, numbers, read_weights, \
+    require, steps
 from sunder_verify_circles import RULES, read_groups
 
 CONTACTS = ("touching", "overlapping")
@@ -52,18 +53,20 @@ def scaled_point(point, exponent):
     return x << max(e - exponent, 0), y << max(e - exponent, 0), d << max(exponent - e, 0)
 
 
-def check_some(polygons, exponent, groups, allowed, i, j, contact, point, weights):
+def check_some(polygons, greatest, exponent, groups, allowed, i, j, contact, point, weights):
     require(contact == "overlapping" or allowed != "touch", "C1", "touching does not count where it is allowed")
     require(groups is None or groups[i] != groups[j], "C1", "polygons %d and %d are of one group" % (i, j))
     place = scaled_point(point, exponent)
     for k, named in zip((i, j), weights):
-        values, d, e = common(list(named.values()))
+        values, d, e = common_weights(named.values())
         require(all(v >= 0 for v in values), "C2", "a weight of polygon %d is negative" % k)
         total = sum(values)
         require(total << max(e, 0) == d << max(-e, 0), "C2", "the weights of polygon %d do not sum to 1" % k)
         for axis in (0, 1):
             mean = sum(v * polygons[k][vertex][axis] for v, vertex in zip(values, named))
             require(mean * place[2] == place[axis] * total, "C2", "the weighted sum of polygon %d is not the point" % k)
+    whole = length(*point) + greatest
+    steps.take(8 * (len(polygons[i]) + len(polygons[j])), whole, whole)
     found = contact_at(polygons[i], polygons[j], place)
     require(found == contact, "C3", "the contact is %s" % found)
 
@@ -84,6 +87,7 @@ def check_none(polygons, events, below, directions):
     check_order(polygons, events)
     above_of, below_of = {-1: -1}, {-1: -1}  # a ring: -1 stands below and above all
     given = iter(directions)
+    greatest = bits(x for polygon in polygons for vertex in polygon for x in vertex)
 
     def become_neighbours(lower, upper, is_new):
         above_of[lower], below_of[upper] = upper, lower
@@ -93,6 +97,7 @@ def check_none(polygons, events, below, directions):
         require(d is not None, "T4", "there are fewer directions than neighbours")
         require(not is_new or d[1] > 0, "T3",
                 "the direction between polygons %d and %d does not point up" % (lower, upper))
+        steps.take(len(polygons[lower]) + len(polygons[upper]), bits(d), greatest)
         require(max(dot(d, p) for p in polygons[lower]) < min(dot(d, p) for p in polygons[upper]), "T4",
                 "the direction does not part polygons %d and %d, which become neighbours" % (lower, upper))
 
@@ -110,17 +115,6 @@ def check_none(polygons, events, below, directions):
     require(next(given, None) is None, "T4", "there are more directions than neighbours")
 
 
-def read_weights(item, key, size, where):
-    weights = {}
-    for entry in member(item, key, list, where):
-        require(type(entry) is list and len(entry) == 2, "F",
-                "%s.%s has an entry that is not a list of 2" % (where, key))
-        vertex = index(entry[0], size, "%s.%s vertex" % (where, key))
-        require(vertex not in weights, "F", "%s.%s has vertex %d twice" % (where, key, vertex))
-        weights[vertex] = number(entry[1], "%s.%s" % (where, key))
-    return weights
-
-
 class Table:
     """The convex polygons of a file."""
 
@@ -133,6 +127,7 @@ class Table:
                 flat += numbers(vertex, 2, double, where + " vertex")
             sizes.append(len(polygon))
         flat, _, self.exponent = common(flat)
+        self.bits = bits(flat)
         vertices = iter(zip(flat[0::2], flat[1::2]))
         self.polygons = [[next(vertices) for _ in range(size)] for size in sizes]
 
@@ -150,9 +145,9 @@ class Table:
             contact = member(item, "contact", str, where)
             require(contact in CONTACTS, "F", where + ".contact is neither touching nor overlapping")
             point = numbers(member(item, "point", list, where), 2, number, where + ".point")
-            weights = [read_weights(item, "weights_" + key, len(self.polygons[k]), where)
-                       for key, k in zip("ij", (i, j))]
-            return *about, lambda: check_some(self.polygons, self.exponent, groups, allowed, i, j, contact, point,
+            weights = [read_weights(member(item, "weights_" + key, list, where), len(self.polygons[k]),
+                                    "%s.weights_%s" % (where, key)) for key, k in zip("ij", (i, j))]
+            return *about, lambda: check_some(self.polygons, self.bits, self.exponent, groups, allowed, i, j, contact, point,
                                               weights)
         require(groups is None and allowed != "touch", "F",
                 where + " has groups or allows touching, for which there is no transcript")

@@ -25,7 +25,7 @@ struct Polygons {
 enum class Where { outside, inside, on_edge, at_vertex };  // at_vertex: on no edge but at its ends
 
 // The point is x / w, y / w; w > 0.
-Where place_in(const Polygons& set, std::size_t polygon, const Point& point, const Integer& w) {
+Where place_in(const Polygons& set, std::size_t polygon, const Point& point, const Integer& w, std::size_t longest) {
   bool is_inside = false, on_edge = false, at_vertex = false;
   for (std::size_t k = set.first_edge[polygon]; k < set.first_edge[polygon + 1]; ++k) {
     const Segment& edge = set.edges.segments[k];
@@ -33,6 +33,7 @@ Where place_in(const Polygons& set, std::size_t polygon, const Point& point, con
     if (point == a || point == b) {
       at_vertex = true;
     } else if (a < point && point < b) {
+      take_steps(1, longest, longest);
       const int side = turn(a, b, point);
       if (side == 0) on_edge = true;
       if (side > 0) is_inside = !is_inside;  // the edge is below the point
@@ -53,6 +54,8 @@ void check_some(const Polygons& set, Allowed allowed, const Some& some) {
   const auto [i, j] = some.of;
   require(some.groups.empty() || some.groups[i] != some.groups[j], "C1",
           "polygons " + text(i) + " and " + text(j) + " are of one group");
+  const auto edges_of = [&](std::size_t k) { return set.first_edge[k + 1] - set.first_edge[k]; };
+  take_steps(4 * (edges_of(i) + edges_of(j)), length(some.point), set.edges.bits);
   const Common scaled = common(some.point);
   const std::int64_t above = scaled.e - set.edges.e;  // of the unit of the edges
   Point point{scaled.integers[0], scaled.integers[1]};
@@ -61,7 +64,7 @@ void check_some(const Polygons& set, Allowed allowed, const Some& some) {
   if (above < 0) w = shifted(w, -above);
   std::array<Where, 2> where{};
   for (std::size_t k = 0; k < 2; ++k) {
-    where[k] = place_in(set, some.of[k], point, w);
+    where[k] = place_in(set, some.of[k], point, w, length(some.point) + set.edges.bits);
     require(where[k] != Where::outside, "C2", "the point is not in polygon " + text(some.of[k]));
   }
   const auto are_both = [&](Where here) { return where[0] == here && where[1] == here; };
@@ -236,6 +239,7 @@ Polygons read_polygons(const json& top) {
   Common scaled = common(flat);
   Polygons set;
   set.edges.e = scaled.e;
+  set.edges.bits = bits(scaled.integers);
   set.edges.has_groups = true;
   std::size_t next = 0;
   for (std::size_t i = 0; i < sizes.size(); ++i) {

@@ -4,7 +4,7 @@ The format and the checks are those of docs/certificates-sets.md, "polygons_any"
 polygon is here the list of its edges, pairs of points, the lesser one first. All coordinates are integers, multiples of
 one power of two.
 """
-from sunder_verify import common, double, index, member, number, numbers, require
+from sunder_verify import bits, common, double, index, length, member, number, numbers, require, steps
 from sunder_verify_circles import RULES, read_groups
 from sunder_verify_convex import scaled_point
 from sunder_verify_segments import Holders, kind_of, turn
@@ -16,25 +16,31 @@ MAY_MEET = {  # how edges of different polygons may meet
 }
 
 
-def place_in(edges, point):
-    """Where the point x, y, w is: outside, inside, on an edge, or at a vertex and on no edge but at its ends."""
+def place_in(edges, point, longest=0):
+    """Where the point x, y, w is: outside, inside, on an edge, or at a vertex and on no edge but at its ends. longest: the
+    bits of the numbers that are multiplied, for the steps."""
     x, y, w = point
     is_inside, on = False, None
     for edge in edges:
         a, b = ((u * w, v * w) for u, v in edge)
-        side = turn(a, b, (x, y))
-        if side == 0 and a <= (x, y) <= b:  # on one line, the order of points is the order along it
-            on = on or "vertex" if (x, y) in (a, b) else "edge"
-        elif side > 0 and a <= (x, y) < b:  # the edge is below the point
-            is_inside = not is_inside
+        if (x, y) in (a, b):
+            on = on or "vertex"
+        elif a < (x, y) < b:
+            steps.take(1, longest, longest)
+            side = turn(a, b, (x, y))
+            if side == 0:  # on one line, the order of points is the order along it
+                on = "edge"
+            elif side > 0:  # the edge is below the point
+                is_inside = not is_inside
     return on or ("inside" if is_inside else "outside")
 
 
-def check_some(polygons, exponent, groups, allowed, i, j, point):
+def check_some(polygons, greatest, exponent, groups, allowed, i, j, point):
     require(groups is None or groups[i] != groups[j], "C1", "polygons %d and %d are of one group" % (i, j))
     places = []
+    steps.take(4 * (len(polygons[i]) + len(polygons[j])), length(*point), greatest)
     for k in (i, j):
-        places.append(place_in(polygons[k], scaled_point(point, exponent)))
+        places.append(place_in(polygons[k], scaled_point(point, exponent), length(*point) + greatest))
         require(places[-1] != "outside", "C2", "the point is not in polygon %d" % k)
     if allowed == "shared-endpoint":
         require(places != ["vertex", "vertex"], "C3", "the point is only a vertex of both")
@@ -136,6 +142,7 @@ class Table:
                 for vertex in ring:
                     flat += numbers(vertex, 2, double, where + " vertex")
         flat, _, self.exponent = common(flat)
+        self.bits = bits(flat)
         vertices = iter(zip(flat[0::2], flat[1::2]))
         self.polygons = []
         for i, of_rings in enumerate(sizes):
@@ -157,7 +164,7 @@ class Table:
             i, j = (index(member(item, key, int, where), size, "%s.%s" % (where, key)) for key in "ij")
             require(i != j, "F", where + " names one polygon twice")
             point = numbers(member(item, "point", list, where), 2, number, where + ".point")
-            return *about, lambda: check_some(self.polygons, self.exponent, groups, allowed, i, j, point)
+            return *about, lambda: check_some(self.polygons, self.bits, self.exponent, groups, allowed, i, j, point)
         require(groups is None, "F", where + " has groups, for which there is no transcript")
         count = sum(map(len, self.polygons))
         events = [index(event, 2 * count, where + " event") for event in member(item, "events", list, where)]

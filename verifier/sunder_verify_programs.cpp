@@ -29,8 +29,16 @@ HalfPlane direction_of(const Numbers& numbers) {
   return {scaled.integers[0], scaled.integers[1], 0};
 }
 
+// Of a look at all half-planes with a point or a direction.
+void take_steps_of(const Program& program, const Integers& vector) {
+  std::size_t longest = 0;
+  for (const HalfPlane& h : *program.given) longest = std::max({longest, bits(h.a), bits(h.b), bits(h.c)});
+  take_steps(2 * program.given->size(), bits(vector), longest);
+}
+
 void check_in_all(const Program& program, const Place& point, const char* check, const std::string& what) {
   const std::vector<HalfPlane>& given = *program.given;
+  take_steps_of(program, {point.x, point.y, point.w});
   for (std::size_t i = 0; i < given.size(); ++i) {
     require(excess(given[i], point) <= 0, check, what + " is outside of half-plane " + text(i));
   }
@@ -62,6 +70,7 @@ void check_end(const Program& program, std::size_t end, bool is_after) {
   const HalfPlane& side = (*program.given)[program.side];
   const auto turns_on = [&](const HalfPlane& h) { return is_after ? turn(side, h) > 0 : turn(h, side) > 0; };
   if (end == no_index) {
+    take_steps_of(program, {side.a, side.b, side.c});
     for (std::size_t i = 0; i < program.given->size(); ++i) {
       require(!turns_on((*program.given)[i]), "L4", "half-plane " + text(i) + " ends the side");
     }
@@ -74,10 +83,6 @@ void check_end(const Program& program, std::size_t end, bool is_after) {
 
 void check_many(const Program& program) {
   check_in_all(program, program.point, "L1", "the point");
-  if (program.side == no_index) {
-    require(program.up.a == 0 && program.up.b == 0, "L3", "there is an objective, but no side");
-    return;
-  }
   check_on_line(program, program.side);
   const HalfPlane& side = (*program.given)[program.side];
   require(faces_as(side, program.up), "L3", "the side does not face as the objective");
@@ -88,8 +93,14 @@ void check_many(const Program& program) {
           "the side's ends are one point");
 }
 
+void check_all(const Program& program) {
+  check_in_all(program, program.point, "L1", "the point");
+  require(program.up.a == 0 && program.up.b == 0, "L3", "there is an objective");
+}
+
 void check_unbounded(const Program& program) {
   check_in_all(program, program.point, "L1", "the point");
+  take_steps_of(program, {program.direction.a, program.direction.b});
   require(facing(program.up, program.direction) > 0, "L3", "the direction does not lead further along the objective");
   for (std::size_t i = 0; i < program.given->size(); ++i) {
     require(facing((*program.given)[i], program.direction) <= 0, "L4", "the direction leaves half-plane " + text(i));
@@ -102,8 +113,11 @@ std::size_t name_member(const json& item, const char* key, std::size_t size, con
 
 Statement read_program(const HalfPlanes& given, const json& item, const std::string& where) {
   const std::string verdict = string_member(item, "verdict", where);
-  const bool is_one = verdict == "one", is_many = verdict == "many", is_infeasible = verdict == "infeasible";
-  if (!is_one && !is_many && !is_infeasible && verdict != "unbounded") refuse_form(where + ".verdict is no outcome");
+  const bool is_one = verdict == "one", is_many = verdict == "many", is_all = verdict == "all";
+  const bool is_unbounded = verdict == "unbounded", is_infeasible = verdict == "infeasible";
+  if (!is_one && !is_many && !is_all && !is_unbounded && !is_infeasible) {
+    refuse_form(where + ".verdict is no outcome");
+  }
   const auto two = [&](const char* key, Number (*read)(const json&, const std::string&)) {
     return read_numbers(member(item, key, where), 2, read, where + "." + key);
   };
@@ -121,11 +135,11 @@ Statement read_program(const HalfPlanes& given, const json& item, const std::str
     if (program.named.size() != 2 && program.named.size() != 3) refuse_form(where + ".tight is not a list of 2 or 3");
   }
   if (is_many) {
-    program.side = name_member(item, "side", size, where);
+    program.side = index_member(item, "side", size, where);
     program.before = name_member(item, "before", size, where);
     program.after = name_member(item, "after", size, where);
   }
-  if (verdict == "unbounded") program.direction = direction_of(two("direction", read_number));
+  if (is_unbounded) program.direction = direction_of(two("direction", read_number));
   return make_statement("half-planes", "linear program", verdict, [=] {
     if (is_infeasible) {
       check_contradict(*program.given, program.named);
@@ -133,6 +147,8 @@ Statement read_program(const HalfPlanes& given, const json& item, const std::str
       check_one(program);
     } else if (is_many) {
       check_many(program);
+    } else if (is_all) {
+      check_all(program);
     } else {
       check_unbounded(program);
     }

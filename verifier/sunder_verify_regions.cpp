@@ -216,14 +216,16 @@ void append_sides_of_convex(const json& item, const std::string& where, std::vec
 
 // Looks at the polygons where it is asked for: other questions do not mind in which order vertices are.
 void add_convex_question(const json& top, Questions& questions) {
-  questions["convex_polygons"] = [&top](const json& item, const std::string& where) {
-    std::vector<HalfPlane> given;
-    std::size_t number = 0;
-    for (const json& polygon : list_member(top, "convex_polygons", "the file")) {
-      append_sides_of_convex(polygon, "convex_polygons[" + std::to_string(number++) + "]", given);
+  questions["convex_polygons"] = [&top, known = HalfPlanes()](const json& item, const std::string& where) mutable {
+    if (!known) {
+      std::vector<HalfPlane> given;
+      std::size_t number = 0;
+      for (const json& polygon : list_member(top, "convex_polygons", "the file")) {
+        append_sides_of_convex(polygon, "convex_polygons[" + std::to_string(number++) + "]", given);
+      }
+      known = std::make_shared<const std::vector<HalfPlane>>(std::move(given));
     }
-    return read_region(item, std::make_shared<const std::vector<HalfPlane>>(std::move(given)), "convex polygons",
-                       "common part", where);
+    return read_region(item, known, "convex polygons", "common part", where);
   };
 }
 

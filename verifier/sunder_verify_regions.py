@@ -4,7 +4,7 @@ The format and the checks are those of docs/certificates-sets.md, "half_planes",
 "convex_polygons"; no code is shared with the library.
 A half-plane a x + b y <= c is a triple (a, b, c) of integers: any positive multiple of it is the same half-plane.
 """
-from sunder_verify import common, double, index, member, number, numbers, require
+from sunder_verify import bits, common, double, index, member, number, numbers, require, steps
 
 # verdict: the least and the greatest number of sides, and whether the sides go round
 SIDES = {
@@ -152,7 +152,13 @@ def place_of(point):
     return x << max(e, 0), y << max(e, 0), d << max(-e, 0)
 
 
+def take_steps(given, vector):
+    """Of a look at all half-planes with a point or a direction."""
+    steps.take(2 * len(given), bits(vector), max(map(bits, given), default=0))
+
+
 def check_in_all(given, place, check, what):
+    take_steps(given, place)
     for i, h in enumerate(given):
         require(excess(h, place) <= 0, check, "%s is outside of half-plane %d" % (what, i))
 
@@ -176,14 +182,12 @@ def check_one(given, up, place, tight):
 
 def check_many(given, up, place, side, before, after):
     check_in_all(given, place, "L1", "the point")
-    if side < 0:
-        require(up[0] == up[1] == 0, "L3", "there is an objective, but no side")
-        return
     check_on_lines(given, [side], place)
     s = given[side]
     require(turn(s, up) == 0 and facing(s, up) > 0, "L3", "the side does not face as the objective")
     for end, sign in ((before, -1), (after, 1)):
         if end < 0:
+            take_steps(given, s)
             for i, h in enumerate(given):
                 require(sign * turn(s, h) <= 0, "L4", "half-plane %d ends the side" % i)
         else:
@@ -194,8 +198,14 @@ def check_many(given, up, place, side, before, after):
             "the side's ends are one point")
 
 
+def check_all(given, up, place):
+    check_in_all(given, place, "L1", "the point")
+    require(up[0] == up[1] == 0, "L3", "there is an objective")
+
+
 def check_unbounded(given, up, place, direction):
     check_in_all(given, place, "L1", "the point")
+    take_steps(given, direction)
     require(facing(up, direction) > 0, "L3", "the direction does not lead further along the objective")
     for i, h in enumerate(given):
         require(facing(h, direction) <= 0, "L4", "the direction leaves half-plane %d" % i)
@@ -210,7 +220,7 @@ def check_infeasible(given, names):
 def read_linear_program(item, given, where):
     size = len(given)
     verdict = member(item, "verdict", str, where)
-    require(verdict in ("one", "many", "unbounded", "infeasible"), "F", where + ".verdict is no outcome")
+    require(verdict in ("one", "many", "all", "unbounded", "infeasible"), "F", where + ".verdict is no outcome")
     up = common(numbers(member(item, "objective", list, where), 2, double, where + ".objective"))[0]
 
     def names(key):
@@ -228,8 +238,11 @@ def read_linear_program(item, given, where):
         tight = names("tight")
         require(len(tight) in (2, 3), "F", where + ".tight is not a list of 2 or 3")
         return verdict, lambda: check_one(given, up, place, tight)
+    if verdict == "all":
+        return verdict, lambda: check_all(given, up, place)
     if verdict == "many":
-        side, before, after = name("side"), name("before"), name("after")
+        side = index(member(item, "side", int, where), size, where + ".side")
+        before, after = name("before"), name("after")
         return verdict, lambda: check_many(given, up, place, side, before, after)
     direction = common(numbers(member(item, "direction", list, where), 2, number, where + ".direction"))[0]
     return verdict, lambda: check_unbounded(given, up, place, direction)
@@ -330,13 +343,14 @@ class ConvexPolygons:
     """The convex polygons of a file, for their common part; they are looked at where it is asked for."""
 
     def __init__(self, top):
-        self.top = top
+        self.top, self.given = top, None
 
     def read_common_part(self, item, where):
-        given = []
-        for i, polygon in enumerate(member(self.top, "convex_polygons", list, "the file")):
-            given += sides_of_convex(polygon, "convex_polygons[%d]" % i)
-        return read_region(item, given, ("convex polygons", "common part"), where)
+        if self.given is None:
+            self.given = []
+            for i, polygon in enumerate(member(self.top, "convex_polygons", list, "the file")):
+                self.given += sides_of_convex(polygon, "convex_polygons[%d]" % i)
+        return read_region(item, self.given, ("convex polygons", "common part"), where)
 
 
 def questions(top):

@@ -77,6 +77,7 @@ struct Some {
 };
 
 void check_some(const SegmentSet& set, Allowed allowed, const Some& some) {
+  take_steps(16, length(some.point), set.bits);
   require(!is_allowed(some.kind, allowed), "C1", some.kind + " does not count");
   require(!set.is_one_group(some.i, some.j), "C1",
           "segments " + std::to_string(some.i) + " and " + std::to_string(some.j) + " are of one group");
@@ -136,6 +137,7 @@ std::vector<Place> check_order(const SegmentSet& set, Allowed allowed, const Non
     Place here;
     if (event == exchange) {
       const auto [i, j] = none.exchanges[places.size()];
+      take_steps(1, 3 * set.bits, 3 * set.bits);
       require(set.is_one_group(i, j) && do_cross(set.segments[i], set.segments[j]), "T5",
               "segments " + std::to_string(i) + " and " + std::to_string(j) +
                   ", which are exchanged, are not of one group or do not cross");
@@ -293,6 +295,7 @@ SegmentSet read_set(const json& top) {
   const Common scaled = common(flat);
   SegmentSet set;
   set.e = scaled.e;
+  set.bits = bits(scaled.integers);
   for (std::size_t k = 0; k < flat.size(); k += 4) {
     const Integer* x = &scaled.integers[k];
     set.segments.push_back({{x[0], x[1]}, {x[2], x[3]}});

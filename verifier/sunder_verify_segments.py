@@ -4,7 +4,7 @@ The format and the checks C1-C3 and T1-T6 are those of docs/certificates.md, "Se
 All coordinates are integers here: multiples of one power of two, which all comparisons may leave out. Where a file has
 no groups, each segment has one of its own, with its index for a number.
 """
-from sunder_verify import Refused, common, double, index, member, number, numbers, require
+from sunder_verify import Refused, bits, common, double, index, length, member, number, numbers, require, steps
 
 ALLOWED = {  # which kinds of contact do not count
     "nothing": (),
@@ -74,7 +74,8 @@ def cross_further_on(lower, upper):
     return is_wrong and kind_of(lower, upper) == "crossing"
 
 
-def check_some(segments, groups, exponent, allowed, i, j, kind, point):
+def check_some(segments, greatest, groups, exponent, allowed, i, j, kind, point):
+    steps.take(16, length(*point), greatest)
     require(kind not in ALLOWED[allowed], "C1", "%s does not count where %s is allowed" % (kind, allowed))
     require(groups[i] != groups[j], "C1", "segments %d and %d are of one group" % (i, j))
     (px, dx, ex), (py, dy, ey) = point
@@ -96,6 +97,7 @@ def check_some(segments, groups, exponent, allowed, i, j, kind, point):
 def places_of(segments, groups, allowed, events, exchanges):
     """The point of each event, as x, y, w. Checks T1, and of T5 what needs no list."""
     size = len(segments)
+    greatest = bits(x for segment in segments for point in segment for x in point) if exchanges else 0
     ends = [event for event in events if event != EXCHANGE]
     require(sorted(ends) == list(range(2 * size)), "T1", "the events are not each end of each segment once")
     places, exchanged = [], iter(exchanges)
@@ -103,6 +105,7 @@ def places_of(segments, groups, allowed, events, exchanges):
     for k, event in enumerate(events):
         if event == EXCHANGE:
             i, j = next(exchanged)
+            steps.take(1, 3 * greatest, 3 * greatest)
             require(groups[i] == groups[j] and kind_of(segments[i], segments[j]) == "crossing", "T5",
                     "segments %d and %d, which are exchanged, are not of one group or do not cross" % (i, j))
             place, rank = crossing_of(segments[i], segments[j]), (1, 0)
@@ -230,6 +233,7 @@ class Table:
         for i, item in enumerate(member(top, "segments", list, "the file")):
             flat += numbers(item, 4, double, "segments[%d]" % i)
         flat, _, self.exponent = common(flat)
+        self.bits = bits(flat)
         self.segments = [((flat[k], flat[k + 1]), (flat[k + 2], flat[k + 3])) for k in range(0, len(flat), 4)]
         for i, (a, b) in enumerate(self.segments):
             require(a <= b, "F", "segments[%d] does not begin with its lexicographically first end" % i)
@@ -249,8 +253,8 @@ class Table:
             kind = member(item, "kind", str, where)
             require(kind in KINDS, "F", where + ".kind is no kind of contact")
             point = numbers(member(item, "point", list, where), 2, number, where + ".point")
-            return "segments", rule, verdict, lambda: check_some(self.segments, self.groups, self.exponent, allowed,
-                                                                 i, j, kind, point)
+            return "segments", rule, verdict, lambda: check_some(
+                self.segments, self.bits, self.groups, self.exponent, allowed, i, j, kind, point)
         events = [EXCHANGE if has_groups and type(e) is int and e == EXCHANGE else index(e, 2 * size, where + " event")
                   for e in member(item, "events", list, where)]
         exchanges = read_exchanges(item, size, has_groups, where)

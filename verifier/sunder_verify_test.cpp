@@ -1,6 +1,8 @@
 // The corpus of cases/certificates, random certificates against a brute-force evaluation, and the Python twin.
 #include "sunder_verify.h"
 
+#include <tests/support/places.h>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -27,8 +29,8 @@ using sunder_verifier::FileResult;
 using sunder_verifier::PairResult;
 using sunder_verifier::verify_text;
 
-const fs::path kCases = fs::path(SUNDER_CASES_DIR) / "certificates";
-const fs::path kPythonTwin = fs::path(SUNDER_CASES_DIR).parent_path() / "verifier" / "sunder_verify.py";
+const fs::path kCases = fs::path(sunder::tests::cases_folder()) / "certificates";
+const fs::path kPythonTwin = fs::path(sunder::tests::source_folder()) / "verifier" / "sunder_verify.py";
 
 std::string read_text(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
@@ -132,6 +134,14 @@ TEST(Corpus, ResultsNameThePairs) {
   EXPECT_EQ(result.pairs[2].verdict, "meet");
   EXPECT_TRUE(result.pairs[0].accepted && result.pairs[2].accepted && result.pairs[3].accepted);
   EXPECT_FALSE(result.accepted());
+}
+
+TEST(Corpus, NotesOfBothForms) {
+  const auto note_of = [](const char* file) { return verify_text(read_text(kCases / file), "here").note; };
+  EXPECT_EQ(note_of("accepted/set_note.json"), "2 features were skipped");
+  EXPECT_TRUE(note_of("accepted/note.json").starts_with("2 shapes were left out:\n1 cylinder of 'arm'\x1b[2J\x7f"));
+  EXPECT_EQ(note_of("accepted/segments.json"), "");
+  EXPECT_EQ(note_of("refused/set_F_note_empty.json"), "");
 }
 
 TEST(Text, ErrorNamesLineAndColumn) {
@@ -415,10 +425,11 @@ TEST(Random, TrueStatementsAreAcceptedAndMutationsJudgedAlike) {
 std::string summary(const FileResult& result, const std::string& place) {
   if (!result.readable) return place + ": unreadable\n";
   if (!result.failed_form.empty()) return place + ": refused: F\n";
+  const auto quoted = [](const std::string& name) { return json(name).dump(-1, ' ', true); };
   std::string lines;
+  if (!result.note.empty()) lines += place + ": note: " + quoted(result.note) + "\n";
   for (std::size_t i = 0; i < result.pairs.size(); ++i) {
     const PairResult& pair = result.pairs[i];
-    const auto quoted = [](const std::string& name) { return json(name).dump(-1, ' ', true); };
     lines += place + ": pair " + std::to_string(i) + ": " + quoted(pair.name_a) + ", " + quoted(pair.name_b) + ": " +
              pair.verdict + ": ";
     lines += pair.accepted ? "accepted\n" : "refused: " + pair.failed_check + ": " + pair.reason + "\n";
@@ -443,7 +454,7 @@ std::string python_summary(const fs::path& folder, std::size_t count) {
     if (place.find(' ') != std::string::npos) continue;  // the last line, the totals
     if (line.starts_with(place + ": refused: F: "))
       line = place + ": refused: F";
-    else if (!line.starts_with(place + ": pair "))
+    else if (!line.starts_with(place + ": pair ") && !line.starts_with(place + ": note: "))
       line = place + ": unreadable";
     result += line + "\n";
   }

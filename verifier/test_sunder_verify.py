@@ -75,6 +75,15 @@ class Program(unittest.TestCase):
         self.assertEqual((code, err), (1, ""))
         self.assertEqual(out, "refused/F_version_2.json: refused: F: sunder_certificate is not 1\n")
 
+    def test_note(self):
+        code, out, err = self.run_program("accepted/note.json", "--quiet")
+        self.assertEqual((code, err), (0, ""))
+        self.assertEqual(out, "accepted/note.json: note: \"2 shapes were left out:\\n1 cylinder of 'arm'"
+                              "\\u001b[2J\\u007f\\u009b, 1 sphere of 'Spitze, \\u00e4u\\u00dfere'\"\n")
+        code, out, err = self.run_program("accepted/set_note.json")
+        self.assertEqual((code, err), (0, ""))
+        self.assertEqual(out.splitlines()[0], 'accepted/set_note.json: note: "2 features were skipped"')
+
     def test_one_pair(self):
         code, out, _ = self.run_program("refused/A1_second_pair.json", "--pair", "2")
         self.assertEqual((code, len(out.splitlines())), (0, 2))

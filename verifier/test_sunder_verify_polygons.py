@@ -121,12 +121,20 @@ def some_ring(rng, x, y, reach):
 
 
 def some_polygons(rng):
-    """Simple polygons, cells of a grid among them, some with a hole, and what lies in holes."""
+    """Valid polygons: simple ones, cells of a grid among them, some with a hole, and what lies in holes; holes that touch
+    the shell or one another, a shell that touches itself; some vertices are repeated."""
     table, side, reach = [], rng.choice((3, 6, 9)), rng.choice((1, 2))
     for _ in range(rng.randint(1, 5)):
         x, y = rng.randint(0, side), rng.randint(0, side)
-        what = rng.randrange(4)
-        if what == 0:
+        what = rng.randrange(6)
+        if what == 4:
+            table.append([[(x - 4, y - 4), (x + 4, y - 4), (x + 4, y + 4), (x - 4, y + 4)],
+                          [(x + 4, y + rng.randint(-3, 3)), (x + 1, y + 1), (x + 1, y - 1)],
+                          [(x + 1, y + 1), (x - 1, y + rng.randint(1, 3)), (x - rng.randint(1, 3), y)]])
+        elif what == 5:
+            table.append([[(x - 4, y - 4), (x + 4, y - 4), (x + 4, y + 4), (x - 4, y + 4), (x - 4, y),
+                           (x + 1, y + rng.randint(1, 3)), (x + 1, y - rng.randint(1, 3)), (x - 4, y)]])
+        elif what == 0:
             x, y = 2 * (x // 2), 2 * (y // 2)
             table.append([[(x, y), (x + 2, y), (x + 2, y + 2), (x, y + 2)]])
         elif what == 1:
@@ -134,6 +142,9 @@ def some_polygons(rng):
                           some_ring(rng, x, y, reach)])
         else:
             table.append([some_ring(rng, x, y, reach)])
+        while rng.randrange(3) == 0:
+            ring = rng.choice(table[-1])
+            ring.insert(at := rng.randrange(len(ring)), ring[at])
     return [edges_of(rings) for rings in table]
 
 
@@ -169,7 +180,7 @@ class Polygons(unittest.TestCase):
 
     def test_no_transcript_at_all_proves_what_is_not_true(self):
         rng, count = random.Random(23), {}
-        for _ in range(4000):
+        for _ in range(5000):
             table, allowed = some_polygons(rng), rng.choice(RULES)
             if len(table) < 2:
                 continue

@@ -215,7 +215,7 @@ def outcome_of_program(given, p, q):
     if kind_of_region(given) == "empty":
         return "infeasible", set()
     if p == q == 0:
-        return "many", set()
+        return "all", set()
     rays = rays_of(given) + ([(p, q)] if all(a * p + b * q <= 0 for a, b, _ in given) else [])
     if any(p * x + q * y > 0 for x, y in rays):
         return "unbounded", set()
@@ -254,8 +254,9 @@ def find_program(given, p, q, verdict):
             elif verdict == "unbounded":
                 for u, v in sorted(set(rays_of(given)) | {(p, q)}):
                     yield {**at, "direction": [str(u), str(v)]}
+            elif verdict == "all":
+                yield at
             else:
-                yield {**at, "side": -1, "before": -1, "after": -1}
                 for side in near:
                     for before, after in itertools.product((-1, *n), repeat=2):
                         yield {**at, "side": side, "before": before, "after": after}
@@ -275,12 +276,12 @@ class LinearPrograms(unittest.TestCase):
             given = some_half_planes(rng)[:5]
             p, q = rng.randint(-2, 2), rng.randint(-2, 2)
             truth, _ = outcome_of_program(given, p, q)
-            for verdict in ("one", "many", "unbounded", "infeasible"):
+            for verdict in ("one", "many", "all", "unbounded", "infeasible"):
                 found = find_program(given, p, q, verdict)
                 self.assertEqual(found is not None, verdict == truth, (given, p, q, truth, found))
             count[truth] = count.get(truth, 0) + 1
         self.assertGreater(min(count.values()), 15, count)
-        self.assertEqual(len(count), 4)
+        self.assertEqual(len(count), 5)
 
     def test_mutations(self):
         """What is accepted is true, whatever the evidence."""
@@ -302,7 +303,7 @@ class LinearPrograms(unittest.TestCase):
             row[rng.randrange(3)] += rng.choice((-1, 1))
             g[i] = tuple(row) if row[0] or row[1] else g[i]
         elif key == "verdict":
-            item[key] = rng.choice(("one", "many", "unbounded", "infeasible"))
+            item[key] = rng.choice(("one", "many", "all", "unbounded", "infeasible"))
         elif key == "objective":
             p, q = rng.randint(-2, 2), rng.randint(-2, 2)
             item[key] = [hexadecimal(p), hexadecimal(q)]
@@ -320,7 +321,7 @@ class LinearPrograms(unittest.TestCase):
         self.assertEqual(item["verdict"], truth, (g, item))
         if truth == "one":
             self.assertEqual({tuple(Fraction(x) for x in item["point"])}, optimal, (g, item))
-        if truth == "many" and item["side"] >= 0:  # its ends, and no corner more
+        if truth == "many":  # its ends, and no corner more
             ends = [g[item[e]] for e in ("before", "after") if item[e] >= 0]
             for x, y in optimal:
                 self.assertTrue(any(a * x + b * y == c for a, b, c in ends), (g, item))
@@ -352,8 +353,13 @@ class LinearPrograms(unittest.TestCase):
         self.assertEqual(found(many, {}), "-")
         self.assertEqual(found(many, {"point": ["0", "0"]}), "L2")
         self.assertEqual(found(many, {"point": ["2", "0"]}), "L1")
-        self.assertEqual(found(many, {"side": -1}), "L3")
-        self.assertEqual(found(many, {"side": -1, "objective": ["0x0p+0", "0x0p+0"]}), "-")
+        self.assertEqual(found(many, {"objective": ["0x0p+0", "0x0p+0"]}), "L3")
+        # That there is more than one point of a zero objective is not said without a proof.
+        at_origin = {"point": ["0", "0"], "objective": ["0x0p+0", "0x0p+0"]}
+        self.assertEqual(found(many, {**at_origin, "side": -1}), "F")
+        self.assertEqual(found(many, {**at_origin, "verdict": "all"}), "-")
+        self.assertEqual(found(many, {"verdict": "all"}), "L3")
+        self.assertEqual(found(many, {**at_origin, "verdict": "all", "point": ["2", "0"]}), "L1")
         self.assertEqual(found(many, {"objective": ["0x1p+0", "0x1p+0"]}), "L3")
         self.assertEqual(found(many, {"before": 1, "after": 3}), "L4")
         self.assertEqual(found(many, {"before": -1}), "L4")

@@ -3,12 +3,13 @@
 #include <sunder/base/random.h>
 #include <sunder/certificate/check.h>
 
+#include <tests/support/scale.h>
+
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <map>
 #include <set>
@@ -22,17 +23,6 @@ using Fraction = boost::multiprecision::cpp_rational;
 using Whole3 = std::array<std::int64_t, 3>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// For the environment see cmake/Tests.cmake.
-double environment(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::atof(text) : otherwise;
-}
-// Never fewer than n: the rates below are asserted.
-int instances(int n) { return std::max(n, static_cast<int>(n * environment("SUNDER_TEST_SCALE", 1))); }
-std::uint64_t seed(std::uint64_t s) {
-  return s + 1000003 * static_cast<std::uint64_t>(environment("SUNDER_TEST_SEED", 0));
-}
 
 // Points and poses of small integers, so that 64 bits hold whatever the definition needs.
 struct Body {
@@ -240,12 +230,12 @@ class CheckTest : public testing::Test {
     return c;
   }
 
-  Random random_{seed(6)};
+  Random random_{tests::chosen_seed(6)};
 };
 
 TEST_F(CheckTest, AcceptsWhatTheDefinitionAcceptsAndNothingElse) {
   std::map<std::string, int> seen;
-  for (int i = 0; i < instances(8000); ++i) {
+  for (int i = 0; i < tests::scaled_count(8000, 8000); ++i) {
     const bool meet = random_.below(2);
     Body a = some_body(0), b = some_body(meet ? 0 : random_.between(0, 9));
     const Direction::Kind kind = kinds[random_.below(kinds.size())];
@@ -259,15 +249,15 @@ TEST_F(CheckTest, AcceptsWhatTheDefinitionAcceptsAndNothingElse) {
     ++seen[what + " " + std::string(name_of(expected))];
   }
   // Every kind was accepted often, and refused often. (Rates of a small run say little.)
-  if (instances(8000) < 8000) return;
+  if (tests::scaled_count(8000, 8000) < 8000) return;
   for (const Direction::Kind kind : kinds) {
     const std::string what = "apart " + std::to_string(static_cast<int>(kind));
-    EXPECT_GT(seen[what + " accepted"], 5 * instances(8000) / 1000) << what;
-    EXPECT_GT(seen[what + " not strictly apart"], 5 * instances(8000) / 1000) << what;
+    EXPECT_GT(seen[what + " accepted"], 5 * tests::scaled_count(8000, 8000) / 1000) << what;
+    EXPECT_GT(seen[what + " not strictly apart"], 5 * tests::scaled_count(8000, 8000) / 1000) << what;
   }
   for (const std::string counts : {"11", "12", "21", "13", "22", "31", "14", "23", "32", "41"}) {
-    EXPECT_GT(seen["meet " + counts + " accepted"], instances(8000) / 1000) << counts;
-    EXPECT_GT(seen["meet " + counts + " no common point"], instances(8000) / 1000) << counts;
+    EXPECT_GT(seen["meet " + counts + " accepted"], tests::scaled_count(8000, 8000) / 1000) << counts;
+    EXPECT_GT(seen["meet " + counts + " no common point"], tests::scaled_count(8000, 8000) / 1000) << counts;
   }
 }
 
@@ -346,7 +336,7 @@ TEST_F(CheckTest, RefusesEveryUntrueMutation) {
   std::map<std::string, std::map<CheckResult, int>> seen;
   std::set<Direction::Kind> kinds_refused;
   int true_ones = 0;
-  for (int i = 0; i < instances(3000); ++i) {
+  for (int i = 0; i < tests::scaled_count(3000, 3000); ++i) {
     const bool meet = random_.below(3) > 0;
     Body a = some_body(0), b = some_body(meet ? 0 : random_.between(0, 9));
     const PairCertificate c = meet ? some_meet(a, b) : some_apart(kinds[random_.below(kinds.size())], a, b);
@@ -362,7 +352,7 @@ TEST_F(CheckTest, RefusesEveryUntrueMutation) {
       if (c.verdict == Verdict::apart && expected != CheckResult::accepted) kinds_refused.insert(c.direction.kind);
     }
   }
-  EXPECT_GT(true_ones, instances(3000) / 10);
+  EXPECT_GT(true_ones, tests::scaled_count(3000, 3000) / 10);
   EXPECT_EQ(kinds_refused.size(), kinds.size());
   for (const auto& [name, mutate] : mutations) {
     int refused = 0;

@@ -2,6 +2,8 @@
 #include <sunder/base/random.h>
 #include <sunder/certificate/direction.h>
 
+#include <tests/support/scale.h>
+
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -16,11 +18,6 @@ namespace {
 using Whole = boost::multiprecision::cpp_int;
 using Fraction = boost::multiprecision::cpp_rational;
 using Exact3 = std::array<Fraction, 3>;
-
-std::uint64_t seed(std::uint64_t s) {
-  const char* text = std::getenv("SUNDER_TEST_SEED");
-  return s + 1000003 * (text ? std::strtoull(text, nullptr, 10) : 0);
-}
 
 Fraction times_power(const Whole& m, std::int64_t e) {
   const Whole power = Whole(1) << static_cast<unsigned>(std::abs(e));
@@ -83,7 +80,7 @@ class DirectionTest : public testing::Test {
     for (Point3& p : points) p = {some_number(), some_number(), some_number()};
     return points;
   }
-  Random random_{seed(41)};
+  Random random_{tests::chosen_seed(41)};
 };
 
 TEST_F(DirectionTest, IsThatOfTheFeaturesItNames) {

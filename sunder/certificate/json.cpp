@@ -101,7 +101,24 @@ std::string meet_text(const PairCertificate& c, const PlacedVertices& a, const P
          ", \"weights_b\": " + weights(c.count_a, c.count_b);
 }
 
+// The text, or its beginning and "...": at most max_note characters, where a byte that is not UTF-8 counts as one.
+std::string cut_note(const std::string& text) {
+  const std::string dots = "...";
+  std::size_t characters = 0, kept = 0;
+  for (std::size_t i = 0; i < text.size(); i += std::max<std::size_t>(utf8_length(text, i), 1)) {
+    if (characters++ == max_note - dots.size()) kept = i;
+  }
+  return characters <= max_note ? text : text.substr(0, kept) + dots;
+}
+
 }  // namespace
+
+std::string with_note(std::string certificate, const std::string& note) {
+  if (note.empty()) return certificate;
+  const std::string version = "certificate\": 1,";
+  certificate.insert(certificate.find(version) + version.size(), " \"note\": " + quoted(cut_note(note)) + ",");
+  return certificate;
+}
 
 std::uint32_t CertificateWriter::add_body(const std::string& name, std::span<const Point3> vertices) {
   bodies_.push_back({name, {vertices.begin(), vertices.end()}});

@@ -3,12 +3,21 @@
 
 #include <sunder/certificate/pair.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace sunder {
+
+// A note of a file has at most this many characters (code points of UTF-8).
+inline constexpr std::size_t max_note = 4000;
+
+// The text of a certificate file of either form, with a note: what of its input the file does not speak of, because it
+// was left out, skipped or simplified ("The note" of docs/certificates.md). An empty note is none. A longer one than
+// max_note is cut, and then ends in "...". Requires a text as the writers make it, without a note. Cost: linear.
+std::string with_note(std::string certificate, const std::string& note);
 
 // Collects placed bodies and answers about pairs of them, then writes one certificate file.
 class CertificateWriter {

@@ -134,6 +134,32 @@ TEST(CertificateJsonTest, DoublesAreExact) {
 }
 
 // Any bytes may be in a name: what is UTF-8 comes back as it was, what is not does not spoil the file.
+TEST(CertificateJsonTest, ANoteStandsInEitherForm) {
+  for (const std::string& file :
+       {CertificateWriter().text(), std::string("{\"sunder_set_certificate\": 1,\n\"a\": 2}\n")}) {
+    EXPECT_EQ(with_note(file, ""), file);
+    json noted = json::parse(with_note(file, "\"left out\"\n\xff"));
+    EXPECT_EQ(noted.at("note"), "\"left out\"\n\xef\xbf\xbd");
+    noted.erase("note");
+    EXPECT_EQ(noted, json::parse(file));
+  }
+}
+
+TEST(CertificateJsonTest, ALongNoteIsCut) {
+  const auto note_of = [](const std::string& note) {
+    return json::parse(with_note(CertificateWriter().text(), note)).at("note").get<std::string>();
+  };
+  const auto umlauts = [](std::size_t count) {
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i) text += "\xc3\xa4";
+    return text;
+  };
+  EXPECT_EQ(note_of(umlauts(max_note)), umlauts(max_note));
+  EXPECT_EQ(note_of(umlauts(max_note + 1)), umlauts(max_note - 3) + "...");
+  // Each byte that is not UTF-8 becomes one character of three bytes.
+  EXPECT_EQ(note_of(std::string(max_note + 1, '\x80')).size(), 3 * (max_note - 3) + 3);
+}
+
 TEST(CertificateJsonTest, NamesMayHoldAnything) {
   std::string control;
   for (char c = 0; c < 0x20; ++c) control += c;

@@ -1,33 +1,249 @@
+#include <sunder/base/error.h>
 #include <sunder/io/csv.h>
 
-#include <string>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
 
 namespace sunder::io {
 
-bool split_fields(std::string_view line, char separator, std::vector<std::string_view>& fields) {
-  fields.clear();
-  for (;;) {
-    const std::size_t end = line.find(separator);
-    std::string_view field = trimmed(line.substr(0, end));
-    if (field.size() >= 2 && field.front() == '"' && field.back() == '"') {
-      field = trimmed(field.substr(1, field.size() - 2));
+namespace {
+
+bool is_break(char c) { return c == '\n' || c == '\r'; }
+
+std::string in_small_letters(std::string_view word) {
+  std::string small(word);
+  for (char& c : small) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return small;
+}
+
+bool is_any_of(const std::vector<std::string_view>& list, const std::string& word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+// A semicolon where the first record has one outside of quotes, else a comma.
+char separator_of(std::string_view text) {
+  bool quoted = false;
+  for (const char c : text) {
+    if (c == '"') quoted = !quoted;
+    if (quoted) continue;
+    if (c == ';') return ';';
+    if (is_break(c)) break;
+  }
+  return ',';
+}
+
+}  // namespace
+
+CsvReader::CsvReader(std::string_view text, std::string_view place, std::function<void(double)> progress)
+    : text_(text), place_(place), progress_(std::move(progress)) {}
+
+void CsvReader::take_break() {
+  at_ += text_.substr(at_, 2) == "\r\n" ? std::size_t{2} : std::size_t{1};
+  ++next_line_;
+}
+
+void CsvReader::skip_blank_lines() {
+  while (at_ < text_.size()) {
+    if (is_break(text_[at_])) {
+      take_break();
+    } else if (blanks.find(text_[at_]) != std::string_view::npos) {
+      ++at_;
+    } else {
+      return;
     }
-    fields.push_back(field);
-    if (field.find('"') != std::string_view::npos) return false;
-    if (end == std::string_view::npos) return true;
-    line.remove_prefix(end + 1);
   }
 }
 
-bool are_names(const std::vector<std::string_view>& fields, std::size_t count) {
+// At the quote that opens it; behind it nothing but blanks may stand.
+std::string_view CsvReader::quoted_field() {
+  const std::uint32_t begun = next_line_;
+  const std::size_t begin = ++at_;
+  std::string* copy = nullptr;  // where quotes are doubled
+  std::size_t copied = begin;
+  for (;;) {
+    if (at_ == text_.size()) {
+      line_ = begun;
+      fail("a quote is opened and not closed; close it, or leave it out");
+    }
+    if (is_break(text_[at_])) {
+      take_break();
+    } else if (text_[at_] != '"') {
+      ++at_;
+    } else if (text_.substr(at_, 2) != "\"\"") {
+      break;
+    } else {
+      if (copy == nullptr) copy = &unquoted_.emplace_back();
+      copy->append(text_, copied, at_ + 1 - copied);
+      at_ += 2;
+      copied = at_;
+    }
+  }
+  if (copy != nullptr) copy->append(text_, copied, at_ - copied);
+  const std::string_view field = copy != nullptr ? std::string_view(*copy) : text_.substr(begin, at_ - begin);
+  ++at_;
+  return trimmed(field);
+}
+
+std::string_view CsvReader::plain_field() {
+  const std::size_t begin = at_;
+  while (at_ < text_.size() && text_[at_] != separator_ && !is_break(text_[at_])) ++at_;
+  return trimmed(text_.substr(begin, at_ - begin));
+}
+
+bool CsvReader::next() {
+  if (progress_ && records_ % 65536 == 0) progress_(static_cast<double>(at_) / static_cast<double>(text_.size() + 1));
+  skip_blank_lines();
+  if (at_ == text_.size()) return false;
+  if (records_ == 0) separator_ = separator_of(text_.substr(at_));
+  ++records_;
+  line_ = next_line_;
+  fields_.clear();
+  unquoted_.clear();
+  for (;;) {
+    while (at_ < text_.size() && text_[at_] != separator_ && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
+    const std::size_t begin = at_;
+    const bool quoted = at_ < text_.size() && text_[at_] == '"';
+    fields_.push_back(quoted ? quoted_field() : plain_field());
+    const std::string_view rest = plain_field();  // behind quotes; empty behind others
+    if (!rest.empty() || (!quoted && fields_.back().find('"') != std::string_view::npos)) {
+      fail(fmt::format("{} has a quote within; put the field in quotes, and each quote in it twice",
+                       quote(text_.substr(begin, at_ - begin))));
+    }
+    if (at_ == text_.size() || text_[at_] != separator_) return true;
+    ++at_;
+  }
+}
+
+bool are_names(const CsvReader::Fields& fields, std::size_t count) {
   double value = 0;
   for (std::size_t i = 0; i < std::min(fields.size(), count); ++i) {
     if (parse_number(fields[i], value) == nullptr) return false;
   }
-  std::string first(fields[0].substr(0, 8));
-  for (char& c : first) c = 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  if (first.empty() || first == "NAN" || first == "INF" || first == "INFINITY") return false;
-  return ('A' <= first[0] && first[0] <= 'Z') || first[0] == '_';
+  const std::string first = in_small_letters(fields[0].substr(0, 8));
+  if (first.empty() || first == "nan" || first == "inf" || first == "infinity") return false;
+  return ('a' <= first[0] && first[0] <= 'z') || first[0] == '_';
+}
+
+std::string CsvTable::needed_text() const { return fmt::format("{}", fmt::join(columns_.needed, ",")); }
+
+std::string CsvTable::known_text(const CsvReader::Fields& names) const {
+  constexpr std::size_t most = 20;
+  std::vector<std::string> known;
+  for (const std::string_view name : names) {
+    if (!is_any_of(columns_.needed, in_small_letters(name))) known.push_back(shorten(name));
+  }
+  const bool more = known.size() > most;
+  if (more) known.resize(most);
+  return fmt::format("{}{}", fmt::join(known, ", "), more ? ", ..." : "");
+}
+
+std::size_t CsvTable::column_of(const CsvReader& reader, std::string_view name) const {
+  std::size_t found = none;
+  for (std::size_t i = 0; i < reader.fields().size(); ++i) {
+    if (reader.fields()[i] != name) continue;
+    if (found != none) reader.fail(fmt::format("two columns are named {}; rename one", quote(name)));
+    found = i;
+  }
+  return found;
+}
+
+// Where the first record has names: each needed one once, none that is strange.
+void CsvTable::place_columns(const CsvReader& reader, bool drop_z) {
+  std::vector<std::string> kept;  // in small letters
+  for (const std::string_view name : reader.fields()) kept.push_back(in_small_letters(name));
+  at_.clear();
+  for (const std::string_view needed : columns_.needed) {
+    if (std::count(kept.begin(), kept.end(), needed) > 1) {
+      reader.fail(fmt::format("two columns are named {}; rename one", quote(needed)));
+    }
+    const auto found = std::find(kept.begin(), kept.end(), needed);
+    if (found != kept.end()) at_.push_back(static_cast<std::size_t>(found - kept.begin()));
+  }
+  const bool strange =
+      std::any_of(kept.begin(), kept.end(), [&](const auto& name) { return is_any_of(columns_.strange, name); });
+  if (strange || at_.size() < columns_.needed.size()) {
+    const std::size_t shown = std::min<std::size_t>(kept.size(), 8);
+    std::vector<std::string> first;
+    for (std::size_t i = 0; i < shown; ++i) first.push_back(shorten(reader.fields()[i]));
+    reader.fail(
+        fmt::format("the columns are named {}{}, but {} have {}; name them so, or give the file to the verb for "
+                    "what it holds",
+                    fmt::join(first, ","), shown < kept.size() ? ",..." : "", columns_.objects, needed_text()));
+  }
+  const std::vector<std::string_view> third{"z", "z1", "z2"};
+  const auto z = std::find_if(kept.begin(), kept.end(), [&](const auto& name) { return is_any_of(third, name); });
+  if (z != kept.end() && !drop_z) {
+    reader.fail(fmt::format("has a third coordinate, {}; to ignore it, give --drop-z", quote(*z)));
+  }
+}
+
+bool CsvTable::begin(const CsvReader& reader, std::string_view place, bool drop_z, bool by_row) {
+  const CsvReader::Fields& fields = reader.fields();
+  const std::size_t needed = columns_.needed.size();
+  const bool names = are_names(fields, needed);
+  for (std::size_t k = 0; k < needed; ++k) at_.push_back(k);
+  if (names) {
+    place_columns(reader, drop_z);
+    count_ = fields.size();
+    for (const std::string_view known : {"name", "Name", "NAME", "id", "ID", "Id"}) {
+      if (name_column_ == none) name_column_ = column_of(reader, known);
+    }
+    for (std::size_t k = 0; k < fields.size() && name_column_ == none; ++k) {
+      if (std::find(at_.begin(), at_.end(), k) == at_.end()) name_column_ = k;
+    }
+  } else {
+    name_column_ = needed;
+  }
+  const auto asked = [&](const std::string& name, const char* what, std::size_t& column) {
+    if (name.empty()) return;
+    const std::size_t found = names ? column_of(reader, name) : none;
+    if (found != none) column = found;
+    if (found != none || (by_row && name == "feature" && &column == &group_column_)) return;
+    const std::string known = names ? known_text(fields) : "";
+    throw Error(ErrorCode::bad_call,
+                fmt::format("there is no column {} to {} by; {}", quote(name), what,
+                            known.empty() ? fmt::format("a first line has to name the columns after {}", needed_text())
+                                          : "there are " + known),
+                one_line(place));
+  };
+  asked(name_, "name", name_column_);
+  asked(group_, "group", group_column_);
+  return names;
+}
+
+void CsvTable::check_count(const CsvReader& reader) const {
+  const std::size_t count = reader.fields().size(), needed = columns_.needed.size();
+  const bool name_left_out = count + 1 == count_ && name_column_ == count && group_column_ != count &&
+                             std::find(at_.begin(), at_.end(), count) == at_.end();
+  if (count_ > 0 && count != count_ && !name_left_out) {
+    reader.fail(fmt::format("has {} fields, but the line of names has {}; give the same number", count, count_));
+  }
+  if (count_ == 0 && (count < needed || count > needed + 1)) {
+    reader.fail(
+        fmt::format("has {} fields; give {} and, if you like, a name; for more, name the columns in a first "
+                    "line",
+                    count, needed_text()));
+  }
+}
+
+double CsvTable::number(const CsvReader& reader, std::size_t needed) const {
+  const std::string_view word = reader.fields()[at_[needed]];
+  double value = 0;
+  if (const char* problem = parse_number(word, value)) reader.fail(fmt::format("{} {}", quote(word), problem));
+  return value;
+}
+
+std::string CsvTable::name(const CsvReader& reader) const {
+  return name_column_ < reader.fields().size() ? one_line(reader.fields()[name_column_]) : std::string();
+}
+
+std::string_view CsvTable::group(const CsvReader& reader) const {
+  const std::string_view value = reader.fields()[group_column_];
+  if (value.empty()) reader.fail(fmt::format("has no value in the column {}; give one", quote(group_)));
+  return value;
 }
 
 }  // namespace sunder::io

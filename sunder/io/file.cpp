@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <fstream>
-#include <memory>
 #include <new>
 #include <random>
 #include <stdexcept>
@@ -45,31 +48,13 @@ void append_all(std::ifstream& file, const fs::path& path, bool regular, std::si
   }
 }
 
-struct Close {
-  void operator()(std::FILE* file) const { std::fclose(file); }
+// The names of files that are being written, where a handler of signals may read them.
+struct Unfinished {
+  std::atomic<bool> taken{false}, named{false};
+  std::array<char, 4096> name{};
 };
-
-// False (and errno) on failure.
-bool write_and_close(std::unique_ptr<std::FILE, Close> file, std::string_view text) {
-  const bool written = std::fwrite(text.data(), 1, text.size(), file.get()) == text.size();
-  const int error = errno;
-  const bool closed = std::fclose(file.release()) == 0;
-  if (!written) errno = error;
-  return written && closed;
-}
-
-// Removes its file unless told to keep it.
-struct Temporary {
-  fs::path path;
-  bool keep = false;
-  explicit Temporary(fs::path name) : path(std::move(name)) {}
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-  ~Temporary() {
-    std::error_code ignored;
-    if (!keep) fs::remove(path, ignored);
-  }
-};
+std::array<Unfinished, 16> unfinished;
+constexpr std::size_t no_slot = unfinished.size();
 
 }  // namespace
 
@@ -101,47 +86,97 @@ std::string read_file(const fs::path& path) {
   return bytes;
 }
 
-void write_file_atomically(const fs::path& path, std::string_view text) {
+OutputFile::Slot::Slot() : number_(no_slot) {
+  for (std::size_t k = 0; k < unfinished.size() && number_ == no_slot; ++k) {
+    if (!unfinished[k].taken.exchange(true)) number_ = k;
+  }
+}
+
+OutputFile::Slot::~Slot() {
+  if (number_ == no_slot) return;
+  unfinished[number_].named = false;
+  unfinished[number_].taken = false;
+}
+
+void OutputFile::Slot::set(const std::string& name) {
+  if (number_ == no_slot || name.size() >= unfinished[number_].name.size()) return;
+  unfinished[number_].named = false;
+  name.copy(unfinished[number_].name.data(), name.size());
+  unfinished[number_].name.at(name.size()) = '\0';
+  unfinished[number_].named = true;
+}
+
+OutputFile::OutputFile(const fs::path& path) : path_(path) {
   if (path.empty()) fail_path("(no name)", "the name of the file is empty; give one");
   std::error_code problem;
   const fs::file_status status = fs::status(path, problem);
   if (status.type() == fs::file_type::directory) fail_path(path, "is a folder; name a file");
   const bool replaces = status.type() == fs::file_type::regular;
-
   if (fs::exists(status) && !replaces) {
-    std::unique_ptr<std::FILE, Close> device(std::fopen(path.string().c_str(), "wb"));
-    if (!device || !write_and_close(std::move(device), text)) {
-      fail_path(path, fmt::format("cannot be written ({}); name a regular file", reason(errno)));
-    }
+    file_.reset(std::fopen(path.string().c_str(), "wb"));
+    if (!file_) fail_path(path, fmt::format("cannot be written ({}); name a regular file", reason(errno)));
     return;
   }
+  if (replaces) {
+    permissions_ = status.permissions();
+    target_ = fs::canonical(path, problem);
+  }
+  if (target_.empty()) target_ = path;
+  create();
+}
 
-  const fs::path canonical = replaces ? fs::canonical(path, problem) : path;
-  const fs::path target = problem && replaces ? path : canonical;
-
+void OutputFile::create() {
   // "x" makes a new file or fails, so that nothing of anybody else's is written over.
   std::random_device random;
   constexpr int attempts = 16;
-  for (int attempt = 0; attempt < attempts; ++attempt) {
-    fs::path name = target.parent_path() / fmt::format(".{:08x}{:08x}.sunder", random(), random());
-    std::unique_ptr<std::FILE, Close> file(std::fopen(name.string().c_str(), "wbx"));
-    if (!file) {
-      if (errno == EEXIST) continue;
-      fail_path(path, fmt::format("no file can be made in its folder ({}); check that the folder exists and is yours "
-                                  "to write to",
-                                  reason(errno)));
-    }
-    Temporary temporary(std::move(name));
-    if (!write_and_close(std::move(file), text)) {
-      fail_path(path, fmt::format("cannot be written ({}); check the space on the disk", reason(errno)));
-    }
-    if (replaces) fs::permissions(temporary.path, status.permissions(), problem);
-    fs::rename(temporary.path, target, problem);
-    if (problem) fail_path(path, fmt::format("cannot be put in place ({}); check the name", problem.message()));
-    temporary.keep = true;
-    return;
+  for (int attempt = 0; attempt < attempts && !file_; ++attempt) {
+    temporary_ = target_.parent_path() / fmt::format(".{:08x}{:08x}.sunder", random(), random());
+    slot_.set(temporary_.string());
+    file_.reset(std::fopen(temporary_.string().c_str(), "wbx"));
+    if (file_ || errno == EEXIST) continue;
+    const int error = errno;
+    temporary_.clear();
+    fail_path(path_, fmt::format("no file can be made in its folder ({}); check that the folder exists and is yours "
+                                 "to write to",
+                                 reason(error)));
   }
-  fail_path(path, "no new name was found in its folder; try again");
+  if (!file_) fail_path(path_, "no new name was found in its folder; try again");
+}
+
+OutputFile::~OutputFile() {
+  std::error_code ignored;
+  if (!temporary_.empty()) fs::remove(temporary_, ignored);
+}
+
+void OutputFile::write(std::string_view text) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size()) return;
+  fail_path(path_, fmt::format("cannot be written ({}); check where it goes and the space there", reason(errno)));
+}
+
+void OutputFile::commit() {
+  errno = 0;
+  if (std::fclose(file_.release()) != 0) {
+    fail_path(path_, fmt::format("cannot be written ({}); check where it goes and the space there", reason(errno)));
+  }
+  if (temporary_.empty()) return;
+  std::error_code problem;
+  if (permissions_ != fs::perms::unknown) fs::permissions(temporary_, permissions_, problem);
+  fs::rename(temporary_, target_, problem);
+  if (problem) fail_path(path_, fmt::format("cannot be put in place ({}); check the name", problem.message()));
+  temporary_.clear();
+}
+
+void write_file_atomically(const fs::path& path, std::string_view text) {
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+void remove_unfinished_files() noexcept {
+  for (const Unfinished& file : unfinished) {
+    if (file.named) unlink(file.name.data());
+  }
 }
 
 }  // namespace sunder::io

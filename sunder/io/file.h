@@ -1,7 +1,10 @@
 // Whole files, in and out.
 #pragma once
 
+#include <cstddef>
+#include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -12,11 +15,55 @@ namespace sunder::io {
 // cannot be opened or read, it is empty, or it does not fit into memory.
 std::string read_file(const std::filesystem::path& path);
 
-// Puts the text under this name: all of it, or, when anything fails, nothing (what was there before stays, and no
-// other file is left behind). It is written to a new file in the same folder, which then takes the name; permissions
-// of a file that is replaced are kept, and a symbolic link is followed. What is no regular file (/dev/stdout, a pipe)
-// is written to directly. Not promised: that the text survives a power cut right after the return.
-// Throws Error bad_file: "FILE: what is wrong; remedy".
+// A file that is written piece by piece and takes its name at the end: all of it, or, when anything fails, nothing
+// (what was there before stays, and no other file is left behind).
+//   O1. It is written to a new file in the same folder, which takes the name in commit(). Where that is not called, the
+//       new file is removed. Permissions of a file that is replaced are kept, and a symbolic link is followed.
+//   O2. What is no regular file (/dev/stdout, a pipe) is written to directly.
+//   O3. remove_unfinished_files() removes the new files of up to 16 that are being written.
+// Not promised: that the text survives a power cut right after the return.
+// Each throws Error bad_file: "FILE: what is wrong; remedy".
+class OutputFile {
+ public:
+  explicit OutputFile(const std::filesystem::path& path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  void write(std::string_view text);
+  void commit();  // once, after the last write
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+
+  // A place for the new file's name where remove_unfinished_files() finds it.
+  class Slot {
+   public:
+    Slot();
+    ~Slot();
+    Slot(const Slot&) = delete;
+    Slot& operator=(const Slot&) = delete;
+    void set(const std::string& name);
+
+   private:
+    std::size_t number_;
+  };
+
+  void create();
+
+  std::filesystem::path path_, target_, temporary_;  // as given; what takes the text; the new file, if there is one
+  std::filesystem::perms permissions_ = std::filesystem::perms::unknown;  // to be kept
+  Slot slot_;
+  std::unique_ptr<std::FILE, Close> file_;
+};
+
+// Puts the text under this name, as OutputFile does.
 void write_file_atomically(const std::filesystem::path& path, std::string_view text);
+
+// Removes the new files that are being written by this process, at this moment. For handlers of signals that end the
+// process: it calls nothing but unlink().
+void remove_unfinished_files() noexcept;
 
 }  // namespace sunder::io

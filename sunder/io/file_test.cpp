@@ -116,6 +116,40 @@ TEST_F(File, WritesInTheCurrentFolder) {
   fs::current_path(before);
 }
 
+TEST_F(File, WithoutCommitNothingIsWritten) {
+  write_file_atomically(folder_ / "x", "one");
+  {
+    OutputFile file(folder_ / "x");
+    file.write("tw");
+    EXPECT_EQ(file_count(), 2u);
+  }
+  EXPECT_EQ(read_file(folder_ / "x"), "one");
+  EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(File, PieceByPiece) {
+  OutputFile file(folder_ / "x");
+  for (const char* piece : {"o", "n", "e"}) file.write(piece);
+  EXPECT_FALSE(fs::exists(folder_ / "x"));
+  file.commit();
+  EXPECT_EQ(read_file(folder_ / "x"), "one");
+}
+
+TEST_F(File, UnfinishedFilesCanBeRemoved) {
+  write_file_atomically(folder_ / "done", "one");
+  for (int round = 0; round < 20; ++round) {  // places are given back
+    OutputFile one(folder_ / "x"), other(folder_ / "y");
+    one.write("text");
+    EXPECT_EQ(file_count(), 3u);
+    remove_unfinished_files();
+    EXPECT_EQ(file_count(), 1u);
+  }
+  expect_error([&] { OutputFile file(folder_ / "no" / "x"); }, (folder_ / "no" / "x").string(),
+               "check that the folder");
+  remove_unfinished_files();
+  EXPECT_EQ(read_file(folder_ / "done"), "one");
+}
+
 TEST_F(File, DoesNotReplaceADevice) {
   write_file_atomically("/dev/null", "text");
   EXPECT_TRUE(fs::is_character_file("/dev/null"));

@@ -284,7 +284,18 @@ class Board {
       ++footprints_;
     } else if (name.starts_with("gr_") || name == "dimension" || name == "target" || name == "image") {
       ++drawings_;
+    } else if (!holds_no_copper(name)) {
+      ++others_;
     }
+  }
+
+  // Lists that every board has, or that only name or arrange what stands elsewhere.
+  static bool holds_no_copper(std::string_view name) {
+    constexpr std::array<std::string_view, 17> known{
+        "general",        "paper",          "page",  "title_block", "setup",     "net_class",
+        "property",       "group",          "host",  "generated",   "generator", "generator_version",
+        "embedded_fonts", "embedded_files", "links", "no_connects", "area"};
+    return std::find(known.begin(), known.end(), name) != known.end();
   }
 
   void read_version(std::uint32_t line, const std::vector<Token>& atoms) {
@@ -502,6 +513,7 @@ class Board {
       remarks.push_back(fmt::format("{} without tracks, of {} in the table: not looked at",
                                     count_of(static_cast<std::size_t>(trackless), "net"), nets_.size()));
     }
+    if (others_ > 0) remarks.push_back(fmt::format("{} of an unknown kind: not looked at", count_of(others_, "list")));
     if (zones_ + footprints_ + drawings_ > 0) {
       remarks.push_back(fmt::format("zones, pads and graphics are not looked at: {}, {}, {}", count_of(zones_, "zone"),
                                     count_of(footprints_, "footprint"), count_of(drawings_, "drawing")));
@@ -518,7 +530,7 @@ class Board {
   std::unordered_map<std::int64_t, std::string_view> nets_;
   std::unordered_map<std::string_view, bool> is_copper_;
   std::vector<Track> tracks_;
-  std::size_t vias_ = 0, zones_ = 0, footprints_ = 0, drawings_ = 0;
+  std::size_t vias_ = 0, zones_ = 0, footprints_ = 0, drawings_ = 0, others_ = 0;
   std::size_t arcs_ = 0, without_net_ = 0, not_on_copper_ = 0;
   double narrowest_ = std::numeric_limits<double>::infinity(), widest_ = -narrowest_;
 

@@ -2,6 +2,8 @@
 #include <sunder/base/error.h>
 #include <sunder/io/kicad.h>
 
+#include <tests/support/places.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +19,7 @@ namespace {
 
 using planar::Segment;
 
-const std::filesystem::path cases = std::filesystem::path(SUNDER_CASES_DIR) / "boards";
+const std::filesystem::path cases = std::filesystem::path(tests::cases_folder()) / "boards";
 
 using Names = std::vector<std::string>;
 using Numbers = std::vector<std::uint32_t>;

@@ -1,6 +1,7 @@
 #include <sunder/base/error.h>
 #include <sunder/io/csv.h>
 #include <sunder/io/file.h>
+#include <sunder/io/foreign.h>
 #include <sunder/io/kicad.h>
 #include <sunder/io/lines.h>
 #include <sunder/io/lines_builder.h>
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace sunder::io {
 
@@ -17,130 +19,124 @@ namespace {
 
 char upper(char c) { return 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
-class Csv {
- public:
-  explicit Csv(LineBuilder& builder) : builder_(builder), group_(builder.options().group) {}
+void parse_csv(std::string_view text, LineBuilder& builder) {
+  const CsvColumns columns{{"x1", "y1", "x2", "y2"}, {}, "segments"};
+  const LineOptions& options = builder.options();
+  CsvTable table(columns, options.name, options.group);
+  CsvReader reader(text, builder.place(), options.progress);
+  while (reader.next()) {
+    if (reader.is_first()) {
+      const bool names = table.begin(reader, builder.place(), options.drop_z, true);
+      if (!options.group.empty()) builder.group_by(table.groups() ? GroupBy::field : GroupBy::feature);
+      if (names) continue;
+    }
+    table.check_count(reader);
+    builder.begin_feature(table.name(reader), reader.line());
+    if (table.groups()) builder.group_value(std::string(table.group(reader)));
+    const Point2 from{table.number(reader, 0), table.number(reader, 1)};
+    const Point2 to{table.number(reader, 2), table.number(reader, 3)};
+    builder.add(from, to);
+  }
+}
 
-  void parse(std::string_view text) {
-    bool first = true;
-    for_each_line(text, builder_.options().progress, [&](std::string_view line, std::uint32_t number) {
-      if (first && line.find(';') != std::string_view::npos) separator_ = ';';
-      builder_.at_line(number);
-      const std::vector<std::string_view> fields = fields_of(line);
-      const bool names = first && are_names(fields, 4);
-      if (names) read_names(fields);
-      if (first) choose_group(names ? fields : std::vector<std::string_view>());
-      first = false;
-      if (!names) add(fields, number);
-    });
+constexpr std::array<std::string_view, 7> read_kinds{
+    "LINESTRING", "MULTILINESTRING", "POLYGON", "MULTIPOLYGON", "POINT", "MULTIPOINT", "GEOMETRYCOLLECTION"};
+constexpr std::array<std::string_view, 10> other_kinds{
+    "CIRCULARSTRING", "COMPOUNDCURVE", "CURVEPOLYGON",      "MULTICURVE", "MULTISURFACE",
+    "CURVE",          "SURFACE",       "POLYHEDRALSURFACE", "TIN",        "TRIANGLE"};
+
+bool is_letter(char c) { return 'A' <= upper(c) && upper(c) <= 'Z'; }
+
+// Geometries in WKT, one after the other.
+class Wkt {
+ public:
+  Wkt(std::string_view text, LineBuilder& builder) : rest_(text), size_(text.size()), builder_(builder) {}
+
+  void parse() {
+    builder_.group_by_feature_or_ring();
+    const auto& progress = builder_.options().progress;
+    for (std::uint64_t number = 0; skip_blanks(); ++number) {
+      if (progress && number % 16384 == 0) progress(1 - static_cast<double>(rest_.size()) / static_cast<double>(size_));
+      begun_ = line_;
+      builder_.begin_feature({}, line_);
+      geometry(true, 0);
+      const std::uint32_t last = line_;
+      if (skip_blanks() && line_ == last) {
+        builder_.fail(fmt::format("{} stands after the geometry", quote(rest_of_line())));
+      }
+    }
+    if (srids_ == 0) return;
+    builder_.file.remarks.push_back(
+        fmt::format("lines with an SRID: {}; it is passed over: coordinates count as those of a plane", srids_));
   }
 
  private:
-  std::vector<std::string_view> fields_of(std::string_view line) const {
-    std::vector<std::string_view> fields;
-    if (split_fields(line, separator_, fields)) return fields;
-    builder_.fail(
-        fmt::format("{} has a quote within; write fields without separators and quotes", quote(fields.back())));
-  }
-
-  void check_count(std::size_t count) const {
-    if (columns_ > 0 && count != columns_) {
-      builder_.fail(fmt::format("has {} fields, but the line of names has {}; give the same number", count, columns_));
-    }
-    if (count < 4 || (count > 5 && columns_ == 0)) {
-      builder_.fail(fmt::format("has {} fields; give x1,y1,x2,y2 and, if you like, an id", count));
-    }
-  }
-
-  void read_names(const std::vector<std::string_view>& names) {
-    if (!group_.empty()) columns_ = names.size();
-    check_count(names.size());
-    if (upper(names[0][0]) != 'X' && names.size() >= 5) {
-      builder_.fail(fmt::format("the first column is named {}; the order is x1,y1,x2,y2,id", quote(names[0])));
-    }
-    const auto id = std::find(names.begin() + 4, names.end(), "id");
-    if (id != names.end()) id_column_ = static_cast<std::size_t>(id - names.begin());
-  }
-
-  // names: of the columns; empty where there are none.
-  void choose_group(const std::vector<std::string_view>& names) {
-    if (group_.empty()) return;
-    std::string known = "feature";
-    for (std::size_t i = 4; i < names.size(); ++i) {
-      if (i < 20) known += fmt::format(", {}", shorten(names[i]));
-      if (names[i] != group_) continue;
-      if (group_column_ > 0) builder_.fail(fmt::format("two columns are named {}; rename one", quote(group_)));
-      group_column_ = i;
-    }
-    if (names.size() > 20) known += ", ...";
-    if (names.empty()) known += ", and the columns after the fourth where a first line names them";
-    if (group_column_ == 0 && group_ != "feature") fail_group(builder_.place(), group_, known);
-    builder_.group_by(group_column_ > 0 ? GroupBy::field : GroupBy::feature);
-  }
-
-  void add(const std::vector<std::string_view>& fields, std::uint32_t number) {
-    check_count(fields.size());
-    builder_.begin_feature(id_column_ < fields.size() ? one_line(fields[id_column_]) : std::string(), number);
-    if (group_column_ > 0) {
-      const std::string_view value = fields[group_column_];
-      if (value.empty()) builder_.fail(fmt::format("has no value in the column {}; give one", quote(group_)));
-      builder_.group_value(std::string(value));
-    }
-    const Point2 from{builder_.number(fields[0]), builder_.number(fields[1])};
-    const Point2 to{builder_.number(fields[2]), builder_.number(fields[3])};
-    builder_.add(from, to);
-  }
-
-  LineBuilder& builder_;
-  const std::string& group_;
-  char separator_ = ',';
-  std::size_t columns_ = 0;       // that each line must have; 0: four or five
-  std::size_t id_column_ = 4;     // past the end: none
-  std::size_t group_column_ = 0;  // 0: none
-};
-
-// A geometry in WKT.
-class Wkt {
- public:
-  Wkt(std::string_view text, LineBuilder& builder) : rest_(text), builder_(builder) {}
-
-  // Did an SRID stand before it?
-  bool geometry() {
+  void geometry(bool whole, int depth) {
+    if (depth == 100) builder_.fail("has collections nested 100 deep; unpack them");
     std::string type = word();
-    const bool srid = type == "SRID";
-    if (srid) {
+    if (whole && type == "SRID") {
       pass_srid();
+      ++srids_;
       type = word();
     }
     std::string tag = word();
     if (tag.empty()) tag = cut_tag(type);
-    if (tag == "EMPTY") builder_.fail("is empty; leave the line out");
-    if (!tag.empty() && tag != "Z" && tag != "M" && tag != "ZM") {
-      builder_.fail(fmt::format("{} after {} is not understood", quote(tag), type));
+    if (tag == "Z" || tag == "M" || tag == "ZM") tag = word();
+    if (!tag.empty() && tag != "EMPTY") builder_.fail(fmt::format("{} after {} is not understood", quote(tag), type));
+    const bool known = std::find(read_kinds.begin(), read_kinds.end(), type) != read_kinds.end();
+    if (!known && std::find(other_kinds.begin(), other_kinds.end(), type) == other_kinds.end()) {
+      builder_.fail(fmt::format("{} is not read here; give {}LINESTRING, MULTILINESTRING, POLYGON or MULTIPOLYGON",
+                                type.empty() ? quote(rest_of_line()) : quote(type),
+                                builder_.options().points ? "POINT, " : ""));
     }
-    if (type == "LINESTRING") {
-      builder_.add_line(points());
-    } else if (type == "MULTILINESTRING") {
-      list([&] { builder_.add_line(points()); });
+    if (tag == "EMPTY") return builder_.add_nothing();
+    content(type, depth);
+  }
+
+  void content(const std::string& type, int depth) {
+    const LineOptions& options = builder_.options();
+    const bool line = type == "LINESTRING" || type == "MULTILINESTRING";
+    if (type == "GEOMETRYCOLLECTION") {
+      list([&] { geometry(false, depth + 1); });
     } else if (type == "POLYGON") {
       polygon(false);
     } else if (type == "MULTIPOLYGON") {
       list([&] { polygon(true); });
-    } else if (type == "POINT" && builder_.options().points) {
+    } else if (type == "POINT" && options.points) {
       builder_.add_point(points());
+    } else if (!line || !options.lines) {
+      builder_.leave_out(type == "POINT" || type == "MULTIPOINT" ? "point" : line ? "line" : type);
+      pass_list();
+    } else if (type == "LINESTRING") {
+      builder_.add_line(points());
     } else {
-      builder_.fail(fmt::format("{} is not read here; give {}LINESTRING, MULTILINESTRING, POLYGON or MULTIPOLYGON",
-                                quote(type), builder_.options().points ? "POINT, " : ""));
+      list([&] {
+        if (!empty_part()) builder_.add_line(points());
+      });
     }
-    if (!(rest_ = trimmed(rest_)).empty()) builder_.fail(fmt::format("{} stands after the geometry", quote(rest_)));
-    return srid;
   }
 
- private:
+  // Passes blanks and line breaks. Is there more?
+  bool skip_blanks() {
+    std::size_t at = 0;
+    for (; at < rest_.size() && blanks_and_breaks.find(rest_[at]) != std::string_view::npos; ++at) {
+      const bool second = rest_[at] == '\n' && last_was_return_;
+      last_was_return_ = rest_[at] == '\r';
+      if ((rest_[at] != '\n' && rest_[at] != '\r') || second) continue;
+      builder_.at_line(++line_);
+    }
+    if (at > 0) rest_.remove_prefix(at);
+    if (rest_.empty()) return false;
+    last_was_return_ = false;
+    return true;
+  }
+
+  std::string_view rest_of_line() const { return rest_.substr(0, rest_.find_first_of("\r\n")); }
+
   std::string word() {
-    rest_ = trimmed(rest_);
+    skip_blanks();
     std::string word;
-    while (!rest_.empty() && 'A' <= upper(rest_[0]) && upper(rest_[0]) <= 'Z') {
+    while (!rest_.empty() && is_letter(rest_[0])) {
       word += upper(rest_[0]);
       rest_.remove_prefix(1);
     }
@@ -159,11 +155,10 @@ class Wkt {
   }
 
   // The tag that is written to the type without a blank, as in POLYGONZ, cut off it.
-  std::string cut_tag(std::string& type) const {
+  static std::string cut_tag(std::string& type) {
     for (const std::string_view tag : {"ZM", "Z", "M"}) {
-      for (const std::string_view known : {"POINT", "LINESTRING", "MULTILINESTRING", "POLYGON", "MULTIPOLYGON"}) {
+      for (const std::string_view known : read_kinds) {
         if (type.size() != known.size() + tag.size() || !type.starts_with(known) || !type.ends_with(tag)) continue;
-        if (known == "POINT" && !builder_.options().points) continue;  // refused under its own name
         type = known;
         return std::string(tag);
       }
@@ -172,16 +167,19 @@ class Wkt {
   }
 
   bool take(char c) {
-    rest_ = trimmed(rest_);
-    if (rest_.empty() || rest_[0] != c) return false;
+    if (!skip_blanks() || rest_[0] != c) return false;
     rest_.remove_prefix(1);
     return true;
   }
 
   void expect(char c) {
     if (take(c)) return;
-    builder_.fail(rest_.empty() ? fmt::format("ends where '{}' is expected; is it cut off?", c)
-                                : fmt::format("{} stands where '{}' is expected", quote(rest_), c));
+    if (rest_.empty()) {
+      builder_.at_line(begun_);
+      builder_.fail(fmt::format("ends where '{}' is expected; is it cut off?", c));
+    }
+    builder_.fail(fmt::format("{} stands where '{}' is expected{}", quote(rest_of_line()), c,
+                              line_ > begun_ ? fmt::format(", in the geometry that begins on line {}", begun_) : ""));
   }
 
   template <class Item>
@@ -192,7 +190,31 @@ class Wkt {
     expect(')');
   }
 
+  // A list of whatever kind.
+  void pass_list() {
+    expect('(');
+    for (std::uint64_t open = 1; open > 0;) {
+      const std::size_t end = std::min(rest_.find_first_of("()\r\n"), rest_.size());
+      rest_.remove_prefix(end);
+      skip_blanks();
+      if (rest_.empty()) expect(')');
+      if (rest_[0] == '(') ++open;
+      if (rest_[0] == ')') --open;
+      if (rest_[0] == '(' || rest_[0] == ')') rest_.remove_prefix(1);
+    }
+  }
+
+  // Is the part of a geometry that begins here EMPTY?
+  bool empty_part() {
+    if (!skip_blanks() || !is_letter(rest_[0])) return false;
+    const std::string found = word();
+    if (found != "EMPTY") builder_.fail(fmt::format("{} stands where '(' or EMPTY is expected", quote(found)));
+    builder_.add_nothing();
+    return true;
+  }
+
   void polygon(bool several) {
+    if (several && empty_part()) return;
     builder_.begin_polygon(several);
     list([&] {
       builder_.begin_ring();
@@ -203,39 +225,29 @@ class Wkt {
   std::vector<Point2> points() {
     std::vector<Point2> points;
     list([&] {
-      rest_ = trimmed(rest_);
-      const std::size_t end = std::min(rest_.find_first_of(",()"), rest_.size());
-      std::string_view numbers = trimmed(rest_.substr(0, end));
-      rest_.remove_prefix(end);
-      std::vector<double> x;
-      while (!numbers.empty()) {
-        const std::size_t blank = std::min(numbers.find_first_of(blanks), numbers.size());
-        x.push_back(builder_.number(numbers.substr(0, blank)));
-        numbers = trimmed(numbers.substr(blank));
+      std::array<double, 5> x{};
+      std::size_t count = 0;
+      while (skip_blanks() && std::string_view(",()").find(rest_[0]) == std::string_view::npos && count < x.size()) {
+        const std::size_t end = std::min(rest_.find_first_of(",() \t\r\n\f\v"), rest_.size());
+        x[count++] = builder_.number(rest_.substr(0, end));
+        rest_.remove_prefix(end);
       }
-      if (x.size() < 2 || x.size() > 4) builder_.fail("a point has two numbers, parted by a blank");
-      builder_.check_dimension(x.size());
+      if (rest_.empty()) expect(')');
+      if (count < 2 || count > 4) builder_.fail("a point has two numbers, parted by a blank");
+      builder_.check_dimension(count);
       points.push_back({x[0], x[1]});
     });
     return points;
   }
 
-  std::string_view rest_;
-  LineBuilder& builder_;
-};
+  static constexpr std::string_view blanks_and_breaks = " \t\r\n\f\v";
 
-void parse_wkt(std::string_view text, LineBuilder& builder) {
-  builder.group_by_feature_or_ring();
-  std::uint32_t srids = 0;
-  for_each_line(text, builder.options().progress, [&](std::string_view line, std::uint32_t number) {
-    builder.begin_feature({}, number);
-    if (Wkt(line, builder).geometry()) ++srids;
-  });
-  if (srids > 0) {
-    builder.file.remarks.push_back(
-        fmt::format("lines with an SRID: {}; it is passed over: coordinates count as those of a plane", srids));
-  }
-}
+  std::string_view rest_;
+  std::size_t size_;
+  LineBuilder& builder_;
+  std::uint32_t line_ = 1, begun_ = 1, srids_ = 0;
+  bool last_was_return_ = false;
+};
 
 }  // namespace
 
@@ -244,7 +256,14 @@ LineFile parse_lines(std::string_view text, std::string_view place, const LineOp
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
   if (begin == std::string_view::npos) fail_file(place, "has nothing in it; give a file with lines");
   const std::string ending = ending_of(place);
-  if (ending == ".kicad_pcb" || text.substr(begin).starts_with("(kicad_")) return parse_kicad(text, place, options);
+  if (ending == ".kicad_pcb" || text.substr(begin).starts_with("(kicad_")) {
+    if (!options.lines) fail_file(place, "is a board of tracks, without polygons; ask sunder segments");
+    if (!options.name.empty()) {
+      throw Error(ErrorCode::bad_call, "tracks are named by their nets; leave the name out", one_line(place));
+    }
+    return parse_kicad(text, place, options);
+  }
+  refuse_foreign(text, place);
   LineBuilder builder(place, options);
   const char first = text[begin];
   const bool is_json = first == '{' || first == '[', is_word = 'A' <= upper(first) && upper(first) <= 'Z';
@@ -253,12 +272,21 @@ LineFile parse_lines(std::string_view text, std::string_view place, const LineOp
     parse_geojson(text, builder);
   } else if (ending == ".wkt" || (is_word && ending != ".csv")) {
     builder.file.format = "WKT";
-    parse_wkt(text, builder);
+    Wkt(text, builder).parse();
   } else {
     builder.file.format = "CSV";
-    Csv(builder).parse(text);
+    if (!options.lines) fail_file(place, "CSV has no polygons here; for segments, ask sunder segments");
+    parse_csv(text, builder);
   }
-  if (builder.file.segments.empty()) fail_file(place, "has no segments; give a file with lines");
+  const bool has_fields = builder.file.format != "WKT";
+  if (!options.name.empty() && !has_fields) {
+    throw Error(ErrorCode::bad_call, "WKT has no fields to name features by; leave it out", one_line(place));
+  }
+  builder.tell_of_nothing();
+  if (builder.file.segments.empty() && builder.file.broken.empty()) {
+    const char* const wanted = options.points ? "objects" : options.lines ? "segments" : "polygons";
+    fail_file(place, fmt::format("has no {0}; give a file with {0}", wanted));
+  }
   return std::move(builder.file);
 }
 

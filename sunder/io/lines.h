@@ -1,6 +1,7 @@
 // Segments, and the rings of polygons, out of files: CSV, WKT, GeoJSON, KiCad boards (kicad.h).
 #pragma once
 
+#include <sunder/io/left_out.h>
 #include <sunder/planar/object/segments.h>
 
 #include <cstdint>
@@ -15,9 +16,28 @@ namespace sunder::io {
 // What is asked of a reader.
 struct LineOptions {
   bool drop_z = false;  // ignore third coordinates; else they are refused
-  std::string group;    // the field that says which segments belong together; empty: none, for a board "net"
+  std::string group{};  // the field that says which segments belong together; empty: none, for a board "net"
   std::function<void(double)> progress = nullptr;  // called now and then with the part that is read (CSV, WKT), 0 to 1
-  bool points = false;  // take points too (WKT, GeoJSON), as segments of length zero; else they are refused
+  bool points = false;                             // take points too (WKT, GeoJSON), as segments of length zero
+  bool lines = true;                               // take lines, not only rings
+
+  // What is of another kind (points, lines, curves) is refused, unless it is to be left out: then left_out tells of it.
+  bool leave_out = false;
+
+  // A ring that is none (open, or of fewer than three corners) is refused, unless this is set: then broken tells of it.
+  bool keep_broken = false;
+
+  std::string name{};  // the field that names features; empty: the first of those listed below
+};
+
+// A ring that is none.
+struct BrokenRing {
+  std::uint32_t feature = 0;
+  std::string what;            // "ring 1: does not end where it began"
+  std::vector<Point2> points;  // as the file has them
+  std::uint32_t ring = 0;      // how many rings of the file stand before it
+  std::uint32_t polygon = 0;   // as of LineRing
+  std::uint32_t group = 0;     // a position in groups; meaningless where there are none
 };
 
 // Where a segment is from.
@@ -32,10 +52,13 @@ struct LineRing {
   std::uint32_t polygon = 0;  // counted from 0; its rings stand together
 };
 
-// L1. There is a segment; coordinates are finite.
-// L2. source has an entry for each segment; its features do not decrease, and are positions in features.
-// L3. rings are in the order of their segments; each has at least three, and ends where it began.
-// L4. group is empty, and groups too, or group has an entry for each segment, a position in groups. So are layer and
+// L1. There is a segment, or a broken ring; coordinates are finite.
+// L2. source has an entry for each segment; its features do not decrease, and are positions in features. Every feature
+//     of the file has its position, also one that has no segments: whose geometry is null, empty, or was left out.
+// L3. rings are in the order of their segments; each has at least three, and ends where it began. polygon counts
+//     within the file, and does not decrease; a number that no ring has is that of a polygon whose rings are broken.
+// L4. group is empty, and groups too, or group has an entry for each segment, a position in groups; each group has a
+//     segment, or a broken ring. So are layer and
 //     layers. Both lists of names are in the order in which their first segments come; names need not differ.
 struct LineFile {
   std::vector<planar::Segment> segments;  // ends in the order of the file
@@ -47,20 +70,25 @@ struct LineFile {
   std::vector<std::uint32_t> layer;   // empty where the format has no layers
   std::vector<std::string> layers;    // names: "F.Cu"
   std::vector<std::string> remarks;   // for people, one line each: what was read but is not looked at, or approximated
+  std::vector<LeftOut> left_out;      // one by one, in the order of the file; of: "line 7", "'mast'"
+  std::vector<BrokenRing> broken;     // in the order of the file
   std::string format;                 // for people: "WKT"
 };
 
 // Reads the file whole; its format is told by its first letters "(kicad_", by its ending (.csv, .wkt, .geojson, .json,
 // .kicad_pcb), else by its first character.
-//   CSV      x1,y1,x2,y2 and, if there is one, an id; a first line of names is skipped. A line is a feature. Where the
-//            first line has a semicolon, semicolons part the fields. A field may stand in quotes, but hold none.
-//            Where a group is asked for and there is a line of names, any columns may follow the first four; the id is
-//            the one named "id", else the fifth.
-//   WKT      a geometry on each line: LINESTRING, MULTILINESTRING, POLYGON, MULTIPOLYGON. A line is a feature.
+//   CSV      x1,y1,x2,y2 and, if there is one, an id; a line is a feature. Where a first line names the columns, these
+//            are found by their names, in any order, and any others may stand beside them; the id is the one named
+//            "name" or "id" (also Name, NAME, ...), else the first other. Names that do not hold these are refused.
+//            Splitting as in csv.h.
+//   WKT      geometries, each beginning on a line of its own: LINESTRING, MULTILINESTRING, POLYGON, MULTIPOLYGON,
+//            GEOMETRYCOLLECTION. Each is a feature, and may go over several lines; source has the first.
 //            "SRID=4326;" before it is passed over, with a remark.
-//   GeoJSON  the same geometries, and collections of them; "id", else the property "name" or "id", names a feature.
-//            A feature whose geometry is null is passed over, with a remark. A key may not stand twice in an object.
+//   GeoJSON  the same geometries. The first there is of the properties "name", "Name", "NAME", the feature's "id", and
+//            the properties "id", "ID", "Id" names a feature. A key may not stand twice in an object.
 //            Also plain JSON that is a list of rings: one polygon, whose rings need not repeat their first point.
+// A feature whose geometry is null or empty has no segments; a remark tells how many there are. Where an own field
+// names features, one without it is named by its number; Error bad_call where none has it, or the format has no fields.
 // Lines of two points or more, and the edges of rings, become segments. A ring must end where it began. A third
 // coordinate is refused unless drop_z. Empty lines are skipped. Messages and names count rings and polygons from 0.
 //

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -41,25 +42,49 @@ class LineBuilder {
 
   void begin_feature(std::string name, std::uint32_t line) {
     if (file.features.size() == std::numeric_limits<std::uint32_t>::max()) fail("has too many features; split it");
-    line_ = line;
+    line_ = at_line_ = line;
     lines_ = polygons_of_feature_ = 0;
+    in_ring_ = false;
     file.features.push_back(name.empty() ? std::to_string(file.features.size() + 1) : std::move(name));
     if (group_by_ == GroupBy::feature) begin_group(file.features.back());
   }
 
-  void at_line(std::uint32_t line) { line_ = line; }
+  // For messages; segments have the line on which their feature begins.
+  void at_line(std::uint32_t line) { at_line_ = line; }
+
+  // Something of another kind: "point", "line".
+  void leave_out(const std::string& kind) {
+    if (!options_.leave_out) {
+      fail(fmt::format("{} is not what is asked about; give a file without such, or ask without them: --leave-out",
+                       kind.starts_with('a') ? "an " + kind : "a " + kind));
+    }
+    file.left_out.push_back({kind, owner(), 1});
+  }
+
+  // A geometry, or a part of one, that holds nothing.
+  void add_nothing() {
+    if (empty_++ == 0) first_empty_ = owner();
+  }
+
+  // To be called at the end.
+  void tell_of_nothing() {
+    if (empty_ == 0) return;
+    file.remarks.push_back(
+        fmt::format("geometries that are null or empty: {}, the first of {}; they hold nothing", empty_, first_empty_));
+  }
 
   // The field's value for what comes now; to be told for each feature where a field groups.
-  void group_value(const std::string& value) {
-    const auto [known, is_new] = groups_.try_emplace(value, static_cast<std::uint32_t>(file.groups.size()));
-    if (is_new) file.groups.push_back(one_line(value));
-    group_ = known->second;
+  void group_value(std::string value) {
+    next_group_ = std::move(value);
+    value_groups_ = true;
   }
 
   void add(const Point2& a, const Point2& b) {
     file.segments.push_back({a, b});
     file.source.push_back({static_cast<std::uint32_t>(file.features.size() - 1), line_});
-    if (group_by_ != GroupBy::nothing) file.group.push_back(group_);
+    if (group_by_ == GroupBy::nothing) return;
+    if (next_group_) enter_group();
+    file.group.push_back(group_);
   }
 
   // several: it is one of a list of polygons.
@@ -77,6 +102,7 @@ class LineBuilder {
   }
 
   void add_line(const std::vector<Point2>& points) {
+    if (!options_.lines) return leave_out("line");
     if (points.size() < 2) fail("a line has fewer than two points; leave it out");
     if (group_by_ == GroupBy::ring) begin_group(fmt::format("{}, line {}", file.features.back(), lines_));
     ++lines_;
@@ -90,10 +116,19 @@ class LineBuilder {
 
   void add_ring(const std::vector<Point2>& points) {
     const bool closed = points.size() > 1 && points.front() == points.back();
-    if (points.size() - (closed ? 1 : 0) < 3) {
-      fail("fewer than three different corners; give at least three, and the first again");
+    const std::size_t corners = points.size() - (closed ? 1 : 0);
+    if (corners < 3 || !closed) {
+      const std::string what = corners < 3
+                                   ? "fewer than three different corners; give at least three, and the first again"
+                                   : "does not end where it began; repeat its first point at its end";
+      if (!options_.keep_broken) fail(what);
+      const auto feature = static_cast<std::uint32_t>(file.features.size() - 1);
+      if (next_group_) enter_group();
+      file.broken.push_back({feature, fmt::format("{}: {}", ring_name(), what.substr(0, what.find(';'))), points,
+                             static_cast<std::uint32_t>(file.rings.size()), polygons_ - 1, group_});
+      in_ring_ = false;
+      return;
     }
-    if (!closed) fail("does not end where it began; repeat its first point at its end");
     if (group_by_ == GroupBy::ring) begin_group(fmt::format("{}, {}", file.features.back(), ring_name()));
     file.rings.push_back({static_cast<std::uint32_t>(file.segments.size()),
                           static_cast<std::uint32_t>(points.size() - 1), polygons_ - 1});
@@ -103,7 +138,7 @@ class LineBuilder {
 
   [[noreturn]] void fail(const std::string& what) const {
     const std::string text = in_ring_ ? fmt::format("{}: {}", ring_name(), what) : what;
-    if (line_ > 0) fail_line(place_, line_, text);
+    if (at_line_ > 0) fail_line(place_, at_line_, text);
     fail_file(place_, file.features.empty() ? text : fmt::format("feature {}: {}", quote(file.features.back()), text));
   }
 
@@ -121,9 +156,24 @@ class LineBuilder {
 
  private:
   void begin_group(std::string name) {
-    group_ = static_cast<std::uint32_t>(file.groups.size());
-    file.groups.push_back(std::move(name));
+    next_group_ = std::move(name);
+    value_groups_ = false;
   }
+
+  // With the first segment, so that each group has one.
+  void enter_group() {
+    group_ = static_cast<std::uint32_t>(file.groups.size());
+    bool is_new = true;
+    if (value_groups_) {
+      const auto found = groups_.try_emplace(*next_group_, group_);
+      group_ = found.first->second;
+      is_new = found.second;
+    }
+    if (is_new) file.groups.push_back(one_line(*next_group_));
+    next_group_.reset();
+  }
+
+  std::string owner() const { return line_ > 0 ? fmt::format("line {}", line_) : quote(file.features.back()); }
 
   std::string ring_name() const {
     const std::string ring = fmt::format("ring {}", rings_ - 1);
@@ -133,9 +183,13 @@ class LineBuilder {
   std::string_view place_;
   const LineOptions& options_;
   GroupBy group_by_ = GroupBy::nothing;
-  std::uint32_t line_ = 0, group_ = 0;
+  std::uint32_t line_ = 0, at_line_ = 0, group_ = 0;                              // line_: on which the feature begins
   std::uint32_t lines_ = 0, polygons_ = 0, polygons_of_feature_ = 0, rings_ = 0;  // so far; rings: of the polygon
   bool several_ = false, in_ring_ = false;
+  std::uint64_t empty_ = 0;
+  std::string first_empty_;
+  std::optional<std::string> next_group_;                  // of what comes now, until its first segment
+  bool value_groups_ = false;                              // is it a value, which may have come before?
   std::unordered_map<std::string, std::uint32_t> groups_;  // by value
 };
 

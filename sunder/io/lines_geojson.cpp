@@ -1,3 +1,4 @@
+#include <sunder/base/error.h>
 #include <sunder/io/lines_geojson.h>
 #include <sunder/io/text.h>
 
@@ -38,13 +39,11 @@ class GeoJson {
     } else if (type_of(top) == "FeatureCollection") {
       const auto features = top.find("features");
       if (features == top.end() || !features->is_array()) builder_.fail("the collection has no list \"features\"");
-      for (std::size_t i = 0; i < features->size(); ++i) add_feature((*features)[i], i);
+      for (const nlohmann::json& feature : *features) add_feature(feature);
     } else {
-      add_feature(top, 0);
+      add_feature(top);
     }
-    if (without_geometry_ > 0) {
-      builder_.file.remarks.push_back(fmt::format("features without a geometry, passed over: {}", without_geometry_));
-    }
+    if (!named_ && !builder_.options().name.empty()) fail_name();
   }
 
  private:
@@ -67,6 +66,9 @@ class GeoJson {
     if (!item.is_object()) builder_.fail("is no GeoJSON: an object with a \"type\" is expected");
     const auto type = item.find("type");
     if (type == item.end() || !type->is_string()) builder_.fail("is no GeoJSON: an object has no \"type\"");
+    if (*type == "Topology") {
+      builder_.fail("is TopoJSON, which is not read; make GeoJSON of it: ogr2ogr -f GeoJSON out.geojson in.json");
+    }
     return *type;
   }
 
@@ -90,26 +92,50 @@ class GeoJson {
     return value->dump();
   }
 
-  void add_feature(const nlohmann::json& item, std::size_t position) {
+  // The first that there is, of the names that the format knows, or the one that is asked for.
+  std::string name_of(const nlohmann::json& feature) {
+    const std::string& asked = builder_.options().name;
+    const auto properties = feature.find("properties");
+    const auto property = [&](const std::string& key) -> std::string {
+      if (properties == feature.end() || !properties->is_object()) return {};
+      const auto value = properties->find(key);
+      return value != properties->end() ? text_of(*value) : std::string();
+    };
+    const auto own_id = [&]() -> std::string {
+      const auto id = feature.find("id");
+      return id != feature.end() ? text_of(*id) : std::string();
+    };
+    if (!asked.empty()) {
+      std::string name = property(asked);
+      if (name.empty() && asked == "id") name = own_id();
+      named_ = named_ || !name.empty();
+      return name;
+    }
+    for (const char* key : {"name", "Name", "NAME"}) {
+      if (std::string name = property(key); !name.empty()) return name;
+    }
+    if (std::string name = own_id(); !name.empty()) return name;
+    for (const char* key : {"id", "ID", "Id"}) {
+      if (std::string name = property(key); !name.empty()) return name;
+    }
+    return {};
+  }
+
+  [[noreturn]] void fail_name() const {
+    throw Error(ErrorCode::bad_call,
+                fmt::format("no feature has a property {} that is text or a number, to name it by; name another one",
+                            quote(builder_.options().name)),
+                one_line(builder_.place()));
+  }
+
+  void add_feature(const nlohmann::json& item) {
     const bool wrapped = type_of(item) == "Feature";
-    std::string name;
-    if (wrapped) {
-      if (const auto id = item.find("id"); id != item.end()) name = text_of(*id);
-      const auto properties = item.find("properties");
-      for (const char* key : {"name", "NAME", "id"}) {
-        if (!name.empty() || properties == item.end() || !properties->is_object()) break;
-        if (const auto value = properties->find(key); value != properties->end()) name = text_of(*value);
-      }
-    }
-    const auto geometry = wrapped ? item.find("geometry") : item.end();
-    if (geometry != item.end() && geometry->is_null()) {
-      ++without_geometry_;
-      return;
-    }
-    builder_.begin_feature(name.empty() ? std::to_string(position + 1) : name, 0);
+    builder_.begin_feature(wrapped ? name_of(item) : std::string(), 0);
     if (by_name(group_) == GroupBy::field) builder_.group_value(group_of(item, wrapped));
     if (!wrapped) return add_geometry(item);
+    const auto geometry = item.find("geometry");
     if (geometry == item.end()) builder_.fail("has no \"geometry\"; give it, or null");
+    if (geometry->is_null()) return builder_.add_nothing();
     add_geometry(*geometry);
   }
 
@@ -117,24 +143,31 @@ class GeoJson {
     const std::string type = type_of(item);
     if (type == "GeometryCollection") {
       if (depth == 100) builder_.fail("has collections nested 100 deep; unpack them");
-      for (const nlohmann::json& part : list(item, "geometries")) add_geometry(part, depth + 1);
+      const nlohmann::json& parts = list(item, "geometries");
+      if (parts.empty()) return builder_.add_nothing();
+      for (const nlohmann::json& part : parts) add_geometry(part, depth + 1);
       return;
     }
-    if (type == "Point" && builder_.options().points) {
-      return builder_.add_point(points_of(nlohmann::json::array({list(item, "coordinates")})));
-    }
-    const bool known = type == "LineString" || type == "MultiLineString" || type == "Polygon" || type == "MultiPolygon";
-    if (!known) {
-      builder_.fail(fmt::format("geometry {} has no segments; give lines and polygons only", quote(type)));
+    const bool point = type == "Point" || type == "MultiPoint";
+    const bool line = type == "LineString" || type == "MultiLineString";
+    if (!point && !line && type != "Polygon" && type != "MultiPolygon") {
+      builder_.fail(fmt::format("geometry {} is not one of GeoJSON; give lines and polygons", quote(type)));
     }
     const nlohmann::json& coordinates = list(item, "coordinates");
+    if (coordinates.empty()) return builder_.add_nothing();
+    if ((point && !(builder_.options().points && type == "Point")) || (line && !builder_.options().lines)) {
+      return builder_.leave_out(point ? "point" : "line");
+    }
+    if (point) return builder_.add_point(points_of(nlohmann::json::array({coordinates})));
     if (type == "LineString") return builder_.add_line(points_of(coordinates));
     if (type == "Polygon") return add_polygon(coordinates, false);
     for (const nlohmann::json& part : coordinates) {
-      if (type == "MultiPolygon") {
-        add_polygon(part, true);
-      } else {
+      if (part.is_array() && part.empty()) {
+        builder_.add_nothing();
+      } else if (line) {
         builder_.add_line(points_of(part));
+      } else {
+        add_polygon(part, true);
       }
     }
   }
@@ -142,15 +175,12 @@ class GeoJson {
   void add_polygon(const nlohmann::json& rings, bool several) {
     builder_.begin_polygon(several);
     if (!rings.is_array()) builder_.fail("coordinates are not lists of the depth that the type needs");
-    if (rings.empty()) builder_.fail("a polygon has no rings; leave it out");
     for (const nlohmann::json& ring : rings) add_ring(ring, false);
   }
 
   const nlohmann::json& list(const nlohmann::json& item, const char* key) const {
     const auto value = item.find(key);
-    if (value == item.end() || !value->is_array() || value->empty()) {
-      builder_.fail(fmt::format("has no list \"{}\", or an empty one", key));
-    }
+    if (value == item.end() || !value->is_array()) builder_.fail(fmt::format("has no list \"{}\"", key));
     return *value;
   }
 
@@ -177,7 +207,7 @@ class GeoJson {
 
   LineBuilder& builder_;
   const std::string& group_;
-  std::uint32_t without_geometry_ = 0;
+  bool named_ = false;  // has a feature the field that is to name it?
 };
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <sunder/io/file.h>
 #include <sunder/io/lines.h>
 
+#include <tests/support/places.h>
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -17,7 +19,7 @@ namespace {
 
 using planar::Segment;
 
-const std::filesystem::path all_cases = SUNDER_CASES_DIR, cases = all_cases / "segments";
+const std::filesystem::path all_cases = tests::cases_folder(), cases = all_cases / "segments";
 
 using Names = std::vector<std::string>;
 using Numbers = std::vector<std::uint32_t>;
@@ -57,6 +59,156 @@ TEST(LinesTest, CsvInQuotesAndWithOldLineEnds) {
   EXPECT_EQ(file.segments[0], (Segment{{0, 0}, {1, 1}}));
   EXPECT_EQ(file.features, (std::vector<std::string>{"1", "a", "b c"}));
   EXPECT_EQ(file.source[2].line, 3u);
+}
+
+TEST(LinesTest, CsvColumnsByName) {
+  const LineFile file =
+      parse_lines("width,name,X2,Y2,x1,y1,net\n7,a,3,4,1,2,GND\n8,,5,6,3,4,VCC\n", "a.csv", {.group = "net"});
+  EXPECT_EQ(file.segments[0], (Segment{{1, 2}, {3, 4}}));
+  EXPECT_EQ(file.segments[1], (Segment{{3, 4}, {5, 6}}));
+  EXPECT_EQ(file.features, (Names{"a", "2"}));
+  EXPECT_EQ(file.groups, (Names{"GND", "VCC"}));
+  const std::string text = "x1,y1,x2,y2,net,id\n0,0,1,1,GND,a\n0,1,1,0,VCC,b\n";
+  EXPECT_EQ(parse_lines(text, "a.csv").features, (Names{"a", "b"}));
+  EXPECT_EQ(parse_lines(text, "a.csv", {.name = "net"}).features, (Names{"GND", "VCC"}));
+  EXPECT_EQ(parse_lines("x1,y1,x2,y2,z1\n0,0,1,1,9\n", "a.csv", {.drop_z = true}).segments.size(), 1u);
+  try {
+    parse_lines(text, "a.csv", {.name = "use"});
+    ADD_FAILURE();
+  } catch (const Error& problem) {
+    EXPECT_EQ(problem.code(), ErrorCode::bad_call);
+    EXPECT_STREQ(problem.what(), "a.csv: there is no column 'use' to name by; there are net, id");
+  }
+}
+
+TEST(LinesTest, CsvQuotedFields) {
+  const LineFile file = parse_lines(
+      "0,0,1,1,\"one, two\"\r\n0,1,1,2,\"say \"\"no\"\"\"\r\n\"0\" , 2,1,3, \" two\nlines \" \n5,5,6,6,\"\"\n",
+      "a.csv");
+  EXPECT_EQ(file.features, (Names{"one, two", "say \"no\"", "two\\x0alines", "4"}));
+  EXPECT_EQ(file.source[2].line, 3u);
+  EXPECT_EQ(file.source[3].line, 5u);
+  EXPECT_EQ(parse_lines("0;0;1;1;a", "a.csv").segments.size(), 1u);
+  EXPECT_EQ(parse_lines("0,0,1,1,\"a;b\"", "a.csv").features, Names{"a;b"});
+}
+
+// A geometry may go over several lines, hold nothing, and be a collection.
+TEST(LinesTest, WktAsItComes) {
+  const LineFile file = parse_lines(
+      "POLYGON\r\n((0 0,\r\n 1\t0,\r\n0 1,0\r0))\n\nPOLYGON EMPTY\nGEOMETRYCOLLECTION (LINESTRING (0 0, 1 1),\n"
+      "  GEOMETRYCOLLECTION (POLYGON ((5 5, 6 5, 5 6, 5 5))), MULTIPOLYGON EMPTY)\nMULTILINESTRING (EMPTY, (7 7, 8 "
+      "8))\n"
+      "MULTIPOLYGON Z EMPTY",
+      "a.wkt");
+  EXPECT_EQ(file.features, (Names{"1", "2", "3", "4", "5"}));
+  ASSERT_EQ(file.segments.size(), 3u + 1 + 3 + 1);
+  EXPECT_EQ(file.segments[2], (Segment{{0, 1}, {0, 0}}));
+  const std::array<LineSource, 4> first{{{0, 1}, {2, 8}, {2, 8}, {3, 10}}};
+  const std::array<std::size_t, 4> at{0, 3, 4, 7};
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    EXPECT_EQ(file.source[at[k]].feature, first[k].feature) << k;
+    EXPECT_EQ(file.source[at[k]].line, first[k].line) << k;
+  }
+  EXPECT_EQ(file.remarks, Names{"geometries that are null or empty: 4, the first of line 7; they hold nothing"});
+  EXPECT_TRUE(file.left_out.empty());
+}
+
+TEST(LinesTest, OfAnotherKind) {
+  const std::string wkt =
+      "POINT (0 0)\nLINESTRING (0 0, 1 1)\nMULTIPOINT ((1 1),\n(2 2))\nGEOMETRYCOLLECTION (POINT (1 2), POLYGON ((5 5, "
+      "6 "
+      "5, 5 6, 5 5)))\nTRIANGLE ((0 0, 1 0, 0 1, 0 0))\n";
+  const LineFile segments = parse_lines(wkt, "a.wkt", {.leave_out = true});
+  EXPECT_EQ(segments.segments.size(), 4u);
+  EXPECT_EQ(segments.features.size(), 5u);
+  Names left_out;
+  for (const LeftOut& l : segments.left_out) left_out.push_back(l.kind + " of " + l.of);
+  EXPECT_EQ(left_out, (Names{"point of line 1", "point of line 3", "point of line 5", "TRIANGLE of line 6"}));
+  const LineFile polygons = parse_lines(wkt, "a.wkt", {.lines = false, .leave_out = true});
+  EXPECT_EQ(polygons.segments.size(), 3u);
+  EXPECT_EQ(polygons.left_out.size(), 5u);
+  EXPECT_EQ(parse_lines(wkt, "a.wkt", {.points = true, .leave_out = true}).segments.size(), 6u);
+  const std::string json = R"({"type": "FeatureCollection", "features": [
+    {"type": "Feature", "properties": {"name": "mast"}, "geometry": {"type": "Point", "coordinates": [5, 6]}},
+    {"type": "Feature", "geometry": {"type": "LineString", "coordinates": [[0, 0], [1, 1]]}}]})";
+  const LineFile file = parse_lines(json, "a.json", {.leave_out = true});
+  EXPECT_EQ(file.left_out.at(0).of, "'mast'");
+  EXPECT_EQ(file.source[0].feature, 1u);
+  EXPECT_NE(error(json, "a.json")
+                .find("a.json: feature 'mast': a point is not what is asked about; give a file without such, or ask "
+                      "without them: "
+                      "--leave-out"),
+            std::string::npos);
+}
+
+TEST(LinesTest, NamesOfFeatures) {
+  const auto feature = [](const std::string& members) {
+    return R"({"type": "FeatureCollection", "features": [{"type": "Feature", )" + members +
+           R"(, "geometry": {"type": "LineString", "coordinates": [[0, 0], [1, 1]]}}]})";
+  };
+  const auto name = [&](const std::string& members, const std::string& field = {}) {
+    return parse_lines(feature(members), "a.json", {.name = field}).features.at(0);
+  };
+  EXPECT_EQ(name(R"("id": 7, "properties": {"NAME": "Chad", "id": "x", "POP": 3})"), "Chad");
+  EXPECT_EQ(name(R"("id": 7, "properties": {"id": "x"})"), "7");
+  EXPECT_EQ(name(R"("properties": {"ID": "x"})"), "x");
+  EXPECT_EQ(name(R"("properties": {"name": null, "POP": 3})"), "1");
+  EXPECT_EQ(name(R"("properties": {"NAME": "Chad", "POP": 3})", "POP"), "3");
+  EXPECT_EQ(name(R"("id": 7, "properties": {"NAME": "Chad"})", "id"), "7");
+  for (const auto& [text, place, message] :
+       {std::array<std::string, 3>{feature(R"("properties": {"NAME": "Chad"})"), "a.json", "no feature has a property"},
+        std::array<std::string, 3>{"LINESTRING (0 0, 1 1)", "a.wkt", "a.wkt: WKT has no fields to name features by"}}) {
+    try {
+      parse_lines(text, place, {.name = "use"});
+      ADD_FAILURE() << text;
+    } catch (const Error& problem) {
+      EXPECT_EQ(problem.code(), ErrorCode::bad_call);
+      EXPECT_NE(std::string(problem.what()).find(message), std::string::npos) << problem.what();
+    }
+  }
+}
+
+// Rings that are none are refused, or kept apart.
+TEST(LinesTest, BrokenRings) {
+  const std::string text =
+      "POLYGON ((0 0, 1 0, 0 1, 1 1))\nMULTIPOLYGON (((0 0, 4 0, 0 4, 0 0), (1 1, 2 1, 1 1)), ((5 5, 6 5, 5 6, 5 "
+      "5)))\n";
+  EXPECT_NE(error(text, "a.wkt").find("a.wkt:1: ring 0: does not end where it began"), std::string::npos);
+  const LineFile file = parse_lines(text, "a.wkt", {.keep_broken = true});
+  ASSERT_EQ(file.broken.size(), 2u);
+  EXPECT_EQ(file.broken[0].feature, 0u);
+  EXPECT_EQ(file.broken[0].what, "ring 0: does not end where it began");
+  EXPECT_EQ(file.broken[0].points.size(), 4u);
+  EXPECT_EQ(file.broken[1].what, "polygon 0, ring 1: fewer than three different corners");
+  EXPECT_EQ(file.broken[1].ring, 1u);
+  EXPECT_EQ(file.broken[1].polygon, 1u);
+  ASSERT_EQ(file.rings.size(), 2u);
+  EXPECT_EQ(file.rings[0].polygon, 1u);
+  EXPECT_EQ(file.rings[1].polygon, 2u);
+}
+
+TEST(LinesTest, ForeignFiles) {
+  using namespace std::string_literals;
+  const std::vector<std::array<std::string, 3>> files{
+      {"a.shp", "\x00\x00\x27\x0a\x00"s,
+       "this is a Shapefile, which is not read here; ogr2ogr -f GeoJSON OUT.geojson a.shp"},
+      {"a.kml", "<?xml version=\"1.0\"?>\n<kml>", "this is KML, which is not read here; ogr2ogr"},
+      {"a.gml", "<ogr:FeatureCollection>", "this is GML"},
+      {"a.dxf", "999\r\nmade by\r\n  0\r\nSECTION\r\n", "this is DXF, which is not read here; ogr2ogr"},
+      {"a.gds", "\x00\x06\x00\x02\x02\x58"s, "this is GDSII"},
+      {"a.gpkg", "SQLite format 3\x00"s, "this is a GeoPackage"},
+      {"b/a.csv.gz", "\x1f\x8b\x08",
+       "this is a gzip archive, which is not read here; unpack it first: gunzip -k a.csv.gz"},
+      {"a.csv", "\xff\xfe\x30\x00", "this is UTF-16 text (save it as UTF-8)"},
+      {"a.csv", "0\x00,\x00"s, "this is a binary file"},
+      {"cube.obj", "# a cube\nv 0 0 0\n",
+       "this is a mesh, which is not read here; ask sunder pair, scene, hull or info"},
+      {"cube", "ply\nformat", "this is a mesh"}};
+  for (const auto& [place, text, part] : files) {
+    const std::string message = error(text, place);
+    EXPECT_TRUE(message.starts_with(place + ": " + part)) << message;
+  }
+  EXPECT_EQ(error("0,0,1,1\n", "a.csv"), "accepted");
 }
 
 TEST(LinesTest, Wkt) {
@@ -102,8 +254,9 @@ TEST(LinesTest, FeaturesWithoutGeometry) {
   const std::string null = R"({"type": "Feature", "geometry": null, "properties": null})";
   const LineFile file =
       parse_lines(R"({"type": "FeatureCollection", "features": [)" + null + "," + line + "," + null + "]}", "a.json");
-  EXPECT_EQ(file.features, Names{"2"});
-  EXPECT_EQ(file.remarks, Names{"features without a geometry, passed over: 2"});
+  EXPECT_EQ(file.features, (Names{"1", "2", "3"}));
+  EXPECT_EQ(file.source[0].feature, 1u);
+  EXPECT_EQ(file.remarks, Names{"geometries that are null or empty: 2, the first of '1'; they hold nothing"});
   EXPECT_EQ(parse_lines(line, "a.json").remarks, Names{});
 }
 
@@ -124,19 +277,19 @@ TEST(LinesTest, GroupsOfCsv) {
   EXPECT_EQ(parse_lines(text, "a.csv", {false, "layer"}).group, (Numbers{0, 0, 1}));
   EXPECT_EQ(parse_lines(text, "a.csv", {false, "feature"}).group, (Numbers{0, 1, 2}));
   EXPECT_EQ(parse_lines("0;0;1;1;a\n0;1;1;0;a\n", "a.csv", {false, "feature"}).groups, (Names{"a", "a"}));
-  EXPECT_EQ(parse_lines("x;y;x;y;feature\n0;0;1;1;a\n0;1;1;0;a\n", "a.csv", {false, "feature"}).groups, Names{"a"});
+  EXPECT_EQ(parse_lines("x1;y1;x2;y2;feature\n0;0;1;1;a\n0;1;1;0;a\n", "a.csv", {false, "feature"}).groups, Names{"a"});
   const LineFile none = read_lines(cases / "wires.csv");
   EXPECT_TRUE(none.group.empty() && none.groups.empty() && none.layer.empty() && none.layers.empty());
   EXPECT_EQ(error(text, "a.csv", "ring", ErrorCode::bad_call),
-            "a.csv: there is no field 'ring' to group by; there are feature, net, id, layer");
+            "a.csv: there is no column 'ring' to group by; there are net, id, layer");
   EXPECT_EQ(error("0,0,1,1,a\n", "a.csv", "net", ErrorCode::bad_call),
-            "a.csv: there is no field 'net' to group by; there are feature, and the columns after the fourth where a "
-            "first line names them");
-  EXPECT_NE(error("x,y,x,y,net,net\n", "a.csv", "net").find("a.csv:1: two columns are named 'net'"), std::string::npos);
-  EXPECT_NE(
-      error("x,y,x,y,id,net\n0,0,1,1,a\n", "a.csv", "net").find("a.csv:2: has 5 fields, but the line of names has 6"),
-      std::string::npos);
-  EXPECT_NE(error("x,y,x,y,net\n0,0,1,1,\n", "a.csv", "net").find("a.csv:2: has no value in the column 'net'"),
+            "a.csv: there is no column 'net' to group by; a first line has to name the columns after x1,y1,x2,y2");
+  EXPECT_NE(error("x1,y1,x2,y2,net,net\n", "a.csv", "net").find("a.csv:1: two columns are named 'net'"),
+            std::string::npos);
+  EXPECT_NE(error("x1,y1,x2,y2,id,net\n0,0,1,1,a\n", "a.csv", "net")
+                .find("a.csv:2: has 5 fields, but the line of names has 6"),
+            std::string::npos);
+  EXPECT_NE(error("x1,y1,x2,y2,net\n0,0,1,1,\n", "a.csv", "net").find("a.csv:2: has no value in the column 'net'"),
             std::string::npos);
   EXPECT_NE(error("0,0,1,1,a,b\n", "a.csv", "feature").find("a.csv:1: has 6 fields"), std::string::npos);
 }
@@ -231,17 +384,25 @@ TEST(LinesTest, WhatIsWrongAndWhere) {
       {"a.csv", "-1e400,0,1,1\n5,5,6,6\n", "a.csv:1: '-1e400' is too large"},
       {"a.csv", ".x,0,1,1\n5,5,6,6\n", "a.csv:1: '.x' is not a number"},
       {"a.csv", "0,5;1,0;2,0;3,0\n", "a.csv:1: '0,5'"},
-      {"a.csv", "x1,y1,z1,x2,y2,z2\n0,0,0,1,1,0\n", "a.csv:1: has 6 fields"},
-      {"a.csv", "id,x1,y1,x2,y2\n1,0,0,5,5\n", "the order is x1,y1,x2,y2,id"},
-      {"a.csv", "0,0,1,1,\"a,b\"\n", "a.csv:1"},
+      {"a.csv", "x1,y1,z1,x2,y2,z2\n0,0,0,1,1,0\n", "a.csv:1: has a third coordinate, 'z1'; to ignore it, give"},
+      {"a.csv", "x,y,r,name\n1,0,0,b\n", "a.csv:1: the columns are named x,y,r,name, but segments have x1,y1,x2,y2"},
+      {"a.csv", "x1,y1,x2,Y2,y2\n1,0,0,5,5\n", "a.csv:1: two columns are named 'y2'"},
+      {"a.csv", "0,0,1,1,\"a,b\n2,2,3,3\n", "a.csv:1: a quote is opened and not closed"},
       {"a.wkt", "LINESTRING (0 0, 1 1\n", "a.wkt:1: ends where ')' is expected"},
       {"a.wkt", "LINESTRING (0 0)\n", "a.wkt:1: a line has fewer than two points"},
       {"a.wkt", "LINESTRING (0 0, 1)\n", "a.wkt:1: a point has two numbers"},
       {"a.wkt", "LINESTRING (0 0 0, 1 1 1)\n", "--drop-z"},
-      {"a.wkt", "LINESTRING EMPTY\n", "a.wkt:1: is empty"},
+      {"a.wkt", "LINESTRING EMPTY\n", "a.wkt: has no segments"},
+      {"a.wkt", "POLYGON ((0 0, 1 0,\n0 1, 0 0)\nPOLYGON ((0 0, 1 0, 0 1, 0 0))",
+       "a.wkt:3: 'POLYGON ((0 0, 1 0, 0 1, 0 0))' stands where ')' is expected, in the geometry that begins on line 1"},
+      {"a.wkt", "MULTIPOINT (0 0)\n", "a.wkt:1: a point is not what is asked about"},
+      {"a.wkt", "TIN (((0 0, 1 0, 0 1, 0 0)))\n", "a.wkt:1: a TIN is not what is asked about"},
+      {"a.wkt", "LINESTRING (0 0, 1 1)\n\nPOINT (0\n x)\n", "a.wkt:3: a point is not what is asked about"},
+      {"a.wkt", "LINESTRING (0 0, 1 1)\n\nPOLYGON ((0\n x))\n", "a.wkt:4: ring 0: 'x' is not a number"},
+      {"a.wkt", "MULTILINESTRING (NOTHING)\n", "'NOTHING' stands where '(' or EMPTY is expected"},
       {"a.wkt", "LINESTRING (0 0, inf 1)\n", "'inf' is infinite"},
       {"a.wkt", "LINESTRING (0 0, 1 1) x\n", "'x' stands after"},
-      {"a.wkt", "POINT (0 0)\n", "a.wkt:1: 'POINT' is not read here"},
+      {"a.wkt", "POINT (0 0)\n", "a.wkt:1: a point is not what is asked about"},
       {"a.wkt", "POLYGON ((0 0, 1 0, 0 1, 1 1))\n", "does not end where it began"},
       {"a.wkt", "POLYGON ((0 0, 1 0, 0 0))\n", "a.wkt:1: ring 0: fewer than three different corners"},
       {"a.wkt", "LINESTRING (0 0, 1 1)\nLINESTRING 0 0\n", "a.wkt:2: '0 0' stands where '(' is expected"},
@@ -249,14 +410,19 @@ TEST(LinesTest, WhatIsWrongAndWhere) {
        "a.json: is not JSON that can be read: at line 2, column"},
       {"a.json", R"({"type": "LineString", "coordinates": [[0, 0], [1, 1e999]]})", "number overflow"},
       {"a.json", "[1, 2]", "an object with a \"type\" is expected"},
-      {"a.json", R"({"type": "Point", "coordinates": [0, 0]})", "'Point' has no segments"},
+      {"a.json", R"({"type": "Point", "coordinates": [0, 0]})", "feature '1': a point is not what is asked about"},
       {"a.json", R"({"type": "FeatureCollection"})", "no list \"features\""},
       {"a.json", R"({"type": "Feature", "id": 7})", "feature '7': has no \"geometry\""},
       {"a.json", R"({"type": "LineString", "coordinates": [[0, 0], ["1", 1]]})", "not a list of two numbers"},
       {"a.json", R"({"type": "LineString", "coordinates": [[0, 0, 1], [1, 1, 1]]})", "--drop-z"},
       {"a.json", R"({"type": "Polygon", "coordinates": [[0, 0], [1, 1]]})", "not a list of two numbers"},
       {"a.json", R"({"type": "MultiPolygon", "coordinates": [5]})", "depth"},
-      {"a.json", R"({"type": "Polygon", "coordinates": []})", "an empty one"},
+      {"a.json", R"({"type": "Polygon", "coordinates": []})", "a.json: has no segments"},
+      {"a.json", R"({"type": "Polygon", "coordinates": [[]]})", "ring 0: fewer than three different corners"},
+      {"a.json", R"({"type": "Circle", "coordinates": [0, 0]})", "'Circle' is not one of GeoJSON"},
+      {"a.json", R"({"type": "Topology", "objects": {}})", "is TopoJSON, which is not read; make GeoJSON of it: ogr"},
+      {"a.json", R"({"type": "Feature", "geometry": {"type": "Polygon"}})", "has no list \"coordinates\""},
+
   };
   for (const auto& [place, text, part] : wrong) {
     const std::string message = error(text, place);

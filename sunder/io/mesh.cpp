@@ -1,5 +1,6 @@
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
+#include <sunder/io/foreign.h>
 #include <sunder/io/mesh.h>
 #include <sunder/io/mesh_obj.h>
 #include <sunder/io/mesh_off.h>
@@ -17,34 +18,7 @@
 namespace sunder::io {
 namespace {
 
-using namespace std::string_view_literals;
-
 constexpr std::string_view remedy = "export the mesh as OBJ, STL, PLY or OFF";
-
-// Files that people take for meshes, by their first bytes.
-struct Foreign {
-  std::string_view magic, what;
-};
-constexpr Foreign foreign[] = {
-    {"\x89PNG"sv, "a PNG image"},
-    {"\xff\xd8\xff"sv, "a JPEG image"},
-    {"GIF8"sv, "a GIF image"},
-    {"BM"sv, "a BMP image"},
-    {"%PDF"sv, "a PDF document"},
-    {"PK\x03\x04"sv, "a zip archive (3MF, USDZ and office files are such)"},
-    {"\x1f\x8b"sv, "a gzip archive"},
-    {"\x7f\x45LF"sv, "a program"},
-    {"glTF"sv, "binary glTF"},
-    {"{"sv, "JSON (glTF is such)"},
-    {"<"sv, "XML (COLLADA, X3D and URDF are such)"},
-    {"#VRML"sv, "VRML"},
-    {"Kaydara FBX"sv, "FBX"},
-    {"; FBX"sv, "FBX"},
-    {"ISO-10303-21"sv, "STEP"},
-    {"\xff\xfe"sv, "UTF-16 text (save it as UTF-8)"},
-    {"\xfe\xff"sv, "UTF-16 text (save it as UTF-8)"},
-    {"version https://git-lfs"sv, "a Git LFS pointer (fetch the file: git lfs pull)"},
-};
 
 std::optional<MeshFormat> format_of_ending(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
@@ -74,11 +48,10 @@ MeshFormat mesh_format(std::string_view bytes, std::string_view place) {
   if (is_any_of(word, {"solid", "SOLID", "Solid"})) return MeshFormat::stl;
 
   if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
-  for (const Foreign& other : foreign) {
-    if (bytes.starts_with(other.magic)) {
-      fail_file(place, fmt::format("this is {}, which is not read; {}", other.what, remedy));
-    }
-  }
+  std::string_view other = foreign_format(bytes);
+  if (bytes.starts_with('{')) other = "JSON (glTF is such)";
+  if (bytes.starts_with('<')) other = "XML (COLLADA, X3D and URDF are such)";
+  if (!other.empty()) fail_file(place, fmt::format("this is {}, which is not read; {}", other, remedy));
   if (const auto by_name = format_of_ending(std::filesystem::path(place))) return *by_name;
   if (is_any_of(word, {"v", "vn", "vt", "o", "g", "s", "mtllib", "usemtl"})) return MeshFormat::obj;
   fail_file(place, fmt::format("no mesh by its first bytes or its ending; {}", remedy));
@@ -118,7 +91,7 @@ std::vector<std::uint32_t> used_vertices(const Mesh& mesh) {
   return used;
 }
 
-std::vector<Mesh> split_parts(const Mesh& mesh) {
+std::vector<Mesh> split_parts(const Mesh& mesh, std::vector<std::vector<std::uint32_t>>* used_by_part) {
   const bool polygons = mesh.polygon_count() > 0;
   const std::uint32_t total = polygons ? mesh.polygon_count() : static_cast<std::uint32_t>(mesh.vertices.size());
   std::vector<Mesh> parts;
@@ -131,6 +104,9 @@ std::vector<Mesh> split_parts(const Mesh& mesh) {
     part.parts.push_back({part.name, 0});
     if (!polygons) {
       part.vertices.assign(mesh.vertices.begin() + begin, mesh.vertices.begin() + end);
+      if (used_by_part != nullptr) {
+        std::iota(used_by_part->emplace_back(end - begin).begin(), used_by_part->back().end(), begin);
+      }
       continue;
     }
     const auto corner = mesh.polygon_vertices.begin();
@@ -145,6 +121,7 @@ std::vector<Mesh> split_parts(const Mesh& mesh) {
     for (std::uint32_t& v : part.polygon_vertices) {
       v = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), v) - used.begin());
     }
+    if (used_by_part != nullptr) used_by_part->push_back(std::move(used));
   }
   return parts;
 }

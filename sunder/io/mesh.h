@@ -2,6 +2,7 @@
 // allows, mesh_write.h for the way back, urdf.h for robots.
 #pragma once
 
+#include <sunder/io/left_out.h>
 #include <sunder/predicate/point.h>
 
 #include <cstdint>
@@ -37,7 +38,8 @@ struct Mesh {
   std::vector<std::uint32_t> polygon_begin{0};  // polygon p has the corners
   std::vector<std::uint32_t> polygon_vertices;  // polygon_vertices[polygon_begin[p] .. polygon_begin[p + 1])
   std::vector<MeshPart> parts;
-  std::string name;    // as the file says, else (read_mesh only) the file's name without folder and ending
+  std::vector<LeftOut> left_out;  // beside polygons: lines, points, vertices in no polygon, elements of other kinds
+  std::string name;               // as the file says, else (read_mesh only) the file's name without folder and ending
   std::string format;  // for people: "OBJ", "STL (binary)" (single precision), "PLY (binary_little_endian)", ...
 
   std::uint32_t polygon_count() const { return static_cast<std::uint32_t>(polygon_begin.size() - 1); }
@@ -63,7 +65,8 @@ MeshFormat mesh_format_of_name(const std::filesystem::path& path);
 // The vertices that the mesh is about, in increasing order: those in some polygon, or all when there is no polygon.
 std::vector<std::uint32_t> used_vertices(const Mesh& mesh);
 
-// One mesh per part, with its used vertices only, in the order of the file. Cost: n log n.
-std::vector<Mesh> split_parts(const Mesh& mesh);
+// One mesh per part, with its used vertices only, in the order of the file; left_out stays with the whole.
+// `used`, where it is given, gets for each part which vertices of the mesh its vertices are. Cost: n log n.
+std::vector<Mesh> split_parts(const Mesh& mesh, std::vector<std::vector<std::uint32_t>>* used = nullptr);
 
 }  // namespace sunder::io

@@ -24,6 +24,17 @@ void MeshBuilder::begin_part(std::string_view name) {
   starts_.push_back({one_line(name), vertex_count(), mesh_.polygon_count()});
 }
 
+void MeshBuilder::leave_out(std::string_view kind, std::uint64_t count) {
+  if (count == 0) return;
+  const auto known = std::find_if(mesh_.left_out.begin(), mesh_.left_out.end(),
+                                  [&](const LeftOut& item) { return item.kind == kind; });
+  if (known == mesh_.left_out.end()) {
+    mesh_.left_out.push_back({std::string(kind), "", count});
+  } else {
+    known->count += count;
+  }
+}
+
 void MeshBuilder::join_equal_vertices() {
   // Sorted rather than hashed: no input is slow. Equal points stand together, the first one of the file in front.
   std::vector<Point3>& points = mesh_.vertices;
@@ -71,6 +82,7 @@ Mesh MeshBuilder::finish(std::string_view format) {
     const std::uint32_t end = i + 1 < starts_.size() ? first(starts_[i + 1]) : total;
     if (first(starts_[i]) < end) mesh_.parts.push_back({std::move(starts_[i].name), first(starts_[i])});
   }
+  leave_out("unused vertex", mesh_.vertices.size() - used_vertices(mesh_).size());
   return std::move(mesh_);
 }
 

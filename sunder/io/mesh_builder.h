@@ -38,10 +38,13 @@ class MeshBuilder {
   // What follows belongs to a part of this name.
   void begin_part(std::string_view name);
 
+  // Something of the file that the mesh does not hold.
+  void leave_out(std::string_view kind, std::uint64_t count);
+
   // Joins equal vertices into one, in the order of their first appearance.
   void join_equal_vertices();
 
-  // The mesh. Throws Error bad_file when it has no vertex.
+  // The mesh, with the vertices in no polygon told as left out. Throws Error bad_file when it has no vertex.
   Mesh finish(std::string_view format);
 
  private:

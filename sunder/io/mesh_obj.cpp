@@ -12,9 +12,9 @@ namespace sunder::io {
 namespace {
 
 // Statements that do not change which points the mesh is made of.
-constexpr std::array<std::string_view, 18> left_out = {
-    "vt", "vn",     "vp",     "g",     "s",   "mg",       "usemtl",   "mtllib",     "p",
-    "l",  "usemap", "maplib", "bevel", "lod", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
+constexpr std::array<std::string_view, 16> shapeless = {
+    "vt",     "vn",     "vp",    "g",   "s",        "mg",       "usemtl",     "mtllib",
+    "usemap", "maplib", "bevel", "lod", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
 
 constexpr std::array<std::string_view, 20> free_form = {"cstype", "deg",  "bmat", "step", "curv",  "curv2", "surf",
                                                         "parm",   "trim", "hole", "scrv", "sp",    "end",   "con",
@@ -35,6 +35,11 @@ class ObjParser {
     if (largest_ahead_ > builder_.vertex_count()) {
       fail_line(place_, line_of_largest_, out_of_range(largest_ahead_));
     }
+    // Without faces all vertices stand for the object, those of lines and points too.
+    if (has_faces_) {
+      builder_.leave_out("line", lines_);
+      builder_.leave_out("point", points_);
+    }
     return builder_.finish("OBJ");
   }
 
@@ -49,7 +54,11 @@ class ObjParser {
       builder_.begin_part(reader_.rest_of_line());
     } else if (contains(free_form, keyword)) {
       reader_.fail(fmt::format("'{}' is about free-form curves and surfaces; export the mesh as polygons", keyword));
-    } else if (!contains(left_out, keyword)) {
+    } else if (keyword == "l") {
+      ++lines_;
+    } else if (keyword == "p") {
+      while (!reader_.word().empty()) ++points_;
+    } else if (!contains(shapeless, keyword)) {
       reader_.fail(fmt::format("{} is no statement of an OBJ file; export the mesh again", quote(keyword)));
     }
   }
@@ -73,6 +82,7 @@ class ObjParser {
           fmt::format("this face has {} corners, expected at least 3; export the mesh again", builder_.corner_count()));
     }
     builder_.end_polygon();
+    has_faces_ = true;
   }
 
   void corner(std::string_view word) {
@@ -119,6 +129,8 @@ class ObjParser {
   std::string_view place_;
   std::int64_t largest_ahead_ = 0;  // the largest number of a vertex that was not there yet
   std::size_t line_of_largest_ = 0;
+  bool has_faces_ = false;
+  std::uint64_t lines_ = 0, points_ = 0;
 };
 
 }  // namespace

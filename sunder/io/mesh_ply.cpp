@@ -170,9 +170,20 @@ class HeaderParser {
         }
       }
       if (element.rows == 0) reader_.fail("the header promises no vertices; export the mesh again");
+      check_face_element();
       return;
     }
     reader_.fail("the header has no element 'vertex'; export the mesh again");
+  }
+
+  void check_face_element() const {
+    for (const Element& element : header_.elements) {
+      const auto is_corners = [](const Property& property) { return property.use == Use::corners; };
+      if (element.name == "face" && element.rows > 0 &&
+          std::none_of(element.properties.begin(), element.properties.end(), is_corners)) {
+        reader_.fail("the element 'face' has no list 'vertex_indices'; export the mesh again");
+      }
+    }
   }
 
   TextReader& reader_;
@@ -342,6 +353,7 @@ class BodyParser {
 
   void parse(std::size_t file_bytes) {
     for (const Element& element : header_.elements) {
+      if (!is_read(element.name)) builder_.leave_out(shorten(element.name), static_cast<std::uint64_t>(element.rows));
       if (element.properties.empty()) continue;
       const std::size_t rows = body_.check_rows(element, file_bytes);
       if (element.name == "vertex") builder_.reserve_vertices(rows);
@@ -355,6 +367,12 @@ class BodyParser {
   }
 
  private:
+  // Read, or about no shape.
+  static bool is_read(std::string_view name) {
+    return name == "vertex" || name == "face" || name == "camera" || name == "material" || name == "texture" ||
+           name.starts_with("multi_texture");
+  }
+
   void row(const Element& element) {
     Point3 point;
     for (const Property& property : element.properties) {

@@ -6,11 +6,11 @@
 namespace sunder::io {
 
 // Read: the properties x, y, z of the element "vertex", of any plain type; the list "vertex_indices" or "vertex_index"
-// of the element "face", of any integer type. Type names of both generations (float, float32, ...). Left out: all other
-// properties and elements, plain or lists, and comments. In ASCII files each row stands on its own line.
-// Without that list the mesh is a set of points.
-// Refused: a face with fewer than 3 corners, anything after the last row.
-// Errors: see read_mesh. Cost: linear.
+// of the element "face", of any integer type. Type names of both generations (float, float32, ...). No part of a mesh,
+// and not told: all other properties, plain or lists, comments, the elements "camera", "material", "texture". Other
+// elements are told in left_out. In ASCII files each row stands on its own line. Without faces the mesh is a set of
+// points. Refused: faces without that list, a face with fewer than 3 corners, anything after the last row. Errors: see
+// read_mesh. Cost: linear.
 Mesh parse_ply(std::string_view bytes, std::string_view place);
 
 }  // namespace sunder::io

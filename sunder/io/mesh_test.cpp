@@ -4,6 +4,8 @@
 #include <sunder/io/mesh_check_test.h>
 #include <sunder/io/urdf.h>
 
+#include <tests/support/places.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path cases = SUNDER_CASES_DIR;
+const fs::path cases = tests::cases_folder();
 
 // The rows of a table, without comments.
 std::vector<std::vector<std::string>> table(const fs::path& path) {

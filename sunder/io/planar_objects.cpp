@@ -1,5 +1,6 @@
 #include <sunder/io/csv.h>
 #include <sunder/io/file.h>
+#include <sunder/io/foreign.h>
 #include <sunder/io/lines.h>
 #include <sunder/io/planar_objects.h>
 #include <sunder/io/text.h>
@@ -48,67 +49,73 @@ void require_two_points(const PlanarObject& object, std::string_view place) {
             fmt::format("the two points of this {} are equal; give two different ones", name_of(object.kind)));
 }
 
-// CSV in which each line is an object, or a vertex.
+// CSV in which each record is an object, or a vertex.
 class Csv {
  public:
-  Csv(std::string_view text, std::string_view place, PlanarFile& file) : text_(text), place_(place), file_(file) {}
+  Csv(std::string_view text, std::string_view place, bool drop_z, PlanarFile& file)
+      : reader_(text, place), place_(place), drop_z_(drop_z), file_(file) {}
 
   // False where the file is of neither form; then nothing was read.
   bool parse() {
-    // Its first line that is not blank.
-    const std::string_view from_first = text_.substr(std::min(text_.find_first_not_of(" \t\r\n\f\v"), text_.size()));
-    const std::string_view first = from_first.substr(0, from_first.find_first_of("\r\n"));
-    if (first.empty()) return false;
-    if (first.find(';') != std::string_view::npos) separator_ = ';';
-    std::vector<std::string_view> fields;
-    if (!split_fields(first, separator_, fields)) return false;
+    if (!reader_.next()) return false;
     file_.format = "CSV";
+    const CsvReader::Fields& fields = reader_.fields();
     const bool names_kinds = in_small_letters(fields[0].substr(0, 20)) == "kind";
     if (names_kinds || kind_of(fields[0])) {
+      if (names_kinds) check_names();
       parse_objects(names_kinds);
       return true;
     }
-    if (fields.size() != 2) return false;
-    parse_vertices(are_names(fields, 2));
+    const auto is = [](std::string_view name) {
+      return [name](std::string_view field) { return in_small_letters(field.substr(0, 2)) == name; };
+    };
+    const bool named = are_names(fields, 2) && std::any_of(fields.begin(), fields.end(), is("x")) &&
+                       std::any_of(fields.begin(), fields.end(), is("y"));
+    if (fields.size() != 2 && !named) return false;
+    parse_vertices();
     return true;
   }
 
  private:
-  std::vector<std::string_view> fields_of(std::string_view line, std::uint32_t number) const {
-    std::vector<std::string_view> fields;
-    if (!split_fields(line, separator_, fields)) {
-      fail_line(place_, number,
-                fmt::format("{} has a quote within; write fields without separators and quotes", quote(fields.back())));
+  // The line of names of a file of kinds.
+  void check_names() const {
+    const CsvReader::Fields& names = reader_.fields();
+    const bool points = names.size() > 1 && in_small_letters(names[1]) == "x";
+    const std::vector<std::string_view> order = points ? std::vector<std::string_view>{"kind", "x", "y"}
+                                                       : std::vector<std::string_view>{"kind", "x1", "y1", "x2", "y2"};
+    for (std::size_t k = 0; k < std::min(names.size(), order.size()); ++k) {
+      if (in_small_letters(names[k]) == order[k]) continue;
+      reader_.fail(fmt::format("column {} is named {}; the order is kind,x1,y1,x2,y2,name", k + 1, quote(names[k])));
     }
-    return fields;
   }
 
-  Point2 point(const std::vector<std::string_view>& fields, std::size_t k, std::uint32_t line) const {
-    const double x = number_of(fields[k], place_, line), y = number_of(fields[k + 1], place_, line);
-    return {x, y};
+  double number(std::size_t k) const {
+    const std::string_view word = reader_.fields()[k];
+    double value = 0;
+    if (const char* problem = parse_number(word, value)) reader_.fail(fmt::format("{} {}", quote(word), problem));
+    return value;
   }
 
   void parse_objects(bool skip_first) {
-    for_each_line(text_, nullptr, [&](std::string_view line, std::uint32_t number) {
-      if (!std::exchange(skip_first, false)) add_object(fields_of(line, number), number);
-    });
+    do {
+      if (!std::exchange(skip_first, false)) add_object();
+    } while (reader_.next());
     if (file_.objects.empty()) fail_file(place_, "has a line of names only; give objects behind it");
   }
 
-  void add_object(const std::vector<std::string_view>& fields, std::uint32_t line) {
+  void add_object() {
+    const CsvReader::Fields& fields = reader_.fields();
     const std::optional<Kind> kind = kind_of(fields[0]);
     if (!kind) {
-      fail_line(place_, line,
-                fmt::format("{} is no kind; give point, segment, line, ray or half-plane", quote(fields[0])));
+      reader_.fail(fmt::format("{} is no kind; give point, segment, line, ray or half-plane", quote(fields[0])));
     }
     const std::size_t points = *kind == Kind::point ? 1 : 2, needed = 1 + 2 * points;
     if (fields.size() < needed || fields.size() > needed + 1) {
-      fail_line(place_, line,
-                fmt::format("has {} fields; give {},{} and, if you like, a name", fields.size(), name_of(*kind),
-                            points == 1 ? "x,y" : "x1,y1,x2,y2"));
+      reader_.fail(fmt::format("has {} fields; give {},{} and, if you like, a name", fields.size(), name_of(*kind),
+                               points == 1 ? "x,y" : "x1,y1,x2,y2"));
     }
-    PlanarObject object{*kind, one_line(fields.size() > needed ? fields[needed] : ""), line, {}};
-    for (std::size_t k = 0; k < points; ++k) object.vertices.push_back(point(fields, 1 + 2 * k, line));
+    PlanarObject object{*kind, one_line(fields.size() > needed ? fields[needed] : ""), reader_.line(), {}};
+    for (std::size_t k = 0; k < points; ++k) object.vertices.push_back({number(1 + 2 * k), number(2 + 2 * k)});
     require_two_points(object, place_);
     if (object.name.empty()) object.name = std::to_string(file_.objects.size() + 1);
     if (object.kind == Kind::segment && object.vertices[0] == object.vertices[1]) {
@@ -118,18 +125,20 @@ class Csv {
     file_.objects.push_back(std::move(object));
   }
 
-  void parse_vertices(bool skip_first) {
+  void parse_vertices() {
+    const CsvColumns columns{{"x", "y"}, {"r", "radius"}, "vertices"};
+    const std::string no_name;
+    CsvTable table(columns, no_name, no_name);
+    const bool names = table.begin(reader_, place_, drop_z_);
     PlanarObject object{Kind::polygon, "1", 0, {}};
-    for_each_line(text_, nullptr, [&](std::string_view line, std::uint32_t number) {
-      if (std::exchange(skip_first, false)) return;
-      const std::vector<std::string_view> fields = fields_of(line, number);
-      if (fields.size() != 2) {
-        fail_line(place_, number,
-                  fmt::format("has {} fields; give two, x and y, as in the lines before", fields.size()));
+    for (bool more = !names || reader_.next(); more; more = reader_.next()) {
+      if (!names && reader_.fields().size() != 2) {
+        reader_.fail(fmt::format("has {} fields; give two, x and y, as in the lines before", reader_.fields().size()));
       }
-      if (object.vertices.empty()) object.line = number;
-      object.vertices.push_back(point(fields, 0, number));
-    });
+      table.check_count(reader_);
+      if (object.vertices.empty()) object.line = reader_.line();
+      object.vertices.push_back({table.number(reader_, 0), table.number(reader_, 1)});
+    }
     if (object.vertices.empty()) fail_file(place_, "has a line of names only; give vertices behind it");
     if (object.vertices.size() > 1 && object.vertices.front() == object.vertices.back()) object.vertices.pop_back();
     object.kind = object.vertices.size() == 1   ? Kind::point
@@ -138,9 +147,10 @@ class Csv {
     file_.objects.push_back(std::move(object));
   }
 
-  std::string_view text_, place_;
+  CsvReader reader_;
+  std::string_view place_;
+  bool drop_z_;
   PlanarFile& file_;
-  char separator_ = ',';
 };
 
 // The points between parentheses that are all of the text.
@@ -173,7 +183,7 @@ std::vector<Point2> points_of(std::string_view text, std::string_view place, std
 // Takes the lines with words of ours out of WKT: blanks stand in their place, so that lines keep their numbers.
 std::string take_unbounded(std::string_view text, std::string_view place, bool drop_z, PlanarFile& file) {
   std::string rest(text);
-  for_each_line(text, nullptr, [&](std::string_view words, std::uint32_t number) {
+  for_each_line(text, [&](std::string_view words, std::uint32_t number) {
     const auto is_letter = [](char c) { return ('A' <= c && c <= 'Z') || ('a' <= c && c <= 'z') || c == '-'; };
     const auto end = static_cast<std::size_t>(std::find_if_not(words.begin(), words.end(), is_letter) - words.begin());
     const std::optional<Kind> kind = kind_of(words.substr(0, end));
@@ -194,10 +204,11 @@ std::string take_unbounded(std::string_view text, std::string_view place, bool d
 void parse_bounded(std::string_view text, std::string_view place, bool drop_z, PlanarFile& file) {
   LineOptions options;
   options.drop_z = drop_z;
-  options.points = true;
+  options.points = options.leave_out = true;
   LineFile lines = parse_lines(text, place, options);
   file.format = std::move(lines.format);
   file.remarks = std::move(lines.remarks);
+  file.left_out = std::move(lines.left_out);
   const auto fail = [&](std::uint32_t feature, std::uint32_t line, const std::string& what) {
     if (line > 0) fail_line(place, line, what);
     fail_file(place, fmt::format("feature {}: {}", quote(lines.features[feature]), what));
@@ -252,9 +263,10 @@ bool is_planar(const std::filesystem::path& path) {
 
 PlanarFile parse_planar_objects(std::string_view text, std::string_view place, bool drop_z) {
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  refuse_foreign(text, place);
   PlanarFile file;
   const std::string ending = ending_of(place);
-  if (ending == ".csv" && Csv(text, place, file).parse()) return file;
+  if (ending == ".csv" && Csv(text, place, drop_z, file).parse()) return file;
   if (ending != ".wkt") {
     parse_bounded(text, place, drop_z, file);
     return file;
@@ -265,7 +277,7 @@ PlanarFile parse_planar_objects(std::string_view text, std::string_view place, b
     return file;
   }
   bool more = false;
-  for_each_line(rest, nullptr, [&](std::string_view, std::uint32_t) { more = true; });
+  for_each_line(rest, [&](std::string_view, std::uint32_t) { more = true; });
   file.format = "WKT";
   if (more) parse_bounded(rest, place, drop_z, file);
   // In the order of the file, counted as it is read.

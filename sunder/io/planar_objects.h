@@ -2,6 +2,7 @@
 // GeoJSON, CSV.
 #pragma once
 
+#include <sunder/io/left_out.h>
 #include <sunder/predicate/point.h>
 
 #include <cstdint>
@@ -29,6 +30,7 @@ std::string_view name_of(PlanarObject::Kind);  // "half-plane"
 struct PlanarFile {
   std::vector<PlanarObject> objects;  // at least one
   std::vector<std::string> remarks;   // for people, one line each
+  std::vector<LeftOut> left_out;      // what is no object here: MULTIPOINT, curves
   std::string format;                 // for people: "WKT"
 };
 

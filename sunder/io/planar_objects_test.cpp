@@ -2,6 +2,8 @@
 #include <sunder/io/file.h>
 #include <sunder/io/planar_objects.h>
 
+#include <tests/support/places.h>
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -131,7 +133,7 @@ TEST(PlanarObjectsTest, NoVertexIsLost) {
 
 // Every file of cases/broken-planar is refused as its table says.
 TEST(PlanarObjectsTest, BrokenFiles) {
-  const std::filesystem::path folder = std::filesystem::path(SUNDER_CASES_DIR) / "broken-planar";
+  const std::filesystem::path folder = std::filesystem::path(tests::cases_folder()) / "broken-planar";
   std::set<std::string> seen{"EXPECTED.tsv", "README.md"}, found;
   std::istringstream table(read_file(folder / "EXPECTED.tsv"));
   for (std::string row; std::getline(table, row);) {
@@ -161,7 +163,17 @@ TEST(PlanarObjectsTest, BadFiles) {
   EXPECT_EQ(refusal("POLYGON ((0 0, 9 0, 0 9))", "some.wkt"),
             "some.wkt:1: ring 0: does not end where it began; repeat its first point at its end");
   EXPECT_EQ(refusal("POINT (1 2 3)", "some.wkt"), "some.wkt:1: has a third coordinate; to ignore it, give --drop-z");
-  EXPECT_EQ(refusal("POINT EMPTY", "some.wkt"), "some.wkt:1: is empty; leave the line out");
+  EXPECT_EQ(refusal("POINT EMPTY", "some.wkt"), "some.wkt: has no objects; give a file with objects");
+  EXPECT_NE(
+      refusal("x,y,r,name\n0,0,1,a\n", "some.csv").find(":1: the columns are named x,y,r,name, but vertices have x,y"),
+      std::string::npos);
+  EXPECT_NE(refusal("lon,lat\n0,0\n", "some.csv").find(":1: the columns are named lon,lat, but vertices have x,y"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal("kind,id,x1,y1,x2,y2\nline,1,0,0,1,1\n", "some.csv").find(":1: column 2 is named 'id'; the order is"),
+      std::string::npos);
+  EXPECT_NE(refusal("x,y,z\n0,0,1\n", "some.csv").find(":1: has a third coordinate, 'z'"), std::string::npos);
+  EXPECT_EQ(parse_planar_objects("name,Y,X\na,1,0\n", "some.csv").objects[0].vertices, (Points{{0, 1}}));
   EXPECT_EQ(refusal("CIRCLE (1 2)", "some.wkt"),
             "some.wkt:1: 'CIRCLE' is not read here; give POINT, LINESTRING, MULTILINESTRING, POLYGON or MULTIPOLYGON");
 }

@@ -23,24 +23,27 @@ struct TripleFile {
 
 // What the three numbers are, for messages.
 struct TripleKind {
-  std::string_view columns;  // "x,y,r"
-  std::string_view object;   // "circle"
+  std::array<std::string_view, 3> columns;  // "x", "y", "r"
+  std::array<std::string_view, 2> strange;  // columns that would make them something else
+  std::string_view object;                  // "circle"
 };
-inline constexpr TripleKind circle_rows{"x,y,r", "circle"};
-inline constexpr TripleKind half_plane_rows{"a,b,c", "half-plane"};
+inline constexpr TripleKind circle_rows{{"x", "y", "r"}, {"z", "c"}, "circle"};
+inline constexpr TripleKind half_plane_rows{{"a", "b", "c"}, {"d", "r"}, "half-plane"};
 
-// Reads the file whole: three numbers a line and, if you like, a name as the fourth field; a first line of names is
-// skipped, empty lines are. Where the first line has a semicolon, semicolons part the fields. A field may stand in
-// quotes, but hold none. Numbers are rounded once to the nearest double.
-// Where the column of a group is named, the first line has to name it, and any columns may follow the first three; the
-// name is the one named "name", else the fourth.
-// Throws Error bad_file: "FILE:LINE: what; remedy"; bad_call where no column after the third has the group's name.
+// Reads the file whole: three numbers a record and, if you like, a name as the fourth field. Where a first line names
+// the columns, the three are found by their names, in any order, and any others may stand beside them; the name is the
+// one named "name" or "id" (also Name, NAME, ...), else the first other. Names that do not hold the three are refused.
+// Splitting as in csv.h. Numbers are rounded once to the nearest double.
+// group, name: the columns to group by and to name by; empty for none, and for the one told above.
+// Throws Error bad_file: "FILE:LINE: what; remedy"; bad_call where there is no column
+// of that name.
 // Cost: linear, with a group O(N log N).
 TripleFile read_triples(const std::filesystem::path& path, const TripleKind& kind, const std::string& group = {},
-                        const std::function<void(double)>& progress = nullptr);
+                        const std::function<void(double)>& progress = nullptr, const std::string& name = {});
 
 // As read_triples, from memory. place: the file's name, for messages.
 TripleFile parse_triples(std::string_view text, std::string_view place, const TripleKind& kind,
-                         const std::string& group = {}, const std::function<void(double)>& progress = nullptr);
+                         const std::string& group = {}, const std::function<void(double)>& progress = nullptr,
+                         const std::string& name = {});
 
 }  // namespace sunder::io

@@ -39,10 +39,8 @@ class UrdfParser {
   Robot parse(std::string_view bytes) {
     const XMLElement& robot = load(bytes);
     if (const char* name = robot.Attribute("name")) robot_.name = one_line(name);
+    refuse_xacro(robot);
     each_child(robot, [&](const XMLElement& child) {
-      if (std::string_view(child.Name()).starts_with("xacro:")) {
-        fail(child, "this is xacro that was not expanded; run: xacro FILE > robot.urdf");
-      }
       if (is(child, "link")) read_link(child);
     });
     if (robot_.links.empty()) fail(robot, "the robot has no link; export it again");
@@ -90,6 +88,16 @@ class UrdfParser {
   static void each_child(const XMLElement& element, Action action) {
     const XMLElement* child = element.FirstChildElement();
     for (; child != nullptr; child = child->NextSiblingElement()) action(*child);
+  }
+
+  // Within the element, at any depth (the reader of XML limits it).
+  void refuse_xacro(const XMLElement& element) const {
+    each_child(element, [&](const XMLElement& child) {
+      if (std::string_view(child.Name()).starts_with("xacro:")) {
+        fail(child, "this is xacro that was not expanded; run: xacro FILE > robot.urdf");
+      }
+      refuse_xacro(child);
+    });
   }
 
   static bool is(const XMLElement& element, std::string_view name) { return element.Name() == name; }
@@ -155,6 +163,11 @@ class UrdfParser {
     each_child(element, [&](const XMLElement& child) {
       if (is(child, "collision")) read_collision(child, link);
     });
+    if (element.FirstChildElement("collision") == nullptr) {
+      each_child(element, [&](const XMLElement& child) {
+        if (is(child, "visual")) robot_.left_out.push_back({"visual shape", link.name, 1});
+      });
+    }
     robot_.links.push_back(std::move(link));
   }
 
@@ -163,6 +176,10 @@ class UrdfParser {
     const XMLElement* kind = geometry ? geometry->FirstChildElement() : nullptr;
     if (kind == nullptr) {
       fail(element, fmt::format("a <collision> of link {} has no shape; expected <geometry><mesh .../></geometry>",
+                                quote(link.name)));
+    }
+    if (kind->NextSiblingElement() != nullptr || geometry->NextSiblingElement("geometry") != nullptr) {
+      fail(element, fmt::format("a <collision> of link {} has two shapes; give each a <collision> of its own",
                                 quote(link.name)));
     }
     CollisionShape shape;
@@ -182,8 +199,7 @@ class UrdfParser {
         fail(*kind, "the size of a box is negative; give 3 numbers from 0");
       }
     } else {
-      robot_.skipped.push_back(fmt::format("{}:{}: link {}: {} is no polyhedron and was left out; use a mesh",
-                                           one_line(place_), kind->GetLineNum(), quote(link.name), tag(*kind)));
+      robot_.left_out.push_back({shorten(kind->Name()), link.name, 1});
       return;
     }
     link.shapes.push_back(std::move(shape));

@@ -2,6 +2,7 @@
 // values: urdf_kinematics.h.
 #pragma once
 
+#include <sunder/io/left_out.h>
 #include <sunder/predicate/point.h>
 
 #include <array>
@@ -65,18 +66,19 @@ struct Robot {
   std::string name;  // may be empty
   std::vector<Link> links;
   std::vector<Joint> joints;
-  std::uint32_t root = 0;            // a number of a link
-  std::vector<std::string> skipped;  // one line for each shape left out, with place and reason. Callers must show
-                                     // them: answers about the robot are answers without these shapes.
-  std::filesystem::path folder;      // of the file; names of meshes are relative to it
+  std::uint32_t root = 0;         // a number of a link
+  std::vector<LeftOut> left_out;  // the shapes that are not read, each of a link, in the order of the file
+  std::filesystem::path folder;   // of the file; names of meshes are relative to it
 };
 
-// Reads <robot>, <link>, <collision> (mesh and box) and <joint>. Left out silently: <visual>, <inertial>,
-// <transmission>, <gazebo>, dynamics and the like. Left out and told in `skipped`: spheres, cylinders, capsules and
-// other shapes that are no polyhedra.
+// Reads <robot>, <link>, <collision> (mesh and box) and <joint>. No part of the question, and so not told: <inertial>,
+// <transmission>, <gazebo>, dynamics and the like, and the <visual> of a link that has a <collision>. Told in
+// `left_out`: spheres, cylinders, capsules and other shapes that are no polyhedra, by the name of their element; and as
+// "visual shape" each <visual> of a link without a <collision>.
 // Throws Error bad_file, "FILE:LINE: what is wrong; remedy", in one line: XML that is not well-formed, xacro that was
-// not expanded, a missing or repeated name, a number that is none, a link that does not exist, links that are no tree,
-// a floating or planar joint, missing limits. Meshes are not opened.
+// not expanded (anywhere in the file), two shapes in one <collision>, a missing or repeated name, a number that is
+// none, a link that does not exist, links that are no tree, a floating or planar joint, missing limits. Meshes are not
+// opened.
 Robot read_urdf(const std::filesystem::path& path);
 
 // As read_urdf, from memory. place: the file's name for messages. `folder` stays empty.

@@ -3,6 +3,8 @@
 #include <sunder/io/urdf.h>
 #include <sunder/io/urdf_kinematics.h>
 
+#include <tests/support/places.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path cases = SUNDER_CASES_DIR;
+const fs::path cases = tests::cases_folder();
 
 template <class Action>
 std::string error_of(Action action) {
@@ -59,8 +61,10 @@ TEST(Urdf, ReadsAnArm) {
   EXPECT_EQ(robot.links[0].shapes[0].size, (std::array<double, 3>{2, 2, 1}));
   EXPECT_EQ(robot.links[1].shapes[0].scale, (std::array<double, 3>{1, 1, -2}));
   EXPECT_EQ(robot.links[1].shapes[0].origin.rpy, (std::array<double, 3>{0, 0, 1.5}));
-  ASSERT_EQ(robot.skipped.size(), 1u);
-  EXPECT_NE(robot.skipped[0].find("arm.urdf:5: link 'base': <sphere> is no polyhedron"), std::string::npos);
+  ASSERT_EQ(robot.left_out.size(), 1u);
+  EXPECT_EQ(robot.left_out[0].kind, "sphere");
+  EXPECT_EQ(robot.left_out[0].of, "base");
+  EXPECT_EQ(robot.left_out[0].count, 1u);
 
   ASSERT_EQ(robot.joints.size(), 4u);
   std::string order;
@@ -198,7 +202,7 @@ TEST(UrdfKinematics, TurnsAboutCoordinateAxesStayExact) {
 // the flange of the straight arm at (0.088, 0, 0.333 + 0.316 + 0.384 - 0.107).
 TEST(UrdfKinematics, PlacesThePanda) {
   const Robot robot = read_urdf(cases / "panda" / "panda.urdf");
-  EXPECT_TRUE(robot.skipped.empty());
+  EXPECT_TRUE(robot.left_out.empty());
   EXPECT_EQ(robot.links.size(), 13u);
   EXPECT_EQ(robot.joints.size(), 12u);
   std::size_t meshes = 0, boxes = 0;

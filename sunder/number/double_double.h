@@ -1,6 +1,6 @@
 // Numbers of about 106 bits as unevaluated sums of two doubles: for searches that double precision is too coarse for.
-// Proposals only: nothing is decided with them. What is said of exactness and errors holds for results of size
-// 2^-900 to 2^990 and factors below 2^990; underflow and overflow are not looked after.
+// Whoever decides with them sees to the range: what is said of exactness and errors holds for results of size 2^-900
+// to 2^990, or zero, and factors below 2^990; underflow and overflow are not looked after.
 // Sources: Dekker 1971; Knuth 1997, section 4.2.2, theorem B; error bounds: Joldes, Muller, Popescu 2017. Without fused
 // multiply-add, so the same everywhere.
 #pragma once

@@ -1,11 +1,12 @@
 #include <sunder/base/random.h>
 #include <sunder/number/dyadic.h>
 
+#include <tests/support/scale.h>
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <regex>
 #include <set>
@@ -32,16 +33,6 @@ Rational rational(double x) {
   return rational(static_cast<std::int64_t>(std::ldexp(m, 53)), e - 53);
 }
 Rational rational(const Dyadic& x) { return rational(Whole(x.mantissa().str()), x.exponent()); }
-
-// For the environment see cmake/Tests.cmake.
-double environment(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::atof(text) : otherwise;
-}
-int instances(int n) { return std::max(std::min(n, 1000), static_cast<int>(n * environment("SUNDER_TEST_SCALE", 1))); }
-std::uint64_t seed(std::uint64_t s) {
-  return s + 1000003 * static_cast<std::uint64_t>(environment("SUNDER_TEST_SEED", 0));
-}
 
 constexpr std::array special{0.0,    -0.0,  1.0,     least,   2 * least,   0x1p-1022,   0x1.fffffffffffffp-1023,
                              1e-300, 1e300, 0x1p511, largest, 1 + 0x1p-52, 1 - 0x1p-53, 0x1p53};
@@ -94,8 +85,8 @@ void expect_nearest(const Rational& r, double x) {
 }
 
 TEST(DyadicTest, DoublesAreExact) {
-  Random random(seed(1));
-  const int n = instances(20000);
+  Random random(tests::chosen_seed(1));
+  const int n = tests::scaled_count(20000, 1000);
   for (int i = 0; i < n; ++i) {
     const double x = i < static_cast<int>(special.size()) ? special[static_cast<std::size_t>(i)] : nasty(random);
     const Dyadic d(x);
@@ -111,8 +102,8 @@ TEST(DyadicTest, DoublesAreExact) {
 }
 
 TEST(DyadicTest, ArithmeticIsExact) {
-  Random random(seed(2));
-  const int n = instances(1500);
+  Random random(tests::chosen_seed(2));
+  const int n = tests::scaled_count(1500, 1000);
   int zeros = 0;
   for (int i = 0; i < n; ++i) {
     const Dyadic a = any(random), b = random.below(8) == 0 ? a : any(random);
@@ -131,8 +122,8 @@ TEST(DyadicTest, ArithmeticIsExact) {
 }
 
 TEST(DyadicTest, NearestAndEnclosure) {
-  Random random(seed(3));
-  const int n = instances(3000);
+  Random random(tests::chosen_seed(3));
+  const int n = tests::scaled_count(3000, 1000);
   int points = 0, infinite = 0, subnormal = 0, ties = 0;
   for (int i = 0; i < n; ++i) {
     const Dyadic d = any(random);
@@ -197,8 +188,8 @@ TEST(DyadicTest, NearestAtTheEndsOfTheRange) {
 }
 
 TEST(DyadicTest, NearestRatio) {
-  Random random(seed(6));
-  const int n = instances(1000);
+  Random random(tests::chosen_seed(6));
+  const int n = tests::scaled_count(1000, 1000);
   int infinite = 0, subnormal = 0, zero = 0, ties = 0;
   for (int i = 0; i < n; ++i) {
     Dyadic b = any(random);
@@ -265,8 +256,8 @@ TEST(DyadicTest, HexadecimalOfKnownNumbers) {
 
 TEST(DyadicTest, HexadecimalReadsBack) {
   const std::regex form("(-?)0x([0-9a-f]+)p([+-][0-9]+)");
-  Random random(seed(4));
-  const int n = instances(2000);
+  Random random(tests::chosen_seed(4));
+  const int n = tests::scaled_count(2000, 1000);
   std::set<std::size_t> lengths;
   for (int i = 0; i < n; ++i) {
     const Dyadic d = any(random);
@@ -294,8 +285,8 @@ TEST(DyadicTest, FractionText) {
   EXPECT_EQ(text(0.5, 3), "1/6");
   EXPECT_EQ(text(3, 0.25), "12");
   EXPECT_EQ(text(0.75, 0.375), "2");
-  Random random(seed(5));
-  const int n = instances(2000);
+  Random random(tests::chosen_seed(5));
+  const int n = tests::scaled_count(2000, 1000);
   int wholes = 0;
   for (int i = 0; i < n; ++i) {
     const bool small = random.below(2) == 0;

@@ -2,11 +2,12 @@
 #include <sunder/base/random.h>
 #include <sunder/number/interval.h>
 
+#include <tests/support/scale.h>
+
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <array>
-#include <cstdlib>
 
 namespace sunder {
 namespace {
@@ -43,16 +44,6 @@ bool operator<=(const Exact& a, const Exact& b) { return (a - b).n <= 0; }
 bool encloses(const Interval& i, const Exact& x) {
   if (!(i.low <= i.high) || i.low == infinity || i.high == -infinity) return false;
   return (i.low == -infinity || Exact(i.low) <= x) && (i.high == infinity || x <= Exact(i.high));
-}
-
-// For the environment see cmake/Tests.cmake.
-double environment(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::atof(text) : otherwise;
-}
-int instances(int n) { return std::max(std::min(n, 1000), static_cast<int>(n * environment("SUNDER_TEST_SCALE", 1))); }
-std::uint64_t seed(std::uint64_t s) {
-  return s + 1000003 * static_cast<std::uint64_t>(environment("SUNDER_TEST_SEED", 0));
 }
 
 constexpr std::array special{0.0,     -0.0,     1.0,         least,       2 * least, 0x1p-1022, 0x1.fffffffffffffp-1023,
@@ -102,8 +93,8 @@ Member combined(Random& random, const Member& a, const Member& b) {
 bool same(const Interval& a, double low, double high) { return a.low == low && a.high == high; }
 
 TEST(IntervalTest, ResultsEncloseExactOnes) {
-  Random random(seed(1));
-  const int n = instances(60000);
+  Random random(tests::chosen_seed(1));
+  const int n = tests::scaled_count(60000, 1000);
   int sure = 0, infinite = 0, tiny = 0;
   for (int i = 0; i < n; ++i) {
     const Member a = member(random), b = member(random);
@@ -124,8 +115,8 @@ TEST(IntervalTest, ResultsEncloseExactOnes) {
 }
 
 TEST(IntervalTest, LongExpressionsEncloseExactOnes) {
-  Random random(seed(2));
-  const int n = instances(15000);
+  Random random(tests::chosen_seed(2));
+  const int n = tests::scaled_count(15000, 1000);
   int sure = 0, narrow = 0;
   for (int i = 0; i < n; ++i) {
     std::array<Member, 4> pool{member(random), member(random), member(random), member(random)};
@@ -142,8 +133,8 @@ TEST(IntervalTest, LongExpressionsEncloseExactOnes) {
 }
 
 TEST(IntervalTest, PointsWidenByAFewUnits) {
-  Random random(seed(3));
-  const int n = instances(20000);
+  Random random(tests::chosen_seed(3));
+  const int n = tests::scaled_count(20000, 1000);
   for (int i = 0; i < n; ++i) {
     const double x = nasty(random), y = nasty(random);
     for (const auto& [r, exact] : {std::pair{Interval(x) + Interval(y), Exact(x) + Exact(y)},
@@ -158,8 +149,8 @@ TEST(IntervalTest, PointsWidenByAFewUnits) {
 }
 
 TEST(IntervalTest, WidenedByOneUnitOrMore) {
-  Random random(seed(4));
-  const int n = instances(50000);
+  Random random(tests::chosen_seed(4));
+  const int n = tests::scaled_count(50000, 1000);
   for (int i = 0; i < n; ++i) {
     const double x = i < static_cast<int>(special.size()) ? special[static_cast<std::size_t>(i)] : nasty(random);
     const Interval w = interval_detail::widened(x, x);
@@ -186,8 +177,8 @@ TEST(IntervalTest, ExactZeroStaysZero) {
 
 // I1 for quotients: with an exact quotient at hand, which lies between those of the ends, no division is needed.
 TEST(IntervalTest, QuotientsEncloseExactOnes) {
-  Random random(seed(6));
-  const int n = instances(40000);
+  Random random(tests::chosen_seed(6));
+  const int n = tests::scaled_count(40000, 1000);
   const auto times = [](const Exact& x, const Exact& y) { return x * y; };
   int finite = 0, whole = 0, infinite = 0, tiny = 0, sure = 0;
   for (int i = 0; i < n; ++i) {

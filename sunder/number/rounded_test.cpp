@@ -2,12 +2,13 @@
 #include <sunder/base/random.h>
 #include <sunder/number/rounded.h>
 
+#include <tests/support/scale.h>
+
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <limits>
 #include <type_traits>
 
@@ -28,16 +29,6 @@ Rational rational(double x) {
   const Whole n = static_cast<std::int64_t>(std::ldexp(m, 53)), one = 1;
   e -= 53;
   return Rational(e > 0 ? n << static_cast<unsigned>(e) : n, e < 0 ? one << static_cast<unsigned>(-e) : one);
-}
-
-// For the environment see cmake/Tests.cmake.
-double environment(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::atof(text) : otherwise;
-}
-int instances(int n) { return std::max(std::min(n, 1000), static_cast<int>(n * environment("SUNDER_TEST_SCALE", 1))); }
-std::uint64_t seed(std::uint64_t s) {
-  return s + 1000003 * static_cast<std::uint64_t>(environment("SUNDER_TEST_SEED", 0));
 }
 
 // The exact value, X of R1 (a sum or product of two leaves counts as one term), and whether it is a leaf.
@@ -126,7 +117,7 @@ static_assert(std::is_same_v<decltype((leaf(1) - leaf(1)) * (leaf(1) * leaf(1)))
 
 template <class Formula>
 Record record(const Formula& formula, std::uint64_t number, int count) {
-  Random random(seed(number));
+  Random random(tests::chosen_seed(number));
   Record result;
   for (int i = 0; i < count; ++i) {
     // Up to the ends of the tame range, whose least numbers serve the formulas with three factors.
@@ -141,7 +132,7 @@ Record record(const Formula& formula, std::uint64_t number, int count) {
 }
 
 TEST(RoundedTest, BoundsHoldForEachFormula) {
-  const int n = instances(1500);
+  const int n = tests::scaled_count(1500, 1000);
   const Record records[] = {record(sum_2, 1, n), record(difference_2, 2, n),  record(product_2, 3, n),
                             record(sum_5, 4, n), record(determinant_2, 5, n), record(turn, 6, n),
                             record(image, 7, n), record(cubic, 8, n)};
@@ -237,9 +228,9 @@ TEST(RoundedTest, TameNumbersDoNotUnderflow) {
   EXPECT_EQ(sign(high), Guess::positive);
 
   // Random ones near the lower end: R1 to R3 hold to the last bit.
-  Random random(seed(9));
+  Random random(tests::chosen_seed(9));
   Record cubics;
-  const int n = instances(1500);
+  const int n = tests::scaled_count(1500, 1000);
   for (int i = 0; i < n; ++i) {
     std::array<double, 8> x{};
     for (double& v : x) {

@@ -2,10 +2,11 @@
 #include <sunder/base/random.h>
 #include <sunder/predicate/along.h>
 
+#include <tests/support/scale.h>
+
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstdlib>
 
 namespace sunder {
 namespace {
@@ -55,16 +56,6 @@ ExactPoint exact(const WorldDirection& d) {
 }
 Sign further(const ExactPoint& d, const ExactPoint& a, const ExactPoint& b) {
   return (d[0] * b[0] + d[1] * b[1] + d[2] * b[2] - (d[0] * a[0] + d[1] * a[1] + d[2] * a[2])).sign();
-}
-
-// For the environment see cmake/Tests.cmake.
-double environment(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::atof(text) : otherwise;
-}
-int instances(int n) { return std::max(std::min(n, 1000), static_cast<int>(n * environment("SUNDER_TEST_SCALE", 1))); }
-std::uint64_t seed(std::uint64_t s) {
-  return s + 1000003 * static_cast<std::uint64_t>(environment("SUNDER_TEST_SEED", 0));
 }
 
 double power_of_two(std::int64_t e) { return std::ldexp(1.0, static_cast<int>(e)); }
@@ -183,8 +174,8 @@ void expect_enclosed(const WorldDirection& d) {
 }
 
 TEST(AlongTest, DirectionsOfFeatures) {
-  Random random(seed(1));
-  const int n = instances(4000);
+  Random random(tests::chosen_seed(1));
+  const int n = tests::scaled_count(4000, 1000);
   int zero = 0;
   for (int i = 0; i < n; ++i) {
     Affine3 p, q;
@@ -219,8 +210,8 @@ TEST(AlongTest, DirectionsOfFeatures) {
 }
 
 TEST(AlongTest, ComparesPointsOfOneBody) {
-  Random random(seed(2));
-  const int n = instances(60000);
+  Random random(tests::chosen_seed(2));
+  const int n = tests::scaled_count(60000, 1000);
   std::array<Record, kinds> plain, scaled;
   int tame = 0;
   for (int i = 0; i < n; ++i) {
@@ -266,8 +257,8 @@ TEST(AlongTest, ComparesPointsOfOneBody) {
 
 // Matrix times direction underflows although images are of ordinary size.
 TEST(AlongTest, TinyMatrixOfHugeBody) {
-  Random random(seed(3));
-  const int n = instances(20000);
+  Random random(tests::chosen_seed(3));
+  const int n = tests::scaled_count(20000, 1000);
   int sure = 0;
   for (int i = 0; i < n; ++i) {
     Question q = question(random, near_tie);
@@ -295,8 +286,8 @@ TEST(AlongTest, TinyMatrixOfHugeBody) {
 
 // Numbers of ten bits, so that scaling by powers of two is exact down to the subnormal numbers.
 TEST(AlongTest, DirectionsOfAnySize) {
-  Random random(seed(6));
-  const int n = instances(20000);
+  Random random(tests::chosen_seed(6));
+  const int n = tests::scaled_count(20000, 1000);
   int zero = 0, sure = 0;
   const auto any = [&] { return static_cast<double>(random.between(-512, 512)) / 512; };
   for (int i = 0; i < n; ++i) {
@@ -340,8 +331,8 @@ TEST(AlongTest, OneBodyUnderflows) {
 
 // Many points at once against one: never sure of what is not so, and sure of most that is.
 TEST(AlongTest, ManyPointsAtOnce) {
-  Random random(seed(5));
-  const int n = instances(20000);
+  Random random(tests::chosen_seed(5));
+  const int n = tests::scaled_count(20000, 1000);
   int all_less = 0, sure = 0, near = 0;
   for (int i = 0; i < n; ++i) {
     const bool is_near = i % 2 == 1;
@@ -400,8 +391,8 @@ Point3 rough_image(const Point3& p, const Affine3& pose) {
 }
 
 TEST(AlongTest, ComparesPointsOfTwoBodies) {
-  Random random(seed(4));
-  const int n = instances(30000);
+  Random random(tests::chosen_seed(4));
+  const int n = tests::scaled_count(30000, 1000);
   std::array<Record, kinds> records;
   int untame = 0;
   for (int i = 0; i < n; ++i) {

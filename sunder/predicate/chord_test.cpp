@@ -2,13 +2,14 @@
 #include <sunder/base/random.h>
 #include <sunder/predicate/chord.h>
 
+#include <tests/support/scale.h>
+
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 namespace sunder {
@@ -19,15 +20,6 @@ using Exact = std::array<Whole, 2>;
 
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr double least = std::numeric_limits<double>::denorm_min();
-
-double environment(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::atof(text) : otherwise;
-}
-int instances(int n) { return std::max(std::min(n, 1000), static_cast<int>(n * environment("SUNDER_TEST_SCALE", 1))); }
-std::uint64_t seed(std::uint64_t s) {
-  return s + 1000003 * static_cast<std::uint64_t>(environment("SUNDER_TEST_SEED", 0));
-}
 
 // A number as a multiple of 2^-1126. The images of points are multiples of its square.
 constexpr unsigned bits = 1126;
@@ -107,7 +99,7 @@ double any(Random& random) {
 }
 
 TEST(ChordTest, AgreesWithIntegers) {
-  Random random(seed(20261130));
+  Random random(tests::chosen_seed(20261130));
   Chords small, close, wild;
   const auto integer = [&] { return static_cast<double>(random.between(-4, 4)); };
   const auto unit = [&] { return random.uniform(-1, 1); };
@@ -117,7 +109,7 @@ TEST(ChordTest, AgreesWithIntegers) {
     return p;
   };
   const auto times = [&] { return static_cast<std::uint32_t>(random.next() >> (32 + random.below(32))); };
-  for (int i = 0; i < instances(20000); ++i) {
+  for (int i = 0; i < tests::scaled_count(20000, 1000); ++i) {
     small.compare(points(integer), static_cast<std::uint32_t>(random.below(4)),
                   static_cast<std::uint32_t>(random.below(4)));
     wild.compare(points([&] { return any(random); }), times(), times());
@@ -134,7 +126,7 @@ TEST(ChordTest, AgreesWithIntegers) {
     close.compare(p, 4 * (m >> 4), m >> 4);
     close.compare(p, 4 * (m >> 4) + 1, m >> 4);
   }
-  if (instances(20000) < 20000) return;  // too few for the rates below
+  if (tests::scaled_count(20000, 1000) < 20000) return;  // too few for the rates below
   EXPECT_GT(small.zeros, 1000);
   EXPECT_GT(small.tally.rounded, 1000u);
   EXPECT_GT(close.zeros, 1000);
@@ -143,10 +135,10 @@ TEST(ChordTest, AgreesWithIntegers) {
 }
 
 TEST(ChordTest, AgreesWithIntegersUnderPoses) {
-  Random random(seed(20261201));
+  Random random(tests::chosen_seed(20261201));
   Chords small, wild;
   const auto integer = [&] { return static_cast<double>(random.between(-3, 3)); };
-  for (int i = 0; i < instances(20000); ++i) {
+  for (int i = 0; i < tests::scaled_count(20000, 1000); ++i) {
     std::array<Affine2, 2> poses;
     for (Affine2& pose : poses) pose = {{integer(), integer(), integer(), integer()}, {integer(), integer()}};
     std::array<Posed2, 6> p{};
@@ -167,7 +159,7 @@ TEST(ChordTest, AgreesWithIntegersUnderPoses) {
     }
     wild.compare(p, static_cast<std::uint32_t>(random.next() >> 32), static_cast<std::uint32_t>(random.below(9)));
   }
-  if (instances(20000) < 20000) return;  // too few for the rates below
+  if (tests::scaled_count(20000, 1000) < 20000) return;  // too few for the rates below
   EXPECT_GT(small.zeros, 1000);
   EXPECT_GT(small.tally.rounded, 1000u);
   EXPECT_GT(wild.tally.interval, 100u);

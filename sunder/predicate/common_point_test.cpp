@@ -3,10 +3,11 @@
 #include <sunder/base/random.h>
 #include <sunder/predicate/common_point.h>
 
+#include <tests/support/scale.h>
+
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstdlib>
 #include <map>
 #include <numeric>
 #include <vector>
@@ -47,16 +48,6 @@ ExactPoint image(const Posed& p) {
   const ExactPoint x{p.point.x, p.point.y, p.point.z};
   return {x[0] * m[0] + x[1] * m[1] + x[2] * m[2] + t[0], x[0] * m[3] + x[1] * m[4] + x[2] * m[5] + t[1],
           x[0] * m[6] + x[1] * m[7] + x[2] * m[8] + t[2]};
-}
-
-// For the environment see cmake/Tests.cmake.
-double environment(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::atof(text) : otherwise;
-}
-int instances(int n) { return std::max(std::min(n, 1000), static_cast<int>(n * environment("SUNDER_TEST_SCALE", 1))); }
-std::uint64_t seed(std::uint64_t s) {
-  return s + 1000003 * static_cast<std::uint64_t>(environment("SUNDER_TEST_SEED", 0));
 }
 
 using WholePoint = std::array<std::int64_t, 3>;
@@ -244,8 +235,8 @@ TEST(CommonPointTest, AllOfUpToFourCorners) {
 }
 
 TEST(CommonPointTest, RandomPointsOfGrids) {
-  Random random(seed(1));
-  const int n = instances(60000);
+  Random random(tests::chosen_seed(1));
+  const int n = tests::scaled_count(60000, 1000);
   std::map<std::pair<std::size_t, std::size_t>, Counts> counts;
   int untame = 0;
   for (int i = 0; i < n; ++i) {
@@ -322,8 +313,8 @@ Minors minors(std::span<const Posed> points, std::size_t count_a) {
 enum Kind { generic, near_tie, far, extreme, kinds };
 
 TEST(CommonPointTest, FivePointsOfAnySize) {
-  Random random(seed(2));
-  const int n = instances(20000);
+  Random random(tests::chosen_seed(2));
+  const int n = tests::scaled_count(20000, 1000);
   std::array<Counts, kinds> counts{};
   std::array<StageTally, kinds> tallies{};
   int vanishing = 0;

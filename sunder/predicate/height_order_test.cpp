@@ -2,12 +2,13 @@
 #include <sunder/base/random.h>
 #include <sunder/predicate/height_order.h>
 
+#include <tests/support/scale.h>
+
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 namespace sunder {
@@ -52,15 +53,6 @@ class Lines {
   }
 };
 
-double environment(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::atof(text) : otherwise;
-}
-int instances(int n) { return std::max(std::min(n, 1000), static_cast<int>(n * environment("SUNDER_TEST_SCALE", 1))); }
-std::uint64_t seed(std::uint64_t s) {
-  return s + 1000003 * static_cast<std::uint64_t>(environment("SUNDER_TEST_SEED", 0));
-}
-
 TEST(HeightOrderTest, Examples) {
   EXPECT_EQ(height_order({0, 0}, {4, 4}, {0, 4}, {4, 0}, 1), Sign::negative);
   EXPECT_EQ(height_order({0, 0}, {4, 4}, {0, 4}, {4, 0}, 2), Sign::zero);
@@ -69,7 +61,7 @@ TEST(HeightOrderTest, Examples) {
 }
 
 TEST(HeightOrderTest, AgreesWithIntegers) {
-  Random random(seed(20261124));
+  Random random(tests::chosen_seed(20261124));
   Lines small, close, wild;
   const auto integer = [&] { return static_cast<double>(random.between(-4, 4)); };
   const auto unit = [&] { return random.uniform(-1, 1); };
@@ -84,7 +76,7 @@ TEST(HeightOrderTest, AgreesWithIntegers) {
       default: return integer();
     }
   };
-  for (int i = 0; i < instances(20000); ++i) {
+  for (int i = 0; i < tests::scaled_count(20000, 1000); ++i) {
     small.compare({integer(), integer()}, {integer(), integer()}, {integer(), integer()}, {integer(), integer()},
                   integer());
     wild.compare({any(), any()}, {any(), any()}, {any(), any()}, {any(), any()}, any());
@@ -98,7 +90,7 @@ TEST(HeightOrderTest, AgreesWithIntegers) {
     }
     close.compare(a, b, a, d, a.x);
   }
-  if (instances(20000) < 20000) return;  // too few for the rates below
+  if (tests::scaled_count(20000, 1000) < 20000) return;  // too few for the rates below
   EXPECT_GT(small.zeros, 300);
   EXPECT_GT(small.tally.rounded, 0u);
   for (const Lines* lines : {&small, &close, &wild}) {

@@ -34,7 +34,7 @@ Sign orient_3d(const Posed& a, const Posed& b, const Posed& c, const Posed& d, S
 // The sign of b's coordinate minus a's (axis 0: x, 1: y, 2: z).
 Sign compare_coordinate(int axis, const Posed& a, const Posed& b, StageTally* tally = nullptr);
 
-// orient_2d for what its first stage does not decide.
+// What its first stage leaves: exact products where the differences are doubles (tallied as rounded); else as the rest.
 Sign orient_2d_further(const Point2& a, const Point2& b, const Point2& c, StageTally* tally);
 
 // The first stage: the formula as a Rounded<4>, whose magnitude is the sum of the two products' sizes. Differences of

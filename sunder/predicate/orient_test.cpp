@@ -3,10 +3,11 @@
 #include <sunder/predicate/orient.h>
 #include <sunder/predicate/stages.h>
 
+#include <tests/support/scale.h>
+
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstdlib>
 #include <utility>
 
 namespace sunder {
@@ -62,16 +63,6 @@ Sign side(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const E
   return (r[0][0] * (r[1][1] * r[2][2] - r[2][1] * r[1][2]) - r[1][0] * (r[0][1] * r[2][2] - r[2][1] * r[0][2]) +
           r[2][0] * (r[0][1] * r[1][2] - r[1][1] * r[0][2]))
       .sign();
-}
-
-// For the environment see cmake/Tests.cmake.
-double environment(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::atof(text) : otherwise;
-}
-int instances(int n) { return std::max(std::min(n, 1000), static_cast<int>(n * environment("SUNDER_TEST_SCALE", 1))); }
-std::uint64_t seed(std::uint64_t s) {
-  return s + 1000003 * static_cast<std::uint64_t>(environment("SUNDER_TEST_SEED", 0));
 }
 
 // What the stages said over many instances.
@@ -231,9 +222,48 @@ TEST(OrientTest, KnownSigns) {
   }
 }
 
+// Of coordinates whose differences are doubles, small integers in any unit, ties are told without exact numbers.
+TEST(OrientTest, SmallIntegersInThePlane) {
+  Random random(tests::chosen_seed(9));
+  const int n = tests::scaled_count(20000, 1000);
+  int ties = 0;
+  for (int i = 0; i < n; ++i) {
+    const std::int64_t side = std::int64_t{1} << random.between(1, 50);
+    const double unit = power_of_two(random.between(-200, 200));
+    const auto whole = [&](std::int64_t most) { return static_cast<double>(random.between(-most, most)); };
+    const Point2 a{whole(side), whole(side)}, step{whole(8), whole(8)};
+    const double s = whole(side / 16), t = whole(side / 16), off = i % 2 == 0 ? 0 : whole(1);
+    const auto at = [&](double k, double beside) {
+      return Point2{unit * (a.x + k * step.x + beside), unit * (a.y + k * step.y)};
+    };
+    const Point2 p = at(0, 0), q = at(s, 0), r = at(t, off);
+    const auto image_of = [](const Point2& point) { return image(Point3{point.x, point.y, 0}); };
+    const Sign expected = turn(image_of(p), image_of(q), image_of(r), 0, 1);
+    StageTally tally;
+    ASSERT_EQ(orient_2d(p, q, r, &tally), expected) << i;
+    ASSERT_EQ(tally.rounded, 1u) << i;
+    ASSERT_EQ(tally.interval + tally.exact, 0u) << i;
+    ties += expected == Sign::zero && p != q && q != r && p != r;
+  }
+  EXPECT_GT(ties, n / 8);
+}
+
+// Where differences are rounded, or products leave the range, the further stages decide.
+TEST(OrientTest, FurtherStagesInThePlane) {
+  const auto decided = [](const Point2& a, const Point2& b, const Point2& c) {
+    StageTally tally;
+    const Sign sign = orient_2d(a, b, c, &tally);
+    return std::pair{sign, tally.rounded == 0};
+  };
+  EXPECT_EQ(decided({0x1p-60, 0}, {1, 1}, {3, 3}), (std::pair{Sign::negative, true}));
+  EXPECT_EQ(decided({0, 0}, {0x1p-300, 0x1p-300}, {3 * 0x1p-300, 3 * 0x1p-300}), (std::pair{Sign::zero, true}));
+  EXPECT_EQ(decided({0, 0}, {0x1p600, 0x1p600}, {0x1p601, 0x1p601}), (std::pair{Sign::zero, true}));
+  EXPECT_EQ(decided({-largest, -largest}, {largest, largest}, {0, 0}), (std::pair{Sign::zero, true}));
+}
+
 TEST(OrientTest, EachStageOfPoints) {
-  Random random(seed(1));
-  const int n = instances(60000);
+  Random random(tests::chosen_seed(1));
+  const int n = tests::scaled_count(60000, 1000);
   std::array<Record, kinds> side_of, turn_of;
   int untame = 0;
   for (int i = 0; i < n; ++i) {
@@ -261,8 +291,8 @@ TEST(OrientTest, EachStageOfPoints) {
 }
 
 TEST(OrientTest, EachStageOfPosedPoints) {
-  Random random(seed(2));
-  const int n = instances(30000);
+  Random random(tests::chosen_seed(2));
+  const int n = tests::scaled_count(30000, 1000);
   std::array<Record, kinds> side_of, turn_of;
   Record along_axis;
   int untame = 0, reflected = 0, far = 0;
@@ -309,8 +339,8 @@ TEST(OrientTest, EachStageOfPosedPoints) {
 }
 
 TEST(OrientTest, GenericPointsAreDecidedInFloatingPoint) {
-  Random random(seed(3));
-  const int n = instances(50000);
+  Random random(tests::chosen_seed(3));
+  const int n = tests::scaled_count(50000, 1000);
   Record sides, turns, posed_sides;
   const Affine3 pose{{0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1}, {3, -20, 0.125}};
   for (int i = 0; i < n; ++i) {
@@ -331,8 +361,8 @@ TEST(OrientTest, GenericPointsAreDecidedInFloatingPoint) {
 // The filters are as good as their bounds: a distance of 2^-47 is seen in floating point, one of 2^-51 is not
 // (but for lucky rounding).
 TEST(OrientTest, DistanceThatFloatingPointSees) {
-  Random random(seed(4));
-  const int n = instances(3000);
+  Random random(tests::chosen_seed(4));
+  const int n = tests::scaled_count(3000, 1000);
   Record near, nearer;
   for (int i = 0; i < n; ++i) {
     const Point3 a{1, 0, 0}, b{0, 1, 0}, c{0, 0, 1};
@@ -381,8 +411,8 @@ TEST(OrientTest, StageThatDecides) {
 
 // Images that are translations alone, down to where their products vanish.
 TEST(OrientTest, ImagesThatAreTranslations) {
-  Random random(seed(8));
-  const int n = instances(3000);
+  Random random(tests::chosen_seed(8));
+  const int n = tests::scaled_count(3000, 1000);
   Record sides;
   for (int i = 0; i < n; ++i) {
     const double scale = power_of_two(random.between(-1074, 1020));
@@ -402,8 +432,8 @@ TEST(OrientTest, ImagesThatAreTranslations) {
 }
 
 TEST(OrientTest, ExchangingPointsFlipsTheSign) {
-  Random random(seed(5));
-  const int n = instances(4000);
+  Random random(tests::chosen_seed(5));
+  const int n = tests::scaled_count(4000, 1000);
   int zero = 0;
   for (int i = 0; i < n; ++i) {
     std::array<Point3, 4> p = four_points(random, static_cast<Kind>(i % kinds));
@@ -427,8 +457,8 @@ TEST(OrientTest, ExchangingPointsFlipsTheSign) {
 }
 
 TEST(OrientTest, ScalingAndExactShiftsKeepTheSign) {
-  Random random(seed(6));
-  const int n = instances(4000);
+  Random random(tests::chosen_seed(6));
+  const int n = tests::scaled_count(4000, 1000);
   int zero = 0;
   for (int i = 0; i < n; ++i) {
     std::array<Point3, 4> p;
@@ -446,8 +476,8 @@ TEST(OrientTest, ScalingAndExactShiftsKeepTheSign) {
 }
 
 TEST(OrientTest, OnePoseMultipliesByItsDeterminant) {
-  Random random(seed(7));
-  const int n = instances(4000);
+  Random random(tests::chosen_seed(7));
+  const int n = tests::scaled_count(4000, 1000);
   int negative = 0, singular = 0, far = 0;
   for (int i = 0; i < n; ++i) {
     Affine3 pose = any_pose(random);
@@ -475,8 +505,8 @@ TEST(OrientTest, OnePoseMultipliesByItsDeterminant) {
 // The four signs at once: where it says something, that is so; it speaks for generic points, and is silent where some
 // three points are on one line.
 TEST(OrientTest, SurelyCross) {
-  Random random(seed(9));
-  const int n = instances(30000);
+  Random random(tests::chosen_seed(9));
+  const int n = tests::scaled_count(30000, 1000);
   std::array<int, 4> cross{}, apart{}, unsure{}, on_line{}, beside{};
   for (int i = 0; i < n; ++i) {
     const std::size_t kind = static_cast<std::size_t>(i % 4);

@@ -2,9 +2,10 @@
 #include <sunder/base/random.h>
 #include <sunder/predicate/stages.h>
 
+#include <tests/support/scale.h>
+
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <type_traits>
 #include <utility>
 
@@ -28,16 +29,6 @@ Rational rational(double x) {
   return rational(static_cast<std::int64_t>(std::ldexp(m, 53)), e - 53);
 }
 Rational rational(const Dyadic& x) { return rational(Whole(x.mantissa().str()), x.exponent()); }
-
-// For the environment see cmake/Tests.cmake.
-double environment(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::atof(text) : otherwise;
-}
-int instances(int n) { return std::max(std::min(n, 1000), static_cast<int>(n * environment("SUNDER_TEST_SCALE", 1))); }
-std::uint64_t seed(std::uint64_t s) {
-  return s + 1000003 * static_cast<std::uint64_t>(environment("SUNDER_TEST_SEED", 0));
-}
 
 // The roundings of each formula, counted by hand. An image has 3; a difference of points 1, of images 4.
 using FromPoint = Vector3<Rounded<0>>;
@@ -81,8 +72,8 @@ TEST(StagesTest, FormulasOfWholeNumbers) {
 
 // An image in each stage: exact, enclosed, within its bound when tame.
 TEST(StagesTest, ImagesOfPosedPoints) {
-  Random random(seed(1));
-  const int n = instances(4000);
+  Random random(tests::chosen_seed(1));
+  const int n = tests::scaled_count(4000, 1000);
   int tame = 0, infinite = 0;
   const auto number = [&](int low, int high) {
     if (random.below(8) == 0) return 0.0;

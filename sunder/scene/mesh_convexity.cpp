@@ -1,11 +1,10 @@
 #include <sunder/predicate/orient.h>
 #include <sunder/scene/mesh_convexity.h>
+#include <sunder/scene/mesh_sides.h>
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 namespace sunder::scene {
@@ -23,49 +22,14 @@ bool collinear(const Point3& a, const Point3& b, const Point3& c) {
   return true;
 }
 
-// For each vertex the lowest number of an equal point.
-std::vector<std::uint32_t> representatives(std::span<const Point3> points) {
-  std::vector<std::uint32_t> order(points.size()), lowest(points.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto key = [&](std::uint32_t i) { return std::tie(points[i].x, points[i].y, points[i].z); };
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t i, std::uint32_t j) { return key(i) != key(j) ? key(i) < key(j) : i < j; });
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const bool repeated = k > 0 && points[order[k]] == points[order[k - 1]];
-    lowest[order[k]] = repeated ? lowest[order[k - 1]] : order[k];
-  }
-  return lowest;
-}
-
-// An edge of a polygon, from a corner to the next.
-struct Side {
-  std::uint32_t from, to, face;
-
-  std::pair<std::uint32_t, std::uint32_t> ends() const { return std::minmax(from, to); }
-};
+using Side = MeshSides::Side;
 
 class Convexity {
  public:
-  Convexity(const MeshView& mesh, const ConvexPolyhedron& hull) : mesh_(mesh), hull_(hull) {
-    const std::vector<std::uint32_t> lowest = representatives(mesh.vertices);
-    corner_begin_.push_back(0);
-    for (std::uint32_t f = 0; f < mesh.polygon_count(); ++f) {
-      const std::size_t begin = corners_.size();
-      for (const std::uint32_t v : mesh.polygon(f)) {
-        if (corners_.size() == begin || corners_.back() != lowest[v]) corners_.push_back(lowest[v]);
-      }
-      while (corners_.size() > begin + 1 && corners_.back() == corners_[begin]) corners_.pop_back();
-      corner_begin_.push_back(corners_.size());
-      for (std::size_t i = begin; i < corners_.size(); ++i) {
-        const std::uint32_t next = corners_[i + 1 < corners_.size() ? i + 1 : begin];
-        if (next != corners_[i]) sides_.push_back({corners_[i], next, f});
-      }
-    }
-    std::sort(sides_.begin(), sides_.end(),
-              [](const Side& s, const Side& t) { return std::pair(s.ends(), s.face) < std::pair(t.ends(), t.face); });
-
+  Convexity(const MeshView& mesh, const ConvexPolyhedron& hull)
+      : mesh_(mesh), hull_(hull), topology_(mesh), sides_(topology_.sides) {
     hull_vertex_.assign(mesh.vertices.size(), no_vertex);
-    for (std::uint32_t v = 0; v < hull.vertices().size(); ++v) hull_vertex_[lowest[hull.source()[v]]] = v;
+    for (std::uint32_t v = 0; v < hull.vertices().size(); ++v) hull_vertex_[topology_.lowest[hull.source()[v]]] = v;
     facets_at_.resize(hull.vertices().size());
     for (std::uint32_t f = 0; f < hull.facet_count(); ++f) {
       for (const std::uint32_t v : hull.facet(f)) facets_at_[v].push_back(f);
@@ -85,9 +49,7 @@ class Convexity {
   }
 
  private:
-  std::span<const std::uint32_t> corners(std::uint32_t f) const {
-    return std::span(corners_).subspan(corner_begin_[f], corner_begin_[f + 1] - corner_begin_[f]);
-  }
+  std::span<const std::uint32_t> corners(std::uint32_t f) const { return topology_.corners_of(f); }
   const Point3& at(std::uint32_t v) const { return mesh_.vertices[v]; }
   const Point3& hull_corner(std::uint32_t facet, std::size_t i) const {
     return hull_.vertices()[hull_.facet(facet)[i % hull_.facet(facet).size()]];
@@ -248,9 +210,8 @@ class Convexity {
 
   const MeshView& mesh_;
   const ConvexPolyhedron& hull_;
-  std::vector<std::uint32_t> corners_;  // of all faces, equal points joined, repetitions dropped
-  std::vector<std::size_t> corner_begin_;
-  std::vector<Side> sides_;                            // by their ends
+  MeshSides topology_;
+  const std::vector<Side>& sides_;                     // by their ends
   std::vector<std::uint32_t> hull_vertex_;             // of a vertex of the mesh; no_vertex where it is not extreme
   std::vector<std::vector<std::uint32_t>> facets_at_;  // a vertex of the hull
 };

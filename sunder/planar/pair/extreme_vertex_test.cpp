@@ -60,10 +60,10 @@ TEST(ExtremeVertexTest, ByHand) {
 }
 
 TEST(ExtremeVertexTest, MethodsAgreeOnNastyCases) {
-  Random random(seed(20261202));
+  Random random(tests::chosen_seed(20261202));
   Worst worst;
   int ties = 0, segments = 0, points = 0, reflected = 0;
-  const int count = instances(40000);
+  const int count = tests::scaled_count(40000, 1000);
   for (int i = 0; i < count; ++i) {
     const NastyCase c = nasty_case(random);
     Point2 from{}, to{};
@@ -92,9 +92,9 @@ TEST(ExtremeVertexTest, MethodsAgreeOnNastyCases) {
 }
 
 TEST(ExtremeVertexTest, MethodsAgreeOnWildNumbers) {
-  Random random(seed(20261223));
+  Random random(tests::chosen_seed(20261223));
   Worst worst;
-  for (int i = 0; i < instances(4000); ++i) {
+  for (int i = 0; i < tests::scaled_count(4000, 1000); ++i) {
     const NastyCase c = wild_case(random);
     const Point2 from = wild_point(c, random), to = wild_point(c, random);
     if (from == to) continue;
@@ -106,7 +106,7 @@ TEST(ExtremeVertexTest, MethodsAgreeOnWildNumbers) {
 }
 
 TEST(ExtremeVertexTest, MethodsAgreeOnLargePolygons) {
-  Random random(seed(20261203));
+  Random random(tests::chosen_seed(20261203));
   Worst worst;
   for (const std::uint32_t n : {1000u, 65536u, 262144u}) {
     for (const double radius : {1.0, 0x1p900, 0x1p-900}) {
@@ -131,7 +131,7 @@ TEST(ExtremeVertexTest, MethodsAgreeOnLargePolygons) {
 // 2.89 log2 n + 7 evaluations for both vertices by Fibonacci search, 1.1 log2 n + 1 looks at edges for one and
 // 2 log2 n + 1 for both by bisection.
 TEST(ExtremeVertexTest, Complexity) {
-  Random random(seed(20261204));
+  Random random(tests::chosen_seed(20261204));
   double most = 0;
   for (std::uint32_t e = 3; e <= 20; ++e) {
     const std::uint32_t n = 1u << e;

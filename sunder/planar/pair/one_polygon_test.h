@@ -6,26 +6,16 @@
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/pose.h>
 
+#include <tests/support/scale.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <numbers>
 #include <vector>
 
 namespace sunder::planar {
-
-inline double environment(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::atof(text) : otherwise;
-}
-inline int instances(int n) {
-  return std::max(std::min(n, 1000), static_cast<int>(n * environment("SUNDER_TEST_SCALE", 1)));
-}
-inline std::uint64_t seed(std::uint64_t s) {
-  return s + 1000003 * static_cast<std::uint64_t>(environment("SUNDER_TEST_SEED", 0));
-}
 
 // Everything on an integer grid of a small side, all of it scaled by one power of two; under poses of small integers,
 // reflecting ones too. The points are integers of the grid and about it, halves and quarters.

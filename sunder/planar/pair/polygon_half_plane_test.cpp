@@ -41,9 +41,9 @@ TEST(PolygonHalfPlaneTest, ByHand) {
 }
 
 TEST(PolygonHalfPlaneTest, AgreesWithScanOnNastyCases) {
-  Random random(seed(20261215));
+  Random random(tests::chosen_seed(20261215));
   int meets = 0, touches = 0;
-  const int count = instances(40000);
+  const int count = tests::scaled_count(40000, 1000);
   for (int i = 0; i < count; ++i) {
     const NastyCase c = nasty_case(random);
     const auto [a, b] = nasty_points(c, random);
@@ -58,7 +58,7 @@ TEST(PolygonHalfPlaneTest, AgreesWithScanOnNastyCases) {
 }
 
 TEST(PolygonHalfPlaneTest, LargePolygonsAndComplexity) {
-  Random random(seed(20261216));
+  Random random(tests::chosen_seed(20261216));
   for (std::uint32_t e = 3; e <= 20; ++e) {
     const std::uint32_t n = 1u << e;
     double worst = 0;

@@ -90,9 +90,9 @@ TEST(PolygonLineTest, OfSegmentsAndPoints) {
 }
 
 TEST(PolygonLineTest, AgreesWithScanOnNastyCases) {
-  Random random(seed(20261208));
+  Random random(tests::chosen_seed(20261208));
   CutCounts counts;
-  const int count = instances(40000);
+  const int count = tests::scaled_count(40000, 1000);
   for (int i = 0; i < count; ++i) {
     const NastyCase c = nasty_case(random);
     const auto [a, b] = nasty_points(c, random);
@@ -103,9 +103,9 @@ TEST(PolygonLineTest, AgreesWithScanOnNastyCases) {
 }
 
 TEST(PolygonLineTest, AgreesWithScanOnWildNumbers) {
-  Random random(seed(20261221));
+  Random random(tests::chosen_seed(20261221));
   CutCounts counts;
-  for (int i = 0; i < instances(4000); ++i) {
+  for (int i = 0; i < tests::scaled_count(4000, 1000); ++i) {
     const NastyCase c = wild_case(random);
     const Point2 a = wild_point(c, random), b = wild_point(c, random);
     if (a == b) continue;
@@ -116,7 +116,7 @@ TEST(PolygonLineTest, AgreesWithScanOnWildNumbers) {
 }
 
 TEST(PolygonLineTest, AgreesWithScanOnLargePolygons) {
-  Random random(seed(20261209));
+  Random random(tests::chosen_seed(20261209));
   const Pose mirrored = Pose::from_matrix({0, 1, 1, 0}, {0, 0});
   for (const std::uint32_t n : {1000u, 262144u}) {
     for (const double radius : {1.0, 0x1p900, 0x1p-900}) {
@@ -134,7 +134,7 @@ TEST(PolygonLineTest, AgreesWithScanOnLargePolygons) {
 
 // 3 log2 n + 5 probes; by Fibonacci search 4.89 log2 n + 11.
 TEST(PolygonLineTest, Complexity) {
-  Random random(seed(20261210));
+  Random random(tests::chosen_seed(20261210));
   for (std::uint32_t e = 3; e <= 20; ++e) {
     const std::uint32_t n = 1u << e;
     double worst = 0, worst_by_fibonacci = 0;

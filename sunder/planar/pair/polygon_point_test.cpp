@@ -85,10 +85,10 @@ TEST(PolygonPointTest, OfSegmentsAndPoints) {
 }
 
 TEST(PolygonPointTest, AgreesWithScanOnNastyCases) {
-  Random random(seed(20261205));
+  Random random(tests::chosen_seed(20261205));
   std::map<Place, int> counts;
   int reflected_edges = 0, degenerate = 0;
-  const int count = instances(40000);
+  const int count = tests::scaled_count(40000, 1000);
   for (int i = 0; i < count; ++i) {
     const NastyCase c = nasty_case(random);
     const PolygonPoint answer = ask(c.polygon, c.pose, nasty_point(c, random));
@@ -104,9 +104,9 @@ TEST(PolygonPointTest, AgreesWithScanOnNastyCases) {
 }
 
 TEST(PolygonPointTest, AgreesWithScanOnWildNumbers) {
-  Random random(seed(20261220));
+  Random random(tests::chosen_seed(20261220));
   std::map<Place, int> counts;
-  for (int i = 0; i < instances(4000); ++i) {
+  for (int i = 0; i < tests::scaled_count(4000, 1000); ++i) {
     const NastyCase c = wild_case(random);
     ++counts[ask(c.polygon, c.pose, wild_point(c, random)).place];
     if (HasFailure()) FAIL() << "instance " << i;
@@ -115,7 +115,7 @@ TEST(PolygonPointTest, AgreesWithScanOnWildNumbers) {
 }
 
 TEST(PolygonPointTest, AgreesWithScanOnLargePolygons) {
-  Random random(seed(20261206));
+  Random random(tests::chosen_seed(20261206));
   const Pose mirrored = Pose::from_matrix({0, 1, 1, 0}, {0, 0});
   for (const std::uint32_t n : {1000u, 262144u}) {
     for (const double radius : {1.0, 0x1p900, 0x1p-900}) {
@@ -136,7 +136,7 @@ TEST(PolygonPointTest, AgreesWithScanOnLargePolygons) {
 }
 
 TEST(PolygonPointTest, Complexity) {
-  Random random(seed(20261207));
+  Random random(tests::chosen_seed(20261207));
   for (std::uint32_t e = 3; e <= 20; ++e) {
     const std::uint32_t n = 1u << e;
     double of_point = 0, of_tangents = 0;

@@ -47,9 +47,9 @@ TEST(PolygonRayTest, ByHand) {
 }
 
 TEST(PolygonRayTest, AgreesWithScanOnNastyCases) {
-  Random random(seed(20261213));
+  Random random(tests::chosen_seed(20261213));
   CutCounts counts;
-  const int count = instances(40000);
+  const int count = tests::scaled_count(40000, 1000);
   for (int i = 0; i < count; ++i) {
     const NastyCase c = nasty_case(random);
     const auto [a, b] = nasty_points(c, random);
@@ -60,7 +60,7 @@ TEST(PolygonRayTest, AgreesWithScanOnNastyCases) {
 }
 
 TEST(PolygonRayTest, LargePolygonsAndComplexity) {
-  Random random(seed(20261214));
+  Random random(tests::chosen_seed(20261214));
   for (const std::uint32_t e : {3u, 6u, 9u, 12u, 15u, 18u, 20u}) {
     const std::uint32_t n = 1u << e;
     const ConvexPolygon p = regular_polygon(n);

@@ -81,10 +81,10 @@ TEST(PolygonSegmentTest, OfSegmentsAndPoints) {
 }
 
 TEST(PolygonSegmentTest, AgreesWithScanOnNastyCases) {
-  Random random(seed(20261211));
+  Random random(tests::chosen_seed(20261211));
   CutCounts counts;
   int short_ones = 0;
-  const int count = instances(40000);
+  const int count = tests::scaled_count(40000, 1000);
   for (int i = 0; i < count; ++i) {
     const NastyCase c = nasty_case(random);
     const Point2 a = nasty_point(c, random), b = nasty_point(c, random);
@@ -97,9 +97,9 @@ TEST(PolygonSegmentTest, AgreesWithScanOnNastyCases) {
 }
 
 TEST(PolygonSegmentTest, AgreesWithScanOnWildNumbers) {
-  Random random(seed(20261222));
+  Random random(tests::chosen_seed(20261222));
   CutCounts counts;
-  for (int i = 0; i < instances(4000); ++i) {
+  for (int i = 0; i < tests::scaled_count(4000, 1000); ++i) {
     const NastyCase c = wild_case(random);
     counts.add(c, ask(c.polygon, c.pose, {wild_point(c, random), wild_point(c, random)}));
     if (HasFailure()) FAIL() << "instance " << i;
@@ -108,7 +108,7 @@ TEST(PolygonSegmentTest, AgreesWithScanOnWildNumbers) {
 }
 
 TEST(PolygonSegmentTest, LargePolygonsAndComplexity) {
-  Random random(seed(20261212));
+  Random random(tests::chosen_seed(20261212));
   for (const std::uint32_t e : {3u, 6u, 9u, 12u, 15u, 18u, 20u}) {
     const std::uint32_t n = 1u << e;
     double worst = 0;

@@ -4,12 +4,14 @@
 // those before it, with the power of a as the common one, is of the same form, in the differences to a: so is the next.
 // For the same reasons centres differ, and three are not on one line.
 #include <sunder/base/random.h>
+#include <sunder/number/double_double.h>
 #include <sunder/planar/region/circles_deepest.h>
 #include <sunder/predicate/disc_powers.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 namespace sunder::planar {
@@ -65,89 +67,145 @@ class InOrder {
   StageTally tally_;
 };
 
-// The proposal: everything in doubles.
+template <class Number>
+struct Vector {
+  Number x = 0, y = 0;
+};
+template <class Number>
+Vector<Number> operator-(const Vector<Number>& p, const Vector<Number>& q) {
+  return {p.x - q.x, p.y - q.y};
+}
+template <class Number>
+Number dot(const Vector<Number>& p, const Vector<Number>& q) {
+  return p.x * q.x + p.y * q.y;
+}
+template <class Number>
+Number cross(const Vector<Number>& p, const Vector<Number>& q) {
+  return p.x * q.y - p.y * q.x;
+}
+
+// The proposal, in floating point: Number is double, or DoubleDouble where discs are nearly tied.
+template <class Number>
 struct Proposal {
   std::array<std::uint32_t, 3> discs{};
   std::uint32_t count = 0;
-  Point2 point;
-  double power = 0;
+  Vector<Number> point;
+  Number power = 0;
 };
 
-double power(const Circle& c, const Point2& p) {
-  const double x = c.center.x - p.x, y = c.center.y - p.y;
-  return (x * x + y * y) - c.radius * c.radius;
+template <class Number>
+Vector<Number> center_of(const Circle& c) {
+  return {Number(c.center.x), Number(c.center.y)};
 }
 
-double lead_of(const Circle& i, const Circle& k) { return power(k, i.center) + i.radius * i.radius; }
+template <class Number>
+Number power(const Circle& c, const Vector<Number>& p) {
+  const Vector<Number> way = center_of<Number>(c) - p;
+  return dot(way, way) - Number(c.radius) * Number(c.radius);
+}
 
-Proposal of_one(std::span<const Circle> circles, std::uint32_t i) {
-  return {{i, 0, 0}, 1, circles[i].center, -circles[i].radius * circles[i].radius};
+template <class Number>
+Number half_lead(const Circle& i, const Circle& k) {
+  return Number(0.5) * (power(k, center_of<Number>(i)) + Number(i.radius) * Number(i.radius));
 }
 
 // Those with weights that are not negative; else with the power -infinity.
-Proposal of_two(std::span<const Circle> circles, std::uint32_t i, std::uint32_t j) {
-  Proposal out{{i, j, 0}, 2, circles[i].center, -HUGE_VAL};
-  const double x = circles[j].center.x - out.point.x, y = circles[j].center.y - out.point.y;
-  const double t = 0.5 * lead_of(circles[i], circles[j]) / (x * x + y * y);
-  if (!(t >= 0 && t <= 1)) return out;
-  out.point = {out.point.x + t * x, out.point.y + t * y};
+template <class Number>
+Proposal<Number> proposal_of(std::span<const Circle> circles, std::uint32_t i) {
+  const Vector<Number> center = center_of<Number>(circles[i]);
+  return {{i, 0, 0}, 1, center, power(circles[i], center)};
+}
+
+template <class Number>
+Proposal<Number> proposal_of(std::span<const Circle> circles, std::uint32_t i, std::uint32_t j) {
+  Proposal<Number> out{{i, j, 0}, 2, center_of<Number>(circles[i]), -HUGE_VAL};
+  const Vector<Number> d = center_of<Number>(circles[j]) - out.point;
+  const Number t = half_lead<Number>(circles[i], circles[j]) / dot(d, d);
+  if (!(t >= 0.0 && Number(1) >= t)) return out;
+  out.point = {out.point.x + t * d.x, out.point.y + t * d.y};
   out.power = power(circles[i], out.point);
   return out;
 }
 
-Proposal of_three(std::span<const Circle> circles, std::uint32_t i, std::uint32_t j, std::uint32_t l) {
-  Proposal out{{i, j, l}, 3, circles[i].center, -HUGE_VAL};
-  const Point2 d{circles[j].center.x - out.point.x, circles[j].center.y - out.point.y};
-  const Point2 e{circles[l].center.x - out.point.x, circles[l].center.y - out.point.y};
-  const double turn = d.x * e.y - d.y * e.x;
-  const double of_j = 0.5 * lead_of(circles[i], circles[j]), of_l = 0.5 * lead_of(circles[i], circles[l]);
-  const Point2 q{(of_j * e.y - of_l * d.y) / turn, (of_l * d.x - of_j * e.x) / turn};
-  const double w_j = (q.x * e.y - q.y * e.x) / turn, w_l = (d.x * q.y - d.y * q.x) / turn;
-  if (!(w_j >= 0 && w_l >= 0 && w_j + w_l <= 1)) return out;
+template <class Number>
+Proposal<Number> proposal_of(std::span<const Circle> circles, std::uint32_t i, std::uint32_t j, std::uint32_t l) {
+  Proposal<Number> out{{i, j, l}, 3, center_of<Number>(circles[i]), -HUGE_VAL};
+  const Vector<Number> d = center_of<Number>(circles[j]) - out.point, e = center_of<Number>(circles[l]) - out.point;
+  const Number turn = cross(d, e);
+  const Number of_j = half_lead<Number>(circles[i], circles[j]), of_l = half_lead<Number>(circles[i], circles[l]);
+  const Vector<Number> q{(of_j * e.y - of_l * d.y) / turn, (of_l * d.x - of_j * e.x) / turn};
+  const Number w_j = cross(q, e) / turn, w_l = cross(d, q) / turn;
+  if (!(w_j >= 0.0 && w_l >= 0.0 && Number(1) >= w_j + w_l)) return out;
   out.point = {out.point.x + q.x, out.point.y + q.y};
   out.power = power(circles[i], out.point);
   return out;
 }
 
+template <class Number>
+Proposal<Number> proposal_of(std::span<const Circle> circles, std::span<const std::uint32_t> discs) {
+  if (discs.size() == 1) return proposal_of<Number>(circles, discs[0]);
+  if (discs.size() == 2) return proposal_of<Number>(circles, discs[0], discs[1]);
+  return proposal_of<Number>(circles, discs[0], discs[1], discs[2]);
+}
+
 // The proposal for the discs of `basis` and disc k: of all that name k, the one of the greatest power.
-Proposal with(std::span<const Circle> circles, const Proposal& basis, std::uint32_t k) {
-  Proposal best = of_one(circles, k);
-  const auto consider = [&](const Proposal& other) {
+template <class Number>
+Proposal<Number> with(std::span<const Circle> circles, const Proposal<Number>& basis, std::uint32_t k) {
+  Proposal<Number> best = proposal_of<Number>(circles, k);
+  const auto consider = [&](const Proposal<Number>& other) {
     if (other.power > best.power) best = other;
   };
   for (std::uint32_t a = 0; a < basis.count; ++a) {
-    consider(of_two(circles, k, basis.discs[a]));
+    consider(proposal_of<Number>(circles, k, basis.discs[a]));
     for (std::uint32_t b = a + 1; b < basis.count; ++b) {
-      consider(of_three(circles, k, basis.discs[a], basis.discs[b]));
+      consider(proposal_of<Number>(circles, k, basis.discs[a], basis.discs[b]));
     }
   }
   return best;
 }
 
-Proposal propose(std::span<const Circle> circles, Cost& cost) {
+// From one proposal to that with the disc of greatest power at its point, while the power grows. It may grow by no more
+// than the square of what the disc is beyond, so in fine numbers a loss by rounding is no reason to stop.
+template <class Number>
+Proposal<Number> improved(std::span<const Circle> circles, Proposal<Number> best, Cost& cost) {
   constexpr int most_steps = 40;
-  std::uint32_t start = 0;
-  for (std::uint32_t k = 1; k < circles.size(); ++k) {
-    if (circles[k].radius < circles[start].radius) start = k;
-  }
-  Proposal best = of_one(circles, start);
+  constexpr bool fine = !std::is_same_v<Number, double>;
   for (int step = 0; step < most_steps; ++step) {
     ++cost.iterations;
     cost.probes += circles.size();
     std::uint32_t furthest = best.discs[0];
-    double most = best.power;
+    Number most = best.power;
+    const Vector<double> near{nearest(best.point.x), nearest(best.point.y)};
     for (std::uint32_t k = 0; k < circles.size(); ++k) {
-      const double here = power(circles[k], best.point);
+      const Circle& c = circles[k];
+      const Vector<double> way = center_of<double>(c) - near;
+      const double distance = dot(way, way), square = c.radius * c.radius;
+      if (!(distance - square + (fine ? 0x1p-45 * (distance + square) : 0) > nearest(most))) continue;
+      const Number here = power(c, best.point);
       if (here > most) {
         most = here;
         furthest = k;
       }
     }
-    const Proposal next = with(circles, best, furthest);
-    if (!(next.power > best.power)) break;
+    const double square = circles[furthest].radius * circles[furthest].radius;
+    const Number noise = fine ? 0x1p-95 * (square + std::fabs(nearest(most))) : 0;
+    if (!(most > best.power + noise)) break;
+    const Proposal<Number> next = with(circles, best, furthest);
+    if (!(next.power + noise > best.power)) break;
     best = next;
   }
   return best;
+}
+
+// First in doubles, then in numbers of 106 bits: on a ring of discs doubles do not tell which are furthest.
+Proposal<DoubleDouble> propose(std::span<const Circle> circles, Cost& cost) {
+  std::uint32_t start = 0;
+  for (std::uint32_t k = 1; k < circles.size(); ++k) {
+    if (circles[k].radius < circles[start].radius) start = k;
+  }
+  const Proposal<double> rough = improved(circles, proposal_of<double>(circles, start), cost);
+  const std::span<const std::uint32_t> discs(rough.discs.data(), rough.count);
+  return improved(circles, proposal_of<DoubleDouble>(circles, discs), cost);
 }
 
 }  // namespace
@@ -171,7 +229,7 @@ CirclesDeepest circles_deepest_by_order(std::span<const Circle> circles) {
 CirclesDeepest circles_deepest(std::span<const Circle> circles) {
   constexpr int most_changes = 100;
   CirclesDeepest out;
-  const Proposal proposal = propose(circles, out.cost);
+  const Proposal<DoubleDouble> proposal = propose(circles, out.cost);
   InOrder(circles, {proposal.discs.data(), proposal.count}, out).run();
   DiscBasis basis = discs_of(circles, out.basis());
   PowerBound bound = power_bound(basis);

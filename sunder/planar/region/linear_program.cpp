@@ -6,6 +6,7 @@ std::string_view name_of(Optimum outcome) {
   switch (outcome) {
     case Optimum::one: return "one";
     case Optimum::many: return "many";
+    case Optimum::all: return "all";
     case Optimum::unbounded: return "unbounded";
     case Optimum::infeasible: return "infeasible";
   }
@@ -51,7 +52,8 @@ class Checker {
     switch (outcome) {
       case Optimum::infeasible: return contradict(before, side, after);
       case Optimum::unbounded: return !no_objective_ && common_point(before, after) && never_leaves(side, backward);
-      case Optimum::many: return no_objective_ ? side == no_half_plane && common_point(before, after) : is_edge();
+      case Optimum::many: return !no_objective_ && is_edge();
+      case Optimum::all: return no_objective_ && side == no_half_plane && common_point(before, after);
       case Optimum::one: return is_corner();
     }
     return false;

@@ -25,7 +25,8 @@ namespace sunder::planar {
 
 enum class Optimum : std::uint8_t {
   one,         // point
-  many,        // a segment, ray or line; for p = q = 0: all common points
+  many,        // more than one: a segment, ray or line
+  all,         // p = q = 0: all common points, be they one or more (the kind of the region tells)
   unbounded,   // common points are as far as one likes
   infeasible,  // no common point
 };
@@ -39,9 +40,8 @@ inline constexpr std::uint32_t no_half_plane = 0xffffffffu;
 //     other; or where `side` is set, whose normal is in the direction (p, q): the corner of before and side, through
 //     which the line of after goes.
 //   many: the points of the line of `side`, whose normal is in the direction (p, q), from its corner with before to
-//   that
-//     with after; it is unbounded on a side where that is not set. For p = q = 0: `side` is not set, and the common
-//     point below is one of them.
+//     that with after; it is unbounded on a side where that is not set.
+//   all: a common point, below; `side` is not set.
 //   unbounded: a common point, below, and a direction in which one never leaves: that of the line of `side`, or where
 //     `backward`, its opposite; where `side` is not set, (p, q).
 //   infeasible: before, side, after have no common point, and follow each other counter-clockwise; where `side` is not
@@ -121,7 +121,7 @@ LinearProgramAnswer linear_program_by_region(const PreparedRegion<Given>& region
 template <class Given>
 LinearProgramAnswer linear_program_by_scan(const Given& given, const Objective& objective);
 
-// A point that is optimal, or for `unbounded` a common one. Requires a feasible answer. Cost: exact arithmetic.
+// A point that is optimal, for `unbounded` a common one. Requires a feasible answer. Cost: exact arithmetic.
 template <class Given>
 ExactPoint2 point_of(const Given& given, const LinearProgramAnswer& answer);
 

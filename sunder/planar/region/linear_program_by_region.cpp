@@ -29,7 +29,7 @@ class Support {
     const bool has_corner = region.kind != RegionKind::half_plane && region.kind != RegionKind::strip &&
                             region.kind != RegionKind::line && region.kind != RegionKind::plane;
     return {
-        Optimum::many, s.empty() ? no_half_plane : s[0], no_half_plane, has_corner ? s[1] : no_half_plane, false, {}};
+        Optimum::all, s.empty() ? no_half_plane : s[0], no_half_plane, has_corner ? s[1] : no_half_plane, false, {}};
   }
 
  private:

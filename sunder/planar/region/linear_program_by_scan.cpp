@@ -19,7 +19,7 @@ class Scan {
     if (!finds_contradiction(answer)) {
       if (is_zero_) {
         name_common_point(answer);
-        answer.outcome = Optimum::many;
+        answer.outcome = Optimum::all;
       } else if (!finds_corner(answer) && !finds_edge(answer)) {
         name_common_point(answer);
         name_way(answer);

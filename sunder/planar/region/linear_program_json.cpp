@@ -34,10 +34,8 @@ ExactVector direction_of(const Given& given, const Objective& objective, const L
   return answer.backward ? ExactVector{-d.x, -d.y} : d;
 }
 
-// For p = q = 0 the named half-planes name a point only.
 void append_edge(std::string& text, const LinearProgramAnswer& answer) {
-  const bool has_side = answer.side != no_half_plane;
-  const auto number = [&](std::uint32_t k) { return !has_side || k == no_half_plane ? "-1" : std::to_string(k); };
+  const auto number = [](std::uint32_t k) { return k == no_half_plane ? "-1" : std::to_string(k); };
   text += ",\n   \"side\": " + number(answer.side) + ", \"before\": " + number(answer.before) +
           ", \"after\": " + number(answer.after);
 }

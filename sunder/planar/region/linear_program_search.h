@@ -235,7 +235,7 @@ inline LinearProgramAnswer any_common_point(LinearProgramAnswer answer) {
     answer.before = set(other) ? other : answer.side;
     answer.after = set(other) ? answer.side : no_half_plane;
   }
-  answer.outcome = Optimum::many;
+  answer.outcome = Optimum::all;
   answer.side = no_half_plane;
   answer.backward = false;
   return answer;

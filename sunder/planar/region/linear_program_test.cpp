@@ -76,18 +76,20 @@ TEST(LinearProgramTest, EachOutcome) {
   EXPECT_EQ(corner.outcome, Optimum::one);
   EXPECT_EQ(nearest(point_of(Constraints(triangle), corner)), (Point2{4, 0}));
   EXPECT_EQ(of(triangle, {1, 1}).outcome, Optimum::many);
-  EXPECT_EQ(of(triangle, {0, 0}).outcome, Optimum::many);
+  EXPECT_EQ(of(triangle, {0, 0}).outcome, Optimum::all);
   EXPECT_EQ(of({{1, 1, 4}, {-1, 0, 0}}, {1, 1}).outcome, Optimum::many);
   EXPECT_EQ(of({{1, 1, 4}}, {1, 1}).outcome, Optimum::many);
   EXPECT_EQ(of({{1, 1, 4}}, {1, 0}).outcome, Optimum::unbounded);
   EXPECT_EQ(of({{1, 1, 4}}, {-1, -1}).outcome, Optimum::unbounded);
   EXPECT_EQ(of({}, {-1, -1}).outcome, Optimum::unbounded);
-  EXPECT_EQ(of({}, {0, 0}).outcome, Optimum::many);
+  EXPECT_EQ(of({}, {0, 0}).outcome, Optimum::all);
   EXPECT_EQ(of({{1, 1, -4}, {-1, 0, 0}, {0, -1, 0}}, {1, 1}).outcome, Optimum::infeasible);
   EXPECT_EQ(of({{1, 1, -4}, {-1, -1, 3}}, {0, 0}).outcome, Optimum::infeasible);
   // An edge that is a point: a segment upright, a point with four sides.
   EXPECT_EQ(of({{1, 0, 0}, {-1, 0, 0}, {0, 1, 1}, {0, -1, 1}}, {0, 1}).outcome, Optimum::one);
-  EXPECT_EQ(of({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}}, {0, 1}).outcome, Optimum::one);
+  const std::vector<Constraint> point{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+  EXPECT_EQ(of(point, {0, 1}).outcome, Optimum::one);
+  EXPECT_EQ(of(point, {0, 0}).outcome, Optimum::all);  // of which there is one
 }
 
 Objective objective_for(const std::vector<Constraint>& given, Random& random, int turn) {
@@ -263,7 +265,7 @@ TEST(LinearProgramTest, UntrueAnswersAreRefused) {
     const Objective objective = objective_for(all, sets.random(), i);
     const LinearProgramAnswer answer = linear_program(given, objective);
     ASSERT_TRUE(check(given, objective, answer));
-    for (const Optimum outcome : {Optimum::one, Optimum::many, Optimum::unbounded, Optimum::infeasible}) {
+    for (const Optimum outcome : {Optimum::one, Optimum::many, Optimum::all, Optimum::unbounded, Optimum::infeasible}) {
       if (outcome == answer.outcome) continue;
       LinearProgramAnswer wrong = answer;
       wrong.outcome = outcome;

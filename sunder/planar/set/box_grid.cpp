@@ -80,6 +80,15 @@ std::optional<BoxGrid> BoxGrid::over(std::span<const Box> boxes, double most_cov
   return grid;
 }
 
+std::uint64_t BoxGrid::pairs() const {
+  std::uint64_t count = 0;
+  for (std::uint32_t c = 0; c < cell_count(); ++c) {
+    const std::uint64_t size = cell(c).size();
+    count += size < 2 ? 0 : size * (size - 1) / 2;
+  }
+  return count;
+}
+
 std::size_t BoxGrid::crowded(std::size_t crowd) const {
   std::size_t count = 0;
   for (std::uint32_t c = 0; c < cell_count(); ++c) {

@@ -36,6 +36,9 @@ class BoxGrid {
   std::uint32_t column(double x) const { return static_cast<std::uint32_t>((x - left_) * per_x_); }
   std::uint32_t row(double y) const { return static_cast<std::uint32_t>((y - bottom_) * per_y_); }
 
+  // How many pairs of boxes have a cell in common, counted for each cell?
+  std::uint64_t pairs() const;
+
   // How many places in cells are in crowds, that is, in cells of more than `crowd` boxes?
   std::size_t crowded(std::size_t crowd) const;
 

@@ -11,6 +11,8 @@
 #include <sunder/planar/set/box_grid.h>
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <functional>
 #include <numeric>
 #include <span>
@@ -45,8 +47,11 @@ class BoxPairsByHalving {
     List ranges;
     std::copy_if(by_bottom.begin(), by_bottom.end(), std::back_inserter(ranges),
                  [&](std::uint32_t i) { return places_[i].place + 1 < places_[i].end; });
+    looks_ += 3 * std::uint64_t{n} * static_cast<std::uint64_t>(std::bit_width(n));  // three searches and sorts
     return visit(0, n, std::move(ranges), std::move(by_bottom));
   }
+
+  std::uint64_t looks() const { return looks_; }
 
  private:
   using List = std::vector<std::uint32_t>;
@@ -59,6 +64,7 @@ class BoxPairsByHalving {
   // The boxes `in` have their places from `begin` to `end`; the ranges of `over` meet this. Both by their bottoms.
   bool visit(std::uint32_t begin, std::uint32_t end, List over, List in) {
     if (over.empty() || in.empty()) return true;
+    looks_ += over.size() + in.size();
     if (end - begin <= few || over.size() <= few) return visit_all(over, in);
     const std::uint32_t middle = begin + (end - begin) / 2;
     List covering, over_left, over_right, in_left, in_right;
@@ -84,6 +90,7 @@ class BoxPairsByHalving {
       const Box& a = boxes_[i];
       for (const std::uint32_t j : in) {
         const Box& b = boxes_[j];
+        ++looks_;
         if (b.bottom > a.top) break;
         const bool begins_inside = places_[i].place < places_[j].place && places_[j].place < places_[i].end;
         if (begins_inside && a.bottom <= b.top && !report(i, j)) return false;
@@ -110,18 +117,24 @@ class BoxPairsByHalving {
   std::span<const Box> boxes_;
   const OfPair& of_pair_;
   std::vector<Places> places_;
+  std::uint64_t looks_ = 0;
 };
 
 // Calls of_pair(i, j), i < j, once for each pair of boxes that meet, in no particular order, until it returns false.
-// Returns whether it never did. Cost: O(N log N + k) for k pairs.
+// Returns whether it never did. Adds to `looks`, where given, how often it looked at a box. Cost: O(N log N + k) for k
+// pairs.
 template <class OfPair>
 bool for_each_box_pair(std::span<const Box> boxes, const OfPair& of_pair,
-                       const std::function<void(double)>& progress = nullptr) {
+                       const std::function<void(double)>& progress = nullptr, std::uint64_t* looks = nullptr) {
   const std::optional<BoxGrid> grid = BoxGrid::over(boxes);
   if (grid && grid->crowded(crowd_of_boxes) == 0) {
+    if (looks != nullptr) *looks += grid->pairs();
     return for_each_near_box_pair(boxes, *grid, crowd_of_boxes, of_pair, progress);
   }
-  return BoxPairsByHalving<OfPair>(boxes, of_pair).run();
+  BoxPairsByHalving<OfPair> halving(boxes, of_pair);
+  const bool all = halving.run();
+  if (looks != nullptr) *looks += halving.looks();
+  return all;
 }
 
 }  // namespace sunder::planar

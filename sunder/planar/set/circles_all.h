@@ -10,6 +10,7 @@
 #include <sunder/base/cost.h>
 #include <sunder/planar/object/circle.h>
 #include <sunder/planar/set/circles_any.h>
+#include <sunder/planar/set/contacts_in_order.h>
 
 #include <cstdint>
 #include <functional>
@@ -25,7 +26,7 @@ struct CirclesContact {
 
 struct CirclesAllAnswer {
   std::vector<CirclesContact> contacts;
-  Cost cost;  // probes: pairs that were compared
+  Cost cost;  // probes: pairs that were compared, also those of boxes in a cell
 };
 
 struct CirclesCountAnswer {
@@ -43,6 +44,10 @@ using CirclesContactMethod = Cost(const Circles& circles, const CirclesOptions& 
                                   const CirclesContactVisitor& visit);
 
 CirclesContactMethod visit_circle_contacts;  // the front door
+
+// Those whose i the block holds, as visit_contacts_of_block.
+Cost visit_circle_contacts_of_block(const Circles& circles, const CirclesOptions& options, const Block& block,
+                                    CirclesContactMethod* by, const CirclesContactVisitor& visit);
 
 // A uniform grid over the discs' boxes; where it does not pay, or many crowd in a cell, by sweep.
 CirclesContactMethod visit_circle_contacts_by_grid;

@@ -155,7 +155,10 @@ TEST(CirclesAllTest, PairsGrowAsTheContacts) {
     const Cost sweep = visit_circle_contacts_by_sweep(circles, {}, visit);
     EXPECT_GT(count, n);
     EXPECT_LT(sweep.probes, count * 4 / 3 + 64);  // squares against discs: 4 / pi at most
-    EXPECT_EQ(visit_circle_contacts_by_grid(circles, {}, visit).probes, sweep.probes);
+    // The grid compares these too, and the boxes of a cell.
+    const std::uint64_t contacts = count, by_grid = visit_circle_contacts_by_grid(circles, {}, visit).probes;
+    EXPECT_GE(by_grid, sweep.probes);
+    EXPECT_LT(by_grid, 8 * contacts + 64);
   }
 }
 

@@ -9,7 +9,7 @@ CirclesAnswer circles_any_by_grid(const Circles& circles, const CirclesOptions& 
   if (options.transcript) return circles_any_by_sweep(circles, options);
   const std::vector<Segment> boxes = box_diagonals(circles);
   const std::optional<SegmentGrid> grid = SegmentGrid::over(boxes);
-  if (!grid || crowded(*grid, crowd_for_any) > circles.size() / 2) return circles_any_by_sweep(circles, options);
+  if (!grid || is_too_much(*grid, crowd_for_any, circles.size())) return circles_any_by_sweep(circles, options);
   CirclesAnswer answer;
   const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {
     if (may_meet(options.groups, i, j)) return true;
@@ -21,7 +21,7 @@ CirclesAnswer circles_any_by_grid(const Circles& circles, const CirclesOptions& 
     answer.j = j;
     return false;
   };
-  if (!for_each_near_pair<crowd_for_any>(boxes, *grid, of_pair, options.progress)) return answer;
+  if (!for_each_near_pair<crowd_for_any>(boxes, *grid, of_pair, options.progress, &answer.cost)) return answer;
   const std::vector<std::uint32_t> members = members_of_crowds(*grid, crowd_for_any, circles.size());
   if (members.empty()) return answer;
   const CirclesSubset part(circles, options.groups, members);

@@ -67,12 +67,14 @@ ConvexPolygonsAnswer convex_polygons_any(std::span<const ConvexPolygon> polygons
 
 // Theorem 6: a line sweeps over the plane, and polygons are compared when they become neighbours on it.
 // Cost: O(N log N log k) probes for polygons of at most k vertices; O(N) memory. Where there are groups, whose members
-// may overlap, it does not apply: then pairs of boxes that meet are looked at.
+// may overlap, it does not apply: then as by grid.
 ConvexPolygonsAnswer convex_polygons_any_by_sweep(std::span<const ConvexPolygon> polygons,
                                                   const ConvexPolygonsOptions& options = {});
 
 // The pairs whose boxes meet, by a uniform grid over the boxes. Where that does not pay, or a transcript is asked for,
 // the sweep decides instead, and where too many crowd in a cell, the sweep decides about these; so its bound holds.
+// Where there are groups: all pairs whose boxes meet; where that takes more than 64 probes a vertex, the sweep of
+// polygons_any_by_sweep, with its bound. (Not where there are points or segments among the polygons.)
 ConvexPolygonsAnswer convex_polygons_any_by_grid(std::span<const ConvexPolygon> polygons,
                                                  const ConvexPolygonsOptions& options = {});
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <sunder/planar/set/polygon_meetings.h>
-#include <sunder/planar/set/segments_all.h>
 
 #include <functional>
 #include <optional>
@@ -18,19 +17,13 @@ struct WantedContacts {
   std::function<void(double)> progress = nullptr;
 };
 
-// By a grid; where it does not pay, or many edges crowd in a cell, as visit_contacts. Stops, and returns false, where
-// `meetings` does.
-bool take_contacts_by_grid(const PolygonEdges& edges, const WantedContacts& wanted, PolygonMeetings& meetings);
+// By a grid, or not at all: nothing where that does not pay, or many edges crowd in a cell. Stops, and returns false,
+// where `meetings` does.
+std::optional<bool> take_contacts_by_grid(const PolygonEdges& edges, const WantedContacts& wanted,
+                                          PolygonMeetings& meetings);
 
-// By a grid, or not at all: nothing where that does not pay, or many edges crowd in a cell.
-std::optional<bool> take_contacts_by_grid_alone(const PolygonEdges& edges, const WantedContacts& wanted,
-                                                PolygonMeetings& meetings);
-
-// By the sweep of Bentley and Ottmann.
-bool take_contacts_by_sweep(const PolygonEdges& edges, const WantedContacts& wanted, PolygonMeetings& meetings);
-
-// Of some edges only, by grid or, if they are few, each against each.
-bool take_contacts_of(std::span<const std::uint32_t> some, const PolygonEdges& edges, const WantedContacts& wanted,
-                      PolygonMeetings& meetings);
+// Of some edges only; if they are few, each against each.
+std::optional<bool> take_contacts_of(std::span<const std::uint32_t> some, const PolygonEdges& edges,
+                                     const WantedContacts& wanted, PolygonMeetings& meetings);
 
 }  // namespace sunder::planar

@@ -1,11 +1,14 @@
 // The pairs of segments that a grid finds near each other.
 #pragma once
 
+#include <sunder/base/cost.h>
+#include <sunder/planar/object/lanes_box.h>
 #include <sunder/planar/set/contact_rule.h>
 #include <sunder/planar/set/segment_grid.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -25,6 +28,19 @@ inline std::size_t crowded(const SegmentGrid& grid, std::size_t crowd) {
     if (grid.cell(c).size() > crowd) count += grid.cell(c).size();
   }
   return count;
+}
+
+// Would a sweep over all be the better way? Where more than half of the places are in crowds, or the other cells have
+// so many pairs of boxes to look at that few of them can be contacts. (A sweep takes as long for a comparison as a cell
+// for a dozen pairs of boxes.)
+inline bool is_too_much(const SegmentGrid& grid, std::size_t crowd, std::uint32_t count) {
+  constexpr double most_looks = 10;  // over N log2 N
+  double looks = 0;
+  for (std::uint32_t c = 0; c < grid.cell_count(); ++c) {
+    const double size = static_cast<double>(grid.cell(c).size());
+    if (grid.cell(c).size() <= crowd) looks += size * (size - 1) / 2;
+  }
+  return crowded(grid, crowd) > count / 2 || looks > most_looks * count * std::log2(count);
 }
 
 // The segments of all crowded cells, the lower numbers first.
@@ -67,43 +83,55 @@ struct Part {
 };
 
 // Calls of_pair(i, j), i < j, once for each pair whose boxes meet, save for pairs that crowded cells look at. Stops,
-// and returns false, when it returns false.
+// and returns false, when it returns false. Adds the pairs of boxes that it looks at to the probes of `cost`.
 template <std::size_t crowd, class OfPair>
 bool for_each_near_pair(std::span<const Segment> segments, const SegmentGrid& grid, const OfPair& of_pair,
-                        const std::function<void(double)>& progress = nullptr) {
-  std::array<double, crowd> left, right, bottom, top;  // of the boxes of a cell
-  std::array<std::uint32_t, crowd> near;
+                        const std::function<void(double)>& progress = nullptr, Cost* cost = nullptr) {
+  struct Member {
+    LanesBox box;
+    std::uint32_t number, begins;  // begins: bit 0, in this column; bit 1, in this row
+  };
+  std::array<Member, crowd> members;
+  // Pairs wait until there are many: who calls of_pair cannot predict where the few of a cell end.
+  constexpr std::size_t batch = 32;
+  std::array<std::array<std::uint32_t, 2>, batch + crowd> pairs;
+  std::size_t found = 0;
+  const auto hand_over = [&] {
+    for (std::size_t n = 0; n < found; ++n) {
+      if (!of_pair(pairs[n][0], pairs[n][1])) return false;
+    }
+    found = 0;
+    return true;
+  };
   constexpr std::uint32_t ahead = 8;
   const std::uint32_t cells = grid.cell_count();
-  for (std::uint32_t c = 0; c < cells; ++c) {
+  std::uint32_t column = 0, row = 0;
+  for (std::uint32_t c = 0; c < cells; ++c, ++column) {
+    if (column == grid.column_count()) {
+      column = 0;
+      ++row;
+    }
     if (progress && c % 65536 == 0) progress(static_cast<double>(c) / cells);
     if (c + ahead < cells) {
       for (const std::uint32_t i : grid.cell(c + ahead)) __builtin_prefetch(&segments[i]);
     }
     const auto cell = grid.cell(c);
     if (cell.size() < 2 || cell.size() > crowd) continue;
+    if (cost != nullptr) cost->probes += cell.size() * (cell.size() - 1) / 2;
     for (std::uint32_t l = 0; l < cell.size(); ++l) {
-      const Segment& t = segments[cell[l]];
-      const double t_bottom = std::min(t.a.y, t.b.y), t_top = std::max(t.a.y, t.b.y);
-      std::size_t found = 0;
+      const Segment& s = segments[cell[l]];
+      const std::uint32_t begins =
+          std::uint32_t{grid.column(s.a.x) == column} | std::uint32_t{grid.row(std::min(s.a.y, s.b.y)) == row} << 1;
+      const Member& b = members[l] = {box_of_edge(s.a, s.b), cell[l], begins};
       for (std::uint32_t k = 0; k < l; ++k) {  // without branches
-        near[found] = k;
-        const std::size_t in_x = std::size_t{left[k] <= t.b.x} & std::size_t{t.a.x <= right[k]};
-        const std::size_t in_y = std::size_t{bottom[k] <= t_top} & std::size_t{t_bottom <= top[k]};
-        found += in_x & in_y;
+        const Member& a = members[k];
+        pairs[found] = {a.number, b.number};
+        found += std::size_t{meet(a.box, b.box)} & std::size_t{(a.begins | b.begins) == 3};
       }
-      for (std::size_t n = 0; n < found; ++n) {
-        const std::uint32_t k = near[n];
-        const Point2 corner{std::max(left[k], t.a.x), std::max(bottom[k], t_bottom)};
-        if (grid.looking_cell(corner) == c && !of_pair(cell[k], cell[l])) return false;
-      }
-      left[l] = t.a.x;
-      right[l] = t.b.x;
-      bottom[l] = t_bottom;
-      top[l] = t_top;
+      if (found >= batch && !hand_over()) return false;
     }
   }
-  return true;
+  return hand_over();
 }
 
 }  // namespace sunder::planar

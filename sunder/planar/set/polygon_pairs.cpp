@@ -219,13 +219,13 @@ bool PolygonPairs::is_odd_below(const Run& r, const Point2& p) {
   bool odd = false;
   if (r.level > 0) {
     const FourBoxes& parts = r.polygon.edge_boxes().level(r.level - 1)[r.number];
-    cost.probes += fan;
+    cost.probes += 2 * fan;  // one by one, they take twice as long as four at once
     for (std::uint32_t k = 0; k < fan; ++k) {
       if (is_above(p, parts[k])) odd ^= is_odd_below({r.polygon, r.level - 1, fan * r.number + k}, p);
     }
     return odd;
   }
-  cost.probes += fan;
+  cost.probes += 2 * fan;
   for (std::uint32_t k = fan * r.number; k < std::min(fan * (r.number + 1), r.polygon.size()); ++k) {
     const Segment edge = sorted(r.polygon.edge(k));
     if (lexicographically_less(p, edge.a) || !lexicographically_less(p, edge.b)) continue;
@@ -264,7 +264,8 @@ std::optional<PolygonsContact> PolygonPairs::contact(std::uint32_t i, std::uint3
     if (found_.contact == Contact::none) return std::nullopt;
     if (found_.contact == Contact::overlapping) return found_;
     const PolygonsAnswer pair = polygons_contact(a, b);
-    cost.probes += pair.cost.probes;
+    constexpr std::uint64_t of_a_call = 256;  // it takes as long as so many looks, beside what it counts
+    cost.probes += of_a_call + pair.cost.probes;
     found_ = pair.found;
     found_.i = i;
     found_.j = j;
@@ -287,7 +288,7 @@ std::optional<PolygonsContact> PolygonPairs::contact(std::uint32_t i, std::uint3
 std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, const PolygonsOptions& options, Cost& cost,
                                           const std::function<bool(const PolygonsContact&)>& found) {
   // To look at an edge takes a hundredth of the time that it takes to put it in a grid, or a sweep.
-  constexpr std::uint64_t looks = 64;
+  constexpr std::uint64_t looks = 64, looks_for_found = 16;
   // So many that they stay in the cache until they are looked at.
   constexpr std::uint64_t few = 1 << 13;
   std::vector<Box> boxes;
@@ -299,7 +300,7 @@ std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, con
     if (edges <= few) prefetch_contents(polygon);
   }
   PolygonPairs pairs(polygons, looks * edges);
-  bool gave_up = false;
+  bool was_stopped = false;  // else, where it ends early, it gave up
   // A pair waits until the next ones are known; meanwhile first its polygons, then their boxes come from memory.
   constexpr std::uint32_t most_waiting = 4;
   std::array<std::array<std::uint32_t, 2>, most_waiting> waiting;  // pair k is at k % most_waiting
@@ -307,11 +308,14 @@ std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, con
   const auto compare_next = [&] {
     const auto [i, j] = waiting[compared++ % most_waiting];
     const std::optional<PolygonsContact> contact = pairs.contact(i, j);
-    gave_up = !contact;
-    return contact && (contact->contact == Contact::none || found(*contact));
+    if (!contact || contact->contact == Contact::none) return contact.has_value();
+    if (counts(*contact, options.allowed)) pairs.allow(looks_for_found);
+    was_stopped = !found(*contact);
+    return !was_stopped;
   };
   const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {
-    if (may_meet(options.groups, i, j)) return true;
+    ++pairs.cost.probes;
+    if (may_meet(options.groups, i, j)) return !pairs.gave_up();
     prefetch(&polygons[i], sizeof(Polygon));
     prefetch(&polygons[j], sizeof(Polygon));
     if (known > 0) {
@@ -320,10 +324,10 @@ std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, con
     waiting[known++ % most_waiting] = {i, j};
     return known - compared < most_waiting || compare_next();
   };
-  bool all = for_each_box_pair(boxes, of_pair, options.progress);
+  bool all = for_each_box_pair(boxes, of_pair, options.progress, &cost.probes);
   while (all && compared != known) all = compare_next();
   cost.probes += pairs.cost.probes;
-  if (gave_up) return std::nullopt;
+  if (!all && !was_stopped) return std::nullopt;
   return all;
 }
 

@@ -20,6 +20,9 @@ class PolygonPairs {
   // the first edges found to meet do not cross, the cost is that of polygons_contact.
   std::optional<PolygonsContact> contact(std::uint32_t i, std::uint32_t j);
 
+  void allow(std::uint64_t more) { most_ += more; }
+  bool gave_up() const { return cost.probes > most_; }
+
   Cost cost{};  // probes: boxes and edges looked at
 
  private:
@@ -29,7 +32,6 @@ class PolygonPairs {
     const Polygon& polygon;
     std::uint32_t level, number;
   };
-  bool gave_up() const { return cost.probes > most_; }
   bool compare(const Polygon& a, const Polygon& b);
   bool compare_runs(const Run& r, const Run& s);
   bool add_near(const Edges& of_r, const Run& r, const Run& s);
@@ -55,7 +57,8 @@ class PolygonPairs {
 };
 
 // Calls found(contact) for each pair of polygons of different groups that meet, once, until it returns false. Returns
-// whether it never did; nothing where that would take long: then some pairs may have been given.
+// whether it never did; nothing where that takes more than 64 looks at boxes and edges for each edge and 16 for each
+// pair that counts: then some pairs may have been given.
 std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, const PolygonsOptions& options, Cost& cost,
                                           const std::function<bool(const PolygonsContact&)>& found);
 

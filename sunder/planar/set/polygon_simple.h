@@ -5,7 +5,8 @@
 // other (a vertex that two rings, or one ring twice, pass through, and a vertex that is repeated).
 //   P1. simple() is true iff no two edges have a contact that counts.
 //   P2. The contact named counts; which one it is may differ from method to method.
-// Not asked here: whether holes lie inside of the outer ring, and which way rings are turned.
+// Not asked here: whether holes lie inside of the outer ring, and which way rings are turned. What files hold is mostly
+// less than simple, and valid: polygon_valid.h.
 // Source: Shamos & Hoey 1976, section IV, Theorem 4.
 #pragma once
 

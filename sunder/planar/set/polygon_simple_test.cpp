@@ -3,11 +3,12 @@
 #include <sunder/base/random.h>
 #include <sunder/planar/set/polygon_simple.h>
 
+#include <tests/support/scale.h>
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <map>
 #include <vector>
@@ -92,9 +93,8 @@ TEST(PolygonSimpleTest, BadRingsAreRefused) {
 
 // Small grids, where every degeneracy is common; and stars, which are simple, with a vertex moved sometimes.
 TEST(PolygonSimpleTest, AgainstEveryPair) {
-  Random random(107);
-  const char* text = std::getenv("SUNDER_TEST_SCALE");
-  const int count = static_cast<int>(20000 * std::min(1.0, text ? std::atof(text) : 1.0));
+  Random random(tests::chosen_seed(107));
+  const int count = tests::scaled_count(20000);
   std::map<ContactKind, int> seen;
   for (int i = 0; i < count; ++i) {
     std::vector<Ring> rings(1 + random.below(i % 3 == 0 ? 2 : 1));

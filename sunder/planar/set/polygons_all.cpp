@@ -1,5 +1,6 @@
 #include <sunder/planar/set/edge_contact_lists.h>
 #include <sunder/planar/set/polygon_pairs.h>
+#include <sunder/planar/set/polygon_sweep.h>
 #include <sunder/planar/set/polygons_all.h>
 
 #include <algorithm>
@@ -42,23 +43,56 @@ std::vector<PolygonsContact> in_order_of(std::uint32_t PolygonsContact::* number
   return ordered;
 }
 
-using Take = bool(const PolygonEdges&, const WantedContacts&, PolygonMeetings&);
+// Takes what is found. Contacts along a border follow each other.
+class Found {
+ public:
+  auto taker() {
+    return [this](const PolygonsContact& c) {
+      const bool again = !found_.empty() && found_.back().i == c.i && found_.back().j == c.j &&
+                         found_.back().contact == c.contact && found_.back().kind == c.kind;
+      if (!again) found_.push_back(c);
+      return true;
+    };
+  }
+  std::vector<PolygonsContact> one_of_each(Allowed allowed) && {
+    return planar::one_of_each(std::move(found_), allowed);
+  }
 
-PolygonsAllAnswer all_by(Take* take, std::span<const Polygon> polygons, const PolygonsOptions& options) {
-  PolygonEdges edges(pointers_to(polygons));
-  std::vector<PolygonsContact> found;
-  PolygonMeetings meetings(edges, options.groups, [&](const PolygonsContact& c) {
-    // Contacts along a border follow each other.
-    const bool again = !found.empty() && found.back().i == c.i && found.back().j == c.j &&
-                       found.back().contact == c.contact && found.back().kind == c.kind;
-    if (!again) found.push_back(c);
-    return true;
-  });
-  take(edges, {options.groups, true, options.progress}, meetings);
-  meetings.look_around_points();
-  meetings.look_inside();
-  return {one_of_each(std::move(found), options.allowed), meetings.cost};
-}
+ private:
+  std::vector<PolygonsContact> found_;
+};
+
+// Counts pairs that are added any number of times. Memory: at most 16 bytes for each pair.
+class PairCount {
+ public:
+  void add(const PolygonsContact& c) {
+    const std::uint64_t is_touching = c.contact == Contact::touching ? 1 : 0;
+    const std::uint64_t key = std::uint64_t{c.i} << 32 | std::uint64_t{c.j} << 1 | is_touching;
+    if (!keys_.empty() && keys_.back() == key) return;
+    keys_.push_back(key);
+    if (keys_.size() >= full_) compress();
+  }
+
+  PolygonsCountAnswer counted() && {
+    compress();
+    PolygonsCountAnswer answer;
+    for (const std::uint64_t key : keys_) ++(key % 2 == 1 ? answer.touching : answer.overlapping);
+    return answer;
+  }
+
+ private:
+  // One of each pair, an overlap where there is one.
+  void compress() {
+    std::sort(keys_.begin(), keys_.end());
+    const auto is_same = [](std::uint64_t a, std::uint64_t b) { return a / 2 == b / 2; };
+    keys_.erase(std::unique(keys_.begin(), keys_.end(), is_same), keys_.end());
+    full_ = std::max(full_, 2 * keys_.size());
+    keys_.reserve(full_);
+  }
+
+  std::vector<std::uint64_t> keys_;  // i, j, and whether they touch
+  std::size_t full_ = 1 << 16;
+};
 
 }  // namespace
 
@@ -66,12 +100,28 @@ PolygonsAllAnswer polygons_all(std::span<const Polygon> polygons, const Polygons
   return polygons_all_by_boxes(polygons, options);
 }
 
+// Nothing but the pairs is kept, and that only where boxes give up: then a pair may be found many times.
 PolygonsCountAnswer polygons_count(std::span<const Polygon> polygons, const PolygonsOptions& options) {
-  const PolygonsAllAnswer all = polygons_all(polygons, options);
   PolygonsCountAnswer answer;
-  answer.cost = all.cost;
-  for (const PolygonsContact& c : all.contacts)
-    ++(c.contact == Contact::touching ? answer.touching : answer.overlapping);
+  Cost cost;
+  const bool is_counted = for_each_meeting_pair(polygons, options, cost, [&](const PolygonsContact& c) {
+                            if (counts(c, options.allowed)) {
+                              ++(c.contact == Contact::touching ? answer.touching : answer.overlapping);
+                            }
+                            return true;
+                          }).has_value();
+  if (!is_counted) {
+    const PolygonEdges edges(pointers_to(polygons));
+    PairCount count;
+    PolygonSweep sweep(edges, options, [&](const PolygonsContact& c) {
+      if (counts(c, options.allowed)) count.add(c);
+      return true;
+    });
+    sweep.run();
+    answer = std::move(count).counted();
+    answer.cost = sweep.cost;
+  }
+  answer.cost.probes += cost.probes;
   return answer;
 }
 
@@ -87,18 +137,30 @@ PolygonsAllAnswer polygons_all_by_boxes(std::span<const Polygon> polygons, const
     answer.contacts = in_order_of(&PolygonsContact::j, std::move(answer.contacts), count);
     answer.contacts = in_order_of(&PolygonsContact::i, std::move(answer.contacts), count);
   } else {
-    answer = polygons_all_by_grid(polygons, options);
+    answer = polygons_all_by_sweep(polygons, options);
   }
   answer.cost.probes += cost.probes;
   return answer;
 }
 
 PolygonsAllAnswer polygons_all_by_grid(std::span<const Polygon> polygons, const PolygonsOptions& options) {
-  return all_by(take_contacts_by_grid, polygons, options);
+  PolygonEdges edges(pointers_to(polygons));
+  Found found;
+  PolygonMeetings meetings(edges, options.groups, found.taker());
+  if (!take_contacts_by_grid(edges, {options.groups, true, options.progress}, meetings)) {
+    return polygons_all_by_sweep(polygons, options);
+  }
+  meetings.look_around_points();
+  meetings.look_inside();
+  return {std::move(found).one_of_each(options.allowed), meetings.cost};
 }
 
 PolygonsAllAnswer polygons_all_by_sweep(std::span<const Polygon> polygons, const PolygonsOptions& options) {
-  return all_by(take_contacts_by_sweep, polygons, options);
+  const PolygonEdges edges(pointers_to(polygons));
+  Found found;
+  PolygonSweep sweep(edges, options, found.taker());
+  sweep.run();
+  return {std::move(found).one_of_each(options.allowed), sweep.cost};
 }
 
 }  // namespace sunder::planar

@@ -2,8 +2,9 @@
 //
 // A polygon is the closed region that an odd number of its rings encloses (the even-odd rule): what is inside of the
 // outer ring and not in a hole, or on an island in a hole, with its boundary. Required of each: its rings neither
-// cross nor overlap, themselves or one another; they may touch in points (polygon_simple tells more strictly). What
-// does not keep to that is answered somehow. The answer is exactly right for the doubles given, and comes with
+// cross nor overlap, themselves or one another; they may touch in points, and vertices may be repeated: all polygons
+// that are valid are such, also those with rings that touch themselves (polygon_valid.h). What does not keep to that
+// is answered somehow. The answer is exactly right for the doubles given, and comes with
 // evidence: two edges that meet, or a vertex of one polygon inside of the other.
 //   P1. meet() is true iff some two polygons have a contact that counts.
 //   P2. The contact named counts; it need not be the leftmost, nor the same for all methods.
@@ -66,7 +67,8 @@ struct PolygonsOptions {
 };
 
 // How do two polygons meet? Of a touching pair, kind is the greatest there is. i is 0 and j is 1.
-// Cost: linear, and the contacts of those edges that are near the other polygon, listed as by polygons_any_by_grid.
+// Cost: linear, and what a grid over those edges takes that are near the other polygon; where it does not pay, many
+// edges crowd in a cell, or there are many rings, as by sweep.
 PolygonsAnswer polygons_contact(const Polygon& a, const Polygon& b);
 
 // Every two edges, and all pieces into which they part each other, in exact fractions: the oracle, which requires
@@ -77,18 +79,19 @@ PolygonsAnswer polygons_contact_by_scan(const Polygon& a, const Polygon& b);
 // The front door: the fastest method measured. Requires fewer than 2^31 edges in all, as all methods.
 PolygonsAnswer polygons_any(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
 
-// Theorem 7: a line sweeps over the edges, which know the polygon above them. O(n log n) comparisons for n edges in
-// all. Where something is allowed, borders may run along each other, which that sweep does not take: then the contacts
-// of edges are listed by the sweep of Bentley and Ottmann, and the polygons are compared around each common point;
-// O((n + k) log n) for k contacts of edges.
+// A line sweeps over the edges, which know the polygons that fill what is above them, and passes contacts that do not
+// count. O((n + k) log n) for n edges in all and k contacts that do not count: edges that cross and rings inside of
+// others, of one group; edges that pass a vertex of another polygon. All edges with one end in common are one contact.
+// Where nothing is allowed and a transcript is asked for, by Theorem 7: O(n log n) comparisons.
 PolygonsAnswer polygons_any_by_sweep(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
 
 // The pairs of polygons whose boxes meet; of each, the runs of edges whose boxes meet (EdgeBoxes), down to edges. Where
-// that takes more than 64 looks at boxes and edges for each edge, by grid: O(N log N) comparisons and about 64 n such
-// looks for N polygons of n edges in all (the last two may need a look at all of theirs), besides what the grid takes.
+// that takes more than 64 looks at boxes and edges for each edge, by sweep: O(N log N) comparisons and about 64 n such
+// looks for N polygons of n edges in all (the last two may need a look at all of theirs), besides what the sweep takes.
 PolygonsAnswer polygons_any_by_boxes(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
 
-// A uniform grid over the edges' boxes. Where it does not pay, or many edges crowd in cells, by sweep.
+// A uniform grid over the edges' boxes. Where it does not pay, or many edges crowd in cells, by sweep. Then rings whose
+// boxes are in those of other polygons, one by one: it has no bound, and is not the front door.
 PolygonsAnswer polygons_any_by_grid(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
 
 // Every pair of polygons by polygons_contact_by_scan: the oracle. Names the first pair.

@@ -13,7 +13,7 @@ PolygonsAnswer polygons_any_by_boxes(std::span<const Polygon> polygons, const Po
     answer.cost = cost;
     return answer;
   }
-  answer = polygons_any_by_grid(polygons, options);
+  answer = polygons_any_by_sweep(polygons, options);
   answer.cost.probes += cost.probes;
   return answer;
 }

@@ -5,19 +5,14 @@
 namespace sunder::planar {
 
 PolygonsAnswer polygons_any_by_grid(std::span<const Polygon> polygons, const PolygonsOptions& options) {
-  const bool nothing_allowed = options.allowed == Allowed::nothing && options.groups.empty();
   if (options.transcript && options.groups.empty()) return polygons_any_by_sweep(polygons, options);
   PolygonEdges edges(pointers_to(polygons));
   PolygonsAnswer answer;
   PolygonMeetings meetings(edges, options.groups, first_that_counts(answer, options.allowed));
-  const WantedContacts wanted{options.groups, options.allowed != Allowed::nothing, options.progress};
-  std::optional<bool> none_counts;
-  if (nothing_allowed) {
-    none_counts = take_contacts_by_grid_alone(edges, wanted, meetings);
-    if (!none_counts) return polygons_any_by_sweep(polygons, options);
-  } else {
-    none_counts = take_contacts_by_grid(edges, wanted, meetings);
-  }
+  const bool own = options.allowed != Allowed::nothing || !options.groups.empty();
+  const std::optional<bool> none_counts =
+      take_contacts_by_grid(edges, {options.groups, own, options.progress}, meetings);
+  if (!none_counts) return polygons_any_by_sweep(polygons, options);
   if (*none_counts && meetings.look_around_points()) meetings.look_inside();
   answer.cost = meetings.cost;
   classify(polygons, answer);

@@ -8,12 +8,12 @@
 // polygon lies in another one, without a contact of edges, only if its first vertex does: when all edges that begin
 // there have entered, the lowest one has an edge of the other polygon below it, with the inside of that above.
 //
-// Where contacts are allowed, all contacts of edges are listed by another sweep, and the polygons compared around them.
-// If they do not overlap there, then a sweep without tests finds polygons in others: along a common border run one
-// edge that ends a polygon and one that begins another, at most; the former is put below the latter.
-#include <sunder/planar/set/edge_contact_lists.h>
+// All that is for transcripts. Else PolygonSweep decides. Where contacts are allowed, a transcript is written once it
+// has told that none counts, by a sweep without tests: along a common border run one edge that ends a polygon and one
+// that begins another, at most; the former is put below the latter.
 #include <sunder/planar/set/ends_in_order.h>
 #include <sunder/planar/set/first_that_counts.h>
+#include <sunder/planar/set/polygon_sweep.h>
 #include <sunder/planar/set/polygons_any.h>
 #include <sunder/planar/set/sweep_status.h>
 #include <sunder/predicate/orient.h>
@@ -136,17 +136,15 @@ class Sweep {
 PolygonsAnswer polygons_any_by_sweep(std::span<const Polygon> polygons, const PolygonsOptions& options) {
   PolygonEdges edges(pointers_to(polygons));
   PolygonsAnswer answer;
-  if (options.allowed == Allowed::nothing && options.groups.empty()) {
+  const bool is_written = options.transcript && options.groups.empty();
+  if (is_written && options.allowed == Allowed::nothing) {
     Sweep(edges, true, options, answer).run();
-    classify(polygons, answer);
-    return answer;
+  } else {
+    PolygonSweep sweep(edges, options, first_that_counts(answer, options.allowed));
+    const bool none_counts = sweep.run();
+    answer.cost = sweep.cost;
+    if (none_counts && is_written) Sweep(edges, false, options, answer).run();
   }
-  PolygonMeetings meetings(edges, options.groups, first_that_counts(answer, options.allowed));
-  const bool none_counts = take_contacts_by_sweep(edges, {options.groups, true, options.progress}, meetings) &&
-                           meetings.look_around_points();
-  if (none_counts && !options.groups.empty()) meetings.look_inside();
-  answer.cost = meetings.cost;
-  if (none_counts && options.groups.empty()) Sweep(edges, false, options, answer).run();
   classify(polygons, answer);
   return answer;
 }

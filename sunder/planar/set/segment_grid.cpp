@@ -52,32 +52,34 @@ std::optional<SegmentGrid> SegmentGrid::over(std::span<const Segment> segments, 
   if (!finite(grid.per_x_) || !finite(grid.per_y_)) return std::nullopt;
   grid.columns_ = static_cast<std::uint32_t>(columns);
 
-  const auto for_each_cell = [&grid](const Segment& s, const auto& visit) {
-    const std::uint32_t left = grid.column(s.a.x), right = grid.column(s.b.x);
-    const std::uint32_t bottom = grid.row(std::min(s.a.y, s.b.y)), top = grid.row(std::max(s.a.y, s.b.y));
-    for (std::uint32_t r = bottom; r <= top; ++r) {
-      for (std::uint32_t c = left; c <= right; ++c) visit(r * grid.columns_ + c);
+  struct Range {
+    std::uint32_t left, right, bottom, top;
+  };
+  const auto range_of = [&grid](const Segment& s) {
+    return Range{grid.column(s.a.x), grid.column(s.b.x), grid.row(std::min(s.a.y, s.b.y)),
+                 grid.row(std::max(s.a.y, s.b.y))};
+  };
+  const auto for_each_cell = [&grid](const Range& range, const auto& visit) {
+    for (std::uint32_t r = range.bottom; r <= range.top; ++r) {
+      for (std::uint32_t c = range.left; c <= range.right; ++c) visit(r * grid.columns_ + c);
     }
   };
-  const double most = most_covered * count;
-  double covered = 0;
-  for (const Segment& s : segments) {
-    const double across = grid.column(s.b.x) - grid.column(s.a.x) + 1;
-    const double up = grid.row(std::max(s.a.y, s.b.y)) - grid.row(std::min(s.a.y, s.b.y)) + 1;
-    covered += across * up;
-  }
-  if (covered > most || covered > 0xfffffff0u) return std::nullopt;
-
+  // How many segments cover each cell, until it is clear that the grid does not pay.
   const std::size_t cells = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+  const double most = std::min(most_covered * count, 0x1p32 - 16);
+  double covered = 0;
   grid.first_.assign(cells + 1, 0);
   for (const Segment& s : segments) {
-    for_each_cell(s, [&](std::uint32_t c) { ++grid.first_[c]; });
+    const Range range = range_of(s);
+    covered += (range.right - range.left + 1.0) * (range.top - range.bottom + 1.0);
+    if (covered > most) return std::nullopt;
+    for_each_cell(range, [&](std::uint32_t c) { ++grid.first_[c]; });
   }
   std::uint32_t end = 0;
   for (std::uint32_t& f : grid.first_) f = end += f;  // the end of each cell, lowered to its beginning below
   grid.covering_.resize(end);
   for (std::uint32_t i = static_cast<std::uint32_t>(segments.size()); i-- > 0;) {
-    for_each_cell(segments[i], [&](std::uint32_t c) { grid.covering_[--grid.first_[c]] = i; });
+    for_each_cell(range_of(segments[i]), [&](std::uint32_t c) { grid.covering_[--grid.first_[c]] = i; });
   }
   return grid;
 }

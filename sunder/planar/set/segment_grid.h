@@ -27,6 +27,11 @@ class SegmentGrid {
     return {covering_.data() + first_[c], covering_.data() + first_[c + 1]};
   }
 
+  // Cell c is in column c % column_count() and in row c / column_count(). Of coordinates in the range of the boxes:
+  std::uint32_t column_count() const { return columns_; }
+  std::uint32_t column(double x) const { return static_cast<std::uint32_t>((x - low_.x) * per_x_); }
+  std::uint32_t row(double y) const { return static_cast<std::uint32_t>((y - low_.y) * per_y_); }
+
   // The cell that looks at a pair whose boxes' common part has this low corner.
   std::uint32_t looking_cell(const Point2& low_corner) const {
     return row(low_corner.y) * columns_ + column(low_corner.x);
@@ -34,9 +39,6 @@ class SegmentGrid {
 
  private:
   SegmentGrid() = default;
-
-  std::uint32_t column(double x) const { return static_cast<std::uint32_t>((x - low_.x) * per_x_); }
-  std::uint32_t row(double y) const { return static_cast<std::uint32_t>((y - low_.y) * per_y_); }
 
   Point2 low_{};
   double per_x_ = 0, per_y_ = 0;

@@ -6,6 +6,22 @@ Cost visit_contacts(const Segments& segments, const SegmentsOptions& options, co
   return visit_contacts_by_grid(segments, options, visit);
 }
 
+Cost visit_contacts_of_block(const Segments& segments, const SegmentsOptions& options, const Block& block,
+                             ContactMethod* by, const ContactVisitor& visit) {
+  if (block.size() == segments.size()) return by(segments, options, visit);
+  if (!is_narrow(block, segments.size())) {
+    return by(segments, options, [&](const SegmentsContact& c) { return !block.holds(c.i) || visit(c); });
+  }
+  Cost cost;
+  for_each_near_pair_of(block, segments.all(), [&](std::uint32_t i, std::uint32_t j) {
+    if (may_meet(options.groups, i, j)) return true;
+    ++cost.probes;
+    const ContactKind kind = segment_segment(segments[i], segments[j]);
+    return !counts(kind, options.allowed) || visit({i, j, kind});
+  });
+  return cost;
+}
+
 SegmentsAllAnswer segments_all(const Segments& segments, const SegmentsOptions& options) {
   SegmentsAllAnswer answer;
   answer.cost = visit_contacts(segments, options, [&](const SegmentsContact& contact) {

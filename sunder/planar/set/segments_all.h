@@ -9,6 +9,7 @@
 
 #include <sunder/base/cost.h>
 #include <sunder/planar/object/segments.h>
+#include <sunder/planar/set/contacts_in_order.h>
 #include <sunder/planar/set/segments_any.h>
 
 #include <cstdint>
@@ -25,7 +26,7 @@ struct SegmentsContact {
 
 struct SegmentsAllAnswer {
   std::vector<SegmentsContact> contacts;
-  Cost cost;  // probes: pairs that were compared
+  Cost cost;  // probes: pairs that were compared, also those of boxes in a cell
 };
 
 struct SegmentsCountAnswer {
@@ -43,9 +44,16 @@ using ContactMethod = Cost(const Segments& segments, const SegmentsOptions& opti
 
 ContactMethod visit_contacts;  // the front door
 
-// A grid over the segments' boxes; where it does not pay, or many crowd in a cell, by Balaban where a sample of pairs
-// tells that k is much larger than N, else by Bentley and Ottmann.
+// Those whose i the block holds, for ContactsInOrder: of all segments by the method, of a narrow block by boxes of its
+// members, else those of the method that the block holds.
+Cost visit_contacts_of_block(const Segments& segments, const SegmentsOptions& options, const Block& block,
+                             ContactMethod* by, const ContactVisitor& visit);
+
+// A grid over the segments' boxes; where it does not pay, or many crowd in a cell, by a sweep.
 ContactMethod visit_contacts_by_grid;
+
+// By Balaban where a sample of pairs tells that k is much larger than N, else by Bentley and Ottmann.
+ContactMethod visit_contacts_by_sweep;
 
 // The sweep of Bentley and Ottmann: contacts in lexicographic order of their (first) common point.
 // O((N + k) log N) comparisons; O(N + k) memory.

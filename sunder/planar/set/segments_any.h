@@ -54,7 +54,8 @@ struct SegmentsOptions {
 SegmentsAnswer segments_any(const Segments& segments, const SegmentsOptions& options = {});
 
 // Algorithm 1: a line sweeps over the plane; segments are tested when they become neighbours on it.
-// Cost: O(N log N) comparisons; O(N) memory. Where there are groups, whose members may cross: by Bentley and Ottmann.
+// Cost: O(N log N) comparisons; O(N) memory. Where there are groups, whose members may cross: by Bentley and Ottmann
+// with a transcript, else as visit_contacts_by_sweep (segments_all.h) up to the first contact that counts.
 SegmentsAnswer segments_any_by_sweep(const Segments& segments, const SegmentsOptions& options = {});
 
 // The same where the order of the ends (as by ends_in_order) is known. Requires that there are no groups.

@@ -6,7 +6,7 @@ namespace sunder::planar {
 
 SegmentsAnswer segments_any_by_grid(const Segments& segments, const SegmentsOptions& options) {
   const std::optional<SegmentGrid> grid = SegmentGrid::over(segments.all());
-  if (!grid || options.transcript || crowded(*grid, crowd_for_any) > segments.size() / 2) {
+  if (!grid || options.transcript || is_too_much(*grid, crowd_for_any, segments.size())) {
     return segments_any_by_sweep(segments, options);
   }
   SegmentsAnswer answer;
@@ -20,7 +20,7 @@ SegmentsAnswer segments_any_by_grid(const Segments& segments, const SegmentsOpti
     answer.j = j;
     return false;
   };
-  if (!for_each_near_pair<crowd_for_any>(segments.all(), *grid, of_pair, options.progress)) return answer;
+  if (!for_each_near_pair<crowd_for_any>(segments.all(), *grid, of_pair, options.progress, &answer.cost)) return answer;
   const std::vector<std::uint32_t> members = members_of_crowds(*grid, crowd_for_any, segments.size());
   if (members.empty()) return answer;
   const Part part(segments, options.groups, members);

@@ -24,6 +24,7 @@
 // Two segments that only share an end, last of one and first of the other, are never neighbours, as what ends leaves
 // first. Where shared ends count, equal events are looked for instead.
 #include <sunder/planar/set/ends_in_order.h>
+#include <sunder/planar/set/segments_all.h>
 #include <sunder/planar/set/segments_any.h>
 #include <sunder/planar/set/sweep_status.h>
 #include <sunder/predicate/orient.h>
@@ -123,10 +124,24 @@ class Sweep {
   bool begins_on_another_ = false;  // does the segment that enters begin on one that it was compared with?
 };
 
+// Members of a group may cross, many times: up to the first contact that counts.
+SegmentsAnswer by_contacts(const Segments& segments, const SegmentsOptions& options) {
+  SegmentsAnswer answer;
+  answer.cost = visit_contacts_by_sweep(segments, options, [&](const SegmentsContact& contact) {
+    answer.kind = contact.kind;
+    answer.i = contact.i;
+    answer.j = contact.j;
+    return false;
+  });
+  return answer;
+}
+
 }  // namespace
 
 SegmentsAnswer segments_any_by_sweep(const Segments& segments, const SegmentsOptions& options) {
-  if (!options.groups.empty()) return segments_any_by_bentley_ottmann(segments, options);
+  if (!options.groups.empty()) {
+    return options.transcript ? segments_any_by_bentley_ottmann(segments, options) : by_contacts(segments, options);
+  }
   return segments_any_by_sweep_over(segments, ends_in_order(segments.all()), options);
 }
 

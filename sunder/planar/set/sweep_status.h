@@ -39,7 +39,26 @@ class SweepStatus {
     return put(place.leaf, place.at, item);
   }
 
-  // What would be the neighbours of such an item.
+  // Inserts an item that is not in the list just above an item of it, or, with none, below all.
+  void insert_above(std::uint32_t below, std::uint32_t item) {
+    if (height_ == 0) start();
+    if (below != none) {
+      put(leaf_of_[below], place_in(leaves_[leaf_of_[below]], below) + 1, item);
+      return;
+    }
+    std::uint32_t node = root_;
+    for (int level = height_; level > 1; --level) node = inners_[node].child[0];
+    put(node, 0, item);
+  }
+
+  // Puts an item that is not in the list in the place of one that is.
+  void replace(std::uint32_t old, std::uint32_t item) {
+    const std::uint32_t node = leaf_of_[item] = std::exchange(leaf_of_[old], none), at = place_in(leaves_[node], old);
+    leaves_[node].item[at] = item;
+    if (at == 0) first_changed(node);
+  }
+
+  // What would be the neighbours of an item for which is_above(key) tells as it does for insert.
   template <class IsAbove>
   Neighbours around(IsAbove&& is_above) const {
     if (height_ == 0) return {};

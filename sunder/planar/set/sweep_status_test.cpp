@@ -88,6 +88,20 @@ class Marked {
     expect(around, place, std::next(place));
     expect_known(item);
   }
+  // The same, where what stands below is known.
+  void insert_above(std::uint32_t item, std::uint64_t mark) {
+    const auto place = listed_.emplace(mark, item).first;
+    status_.insert_above(place == listed_.begin() ? Status::none : std::prev(place)->second, item);
+    mark_[item] = mark;
+    expect_known(item);
+  }
+  void replace(std::uint32_t old, std::uint32_t item) {
+    status_.replace(old, item);
+    mark_[item] = mark_[old];
+    listed_[mark_[item]] = item;
+    expect_known(item);
+    EXPECT_FALSE(status_.holds(old));
+  }
   void erase(std::uint32_t item) {
     const auto place = listed_.find(mark_[item]);
     expect(status_.erase(item), place, std::next(place));
@@ -205,9 +219,13 @@ TEST(SweepStatusTest, MixedSteps) {
     } else if (!absent.empty() && (present.empty() || what < (growing ? 9u : 5u))) {
       std::uint64_t mark = random.next() >> random.below(8);
       while (list.has(mark)) ++mark;
-      list.insert(absent.back(), mark);
+      random.below(2) == 0 ? list.insert(absent.back(), mark) : list.insert_above(absent.back(), mark);
       present.push_back(absent.back());
       absent.pop_back();
+    } else if (!absent.empty() && random.below(2) == 0) {
+      std::uint32_t& item = present[random.below(present.size())];
+      list.replace(item, absent.back());
+      std::swap(item, absent.back());
     } else {
       std::swap(present[random.below(present.size())], present.back());
       list.erase(present.back());

@@ -10,7 +10,7 @@ Cost visit_circle_contacts_by_grid(const Circles& circles, const CirclesOptions&
                                    const CirclesContactVisitor& visit) {
   const std::vector<Segment> boxes = box_diagonals(circles);
   const std::optional<SegmentGrid> grid = SegmentGrid::over(boxes);
-  if (!grid || crowded(*grid, crowd_for_all) > circles.size() / 2) {
+  if (!grid || is_too_much(*grid, crowd_for_all, circles.size())) {
     return visit_circle_contacts_by_sweep(circles, options, visit);
   }
   Cost cost;
@@ -20,7 +20,7 @@ Cost visit_circle_contacts_by_grid(const Circles& circles, const CirclesOptions&
     const DiscContact kind = circle_circle(circles[i], circles[j]);
     return !counts(kind, options.allowed) || visit({i, j, kind});
   };
-  if (!for_each_near_pair<crowd_for_all>(boxes, *grid, of_pair, options.progress)) return cost;
+  if (!for_each_near_pair<crowd_for_all>(boxes, *grid, of_pair, options.progress, &cost)) return cost;
   const std::vector<std::uint32_t> members = members_of_crowds(*grid, crowd_for_all, circles.size());
   if (members.empty()) return cost;
   const CirclesSubset part(circles, options.groups, members);

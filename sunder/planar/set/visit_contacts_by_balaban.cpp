@@ -36,6 +36,7 @@
 // strip. A row or a run of stairs that hold a place is paid for by the contacts there, of which an overlap is looked at
 // where one of the two begins or ends, no more than four times. In all, O(N log N + k).
 //   Memory: each segment is in the list or in one staircase; those lent add a third, and one per strip around: O(N).
+#include <sunder/planar/set/contact_bundle.h>
 #include <sunder/planar/set/ends_in_order.h>
 #include <sunder/planar/set/segments_all.h>
 #include <sunder/predicate/height_order.h>
@@ -207,49 +208,33 @@ class Balaban {
   void at_place(std::uint32_t place) {
     if (options_.progress && place % 65536 == 0)
       options_.progress(static_cast<double>(place) / static_cast<double>(place_count()));
-    at_ends(place);
-    at_list(place);
-    at_staircases(place);
-  }
-
-  // begin_ and end_: those that begin and end here; those of length zero are in end_.
-  void at_ends(std::uint32_t place) {
     begin_.clear();
-    end_.clear();
+    points_.clear();
     const std::size_t past = place + 1 < place_count() ? places_[place + 1] : ends_.size();
     for (std::size_t e = places_[place]; e < past; ++e) {
       const std::uint32_t i = ends_[e] / 2;
-      if (ends_[e] % 2 == 1) {
-        give_all(i, end_, place);
-        end_.push_back(i);
-      } else if (last_[i] != place) {
-        give_all(i, end_, place);  // these are complete: see ends_in_order.h
-        give_all(i, begin_, place);
-        begin_.push_back(i);
-      }
+      if (ends_[e] % 2 == 0) (last_[i] == place ? points_ : begin_).push_back(i);
     }
+    at_list(point(place));
+    at_staircases(point(place));
+    if (!stopped_) stopped_ = !bundle_.visit();
   }
 
-  void at_list(std::uint32_t place) {
-    const Point2& p = point(place);
+  void at_list(const Point2& p) {
     const auto low = std::partition_point(list_.begin(), list_.end(),
                                           [&](std::uint32_t i) { return side_of(p, i) == Sign::positive; });
     auto high = low;
-    passing_.clear();
-    for (; high != list_.end() && side_of(p, *high) == Sign::zero; ++high) {
-      if (last_[*high] == place) continue;
-      passing_.push_back(*high);
-      give_all(*high, end_, place);
-      give_all(*high, begin_, place);
-    }
-    turn(p);
-    const auto at = list_.erase(low, high);
-    list_.insert(at, row_.begin(), row_.end());
+    while (high != list_.end() && side_of(p, *high) == Sign::zero) ++high;
+    bundle_.set({low, high}, begin_, points_, &p);
+    const std::vector<std::uint32_t>& after = bundle_.after();
+    const auto both = std::min(high - low, static_cast<std::ptrdiff_t>(after.size()));
+    const auto copied = std::copy(after.begin(), after.begin() + both, low);
+    list_.erase(copied, high);
+    list_.insert(copied, after.begin() + both, after.end());
   }
 
   // From the innermost staircase outwards.
-  void at_staircases(std::uint32_t place) {
-    const Point2& p = point(place);
+  void at_staircases(const Point2& p) {
     std::uint32_t from = staircases_.empty() ? 0 : find(p, staircases_.back());  // at most four stairs too low
     for (std::size_t s = staircases_.size(); s-- > 0 && !stopped_;) {
       Staircase& staircase = staircases_[s];
@@ -258,13 +243,12 @@ class Balaban {
       const auto look = [&](std::uint32_t k) { return side = side_of(p, stairs_[k].segment); };
       while (below < staircase.last && look(below) == Sign::positive) ++below;
       std::uint32_t above = below;
+      passing_.clear();  // all on one line: stairs do not cross
       while (above < staircase.last && side == Sign::zero) {
-        if (!stairs_[above].lent) {
-          give_all(stairs_[above].segment, end_, place);
-          give_all(stairs_[above].segment, begin_, place);
-        }
+        if (!stairs_[above].lent) passing_.push_back(stairs_[above].segment);
         if (++above < staircase.last) look(above);
       }
+      if (!passing_.empty()) bundle_.add_aside(passing_);
       for (const std::uint32_t i : begin_) walk(i, staircase, below, above);
       if (s > 0) from = below > staircase.first ? stairs_[below - 1].around : staircases_[s - 1].first;
     }
@@ -277,41 +261,12 @@ class Balaban {
     return static_cast<std::uint32_t>(std::partition_point(first, last, is_below_p) - stairs_.begin());
   }
 
-  // row_: those that pass through p, and those that begin there, in their order just after it. Of those that pass, all
-  // that are not on one line cross.
-  void turn(const Point2& p) {
-    row_.clear();
-    for (std::size_t end = passing_.size(), begin; end > 0; end = begin) {
-      begin = end - 1;
-      while (begin > 0 && are_on_one_line(passing_[begin - 1], passing_[begin], p)) --begin;
-      for (std::size_t l = begin; l < end; ++l) {
-        for (std::size_t k = 0; k < begin && !stopped_; ++k) give_crossing(passing_[k], passing_[l]);
-        row_.push_back(passing_[l]);
-      }
-    }
-    const auto is_lower = [&](std::uint32_t i, std::uint32_t j) {
-      ++cost_.probes;
-      const Sign side = orient_2d(p, segments_[i].b, segments_[j].b);
-      return side == Sign::positive || (side == Sign::zero && i < j);
-    };
-    const auto begins = row_.insert(row_.end(), begin_.begin(), begin_.end());
-    std::sort(begins, row_.end(), is_lower);
-    merged_.resize(row_.size());
-    std::merge(row_.begin(), begins, begins, row_.end(), merged_.begin(), is_lower);
-    row_.swap(merged_);
-  }
-
   // --- Order ---
 
   // Where p stands: positive above the segment, which is alive.
   Sign side_of(const Point2& p, std::uint32_t i) {
     ++cost_.probes;
     return orient_2d(segments_[i].a, segments_[i].b, p);
-  }
-
-  bool are_on_one_line(std::uint32_t i, std::uint32_t j, const Point2& p) {
-    ++cost_.probes;
-    return orient_2d(p, segments_[i].b, segments_[j].b) == Sign::zero;
   }
 
   // Of two that are alive at this time.
@@ -354,26 +309,9 @@ class Balaban {
     return s_stands ? -orient_2d(t.a, t.b, p) : -orient_2d(s.a, s.b, p);
   }
 
-  // --- Contacts ---
-
-  // At a place that both hold, and where one of them begins or ends.
-  void give(std::uint32_t i, std::uint32_t j, std::uint32_t place) {
-    if (may_meet(options_.groups, i, j)) return;
-    ++cost_.probes;
-    const ContactKind kind = segment_segment(segments_[i], segments_[j]);
-    if (kind == ContactKind::overlap && first_[i] != place && first_[j] != place) return;
-    give(i, j, kind);
-  }
-  void give_all(std::uint32_t i, const std::vector<std::uint32_t>& others, std::uint32_t place) {
-    for (std::size_t k = 0; k < others.size() && !stopped_; ++k) give(i, others[k], place);
-  }
-
   void give_crossing(std::uint32_t i, std::uint32_t j) {
-    if (!may_meet(options_.groups, i, j)) give(i, j, ContactKind::crossing);
-  }
-
-  void give(std::uint32_t i, std::uint32_t j, ContactKind kind) {
-    if (counts(kind, options_.allowed)) stopped_ = !visit_({std::min(i, j), std::max(i, j), kind});
+    if (may_meet(options_.groups, i, j)) return;
+    stopped_ = !visit_({std::min(i, j), std::max(i, j), ContactKind::crossing});
   }
 
   const Segments& segments_;
@@ -384,10 +322,11 @@ class Balaban {
   std::vector<std::uint32_t> list_;           // those alive that are in no staircase, in their order
   std::vector<Stair> stairs_;                 // of the strips around, one staircase after another, the innermost last
   std::vector<Staircase> staircases_;
-  std::vector<std::uint32_t> begin_, end_, passing_, row_, merged_;  // at a place
+  std::vector<std::uint32_t> begin_, points_, passing_;  // at a place
   std::vector<std::uint32_t> stands_;  // of those in the list: the number in stairs_ of the first stair above
   bool stopped_ = false;
   Cost cost_;
+  ContactBundle bundle_{segments_, options_, visit_, cost_};
 };
 
 }  // namespace

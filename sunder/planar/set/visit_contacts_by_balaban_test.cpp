@@ -2,10 +2,11 @@
 #include <sunder/base/random.h>
 #include <sunder/planar/set/segments_all.h>
 
+#include <tests/support/scale.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <vector>
 
 namespace sunder::planar {
@@ -20,11 +21,6 @@ std::vector<SegmentsContact> listed(ContactMethod& method, const Segments& segme
   });
   std::sort(contacts.begin(), contacts.end());
   return contacts;
-}
-
-double environment(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::atof(text) : otherwise;
 }
 
 // Layers of parallels of all lengths, the long ones far apart, so that many strips have large staircases; what is put
@@ -75,8 +71,8 @@ std::vector<Segment> fans(Random& random, int n) {
 }
 
 TEST(VisitContactsByBalabanTest, LargeStaircasesAgreeWithTheScan) {
-  const int count = std::max(4, static_cast<int>(150 * environment("SUNDER_TEST_SCALE", 1)));
-  Random random(20261125 + 1000003 * static_cast<std::uint64_t>(environment("SUNDER_TEST_SEED", 0)));
+  const int count = tests::scaled_count(150, 4);
+  Random random(tests::chosen_seed(20261125));
   std::size_t contacts = 0, pairs = 0;
   for (int i = 0; i < count; ++i) {
     const int n = static_cast<int>(random.between(20, 400));

@@ -11,6 +11,7 @@
 // Overlaps: of two on one line either may stand above the other as long as they overlap. They are given at their first
 // common point, where one of them begins.
 // The bundle of p is complete: just before p, those in the list that hold p have nothing else between them.
+#include <sunder/planar/set/contact_bundle.h>
 #include <sunder/planar/set/ends_in_order.h>
 #include <sunder/planar/set/segments_all.h>
 #include <sunder/planar/set/sweep_status.h>
@@ -95,7 +96,8 @@ class BentleyOttmann {
       ++cost_.probes;
       return orient_2d(segments_[i].a, segments_[i].b, p, in) == Sign::zero;
     });
-    report_pairs();
+    bundle_.set(row_, {}, {}, nullptr);
+    stopped_ = !bundle_.visit();
     pass(row_);
     meet_neighbours(row_.front(), row_.back());
   }
@@ -121,14 +123,16 @@ class BentleyOttmann {
     }
     if (held != none) gather(held, [&](std::uint32_t i) { return side_of(p, segments_[i]) == Sign::zero; });
 
-    const std::size_t old = row_.size();
+    begins_.clear();
+    points_.clear();
     for (const std::uint32_t end : ends) {
-      if (end % 2 == 0) row_.push_back(end / 2);  // begins here, or is a point
+      const std::uint32_t i = end / 2;
+      if (end % 2 == 0) (segments_[i].a == segments_[i].b ? points_ : begins_).push_back(i);
     }
-    report_pairs(old);
+    bundle_.set(row_, begins_, points_, &p);
+    stopped_ = !bundle_.visit();
     passing_.clear();
-    for (std::size_t k = 0; k < old; ++k) {
-      const std::uint32_t i = row_[k];
+    for (const std::uint32_t i : row_) {
       if (segments_[i].b == p) {
         status_.erase(i);
         record_last_end(i);
@@ -138,17 +142,17 @@ class BentleyOttmann {
     }
     pass(passing_);
     std::uint32_t member = passing_.empty() ? none : passing_[0];
-    for (std::size_t k = old; k < row_.size(); ++k) {
-      const std::uint32_t i = row_[k];
-      const auto above = [&](const Segment& other) { return is_above(segments_[i], other); };
-      if (segments_[i].a == segments_[i].b) {  // comes and goes
-        if (record_ == nullptr) continue;
-        record_first_end(i, status_.around(above).below);
-        record_last_end(i);
-      } else {
-        member = i;
-        record_first_end(i, status_.insert(i, above).below);
-      }
+    const auto above = [&](std::uint32_t i) {
+      return [this, i](const Segment& other) { return is_above(segments_[i], other); };
+    };
+    for (const std::uint32_t i : points_) {  // come and go
+      if (record_ == nullptr) break;
+      record_first_end(i, status_.around(above(i)).below);
+      record_last_end(i);
+    }
+    for (const std::uint32_t i : begins_) {
+      member = i;
+      record_first_end(i, status_.insert(i, above(i)).below);
     }
     if (member == none) return meet_neighbours(none, none);
     std::uint32_t first = member, last = member;
@@ -226,32 +230,6 @@ class BentleyOttmann {
     if (record_ != nullptr) record_->events.push_back(2 * i + 1);
   }
 
-  // All pairs of the row, the members from `fresh` on being new; of overlaps those of which one is new: the others have
-  // been given, and stand together.
-  void report_pairs(std::size_t fresh = none) {
-    std::size_t run = 0;  // where those begin that stand together and overlap, of those that are not new
-    for (std::size_t l = 1; l < row_.size() && !stopped_; ++l) {
-      std::size_t end = l;  // of those whose pairs with this one are given here
-      if (l < fresh) {
-        const ContactKind kind = kind_of(row_[l - 1], row_[l]);
-        if (kind != ContactKind::overlap) {
-          run = l;
-          report(row_[l - 1], row_[l], kind);
-        }
-        end = std::min(run, l - 1);
-      }
-      for (std::size_t k = 0; k < end && !stopped_; ++k) report(row_[k], row_[l]);
-    }
-  }
-
-  void report(std::uint32_t i, std::uint32_t j) {
-    if (!may_meet(options_.groups, i, j)) report(i, j, kind_of(i, j));
-  }
-  void report(std::uint32_t i, std::uint32_t j, ContactKind kind) {
-    if (may_meet(options_.groups, i, j) || !counts(kind, options_.allowed)) return;
-    stopped_ = !visit_({std::min(i, j), std::max(i, j), kind});
-  }
-
   ContactKind kind_of(std::uint32_t i, std::uint32_t j) {
     ++cost_.probes;
     return segment_segment(segments_[i], segments_[j]);
@@ -303,10 +281,11 @@ class BentleyOttmann {
   SweepStatus<Segment> status_;
   std::vector<std::uint8_t> ends_on_;  // of each segment: does it end on one that it was a neighbour of?
   std::vector<Event> crossings_;       // a heap
-  std::vector<std::uint32_t> row_, passing_;
+  std::vector<std::uint32_t> row_, passing_, begins_, points_;
   std::uint32_t below_ = none, above_ = none;  // next to the row
   bool begins_on_another_ = false, stopped_ = false;
   Cost cost_;
+  ContactBundle bundle_{segments_, options_, visit_, cost_};
 };
 
 }  // namespace

@@ -2,10 +2,11 @@
 #include <sunder/base/random.h>
 #include <sunder/solid/object/pose.h>
 
+#include <tests/support/scale.h>
+
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include <cstdlib>
 #include <string>
 
 namespace sunder::solid {
@@ -19,16 +20,6 @@ constexpr double least = std::numeric_limits<double>::denorm_min();
 using Rows = std::array<double, 9>;
 constexpr Rows identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
 constexpr std::array<double, 3> nowhere{0, 0, 0};
-
-// For the environment see cmake/Tests.cmake.
-double environment(const char* name, double otherwise) {
-  const char* text = std::getenv(name);
-  return text ? std::atof(text) : otherwise;
-}
-int instances(int n) { return std::max(std::min(n, 1000), static_cast<int>(n * environment("SUNDER_TEST_SCALE", 1))); }
-std::uint64_t seed(std::uint64_t s) {
-  return s + 1000003 * static_cast<std::uint64_t>(environment("SUNDER_TEST_SEED", 0));
-}
 
 // In plain floating point.
 Point3 image(const Affine3& pose, const Point3& p) {
@@ -139,8 +130,8 @@ TEST(PoseTest, SingularIsDecidedExactly) {
 
 TEST(PoseTest, SingularAgainstIntegers) {
   using Whole = boost::multiprecision::cpp_int;
-  Random random(seed(1));
-  const int n = instances(4000);
+  Random random(tests::chosen_seed(1));
+  const int n = tests::scaled_count(4000, 1000);
   int refused = 0;
   for (int i = 0; i < n; ++i) {
     // Up to 2^50, the last row nearly or exactly a combination of the others.
@@ -204,8 +195,8 @@ TEST(PoseTest, KnownRotations) {
 }
 
 TEST(PoseTest, RandomRotations) {
-  Random random(seed(2));
-  const int n = instances(4000);
+  Random random(tests::chosen_seed(2));
+  const int n = tests::scaled_count(4000, 1000);
   for (int i = 0; i < n; ++i) {
     const double w = random.uniform(-1, 1), x = random.uniform(-1, 1), y = random.uniform(-1, 1),
                  z = random.uniform(-1, 1);
@@ -250,8 +241,8 @@ TEST(PoseTest, ComposeAppliesTheInnerFirst) {
 }
 
 TEST(PoseTest, ComposeOfWholeNumbersIsExact) {
-  Random random(seed(3));
-  const int n = instances(4000);
+  Random random(tests::chosen_seed(3));
+  const int n = tests::scaled_count(4000, 1000);
   int made = 0;
   const auto any = [&]() -> Pose {
     for (;;) {

@@ -2,22 +2,18 @@
 #include <sunder/base/random.h>
 #include <sunder/solid/pair/closest_simplex.h>
 
+#include <tests/support/scale.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <set>
 #include <vector>
 
 namespace sunder::solid {
 namespace {
-
-std::uint64_t seed(std::uint64_t s) {
-  const char* text = std::getenv("SUNDER_TEST_SEED");
-  return s + 1000003 * (text ? std::strtoull(text, nullptr, 10) : 0);
-}
 
 using Long3 = std::array<long double, 3>;
 
@@ -175,7 +171,7 @@ class ClosestSimplexTest : public testing::Test {
     EXPECT_LT(length(sum), 1e-14L + 1e-9L * total);
   }
 
-  Random random_{seed(73)};
+  Random random_{tests::chosen_seed(73)};
   int inside_ = 0;
   std::array<std::array<int, 4>, 4> outside_{};  // by corners before and after
 };

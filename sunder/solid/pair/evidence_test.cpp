@@ -5,22 +5,18 @@
 #include <sunder/solid/pair/caratheodory.h>
 #include <sunder/solid/pair/evidence.h>
 
+#include <tests/support/scale.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <vector>
 
 namespace sunder::solid {
 namespace {
-
-std::uint64_t seed(std::uint64_t s) {
-  const char* text = std::getenv("SUNDER_TEST_SEED");
-  return s + 1000003 * (text ? std::strtoull(text, nullptr, 10) : 0);
-}
 
 CheckResult check(const PairCertificate& c, const Placed& a, const Placed& b) {
   return check_absolutely(c, {a.graph.vertices, a.pose, false}, {b.graph.vertices, b.pose, false});
@@ -94,7 +90,7 @@ class EvidenceTest : public testing::Test {
     return static_cast<std::uint32_t>(random_.below(p.graph.vertices.size()));
   }
 
-  Random random_{seed(89)};
+  Random random_{tests::chosen_seed(89)};
   StageTally tally_;
 };
 

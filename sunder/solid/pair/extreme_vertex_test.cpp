@@ -2,13 +2,14 @@
 #include <sunder/base/random.h>
 #include <sunder/solid/pair/extreme_vertex.h>
 
+#include <tests/support/scale.h>
+
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <vector>
 
@@ -16,11 +17,6 @@ namespace sunder::solid {
 namespace {
 
 using Whole = boost::multiprecision::cpp_int;
-
-std::uint64_t seed(std::uint64_t s) {
-  const char* text = std::getenv("SUNDER_TEST_SEED");
-  return s + 1000003 * (text ? std::strtoull(text, nullptr, 10) : 0);
-}
 
 // x in units of 2^-1074.
 Whole whole(double x) {
@@ -87,7 +83,7 @@ class ExtremeVertexTest : public testing::Test {
     return static_cast<int>(std::count(height.begin(), height.end(), *high));
   }
 
-  Random random_{seed(71)};
+  Random random_{tests::chosen_seed(71)};
   StageTally tally_;
   int walks_ = 0, steps_ = 0;
 };

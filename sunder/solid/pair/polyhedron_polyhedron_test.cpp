@@ -3,6 +3,7 @@
 #include <sunder/base/random.h>
 #include <sunder/certificate/check.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
+#include <tests/support/scale.h>
 #include <tests/support/solid_pairs.h>
 
 #include <gtest/gtest.h>
@@ -37,11 +38,6 @@ using Method = PairAnswer (*)(const ConvexPolyhedron&, const Pose&, const Convex
 
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr double least = std::numeric_limits<double>::denorm_min();
-
-std::uint64_t seed(std::uint64_t s) {
-  const char* text = std::getenv("SUNDER_TEST_SEED");
-  return s + 1000003 * (text ? std::strtoull(text, nullptr, 10) : 0);
-}
 
 const std::vector<std::pair<std::string, Method>> methods{
     {"front", polyhedron_polyhedron},
@@ -232,7 +228,7 @@ TEST(PolyhedronPolyhedronTest, P1_ContainmentAndCrossing) {
 
 // P2: scaling and shifting exactly, and reflecting; any one affine map for both keeps touches.
 TEST(PolyhedronPolyhedronTest, P2_ExactMapsForBothChangeNothing) {
-  Random random(seed(97));
+  Random random(tests::chosen_seed(97));
   for (const Touch& t : touches()) {
     const ConvexPolyhedron a(t.a), b(t.b);
     const Contact contact = t.outward == Point3() ? Contact::overlapping : Contact::touching;
@@ -253,7 +249,7 @@ TEST(PolyhedronPolyhedronTest, P2_ExactMapsForBothChangeNothing) {
 
 // P3 and P1 on random bodies of all dimensions against the scan; the differential test has the nasty ones.
 TEST(PolyhedronPolyhedronTest, P3_CertificatesAreAccepted) {
-  Random random(seed(101));
+  Random random(tests::chosen_seed(101));
   int meets = 0;
   constexpr int count = 600;
   for (int i = 0; i < count; ++i) {
@@ -320,7 +316,7 @@ TEST(PolyhedronPolyhedronTest, P4_AnswersAreReproducible) {
   };
   std::vector<Question> questions;
   for (const Touch& t : touches()) questions.push_back({t.a, t.b, Pose(), Pose()});
-  Random random(seed(103));
+  Random random(tests::chosen_seed(103));
   for (int i = 0; i < 100; ++i) {
     Question q;
     for (int k = 0; k < 50; ++k) {
@@ -364,7 +360,7 @@ TEST(PolyhedronPolyhedronTest, P4_AnswersAreReproducible) {
 
 // General position: filters decide nearly always, the search is short, and nothing is allocated.
 TEST(PolyhedronPolyhedronTest, FiltersDecideInGeneral) {
-  Random random(seed(107));
+  Random random(tests::chosen_seed(107));
   int filter = 0, meets = 0;
   std::uint64_t allocated = 0;
   double iterations = 0;
@@ -403,7 +399,7 @@ TEST(PolyhedronPolyhedronTest, FiltersDecideInGeneral) {
 
 // No cliff between the tame range and the scales at which the search works in another unit.
 TEST(PolyhedronPolyhedronTest, FiltersDecideAtEveryScale) {
-  Random random(seed(109));
+  Random random(tests::chosen_seed(109));
   std::vector<ConvexPolyhedron> pool;
   for (int i = 0; i < 10; ++i) {
     Points points;
@@ -457,7 +453,7 @@ TEST(PolyhedronPolyhedronTest, EvidenceHoldsNearContact) {
 // A vertex of B rounded into a facet of A, all coordinates of 53 irregular bits: searches then walk over differences
 // that are rounding noise.
 TEST(PolyhedronPolyhedronTest, TheNoiseOfIrregularNumbers) {
-  Random random(seed(131));
+  Random random(tests::chosen_seed(131));
   const int count = tests::scaled_count(4000);
   int meets = 0, finished = 0;
   for (int i = 0; i < count; ++i) {

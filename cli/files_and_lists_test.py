@@ -1,0 +1,234 @@
+#!/usr/bin/env python3
+"""Runs the program where it might lose something: outputs that are inputs, signals, little memory, long lists."""
+import json
+import os
+import re
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM = os.environ.get("SUNDER_PROGRAM", "")
+CASES = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "cases")
+IS_SANITIZED = "asan" in PROGRAM or "tsan" in PROGRAM  # uses more memory
+
+
+def run(*arguments, cwd=None, **options):
+    return subprocess.run([PROGRAM, *arguments], cwd=cwd, capture_output=True, **options)
+
+
+def within(megabytes):
+    """For preexec_fn: no more address space than so much."""
+    return None if IS_SANITIZED else lambda: resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20, megabytes << 20))
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def write(self, name, text):
+        with open(self.path(name), "w", encoding="utf-8") as stream:
+            stream.write(text)
+        return name
+
+    def read(self, name):
+        with open(self.path(name), encoding="utf-8") as stream:
+            return stream.read()
+
+    def run_here(self, *arguments, **options):
+        return run(*arguments, cwd=self.folder.name, **options)
+
+    def expect_bad(self, part, *arguments):
+        """Code 2, one line that says so, and no file is changed or made."""
+        before = {name: (os.lstat(self.path(name)).st_ino, self.read(name)) for name in os.listdir(self.folder.name)}
+        done = self.run_here(*arguments)
+        after = {name: (os.lstat(self.path(name)).st_ino, self.read(name)) for name in os.listdir(self.folder.name)}
+        self.assertEqual((done.returncode, done.stdout), (2, b""), (arguments, done))
+        self.assertEqual(done.stderr.count(b"\n"), 1, done)
+        self.assertIn(part.encode(), done.stderr)
+        self.assertEqual(before, after)
+
+
+class Outputs(InFolder):
+    def setUp(self):
+        super().setUp()
+        self.write("x.csv", "0,0,1,1\n5,5,6,7\n")
+        with open(os.path.join(CASES, "mesh", "cube.obj"), encoding="utf-8") as cube:
+            self.write("cube.obj", cube.read())
+
+    def test_an_output_is_no_input(self):
+        same = "is the same file as the input 'x.csv'"
+        os.link(self.path("x.csv"), self.path("hard.json"))
+        os.symlink("x.csv", self.path("soft.json"))
+        for name in ("x.csv", "./x.csv", self.path("x.csv"), "../%s/x.csv" % os.path.basename(self.folder.name),
+                     "hard.json", "soft.json"):
+            for option in ("--certificate", "--svg", "--geojson"):
+                self.expect_bad(same, "segments", "x.csv", option, name)
+        self.expect_bad("is the same file as the input 'cube.obj'", "hull", "cube.obj", "-o", "cube.obj")
+        self.expect_bad("is the same file as the input 'cube.obj'", "pair", "x.csv", "cube.obj", "--certificate",
+                        "cube.obj")
+        self.expect_bad("is the same file as the input 'cube.obj'", "scene", "cube.obj@1,0,0", "--svg", "cube.obj")
+        self.write("joints", "a=1\n")
+        self.expect_bad("is the same file as --joints-file 'joints'", "scene", "cube.obj", "--joints-file", "joints",
+                        "--svg", "joints")
+
+    def test_an_output_is_no_other_output(self):
+        self.expect_bad("is the same file as --geojson 'y'", "segments", "x.csv", "--svg", "y", "--geojson", "y")
+        self.expect_bad("is the same file as", "circles", "x.csv", "--svg", "y", "--certificate", "./y")
+        self.write("y", "before")
+        os.link(self.path("y"), self.path("z"))
+        self.expect_bad("is the same file as", "segments", "x.csv", "--svg", "y", "--geojson", "z")
+
+    def test_an_output_is_not_where_the_report_goes(self):
+        with open(self.path("y.json"), "wb") as stdout:
+            done = subprocess.run([PROGRAM, "segments", "x.csv", "--json", "--certificate", "y.json"],
+                                  cwd=self.folder.name, stdout=stdout, stderr=subprocess.PIPE)
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stderr.count(b"\n"), 1)
+        self.assertEqual(self.read("y.json"), "")
+
+    def test_names_are_not_empty(self):
+        for option in ("--certificate", "--svg", "--geojson"):
+            self.expect_bad("the name of the file is empty", "segments", "x.csv", option, "")
+        self.expect_bad("the name of the file is empty", "hull", "cube.obj", "-o", "")
+
+    def test_certificates_of_layers(self):
+        board = os.path.join(CASES, "boards", "tinyfpga", "TinyFPGA-BX.kicad_pcb")
+        layers = json.loads(run("segments", board, "--centre-lines", "--json").stdout)["objects"][0]["layers"]
+        self.assertGreater(len(layers), 1)
+        taken = "p.%s.json" % layers[0]  # by the proof for this layer
+        with open(board, encoding="utf-8") as stream:
+            self.write(taken, stream.read())
+        self.expect_bad("is the same file as the input", "segments", taken, "--centre-lines", "--certificate", "p.json")
+
+    def test_what_is_apart_is_written(self):
+        done = self.run_here("segments", "x.csv", "--certificate", "proof.json")
+        self.assertEqual(done.returncode, 0, done)
+        self.assertEqual(self.run_here("verify", "proof.json").returncode, 0)
+        self.assertEqual(self.run_here("segments", "x.csv", "--certificate", "/dev/null").returncode, 0)
+        self.assertEqual(self.run_here("segments", "x.csv", "--svg", "y.svg", "--title", "y.svg").returncode, 0)
+        self.assertEqual(self.run_here("segments", "x.csv", "--svg", "y.svg", "--title", "y.svg").returncode, 0)
+
+
+class Terminal(InFolder):
+    def test_control_bytes_of_names_are_escaped(self):
+        name = "a\x1b[31m\nb.csv"
+        for text, code in (("0,0,1,1\n0,1,1,0\n", 1), ("0,0,1\n", 2)):
+            self.write(name, text)
+            done = self.run_here("segments", name)
+            self.assertEqual(done.returncode, code)
+            shown = done.stdout + done.stderr
+            self.assertNotIn(b"\x1b", shown)
+            self.assertIn(b"a\\x1b[31m\\x0ab.csv", shown)
+        self.write(name, "0,0,1\n0,1,1\n")
+        self.assertNotIn(b"\x1b", self.run_here("circles", name).stdout)
+        done = self.run_here("circles", name, "--certificate", "p\x1b.json", "--svg", "p\x1b.svg")
+        self.assertNotIn(b"\x1b", done.stdout + done.stderr)
+
+    def test_names_in_files_are_escaped(self):
+        self.write("x.csv", "0,0,2,2,\x1b[31mred\n0,2,2,0,b\n")
+        done = self.run_here("segments", "x.csv")
+        self.assertEqual(done.returncode, 1)
+        self.assertNotIn(b"\x1b", done.stdout)
+        self.assertIn(b"\\x1b[31mred", done.stdout)
+
+    def test_verify_tells_of_each_file(self):
+        accepted = os.path.join(CASES, "certificates", "accepted")
+        refused = os.path.join(CASES, "certificates", "refused")
+        good = os.path.join(accepted, sorted(os.listdir(accepted))[0])
+        bad = next(path for path in (os.path.join(refused, name) for name in sorted(os.listdir(refused)))
+                   if run("verify", path).returncode == 1)
+        done = self.run_here("verify", bad, "missing", good)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(os.path.basename(bad).encode() + b": REFUSED", done.stdout)
+        self.assertIn(os.path.basename(good).encode() + b": accepted", done.stdout)
+        self.assertEqual(done.stderr.count(b"\n"), 1)
+        self.assertIn(b"missing", done.stderr)
+        report = json.loads(self.run_here("verify", bad, "missing", good, "--json").stdout)
+        self.assertEqual([entry["answer"] for entry in report["objects"]], ["refused", "not checked", "accepted"])
+
+
+class Lists(InFolder):
+    def write_equal(self, count):
+        self.write("equal.csv", "0,0,1,1\n" * count)
+
+    def test_long_lists_take_little_memory(self):
+        self.write_equal(3000)  # 4.5 million contacts
+        self.write("discs.csv", "0,0,1\n" * 3000)
+        for arguments in (("segments", "equal.csv", "--all", "--json"), ("circles", "discs.csv", "--all", "--json"),
+                          ("segments", "equal.csv", "--geojson", "all.geojson")):
+            done = subprocess.run([PROGRAM, *arguments], cwd=self.folder.name, stdout=subprocess.DEVNULL,
+                                  stderr=subprocess.PIPE, preexec_fn=within(64))
+            self.assertEqual((done.returncode, done.stderr), (1, b""))
+        with open(self.path("all.geojson"), "rb") as stream:
+            self.assertEqual(sum(1 for _ in stream), 3000 * 2999 // 2 + 2)
+
+    def test_long_lists_are_in_order(self):
+        count = 1500  # more contacts than are held
+        self.write_equal(count)
+        self.write("discs.csv", "0,0,1\n" * count)
+        for verb, file in (("segments", "equal.csv"), ("circles", "discs.csv")):
+            lines = self.run_here(verb, file, "--all", "--json").stdout.decode().splitlines()
+            pairs = [tuple(map(int, re.match(r' *\{"i": (\d+), "j": (\d+)', line).groups()))
+                     for line in lines if line.lstrip().startswith('{"i"')]
+            self.assertEqual(pairs, [(i, j) for i in range(count) for j in range(i + 1, count)])
+            self.assertIn('  "count": %d,' % len(pairs), lines)
+            self.assertEqual(lines[-2:], ["  ]", "}"])
+            text = self.run_here(verb, file, "--all").stdout.decode()
+            self.assertIn("and %d more" % (len(pairs) - 20), text)
+
+    def test_a_picture_that_is_too_large_is_refused(self):
+        self.write_equal(200)
+        self.write("discs.csv", "0,0,1\n" * 200)
+        for verb, file in (("segments", "equal.csv"), ("circles", "discs.csv")):
+            self.expect_bad("--svg-limit 20100", verb, file, "--svg", "y.svg", "--svg-limit", "20099")
+            self.expect_bad("--svg-limit 200", verb, file, "--svg", "y.svg", "--svg-limit", "199")
+            self.assertEqual(self.run_here(verb, file, "--svg", "y.svg", "--svg-limit", "20100").returncode, 1)
+
+    def test_too_many_placements_to_draw(self):
+        placements = [word for k in range(20) for word in ("--joints", "panda_joint1=0.%02d" % k)]
+        panda = os.path.join(CASES, "panda", "panda.urdf")
+        self.expect_bad("facets: more than 40000", "scene", panda, *placements, "--svg", "y.svg", "--svg-limit", "40000")
+        self.assertEqual(self.run_here("scene", panda, "--svg", "y.svg", "--svg-limit", "40000").returncode, 1)
+
+    @unittest.skipIf(IS_SANITIZED, "the sanitizer needs address space")
+    def test_out_of_memory_is_one_line(self):
+        self.write("many.csv", "0,0,1,1\n" * 300000)
+        self.write("before.json", "before")
+        done = self.run_here("segments", "many.csv", "--certificate", "before.json",
+                             preexec_fn=within(48))
+        self.assertEqual((done.returncode, done.stdout), (3, b""), done)
+        self.assertEqual(done.stderr.count(b"\n"), 1, done)
+        self.assertEqual(self.read("before.json"), "before")
+        self.assertEqual(sorted(os.listdir(self.folder.name)), ["before.json", "many.csv"])
+
+
+class Signals(InFolder):
+    def test_no_hidden_file_stays(self):
+        self.write("equal.csv", "0,0,1,1\n" * 20000)
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            process = subprocess.Popen([PROGRAM, "segments", "equal.csv", "--geojson", "all.geojson"],
+                                       cwd=self.folder.name, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            for _ in range(12000):  # until the file is being written
+                if any(name.endswith(".sunder") for name in os.listdir(self.folder.name)):
+                    break
+                time.sleep(0.01)
+            else:
+                self.fail("nothing was written")
+            process.send_signal(number)
+            self.assertEqual(process.wait(), -number)
+            self.assertEqual(os.listdir(self.folder.name), ["equal.csv"])
+
+
+if __name__ == "__main__":
+    if not PROGRAM:
+        print("skipped: SUNDER_PROGRAM does not name the program")
+        sys.exit(0)
+    unittest.main()

@@ -1,0 +1,22 @@
+// What sunder info tells of a file of the plane.
+#pragma once
+
+#include <cli/common.h>
+
+#include <string>
+
+namespace sunder::cli {
+
+struct Info {
+  std::string text;
+  Json json;
+};
+
+// Has the file an ending of a format of the plane, read or not?
+bool is_of_the_plane(const std::string& file);
+
+// How much of what there is, in which box, and which verbs ask about it. Throws Error bad_file where the file cannot be
+// read, with the way out.
+Info describe_planar(const std::string& file);
+
+}  // namespace sunder::cli

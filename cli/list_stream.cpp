@@ -1,0 +1,82 @@
+#include <cli/list_stream.h>
+
+#include <sunder/base/error.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <utility>
+
+namespace sunder::cli {
+
+namespace {
+
+constexpr std::size_t piece = std::size_t{1} << 16;
+
+std::string opening_of(const Json& head, std::string_view key) {
+  std::string text = to_text(head);
+  text.resize(text.size() - 3);  // "\n}\n"
+  return fmt::format("{},\n  {}: [", text, quoted_json(key));
+}
+
+}  // namespace
+
+ListStream::ListStream(std::string opening, std::string margin, Sink sink)
+    : text_(std::move(opening)), margin_(std::move(margin)), sink_(std::move(sink)) {}
+
+void ListStream::add(std::string_view item) {
+  text_ += count_++ == 0 ? "\n" : ",\n";
+  text_ += margin_;
+  text_ += item;
+  if (text_.size() < piece) return;
+  sink_(text_);
+  text_.clear();
+}
+
+void ListStream::close(std::string_view closing) {
+  text_ += closing;
+  sink_(text_);
+  text_.clear();
+}
+
+ListReport::ListReport(const Json& head, std::string_view key) : list_(opening_of(head, key), "    ", print) {}
+
+void ListReport::close() { list_.close(list_.count() == 0 ? "]\n}\n" : "\n  ]\n}\n"); }
+
+std::string quoted_json(std::string_view text) {
+  const bool is_plain =
+      std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c < 127 && c != '"' && c != '\\'; });
+  if (is_plain) return fmt::format("\"{}\"", text);
+  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string number_json(double x) {
+  std::array<char, 32> digits{};
+  std::string text(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string pair_json(std::string_view first, std::string_view second) {
+  return fmt::format("[{}, {}]", first, second);
+}
+
+void add_svg_limit(CLI::App& verb, std::uint64_t& limit) {
+  verb.add_option("--svg-limit", limit, fmt::format("draw at most so many things, contacts included ({})", limit))
+      ->needs(verb.get_option("--svg"))
+      ->type_name("N");
+}
+
+void require_drawable(std::uint64_t things, std::string_view noun, std::uint64_t contacts, std::uint64_t most) {
+  if (things + contacts <= most) return;
+  throw Error(ErrorCode::bad_call,
+              fmt::format("{}{}: more than {}, a picture too large to look at; leave it out, or give --svg-limit {}",
+                          count_of(things, noun), contacts > 0 ? " and " + count_of(contacts, "contact") : "", most,
+                          things + contacts),
+              "--svg");
+}
+
+}  // namespace sunder::cli

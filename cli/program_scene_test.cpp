@@ -1,0 +1,87 @@
+// The verb scene.
+#include <tests/support/program.h>
+
+#include <vector>
+
+namespace sunder::tests {
+
+namespace {
+
+TEST_F(Program, SceneOfTheArm) {
+  const std::string call = "scene " + panda + ready + folded + " --allow adjacent --classify";
+  const std::string proofs = in_folder("proofs.json"), svg = in_folder("arm.svg");
+  const json j = report(call + " --certificate " + proofs + " --svg " + svg, 1);
+  EXPECT_EQ(j["answer"], "some");
+  EXPECT_EQ(j["bodies"].size(), 11u);
+  ASSERT_EQ(j["placements"].size(), 2u);
+  EXPECT_EQ(j["placements"][0]["name"], "ready");
+  EXPECT_EQ(j["placements"][0]["answer"], "none");
+  EXPECT_EQ(j["placements"][1]["answer"], "some");
+  std::vector<json> meeting;
+  for (const json& pair : j["pairs"]) {
+    if (pair["answer"] == "meet") meeting.push_back(pair);
+  }
+  ASSERT_EQ(meeting.size(), 1u);
+  EXPECT_EQ(meeting[0]["a"], "panda_link1");
+  EXPECT_EQ(meeting[0]["b"], "panda_hand");
+  EXPECT_EQ(meeting[0]["contact"], "overlapping");
+  EXPECT_EQ(meeting[0]["placement"], 1);
+  EXPECT_EQ(j["counts"]["pairs"].get<int>(), 248);
+  EXPECT_EQ(j["pairs"].size(), j["counts"]["pairs"].get<std::size_t>() - j["counts"]["allowed"].get<std::size_t>());
+
+  const json verified = report("verify " + proofs, 0);
+  EXPECT_EQ(verified["objects"][0]["pairs"], j["pairs"].size());
+  EXPECT_EQ(verified["objects"][0]["meet"], 1);
+
+  const std::string picture = read_text(svg);
+  EXPECT_TRUE(picture.starts_with("<svg ") && picture.ends_with("</svg>\n"));
+  EXPECT_NE(picture.find("panda_link1 meets panda_hand"), std::string::npos);
+  EXPECT_EQ(picture.find("nan"), std::string::npos);
+
+  EXPECT_EQ(run("scene " + panda + ready + " --allow adjacent").code, 0);
+  EXPECT_EQ(run("scene " + panda + ready).code, 1);  // neighbours meet
+  EXPECT_EQ(run("scene " + panda + folded + " --allow adjacent --allow panda_hand,panda_link1").code, 0);
+  write_text(in_folder("allow"), "# what may meet\npanda_link1 panda_hand\n");
+  EXPECT_EQ(run("scene " + panda + folded + " --allow adjacent --allow " + in_folder("allow")).code, 0);
+}
+
+TEST_F(Program, SceneOfMeshes) {
+  EXPECT_EQ(run("scene " + cube + " " + cube + "@3,0,0").code, 0);
+  EXPECT_EQ(run("scene " + cube + " " + cube + "@1,0,0").code, 1);
+  EXPECT_EQ(run("scene " + cube + " " + cube + "@1,0,0 --allow touch").code, 0);
+  EXPECT_EQ(run("scene " + cube + " " + cube + " --pose 'cube#2=1,0.5,3'").code, 0);
+  const json j = report("scene " + cases + "/mesh/two_parts.obj " + tetrahedron + "@20,0,0 --leave-out", 0);
+  EXPECT_EQ(j["bodies"][0]["parts"].size(), 2u);
+  EXPECT_EQ(j["counts"]["pairs"], 2);
+  EXPECT_EQ(j["pairs"].size(), 0u);
+  const json far = report("scene " + cube + " " + cube + "@3,0,0 --certificate " + in_folder("c.json"), 0);
+  ASSERT_EQ(far["pairs"].size(), 1u);
+  EXPECT_EQ(far["pairs"][0]["decided_by"], "boxes");
+  EXPECT_EQ(run("verify " + in_folder("c.json")).code, 0);
+  EXPECT_EQ(run("scene " + panda + ready + " --allow adjacent " + cube + "@0,0,-0.45").code, 1);  // under its base
+}
+
+TEST_F(Program, BadScenes) {
+  const std::string arm = "scene " + panda;
+  expect_bad(arm + " --joints panda_joint1", "'panda_joint1' is no joint with a value");
+  expect_bad(arm + " --joints panda_joint1=x", "'x' is not a number");
+  expect_bad(arm + " --joints panda_joint1=9", "out of the limits");
+  expect_bad(arm + " --joints elbow=1", "joint 'elbow'");
+  expect_bad(arm + " --joints panda_joint1=0,panda_joint1=1", "comes twice");
+  expect_bad(arm + " --joints-file " + in_folder("none"), "no such file");
+  expect_bad(arm + " --allow neighbours", "give adjacent, touch, NAME,NAME, or a file");
+  expect_bad(arm + " --allow panda_link1,elbow", "no body is named 'elbow'");
+  expect_bad(arm + " " + panda, "a second robot");
+  expect_bad("scene " + cube + " --joints a=1", "there is no robot");
+  expect_bad("scene " + cube + " --allow adjacent", "there is no robot");
+  expect_bad("scene " + cube + "@1,2", "a pose of 2 numbers");
+  expect_bad("scene " + cube + " --pose sphere=1,2,3", "nothing is named 'sphere'; names are cube");
+  expect_bad("scene " + cube + " --pose cube", "is not of the form NAME=POSE");
+  expect_bad("scene " + cube + " --method frob", "choose one of automatic, gjk, scan");
+  write_text(in_folder("bad.joints"), "# fine\npanda_joint1 = 0.1\npanda_joint2 = far\n");
+  expect_bad(arm + " --joints-file " + in_folder("bad.joints"), "bad.joints:3");
+}
+
+}  // namespace
+
+}  // namespace sunder::tests

@@ -1,0 +1,113 @@
+// The verbs circles and polygons.
+#include <tests/support/program.h>
+
+namespace sunder::tests {
+
+namespace {
+
+TEST_F(Program, Circles) {
+  const std::string moon = cases + "/circles/moon.csv";
+  const Run count = run("circles " + moon + " --count --json");
+  EXPECT_EQ(count.code, 1) << count.err;
+  const json report = json::parse(count.out);
+  EXPECT_EQ(report["count"], 86);
+  EXPECT_EQ(report["counts"]["overlapping"], 74);
+  for (const std::string method : {"grid", "sweep", "scan"}) {
+    EXPECT_EQ(json::parse(run("circles " + moon + " --all --json --method " + method).out)["contacts"].size(), 86u);
+  }
+  const std::string apart = in_folder("apart.csv"), proof = in_folder("proof.json");
+  write_text(apart, "0,0,1\n2,0,1\n");
+  EXPECT_EQ(run("circles " + apart).code, 1);
+  EXPECT_EQ(run("circles " + apart + " --allow touch --certificate " + proof).code, 0);
+  EXPECT_EQ(run("verify " + proof).code, 0);
+  EXPECT_EQ(run("circles " + moon + " --svg " + in_folder("moon.svg")).code, 1);
+  EXPECT_NE(read_text(in_folder("moon.svg")).find("inside 12"), std::string::npos);
+  write_text(apart, "0,0,1\n2,0,-1\n");
+  const Run negative = run("circles " + apart);
+  EXPECT_EQ(negative.code, 2);
+  EXPECT_NE(negative.err.find("apart.csv:2: has a negative radius"), std::string::npos) << negative.err;
+  EXPECT_EQ(run("circles " + moon + " --all --certificate " + proof).code, 2);
+}
+
+TEST_F(Program, Polygons) {
+  const std::string tracts = cases + "/tracts/tracts.wkt";
+  const Run count = run("polygons " + tracts + " --count --json");
+  EXPECT_EQ(count.code, 1) << count.err;
+  EXPECT_EQ(json::parse(count.out)["counts"]["touching"], 607);
+  EXPECT_EQ(run("polygons " + tracts + " --allow touch").code, 0);
+  const std::string proof = in_folder("proof.json");
+  for (const std::string rule : {"nothing", "shared-endpoint", "touch"}) {
+    EXPECT_EQ(run("polygons " + tracts + " --certificate " + proof + " --allow " + rule).code, rule == "touch" ? 0 : 1);
+    EXPECT_EQ(run("verify " + proof).code, 0) << rule;
+    EXPECT_TRUE(python_accepts(proof)) << rule;
+  }
+  expect_bad("polygons " + tracts + " --all --certificate " + in_folder("none.json"), "have no proof");
+  expect_bad("polygons " + tracts + " --method scan --certificate " + in_folder("none.json"), "scan writes no");
+  const std::string two = in_folder("two.wkt");
+  write_text(two, "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\nPOLYGON ((1 1, 2 1, 2 2, 1 1))\n");
+  for (const std::string method : {"automatic", "grid", "sweep", "scan"}) {
+    const Run inside = run("polygons " + two + " --allow touch --method " + method);
+    EXPECT_EQ(inside.code, 1) << inside.err;
+    EXPECT_NE(inside.out.find("overlapping: 1 (line 1) and 2 (line 2): a vertex inside"), std::string::npos)
+        << inside.out;
+  }
+  EXPECT_EQ(run("polygons " + two + " --svg " + in_folder("two.svg")).code, 1);
+  write_text(two, "POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))\n");
+  const Run crossed = run("polygons " + two);
+  EXPECT_EQ(crossed.code, 2);
+  EXPECT_NE(crossed.err.find("feature 1: is not valid: ring 0 crosses itself at about (2, 2): edges 0 and 2"),
+            std::string::npos)
+      << crossed.err;
+}
+
+// Pads of one net may meet; the one pair of two nets is found.
+TEST_F(Program, CirclesOfGroups) {
+  const std::string pads = in_folder("pads.csv");
+  write_text(pads, "x,y,r,net,name\n0,0,2,GND,a\n3,0,2,GND,b\n6,0,2,VCC,c\n20,0,1,VCC,d\n");
+  EXPECT_EQ(run("circles " + pads).code, 1);
+  for (const std::string method : {"automatic", "grid", "sweep", "scan"}) {
+    const json all = report("circles " + pads + " --all --group net --method " + method, 1);
+    ASSERT_EQ(all["count"], 1) << method;
+    EXPECT_EQ(all["contacts"][0]["names"], (json{"b", "c"}));
+    EXPECT_EQ(all["contacts"][0]["groups"], (json{"GND", "VCC"}));
+    EXPECT_EQ(report("circles " + pads + " --group net --method " + method, 1)["contacts"].size(), 1u);
+  }
+  EXPECT_EQ(report("circles " + pads + " --count --group name", 1)["count"], 2);
+  const Run text = run("circles " + pads + " --group net");
+  EXPECT_NE(text.out.find("2 groups; those of one net may meet\n"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("circle b of GND, line 3: "), std::string::npos) << text.out;
+  expect_bad("circles " + pads + " --group layer", "no column 'layer' to group by; there are net, name");
+  expect_bad("circles " + pads + " --group net --certificate " + in_folder("none.json"), "has no proof yet");
+}
+
+// Two layers of a map: parcels may meet one another, and zones too; the one parcel in a zone is found.
+TEST_F(Program, PolygonsOfGroups) {
+  const std::string map = in_folder("map.geojson");
+  const auto feature = [](const std::string& layer, const std::string& rings) {
+    return R"({"type": "Feature", "properties": {"layer": ")" + layer + R"("}, "geometry": {"type": "MultiPolygon", )" +
+           R"("coordinates": [)" + rings + "]}}";
+  };
+  const std::string left = "[[[0,0],[4,0],[4,4],[0,4],[0,0]]]", right = "[[[4,4],[8,4],[8,6],[4,6],[4,4]]]",
+                    zone = "[[[6,3],[9,3],[9,9],[6,9],[6,3]]]", other = "[[[7,8],[10,8],[10,10],[7,10],[7,8]]]";
+  write_text(map, R"({"type": "FeatureCollection", "features": [)" + feature("parcels", left + "," + right) + "," +
+                      feature("zones", zone) + "," + feature("zones", other) + "]}");
+  const json all = report("polygons " + map + " --all", 1),
+             by_layer = report("polygons " + map + " --all --group layer", 1);
+  EXPECT_EQ(all["count"], 2);  // the parts of the first feature belong together
+  EXPECT_EQ(by_layer["count"], 1);
+  EXPECT_EQ(by_layer["contacts"][0]["i"], 0);
+  EXPECT_EQ(by_layer["contacts"][0]["j"], 1);
+  EXPECT_EQ(by_layer["contacts"][0]["parts"], (json{1, 0}));
+  EXPECT_EQ(by_layer["contacts"][0]["groups"], (json{"parcels", "zones"}));
+  EXPECT_EQ(report("polygons " + map + " --count --group feature", 1)["count"], 2);
+  const Run text = run("polygons " + map + " --group layer");
+  EXPECT_NE(text.out.find("2 groups; those of one layer may meet\n"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find(" of parcels, part 1 and "), std::string::npos) << text.out;
+  expect_bad("polygons " + map + " --group colour", "has no property 'colour'");
+  expect_bad("polygons " + map + " --group ring", "rings belong to polygons");
+  expect_bad("polygons " + map + " --group layer --certificate " + in_folder("none.json"), "has no proof yet");
+}
+
+}  // namespace
+
+}  // namespace sunder::tests

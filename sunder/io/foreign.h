@@ -1,0 +1,15 @@
+// Files of formats that are not read, by their first bytes, with the way out. For readers.
+#pragma once
+
+#include <string_view>
+
+namespace sunder::io {
+
+// Throws Error bad_file that names the format and the remedy, where the bytes begin as a format does that people take
+// for one of the plane (GIS, CAD, chips), or for text; also where they are a mesh, or UTF-16. place: the file's name.
+void refuse_foreign(std::string_view bytes, std::string_view place);
+
+// What the bytes are, for people: "a PNG image"; empty where nothing is known. For meshes and files of the plane alike.
+std::string_view foreign_format(std::string_view bytes);
+
+}  // namespace sunder::io

@@ -1,0 +1,276 @@
+#include <sunder/planar/set/ends_in_order.h>
+#include <sunder/planar/set/polygon_sweep.h>
+#include <sunder/predicate/orient.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace sunder::planar {
+
+PolygonSweep::PolygonSweep(const PolygonEdges& edges, const PolygonsOptions& options, PolygonPlace::Found found)
+    : edges_(edges),
+      options_(options),
+      found_(std::move(found)),
+      place_(edges, options, found_),
+      status_(edges.edges().all()),
+      crossings_(edges.edges()),
+      above_of_(edges.edges().size(), SharedSets::empty),
+      fills_above_(edges.edges().size()),
+      is_first_(edges.edges().size()),
+      seen_(edges.polygon_count()),
+      fills_(edges.polygon_count()) {
+  find_firsts();
+}
+
+// Of each ring, the edge that goes on from its first vertex, and has a length.
+void PolygonSweep::find_firsts() {
+  for (const PolygonEdges::Ring& ring : edges_.rings()) {
+    const Polygon& polygon = edges_.polygon(ring.polygon);
+    const std::vector<Point2>& v = polygon.vertices();
+    std::uint32_t first = none;
+    for (std::uint32_t k = polygon.ring_begin(ring.in_polygon); k < polygon.ring_begin(ring.in_polygon + 1); ++k) {
+      ++cost.probes;
+      if (v[k] == v[polygon.next(k)]) continue;
+      if (first == none || lexicographically_less(v[k], v[first])) first = k;
+    }
+    if (first != none) is_first_[edges_.first_edge(ring.polygon) + first] = true;
+  }
+}
+
+bool PolygonSweep::run() {
+  const std::span<const Segment> all = edges_.edges().all();
+  const std::vector<std::uint32_t> ends = ends_in_order(all);
+  std::size_t e = 0;
+  for (std::size_t step = 0; !stopped_ && (e < ends.size() || !crossings_.empty()); ++step) {
+    if (options_.progress && step % 65536 == 0) {
+      options_.progress(static_cast<double>(e) / static_cast<double>(ends.size()));
+    }
+    Sign next = Sign::positive;
+    if (!crossings_.empty()) {
+      next = e == ends.size() ? Sign::negative : crossings_.next_minus(end_point(all, ends[e]));
+    }
+    if (next == Sign::negative) {
+      at_crossing();
+      continue;
+    }
+    const Point2& p = end_point(all, ends[e]);
+    std::uint32_t held = next == Sign::zero ? crossings_.pop().lower : none;  // some edge in the list that holds p
+    begins_.clear();
+    for (; e < ends.size() && end_point(all, ends[e]) == p; ++e) {
+      ++cost.probes;
+      const std::uint32_t edge = ends[e] / 2;
+      if (all[edge].a == all[edge].b) continue;
+      if (ends[e] % 2 == 0) {
+        begins_.push_back(edge);
+      } else {
+        held = edge;
+      }
+    }
+    at_vertex(p, held);
+  }
+  cost.probes += place_.probes + crossings_.comparisons + sets_.steps;
+  return !stopped_;
+}
+
+// --- The row at a point -------------------------------------------------------------------------------------------
+
+void PolygonSweep::at_crossing() {
+  const CrossingQueue::Event event = crossings_.pop();
+  const Crossing p = crossings_.crossing_of(event);
+  const Enclosure2 in = enclosure(p);
+  gather(event.lower, [&](std::uint32_t e) {
+    if (e == event.lower || e == event.upper) return true;
+    ++cost.probes;
+    return orient_2d(segment(e).a, segment(e).b, p, in) == Sign::zero;
+  });
+  begins_.clear();
+  next_.assign(row_.rbegin(), row_.rend());
+  vertex_ = nullptr;
+  pass();
+}
+
+void PolygonSweep::at_vertex(const Point2& p, std::uint32_t held) {
+  if (held == none) {
+    if (begins_.empty()) return;
+    row_.clear();
+    const auto around = status_.around([&](const Segment& s) {
+      ++cost.probes;
+      return orient_2d(s.a, s.b, p) == Sign::positive;
+    });
+    below_ = around.below;
+    above_ = around.above;
+    if (above_ != none && side_of(p, above_) == Sign::zero) held = above_;
+  }
+  if (held != none) gather(held, [&](std::uint32_t e) { return side_of(p, e) == Sign::zero; });
+  if (row_.size() == 1 && begins_.size() == 1 && segment(row_[0]).b == p &&
+      edges_.polygon_of(row_[0]) == edges_.polygon_of(begins_[0])) {
+    goes_on(row_[0], begins_[0]);
+    return;
+  }
+  const auto lower = [&](std::uint32_t e, std::uint32_t f) { return is_lower(e, f, p); };
+  passing_.clear();
+  for (std::size_t k = row_.size(); k-- > 0;) {
+    if (segment(row_[k]).b != p) passing_.push_back(row_[k]);
+  }
+  std::sort(begins_.begin(), begins_.end(), lower);
+  next_.resize(passing_.size() + begins_.size());
+  std::merge(passing_.begin(), passing_.end(), begins_.begin(), begins_.end(), next_.begin(), lower);
+  vertex_ = &p;
+  pass();
+}
+
+// The row around one that holds the point, and what stands next to it.
+template <class Holds>
+void PolygonSweep::gather(std::uint32_t held, const Holds& holds) {
+  row_.clear();
+  for (below_ = status_.neighbours_of(held).below; below_ != none && holds(below_);) {
+    row_.push_back(below_);
+    below_ = status_.neighbours_of(below_).below;
+  }
+  std::reverse(row_.begin(), row_.end());
+  row_.push_back(held);
+  for (above_ = status_.neighbours_of(held).above; above_ != none && holds(above_);) {
+    row_.push_back(above_);
+    above_ = status_.neighbours_of(above_).above;
+  }
+}
+
+// Of two that leave p to the right.
+bool PolygonSweep::is_lower(std::uint32_t e, std::uint32_t f, const Point2& p) {
+  ++cost.probes;
+  return orient_2d(p, segment(e).b, segment(f).b) == Sign::positive;
+}
+
+// A polygon's edge ends where its next one begins, and nothing else is there.
+void PolygonSweep::goes_on(std::uint32_t old, std::uint32_t next) {
+  status_.replace(old, next);
+  above_of_[next] = std::exchange(above_of_[old], SharedSets::empty);
+  fills_above_[next] = fills_above_[old];
+  stopped_ = !meet(below_, next) || !meet(next, above_);
+}
+
+void PolygonSweep::pass() {
+  under_ = below_ == none ? SharedSets::empty : above_of_[below_];
+  find_sides();
+  // Two that only cross have been found when they became neighbours.
+  const bool cross = begins_.empty() && row_.size() == 2 && next_.size() == 2;
+  stopped_ = (!cross && are_several() && !look_around()) || !look_inside();
+  if (stopped_) return;
+  put_row();
+  stopped_ = next_.empty() ? !meet(below_, above_) : !meet(below_, next_.front()) || !meet(next_.back(), above_);
+}
+
+// Which sides of next_ are filled: each polygon fills what is below its lowest edge, or not, and then in turn.
+void PolygonSweep::find_sides() {
+  ++point_;
+  for (const std::uint32_t e : row_) {
+    const std::uint32_t polygon = edges_.polygon_of(e);
+    if (std::exchange(seen_[polygon], point_) != point_) fills_[polygon] = !fills_above_[e];
+  }
+  fills_next_.clear();
+  for (const std::uint32_t e : next_) {
+    ++cost.probes;
+    const std::uint32_t polygon = edges_.polygon_of(e);
+    if (std::exchange(seen_[polygon], point_) != point_) fills_[polygon] = sets_.holds(under_, polygon);
+    fills_[polygon] = !fills_[polygon];
+    fills_next_.push_back(fills_[polygon]);
+  }
+}
+
+// Are there edges of several polygons, or just the list's?
+bool PolygonSweep::are_several() const {
+  const std::uint32_t polygon = edges_.polygon_of(row_.empty() ? next_.front() : row_.front());
+  const auto is_other = [&](std::uint32_t e) { return edges_.polygon_of(e) != polygon; };
+  return std::any_of(row_.begin(), row_.end(), is_other) || std::any_of(next_.begin(), next_.end(), is_other);
+}
+
+// Counter-clockwise from straight below: those to the right from below to above, then those to the left from above.
+bool PolygonSweep::look_around() {
+  leaving_.clear();
+  const auto passes = [&](std::uint32_t e) {
+    return vertex_ == nullptr || (segment(e).a != *vertex_ && segment(e).b != *vertex_);
+  };
+  const auto turns = [&](std::uint32_t e, const Point2& end) {
+    ++cost.probes;
+    return orient_2d(segment(e).a, segment(e).b, end) != Sign::zero;
+  };
+  for (std::size_t k = 0; k < next_.size(); ++k) {
+    const bool is_another = k == 0 || turns(next_[k - 1], segment(next_[k]).b);
+    leaving_.push_back({next_[k], fills_next_[k], passes(next_[k]), is_another});
+  }
+  for (std::size_t k = row_.size(); k-- > 0;) {
+    const bool is_another = k + 1 == row_.size() || turns(row_[k + 1], segment(row_[k]).a);
+    leaving_.push_back({row_[k], !fills_above_[row_[k]], passes(row_[k]), is_another});
+  }
+  return place_.look(leaving_);
+}
+
+// Rings that begin here are inside of those polygons that fill what is below, save of those that have edges here.
+bool PolygonSweep::look_inside() {
+  bool is_known = false;
+  for (const std::uint32_t e : begins_) {
+    if (!is_first_[e]) continue;
+    if (!std::exchange(is_known, true)) {
+      inside_of_.clear();
+      sets_.for_each(under_, [&](std::uint32_t polygon) {
+        if (seen_[polygon] != point_) inside_of_.push_back(polygon);
+      });
+    }
+    for (const std::uint32_t outer : inside_of_) {
+      ++cost.probes;
+      if (!report_inside(e, outer)) return false;
+    }
+  }
+  return true;
+}
+
+bool PolygonSweep::report_inside(std::uint32_t e, std::uint32_t outer) {
+  const std::uint32_t inner = edges_.polygon_of(e), vertex = edges_.in_polygon(e);  // the edge goes on from there
+  if (planar::may_meet(options_.groups, inner, outer)) return true;
+  const bool first = inner < outer;
+  return found_({Contact::overlapping, ContactKind::none, first, std::min(inner, outer), std::max(inner, outer),
+                 first ? vertex : 0, first ? 0 : vertex});
+}
+
+// What is above the last of them is as before.
+void PolygonSweep::put_row() {
+  const SharedSets::Set top = sets_.again(row_.empty() ? under_ : above_of_[row_.back()]);
+  for (const std::uint32_t e : row_) {
+    status_.erase(e);
+    sets_.release(std::exchange(above_of_[e], SharedSets::empty));
+  }
+  std::uint32_t below = below_;
+  SharedSets::Set under = under_;
+  for (std::size_t k = 0; k < next_.size(); ++k) {
+    const std::uint32_t e = next_[k];
+    status_.insert_above(below, e);
+    under = above_of_[e] = k + 1 == next_.size() ? top : sets_.toggled(under, edges_.polygon_of(e));
+    fills_above_[e] = fills_next_[k];
+    below = e;
+  }
+  if (next_.empty()) sets_.release(top);
+}
+
+// --- Neighbours ---------------------------------------------------------------------------------------------------
+
+Sign PolygonSweep::side_of(const Point2& p, std::uint32_t e) {
+  ++cost.probes;
+  return orient_2d(segment(e).a, segment(e).b, p);
+}
+
+bool PolygonSweep::may_meet(std::uint32_t e, std::uint32_t f) const {
+  const std::uint32_t p = edges_.polygon_of(e), q = edges_.polygon_of(f);
+  return p == q || planar::may_meet(options_.groups, p, q);
+}
+
+// Two that are neighbours now: do they cross further on? Then the one that ends first does so on the wrong side.
+bool PolygonSweep::meet(std::uint32_t lower, std::uint32_t upper) {
+  if (lower == none || upper == none) return true;
+  const bool lower_ends_first = lexicographically_less(segment(lower).b, segment(upper).b);
+  const Sign side = lower_ends_first ? side_of(segment(lower).b, upper) : -side_of(segment(upper).b, lower);
+  if (side != Sign::positive) return true;
+  crossings_.push(lower, upper);
+  return may_meet(lower, upper) || place_.report(Contact::overlapping, lower, upper, ContactKind::crossing);
+}
+
+}  // namespace sunder::planar

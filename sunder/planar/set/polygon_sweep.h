@@ -1,0 +1,87 @@
+// The contacts of polygons by one sweep over their edges: around points where several come together, where edges
+// cross, and of rings inside of other polygons. For use by polygons_any and polygons_all.
+//
+// The line sweeps lexicographically, and passes crossings (Bentley & Ottmann 1979). All that happens at one point is
+// dealt with at once. What the polygons fill just above each edge of the list is known as a set: it differs from that
+// below by the edge's polygon, in which they share all else (SharedSets). So
+//   - edges that cross were neighbours before: their polygons overlap;
+//   - around a point where polygons of several groups have edges, PolygonPlace tells who touches and who overlaps;
+//   - a ring without these lies inside of the polygons in the set below its first vertex, and of no others.
+// Other pairs have no common point, as polygon_meetings.h shows.
+// Cost: O((n + k) log n) for n edges, and k that are the crossings of edges, the edges that pass vertices of others,
+// and what is found (see PolygonPlace), also of one group: not the pairs of those that share a point. Memory: O(n) and
+// what crossings lie ahead.
+#pragma once
+
+#include <sunder/planar/set/crossing_queue.h>
+#include <sunder/planar/set/polygon_place.h>
+#include <sunder/planar/set/shared_sets.h>
+#include <sunder/planar/set/sweep_status.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace sunder::planar {
+
+class PolygonSweep {
+ public:
+  // Calls `found` for pairs that meet, also more than once for a pair, until it returns false. Contacts that are said
+  // to be touching may yet be found to be overlapping. Pairs of one group are left out, and touching that is allowed.
+  PolygonSweep(const PolygonEdges& edges, const PolygonsOptions& options, PolygonPlace::Found found);
+
+  // Returns whether `found` never returned false.
+  bool run();
+
+  Cost cost{};
+
+ private:
+  static constexpr std::uint32_t none = SweepStatus<Segment>::none;
+
+  const Segment& segment(std::uint32_t e) const { return edges_.edges()[e]; }
+  bool may_meet(std::uint32_t e, std::uint32_t f) const;
+  Sign side_of(const Point2& p, std::uint32_t e);
+
+  void find_firsts();
+  void at_crossing();
+  void at_vertex(const Point2& p, std::uint32_t held);
+  template <class Holds>
+  void gather(std::uint32_t held, const Holds& holds);
+  void goes_on(std::uint32_t old, std::uint32_t next);
+  void pass();
+  bool is_lower(std::uint32_t e, std::uint32_t f, const Point2& p);
+  bool are_several() const;
+  void find_sides();
+  bool look_around();
+  bool look_inside();
+  bool report_inside(std::uint32_t e, std::uint32_t outer);
+  void put_row();
+  bool meet(std::uint32_t lower, std::uint32_t upper);
+
+  const PolygonEdges& edges_;
+  PolygonsOptions options_;
+  PolygonPlace::Found found_;
+  PolygonPlace place_;
+  SweepStatus<Segment> status_;
+  CrossingQueue crossings_;
+  SharedSets sets_;
+  std::vector<SharedSets::Set> above_of_;  // of each edge in the list: which polygons fill what is just above
+  std::vector<bool> fills_above_;          // of each edge: does its own?
+  std::vector<bool> is_first_;             // of each edge: does its ring begin with it?
+
+  // At a point.
+  const Point2* vertex_ = nullptr;               // none where edges only cross
+  std::vector<std::uint32_t> begins_, passing_;  // edges that begin there; that neither begin nor end
+  std::vector<std::uint32_t> row_, next_;        // those in the list that hold it, from below to above; and just after
+  std::vector<bool> fills_next_;                 // as fills_above_
+  std::uint32_t below_ = 0, above_ = 0;          // next to the row
+  SharedSets::Set under_ = SharedSets::empty;    // just below the row
+  std::vector<std::uint32_t> seen_;              // of each polygon: at which point last
+  std::vector<bool> fills_;                      // of each polygon that was seen: what is between two edges of the row
+  std::uint32_t point_ = 0;
+  std::vector<PolygonPlace::Leaving> leaving_;
+  std::vector<std::uint32_t> inside_of_;
+  bool stopped_ = false;
+};
+
+}  // namespace sunder::planar

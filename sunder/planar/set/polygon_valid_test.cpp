@@ -1,0 +1,216 @@
+// Each kind of defect by itself: where it is, and under which rule. The scan is asked too.
+#include <sunder/base/error.h>
+#include <sunder/planar/set/polygon_valid.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace sunder::planar {
+namespace {
+
+using Kind = PolygonDefectKind;
+using Ring = std::vector<Point2>;
+using Parts = std::vector<PolygonRings>;
+
+const Ring square{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
+
+Ring box(double left, double bottom, double right, double top) {
+  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
+}
+
+std::vector<Kind> kinds(const Parts& parts, PolygonRule rule = PolygonRule::valid) {
+  std::vector<Kind> all, of_scan;
+  for (const PolygonDefect& d : polygon_defects(parts, {rule}).defects) all.push_back(d.kind);
+  for (const PolygonDefect& d : polygon_defects_by_scan(parts, {rule}).defects) of_scan.push_back(d.kind);
+  EXPECT_EQ(all, of_scan);
+  return all;
+}
+std::vector<Kind> kinds(const PolygonRings& rings, PolygonRule rule = PolygonRule::valid) {
+  return kinds(Parts{rings}, rule);
+}
+using Kinds = std::vector<Kind>;
+
+TEST(PolygonValidTest, ValidOnes) {
+  EXPECT_EQ(kinds({square}), Kinds{});
+  EXPECT_EQ(kinds({square, box(1, 1, 2, 2), box(3, 3, 4, 4)}), Kinds{});
+  EXPECT_EQ(kinds(Parts{}), Kinds{});
+  EXPECT_EQ(kinds(Parts{{}, {square}}), Kinds{});  // an empty part
+  // Vertices that are repeated, also where the ring is closed.
+  const PolygonRings repeated{{{0, 0}, {0, 0}, {8, 0}, {8, 8}, {8, 8}, {8, 8}, {0, 0}, {0, 0}}};
+  EXPECT_EQ(kinds(repeated), Kinds{});
+  EXPECT_EQ(kinds(repeated, PolygonRule::simple), Kinds(4, Kind::repeated_vertex));
+  // A hole touches its shell, in a vertex and on an edge; another one that hole, in one point each.
+  const PolygonRings touching{square, {{0, 0}, {2, 1}, {1, 2}}, {{8, 4}, {4, 4}, {6, 3}}, {{2, 1}, {3, 1}, {3, 2}}};
+  EXPECT_EQ(kinds(touching), Kinds{});
+  EXPECT_EQ(kinds(touching, PolygonRule::simple), Kinds(3, Kind::rings_touch));
+}
+
+TEST(PolygonValidTest, RingsByThemselves) {
+  EXPECT_EQ(kinds(PolygonRings{{{0, 0}, {1, 1}, {1, 1}, {0, 0}}}), Kinds{Kind::too_few_points});
+  EXPECT_EQ(kinds({square, {}}), Kinds{Kind::too_few_points});
+  EXPECT_EQ(kinds({square, {{1, 1}}}), Kinds{Kind::too_few_points});
+  EXPECT_EQ(kinds(PolygonRings{{{0, 0}, {8, 8}, {8, 0}, {0, 8}}}), Kinds{Kind::crossing});
+  EXPECT_EQ(kinds(PolygonRings{{{0, 0}, {8, 0}, {9, 0}, {8, 0}, {8, 8}}}), (Kinds{Kind::overlap}));  // a spike
+  // Crosses itself in a vertex; only comes back to it; comes to an edge.
+  EXPECT_EQ(kinds(PolygonRings{{{0, 0}, {4, 4}, {8, 8}, {8, 0}, {4, 4}, {0, 8}}}), Kinds{Kind::crossing});
+  EXPECT_EQ(kinds(PolygonRings{{{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 4}, {3, 5}, {3, 3}, {0, 4}}}),
+            Kinds{Kind::self_touch});
+  EXPECT_EQ(kinds(PolygonRings{{{0, 0}, {4, 0}, {2, 2}, {6, 2}, {4, 0}, {8, 0}, {8, 8}, {0, 8}}}),
+            Kinds{Kind::self_touch});
+  EXPECT_EQ(kinds(PolygonRings{{{0, 0}, {8, 0}, {8, 8}, {4, 0}, {0, 8}}}),
+            (Kinds{Kind::self_touch, Kind::disconnected}));
+}
+
+TEST(PolygonValidTest, TheShellTouchesItself) {
+  const PolygonRule rule = PolygonRule::self_touch;
+  const Ring pocket{{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 4}, {3, 5}, {3, 3}, {0, 4}};
+  EXPECT_EQ(kinds({pocket}, rule), Kinds{});
+  EXPECT_EQ(kinds({pocket, {{1, 4}, {2, 4}, {2, 4.25}}}, rule), Kinds{Kind::hole_outside});
+  EXPECT_EQ(kinds({pocket, {{3, 3}, {5, 3}, {5, 4}}}, rule), Kinds{});
+  EXPECT_EQ(kinds({pocket, {{3, 3}, {5, 3}, {3, 5}}}, rule), Kinds{Kind::overlap});
+  EXPECT_EQ(kinds({pocket, {{3, 3}, {5, 4}, {3, 5}, {4, 4}}}, rule), Kinds{Kind::disconnected});
+  // Two triangles that have a corner in common.
+  EXPECT_EQ(kinds(PolygonRings{{{0, 0}, {4, 4}, {8, 0}, {8, 8}, {4, 4}, {0, 8}}}, rule), Kinds{Kind::disconnected});
+  // A hole of two triangles; a hole with an island that hangs on it.
+  EXPECT_EQ(kinds({square, {{1, 1}, {4, 4}, {7, 7}, {7, 1}, {4, 4}, {1, 7}}}, rule), Kinds{Kind::crossing});
+  EXPECT_EQ(kinds({square, {{1, 1}, {4, 4}, {7, 1}, {7, 7}, {4, 4}, {1, 7}}}, rule), Kinds{});
+  EXPECT_EQ(kinds({square, {{1, 1}, {7, 1}, {7, 7}, {1, 7}, {1, 4}, {3, 5}, {3, 3}, {1, 4}}}, rule),
+            Kinds{Kind::disconnected});
+}
+
+// Where a ring is cut depends on the order of its visits.
+TEST(PolygonValidTest, RingsThatTouchThemselvesTwice) {
+  const PolygonRule rule = PolygonRule::self_touch;
+  // A frame that is closed in (0, 4), and pinched in (8, 4): these come in turn along the ring.
+  EXPECT_EQ(
+      kinds(PolygonRings{{{0, 4}, {0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 4}, {2, 6}, {6, 6}, {8, 4}, {6, 2}, {2, 2}}},
+            rule),
+      Kinds{Kind::disconnected});
+  // A pocket, and an island in it that hangs on its shore.
+  EXPECT_EQ(kinds(
+                PolygonRings{
+                    {{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 4}, {6, 6}, {6, 4}, {4, 5}, {4, 3}, {6, 4}, {6, 2}, {0, 4}}},
+                rule),
+            Kinds{Kind::disconnected});
+  const Ring pinched{{0, 4}, {0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 4}, {2, 6}, {6, 6}, {8, 4}, {6, 2}, {4, 0}, {2, 2}};
+  EXPECT_EQ(polygon_defects(Parts{{pinched}}, {rule}).defects.size(), 2u);  // and once more
+  // Comes twice to one edge, which goes to the left; two pieces of the interior are cut off.
+  const Ring twice{{0, 0}, {8, 0}, {8, 8}, {0, 8}, {1, 4}, {2, 8}, {3, 4}, {5, 8}, {5, 2}, {1, 2}};
+  const PolygonDefects answer = polygon_defects(Parts{{twice}}, {rule});
+  ASSERT_EQ(answer.defects.size(), 2u);
+  for (const PolygonDefect& d : answer.defects) {
+    EXPECT_EQ(d.kind, Kind::disconnected);
+    EXPECT_EQ(d.place.a.y, 8);
+  }
+}
+
+TEST(PolygonValidTest, WhereHolesLie) {
+  EXPECT_EQ(kinds({square, box(9, 0, 10, 1)}), Kinds{Kind::hole_outside});
+  EXPECT_EQ(kinds({square, box(8, 8, 9, 9)}), Kinds{Kind::hole_outside});    // it touches the shell
+  EXPECT_EQ(kinds({square, box(-1, -1, 9, 9)}), Kinds{Kind::hole_outside});  // it holds the shell
+  EXPECT_EQ(kinds({square, box(1, 1, 7, 7), box(2, 2, 3, 3)}), Kinds{Kind::nested_holes});
+  EXPECT_EQ(kinds({square, box(1, 1, 7, 7), {{1, 1}, {3, 2}, {2, 3}}}), Kinds{Kind::nested_holes});
+  EXPECT_EQ(kinds({square, box(1, 1, 7, 7), box(1, 1, 7, 7)}), Kinds(4, Kind::overlap));
+  EXPECT_EQ(kinds({square, box(8, 1, 9, 2)}), Kinds{Kind::overlap});
+  EXPECT_EQ(kinds({square, box(7, 1, 9, 2)}), Kinds(2, Kind::crossing));
+}
+
+TEST(PolygonValidTest, TheInterior) {
+  // A hole from side to side; a ring of three holes that touch; three that meet in one point, which is no cycle.
+  EXPECT_EQ(kinds({square, {{0, 4}, {4, 3}, {8, 4}, {4, 5}}}), Kinds{Kind::disconnected});
+  EXPECT_EQ(kinds({square, {{1, 1}, {4, 1}, {4, 2}}, {{4, 2}, {4, 5}, {3, 5}}, {{3, 5}, {1, 1}, {2, 4}}}),
+            Kinds{Kind::disconnected});
+  EXPECT_EQ(kinds({square, {{4, 4}, {2, 4}, {2, 5}}, {{4, 4}, {6, 4}, {6, 5}}, {{4, 4}, {4, 2}, {5, 2}}}), Kinds{});
+}
+
+TEST(PolygonValidTest, Parts) {
+  EXPECT_EQ(kinds(Parts{{square}, {box(8, 8, 9, 9)}}), Kinds{});
+  EXPECT_EQ(kinds(Parts{{square}, {box(8, 4, 9, 9)}}), Kinds{Kind::overlap});
+  EXPECT_EQ(kinds(Parts{{square}, {box(1, 1, 2, 2)}}), Kinds{Kind::nested_parts});
+  EXPECT_EQ(kinds(Parts{{box(1, 1, 2, 2)}, {square}}), Kinds{Kind::nested_parts});
+  EXPECT_EQ(kinds(Parts{{square, box(1, 1, 5, 5)}, {{{1, 1}, {5, 3}, {3, 5}}}}), Kinds{});
+  EXPECT_EQ(kinds(Parts{{square, box(1, 1, 7, 7)}, {box(2, 2, 6, 6), box(3, 3, 5, 5)}, {box(4, 4, 4.5, 4.5)}}),
+            Kinds{});
+  EXPECT_EQ(kinds(Parts{{square}, {box(4, 4, 9, 9)}}), Kinds(2, Kind::crossing));
+}
+
+TEST(PolygonValidTest, SeveralOfOnePolygonInTheirPlaces) {
+  const PolygonRings rings{square,                                      // with a spike
+                           box(1, 1, 2, 2),                             //
+                           {{4, 4}, {6, 6}, {6, 4}, {4, 6}, {4, 4}},    // an hourglass
+                           {{9, 1}, {9, 1}, {10, 1}, {10, 2}, {9, 1}},  // outside
+                           {{7, 7}, {7.5, 7}, {7, 7}, {7, 7}}};
+  const PolygonDefects answer = polygon_defects(Parts{rings});
+  ASSERT_EQ(answer.defects.size(), 3u);
+  EXPECT_EQ(answer.defects[0].kind, Kind::too_few_points);
+  EXPECT_EQ(answer.defects[0].a, (RingPlace{0, 4, 0}));
+  EXPECT_EQ(answer.defects[1].kind, Kind::crossing);
+  EXPECT_EQ(answer.defects[1].a, (RingPlace{0, 2, 0}));
+  EXPECT_EQ(answer.defects[1].b, (RingPlace{0, 2, 2}));
+  EXPECT_EQ(answer.defects[1].place, (Segment{{5, 5}, {5, 5}}));
+  EXPECT_EQ(answer.defects[2].kind, Kind::hole_outside);
+  EXPECT_EQ(answer.defects[2].a, (RingPlace{0, 3, 1}));  // the last of equal vertices
+  EXPECT_EQ(polygon_defects(Parts{rings}, {PolygonRule::valid, 2}).defects.size(), 2u);
+  // As an object the same.
+  const PolygonRings two{square, box(9, 1, 10, 2)};
+  EXPECT_EQ(polygon_defects(Polygon(two)).defects[0].kind, Kind::hole_outside);
+}
+
+TEST(PolygonValidTest, BadCoordinates) {
+  try {
+    polygon_defects(Parts{{square, {{1, 1}, {2, std::nan("")}, {2, 2}}}});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::bad_value);
+    EXPECT_EQ(error.place(), "part 0, ring 1, vertex 1");
+  }
+}
+
+// At the ends of the doubles, where no filter decides.
+TEST(PolygonValidTest, AnyDoubles) {
+  const double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
+  EXPECT_EQ(kinds({box(-most, -most, most, most), box(-least, -least, least, least)}), Kinds{});
+  EXPECT_EQ(kinds({box(-most, -most, most, most), {{0, -least}, {least, 0}, {0, most}}}), Kinds{});
+  EXPECT_EQ(kinds({box(-most, -most, most, most), {{0, -most}, {least, 0}, {0, most}}}), Kinds{Kind::disconnected});
+}
+
+// Many triangles in one point, also many holes on one edge: near-linear work.
+TEST(PolygonValidTest, WorkGrowsAsNLogN) {
+  for (std::size_t n = 256; n <= 65536; n *= 16) {
+    Parts pie;
+    Ring comb{{-1, -1}, {2.0 * static_cast<double>(n) + 1, -1}, {2.0 * static_cast<double>(n) + 1, 0}, {-1, 0}};
+    PolygonRings shore{comb};
+    for (std::size_t k = 0; k < n; ++k) {
+      const double x = static_cast<double>(2 * k), y = static_cast<double>(n);
+      pie.push_back({{{0, 0}, {y, x}, {y, x + 1}}});
+      shore.push_back({{x, 0}, {x + 1, -0.5}, {x + 0.5, -0.75}});
+    }
+    const double edges = 3 * static_cast<double>(n), bound = 3 * edges * std::log2(edges);
+    const PolygonDefects of_pie = polygon_defects(pie), of_shore = polygon_defects(Parts{shore});
+    EXPECT_TRUE(of_pie.valid());
+    EXPECT_TRUE(of_shore.valid());
+    EXPECT_LT(static_cast<double>(of_pie.cost.probes), bound);
+    EXPECT_LT(static_cast<double>(of_shore.cost.probes), bound);
+  }
+}
+
+// Rings through two points, each two of which cross in both: one defect is found without listing all.
+TEST(PolygonValidTest, OneOfVeryManyCrossingsInVertices) {
+  for (const int n : {30, 20000}) {
+    Parts parts;
+    for (int k = 0; k < n; ++k) parts.push_back({{{0, 1}, {1.0 * k, 0}, {0, -1}, {1.0 * (n + k), 0}}});
+    const PolygonDefects answer = polygon_defects(parts, {PolygonRule::valid, 1});
+    ASSERT_EQ(answer.defects.size(), 1u);
+    EXPECT_EQ(answer.defects[0].kind, Kind::crossing);
+    if (n == 30) {
+      EXPECT_EQ(polygon_defects(parts).defects.size(), 30u * 29u);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sunder::planar

@@ -1,0 +1,184 @@
+// How the work of the front doors for sets of discs grows, under every rule and with groups; and that for their common
+// part.
+#include <tests/support/growth.h>
+
+#include <sunder/base/random.h>
+#include <sunder/planar/region/circles.h>
+#include <sunder/planar/set/circles_all.h>
+
+#include <array>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace sunder::tests {
+namespace {
+
+using planar::Allowed;
+using planar::Circle;
+using planar::Circles;
+using planar::CirclesOptions;
+
+struct Set {
+  std::vector<Circle> circles;
+  double k = 0;  // pairs whose boxes meet, about
+};
+
+double number(std::size_t k) { return static_cast<double>(k); }
+
+Set packed(std::size_t n, double spacing, double k) {
+  Set set{{}, k};
+  const std::size_t side = static_cast<std::size_t>(std::ceil(std::sqrt(number(n))));
+  for (std::size_t i = 0; i < n; ++i) {
+    set.circles.push_back({{spacing * number(i % side), spacing * number(i / side)}, 1});
+  }
+  return set;
+}
+Set apart(std::size_t n, Random&) { return packed(n, 2.5, 0); }
+Set touching(std::size_t n, Random&) { return packed(n, 2, 4 * number(n)); }
+
+// Along a diagonal: only boxes meet.
+Set diagonal(std::size_t n, Random&) {
+  Set set{{}, number(n)};
+  for (std::size_t i = 0; i < n; ++i) set.circles.push_back({{1.5 * number(i), 1.5 * number(i)}, 1});
+  return set;
+}
+
+// Such diagonals of 150, far apart.
+Set diagonals(std::size_t n, Random&) {
+  Set set{{}, number(n)};
+  const std::size_t side = 1 + static_cast<std::size_t>(std::sqrt(number(n) / 150));
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t cluster = i / 150;
+    const double x = 2000 * number(cluster % side), y = 2000 * number(cluster / side), along = 1.5 * number(i % 150);
+    set.circles.push_back({{x + along, y + along}, 1});
+  }
+  return set;
+}
+
+Set nested(std::size_t n, Random&) {
+  Set set{{}, number(n) * number(n - 1) / 2};
+  for (std::size_t i = 0; i < n; ++i) set.circles.push_back({{0, 0}, 1 + number(i)});
+  return set;
+}
+
+// All through the origin, each inside of the next.
+Set through_one_point(std::size_t n, Random& random) {
+  Set set = nested(n, random);
+  for (Circle& c : set.circles) c.center.x = c.radius;
+  return set;
+}
+
+Set one_huge(std::size_t n, Random& random) {
+  Set set = apart(n - 1, random);
+  set.circles.push_back({{0, 0}, 4 * std::sqrt(number(n))});
+  set.k = number(n);
+  return set;
+}
+
+Set somewhere(std::size_t n, Random& random) {
+  Set set{{}, 8 * number(n)};
+  for (std::size_t i = 0; i < n; ++i) {
+    set.circles.push_back({{random.unit(), random.unit()}, 2 / std::sqrt(number(n)) * random.unit()});
+  }
+  return set;
+}
+
+// In clusters in clusters.
+Set clusters(std::size_t n, Random&) {
+  Set set;
+  const std::size_t side = static_cast<std::size_t>(std::sqrt(number(n))), levels = 16;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double scale = std::ldexp(1, -static_cast<int>(20 * (i % levels)));
+    const double x = 2.5 * number(1 + i / levels % side), y = 2.5 * number(1 + i / levels / side);
+    set.circles.push_back({{scale * x, scale * y}, scale});
+  }
+  return set;
+}
+
+Set ring(std::size_t n, double radius) {
+  Set set;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * number(i) / number(n);
+    set.circles.push_back({{std::cos(angle), std::sin(angle)}, radius});
+  }
+  return set;
+}
+Set ring_apart(std::size_t n, Random&) { return ring(n, 1 / number(n)); }
+
+struct Family {
+  const char* name;
+  std::function<Set(std::size_t, Random&)> make;
+};
+
+struct Grouping {
+  const char* name;
+  std::uint32_t (*group)(std::uint32_t i);
+};
+constexpr std::array groupings{Grouping{"", nullptr}, Grouping{", one group", [](std::uint32_t) { return 0u; }},
+                               Grouping{", two groups", [](std::uint32_t i) { return i / 2 % 2; }}};
+
+TEST(CirclesGrowth, OfEachFrontDoor) {
+  constexpr double most_pairs = 4e6;
+  Growth any(3.4), count(4.5);
+  for (const Family& family :
+       {Family{"apart", apart}, Family{"touching", touching}, Family{"diagonal", diagonal},
+        Family{"diagonals", diagonals}, Family{"nested", nested}, Family{"through one point", through_one_point},
+        Family{"one huge", one_huge}, Family{"somewhere", somewhere}, Family{"clusters", clusters},
+        Family{"ring", ring_apart}}) {
+    for (const Grouping& grouping : groupings) {
+      for (const Allowed allowed : {Allowed::nothing, Allowed::touch}) {
+        for (int power = least_growth_power; power <= greatest_growth_power(); power += 2) {
+          Random random(20261123);
+          const Set set = family.make(std::size_t{1} << power, random);
+          if (set.k > most_pairs) break;
+          const Circles circles(set.circles);
+          std::vector<std::uint32_t> groups;
+          for (std::uint32_t i = 0; grouping.group != nullptr && i < circles.size(); ++i) {
+            groups.push_back(grouping.group(i));
+          }
+          const CirclesOptions options{allowed, false, groups};
+          const std::string what =
+              std::string(family.name) + grouping.name + ", allow " + std::string(name_of(allowed));
+          const double n = circles.size();
+          any.add("any: " + what, n, set.k, circles_any(circles, options).cost.probes);
+          const std::uint64_t probes = circles_count(circles, options).cost.probes;
+          count.add("count: " + what, n, set.k, probes);
+          if (power > 10) continue;
+          EXPECT_EQ(circles_all(circles, options).cost.probes, probes);
+        }
+      }
+    }
+  }
+  any.expect_no_growth();
+  count.expect_no_growth();
+}
+
+// Of discs that hold the origin, but for the first ring.
+TEST(CirclesGrowth, OfTheirCommonPart) {
+  const std::array families{Family{"ring, empty", [](std::size_t n, Random&) { return ring(n, 0.5); }},
+                            Family{"ring, a point", [](std::size_t n, Random&) { return ring(n, 1); }},
+                            Family{"ring", [](std::size_t n, Random&) { return ring(n, 1.5); }},
+                            Family{"through one point", through_one_point},
+                            Family{"nested", nested},
+                            Family{"anywhere", [](std::size_t n, Random& random) {
+                                     Set set;
+                                     for (std::size_t i = 0; i < n; ++i) {
+                                       set.circles.push_back({{random.unit(), random.unit()}, 2 + random.unit()});
+                                     }
+                                     return set;
+                                   }}};
+  Growth growth(3.5);
+  for (const Family& family : families) {
+    for (int power = least_growth_power; power <= greatest_growth_power(); power += 2) {
+      Random random(20261123);
+      const Circles circles(family.make(std::size_t{1} << power, random).circles);
+      growth.add(family.name, circles.size(), 0, circles_common_part(circles).cost.probes);
+    }
+  }
+  growth.expect_no_growth();
+}
+
+}  // namespace
+}  // namespace sunder::tests

@@ -1,0 +1,12 @@
+// Where tests find their files. The only code that knows the names of folders: all else compiles alike in every clone.
+#pragma once
+
+#include <string>
+
+namespace sunder::tests {
+
+std::string cases_folder();   // cases/, without a slash at the end
+std::string source_folder();  // the folder of the whole project
+std::string program();        // the program `sunder` of this build; empty where it is not built
+
+}  // namespace sunder::tests

@@ -1,0 +1,331 @@
+#!/usr/bin/env python3
+"""Tests of both checkers at their limits: hostile files of 1 MB, and what may go wrong around a file."""
+import json
+import math
+import os
+import random
+import resource
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+CASES = os.path.join(os.path.dirname(HERE), "cases", "certificates")
+PYTHON = [sys.executable, os.path.join(HERE, "sunder_verify.py")]
+PROGRAM = os.environ.get("SUNDER_PROGRAM", "")
+IS_SANITIZED = "asan" in PROGRAM or "tsan" in PROGRAM
+sys.dont_write_bytecode = True
+sys.path.insert(0, HERE)
+import sunder_verify  # noqa: E402
+
+MOST_SECONDS = {"python": 20, "c++": 60 if IS_SANITIZED else 2}
+ZEROS = ["0x0p0"] * 3
+UNIT = ["0x1p0", "0x0p0", "0x0p0"] + ["0x0p0", "0x1p0", "0x0p0"] + ["0x0p0", "0x0p0", "0x1p0"]
+EXTREME = ["0x1p-1074", "0x1p1023", "0x1p1023"]  # long integers out of few letters
+EXPONENTS = ["0x1p20000", "0x1p-20000", "0x1p3"]
+RANDOM = random.Random(1)
+
+
+def digits(n):
+    return "1" + "".join(RANDOM.choices("0123456789", k=n - 1))
+
+
+def fraction(n):
+    return "%s/%s" % (digits(n // 2), digits(n // 2))
+
+
+def bodies(vertices, pairs, name="a", linear=None):
+    return {"sunder_certificate": 1, "bodies": [{"name": "a", "vertices": vertices}],
+            "placed": [{"name": name, "body": 0, "linear": linear or UNIT, "translation": ZEROS}], "pairs": pairs}
+
+
+def apart(direction):
+    return {"a": 0, "b": 0, "verdict": "apart", "direction": direction, "extreme_a": 0, "extreme_b": 0}
+
+
+def meet(count, length):
+    weights = [[i, fraction(length)] for i in range(count)]
+    return {"a": 0, "b": 0, "verdict": "meet", "point": ["1", "1", "1"], "weights_a": weights, "weights_b": weights}
+
+
+def of_set(table, rows, statements, **more):
+    return {"sunder_set_certificate": 1, table: rows, "statements": statements, **more}
+
+
+def parabola(n):
+    return [["0x%xp0" % i, "0x%xp0" % (i * i)] for i in range(n)]
+
+
+def any_some(question, **more):
+    return {"question": question, "allowed": "nothing", "verdict": "some", "i": 0, "j": 1, **more}
+
+
+def convex_some(weights):
+    return any_some("convex_polygons_any", contact="overlapping", point=["1", "1"], weights_i=weights,
+                    weights_j=[[1, "1"]])
+
+
+def one_neighbour(n, small):
+    """A polygon of n vertices below others, which come one after the other."""
+    polygons = [[["0x%xp0" % i, "0x0p0"] for i in range(n)]]
+    polygons += [[["0x%x.8p0" % (1 + i), "0x1p0"]] for i in range(small)]
+    events = [0] + [event for i in range(small) for event in (2 + 2 * i, 3 + 2 * i)] + [1]
+    return of_set("convex_polygons", polygons, [
+        {"question": "convex_polygons_any", "allowed": "nothing", "verdict": "none", "events": events,
+         "below": [-1] + [0] * small, "directions": [["0", "1"]] * small}])
+
+
+def ring_of_discs(n):
+    angles = [2 * math.pi * i / n for i in range(n)]
+    discs = [[math.cos(a).hex(), math.sin(a).hex(), "0x1.4p0"] for a in angles]
+    return of_set("circles", discs, [{"question": "circles", "verdict": "region", "point": ["0", "0"],
+                                      "arcs": list(range(n))}])
+
+
+def program(point):
+    return {"question": "linear_program", "objective": ["-0x1p0", "0x0p0"], "verdict": "unbounded", "point": point,
+            "direction": ["-1", "0"]}
+
+
+def far_corner(half_plane, n):
+    rows = [["-0x1p-1074", "0x0p0", "0x0p0"], ["0x0p0", "-0x1p1023", "0x0p0"]] + [half_plane] * n
+    return of_set("half_planes", rows, [{"question": "half_planes", "verdict": "unbounded", "sides": [0, 1],
+                                         "cones": [0] * (n + 2)}])
+
+
+def comb(n):
+    rows = [["0x1p-1074", "0x%xp0" % i, "0x1p1023", "0x%xp0" % i] for i in range(n)]
+    return of_set("segments", rows, [
+        {"question": "segments_any", "allowed": "nothing", "verdict": "none",
+         "events": [2 * i for i in range(n)] + [2 * i + 1 for i in range(n)], "below": [i - 1 for i in range(n)]}])
+
+
+def exchanges(n):
+    rows = [["0x0p0", "0x0p0", "0x1p1023", "0x1p1023"], ["0x0p0", "0x1p1023", "0x1p1023", "0x1p-1074"]]
+    return of_set("segments", rows, [
+        {"question": "segments_any", "allowed": "nothing", "verdict": "none", "events": [0, 2] + [-1] * n + [1, 3],
+         "exchanges": [[i % 2, 1 - i % 2] for i in range(n)], "below": [-1, 0]}], groups=[1, 1])
+
+
+HOSTILE = {  # about 1 MB each, but for those that need less
+    "many pairs of a large body": lambda: bodies([ZEROS] * 18000, [apart(["1", "0", "0"])] * 5500),
+    "the same, long integers": lambda: bodies([EXTREME] * 12000, [apart(["1", "0", "0"])] * 4500),
+    "long directions": lambda: bodies([EXTREME] * 11000, [apart([digits(20000), digits(20000), "1"])] * 8),
+    "exponents": lambda: bodies([EXTREME] * 1000, [apart(EXPONENTS)] * 7000),
+    "exponents, one vertex": lambda: bodies([EXTREME], [apart(EXPONENTS)] * 9000, linear=EXTREME + UNIT[3:]),
+    "16 long weights": lambda: bodies([EXTREME] * 16, [meet(16, 19990)]),
+    "16 weights, often": lambda: bodies([EXTREME] * 16, [meet(16, 1000)] * 31),
+    "4 long weights": lambda: bodies([EXTREME] * 16, [meet(4, 9000)] * 13),
+    "a long name": lambda: bodies([ZEROS], [apart(["1", "0", "0"])] * 6000, name="n" * 400000),
+    "a name, often": lambda: bodies([ZEROS], [apart(["1", "0", "0"])] * 9000, name="n" * 4000),
+    "200 weights": lambda: of_set("convex_polygons", [parabola(200)] * 2,
+                                  [convex_some([[i, fraction(5000)] for i in range(200)])]),
+    "16 long weights of a polygon": lambda: of_set("convex_polygons", [parabola(200)] * 2,
+                                                   [convex_some([[i, fraction(19000)] for i in range(16)])]),
+    "large polygons, often": lambda: of_set("convex_polygons", [parabola(10000)] * 2,
+                                            [convex_some([[1, "1"]])] * 2500),
+    "a neighbour of many": lambda: one_neighbour(10000, 8000),
+    "a common part, often": lambda: of_set("convex_polygons", [[["0x%xp0" % i, "0x0p0"], ["0x%xp0" % (i + 1), "0x0p0"],
+                                                                ["0x0p0", "0x1p0"]] for i in range(9000)],
+                                           [{"question": "convex_polygons", "verdict": "empty", "sides": [0, 1]}] * 8000),
+    "discs, often": lambda: of_set("circles", [["0x0p0", "0x0p0", "0x1p0"]] * 17000,
+                                   [{"question": "circles", "verdict": "region", "point": ["0", "0"]}] * 8000),
+    "arcs": lambda: ring_of_discs(900),
+    "many arcs": lambda: ring_of_discs(10000),
+    "arcs of long integers": lambda: of_set(
+        "circles", [["0x1p-1074", "0x%xp0" % i, "0x1p900"] for i in range(3000)],
+        [{"question": "circles", "verdict": "region", "point": ["0", "0"], "arcs": list(range(3000))}]),
+    "a point of discs, often": lambda: of_set(
+        "circles", [ZEROS] * 16000, [{"question": "circles", "verdict": "point", "discs": [0], "weights": ["1"]}] * 7500),
+    "a long weight of a disc": lambda: of_set(
+        "circles", [ZEROS] * 20000,
+        [{"question": "circles", "verdict": "point", "discs": [0], "weights": [digits(19000)]}] * 10),
+    "a point in large polygons, often": lambda: of_set(
+        "polygons", [[parabola(12000)]] * 2, [any_some("polygons_any", point=["0", "0"])] * 4500),
+    "a long point in large polygons": lambda: of_set(
+        "polygons", [[parabola(14000)]] * 2, [any_some("polygons_any", point=["1/" + digits(19000), "0"])] * 10),
+    "a long point in edges that go to and fro": lambda: of_set(
+        "polygons", [[[["0x%xp0" % (i % 2), "0x%xp0" % i] for i in range(20000)]]] * 2,
+        [any_some("polygons_any", point=["1/" + digits(19000), "0"])] * 2),
+    "a long point in discs": lambda: of_set(
+        "circles", [["0x0p0", "0x0p0", "0x1p0"]] * 30000,
+        [{"question": "circles", "verdict": "region", "point": ["1/" + digits(19000), "0"]}] * 2),
+    "long points in two discs": lambda: of_set(
+        "circles", [["0x0p0", "0x0p0", "0x1p0"]] * 2,
+        [any_some("circles_any", kind="inside", point=["1/" + digits(900), "0"])] * 900),
+    "linear programs": lambda: of_set("half_planes", [["0x1p0", "0x0p0", "0x0p0"]] * 18000,
+                                      [program(["0", "0"])] * 3500),
+    "linear programs with long points": lambda: of_set(
+        "half_planes", [["0x1p0", "0x0p0", "0x0p0"]] * 18000, [program(["-" + fraction(19900), "0"])] * 20),
+    "linear programs of long integers": lambda: of_set(
+        "half_planes", [["0x1p1000", "0x1p-1074", "0x0p0"]] * 15000, [program(["0", "0"])] * 3500),
+    "long half-planes": lambda: far_corner(["-0x1p-1074", "-0x1p1023", "0x1p0"], 24000),
+    "long arrows": lambda: far_corner(["0x0p0", "0x1p1023", "0x1p1023", "-0x1p-1074"], 17000),
+    "a sweep over long integers": lambda: comb(14000),
+    "exchanges": lambda: exchanges(80000),
+    "a long point, often": lambda: of_set("segments", [["0x1p-1074", "0x0p0", "0x1p1023", "0x0p0"]] * 2,
+                                          [any_some("segments_any", kind="overlap", point=EXPONENTS[:2])] * 8000),
+    "many keys": lambda: {"sunder_certificate": 1, **{"k%d" % i: 0 for i in range(80000)}},
+    "long directions of a set": lambda: of_set("convex_polygons", [[["0x0p0", "0x0p0"]]], [
+        {"question": "convex_polygons_any", "allowed": "nothing", "verdict": "none", "events": [0, 1], "below": [-1],
+         "directions": [["1/" + digits(19990), "1/" + digits(19990)]] * 24}]),
+    "strings that do not end": lambda: "[" + '"\\' * 499000,
+    "backslashes": lambda: '["' + "\\\\" * 499000 + '"]',
+    "surrogates": lambda: '["' + "\\ud800" * 160000 + '"]',
+    "brackets": lambda: "[" * 500 + "[],{}," * 160000 + "1" + "]" * 500,
+}
+
+
+def checked(command, *arguments, **options):
+    """The exit code, standard output, standard error, and the seconds of the processor."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    done = subprocess.run([*command, *arguments], capture_output=True, **options)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return done.returncode, done.stdout.decode(), done.stderr.decode(), seconds
+
+
+def twins():
+    result = {"python": PYTHON}
+    if PROGRAM:
+        result["c++"] = [PROGRAM, "verify"]
+    return result
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def write(self, name, text):
+        path = os.path.join(self.folder, name)
+        with open(path, "w", encoding="utf-8") as stream:
+            stream.write(text)
+        return path
+
+
+class Hostile(InFolder):
+    def test_no_file_of_1_mb_takes_long(self):
+        codes, slowest = {}, {}
+        for what, make in HOSTILE.items():
+            made = make()
+            path = self.write("hostile.json", made if isinstance(made, str) else json.dumps(made, separators=(",", ":")))
+            self.assertLess(os.path.getsize(path), 1200000, what)
+            for name, command in twins().items():
+                code, _, error, seconds = checked(command, path)
+                with self.subTest(what=what, twin=name):
+                    self.assertLess(seconds, MOST_SECONDS[name])
+                    self.assertIn(code, (0, 1, 2), error)
+                    self.assertEqual(codes.setdefault(what, code), code, error)
+                slowest[name] = max(slowest.get(name, (0, "")), (seconds, what))
+        print(slowest)
+        self.assertGreaterEqual(list(codes.values()).count(2), 15)
+        self.assertGreaterEqual(len(codes) - list(codes.values()).count(2), 12)
+
+    def test_limits_are_where_they_are_said_to_be(self):
+        for count, code in ((699, 1), (701, 2)):  # 400 million steps, of 17 each for a look, at 2 x 18,000 vertices
+            text = json.dumps(bodies([ZEROS] * 16806, [apart(["0", "0", "0"])] * count))
+            self.assertLess(len(text), 10 ** 6)
+            path = self.write("pairs.json", text)
+            for name, command in twins().items():
+                with self.subTest(twin=name, count=count):
+                    self.assertEqual(checked(command, path)[0], code)
+        for name, command in twins().items():
+            self.assertEqual(checked(command, path, "--no-limit")[0], 1)
+
+
+class Twins(InFolder):
+    def expect_both(self, text, code):
+        path = self.write("file.json", text)
+        for name, command in twins().items():
+            with self.subTest(twin=name, text=text[:40]):
+                result = checked(command, path)
+                self.assertEqual(result[0], code, result)
+
+    def test_nesting(self):
+        for deep, code in ((500, 1), (501, 2), (700, 2), (990, 2), (100000, 2)):
+            self.expect_both("[" * deep + "]" * deep, code)
+            self.expect_both('{"a":' * deep + "1" + "}" * deep, code)
+        self.expect_both('["' + "[" * 600 + '"]', 1)
+        self.expect_both('["\\"' + "[" * 600 + '"]', 1)
+        self.expect_both("[" * 499 + "[],{}" + "]" * 499, 1)
+
+    def test_halves_of_surrogate_pairs(self):
+        for half in ("\\ud800", "\\udc00", "\\uDBFF", "\\ud800\\ud800", "\\ud800x\\udc00", "\\ud800\\n"):
+            self.expect_both('{"%s": 1}' % half, 2)
+            self.expect_both('{"a": "%s", "a": 1}' % half, 2)
+            self.expect_both('{"%s": 1, "%s": 1}' % (half, half), 2)
+        self.expect_both('{"a": 1, "a": 1}', 1)
+        self.expect_both('{"\\ud834\\udd1e": 1, "\\\\ud800": 1}', 1)
+
+    def test_names(self):
+        for length, code in ((4000, 1), (4001, 1)):
+            path = self.write("file.json", json.dumps(bodies([ZEROS], [apart(["1", "0", "0"])], name="\u00e9" * length)))
+            for name, command in twins().items():
+                out = checked(command, path)[1]
+                with self.subTest(twin=name, length=length):
+                    self.assertEqual("has more than 4000 characters" in out, length > 4000)
+
+
+class Around(unittest.TestCase):
+    """What may go wrong around a file: one line, and the code that the help says."""
+
+    def setUp(self):
+        self.accepted = os.path.join(CASES, "accepted")
+        self.names = sorted(os.listdir(self.accepted))
+        self.files = [os.path.join(self.accepted, name) for name in self.names]
+
+    def expect_line(self, result, *codes):
+        self.assertIn(result.returncode, codes, result)
+        self.assertNotIn(b"Traceback", result.stderr)
+        self.assertEqual(result.stderr.count(b"\n"), 1, result)
+
+    def test_a_closed_pipe(self):
+        reader, writer = os.pipe()
+        os.close(reader)
+        with os.fdopen(writer, "wb") as closed:
+            self.expect_line(subprocess.run(PYTHON + self.files, stdout=closed, stderr=subprocess.PIPE), 2)
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "there is no /dev/full")
+    def test_a_full_output(self):
+        with open("/dev/full", "wb") as full:
+            self.expect_line(subprocess.run(PYTHON + self.files, stdout=full, stderr=subprocess.PIPE), 2)
+            self.expect_line(subprocess.run(PYTHON + self.files[:1], stdout=full, stderr=subprocess.PIPE), 2)
+
+    def test_names_of_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, shown in ((b"caf\xe9.json", b"caf\\xe9.json"), (b"a\x1b[31m\n.json", b"a\\x1b[31m\\x0a.json")):
+                path = os.path.join(os.fsencode(folder), name)
+                with open(self.files[0], "rb") as source, open(path, "wb") as copy:
+                    copy.write(source.read())
+                for command in twins().values():
+                    for locale in ("C.UTF-8", "C", "POSIX"):
+                        done = subprocess.run([*command, path], capture_output=True, env={**os.environ, "LC_ALL": locale})
+                        self.assertEqual((done.returncode, done.stderr), (0, b""), done)
+                        self.assertIn(shown, done.stdout)
+                    done = subprocess.run([*command, path + b"missing"], capture_output=True)
+                    self.expect_line(done, 2)
+                    self.assertIn(shown, done.stderr)
+
+    @unittest.skipUnless(os.path.exists("/dev/zero"), "there is no /dev/zero")
+    def test_an_endless_file(self):
+        for command in twins().values():
+            done = subprocess.run([*command, "/dev/zero"], capture_output=True)
+            self.expect_line(done, 2)
+            self.assertIn(b"256 MiB", done.stderr)
+
+    def test_each_file_is_told_about(self):
+        done = subprocess.run([*PYTHON, self.files[0], "missing", self.files[1]], capture_output=True)
+        self.expect_line(done, 2)
+        for name in self.names[:2]:
+            self.assertIn(name.encode(), done.stdout)
+
+    def test_no_more_than_is_said_is_read(self):
+        self.assertEqual(sunder_verify.MAX_STREAM, 256 << 20)
+        self.assertEqual(sunder_verify.MAX_DEPTH, 500)
+
+
+if __name__ == "__main__":
+    unittest.main()
