@@ -58,8 +58,8 @@ struct LineRing {
 // L3. rings are in the order of their segments; each has at least three, and ends where it began. polygon counts
 //     within the file, and does not decrease; a number that no ring has is that of a polygon whose rings are broken.
 // L4. group is empty, and groups too, or group has an entry for each segment, a position in groups; each group has a
-//     segment, or a broken ring. So are layer and
-//     layers. Both lists of names are in the order in which their first segments come; names need not differ.
+//     segment, or a broken ring. So are layer and layers. Both lists of names are in the order in which their first
+//     segments or broken rings come; names need not differ.
 struct LineFile {
   std::vector<planar::Segment> segments;  // ends in the order of the file
   std::vector<LineSource> source;

@@ -117,6 +117,7 @@ class LineBuilder {
   void add_ring(const std::vector<Point2>& points) {
     const bool closed = points.size() > 1 && points.front() == points.back();
     const std::size_t corners = points.size() - (closed ? 1 : 0);
+    if (group_by_ == GroupBy::ring) begin_group(fmt::format("{}, {}", file.features.back(), ring_name()));
     if (corners < 3 || !closed) {
       const std::string what = corners < 3
                                    ? "fewer than three different corners; give at least three, and the first again"
@@ -129,7 +130,6 @@ class LineBuilder {
       in_ring_ = false;
       return;
     }
-    if (group_by_ == GroupBy::ring) begin_group(fmt::format("{}, {}", file.features.back(), ring_name()));
     file.rings.push_back({static_cast<std::uint32_t>(file.segments.size()),
                           static_cast<std::uint32_t>(points.size() - 1), polygons_ - 1});
     for (std::size_t i = 1; i < points.size(); ++i) add(points[i - 1], points[i]);

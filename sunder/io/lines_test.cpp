@@ -185,6 +185,14 @@ TEST(LinesTest, BrokenRings) {
   ASSERT_EQ(file.rings.size(), 2u);
   EXPECT_EQ(file.rings[0].polygon, 1u);
   EXPECT_EQ(file.rings[1].polygon, 2u);
+
+  // A broken ring is a group of its own, where rings are grouped.
+  const LineFile rings = parse_lines(text, "a.wkt", {.group = "ring", .keep_broken = true});
+  EXPECT_EQ(rings.groups, (Names{"1, ring 0", "2, polygon 0, ring 0", "2, polygon 0, ring 1", "2, polygon 1, ring 0"}));
+  EXPECT_EQ(rings.broken[0].group, 0u);
+  EXPECT_EQ(rings.broken[1].group, 2u);
+  EXPECT_EQ(parse_lines("POLYGON ((0 0, 1 0))", "a.wkt", {.group = "ring", .keep_broken = true}).groups,
+            Names{"1, ring 0"});
 }
 
 TEST(LinesTest, ForeignFiles) {
