@@ -184,6 +184,8 @@ std::string to_text(const Json& json) {
   return text + "\n";
 }
 
+std::string to_line(const Json& json) { return on_one_line(json); }
+
 std::string about(double x) { return fmt::format("{:.4g}", x == 0 ? 0.0 : x); }
 
 std::string about(const Point3& p) { return fmt::format("({}, {}, {})", about(p.x), about(p.y), about(p.z)); }

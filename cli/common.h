@@ -79,6 +79,9 @@ Json to_json(const Point3& point);
 // The text of a report: indented, with short lists and objects on one line; ends with a line feed.
 std::string to_text(const Json& json);
 
+// On one line, with blanks: an entry of a list that is written as it comes.
+std::string to_line(const Json& json);
+
 // "about" numbers for people: four digits.
 std::string about(double x);
 std::string about(const Point3& p);  // "(x, y, z)"

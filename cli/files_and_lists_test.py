@@ -79,6 +79,19 @@ class Outputs(InFolder):
         self.expect_bad("is the same file as --joints-file 'joints'", "scene", "cube.obj", "--joints-file", "joints",
                         "--svg", "joints")
 
+    def test_an_output_is_no_mesh_of_a_robot(self):
+        with open(os.path.join(CASES, "mesh", "arm.urdf"), encoding="utf-8") as robot:
+            self.write("arm.urdf", robot.read())
+        for name in ("cube.off", "tetrahedron.stl"):
+            with open(os.path.join(CASES, "mesh", name), encoding="utf-8") as mesh:
+                self.write(name, mesh.read())
+        os.symlink("tetrahedron.stl", self.path("soft.svg"))
+        scene = ("scene", "arm.urdf", "--leave-out", "--joints", "elbow=-2,slide=1")
+        for option in ("--certificate", "--svg"):
+            self.expect_bad("cube.off' is the same file as the input", *scene, option, "cube.off")
+            self.expect_bad("soft.svg' is the same file as the input", *scene, option, "soft.svg")
+        self.assertIn(self.run_here(*scene, "--svg", "y.svg", "--certificate", "y.json").returncode, (0, 1))
+
     def test_an_output_is_no_other_output(self):
         self.expect_bad("is the same file as --geojson 'y'", "segments", "x.csv", "--svg", "y", "--geojson", "y")
         self.expect_bad("is the same file as", "circles", "x.csv", "--svg", "y", "--certificate", "./y")
@@ -162,19 +175,43 @@ class Lists(InFolder):
     def test_long_lists_take_little_memory(self):
         self.write_equal(3000)  # 4.5 million contacts
         self.write("discs.csv", "0,0,1\n" * 3000)
+        self.write_squares(725)  # more contacts than are held
+        self.write_comb(600)  # 90,000 crossings, more than are held
         for arguments in (("segments", "equal.csv", "--all", "--json"), ("circles", "discs.csv", "--all", "--json"),
+                          ("polygons", "squares.wkt", "--json", "--geojson", "squares.geojson"),
+                          ("simple", "comb.wkt", "--json", "--geojson", "comb.geojson"),
                           ("segments", "equal.csv", "--geojson", "all.geojson")):
             done = subprocess.run([PROGRAM, *arguments], cwd=self.folder.name, stdout=subprocess.DEVNULL,
                                   stderr=subprocess.PIPE, preexec_fn=within(64))
             self.assertEqual((done.returncode, done.stderr), (1, b""))
         with open(self.path("all.geojson"), "rb") as stream:
             self.assertEqual(sum(1 for _ in stream), 3000 * 2999 // 2 + 2)
+        with open(self.path("squares.geojson"), "rb") as stream:
+            self.assertEqual(sum(1 for _ in stream), 725 * 724 // 2 + 2)
+        with open(self.path("comb.geojson"), "rb") as stream:
+            self.assertEqual(sum(1 for _ in stream), 300 * 300 + 2)
+
+    def write_squares(self, count):
+        self.write("squares.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n" * count)
+
+    def write_comb(self, count):
+        """One ring: half of `count` edges go up and down, as many from side to side across these."""
+        half = count // 2
+        ring = [(k, k % 2 * 4 * half) for k in range(half + 1)]
+        ring += [((half + 1, -1)[k % 2], half + k) for k in range(half + 1)]
+        ring += [(half + 2, 2 * half), (half + 2, -1), (-1, -1)]
+        self.write("comb.wkt", "POLYGON ((%s))\n" % ", ".join("%d %d" % p for p in ring + ring[:1]))
 
     def test_long_lists_are_in_order(self):
         count = 1500  # more contacts than are held
         self.write_equal(count)
         self.write("discs.csv", "0,0,1\n" * count)
-        for verb, file in (("segments", "equal.csv"), ("circles", "discs.csv")):
+        self.expect_in_order(count, ("segments", "equal.csv"), ("circles", "discs.csv"))
+        self.write_squares(725)
+        self.expect_in_order(725, ("polygons", "squares.wkt"))
+
+    def expect_in_order(self, count, *calls):
+        for verb, file in calls:
             lines = self.run_here(verb, file, "--all", "--json").stdout.decode().splitlines()
             pairs = [tuple(map(int, re.match(r' *\{"i": (\d+), "j": (\d+)', line).groups()))
                      for line in lines if line.lstrip().startswith('{"i"')]
@@ -191,6 +228,26 @@ class Lists(InFolder):
             self.expect_bad("--svg-limit 20100", verb, file, "--svg", "y.svg", "--svg-limit", "20099")
             self.expect_bad("--svg-limit 200", verb, file, "--svg", "y.svg", "--svg-limit", "199")
             self.assertEqual(self.run_here(verb, file, "--svg", "y.svg", "--svg-limit", "20100").returncode, 1)
+
+    def test_pictures_of_each_verb_have_a_limit(self):
+        """What is drawn, first things only, then with contacts; and the number that allows it."""
+        self.write_squares(10)
+        self.write_comb(20)
+        self.write("half.csv", "1,0,1\n-1,0,1\n0,1,1\n0,-1,1\n")
+        self.write("discs.csv", "0,0,1\n" * 10)
+        self.write("a.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n")
+        self.write("b.wkt", "RAY (0 0, 1 1)\n")
+        for things, enough, *call in ((40, 85, "polygons", "squares.wkt"), (25, 125, "simple", "comb.wkt"),
+                                      (40, 40, "kernel", "squares.wkt"), (4, 4, "region", "half.csv"),
+                                      (10, 10, "region", "--of", "circles", "discs.csv"),
+                                      (40, 40, "region", "--of", "polygons", "squares.wkt"),
+                                      (8, 8, "pair", "a.wkt", "a.wkt"), (6, 6, "pair", "a.wkt", "b.wkt")):
+            draw = (*call, "--svg", "y.svg", "--svg-limit")
+            self.expect_bad("give --svg-limit %d" % things, *draw, str(things - 1))
+            self.expect_bad("give --svg-limit %d" % enough, *draw, str(enough - 1))
+            done = self.run_here(*draw, str(enough))
+            self.assertIn(done.returncode, (0, 1), done)
+            os.remove(self.path("y.svg"))
 
     def test_too_many_placements_to_draw(self):
         placements = [word for k in range(20) for word in ("--joints", "panda_joint1=0.%02d" % k)]

@@ -30,7 +30,11 @@ ListStream::ListStream(std::string opening, std::string margin, Sink sink)
 void ListStream::add(std::string_view item) {
   text_ += count_++ == 0 ? "\n" : ",\n";
   text_ += margin_;
-  text_ += item;
+  append(item);
+}
+
+void ListStream::append(std::string_view more) {
+  text_ += more;
   if (text_.size() < piece) return;
   sink_(text_);
   text_.clear();
@@ -44,7 +48,25 @@ void ListStream::close(std::string_view closing) {
 
 ListReport::ListReport(const Json& head, std::string_view key) : list_(opening_of(head, key), "    ", print) {}
 
+void ListReport::add_list(const Json& head, std::string_view key, const std::function<void(ListStream&)>& fill) {
+  std::string opening = to_line(head);
+  opening.pop_back();  // "}"
+  list_.add(fmt::format("{}, {}: [", opening, quoted_json(key)));
+  ListStream items("", "      ", [this](std::string_view text) { list_.append(text); });
+  fill(items);
+  items.close(items.count() == 0 ? "]}" : "\n    ]}");
+}
+
 void ListReport::close() { list_.close(list_.count() == 0 ? "]\n}\n" : "\n  ]\n}\n"); }
+
+GeojsonFile::GeojsonFile(const std::string& name)
+    : file_(name),
+      list_(R"({"type":"FeatureCollection","features":[)", "", [this](std::string_view text) { file_.write(text); }) {}
+
+void GeojsonFile::close() {
+  list_.close("\n]}\n");
+  file_.commit();
+}
 
 std::string quoted_json(std::string_view text) {
   const bool is_plain =

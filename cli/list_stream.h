@@ -3,6 +3,8 @@
 
 #include <cli/common.h>
 
+#include <sunder/io/file.h>
+
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -19,6 +21,9 @@ class ListStream {
   ListStream(std::string opening, std::string margin, Sink sink);
 
   void add(std::string_view item);
+
+  // More of the last item.
+  void append(std::string_view more);
   std::uint64_t count() const { return count_; }
 
   // What stands behind the list, "]" included. Nothing is added after this.
@@ -35,9 +40,25 @@ class ListReport {
  public:
   ListReport(const Json& head, std::string_view key);
   void add(std::string_view item) { list_.add(item); }
+
+  // An item that ends with a list, which `fill` adds to.
+  void add_list(const Json& head, std::string_view key, const std::function<void(ListStream&)>& fill);
   void close();
 
  private:
+  ListStream list_;
+};
+
+// A file that is a GeoJSON FeatureCollection, one feature on each line; whole, or not there.
+class GeojsonFile {
+ public:
+  explicit GeojsonFile(const std::string& name);
+  void add(std::string_view feature) { list_.add(feature); }
+  std::uint64_t count() const { return list_.count(); }
+  void close();
+
+ private:
+  io::OutputFile file_;
   ListStream list_;
 };
 

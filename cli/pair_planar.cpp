@@ -65,11 +65,12 @@ struct Answers {
   planar::PolygonDistance distance;
 };
 
-std::string human_text(const PlanarPairCall& call, const PlanarBody& a, const PlanarBody& b, const Answers& answers) {
+std::string human_text(const PlanarPairCall& call, const PlanarBody& a, const PlanarBody& b, const Answers& answers,
+                       const LeftOutList& left_out) {
   const bool meet = answers.pair.meet();
-  std::string text =
-      fmt::format("{} and {}: {}{}\n", a.file, b.file, meet ? "meet" : "apart",
-                  meet && call.classify ? fmt::format(" ({})", name_of(answers.contact)) : std::string());
+  std::string text = fmt::format("{} and {}: {}{}{}\n", a.file, b.file, meet ? "meet" : "apart",
+                                 meet && call.classify ? fmt::format(" ({})", name_of(answers.contact)) : std::string(),
+                                 left_out.clause());
   const auto line = [&](const char* title, std::string value) {
     if (const std::size_t end = value.find('\n'); end != std::string::npos) value.insert(end + 1, 14, ' ');
     text += fmt::format("  {:<10}  {}\n", title, value);
@@ -100,11 +101,13 @@ Json evidence_json(const PairCertificate& c, const PlanarBody& a, const PlanarBo
   return json;
 }
 
-Json report(const PlanarPairCall& call, const PlanarBody& a, const PlanarBody& b, const Answers& answers) {
+Json report(const PlanarPairCall& call, const PlanarBody& a, const PlanarBody& b, const Answers& answers,
+            const LeftOutList& left_out) {
   Json json = envelope("pair", answers.pair.meet() ? "meet" : "apart", call.method);
   json["decided_by"] = name_of(answers.pair.decided_by);
   json["cost"] = to_json(answers.pair.cost);
   json["objects"] = {to_json(a), to_json(b)};
+  if (!left_out.empty()) json["left_out"] = left_out.json();
   if (call.classify) json["contact"] = name_of(answers.contact);
   if (call.distance) {
     const planar::PolygonDistance& d = answers.distance;
@@ -137,8 +140,15 @@ int run_planar_pair(const PlanarPairCall& call) {
                             io::quote(io::one_line(file))));
   }
   if (call.hull && call.mend) throw Error(ErrorCode::bad_call, "give --mend or --hull, not both", "--mend");
-  const PlanarInput input_a = read_planar_input(call, true), input_b = read_planar_input(call, false);
-  if (input_a.object.unbounded() || input_b.object.unbounded()) return run_unbounded_pair(call, input_a, input_b);
+  LeftOutList left_out(call.leave_out);
+  const PlanarInput input_a = read_planar_input(call, true, left_out),
+                    input_b = read_planar_input(call, false, left_out);
+  if (!call.svg.empty()) {
+    require_drawable(input_a.object.vertices.size() + input_b.object.vertices.size(), "point", 0, call.svg_limit);
+  }
+  if (input_a.object.unbounded() || input_b.object.unbounded()) {
+    return run_unbounded_pair(call, input_a, input_b, left_out);
+  }
   const Method method = method_of(call.method);
   const PlanarBody a = planar_body(input_a, call), b = planar_body(input_b, call);
   Answers answers;
@@ -146,12 +156,14 @@ int run_planar_pair(const PlanarPairCall& call) {
   if (call.classify) answers.contact = planar::polygon_polygon_contact(a.polygon, a.pose, b.polygon, b.pose);
   if (call.distance) answers.distance = planar::polygon_polygon_distance(a.polygon, a.pose, b.polygon, b.pose);
   if (!call.certificate.empty()) {
-    io::write_file_atomically(call.certificate, certificate_text(a, b, answers.pair.certificate()));
+    io::write_file_atomically(call.certificate,
+                              with_note(certificate_text(a, b, answers.pair.certificate()), left_out.note()));
   }
   if (!call.svg.empty()) {
     io::write_file_atomically(call.svg, pair_svg({a.polygon, a.pose, a.name}, {b.polygon, b.pose, b.name}, call.title));
   }
-  call.json ? print(to_text(report(call, a, b, answers))) : print_for_people(human_text(call, a, b, answers));
+  call.json ? print(to_text(report(call, a, b, answers, left_out)))
+            : print_for_people(human_text(call, a, b, answers, left_out));
   return answers.pair.meet() ? exit_code::yes : exit_code::no;
 }
 

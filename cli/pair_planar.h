@@ -1,6 +1,9 @@
 // sunder pair where A and B are planar: points, segments, convex polygons out of WKT, GeoJSON and CSV.
 #pragma once
 
+#include <cli/list_stream.h>
+
+#include <cstdint>
 #include <string>
 
 namespace sunder::cli {
@@ -11,10 +14,12 @@ struct PlanarPairCall {
   std::string pose_a, pose_b;
   std::string method = "automatic";
   std::string certificate, svg, title;
+  std::uint64_t svg_limit = most_drawn;  // vertices
   bool classify = false;
   bool distance = false;
   bool mend = false, hull = false;  // what to do with vertices that are not those of a convex polygon
   bool drop_z = false;
+  bool leave_out = false;  // what is no object here; of meshes, what is not read
   bool json = false;
 };
 

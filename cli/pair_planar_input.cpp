@@ -42,13 +42,9 @@ Pose parse_planar_pose(const std::string& text, const std::string& place) {
 }
 
 const PlanarObject& chosen(const io::PlanarFile& file, const std::string& path, const std::string& feature,
-                           const char* option) {
+                           const char* option, LeftOutList& left_out) {
   if (feature.empty()) {
-    if (!file.left_out.empty()) {
-      io::fail_file(path,
-                    fmt::format("holds a {} ({}), which is not read here; name the object that is asked about by {}",
-                                file.left_out.front().kind, file.left_out.front().of, option));
-    }
+    left_out.add(path, file.left_out, fmt::format("name the object that is asked about by {}", option));
     if (file.objects.size() == 1) return file.objects.front();
     io::fail_file(path, fmt::format("has {} objects, {} first; name one by {}", file.objects.size(),
                                     io::quote(file.objects.front().name), option));
@@ -77,7 +73,7 @@ ConvexPolygon shape_of(const PlanarObject& object, const std::string& path, cons
 
 }  // namespace
 
-PlanarInput read_planar_input(const PlanarPairCall& call, bool is_a) {
+PlanarInput read_planar_input(const PlanarPairCall& call, bool is_a, LeftOutList& left_out) {
   const std::string& path = is_a ? call.file_a : call.file_b;
   const io::PlanarFile file = io::read_planar_objects(path, call.drop_z);
   for (const std::string& remark : file.remarks) note(fmt::format("{}: {}", io::one_line(path), remark));
@@ -85,7 +81,8 @@ PlanarInput read_planar_input(const PlanarPairCall& call, bool is_a) {
   out.path = path;
   out.file = io::one_line(path);
   out.format = file.format;
-  out.object = chosen(file, path, is_a ? call.feature_a : call.feature_b, is_a ? "--feature-a" : "--feature-b");
+  out.object =
+      chosen(file, path, is_a ? call.feature_a : call.feature_b, is_a ? "--feature-a" : "--feature-b", left_out);
   // What the file does not name is called as the file is.
   const bool unnamed = file.objects.size() == 1 && out.object.name == "1";
   out.name = unnamed ? io::one_line(std::filesystem::path(path).stem().string()) : out.object.name;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cli/common.h>
+#include <cli/left_out.h>
 #include <cli/pair_planar.h>
 
 #include <sunder/certificate/direction.h>
@@ -22,8 +23,9 @@ struct PlanarInput {
   planar::Pose pose;
 };
 
-// Reads A or B. Throws Error for bad input.
-PlanarInput read_planar_input(const PlanarPairCall& call, bool is_a);
+// Reads A or B. What the file holds that is no object here goes into `left_out`, unless an object is named. Throws
+// Error for bad input, also where something is left out, and the list has no consent.
+PlanarInput read_planar_input(const PlanarPairCall& call, bool is_a, LeftOutList& left_out);
 
 // A bounded one, as a convex polygon.
 struct PlanarBody {

@@ -4,6 +4,7 @@
 #include <cli/unbounded_certificate.h>
 
 #include <sunder/base/error.h>
+#include <sunder/certificate/json.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
 #include <sunder/planar/pair/polygon_line.h>
@@ -194,10 +195,12 @@ std::string text_of(const Unbounded& u) {
   return fmt::format(fmt::runtime(form), u.name, point(u.a), point(u.b));
 }
 
-std::string human_text(const Question& q, const PlanarInput& a, const PlanarInput& b, const Common& common) {
+std::string human_text(const Question& q, const PlanarInput& a, const PlanarInput& b, const Common& common,
+                       const LeftOutList& left_out) {
   std::string text = fmt::format(
-      "{} and {}: {}{}\n", a.file, b.file, common.meet() ? "meet" : "apart",
-      common.meet() && q.call.classify ? fmt::format(" ({})", sunder::name_of(common.contact)) : std::string());
+      "{} and {}: {}{}{}\n", a.file, b.file, common.meet() ? "meet" : "apart",
+      common.meet() && q.call.classify ? fmt::format(" ({})", sunder::name_of(common.contact)) : std::string(),
+      left_out.clause());
   const auto line = [&](const char* title, std::string value) {
     if (const std::size_t end = value.find('\n'); end != std::string::npos) value.insert(end + 1, 14, ' ');
     text += fmt::format("  {:<10}  {}\n", title, value);
@@ -242,7 +245,8 @@ Json common_json(const Question& q, const Common& common) {
   return json;
 }
 
-Json report(const Question& q, const PlanarInput& a, const PlanarInput& b, const Common& common) {
+Json report(const Question& q, const PlanarInput& a, const PlanarInput& b, const Common& common,
+            const LeftOutList& left_out) {
   Json json = envelope("pair", common.meet() ? "meet" : "apart", q.call.method);
   json["decided_by"] = sunder::name_of(common.decided_by);
   json["cost"] = to_json(common.cost);
@@ -256,6 +260,7 @@ Json report(const Question& q, const PlanarInput& a, const PlanarInput& b, const
     object["points"] = {{u.a.x, u.a.y}, {u.b.x, u.b.y}};
     json["objects"].push_back(std::move(object));
   }
+  if (!left_out.empty()) json["left_out"] = left_out.json();
   if (q.call.classify) json["contact"] = sunder::name_of(common.contact);
   json["common"] = common_json(q, common);
   return json;
@@ -292,7 +297,8 @@ std::string picture(const Question& q, const Common& common) {
 
 }  // namespace
 
-int run_unbounded_pair(const PlanarPairCall& call, const PlanarInput& a, const PlanarInput& b) {
+int run_unbounded_pair(const PlanarPairCall& call, const PlanarInput& a, const PlanarInput& b,
+                       const LeftOutList& left_out) {
   if (a.object.unbounded() && b.object.unbounded()) {
     throw Error(ErrorCode::bad_call,
                 fmt::format("A is a {} and B a {}; one of them must be bounded: give a point, a segment or a polygon",
@@ -311,11 +317,13 @@ int run_unbounded_pair(const PlanarPairCall& call, const PlanarInput& a, const P
   const Common common = common_of(body, unbounded, method);
   if (!call.certificate.empty()) {
     const PolygonCut line = unbounded.kind == Kind::ray ? cut_by_line(body, unbounded, Method::automatic) : common.cut;
-    io::write_file_atomically(call.certificate,
-                              certificate_of_unbounded(body, unbounded, common.meet(), line, common.witness));
+    io::write_file_atomically(
+        call.certificate,
+        with_note(certificate_of_unbounded(body, unbounded, common.meet(), line, common.witness), left_out.note()));
   }
   if (!call.svg.empty()) io::write_file_atomically(call.svg, picture(question, common));
-  call.json ? print(to_text(report(question, a, b, common))) : print_for_people(human_text(question, a, b, common));
+  call.json ? print(to_text(report(question, a, b, common, left_out)))
+            : print_for_people(human_text(question, a, b, common, left_out));
   return common.meet() ? exit_code::yes : exit_code::no;
 }
 

@@ -1,4 +1,5 @@
 #include <cli/polygon_defect_text.h>
+#include <cli/polygon_parts.h>
 #include <cli/polygons_input.h>
 #include <cli/progress.h>
 
@@ -17,62 +18,6 @@ namespace {
 
 using planar::Polygon;
 
-// The parts of a feature.
-struct Parts {
-  std::uint32_t feature = 0, line = 0, group = 0;
-  std::vector<Rings> rings;
-  std::string broken;  // the first ring that is none
-};
-
-// Walks over the parts of a file, feature by feature.
-class PartsReader {
- public:
-  explicit PartsReader(const io::LineFile& file) : file_(file) {}
-
-  // False at the end.
-  bool next(Parts& parts) {
-    if (at_end()) return false;
-    parts = {};
-    parts.feature = feature();
-    std::uint32_t polygon = 0;
-    for (bool first = true; !at_end() && feature() == parts.feature; first = false) {
-      const bool broken = is_broken();
-      const std::uint32_t number = broken ? file_.broken[broken_].polygon : file_.rings[ring_].polygon;
-      if (first || number != polygon) parts.rings.emplace_back();
-      polygon = number;
-      if (broken) {
-        const io::BrokenRing& ring = file_.broken[broken_++];
-        if (parts.broken.empty()) parts.broken = ring.what;
-        parts.rings.back().push_back(ring.points);
-        parts.group = ring.group;
-      } else {
-        parts.rings.back().push_back(points(file_.rings[ring_++], parts));
-      }
-    }
-    return true;
-  }
-
- private:
-  bool at_end() const { return ring_ == file_.rings.size() && broken_ == file_.broken.size(); }
-  bool is_broken() const { return broken_ < file_.broken.size() && file_.broken[broken_].ring <= ring_; }
-  std::uint32_t feature() const {
-    return is_broken() ? file_.broken[broken_].feature : file_.source[file_.rings[ring_].first].feature;
-  }
-
-  std::vector<Point2> points(const io::LineRing& ring, Parts& parts) const {
-    std::vector<Point2> points;
-    points.reserve(ring.count + 1);
-    for (std::uint32_t k = 0; k < ring.count; ++k) points.push_back(file_.segments[ring.first + k].a);
-    points.push_back(points.front());
-    parts.line = file_.source[ring.first].line;
-    if (!file_.group.empty()) parts.group = file_.group[ring.first];
-    return points;
-  }
-
-  const io::LineFile& file_;
-  std::size_t ring_ = 0, broken_ = 0;
-};
-
 // What is wrong with the parts of a feature, in words, where something is.
 std::optional<std::string> defect_of(std::span<const Rings> parts, planar::PolygonRule rule) {
   const planar::PolygonDefects answer = planar::polygon_defects(parts, {rule, 1});
@@ -85,6 +30,11 @@ class Reader {
   explicit Reader(const PolygonsRequest& request) : request_(request) {
     if (request.group == "ring") {
       throw Error(ErrorCode::bad_call, "rings belong to polygons; group by a property", "--group");
+    }
+    if (request.group == "feature") {
+      throw Error(ErrorCode::bad_call,
+                  "each feature is one polygon, and its parts are not compared; leave it out, or group by a property",
+                  "--group");
     }
     if (request.files.size() > 1 && !request.group.empty()) {
       throw Error(ErrorCode::bad_call, "two files are two groups; leave it out, or give one file", "--group");
@@ -116,7 +66,7 @@ class Reader {
       options.lines = false;
       options.leave_out = request_.leave_out;
       options.keep_broken = true;
-      options.group = request_.group == "feature" ? "" : request_.group;
+      options.group = request_.group;
       options.name = request_.name;
       options.progress = progress.reporter();
       input_.files.push_back(io::read_lines(name, options));
@@ -145,10 +95,7 @@ class Reader {
   }
 
   void mend_parts(std::uint32_t file, Parts& parts) {
-    MendedRings changes;
-    for (Rings& rings : parts.rings) changes += mend(rings);
-    std::erase_if(parts.rings, [](const Rings& rings) { return rings.empty(); });
-    parts.broken.clear();
+    const MendedRings changes = mend(parts);
     if (changes.all() > 0) input_.mended.push_back({file, parts.feature, changes});
   }
 
@@ -187,12 +134,13 @@ class Reader {
   [[noreturn]] void refuse() const {
     const SkippedFeature& first = input_.skipped.front();
     const std::size_t others = input_.skipped.size() - 1;
+    const bool strict = request_.rule == planar::PolygonRule::simple;  // what is valid need not be
     const std::string what = fmt::format(
-        "feature {}: is not valid: {}{}; mend it (sunder simple tells more{}), or give --skip-invalid to ask about the "
+        "feature {}: is not {}: {}{}; mend it (sunder simple{} tells more{}), or give --skip-invalid to ask about the "
         "others",
-        input_.feature_text(first.file, first.feature), first.why,
+        input_.feature_text(first.file, first.feature), strict ? "strictly simple" : "valid", first.why,
         others > 0 ? fmt::format("; nor {} {}", others == 1 ? "is" : "are", count_of(others, "other feature")) : "",
-        request_.mend ? "" : "; --mend does what is safe");
+        strict ? " --strict" : "", request_.mend ? "" : "; --mend does what is safe");
     const std::string& name = input_.names[first.file];
     if (first.line > 0) io::fail_line(name, first.line, what);
     io::fail_file(name, what);

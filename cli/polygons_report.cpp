@@ -87,9 +87,7 @@ std::string verdict_text(const PolygonsCall& call, const PolygonsInput& input, c
   return text + "\n";
 }
 
-constexpr std::size_t most_listed = 20;
-
-Json to_json(const PolygonsCall& call, const PolygonsInput& input, const PolygonsContact& c) {
+Json properties_of(const PolygonsCall& call, const PolygonsInput& input, const PolygonsContact& c) {
   const PolygonSource &i = input.source[c.i], &j = input.source[c.j];
   Json json = {{"i", i.feature}, {"j", j.feature}};
   if (input.files.size() > 1) json["files"] = {i.file, j.file};
@@ -104,7 +102,8 @@ Json to_json(const PolygonsCall& call, const PolygonsInput& input, const Polygon
 
 }  // namespace
 
-std::string human_text(const PolygonsCall& call, const PolygonsInput& input, const PolygonsResult& result) {
+std::string human_text(const PolygonsCall& call, const PolygonsInput& input, const PolygonsResult& result,
+                       std::span<const PolygonsContact> listed) {
   std::string text;
   for (std::size_t f = 0; f < input.files.size(); ++f) {
     const auto of_file = [&](const PolygonSource& source) { return source.file == f; };
@@ -120,14 +119,14 @@ std::string human_text(const PolygonsCall& call, const PolygonsInput& input, con
         fmt::format("{}; those of one {} may meet\n", count_of(input.files.front().groups.size(), "group"), call.group);
   }
   text += verdict_text(call, input, result);
-  for (std::size_t k = 0; k < std::min(result.contacts.size(), most_listed); ++k) {
-    const PolygonsContact& c = result.contacts[k];
+  for (std::size_t k = 0; k < listed.size(); ++k) {
+    const PolygonsContact& c = listed[k];
     text += fmt::format("{} {}: {} and {}: {} at about {}\n", call.lists() ? fmt::format("  {}.", k + 1) : " ",
                         name_of(c.contact), polygon_text(call, input, c, true), polygon_text(call, input, c, false),
                         shown_by(c), about(place_of(input, c)));
   }
-  if (result.contacts.size() > most_listed) {
-    text += fmt::format("  and {} more; --json, --geojson or --svg have all\n", result.contacts.size() - most_listed);
+  if (call.lists() && result.pairs() > listed.size()) {
+    text += fmt::format("  and {} more; --json, --geojson or --svg have all\n", result.pairs() - listed.size());
   }
   text += input.tell();
   text += fmt::format("  cost        {}\n", count_of(result.cost.probes, "comparison"));
@@ -160,39 +159,36 @@ Json report(const PolygonsCall& call, const PolygonsInput& input, const Polygons
     json["count"] = result.pairs();
     json["counts"] = {{"overlapping", result.overlapping}, {"touching", result.touching}};
   }
-  json["contacts"] = Json::array();
-  for (const PolygonsContact& c : result.contacts) {
-    Json contact = to_json(call, input, c);
-    const Point2 p = place_of(input, c);
-    contact["point"] = {p.x, p.y};
-    json["contacts"].push_back(std::move(contact));
-  }
   return json;
 }
 
-std::string contacts_geojson(const PolygonsCall& call, const PolygonsInput& input, const PolygonsResult& result) {
-  std::string text = R"({"type":"FeatureCollection","features":[)";
-  for (std::size_t k = 0; k < result.contacts.size(); ++k) {
-    const PolygonsContact& c = result.contacts[k];
-    const Point2 p = place_of(input, c);
-    Json properties = {{"number", k + 1}};
-    properties.update(to_json(call, input, c));
-    const Json feature = {{"type", "Feature"},
-                          {"geometry", {{"type", "Point"}, {"coordinates", {p.x, p.y}}}},
-                          {"properties", std::move(properties)}};
-    text += (k > 0 ? ",\n" : "\n") + feature.dump(-1, ' ', false, Json::error_handler_t::replace);
-  }
-  return text + "\n]}\n";
+Json to_json(const PolygonsCall& call, const PolygonsInput& input, const PolygonsContact& contact) {
+  Json json = properties_of(call, input, contact);
+  const Point2 p = place_of(input, contact);
+  json["point"] = {p.x, p.y};
+  return json;
 }
 
-std::string picture(const PolygonsCall& call, const PolygonsInput& input, const PolygonsResult& result) {
+std::string contact_feature(const PolygonsCall& call, const PolygonsInput& input, const PolygonsContact& contact,
+                            std::uint64_t number) {
+  const Point2 p = place_of(input, contact);
+  Json properties = {{"number", number}};
+  properties.update(properties_of(call, input, contact));
+  const Json feature = {{"type", "Feature"},
+                        {"geometry", {{"type", "Point"}, {"coordinates", {p.x, p.y}}}},
+                        {"properties", std::move(properties)}};
+  return feature.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string picture(const PolygonsCall& call, const PolygonsInput& input, const PolygonsResult& result,
+                    std::span<const PolygonsContact> contacts) {
   std::vector<Point2> seen;
   for (const Polygon& polygon : input.polygons) {
     seen.insert(seen.end(), polygon.vertices().begin(), polygon.vertices().end());
   }
   PlanePicture drawing(seen);
   std::vector<Contact> strongest(input.polygons.size(), Contact::none);
-  for (const PolygonsContact& c : result.contacts) {
+  for (const PolygonsContact& c : contacts) {
     for (const std::uint32_t i : {c.i, c.j}) {
       if (strongest[i] != Contact::overlapping) strongest[i] = c.contact;
     }
@@ -208,7 +204,7 @@ std::string picture(const PolygonsCall& call, const PolygonsInput& input, const 
                            : strongest[i] == Contact::overlapping ? Ink::accent
                                                                   : Ink::second);
   }
-  for (const PolygonsContact& c : result.contacts) {
+  for (const PolygonsContact& c : contacts) {
     if (c.contact == Contact::overlapping) drawing.dot(place_of(input, c), Ink::accent);
   }
   drawing.legend(Ink::accent, fmt::format("overlapping {}", result.overlapping));

@@ -2,10 +2,14 @@
 #pragma once
 
 #include <cli/common.h>
+#include <cli/list_stream.h>
 #include <cli/polygons_input.h>
 
-#include <sunder/planar/set/polygons_all.h>
+#include <sunder/planar/set/polygon_contacts_in_order.h>
 
+#include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,28 +21,49 @@ struct PolygonsCall {
   std::string allow = "nothing";
   std::string method = "automatic";
   std::string group, name, certificate, geojson, svg, title;
+  std::uint64_t svg_limit = most_drawn;  // edges and contacts
   bool drop_z = false, leave_out = false, skip_invalid = false, mend = false, self_touch = false;
   bool json = false;
 
   bool lists() const { return all || !geojson.empty() || !svg.empty(); }
-  bool groups() const { return !group.empty() && group != "feature"; }  // a feature is one object anyway
+  bool groups() const { return !group.empty(); }
 };
 
 struct PolygonsResult {
-  std::vector<planar::PolygonsContact> contacts;  // with --any at most one
+  std::unique_ptr<planar::PolygonContactsInOrder> contacts;  // of a list, else null
+  planar::PolygonsContact found;                             // with --any; Contact::none where none is
   std::uint64_t touching = 0, overlapping = 0;
   Cost cost;
 
   std::uint64_t pairs() const { return touching + overlapping; }
+
+  // Calls for each contact, in the order of i, then j, until the visitor returns false.
+  void visit(const planar::PolygonContactsInOrder::Visitor& visitor) const {
+    if (contacts) {
+      contacts->visit(visitor);
+    } else if (found.contact != Contact::none) {
+      visitor(found);
+    }
+  }
 };
 
-std::string human_text(const PolygonsCall& call, const PolygonsInput& input, const PolygonsResult& result);
+// listed: the first of the contacts.
+std::string human_text(const PolygonsCall& call, const PolygonsInput& input, const PolygonsResult& result,
+                       std::span<const planar::PolygonsContact> listed);
+
+// All but the contacts.
 Json report(const PolygonsCall& call, const PolygonsInput& input, const PolygonsResult& result);
 
-// A FeatureCollection with a point for each contact, in their order, one on each line. Properties: number (from 1), and
-// those that a contact has in the report, but for the point. Bytes of names that are no UTF-8 become U+FFFD.
-std::string contacts_geojson(const PolygonsCall& call, const PolygonsInput& input, const PolygonsResult& result);
+// A contact in the report, with its point.
+Json to_json(const PolygonsCall& call, const PolygonsInput& input, const planar::PolygonsContact& contact);
 
-std::string picture(const PolygonsCall& call, const PolygonsInput& input, const PolygonsResult& result);
+// A contact as a point of a FeatureCollection. Properties: number (from 1), and those that it has in the report, but
+// for the point. Bytes of names that are no UTF-8 become U+FFFD.
+std::string contact_feature(const PolygonsCall& call, const PolygonsInput& input,
+                            const planar::PolygonsContact& contact, std::uint64_t number);
+
+// contacts: all of them.
+std::string picture(const PolygonsCall& call, const PolygonsInput& input, const PolygonsResult& result,
+                    std::span<const planar::PolygonsContact> contacts);
 
 }  // namespace sunder::cli

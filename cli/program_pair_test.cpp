@@ -116,6 +116,29 @@ TEST_F(Program, PlanarPairs) {
 
 // Lines, rays and half-planes against a polygon: what they have in common, in either order, by all methods; and what a
 // certificate says of them.
+// What is no object is refused, or left out and told of, with either kind of pair.
+TEST_F(Program, PlanarPairsLeaveOut) {
+  const std::string file = in_folder("shed.wkt"), proof = in_folder("proof.json"), other = in_folder("other.wkt");
+  write_text(file, "POLYGON ((7 1, 9 0, 9 4, 7 1))\nMULTIPOINT ((0 0), (1 1))\n");
+  write_text(other, "POINT (0 1)\n");
+  const std::string pair = "pair " + file + " " + other;
+  expect_bad(pair,
+             "shed.wkt: not read: 1 point of line 2; name the object that is asked about by --feature-a, or "
+             "ask without them: --leave-out");
+  EXPECT_EQ(run("pair --feature-a 1 " + file + " " + other).out.find("left out"), std::string::npos);
+  const json j = report(pair + " --leave-out --certificate " + proof, 0);
+  EXPECT_EQ(j["left_out"][0]["kind"], "point");
+  EXPECT_EQ(j["left_out"][0]["of"], json{"line 2"});
+  EXPECT_EQ(json::parse(read_text(proof))["note"], "left out: 1 point of line 2");
+  EXPECT_TRUE(python_accepts(proof));
+  EXPECT_NE(run(pair + " --leave-out").out.find("apart; left out: 1 point of line 2\n"), std::string::npos);
+  write_text(other, "RAY (0 1, -1 1)\n");
+  expect_bad(pair, "--leave-out");
+  EXPECT_EQ(report(pair + " --leave-out --certificate " + proof, 0)["left_out"].size(), 1u);
+  EXPECT_EQ(json::parse(read_text(proof))["note"], "left out: 1 point of line 2");
+  EXPECT_NE(run(pair + " --leave-out").out.find("apart; left out: 1 point of line 2\n"), std::string::npos);
+}
+
 TEST_F(Program, UnboundedPairs) {
   const std::string plate = cases + "/planar-pair/plate.wkt", paths = cases + "/planar-pair/paths.csv";
   const std::string proof = in_folder("proof.json"), picture = in_folder("cut.svg");

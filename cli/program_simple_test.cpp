@@ -112,6 +112,44 @@ TEST_F(Program, AllDefectsAreNamedByFeature) {
       << parts.out;
 }
 
+// Rings that are none are refused with their line, closed, or passed over and listed.
+TEST_F(Program, OpenRings) {
+  const std::string file = in_folder("open.wkt");
+  write_text(file,
+             "POLYGON ((0 0, 4 0, 4 4, 0 4), (1 1, 2 1, 1 2, 1 1))\nPOLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))\n"
+             "MULTIPOLYGON (((0 0, 1 0, 0 0)), ((5 5, 6 5, 6 6, 5 5)))\n");
+  expect_bad("simple " + file, "open.wkt:1: ring 0: does not end where it began; repeat its first point at its end");
+  const json mended = report("simple --mend --all " + file, 1);
+  ASSERT_EQ(mended["objects"].size(), 3u);
+  EXPECT_EQ(mended["objects"][0]["answer"], "valid");
+  EXPECT_EQ(mended["objects"][0]["mended"]["closed_rings"], 1);
+  EXPECT_EQ(mended["objects"][1]["defects"][0]["places"][1]["edge"], 2);
+  EXPECT_EQ(mended["objects"][2]["answer"], "valid");
+  EXPECT_EQ(mended["objects"][2]["mended"]["rings_left_out"], 1);
+  EXPECT_NE(run("simple --mend " + file).out.find("feature 1, line 1: mended: 1 ring closed\n"), std::string::npos);
+  const json skipped = report("simple --skip-invalid " + file, 1);
+  ASSERT_EQ(skipped["objects"].size(), 1u);
+  EXPECT_EQ(skipped["objects"][0]["feature"], 1);
+  ASSERT_EQ(skipped["skipped"].size(), 2u);
+  EXPECT_EQ(skipped["skipped"][1]["feature"], 2);
+  EXPECT_EQ(skipped["skipped"][0]["why"], "ring 0: does not end where it began");
+  const Run text = run("simple --skip-invalid " + file + " --svg " + in_folder("x.svg"));
+  EXPECT_NE(text.out.find("feature 1, line 1: skipped: ring 0: does not end where it began\n"), std::string::npos)
+      << text.out;
+  EXPECT_NE(text.out.find("said of these only; skipped: 2 invalid features\n"), std::string::npos) << text.out;
+  write_text(file, "POLYGON ((0 0, 4 0, 4 4, 0 4))\n");
+  expect_bad("simple --skip-invalid " + file, "no polygon has all its rings, so nothing is left to ask about");
+}
+
+TEST_F(Program, SimpleNamesFeatures) {
+  const std::string file = in_folder("map.geojson");
+  write_text(file, R"({"type": "Feature", "properties": {"name": "x", "code": "D-7"}, "geometry": )"
+                   R"({"type": "Polygon", "coordinates": [[[0,0],[4,4],[4,0],[0,4],[0,0]]]}})");
+  EXPECT_EQ(report("simple " + file, 1)["objects"][0]["name"], "x");
+  EXPECT_EQ(report("simple --name code " + file, 1)["objects"][0]["name"], "D-7");
+  expect_bad("simple --name colour " + file, "colour");
+}
+
 TEST_F(Program, DefectsAsGeoJson) {
   const std::string file = in_folder("defects.geojson");
   EXPECT_EQ(run("simple " + cases + "/valid-polygons/several.wkt --geojson " + file).code, 1);

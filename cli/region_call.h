@@ -1,6 +1,9 @@
 // What sunder region was asked, for its kinds of objects.
 #pragma once
 
+#include <cli/list_stream.h>
+
+#include <cstdint>
 #include <string>
 
 namespace sunder::cli {
@@ -11,6 +14,7 @@ struct RegionCall {
   std::string maximize;
   std::string method = "automatic";
   std::string certificate, svg, title;
+  std::uint64_t svg_limit = most_drawn;  // half-planes, circles, edges of polygons
   bool mend = false, drop_z = false, leave_out = false, skip_invalid = false;  // of polygons
   std::string name{};                                                          // of polygons: the field that names them
   bool json = false;

@@ -196,6 +196,7 @@ class Report {
 int run_region_circles(const RegionCall& call) {
   PartMethod* const method = part_method(call.method);
   const auto [file, circles] = read_circles(call.file);
+  if (!call.svg.empty()) require_drawable(circles.size(), "circle", 0, call.svg_limit);
   const CirclesPart part = method(circles);
   if (!call.certificate.empty()) io::write_file_atomically(call.certificate, planar::certificate_text(circles, part));
   const Report report(call, file, circles, part);

@@ -225,6 +225,7 @@ int run_region_polygons(const RegionCall& call) {
   request.name = call.name;
   PolygonsInput input = read_polygons(request);
   const std::vector<ConvexPolygon> polygons = convex_polygons(call, input);
+  if (!call.svg.empty()) require_drawable(input.edges(), "edge", 0, call.svg_limit);
   const PolygonsPart part = method(polygons);
   if (!call.certificate.empty()) {
     io::write_file_atomically(call.certificate, with_note(planar::certificate_text(polygons), input.note()));

@@ -152,7 +152,10 @@ const std::vector<Object>* SceneInput::mesh_of(const io::CollisionShape& shape, 
   try {
     const fs::path path = io::resolve_mesh(shape.mesh, robot_->folder);
     auto found = known.find(path);
-    if (found == known.end()) found = known.emplace(path, read_parts(path, require_convex, left_out_)).first;
+    if (found == known.end()) {
+      robot_meshes_.push_back(path);
+      found = known.emplace(path, read_parts(path, require_convex, left_out_)).first;
+    }
     return &found->second;
   } catch (const Error& error) {
     if (error.code() != ErrorCode::bad_file || !left_out_.consent()) throw;

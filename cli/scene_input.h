@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -45,6 +46,7 @@ class SceneInput {
   std::vector<std::vector<bool>> are_hulls() const;          // of each part of each body: does it stand for a mesh?
   std::vector<const Object*> objects() const;                // all parts in order
   const LeftOutList& left_out() const { return left_out_; }  // what is not read: must be shown
+  const std::vector<std::filesystem::path>& robot_meshes() const { return robot_meshes_; }  // files that it names
 
  private:
   struct Part {
@@ -76,6 +78,7 @@ class SceneInput {
   std::vector<Body> bodies_;
   std::optional<io::Robot> robot_;
   LeftOutList left_out_;
+  std::vector<std::filesystem::path> robot_meshes_;
 };
 
 }  // namespace sunder::cli

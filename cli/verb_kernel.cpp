@@ -1,6 +1,7 @@
 // sunder kernel FILE: from which points of a polygon are all of its points seen?
 #include <cli/common.h>
 #include <cli/left_out.h>
+#include <cli/list_stream.h>
 #include <cli/plane_picture.h>
 #include <cli/polygons_input.h>
 
@@ -30,6 +31,7 @@ struct Call {
   std::string file, feature, name;
   std::string method = "automatic";
   std::string certificate, svg, title;
+  std::uint64_t svg_limit = most_drawn;  // edges
   bool drop_z = false, leave_out = false, skip_invalid = false, mend = false;
   bool json = false;
 };
@@ -149,12 +151,14 @@ int run(const Call& call) {
   const PolygonsInput input = read_polygons(request);
   std::vector<Result> results;
   std::string certificate;
+  std::uint64_t edges = 0;  // of the polygons asked about
   for (std::uint32_t i = 0; i < input.polygons.size(); ++i) {
     if (!call.feature.empty() && input.name(i) != call.feature) continue;
     if (input.polygons[i].ring_count() > 1) {
       io::fail_file(call.file,
                     fmt::format("feature {}: has holes, so no kernel; give its outer ring alone", input.name(i)));
     }
+    edges += input.polygons[i].size();
     const PolygonSides sides(input.polygons[i]);
     results.push_back({i, method(sides, {!call.certificate.empty()}), {}});
     Result& result = results.back();
@@ -173,6 +177,7 @@ int run(const Call& call) {
     throw Error(ErrorCode::bad_call, fmt::format("{} has no polygon named {}", call.file, io::quote(call.feature)),
                 "--feature");
   }
+  if (!call.svg.empty()) require_drawable(edges, "edge", 0, call.svg_limit);
   if (!call.certificate.empty()) {
     const std::string note = input.mended.empty() ? "" : input.note();
     io::write_file_atomically(call.certificate, with_note(certificate, note));
@@ -199,6 +204,7 @@ void add_kernel(CLI::App& program, int& code) {
   verb->add_option("--certificate", call->certificate, "write the proof here")->type_name("FILE");
   auto* svg = verb->add_option("--svg", call->svg, "draw the polygons and their kernels here")->type_name("FILE");
   verb->add_option("--title", call->title, "of the picture")->needs(svg);
+  add_svg_limit(*verb, call->svg_limit);
   verb->add_flag("--drop-z", call->drop_z, "ignore third coordinates");
   verb->add_flag("--json", call->json, "print a report in JSON");
   verb->callback([call, &code] { code = run(*call); });

@@ -20,7 +20,6 @@ namespace {
 // The options of both kinds of pairs.
 struct Call : PlanarPairCall {
   bool require_convex = false;
-  bool leave_out = false;
 };
 
 struct Placed {
@@ -97,7 +96,6 @@ int run(const Call& call) {
     if (call.require_convex) {
       throw Error(ErrorCode::bad_call, "polygons are always required to be convex; leave it out", "--require-convex");
     }
-    if (call.leave_out) throw Error(ErrorCode::bad_call, "is for meshes; leave it out", "--leave-out");
     return run_planar_pair(call);
   }
   for (const auto& [is_given, option] : {std::pair(!call.svg.empty(), "--svg"),
@@ -161,6 +159,7 @@ void add_pair(CLI::App& program, int& code) {
   verb->add_flag("--drop-z", call->drop_z, "planar: ignore third coordinates");
   auto* svg = verb->add_option("--svg", call->svg, "planar: draw the objects and the evidence here")->type_name("FILE");
   verb->add_option("--title", call->title, "of the picture")->needs(svg);
+  add_svg_limit(*verb, call->svg_limit);
   verb->callback([call, &code] { code = run(*call); });
 }
 

@@ -1,6 +1,7 @@
 // sunder polygons FILE: do any two polygons meet? Which? How many?
 #include <cli/common.h>
 #include <cli/left_out.h>
+#include <cli/list_stream.h>
 #include <cli/polygons_input.h>
 #include <cli/polygons_report.h>
 #include <cli/progress.h>
@@ -16,6 +17,8 @@
 
 #include <array>
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace sunder::cli {
 
@@ -29,17 +32,16 @@ using Call = PolygonsCall;
 using Result = PolygonsResult;
 
 using AnyMethod = planar::PolygonsAnswer(std::span<const Polygon>, const PolygonsOptions&);
-using AllMethod = planar::PolygonsAllAnswer(std::span<const Polygon>, const PolygonsOptions&);
 struct Methods {
   std::string_view name;
   AnyMethod* any;
-  AllMethod* all;
+  planar::PolygonsFinder* find;
 };
-constexpr std::array<Methods, 5> methods{{{"automatic", planar::polygons_any, planar::polygons_all},
-                                          {"boxes", planar::polygons_any_by_boxes, planar::polygons_all_by_boxes},
-                                          {"grid", planar::polygons_any_by_grid, planar::polygons_all_by_grid},
-                                          {"sweep", planar::polygons_any_by_sweep, planar::polygons_all_by_sweep},
-                                          {"scan", planar::polygons_any_by_scan, planar::polygons_all_by_scan}}};
+constexpr std::array<Methods, 5> methods{{{"automatic", planar::polygons_any, planar::find_contacts_by_boxes},
+                                          {"boxes", planar::polygons_any_by_boxes, planar::find_contacts_by_boxes},
+                                          {"grid", planar::polygons_any_by_grid, planar::find_contacts_by_grid},
+                                          {"sweep", planar::polygons_any_by_sweep, planar::find_contacts_by_sweep},
+                                          {"scan", planar::polygons_any_by_scan, planar::find_contacts_by_scan}}};
 
 const Methods& methods_by(const std::string& name) {
   for (const Methods& m : methods) {
@@ -76,22 +78,21 @@ Result ask(const Call& call, const Methods& by, const PolygonsInput& input) {
   options.transcript = !call.certificate.empty();
   options.progress = progress.reporter();
   Result result;
-  const auto add = [&](const PolygonsContact& contact) {
-    ++(contact.contact == Contact::touching ? result.touching : result.overlapping);
-    if (call.lists() || !call.count) result.contacts.push_back(contact);
-  };
   if (call.count && !call.lists() && call.method == "automatic") {
     const planar::PolygonsCountAnswer answer = planar::polygons_count(input.polygons, options);
     result.touching = answer.touching;
     result.overlapping = answer.overlapping;
     result.cost = answer.cost;
   } else if (call.lists() || call.count) {
-    const planar::PolygonsAllAnswer answer = by.all(input.polygons, options);
-    for (const PolygonsContact& contact : answer.contacts) add(contact);
-    result.cost = answer.cost;
+    result.contacts = std::make_unique<planar::PolygonContactsInOrder>(input.polygons, options, by.find);
+    result.touching = result.contacts->touching();
+    result.overlapping = result.contacts->overlapping();
+    result.cost = result.contacts->cost();
   } else {
     const planar::PolygonsAnswer answer = by.any(input.polygons, options);
-    if (answer.meet()) add(answer.found);
+    result.found = answer.found;
+    result.touching = answer.found.contact == Contact::touching ? 1 : 0;
+    result.overlapping = answer.found.contact == Contact::overlapping ? 1 : 0;
     result.cost = answer.cost;
     if (!call.certificate.empty()) {
       const std::string text = certificate_text(input.polygons, options.allowed, answer);
@@ -99,6 +100,32 @@ Result ask(const Call& call, const Methods& by, const PolygonsInput& input) {
     }
   }
   return result;
+}
+
+constexpr std::size_t most_listed = 20;
+
+// Goes through the contacts once, and writes all that was asked for.
+void write(const Call& call, const PolygonsInput& input, const Result& result) {
+  std::optional<GeojsonFile> geojson;
+  if (!call.geojson.empty()) geojson.emplace(call.geojson);
+  std::optional<ListReport> json;
+  if (call.json) json.emplace(report(call, input, result), "contacts");
+  std::vector<PolygonsContact> listed, drawn;
+  const auto take = [&](const PolygonsContact& contact) {
+    if (json) json->add(to_line(to_json(call, input, contact)));
+    if (geojson) geojson->add(contact_feature(call, input, contact, geojson->count() + 1));
+    if (!call.svg.empty()) drawn.push_back(contact);
+    if (listed.size() < most_listed) listed.push_back(contact);
+    return json || geojson || !call.svg.empty() || listed.size() < most_listed;
+  };
+  if (!call.count || call.lists()) result.visit(take);
+  if (geojson) geojson->close();
+  if (!call.svg.empty()) io::write_file_atomically(call.svg, picture(call, input, result, drawn));
+  if (json) {
+    json->close();
+  } else {
+    print_for_people(human_text(call, input, result, listed));
+  }
 }
 
 int run(const Call& call) {
@@ -118,10 +145,13 @@ int run(const Call& call) {
   request.group = call.group;
   request.name = call.name;
   const PolygonsInput input = read_polygons(request);
+  const auto require_drawable = [&](std::uint64_t contacts) {
+    if (!call.svg.empty()) cli::require_drawable(input.edges(), "edge", contacts, call.svg_limit);
+  };
+  require_drawable(0);
   const Result result = ask(call, by, input);
-  if (!call.geojson.empty()) io::write_file_atomically(call.geojson, contacts_geojson(call, input, result));
-  if (!call.svg.empty()) io::write_file_atomically(call.svg, picture(call, input, result));
-  call.json ? print(to_text(report(call, input, result))) : print_for_people(human_text(call, input, result));
+  require_drawable(result.pairs());
+  write(call, input, result);
   return result.pairs() == 0 ? exit_code::no : exit_code::yes;
 }
 
@@ -152,6 +182,7 @@ void add_polygons(CLI::App& program, int& code) {
   verb->add_option("--geojson", call->geojson, "write all contacts here, to lay over a map")->type_name("FILE");
   auto* svg = verb->add_option("--svg", call->svg, "draw the polygons and the pairs that meet here")->type_name("FILE");
   verb->add_option("--title", call->title, "of the picture")->needs(svg);
+  add_svg_limit(*verb, call->svg_limit);
   verb->add_flag("--drop-z", call->drop_z, "ignore third coordinates");
   verb->add_flag("--json", call->json, "print a report in JSON");
   verb->callback([call, &code] { code = run(*call); });

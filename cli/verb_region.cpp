@@ -235,6 +235,7 @@ int run_half_planes(const Call& call) {
     return io::read_triples(call.file, io::half_plane_rows, {}, progress.reporter());
   }();
   const Constraints constraints = constraints_of(file, call.file);
+  if (!call.svg.empty()) require_drawable(constraints.size(), "half-plane", 0, call.svg_limit);
   const Region region = method(constraints, {!call.certificate.empty()});
   if (!call.certificate.empty()) {
     io::write_file_atomically(call.certificate,
@@ -289,6 +290,7 @@ void add_region(CLI::App& program, int& code) {
       ->type_name("FILE");
   auto* svg = verb->add_option("--svg", call->svg, "draw the common part here")->type_name("FILE");
   verb->add_option("--title", call->title, "of the picture")->needs(svg);
+  add_svg_limit(*verb, call->svg_limit);
   verb->add_flag("--mend", call->mend,
                  "polygons: leave out repeated and collinear vertices, turn clockwise ones round");
   verb->add_flag("--skip-invalid", call->skip_invalid, "polygons: answer for the convex ones, and list the others");

@@ -1,6 +1,7 @@
 // sunder scene FILE...: which of these bodies meet?
 #include <cli/common.h>
 #include <cli/list_stream.h>
+#include <cli/outputs.h>
 #include <cli/scene_input.h>
 #include <cli/scene_picture.h>
 #include <cli/scene_report.h>
@@ -52,6 +53,15 @@ Placed ask(const SceneInput& input, const Placement& placement, const std::strin
   return placed;
 }
 
+// What the call names is compared before anything is read; what a robot's file names, here.
+void require_apart(const Call& call, const SceneInput& input) {
+  std::vector<NamedFile> meshes, outputs;
+  for (const std::filesystem::path& mesh : input.robot_meshes()) meshes.push_back({"", mesh});
+  if (!call.certificate.empty()) outputs.push_back({"--certificate", call.certificate});
+  if (!call.svg.empty()) outputs.push_back({"--svg", call.svg});
+  cli::require_apart(meshes, outputs);
+}
+
 int run(const Call& call) {
   scene::Question question;
   question.method = pair_method(call.method);
@@ -59,6 +69,7 @@ int run(const Call& call) {
   question.contacts = call.classify;
   const std::vector<Placement> placements = placements_of(call);
   const SceneInput input(call.files, call.poses, call.require_convex, call.leave_out);
+  require_apart(call, input);
   if (!call.svg.empty()) {
     std::uint64_t facets = 0;
     for (const Object* object : input.objects()) facets += object->hull.facet_count();

@@ -3,7 +3,7 @@
 #include <cli/left_out.h>
 #include <cli/list_stream.h>
 #include <cli/polygon_defect_text.h>
-#include <cli/polygon_mend.h>
+#include <cli/polygon_parts.h>
 #include <cli/polygons_input.h>
 #include <cli/segments_picture.h>
 
@@ -16,7 +16,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
+#include <numeric>
+#include <optional>
+#include <vector>
 
 namespace sunder::cli {
 
@@ -29,13 +33,13 @@ using planar::PolygonRule;
 using planar::RingPlace;
 
 struct Call {
-  std::string file;
+  std::string file, name;
   std::string method = "automatic";
   std::string geojson, svg, title;
-  std::uint64_t svg_limit = most_drawn;  // segments
+  std::uint64_t svg_limit = most_drawn;  // segments and defects
   bool strict = false, self_touch = false;
   bool all = false;
-  bool drop_z = false, leave_out = false, mend = false;
+  bool drop_z = false, leave_out = false, skip_invalid = false, mend = false;
   bool json = false;
 
   PolygonRule rule() const {
@@ -48,49 +52,87 @@ struct Call {
 // A feature: its polygons are the parts of one.
 struct Result {
   std::uint32_t feature = 0, line = 0;
-  std::vector<std::vector<std::uint32_t>> rings;  // of each part, as positions among the rings of the file
+  std::vector<std::uint32_t> rings_of_part;
+  std::uint32_t first_ring = 0;  // of the file; they follow each other
   std::uint64_t edges = 0;
   MendedRings mended;
-  PolygonDefects answer;
+  std::string skipped;      // why
+  std::uint64_t count = 0;  // of defects
+  Cost cost;
+  std::optional<std::vector<PolygonDefect>> held;  // the defects, unless they are too many: then they are found again
 
-  bool has_parts() const { return rings.size() > 1; }
+  bool has_parts() const { return rings_of_part.size() > 1; }
+  bool valid() const { return count == 0; }
 };
 
-PolygonDefects answer_by(const Call& call, std::span<const PolygonRings> parts) {
+constexpr std::size_t most_held = 1 << 16;  // defects, of all features
+using VisitDefects = std::function<void(const planar::PolygonDefectVisitor&)>;
+
+Cost visit_by(const Call& call, std::span<const PolygonRings> parts, const planar::PolygonDefectVisitor& visit) {
   planar::ValidOptions options{call.rule()};
+  if (call.method == "automatic" && call.lists()) return visit_polygon_defects(parts, options, visit);
   if (!call.lists()) options.most = 1;
-  if (call.method == "automatic") return polygon_defects(parts, options);
-  if (call.method == "scan") return polygon_defects_by_scan(parts, options);
-  refuse_method(call.method, "automatic, scan");
+  const PolygonDefects answer =
+      call.method == "scan" ? polygon_defects_by_scan(parts, options) : polygon_defects(parts, options);
+  static_cast<void>(std::all_of(answer.defects.begin(), answer.defects.end(), visit));
+  return answer.cost;
+}
+
+// The parts of the next feature, mended where that is wanted.
+Result next_of(const Call& call, PartsReader& reader, Parts& parts) {
+  Result result;
+  if (!reader.next(parts)) return result;
+  result.feature = parts.feature;
+  result.line = parts.line;
+  result.first_ring = parts.first_ring;
+  for (const PolygonRings& part : parts.rings) {
+    result.rings_of_part.push_back(static_cast<std::uint32_t>(part.size()));
+    for (const std::vector<Point2>& ring : part) result.edges += ring.size() - (ring.front() == ring.back() ? 1 : 0);
+  }
+  if (call.mend) result.mended = mend(parts);
+  result.skipped = parts.broken;
+  return result;
 }
 
 std::vector<Result> answers(const Call& call, const io::LineFile& file) {
   std::vector<Result> results;
-  const auto feature_of = [&](std::uint32_t r) { return file.source[file.rings[r].first].feature; };
-  for (std::uint32_t r = 0; r < file.rings.size();) {
-    Result& result = results.emplace_back();
-    result.feature = feature_of(r);
-    result.line = file.source[file.rings[r].first].line;
-    std::vector<PolygonRings> parts;
-    for (const std::uint32_t first = r; r < file.rings.size() && feature_of(r) == result.feature; ++r) {
-      const io::LineRing& ring = file.rings[r];
-      if (r == first || file.rings[r - 1].polygon != ring.polygon) {
-        parts.emplace_back();
-        result.rings.emplace_back();
+  PartsReader reader(file);
+  std::size_t held = 0;
+  for (Parts parts;;) {
+    Result result = next_of(call, reader, parts);
+    if (result.rings_of_part.empty()) return results;
+    if (result.skipped.empty()) {
+      std::vector<PolygonDefect> defects;
+      result.cost = visit_by(call, parts.rings, [&](const PolygonDefect& defect) {
+        ++result.count;
+        if (held + result.count <= most_held) defects.push_back(defect);
+        return true;
+      });
+      if (defects.size() == result.count) {
+        held += defects.size();
+        result.held = std::move(defects);
       }
-      result.rings.back().push_back(r);
-      result.edges += ring.count;
-      std::vector<Point2>& points = parts.back().emplace_back();
-      for (std::uint32_t k = 0; k < ring.count; ++k) points.push_back(file.segments[ring.first + k].a);
-      points.push_back(Point2{points.front()});  // as in the file
     }
-    if (call.mend) {
-      for (PolygonRings& part : parts) result.mended += mend(part);
-      std::erase_if(parts, [](const PolygonRings& part) { return part.empty(); });
-    }
-    result.answer = answer_by(call, parts);
+    results.push_back(std::move(result));
   }
-  return results;
+}
+
+// Calls for each feature that was asked about, with what visits its defects, in their order, once.
+void for_each_feature(const Call& call, const io::LineFile& file, const std::vector<Result>& results,
+                      const std::function<void(const Result&, const VisitDefects&)>& of_feature) {
+  PartsReader reader(file);
+  Parts parts;
+  for (const Result& result : results) {
+    next_of(call, reader, parts);
+    if (!result.skipped.empty()) continue;
+    of_feature(result, [&](const planar::PolygonDefectVisitor& visit) {
+      if (result.held) {
+        static_cast<void>(std::all_of(result.held->begin(), result.held->end(), visit));
+      } else {
+        visit_by(call, parts.rings, visit);
+      }
+    });
+  }
 }
 
 std::string feature_text(const io::LineFile& file, const Result& result) {
@@ -99,9 +141,26 @@ std::string feature_text(const io::LineFile& file, const Result& result) {
                      result.line > 0 ? fmt::format(", line {}", result.line) : "");
 }
 
-std::uint64_t valid_count(const std::vector<Result>& results) {
-  return static_cast<std::uint64_t>(
-      std::count_if(results.begin(), results.end(), [](const Result& r) { return r.answer.valid(); }));
+struct Counts {
+  std::uint64_t asked = 0, valid = 0, edges = 0, mended = 0, skipped = 0, defects = 0;
+  Cost cost;
+};
+
+Counts counts_of(const std::vector<Result>& results) {
+  Counts counts;
+  for (const Result& result : results) {
+    counts.edges += result.edges;
+    if (!result.skipped.empty()) {
+      ++counts.skipped;
+      continue;
+    }
+    ++counts.asked;
+    if (result.valid()) ++counts.valid;
+    if (result.mended.all() > 0) ++counts.mended;
+    counts.defects += result.count;
+    counts.cost.probes += result.cost.probes;
+  }
+  return counts;
 }
 
 LeftOutList left_out_of(const io::LineFile& file) {
@@ -112,32 +171,44 @@ LeftOutList left_out_of(const io::LineFile& file) {
 
 constexpr std::size_t most_listed = 20;  // of a feature, and features
 
+// The first defects of a feature.
+std::string defects_text(const Call& call, const io::LineFile& file, const Result& result, const VisitDefects& visit) {
+  std::string text = fmt::format("{}: {}\n", feature_text(file, result), call.answer(false));
+  std::size_t listed = 0;
+  visit([&](const PolygonDefect& defect) {
+    text += fmt::format("  {:16}{}\n", name_of(defect.kind), text_of(defect, result.has_parts()));
+    return ++listed < most_listed;
+  });
+  if (result.count > listed) {
+    text += fmt::format("  and {} more; --json or --geojson have all\n", result.count - listed);
+  }
+  return text;
+}
+
 std::string human_text(const Call& call, const io::LineFile& file, const std::vector<Result>& results) {
   std::string text;
-  std::uint64_t edges = 0, listed = 0, mended = 0;
-  const std::uint64_t valid = valid_count(results);
-  for (const Result& result : results) {
-    edges += result.edges;
+  const Counts counts = counts_of(results);
+  std::uint64_t listed = 0, mended = 0, skipped = 0;
+  for_each_feature(call, file, results, [&](const Result& result, const VisitDefects& visit) {
     if (result.mended.all() > 0 && ++mended <= most_listed) {
       text += fmt::format("{}: mended: {}\n", feature_text(file, result), text_of(result.mended));
     }
-    const std::vector<PolygonDefect>& defects = result.answer.defects;
-    if (defects.empty() || ++listed > most_listed) continue;
-    text += fmt::format("{}: {}\n", feature_text(file, result), call.answer(false));
-    for (std::size_t k = 0; k < std::min(defects.size(), most_listed); ++k) {
-      text += fmt::format("  {:16}{}\n", name_of(defects[k].kind), text_of(defects[k], result.has_parts()));
-    }
-    if (defects.size() > most_listed) {
-      text += fmt::format("  and {} more; --json or --geojson have all\n", defects.size() - most_listed);
-    }
-  }
+    if (!result.valid() && ++listed <= most_listed) text += defects_text(call, file, result, visit);
+  });
   if (listed > most_listed) {
     text += fmt::format("and {} more; --json or --geojson have all\n", count_of(listed - most_listed, "feature"));
   }
-  text += fmt::format("{}: {} of {} {}, {}, {}\n", io::one_line(call.file), valid, count_of(results.size(), "feature"),
-                      call.answer(true), count_of(edges, "edge"), file.format);
-  if (valid < results.size() && !call.lists()) text += "one defect of each is named; --all lists all\n";
-  if (mended > 0) text += fmt::format("said of what was mended: {}\n", count_of(mended, "feature"));
+  for (const Result& result : results) {
+    if (result.skipped.empty() || ++skipped > most_listed) continue;
+    text += fmt::format("{}: skipped: {}\n", feature_text(file, result), result.skipped);
+  }
+  if (skipped > most_listed) text += fmt::format("and {} more skipped; --json has all\n", skipped - most_listed);
+  text +=
+      fmt::format("{}: {} of {} {}, {}, {}\n", io::one_line(call.file), counts.valid, count_of(counts.asked, "feature"),
+                  call.answer(true), count_of(counts.edges, "edge"), file.format);
+  if (counts.valid < counts.asked && !call.lists()) text += "one defect of each is named; --all lists all\n";
+  if (counts.mended > 0) text += fmt::format("said of what was mended: {}\n", count_of(counts.mended, "feature"));
+  if (skipped > 0) text += fmt::format("said of these only; skipped: {}\n", count_of(skipped, "invalid feature"));
   const LeftOutList left_out = left_out_of(file);
   if (!left_out.empty()) text += fmt::format("left out: {}\n", left_out.text());
   for (const std::string& remark : file.remarks) text += fmt::format("remark: {}\n", remark);
@@ -154,88 +225,122 @@ Json defect_json(const PolygonDefect& defect, bool has_parts) {
 
 Json point_json(const Point2& p) { return Json::array({p.x, p.y}); }
 
+// All but the features.
 Json report(const Call& call, const io::LineFile& file, const std::vector<Result>& results) {
-  Json json = envelope("simple", call.answer(valid_count(results) == results.size()), call.method);
-  Cost cost;
+  const Counts counts = counts_of(results);
+  Json json = envelope("simple", call.answer(counts.valid == counts.asked), call.method);
+  json.erase("objects");
+  json["cost"] = to_json(counts.cost);
   json["rule"] = call.strict ? "simple" : call.self_touch ? "self-touch" : "valid";
   if (!file.left_out.empty()) json["left_out"] = left_out_of(file).json();
-  json["objects"] = Json::array();
   for (const Result& result : results) {
-    cost.probes += result.answer.cost.probes;
-    std::size_t rings = 0;
-    for (const std::vector<std::uint32_t>& part : result.rings) rings += part.size();
-    Json object = {{"file", call.file},
-                   {"feature", result.feature},
-                   {"name", file.features[result.feature]},
-                   {"parts", result.rings.size()},
-                   {"rings", rings},
-                   {"edges", result.edges},
-                   {"answer", call.answer(result.answer.valid())},
-                   {"defects", Json::array()}};
-    if (result.mended.all() > 0) object["mended"] = to_json(result.mended);
-    for (const PolygonDefect& defect : result.answer.defects) {
-      Json entry = defect_json(defect, result.has_parts());
-      entry["at"] = Json::array({point_json(defect.place.a)});
-      if (defect.place.a != defect.place.b) entry["at"].push_back(point_json(defect.place.b));
-      object["defects"].push_back(entry);
-    }
-    json["objects"].push_back(object);
+    if (result.skipped.empty()) continue;
+    json["skipped"].push_back(
+        {{"feature", result.feature}, {"name", file.features[result.feature]}, {"why", result.skipped}});
   }
-  json["cost"] = to_json(cost);
   return json;
 }
 
+// A feature in the report, all but its defects.
+Json object_json(const Call& call, const io::LineFile& file, const Result& result) {
+  Json object = {{"file", call.file},
+                 {"feature", result.feature},
+                 {"name", file.features[result.feature]},
+                 {"parts", result.rings_of_part.size()},
+                 {"rings", std::accumulate(result.rings_of_part.begin(), result.rings_of_part.end(), 0u)},
+                 {"edges", result.edges},
+                 {"answer", call.answer(result.valid())}};
+  if (result.mended.all() > 0) object["mended"] = to_json(result.mended);
+  return object;
+}
+
+// Prints the report, each feature and each defect as it comes.
+void print_report(const Call& call, const io::LineFile& file, const std::vector<Result>& results) {
+  ListReport objects(report(call, file, results), "objects");
+  for_each_feature(call, file, results, [&](const Result& result, const VisitDefects& visit) {
+    objects.add_list(object_json(call, file, result), "defects", [&](ListStream& defects) {
+      visit([&](const PolygonDefect& defect) {
+        Json entry = defect_json(defect, result.has_parts());
+        entry["at"] = Json::array({point_json(defect.place.a)});
+        if (defect.place.a != defect.place.b) entry["at"].push_back(point_json(defect.place.b));
+        defects.add(to_line(entry));
+        return true;
+      });
+    });
+  });
+  objects.close();
+}
+
 // Each defect as a point, or a line where a piece is in common; a line of the text for each.
-std::string defects_geojson(const io::LineFile& file, const std::vector<Result>& results) {
-  std::string text = R"({"type":"FeatureCollection","features":[)";
-  bool is_first = true;
-  for (const Result& result : results) {
-    for (const PolygonDefect& defect : result.answer.defects) {
+void write_geojson(const Call& call, const io::LineFile& file, const std::vector<Result>& results) {
+  GeojsonFile geojson(call.geojson);
+  for_each_feature(call, file, results, [&](const Result& result, const VisitDefects& visit) {
+    visit([&](const PolygonDefect& defect) {
       const auto& [a, b] = defect.place;
       Json geometry = {{"type", "Point"}, {"coordinates", point_json(a)}};
       if (a != b) geometry = {{"type", "LineString"}, {"coordinates", {point_json(a), point_json(b)}}};
       Json properties = {{"feature", result.feature}, {"name", file.features[result.feature]}};
       properties.update(defect_json(defect, result.has_parts()));
       const Json feature = {{"type", "Feature"}, {"geometry", geometry}, {"properties", properties}};
-      text += is_first ? "\n" : ",\n";
-      text += feature.dump(-1, ' ', false, Json::error_handler_t::replace);
-      is_first = false;
-    }
-  }
-  return text + "\n]}\n";
+      geojson.add(feature.dump(-1, ' ', false, Json::error_handler_t::replace));
+      return true;
+    });
+  });
+  geojson.close();
 }
 
 // Those defects that are two edges with a common point.
 std::string picture(const Call& call, const io::LineFile& file, const std::vector<Result>& results) {
   const planar::Segments segments(file.segments);
   std::vector<planar::SegmentsContact> contacts;
-  for (const Result& result : results) {
+  for_each_feature(call, file, results, [&](const Result& result, const VisitDefects& visit) {
     const auto edge = [&](const RingPlace& place) {
-      return file.rings[result.rings[place.part][place.ring]].first + place.edge;
+      const auto parts = result.rings_of_part.begin();
+      const std::uint32_t ring = std::accumulate(parts, parts + place.part, result.first_ring + place.ring);
+      return file.rings[ring].first + place.edge;
     };
-    for (const PolygonDefect& defect : result.answer.defects) {
+    visit([&](const PolygonDefect& defect) {
       const std::uint32_t i = std::min(edge(defect.a), edge(defect.b)), j = std::max(edge(defect.a), edge(defect.b));
       const planar::ContactKind kind = segment_segment(segments[i], segments[j]);
       if (i != j && kind != planar::ContactKind::none) contacts.push_back({i, j, kind});
-    }
-  }
+      return true;
+    });
+  });
   const std::string title = call.title.empty() ? "Are these polygons " + call.answer(true) + "?" : call.title;
   return segments_svg({file, segments, contacts, title});
 }
 
-int run(const Call& call) {
+io::LineFile read(const Call& call) {
   io::LineOptions options;
   options.drop_z = call.drop_z;
   options.leave_out = call.leave_out;
   options.lines = false;
-  const io::LineFile file = io::read_lines(call.file, options);
-  if (file.rings.empty()) io::fail_file(call.file, "has no polygons");
-  if (!call.svg.empty()) require_drawable(file.segments.size(), "segment", 0, call.svg_limit);
+  options.keep_broken = call.mend || call.skip_invalid;
+  options.name = call.name;
+  io::LineFile file = io::read_lines(call.file, options);
+  if (file.rings.empty() && file.broken.empty()) io::fail_file(call.file, "has no polygons");
+  return file;
+}
+
+int run(const Call& call) {
+  if (call.method != "automatic" && call.method != "scan") refuse_method(call.method, "automatic, scan");
+  const io::LineFile file = read(call);
+  const auto require_drawable = [&](std::uint64_t defects) {
+    if (!call.svg.empty()) cli::require_drawable(file.segments.size(), "segment", defects, call.svg_limit);
+  };
+  require_drawable(0);
   const std::vector<Result> results = answers(call, file);
-  if (!call.geojson.empty()) io::write_file_atomically(call.geojson, defects_geojson(file, results));
+  const Counts counts = counts_of(results);
+  require_drawable(counts.defects);
+  if (counts.asked == 0) io::fail_file(call.file, "no polygon has all its rings, so nothing is left to ask about");
+  if (!call.geojson.empty()) write_geojson(call, file, results);
   if (!call.svg.empty()) io::write_file_atomically(call.svg, picture(call, file, results));
-  call.json ? print(to_text(report(call, file, results))) : print_for_people(human_text(call, file, results));
-  return valid_count(results) == results.size() ? exit_code::no : exit_code::yes;
+  if (call.json) {
+    print_report(call, file, results);
+  } else {
+    print_for_people(human_text(call, file, results));
+  }
+  return counts.valid == counts.asked ? exit_code::no : exit_code::yes;
 }
 
 }  // namespace
@@ -253,7 +358,11 @@ void add_simple(CLI::App& program, int& code) {
   auto* svg = verb->add_option("--svg", call->svg, "draw the polygons and the edges that meet here")->type_name("FILE");
   verb->add_option("--title", call->title, "of the picture")->needs(svg);
   verb->add_flag("--leave-out", call->leave_out, leave_out_help);
-  verb->add_flag("--mend", call->mend, "ask about what is left without repeated vertices, spikes, rings without area")
+  verb->add_option("--name", call->name, name_help)->type_name("FIELD");
+  verb->add_flag("--skip-invalid", call->skip_invalid,
+                 "answer for the features whose rings are closed, and list the others");
+  verb->add_flag("--mend", call->mend,
+                 "close rings, and ask about what is left without repeated vertices, spikes, rings without area")
       ->excludes(svg);
   add_svg_limit(*verb, call->svg_limit);
   verb->add_flag("--drop-z", call->drop_z, "ignore third coordinates");

@@ -286,7 +286,8 @@ std::optional<PolygonsContact> PolygonPairs::contact(std::uint32_t i, std::uint3
 }
 
 std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, const PolygonsOptions& options, Cost& cost,
-                                          const std::function<bool(const PolygonsContact&)>& found) {
+                                          const std::function<bool(const PolygonsContact&)>& found,
+                                          const std::uint32_t* end) {
   // To look at an edge takes a hundredth of the time that it takes to put it in a grid, or a sweep.
   constexpr std::uint64_t looks = 64, looks_for_found = 16;
   // So many that they stay in the cache until they are looked at.
@@ -315,7 +316,7 @@ std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, con
   };
   const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {
     ++pairs.cost.probes;
-    if (may_meet(options.groups, i, j)) return !pairs.gave_up();
+    if ((end != nullptr && i >= *end) || may_meet(options.groups, i, j)) return !pairs.gave_up();
     prefetch(&polygons[i], sizeof(Polygon));
     prefetch(&polygons[j], sizeof(Polygon));
     if (known > 0) {

@@ -58,8 +58,10 @@ class PolygonPairs {
 
 // Calls found(contact) for each pair of polygons of different groups that meet, once, until it returns false. Returns
 // whether it never did; nothing where that takes more than 64 looks at boxes and edges for each edge and 16 for each
-// pair that counts: then some pairs may have been given.
+// pair that counts: then some pairs may have been given. Where `end` is given, of pairs i < j only those whose i is
+// below it, which may fall meanwhile.
 std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, const PolygonsOptions& options, Cost& cost,
-                                          const std::function<bool(const PolygonsContact&)>& found);
+                                          const std::function<bool(const PolygonsContact&)>& found,
+                                          const std::uint32_t* end = nullptr);
 
 }  // namespace sunder::planar

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -28,27 +29,48 @@ class Check {
  public:
   Check(RingSet rings, const ValidOptions& options) : rings_(std::move(rings)), options_(options) {}
 
+  // All but those that contacts_ has.
   PolygonDefects run() {
     if (options_.rule == PolygonRule::simple) look_for_repetitions();
     look_for_short_rings();
     if (!is_simple_ring()) look_at_several();
     std::vector<PolygonDefect>& defects = answer_.defects;
-    std::sort(defects.begin(), defects.end(), [](const PolygonDefect& c, const PolygonDefect& d) {
-      const auto& [p, q] = c.place;
-      const auto& [r, s] = d.place;
-      return std::tie(c.kind, c.a, c.b, p.x, p.y, q.x, q.y) < std::tie(d.kind, d.a, d.b, r.x, r.y, s.x, s.y);
-    });
+    std::sort(defects.begin(), defects.end(), is_before);
     if (full()) defects.resize(options_.most);
     return std::move(answer_);
   }
 
+  Cost visit(const PolygonDefectVisitor& visit) {
+    is_visited_ = true;
+    const PolygonDefects others = run();
+    auto next = others.defects.begin();
+    bool goes_on = true;
+    const auto hand_over = [&](const PolygonDefect& d) {
+      for (; goes_on && next != others.defects.end() && is_before(*next, d); ++next) goes_on = visit(*next);
+      return goes_on = goes_on && visit(d);
+    };
+    for (const Kind kind : {Kind::crossing, Kind::overlap}) {
+      if (!contacts_ || !goes_on) break;
+      contacts_->visit([&](const SegmentsContact& c) { return kind_of(c) != kind || hand_over(defect_of(c)); });
+    }
+    for (; goes_on && next != others.defects.end(); ++next) goes_on = visit(*next);
+    return others.cost;
+  }
+
  private:
+  static bool is_before(const PolygonDefect& c, const PolygonDefect& d) {
+    const auto& [p, q] = c.place;
+    const auto& [r, s] = d.place;
+    return std::tie(c.kind, c.a, c.b, p.x, p.y, q.x, q.y) < std::tie(d.kind, d.a, d.b, r.x, r.y, s.x, s.y);
+  }
+
   bool full() const { return answer_.defects.size() >= options_.most; }
 
-  RingPlace place_of(std::uint32_t edge) const {
-    const RingSet::Ring& ring = rings_.rings()[rings_.ring_of(edge)];
-    return {ring.part, ring.number, rings_.given(edge)};
+  static RingPlace place_of(const RingSet& rings, std::uint32_t edge) {
+    const RingSet::Ring& ring = rings.rings()[rings.ring_of(edge)];
+    return {ring.part, ring.number, rings.given(edge)};
   }
+  RingPlace place_of(std::uint32_t edge) const { return place_of(rings_, edge); }
   void add(Kind kind, const RingPlace& a, const RingPlace& b, const Segment& place) {
     answer_.defects.push_back({kind, a, b, place});
   }
@@ -125,27 +147,52 @@ class Check {
   void look_at_edges() {
     std::vector<Segment> all;
     for (std::uint32_t k = 0; k < rings_.size(); ++k) all.push_back(rings_.edge(k));
-    const Segments edges(all);
-    const SegmentsAnswer any = segments_any(edges, {Allowed::touch});
+    edges_ = Segments(all);
+    const SegmentsAnswer any = segments_any(edges_, {Allowed::touch});
     answer_.cost.probes += any.cost.probes;
     if (!any.meet()) return;
-    if (options_.most == 1) return add_contact(edges, {any.i, any.j, any.kind});
-    const Cost cost = visit_contacts(edges, {Allowed::touch}, [&](const SegmentsContact& contact) {
-      add_contact(edges, contact);
-      return !full();
-    });
-    answer_.cost.probes += cost.probes;
+    rings_of_edges_ = rings_;
+    if (is_visited_) {
+      keep_contacts();
+    } else if (options_.most == 1) {
+      answer_.defects.push_back(defect_of({any.i, any.j, any.kind}));
+      return;
+    } else {
+      answer_.cost.probes += visit_contacts(edges_, {Allowed::touch}, [&](const SegmentsContact& c) {
+                               answer_.defects.push_back(defect_of(c));
+                               leave_out(rings_.ring_of(c.i), rings_.ring_of(c.j));
+                               return !full();
+                             }).probes;
+    }
     drop();
   }
 
-  void add_contact(const Segments& edges, const SegmentsContact& c) {
-    const Segment &s = edges[c.i], &t = edges[c.j];
+  // As many as may be held; the others are asked for again when they are visited.
+  void keep_contacts() {
+    contacts_ = std::make_unique<ContactsInOrder<SegmentsContact>>(
+        edges_.size(), most_held(edges_.size()), [this](const Block& block, const auto& take) {
+          const bool is_first = contacts_ == nullptr;
+          const Cost cost =
+              visit_contacts_of_block(edges_, {Allowed::touch}, block, visit_contacts, [&](const SegmentsContact& c) {
+                if (is_first) leave_out(rings_of_edges_.ring_of(c.i), rings_of_edges_.ring_of(c.j));
+                take(c);
+                return true;
+              });
+          if (is_first) answer_.cost.probes += cost.probes;
+        });
+  }
+
+  static Kind kind_of(const SegmentsContact& c) {
+    return c.kind == ContactKind::overlap ? Kind::overlap : Kind::crossing;
+  }
+
+  PolygonDefect defect_of(const SegmentsContact& c) const {
+    const Segment &s = edges_[c.i], &t = edges_[c.j];
     const Point2 at = c.kind == ContactKind::overlap ? Point2{} : common_point_rounded(s, t);
     const Segment place = c.kind != ContactKind::overlap ? Segment{at, at}
                                                          : Segment{lexicographically_less(s.a, t.a) ? t.a : s.a,  //
                                                                    lexicographically_less(s.b, t.b) ? s.b : t.b};
-    add(c.kind == ContactKind::overlap ? Kind::overlap : Kind::crossing, place_of(c.i), place_of(c.j), place);
-    leave_out(rings_.ring_of(c.i), rings_.ring_of(c.j));
+    return {kind_of(c), place_of(rings_of_edges_, c.i), place_of(rings_of_edges_, c.j), place};
   }
 
   // Around a point two passes cross iff their ways alternate: where one is left that was entered before others that
@@ -335,8 +382,12 @@ class Check {
 
   RingSet rings_;
   const ValidOptions& options_;
+  bool is_visited_ = false;
   PolygonDefects answer_;
-  std::vector<bool> keep_;  // of each ring
+  Segments edges_{std::span<const Segment>()};                  // of the rings that are not too short
+  RingSet rings_of_edges_;                                      // those, where edges cross or overlap
+  std::unique_ptr<ContactsInOrder<SegmentsContact>> contacts_;  // that are defects; null: they are in answer_
+  std::vector<bool> keep_;                                      // of each ring
   RingPoints points_;
   RingLoops loops_;
   std::vector<Within> within_;              // of each loop
@@ -344,6 +395,14 @@ class Check {
   std::vector<std::uint32_t> outermost_;    // of each part: a loop of the shell
   std::vector<bool> has_shell_, is_named_;  // of each part; of each ring
 };
+
+RingSet rings_of(std::span<const PolygonRings> parts) {
+  RingSet rings;
+  for (std::uint32_t p = 0; p < parts.size(); ++p) {
+    for (std::uint32_t r = 0; r < parts[p].size(); ++r) rings.add(p, r, parts[p][r]);
+  }
+  return rings;
+}
 
 }  // namespace
 
@@ -364,11 +423,13 @@ std::string_view name_of(PolygonDefectKind kind) {
 }
 
 PolygonDefects polygon_defects(std::span<const PolygonRings> parts, const ValidOptions& options) {
-  RingSet rings;
-  for (std::uint32_t p = 0; p < parts.size(); ++p) {
-    for (std::uint32_t r = 0; r < parts[p].size(); ++r) rings.add(p, r, parts[p][r]);
-  }
-  return Check(std::move(rings), options).run();
+  return Check(rings_of(parts), options).run();
+}
+
+Cost visit_polygon_defects(std::span<const PolygonRings> parts, const ValidOptions& options,
+                           const PolygonDefectVisitor& visit) {
+  const ValidOptions all{options.rule};
+  return Check(rings_of(parts), all).visit(visit);
 }
 
 PolygonDefects polygon_defects(std::span<const Polygon> parts, const ValidOptions& options) {

@@ -24,6 +24,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <string_view>
@@ -101,6 +102,13 @@ using PolygonRings = std::vector<std::vector<Point2>>;
 PolygonDefects polygon_defects(std::span<const PolygonRings> parts, const ValidOptions& options = {});
 PolygonDefects polygon_defects(std::span<const Polygon> parts, const ValidOptions& options = {});
 PolygonDefects polygon_defects(const Polygon& polygon, const ValidOptions& options = {});
+
+// The same defects one by one, in the same order, until the visitor returns false; `most` is not looked at. Of those
+// that are two edges, no more are held than ContactsInOrder holds, 2^20 or 16 n: more are found again, block by block.
+// Those at vertices are held.
+using PolygonDefectVisitor = std::function<bool(const PolygonDefect&)>;
+Cost visit_polygon_defects(std::span<const PolygonRings> parts, const ValidOptions& options,
+                           const PolygonDefectVisitor& visit);
 
 // Every two edges, every two rings, and of the interior all sides of all pieces of edges: the oracle. It shares no code
 // with the others. O(n^3) time.

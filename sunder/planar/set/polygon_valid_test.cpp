@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 namespace sunder::planar {
@@ -22,9 +23,28 @@ Ring box(double left, double bottom, double right, double top) {
   return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
 }
 
+bool are_same(const PolygonDefect& c, const PolygonDefect& d) {
+  return c.kind == d.kind && c.a == d.a && c.b == d.b && c.place.a == d.place.a && c.place.b == d.place.b;
+}
+
+// Visited one by one they are the same, in the same order, until the visitor has enough.
+void expect_visited(const Parts& parts, PolygonRule rule, const std::vector<PolygonDefect>& defects) {
+  for (const std::size_t enough : {defects.size() + 1, defects.size() / 2 + 1}) {
+    std::size_t next = 0;
+    visit_polygon_defects(parts, {rule}, [&](const PolygonDefect& d) {
+      EXPECT_LT(next, std::min(enough, defects.size()));
+      EXPECT_TRUE(next < defects.size() && are_same(d, defects[next])) << next;
+      return ++next < enough;
+    });
+    EXPECT_EQ(next, std::min(enough, defects.size()));
+  }
+}
+
 std::vector<Kind> kinds(const Parts& parts, PolygonRule rule = PolygonRule::valid) {
   std::vector<Kind> all, of_scan;
-  for (const PolygonDefect& d : polygon_defects(parts, {rule}).defects) all.push_back(d.kind);
+  const std::vector<PolygonDefect> defects = polygon_defects(parts, {rule}).defects;
+  expect_visited(parts, rule, defects);
+  for (const PolygonDefect& d : defects) all.push_back(d.kind);
   for (const PolygonDefect& d : polygon_defects_by_scan(parts, {rule}).defects) of_scan.push_back(d.kind);
   EXPECT_EQ(all, of_scan);
   return all;
@@ -210,6 +230,42 @@ TEST(PolygonValidTest, OneOfVeryManyCrossingsInVertices) {
       EXPECT_EQ(polygon_defects(parts).defects.size(), 30u * 29u);
     }
   }
+}
+
+// Half of its edges cross the other half; further rings overlap it, cross in vertices, and lie where they may not.
+Parts comb(int half) {
+  Ring ring;
+  for (int k = 0; k <= half; ++k) ring.push_back({1.0 * k, k % 2 == 0 ? 0.0 : 4.0 * half});
+  for (int k = 0; k <= half; ++k) ring.push_back({k % 2 == 0 ? half + 1.0 : -1.0, 1.0 * half + k});
+  for (const Point2& p : Ring{{half + 2.0, 2.0 * half}, {half + 2.0, -1}, {-1, -1}}) ring.push_back(p);
+  return {{ring}};
+}
+
+TEST(PolygonValidTest, VisitedWhereMoreThanMayBeHeld) {
+  constexpr std::uint32_t half = 1100;  // 1.2 million crossings
+  std::uint64_t count = 0;
+  PolygonDefect last;
+  visit_polygon_defects(comb(half), {}, [&](const PolygonDefect& d) {
+    const bool is_next = count == 0 || std::tie(last.a, last.b) < std::tie(d.a, d.b);
+    EXPECT_TRUE(is_next && d.kind == Kind::crossing);
+    last = d;
+    return ++count > 0 && is_next;
+  });
+  EXPECT_EQ(count, std::uint64_t{half} * half);
+}
+
+TEST(PolygonValidTest, VisitedOfAllKinds) {
+  Parts parts = comb(20);
+  parts[0].push_back({{0, 0}, {1, 80}, {0, 80}});               // overlaps the first
+  parts[0].push_back({{60, 0}, {60, 0}, {60, 0}});              // too short
+  parts.push_back({{{100, 1}, {103, 0}, {100, -1}, {99, 0}}});  // these two cross in vertices
+  parts.push_back({{{100, 1}, {104, 0}, {100, -1}, {98, 0}}});
+  parts.push_back({square, box(20, 20, 21, 21)});  // a hole outside
+  const std::vector<Kind> all = kinds(parts);
+  for (const Kind kind : {Kind::too_few_points, Kind::crossing, Kind::overlap}) {
+    EXPECT_NE(std::find(all.begin(), all.end(), kind), all.end()) << name_of(kind);
+  }
+  EXPECT_TRUE(std::is_sorted(all.begin(), all.end()));
 }
 
 }  // namespace

@@ -1,34 +1,18 @@
 #include <sunder/planar/set/edge_contact_lists.h>
+#include <sunder/planar/set/polygon_contacts_in_order.h>
 #include <sunder/planar/set/polygon_pairs.h>
 #include <sunder/planar/set/polygon_sweep.h>
 #include <sunder/planar/set/polygons_all.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <tuple>
+#include <limits>
 #include <utility>
 #include <vector>
 
 namespace sunder::planar {
 
 namespace {
-
-// Of what was found of each pair, what tells most: overlapping before touching, and of the latter the greatest kind.
-// Then the lowest edges, so that the order in which it was found does not matter.
-std::vector<PolygonsContact> one_of_each(std::vector<PolygonsContact> found, Allowed allowed) {
-  const auto key = [](const PolygonsContact& c) {
-    const int tells_less = c.contact == Contact::overlapping ? 0 : 8 - static_cast<int>(c.kind);
-    return std::tuple(c.i, c.j, tells_less, c.of_i, c.of_j);
-  };
-  std::sort(found.begin(), found.end(),
-            [&](const PolygonsContact& a, const PolygonsContact& b) { return key(a) < key(b); });
-  std::vector<PolygonsContact> contacts;
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    const bool is_first = k == 0 || found[k].i != found[k - 1].i || found[k].j != found[k - 1].j;
-    if (is_first && counts(found[k], allowed)) contacts.push_back(found[k]);
-  }
-  return contacts;
-}
 
 // The contacts by this number, which is below `count`; those with the same one keep their order. Without comparisons,
 // whose outcome nobody can predict.
@@ -42,25 +26,6 @@ std::vector<PolygonsContact> in_order_of(std::uint32_t PolygonsContact::* number
   for (const PolygonsContact& c : contacts) ordered[place[c.*number]++] = c;
   return ordered;
 }
-
-// Takes what is found. Contacts along a border follow each other.
-class Found {
- public:
-  auto taker() {
-    return [this](const PolygonsContact& c) {
-      const bool again = !found_.empty() && found_.back().i == c.i && found_.back().j == c.j &&
-                         found_.back().contact == c.contact && found_.back().kind == c.kind;
-      if (!again) found_.push_back(c);
-      return true;
-    };
-  }
-  std::vector<PolygonsContact> one_of_each(Allowed allowed) && {
-    return planar::one_of_each(std::move(found_), allowed);
-  }
-
- private:
-  std::vector<PolygonsContact> found_;
-};
 
 // Counts pairs that are added any number of times. Memory: at most 16 bytes for each pair.
 class PairCount {
@@ -93,6 +58,13 @@ class PairCount {
   std::vector<std::uint64_t> keys_;  // i, j, and whether they touch
   std::size_t full_ = 1 << 16;
 };
+
+PolygonsAllAnswer all_by(PolygonsFinder* find, std::span<const Polygon> polygons, const PolygonsOptions& options) {
+  LowestContacts found(static_cast<std::uint32_t>(polygons.size()), std::numeric_limits<std::size_t>::max() / 2,
+                       options.allowed);
+  const Cost cost = find(polygons, options, found);
+  return {found.take_in_order(), cost};
+}
 
 }  // namespace
 
@@ -144,23 +116,39 @@ PolygonsAllAnswer polygons_all_by_boxes(std::span<const Polygon> polygons, const
 }
 
 PolygonsAllAnswer polygons_all_by_grid(std::span<const Polygon> polygons, const PolygonsOptions& options) {
-  PolygonEdges edges(pointers_to(polygons));
-  Found found;
-  PolygonMeetings meetings(edges, options.groups, found.taker());
-  if (!take_contacts_by_grid(edges, {options.groups, true, options.progress}, meetings)) {
-    return polygons_all_by_sweep(polygons, options);
-  }
-  meetings.look_around_points();
-  meetings.look_inside();
-  return {std::move(found).one_of_each(options.allowed), meetings.cost};
+  return all_by(find_contacts_by_grid, polygons, options);
 }
 
 PolygonsAllAnswer polygons_all_by_sweep(std::span<const Polygon> polygons, const PolygonsOptions& options) {
+  return all_by(find_contacts_by_sweep, polygons, options);
+}
+
+Cost find_contacts_by_boxes(std::span<const Polygon> polygons, const PolygonsOptions& options, LowestContacts& found) {
+  Cost cost;
+  const auto add = [&](const PolygonsContact& c) { return found.add(c); };
+  if (for_each_meeting_pair(polygons, options, cost, add, &found.end())) return cost;
+  found.forget();
+  cost.probes += find_contacts_by_sweep(polygons, options, found).probes;
+  return cost;
+}
+
+Cost find_contacts_by_grid(std::span<const Polygon> polygons, const PolygonsOptions& options, LowestContacts& found) {
+  PolygonEdges edges(pointers_to(polygons));
+  PolygonMeetings meetings(edges, options.groups, [&](const PolygonsContact& c) { return found.add(c); });
+  if (!take_contacts_by_grid(edges, {options.groups, true, options.progress}, meetings)) {
+    found.forget();
+    return find_contacts_by_sweep(polygons, options, found);
+  }
+  meetings.look_around_points();
+  meetings.look_inside();
+  return meetings.cost;
+}
+
+Cost find_contacts_by_sweep(std::span<const Polygon> polygons, const PolygonsOptions& options, LowestContacts& found) {
   const PolygonEdges edges(pointers_to(polygons));
-  Found found;
-  PolygonSweep sweep(edges, options, found.taker());
+  PolygonSweep sweep(edges, options, [&](const PolygonsContact& c) { return found.add(c); });
   sweep.run();
-  return {std::move(found).one_of_each(options.allowed), sweep.cost};
+  return sweep.cost;
 }
 
 }  // namespace sunder::planar

@@ -9,6 +9,7 @@
 // faster: differences are below 2^10 then, n and d below 2^20, those of the middle of a piece below 2^42, the point's
 // numerators below 2^50, and products of these with a difference, and their sums, below 2^62.
 #include <sunder/number/dyadic.h>
+#include <sunder/planar/set/polygon_contacts_in_order.h>
 #include <sunder/planar/set/polygons_all.h>
 #include <sunder/planar/set/polygons_any.h>
 
@@ -199,6 +200,12 @@ PolygonsAllAnswer polygons_all_by_scan(std::span<const Polygon> polygons, const 
     }
   }
   return answer;
+}
+
+Cost find_contacts_by_scan(std::span<const Polygon> polygons, const PolygonsOptions& options, LowestContacts& found) {
+  const PolygonsAllAnswer all = polygons_all_by_scan(polygons, options);
+  for (const PolygonsContact& c : all.contacts) found.add(c);
+  return all.cost;
 }
 
 PolygonsAnswer polygons_any_by_scan(std::span<const Polygon> polygons, const PolygonsOptions& options) {
