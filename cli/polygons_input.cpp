@@ -42,20 +42,25 @@ class Reader {
   }
 
   PolygonsInput read() {
+    if (is_strict()) input_.skipped_kind = "not strictly simple feature";
     for (const std::string& name : request_.files) read_file(name);
     if (!input_.skipped.empty() && !request_.skip_invalid) refuse();
     for (std::uint32_t file = 0; file < input_.files.size(); ++file) {
       const bool some = std::any_of(input_.source.begin(), input_.source.end(),
                                     [&](const PolygonSource& source) { return source.file == file; });
       if (some) continue;
-      io::fail_file(request_.files[file], input_.skipped.empty()
-                                              ? "no polygon with an area is left; give others"
+      io::fail_file(request_.files[file], input_.skipped.empty() ? "no polygon with an area is left; give others"
+                                          : is_strict()
+                                              ? "no polygon is strictly simple, so nothing is left to ask about"
                                               : "no polygon is valid, so nothing is left to ask about");
     }
     return std::move(input_);
   }
 
  private:
+  // What is valid need not be strictly simple.
+  bool is_strict() const { return request_.rule == planar::PolygonRule::simple; }
+
   void read_file(const std::string& name) {
     const auto file = static_cast<std::uint32_t>(input_.files.size());
     input_.names.push_back(name);
@@ -134,13 +139,12 @@ class Reader {
   [[noreturn]] void refuse() const {
     const SkippedFeature& first = input_.skipped.front();
     const std::size_t others = input_.skipped.size() - 1;
-    const bool strict = request_.rule == planar::PolygonRule::simple;  // what is valid need not be
     const std::string what = fmt::format(
         "feature {}: is not {}: {}{}; mend it (sunder simple{} tells more{}), or give --skip-invalid to ask about the "
         "others",
-        input_.feature_text(first.file, first.feature), strict ? "strictly simple" : "valid", first.why,
+        input_.feature_text(first.file, first.feature), is_strict() ? "strictly simple" : "valid", first.why,
         others > 0 ? fmt::format("; nor {} {}", others == 1 ? "is" : "are", count_of(others, "other feature")) : "",
-        strict ? " --strict" : "", request_.mend ? "" : "; --mend does what is safe");
+        is_strict() ? " --strict" : "", request_.mend ? "" : "; --mend does what is safe");
     const std::string& name = input_.names[first.file];
     if (first.line > 0) io::fail_line(name, first.line, what);
     io::fail_file(name, what);
@@ -181,7 +185,7 @@ std::string PolygonsInput::feature_text(std::uint32_t file, std::uint32_t featur
 
 std::string PolygonsInput::left_out_words() const {
   std::string words;
-  if (!skipped.empty()) words = fmt::format("skipped: {}", count_of(skipped.size(), "invalid feature"));
+  if (!skipped.empty()) words = fmt::format("skipped: {}", count_of(skipped.size(), skipped_kind));
   if (!left_out.empty()) words += fmt::format("{}left out: {}", words.empty() ? "" : "; ", left_out.text());
   return words;
 }

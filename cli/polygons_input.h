@@ -58,6 +58,7 @@ struct PolygonsInput {
   std::vector<std::uint32_t> groups;  // of each polygon: where a group was asked for, a position in files[0].groups;
                                       // of two files, the file; else empty
   std::vector<SkippedFeature> skipped;
+  std::string skipped_kind = "invalid feature";  // what they are
   std::vector<MendedFeature> mended;
   LeftOutList left_out{true};
 

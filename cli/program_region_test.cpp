@@ -86,6 +86,13 @@ TEST_F(Program, Kernels) {
     }
   }
   EXPECT_EQ(run("kernel " + file + " --feature 3").code, 2);
+  write_text(file, "POLYGON ((0 0, 4 0, 4 0, 0 4, 0 0))\nPOLYGON ((0 0, 4 0, 0 4, 0 0))\n");  // valid, both
+  expect_bad("kernel " + file,
+             "two.wkt:1: feature 1: is not strictly simple: ring 0: vertices 1 and 2 are the same, "
+             "(4, 0); mend it (sunder simple --strict tells more; --mend does what is safe)");
+  EXPECT_NE(run("kernel --skip-invalid " + file).out.find("said of these only: skipped: 1 not strictly simple feature"),
+            std::string::npos);
+  EXPECT_EQ(run("kernel --mend " + file).code, 0);
   write_text(file, "POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))\n");
   EXPECT_EQ(run("kernel " + file).code, 2);
 }

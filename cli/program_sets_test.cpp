@@ -102,7 +102,7 @@ TEST_F(Program, PolygonsOfGroups) {
   const Run text = run("polygons " + map + " --group layer");
   EXPECT_NE(text.out.find("2 groups; those of one layer may meet\n"), std::string::npos) << text.out;
   EXPECT_NE(text.out.find(" of parcels, part 1 and "), std::string::npos) << text.out;
-  expect_bad("polygons " + map + " --group colour", "has no property 'colour'");
+  expect_bad("polygons " + map + " --group colour", "has no property 'colour'; give it one\n");
   expect_bad("polygons " + map + " --group ring", "rings belong to polygons");
   expect_bad("polygons " + map + " --group feature",
              "--group: each feature is one polygon, and its parts are not "

@@ -82,7 +82,8 @@ class GeoJson {
     const bool some = properties != feature.end() && properties->is_object();
     const auto value = some ? properties->find(group_) : nlohmann::json::const_iterator();
     if (!some || value == properties->end()) {
-      builder_.fail(fmt::format("has no property {}; give it one, or group by feature or ring", quote(group_)));
+      builder_.fail(fmt::format("has no property {}; give it one{}", quote(group_),
+                                builder_.options().lines ? ", or group by feature or ring" : ""));
     }
     if (value->is_string()) return value->get<std::string>();
     if (!value->is_number() && !value->is_boolean()) {
