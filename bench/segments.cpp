@@ -65,7 +65,7 @@ double allowed_sorts(SegmentFamily family, Question question, std::size_t n) {
   switch (question) {
     case Question::any: return family == SegmentFamily::mesh && n >= 1000000 ? 0.75 : local ? 1.5 : star ? 4 : 0;
     case Question::transcript: return local || star ? 6 : 0;
-    case Question::simple: return 3;
+    case Question::simple: return family == SegmentFamily::star && n >= 1000000 ? 2.5 : 3;
     case Question::all:
       if (family == SegmentFamily::crossed_mesh) return 3;
       return family == SegmentFamily::random ? 6 : 0;

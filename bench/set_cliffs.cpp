@@ -2,6 +2,7 @@
 
 #include <sunder/planar/set/polygons_all.h>
 #include <sunder/planar/set/polygons_any.h>
+#include <sunder/planar/set/segments_all.h>
 
 #include <cmath>
 #include <memory>
@@ -28,7 +29,67 @@ Asked ask_any(const std::shared_ptr<const std::vector<Polygon>>& polygons, Allow
   return [=]() -> std::uint64_t { return polygons_any(*polygons, options).meet() ? 1 : 0; };
 }
 
+using sunder::planar::Segment;
+using sunder::planar::Segments;
+
+std::shared_ptr<const Segments> shared(const std::vector<Segment>& given) { return std::make_shared<Segments>(given); }
+
+// So many lines across so many.
+std::shared_ptr<const Segments> hatch(std::size_t across, std::size_t along) {
+  std::vector<Segment> lines;
+  const double width = static_cast<double>(along), height = static_cast<double>(across);
+  for (std::size_t k = 0; k < across; ++k) {
+    lines.push_back({{-1, static_cast<double>(k)}, {width, static_cast<double>(k)}});
+  }
+  for (std::size_t k = 0; k < along; ++k) {
+    lines.push_back({{static_cast<double>(k), -1}, {static_cast<double>(k), height}});
+  }
+  return shared(lines);
+}
+
+std::vector<double> abscissas(const Segments& segments) {
+  std::vector<double> all;
+  for (const Segment& s : segments.all()) all.insert(all.end(), {s.a.x, s.b.x});
+  return all;
+}
+
 }  // namespace
+
+Contest net_contest(std::size_t n) {
+  const auto lines = hatch(n / 2, n / 2);
+  const std::vector<std::uint32_t> one_net(lines->size(), 0);
+  const std::uint64_t crossings = std::uint64_t{n / 2} * (n / 2);
+  Contest made;
+  made.keys.push_back(abscissas(*lines));
+  made.truths = {crossings};
+  made.subject = {"sunder", "one net", [=](std::size_t) -> Asked {
+                    return [=]() -> std::uint64_t {
+                      return crossings + segments_count(*lines, {Allowed::nothing, false, one_net}).count;
+                    };
+                  }};
+  made.peers = {{"itself", "no nets", [=](std::size_t) -> Asked {
+                   return [=]() -> std::uint64_t { return segments_count(*lines).count; };
+                 }}};
+  return made;
+}
+
+Contest overlaps_contest(std::size_t n) {
+  std::vector<Segment> pieces;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double at = static_cast<double>(k), end = at + static_cast<double>(n);
+    pieces.push_back({{at, 2 * at}, {end, 2 * end}});
+  }
+  const auto overlapping = shared(pieces), crossing = hatch(n / 2, n - 1);
+  Contest made;
+  made.keys.push_back(abscissas(*overlapping));
+  made.truths = {std::uint64_t{n} * (n - 1) / 2};
+  const auto ask = [](const std::shared_ptr<const Segments>& segments) -> Asked {
+    return [=]() -> std::uint64_t { return segments_count(*segments).count; };
+  };
+  made.subject = {"sunder", "overlaps", [=](std::size_t) { return ask(overlapping); }};
+  made.peers = {{"itself", "crossings", [=](std::size_t) { return ask(crossing); }}};
+  return made;
+}
 
 Contest frames_contest(std::size_t n) {
   auto polygons = std::make_shared<std::vector<Polygon>>();

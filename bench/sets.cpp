@@ -106,15 +106,24 @@ std::vector<Plan> plans() {
     list.push_back(plan("polygons any", family, SetKind::polygons, any, twice));
   }
   list.push_back(plan("polygons all", SetFamily::crowded_coins, SetKind::polygons, all, twice));
-  Demand a_third, star;
+  Demand a_third, a_half, a_quarter, star;
   a_third.library = "itself";
   a_third.peers = 1.0 / 3;
+  a_half.library = a_quarter.library = a_third.library;
+  a_half.peers = 1.0 / 2;
+  a_quarter.peers = 1.0 / 4;
   star.most_sorts = 20;
   list.push_back({"frames", "polygons any", a_third, {1000, 10000, 100000}, [](std::size_t n, std::uint64_t) {
                     return frames_contest(n);
                   }});
   list.push_back({"many inside a star", "polygons all", star, {1000, 40000}, [](std::size_t n, std::uint64_t) {
                     return star_contest(n);
+                  }});
+  list.push_back({"cross-hatch", "segments count", a_half, {1000, 4000}, [](std::size_t n, std::uint64_t) {
+                    return net_contest(n);
+                  }});
+  list.push_back({"overlaps", "segments count", a_quarter, {1000, 4000}, [](std::size_t n, std::uint64_t) {
+                    return overlaps_contest(n);
                   }});
   return list;
 }
@@ -126,9 +135,10 @@ int main(int argc, char** argv) {
   const bench::Program program{
       "bench_sets",
       "The sort: of the 2 N ends of the objects in x, with indices; for many inside a star, of its 4 N "
-      "vertices. \"itself\": Sunder with nothing allowed, where touching is.",
+      "vertices. \"itself\": Sunder with nothing allowed, where touching is; without nets; of as many crossings, where "
+      "these are overlaps.",
       {"cgal", "geos", "boost", "itself"},
-      {"circles", "circles any", "circles all", "convex", "polygons"},
+      {"circles", "circles any", "circles all", "convex", "polygons", "segments"},
       bench::plans()};
   return bench::run(program, argc, argv);
 }

@@ -1,4 +1,4 @@
-#include <sunder/number/double_double.h>
+#include <sunder/base/lanes.h>
 #include <sunder/predicate/orient.h>
 #include <sunder/predicate/stages.h>
 
@@ -13,26 +13,50 @@ Sign orient_2d_along_axis(int axis, const P& a, const P& b, const P& c, StageTal
   return decide(tally, orient_2d_formula<2>, a, b, c);
 }
 
-// The sign of left - right, for the products of two tame numbers each. A product is the sum of two doubles, of which
-// the first is the product rounded: rounding keeps the order, so where the first ones differ they tell, else the
-// second.
-Sign compare_products(double left_a, double left_b, double right_a, double right_b) {
-  const DoubleDouble left = exact_product(left_a, left_b), right = exact_product(right_a, right_b);
-  return left > right ? Sign::positive : left < right ? Sign::negative : Sign::zero;
+// Two sums of two doubles each: the rounded numbers, and what rounding left of them.
+struct TwoExact {
+  Lanes rounded, rest;
+};
+
+// As exact_sum and exact_product of number/double_double.h, on two at once.
+TwoExact exact_differences(Lanes a, Lanes b) {
+  const Lanes difference = a - b, of_b = a - difference;
+  return {difference, (a - (difference + of_b)) + (of_b - b)};
+}
+TwoExact exact_products(Lanes a, Lanes b) {
+  const auto upper_halves = [](Lanes x) {
+    const Lanes c = 0x1.0000002p27 * x;  // 2^27 + 1
+    return c - (c - x);
+  };
+  const Lanes product = a * b;
+  const Lanes a1 = upper_halves(a), a2 = a - a1, b1 = upper_halves(b), b2 = b - b1;
+  return {product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2};
 }
 
-// A difference that a double holds, and whose products neither overflow nor underflow.
-bool is_exact(const DoubleDouble& difference) { return difference.low == 0 && tame(difference.high); }
+// Differences that doubles hold, and whose products neither overflow nor underflow.
+bool are_exact(const TwoExact& differences) {
+  const Lanes size = absolute(differences.rounded);
+  const LanesMask tame = ((size >= 0x1p-280) & (size <= 0x1p280)) | (size == 0.0);
+  return bits_of(tame & (differences.rest == 0.0)) == 3;
+}
+
+// The sign of the first product minus the second one. Rounding keeps their order, so where the rounded ones differ they
+// tell, else the rests.
+Sign compare_products(Lanes a, Lanes b) {
+  const TwoExact products = exact_products(a, b);
+  const Lanes& decisive = products.rounded[0] != products.rounded[1] ? products.rounded : products.rest;
+  return decisive[0] > decisive[1] ? Sign::positive : decisive[0] < decisive[1] ? Sign::negative : Sign::zero;
+}
 
 }  // namespace
 
 Sign orient_2d_further(const Point2& a, const Point2& b, const Point2& c, StageTally* tally) {
   // Coordinates that are small integers, or multiples of one number: a tie is told without exact numbers.
-  const DoubleDouble ux = exact_sum(b.x, -a.x), uy = exact_sum(b.y, -a.y);
-  const DoubleDouble vx = exact_sum(c.x, -a.x), vy = exact_sum(c.y, -a.y);
-  if (is_exact(ux) && is_exact(uy) && is_exact(vx) && is_exact(vy)) {
+  const Lanes from = lanes_at(&a.x);
+  const TwoExact u = exact_differences(lanes_at(&b.x), from), v = exact_differences(lanes_at(&c.x), from);
+  if (are_exact(u) && are_exact(v)) {
     if (tally) ++tally->rounded;
-    return compare_products(ux.high, vy.high, uy.high, vx.high);
+    return compare_products(u.rounded, swapped(v.rounded));
   }
   const auto in_space = [](const Point2& p) { return Point3{p.x, p.y, 0}; };
   return decide(tally, orient_2d_formula<2>, in_space(a), in_space(b), in_space(c));

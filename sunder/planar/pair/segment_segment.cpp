@@ -54,6 +54,7 @@ ContactKind segment_segment(const Segment& s, const Segment& t, StageTally* tall
   }
   const Sign ta = orient_2d(s.a, s.b, t.a, tally), tb = orient_2d(s.a, s.b, t.b, tally);
   if (ta == tb && ta != Sign::zero) return ContactKind::none;
+  if (ta == Sign::zero && tb == Sign::zero && s.a != s.b) return on_one_line(s, t);
   const Sign sa = orient_2d(t.a, t.b, s.a, tally), sb = orient_2d(t.a, t.b, s.b, tally);
   if (sa == sb && sa != Sign::zero) return ContactKind::none;
   const bool one_line = ta == Sign::zero && tb == Sign::zero && sa == Sign::zero && sb == Sign::zero;

@@ -2,12 +2,15 @@
 #include <sunder/predicate/orient.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace sunder::planar {
 
 ContactBundle::ContactBundle(const Segments& segments, const SegmentsOptions& options, const ContactVisitor& visit,
                              Cost& cost)
-    : segments_(segments), options_(options), visit_(visit), cost_(cost) {}
+    : segments_(segments), options_(options), visit_(visit), cost_(cost), line_of_(segments.size()) {
+  std::iota(line_of_.begin(), line_of_.end(), 0u);
+}
 
 void ContactBundle::set(std::span<const std::uint32_t> row, std::span<const std::uint32_t> begins,
                         std::span<const std::uint32_t> points, const Point2* p) {
@@ -27,11 +30,13 @@ void ContactBundle::read_row(std::span<const std::uint32_t> row, const Point2* p
   lines_ = 0;
   for (std::size_t k = 0; k < row.size(); ++k) {
     const Segment& s = segments_[row[k]];
-    if (k > 0 && turn(segments_[row[k - 1]].a, segments_[row[k - 1]].b, s.a) != Sign::zero) ++lines_;
+    if (k > 0 && !on_one_line(row[k - 1], row[k])) ++lines_;
     row_.push_back(member(row[k]));
     row_.back().back = lines_;
     (p != nullptr && s.b == *p ? ending_ : passing_).push_back(row_.back());
   }
+  in_row_ = passing_.size();
+  if (lines_ == 0) return;
   // The lines change their order at the point; those on one line do not.
   std::reverse(passing_.begin(), passing_.end());
   for (std::size_t begin = 0, end; begin < passing_.size(); begin = end) {
@@ -39,7 +44,6 @@ void ContactBundle::read_row(std::span<const std::uint32_t> row, const Point2* p
     std::reverse(passing_.begin() + static_cast<std::ptrdiff_t>(begin),
                  passing_.begin() + static_cast<std::ptrdiff_t>(end));
   }
-  in_row_ = passing_.size();
 }
 
 void ContactBundle::put_in_order_after() {
@@ -47,6 +51,7 @@ void ContactBundle::put_in_order_after() {
             [&](const Member& x, const Member& y) { return is_lower(x.segment, y.segment); });
   after_.clear();
   const Member* last = nullptr;
+  std::size_t run = 0;  // where the last line begins in after_
   const auto append = [&](Member& next) {
     if (last != nullptr) {
       const bool both_pass = last->back != nowhere && next.back != nowhere;
@@ -54,6 +59,8 @@ void ContactBundle::put_in_order_after() {
                                 ? last->back == next.back
                                 : turn(point_, segments_[last->segment].b, segments_[next.segment].b) == Sign::zero;
       lines_ += one_line ? 0 : 1;
+      if (!one_line) run = after_.size();
+      if (one_line && !both_pass) join(*last, next, run);
     }
     next.on = lines_;
     after_.push_back(next.segment);
@@ -70,6 +77,15 @@ void ContactBundle::put_in_order_after() {
   for (; passing != passing_.end(); ++passing) append(*passing);
 }
 
+// One of the two begins: those of the run that do are on the line of the other one.
+void ContactBundle::join(const Member& last, const Member& next, std::size_t run) {
+  if (next.back == nowhere) {
+    line_of_[next.segment] = line_of_[last.segment];
+    return;
+  }
+  for (std::size_t k = run; k < after_.size(); ++k) line_of_[after_[k]] = line_of_[next.segment];
+}
+
 void ContactBundle::add_aside(std::span<const std::uint32_t> segments) {
   const Segment& s = segments_[segments[0]];
   // Where it is on a line of others that go back, or begin.
@@ -81,6 +97,9 @@ void ContactBundle::add_aside(std::span<const std::uint32_t> segments) {
   });
   const bool goes_back_with = before != row_.end() && turn(point_, s.a, segments_[before->segment].a) == Sign::zero;
   const bool goes_on_with = after != begins_.end() && turn(point_, s.b, segments_[after->segment].b) == Sign::zero;
+  if (goes_on_with) {
+    for (auto m = after; m != begins_.end() && m->on == after->on; ++m) line_of_[m->segment] = line_of_[segments[0]];
+  }
   ++lines_;
   for (const std::uint32_t i : segments) {
     passing_.push_back(member(i));
@@ -96,11 +115,11 @@ bool ContactBundle::visit() {
   const bool touches = counts(ContactKind::touch, options_.allowed);
   const bool shared_ends = counts(ContactKind::shared_endpoint, options_.allowed);
   if (touches) {
-    std::sort(passing_.begin(), passing_.end(), by_group);
+    if (!options_.groups.empty()) std::sort(passing_.begin(), passing_.end(), by_group);
     if (!give_between(ending_, passing_)) return false;
   }
   if (shared_ends) {
-    std::sort(ending_.begin(), ending_.end(), by_group);
+    if (!options_.groups.empty()) std::sort(ending_.begin(), ending_.end(), by_group);
     if (!give_within(ending_)) return false;
   }
   return (touches && shared_ends) || give_overlaps(!touches, !shared_ends);
@@ -130,7 +149,7 @@ void ContactBundle::set_keys() {
 }
 
 bool ContactBundle::give_crossings() {
-  if (in_row_ < 2) return true;
+  if (in_row_ < 2 || passing_[0].on == passing_[in_row_ - 1].on) return true;  // all on one line
   set_keys();
   const auto key = [&](std::size_t cell) -> const Key& { return keys_[cells_[cell]]; };
   std::size_t others = 0;  // cells of a lower major
@@ -183,6 +202,10 @@ bool ContactBundle::give_within(Members in_groups) {
 bool ContactBundle::give_between(Members some, Members in_groups) {
   const auto by_group = [](const Member& x, const Member& y) { return x.group < y.group; };
   for (const Member& x : some) {
+    if (options_.groups.empty()) {
+      if (!std::all_of(in_groups.begin(), in_groups.end(), [&](const Member& y) { return give(x, y); })) return false;
+      continue;
+    }
     const auto own = std::equal_range(in_groups.begin(), in_groups.end(), x, by_group);
     for (auto y = in_groups.begin(); y != in_groups.end();) {
       if (y == own.first && own.first != own.second) {

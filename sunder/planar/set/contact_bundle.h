@@ -24,8 +24,9 @@ class ContactBundle {
   // Keeps references.
   ContactBundle(const Segments& segments, const SegmentsOptions& options, const ContactVisitor& visit, Cost& cost);
 
-  // Those at a point p. row: alive just before, from below to above; begins: those that begin; points: of length zero.
-  // p may be null where none begins or ends.
+  // Those at a point p. Requires that it was called, and where need be add_aside, for each place before at which one of
+  // these began that was not alone there. row: alive just before, from below to above; begins: those that begin;
+  // points: of length zero. p may be null where none begins or ends.
   void set(std::span<const std::uint32_t> row, std::span<const std::uint32_t> begins,
            std::span<const std::uint32_t> points, const Point2* p);
 
@@ -38,6 +39,10 @@ class ContactBundle {
 
   // Gives the pairs that count. False: the visitor does not want more.
   bool visit();
+
+  // Of two that the sweep line cuts at one time: are they on one line? It was told when the later one began, as long as
+  // each bundle was set in which a segment begins that is not alone. No comparison.
+  bool on_one_line(std::uint32_t i, std::uint32_t j) const { return line_of_[i] == line_of_[j]; }
 
  private:
   static constexpr std::uint32_t nowhere = no_segment;
@@ -54,6 +59,7 @@ class ContactBundle {
   Member member(std::uint32_t i) const { return {i, options_.groups.empty() ? i : options_.groups[i]}; }
   void read_row(std::span<const std::uint32_t> row, const Point2* p);
   void put_in_order_after();
+  void join(const Member& last, const Member& next, std::size_t run);
   Sign turn(const Point2& p, const Point2& q, const Point2& r);
   bool is_lower(std::uint32_t i, std::uint32_t j);
 
@@ -74,8 +80,9 @@ class ContactBundle {
   std::vector<Member> begins_;   // in order just after the point
   std::vector<Member> ending_;   // all of which an end is the point: those too
   std::vector<std::uint32_t> after_;
-  std::size_t in_row_ = 0;   // so many of passing_ are of the row
-  std::uint32_t lines_ = 0;  // so many numbers are taken
+  std::vector<std::uint32_t> line_of_;  // of each segment: the number of one that is on its line, itself at first
+  std::size_t in_row_ = 0;              // so many of passing_ are of the row
+  std::uint32_t lines_ = 0;             // so many numbers are taken
   std::vector<Key> keys_, swapped_;
   std::vector<std::size_t> cells_;  // of keys_: where major or minor change; and the end
 };

@@ -17,6 +17,7 @@ namespace {
 struct Made {
   std::vector<Segment> given;
   std::vector<std::uint32_t> groups, row, begins, points, aside;
+  std::vector<Point2> way;
 };
 
 Made make(Random& random, std::uint64_t most, std::uint64_t group_count) {
@@ -30,6 +31,7 @@ Made make(Random& random, std::uint64_t most, std::uint64_t group_count) {
     const double back = is_aside ? 1 : static_cast<double>(random.below(3));
     const double on = is_aside ? 2 : static_cast<double>(random.below(3));
     made.given.push_back({{-back * way.x, -back * way.y}, {on * way.x, on * way.y}});
+    made.way.push_back(way);
     made.groups.push_back(static_cast<std::uint32_t>(random.below(group_count)));
     (is_aside ? made.aside : back > 0 ? made.row : on > 0 ? made.begins : made.points).push_back(i);
   }
@@ -38,6 +40,20 @@ Made make(Random& random, std::uint64_t most, std::uint64_t group_count) {
     return side == Sign::negative || (side == Sign::zero && i < j);
   });
   return made;
+}
+
+// What comes before: those that go back begin on lines by themselves, two steps before the origin and one.
+void begin_before(ContactBundle& bundle, const Made& made) {
+  for (std::uint32_t i = 0; i < made.given.size(); ++i) {
+    std::vector<std::uint32_t> first, second;
+    for (std::uint32_t j = 0; j < made.given.size(); ++j) {
+      if (made.way[j] != made.way[i]) continue;
+      if (made.given[j].a == Point2{-2 * made.way[i].x, -2 * made.way[i].y}) first.push_back(j);
+      if (made.given[j].a == Point2{-made.way[i].x, -made.way[i].y}) second.push_back(j);
+    }
+    if (!first.empty()) bundle.set({}, first, {}, &made.given[first[0]].a);
+    if (!second.empty()) bundle.set(first, second, {}, &made.given[second[0]].a);
+  }
 }
 
 TEST(ContactBundleTest, GivesThePairsThatCount) {
@@ -69,6 +85,7 @@ TEST(ContactBundleTest, GivesThePairsThatCount) {
     };
     Cost cost;
     ContactBundle bundle(segments, options, visit, cost);
+    begin_before(bundle, made);
     bundle.set(made.row, made.begins, made.points, &origin);
     std::vector<std::uint32_t> after;
     for (const std::uint32_t i : made.row) {
@@ -82,12 +99,19 @@ TEST(ContactBundleTest, GivesThePairsThatCount) {
     ASSERT_EQ(bundle.after(), after) << turn;
     if (!made.aside.empty()) bundle.add_aside(made.aside);
     ASSERT_TRUE(bundle.visit());
+    for (std::uint32_t j = 0; j < segments.size(); ++j) {
+      for (std::uint32_t i = 0; i < j; ++i) {
+        if (segments[i].b == origin || segments[j].b == origin) continue;  // not at one time on the line
+        ASSERT_EQ(bundle.on_one_line(i, j), made.way[i] == made.way[j]) << turn;
+      }
+    }
     std::sort(given.begin(), given.end());
     std::sort(truth.begin(), truth.end());
     ASSERT_EQ(given, truth) << turn;
     if (truth.empty()) continue;
     const ContactVisitor stop = [](const SegmentsContact&) { return false; };
     ContactBundle stopped(segments, options, stop, cost);
+    begin_before(stopped, made);
     stopped.set(made.row, made.begins, made.points, &origin);
     if (!made.aside.empty()) stopped.add_aside(made.aside);
     ASSERT_FALSE(stopped.visit()) << turn;
@@ -108,7 +132,7 @@ TEST(ContactBundleTest, PairsThatDoNotCountAreFree) {
     const double k = i;
     fan.push_back({{0, 0}, {n, k}});
     pencil.push_back({{-1.0 * n, -k}, {n, k}});
-    line.push_back({{-1 - k, 0}, {n + k, 0}});
+    line.push_back({{-1.0 * n, 0}, {n + k, 0}});
     all[i] = i;
     reversed[n - 1 - i] = i;
   }
@@ -120,6 +144,8 @@ TEST(ContactBundleTest, PairsThatDoNotCountAreFree) {
     };
     Cost cost;
     ContactBundle bundle(segments, options, none, cost);
+    if (!begin && segments[0].a == segments[n - 1].a) bundle.set({}, all, {}, &segments[0].a);
+    cost = {};
     bundle.set(begin ? std::span<const std::uint32_t>() : reversed, begin ? all : std::span<const std::uint32_t>(), {},
                &origin);
     EXPECT_TRUE(bundle.visit());

@@ -1,6 +1,7 @@
 // Radix sort by the leading bits of x, then comparisons among those that are equal there.
 #include <sunder/planar/set/ends_in_order.h>
 #include <sunder/planar/set/keyed_order.h>
+#include <sunder/planar/set/prefetch.h>
 
 #include <algorithm>
 #include <array>
@@ -91,8 +92,8 @@ std::vector<std::uint32_t> ends_in_order(std::span<const Segment> segments) {
       for (end = run + 1; end < entries.size() && are_equal(run, end);) ++end;
       for (std::size_t k = run + ahead; k < std::min(end + ahead, entries.size()); ++k) {  // where it will compare
         if (are_equal(k - 1, k)) {
-          __builtin_prefetch(&segments[end_of(entries[k - 1]) / 2]);
-          __builtin_prefetch(&segments[end_of(entries[k]) / 2]);
+          prefetch(segments[end_of(entries[k - 1]) / 2]);
+          prefetch(segments[end_of(entries[k]) / 2]);
         }
       }
       const auto at = entries.begin() + static_cast<std::ptrdiff_t>(run);

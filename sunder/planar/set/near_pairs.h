@@ -4,6 +4,7 @@
 #include <sunder/base/cost.h>
 #include <sunder/planar/object/lanes_box.h>
 #include <sunder/planar/set/contact_rule.h>
+#include <sunder/planar/set/prefetch.h>
 #include <sunder/planar/set/segment_grid.h>
 
 #include <algorithm>
@@ -113,7 +114,7 @@ bool for_each_near_pair(std::span<const Segment> segments, const SegmentGrid& gr
     }
     if (progress && c % 65536 == 0) progress(static_cast<double>(c) / cells);
     if (c + ahead < cells) {
-      for (const std::uint32_t i : grid.cell(c + ahead)) __builtin_prefetch(&segments[i]);
+      for (const std::uint32_t i : grid.cell(c + ahead)) prefetch(segments[i]);
     }
     const auto cell = grid.cell(c);
     if (cell.size() < 2 || cell.size() > crowd) continue;

@@ -1,6 +1,7 @@
 #include <sunder/planar/set/ends_in_order.h>
 #include <sunder/planar/set/near_pairs.h>
 #include <sunder/planar/set/polygon_simple.h>
+#include <sunder/planar/set/prefetch.h>
 #include <sunder/planar/set/segments_any.h>
 
 #include <algorithm>
@@ -49,7 +50,7 @@ PolygonSimpleAnswer by_sweep(const Polygon& polygon, const Segments& edges) {
   const std::vector<std::uint32_t> ends = ends_in_order(edges.all());
   constexpr std::size_t ahead = 16;
   for (std::size_t k = 2; k < ends.size(); ++k) {
-    if (k + ahead < ends.size()) __builtin_prefetch(&edges[ends[k + ahead] / 2]);
+    if (k + ahead < ends.size()) prefetch(edges[ends[k + ahead] / 2]);
     ++answer.cost.probes;
     if (end_point(edges.all(), ends[k - 2]) != end_point(edges.all(), ends[k])) continue;
     std::array vertices{vertex_at(ends[k - 2]), vertex_at(ends[k - 1]), vertex_at(ends[k])};

@@ -23,7 +23,11 @@
 //   A point on t: points come before what begins, so t is the only one through p, and the point is put next to it.
 // Two segments that only share an end, last of one and first of the other, are never neighbours, as what ends leaves
 // first. Where shared ends count, equal events are looked for instead.
+//   So only those are looked at that are neighbours when all of a place has left, or entered. Of two that begin where
+// nothing in the list is, the second one stands next to the first; of two neighbours that end in one point, the first
+// one leaves no new neighbours that last.
 #include <sunder/planar/set/ends_in_order.h>
+#include <sunder/planar/set/prefetch.h>
 #include <sunder/planar/set/segments_all.h>
 #include <sunder/planar/set/segments_any.h>
 #include <sunder/planar/set/sweep_status.h>
@@ -49,9 +53,10 @@ class Sweep {
       if (options_.progress && k % 65536 == 0) {
         options_.progress(static_cast<double>(k) / static_cast<double>(ends.size()));
       }
-      if (k + ahead < ends.size()) __builtin_prefetch(&segments_[ends[k + ahead] / 2]);
+      if (k + ahead < ends.size()) prefetch(segments_[ends[k + ahead] / 2]);
       if (options_.allowed == Allowed::nothing && k + 1 < ends.size()) test_equal_ends(ends[k], ends[k + 1]);
-      ends[k] % 2 == 0 ? enter(i) : leave(i);
+      const std::uint32_t next = k + 1 < ends.size() ? ends[k + 1] : none;
+      ends[k] % 2 == 0 ? enter(i, next) : leave(i, next);
     }
     if (answer_.meet()) {
       answer_.transcript = {};
@@ -63,6 +68,7 @@ class Sweep {
 
  private:
   static constexpr std::size_t ahead = 12;
+  static constexpr std::uint32_t none = no_segment;
 
   void test_equal_ends(std::uint32_t end, std::uint32_t next) {
     if (end / 2 != next / 2 && end_point(segments_.all(), end) == end_point(segments_.all(), next)) {
@@ -70,17 +76,39 @@ class Sweep {
     }
   }
 
-  void enter(std::uint32_t i) {
+  // next: the end that follows.
+  void enter(std::uint32_t i, std::uint32_t next) {
+    if (i == entered_) return;
     const Segment& s = segments_[i];
     begins_on_another_ = false;
     const auto around = status_.insert(i, [&](const Segment& other) { return is_above(s, other); });
     if (options_.transcript) answer_.transcript.below.push_back(around.below);
+    if (!begins_on_another_ && next != none && next % 2 == 0 && segments_[next / 2].a == s.a) {
+      return enter_beside(i, next / 2, around.below, around.above);
+    }
     test_neighbours(around.below, i, begins_on_another_);
     test_neighbours(i, around.above, begins_on_another_);
   }
 
-  void leave(std::uint32_t i) {
+  // Segment j, which begins where i does, and nothing else yet in the list holds that point: next to i.
+  void enter_beside(std::uint32_t i, std::uint32_t j, std::uint32_t below, std::uint32_t above) {
+    const Segment &s = segments_[i], &t = segments_[j];
+    ++answer_.cost.probes;
+    const Sign side = orient_2d(s.a, s.b, t.b);
+    const bool is_above = side != Sign::negative;
+    status_.insert_above(is_above ? i : below, j);
+    if (options_.transcript) answer_.transcript.below.push_back(is_above ? i : below);
+    test_neighbours(below, is_above ? i : j, false);
+    if (side == Sign::zero) test(i, j);
+    test_neighbours(is_above ? j : i, above, false);
+    entered_ = j;
+  }
+
+  void leave(std::uint32_t i, std::uint32_t next) {
     const auto around = status_.erase(i);
+    const std::uint32_t j = next / 2;
+    const bool leaves_too = next % 2 == 1 && (j == around.below || j == around.above);
+    if (leaves_too && segments_[j].b == segments_[i].b) return;  // and then those around both are looked at
     test_neighbours(around.below, around.above, false);
   }
 
@@ -122,6 +150,7 @@ class Sweep {
   SweepStatus<Segment> status_;
   SegmentsAnswer answer_;
   bool begins_on_another_ = false;  // does the segment that enters begin on one that it was compared with?
+  std::uint32_t entered_ = none;    // the last one that entered beside another, whose turn is still to come
 };
 
 // Members of a group may cross, many times: up to the first contact that counts.

@@ -90,9 +90,48 @@ class SweepStatus {
     return around;
   }
 
+  // The first and the last item of a list that is not empty.
+  std::uint32_t lowest() const {
+    std::uint32_t node = root_;
+    for (int level = height_; level > 1; --level) node = inners_[node].child[0];
+    return leaves_[node].item[0];
+  }
+  std::uint32_t highest() const {
+    std::uint32_t node = root_;
+    for (int level = height_; level > 1; --level) node = inners_[node].child[inners_[node].count - 1];
+    return leaves_[node].item[leaves_[node].count - 1];
+  }
+
   Neighbours neighbours_of(std::uint32_t item) const {
     const Leaf& leaf = leaves_[leaf_of_[item]];
     return neighbours(leaf, place_in(leaf, item));
+  }
+
+  // Asks take(other) of what stands below an item of the list, or above it, from near to far, until that is false.
+  // Returns the item for which it was, or none.
+  template <class Take>
+  std::uint32_t walk_down(std::uint32_t item, const Take& take) const {
+    std::uint32_t node = leaf_of_[item], at = place_in(leaves_[node], item);
+    for (;;) {
+      for (; at > 0; --at) {
+        if (const std::uint32_t other = leaves_[node].item[at - 1]; !take(other)) return other;
+      }
+      node = leaves_[node].before;
+      if (node == none) return none;
+      at = leaves_[node].count;
+    }
+  }
+  template <class Take>
+  std::uint32_t walk_up(std::uint32_t item, const Take& take) const {
+    std::uint32_t node = leaf_of_[item], at = place_in(leaves_[node], item) + 1;
+    for (;;) {
+      for (; at < leaves_[node].count; ++at) {
+        if (const std::uint32_t other = leaves_[node].item[at]; !take(other)) return other;
+      }
+      node = leaves_[node].after;
+      if (node == none) return none;
+      at = 0;
+    }
   }
 
   // Two items of the list change places.

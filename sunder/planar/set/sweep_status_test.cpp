@@ -15,6 +15,27 @@
 namespace sunder::planar {
 namespace {
 
+// From an item of the list to another one, up and down, and beyond its ends.
+void expect_walks(const SweepStatus<std::uint64_t>& status, const std::vector<std::uint32_t>& listed, Random& random) {
+  const std::size_t from = random.below(listed.size()), to = random.below(listed.size() + 1);
+  const std::uint32_t last = to < listed.size() ? listed[to] : SweepStatus<std::uint64_t>::none;
+  std::vector<std::uint32_t> walked;
+  const auto take = [&](std::uint32_t item) {
+    if (item == last) return false;
+    walked.push_back(item);
+    return true;
+  };
+  const auto at = [&](std::size_t k) { return listed.begin() + static_cast<std::ptrdiff_t>(k); };
+  if (to > from) {
+    EXPECT_EQ(status.walk_up(listed[from], take), last);
+    EXPECT_EQ(walked, std::vector<std::uint32_t>(at(from + 1), at(to)));
+    return;
+  }
+  EXPECT_EQ(status.walk_down(listed[from], take), to < from ? last : SweepStatus<std::uint64_t>::none);
+  std::reverse(walked.begin(), walked.end());
+  EXPECT_EQ(walked, std::vector<std::uint32_t>(at(to < from ? to + 1 : 0), at(from)));
+}
+
 // Items are ordered by their keys. Grows, shrinks to nothing and grows again, so that blocks are split, dropped,
 // reused.
 TEST(SweepStatusTest, IsAnOrderedList) {
@@ -56,6 +77,10 @@ TEST(SweepStatusTest, IsAnOrderedList) {
     }
     longest = std::max(longest, listed.size());
     emptied += listed.empty();
+    if (listed.empty()) continue;
+    ASSERT_EQ(status.lowest(), listed.front());
+    ASSERT_EQ(status.highest(), listed.back());
+    if (step % 64 == 0) expect_walks(status, listed, random);
   }
   EXPECT_GT(longest, 1000u);
   EXPECT_GT(emptied, 0);

@@ -44,6 +44,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace sunder::planar {
 
@@ -215,16 +216,26 @@ class Balaban {
       const std::uint32_t i = ends_[e] / 2;
       if (ends_[e] % 2 == 0) (last_[i] == place ? points_ : begin_).push_back(i);
     }
-    at_list(point(place));
+    at_list(place, point(place));
     at_staircases(point(place));
     if (!stopped_) stopped_ = !bundle_.visit();
   }
 
-  void at_list(const Point2& p) {
+  // Where nothing begins, and all that hold the place are on one line, their overlaps were given before.
+  void at_list(std::uint32_t place, const Point2& p) {
     const auto low = std::partition_point(list_.begin(), list_.end(),
                                           [&](std::uint32_t i) { return side_of(p, i) == Sign::positive; });
     auto high = low;
-    while (high != list_.end() && side_of(p, *high) == Sign::zero) ++high;
+    const auto goes_on = [&] { return high != low && bundle_.on_one_line(*(high - 1), *high); };
+    while (high != list_.end() && (goes_on() || side_of(p, *high) == Sign::zero)) ++high;
+    leaving_.clear();
+    if (begin_.empty() && points_.empty() && low != high && bundle_.on_one_line(*low, *(high - 1))) {
+      const auto leaves = [&](std::uint32_t i) { return last_[i] == place; };
+      std::copy_if(low, high, std::back_inserter(leaving_), leaves);
+      bundle_.set(leaving_, {}, {}, &p);
+      list_.erase(std::remove_if(low, high, leaves), high);
+      return;
+    }
     bundle_.set({low, high}, begin_, points_, &p);
     const std::vector<std::uint32_t>& after = bundle_.after();
     const auto both = std::min(high - low, static_cast<std::ptrdiff_t>(after.size()));
@@ -244,9 +255,12 @@ class Balaban {
       while (below < staircase.last && look(below) == Sign::positive) ++below;
       std::uint32_t above = below;
       passing_.clear();  // all on one line: stairs do not cross
-      while (above < staircase.last && side == Sign::zero) {
+      bool holds = below < staircase.last && side == Sign::zero;
+      if (holds && !leaving_.empty() && bundle_.on_one_line(stairs_[below].segment, leaving_[0])) holds = false;
+      while (holds) {
         if (!stairs_[above].lent) passing_.push_back(stairs_[above].segment);
-        if (++above < staircase.last) look(above);
+        ++above;
+        holds = above < staircase.last && bundle_.on_one_line(stairs_[above - 1].segment, stairs_[above].segment);
       }
       if (!passing_.empty()) bundle_.add_aside(passing_);
       for (const std::uint32_t i : begin_) walk(i, staircase, below, above);
@@ -323,7 +337,8 @@ class Balaban {
   std::vector<Stair> stairs_;                 // of the strips around, one staircase after another, the innermost last
   std::vector<Staircase> staircases_;
   std::vector<std::uint32_t> begin_, points_, passing_;  // at a place
-  std::vector<std::uint32_t> stands_;  // of those in the list: the number in stairs_ of the first stair above
+  std::vector<std::uint32_t> leaving_;  // at a place where segments of one line end and nothing else is in the list
+  std::vector<std::uint32_t> stands_;   // of those in the list: the number in stairs_ of the first stair above
   bool stopped_ = false;
   Cost cost_;
   ContactBundle bundle_{segments_, options_, visit_, cost_};

@@ -9,7 +9,7 @@
 // of the other. Where it ends on the other one, the end is marked, so that an end where nothing happens can be told
 // without looking for a row.
 // Overlaps: of two on one line either may stand above the other as long as they overlap. They are given at their first
-// common point, where one of them begins.
+// common point, where one of them begins; where one ends on others of its line only, nothing happens.
 // The bundle of p is complete: just before p, those in the list that hold p have nothing else between them.
 #include <sunder/planar/set/contact_bundle.h>
 #include <sunder/planar/set/ends_in_order.h>
@@ -92,7 +92,7 @@ class BentleyOttmann {
     const Crossing p = crossing_of(event);
     const Enclosure2 in = enclosure(p);
     gather(event.lower, [&](std::uint32_t i) {
-      if (i == event.lower || i == event.upper) return true;
+      if (bundle_.on_one_line(i, event.lower) || bundle_.on_one_line(i, event.upper)) return true;
       ++cost_.probes;
       return orient_2d(segments_[i].a, segments_[i].b, p, in) == Sign::zero;
     });
@@ -121,7 +121,10 @@ class BentleyOttmann {
       above_ = around.above;
       if (above_ != none && side_of(p, segments_[above_]) == Sign::zero) held = above_;
     }
-    if (held != none) gather(held, [&](std::uint32_t i) { return side_of(p, segments_[i]) == Sign::zero; });
+    if (held != none) {
+      gather(held,
+             [&](std::uint32_t i) { return bundle_.on_one_line(i, held) || side_of(p, segments_[i]) == Sign::zero; });
+    }
 
     begins_.clear();
     points_.clear();
@@ -155,10 +158,8 @@ class BentleyOttmann {
       record_first_end(i, status_.insert(i, above(i)).below);
     }
     if (member == none) return meet_neighbours(none, none);
-    std::uint32_t first = member, last = member;
-    for (std::uint32_t next; (next = status_.neighbours_of(first).below) != below_;) first = next;
-    for (std::uint32_t next; (next = status_.neighbours_of(last).above) != above_;) last = next;
-    meet_neighbours(first, last);
+    meet_neighbours(below_ == none ? status_.lowest() : status_.neighbours_of(below_).above,
+                    above_ == none ? status_.highest() : status_.neighbours_of(above_).below);
   }
 
   // The only end at its place, and of no other segment's inside: false where that is not so.
@@ -188,22 +189,20 @@ class BentleyOttmann {
   template <class Holds>
   void gather(std::uint32_t held, const Holds& holds) {
     row_.clear();
-    below_ = status_.neighbours_of(held).below;
-    while (below_ != none && holds(below_)) {
-      row_.push_back(below_);
-      below_ = status_.neighbours_of(below_).below;
-    }
+    const auto take = [&](std::uint32_t i) {
+      if (!holds(i)) return false;
+      row_.push_back(i);
+      return true;
+    };
+    below_ = status_.walk_down(held, take);
     std::reverse(row_.begin(), row_.end());
     row_.push_back(held);
-    above_ = status_.neighbours_of(held).above;
-    while (above_ != none && holds(above_)) {
-      row_.push_back(above_);
-      above_ = status_.neighbours_of(above_).above;
-    }
+    above_ = status_.walk_up(held, take);
   }
 
   // Reverses a row of the list, whose members pass through the place, and the row given.
   void pass(std::vector<std::uint32_t>& row) {
+    if (row.size() < 2 || bundle_.on_one_line(row.front(), row.back())) return;
     if (record_ == nullptr) {
       for (std::size_t k = 0, l = row.size(); k + 1 < l; ++k) status_.exchange(row[k], row[--l]);
       std::reverse(row.begin(), row.end());
@@ -245,7 +244,7 @@ class BentleyOttmann {
 
   // Two that are neighbours now, just after the place.
   void meet(std::uint32_t lower, std::uint32_t upper) {
-    if (lower == none || upper == none) return;
+    if (lower == none || upper == none || bundle_.on_one_line(lower, upper)) return;
     ++cost_.probes;
     const Segment &s = segments_[lower], &t = segments_[upper];
     const bool s_ends_first = lexicographically_less(s.b, t.b);
