@@ -262,6 +262,11 @@ TEST(SegmentsAllTest, Comparisons) {
   EXPECT_EQ(all(visit_contacts_by_bentley_ottmann, cross), 3u);
   // The third one enters between two, with the one above a contact: nothing more.
   EXPECT_EQ(sweep(across_both), 2u + 2u + 1u + 2u);
+  // The second one stands beside the first, above or below: nothing is searched, nothing left to look at.
+  for (const double y : {1, -1}) {
+    const Segments corner(std::vector<Segment>{{{0, 0}, {3, 0}}, {{0, 0}, {2, y}}});
+    EXPECT_EQ(segments_any_by_sweep(corner, {Allowed::shared_endpoint}).cost.probes, 1u);
+  }
   EXPECT_EQ(all(visit_contacts_by_scan, across_both), 3u);
   EXPECT_EQ(all(visit_contacts_by_grid, across_both), 3u + 1u);  // boxes, of which two meet
 }
