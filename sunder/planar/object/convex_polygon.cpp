@@ -99,19 +99,16 @@ ConvexPolygon ConvexPolygon::mended(std::span<const Point2> given) {
   }
   std::rotate(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(first), kept.end());
   std::vector<std::size_t> corners;
-  const auto straight = [&](std::size_t p, std::size_t q, std::size_t r) {
-    return orient_2d(given[p], given[q], given[r]) == Sign::zero;
+  // Is the last corner in line with the one before it and with v, and between these?
+  const auto is_between = [&](std::size_t v) {
+    const Point2 &p = given[corners[corners.size() - 2]], &q = given[corners.back()], &r = given[v];
+    return orient_2d(p, q, r) == Sign::zero && lexicographically_less(p, q) == lexicographically_less(q, r);
   };
   for (const std::size_t v : kept) {
-    while (corners.size() > 1 && straight(corners[corners.size() - 2], corners.back(), v) &&
-           lexicographically_less(given[corners[corners.size() - 2]], given[corners.back()]) ==
-               lexicographically_less(given[corners.back()], given[v])) {
-      corners.pop_back();
-    }
+    while (corners.size() > 1 && is_between(v)) corners.pop_back();
     corners.push_back(v);
   }
-  while (corners.size() > 2 && straight(corners[corners.size() - 2], corners.back(), corners.front()))
-    corners.pop_back();
+  while (corners.size() > 2 && is_between(corners.front())) corners.pop_back();
   std::size_t left = 0, right = 0;
   const std::size_t n = corners.size();
   for (std::size_t k = 0; n > 2 && k < n; ++k) {

@@ -72,6 +72,9 @@ TEST(ConvexPolygonTest, Mended) {
   EXPECT_EQ(mended({{1, 1}, {2, 2}, {3, 3}}), (Points{{1, 1}, {3, 3}}));
   EXPECT_EQ(refusal([] { ConvexPolygon::mended(Points{{0, 4}, {0, 0}, {2, 0}, {4, 0}, {1, 1}}); }),
             "vertex 4: reflex: the polygon is not convex here; give a convex one, or ask for the hull");
+  // Spikes are no corners in line: the way out and back is not left out.
+  EXPECT_NE(refusal([] { ConvexPolygon::mended(Points{{0, 0}, {4, 3}, {0, 3}, {0, 0}, {4, 0}}); }), "");
+  EXPECT_NE(refusal([] { ConvexPolygon::mended(Points{{0, 0}, {2, 2}, {1, 1}, {3, 3}}); }), "");
 }
 
 TEST(ConvexPolygonTest, HullsOfGridPoints) {
