@@ -83,6 +83,10 @@ std::string human_text(const File& file) {
                                  file.accepted_pairs(),
                                  count_of(result.pairs.size(), file.is_set ? "statement" : "pair"), counts_text(file));
   if (!result.note.empty()) text += fmt::format("  note: {}\n", io::one_line(result.note));
+  for (const sunder_verifier::FileInput& input : result.inputs) {
+    text += fmt::format("  of {}, SHA-256 {}\n", io::one_line(input.name), input.sha256);
+  }
+  for (const std::string& left_out : result.left_out) text += fmt::format("  left out: {}\n", io::one_line(left_out));
   for (const std::size_t i : file.refused) {
     const sunder_verifier::PairResult& pair = result.pairs[i];
     if (file.is_set) {
@@ -106,6 +110,10 @@ Json report(const File& file) {
             {file.is_set ? "statements" : "pairs", result.pairs.size()}};
   for (const auto& [verdict, count] : file.accepted) json[verdict] = count;
   if (!result.note.empty()) json["note"] = result.note;
+  for (const sunder_verifier::FileInput& input : result.inputs) {
+    json["inputs"].push_back({{"name", input.name}, {"sha256", input.sha256}});
+  }
+  for (const std::string& left_out : result.left_out) json["left_out"].push_back(left_out);
   json["refused"] = Json::array();
   if (!result.failed_form.empty()) json["refused"].push_back({{"check", "F"}, {"reason", result.failed_form}});
   for (const std::size_t i : file.refused) {

@@ -3,6 +3,8 @@
 #include "statement_reader.h"
 #include "sunder_verify_sets.h"
 
+#include <verifier/cpp/checker.h>
+
 #include <boost/multiprecision/cpp_int.hpp>
 #include <nlohmann/json.hpp>
 
@@ -349,6 +351,7 @@ void verify_into(std::string_view text, const std::string& prefix, FileResult& r
   try {
     if (first.repeated) refuse_form("an object has a key twice");
     const json top = json::parse(text.begin(), text.end());
+    if (is_of_claims(top)) return verify_claims(top, result);
     std::string note = read_note(top);
     if (top.is_object() && top.contains("sunder_set_certificate")) {
       result.pairs = verify_set(top);

@@ -19,6 +19,12 @@ struct PairResult {
   std::string reason;        // what failed, in words; empty if accepted
 };
 
+// What a file says that its tables were made of.
+struct FileInput {
+  std::string name;    // any UTF-8 text
+  std::string sha256;  // 64 hexadecimal digits
+};
+
 // What became of a file. One of three: not readable, wrong in form, or a result for each pair.
 struct FileResult {
   bool readable = false;          // the text is JSON, and checking it did not take too long
@@ -26,7 +32,9 @@ struct FileResult {
   std::string failed_form;        // check F failed: what, in words; empty otherwise
   std::string note;               // what the file says that it does not speak of: any UTF-8 text, to be printed with
                                   // the verdict, control characters escaped. Empty: none, or failed_form
-  std::vector<PairResult> pairs;  // in the order of the file; empty if not readable or wrong in form
+  std::vector<FileInput> inputs;  // of version 2
+  std::vector<std::string> left_out;  // of version 2: what the file says that it does not speak of, to be printed
+  std::vector<PairResult> pairs;      // in the order of the file; empty if not readable or wrong in form
 
   // Readable, right in form, and every pair accepted. True for a file without pairs.
   bool accepted() const;

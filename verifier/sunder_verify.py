@@ -333,11 +333,34 @@ def verify_with_note(data, only=None, is_limited=False):
     if is_limited:
         steps.limit(len(data))
     top = load(data)
+    if type(top) is dict and top.get("sunder_certificate") == 2 and "sunder_set_certificate" not in top:
+        return verify_claims(data, is_limited)
     note = read_note(top)
     if type(top) is dict and "sunder_set_certificate" in top:
         import sunder_verify_sets  # beside this file
         return note, sunder_verify_sets.verify(top)
     return note, verify_pairs(top, only)
+
+
+def verify_claims(data, is_limited):
+    """The same of a file of version 2, which the package beside checks (docs/claims.md)."""
+    import importlib.util
+    folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "python", "sunder_verify")
+    spec = importlib.util.spec_from_file_location("sunder_verify_claims", os.path.join(folder, "__init__.py"),
+                                                  submodule_search_locations=[folder])
+    package = sys.modules.get("sunder_verify_claims")
+    if package is None:
+        package = sys.modules["sunder_verify_claims"] = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(package)
+    try:
+        report = package.verify(data, is_limited)
+    except package.Refused as error:
+        raise Refused(*error.args)
+    except package.Unreadable as error:
+        raise Unreadable(*error.args)
+    note = "; ".join(report.left_out) or None
+    return note, [(i, question, ", ".join(words), verdict, refusal)
+                  for i, (question, words, verdict, refusal) in enumerate(report.statements)]
 
 
 def verify_pairs(top, only):

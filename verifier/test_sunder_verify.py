@@ -71,9 +71,9 @@ class Program(unittest.TestCase):
         self.assertEqual((code, err), (1, ""))
         self.assertEqual(out, 'refused/A1_second_pair.json: pair 1: "first", "third": apart: refused: A1: '
                               'vertex 4 of A is further along the direction than extreme_a\n')
-        code, out, err = self.run_program("refused/F_version_2.json", "--quiet")
+        code, out, err = self.run_program("refused/F_version_3.json", "--quiet")
         self.assertEqual((code, err), (1, ""))
-        self.assertEqual(out, "refused/F_version_2.json: refused: F: sunder_certificate is not 1\n")
+        self.assertEqual(out, "refused/F_version_3.json: refused: F: sunder_certificate is not 1\n")
 
     def test_note(self):
         code, out, err = self.run_program("accepted/note.json", "--quiet")

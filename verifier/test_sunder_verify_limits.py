@@ -108,6 +108,44 @@ def exchanges(n):
          "exchanges": [[i % 2, 1 - i % 2] for i in range(n)], "below": [-1, 0]}], groups=[1, 1])
 
 
+def claimed(table, rows, *statements):
+    return {"sunder_certificate": 2, "tables": {table: rows}, "statements": list(statements)}
+
+
+def swept(rows, events, **more):
+    return claimed("segments", rows, {"question": "segments", "allowed": "nothing", "verdict": "none", **more,
+                                      "claims": [{"claim": "none_counts", "events": events}]})
+
+
+def claimed_pairs(points, direction, count):
+    return claimed("bodies", [{"name": "a", "points": points}],
+                   *[{"question": "pair", "a": 0, "b": 0, "verdict": "apart",
+                      "claims": [{"claim": "parted", "direction": direction}]}] * count)
+
+
+def claimed_program(claims, **more):
+    return {"question": "linear_program", "objective": ["-0x1p0", "0x0p0"], **more, "claims": claims}
+
+
+def hatch(n):
+    """n lines one way, n the other, of long integers: their crossings, in no order."""
+    rows = [["0x1p-1074", "0x%xp0" % (2 * i), "0x1p900", "0x%xp0" % (4 * n - 2 * i)] for i in range(n)]
+    events = [[2 * i, i - 1, i] for i in range(n)] + [[-1, -1, n - 1 - i % n, i % (n - 1)] for i in range(30000)]
+    return swept(rows, events, groups=[1] * n)
+
+
+def one_crossing(n):
+    rows = [["0x0p0", "0x0p0", "0x1p1023", "0x1p1023"], ["0x0p0", "0x1p1023", "0x1p1023", "0x1p-1074"]]
+    return swept(rows, [[0, -1, 0], [2, 0, 1]] + [[-1, -1, 1, 0]] * n + [[1, -1], [3, -1]], groups=[1, 1])
+
+
+def fan(n):
+    """n long segments through one point, which is an event for each of them."""
+    rows = [["-0x1p1000", "-0x%xp900" % (i + 1), "0x1p1000", "0x%xp900" % (i + 1)] for i in range(n)]
+    first = [[2 * i, -1, i] for i in reversed(range(n))]
+    return swept(rows, first + [[-1, -1, *range(n)]] + [[2 * i + 1, -1] for i in range(n)], groups=[1] * n)
+
+
 HOSTILE = {  # about 1 MB each, but for those that need less
     "many pairs of a large body": lambda: bodies([ZEROS] * 18000, [apart(["1", "0", "0"])] * 5500),
     "the same, long integers": lambda: bodies([EXTREME] * 12000, [apart(["1", "0", "0"])] * 4500),
@@ -166,6 +204,39 @@ HOSTILE = {  # about 1 MB each, but for those that need less
     "exchanges": lambda: exchanges(80000),
     "a long point, often": lambda: of_set("segments", [["0x1p-1074", "0x0p0", "0x1p1023", "0x0p0"]] * 2,
                                           [any_some("segments_any", kind="overlap", point=EXPONENTS[:2])] * 8000),
+    "claims: many pairs of a large body": lambda: claimed_pairs([ZEROS] * 18000, ["1", "0", "0"], 5500),
+    "claims: long directions": lambda: claimed_pairs([EXTREME] * 11000, [digits(20000), digits(20000), "1"], 8),
+    "claims: exponents": lambda: claimed_pairs([EXTREME] * 1000, EXPONENTS, 6000),
+    "claims: 16 long weights": lambda: claimed("bodies", [{"name": "a", "points": [EXTREME] * 16}], {
+        "question": "pair", "a": 0, "b": 0, "verdict": "meet", "point": ["1", "1", "1"],
+        "claims": [{"claim": "holds", "weights": [[i, fraction(19000)] for i in range(16)]}] * 2}),
+    "claims: a sweep over long integers": lambda: swept(
+        [["0x1p-1074", "0x%xp0" % i, "0x1p1023", "0x%xp0" % i] for i in range(9000)],
+        [[2 * i, i - 1, i] for i in range(9000)] + [[2 * i + 1, -1] for i in range(9000)]),
+    "claims: a fan": lambda: fan(7000),
+    "claims: crossings in no order": lambda: hatch(2000),
+    "claims: one crossing, often": lambda: one_crossing(70000),
+    "claims: few segments, often": lambda: claimed(
+        "segments", [["0x0p0", "0x0p0", "0x1p0", "0x0p0"]] * 12000,
+        *[{"question": "segments", "allowed": "nothing", "verdict": "none",
+           "claims": [{"claim": "none_counts", "events": []}]}] * 5000),
+    "claims: a long point, often": lambda: claimed(
+        "segments", [["0x1p-1074", "0x0p0", "0x1p1023", "0x0p0"]] * 2,
+        *[{"question": "segments", "allowed": "nothing", "verdict": "some", "i": 0, "j": 1, "kind": "overlap",
+           "point": EXPONENTS[:2], "claims": [{"claim": "contact"}]}] * 7000),
+    "claims: linear programs with long points": lambda: claimed(
+        "half_planes", [["0x1p0", "0x0p0", "0x0p0"]] * 18000,
+        *[claimed_program([{"claim": "feasible"}, {"claim": "goes_on", "direction": ["-1", "0"]}],
+                          verdict="unbounded", point=["-" + fraction(19900), "0"])] * 20),
+    "claims: long weights of half-planes": lambda: claimed(
+        "half_planes", [["0x1p0", "0x%xp0" % (i + 1), "0x0p0"] for i in range(16)],
+        *[claimed_program([{"claim": "contradict", "weights": [[i, fraction(3000)] for i in range(16)]}],
+                          verdict="infeasible")] * 20),
+    "claims: ends of long integers": lambda: claimed(
+        "half_planes", [["-0x1p0", "0x0p0", "0x0p0"]] * 15000,
+        *[claimed_program([{"claim": "feasible"}, {"claim": "bounds", "weights": [[0, "1"]]},
+                           {"claim": "ends", "ends": [[["0", digits(9000)], 0], None]}],
+                          verdict="many", point=["0", "0"])] * 40),
     "many keys": lambda: {"sunder_certificate": 1, **{"k%d" % i: 0 for i in range(80000)}},
     "long directions of a set": lambda: of_set("convex_polygons", [[["0x0p0", "0x0p0"]]], [
         {"question": "convex_polygons_any", "allowed": "nothing", "verdict": "none", "events": [0, 1], "below": [-1],

@@ -1,0 +1,282 @@
+#include <verifier/cpp/questions.h>
+#include <verifier/cpp/rules.h>
+#include <verifier/statement.h>
+
+#include <algorithm>
+#include <set>
+
+namespace sunder_verifier {
+namespace {
+
+// What a statement says; what its question does not name is empty.
+struct Said {
+  const HullBody *a = nullptr, *b = nullptr;
+  Numbers objective, point;
+  AllowedContacts allowed;
+  std::vector<std::int64_t> groups;
+  StatedContact contact;
+};
+
+struct Place {
+  const json& item;
+  const Tables& tables;
+  const std::string& where;
+};
+
+using ReadMember = void (*)(const Place& place, Said& said);
+
+struct MemberReader {
+  const char* name;
+  ReadMember read;
+};
+
+void read_a(const Place& p, Said& said) {
+  said.a = &p.tables.bodies[index_member(p.item, "a", p.tables.bodies.size(), p.where)];
+}
+
+void read_b(const Place& p, Said& said) {
+  said.b = &p.tables.bodies[index_member(p.item, "b", p.tables.bodies.size(), p.where)];
+  if (said.a->dimension() != said.b->dimension()) refuse_form(p.where + " is of bodies of different dimensions");
+}
+
+std::size_t dimension(const Said& said) { return said.a != nullptr ? said.a->dimension() : 2; }
+
+void read_point(const Place& p, Said& said) {
+  said.point = read_numbers(list_member(p.item, "point", p.where), dimension(said), read_number, p.where + ".point");
+}
+
+void read_objective(const Place& p, Said& said) {
+  said.objective = read_numbers(list_member(p.item, "objective", p.where), 2, read_double, p.where + ".objective");
+}
+
+void read_allowed(const Place& p, Said& said) {
+  const std::string rule = read_rule(p.item, p.where);
+  said.allowed = {rule != "nothing", rule == "touch"};
+}
+
+void read_segment_groups(const Place& p, Said& said) {
+  if (p.item.contains("groups")) said.groups = read_groups(p.item, p.tables.segments.size(), p.where);
+}
+
+void read_contact(const Place& p, Said& said) {
+  said.contact.i = index_member(p.item, "i", p.tables.segments.size(), p.where);
+  said.contact.j = index_member(p.item, "j", p.tables.segments.size(), p.where);
+  said.contact.kind = string_member(p.item, "kind", p.where);
+  const std::string& kind = said.contact.kind;
+  if (kind != "shared-endpoint" && kind != "touch" && kind != "crossing" && kind != "overlap") {
+    refuse_form(p.where + ".kind is no kind of contact");
+  }
+}
+
+void read_nothing(const Place&, Said&) {}
+
+// ---- Claims.
+
+using ReadClaim = void (*)(const json& item, const Said& said, std::size_t size, const std::string& where,
+                           Claim& claim);
+
+void read_direction(const json& item, const Said& said, std::size_t, const std::string& where, Claim& claim) {
+  claim.direction =
+      read_numbers(list_member(item, "direction", where), dimension(said), read_number, where + ".direction");
+}
+
+void read_weights(const json& item, const Said&, std::size_t size, const std::string& where, Claim& claim) {
+  const json& list = list_member(item, "weights", where);
+  if (list.empty() || list.size() > most_weights) {
+    refuse_form(where + ".weights has not 1 to " + std::to_string(most_weights) + " entries");
+  }
+  for (const json& entry : list) {
+    if (!entry.is_array() || entry.size() != 2) refuse_form(where + ".weights has an entry that is not a list of 2");
+    claim.weights.named.push_back(read_index(entry[0], size, where + ".weights entry"));
+    claim.weights.values.push_back(read_number(entry[1], where + ".weights entry"));
+  }
+  const std::set<std::size_t> once(claim.weights.named.begin(), claim.weights.named.end());
+  if (once.size() != list.size()) refuse_form(where + ".weights names something twice");
+}
+
+void read_ends(const json& item, const Said&, std::size_t size, const std::string& where, Claim& claim) {
+  const json& list = list_member(item, "ends", where);
+  if (list.size() != 2) refuse_form(where + ".ends is not a list of 2");
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (list[k].is_null()) continue;
+    if (!list[k].is_array() || list[k].size() != 2) refuse_form(where + ".ends has an entry that is no end");
+    claim.ends[k] = EndOnLine{read_numbers(list[k][0], 2, read_number, where + ".ends entry"),
+                              read_index(list[k][1], size, where + ".ends entry")};
+  }
+}
+
+std::int64_t read_index_or_minus_one(const json& value, std::size_t size, const std::string& where) {
+  return is_minus_one(value) ? -1 : static_cast<std::int64_t>(read_index(value, size, where));
+}
+
+void read_events(const json& item, const Said&, std::size_t size, const std::string& where, Claim& claim) {
+  SweepEvents& events = claim.events;
+  const std::string of = where + ".events entry";
+  for (const json& event : list_member(item, "events", where)) {
+    if (!event.is_array() || event.size() < 2) refuse_form(of + " is not a list of 2 or more");
+    events.at.push_back(read_index_or_minus_one(event[0], 2 * size, of));
+    events.below.push_back(read_index_or_minus_one(event[1], size, of));
+    events.begin.push_back(events.row.size());
+    for (std::size_t k = 2; k < event.size(); ++k) events.row.push_back(read_index(event[k], size, of));
+  }
+  events.begin.push_back(events.row.size());
+}
+
+// ---- The list: what a claim brings, what its indices count, and its rule with what it is bound to.
+
+struct ClaimNeeded {
+  const char* kind;
+  std::vector<std::pair<const char*, ReadClaim>> brings;
+  std::size_t (*size)(const Said&, const Tables&);
+  void (*check)(const Claim&, const Said&, const Tables&);
+};
+
+std::size_t of_a(const Said& said, const Tables&) { return said.a->given.rows.size(); }
+std::size_t of_b(const Said& said, const Tables&) { return said.b->given.rows.size(); }
+std::size_t of_segments(const Said&, const Tables& tables) { return tables.segments.size(); }
+std::size_t of_half_planes(const Said&, const Tables& tables) { return tables.half_planes.size(); }
+
+const ClaimNeeded parted_a_b{
+    "parted", {{"direction", read_direction}}, of_a, [](const Claim& c, const Said& s, const Tables&) {
+      check_parted(c, *s.a, *s.b);
+    }};
+const ClaimNeeded a_holds{"holds", {{"weights", read_weights}}, of_a, [](const Claim& c, const Said& s, const Tables&) {
+                            check_holds(c, *s.a, s.point);
+                          }};
+const ClaimNeeded b_holds{"holds", {{"weights", read_weights}}, of_b, [](const Claim& c, const Said& s, const Tables&) {
+                            check_holds(c, *s.b, s.point);
+                          }};
+const ClaimNeeded none_counts{
+    "none_counts", {{"events", read_events}}, of_segments, [](const Claim& c, const Said& s, const Tables& t) {
+      check_none_counts(c, t, s.groups, s.allowed);
+    }};
+const ClaimNeeded contact{"contact", {}, of_segments, [](const Claim&, const Said& s, const Tables& t) {
+                            check_contact(t, s.contact, s.point, s.groups, s.allowed);
+                          }};
+const ClaimNeeded feasible{
+    "feasible", {}, of_half_planes, [](const Claim&, const Said& s, const Tables& t) { check_feasible(t, s.point); }};
+const ClaimNeeded bounds{
+    "bounds", {{"weights", read_weights}}, of_half_planes, [](const Claim& c, const Said& s, const Tables& t) {
+      check_bounds(c, t, s.objective, s.point);
+    }};
+const ClaimNeeded bounds_only{
+    "bounds_only", {{"weights", read_weights}}, of_half_planes, [](const Claim& c, const Said& s, const Tables& t) {
+      check_bounds_only(c, t, s.objective, s.point);
+    }};
+const ClaimNeeded no_objective{"no_objective", {}, of_half_planes, [](const Claim&, const Said& s, const Tables&) {
+                                 check_no_objective(s.objective);
+                               }};
+const ClaimNeeded contradict{
+    "contradict", {{"weights", read_weights}}, of_half_planes, [](const Claim& c, const Said&, const Tables& t) {
+      check_contradict(c, t);
+    }};
+const ClaimNeeded goes_on{
+    "goes_on", {{"direction", read_direction}}, of_half_planes, [](const Claim& c, const Said& s, const Tables& t) {
+      check_goes_on(c, t, s.objective);
+    }};
+const ClaimNeeded ends{
+    "ends", {{"ends", read_ends}}, of_half_planes, [](const Claim& c, const Said& s, const Tables& t) {
+      check_ends(c, t, s.objective, s.point);
+    }};
+
+struct VerdictNeeds {
+  const char* name;
+  std::vector<MemberReader> says;
+  std::vector<const ClaimNeeded*> claims;
+};
+
+struct Question {
+  const char *name, *table;
+  std::vector<MemberReader> says, may_say;
+  std::vector<VerdictNeeds> verdicts;
+};
+
+const MemberReader point{"point", read_point};
+
+const std::vector<Question> questions{
+    {"pair",
+     "bodies",
+     {{"a", read_a}, {"b", read_b}},
+     {},
+     {{"apart", {}, {&parted_a_b}}, {"meet", {point}, {&a_holds, &b_holds}}}},
+    {"segments",
+     "segments",
+     {{"allowed", read_allowed}},
+     {{"groups", read_segment_groups}},
+     {{"some", {{"i", read_contact}, {"j", read_nothing}, {"kind", read_nothing}, point}, {&contact}},
+      {"none", {}, {&none_counts}}}},
+    {"linear_program",
+     "half_planes",
+     {{"objective", read_objective}},
+     {},
+     {{"one", {point}, {&feasible, &bounds_only}},
+      {"many", {point}, {&feasible, &bounds, &ends}},
+      {"all", {point}, {&feasible, &no_objective}},
+      {"unbounded", {point}, {&feasible, &goes_on}},
+      {"infeasible", {}, {&contradict}}}},
+};
+
+template <class Entry>
+const Entry& find(const std::vector<Entry>& list, const std::string& name, const std::string& refusal) {
+  const auto found = std::find_if(list.begin(), list.end(), [&](const Entry& entry) { return entry.name == name; });
+  if (found == list.end()) refuse_form(refusal);
+  return *found;
+}
+
+std::function<void()> read_claim(const json& item, const ClaimNeeded& needed, const Said& said, const Tables& tables,
+                                 const std::string& where) {
+  std::vector<std::string> keys{"claim"};
+  for (const auto& [name, read] : needed.brings) keys.emplace_back(name);
+  require_members(item, keys, {}, where);
+  if (string_member(item, "claim", where) != needed.kind) refuse_form(where + " is not the claim " + needed.kind);
+  Claim claim;
+  for (const auto& [name, read] : needed.brings) read(item, said, needed.size(said, tables), where, claim);
+  return [claim = std::move(claim), &needed, said, &tables] { needed.check(claim, said, tables); };
+}
+
+std::string words_of(const json& item, const Said& said) {
+  if (said.a != nullptr) return said.a->name + ", " + said.b->name;
+  if (item.contains("objective")) {
+    return "along (" + item["objective"][0].get<std::string>() + ", " + item["objective"][1].get<std::string>() + ")";
+  }
+  std::string words = item["allowed"].get<std::string>() + " allowed";
+  if (item.contains("groups")) {
+    const std::set<std::int64_t> different(said.groups.begin(), said.groups.end());
+    words += ", members of one of " + std::to_string(different.size()) + " groups may meet";
+  }
+  return words;
+}
+
+}  // namespace
+
+ClaimedStatement read_statement(const json& item, const Tables& tables, const std::string& where) {
+  ClaimedStatement result;
+  result.question = string_member(item, "question", where);
+  result.verdict = string_member(item, "verdict", where);
+  const Question& question = find(questions, result.question, where + ".question is none that is known");
+  const VerdictNeeds& verdict = find(question.verdicts, result.verdict, where + ".verdict is none of this question");
+  if (!tables.has(question.table)) {
+    refuse_form(where + " is about " + question.table + ", which the file has not");
+  }
+  std::vector<std::string> keys{"question", "verdict", "claims"}, more;
+  std::vector<MemberReader> readers = question.says;
+  readers.insert(readers.end(), verdict.says.begin(), verdict.says.end());
+  for (const MemberReader& reader : readers) keys.emplace_back(reader.name);
+  for (const MemberReader& reader : question.may_say) more.emplace_back(reader.name);
+  require_members(item, keys, more, where);
+  readers.insert(readers.end(), question.may_say.begin(), question.may_say.end());
+  Said said;
+  for (const MemberReader& reader : readers) reader.read({item, tables, where}, said);
+  result.words = words_of(item, said);
+  const json& claims = list_member(item, "claims", where);
+  if (claims.size() != verdict.claims.size()) {
+    refuse_form(where + " has not " + std::to_string(verdict.claims.size()) + " claims");
+  }
+  for (std::size_t k = 0; k < claims.size(); ++k) {
+    result.checks.push_back(
+        read_claim(claims[k], *verdict.claims[k], said, tables, where + ".claims[" + std::to_string(k) + "]"));
+  }
+  return result;
+}
+
+}  // namespace sunder_verifier

@@ -1,0 +1,21 @@
+// Which claims prove which statement, as data: docs/claims.md, "Statements".
+#pragma once
+
+#include <verifier/cpp/tables.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace sunder_verifier {
+
+struct ClaimedStatement {
+  std::string question, verdict;
+  std::string words;  // what it speaks of, all of it
+  std::vector<std::function<void()>> checks;
+};
+
+// Reads a statement: throws Refused where its form is wrong. The tables must outlive its checks.
+ClaimedStatement read_statement(const json& item, const Tables& tables, const std::string& where);
+
+}  // namespace sunder_verifier

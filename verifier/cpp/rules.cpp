@@ -1,0 +1,444 @@
+#include <verifier/cpp/rules.h>
+#include <verifier/statement.h>
+
+#include <algorithm>
+#include <string>
+
+namespace sunder_verifier {
+namespace {
+
+// -1, 0, +1 as m * 2^e is less than, equal to, greater than n * 2^f.
+int compare(const Integer& m, std::int64_t e, const Integer& n, std::int64_t f) {
+  return shifted(m, std::max<std::int64_t>(e - f, 0)).compare(shifted(n, std::max<std::int64_t>(f - e, 0)));
+}
+
+// x, y and a positive w: the point x / w, y / w.
+Integers projective(const Numbers& values) {
+  Common scaled = common(values);
+  const std::int64_t up = std::max<std::int64_t>(scaled.e, 0), down = std::max<std::int64_t>(-scaled.e, 0);
+  for (Integer& n : scaled.integers) n = shifted(n, up);
+  scaled.integers.push_back(shifted(scaled.d, down));
+  return std::move(scaled.integers);
+}
+
+struct Furthest {
+  Integer product;
+  std::int64_t e;
+};
+
+// The greatest product of a direction with a point. Requires that no way goes on along it.
+Furthest furthest(const HullBody& body, const Integers& direction) {
+  auto [all, e] = products(body, direction);
+  for (std::size_t k = body.count; k < all.size(); ++k) {
+    require(all[k] <= 0, "parted", "a way of " + body.name + " goes on along the direction");
+  }
+  return {*std::max_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(body.count)), e};
+}
+
+Numbers values_of(const WeightList& weights) { return weights.values; }
+
+}  // namespace
+
+void check_parted(const Claim& claim, const HullBody& a, const HullBody& b) {
+  const Integers direction = common(claim.direction).integers;  // a positive multiple of it
+  Integers back = direction;
+  for (Integer& n : back) n = -n;
+  const Furthest of_a = furthest(a, direction), of_b = furthest(b, back);
+  require(compare(of_a.product, of_a.e, -of_b.product, of_b.e) < 0, "parted",
+          a.name + " is not strictly less far along the direction than " + b.name);
+}
+
+void check_holds(const Claim& claim, const HullBody& body, const Numbers& point) {
+  const WeightList& list = claim.weights;
+  const Common weights = common_weights(values_of(list));
+  Integer total = 0;
+  for (std::size_t k = 0; k < list.named.size(); ++k) {
+    require(weights.integers[k] >= 0, "holds", "a weight of " + body.name + " is negative");
+    if (!body.is_way(list.named[k])) total += weights.integers[k];
+  }
+  require(compare(total, weights.e, weights.d, 0) == 0, "holds", "the weights of " + body.name + " do not sum to 1");
+  Integers mean(body.dimension());
+  std::int64_t e = 0;
+  for (std::size_t k = 0; k < list.named.size(); ++k) {
+    const auto [place, f] = image(body, list.named[k]);
+    e = f;
+    for (std::size_t r = 0; r < mean.size(); ++r) mean[r] += weights.integers[k] * place[r];
+  }
+  for (std::size_t r = 0; r < mean.size(); ++r) {
+    require(compare(mean[r] * point[r].d, weights.e + e, point[r].n * weights.d, point[r].e) == 0, "holds",
+            "the weighted sum of " + body.name + " is not the point in coordinate " + std::to_string(r));
+  }
+}
+
+// ---- Linear constraints.
+
+namespace {
+
+Integer turn(const Integer& ux, const Integer& uy, const Integer& vx, const Integer& vy) { return ux * vy - uy * vx; }
+
+Integer along(const LinearConstraint& h, const Integers& way) { return h.a * way[0] + h.b * way[1]; }
+
+// Positive: the point x, y, w is outside; zero: on the line.
+Integer excess(const LinearConstraint& h, const Integers& place) { return along(h, place) - h.c * place[2]; }
+
+void look_at_all(const Tables& tables, const Integers& vector) {
+  take_steps(2 * tables.half_planes.size(), bits(vector), tables.half_plane_bits);
+}
+
+void require_feasible(const Tables& tables, const Integers& place, const char* rule) {
+  look_at_all(tables, place);
+  for (std::size_t i = 0; i < tables.half_planes.size(); ++i) {
+    require(excess(tables.half_planes[i], place) <= 0, rule, "the point is outside of half-plane " + std::to_string(i));
+  }
+}
+
+// Of the named constraints, times a positive number.
+LinearConstraint weighted_sum(const Claim& claim, const Tables& tables) {
+  const WeightList& list = claim.weights;
+  const std::size_t whole = length(list.values);
+  take_steps(list.values.size() / 4 + 1, whole, whole);
+  Numbers values = list.values;
+  for (std::size_t k = 0; k < values.size(); ++k) values[k].e += tables.half_planes[list.named[k]].e;
+  const Integers weights = common(values).integers;
+  LinearConstraint sum;
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    require(weights[k] > 0, "weights", "a weight is not positive");
+    const LinearConstraint& h = tables.half_planes[list.named[k]];
+    sum.a += weights[k] * h.a;
+    sum.b += weights[k] * h.b;
+    sum.c += weights[k] * h.c;
+  }
+  return sum;
+}
+
+}  // namespace
+
+void check_feasible(const Tables& tables, const Numbers& point) {
+  require_feasible(tables, projective(point), "feasible");
+}
+
+void check_bounds(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point) {
+  const LinearConstraint sum = weighted_sum(claim, tables);
+  const Integers up = common(objective).integers;
+  require(turn(sum.a, sum.b, up[0], up[1]) == 0 && along(sum, up) > 0, "bounds",
+          "the weighted normals are not the objective");
+  const Integers place = projective(point);
+  for (const std::size_t k : claim.weights.named) {
+    require(excess(tables.half_planes[k], place) == 0, "bounds",
+            "the point is not on the line of half-plane " + std::to_string(k));
+  }
+}
+
+void check_bounds_only(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point) {
+  check_bounds(claim, tables, objective, point);
+  const LinearConstraint& first = tables.half_planes[claim.weights.named[0]];
+  const auto is_parallel = [&](std::size_t k) {
+    return turn(first.a, first.b, tables.half_planes[k].a, tables.half_planes[k].b) == 0;
+  };
+  require(!std::all_of(claim.weights.named.begin(), claim.weights.named.end(), is_parallel), "bounds",
+          "the lines at the point are one");
+}
+
+void check_no_objective(const Numbers& objective) {
+  require(objective[0].n == 0 && objective[1].n == 0, "no_objective", "there is an objective");
+}
+
+void check_contradict(const Claim& claim, const Tables& tables) {
+  const LinearConstraint sum = weighted_sum(claim, tables);
+  require(sum.a == 0 && sum.b == 0 && sum.c < 0, "contradict", "the weighted constraints have a common point");
+}
+
+void check_goes_on(const Claim& claim, const Tables& tables, const Numbers& objective) {
+  const Integers way = common(claim.direction).integers, up = common(objective).integers;
+  require(dot(up, way) > 0, "goes_on", "the direction does not lead further along the objective");
+  look_at_all(tables, way);
+  for (std::size_t i = 0; i < tables.half_planes.size(); ++i) {
+    require(along(tables.half_planes[i], way) <= 0, "goes_on", "the direction leaves half-plane " + std::to_string(i));
+  }
+}
+
+void check_ends(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point) {
+  const Integers up = common(objective).integers, start = projective(point);
+  const std::array<Integers, 2> ways{Integers{up[1], -up[0]}, Integers{-up[1], up[0]}};
+  std::array<Integers, 2> places;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Integers& way = ways[k];
+    if (!claim.ends[k]) {
+      look_at_all(tables, way);
+      for (const LinearConstraint& h : tables.half_planes) {
+        require(along(h, way) <= 0, "ends", "there is an end, and it is not given");
+      }
+      continue;
+    }
+    const Integers& place = places[k] = projective(claim.ends[k]->point);
+    require_feasible(tables, place, "ends");
+    require((up[0] * place[0] + up[1] * place[1]) * start[2] == (up[0] * start[0] + up[1] * start[1]) * place[2],
+            "ends", "an end is not as far along the objective");
+    const LinearConstraint& h = tables.half_planes[claim.ends[k]->side];
+    require(excess(h, place) == 0 && along(h, way) > 0, "ends",
+            "half-plane " + std::to_string(claim.ends[k]->side) + " does not end it");
+  }
+  if (!claim.ends[0] || !claim.ends[1]) return;
+  const Integer before = ways[1][0] * places[0][0] + ways[1][1] * places[0][1];
+  const Integer after = ways[1][0] * places[1][0] + ways[1][1] * places[1][1];
+  require(before * places[1][2] < after * places[0][2], "ends", "the ends are one point");
+}
+
+// ---- Sweeps.
+
+namespace {
+
+// x / w, y / w; w > 0.
+struct SweepPoint {
+  Integer x, y, w = 1;
+
+  bool is(const PlanarPoint& p) const { return x == p.x * w && y == p.y * w; }
+};
+
+// Is p lexicographically before q?
+bool is_before(const SweepPoint& p, const SweepPoint& q) {
+  const int x = Integer(p.x * q.w).compare(Integer(q.x * p.w));
+  return x != 0 ? x < 0 : p.y * q.w < q.y * p.w;
+}
+
+// 1: the point is above the segment's line: left of it, seen from its first end.
+int side(const PlanarSegment& s, const SweepPoint& p) {
+  return turn(s.last.x - s.first.x, s.last.y - s.first.y, p.x - s.first.x * p.w, p.y - s.first.y * p.w).sign();
+}
+
+int turn(const PlanarSegment& s, const PlanarSegment& t) {
+  return turn(s.last.x - s.first.x, s.last.y - s.first.y, t.last.x - t.first.x, t.last.y - t.first.y).sign();
+}
+
+bool is_point(const PlanarSegment& s) { return s.first == s.last; }
+
+// Of their lines, which are not parallel.
+SweepPoint crossing(const PlanarSegment& s, const PlanarSegment& t) {
+  const Integer ux = s.last.x - s.first.x, uy = s.last.y - s.first.y;
+  const Integer vx = t.last.x - t.first.x, vy = t.last.y - t.first.y;
+  SweepPoint p;
+  p.w = turn(ux, uy, vx, vy);
+  Integer along = turn(t.first.x - s.first.x, t.first.y - s.first.y, vx, vy);
+  if (p.w < 0) {
+    p.w = -p.w;
+    along = -along;
+  }
+  p.x = s.first.x * p.w + ux * along;
+  p.y = s.first.y * p.w + uy * along;
+  return p;
+}
+
+bool is_less(const PlanarPoint& p, const PlanarPoint& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; }
+
+SweepPoint place_of(const PlanarPoint& p) { return {p.x, p.y, 1}; }
+
+bool is_on(const PlanarSegment& s, const SweepPoint& p) {
+  return side(s, p) == 0 && !is_before(p, place_of(s.first)) && !is_before(place_of(s.last), p);
+}
+
+// How two segments meet that have a common point.
+const char* kind_of(const PlanarSegment& s, const PlanarSegment& t) {
+  if (turn(s, t) == 0 && !is_point(s) &&
+      !is_point(t)) {  // on one line, where the order of points is the order along it
+    const PlanarPoint& first = is_less(s.first, t.first) ? t.first : s.first;
+    const PlanarPoint& last = is_less(s.last, t.last) ? s.last : t.last;
+    return is_less(first, last) ? "overlap" : "shared-endpoint";
+  }
+  for (const PlanarPoint* p : {&s.first, &s.last}) {
+    if (*p == t.first || *p == t.last) return "shared-endpoint";
+  }
+  const bool touch = is_on(t, place_of(s.first)) || is_on(t, place_of(s.last)) || is_on(s, place_of(t.first)) ||
+                     is_on(s, place_of(t.last));
+  return touch ? "touch" : "crossing";
+}
+
+// The list of a sweep: event by event, which segments hold its point.
+class Sweep {
+ public:
+  Sweep(const SweepEvents& events, const Tables& tables)
+      : events_(events),
+        tables_(tables),
+        segments_(tables.segments),
+        above_(segments_.size() + 1, kOut),
+        has_begun_(segments_.size()),
+        stays_(segments_.size()) {
+    above_[segments_.size()] = segments_.size();  // the end of the ring, which stands below and above all
+  }
+
+  // Of the event passed last.
+  SweepPoint point;
+  std::vector<std::size_t> here;                         // what was in the list, and holds the point
+  const std::size_t *row = nullptr, *row_end = nullptr;  // what goes on from it
+
+  // Passes the next event. False: there is none, and the list is empty.
+  bool next() {
+    if (k_ == events_.at.size()) {
+      require(above_[segments_.size()] == segments_.size() && begun_ == segments_.size(), "sweep",
+              "not all segments begin and end");
+      return false;
+    }
+    row = events_.row.data() + events_.begin[k_];
+    row_end = events_.row.data() + events_.begin[k_ + 1];
+    come_to_point();
+    const std::size_t none = segments_.size();
+    const std::size_t below = events_.below[k_] < 0 ? none : static_cast<std::size_t>(events_.below[k_]);
+    const std::size_t upper = take_out_from(below);
+    put_in(below, upper);
+    require(stay_ == 0, "sweep", where() + " loses a segment that goes on");
+    ++k_;
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t kOut = no_index;
+
+  std::string where() const { return "event " + std::to_string(k_); }
+
+  void come_to_point() {
+    SweepPoint p;
+    if (events_.at[k_] >= 0) {
+      const auto end = static_cast<std::size_t>(events_.at[k_]);
+      const PlanarPoint& q = end % 2 == 1 ? segments_[end / 2].last : segments_[end / 2].first;
+      p.x = q.x;
+      p.y = q.y;
+    } else {
+      require(row_end - row > 1 && turn(segments_[*row], segments_[row_end[-1]]) != 0, "sweep",
+              where() + " has no point: its first and last segment do not cross");
+      const std::size_t longest = 3 * tables_.segment_bits;
+      take_steps(static_cast<std::uint64_t>(row_end - row) + 4, longest, longest);
+      p = crossing(segments_[*row], segments_[row_end[-1]]);
+    }
+    require(k_ == 0 || is_before(point, p), "sweep", where() + " is not after the one before it");
+    point = std::move(p);
+  }
+
+  // Takes out what holds the point, from `below` up. The one above that.
+  std::size_t take_out_from(std::size_t below) {
+    const std::size_t none = segments_.size();
+    require(above_[below] != kOut, "sweep", where() + " is above a segment that is not in the list");
+    require(below == none || side(segments_[below], point) > 0, "sweep",
+            where() + " is not above segment " + std::to_string(below));
+    here.clear();
+    stay_ = 0;
+    std::size_t s = above_[below];
+    int place = 0;
+    while (s != none && (place = side(segments_[s], point)) == 0) {
+      here.push_back(s);
+      stays_[s] = !point.is(segments_[s].last);
+      stay_ += stays_[s] ? 1 : 0;
+      s = std::exchange(above_[s], kOut);
+    }
+    require(s == none || place < 0, "sweep", where() + " is not below segment " + std::to_string(s));
+    return s;
+  }
+
+  // Puts in what goes on, sorted by direction.
+  void put_in(std::size_t below, std::size_t upper) {
+    std::size_t lower = below;
+    for (const std::size_t* s = row; s != row_end; ++s) {
+      if (stays_[*s]) {
+        stays_[*s] = false;
+        --stay_;
+      } else {
+        require(!has_begun_[*s] && point.is(segments_[*s].first), "sweep",
+                where() + ": segment " + std::to_string(*s) + " is not in the list there, or does not begin there");
+        has_begun_[*s] = true;
+        ++begun_;
+      }
+      require(lower == below || turn(segments_[lower], segments_[*s]) >= 0, "sweep",
+              where() + ": segment " + std::to_string(*s) + " does not go on above " + std::to_string(lower));
+      if (is_point(segments_[*s])) continue;
+      above_[lower] = *s;
+      lower = *s;
+    }
+    above_[lower] = upper;
+  }
+
+  const SweepEvents& events_;
+  const Tables& tables_;
+  const std::vector<PlanarSegment>& segments_;
+  std::size_t k_ = 0, begun_ = 0, stay_ = 0;
+  std::vector<std::size_t> above_;  // by segment: the next one in the list; out: it is not in
+  std::vector<bool> has_begun_, stays_;
+};
+
+// Of which groups some segments are: none, one, or more.
+class GroupsSeen {
+ public:
+  void add(std::int64_t group, std::size_t segment) {
+    if (!any_) {
+      group_ = group;
+      first_ = segment;
+    }
+    if (any_ && group != group_ && !mixed_) {
+      mixed_ = true;
+      second_ = segment;
+    }
+    any_ = true;
+  }
+  void add(const GroupsSeen& other) {
+    if (other.any_) add(other.group_, other.first_);
+    if (other.mixed_) mixed_ = true;
+  }
+  bool any() const { return any_; }
+  void require_one(const char* what) const {
+    require(!mixed_, "none_counts", "segments " + std::to_string(first_) + " and " + std::to_string(second_) + what);
+  }
+
+ private:
+  std::int64_t group_ = 0;
+  std::size_t first_ = 0, second_ = 0;
+  bool any_ = false, mixed_ = false;
+};
+
+}  // namespace
+
+void check_contact(const Tables& tables, const StatedContact& contact, const Numbers& point,
+                   const std::vector<std::int64_t>& groups, const AllowedContacts& allowed) {
+  const auto& [i, j, kind] = contact;
+  take_steps(16, length(point), tables.segment_bits);
+  Numbers in_units = point;
+  for (Number& value : in_units) value.e -= tables.segment_exponent;
+  Integers given = projective(in_units);
+  const SweepPoint place{std::move(given[0]), std::move(given[1]), std::move(given[2])};
+  require(i != j && (groups.empty() || groups[i] != groups[j]), "contact",
+          "segments " + std::to_string(i) + " and " + std::to_string(j) + " are of one group");
+  const bool counts = !(kind == "shared-endpoint" && allowed.shared_endpoint) && !(kind == "touch" && allowed.touch);
+  require(counts, "contact", kind + " does not count");
+  for (const std::size_t k : {i, j}) {
+    require(is_on(tables.segments[k], place), "contact", "the point is not on segment " + std::to_string(k));
+  }
+  const std::string found = kind_of(tables.segments[i], tables.segments[j]);
+  require(found == kind, "contact", "the contact is " + found);
+}
+
+void check_none_counts(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
+                       const AllowedContacts& allowed) {
+  const auto group_of = [&](std::size_t s) { return groups.empty() ? static_cast<std::int64_t>(s) : groups[s]; };
+  const std::vector<PlanarSegment>& segments = tables.segments;
+  Sweep sweep(claim.events, tables);
+  while (sweep.next()) {
+    GroupsSeen passing, ending;
+    const auto look = [&](std::size_t s) {
+      const bool is_end = sweep.point.is(segments[s].first) || sweep.point.is(segments[s].last);
+      (is_end ? ending : passing).add(group_of(s), s);
+    };
+    for (const std::size_t s : sweep.here) look(s);
+    std::for_each(sweep.row, sweep.row_end, look);
+    passing.require_one(" cross");
+    if (!allowed.shared_endpoint) ending.require_one(" share an end");
+    if (!allowed.touch && passing.any()) {
+      ending.add(passing);
+      ending.require_one(" touch");
+    }
+    const std::size_t* before = nullptr;
+    for (const std::size_t* s = sweep.row; s != sweep.row_end; ++s) {
+      if (is_point(segments[*s])) continue;
+      require(before == nullptr || group_of(*before) == group_of(*s) || turn(segments[*before], segments[*s]) != 0,
+              "none_counts", "some segments overlap");
+      before = s;
+    }
+  }
+}
+
+}  // namespace sunder_verifier

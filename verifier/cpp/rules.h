@@ -1,0 +1,71 @@
+// The rules by which claims are checked: docs/claims.md, "Rules". They know tables and claims, and no question. Each
+// throws Refused, with its name, where the claim does not hold.
+#pragma once
+
+#include <verifier/cpp/tables.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace sunder_verifier {
+
+struct WeightList {
+  std::vector<std::size_t> named;
+  Numbers values;
+};
+
+struct SweepEvents {
+  std::vector<std::int64_t> at;     // an end: 2 i or 2 i + 1; or -1
+  std::vector<std::int64_t> below;  // a segment, or -1
+  std::vector<std::size_t> begin;   // event k has the segments row[begin[k]] to row[begin[k + 1]]
+  std::vector<std::size_t> row;
+};
+
+struct EndOnLine {
+  Numbers point;
+  std::size_t side = 0;
+};
+
+// What a claim brings; the rest is empty.
+struct Claim {
+  Numbers direction;
+  WeightList weights;
+  std::array<std::optional<EndOnLine>, 2> ends;
+  SweepEvents events;
+};
+
+using Constraints = std::vector<LinearConstraint>;
+
+// What does not count.
+struct AllowedContacts {
+  bool shared_endpoint = false, touch = false;
+};
+
+void check_parted(const Claim& claim, const HullBody& a, const HullBody& b);
+void check_holds(const Claim& claim, const HullBody& body, const Numbers& point);
+
+void check_feasible(const Tables& tables, const Numbers& point);
+void check_bounds(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point);
+void check_bounds_only(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point);
+void check_no_objective(const Numbers& objective);
+void check_contradict(const Claim& claim, const Tables& tables);
+void check_goes_on(const Claim& claim, const Tables& tables, const Numbers& objective);
+void check_ends(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point);
+
+// Two segments, and a kind of contact.
+struct StatedContact {
+  std::size_t i = 0, j = 0;
+  std::string kind;
+};
+
+// groups: empty, or one for each segment.
+void check_contact(const Tables& tables, const StatedContact& contact, const Numbers& point,
+                   const std::vector<std::int64_t>& groups, const AllowedContacts& allowed);
+void check_none_counts(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
+                       const AllowedContacts& allowed);
+
+}  // namespace sunder_verifier

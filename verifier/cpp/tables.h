@@ -1,0 +1,83 @@
+// The tables of a certificate file of version 2, as integers: docs/claims.md, "Tables". Whatever is not as it must be
+// is refused by rule F.
+#pragma once
+
+#include <verifier/statement_reader.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace sunder_verifier {
+
+// Integers, all in units of 2^e.
+struct Scaled {
+  std::vector<Integers> rows;
+  std::int64_t e = 0;
+  std::size_t bits = 0;  // of the longest
+};
+
+// A convex hull of points, with the ways that go on from there for ever; or the image of one.
+struct HullBody {
+  std::string name;
+  Scaled given;           // its points, then its ways
+  std::size_t count = 0;  // of points
+  Scaled linear;          // one row: the matrix, row by row; no row where the body is not an image
+  Scaled translation;     // one row
+
+  std::size_t dimension() const { return given.rows[0].size(); }
+  bool is_image() const { return !linear.rows.empty(); }
+  bool is_way(std::size_t k) const { return k >= count; }
+};
+
+Integer dot(const Integers& u, const Integers& v);
+
+// Of point or way k, as integers * 2^e; and e.
+std::pair<Integers, std::int64_t> image(const HullBody& body, std::size_t k);
+
+// The products of a direction with the points and the ways, in units of 2^e; and e. Takes the steps.
+std::pair<Integers, std::int64_t> products(const HullBody& body, const Integers& direction);
+
+struct PlanarPoint {
+  Integer x, y;
+
+  friend bool operator==(const PlanarPoint& p, const PlanarPoint& q) { return p.x == q.x && p.y == q.y; }
+};
+
+// The first end is lexicographically not after the last.
+struct PlanarSegment {
+  PlanarPoint first, last;
+};
+
+// a x + b y <= c; each number in units of 2^e.
+struct LinearConstraint {
+  Integer a, b, c;
+  std::int64_t e = 0;
+};
+
+struct Tables {
+  std::vector<std::string> names;  // of those that the file has
+  std::vector<HullBody> bodies;
+  std::vector<PlanarSegment> segments;
+  std::int64_t segment_exponent = 0;
+  std::size_t segment_bits = 0;
+  std::vector<LinearConstraint> half_planes;
+  std::size_t half_plane_bits = 0;
+
+  bool has(const std::string& name) const;
+};
+
+Tables read_tables(const json& item);
+
+// An object has these members, and besides at most those: throws Refused.
+void require_members(const json& item, const std::vector<std::string>& needed, const std::vector<std::string>& allowed,
+                     const std::string& where);
+
+// A string of 1 to most_name characters.
+std::string text_member(const json& item, const char* key, const std::string& where);
+
+}  // namespace sunder_verifier

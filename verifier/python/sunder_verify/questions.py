@@ -1,0 +1,172 @@
+"""Which claims prove which statement, as data: docs/claims.md, "Statements".
+
+A statement says its question, what it is about, and its verdict; its claims follow in the order of the table. Each is
+checked by its rule, told what the table binds it to: so a true claim about something else proves nothing.
+"""
+from . import rules
+from .reader import MOST_IN_GROUP, double, index, members, number, numbers, require
+
+MOST_WEIGHTS = 16  # of one combination; 4 are always enough
+ALLOWED = {  # which kinds of contact do not count
+    "nothing": (),
+    "shared-endpoint": ("shared-endpoint",),
+    "touch": ("shared-endpoint", "touch"),
+}
+
+
+# ---- Readers of a member: told its value, its place, and what has been read, by name. All they require is rule F.
+
+def entry(table):
+    return int, lambda value, where, read: read[table][index(value, len(read[table]), where)]
+
+
+def index_of(table):
+    return int, lambda value, where, read: index(value, len(read[table]), where)
+
+
+def groups(table):
+    def read_groups(value, where, read):
+        require(len(value) == len(read[table]), "F", "%s is not a list of %d" % (where, len(read[table])))
+        return [index(group, MOST_IN_GROUP + 1, where + " entry", -MOST_IN_GROUP) for group in value]
+    return list, read_groups
+
+
+def read_allowed(value, where, read):
+    require(value in ALLOWED, "F", where + " is none of nothing, shared-endpoint, touch")
+    return ALLOWED[value]
+
+
+def read_kind(value, where, read):
+    require(value in rules.KINDS, "F", where + " is no kind of contact")
+    return value
+
+
+def read_vector(value, where, read):
+    dimensions = {read[key].dimension for key in "ab" if key in read} or {2}
+    require(len(dimensions) == 1, "F", where + " is of bodies of different dimensions")
+    return numbers(value, dimensions.pop(), number, where)
+
+
+def read_weights(value, where, read):
+    require(0 < len(value) <= MOST_WEIGHTS, "F", "%s has not 1 to %d entries" % (where, MOST_WEIGHTS))
+    result = []
+    for item in value:
+        require(type(item) is list and len(item) == 2, "F", where + " has an entry that is not a list of 2")
+        result.append((index(item[0], len(read["of"]), where + " entry"), number(item[1], where + " entry")))
+    require(len({k for k, _ in result}) == len(result), "F", where + " names something twice")
+    return result
+
+
+def read_ends(value, where, read):
+    require(len(value) == 2, "F", where + " is not a list of 2")
+    result = []
+    for item in value:
+        require(item is None or (type(item) is list and len(item) == 2), "F", where + " has an entry that is no end")
+        result.append(item and (read_vector(item[0], where + " entry", {}), index(item[1], len(read["of"]), where + " entry")))
+    return result
+
+
+def read_events(value, where, read):
+    size = len(read["of"])
+    for k, event in enumerate(value):
+        require(type(event) is list and len(event) >= 2, "F", "%s[%d] is not a list of 2 or more" % (where, k))
+        index(event[0], 2 * size, "%s[%d]" % (where, k), -1)
+        index(event[1], size, "%s[%d]" % (where, k), -1)
+        for s in event[2:]:
+            index(s, size, "%s[%d]" % (where, k))
+    return value
+
+
+ALLOW, VECTOR, WEIGHTS, ENDS = (str, read_allowed), (list, read_vector), (list, read_weights), (list, read_ends)
+EVENTS, KIND = (list, read_events), (str, read_kind)
+OBJECTIVE = (list, lambda value, where, read: numbers(value, 2, double, where))
+
+# ---- Claims: what they bring, and their rule.
+
+CLAIMS = {
+    "parted": ({"direction": VECTOR}, rules.parted),
+    "holds": ({"weights": WEIGHTS}, rules.holds),
+    "feasible": ({}, rules.feasible),
+    "bounds": ({"weights": WEIGHTS}, rules.bounds),
+    "bounds_only": ({"weights": WEIGHTS}, rules.bounds_only),
+    "no_objective": ({}, rules.no_objective),
+    "contradict": ({"weights": WEIGHTS}, rules.contradict),
+    "goes_on": ({"direction": VECTOR}, rules.goes_on),
+    "ends": ({"ends": ENDS}, rules.ends),
+    "contact": ({}, rules.contact),
+    "none_counts": ({"events": EVENTS}, rules.none_counts),
+}
+
+# ---- Statements. A question: the table it is about, what each statement about it says, what it may say; for each verdict
+# what that says more, and its claims, each with what it is bound to: the first is what the claim's indices count.
+
+PROGRAM = {"objective": OBJECTIVE}
+QUESTIONS = {
+    "pair": ("bodies", {"a": entry("bodies"), "b": entry("bodies")}, {}, {
+        "apart": ({}, [("parted", "a", "b")]),
+        "meet": ({"point": VECTOR}, [("holds", "a", "point"), ("holds", "b", "point")]),
+    }),
+    "segments": ("segments", {"allowed": ALLOW}, {"groups": groups("segments")}, {
+        "some": ({"i": index_of("segments"), "j": index_of("segments"), "kind": KIND, "point": VECTOR},
+                 [("contact", "segments", "i", "j", "kind", "point", "groups", "allowed")]),
+        "none": ({}, [("none_counts", "segments", "groups", "allowed")]),
+    }),
+    "linear_program": ("half_planes", PROGRAM, {}, {
+        "one": ({"point": VECTOR}, [("feasible", "half_planes", "point"),
+                                    ("bounds_only", "half_planes", "objective", "point")]),
+        "many": ({"point": VECTOR}, [("feasible", "half_planes", "point"),
+                                     ("bounds", "half_planes", "objective", "point"),
+                                     ("ends", "half_planes", "objective", "point")]),
+        "all": ({"point": VECTOR}, [("feasible", "half_planes", "point"), ("no_objective", "half_planes", "objective")]),
+        "unbounded": ({"point": VECTOR}, [("feasible", "half_planes", "point"), ("goes_on", "half_planes", "objective")]),
+        "infeasible": ({}, [("contradict", "half_planes")]),
+    }),
+}
+
+
+def read_members(readers, item, where, read, optional=()):
+    """The values of some members, as their readers give them; they may look at those read before them."""
+    kinds = {key: kind for key, (kind, _) in readers.items()}
+    more = {key: kind for key, (kind, _) in dict(optional).items()}
+    values = members(item, kinds, where, more)
+    for (key, (_, reader)), value in zip({**readers, **dict(optional)}.items(), values):
+        read[key] = None if value is None else reader(value, "%s.%s" % (where, key), read)
+
+
+def read_statement(item, tables, where):
+    """What is said, for people, and what is to be checked: functions of the steps."""
+    require(type(item) is dict, "F", where + " is not an object")
+    question, verdict = item.get("question"), item.get("verdict")
+    require(type(question) is str and question in QUESTIONS, "F", where + ".question is none that is known")
+    about, given, optional, verdicts = QUESTIONS[question]
+    require(about in tables, "F", "%s is about %s, which the file has not" % (where, about))
+    require(type(verdict) is str and verdict in verdicts, "F", where + ".verdict is none of this question")
+    more, needed = verdicts[verdict]
+    said = (str, lambda value, where, read: value)
+    read = dict(tables)
+    read_members({"question": said, **given, "verdict": said, **more, "claims": (list, said[1])}, item, where, read, optional)
+    claims = read["claims"]
+    require(len(claims) == len(needed), "F", "%s has not %d claims" % (where, len(needed)))
+    checks = []
+    for k, (claim, (kind, *bound)) in enumerate(zip(claims, needed)):
+        place = "%s.claims[%d]" % (where, k)
+        require(type(claim) is dict and claim.get("claim") == kind, "F", "%s is not the claim %s" % (place, kind))
+        brings, rule = CLAIMS[kind]
+        scope = {**read, "of": read[bound[0]]}
+        read_members({"claim": said, **brings}, claim, place, scope)
+        checks.append((rule, {key: scope[key] for key in brings}, [read[name] for name in bound]))
+    return (question, description(item, read), verdict), checks
+
+
+def description(item, read):
+    """What a statement speaks of, in words: all of it."""
+    words = []
+    if "a" in item:
+        words += [read[key].name for key in "ab"]
+    if "allowed" in item:
+        words.append(item["allowed"] + " allowed")
+    if "groups" in item:
+        words.append("members of one of %d groups may meet" % len(set(item["groups"])))
+    if "objective" in item:
+        words.append("along (%s, %s)" % tuple(item["objective"]))
+    return words

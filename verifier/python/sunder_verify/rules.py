@@ -1,0 +1,271 @@
+"""The rules by which claims are checked: docs/claims.md, "Rules". They know tables and claims, and no question.
+
+All arithmetic is on integers. A point is x, ..., w with w > 0, for (x / w, ...); points of a table have w = 1 and are in
+units of a power of two. A rule is told the steps that it may take, what the claim brings, and what it is bound to.
+"""
+from .reader import bits, common, length, projective, require
+from .tables import dot
+
+
+def aligned(m, e, n, f):
+    """Two integers that compare as m * 2^e and n * 2^f do."""
+    return m << max(e - f, 0), n << max(f - e, 0)
+
+
+# ---- Convex objects: the convex hull of points, and the ways from there that go on for ever.
+
+def parted(steps, claim, a, b):
+    """A is strictly less far along a direction than B."""
+    d, _, _ = common(claim["direction"])  # a positive multiple of the direction
+    limits = []
+    for body, sign in ((a, 1), (b, -1)):
+        along = [sign * n for n in d]
+        points, ways, e = body.forms(steps, along)
+        require(all(n <= 0 for n in ways), "parted", "a way of %s goes on along the direction" % body.name)
+        limits.append((max(points), e))
+    (p, e), (q, f) = limits
+    p, q = aligned(p, e, -q, f)
+    require(p < q, "parted", "%s is not strictly less far along the direction than %s" % (a.name, b.name))
+
+
+def holds(steps, claim, body, point):
+    """A body holds a point: a convex combination of its points, and a combination of its ways."""
+    named = claim["weights"]
+    whole = length([weight for _, weight in named])
+    steps.take(len(named) // 4 + 1, whole, whole)
+    weights, d, e = common([weight for _, weight in named])
+    require(all(w >= 0 for w in weights), "holds", "a weight of %s is negative" % body.name)
+    total, one = aligned(sum(w for w, (k, _) in zip(weights, named) if not body.is_way(k)), e, d, 0)
+    require(total == one, "holds", "the weights of %s do not sum to 1" % body.name)
+    images = [body.image(k) for k, _ in named]
+    for axis, (n, denominator, k) in enumerate(point):
+        mean = sum(w * image[axis] for w, (image, _) in zip(weights, images))
+        mean, wanted = aligned(mean * denominator, e + images[0][1], n * d, k)
+        require(mean == wanted, "holds", "the weighted sum of %s is not the point in coordinate %d" % (body.name, axis))
+
+
+# ---- Linear constraints: half-planes a x + b y <= c as integers (a, b, c, exponent of all three).
+
+def turn(u, v):
+    """Positive: v is less than half a turn counter-clockwise from u."""
+    return u[0] * v[1] - u[1] * v[0]
+
+
+def excess(h, point):
+    """Positive: the point x, y, w is outside; zero: on the line."""
+    return h[0] * point[0] + h[1] * point[1] - h[2] * point[2]
+
+
+def look_at_all(steps, given, vector):
+    steps.take(2 * len(given), bits(vector), max((bits(h[:3]) for h in given), default=0))
+
+
+def feasible(steps, claim, given, point):
+    """The point keeps all constraints."""
+    place = projective(point)
+    look_at_all(steps, given, place)
+    for i, h in enumerate(given):
+        require(excess(h, place) <= 0, "feasible", "the point is outside of half-plane %d" % i)
+
+
+def weighted_sum(steps, claim, given):
+    """Of the named constraints, by weights that are positive: (a, b, c), times a positive number."""
+    named = claim["weights"]
+    whole = length([weight for _, weight in named])
+    steps.take(len(named) // 4 + 1, whole, whole)
+    weights, _, _ = common([(n, d, e + given[k][3]) for k, (n, d, e) in named])
+    require(all(w > 0 for w in weights), "weights", "a weight is not positive")
+    return [sum(w * given[k][axis] for w, (k, _) in zip(weights, named)) for axis in range(3)]
+
+
+def bounds(steps, claim, given, objective, point, is_only=False):
+    """No common point is further along the objective than the point, and, where is_only, no other one as far."""
+    a, b, _ = weighted_sum(steps, claim, given)
+    up = common(objective)[0]
+    require(turn((a, b), up) == 0 and dot((a, b), up) > 0, "bounds", "the weighted normals are not the objective")
+    place = projective(point)
+    sides = [given[k] for k, _ in claim["weights"]]
+    for (k, _), side in zip(claim["weights"], sides):
+        require(excess(side, place) == 0, "bounds", "the point is not on the line of half-plane %d" % k)
+    require(not is_only or any(turn(sides[0], side) for side in sides), "bounds",
+            "the lines at the point are one")
+
+
+def bounds_only(steps, claim, given, objective, point):
+    bounds(steps, claim, given, objective, point, True)
+
+
+def no_objective(steps, claim, given, objective):
+    """No point is further than another."""
+    require(not any(common(objective)[0]), "no_objective", "there is an objective")
+
+
+def contradict(steps, claim, given):
+    """No point keeps the named constraints."""
+    a, b, c = weighted_sum(steps, claim, given)
+    require(a == b == 0 and c < 0, "contradict", "the weighted constraints have a common point")
+
+
+def goes_on(steps, claim, given, objective):
+    """Along a direction no constraint is left; and it leads further along the objective."""
+    way = common(claim["direction"])[0]
+    require(dot(common(objective)[0], way) > 0, "goes_on", "the direction does not lead further along the objective")
+    look_at_all(steps, given, way)
+    for i, h in enumerate(given):
+        require(dot(h, way) <= 0, "goes_on", "the direction leaves half-plane %d" % i)
+
+
+def ends(steps, claim, given, objective, point):
+    """All that is as far along the objective as the point, on one line, is from the first to the second end, where these
+    are; the second is to the left of the objective."""
+    p, q = common(objective)[0]
+    places = []
+    for way, end in zip(((q, -p), (-q, p)), claim["ends"]):
+        if end is None:
+            look_at_all(steps, given, way)
+            require(all(dot(h, way) <= 0 for h in given), "ends", "there is an end, and it is not given")
+            continue
+        place, k = projective(end[0]), end[1]
+        look_at_all(steps, given, place)
+        require(all(excess(h, place) <= 0 for h in given), "ends", "an end is outside of a half-plane")
+        here, there = dot((p, q), place), dot((p, q), projective(point))
+        require(here * projective(point)[2] == there * place[2], "ends", "an end is not as far along the objective")
+        require(excess(given[k], place) == 0 and dot(given[k], way) > 0, "ends", "half-plane %d does not end it" % k)
+        places.append((dot((-q, p), place), place[2]))
+    if len(places) == 2:
+        (m, v), (n, w) = places
+        require(m * w < n * v, "ends", "the ends are one point")
+
+
+# ---- Segments: pairs of points, the lexicographically lesser one first.
+
+KINDS = ("shared-endpoint", "touch", "crossing", "overlap")
+
+
+def side(segment, point):
+    """Positive: the point x, y, w is above the segment's line: left of it, seen from its first end."""
+    (ax, ay), (bx, by) = segment
+    x, y, w = point
+    return (bx - ax) * (y - ay * w) - (by - ay) * (x - ax * w)
+
+
+def way_of(segment):
+    (ax, ay), (bx, by) = segment
+    return bx - ax, by - ay
+
+
+def kind_of(s, t):
+    """How two segments meet that have a common point."""
+    if turn(way_of(s), way_of(t)) == 0 and s[0] != s[1] and t[0] != t[1]:
+        first, last = max(s[0], t[0]), min(s[1], t[1])  # on one line, where the order of points is the order along it
+        return "overlap" if first < last else "shared-endpoint"
+    ends = [any(side(v, end + (1,)) == 0 and v[0] <= end <= v[1] for end in u) for u, v in ((s, t), (t, s))]
+    if s[0] in t or s[1] in t:
+        return "shared-endpoint"
+    return "touch" if any(ends) else "crossing"
+
+
+def contact(steps, claim, segments, i, j, kind, point, groups, allowed):
+    """Two segments of different groups hold a point, and the kind of their contact counts."""
+    place = projective([(n, d, e - segments.exponent) for n, d, e in point])
+    steps.take(16, length(point), segments.bits)
+    require(i != j and (groups is None or groups[i] != groups[j]), "contact", "segments %d and %d are of one group" % (i, j))
+    require(kind not in allowed, "contact", kind + " does not count")
+    for k in (i, j):
+        first, last = (end + (1,) for end in segments[k])
+        require(side(segments[k], place) == 0 and not before(place, first) and not before(last, place), "contact",
+                "the point is not on segment %d" % k)
+    found = kind_of(segments[i], segments[j])
+    require(found == kind, "contact", "the contact is " + found)
+
+
+# ---- Sweeps: a list of segments from the lowest up, kept through events at points, lexicographically ordered.
+
+def before(p, q):
+    """Is p lexicographically before q?"""
+    return (p[0] * q[2] - q[0] * p[2] or p[1] * q[2] - q[1] * p[2]) < 0
+
+
+def is_at(point, end):
+    x, y, w = point
+    return x == end[0] * w and y == end[1] * w
+
+
+def crossing_of(s, t):
+    """The common point of two segments' lines, which are not parallel."""
+    u, v = way_of(s), way_of(t)
+    across, along = turn(u, v), turn((t[0][0] - s[0][0], t[0][1] - s[0][1]), v)
+    if across < 0:
+        across, along = -across, -along
+    return s[0][0] * across + u[0] * along, s[0][1] * across + u[1] * along, across
+
+
+def sweep(steps, claim, segments):
+    """Gives, point by point, which segments hold it: those that were in the list, from the lowest up, and those that
+    go on from there. Between these points no two segments meet that did not meet at one of them."""
+    above_of = {-1: -1}  # the list, as a ring: -1 stands below and above all
+    begun = [False] * len(segments)
+    last = None
+    for k, (at, below, *row) in enumerate(claim["events"]):
+        where = "event %d" % k
+        if at >= 0:
+            point = segments[at // 2][at % 2] + (1,)
+        else:
+            require(len(row) > 1 and turn(way_of(segments[row[0]]), way_of(segments[row[-1]])) != 0, "sweep",
+                    where + " has no point: its first and last segment do not cross")
+            steps.take(len(row) + 4, 3 * segments.bits, 3 * segments.bits)
+            point = crossing_of(segments[row[0]], segments[row[-1]])
+        require(last is None or before(last, point), "sweep", where + " is not after the one before it")
+        last = point
+        # What stands in the list at this point: all from `below` up that hold it.
+        require(below in above_of, "sweep", "%s is above segment %d, which is not in the list" % (where, below))
+        require(below < 0 or side(segments[below], point) > 0, "sweep", "%s is not above segment %d" % (where, below))
+        here, upper = [], above_of[below]
+        while upper >= 0 and side(segments[upper], point) == 0:
+            here.append(upper)
+            upper = above_of[upper]
+        require(upper < 0 or side(segments[upper], point) < 0, "sweep", "%s is not below segment %d" % (where, upper))
+        for s in here:
+            del above_of[s]
+        stay = {s for s in here if not is_at(point, segments[s][1])}
+        # What goes on from it, sorted by direction.
+        lower = below
+        for s in row:
+            if s in stay:
+                stay.remove(s)
+            else:
+                require(not begun[s] and is_at(point, segments[s][0]), "sweep",
+                        "%s: segment %d is not in the list there, or does not begin there" % (where, s))
+                begun[s] = True
+            if lower != below:
+                require(turn(way_of(segments[lower]), way_of(segments[s])) >= 0, "sweep",
+                        "%s: segment %d does not go on above %d" % (where, s, lower))
+            if segments[s][0] != segments[s][1]:
+                above_of[lower] = s
+                lower = s
+        require(not stay, "sweep", "%s loses a segment that goes on" % where)
+        above_of[lower] = upper
+        yield point, here, row
+    require(all(begun) and above_of[-1] == -1, "sweep", "not all segments begin and end")
+
+
+def none_counts(steps, claim, segments, groups, allowed):
+    """No two segments of different groups have a contact of a kind that counts. Without groups, each is its own."""
+    of = groups if groups is not None else range(len(segments))
+    for point, here, row in sweep(steps, claim, segments):
+        passing, ending = {}, {}  # one of each group
+        for s in here + row:
+            is_end = is_at(point, segments[s][0]) or is_at(point, segments[s][1])
+            (ending if is_end else passing)[of[s]] = s
+        of_both = {**ending, **passing}
+        require(len(passing) <= 1, "none_counts", refusal("cross", passing))
+        require(not passing or "touch" in allowed or len(of_both) == 1, "none_counts", refusal("touch", of_both))
+        require("shared-endpoint" in allowed or len(ending) <= 1, "none_counts", refusal("share an end", ending))
+        moving = [s for s in row if segments[s][0] != segments[s][1]]
+        for s, t in zip(moving, moving[1:]):
+            require(of[s] == of[t] or turn(way_of(segments[s]), way_of(segments[t])), "none_counts",
+                    "segments %d and %d overlap" % (s, t))
+
+
+def refusal(what, segments):
+    return "segments %s %s" % (" and ".join(map(str, list(segments.values())[:2])), what)
