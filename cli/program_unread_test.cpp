@@ -176,7 +176,7 @@ TEST_F(Program, ABoardIsAskedAboutByItsCentreLines) {
   EXPECT_NE(r.out.find("\nnone of the tracks' centre lines meet"), std::string::npos) << r.out;
   EXPECT_NE(r.out.find("1 list of an unknown kind: not looked at"), std::string::npos) << r.out;
   EXPECT_EQ(report("segments " + quoted + " --centre-lines", 0)["said_of"], "centre lines");
-  const std::string note = json::parse(read_text(in_folder("proof.json")))["note"];
+  const std::string note = json::parse(read_text(in_folder("proof.json")))["left_out"][0];
   EXPECT_TRUE(note.starts_with("of the centre lines of tracks; copper is not read: ")) << note;
   EXPECT_TRUE(python_accepts(proof));
 }

@@ -86,7 +86,6 @@ std::string human_text(const File& file) {
   for (const sunder_verifier::FileInput& input : result.inputs) {
     text += fmt::format("  of {}, SHA-256 {}\n", io::one_line(input.name), input.sha256);
   }
-  for (const std::string& left_out : result.left_out) text += fmt::format("  left out: {}\n", io::one_line(left_out));
   for (const std::size_t i : file.refused) {
     const sunder_verifier::PairResult& pair = result.pairs[i];
     if (file.is_set) {
@@ -113,7 +112,6 @@ Json report(const File& file) {
   for (const sunder_verifier::FileInput& input : result.inputs) {
     json["inputs"].push_back({{"name", input.name}, {"sha256", input.sha256}});
   }
-  for (const std::string& left_out : result.left_out) json["left_out"].push_back(left_out);
   json["refused"] = Json::array();
   if (!result.failed_form.empty()) json["refused"].push_back({{"check", "F"}, {"reason", result.failed_form}});
   for (const std::size_t i : file.refused) {

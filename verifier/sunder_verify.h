@@ -33,8 +33,7 @@ struct FileResult {
   std::string note;               // what the file says that it does not speak of: any UTF-8 text, to be printed with
                                   // the verdict, control characters escaped. Empty: none, or failed_form
   std::vector<FileInput> inputs;  // of version 2
-  std::vector<std::string> left_out;  // of version 2: what the file says that it does not speak of, to be printed
-  std::vector<PairResult> pairs;      // in the order of the file; empty if not readable or wrong in form
+  std::vector<PairResult> pairs;  // in the order of the file; empty if not readable or wrong in form
 
   // Readable, right in form, and every pair accepted. True for a file without pairs.
   bool accepted() const;

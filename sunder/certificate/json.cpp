@@ -115,6 +115,11 @@ std::string cut_note(const std::string& text) {
 
 std::string with_note(std::string certificate, const std::string& note) {
   if (note.empty()) return certificate;
+  const std::string claims = "{\"sunder_certificate\": 2";
+  if (certificate.starts_with(claims)) {
+    certificate.insert(claims.size(), ",\n \"left_out\": [" + quoted(cut_note(note)) + "]");
+    return certificate;
+  }
   const std::string version = "certificate\": 1,";
   certificate.insert(certificate.find(version) + version.size(), " \"note\": " + quoted(cut_note(note)) + ",");
   return certificate;

@@ -5,6 +5,7 @@
 #include <sunder/planar/set/segments_any_json.h>
 #include <tests/support/segment_sets.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -24,7 +25,7 @@ int main(int argc, char** argv) {
   tests::SegmentSets sets(argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
   std::filesystem::create_directories(folder);
   int meets = 0;
-  std::size_t exchanges = 0;
+  std::size_t crossings = 0;
   for (int i = 0; i < count; ++i) {
     const planar::Segments segments(sets.next().segments);
     const Allowed allowed = i % 3 == 0 ? Allowed::nothing : i % 3 == 1 ? Allowed::shared_endpoint : Allowed::touch;
@@ -35,7 +36,7 @@ int main(int argc, char** argv) {
     }
     const planar::SegmentsAnswer answer = planar::segments_any(segments, {allowed, true, groups});
     meets += answer.meet();
-    exchanges += answer.transcript.exchanges.size();
+    crossings += static_cast<std::size_t>(std::ranges::count(answer.transcript.at, planar::at_crossing));
     std::ofstream file(folder / ("segments_" + std::to_string(i) + ".json"), std::ios::binary);
     file << planar::certificate_text(segments, allowed, answer, groups);
     if (!file.flush()) {
@@ -43,6 +44,6 @@ int main(int argc, char** argv) {
       return 2;
     }
   }
-  std::printf("%d certificates of sets of segments, some meet in %d; %zu exchanges\n", count, meets, exchanges);
+  std::printf("%d certificates of sets of segments, some meet in %d; %zu crossings\n", count, meets, crossings);
   return 0;
 }

@@ -85,13 +85,6 @@ void look_at_all(const Tables& tables, const Integers& vector) {
   take_steps(2 * tables.half_planes.size(), bits(vector), tables.half_plane_bits);
 }
 
-void require_feasible(const Tables& tables, const Integers& place, const char* rule) {
-  look_at_all(tables, place);
-  for (std::size_t i = 0; i < tables.half_planes.size(); ++i) {
-    require(excess(tables.half_planes[i], place) <= 0, rule, "the point is outside of half-plane " + std::to_string(i));
-  }
-}
-
 // Of the named constraints, times a positive number.
 LinearConstraint weighted_sum(const Claim& claim, const Tables& tables) {
   const WeightList& list = claim.weights;
@@ -114,7 +107,12 @@ LinearConstraint weighted_sum(const Claim& claim, const Tables& tables) {
 }  // namespace
 
 void check_feasible(const Tables& tables, const Numbers& point) {
-  require_feasible(tables, projective(point), "feasible");
+  const Integers place = projective(point);
+  look_at_all(tables, place);
+  for (std::size_t i = 0; i < tables.half_planes.size(); ++i) {
+    require(excess(tables.half_planes[i], place) <= 0, "feasible",
+            "the point is outside of half-plane " + std::to_string(i));
+  }
 }
 
 void check_bounds(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point) {
@@ -171,7 +169,10 @@ void check_ends(const Claim& claim, const Tables& tables, const Numbers& objecti
       continue;
     }
     const Integers& place = places[k] = projective(claim.ends[k]->point);
-    require_feasible(tables, place, "ends");
+    look_at_all(tables, place);
+    for (const LinearConstraint& h : tables.half_planes) {
+      require(excess(h, place) <= 0, "ends", "an end is outside of a half-plane");
+    }
     require((up[0] * place[0] + up[1] * place[1]) * start[2] == (up[0] * start[0] + up[1] * start[1]) * place[2],
             "ends", "an end is not as far along the objective");
     const LinearConstraint& h = tables.half_planes[claim.ends[k]->side];
@@ -325,7 +326,7 @@ class Sweep {
     while (s != none && (place = side(segments_[s], point)) == 0) {
       here.push_back(s);
       stays_[s] = !point.is(segments_[s].last);
-      stay_ += stays_[s] ? 1 : 0;
+      if (stays_[s]) ++stay_;
       s = std::exchange(above_[s], kOut);
     }
     require(s == none || place < 0, "sweep", where() + " is not below segment " + std::to_string(s));
@@ -365,30 +366,19 @@ class Sweep {
 // Of which groups some segments are: none, one, or more.
 class GroupsSeen {
  public:
-  void add(std::int64_t group, std::size_t segment) {
-    if (!any_) {
-      group_ = group;
-      first_ = segment;
-    }
-    if (any_ && group != group_ && !mixed_) {
-      mixed_ = true;
-      second_ = segment;
-    }
+  void add(std::int64_t group) {
+    more_ = more_ || (any_ && group != group_);
+    group_ = group;
     any_ = true;
   }
-  void add(const GroupsSeen& other) {
-    if (other.any_) add(other.group_, other.first_);
-    if (other.mixed_) mixed_ = true;
-  }
   bool any() const { return any_; }
-  void require_one(const char* what) const {
-    require(!mixed_, "none_counts", "segments " + std::to_string(first_) + " and " + std::to_string(second_) + what);
-  }
+  bool more() const { return more_; }
+  // Are these all of the one group of the other ones?
+  bool are_of(const GroupsSeen& one) const { return !any_ || (!more_ && group_ == one.group_); }
 
  private:
   std::int64_t group_ = 0;
-  std::size_t first_ = 0, second_ = 0;
-  bool any_ = false, mixed_ = false;
+  bool any_ = false, more_ = false;
 };
 
 }  // namespace
@@ -417,25 +407,25 @@ void check_none_counts(const Claim& claim, const Tables& tables, const std::vect
   const auto group_of = [&](std::size_t s) { return groups.empty() ? static_cast<std::int64_t>(s) : groups[s]; };
   const std::vector<PlanarSegment>& segments = tables.segments;
   Sweep sweep(claim.events, tables);
-  while (sweep.next()) {
+  for (std::size_t k = 0; sweep.next(); ++k) {
+    const auto require_not = [k](bool meet, const char* how) {
+      require(!meet, "none_counts", "event " + std::to_string(k) + ": segments of different groups " + how);
+    };
     GroupsSeen passing, ending;
     const auto look = [&](std::size_t s) {
       const bool is_end = sweep.point.is(segments[s].first) || sweep.point.is(segments[s].last);
-      (is_end ? ending : passing).add(group_of(s), s);
+      (is_end ? ending : passing).add(group_of(s));
     };
     for (const std::size_t s : sweep.here) look(s);
     std::for_each(sweep.row, sweep.row_end, look);
-    passing.require_one(" cross");
-    if (!allowed.shared_endpoint) ending.require_one(" share an end");
-    if (!allowed.touch && passing.any()) {
-      ending.add(passing);
-      ending.require_one(" touch");
-    }
+    require_not(passing.more(), "cross");
+    require_not(passing.any() && !allowed.touch && !ending.are_of(passing), "touch");
+    require_not(!allowed.shared_endpoint && ending.more(), "share an end");
     const std::size_t* before = nullptr;
     for (const std::size_t* s = sweep.row; s != sweep.row_end; ++s) {
       if (is_point(segments[*s])) continue;
-      require(before == nullptr || group_of(*before) == group_of(*s) || turn(segments[*before], segments[*s]) != 0,
-              "none_counts", "some segments overlap");
+      const bool of_two = before != nullptr && group_of(*before) != group_of(*s);
+      require_not(of_two && turn(segments[*before], segments[*s]) == 0, "overlap");
       before = s;
     }
   }

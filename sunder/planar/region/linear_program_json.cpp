@@ -1,6 +1,5 @@
+#include <sunder/certificate/claims.h>
 #include <sunder/planar/region/linear_program_json.h>
-#include <sunder/planar/region/regions_json.h>
-#include <sunder/planar/set/tables_json.h>
 
 #include <array>
 #include <vector>
@@ -18,14 +17,17 @@ ExactVector along(const Constraint& h) { return {-h.b, h.a}; }
 
 ExactVector along(const LeftOf& h) { return {Dyadic(h.to.x) - Dyadic(h.from.x), Dyadic(h.to.y) - Dyadic(h.from.y)}; }
 
-// The named half-planes, in the order of their angles.
-std::vector<std::uint32_t> named(const LinearProgramAnswer& answer) {
-  std::vector<std::uint32_t> result;
-  for (const std::uint32_t k : {answer.before, answer.side, answer.after}) {
-    if (k != no_half_plane) result.push_back(k);
-  }
-  return result;
+// The normal, times a positive number that all three numbers of the half-plane may be multiplied by.
+ExactVector normal(const Constraint& h) { return {h.a, h.b}; }
+
+ExactVector normal(const LeftOf& h) {
+  const ExactVector d = along(h);
+  return {d.y, -d.x};
 }
+
+Dyadic turn(const ExactVector& u, const ExactVector& v) { return u.x * v.y - u.y * v.x; }
+Dyadic dot(const ExactVector& u, const ExactVector& v) { return u.x * v.x + u.y * v.y; }
+Dyadic magnitude(const Dyadic& x) { return x.sign() == Sign::negative ? -x : x; }
 
 template <class Given>
 ExactVector direction_of(const Given& given, const Objective& objective, const LinearProgramAnswer& answer) {
@@ -34,38 +36,121 @@ ExactVector direction_of(const Given& given, const Objective& objective, const L
   return answer.backward ? ExactVector{-d.x, -d.y} : d;
 }
 
-void append_edge(std::string& text, const LinearProgramAnswer& answer) {
-  const auto number = [](std::uint32_t k) { return k == no_half_plane ? "-1" : std::to_string(k); };
-  text += ",\n   \"side\": " + number(answer.side) + ", \"before\": " + number(answer.before) +
-          ", \"after\": " + number(answer.after);
+struct Weight {
+  std::uint32_t side;
+  Dyadic value;
+};
+
+// Positive, with which the normals of two opposite half-planes, or of three that turn, sum to zero.
+template <class Given>
+std::vector<Weight> contradiction(const Given& given, const LinearProgramAnswer& answer) {
+  const ExactVector u = normal(given[answer.before]), w = normal(given[answer.after]);
+  if (answer.side == no_half_plane) {
+    return {{answer.before, magnitude(w.x) + magnitude(w.y)}, {answer.after, magnitude(u.x) + magnitude(u.y)}};
+  }
+  const ExactVector v = normal(given[answer.side]);
+  return {{answer.before, turn(v, w)}, {answer.side, turn(w, u)}, {answer.after, turn(u, v)}};
+}
+
+// Positive, with which the normals at the point sum to a positive multiple of the objective.
+template <class Given>
+std::vector<Weight> bound(const Given& given, const Objective& objective, const LinearProgramAnswer& answer) {
+  if (answer.outcome == Optimum::many) return {{answer.side, 1.0}};
+  const ExactVector u = normal(given[answer.before]), w = normal(given[answer.after]);
+  if (answer.side == no_half_plane) {
+    const ExactVector up{objective.p, objective.q};
+    return {{answer.before, turn(up, w)}, {answer.after, turn(u, up)}};
+  }
+  // before and after sum to a multiple of the side's normal, which may be negative: the side makes up for it.
+  const ExactVector v = normal(given[answer.side]);
+  const Dyadic square = dot(v, v), of_u = turn(v, w), of_w = turn(u, v);
+  const Dyadic sum = of_u * dot(u, v) + of_w * dot(w, v);
+  return {{answer.before, of_u * square}, {answer.side, magnitude(sum) + square}, {answer.after, of_w * square}};
+}
+
+void write_weights(ClaimsWriter& file, std::string_view claim, const std::vector<Weight>& weights) {
+  file.begin_claim(claim);
+  file.begin_list("weights");
+  for (const Weight& weight : weights) file.add_weight(weight.side, weight.value);
+  file.end_list();
+  file.end_claim();
+}
+
+template <class Given>
+void write_ends(ClaimsWriter& file, const Given& given, const LinearProgramAnswer& answer) {
+  file.begin_claim("ends");
+  file.begin_list("ends");
+  for (const std::uint32_t end : {answer.before, answer.after}) {
+    if (end == no_half_plane) {
+      file.add_null();
+      continue;
+    }
+    const ExactPoint2 p = end == answer.before ? exact_corner(given[end], given[answer.side])
+                                               : exact_corner(given[answer.side], given[end]);
+    file.add_fractions_and_index(std::array{p.x, p.y}, p.denominator, end);
+  }
+  file.end_list();
+  file.end_claim();
+}
+
+void write_empty(ClaimsWriter& file, std::string_view claim) {
+  file.begin_claim(claim);
+  file.end_claim();
+}
+
+void write_table(ClaimsWriter& file, const Constraints& given) {
+  for (std::uint32_t k = 0; k < given.size(); ++k) file.add_row(std::array{given[k].a, given[k].b, given[k].c});
+}
+
+void write_table(ClaimsWriter& file, const HalfPlanes& given) {
+  for (std::uint32_t k = 0; k < given.size(); ++k) {
+    file.add_row(std::array{given[k].from.x, given[k].from.y, given[k].to.x, given[k].to.y});
+  }
 }
 
 }  // namespace
 
 template <class Given>
-std::string certificate_text(const Given& given, const Objective& objective, const LinearProgramAnswer& answer) {
-  std::string text = json_file_begin;
-  append_half_planes(text, given);
-  text += ",\n \"statements\": [\n  {\"question\": \"linear_program\", \"objective\": ";
-  append_doubles(text, std::array{objective.p, objective.q});
-  text += ", \"verdict\": \"" + std::string(name_of(answer.outcome)) + '"';
+void write_statement(ClaimsWriter& file, const Given& given, const Objective& objective,
+                     const LinearProgramAnswer& answer) {
+  file.begin_table("half_planes");
+  write_table(file, given);
+  file.end_table();
+  file.begin_statement("linear_program");
+  file.doubles("objective", std::array{objective.p, objective.q});
+  file.text("verdict", std::string(name_of(answer.outcome)));
   if (answer.feasible()) {
-    text += ",\n   \"point\": ";
-    append_point(text, point_of(given, answer));
-  } else {
-    text += ",\n   \"sides\": ";
-    append_indices(text, named(answer));
+    const ExactPoint2 p = point_of(given, answer);
+    file.fractions("point", std::array{p.x, p.y}, p.denominator);
   }
-  if (answer.outcome == Optimum::one) {
-    text += ",\n   \"tight\": ";
-    append_indices(text, named(answer));
-  } else if (answer.outcome == Optimum::many) {
-    append_edge(text, answer);
-  } else if (answer.outcome == Optimum::unbounded) {
-    const ExactVector d = direction_of(given, objective, answer);
-    text += ",\n   \"direction\": [\"" + d.x.hexadecimal() + "\", \"" + d.y.hexadecimal() + "\"]";
+  file.begin_claims();
+  if (answer.feasible()) write_empty(file, "feasible");
+  switch (answer.outcome) {
+    case Optimum::one: write_weights(file, "bounds_only", bound(given, objective, answer)); break;
+    case Optimum::many:
+      write_weights(file, "bounds", bound(given, objective, answer));
+      write_ends(file, given, answer);
+      break;
+    case Optimum::all: write_empty(file, "no_objective"); break;
+    case Optimum::unbounded: {
+      const ExactVector d = direction_of(given, objective, answer);
+      file.begin_claim("goes_on");
+      file.numbers("direction", std::array{d.x, d.y});
+      file.end_claim();
+      break;
+    }
+    case Optimum::infeasible: write_weights(file, "contradict", contradiction(given, answer)); break;
   }
-  return text + "}]}\n";
+  file.end_statement();
+}
+
+template <class Given>
+std::string certificate_text(const Given& given, const Objective& objective, const LinearProgramAnswer& answer) {
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  write_statement(file, given, objective, answer);
+  file.end();
+  return text;
 }
 
 template std::string certificate_text(const Constraints&, const Objective&, const LinearProgramAnswer&);

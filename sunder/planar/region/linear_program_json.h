@@ -1,4 +1,4 @@
-// The certificate file of a linear program (docs/certificates-sets.md, "linear_program").
+// The certificate file of a linear program (docs/claims.md, "linear_program").
 #pragma once
 
 #include <sunder/planar/region/linear_program.h>

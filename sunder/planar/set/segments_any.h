@@ -14,6 +14,7 @@
 #include <sunder/planar/object/segments.h>
 #include <sunder/planar/pair/segment_segment.h>
 #include <sunder/planar/set/contact_rule.h>
+#include <sunder/planar/set/sweep_events.h>
 
 #include <array>
 #include <cstdint>
@@ -22,22 +23,10 @@
 
 namespace sunder::planar {
 
-// The sweep that met no contact. `events`: the endpoints in the order of the sweep, 2 i for the first end of segment i
-// and 2 i + 1 for its last; `below`: for each first end, in that order, the segment just below it then, or no_segment.
-// Where there are groups, `exchange_event` among the events stands for two neighbours that cross: `exchanges` has them
-// in order, the lower one first. A checker keeps a linked list, and tests each two segments that become neighbours
-// (docs/certificates.md).
-inline constexpr std::uint32_t no_segment = 0xffffffffu, exchange_event = 0xffffffffu;
-struct SweepTranscript {
-  std::vector<std::uint32_t> events;
-  std::vector<std::uint32_t> below;
-  std::vector<std::array<std::uint32_t, 2>> exchanges;
-};
-
 struct SegmentsAnswer {
   ContactKind kind = ContactKind::none;  // of the contact; none: no two segments meet in a way that counts
   std::uint32_t i = 0, j = 0;            // the two segments, i < j; meaningless for `none`
-  SweepTranscript transcript;            // empty unless asked for, and for `none`
+  SweepEvents transcript;                // empty unless asked for, and where some meet
   Cost cost;                             // probes: pairs of segments that were compared
 
   bool meet() const { return kind != ContactKind::none; }

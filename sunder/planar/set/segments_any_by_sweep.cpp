@@ -47,7 +47,6 @@ class Sweep {
       : segments_(segments), options_(options), status_(segments.all()) {}
 
   SegmentsAnswer run(std::span<const std::uint32_t> ends) {
-    if (options_.transcript) answer_.transcript.below.reserve(segments_.size());
     for (std::size_t k = 0; k < ends.size() && !answer_.meet(); ++k) {
       const std::uint32_t i = ends[k] / 2;
       if (options_.progress && k % 65536 == 0) {
@@ -57,11 +56,6 @@ class Sweep {
       if (options_.allowed == Allowed::nothing && k + 1 < ends.size()) test_equal_ends(ends[k], ends[k + 1]);
       const std::uint32_t next = k + 1 < ends.size() ? ends[k + 1] : none;
       ends[k] % 2 == 0 ? enter(i, next) : leave(i, next);
-    }
-    if (answer_.meet()) {
-      answer_.transcript = {};
-    } else if (options_.transcript) {
-      answer_.transcript.events.assign(ends.begin(), ends.end());
     }
     return std::move(answer_);
   }
@@ -82,7 +76,6 @@ class Sweep {
     const Segment& s = segments_[i];
     begins_on_another_ = false;
     const auto around = status_.insert(i, [&](const Segment& other) { return is_above(s, other); });
-    if (options_.transcript) answer_.transcript.below.push_back(around.below);
     if (!begins_on_another_ && next != none && next % 2 == 0 && segments_[next / 2].a == s.a) {
       return enter_beside(i, next / 2, around.below, around.above);
     }
@@ -97,7 +90,6 @@ class Sweep {
     const Sign side = orient_2d(s.a, s.b, t.b);
     const bool is_above = side != Sign::negative;
     status_.insert_above(is_above ? i : below, j);
-    if (options_.transcript) answer_.transcript.below.push_back(is_above ? i : below);
     test_neighbours(below, is_above ? i : j, false);
     if (side == Sign::zero) test(i, j);
     test_neighbours(is_above ? j : i, above, false);
@@ -168,9 +160,8 @@ SegmentsAnswer by_contacts(const Segments& segments, const SegmentsOptions& opti
 }  // namespace
 
 SegmentsAnswer segments_any_by_sweep(const Segments& segments, const SegmentsOptions& options) {
-  if (!options.groups.empty()) {
-    return options.transcript ? segments_any_by_bentley_ottmann(segments, options) : by_contacts(segments, options);
-  }
+  if (options.transcript) return segments_any_by_bentley_ottmann(segments, options);
+  if (!options.groups.empty()) return by_contacts(segments, options);
   return segments_any_by_sweep_over(segments, ends_in_order(segments.all()), options);
 }
 

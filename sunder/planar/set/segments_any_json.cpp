@@ -1,50 +1,63 @@
 #include <sunder/planar/set/segments_any_json.h>
-#include <sunder/planar/set/tables_json.h>
+#include <sunder/predicate/crossing.h>
+
+#include <array>
+#include <string_view>
+#include <vector>
 
 namespace sunder::planar {
 
 namespace {
 
-std::string pair_text(const std::array<std::uint32_t, 2>& pair) {
-  return '[' + std::to_string(pair[0]) + ',' + std::to_string(pair[1]) + ']';
+void write_contact(ClaimsWriter& file, const Segments& segments, const SegmentsAnswer& answer) {
+  file.text("verdict", "some");
+  file.index("i", answer.i);
+  file.index("j", answer.j);
+  file.text("kind", std::string(name_of(answer.kind)));
+  const ExactPoint2 p = common_point(segments[answer.i], segments[answer.j]);
+  file.fractions("point", std::array{p.x, p.y}, p.denominator);
+  file.begin_claims();
+  file.begin_claim("contact");
+  file.end_claim();
+}
+
+void write_sweep(ClaimsWriter& file, const SweepEvents& events) {
+  file.text("verdict", "none");
+  file.begin_claims();
+  file.begin_claim("none_counts");
+  file.begin_list("events");
+  std::vector<std::uint32_t> event;
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    event.assign({events.at[k], events.below[k]});
+    event.insert(event.end(), events.goes_on(k).begin(), events.goes_on(k).end());
+    file.add_list(event);
+  }
+  file.end_list();
+  file.end_claim();
 }
 
 }  // namespace
 
-std::string certificate_text(const Segments& segments, Allowed allowed, const SegmentsAnswer& answer, Groups groups) {
-  std::string text = std::string(json_file_begin) + " \"segments\": [";
+void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allowed, const SegmentsAnswer& answer,
+                     Groups groups) {
+  file.begin_table("segments");
   for (std::uint32_t i = 0; i < segments.size(); ++i) {
-    text += i > 0 ? ",\n  " : "\n  ";
-    append_doubles(text, std::array{segments[i].a.x, segments[i].a.y, segments[i].b.x, segments[i].b.y});
+    file.add_row(std::array{segments[i].a.x, segments[i].a.y, segments[i].b.x, segments[i].b.y});
   }
-  if (!groups.empty()) {
-    text += "],\n \"groups\":\n    ";
-    append_indices(text, groups);
-    text += ",\n";
-  } else {
-    text += "],\n";
-  }
-  text += " \"statements\": [\n  {\"question\": \"segments_any\", \"allowed\": \"" + std::string(name_of(allowed)) +
-          "\", \"verdict\": \"" + (answer.meet() ? "some" : "none") + "\",\n   ";
-  if (answer.meet()) {
-    text += "\"i\": " + std::to_string(answer.i) + ", \"j\": " + std::to_string(answer.j) + ", \"kind\": \"" +
-            std::string(name_of(answer.kind)) + "\", \"point\": ";
-    append_point(text, common_point(segments[answer.i], segments[answer.j]));
-  } else {
-    text += "\"events\":\n    ";
-    append_indices(text, answer.transcript.events);
-    text += ",\n   \"below\":\n    ";
-    append_indices(text, answer.transcript.below);
-    if (!answer.transcript.exchanges.empty()) {
-      text += ",\n   \"exchanges\": [";
-      for (std::size_t k = 0; k < answer.transcript.exchanges.size(); ++k) {
-        if (k > 0) text += k % 16 == 0 ? ",\n     " : ",";
-        text += pair_text(answer.transcript.exchanges[k]);
-      }
-      text += ']';
-    }
-  }
-  return text + "}]}\n";
+  file.end_table();
+  file.begin_statement("segments");
+  file.text("allowed", std::string(name_of(allowed)));
+  if (!groups.empty()) file.indices("groups", groups);
+  answer.meet() ? write_contact(file, segments, answer) : write_sweep(file, answer.transcript);
+  file.end_statement();
+}
+
+std::string certificate_text(const Segments& segments, Allowed allowed, const SegmentsAnswer& answer, Groups groups) {
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  write_statement(file, segments, allowed, answer, groups);
+  file.end();
+  return text;
 }
 
 }  // namespace sunder::planar

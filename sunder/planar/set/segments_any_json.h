@@ -1,14 +1,19 @@
-// The certificate file of an answer about a set of segments (docs/certificates.md, "Sets").
+// Certificates of answers about a set of segments (docs/claims.md, "segments").
 #pragma once
 
+#include <sunder/certificate/claims.h>
 #include <sunder/planar/set/segments_any.h>
 
 #include <string>
 
 namespace sunder::planar {
 
-// Requires an answer about these segments under this rule and with these groups; one of `none` with its transcript. The
-// certificate must be true: the common point is computed here.
+// The table and the statement. Requires an answer about these segments under this rule and with these groups; one of
+// `none` with its transcript. The certificate must be true: the common point is computed here.
+void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allowed, const SegmentsAnswer& answer,
+                     Groups groups = {});
+
+// The whole file.
 std::string certificate_text(const Segments& segments, Allowed allowed, const SegmentsAnswer& answer,
                              Groups groups = {});
 

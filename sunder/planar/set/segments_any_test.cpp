@@ -88,22 +88,50 @@ TEST(SegmentsAnyTest, BadNumbersAreRefused) {
   }
 }
 
-// The transcript names each endpoint once, in the order of the plane, and a segment below each that begins.
+using Numbers = std::vector<std::uint32_t>;
+
+Numbers goes_on(const SweepEvents& events, std::size_t k) {
+  return {events.goes_on(k).begin(), events.goes_on(k).end()};
+}
+
+// The transcript has an event at each point where one begins or ends, in the order of the plane.
 TEST(SegmentsAnyTest, TheTranscript) {
   const Segments segments(std::vector<Segment>{{{0, 0}, {4, 0}}, {{1, 2}, {3, 1}}, {{2, 1}, {2, 1}}, {{2, 4}, {5, 5}}});
   const SegmentsAnswer answer = segments_any(segments, {Allowed::nothing, true});
   ASSERT_FALSE(answer.meet());
-  EXPECT_EQ(answer.transcript.events, (std::vector<std::uint32_t>{0, 2, 4, 5, 6, 3, 1, 7}));
-  EXPECT_EQ(answer.transcript.below, (std::vector<std::uint32_t>{no_segment, 0, 0, 1}));
+  const SweepEvents& events = answer.transcript;
+  EXPECT_EQ(events.at, (Numbers{0, 2, 4, 6, 3, 1, 7}));
+  EXPECT_EQ(events.below, (Numbers{no_segment, 0, 0, 1, 0, no_segment, no_segment}));
+  EXPECT_EQ(goes_on(events, 0), Numbers{0});
+  EXPECT_EQ(goes_on(events, 2), Numbers{2});  // a point comes and goes
+  EXPECT_EQ(goes_on(events, 4), Numbers{});
 }
 
-// At one point: what ends, then points, each for itself, then what begins.
+// All that happens at one point is one event: what goes on from it stands from the lowest up, points before.
 TEST(SegmentsAnyTest, TheTranscriptAtOnePoint) {
   const Segments segments(
-      std::vector<Segment>{{{1, 1}, {2, 2}}, {{1, 1}, {1, 1}}, {{0, 0}, {1, 1}}, {{1, 1}, {1, 1}}, {{0, 3}, {1, 1}}});
+      std::vector<Segment>{{{1, 1}, {2, 2}}, {{1, 1}, {1, 1}}, {{0, 0}, {1, 1}}, {{1, 1}, {3, 0}}, {{0, 3}, {1, 1}}});
   const SegmentsAnswer answer = segments_any(segments, {Allowed::shared_endpoint, true});
   ASSERT_FALSE(answer.meet());
-  EXPECT_EQ(answer.transcript.events, (std::vector<std::uint32_t>{4, 8, 5, 9, 2, 3, 6, 7, 0, 1}));
+  ASSERT_EQ(answer.transcript.size(), 5u);
+  EXPECT_EQ(goes_on(answer.transcript, 2), (Numbers{1, 3, 0}));
+  EXPECT_EQ(answer.transcript.below[2], no_segment);
+}
+
+// Members of a group that cross and overlap, three of them in one point.
+TEST(SegmentsAnyTest, TheTranscriptOfAGroup) {
+  const Segments segments(std::vector<Segment>{{{0, 0}, {4, 4}}, {{0, 4}, {4, 0}}, {{0, 2}, {4, 2}}, {{1, 2}, {3, 2}}});
+  const Numbers groups{7, 7, 7, 7};
+  const SegmentsAnswer answer = segments_any(segments, {Allowed::nothing, true, groups});
+  ASSERT_FALSE(answer.meet());
+  const SweepEvents& events = answer.transcript;
+  EXPECT_EQ(std::count(events.at.begin(), events.at.end(), at_crossing), 1);
+  const std::size_t k =
+      static_cast<std::size_t>(std::find(events.at.begin(), events.at.end(), at_crossing) - events.at.begin());
+  const Numbers row = goes_on(events, k);
+  ASSERT_EQ(row.size(), 4u);
+  EXPECT_EQ(row.front(), 1u);
+  EXPECT_EQ(row.back(), 0u);
 }
 
 // Complexity (SH76, Theorem 3): comparisons within N log2 N, over four decades and more: on edges of a jittered grid,

@@ -28,9 +28,9 @@ constexpr std::uint32_t none = no_segment;
 
 class BentleyOttmann {
  public:
-  // record: where to write the transcript, or null.
+  // record: where to write the events, or null.
   BentleyOttmann(const Segments& segments, const SegmentsOptions& options, const ContactVisitor& visit,
-                 SweepTranscript* record)
+                 SweepEvents* record)
       : segments_(segments),
         options_(options),
         visit_(visit),
@@ -99,6 +99,7 @@ class BentleyOttmann {
     bundle_.set(row_, {}, {}, nullptr);
     stopped_ = !bundle_.visit();
     pass(row_);
+    record(planar::at_crossing, row_);
     meet_neighbours(row_.front(), row_.back());
   }
 
@@ -138,37 +139,43 @@ class BentleyOttmann {
     for (const std::uint32_t i : row_) {
       if (segments_[i].b == p) {
         status_.erase(i);
-        record_last_end(i);
       } else {
         passing_.push_back(i);
       }
     }
     pass(passing_);
-    std::uint32_t member = passing_.empty() ? none : passing_[0];
-    const auto above = [&](std::uint32_t i) {
-      return [this, i](const Segment& other) { return is_above(segments_[i], other); };
-    };
-    for (const std::uint32_t i : points_) {  // come and go
-      if (record_ == nullptr) break;
-      record_first_end(i, status_.around(above(i)).below);
-      record_last_end(i);
-    }
     for (const std::uint32_t i : begins_) {
-      member = i;
-      record_first_end(i, status_.insert(i, above(i)).below);
+      status_.insert(i, [&](const Segment& other) { return is_above(segments_[i], other); });
     }
-    if (member == none) return meet_neighbours(none, none);
-    meet_neighbours(below_ == none ? status_.lowest() : status_.neighbours_of(below_).above,
-                    above_ == none ? status_.highest() : status_.neighbours_of(above_).below);
+    if (passing_.empty() && begins_.empty()) {
+      record(ends[0], points_);
+      return meet_neighbours(none, none);
+    }
+    const std::uint32_t first = below_ == none ? status_.lowest() : status_.neighbours_of(below_).above;
+    const std::uint32_t last = above_ == none ? status_.highest() : status_.neighbours_of(above_).below;
+    if (record_ != nullptr) {
+      for (std::uint32_t i = first; i != above_; i = status_.neighbours_of(i).above) points_.push_back(i);
+      record(ends[0], points_);
+    }
+    meet_neighbours(first, last);
   }
 
   // The only end at its place, and of no other segment's inside: false where that is not so.
   bool leave_alone(std::uint32_t i) {
-    if (ends_on_[i] != 0) return false;
+    if (ends_on_[i] != 0 || (record_ != nullptr && lies_on_a_neighbour(i))) return false;
     const auto around = status_.erase(i);
-    record_last_end(i);
+    below_ = around.below;
+    record(2 * i + 1, {});
     meet(around.below, around.above);
     return true;
+  }
+  // Does it end on one that it overlaps? (Such a contact has been given where it began, and is not marked.)
+  bool lies_on_a_neighbour(std::uint32_t i) {
+    const auto around = status_.neighbours_of(i);
+    const auto holds_end = [&](std::uint32_t t) {
+      return t != none && side_of(segments_[i].b, segments_[t]) == Sign::zero;
+    };
+    return holds_end(around.below) || holds_end(around.above);
   }
   bool enter_alone(std::uint32_t i) {
     begins_on_another_ = false;
@@ -177,7 +184,8 @@ class BentleyOttmann {
       status_.erase(i);
       return false;
     }
-    record_first_end(i, around.below);
+    below_ = around.below;
+    record(2 * i, std::span(&i, 1));
     meet(around.below, i);
     meet(i, around.above);
     return true;
@@ -203,35 +211,15 @@ class BentleyOttmann {
   // Reverses a row of the list, whose members pass through the place, and the row given.
   void pass(std::vector<std::uint32_t>& row) {
     if (row.size() < 2 || bundle_.on_one_line(row.front(), row.back())) return;
-    if (record_ == nullptr) {
-      for (std::size_t k = 0, l = row.size(); k + 1 < l; ++k) status_.exchange(row[k], row[--l]);
-      std::reverse(row.begin(), row.end());
-      return;
-    }
-    // In turn, and without those that overlap, which stand together and stay as they are.
-    for (std::size_t l = 1; l < row.size(); ++l) {
-      for (std::size_t k = l; k > 0; --k) {
-        if (kind_of(row[k - 1], row[k]) != ContactKind::crossing) break;
-        status_.exchange(row[k - 1], row[k]);
-        record_->events.push_back(exchange_event);
-        record_->exchanges.push_back({row[k - 1], row[k]});
-        std::swap(row[k - 1], row[k]);
-      }
-    }
+    for (std::size_t k = 0, l = row.size(); k + 1 < l; ++k) status_.exchange(row[k], row[--l]);
+    std::reverse(row.begin(), row.end());
   }
 
-  void record_first_end(std::uint32_t i, std::uint32_t below) {
+  // An event just above `below_`, with a row that goes on from it.
+  void record(std::uint32_t at, std::span<const std::uint32_t> row) {
     if (record_ == nullptr) return;
-    record_->events.push_back(2 * i);
-    record_->below.push_back(below);
-  }
-  void record_last_end(std::uint32_t i) {
-    if (record_ != nullptr) record_->events.push_back(2 * i + 1);
-  }
-
-  ContactKind kind_of(std::uint32_t i, std::uint32_t j) {
-    ++cost_.probes;
-    return segment_segment(segments_[i], segments_[j]);
+    record_->row.insert(record_->row.end(), row.begin(), row.end());
+    record_->add(at, below_);
   }
 
   // --- Neighbours ---
@@ -276,7 +264,7 @@ class BentleyOttmann {
   const Segments& segments_;
   const SegmentsOptions& options_;
   const ContactVisitor& visit_;
-  SweepTranscript* record_;
+  SweepEvents* record_;
   SweepStatus<Segment> status_;
   std::vector<std::uint8_t> ends_on_;  // of each segment: does it end on one that it was a neighbour of?
   std::vector<Event> crossings_;       // a heap
@@ -303,7 +291,7 @@ SegmentsAnswer segments_any_by_bentley_ottmann(const Segments& segments, const S
     return false;
   };
   const ContactVisitor visit = stop;
-  SweepTranscript* record = options.transcript ? &answer.transcript : nullptr;
+  SweepEvents* record = options.transcript ? &answer.transcript : nullptr;
   answer.cost = BentleyOttmann(segments, options, visit, record).run();
   if (answer.meet()) answer.transcript = {};
   return answer;

@@ -218,7 +218,7 @@ def sweep(steps, claim, segments):
         require(last is None or before(last, point), "sweep", where + " is not after the one before it")
         last = point
         # What stands in the list at this point: all from `below` up that hold it.
-        require(below in above_of, "sweep", "%s is above segment %d, which is not in the list" % (where, below))
+        require(below in above_of, "sweep", where + " is above a segment that is not in the list")
         require(below < 0 or side(segments[below], point) > 0, "sweep", "%s is not above segment %d" % (where, below))
         here, upper = [], above_of[below]
         while upper >= 0 and side(segments[upper], point) == 0:
@@ -252,20 +252,15 @@ def sweep(steps, claim, segments):
 def none_counts(steps, claim, segments, groups, allowed):
     """No two segments of different groups have a contact of a kind that counts. Without groups, each is its own."""
     of = groups if groups is not None else range(len(segments))
-    for point, here, row in sweep(steps, claim, segments):
-        passing, ending = {}, {}  # one of each group
+    for k, (point, here, row) in enumerate(sweep(steps, claim, segments)):
+        event = "event %d: segments of different groups " % k
+        passing, ending = set(), set()  # their groups
         for s in here + row:
             is_end = is_at(point, segments[s][0]) or is_at(point, segments[s][1])
-            (ending if is_end else passing)[of[s]] = s
-        of_both = {**ending, **passing}
-        require(len(passing) <= 1, "none_counts", refusal("cross", passing))
-        require(not passing or "touch" in allowed or len(of_both) == 1, "none_counts", refusal("touch", of_both))
-        require("shared-endpoint" in allowed or len(ending) <= 1, "none_counts", refusal("share an end", ending))
+            (ending if is_end else passing).add(of[s])
+        require(len(passing) <= 1, "none_counts", event + "cross")
+        require(not passing or "touch" in allowed or ending <= passing, "none_counts", event + "touch")
+        require("shared-endpoint" in allowed or len(ending) <= 1, "none_counts", event + "share an end")
         moving = [s for s in row if segments[s][0] != segments[s][1]]
         for s, t in zip(moving, moving[1:]):
-            require(of[s] == of[t] or turn(way_of(segments[s]), way_of(segments[t])), "none_counts",
-                    "segments %d and %d overlap" % (s, t))
-
-
-def refusal(what, segments):
-    return "segments %s %s" % (" and ".join(map(str, list(segments.values())[:2])), what)
+            require(of[s] == of[t] or turn(way_of(segments[s]), way_of(segments[t])), "none_counts", event + "overlap")

@@ -1,0 +1,275 @@
+#include <sunder/certificate/claims.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace sunder {
+
+namespace {
+
+constexpr std::size_t kept = 1 << 16;       // bytes that wait to be given away
+constexpr std::size_t most_of_text = 4000;  // characters
+constexpr std::array<std::string_view, 5> parts{"", "inputs", "left_out", "tables", "statements"};
+
+// The length of the UTF-8 character that begins at text[i]; 0 where none does.
+std::size_t utf8_length(std::string_view text, std::size_t i) {
+  const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
+  const unsigned first = byte(i), second = byte(i + 1);
+  if (first < 0x80) return 1;
+  const std::size_t length = first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
+  for (std::size_t k = 1; k < length; ++k) {
+    if (byte(i + k) >> 6 != 2) return 0;
+  }
+  // Longer than need be, surrogates, beyond the last character.
+  if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f)) return 0;
+  if ((first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f)) return 0;
+  return length;
+}
+
+// The text, or its beginning and "...": at most 4,000 characters, where a byte that is not UTF-8 counts as one.
+std::string cut(const std::string& text) {
+  const std::string dots = "...";
+  std::size_t characters = 0, end = 0;
+  for (std::size_t i = 0; i < text.size(); i += std::max<std::size_t>(utf8_length(text, i), 1)) {
+    if (characters++ == most_of_text - dots.size()) end = i;
+  }
+  return characters <= most_of_text ? text : text.substr(0, end) + dots;
+}
+
+void append_double(std::string& text, double x) {
+  std::array<char, 40> digits;
+  const auto end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), std::fabs(x), std::chars_format::hex).ptr;
+  text += std::signbit(x) ? "\"-0x" : "\"0x";
+  text.append(digits.data(), end);
+  text += '"';
+}
+
+void append_index(std::string& text, std::uint32_t value) {
+  std::array<char, 12> digits;
+  if (value == no_entry) {
+    text += "-1";
+  } else {
+    text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+  }
+}
+
+template <class Values, class Append>
+void append_list(std::string& text, const Values& values, const Append& append) {
+  text += '[';
+  bool is_first = true;
+  for (const auto& value : values) {
+    if (!std::exchange(is_first, false)) text += ',';
+    append(text, value);
+  }
+  text += ']';
+}
+
+}  // namespace
+
+std::string json_string(std::string_view text) {
+  std::string out = "\"";
+  for (std::size_t i = 0, length = 0; i < text.size(); i += std::max<std::size_t>(length, 1)) {
+    const char c = text[i];
+    length = utf8_length(text, i);
+    if (length != 1) {
+      out += length == 0 ? "\\ufffd" : text.substr(i, length);
+    } else if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      constexpr char digits[] = "0123456789abcdef";
+      out += "\\u00";
+      out += digits[static_cast<unsigned char>(c) >> 4];
+      out += digits[static_cast<unsigned char>(c) & 15];
+    } else {
+      out += c;
+    }
+  }
+  return out + '"';
+}
+
+// ---- Structure.
+
+void ClaimsWriter::flush(std::size_t most) {
+  if (text_.size() <= most) return;
+  sink_(text_);
+  text_.clear();
+}
+
+void ClaimsWriter::next(bool on_new_line) {
+  if (!std::exchange(is_first_, false)) text_ += on_new_line ? "," : ", ";
+  if (on_new_line) text_ += "\n  ";
+  flush(kept);
+}
+
+void ClaimsWriter::key(std::string_view name, bool on_new_line) {
+  next(on_new_line);
+  text_ += '"';
+  text_ += name;
+  text_ += "\": ";
+}
+
+void ClaimsWriter::open(std::string_view what, bool on_new_line) {
+  next(on_new_line);
+  text_ += what;
+  is_first_ = true;
+}
+
+void ClaimsWriter::close(std::string_view what) {
+  text_ += what;
+  is_first_ = false;
+}
+
+// Ends the part of the file that is open, and begins another.
+void ClaimsWriter::go_to(int part) {
+  if (part_ == part) return;
+  if (part_ == 0) text_ += "{\"sunder_certificate\": 2";
+  if (part_ < 3 && part == 4) go_to(3);
+  if (part_ > 0) text_ += part_ == 3 ? "}" : "]";
+  text_ += ",\n \"";
+  text_ += parts[static_cast<std::size_t>(part)];
+  text_ += part == 3 ? "\": {" : "\": [";
+  part_ = part;
+  is_first_ = true;
+}
+
+void ClaimsWriter::add_input(const std::string& name, const std::string& sha256) {
+  go_to(1);
+  begin_entry();
+  text("name", cut(name));
+  text("sha256", sha256);
+  end_entry();
+}
+
+void ClaimsWriter::add_left_out(const std::string& what) {
+  go_to(2);
+  next(true);
+  text_ += json_string(cut(what));
+}
+
+void ClaimsWriter::begin_table(std::string_view name) {
+  go_to(3);
+  key(name, true);
+  text_ += '[';
+  is_first_ = true;
+}
+
+void ClaimsWriter::add_row(std::span<const double> numbers) {
+  next(true);
+  append_list(text_, numbers, append_double);
+}
+
+void ClaimsWriter::end_table() { close("]"); }
+
+void ClaimsWriter::begin_statement(std::string_view question) {
+  go_to(4);
+  open("{", true);
+  text("question", std::string(question));
+}
+
+void ClaimsWriter::begin_claims() { begin_list("claims"); }
+
+void ClaimsWriter::begin_claim(std::string_view kind) {
+  open("{", true);
+  text("claim", std::string(kind));
+}
+
+void ClaimsWriter::end_claim() { close("}"); }
+
+void ClaimsWriter::end_statement() { close("]}"); }
+
+void ClaimsWriter::end() {
+  go_to(4);
+  text_ += "]}\n";
+  flush(0);
+}
+
+// ---- Members and entries.
+
+void ClaimsWriter::begin_entry() { open("{", true); }
+
+void ClaimsWriter::end_entry() { close("}"); }
+
+void ClaimsWriter::text(std::string_view name, const std::string& value) {
+  key(name);
+  text_ += json_string(value);
+}
+
+void ClaimsWriter::index(std::string_view name, std::uint32_t value) {
+  key(name);
+  append_index(text_, value);
+}
+
+void ClaimsWriter::indices(std::string_view name, std::span<const std::uint32_t> values) {
+  key(name);
+  append_list(text_, values, append_index);
+}
+
+void ClaimsWriter::doubles(std::string_view name, std::span<const double> values) {
+  key(name);
+  append_list(text_, values, append_double);
+}
+
+void ClaimsWriter::numbers(std::string_view name, std::span<const Dyadic> values) {
+  key(name);
+  append_list(text_, values, [](std::string& text, const Dyadic& x) { text += '"' + x.hexadecimal() + '"'; });
+}
+
+void ClaimsWriter::fractions(std::string_view name, std::span<const Dyadic> values, const Dyadic& denominator) {
+  key(name);
+  append_list(text_, values,
+              [&](std::string& text, const Dyadic& x) { text += '"' + fraction_text(x, denominator) + '"'; });
+}
+
+void ClaimsWriter::begin_list(std::string_view name) {
+  key(name);
+  text_ += '[';
+  is_first_ = true;
+}
+
+void ClaimsWriter::end_list() { close("]"); }
+
+void ClaimsWriter::add_list(std::span<const std::uint32_t> values) {
+  next();
+  append_list(text_, values, append_index);
+}
+
+void ClaimsWriter::add_weight(std::uint32_t entry, const Dyadic& weight) {
+  next();
+  text_ += '[';
+  append_index(text_, entry);
+  text_ += ", \"" + weight.hexadecimal() + "\"]";
+}
+
+void ClaimsWriter::add_weight(std::uint32_t entry, const Dyadic& weight, const Dyadic& denominator) {
+  next();
+  text_ += '[';
+  append_index(text_, entry);
+  text_ += ", \"" + fraction_text(weight, denominator) + "\"]";
+}
+
+void ClaimsWriter::add_fractions_and_index(std::span<const Dyadic> values, const Dyadic& denominator,
+                                           std::uint32_t index) {
+  next();
+  text_ += '[';
+  append_list(text_, values,
+              [&](std::string& text, const Dyadic& x) { text += '"' + fraction_text(x, denominator) + '"'; });
+  text_ += ", ";
+  append_index(text_, index);
+  text_ += ']';
+}
+
+void ClaimsWriter::add_doubles(std::span<const double> values) {
+  next();
+  append_list(text_, values, append_double);
+}
+
+void ClaimsWriter::add_null() {
+  next();
+  text_ += "null";
+}
+
+}  // namespace sunder

@@ -1,0 +1,81 @@
+// The writer of certificate files (docs/claims.md): tables, then statements with the claims that prove them. Numbers
+// are exact. It writes as it goes, and keeps nothing but what it has not yet given away.
+#pragma once
+
+#include <sunder/number/dyadic.h>
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace sunder {
+
+// Takes the text, piece by piece.
+using TextSink = std::function<void(std::string_view)>;
+
+inline constexpr std::uint32_t no_entry = 0xffffffffu;  // -1 in the file
+
+// Calls follow the file: first what was left out, then tables, then statements, each with its members, then its claims.
+class ClaimsWriter {
+ public:
+  explicit ClaimsWriter(TextSink sink) : sink_(std::move(sink)) {}
+
+  // What the tables were made of.
+  void add_input(const std::string& name, const std::string& sha256);
+  // What the file does not speak of. Cut to 4,000 characters, and then ends in "...".
+  void add_left_out(const std::string& what);
+
+  void begin_table(std::string_view name);
+  void add_row(std::span<const double> numbers);
+  void end_table();
+
+  void begin_statement(std::string_view question);
+  void begin_claims();
+  void begin_claim(std::string_view kind);
+  void end_claim();
+  void end_statement();
+  // Ends the file.
+  void end();
+
+  // Members of the object that is open: an entry of a table, a statement, a claim.
+  void begin_entry();
+  void end_entry();
+  void text(std::string_view key, const std::string& value);
+  void index(std::string_view key, std::uint32_t value);
+  void indices(std::string_view key, std::span<const std::uint32_t> values);
+  void doubles(std::string_view key, std::span<const double> values);
+  void numbers(std::string_view key, std::span<const Dyadic> values);
+  // Each divided by the denominator, which is not zero.
+  void fractions(std::string_view key, std::span<const Dyadic> values, const Dyadic& denominator);
+  void begin_list(std::string_view key);
+  void end_list();
+
+  // Entries of the list that is open.
+  void add_list(std::span<const std::uint32_t> values);
+  void add_weight(std::uint32_t entry, const Dyadic& weight);
+  void add_weight(std::uint32_t entry, const Dyadic& weight, const Dyadic& denominator);
+  void add_fractions_and_index(std::span<const Dyadic> values, const Dyadic& denominator, std::uint32_t index);
+  void add_doubles(std::span<const double> values);
+  void add_null();
+
+ private:
+  void open(std::string_view what, bool on_new_line);
+  void close(std::string_view what);
+  void next(bool on_new_line = false);
+  void key(std::string_view name, bool on_new_line = false);
+  void go_to(int part);
+  void flush(std::size_t most);
+
+  TextSink sink_;
+  std::string text_;
+  bool is_first_ = true;  // of the object or list that is open
+  int part_ = 0;          // 0: nothing yet, 1: inputs, 2: left out, 3: tables, 4: statements
+};
+
+// A string of JSON, with its quotes. What is not UTF-8 becomes the replacement character.
+std::string json_string(std::string_view text);
+
+}  // namespace sunder
