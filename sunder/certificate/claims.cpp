@@ -244,13 +244,6 @@ void ClaimsWriter::add_weight(std::uint32_t entry, const Dyadic& weight) {
   text_ += ", \"" + weight.hexadecimal() + "\"]";
 }
 
-void ClaimsWriter::add_weight(std::uint32_t entry, const Dyadic& weight, const Dyadic& denominator) {
-  next();
-  text_ += '[';
-  append_index(text_, entry);
-  text_ += ", \"" + fraction_text(weight, denominator) + "\"]";
-}
-
 void ClaimsWriter::add_fractions_and_index(std::span<const Dyadic> values, const Dyadic& denominator,
                                            std::uint32_t index) {
   next();
@@ -260,11 +253,6 @@ void ClaimsWriter::add_fractions_and_index(std::span<const Dyadic> values, const
   text_ += ", ";
   append_index(text_, index);
   text_ += ']';
-}
-
-void ClaimsWriter::add_doubles(std::span<const double> values) {
-  next();
-  append_list(text_, values, append_double);
 }
 
 void ClaimsWriter::add_null() {

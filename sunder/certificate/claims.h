@@ -56,9 +56,7 @@ class ClaimsWriter {
   // Entries of the list that is open.
   void add_list(std::span<const std::uint32_t> values);
   void add_weight(std::uint32_t entry, const Dyadic& weight);
-  void add_weight(std::uint32_t entry, const Dyadic& weight, const Dyadic& denominator);
   void add_fractions_and_index(std::span<const Dyadic> values, const Dyadic& denominator, std::uint32_t index);
-  void add_doubles(std::span<const double> values);
   void add_null();
 
  private:
