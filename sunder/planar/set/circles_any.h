@@ -41,9 +41,9 @@
 #include <sunder/base/cost.h>
 #include <sunder/planar/object/circle.h>
 #include <sunder/planar/pair/circle_circle.h>
-#include <sunder/planar/set/sweep_transcript.h>
 #include <sunder/planar/set/contact_rule.h>
 #include <sunder/planar/set/segments_any.h>
+#include <sunder/planar/set/sweep_transcript.h>
 
 #include <cstdint>
 #include <functional>

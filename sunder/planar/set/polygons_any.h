@@ -18,9 +18,9 @@
 #include <sunder/certificate/pair_answer.h>
 #include <sunder/planar/object/polygon.h>
 #include <sunder/planar/pair/segment_segment.h>
-#include <sunder/planar/set/sweep_transcript.h>
 #include <sunder/planar/set/contact_rule.h>
 #include <sunder/planar/set/segments_any.h>
+#include <sunder/planar/set/sweep_transcript.h>
 
 #include <cstdint>
 #include <functional>
