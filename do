@@ -407,7 +407,7 @@ changed_to_lint() {
     git ls-files --others --exclude-standard -- sunder cli verifier
   } | grep -E '\.(h|cpp)$' | grep -vE '_test\.(h|cpp)$' | while read -r file; do
     beside=${file%.*}.cpp
-    [ -f "$beside" ] || beside=$(grep -rlF --include='*.cpp' --exclude='*_test.cpp' "${file##*/}>" sunder cli verifier | sort | head -n 1)
+    [ -f "$beside" ] || beside=$(grep -rlF --include='*.cpp' --exclude='*_test.cpp' "${file##*/}>" sunder cli verifier | sort | head -n 1 || true)
     [ -z "$beside" ] || echo "$beside"
   done | sort -u
 }
