@@ -35,8 +35,6 @@ Furthest furthest(const HullBody& body, const Integers& direction) {
   return {*std::max_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(body.count)), e};
 }
 
-Numbers values_of(const WeightList& weights) { return weights.values; }
-
 }  // namespace
 
 void check_parted(const Claim& claim, const HullBody& a, const HullBody& b) {
@@ -50,7 +48,7 @@ void check_parted(const Claim& claim, const HullBody& a, const HullBody& b) {
 
 void check_holds(const Claim& claim, const HullBody& body, const Numbers& point) {
   const WeightList& list = claim.weights;
-  const Common weights = common_weights(values_of(list));
+  const Common weights = common_weights(list.values);
   Integer total = 0;
   for (std::size_t k = 0; k < list.named.size(); ++k) {
     require(weights.integers[k] >= 0, "holds", "a weight of " + body.name + " is negative");
