@@ -28,16 +28,6 @@ std::size_t utf8_length(std::string_view text, std::size_t i) {
   return length;
 }
 
-// The text, or its beginning and "...": at most 4,000 characters, where a byte that is not UTF-8 counts as one.
-std::string cut(const std::string& text) {
-  const std::string dots = "...";
-  std::size_t characters = 0, end = 0;
-  for (std::size_t i = 0; i < text.size(); i += std::max<std::size_t>(utf8_length(text, i), 1)) {
-    if (characters++ == most_of_text - dots.size()) end = i;
-  }
-  return characters <= most_of_text ? text : text.substr(0, end) + dots;
-}
-
 void append_double(std::string& text, double x) {
   std::array<char, 40> digits;
   const auto end =
@@ -68,6 +58,15 @@ void append_list(std::string& text, const Values& values, const Append& append) 
 }
 
 }  // namespace
+
+std::string cut_text(const std::string& text) {
+  const std::string dots = "...";
+  std::size_t characters = 0, end = 0;
+  for (std::size_t i = 0; i < text.size(); i += std::max<std::size_t>(utf8_length(text, i), 1)) {
+    if (characters++ == most_of_text - dots.size()) end = i;
+  }
+  return characters <= most_of_text ? text : text.substr(0, end) + dots;
+}
 
 std::string json_string(std::string_view text) {
   std::string out = "\"";
@@ -139,7 +138,7 @@ void ClaimsWriter::go_to(int part) {
 void ClaimsWriter::add_input(const std::string& name, const std::string& sha256) {
   go_to(1);
   begin_entry();
-  text("name", cut(name));
+  text("name", cut_text(name));
   text("sha256", sha256);
   end_entry();
 }
@@ -147,7 +146,7 @@ void ClaimsWriter::add_input(const std::string& name, const std::string& sha256)
 void ClaimsWriter::add_left_out(const std::string& what) {
   go_to(2);
   next(true);
-  text_ += json_string(cut(what));
+  text_ += json_string(cut_text(what));
 }
 
 void ClaimsWriter::begin_table(std::string_view name) {

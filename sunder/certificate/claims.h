@@ -73,6 +73,9 @@ class ClaimsWriter {
   int part_ = 0;          // 0: nothing yet, 1: inputs, 2: left out, 3: tables, 4: statements
 };
 
+// The text, or its beginning and "...": at most 4,000 characters, where a byte that is not UTF-8 counts as one.
+std::string cut_text(const std::string& text);
+
 // A string of JSON, with its quotes. What is not UTF-8 becomes the replacement character.
 std::string json_string(std::string_view text);
 

@@ -1,8 +1,8 @@
+#include <sunder/certificate/claims.h>
 #include <sunder/certificate/direction.h>
 #include <sunder/certificate/json.h>
 #include <sunder/predicate/common_point.h>
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -10,45 +10,6 @@
 namespace sunder {
 
 namespace {
-
-// The length of the UTF-8 character that begins at text[i]; 0 where none does.
-std::size_t utf8_length(const std::string& text, std::size_t i) {
-  const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
-  const unsigned first = byte(i), second = byte(i + 1);
-  if (first < 0x80) return 1;
-  const std::size_t length = first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
-  for (std::size_t k = 1; k < length; ++k) {
-    if (byte(i + k) >> 6 != 2) return 0;
-  }
-  // Longer than need be, surrogates, beyond the last character.
-  if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f)) return 0;
-  if ((first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f)) return 0;
-  return length;
-}
-
-// A JSON string. Names are file names: anything may be in them. What is not UTF-8 becomes the replacement character,
-// because readers refuse a file that is not.
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (std::size_t i = 0, length = 0; i < text.size(); i += std::max<std::size_t>(length, 1)) {
-    const char c = text[i];
-    length = utf8_length(text, i);
-    if (length != 1) {
-      out += length == 0 ? "\\ufffd" : text.substr(i, length);
-    } else if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      constexpr char digits[] = "0123456789abcdef";
-      out += "\\u00";
-      out += digits[static_cast<unsigned char>(c) >> 4];
-      out += digits[static_cast<unsigned char>(c) & 15];
-    } else {
-      out += c;
-    }
-  }
-  return out + '"';
-}
 
 std::string number(double x) {
   std::array<char, 40> digits;
@@ -101,27 +62,17 @@ std::string meet_text(const PairCertificate& c, const PlacedVertices& a, const P
          ", \"weights_b\": " + weights(c.count_a, c.count_b);
 }
 
-// The text, or its beginning and "...": at most max_note characters, where a byte that is not UTF-8 counts as one.
-std::string cut_note(const std::string& text) {
-  const std::string dots = "...";
-  std::size_t characters = 0, kept = 0;
-  for (std::size_t i = 0; i < text.size(); i += std::max<std::size_t>(utf8_length(text, i), 1)) {
-    if (characters++ == max_note - dots.size()) kept = i;
-  }
-  return characters <= max_note ? text : text.substr(0, kept) + dots;
-}
-
 }  // namespace
 
 std::string with_note(std::string certificate, const std::string& note) {
   if (note.empty()) return certificate;
   const std::string claims = "{\"sunder_certificate\": 2";
   if (certificate.starts_with(claims)) {
-    certificate.insert(claims.size(), ",\n \"left_out\": [" + quoted(cut_note(note)) + "]");
+    certificate.insert(claims.size(), ",\n \"left_out\": [" + json_string(cut_text(note)) + "]");
     return certificate;
   }
   const std::string version = "certificate\": 1,";
-  certificate.insert(certificate.find(version) + version.size(), " \"note\": " + quoted(cut_note(note)) + ",");
+  certificate.insert(certificate.find(version) + version.size(), " \"note\": " + json_string(cut_text(note)) + ",");
   return certificate;
 }
 
@@ -152,11 +103,11 @@ void CertificateWriter::add_pair(std::uint32_t a, std::uint32_t b, const PairCer
 
 std::string CertificateWriter::text() const {
   const auto body = [](const Body& b) {
-    return "\n    {\"name\": " + quoted(b.name) + ", \"vertices\": " +
+    return "\n    {\"name\": " + json_string(b.name) + ", \"vertices\": " +
            list(b.vertices, [](const Point3& p) { return "\n      " + doubles(std::array{p.x, p.y, p.z}); }, ",") + '}';
   };
   const auto placed = [](const Placed& p) {
-    return "\n    {\"name\": " + quoted(p.name) + ", \"body\": " + std::to_string(p.body) +
+    return "\n    {\"name\": " + json_string(p.name) + ", \"body\": " + std::to_string(p.body) +
            ", \"linear\": " + doubles(p.pose.linear) + ", \"translation\": " + doubles(p.pose.translation) + '}';
   };
   const auto pair = [](const std::string& p) { return "\n    " + p; };
