@@ -107,6 +107,38 @@ TEST_F(Program, SegmentsOfGroupsAreProvedApart) {
   EXPECT_EQ(run("verify '" + proof + "'").code, 0);
 }
 
+// A list and its length are proved: with groups, under each rule, by layers; and no other list or length is.
+TEST_F(Program, SegmentsListsAreProved) {
+  const std::string proof = in_folder("list.json"), with = " --certificate '" + proof + "'";
+  for (const char* rule : {"nothing", "shared-endpoint", "touch"}) {
+    const std::string call = "segments " + cases + "/segments/pond.geojson --allow " + std::string(rule);
+    const json list = report(call + " --all", rule == std::string("touch") ? 0 : 1);
+    const json proved = report(call + " --all" + with, rule == std::string("touch") ? 0 : 1);
+    EXPECT_EQ(proved["contacts"], list["contacts"]);
+    EXPECT_TRUE(python_accepts(proof));
+    EXPECT_EQ(run("verify '" + proof + "'").code, 0);
+    json top = json::parse(read_text(proof));
+    json& said = top["statements"][0];
+    EXPECT_EQ(said["contacts"].size(), list["contacts"].size());
+    said["contacts"].push_back({0, said["contacts"].empty() ? 1 : 2000, "crossing"});
+    write_text(proof, top.dump());
+    EXPECT_EQ(run("verify '" + proof + "'").code, 1);
+
+    const json counted = report(call + " --count" + with, rule == std::string("touch") ? 0 : 1);
+    EXPECT_EQ(counted["count"], list["count"]);
+    EXPECT_TRUE(python_accepts(proof));
+    top = json::parse(read_text(proof));
+    EXPECT_EQ(top["statements"][0]["number"], list["count"]);
+    top["statements"][0]["number"] = list["count"].get<int>() + 1;
+    write_text(proof, top.dump());
+    EXPECT_FALSE(python_accepts(proof));
+    EXPECT_EQ(run("verify '" + proof + "'").code, 1);
+  }
+  const std::string board = "segments " + cases + "/boards/crossing_nets.kicad_pcb --centre-lines --all --svg '" +
+                            in_folder("board.svg") + "'";
+  EXPECT_EQ(run(board + with).code, 1);
+}
+
 TEST_F(Program, SegmentsNearTheEndOfTheRange) {
   write_text(in_folder("large.csv"), "1.5e308,1.5e308,1.7e308,1.71e308\n1.5e308,1.7e308,1.7e308,1.52e308\n");
   const json r = report("segments '" + in_folder("large.csv") + "'", 1);
@@ -120,7 +152,8 @@ TEST_F(Program, SegmentsBadCallsAndFiles) {
   expect_bad("segments " + wires + " --method fast", "choose one of automatic, grid, sweep, bentley-ottmann, scan");
   expect_bad("segments " + wires + " --count --method sweep",
              "choose one of automatic, grid, bentley-ottmann, balaban, scan (for");
-  expect_bad("segments " + wires + " --count --certificate '" + in_folder("p.json") + "'", "counts have no proof");
+  expect_bad("segments " + wires + " --count --method balaban --certificate '" + in_folder("p.json") + "'",
+             "balaban proves no lists");
   expect_bad("segments " + wires + " --any --count", "excludes");
   expect_bad("segments " + wires + " --layer F.Cu", "has no layers");
   expect_bad("segments " + wires + " --across-layers", "has no layers");

@@ -8,12 +8,12 @@
 #include <cli/segments_picture.h>
 
 #include <sunder/base/error.h>
-#include <sunder/certificate/json.h>
+#include <sunder/certificate/claims.h>
 #include <sunder/io/file.h>
 #include <sunder/io/lines.h>
 #include <sunder/io/text.h>
 #include <sunder/planar/set/segments_all.h>
-#include <sunder/planar/set/segments_any_json.h>
+#include <sunder/planar/set/segments_json.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -47,6 +47,7 @@ struct Call {
   bool drop_z = false, leave_out = false;
   bool json = false;
 
+  // A picture and a GeoJSON show all.
   bool lists() const { return all || !geojson.empty() || !svg.empty(); }
 };
 
@@ -57,6 +58,8 @@ struct Sheet {
   std::vector<std::uint32_t> groups;
   std::string layer;  // its name, where it is one of several sheets
 };
+
+constexpr std::uint64_t most_proved = 10'000'000;  // pairs that a proof tells of
 
 using planar::SegmentsContact;
 using Contacts = planar::ContactsInOrder<SegmentsContact>;
@@ -214,6 +217,60 @@ void count_and_list(const Call& call, const std::vector<Sheet>& sheets, const Se
   }
 }
 
+// Writes the proof of an answer about a sheet.
+template <class Answer>
+void prove(const Call& call, const Sheet& sheet, planar::Allowed allowed, const Answer& answer, const std::string& note,
+           Result& result) {
+  result.proofs.push_back(certificate_of(call, sheet).string());
+  io::OutputFile file(result.proofs.back());
+  ClaimsWriter claims([&](std::string_view text) { file.write(text); });
+  if (!note.empty()) claims.add_left_out(note);
+  planar::write_statement(claims, sheet.segments, allowed, answer, sheet.groups);
+  claims.end();
+  file.commit();
+}
+
+// A proof of a list, or of its length, has an event for each place where some meet.
+void require_provable(const Sheet& sheet, SegmentsOptions options) {
+  options.transcript = false;
+  const std::uint64_t count = planar::segments_count(sheet.segments, options).count;
+  if (count <= most_proved) return;
+  const std::size_t digits = std::to_string(sheet.segments.size()).size();
+  const double gigabytes = static_cast<double>(count) * static_cast<double>(5 * digits + 30) / 1e9;
+  throw Error(ErrorCode::bad_call,
+              fmt::format("{} pairs meet, and the proof would have about {:.1f} GB; of more than {} pairs none is "
+                          "written; leave it out, or ask about less",
+                          count, gigabytes, most_proved),
+              "--certificate");
+}
+
+// With --count or --all, and a proof.
+void count_and_prove(const Call& call, const std::vector<Sheet>& sheets, SegmentsOptions options,
+                     const std::string& note, Result& result) {
+  std::vector<SegmentsContact> all;
+  for (const Sheet& sheet : sheets) {
+    Progress progress("comparing");
+    options.progress = progress.reporter();
+    options.groups = sheet.groups;
+    require_provable(sheet, options);
+    planar::SegmentsAllAnswer answer = planar::segments_all(sheet.segments, options);
+    result.cost.probes += answer.cost.probes;
+    for (const SegmentsContact& c : answer.contacts) {
+      result.add(c.kind);
+      if (call.lists()) all.push_back(in_file(sheet, c));
+    }
+    if (call.lists()) {
+      prove(call, sheet, options.allowed, answer, note, result);
+    } else {
+      prove(call, sheet, options.allowed,
+            planar::SegmentsCountAnswer{answer.contacts.size(), std::move(answer.transcript), answer.cost}, note, result);
+    }
+  }
+  if (!call.lists()) return;
+  std::sort(all.begin(), all.end());
+  result.contacts = std::make_unique<Contacts>(std::move(all));
+}
+
 // Does any pair meet? Sheet by sheet, until one does.
 void find_any(const Call& call, const std::vector<Sheet>& sheets, SegmentsOptions options, const std::string& note,
               Result& result) {
@@ -224,12 +281,7 @@ void find_any(const Call& call, const std::vector<Sheet>& sheets, SegmentsOption
     options.groups = sheet.groups;
     const SegmentsAnswer answer = any_method(call.method)(sheet.segments, options);
     result.cost.probes += answer.cost.probes;
-    if (!call.certificate.empty()) {
-      result.proofs.push_back(certificate_of(call, sheet).string());
-      io::write_file_atomically(
-          result.proofs.back(),
-          with_note(planar::certificate_text(sheet.segments, options.allowed, answer, sheet.groups), note));
-    }
+    if (!call.certificate.empty()) prove(call, sheet, options.allowed, answer, note, result);
     if (!answer.meet()) continue;
     found.push_back(in_file(sheet, {answer.i, answer.j, answer.kind}));
     result.add(answer.kind);
@@ -380,8 +432,8 @@ void check(const Call& call) {
     any_method(call.method);
   }
   if (call.certificate.empty()) return;
-  if (call.lists() || call.count) {
-    throw Error(ErrorCode::bad_call, "lists and counts have no proof; ask whether any two meet", "--certificate");
+  if ((call.lists() || call.count) && call.method != "automatic" && call.method != "bentley-ottmann") {
+    throw Error(ErrorCode::bad_call, call.method + " proves no lists; give automatic or bentley-ottmann", "--method");
   }
   if (call.method == "scan") {
     throw Error(ErrorCode::bad_call, "scan writes no certificates; give automatic or sweep", "--method");
@@ -414,7 +466,9 @@ int run(const Call& call) {
   require_apart(call, sheets);
   const std::uint32_t size = static_cast<std::uint32_t>(file.segments.size());
   Result result;
-  if (call.lists() || call.count) {
+  if ((call.lists() || call.count) && options.transcript) {
+    count_and_prove(call, sheets, options, note_of(file), result);
+  } else if (call.lists() || call.count) {
     count_and_list(call, sheets, options, size, result);
   } else {
     find_any(call, sheets, options, note_of(file), result);

@@ -202,6 +202,11 @@ void ClaimsWriter::index(std::string_view name, std::uint32_t value) {
   append_index(text_, value);
 }
 
+void ClaimsWriter::number(std::string_view name, std::uint64_t value) {
+  key(name);
+  text_ += std::to_string(value);
+}
+
 void ClaimsWriter::indices(std::string_view name, std::span<const std::uint32_t> values) {
   key(name);
   append_list(text_, values, append_index);
@@ -234,6 +239,17 @@ void ClaimsWriter::end_list() { close("]"); }
 void ClaimsWriter::add_list(std::span<const std::uint32_t> values) {
   next();
   append_list(text_, values, append_index);
+}
+
+void ClaimsWriter::add_contact(std::uint32_t i, std::uint32_t j, std::string_view kind) {
+  next();
+  text_ += '[';
+  append_index(text_, i);
+  text_ += ',';
+  append_index(text_, j);
+  text_ += ",\"";
+  text_ += kind;
+  text_ += "\"]";
 }
 
 void ClaimsWriter::add_weight(std::uint32_t entry, const Dyadic& weight) {

@@ -45,6 +45,7 @@ class ClaimsWriter {
   void end_entry();
   void text(std::string_view key, const std::string& value);
   void index(std::string_view key, std::uint32_t value);
+  void number(std::string_view key, std::uint64_t value);
   void indices(std::string_view key, std::span<const std::uint32_t> values);
   void doubles(std::string_view key, std::span<const double> values);
   void numbers(std::string_view key, std::span<const Dyadic> values);
@@ -55,6 +56,7 @@ class ClaimsWriter {
 
   // Entries of the list that is open.
   void add_list(std::span<const std::uint32_t> values);
+  void add_contact(std::uint32_t i, std::uint32_t j, std::string_view kind);
   void add_weight(std::uint32_t entry, const Dyadic& weight);
   void add_fractions_and_index(std::span<const Dyadic> values, const Dyadic& denominator, std::uint32_t index);
   void add_null();

@@ -1,8 +1,9 @@
 // Writes a sample of certificate files about sets of segments, for checkers other than the library's:
 // segments_certificate_sample FOLDER COUNT [SEED].
 //
-// Every family of tests/support/segment_sets.h in turn, under every rule, a set each; every second one with groups.
-#include <sunder/planar/set/segments_any_json.h>
+// Every family of tests/support/segment_sets.h in turn, under every rule, a set each; every second one with groups. In
+// turn: does any pair meet, which, how many.
+#include <sunder/planar/set/segments_json.h>
 #include <tests/support/segment_sets.h>
 
 #include <algorithm>
@@ -34,11 +35,21 @@ int main(int argc, char** argv) {
     for (std::uint32_t k = 0; i % 2 == 1 && k < segments.size(); ++k) {
       groups.push_back(static_cast<std::uint32_t>(sets.random().below(group_count)));
     }
-    const planar::SegmentsAnswer answer = planar::segments_any(segments, {allowed, true, groups});
-    meets += answer.meet();
-    crossings += static_cast<std::size_t>(std::ranges::count(answer.transcript.at, planar::at_crossing));
+    const planar::SegmentsOptions options{allowed, true, groups};
     std::ofstream file(folder / ("segments_" + std::to_string(i) + ".json"), std::ios::binary);
-    file << planar::certificate_text(segments, allowed, answer, groups);
+    const auto write = [&](const auto& answer) {
+      crossings += static_cast<std::size_t>(std::ranges::count(answer.transcript.at, planar::at_crossing));
+      file << planar::certificate_text(segments, allowed, answer, groups);
+    };
+    if (i / 6 % 3 == 0) {
+      const planar::SegmentsAnswer answer = planar::segments_any(segments, options);
+      meets += answer.meet();
+      write(answer);
+    } else if (i / 6 % 3 == 1) {
+      write(planar::segments_all(segments, options));
+    } else {
+      write(planar::segments_count(segments, options));
+    }
     if (!file.flush()) {
       std::fprintf(stderr, "%s: cannot be written\n", folder.c_str());
       return 2;

@@ -15,6 +15,8 @@ struct Said {
   AllowedContacts allowed;
   std::vector<std::int64_t> groups;
   StatedContact contact;
+  std::vector<StatedContact> contacts;
+  std::uint64_t number = 0;
 };
 
 struct Place {
@@ -58,14 +60,40 @@ void read_segment_groups(const Place& p, Said& said) {
   if (p.item.contains("groups")) said.groups = read_groups(p.item, p.tables.segments.size(), p.where);
 }
 
+bool is_segment_kind(const std::string& kind) {
+  return kind == "shared-endpoint" || kind == "touch" || kind == "crossing" || kind == "overlap";
+}
+
 void read_contact(const Place& p, Said& said) {
   said.contact.i = index_member(p.item, "i", p.tables.segments.size(), p.where);
   said.contact.j = index_member(p.item, "j", p.tables.segments.size(), p.where);
   said.contact.kind = string_member(p.item, "kind", p.where);
-  const std::string& kind = said.contact.kind;
-  if (kind != "shared-endpoint" && kind != "touch" && kind != "crossing" && kind != "overlap") {
-    refuse_form(p.where + ".kind is no kind of contact");
+  if (!is_segment_kind(said.contact.kind)) refuse_form(p.where + ".kind is no kind of contact");
+}
+
+// Of two, by i, then j, each once.
+void read_segment_contacts(const Place& p, Said& said) {
+  const std::string where = p.where + ".contacts entry";
+  for (const json& entry : list_member(p.item, "contacts", p.where)) {
+    if (!entry.is_array() || entry.size() != 3) refuse_form(where + " is no contact");
+    StatedContact contact;
+    contact.i = read_index(entry[0], p.tables.segments.size(), where);
+    contact.j = read_index(entry[1], p.tables.segments.size(), where);
+    if (!entry[2].is_string()) refuse_form(where + " is of no kind");
+    contact.kind = entry[2].get<std::string>();
+    if (!is_segment_kind(contact.kind)) refuse_form(where + " is of no kind");
+    const auto is_before = [&](const StatedContact& c) { return std::pair(c.i, c.j) < std::pair(contact.i, contact.j); };
+    if (contact.i >= contact.j || (!said.contacts.empty() && !is_before(said.contacts.back()))) {
+      refuse_form(where + " is not in order");
+    }
+    said.contacts.push_back(std::move(contact));
   }
+}
+
+constexpr std::size_t most_number = 999'999'999'999'999;  // all readers of JSON agree about numbers up to this
+
+void read_count(const Place& p, Said& said) {
+  said.number = read_index(p.item["number"], most_number + 1, p.where + ".number");
 }
 
 void read_nothing(const Place&, Said&) {}
@@ -150,6 +178,14 @@ const ClaimNeeded none_counts{
     "none_counts", {{"events", read_events}}, of_segments, [](const Claim& c, const Said& s, const Tables& t) {
       check_none_counts(c, t, s.groups, s.allowed);
     }};
+const ClaimNeeded these_count{
+    "these_count", {{"events", read_events}}, of_segments, [](const Claim& c, const Said& s, const Tables& t) {
+      check_these_count(c, t, s.groups, s.allowed, s.contacts);
+    }};
+const ClaimNeeded number_counts{
+    "number_counts", {{"events", read_events}}, of_segments, [](const Claim& c, const Said& s, const Tables& t) {
+      check_number_counts(c, t, s.groups, s.allowed, s.number);
+    }};
 const ClaimNeeded contact{"contact", {}, of_segments, [](const Claim&, const Said& s, const Tables& t) {
                             check_contact(t, s.contact, s.point, s.groups, s.allowed);
                           }};
@@ -204,7 +240,9 @@ const std::vector<Question> questions{
      {{"allowed", read_allowed}},
      {{"groups", read_segment_groups}},
      {{"some", {{"i", read_contact}, {"j", read_nothing}, {"kind", read_nothing}, point}, {&contact}},
-      {"none", {}, {&none_counts}}}},
+      {"none", {}, {&none_counts}},
+      {"these", {{"contacts", read_segment_contacts}}, {&these_count}},
+      {"count", {{"number", read_count}}, {&number_counts}}}},
     {"linear_program",
      "half_planes",
      {{"objective", read_objective}},
@@ -244,6 +282,8 @@ std::string words_of(const json& item, const Said& said) {
     const std::set<std::int64_t> different(said.groups.begin(), said.groups.end());
     words += ", members of one of " + std::to_string(different.size()) + " groups may meet";
   }
+  if (item.contains("contacts")) words += ", " + std::to_string(said.contacts.size()) + " contacts";
+  if (item.contains("number")) words += ", " + std::to_string(said.number) + " contacts";
   return words;
 }
 

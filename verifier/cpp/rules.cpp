@@ -2,7 +2,12 @@
 #include <verifier/statement.h>
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
+#include <numeric>
 #include <string>
+#include <unordered_map>
+#include <utility>
 
 namespace sunder_verifier {
 namespace {
@@ -361,23 +366,122 @@ class Sweep {
   std::vector<bool> has_begun_, stays_;
 };
 
-// Of which groups some segments are: none, one, or more.
-class GroupsSeen {
+// What holds the point of an event.
+struct AtEvent {
+  std::size_t segment;
+  std::size_t back, on;  // its line before the point and after it, numbered; no_index: it is not there then
+  bool ends;             // the point is one of its ends
+  std::int64_t group;
+};
+
+// Goes through a sweep, and tells of each two segments of different groups whose contact counts, once.
+class ContactSweep {
  public:
-  void add(std::int64_t group) {
-    more_ = more_ || (any_ && group != group_);
-    group_ = group;
-    any_ = true;
+  using Visit = std::function<void(std::size_t i, std::size_t j, const char* kind)>;  // i < j
+
+  ContactSweep(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
+               const AllowedContacts& allowed)
+      : sweep_(claim.events, tables), segments_(tables.segments), groups_(groups), allowed_(allowed) {}
+
+  void run(const Visit& visit) {
+    while (sweep_.next()) {
+      gather();
+      const auto passes = [&](std::size_t k) { return !at_[k].ends; };
+      std::vector<std::size_t> all(at_.size()), passing;
+      std::iota(all.begin(), all.end(), std::size_t{0});
+      std::copy_if(all.begin(), all.end(), std::back_inserter(passing), passes);
+      const bool any_may_touch = allowed_.shared_endpoint || allowed_.touch;
+      look(any_may_touch ? passing : all, allowed_.touch ? passing : all, visit);
+      look_along_lines(visit);
+    }
   }
-  bool any() const { return any_; }
-  bool more() const { return more_; }
-  // Are these all of the one group of the other ones?
-  bool are_of(const GroupsSeen& one) const { return !any_ || (!more_ && group_ == one.group_); }
 
  private:
-  std::int64_t group_ = 0;
-  bool any_ = false, more_ = false;
+  std::int64_t group_of(std::size_t s) const { return groups_.empty() ? static_cast<std::int64_t>(s) : groups_[s]; }
+  bool is_line(std::size_t s) const { return !is_point(segments_[s]); }
+
+  void add(std::size_t s, std::size_t back) {
+    const bool ends = sweep_.point.is(segments_[s].first) || sweep_.point.is(segments_[s].last);
+    at_.push_back({s, back, no_index, ends, group_of(s)});
+  }
+
+  // What holds the point, with the lines of what was here, and of what goes on.
+  void gather() {
+    at_.clear();
+    place_.clear();
+    rows_.clear();
+    std::size_t line = 0;
+    for (const std::size_t s : sweep_.here) {
+      if (!at_.empty() && turn(segments_[at_.back().segment], segments_[s]) != 0) ++line;
+      place_[s] = at_.size();
+      add(s, line);
+    }
+    const std::size_t* before = nullptr;
+    for (const std::size_t* s = sweep_.row; s != sweep_.row_end; ++s) {
+      const auto [place, is_new] = place_.try_emplace(*s, at_.size());
+      if (is_new) add(*s, no_index);
+      if (!is_line(*s)) continue;
+      if (before == nullptr || turn(segments_[*before], segments_[*s]) != 0) rows_.emplace_back();
+      before = s;
+      at_[place->second].on = rows_.size() - 1;
+      rows_.back().push_back(place->second);
+    }
+  }
+
+  bool more_groups(const std::vector<std::size_t>& some) const {
+    return std::any_of(some.begin(), some.end(), [&](std::size_t k) { return at_[k].group != at_[some[0]].group; });
+  }
+
+  // Each of some with each of others; those that are in both, once.
+  void look(const std::vector<std::size_t>& some, const std::vector<std::size_t>& others, const Visit& visit) const {
+    if (!more_groups(others)) return;
+    take_steps(some.size() * others.size() / 16, 1, 1);
+    for (const std::size_t k : some) {
+      for (const std::size_t l : others) {
+        if (k < l || (some.size() < others.size() && at_[l].ends)) meet(at_[k], at_[l], visit);
+      }
+    }
+  }
+
+  // Those that go on along one line, but for those that were looked at.
+  void look_along_lines(const Visit& visit) const {
+    for (const std::vector<std::size_t>& row : rows_) {
+      if (!more_groups(row)) continue;
+      take_steps(row.size() * row.size() / 16, 1, 1);
+      for (std::size_t k = 0; k < row.size(); ++k) {
+        for (std::size_t l = 0; l < k; ++l) {
+          const AtEvent &s = at_[row[k]], &t = at_[row[l]];
+          const bool both_end = s.ends && t.ends, some_end = s.ends || t.ends;
+          if (allowed_.touch ? some_end : allowed_.shared_endpoint && both_end) meet(s, t, visit);
+        }
+      }
+    }
+  }
+
+  void meet(const AtEvent& s, const AtEvent& t, const Visit& visit) const {
+    if (s.group == t.group || (s.back != no_index && s.back == t.back)) return;  // on one line before: they have met
+    const bool overlap = s.on != no_index && s.on == t.on;
+    if (!overlap && s.ends && t.ends && allowed_.shared_endpoint) return;
+    if (!overlap && s.ends != t.ends && allowed_.touch) return;
+    const char* kind = overlap            ? "overlap"
+                       : s.ends && t.ends ? "shared-endpoint"
+                       : s.ends || t.ends ? "touch"
+                                          : "crossing";
+    visit(std::min(s.segment, t.segment), std::max(s.segment, t.segment), kind);
+  }
+
+  Sweep sweep_;
+  const std::vector<PlanarSegment>& segments_;
+  const std::vector<std::int64_t>& groups_;
+  const AllowedContacts& allowed_;
+  std::vector<AtEvent> at_;
+  std::unordered_map<std::size_t, std::size_t> place_;  // of a segment in at_
+  std::vector<std::vector<std::size_t>> rows_;          // places of those that go on along one line
 };
+
+std::string segments_text(std::size_t i, std::size_t j) {
+  return "segments " + std::to_string(i) + " and " + std::to_string(j);
+}
 
 }  // namespace
 
@@ -402,31 +506,31 @@ void check_contact(const Tables& tables, const StatedContact& contact, const Num
 
 void check_none_counts(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
                        const AllowedContacts& allowed) {
-  const auto group_of = [&](std::size_t s) { return groups.empty() ? static_cast<std::int64_t>(s) : groups[s]; };
-  const std::vector<PlanarSegment>& segments = tables.segments;
-  Sweep sweep(claim.events, tables);
-  for (std::size_t k = 0; sweep.next(); ++k) {
-    const auto require_not = [k](bool meet, const char* how) {
-      require(!meet, "none_counts", "event " + std::to_string(k) + ": segments of different groups " + how);
-    };
-    GroupsSeen passing, ending;
-    const auto look = [&](std::size_t s) {
-      const bool is_end = sweep.point.is(segments[s].first) || sweep.point.is(segments[s].last);
-      (is_end ? ending : passing).add(group_of(s));
-    };
-    for (const std::size_t s : sweep.here) look(s);
-    std::for_each(sweep.row, sweep.row_end, look);
-    require_not(passing.more(), "cross");
-    require_not(passing.any() && !allowed.touch && !ending.are_of(passing), "touch");
-    require_not(!allowed.shared_endpoint && ending.more(), "share an end");
-    const std::size_t* before = nullptr;
-    for (const std::size_t* s = sweep.row; s != sweep.row_end; ++s) {
-      if (is_point(segments[*s])) continue;
-      const bool of_two = before != nullptr && group_of(*before) != group_of(*s);
-      require_not(of_two && turn(segments[*before], segments[*s]) == 0, "overlap");
-      before = s;
-    }
+  ContactSweep(claim, tables, groups, allowed).run([](std::size_t i, std::size_t j, const char* kind) {
+    require(false, "none_counts", segments_text(i, j) + " have a contact: " + kind);
+  });
+}
+
+void check_these_count(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
+                       const AllowedContacts& allowed, const std::vector<StatedContact>& contacts) {
+  std::vector<bool> found(contacts.size());
+  ContactSweep(claim, tables, groups, allowed).run([&](std::size_t i, std::size_t j, const char* kind) {
+    const auto at = std::lower_bound(contacts.begin(), contacts.end(), std::pair(i, j),
+                                     [](const StatedContact& c, const auto& pair) { return std::pair(c.i, c.j) < pair; });
+    require(at != contacts.end() && at->i == i && at->j == j && at->kind == kind, "these_count",
+            segments_text(i, j) + " have a contact that is not listed: " + kind);
+    found[static_cast<std::size_t>(at - contacts.begin())] = true;
+  });
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    require(found[k], "these_count", segments_text(contacts[k].i, contacts[k].j) + " have no contact that counts");
   }
+}
+
+void check_number_counts(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
+                         const AllowedContacts& allowed, std::uint64_t number) {
+  std::uint64_t count = 0;
+  ContactSweep(claim, tables, groups, allowed).run([&](std::size_t, std::size_t, const char*) { ++count; });
+  require(count == number, "number_counts", std::to_string(count) + " contacts count");
 }
 
 }  // namespace sunder_verifier

@@ -67,5 +67,10 @@ void check_contact(const Tables& tables, const StatedContact& contact, const Num
                    const std::vector<std::int64_t>& groups, const AllowedContacts& allowed);
 void check_none_counts(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
                        const AllowedContacts& allowed);
+// contacts: by i, then j.
+void check_these_count(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
+                       const AllowedContacts& allowed, const std::vector<StatedContact>& contacts);
+void check_number_counts(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
+                         const AllowedContacts& allowed, std::uint64_t number);
 
 }  // namespace sunder_verifier

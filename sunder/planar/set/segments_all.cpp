@@ -1,5 +1,7 @@
 #include <sunder/planar/set/segments_all.h>
 
+#include <algorithm>
+
 namespace sunder::planar {
 
 Cost visit_contacts(const Segments& segments, const SegmentsOptions& options, const ContactVisitor& visit) {
@@ -22,21 +24,34 @@ Cost visit_contacts_of_block(const Segments& segments, const SegmentsOptions& op
   return cost;
 }
 
+namespace {
+
+Cost visit_all(const Segments& segments, const SegmentsOptions& options, const ContactVisitor& visit,
+               SweepEvents& transcript) {
+  return options.transcript ? visit_contacts_with_transcript(segments, options, visit, transcript)
+                            : visit_contacts(segments, options, visit);
+}
+
+}  // namespace
+
 SegmentsAllAnswer segments_all(const Segments& segments, const SegmentsOptions& options) {
   SegmentsAllAnswer answer;
-  answer.cost = visit_contacts(segments, options, [&](const SegmentsContact& contact) {
+  const auto add = [&](const SegmentsContact& contact) {
     answer.contacts.push_back(contact);
     return true;
-  });
+  };
+  answer.cost = visit_all(segments, options, add, answer.transcript);
+  if (options.transcript) std::sort(answer.contacts.begin(), answer.contacts.end());
   return answer;
 }
 
 SegmentsCountAnswer segments_count(const Segments& segments, const SegmentsOptions& options) {
   SegmentsCountAnswer answer;
-  answer.cost = visit_contacts(segments, options, [&](const SegmentsContact&) {
+  const auto add = [&](const SegmentsContact&) {
     ++answer.count;
     return true;
-  });
+  };
+  answer.cost = visit_all(segments, options, add, answer.transcript);
   return answer;
 }
 

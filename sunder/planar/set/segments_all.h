@@ -25,20 +25,23 @@ struct SegmentsContact {
 };
 
 struct SegmentsAllAnswer {
-  std::vector<SegmentsContact> contacts;
+  std::vector<SegmentsContact> contacts;  // with a transcript: by i, then j
+  SweepEvents transcript;                 // empty unless asked for
   Cost cost;  // probes: pairs that were compared, also those of boxes in a cell
 };
 
 struct SegmentsCountAnswer {
   std::uint64_t count = 0;
+  SweepEvents transcript;  // empty unless asked for
   Cost cost;
 };
 
-// The front doors: the fastest method measured. `transcript` of the options is not looked at.
+// The front doors: the fastest method measured; with a transcript, which proves the answer, Bentley and Ottmann's.
 SegmentsAllAnswer segments_all(const Segments& segments, const SegmentsOptions& options = {});
 SegmentsCountAnswer segments_count(const Segments& segments, const SegmentsOptions& options = {});
 
-// Calls for each contact, in the order of the method, until the visitor returns false.
+// Calls for each contact, in the order of the method, until the visitor returns false. `transcript` of the options is
+// not looked at.
 using ContactVisitor = std::function<bool(const SegmentsContact&)>;
 using ContactMethod = Cost(const Segments& segments, const SegmentsOptions& options, const ContactVisitor& visit);
 
@@ -58,6 +61,10 @@ ContactMethod visit_contacts_by_sweep;
 // The sweep of Bentley and Ottmann: contacts in lexicographic order of their (first) common point.
 // O((N + k) log N) comparisons; O(N + k) memory.
 ContactMethod visit_contacts_by_bentley_ottmann;
+
+// The same, with its transcript.
+Cost visit_contacts_with_transcript(const Segments& segments, const SegmentsOptions& options,
+                                    const ContactVisitor& visit, SweepEvents& transcript);
 
 // Balaban's staircases: contacts in no particular order. O(N log N + k) comparisons; O(N) memory.
 ContactMethod visit_contacts_by_balaban;

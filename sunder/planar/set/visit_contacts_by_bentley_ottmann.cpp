@@ -282,6 +282,11 @@ Cost visit_contacts_by_bentley_ottmann(const Segments& segments, const SegmentsO
   return BentleyOttmann(segments, options, visit, nullptr).run();
 }
 
+Cost visit_contacts_with_transcript(const Segments& segments, const SegmentsOptions& options,
+                                    const ContactVisitor& visit, SweepEvents& transcript) {
+  return BentleyOttmann(segments, options, visit, &transcript).run();
+}
+
 SegmentsAnswer segments_any_by_bentley_ottmann(const Segments& segments, const SegmentsOptions& options) {
   SegmentsAnswer answer;
   const auto stop = [&](const SegmentsContact& contact) {

@@ -4,7 +4,7 @@ A statement says its question, what it is about, and its verdict; its claims fol
 checked by its rule, told what the table binds it to: so a true claim about something else proves nothing.
 """
 from . import rules
-from .reader import MOST_IN_GROUP, double, index, members, number, numbers, require
+from .reader import MOST_NUMBER, double, index, members, number, numbers, require
 
 MOST_WEIGHTS = 16  # of one combination; 4 are always enough
 ALLOWED = {  # which kinds of contact do not count
@@ -27,7 +27,7 @@ def index_of(table):
 def groups(table):
     def read_groups(value, where, read):
         require(len(value) == len(read[table]), "F", "%s is not a list of %d" % (where, len(read[table])))
-        return [index(group, MOST_IN_GROUP + 1, where + " entry", -MOST_IN_GROUP) for group in value]
+        return [index(group, MOST_NUMBER + 1, where + " entry", -MOST_NUMBER) for group in value]
     return list, read_groups
 
 
@@ -39,6 +39,20 @@ def read_allowed(value, where, read):
 def read_kind(value, where, read):
     require(value in rules.KINDS, "F", where + " is no kind of contact")
     return value
+
+
+def read_contacts(table, kinds):
+    def read_list(value, where, read):
+        before = (-1, -1)
+        for k, item in enumerate(value):
+            require(type(item) is list and len(item) == 2 + (kinds is not None), "F", "%s[%d] is no contact" % (where, k))
+            for i in item[:2]:
+                index(i, len(read[table]), "%s[%d]" % (where, k))
+            require(kinds is None or (type(item[2]) is str and item[2] in kinds), "F", "%s[%d] is of no kind" % (where, k))
+            require(item[0] < item[1] and before < tuple(item[:2]), "F", "%s[%d] is not in order" % (where, k))
+            before = tuple(item[:2])
+        return value
+    return list, read_list
 
 
 def read_vector(value, where, read):
@@ -79,6 +93,7 @@ def read_events(value, where, read):
 
 ALLOW, VECTOR, WEIGHTS, ENDS = (str, read_allowed), (list, read_vector), (list, read_weights), (list, read_ends)
 EVENTS, KIND = (list, read_events), (str, read_kind)
+NUMBER = (int, lambda value, where, read: index(value, MOST_NUMBER + 1, where))
 OBJECTIVE = (list, lambda value, where, read: numbers(value, 2, double, where))
 
 # ---- Claims: what they bring, and their rule.
@@ -95,6 +110,8 @@ CLAIMS = {
     "ends": ({"ends": ENDS}, rules.ends),
     "contact": ({}, rules.contact),
     "none_counts": ({"events": EVENTS}, rules.none_counts),
+    "these_count": ({"events": EVENTS}, rules.these_count),
+    "number_counts": ({"events": EVENTS}, rules.number_counts),
 }
 
 # ---- Statements. A question: the table it is about, what each statement about it says, what it may say; for each verdict
@@ -110,6 +127,9 @@ QUESTIONS = {
         "some": ({"i": index_of("segments"), "j": index_of("segments"), "kind": KIND, "point": VECTOR},
                  [("contact", "segments", "i", "j", "kind", "point", "groups", "allowed")]),
         "none": ({}, [("none_counts", "segments", "groups", "allowed")]),
+        "these": ({"contacts": read_contacts("segments", rules.KINDS)},
+                  [("these_count", "segments", "groups", "allowed", "contacts")]),
+        "count": ({"number": NUMBER}, [("number_counts", "segments", "groups", "allowed", "number")]),
     }),
     "linear_program": ("half_planes", PROGRAM, {}, {
         "one": ({"point": VECTOR}, [("feasible", "half_planes", "point"),
@@ -167,6 +187,10 @@ def description(item, read):
         words.append(item["allowed"] + " allowed")
     if "groups" in item:
         words.append("members of one of %d groups may meet" % len(set(item["groups"])))
+    if "contacts" in item:
+        words.append("%d contacts" % len(item["contacts"]))
+    if "number" in item:
+        words.append("%d contacts" % item["number"])
     if "objective" in item:
         words.append("along (%s, %s)" % tuple(item["objective"]))
     return words

@@ -10,7 +10,7 @@ MAX_CHARACTERS = 20000  # of a number
 MAX_EXPONENT = 20000    # E of a hexadecimal number, either sign
 MAX_TEXT = 4000         # characters of a name, or of what was left out
 MAX_DEPTH = 500         # of nested JSON; a certificate needs 7 levels
-MOST_IN_GROUP = 10 ** 15 - 1  # all JSON readers agree about whole numbers up to this, either sign
+MOST_NUMBER = 10 ** 15 - 1    # all JSON readers agree about whole numbers up to this, either sign
 
 STRING = re.compile(r'"(?:[^"\\]|\\.)*"?', re.DOTALL)  # also one that does not end: no search twice
 BRACKETS = re.compile(r"[\[{]+|[\]}]+")

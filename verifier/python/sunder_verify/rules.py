@@ -249,18 +249,59 @@ def sweep(steps, claim, segments):
     require(all(begun) and above_of[-1] == -1, "sweep", "not all segments begin and end")
 
 
-def none_counts(steps, claim, segments, groups, allowed):
-    """No two segments of different groups have a contact of a kind that counts. Without groups, each is its own."""
+def ends_at(segment, point):
+    return is_at(point, segment[0]) or is_at(point, segment[1])
+
+
+def lines_of(segments, row):
+    """For each of a row, which is sorted by direction, the first of those on its line."""
+    lines = {}
+    for s, t in zip(row[:1] + row, row):
+        lines[t] = lines[s] if s != t and turn(way_of(segments[s]), way_of(segments[t])) == 0 else t
+    return lines
+
+
+def contacts_of(steps, claim, segments, groups, allowed):
+    """Gives (i, j, kind), i < j, once for each two segments of different groups whose contact is of a kind that counts."""
     of = groups if groups is not None else range(len(segments))
-    for k, (point, here, row) in enumerate(sweep(steps, claim, segments)):
-        event = "event %d: segments of different groups " % k
-        passing, ending = set(), set()  # their groups
-        for s in here + row:
-            is_end = is_at(point, segments[s][0]) or is_at(point, segments[s][1])
-            (ending if is_end else passing).add(of[s])
-        require(len(passing) <= 1, "none_counts", event + "cross")
-        require(not passing or "touch" in allowed or ending <= passing, "none_counts", event + "touch")
-        require("shared-endpoint" in allowed or len(ending) <= 1, "none_counts", event + "share an end")
-        moving = [s for s in row if segments[s][0] != segments[s][1]]
-        for s, t in zip(moving, moving[1:]):
-            require(of[s] == of[t] or turn(way_of(segments[s]), way_of(segments[t])), "none_counts", event + "overlap")
+    for point, here, row in sweep(steps, claim, segments):
+        back, on = lines_of(segments, here), lines_of(segments, [s for s in row if segments[s][0] != segments[s][1]])
+        members = here + [s for s in row if s not in back]
+        passing = [s for s in members if not ends_at(segments[s], point)]
+        rows = {s: [] for s in on.values()}  # those that go on along one line
+        for s in on:
+            rows[on[s]].append(s)
+        found = set()
+        for some, others in [(members if not allowed else passing, members if "touch" not in allowed else passing)] + \
+                [(of_line, of_line) for of_line in rows.values()]:
+            if len({of[s] for s in others}) < 2:
+                continue
+            steps.take(len(some) * len(others) // 16, 1, 1)
+            for i, j in ((min(s, t), max(s, t)) for s in some for t in others if of[s] != of[t]):
+                if (i, j) in found or back.get(i, -1) == back.get(j, -2):  # on one line before: they have met
+                    continue
+                found.add((i, j))
+                overlap = on.get(i, -1) == on.get(j, -2)
+                kind = "overlap" if overlap else KINDS[2 - ends_at(segments[i], point) - ends_at(segments[j], point)]
+                if kind not in allowed:
+                    yield i, j, kind
+
+
+def none_counts(steps, claim, segments, groups, allowed):
+    for i, j, kind in contacts_of(steps, claim, segments, groups, allowed):
+        require(False, "none_counts", "segments %d and %d have a contact: %s" % (i, j, kind))
+
+
+def these_count(steps, claim, segments, groups, allowed, contacts):
+    """The contacts that count are those listed."""
+    left = {(i, j): kind for i, j, kind in contacts}
+    for i, j, kind in contacts_of(steps, claim, segments, groups, allowed):
+        require(left.pop((i, j), None) == kind, "these_count", "segments %d and %d have a contact that is not listed: %s" % (i, j, kind))
+    for i, j in left:
+        require(False, "these_count", "segments %d and %d have no contact that counts" % (i, j))
+
+
+def number_counts(steps, claim, segments, groups, allowed, number):
+    """So many contacts count."""
+    found = sum(1 for _ in contacts_of(steps, claim, segments, groups, allowed))
+    require(found == number, "number_counts", "%d contacts count" % found)

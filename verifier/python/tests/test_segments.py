@@ -77,18 +77,25 @@ def sweep(segments):
     return events
 
 
-def certificate(segments, allowed, groups, events):
-    statement = {"question": "segments", "allowed": allowed, "verdict": "none",
-                 "claims": [{"claim": "none_counts", "events": events}]}
+def certificate(segments, allowed, groups, events, verdict="none", **more):
+    claim = {"none": "none_counts", "these": "these_count", "count": "number_counts"}[verdict]
+    statement = {"question": "segments", "allowed": allowed, "verdict": verdict, **more,
+                 "claims": [{"claim": claim, "events": events}]}
     if groups is not None:
         statement["groups"] = groups
     rows = [[hexadecimal(x) for point in s for x in point] for s in segments]
     return file_of({"segments": rows}, statement)
 
 
+def contacts(segments, allowed, groups):
+    """Those that count, by i, then j."""
+    kinds = [[i, j, kind_of(segments[i], segments[j])] for i, j in itertools.combinations(range(len(segments)), 2)
+             if groups is None or groups[i] != groups[j]]
+    return [c for c in kinds if c[2] in COUNTS[allowed]]
+
+
 def is_none(segments, allowed, groups):
-    return not any(kind_of(segments[i], segments[j]) in COUNTS[allowed]
-                   for i, j in itertools.combinations(range(len(segments)), 2) if groups is None or groups[i] != groups[j])
+    return not contacts(segments, allowed, groups)
 
 
 def some_segments(dice):
@@ -135,6 +142,51 @@ class SegmentsTest(unittest.TestCase):
                 self.assertEqual(twins.look(certificate(segments, allowed, groups, events)), wanted, (segments, groups, allowed))
         twins.compare()
         self.assertGreater(min(twins.tally().values()), len(twins.tops) / 5)
+
+    def test_lists_and_numbers_are_accepted_where_they_are_so(self):
+        dice, twins = dice_of(5), Twins(self)
+        for _ in range(some(1500)):
+            segments = some_segments(dice)
+            groups, events = some_groups(segments, dice), sweep(segments)
+            for allowed in COUNTS:
+                listed = contacts(segments, allowed, groups)
+                said = twins.look(certificate(segments, allowed, groups, events, "these", contacts=listed))
+                self.assertEqual(said, "accepted", twins.tops[-1])
+                false = [list(c) for c in listed]
+                change = dice.randint(0, 2)
+                if false and change == 0:
+                    false.remove(dice.choice(false))
+                elif false and change == 1:
+                    c = dice.choice(false)
+                    c[2] = dice.choice([k for k in COUNTS["nothing"] if k != c[2]])
+                elif len(segments) > 1:
+                    i, j = sorted(dice.sample(range(len(segments)), 2))
+                    if [i, j] not in [c[:2] for c in listed]:
+                        false = sorted(false + [[i, j, dice.choice(COUNTS["nothing"])]])
+                if false != listed:
+                    said = twins.look(certificate(segments, allowed, groups, events, "these", contacts=false))
+                    self.assertEqual(said, "these_count", twins.tops[-1])
+                number = max(0, len(listed) + dice.randint(-1, 1))
+                said = twins.look(certificate(segments, allowed, groups, events, "count", number=number))
+                self.assertEqual(said, "accepted" if number == len(listed) else "number_counts", twins.tops[-1])
+        twins.compare()
+
+    def test_no_forced_sweep_lists_what_is_not_so(self):
+        dice, twins, accepted = dice_of(6), Twins(self), 0
+        while len(twins.tops) < some(4000):
+            segments = some_segments(dice)
+            groups, allowed = some_groups(segments, dice), dice.choice(list(COUNTS))
+            events, truth = sweep(segments), contacts(segments, allowed, groups)
+            for _ in range(4):
+                listed = [c for c in truth if dice.random() < .8]
+                false = forced(events, segments, dice)
+                said = twins.look(certificate(segments, allowed, groups, false, "these", contacts=listed))
+                self.assertTrue(truth == listed or said != "accepted", twins.tops[-1])
+                accepted += said == "accepted"
+                said = twins.look(certificate(segments, allowed, groups, false, "count", number=len(listed)))
+                self.assertTrue(len(truth) == len(listed) or said != "accepted", twins.tops[-1])
+        twins.compare()
+        self.assertGreater(accepted, 0)
 
     def test_a_contact_is_accepted_where_it_counts_and_is_as_stated(self):
         dice, twins = dice_of(4), Twins(self)
@@ -184,8 +236,11 @@ class SegmentsTest(unittest.TestCase):
         while len(twins.tops) < some(2000):
             segments = some_segments(dice)
             top = certificate(segments, dice.choice(list(COUNTS)), some_groups(segments, dice), sweep(segments))
-            twins.look(spoilt(top, dice))
-            twins.look(spoilt_in_statements(top, dice))
+            listed = contacts(segments, "nothing", None)
+            for top in (top, certificate(segments, "nothing", None, sweep(segments), "these", contacts=listed),
+                        certificate(segments, "nothing", None, sweep(segments), "count", number=len(listed))):
+                twins.look(spoilt(top, dice))
+                twins.look(spoilt_in_statements(top, dice))
         twins.compare()
 
     def test_sweeps_by_hand(self):

@@ -1,0 +1,85 @@
+#include <sunder/planar/set/segments_json.h>
+#include <sunder/predicate/crossing.h>
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+namespace sunder::planar {
+
+namespace {
+
+void write_contact(ClaimsWriter& file, const Segments& segments, const SegmentsAnswer& answer) {
+  file.text("verdict", "some");
+  file.index("i", answer.i);
+  file.index("j", answer.j);
+  file.text("kind", std::string(name_of(answer.kind)));
+  const ExactPoint2 p = common_point(segments[answer.i], segments[answer.j]);
+  file.fractions("point", std::array{p.x, p.y}, p.denominator);
+  file.begin_claims();
+  file.begin_claim("contact");
+  file.end_claim();
+}
+
+// The one claim of a statement that the sweep proves.
+void write_sweep(ClaimsWriter& file, std::string_view claim, const SweepEvents& events) {
+  file.begin_claims();
+  file.begin_claim(claim);
+  file.begin_list("events");
+  std::vector<std::uint32_t> event;
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    event.assign({events.at[k], events.below[k]});
+    event.insert(event.end(), events.goes_on(k).begin(), events.goes_on(k).end());
+    file.add_list(event);
+  }
+  file.end_list();
+  file.end_claim();
+}
+
+// The table, and the statement up to its verdict.
+void begin_statement(ClaimsWriter& file, const Segments& segments, Allowed allowed, Groups groups) {
+  file.begin_table("segments");
+  for (std::uint32_t i = 0; i < segments.size(); ++i) {
+    file.add_row(std::array{segments[i].a.x, segments[i].a.y, segments[i].b.x, segments[i].b.y});
+  }
+  file.end_table();
+  file.begin_statement("segments");
+  file.text("allowed", std::string(name_of(allowed)));
+  if (!groups.empty()) file.indices("groups", groups);
+}
+
+}  // namespace
+
+void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allowed, const SegmentsAnswer& answer,
+                     Groups groups) {
+  begin_statement(file, segments, allowed, groups);
+  if (answer.meet()) {
+    write_contact(file, segments, answer);
+  } else {
+    file.text("verdict", "none");
+    write_sweep(file, "none_counts", answer.transcript);
+  }
+  file.end_statement();
+}
+
+void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allowed, const SegmentsAllAnswer& answer,
+                     Groups groups) {
+  begin_statement(file, segments, allowed, groups);
+  file.text("verdict", "these");
+  file.begin_list("contacts");
+  for (const SegmentsContact& c : answer.contacts) file.add_contact(c.i, c.j, name_of(c.kind));
+  file.end_list();
+  write_sweep(file, "these_count", answer.transcript);
+  file.end_statement();
+}
+
+void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allowed, const SegmentsCountAnswer& answer,
+                     Groups groups) {
+  begin_statement(file, segments, allowed, groups);
+  file.text("verdict", "count");
+  file.number("number", answer.count);
+  write_sweep(file, "number_counts", answer.transcript);
+  file.end_statement();
+}
+
+}  // namespace sunder::planar

@@ -1,0 +1,34 @@
+// Certificates of answers about a set of segments (docs/claims.md, "segments").
+#pragma once
+
+#include <sunder/certificate/claims.h>
+#include <sunder/planar/set/segments_all.h>
+#include <sunder/planar/set/segments_any.h>
+
+#include <string>
+#include <string_view>
+
+namespace sunder::planar {
+
+// The table and the statement. Requires an answer about these segments under this rule and with these groups; one of
+// `none` with its transcript. The certificate must be true: the common point is computed here.
+void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allowed, const SegmentsAnswer& answer,
+                     Groups groups = {});
+
+// The same: exactly these meet, so many meet. Requires an answer with its transcript.
+void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allowed, const SegmentsAllAnswer& answer,
+                     Groups groups = {});
+void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allowed, const SegmentsCountAnswer& answer,
+                     Groups groups = {});
+
+// The whole file. Answer: one of the three.
+template <class Answer>
+std::string certificate_text(const Segments& segments, Allowed allowed, const Answer& answer, Groups groups = {}) {
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  write_statement(file, segments, allowed, answer, groups);
+  file.end();
+  return text;
+}
+
+}  // namespace sunder::planar
