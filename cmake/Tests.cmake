@@ -136,10 +136,15 @@ foreach(source ${sources})
 endforeach()
 
 # Scripts: what they say about this tree, and their own tests.
-foreach(name check_layers check_papers_table check_links)
+foreach(name check_layers check_links)
   sunder_add_test(${name} COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/${name}.py ${PROJECT_SOURCE_DIR}
     TIMEOUT 60 LABELS script)
 endforeach()
+if(TARGET sunder_cli)
+  set(program $<TARGET_FILE:sunder_cli>)
+endif()
+sunder_add_test(check_papers_table COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/check_papers_table.py
+  ${PROJECT_SOURCE_DIR} ${program} TIMEOUT 60 LABELS script)
 if(TARGET sunder_cli)
   sunder_add_test(check_pages COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/check_pages.py
     ${PROJECT_SOURCE_DIR} $<TARGET_FILE:sunder_cli> TIMEOUT 120 LABELS script)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks the tables of docs/papers/*.md against the tree. docs/papers/README.md explains the tables.
 
-    tests/check_papers_table.py [ROOT]
+    tests/check_papers_table.py [ROOT [PROGRAM]]
 
 T1  docs/papers has a page besides its README, and each page a table with the columns of COLUMNS.
 T2  Such a table has rows.
@@ -9,14 +9,17 @@ T3  Every cell of these columns says something: a name, a file, '-' (not meant t
 T4  A file that is named exists.
 T5  A word in backticks that is no file, in the columns file, test and benchmark, occurs in a file named in that cell.
 T6  A row with a file has a test.
+T7  A command is `sunder ...`. It answers, if PROGRAM is given: exit code 0 or 1, and nothing on standard error.
 
 Exit code 0: all rows hold. 1: not, one line for each finding.
 """
 import os
 import re
+import shlex
+import subprocess
 import sys
 
-COLUMNS = ["item", "file", "test", "benchmark", "certificate"]
+COLUMNS = ["item", "file", "test", "benchmark", "certificate", "command"]
 NOTHING = {"-", "not yet"}
 
 
@@ -56,7 +59,7 @@ def named_in(cell):
     return files, words
 
 
-def check_row(root, page, columns, cells):
+def check_row(root, page, columns, cells, program):
     if len(cells) < len(columns):
         yield "T3: %d cells under %d columns" % (len(cells), len(columns))
         return
@@ -87,6 +90,13 @@ def check_row(root, page, columns, cells):
             for word in words:
                 if not any(word in text for text in texts) and not occurs_as_test(word, texts):
                     yield "T5: %s: no file of this cell has %s" % (name, word)
+    command = cells[columns.index("command")]
+    if command not in NOTHING and not re.fullmatch(r"`sunder [^`]+`", command):
+        yield "T7: the command is not one `sunder ...`"
+    elif command not in NOTHING and program:
+        done = subprocess.run([program, *shlex.split(command.strip("`"))[1:]], cwd=root, capture_output=True, text=True, check=False)
+        if done.returncode not in (0, 1) or done.stderr or not done.stdout:
+            yield "T7: %s gives %d: %s" % (command, done.returncode, done.stderr.strip()[:200])
     file, test = (cells[columns.index(name)] for name in ("file", "test"))
     if file and file not in NOTHING and test in NOTHING:
         yield "T6: a file without a test"
@@ -99,7 +109,7 @@ def occurs_as_test(word, texts):
                              for text in texts)
 
 
-def check(root):
+def check(root, program=None):
     """(findings as text, number of rows)"""
     folder = os.path.join(root, "docs", "papers")
     names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
@@ -122,7 +132,7 @@ def check(root):
                 findings.append("%s:%d: T2: the table is empty" % (short, number))
             for number, cells in table[1:]:
                 rows += 1
-                findings += ["%s:%d: %s" % (short, number, text) for text in check_row(root, page, columns, cells)]
+                findings += ["%s:%d: %s" % (short, number, text) for text in check_row(root, page, columns, cells, program)]
         if not found:
             findings.append("%s:1: T1: no table with the columns %s" % (short, ", ".join(COLUMNS)))
     return findings, rows
@@ -130,7 +140,7 @@ def check(root):
 
 def main(arguments):
     root = arguments[0] if arguments else os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
-    findings, rows = check(os.path.abspath(root))
+    findings, rows = check(os.path.abspath(root), *arguments[1:])
     for finding in findings:
         print(finding)
     print("%d rows: %d findings" % (rows, len(findings)))

@@ -16,10 +16,10 @@ FILES = {
     "docs/papers/README.md": "No table here.\n",
 }
 HEAD = "# A paper\n\n| symbol | here |\n|---|---|\n| n | size |\n\n"
-COLUMNS = "| Item | File | Test | Benchmark | Certificate | Departure |\n|---|---|---|---|---|---|\n"
+COLUMNS = "| Item | File | Test | Benchmark | Certificate | Command | Departure |\n|---|---|---|---|---|---|---|\n"
 BUILT = ("| Theorem 1 | `sunder/solid/pair/x.h` `by_drums` | `sunder/solid/pair/x_test.cpp` `X.Grows` | bench/pair.cpp "
-         "| apart, [meet](../certificates.md#meet) | a \\| b |\n")
-PLANNED = "| Lemma 2 | not yet | not yet | - | - | |\n"
+         "| apart, [meet](../certificates.md#meet) | `sunder pair a b` | a \\| b |\n")
+PLANNED = "| Lemma 2 | not yet | not yet | - | - | - | |\n"
 GOOD = HEAD + COLUMNS + BUILT + PLANNED + "\n```\n| item | file |\n```\n"
 
 # name: (what of the good page becomes what, the rule that refuses it)
@@ -28,28 +28,30 @@ BAD = {
     "a column is missing": ("| Benchmark ", "| Speed ", "T1"),
     "in a code block only": (GOOD, "```\n" + COLUMNS + BUILT + "```\n", "T1"),
     "empty": (BUILT + PLANNED, "", "T2"),
-    "an empty cell": ("| - | - | |", "| | - | |", "T3"),
-    "a short row": ("| - | - | |", "| - |", "T3"),
+    "an empty cell": ("| - | - | - | |", "| | - | - | |", "T3"),
+    "a short row": ("| - | - | - | |", "| - |", "T3"),
     "no name": ("| Lemma 2 |", "| - |", "T3"),
     "a file that is not": ("pair/x.h`", "pair/y.h`", "T4"),
     "a test that is not": ("x_test.cpp", "y_test.cpp", "T4"),
     "a benchmark that is not": ("bench/pair.cpp", "bench/other.cpp", "T4"),
     "a link that is not": ("../certificates.md", "../other.md", "T4"),
     "a folder for a file": ("`sunder/solid/pair/x.h`", "`sunder/solid/pair`", "T4"),
-    "a word for a file": ("| - | - | |", "| soon | - | |", "T4"),
+    "a word for a file": ("| - | - | - | |", "| soon | - | - | |", "T4"),
     "a function that is not": ("`by_drums`", "`by_polar`", "T5"),
     "a test case that is not": ("`X.Grows`", "`X.Shrinks`", "T5"),
     "no test": ("`sunder/solid/pair/x_test.cpp` `X.Grows`", "not yet", "T6"),
+    "another command": ("`sunder pair a b`", "`cat a b`", "T7"),
+    "two commands": ("`sunder pair a b`", "`sunder pair a b` `sunder pair b a`", "T7"),
 }
 
 
-def findings_of(pages):
+def findings_of(pages, program=None):
     with tempfile.TemporaryDirectory() as root:
         for path, text in {**FILES, **pages}.items():
             os.makedirs(os.path.dirname(os.path.join(root, path)), exist_ok=True)
             with open(os.path.join(root, path), "w", encoding="utf-8") as stream:
                 stream.write(text)
-        return check_papers_table.check(root)
+        return check_papers_table.check(root, program)
 
 
 class CheckPapersTable(unittest.TestCase):
@@ -63,6 +65,13 @@ class CheckPapersTable(unittest.TestCase):
                 findings, _ = findings_of({"docs/papers/a.md": GOOD.replace(old, new)})
                 self.assertTrue(findings)
                 self.assertTrue(all(": %s: " % rule in finding for finding in findings), findings)
+
+    def test_runs_the_commands(self):
+        def findings(program):
+            return findings_of({"docs/papers/a.md": GOOD}, program)[0]
+        self.assertEqual(findings("/bin/echo"), [])
+        self.assertEqual(len(findings("/bin/false")), 1)  # says nothing
+        self.assertEqual(len(findings("/bin/ls")), 1)     # complains
 
     def test_no_page_is_no_success(self):
         findings, _ = findings_of({})

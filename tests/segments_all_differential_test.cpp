@@ -63,6 +63,16 @@ TEST(SegmentsAllDifferential, MethodsAgreeWithTheScan) {
       }
       ASSERT_EQ(planar::segments_all(segments, options).contacts.size(), truth.size());
       ASSERT_EQ(planar::segments_count(segments, options).count, truth.size());
+      if (i % 4 == 0) {  // proved: the list, and its length
+        options.transcript = true;
+        const planar::SegmentsAllAnswer proved = planar::segments_all(segments, options);
+        ASSERT_EQ(proved.contacts, truth) << i;
+        ASSERT_TRUE(is_accepted(planar::certificate_text(segments, allowed, proved, options.groups))) << i;
+        const planar::SegmentsCountAnswer counted = planar::segments_count(segments, options);
+        ASSERT_EQ(counted.count, truth.size()) << i;
+        ASSERT_TRUE(is_accepted(planar::certificate_text(segments, allowed, counted, options.groups))) << i;
+        options.transcript = false;
+      }
       for (const auto& answer :
            {planar::segments_any(segments, options), planar::segments_any_by_bentley_ottmann(segments, options),
             planar::segments_any_by_sweep(segments, options), planar::segments_any_by_scan(segments, options)}) {
