@@ -18,7 +18,7 @@ thread_local std::uint64_t most_steps = no_limit, steps_left = no_limit;
 
 }  // namespace
 
-void limit_steps(std::size_t bytes) { most_steps = steps_left = 400 * std::max<std::uint64_t>(bytes, 1'000'000); }
+void limit_steps(std::size_t bytes) { most_steps = steps_left = 300 * std::max<std::uint64_t>(bytes, 1'000'000); }
 
 void lift_limit() { most_steps = steps_left = no_limit; }
 

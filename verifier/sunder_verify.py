@@ -49,7 +49,7 @@ class Steps:
         self.most = self.left = None  # None: no limit
 
     def limit(self, size):
-        self.most = self.left = 400 * max(size, 1000000)
+        self.most = self.left = 300 * max(size, 1000000)
 
     def take(self, looks, a, b):
         """So many looks at a number of a bits and one of b bits."""

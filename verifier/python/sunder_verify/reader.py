@@ -37,7 +37,7 @@ class Steps:
     """How much work is left of what a file of its size may take: docs/claims.md, "Limits"."""
 
     def __init__(self, size=None):
-        self.most = self.left = None if size is None else 400 * max(size, 1000000)
+        self.most = self.left = None if size is None else 300 * max(size, 1000000)
 
     def take(self, looks, a, b):
         """So many looks at a number of a bits and one of b bits."""
