@@ -263,7 +263,8 @@ void count_and_prove(const Call& call, const std::vector<Sheet>& sheets, Segment
       prove(call, sheet, options.allowed, answer, note, result);
     } else {
       prove(call, sheet, options.allowed,
-            planar::SegmentsCountAnswer{answer.contacts.size(), std::move(answer.transcript), answer.cost}, note, result);
+            planar::SegmentsCountAnswer{answer.contacts.size(), std::move(answer.transcript), answer.cost}, note,
+            result);
     }
   }
   if (!call.lists()) return;

@@ -1,3 +1,4 @@
+#include <sunder/base/contract.h>
 #include <sunder/certificate/direction.h>
 
 namespace sunder {
@@ -17,6 +18,7 @@ WorldDirection turned_right(const WorldDirection& d) {
 }  // namespace
 
 WorldDirection world_direction(const Direction& d, const PlacedVertices& a, const PlacedVertices& b) {
+  SUNDER_REQUIRE(d.kind != Direction::Kind::exact || d.numbers != nullptr);
   const auto& i = d.index;
   const auto oriented = [&](const WorldDirection& w) { return d.reversed ? reversed(w) : w; };
   switch (d.kind) {

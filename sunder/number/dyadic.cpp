@@ -1,3 +1,4 @@
+#include <sunder/base/contract.h>
 #include <sunder/number/dyadic.h>
 
 #include <bit>
@@ -100,6 +101,7 @@ Dyadic operator-(const Dyadic& a, const Dyadic& b) { return a + (-b); }
 Dyadic operator*(const Dyadic& a, const Dyadic& b) { return {a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_}; }
 
 double nearest_ratio(const Dyadic& numerator, const Dyadic& denominator) {
+  SUNDER_REQUIRE(denominator.sign() != Sign::zero);
   if (numerator.sign() == Sign::zero) return 0;
   Integer n = boost::multiprecision::abs(numerator.mantissa());
   const Integer d = boost::multiprecision::abs(denominator.mantissa());
@@ -114,6 +116,7 @@ double nearest_ratio(const Dyadic& numerator, const Dyadic& denominator) {
 }
 
 std::string fraction_text(const Dyadic& numerator, const Dyadic& denominator) {
+  SUNDER_REQUIRE(denominator.sign() != Sign::zero);
   Integer n = numerator.mantissa();
   Integer d = denominator.mantissa();
   const std::int64_t shift = numerator.exponent() - denominator.exponent();

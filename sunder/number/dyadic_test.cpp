@@ -302,5 +302,12 @@ TEST(DyadicTest, FractionText) {
   EXPECT_GT(wholes, n / 20);
 }
 
+#ifdef SUNDER_CONTRACTS
+TEST(DyadicTest, NothingIsDividedByZero) {
+  EXPECT_DEATH(nearest_ratio(Dyadic(1.0), Dyadic(0.0)), "dyadic.cpp:[0-9]+: requires denominator");
+  EXPECT_DEATH(fraction_text(Dyadic(1.0), Dyadic(0.0)), "dyadic.cpp:[0-9]+: requires denominator");
+}
+#endif
+
 }  // namespace
 }  // namespace sunder

@@ -1,3 +1,4 @@
+#include <sunder/base/contract.h>
 #include <sunder/predicate/common_point.h>
 #include <sunder/predicate/orient.h>
 #include <sunder/predicate/stages.h>
@@ -220,6 +221,7 @@ CommonPointWeights weights_of(std::span<const Posed> a, std::span<const Posed> b
 }  // namespace
 
 bool have_common_point(std::span<const Posed> a, std::span<const Posed> b, StageTally* tally) {
+  SUNDER_REQUIRE(!a.empty() && !b.empty() && a.size() + b.size() <= 5);
   switch (a.size() + b.size()) {
     case 2:
       for (int axis = 0; axis < 3; ++axis) {
@@ -234,6 +236,7 @@ bool have_common_point(std::span<const Posed> a, std::span<const Posed> b, Stage
 }
 
 CommonPointWeights common_point_weights(std::span<const Posed> a, std::span<const Posed> b) {
+  SUNDER_REQUIRE(have_common_point(a, b));
   switch (a.size() + b.size()) {
     case 2: return weights_of<2>(a, b);
     case 3: return weights_of<3>(a, b);

@@ -1,3 +1,4 @@
+#include <sunder/base/contract.h>
 #include <sunder/number/double_double.h>
 #include <sunder/number/dyadic.h>
 #include <sunder/number/interval.h>
@@ -169,9 +170,11 @@ ExactConstraint exact_constraint(const LeftOf& i) {
 }
 
 ExactPoint2 exact_corner(const Constraint& i, const Constraint& j) {
+  SUNDER_REQUIRE(turn(i, j) != Sign::zero);
   return corner_of(exact_constraint(i), exact_constraint(j));
 }
 ExactPoint2 exact_corner(const LeftOf& i, const LeftOf& j) {
+  SUNDER_REQUIRE(turn(i, j) != Sign::zero);
   return corner_of(exact_constraint(i), exact_constraint(j));
 }
 

@@ -1,6 +1,7 @@
 // Which of two lines is higher at an abscissa? Exact, for every finite double.
 #pragma once
 
+#include <sunder/base/contract.h>
 #include <sunder/number/rounded.h>
 #include <sunder/number/sign.h>
 #include <sunder/predicate/point.h>
@@ -28,6 +29,7 @@ Sign height_order_further(const Point2& a, const Point2& b, const Point2& c, con
 // comparisons false.
 inline Sign height_order(const Point2& a, const Point2& b, const Point2& c, const Point2& d, double x,
                          StageTally* tally) {
+  SUNDER_REQUIRE(a.x < b.x && c.x < d.x);
   const double run = b.x - a.x, other_run = d.x - c.x, rise = a.y - c.y;
   const double apart = rise * (run * other_run);
   const double left = other_run * ((b.y - a.y) * (x - a.x)), right = run * ((d.y - c.y) * (x - c.x));

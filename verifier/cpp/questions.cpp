@@ -82,7 +82,9 @@ void read_segment_contacts(const Place& p, Said& said) {
     if (!entry[2].is_string()) refuse_form(where + " is of no kind");
     contact.kind = entry[2].get<std::string>();
     if (!is_segment_kind(contact.kind)) refuse_form(where + " is of no kind");
-    const auto is_before = [&](const StatedContact& c) { return std::pair(c.i, c.j) < std::pair(contact.i, contact.j); };
+    const auto is_before = [&](const StatedContact& c) {
+      return std::pair(c.i, c.j) < std::pair(contact.i, contact.j);
+    };
     if (contact.i >= contact.j || (!said.contacts.empty() && !is_before(said.contacts.back()))) {
       refuse_form(where + " is not in order");
     }

@@ -515,8 +515,9 @@ void check_these_count(const Claim& claim, const Tables& tables, const std::vect
                        const AllowedContacts& allowed, const std::vector<StatedContact>& contacts) {
   std::vector<bool> found(contacts.size());
   ContactSweep(claim, tables, groups, allowed).run([&](std::size_t i, std::size_t j, const char* kind) {
-    const auto at = std::lower_bound(contacts.begin(), contacts.end(), std::pair(i, j),
-                                     [](const StatedContact& c, const auto& pair) { return std::pair(c.i, c.j) < pair; });
+    const auto at =
+        std::lower_bound(contacts.begin(), contacts.end(), std::pair(i, j),
+                         [](const StatedContact& c, const auto& pair) { return std::pair(c.i, c.j) < pair; });
     require(at != contacts.end() && at->i == i && at->j == j && at->kind == kind, "these_count",
             segments_text(i, j) + " have a contact that is not listed: " + kind);
     found[static_cast<std::size_t>(at - contacts.begin())] = true;

@@ -1,7 +1,9 @@
+#include <sunder/base/contract.h>
 #include <sunder/planar/pair/point_search.h>
 #include <sunder/planar/pair/polygon_point.h>
 
 #include <array>
+#include <cmath>
 
 namespace sunder::planar {
 
@@ -64,6 +66,7 @@ std::string_view name_of(Place place) {
 }
 
 PolygonPoint polygon_point(const ConvexPolygon& polygon, const Pose& pose, const Point2& point) {
+  SUNDER_REQUIRE(std::isfinite(point.x) && std::isfinite(point.y));
   return ask<PolygonPoint>(polygon, pose, point, [](const auto& p, const auto& x, PolygonPoint& a, StageTally& tally) {
     explain(p, x, locate(p, x, a.cost, tally), a, tally);
   });

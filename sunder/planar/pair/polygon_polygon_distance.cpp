@@ -19,6 +19,7 @@
 //   - Else the origin is not beyond edge i, which therefore comes after n: not P(i).
 // When one window is empty its vertex is known; the edges left of the other one are compared with the two edges beside
 // this vertex first.
+#include <sunder/base/contract.h>
 #include <sunder/planar/pair/difference_search.h>
 #include <sunder/planar/pair/polygon_polygon.h>
 #include <sunder/planar/pair/polygon_polygon_distance.h>
@@ -261,6 +262,7 @@ PolygonDistance polygon_polygon_distance_by_scan(const ConvexPolygon& polygon_a,
 }
 
 Sign compare_distance(const PolygonDistance& distance, double radius) {
+  SUNDER_REQUIRE(std::isfinite(radius) && radius >= 0);
   if (distance.meet()) return radius > 0 ? Sign::negative : Sign::zero;
   if (distance.distance.low > radius) return Sign::positive;
   if (distance.distance.high < radius) return Sign::negative;

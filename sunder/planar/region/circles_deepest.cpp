@@ -3,6 +3,7 @@
 // |q - p|^2 plus their power at p, would be at most the old power at the old point, yet least at p. The search among
 // those before it, with the power of a as the common one, is of the same form, in the differences to a: so is the next.
 // For the same reasons centres differ, and three are not on one line.
+#include <sunder/base/contract.h>
 #include <sunder/base/random.h>
 #include <sunder/number/double_double.h>
 #include <sunder/planar/region/circles_deepest.h>
@@ -227,6 +228,7 @@ CirclesDeepest circles_deepest_by_order(std::span<const Circle> circles) {
 }
 
 CirclesDeepest circles_deepest(std::span<const Circle> circles) {
+  SUNDER_REQUIRE(!circles.empty());
   constexpr int most_changes = 100;
   CirclesDeepest out;
   const Proposal<DoubleDouble> proposal = propose(circles, out.cost);

@@ -1,3 +1,4 @@
+#include <sunder/base/contract.h>
 #include <sunder/planar/region/linear_program.h>
 
 namespace sunder::planar {
@@ -20,6 +21,7 @@ LinearProgramAnswer linear_program(const Given& given, const Objective& objectiv
 
 template <class Given>
 ExactPoint2 point_of(const Given& given, const LinearProgramAnswer& answer) {
+  SUNDER_REQUIRE(answer.outcome != Optimum::infeasible);
   const auto corner = [&](std::uint32_t i, std::uint32_t j) { return exact_corner(given[i], given[j]); };
   const bool of_side =
       answer.side != no_half_plane && (answer.outcome == Optimum::one || answer.outcome == Optimum::many);

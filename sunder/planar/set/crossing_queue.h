@@ -1,6 +1,7 @@
 // The crossings that lie ahead of a sweep: those of segments that were neighbours on its line.
 #pragma once
 
+#include <sunder/base/contract.h>
 #include <sunder/planar/object/segments.h>
 #include <sunder/predicate/crossing.h>
 
@@ -29,6 +30,7 @@ class CrossingQueue {
 
   // Of the next one, lexicographically: minus p. Requires that there is one.
   Sign next_minus(const Point2& p) {
+    SUNDER_REQUIRE(!empty());
     ++comparisons;
     const Event& e = events_.front();
     return compare(crossing_of(e), enclosure_of(e), p);
@@ -36,6 +38,7 @@ class CrossingQueue {
 
   // Takes the next one out, and all others at its point.
   Event pop() {
+    SUNDER_REQUIRE(!empty());
     const Event event = pop_one();
     while (!empty() && order(events_.front(), event) == Sign::zero) pop_one();
     return event;

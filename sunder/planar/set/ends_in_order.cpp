@@ -1,4 +1,5 @@
 // Radix sort by the leading bits of x, then comparisons among those that are equal there.
+#include <sunder/base/contract.h>
 #include <sunder/planar/set/ends_in_order.h>
 #include <sunder/planar/set/keyed_order.h>
 #include <sunder/planar/set/prefetch.h>
@@ -78,6 +79,7 @@ std::vector<Entry> entries_of(std::span<const Segment> segments) {
 }  // namespace
 
 std::vector<std::uint32_t> ends_in_order(std::span<const Segment> segments) {
+  SUNDER_REQUIRE(segments.size() < std::size_t{1} << 31);
   std::vector<Entry> entries = entries_of(segments);
   const Less less(segments);
   if (entries.size() < worth_a_radix_sort) {

@@ -4,6 +4,8 @@
 // Cost: O(log N) to change a value or to find the next.
 #pragma once
 
+#include <sunder/base/contract.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -19,6 +21,7 @@ class MaxTree {
 
   // All values are `nothing`. Requires count < 2^31.
   explicit MaxTree(std::uint32_t count) {
+    SUNDER_REQUIRE(count < 1u << 31);
     std::size_t size = count;
     do {
       size = (size + width - 1) / width;
@@ -39,6 +42,7 @@ class MaxTree {
 
   // The least number from k on whose value is at least the bound, or none. Requires bound > nothing.
   std::uint32_t next(std::uint32_t k, double bound) const {
+    SUNDER_REQUIRE(bound > nothing);
     for (std::size_t level = 0; level < levels_.size(); ++level) {
       const std::vector<double>& values = levels_[level];
       if (k >= values.size()) return none;

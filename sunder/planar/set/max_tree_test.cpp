@@ -32,5 +32,11 @@ TEST(MaxTreeTest, TheNextValueThatIsNotBelow) {
   }
 }
 
+#ifdef SUNDER_CONTRACTS
+TEST(MaxTreeTest, NothingIsNoBound) {
+  EXPECT_DEATH(MaxTree(8).next(0, MaxTree::nothing), "max_tree.h:[0-9]+: requires bound > nothing");
+}
+#endif
+
 }  // namespace
 }  // namespace sunder::planar

@@ -1,3 +1,4 @@
+#include <sunder/base/contract.h>
 #include <sunder/planar/set/polygon_contacts_in_order.h>
 
 #include <algorithm>
@@ -45,6 +46,7 @@ std::vector<PolygonsContact> LowestContacts::take_in_order() {
 PolygonContactsInOrder::PolygonContactsInOrder(std::span<const Polygon> polygons, const PolygonsOptions& options,
                                                PolygonsFinder* find, std::size_t most)
     : polygons_(polygons), options_(options), find_(find), most_(most) {
+  SUNDER_REQUIRE(most_ > 0);
   const std::uint64_t size = polygons.size();
   for (std::uint64_t first = 0, width = size; first < size;) {
     Block block{static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(std::min(size, first + width))};

@@ -4,6 +4,8 @@
 // Cost: at most six levels up and six down, for N < 2^31; one or two where members are dense. 1.02 N bits.
 #pragma once
 
+#include <sunder/base/contract.h>
+
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -18,6 +20,7 @@ class RankSet {
 
   // Empty. Requires count < 2^31; members are below it.
   explicit RankSet(std::uint32_t count) {
+    SUNDER_REQUIRE(count < 1u << 31);
     std::size_t size = count;
     for (std::vector<std::uint64_t>& words : levels_) words.assign(size = size / 64 + 1, 0);
   }

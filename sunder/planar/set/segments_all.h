@@ -27,7 +27,7 @@ struct SegmentsContact {
 struct SegmentsAllAnswer {
   std::vector<SegmentsContact> contacts;  // with a transcript: by i, then j
   SweepEvents transcript;                 // empty unless asked for
-  Cost cost;  // probes: pairs that were compared, also those of boxes in a cell
+  Cost cost;                              // probes: pairs that were compared, also those of boxes in a cell
 };
 
 struct SegmentsCountAnswer {

@@ -26,6 +26,7 @@
 //   So only those are looked at that are neighbours when all of a place has left, or entered. Of two that begin where
 // nothing in the list is, the second one stands next to the first; of two neighbours that end in one point, the first
 // one leaves no new neighbours that last.
+#include <sunder/base/contract.h>
 #include <sunder/planar/set/ends_in_order.h>
 #include <sunder/planar/set/prefetch.h>
 #include <sunder/planar/set/segments_all.h>
@@ -167,6 +168,8 @@ SegmentsAnswer segments_any_by_sweep(const Segments& segments, const SegmentsOpt
 
 SegmentsAnswer segments_any_by_sweep_over(const Segments& segments, std::span<const std::uint32_t> ends,
                                           const SegmentsOptions& options) {
+  SUNDER_REQUIRE(options.groups.empty());
+  SUNDER_REQUIRE(ends.size() == 2 * segments.size());
   return Sweep(segments, options).run(ends);
 }
 

@@ -1,3 +1,4 @@
+#include <sunder/base/contract.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/search_graph.h>
 
@@ -87,6 +88,7 @@ std::span<const Point3> ConvexPolyhedron::vertices() const { return data_->graph
 std::span<const std::uint32_t> ConvexPolyhedron::source() const { return data_->source; }
 
 std::span<const std::uint32_t> ConvexPolyhedron::neighbours(std::uint32_t v) const {
+  SUNDER_REQUIRE(v < vertices().size());
   const SearchGraph& graph = data_->graph;
   return {graph.neighbours.data() + graph.begin[v], graph.begin[v + 1] - graph.begin[v]};
 }
@@ -96,6 +98,7 @@ std::uint32_t ConvexPolyhedron::facet_count() const {
 }
 
 std::span<const std::uint32_t> ConvexPolyhedron::facet(std::uint32_t f) const {
+  SUNDER_REQUIRE(f < facet_count());
   return {data_->facet_vertices.data() + data_->facet_begin[f], data_->facet_begin[f + 1] - data_->facet_begin[f]};
 }
 
