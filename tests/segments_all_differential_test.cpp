@@ -4,6 +4,8 @@
 #include <tests/support/segment_sets.h>
 
 #include <sunder/planar/set/segments_all.h>
+#include <sunder/planar/set/segments_json.h>
+#include <verifier/sunder_verify.h>
 
 #include <gtest/gtest.h>
 
@@ -22,6 +24,10 @@ using planar::ContactKind;
 using planar::Segments;
 using planar::SegmentsContact;
 using planar::SegmentsOptions;
+
+bool is_accepted(const std::string& certificate) {
+  return sunder_verifier::verify_text(certificate, "differential").accepted();
+}
 
 std::vector<SegmentsContact> listed(planar::ContactMethod& method, const Segments& segments,
                                     const SegmentsOptions& options) {
