@@ -5,13 +5,16 @@
 #include <sunder/solid/object/pose.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 
-#include <CLI/App.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace sunder::cli {
 

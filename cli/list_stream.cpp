@@ -3,6 +3,7 @@
 #include <sunder/base/error.h>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include <algorithm>
 #include <array>

@@ -4,6 +4,7 @@
 #include <sunder/io/text.h>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include <algorithm>
 #include <array>

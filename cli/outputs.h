@@ -1,11 +1,13 @@
 // What a call writes is none of what it reads, and is written once.
 #pragma once
 
-#include <CLI/App.hpp>
-
 #include <filesystem>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace sunder::cli {
 

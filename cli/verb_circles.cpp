@@ -12,6 +12,7 @@
 #include <sunder/planar/set/circles_any_json.h>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include <algorithm>
 #include <array>

@@ -7,6 +7,7 @@
 #include <sunder/io/text.h>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include <memory>
 #include <span>

@@ -10,6 +10,7 @@
 #include <sunder/io/urdf.h>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include <algorithm>
 #include <array>

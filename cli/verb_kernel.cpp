@@ -14,6 +14,7 @@
 #include <sunder/predicate/constraints.h>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include <algorithm>
 #include <memory>

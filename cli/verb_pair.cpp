@@ -10,6 +10,7 @@
 #include <sunder/io/planar_objects.h>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include <memory>
 

@@ -14,6 +14,7 @@
 #include <sunder/planar/set/polygons_any_json.h>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include <array>
 #include <memory>

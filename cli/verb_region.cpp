@@ -15,6 +15,7 @@
 #include <sunder/planar/region/linear_program_json.h>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include <algorithm>
 #include <array>

@@ -11,6 +11,7 @@
 #include <sunder/io/text.h>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include <unistd.h>
 

@@ -14,6 +14,7 @@
 #include <sunder/planar/set/polygon_valid.h>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include <algorithm>
 #include <functional>

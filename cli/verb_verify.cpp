@@ -8,6 +8,7 @@
 #include <verifier/sunder_verify.h>
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
 
 #include <algorithm>
 #include <memory>

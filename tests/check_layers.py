@@ -147,6 +147,8 @@ def check_include(path, test, bracket, header):
     elif first in OUTSIDE:
         if layer not in OUTSIDE[first]:
             yield "L3: <%s> is not for %s" % (header, layer)
+        elif layer in CORE and path.endswith(".h") and not path.endswith("_internal.h"):
+            yield "L3: <%s>: a public header of the core includes the C++ library only" % header
     elif "/" in header or header.endswith(".hpp"):
         if layer not in SYSTEM_ALLOWED:
             yield "L3: <%s> is not known to OUTSIDE of tests/check_layers.py" % header

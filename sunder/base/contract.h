@@ -11,7 +11,7 @@ namespace sunder {
 
 #ifdef SUNDER_CONTRACTS
 #define SUNDER_REQUIRE(condition) \
-  (static_cast<bool>(condition) ? static_cast<void>(0) : ::sunder::requirement_broken(__FILE__, __LINE__, #condition))
+  ((condition) ? static_cast<void>(0) : ::sunder::requirement_broken(__FILE__, __LINE__, #condition))
 #else
-#define SUNDER_REQUIRE(condition) static_cast<void>(sizeof(static_cast<bool>(condition)))
+#define SUNDER_REQUIRE(condition) static_cast<void>(sizeof((condition) ? 1 : 0))
 #endif

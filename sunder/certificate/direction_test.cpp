@@ -1,6 +1,7 @@
 // Directions of certificates against the same formulas in fractions.
 #include <sunder/base/random.h>
 #include <sunder/certificate/direction.h>
+#include <sunder/number/integer_internal.h>
 
 #include <tests/support/scale.h>
 
@@ -30,7 +31,7 @@ Fraction exact(double x) {
   return times_power(static_cast<std::int64_t>(std::ldexp(m, 53)), e - 53);
 }
 
-Fraction exact(const Dyadic& x) { return times_power(Whole(x.mantissa().str()), x.exponent()); }
+Fraction exact(const Dyadic& x) { return times_power(Whole(mantissa_of(x).str()), x.exponent()); }
 
 Exact3 exact(const WorldDirection& d) {
   const Vector3<Dyadic> v = d.exact();

@@ -1,6 +1,7 @@
 // The certificate file, read back by a foreign JSON parser and an own reader of its numbers, in fractions.
 #include <sunder/base/random.h>
 #include <sunder/certificate/json.h>
+#include <sunder/number/integer_internal.h>
 #include <sunder/predicate/common_point.h>
 
 #include <gtest/gtest.h>
@@ -257,7 +258,7 @@ TEST_F(CertificateJsonPairTest, DirectionsAreExact) {
 
   d.kind = Direction::Kind::exact;
   d.numbers = std::make_shared<const std::array<Dyadic, 3>>(
-      std::array<Dyadic, 3>{Dyadic((Integer(1) << 3000) + 1, -4000), 0.0, Dyadic(-12, 5)});
+      std::array<Dyadic, 3>{dyadic_of((Integer(1) << 3000) + 1, -4000), 0.0, dyadic_of(-12, 5)});
   EXPECT_TRUE(
       same_ray(numbers(pair(c).at("direction")), {times_power((Whole(1) << 3000) + 1, -4000), 0, times_power(-12, 5)}));
 }

@@ -1,10 +1,25 @@
 #include <sunder/base/contract.h>
 #include <sunder/number/dyadic.h>
+#include <sunder/number/integer_internal.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
+#include <new>
+#include <utility>
 
 namespace sunder {
+
+struct DyadicParts {
+  static_assert(sizeof(Integer) <= sizeof(Dyadic::mantissa_) && alignof(Integer) <= 16);
+
+  static Integer& mantissa(Dyadic& x) { return *std::launder(reinterpret_cast<Integer*>(x.mantissa_)); }
+  static const Integer& mantissa(const Dyadic& x) {
+    return *std::launder(reinterpret_cast<const Integer*>(x.mantissa_));
+  }
+  static std::int64_t& exponent(Dyadic& x) { return x.exponent_; }
+};
 
 namespace {
 
@@ -32,7 +47,7 @@ Cut cut_to_double(const Integer& mantissa, std::int64_t exponent) {
   return {static_cast<std::uint64_t>(kept), exponent + drop, rest == 0, rest.compare(half)};
 }
 
-double scaled(std::uint64_t mantissa, std::int64_t exponent) {
+double double_of(std::uint64_t mantissa, std::int64_t exponent) {
   if (mantissa == 0) return 0;
   const std::int64_t top = exponent + 64;  // enough to tell an overflow, whatever the exponent's size
   return std::ldexp(static_cast<double>(mantissa), static_cast<int>(std::clamp<std::int64_t>(top, -3000, 3000) - 64));
@@ -40,85 +55,137 @@ double scaled(std::uint64_t mantissa, std::int64_t exponent) {
 
 }  // namespace
 
-Dyadic::Dyadic(double x) {
+const Integer& mantissa_of(const Dyadic& x) noexcept { return DyadicParts::mantissa(x); }
+
+Dyadic dyadic_of(Integer mantissa, std::int64_t exponent) {
+  Dyadic x;
+  DyadicParts::mantissa(x) = std::move(mantissa);
+  DyadicParts::exponent(x) = exponent;
+  return x;
+}
+
+Dyadic::Dyadic() noexcept { new (mantissa_) Integer; }
+
+Dyadic::Dyadic(const Dyadic& other) : exponent_(other.exponent_) { new (mantissa_) Integer(mantissa_of(other)); }
+
+Dyadic::Dyadic(Dyadic&& other) noexcept : exponent_(other.exponent_) {
+  new (mantissa_) Integer(std::move(DyadicParts::mantissa(other)));
+}
+
+Dyadic& Dyadic::operator=(const Dyadic& other) {
+  DyadicParts::mantissa(*this) = mantissa_of(other);
+  exponent_ = other.exponent_;
+  return *this;
+}
+
+Dyadic& Dyadic::operator=(Dyadic&& other) noexcept {
+  DyadicParts::mantissa(*this) = std::move(DyadicParts::mantissa(other));
+  exponent_ = other.exponent_;
+  return *this;
+}
+
+Dyadic::~Dyadic() { DyadicParts::mantissa(*this).~Integer(); }
+
+Dyadic::Dyadic(double x) : Dyadic() {
   const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
   std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
   const std::int64_t field = static_cast<std::int64_t>(bits >> 52 & 0x7ff);
   if (field != 0) fraction |= std::uint64_t{1} << 52;
   if (fraction == 0) return;
   const int zeros = std::countr_zero(fraction);
-  mantissa_ = fraction >> zeros;
-  if (bits >> 63) mantissa_ = -mantissa_;
+  Integer& mantissa = DyadicParts::mantissa(*this);
+  mantissa = fraction >> zeros;
+  if (bits >> 63) mantissa = -mantissa;
   exponent_ = std::max<std::int64_t>(field, 1) - 1075 + zeros;
 }
 
-Sign Dyadic::sign() const { return static_cast<Sign>(mantissa_.sign()); }
+Dyadic Dyadic::power_of_two(std::int64_t exponent) { return Dyadic(1.0).scaled(exponent); }
+
+Sign Dyadic::sign() const noexcept { return static_cast<Sign>(mantissa_of(*this).sign()); }
+
+std::int64_t Dyadic::top() const {
+  SUNDER_REQUIRE(sign() != Sign::zero);
+  return bit_length(mantissa_of(*this)) - 1 + exponent_;
+}
+
+Dyadic Dyadic::scaled(std::int64_t exponent) const {
+  Dyadic x = *this;
+  x.exponent_ += exponent;
+  return x;
+}
 
 Interval Dyadic::enclosure() const {
-  if (mantissa_ == 0) return {0.0};
-  const Cut cut = cut_to_double(mantissa_, exponent_);
-  const double low = scaled(cut.mantissa, cut.exponent);
-  const double high = cut.exact ? low : scaled(cut.mantissa + 1, cut.exponent);
+  const Integer& mantissa = mantissa_of(*this);
+  if (mantissa == 0) return {0.0};
+  const Cut cut = cut_to_double(mantissa, exponent_);
+  const double low = double_of(cut.mantissa, cut.exponent);
+  const double high = cut.exact ? low : double_of(cut.mantissa + 1, cut.exponent);
   const double inner = std::isinf(low) ? std::numeric_limits<double>::max() : low;
-  return mantissa_ > 0 ? Interval{inner, high} : Interval{-high, -inner};
+  return mantissa > 0 ? Interval{inner, high} : Interval{-high, -inner};
 }
 
 double Dyadic::nearest() const {
-  if (mantissa_ == 0) return 0;
-  const Cut cut = cut_to_double(mantissa_, exponent_);
+  const Integer& mantissa = mantissa_of(*this);
+  if (mantissa == 0) return 0;
+  const Cut cut = cut_to_double(mantissa, exponent_);
   const bool up = !cut.exact && (cut.rest > 0 || (cut.rest == 0 && cut.mantissa % 2 == 1));
-  const double size = scaled(cut.mantissa + (up ? 1 : 0), cut.exponent);
-  return mantissa_ > 0 ? size : -size;
+  const double size = double_of(cut.mantissa + (up ? 1 : 0), cut.exponent);
+  return mantissa > 0 ? size : -size;
 }
 
 std::string Dyadic::hexadecimal() const {
-  if (mantissa_ == 0) return "0x0p+0";
-  Integer size = boost::multiprecision::abs(mantissa_);
+  const Integer& mantissa = mantissa_of(*this);
+  if (mantissa == 0) return "0x0p+0";
+  Integer size = boost::multiprecision::abs(mantissa);
   std::int64_t exponent = exponent_;
   const auto zeros = boost::multiprecision::lsb(size);
   size >>= zeros;
   exponent += static_cast<std::int64_t>(zeros);
-  std::string text = mantissa_ < 0 ? "-0x" : "0x";
+  std::string text = mantissa < 0 ? "-0x" : "0x";
   text += size.str(0, std::ios_base::hex);
   text += exponent < 0 ? "p-" : "p+";
   return text + std::to_string(std::abs(exponent));
 }
 
+Dyadic operator-(const Dyadic& a) { return dyadic_of(-mantissa_of(a), a.exponent()); }
+
 Dyadic operator+(const Dyadic& a, const Dyadic& b) {
-  if (a.mantissa_.is_zero()) return b;
-  if (b.mantissa_.is_zero()) return a;
-  if (a.exponent_ == b.exponent_) return {a.mantissa_ + b.mantissa_, a.exponent_};
-  const bool a_higher = a.exponent_ > b.exponent_;
+  if (mantissa_of(a).is_zero()) return b;
+  if (mantissa_of(b).is_zero()) return a;
+  if (a.exponent() == b.exponent()) return dyadic_of(mantissa_of(a) + mantissa_of(b), a.exponent());
+  const bool a_higher = a.exponent() > b.exponent();
   const Dyadic& high = a_higher ? a : b;
   const Dyadic& low = a_higher ? b : a;
-  Integer shifted = high.mantissa_ << static_cast<unsigned long>(high.exponent_ - low.exponent_);
-  shifted += low.mantissa_;
-  return {std::move(shifted), low.exponent_};
+  Integer shifted = mantissa_of(high) << static_cast<unsigned long>(high.exponent() - low.exponent());
+  shifted += mantissa_of(low);
+  return dyadic_of(std::move(shifted), low.exponent());
 }
 
 Dyadic operator-(const Dyadic& a, const Dyadic& b) { return a + (-b); }
 
-Dyadic operator*(const Dyadic& a, const Dyadic& b) { return {a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_}; }
+Dyadic operator*(const Dyadic& a, const Dyadic& b) {
+  return dyadic_of(mantissa_of(a) * mantissa_of(b), a.exponent() + b.exponent());
+}
 
 double nearest_ratio(const Dyadic& numerator, const Dyadic& denominator) {
   SUNDER_REQUIRE(denominator.sign() != Sign::zero);
   if (numerator.sign() == Sign::zero) return 0;
-  Integer n = boost::multiprecision::abs(numerator.mantissa());
-  const Integer d = boost::multiprecision::abs(denominator.mantissa());
+  Integer n = boost::multiprecision::abs(mantissa_of(numerator));
+  const Integer d = boost::multiprecision::abs(mantissa_of(denominator));
   // A quotient of at least 64 bits, and one more bit that tells whether a rest is left: it rounds as the fraction does.
   const std::int64_t shift = std::max<std::int64_t>(0, 65 - (bit_length(n) - bit_length(d)));
   n <<= static_cast<unsigned long>(shift);
   Integer quotient, rest;
   boost::multiprecision::divide_qr(n, d, quotient, rest);
   quotient = (quotient << 1) + (rest == 0 ? 0 : 1);
-  const double size = Dyadic(quotient, numerator.exponent() - denominator.exponent() - shift - 1).nearest();
+  const double size = dyadic_of(quotient, numerator.exponent() - denominator.exponent() - shift - 1).nearest();
   return numerator.sign() == denominator.sign() ? size : -size;
 }
 
 std::string fraction_text(const Dyadic& numerator, const Dyadic& denominator) {
   SUNDER_REQUIRE(denominator.sign() != Sign::zero);
-  Integer n = numerator.mantissa();
-  Integer d = denominator.mantissa();
+  Integer n = mantissa_of(numerator);
+  Integer d = mantissa_of(denominator);
   const std::int64_t shift = numerator.exponent() - denominator.exponent();
   if (n == 0) return "0";
   (shift > 0 ? n : d) <<= static_cast<unsigned long>(std::abs(shift));

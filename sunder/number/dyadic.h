@@ -5,30 +5,33 @@
 #include <sunder/number/interval.h>
 #include <sunder/number/sign.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
 namespace sunder {
 
-// Integers that need no memory of their own up to 768 bits, and may grow beyond.
-using Integer =
-    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<
-                                      768, 0, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked,
-                                      std::allocator<boost::multiprecision::limb_type>>,
-                                  boost::multiprecision::et_off>;
-
+// The mantissa needs no memory of its own up to 768 bits, and may grow beyond.
 class Dyadic {
  public:
-  Dyadic() = default;  // zero
-  Dyadic(double x);    // exact; requires a finite x
-  Dyadic(Integer mantissa, std::int64_t exponent) : mantissa_(std::move(mantissa)), exponent_(exponent) {}
+  Dyadic() noexcept;  // zero
+  Dyadic(double x);   // exact; requires a finite x
+  Dyadic(const Dyadic& other);
+  Dyadic(Dyadic&& other) noexcept;
+  Dyadic& operator=(const Dyadic& other);
+  Dyadic& operator=(Dyadic&& other) noexcept;
+  ~Dyadic();
 
-  const Integer& mantissa() const { return mantissa_; }
-  std::int64_t exponent() const { return exponent_; }
+  static Dyadic power_of_two(std::int64_t exponent);
 
-  Sign sign() const;
+  std::int64_t exponent() const noexcept { return exponent_; }  // of the form m 2^e; any, where m is zero
+  Sign sign() const noexcept;
+
+  // 2^top() <= |x| < 2^(top() + 1). Requires that it is not zero.
+  std::int64_t top() const;
+
+  // The number times 2^exponent.
+  Dyadic scaled(std::int64_t exponent) const;
 
   // The interval of neighbouring doubles around the number; outside the range of doubles, towards infinity or zero.
   Interval enclosure() const;
@@ -39,14 +42,16 @@ class Dyadic {
   // The form 0xH p E of docs/certificates.md, and back to the same number by any reader of that form.
   std::string hexadecimal() const;
 
-  friend Dyadic operator-(const Dyadic& a) { return {-a.mantissa_, a.exponent_}; }
+  friend Dyadic operator-(const Dyadic& a);
   friend Dyadic operator+(const Dyadic& a, const Dyadic& b);
   friend Dyadic operator-(const Dyadic& a, const Dyadic& b);
   friend Dyadic operator*(const Dyadic& a, const Dyadic& b);
   friend bool operator==(const Dyadic& a, const Dyadic& b) { return (a - b).sign() == Sign::zero; }
 
  private:
-  Integer mantissa_;
+  friend struct DyadicParts;  // of dyadic.cpp: sees the mantissa
+
+  alignas(16) std::byte mantissa_[112];  // an Integer of integer_internal.h
   std::int64_t exponent_ = 0;
 };
 

@@ -2,24 +2,13 @@
 
 namespace sunder {
 
-namespace {
-
-// The exponent of the highest bit, for a number that is not zero.
-std::int64_t magnitude_exponent(const Dyadic& x) {
-  return static_cast<std::int64_t>(boost::multiprecision::msb(boost::multiprecision::abs(x.mantissa()))) + x.exponent();
-}
-
-}  // namespace
-
 Vector3<Interval> WorldDirection::enclosure() const {
   if (is_doubles_) return lift<IntervalStage>(doubles_);
   std::int64_t top = std::numeric_limits<std::int64_t>::min();
   for (const Dyadic* x : {&exact_->x, &exact_->y, &exact_->z}) {
-    if (x->sign() != Sign::zero) top = std::max(top, magnitude_exponent(*x));
+    if (x->sign() != Sign::zero) top = std::max(top, x->top());
   }
-  const auto scaled = [&](const Dyadic& x) {
-    return x.sign() == Sign::zero ? Interval() : Dyadic(x.mantissa(), x.exponent() - top).enclosure();
-  };
+  const auto scaled = [&](const Dyadic& x) { return x.sign() == Sign::zero ? Interval() : x.scaled(-top).enclosure(); };
   return {scaled(exact_->x), scaled(exact_->y), scaled(exact_->z)};
 }
 

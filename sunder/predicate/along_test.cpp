@@ -1,5 +1,6 @@
 // Comparisons along directions against integer arithmetic, by the public functions and by the stages' own formula.
 #include <sunder/base/random.h>
+#include <sunder/number/integer_internal.h>
 #include <sunder/predicate/along.h>
 
 #include <tests/support/scale.h>
@@ -27,7 +28,7 @@ struct Exact {
     e -= 53;
   }
   Exact(Whole mantissa, int exponent) : n(std::move(mantissa)), e(exponent) {}
-  explicit Exact(const Dyadic& x) : n(x.mantissa().str()), e(static_cast<int>(x.exponent())) {}
+  explicit Exact(const Dyadic& x) : n(mantissa_of(x).str()), e(static_cast<int>(x.exponent())) {}
 
   Whole at(int exponent) const { return n << static_cast<unsigned>(e - exponent); }
   Sign sign() const { return static_cast<Sign>(n.sign()); }

@@ -1,6 +1,7 @@
 // Common points of few vertices: against the linear system for the weights, solved in integers, on small grids where
 // every degeneracy is common; and five points against their minors in integers.
 #include <sunder/base/random.h>
+#include <sunder/number/integer_internal.h>
 #include <sunder/predicate/common_point.h>
 
 #include <tests/support/scale.h>
@@ -28,7 +29,7 @@ struct Exact {
     e -= 53;
   }
   Exact(Whole mantissa, int exponent) : n(std::move(mantissa)), e(exponent) {}
-  explicit Exact(const Dyadic& x) : n(x.mantissa().str()), e(static_cast<int>(x.exponent())) {}
+  explicit Exact(const Dyadic& x) : n(mantissa_of(x).str()), e(static_cast<int>(x.exponent())) {}
 
   Whole at(int exponent) const { return n << static_cast<unsigned>(e - exponent); }
   int sign() const { return n.sign(); }

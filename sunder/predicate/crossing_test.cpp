@@ -1,5 +1,6 @@
 // Where two segments cross, against whole numbers: every double is one, times 2^-1074.
 #include <sunder/base/random.h>
+#include <sunder/number/integer_internal.h>
 #include <sunder/predicate/crossing.h>
 
 #include <gtest/gtest.h>
@@ -52,7 +53,7 @@ bool holds(const Interval& i, const Whole& n, const Whole& d) {
 // x / denominator = n / (d 2^1074)?
 bool equal(const Dyadic& x, const Dyadic& denominator, const Whole& n, const Whole& d) {
   const std::int64_t shift = x.exponent() - denominator.exponent() + 1074;
-  Whole left = Whole(x.mantissa()) * d, right = n * Whole(denominator.mantissa());
+  Whole left = Whole(mantissa_of(x)) * d, right = n * Whole(mantissa_of(denominator));
   (shift > 0 ? left : right) <<= static_cast<unsigned>(std::abs(shift));
   return left == right;
 }

@@ -1,6 +1,7 @@
 // With c_i the origin, d and e the centres of j and l, and E, F, G the leads of j, l and k at c_i: the deepest point q
 // of i and j is E / (2 |d|^2) d; of three, the solution of 2 d q = E, 2 e q = F. The power of k at q minus that of i is
 // G - 2 (c_k - c_i) q, and the power of i there |q|^2 - r_i^2. All is multiplied by 2 |d|^2 or by 2 d x e.
+#include <sunder/number/integer_internal.h>
 #include <sunder/predicate/disc_powers.h>
 #include <sunder/predicate/disc_stages.h>
 
@@ -147,18 +148,15 @@ Sign power_at(const Viewpoint& p, const Disc& k) {
 Viewpoint deepest_viewpoint(std::span<const Disc> basis, std::uint32_t bits) {
   const ExactPoint2 p = deepest_point(basis);
   const auto top_of = [](const Dyadic& a) {  // |a| < 2^top
-    return a.sign() == Sign::zero
-               ? std::int64_t{-100000}
-               : a.exponent() + 1 +
-                     static_cast<std::int64_t>(boost::multiprecision::msb(boost::multiprecision::abs(a.mantissa())));
+    return a.sign() == Sign::zero ? std::int64_t{-100000} : a.top() + 1;
   };
   const std::int64_t unit = std::max(top_of(p.x), top_of(p.y)) - top_of(p.denominator) - std::int64_t{bits};
   // The whole part of a / (denominator 2^unit).
   const auto cut = [&](const Dyadic& a) {
-    Integer n = a.mantissa(), d = p.denominator.mantissa();
+    Integer n = mantissa_of(a), d = mantissa_of(p.denominator);
     const std::int64_t shift = a.exponent() - p.denominator.exponent() - unit;
     (shift > 0 ? n : d) <<= static_cast<unsigned long>(shift > 0 ? shift : -shift);
-    return Dyadic(n / d, unit);
+    return dyadic_of(n / d, unit);
   };
   Viewpoint out{cut(p.x), cut(p.y), {}};
   out.in = {out.x.enclosure(), out.y.enclosure()};

@@ -1,5 +1,6 @@
 // How predicates run through their stages: the formulas, the roundings counted for them, and who decides.
 #include <sunder/base/random.h>
+#include <sunder/number/integer_internal.h>
 #include <sunder/predicate/stages.h>
 
 #include <tests/support/scale.h>
@@ -28,7 +29,7 @@ Rational rational(double x) {
   const double m = std::frexp(x, &e);
   return rational(static_cast<std::int64_t>(std::ldexp(m, 53)), e - 53);
 }
-Rational rational(const Dyadic& x) { return rational(Whole(x.mantissa().str()), x.exponent()); }
+Rational rational(const Dyadic& x) { return rational(Whole(mantissa_of(x).str()), x.exponent()); }
 
 // The roundings of each formula, counted by hand. An image has 3; a difference of points 1, of images 4.
 using FromPoint = Vector3<Rounded<0>>;

@@ -19,9 +19,7 @@ struct Split {
 
 Split split(const Dyadic& x) {
   if (x.sign() == Sign::zero) return {};
-  const Integer size = abs(x.mantissa());
-  const std::int64_t bits = static_cast<std::int64_t>(msb(size)) + 1;
-  return {Dyadic(x.mantissa(), -bits).nearest(), x.exponent() + bits};
+  return {x.scaled(-x.top() - 1).nearest(), x.top() + 1};
 }
 
 double joined(double mantissa, std::int64_t exponent) {

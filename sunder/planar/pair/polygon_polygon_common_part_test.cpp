@@ -3,6 +3,7 @@
 #include <tests/support/planar_pairs.h>
 #include <tests/support/scale.h>
 
+#include <sunder/number/integer_internal.h>
 #include <sunder/planar/pair/polygon_polygon_common_part.h>
 
 #include <gtest/gtest.h>
@@ -30,7 +31,7 @@ Fraction exact(double x) {
   const auto n = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &e), 53));
   return Fraction(n) * power_of_two(e - 53);
 }
-Fraction exact(const Dyadic& x) { return Fraction(Whole(x.mantissa())) * power_of_two(x.exponent()); }
+Fraction exact(const Dyadic& x) { return Fraction(Whole(mantissa_of(x))) * power_of_two(x.exponent()); }
 
 struct At {
   Fraction x, y;

@@ -75,14 +75,11 @@ void fill(PolygonDistance& out, const A& a, std::uint32_t i, bool edge_of_a, con
   out.a = named(a, i, edge_of_a);
   out.b = named(b, j, edge_of_b);
   // Of a fraction: scaled, so that neither part leaves the range of doubles.
-  const auto bits = [](const Dyadic& x) {
-    return static_cast<std::int64_t>(msb(x.mantissa() < 0 ? -x.mantissa() : x.mantissa())) + x.exponent();
-  };
   const auto& [numerator, denominator] = out.squared;
-  std::int64_t shift = bits(numerator) - bits(denominator);
+  std::int64_t shift = numerator.top() - denominator.top();
   shift -= shift & 1;
-  const Interval ratio = Dyadic(numerator.mantissa(), numerator.exponent() - bits(numerator)).enclosure() /
-                         Dyadic(denominator.mantissa(), denominator.exponent() - bits(numerator) + shift).enclosure();
+  const Interval ratio =
+      numerator.scaled(-numerator.top()).enclosure() / denominator.scaled(shift - numerator.top()).enclosure();
   const Interval scaled = root(ratio);
   const int power = static_cast<int>(shift / 2);
   const double low = std::ldexp(scaled.low, power), high = std::ldexp(scaled.high, power);

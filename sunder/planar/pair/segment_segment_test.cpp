@@ -1,5 +1,6 @@
 // Every kind of contact, by hand and against fractions.
 #include <sunder/base/random.h>
+#include <sunder/number/integer_internal.h>
 #include <sunder/planar/pair/segment_segment.h>
 
 #include <gtest/gtest.h>
@@ -111,7 +112,7 @@ bool holds(const Segment& s, const Fraction& x, const Fraction& y) {
 }
 
 Fraction fraction(const Dyadic& x) {
-  Fraction f(boost::multiprecision::cpp_int(x.mantissa()));
+  Fraction f(boost::multiprecision::cpp_int(mantissa_of(x)));
   const boost::multiprecision::cpp_int power = boost::multiprecision::cpp_int(1)
                                                << static_cast<unsigned>(std::abs(x.exponent()));
   return x.exponent() < 0 ? Fraction(f / power) : Fraction(f * power);

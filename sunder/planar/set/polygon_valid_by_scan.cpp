@@ -39,7 +39,7 @@ Point<std::int64_t> sheared(const Point2& p, std::int64_t) {
   return {2 * (1024 * x + y), 2 * y};
 }
 Point<Dyadic> sheared(const Point2& p, const Dyadic&) {
-  const Dyadic y(p.y), k(Integer(1), 2200), two(2.0);
+  const Dyadic y(p.y), k = Dyadic::power_of_two(2200), two(2.0);
   return {two * (k * Dyadic(p.x) + y), two * y};
 }
 std::int64_t half(std::int64_t x) { return x / 2; }

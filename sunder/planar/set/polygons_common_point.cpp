@@ -65,12 +65,7 @@ struct Ratio {
 };
 
 // A power of two below the ratio.
-Dyadic power_below(const Ratio& r) {
-  const auto log = [](const Dyadic& x) {
-    return static_cast<std::int64_t>(boost::multiprecision::msb(x.mantissa())) + x.exponent();
-  };
-  return {Integer(1), log(r.n) - log(r.d) - 1};
-}
+Dyadic power_below(const Ratio& r) { return Dyadic::power_of_two(r.n.top() - r.d.top() - 1); }
 
 // How many times the direction the ray goes until it meets the edge.
 std::optional<Ratio> way_to(const Edge& edge, const Vector& direction) {

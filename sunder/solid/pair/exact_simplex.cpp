@@ -1,3 +1,4 @@
+#include <sunder/number/integer_internal.h>
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/pair/exact_simplex.h>
 
@@ -86,7 +87,7 @@ class ExactSimplex {
     do {
       const Column y = multipliers();
       if (y[0] == 0 && y[1] == 0 && y[2] == 0) continue;  // all of one body have one price
-      const WorldDirection direction(Vector3<Dyadic>{Dyadic(y[0], 0), Dyadic(y[1], 0), Dyadic(y[2], 0)});
+      const WorldDirection direction(Vector3<Dyadic>{dyadic_of(y[0], 0), dyadic_of(y[1], 0), dyadic_of(y[2], 0)});
       Along along_a(direction, a_.pose, a_.tame), along_b(direction, b_.pose, b_.tame);
       at_a_ = extreme_vertex_from(a_, along_a, End::greatest, at_a_, tally_);
       at_b_ = extreme_vertex_from(b_, along_b, End::least, at_b_, tally_);
@@ -105,8 +106,8 @@ class ExactSimplex {
   }
 
   Integer scaled(const Dyadic& x) const {
-    if (x.mantissa().is_zero()) return 0;
-    return x.mantissa() << static_cast<unsigned long>(x.exponent() - exponent_);
+    if (mantissa_of(x).is_zero()) return 0;
+    return mantissa_of(x) << static_cast<unsigned long>(x.exponent() - exponent_);
   }
 
   Column column(const Variable& v) const {
@@ -178,7 +179,7 @@ class ExactSimplex {
       c.verdict = Verdict::apart;
       c.direction.kind = Direction::Kind::exact;
       c.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(
-          std::array<Dyadic, 3>{Dyadic(y[0], 0), Dyadic(y[1], 0), Dyadic(y[2], 0)});
+          std::array<Dyadic, 3>{dyadic_of(y[0], 0), dyadic_of(y[1], 0), dyadic_of(y[2], 0)});
       c.extreme_a = at_a_;
       c.extreme_b = at_b_;
       return c;

@@ -5,9 +5,8 @@
 // equations. Phase one of the simplex method from five artificial variables. All prices are looked at in every step:
 // in floating point with a generous error bound first, exactly where that does not tell. The largest enters; after
 // `patience` steps the first positive one does (Bland 1977), which cannot cycle if ties leave by least number.
+#include <sunder/number/integer_internal.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
-
-#include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <array>
@@ -104,7 +103,7 @@ class Scan {
       answer.evidence.verdict = Verdict::apart;
       answer.evidence.direction.kind = Direction::Kind::exact;
       answer.evidence.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(
-          std::array{Dyadic(Integer(y[0]), 0), Dyadic(Integer(y[1]), 0), Dyadic(Integer(y[2]), 0)});
+          std::array{dyadic_of(Integer(y[0]), 0), dyadic_of(Integer(y[1]), 0), dyadic_of(Integer(y[2]), 0)});
       answer.evidence.extreme_a = furthest(0, y);
       answer.evidence.extreme_b = furthest(1, y);
       return answer;
