@@ -192,8 +192,8 @@ class CheckTest : public testing::Test {
     const auto component = [&] { return static_cast<double>(random_.between(-3, 3)); };
     c.direction.given = {component() + 2, component(), component()};
     if (kind == Direction::Kind::exact) {
-      c.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(std::array<Dyadic, 3>{
-          Dyadic(component() + 2), Dyadic(static_cast<std::int64_t>(component()) * 64, -6), Dyadic(component())});
+      c.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(
+          std::array<Dyadic, 3>{Dyadic(component() + 2), Dyadic(component() * 64).scaled(-6), Dyadic(component())});
     }
     for (const auto& [k, of_a] : places_of(kind)) c.direction.index[k] = some_vertex(of_a ? a : b);
     complete(c, a, b);
@@ -388,10 +388,10 @@ TEST_F(CheckTest, RefusesDirectionsThatAreNone) {
     return result(c);
   };
   EXPECT_EQ(with(1.0), CheckResult::accepted);
-  EXPECT_EQ(with(Dyadic(1, 9000)), CheckResult::accepted);
-  EXPECT_EQ(with(Dyadic(-1, 9000)), CheckResult::not_strictly_apart);
+  EXPECT_EQ(with(Dyadic(1.0).scaled(9000)), CheckResult::accepted);
+  EXPECT_EQ(with(Dyadic(-1.0).scaled(9000)), CheckResult::not_strictly_apart);
   for (const std::int64_t e : {std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()}) {
-    EXPECT_EQ(with(Dyadic(1, e)), CheckResult::bad_index);  // and no attempt to shift by that
+    EXPECT_EQ(with(Dyadic(1.0).scaled(e)), CheckResult::bad_index);  // and no attempt to shift by that
   }
   c.direction.kind = static_cast<Direction::Kind>(99);
   EXPECT_EQ(result(c), CheckResult::bad_index);

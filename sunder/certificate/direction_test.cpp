@@ -126,8 +126,8 @@ TEST_F(DirectionTest, GivenNumbersAreTakenAsTheyAre) {
     EXPECT_EQ(w.doubles(), d.given);
   }
   d.kind = Direction::Kind::exact;
-  d.numbers =
-      std::make_shared<const std::array<Dyadic, 3>>(std::array<Dyadic, 3>{Dyadic(3, -5000), 0.0, Dyadic(-1, 4000)});
+  d.numbers = std::make_shared<const std::array<Dyadic, 3>>(
+      std::array<Dyadic, 3>{Dyadic(3.0).scaled(-5000), 0.0, Dyadic(-1.0).scaled(4000)});
   for (const bool reversed : {false, true}) {
     d.reversed = reversed;
     const WorldDirection w = world_direction(d, a, a);

@@ -32,14 +32,14 @@ TEST(PairCertificateTest, CopiesShareTheExactNumbers) {
   PairCertificate c;
   c.direction.kind = Direction::Kind::exact;
   c.direction.numbers =
-      std::make_shared<const std::array<Dyadic, 3>>(std::array<Dyadic, 3>{1.0, -0.5, Dyadic(7, -2000)});
+      std::make_shared<const std::array<Dyadic, 3>>(std::array<Dyadic, 3>{1.0, -0.5, Dyadic(7.0).scaled(-2000)});
   PairCertificate copy = c;
   EXPECT_EQ(copy.direction.numbers.get(), c.direction.numbers.get());
   const PairCertificate moved = std::move(copy);
   copy = {};
   c = {};
   ASSERT_NE(moved.direction.numbers, nullptr);
-  EXPECT_TRUE((*moved.direction.numbers)[2] == Dyadic(7, -2000));
+  EXPECT_TRUE((*moved.direction.numbers)[2] == Dyadic(7.0).scaled(-2000));
 }
 
 }  // namespace
