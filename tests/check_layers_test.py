@@ -10,7 +10,9 @@ import check_layers
 
 GOOD = {
     "sunder/base/error.h": "#pragma once\n#include <string>\n",
-    "sunder/number/sign.h": "#include <sunder/base/error.h>\n#include <boost/multiprecision/cpp_int.hpp>\n",
+    "sunder/number/sign.h": "#include <sunder/base/error.h>\n",
+    "sunder/number/whole_internal.h": "#include <boost/multiprecision/cpp_int.hpp>\n",
+    "sunder/base/contract.cpp": "void f() { std::abort(); }\n",
     "sunder/solid/hull/convex_hull.h": "#include <sunder/number/sign.h>\n",
     "sunder/solid/object/body.h": "#include <sunder/solid/hull/convex_hull.h>\n",
     "sunder/solid/pair/body_body.cpp": "#include <sunder/solid/object/body.h>\n#include <cstdio>\n"
@@ -28,6 +30,7 @@ GOOD = {
 
 # name: (file, text, the rule that refuses it)
 BAD = {
+    "Boost in a public header": ("sunder/number/sign.h", "#include <boost/multiprecision/cpp_int.hpp>\n", "L3"),
     "up a layer": ("sunder/base/cost.h", "#include <sunder/number/sign.h>\n", "L1"),
     "up a layer, spaced": ("sunder/base/cost.h", "  #  include <sunder/number/sign.h>\n", "L1"),
     "to a sibling": ("sunder/planar/pair/x.h", "#include <sunder/solid/object/body.h>\n", "L1"),
