@@ -64,6 +64,12 @@ std::string LeftOutList::clause() const { return empty() ? "" : "; left out: " +
 
 std::string LeftOutList::note() const { return empty() ? "" : "left out: " + text(); }
 
+std::vector<std::string> LeftOutList::texts() const {
+  std::vector<std::string> texts;
+  for (const Kind& kind : kinds_) texts.push_back(text_of(std::span(&kind, 1)));
+  return texts;
+}
+
 Json LeftOutList::json() const {
   Json list = Json::array();
   for (const Kind& kind : kinds_) list.push_back({{"kind", kind.name}, {"count", kind.count}, {"of", kind.of}});

@@ -32,8 +32,10 @@ class LeftOutList {
   std::string text() const;
   // "; left out: 2 cylinders of a, b; 1 sphere of c", to stand behind a verdict; or nothing.
   std::string clause() const;
-  // The note of a certificate: "left out: ..."; or nothing.
+  // The note of a certificate of version 1: "left out: ..."; or nothing.
   std::string note() const;
+  // What a certificate of version 2 says, kind by kind: "2 cylinders of a, b", "1 sphere of c".
+  std::vector<std::string> texts() const;
   // [{"kind", "count", "of": [...]}], with all owners.
   Json json() const;
 

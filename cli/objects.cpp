@@ -91,8 +91,8 @@ Object object_of(const io::Mesh& mesh, const Origin& origin, bool require_convex
 }
 
 // Reads a mesh; what is not read goes into the list.
-io::Mesh read_whole(const std::filesystem::path& file, LeftOutList& left_out) {
-  io::Mesh mesh = io::read_mesh(file);
+io::Mesh read_whole(const std::filesystem::path& file, LeftOutList& left_out, InputFiles* inputs) {
+  io::Mesh mesh = io::read_mesh(file, inputs);
   left_out.add(file.string(), mesh.left_out, "mend the file");
   return mesh;
 }
@@ -113,12 +113,13 @@ Object make_object(const io::Mesh& mesh, const std::filesystem::path& file, bool
   return object_of(without_unused(mesh, used), {file, used}, require_convex);
 }
 
-Object read_object(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out) {
-  return make_object(read_whole(file, left_out), file, require_convex);
+Object read_object(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out, InputFiles* inputs) {
+  return make_object(read_whole(file, left_out, inputs), file, require_convex);
 }
 
-std::vector<Object> read_parts(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out) {
-  const io::Mesh whole = read_whole(file, left_out);
+std::vector<Object> read_parts(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out,
+                               InputFiles* inputs) {
+  const io::Mesh whole = read_whole(file, left_out, inputs);
   std::vector<std::vector<std::uint32_t>> used;
   const std::vector<io::Mesh> meshes = io::split_parts(whole, &used);
   std::vector<Object> objects;

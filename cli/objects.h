@@ -41,10 +41,12 @@ struct Object {
 // required and missing, naming the reflex edge.
 Object make_object(const io::Mesh& mesh, const std::filesystem::path& file, bool require_convex);
 
-// Reads the file as one object, or as one object for each of its parts; what is not read goes into `left_out`. Throws
-// Error also where something is not read, and the list has no consent.
-Object read_object(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out);
-std::vector<Object> read_parts(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out);
+// Reads the file as one object, or as one object for each of its parts; what is not read goes into `left_out`, what is
+// read into `inputs`, where given. Throws Error also where something is not read, and the list has no consent.
+Object read_object(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out,
+                   InputFiles* inputs = nullptr);
+std::vector<Object> read_parts(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out,
+                               InputFiles* inputs = nullptr);
 
 // By how much the mesh departs from its hull: "deepest edge about 0.5 below the hull, ...". Empty where not known.
 std::string departure_text(const Object& object);

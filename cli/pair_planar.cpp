@@ -6,9 +6,10 @@
 #include <cli/pair_unbounded.h>
 
 #include <sunder/base/error.h>
-#include <sunder/certificate/json.h>
+#include <sunder/certificate/pair_claims.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
+#include <sunder/planar/pair/contact_evidence.h>
 #include <sunder/planar/pair/polygon_polygon.h>
 #include <sunder/planar/pair/polygon_polygon_distance.h>
 #include <sunder/scene/rounded_evidence.h>
@@ -121,13 +122,32 @@ Json report(const PlanarPairCall& call, const PlanarBody& a, const PlanarBody& b
   return json;
 }
 
-std::string certificate_text(const PlanarBody& a, const PlanarBody& b, const PairCertificate& evidence) {
-  CertificateWriter writer;
-  const std::uint32_t body_a = writer.add_body(a.name, a.vertices), body_b = writer.add_body(b.name, b.vertices);
-  const std::uint32_t placed_a = writer.add_placed(a.name, body_a, a.pose_in_space);
-  const std::uint32_t placed_b = writer.add_placed(b.name, body_b, b.pose_in_space);
-  writer.add_pair(placed_a, placed_b, evidence);
-  return writer.text();
+// Of touching and overlapping, and of the distance, where the caller asks for it.
+std::string certificate_text(const PlanarPairCall& call, const PlanarBody& a, const PlanarBody& b,
+                             const Answers& answers, const Origin& origin) {
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  file.add_origin(origin);
+  PairClaims pairs(file, PairClaims::Space::planar);
+  const auto add = [&](const PlanarBody& body) {
+    return pairs.add_placed(body.name, pairs.add_body(body.name, body.vertices), body.pose_in_space);
+  };
+  const std::uint32_t index_a = add(a), index_b = add(b);
+  const PairCertificate& evidence = answers.pair.certificate();
+  if (!call.classify || !answers.pair.meet()) {
+    pairs.add_pair(index_a, index_b, evidence);
+  } else if (answers.contact == Contact::touching) {
+    pairs.add_touching(index_a, index_b, pairs.common_point(index_a, index_b, evidence),
+                       planar::touching_direction(a.polygon, a.pose, b.polygon, b.pose, evidence));
+  } else {
+    pairs.add_overlapping(index_a, index_b, planar::overlapping_point(a.polygon, a.pose, b.polygon, b.pose));
+  }
+  if (call.distance && !answers.pair.meet()) {
+    const auto [of_a, of_b] = planar::closest_points(a.polygon, a.pose, b.polygon, b.pose, answers.distance);
+    pairs.add_distance(index_a, index_b, of_a, of_b);
+  }
+  pairs.end();
+  return text;
 }
 
 }  // namespace
@@ -141,13 +161,16 @@ int run_planar_pair(const PlanarPairCall& call) {
   }
   if (call.hull && call.mend) throw Error(ErrorCode::bad_call, "give --mend or --hull, not both", "--mend");
   LeftOutList left_out(call.leave_out);
-  const PlanarInput input_a = read_planar_input(call, true, left_out),
-                    input_b = read_planar_input(call, false, left_out);
+  Origin origin;
+  InputFiles* const inputs = call.certificate.empty() ? nullptr : &origin.inputs;
+  const PlanarInput input_a = read_planar_input(call, true, left_out, inputs),
+                    input_b = read_planar_input(call, false, left_out, inputs);
+  origin.left_out = left_out.texts();
   if (!call.svg.empty()) {
     require_drawable(input_a.object.vertices.size() + input_b.object.vertices.size(), "point", 0, call.svg_limit);
   }
   if (input_a.object.unbounded() || input_b.object.unbounded()) {
-    return run_unbounded_pair(call, input_a, input_b, left_out);
+    return run_unbounded_pair(call, input_a, input_b, left_out, origin);
   }
   const Method method = method_of(call.method);
   const PlanarBody a = planar_body(input_a, call), b = planar_body(input_b, call);
@@ -156,8 +179,7 @@ int run_planar_pair(const PlanarPairCall& call) {
   if (call.classify) answers.contact = planar::polygon_polygon_contact(a.polygon, a.pose, b.polygon, b.pose);
   if (call.distance) answers.distance = planar::polygon_polygon_distance(a.polygon, a.pose, b.polygon, b.pose);
   if (!call.certificate.empty()) {
-    io::write_file_atomically(call.certificate,
-                              with_note(certificate_text(a, b, answers.pair.certificate()), left_out.note()));
+    io::write_file_atomically(call.certificate, certificate_text(call, a, b, answers, origin));
   }
   if (!call.svg.empty()) {
     io::write_file_atomically(call.svg, pair_svg({a.polygon, a.pose, a.name}, {b.polygon, b.pose, b.name}, call.title));

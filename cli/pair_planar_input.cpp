@@ -73,9 +73,9 @@ ConvexPolygon shape_of(const PlanarObject& object, const std::string& path, cons
 
 }  // namespace
 
-PlanarInput read_planar_input(const PlanarPairCall& call, bool is_a, LeftOutList& left_out) {
+PlanarInput read_planar_input(const PlanarPairCall& call, bool is_a, LeftOutList& left_out, InputFiles* inputs) {
   const std::string& path = is_a ? call.file_a : call.file_b;
-  const io::PlanarFile file = io::read_planar_objects(path, call.drop_z);
+  const io::PlanarFile file = io::read_planar_objects(path, call.drop_z, inputs);
   for (const std::string& remark : file.remarks) note(fmt::format("{}: {}", io::one_line(path), remark));
   PlanarInput out;
   out.path = path;

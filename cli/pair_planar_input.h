@@ -23,9 +23,9 @@ struct PlanarInput {
   planar::Pose pose;
 };
 
-// Reads A or B. What the file holds that is no object here goes into `left_out`, unless an object is named. Throws
-// Error for bad input, also where something is left out, and the list has no consent.
-PlanarInput read_planar_input(const PlanarPairCall& call, bool is_a, LeftOutList& left_out);
+// Reads A or B. What the file holds that is no object here goes into `left_out`, unless an object is named; inputs: as
+// of io::read_file. Throws Error for bad input, also where something is left out, and the list has no consent.
+PlanarInput read_planar_input(const PlanarPairCall& call, bool is_a, LeftOutList& left_out, InputFiles* inputs);
 
 // A bounded one, as a convex polygon.
 struct PlanarBody {

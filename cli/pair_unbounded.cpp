@@ -4,7 +4,6 @@
 #include <cli/unbounded_certificate.h>
 
 #include <sunder/base/error.h>
-#include <sunder/certificate/json.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
 #include <sunder/planar/pair/polygon_line.h>
@@ -68,15 +67,6 @@ struct Question {
 
   const char* letter() const { return body_is_a ? "A" : "B"; }
 };
-
-// A vertex is its own relative interior; a segment's is without its ends.
-Contact contact_of(const PolygonCut& cut, std::uint32_t n) {
-  if (!cut.meet()) return Contact::none;
-  const bool inner_of_body = n == 1 || (n == 2 && (cut.kind == CutKind::along || cut.first.place == Place::edge)) ||
-                             cut.kind == CutKind::across;
-  const bool inner_of_ray = cut.kind != CutKind::point || cut.first.own == OwnEnd::none;
-  return inner_of_body && inner_of_ray ? Contact::overlapping : Contact::touching;
-}
 
 enum class Method : std::uint8_t { automatic, fibonacci, scan };
 
@@ -298,7 +288,7 @@ std::string picture(const Question& q, const Common& common) {
 }  // namespace
 
 int run_unbounded_pair(const PlanarPairCall& call, const PlanarInput& a, const PlanarInput& b,
-                       const LeftOutList& left_out) {
+                       const LeftOutList& left_out, const Origin& origin) {
   if (a.object.unbounded() && b.object.unbounded()) {
     throw Error(ErrorCode::bad_call,
                 fmt::format("A is a {} and B a {}; one of them must be bounded: give a point, a segment or a polygon",
@@ -317,9 +307,8 @@ int run_unbounded_pair(const PlanarPairCall& call, const PlanarInput& a, const P
   const Common common = common_of(body, unbounded, method);
   if (!call.certificate.empty()) {
     const PolygonCut line = unbounded.kind == Kind::ray ? cut_by_line(body, unbounded, Method::automatic) : common.cut;
-    io::write_file_atomically(
-        call.certificate,
-        with_note(certificate_of_unbounded(body, unbounded, common.meet(), line, common.witness), left_out.note()));
+    const UnboundedAnswer answer{common.contact, call.classify, common.cut, line, common.witness};
+    io::write_file_atomically(call.certificate, certificate_of_unbounded(body, unbounded, answer, origin));
   }
   if (!call.svg.empty()) io::write_file_atomically(call.svg, picture(question, common));
   call.json ? print(to_text(report(question, a, b, common, left_out)))

@@ -185,7 +185,7 @@ TEST_F(Program, OfAnotherKind) {
   EXPECT_EQ(text.code, 0) << text.err;
   EXPECT_NE(text.out.find("none meet (shared-endpoint allowed); left out: 1 point of line 1\n"), std::string::npos)
       << text.out;
-  EXPECT_EQ(json::parse(read_text(proof))["left_out"][0], "left out: 1 point of line 1");
+  EXPECT_EQ(json::parse(read_text(proof))["left_out"][0], "1 point of line 1");
   EXPECT_EQ(report("segments --leave-out " + file, 1)["left_out"][0]["count"], 1);
   EXPECT_EQ(run("kernel --leave-out " + file).code, 0);
   expect_bad("simple " + file, "mixed.wkt:1: a point is not what is asked about");

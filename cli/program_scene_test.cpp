@@ -58,6 +58,7 @@ TEST_F(Program, SceneOfMeshes) {
   ASSERT_EQ(far["pairs"].size(), 1u);
   EXPECT_EQ(far["pairs"][0]["decided_by"], "boxes");
   EXPECT_EQ(run("verify " + in_folder("c.json")).code, 0);
+  expect_bad("scene " + cube + " --certificate " + in_folder("c.json"), "--certificate: no pair is asked about");
   EXPECT_EQ(run("scene " + panda + ready + " --allow adjacent " + cube + "@0,0,-0.45").code, 1);  // under its base
 }
 

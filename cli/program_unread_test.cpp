@@ -1,4 +1,5 @@
 // What the program does not read counts for nothing without the caller's word, and no sentence says more than is so.
+#include <sunder/io/sha256.h>
 #include <tests/support/program.h>
 
 #include <algorithm>
@@ -60,10 +61,15 @@ TEST_F(Program, WhatIsLeftOutIsTold) {
   EXPECT_EQ(r.code, 0) << r.err;
   const std::string left_out = "left out: 2 cylinders of b, c; 1 sphere of c; 2 meshes of d, e";
   EXPECT_NE(r.out.find("\nnone of the bodies read meet; " + left_out + "\n"), std::string::npos) << r.out;
-  EXPECT_EQ(json::parse(read_text(proof))["note"], left_out);
+  const json texts{"2 cylinders of b, c", "1 sphere of c", "2 meshes of d, e"};
+  const json file = json::parse(read_text(proof));
+  EXPECT_EQ(file["left_out"], texts);
+  ASSERT_EQ(file["inputs"].size(), 1u);
+  EXPECT_EQ(file["inputs"][0]["name"], robot);
+  EXPECT_EQ(file["inputs"][0]["sha256"], io::sha256(read_text(robot)));
   EXPECT_TRUE(python_accepts(proof));
-  EXPECT_NE(run("verify '" + proof + "'").out.find("\n  note: " + left_out + "\n"), std::string::npos);
-  EXPECT_EQ(report("verify '" + proof + "'", 0)["objects"][0]["note"], left_out);
+  EXPECT_NE(run("verify '" + proof + "'").out.find("\n  left out: 1 sphere of c\n"), std::string::npos);
+  EXPECT_EQ(report("verify '" + proof + "'", 0)["objects"][0]["left_out"], texts);
   const json j = report("scene " + quoted + " --leave-out", 0);
   EXPECT_EQ(j["left_out"][0], (json{{"kind", "cylinder"}, {"count", 2}, {"of", {"b", "c"}}}));
   EXPECT_EQ(j["left_out"].size(), 3u);
@@ -91,7 +97,12 @@ TEST_F(Program, MeshesWithMoreThanPolygons) {
   EXPECT_EQ(report("info " + quoted, 0)["objects"][0]["left_out"].size(), 3u);
   const std::string proof = in_folder("proof.json");
   EXPECT_EQ(run("pair " + quoted + " " + cube + " --leave-out --certificate '" + proof + "'").code, 1);
-  EXPECT_NE(read_text(proof).find("\"note\": \"left out: 1 line of more.obj; 2 points of"), std::string::npos);
+  const json told = json::parse(read_text(proof));
+  EXPECT_EQ(told["left_out"][0], "1 line of more.obj");
+  EXPECT_EQ(told["left_out"].size(), 3u);
+  ASSERT_EQ(told["inputs"].size(), 2u);
+  EXPECT_EQ(told["inputs"][0]["name"], file);
+  EXPECT_EQ(told["inputs"][1]["sha256"], io::sha256(read_text(cases + "/mesh/cube.obj")));
   // Without faces the vertices are the object, those of lines and points too.
   write_text(file, "v 0 0 0\nv 1 0 0\nl 1 2\np 1\n");
   EXPECT_EQ(run("hull " + quoted).code, 0);
@@ -177,7 +188,7 @@ TEST_F(Program, ABoardIsAskedAboutByItsCentreLines) {
   EXPECT_NE(r.out.find("1 list of an unknown kind: not looked at"), std::string::npos) << r.out;
   EXPECT_EQ(report("segments " + quoted + " --centre-lines", 0)["said_of"], "centre lines");
   const std::string note = json::parse(read_text(in_folder("proof.json")))["left_out"][0];
-  EXPECT_TRUE(note.starts_with("of the centre lines of tracks; copper is not read: ")) << note;
+  EXPECT_TRUE(note.starts_with("copper, but for the centre lines of tracks: ")) << note;
   EXPECT_TRUE(python_accepts(proof));
 }
 

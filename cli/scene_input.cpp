@@ -72,17 +72,17 @@ Placement parse_joints(const std::string& text) {
   return placement;
 }
 
-Placement read_joints(const std::string& file) {
+Placement read_joints(const std::string& file, InputFiles* inputs) {
   Placement placement;
   placement.name = io::one_line(fs::path(file).stem().string());
-  for (const auto& [number, line] : lines_of(io::read_file(file))) {
+  for (const auto& [number, line] : lines_of(io::read_file(file, inputs))) {
     add_joint(line, fmt::format("{}:{}", io::one_line(file), number), placement);
   }
   return placement;
 }
 
 SceneInput::SceneInput(const std::vector<std::string>& files, const std::vector<std::string>& poses,
-                       bool require_convex, bool leave_out)
+                       bool require_convex, bool leave_out, InputFiles* inputs)
     : left_out_(leave_out) {
   for (const std::string& word : files) {
     std::string file = word;
@@ -95,9 +95,9 @@ SceneInput::SceneInput(const std::vector<std::string>& files, const std::vector<
     const std::string stem = io::one_line(fs::path(file).stem().string());
     inputs_.push_back({unused_name(stem), pose});
     if (is_urdf(file)) {
-      add_robot(file, require_convex);
+      add_robot(file, require_convex, inputs);
     } else {
-      add_mesh(file, require_convex);
+      add_mesh(file, require_convex, inputs);
     }
   }
   for (const std::string& text : poses) {
@@ -135,26 +135,31 @@ std::string SceneInput::unused_name(const std::string& wish) const {
   return name;
 }
 
-void SceneInput::add_mesh(const std::string& file, bool require_convex) {
+void SceneInput::add_mesh(const std::string& file, bool require_convex, InputFiles* inputs) {
   Body body;
   body.name = inputs_.back().name;
   body.input = inputs_.size() - 1;
-  for (Object& object : read_parts(file, require_convex, left_out_)) {
+  for (Object& object : read_parts(file, require_convex, left_out_, inputs)) {
     std::string name = object.name;
     body.parts.push_back({std::move(name), std::move(object), solid::Pose()});
   }
   bodies_.push_back(std::move(body));
 }
 
-// The parts of the mesh of a link, kept in `known`; nothing where it cannot be read, and is left out.
+// The parts of the mesh of a link; nothing where it cannot be read, and is left out.
 const std::vector<Object>* SceneInput::mesh_of(const io::CollisionShape& shape, const std::string& link,
-                                               bool require_convex, std::map<fs::path, std::vector<Object>>& known) {
+                                               MeshReader& reader) {
   try {
     const fs::path path = io::resolve_mesh(shape.mesh, robot_->folder);
-    auto found = known.find(path);
-    if (found == known.end()) {
+    auto found = reader.known.find(path);
+    if (found == reader.known.end()) {
       robot_meshes_.push_back(path);
-      found = known.emplace(path, read_parts(path, require_convex, left_out_)).first;
+      InputFiles read;  // not told of where it is left out
+      found = reader.known
+                  .emplace(path, read_parts(path, reader.require_convex, left_out_,
+                                            reader.inputs == nullptr ? nullptr : &read))
+                  .first;
+      if (reader.inputs != nullptr) reader.inputs->insert(reader.inputs->end(), read.begin(), read.end());
     }
     return &found->second;
   } catch (const Error& error) {
@@ -164,11 +169,11 @@ const std::vector<Object>* SceneInput::mesh_of(const io::CollisionShape& shape, 
   }
 }
 
-void SceneInput::add_robot(const std::string& file, bool require_convex) {
+void SceneInput::add_robot(const std::string& file, bool require_convex, InputFiles* inputs) {
   if (robot_) fail_call("a second robot; give one URDF file in a call", io::one_line(file));
-  robot_ = io::read_urdf(file);
+  robot_ = io::read_urdf(file, inputs);
   left_out_.add(file, robot_->left_out, "give meshes in their stead");
-  std::map<fs::path, std::vector<Object>> meshes;  // a file may serve several links
+  MeshReader meshes{require_convex, inputs};
   for (std::uint32_t l = 0; l < robot_->links.size(); ++l) {
     const io::Link& link = robot_->links[l];
     Body body;
@@ -184,7 +189,7 @@ void SceneInput::add_robot(const std::string& file, bool require_convex) {
         body.parts.push_back({number, {io::one_line(file), "box", "box", 8, 6, Shape::convex, "", {}, box}, pose});
         continue;
       }
-      const std::vector<Object>* objects = mesh_of(shape, link.name, require_convex, meshes);
+      const std::vector<Object>* objects = mesh_of(shape, link.name, meshes);
       if (objects == nullptr) continue;
       for (const Object& object : *objects) {
         body.parts.push_back({objects->size() == 1 ? number : number + "." + object.name, object, pose});

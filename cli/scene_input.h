@@ -26,14 +26,16 @@ struct Placement {
 Placement parse_joints(const std::string& text);
 
 // A file with one joint a line, "name value" or "name=value"; '#' starts a comment. Its name is the placement's.
-Placement read_joints(const std::string& file);
+// inputs: as of io::read_file.
+Placement read_joints(const std::string& file, InputFiles* inputs);
 
 class SceneInput {
  public:
   // Each name is a file, or FILE@POSE. poses: "NAME=POSE" each, NAME as shown by `names`. Where leave_out, shapes of
-  // a robot that are not read, also meshes, are left out. Throws Error, also where there is no body at all.
+  // a robot that are not read, also meshes, are left out. inputs: as of io::read_file. Throws Error, also where there
+  // is no body at all.
   SceneInput(const std::vector<std::string>& files, const std::vector<std::string>& poses, bool require_convex,
-             bool leave_out);
+             bool leave_out, InputFiles* inputs);
 
   // The bodies in the order of the files; links without shapes are none. Throws Error for joints that do not exist or
   // are out of their limits.
@@ -65,10 +67,14 @@ class SceneInput {
     solid::Pose pose;
   };
 
-  void add_mesh(const std::string& file, bool require_convex);
-  void add_robot(const std::string& file, bool require_convex);
-  const std::vector<Object>* mesh_of(const io::CollisionShape& shape, const std::string& link, bool require_convex,
-                                     std::map<std::filesystem::path, std::vector<Object>>& known);
+  void add_mesh(const std::string& file, bool require_convex, InputFiles* inputs);
+  void add_robot(const std::string& file, bool require_convex, InputFiles* inputs);
+  struct MeshReader {
+    bool require_convex;
+    InputFiles* inputs;
+    std::map<std::filesystem::path, std::vector<Object>> known{};  // a file may serve several links
+  };
+  const std::vector<Object>* mesh_of(const io::CollisionShape& shape, const std::string& link, MeshReader& reader);
   void require_some_body() const;
   std::string unused_name(const std::string& wish) const;
   std::uint32_t body_named(const std::string& name, const std::string& place) const;

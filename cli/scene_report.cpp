@@ -1,7 +1,7 @@
 #include <cli/evidence.h>
 #include <cli/scene_report.h>
 
-#include <sunder/certificate/json.h>
+#include <sunder/certificate/pair_claims.h>
 #include <sunder/scene/rounded_evidence.h>
 
 #include <fmt/format.h>
@@ -270,31 +270,36 @@ Json scene_json(const SceneReport& report, const std::vector<const Object*>& obj
   return json;
 }
 
-std::string scene_certificate(const SceneReport& report) {
-  CertificateWriter writer;
+void write_scene_certificate(const SceneReport& report, const InputFiles& inputs, const TextSink& sink) {
+  ClaimsWriter file(sink);
+  file.add_origin({inputs, report.left_out->texts()});
+  PairClaims pairs(file);
   const std::vector<scene::Body>& bodies = report.placements.front().bodies;
   std::vector<std::vector<std::uint32_t>> tables;
   for (const scene::Body& body : bodies) {
     tables.emplace_back();
     for (std::uint32_t i = 0; i < body.parts.size(); ++i) {
-      tables.back().push_back(writer.add_body(part_name(body, i), body.parts[i].shape.vertices()));
+      tables.back().push_back(pairs.add_body(part_name(body, i), body.parts[i].shape.vertices()));
     }
   }
+  std::vector<std::vector<std::vector<std::uint32_t>>> index;  // by placement, body and part
   for (const Placed& placed : report.placements) {
     const std::string prefix = report.placements.size() > 1 ? placed.title + ": " : "";
-    std::vector<std::vector<std::uint32_t>> index;
+    index.emplace_back();
     for (std::size_t b = 0; b < placed.bodies.size(); ++b) {
-      index.emplace_back();
+      index.back().emplace_back();
       for (std::uint32_t i = 0; i < placed.bodies[b].parts.size(); ++i) {
-        index.back().push_back(writer.add_placed(prefix + part_name(placed.bodies[b], i), tables[b][i],
-                                                 placed.bodies[b].parts[i].pose.affine()));
+        index.back().back().push_back(pairs.add_placed(prefix + part_name(placed.bodies[b], i), tables[b][i],
+                                                       placed.bodies[b].parts[i].pose.affine()));
       }
     }
-    for (const PartPair& pair : placed.answer.pairs) {
-      writer.add_pair(index[pair.body_a][pair.part_a], index[pair.body_b][pair.part_b], pair.answer.certificate());
+  }
+  for (std::size_t p = 0; p < report.placements.size(); ++p) {
+    for (const PartPair& pair : report.placements[p].answer.pairs) {
+      pairs.add_pair(index[p][pair.body_a][pair.part_a], index[p][pair.body_b][pair.part_b], pair.answer.certificate());
     }
   }
-  return with_note(writer.text(), report.left_out->note());
+  pairs.end();
 }
 
 }  // namespace sunder::cli

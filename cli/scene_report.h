@@ -3,6 +3,7 @@
 
 #include <cli/scene_input.h>
 
+#include <sunder/certificate/claims.h>
 #include <sunder/scene/scene.h>
 
 #include <array>
@@ -46,7 +47,7 @@ Point3 point_about(const Placed& placed, const scene::PartPair& pair);
 std::string scene_text(const SceneReport& report);
 Json scene_json(const SceneReport& report, const std::vector<const Object*>& objects);
 
-// Of all pairs that are listed in the answers.
-std::string scene_certificate(const SceneReport& report);
+// Of all pairs that are listed in the answers, of which there is one at least.
+void write_scene_certificate(const SceneReport& report, const InputFiles& inputs, const TextSink& sink);
 
 }  // namespace sunder::cli

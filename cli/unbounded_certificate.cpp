@@ -1,11 +1,9 @@
 #include <cli/unbounded_certificate.h>
 
-#include <sunder/base/error.h>
-#include <sunder/certificate/check.h>
-#include <sunder/certificate/json.h>
+#include <sunder/certificate/pair_claims.h>
 #include <sunder/number/dyadic.h>
-#include <sunder/planar/pair/polygon_polygon.h>
-#include <sunder/predicate/orient.h>
+#include <sunder/planar/pair/contact_evidence.h>
+#include <sunder/predicate/stages.h>
 
 #include <array>
 #include <cmath>
@@ -16,56 +14,142 @@ namespace sunder::cli {
 namespace {
 
 using Kind = io::PlanarObject::Kind;
+using planar::CutEnd;
+using planar::CutKind;
+using planar::ExactEnd;
+using planar::OwnEnd;
 using planar::Place;
 using planar::Pose;
+using Exact = Vector2<Dyadic>;
 
-[[noreturn]] void fail(const std::string& what) { throw Error(ErrorCode::bad_call, what, "--certificate"); }
+Exact along(const Unbounded& u) { return lift<ExactStage>(u.b) - lift<ExactStage>(u.a); }
 
-// A point strictly to the left of the way from a to b: the body's vertex furthest there, if it is; else one near a.
-Point2 point_left_of(const PlanarBody& body, const Unbounded& unbounded, std::uint32_t witness) {
-  const Point2 &a = unbounded.a, &b = unbounded.b;
-  std::vector<Point2> candidates;
-  if (const std::optional<Point2> w = exact_image(body.pose, body.polygon[witness])) candidates.push_back(*w);
-  candidates.push_back({a.x - (b.y - a.y), a.y + (b.x - a.x)});
-  candidates.push_back({a.x - std::copysign(1.0, b.y - a.y), a.y + std::copysign(1.0, b.x - a.x)});
-  for (const Point2& c : candidates) {
-    if (std::isfinite(c.x) && std::isfinite(c.y) && orient_2d(a, b, c) == Sign::positive) return c;
+Exact left_of(const Exact& d) { return {-d.y, d.x}; }
+
+// ---- Directions: no point of the body is further along than any of the other.
+
+// The body is on one side of the line, and not all on it.
+Exact across_line(const PlanarBody& body, const Unbounded& u) {
+  const Exact left = left_of(along(u)), a = lift<ExactStage>(u.a);
+  for (std::uint32_t v = 0; v < body.polygon.size(); ++v) {
+    const ExactPoint2 p = planar::exact_vertex(body.polygon, body.pose, v);
+    const Sign side = dot(left, Exact{p.x, p.y} - a).sign();
+    if (side != Sign::zero) return side == Sign::negative ? left : Exact{-left.x, -left.y};
   }
-  fail("no point of the half-plane beside its line was found to write down; give its two points nearer to each other");
+  return left;
 }
 
-PairCertificate apart(const Direction& direction, std::uint32_t extreme_a, std::uint32_t extreme_b) {
-  PairCertificate c;
-  c.verdict = Verdict::apart;
-  c.direction = direction;
-  c.extreme_a = extreme_a;
-  c.extreme_b = extreme_b;
-  return c;
-}
-
-Direction named(Direction::Kind kind, std::uint32_t from, std::uint32_t to, bool reversed) {
-  Direction d;
-  d.kind = kind;
-  d.index = {from, to, 0, 0};
-  d.reversed = reversed;
-  return d;
-}
-
-// A ray whose line meets the body: across an edge at which the line leaves it, or along the ray. A body of one edge or
-// none is left in its last vertex.
-std::vector<PairCertificate> behind_the_beginning(const PlanarBody& body, const planar::CutEnd& last) {
+// Where the line leaves the body, seen along it: across an edge that it passes to the outside, and of its two edges at
+// a vertex it passes one. A segment that the line runs along, and a point, it leaves along itself.
+Exact out_of_body(const PlanarBody& body, const Unbounded& u, const CutEnd& last) {
   const std::uint32_t n = body.polygon.size(), v = last.feature;
-  std::vector<PairCertificate> candidates;
+  const Exact way = along(u);
   for (const std::uint32_t e : {v, (v + n - 1) % n}) {
-    for (const bool reversed : {false, true}) {
-      if (n > 1) candidates.push_back(apart(named(Direction::Kind::side_of_a, e, (e + 1) % n, reversed), e, 0));
+    if (n == 1 || (last.place == Place::edge && e != v)) continue;
+    const auto [x, y] = planar::outward_normal(body.polygon, body.pose, e);
+    const Sign further = dot(Exact{x, y}, way).sign();
+    if (further == Sign::positive) return {x, y};
+    if (n == 2 && further == Sign::negative) return {-x, -y};
+  }
+  return way;
+}
+
+Exact parting(const PlanarBody& body, const Unbounded& u, const UnboundedAnswer& answer) {
+  if (u.kind == Kind::half_plane) return left_of(along(u));
+  const bool is_behind = answer.contact == Contact::none
+                             ? answer.of_line.meet()
+                             : contact_of(answer.of_line, body.polygon.size()) == Contact::overlapping;
+  return is_behind ? out_of_body(body, u, answer.of_line.last) : across_line(body, u);
+}
+
+// ---- Points.
+
+// How the unbounded object makes a point of it. Its rows: a; the way to b; the way back (not of a ray); the way to the
+// left (of a half-plane). Inside: with weights that span all of it.
+Combination combination_of(const Unbounded& u, const ExactPoint2& p, bool is_inside) {
+  const Exact way = along(u), a = lift<ExactStage>(u.a);
+  const Exact d = Exact{p.x, p.y} - Exact{a.x * p.denominator, a.y * p.denominator};
+  const Dyadic whole = dot(way, way) * p.denominator, forth = dot(way, d), zero;
+  const Dyadic both = is_inside && u.kind != Kind::ray ? whole : zero;
+  const bool is_back = forth.sign() == Sign::negative;
+  Combination sum{{{0, whole}}, whole};
+  const auto add = [&](std::uint32_t entry, const Dyadic& weight) {
+    if (weight.sign() != Sign::zero) sum.parts.push_back({entry, weight});
+  };
+  add(1, is_back ? both : both + forth);
+  if (u.kind != Kind::ray) add(2, is_back ? both - forth : both);
+  if (u.kind == Kind::half_plane) add(3, cross(way, d));
+  return sum;
+}
+
+ExactPoint2 between(const ExactPoint2& p, const ExactPoint2& q) {
+  return {p.x * q.denominator + q.x * p.denominator, p.y * q.denominator + q.y * p.denominator,
+          Dyadic(2.0) * p.denominator * q.denominator};
+}
+
+// Strictly inside the half-plane, as the witness is, and inside the body: on the way from there to its middle.
+ExactPoint2 inside_half_plane(const PlanarBody& body, const Unbounded& u, std::uint32_t witness) {
+  const ExactPoint2 start = planar::exact_vertex(body.polygon, body.pose, witness);
+  const Exact way = along(u), a = lift<ExactStage>(u.a);
+  ExactPoint2 p = planar::exact_middle(body.polygon, body.pose);
+  while (cross(way, Exact{p.x, p.y} - Exact{a.x * p.denominator, a.y * p.denominator}).sign() != Sign::positive) {
+    p = between(start, p);
+  }
+  return p;
+}
+
+ExactPoint2 point_inside(const PlanarBody& body, const Unbounded& u, const UnboundedAnswer& answer) {
+  if (u.kind == Kind::half_plane) return inside_half_plane(body, u, answer.witness);
+  const auto end = [&](const CutEnd& e) { return planar::exact_end(body.polygon, body.pose, u.a, u.b, e).point; };
+  return answer.cut.kind == CutKind::point ? end(answer.cut.last)
+                                           : between(end(answer.cut.first), end(answer.cut.last));
+}
+
+CommonPoint overlapping_point(const PlanarBody& body, const Unbounded& u, const UnboundedAnswer& answer) {
+  const ExactPoint2 p = point_inside(body, u, answer);
+  return {{p.x, p.y, Dyadic()},
+          p.denominator,
+          planar::inner_combination(body.polygon, body.pose, p),
+          combination_of(u, p, true)};
+}
+
+// A vertex, or a point of an edge: the last one along the line is never the beginning of a ray inside the body.
+CommonPoint some_point(const PlanarBody& body, const Unbounded& u, const UnboundedAnswer& answer) {
+  ExactPoint2 p;
+  Combination of_body{{{answer.witness, 1.0}}, 1.0};
+  if (u.kind == Kind::half_plane) {
+    p = planar::exact_vertex(body.polygon, body.pose, answer.witness);
+  } else {
+    const CutEnd& last = answer.cut.last;
+    const ExactEnd end = planar::exact_end(body.polygon, body.pose, u.a, u.b, last);
+    p = end.point;
+    of_body.parts = {{last.feature, 1.0}};
+    if (last.place == Place::edge) {
+      const auto& [part, whole] = end.along_edge;
+      of_body = {{{last.feature, whole - part}, {(last.feature + 1) % body.polygon.size(), part}}, whole};
     }
   }
-  candidates.push_back(apart(named(Direction::Kind::difference, v, 0, false), v, 0));
-  return candidates;
+  return {{p.x, p.y, Dyadic()}, p.denominator, std::move(of_body), combination_of(u, p, false)};
+}
+
+std::vector<Way3> ways_of(const Unbounded& u) {
+  const Point3 a{u.a.x, u.a.y, 0}, b{u.b.x, u.b.y, 0};
+  std::vector<Way3> ways{{a, b}};
+  if (u.kind != Kind::ray) ways.push_back({b, a});
+  if (u.kind == Kind::half_plane) ways.push_back({{-u.a.y, u.a.x, 0}, {-u.b.y, u.b.x, 0}});
+  return ways;
 }
 
 }  // namespace
+
+Contact contact_of(const planar::PolygonCut& cut, std::uint32_t vertices) {
+  if (!cut.meet()) return Contact::none;
+  const bool inner_of_body = vertices == 1 ||
+                             (vertices == 2 && (cut.kind == CutKind::along || cut.first.place == Place::edge)) ||
+                             cut.kind == CutKind::across;
+  const bool inner_of_ray = cut.kind != CutKind::point || cut.first.own == OwnEnd::none;
+  return inner_of_body && inner_of_ray ? Contact::overlapping : Contact::touching;
+}
 
 std::optional<Point2> exact_image(const Pose& pose, const Point2& p) {
   const auto& [m, t] = pose.affine();
@@ -77,49 +161,30 @@ std::optional<Point2> exact_image(const Pose& pose, const Point2& p) {
   return image;
 }
 
-std::string certificate_of_unbounded(const PlanarBody& body, const Unbounded& unbounded, bool meet,
-                                     const planar::PolygonCut& line_cut, std::uint32_t witness) {
-  const auto& [kind, a, b, name] = unbounded;
-  std::vector<Point2> piece{a, b};
-  if (kind == Kind::half_plane) piece.push_back(point_left_of(body, unbounded, witness));
-  std::vector<Point3> vertices;
-  for (const Point2& p : piece) vertices.push_back({p.x, p.y, 0});
-  const Affine3 world;
-  const PlacedVertices in_a = body.in_space(), in_b{vertices, world, false};
-
-  std::vector<PairCertificate> statements;
-  if (meet) {
-    const auto polygon = planar::ConvexPolygon::from_vertices(piece);
-    statements.push_back(planar::polygon_polygon(body.polygon, body.pose, polygon, Pose()).certificate());
-    if (statements[0].verdict != Verdict::meet) {
-      fail(
-          "they meet, but not between the two points given, and a certificate speaks of these; give two points of "
-          "the same line with a common point between them");
-    }
-  } else if (line_cut.meet()) {
-    for (const PairCertificate& c : behind_the_beginning(body, line_cut.last)) {
-      if (check_absolutely(c, in_a, in_b) == CheckResult::accepted) {
-        statements.push_back(c);
-        break;
-      }
-    }
+std::string certificate_of_unbounded(const PlanarBody& body, const Unbounded& unbounded, const UnboundedAnswer& answer,
+                                     const Origin& origin) {
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  file.add_origin(origin);
+  PairClaims pairs(file, PairClaims::Space::planar);
+  const std::uint32_t a = pairs.add_placed(body.name, pairs.add_body(body.name, body.vertices), body.pose_in_space);
+  const std::array<Point3, 1> start{{{unbounded.a.x, unbounded.a.y, 0}}};
+  const std::uint32_t b = pairs.add_body(unbounded.name, start, ways_of(unbounded));
+  const auto direction = [&]() -> std::array<Dyadic, 3> {
+    const Exact d = parting(body, unbounded, answer);
+    return {d.x, d.y, Dyadic()};
+  };
+  if (answer.contact == Contact::none) {
+    pairs.add_apart(a, b, direction());
+  } else if (!answer.tells_contact) {
+    pairs.add_meet(a, b, some_point(body, unbounded, answer));
+  } else if (answer.contact == Contact::touching) {
+    pairs.add_touching(a, b, some_point(body, unbounded, answer), direction());
   } else {
-    // Across the line, from the body's nearest vertex to it; one of the two signs is right.
-    for (const bool reversed : {false, true}) {
-      const Direction d = named(Direction::Kind::side_of_b, 0, 1, reversed);
-      const PairCertificate c = apart(d, line_cut.nearest, 0);
-      if (check_absolutely(c, in_a, in_b) != CheckResult::accepted) continue;
-      statements = {c, apart(d, line_cut.nearest, 1)};
-    }
+    pairs.add_overlapping(a, b, overlapping_point(body, unbounded, answer));
   }
-  if (statements.empty()) fail("none was found; leave it out, and report this as a fault");
-
-  CertificateWriter writer;
-  const std::uint32_t of_body = writer.add_body(body.name, body.vertices), of_piece = writer.add_body(name, vertices);
-  const std::uint32_t placed_body = writer.add_placed(body.name, of_body, body.pose_in_space);
-  const std::uint32_t placed_piece = writer.add_placed(name, of_piece, world);
-  for (const PairCertificate& c : statements) writer.add_pair(placed_body, placed_piece, c);
-  return writer.text();
+  pairs.end();
+  return text;
 }
 
 }  // namespace sunder::cli

@@ -1,19 +1,10 @@
-// Certificates about lines, rays and half-planes, in the format of bounded bodies (docs/certificates.md).
-//
-// The unbounded object stands in the file as the hull of the points that define it, and the statements are such that
-// what they say of this piece holds of the whole:
-//   line, ray     its two points a and b, as vertices 0 and 1; they are doubles, and as given.
-//   half-plane    the triangle of a, b and a point c to the left of the way from a to b: the half-plane is bounded by
-//                 the line through a and b, and c is in it.
-//   meet          a point of the piece is a point of the whole.
-//   apart, ray    the least far vertex of the piece is a: then b, and all of the ray behind it, is no less far.
-//   apart, else   two statements with one direction, one with a, one with b as the least far vertex: then a and b are
-//                 equally far, so the direction is across the line, and the whole line is as far; so is what is on the
-//                 side of c.
+// Certificates about lines, rays and half-planes (docs/claims.md, "pair"): each is one body, of a point and the ways
+// that go on from it, so that what is said of it is said of the whole.
 #pragma once
 
 #include <cli/pair_planar_input.h>
 
+#include <sunder/certificate/origin.h>
 #include <sunder/planar/pair/polygon_cut.h>
 #include <sunder/planar/pair/polygon_half_plane.h>
 
@@ -30,11 +21,22 @@ struct Unbounded {
   std::string name;
 };
 
-// The file, with the body as A and the unbounded object as B of each pair. meet: the answer. line_cut: what the line
-// through a and b has in common with the body. witness: of a half-plane, as in polygon_half_plane.h.
-// Throws Error bad_call where they meet, but not in the piece; or where no c is found.
-std::string certificate_of_unbounded(const PlanarBody& body, const Unbounded& unbounded, bool meet,
-                                     const planar::PolygonCut& line_cut, std::uint32_t witness);
+// What was found.
+struct UnboundedAnswer {
+  Contact contact = Contact::none;
+  bool tells_contact = false;  // else only whether they meet is stated
+  planar::PolygonCut cut;      // by the line or ray; by the half-plane's line
+  planar::PolygonCut of_line;  // by the line through a and b
+  std::uint32_t witness = 0;   // of a half-plane, as in polygon_half_plane.h
+};
+
+// Of a body and what a line has in common with it. A vertex is its own relative interior; a segment's is without its
+// ends, a ray's without its beginning.
+Contact contact_of(const planar::PolygonCut& cut, std::uint32_t vertices);
+
+// The file, with the body as A and the unbounded object as B of the pair. Requires a true answer.
+std::string certificate_of_unbounded(const PlanarBody& body, const Unbounded& unbounded, const UnboundedAnswer& answer,
+                                     const Origin& origin = {});
 
 // The image under the pose, if its coordinates are doubles. (Decided exactly.)
 std::optional<Point2> exact_image(const planar::Pose& pose, const Point2& p);

@@ -1,15 +1,16 @@
 #include <cli/unbounded_certificate.h>
 
-#include <sunder/base/error.h>
 #include <sunder/base/random.h>
+#include <sunder/planar/pair/polygon_half_plane.h>
 #include <sunder/planar/pair/polygon_line.h>
 #include <sunder/planar/pair/polygon_ray.h>
 
 #include <gtest/gtest.h>
 #include <tests/support/scale.h>
+#include <verifier/sunder_verify.h>
 #include <nlohmann/json.hpp>
 
-#include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -35,13 +36,13 @@ TEST(UnboundedCertificate, ExactImage) {
   EXPECT_FALSE(exact_image(Pose::from_matrix({0.5, 0, 0, 1}, {0, 0}), {5e-324, 0}));
 }
 
-// Small integers, so that touching, parallel and collinear are frequent: whatever is apart has statements that carry
-// over to the whole; what meets has one where the piece has a common point.
+// Small integers, so that touching, parallel and collinear are frequent: each answer is proved, also far from the two
+// points given, and another verdict is not.
 TEST(UnboundedCertificate, Random) {
   const int count = tests::scaled_count(6000);
   Random random(tests::chosen_seed(20261121));
   const auto small = [&] { return static_cast<double>(random.between(-4, 4)); };
-  std::array<int, 3> apart{}, meet{}, beyond{};
+  std::map<std::string, int> tally;
   int behind = 0;
   for (int i = 0; i < count; ++i) {
     std::vector<Point2> points;
@@ -55,47 +56,44 @@ TEST(UnboundedCertificate, Random) {
                                              : Pose::from_angle(0.7, {small(), 0});
     const PlanarBody body = body_of(polygon, pose);
     Unbounded u{static_cast<Kind>(static_cast<int>(Kind::line) + static_cast<int>(random.below(3))), {}, {}, "other"};
-    const auto k = static_cast<std::size_t>(u.kind) - static_cast<std::size_t>(Kind::line);
     while (u.a == u.b) {
       const double ax = small(), ay = small(), bx = small(), by = small();
       u.a = {ax, ay};
       u.b = {bx, by};
     }
-    const planar::PolygonCut line = planar::polygon_line(polygon, pose, {u.a, u.b});
-    const planar::PolygonHalfPlane half = planar::polygon_half_plane(polygon, pose, {u.a, u.b});
-    const bool meets = u.kind == Kind::line  ? line.meet()
-                       : u.kind == Kind::ray ? planar::polygon_ray(polygon, pose, {u.a, u.b}).meet()
-                                             : half.meet;
-    std::string text;
-    try {
-      text = certificate_of_unbounded(body, u, meets, line, half.witness);
-    } catch (const Error& error) {
-      ASSERT_TRUE(meets) << error.what();
-      ASSERT_NE(std::string(error.what()).find("not between the two points given"), std::string::npos) << error.what();
-      ++beyond[k];
-      continue;
-    }
-    ++(meets ? meet : apart)[k];
-    const nlohmann::json file = nlohmann::json::parse(text);
-    const auto& pairs = file["pairs"];
-    EXPECT_EQ(file["bodies"][1]["vertices"].size(), u.kind == Kind::half_plane ? 3u : 2u);
-    if (meets) {
-      EXPECT_EQ(pairs.size(), 1u);
-    } else if (u.kind == Kind::ray && line.meet()) {
-      ++behind;
-      ASSERT_EQ(pairs.size(), 1u);
-      EXPECT_EQ(pairs[0]["extreme_b"], 0);
+    if (random.below(4) == 0) u.b = {u.b.x * 0x1p70, u.b.y * 0x1p70 + 0x1p-30};  // the difference is no double
+    UnboundedAnswer answer;
+    answer.tells_contact = random.below(2) == 0;
+    answer.of_line = planar::polygon_line(polygon, pose, {u.a, u.b});
+    if (u.kind == Kind::half_plane) {
+      const planar::PolygonHalfPlane half = planar::polygon_half_plane(polygon, pose, {u.a, u.b});
+      answer.witness = half.witness;
+      answer.contact = !half.meet ? Contact::none : half.touching ? Contact::touching : Contact::overlapping;
+      answer.cut = answer.of_line;
     } else {
-      ASSERT_EQ(pairs.size(), 2u);
-      EXPECT_EQ(pairs[0]["extreme_b"], 0);
-      EXPECT_EQ(pairs[1]["extreme_b"], 1);
-      EXPECT_EQ(pairs[0]["direction"], pairs[1]["direction"]);
+      answer.cut = u.kind == Kind::line ? answer.of_line : planar::polygon_ray(polygon, pose, {u.a, u.b});
+      answer.contact = contact_of(answer.cut, polygon.size());
     }
+    if (u.kind == Kind::ray && answer.contact == Contact::none && answer.of_line.meet()) ++behind;
+    const std::string text = certificate_of_unbounded(body, u, answer);
+    const auto verified = sunder_verifier::verify_text(text, "certificate");
+    ASSERT_TRUE(verified.accepted()) << text;
+    ASSERT_EQ(verified.pairs.size(), 1u);
+    const std::string verdict = answer.contact == Contact::none ? "apart"
+                                : answer.tells_contact          ? std::string(name_of(answer.contact))
+                                                                : "meet";
+    EXPECT_EQ(verified.pairs[0].verdict, verdict);
+    const nlohmann::json other = nlohmann::json::parse(text)["tables"]["bodies"].back();
+    EXPECT_EQ(other["points"].size(), 1u);
+    EXPECT_EQ(other["ways"].size(), u.kind == Kind::ray ? 1u : u.kind == Kind::line ? 2u : 3u);
+    ++tally[std::string(io::name_of(u.kind)) + " " + verdict];
   }
   if (count < 1000) return;
-  for (const int n : apart) EXPECT_GT(n, count / 25);
-  for (const int n : meet) EXPECT_GT(n, count / 25);
-  for (const int n : beyond) EXPECT_GT(n, count / 200);
+  for (const char* kind : {"line", "ray", "half-plane"}) {
+    for (const char* verdict : {"apart", "meet", "touching", "overlapping"}) {
+      EXPECT_GT(tally[std::string(kind) + " " + verdict], count / 300) << kind << " " << verdict;
+    }
+  }
   EXPECT_GT(behind, count / 100);
 }
 

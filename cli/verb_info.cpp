@@ -41,7 +41,7 @@ constexpr std::array<Format, 10> formats{
      {"WKT", ".wkt", "read", "lines and polygons, a geometry on each line; their edges are segments"},
      {"GeoJSON", ".geojson", "read", "lines and polygons; their edges are segments"},
      {"KiCad board", ".kicad_pcb", "read", "tracks by layer and net; arcs as polylines"},
-     {"certificate", ".json", "write, verify", "proofs: docs/certificates.md"}}};
+     {"certificate", ".json", "write, verify", "proofs: docs/claims.md"}}};
 
 const char* type_name(io::JointType type) {
   switch (type) {

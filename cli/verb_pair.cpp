@@ -5,7 +5,7 @@
 #include <cli/pair_planar.h>
 
 #include <sunder/base/error.h>
-#include <sunder/certificate/json.h>
+#include <sunder/certificate/pair_claims.h>
 #include <sunder/io/file.h>
 #include <sunder/io/planar_objects.h>
 
@@ -31,8 +31,8 @@ struct Placed {
 };
 
 Placed read(const std::string& file, const std::string& pose, const char* option, bool require_convex,
-            LeftOutList& left_out) {
-  return {read_object(file, require_convex, left_out), pose.empty() ? solid::Pose() : parse_pose(pose, option)};
+            LeftOutList& left_out, InputFiles* inputs) {
+  return {read_object(file, require_convex, left_out, inputs), pose.empty() ? solid::Pose() : parse_pose(pose, option)};
 }
 
 // Apart carries over from hulls to the meshes that they stand for; meet does not.
@@ -40,15 +40,18 @@ bool is_said_of_hulls(const Placed& a, const Placed& b, const solid::PairAnswer&
   return answer.meet() && (a.object.shape == Shape::hull || b.object.shape == Shape::hull);
 }
 
-std::string certificate_text(const Placed& a, const Placed& b, const PairCertificate& evidence,
-                             const LeftOutList& left_out) {
-  CertificateWriter writer;
-  const std::uint32_t body_a = writer.add_body(a.object.name, a.object.hull.vertices());
-  const std::uint32_t body_b = writer.add_body(b.object.name, b.object.hull.vertices());
-  const std::uint32_t placed_a = writer.add_placed(a.object.name, body_a, a.pose.affine());
-  const std::uint32_t placed_b = writer.add_placed(b.object.name, body_b, b.pose.affine());
-  writer.add_pair(placed_a, placed_b, evidence);
-  return with_note(writer.text(), left_out.note());
+std::string certificate_text(const Placed& a, const Placed& b, const PairCertificate& evidence, const Origin& origin) {
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  file.add_origin(origin);
+  PairClaims pairs(file);
+  const auto add = [&](const Placed& p) {
+    return pairs.add_placed(p.object.name, pairs.add_body(p.object.name, p.object.hull.vertices()), p.pose.affine());
+  };
+  const std::uint32_t index_a = add(a), index_b = add(b);
+  pairs.add_pair(index_a, index_b, evidence);
+  pairs.end();
+  return text;
 }
 
 std::string human_text(const Call& call, const Placed& a, const Placed& b, const solid::PairAnswer& answer,
@@ -110,15 +113,18 @@ int run(const Call& call) {
   }
   const PairMethod method = pair_method(call.method);
   LeftOutList left_out(call.leave_out);
-  const Placed a = read(call.file_a, call.pose_a, "--pose-a", call.require_convex, left_out);
-  const Placed b = read(call.file_b, call.pose_b, "--pose-b", call.require_convex, left_out);
+  InputFiles files;
+  InputFiles* const inputs = call.certificate.empty() ? nullptr : &files;
+  const Placed a = read(call.file_a, call.pose_a, "--pose-a", call.require_convex, left_out, inputs);
+  const Placed b = read(call.file_b, call.pose_b, "--pose-b", call.require_convex, left_out, inputs);
 
   const solid::PairAnswer answer = method(a.object.hull, a.pose, b.object.hull, b.pose);
   const Contact contact = call.classify && answer.meet()
                               ? solid::polyhedron_polyhedron_contact(a.object.hull, a.pose, b.object.hull, b.pose)
                               : Contact::none;
   if (!call.certificate.empty()) {
-    io::write_file_atomically(call.certificate, certificate_text(a, b, answer.certificate(), left_out));
+    io::write_file_atomically(call.certificate,
+                              certificate_text(a, b, answer.certificate(), {files, left_out.texts()}));
   }
   note_hulls({&a.object, &b.object});
   call.json ? print(to_text(report(call, a, b, answer, contact, left_out)))

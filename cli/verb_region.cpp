@@ -231,19 +231,21 @@ class Report {
 int run_half_planes(const Call& call) {
   const auto method = region_method(call.method);
   const std::optional<Objective> objective = objective_of(call.maximize);
+  Origin origin;
   const io::TripleFile file = [&] {
     Progress progress("reading");
-    return io::read_triples(call.file, io::half_plane_rows, {}, progress.reporter());
+    return io::read_triples(call.file, io::half_plane_rows, {}, progress.reporter(), {},
+                            call.certificate.empty() ? nullptr : &origin.inputs);
   }();
   const Constraints constraints = constraints_of(file, call.file);
   if (!call.svg.empty()) require_drawable(constraints.size(), "half-plane", 0, call.svg_limit);
   const Region region = method(constraints, {!call.certificate.empty()});
   if (!call.certificate.empty()) {
-    io::write_file_atomically(call.certificate,
-                              objective
-                                  ? planar::certificate_text(constraints, *objective,
-                                                             linear_program_by_region(constraints, region, *objective))
-                                  : planar::certificate_text(constraints, region));
+    io::write_file_atomically(
+        call.certificate,
+        objective ? planar::certificate_text(constraints, *objective,
+                                             linear_program_by_region(constraints, region, *objective), origin)
+                  : planar::certificate_text(constraints, region));
   }
   const Report report(call, file, constraints, region, objective);
   if (!call.svg.empty()) io::write_file_atomically(call.svg, report.picture());

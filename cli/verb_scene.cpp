@@ -15,9 +15,11 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <memory>
+#include <string_view>
 
 namespace sunder::cli {
 
@@ -34,9 +36,9 @@ struct Call {
   bool json = false;
 };
 
-std::vector<Placement> placements_of(const Call& call) {
+std::vector<Placement> placements_of(const Call& call, InputFiles* inputs) {
   std::vector<Placement> placements;
-  for (const std::string& file : call.joints_files) placements.push_back(read_joints(file));
+  for (const std::string& file : call.joints_files) placements.push_back(read_joints(file, inputs));
   for (const std::string& text : call.joints) placements.push_back(parse_joints(text));
   if (placements.empty()) placements.emplace_back();
   return placements;
@@ -63,13 +65,27 @@ void require_apart(const Call& call, const SceneInput& input) {
   cli::require_apart(meshes, outputs);
 }
 
+// Throws Error bad_call where no pair was asked about: such a file would state nothing.
+void write_certificate(const std::string& name, const SceneReport& report, const InputFiles& inputs) {
+  const auto states_nothing = [](const Placed& placed) { return placed.answer.pairs.empty(); };
+  if (std::all_of(report.placements.begin(), report.placements.end(), states_nothing)) {
+    throw Error(ErrorCode::bad_call,
+                "no pair is asked about, so there is nothing to prove; leave it out, or allow less", "--certificate");
+  }
+  io::OutputFile file(name);
+  write_scene_certificate(report, inputs, [&](std::string_view text) { file.write(text); });
+  file.commit();
+}
+
 int run(const Call& call) {
   scene::Question question;
   question.method = pair_method(call.method);
   question.every_pair = !call.certificate.empty();
   question.contacts = call.classify;
-  const std::vector<Placement> placements = placements_of(call);
-  const SceneInput input(call.files, call.poses, call.require_convex, call.leave_out);
+  InputFiles files;
+  InputFiles* const inputs = call.certificate.empty() ? nullptr : &files;
+  const std::vector<Placement> placements = placements_of(call, inputs);
+  const SceneInput input(call.files, call.poses, call.require_convex, call.leave_out, inputs);
   require_apart(call, input);
   if (!call.svg.empty()) {
     std::uint64_t facets = 0;
@@ -99,7 +115,7 @@ int run(const Call& call) {
     report.placements.push_back(ask(input, placement, placement.name.empty() ? number : placement.name, question));
   }
 
-  if (!call.certificate.empty()) io::write_file_atomically(call.certificate, scene_certificate(report));
+  if (!call.certificate.empty()) write_certificate(call.certificate, report, files);
   if (!call.svg.empty()) io::write_file_atomically(call.svg, scene_picture(report, call.title));
   note_hulls(input.objects());
   std::string text = call.json ? to_text(scene_json(report, input.objects())) : scene_text(report);

@@ -9,6 +9,7 @@
 
 #include <sunder/base/error.h>
 #include <sunder/certificate/claims.h>
+#include <sunder/certificate/origin.h>
 #include <sunder/io/file.h>
 #include <sunder/io/lines.h>
 #include <sunder/io/text.h>
@@ -146,10 +147,9 @@ LeftOutList left_out_of(const io::LineFile& file) {
 }
 
 // What the certificate does not speak of.
-std::string note_of(const io::LineFile& file) {
-  return is_board(file)
-             ? fmt::format("of the centre lines of tracks; copper is not read: {}", fmt::join(file.remarks, "; "))
-             : left_out_of(file).note();
+std::vector<std::string> left_out_texts(const io::LineFile& file) {
+  if (!is_board(file)) return left_out_of(file).texts();
+  return {fmt::format("copper, but for the centre lines of tracks: {}", fmt::join(file.remarks, "; "))};
 }
 
 // "proof.json", or of a layer among others "proof.F.Cu.json".
@@ -220,12 +220,12 @@ void count_and_list(const Call& call, const std::vector<Sheet>& sheets, const Se
 
 // Writes the proof of an answer about a sheet.
 template <class Answer>
-void prove(const Call& call, const Sheet& sheet, planar::Allowed allowed, const Answer& answer, const std::string& note,
+void prove(const Call& call, const Sheet& sheet, planar::Allowed allowed, const Answer& answer, const Origin& origin,
            Result& result) {
   result.proofs.push_back(certificate_of(call, sheet).string());
   io::OutputFile file(result.proofs.back());
   ClaimsWriter claims([&](std::string_view text) { file.write(text); });
-  if (!note.empty()) claims.add_left_out(note);
+  claims.add_origin(origin);
   planar::write_statement(claims, sheet.segments, allowed, answer, sheet.groups);
   claims.end();
   file.commit();
@@ -246,8 +246,8 @@ void require_provable(const Sheet& sheet, SegmentsOptions options) {
 }
 
 // With --count or --all, and a proof.
-void count_and_prove(const Call& call, const std::vector<Sheet>& sheets, SegmentsOptions options,
-                     const std::string& note, Result& result) {
+void count_and_prove(const Call& call, const std::vector<Sheet>& sheets, SegmentsOptions options, const Origin& origin,
+                     Result& result) {
   std::vector<SegmentsContact> all;
   for (const Sheet& sheet : sheets) {
     Progress progress("comparing");
@@ -261,10 +261,10 @@ void count_and_prove(const Call& call, const std::vector<Sheet>& sheets, Segment
       if (call.lists()) all.push_back(in_file(sheet, c));
     }
     if (call.lists()) {
-      prove(call, sheet, options.allowed, answer, note, result);
+      prove(call, sheet, options.allowed, answer, origin, result);
     } else {
       prove(call, sheet, options.allowed,
-            planar::SegmentsCountAnswer{answer.contacts.size(), std::move(answer.transcript), answer.cost}, note,
+            planar::SegmentsCountAnswer{answer.contacts.size(), std::move(answer.transcript), answer.cost}, origin,
             result);
     }
   }
@@ -274,7 +274,7 @@ void count_and_prove(const Call& call, const std::vector<Sheet>& sheets, Segment
 }
 
 // Does any pair meet? Sheet by sheet, until one does.
-void find_any(const Call& call, const std::vector<Sheet>& sheets, SegmentsOptions options, const std::string& note,
+void find_any(const Call& call, const std::vector<Sheet>& sheets, SegmentsOptions options, const Origin& origin,
               Result& result) {
   std::vector<SegmentsContact> found;
   for (const Sheet& sheet : sheets) {
@@ -283,7 +283,7 @@ void find_any(const Call& call, const std::vector<Sheet>& sheets, SegmentsOption
     options.groups = sheet.groups;
     const SegmentsAnswer answer = any_method(call.method)(sheet.segments, options);
     result.cost.probes += answer.cost.probes;
-    if (!call.certificate.empty()) prove(call, sheet, options.allowed, answer, note, result);
+    if (!call.certificate.empty()) prove(call, sheet, options.allowed, answer, origin, result);
     if (!answer.meet()) continue;
     found.push_back(in_file(sheet, {answer.i, answer.j, answer.kind}));
     result.add(answer.kind);
@@ -442,7 +442,7 @@ void check(const Call& call) {
   }
 }
 
-io::LineFile read(const Call& call) {
+io::LineFile read(const Call& call, InputFiles* inputs) {
   Progress progress("reading");
   io::LineOptions options;
   options.drop_z = call.drop_z;
@@ -450,6 +450,7 @@ io::LineFile read(const Call& call) {
   options.group = call.group;
   options.name = call.name;
   options.progress = progress.reporter();
+  options.inputs = inputs;
   return io::read_lines(call.file, options);
 }
 
@@ -458,7 +459,8 @@ int run(const Call& call) {
   SegmentsOptions options;
   options.allowed = allowed_by(call.allow);
   options.transcript = !call.certificate.empty();
-  const io::LineFile file = read(call);
+  Origin origin;
+  const io::LineFile file = read(call, call.certificate.empty() ? nullptr : &origin.inputs);
   check_centre_lines(call, file);
   const auto require_drawable = [&](std::uint64_t contacts) {
     if (!call.svg.empty()) cli::require_drawable(file.segments.size(), "segment", contacts, call.svg_limit);
@@ -468,12 +470,13 @@ int run(const Call& call) {
   require_apart(call, sheets);
   const std::uint32_t size = static_cast<std::uint32_t>(file.segments.size());
   Result result;
+  origin.left_out = left_out_texts(file);
   if ((call.lists() || call.count) && options.transcript) {
-    count_and_prove(call, sheets, options, note_of(file), result);
+    count_and_prove(call, sheets, options, origin, result);
   } else if (call.lists() || call.count) {
     count_and_list(call, sheets, options, size, result);
   } else {
-    find_any(call, sheets, options, note_of(file), result);
+    find_any(call, sheets, options, origin, result);
   }
   require_drawable(result.count());
   write(call, file, result);

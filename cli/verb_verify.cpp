@@ -2,6 +2,7 @@
 #include <cli/common.h>
 
 #include <sunder/base/error.h>
+#include <sunder/certificate/origin.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
 
@@ -20,7 +21,7 @@ namespace sunder::cli {
 namespace {
 
 struct Call {
-  std::vector<std::string> files;
+  std::vector<std::string> files, against;
   bool no_limit = false;
   bool json = false;
 };
@@ -31,11 +32,31 @@ struct File {
   bool is_set = false;
   std::vector<std::pair<std::string, std::uint64_t>> accepted;  // how many of each verdict; "apart" or "none" first
   std::vector<std::size_t> refused;                             // numbers of pairs
+  std::vector<InputFile> made_of, not_made_of;                  // of the files that it is held against
+
+  bool holds() const { return result.accepted() && not_made_of.empty(); }
 
   std::uint64_t accepted_pairs() const { return result.pairs.size() - refused.size(); }
 };
 
 bool is_of_sets(const std::string& verdict) { return verdict == "none" || verdict == "some"; }
+
+bool is_pair(const sunder_verifier::PairResult& result) {
+  return result.question.empty() ? result.verdict == "apart" || result.verdict == "meet" : result.question == "pair";
+}
+
+bool is_about_two(const sunder_verifier::PairResult& result) {
+  return is_pair(result) || result.question == "distance";
+}
+
+// "said to be apart".
+std::string said_of_two(const std::string& verdict) {
+  return verdict == "apart"      ? "be apart"
+         : verdict == "meet"     ? "meet"
+         : verdict == "touching" ? "touch"
+         : verdict == "closest"  ? "be as near as two points"
+                                 : "overlap";
+}
 
 // Throws Error bad_file where it cannot be read.
 File verify(const std::string& name, bool no_limit) {
@@ -51,7 +72,7 @@ File verify(const std::string& name, bool no_limit) {
   }
   const std::vector<sunder_verifier::PairResult>& pairs = file.result.pairs;
   const bool of_sets = !pairs.empty() && is_of_sets(pairs[0].verdict);
-  file.is_set = !pairs.empty() && pairs[0].verdict != "apart" && pairs[0].verdict != "meet";
+  file.is_set = !std::all_of(pairs.begin(), pairs.end(), is_pair);
   // Both verdicts about pairs, and both about sets, are always told.
   if (!file.is_set) file.accepted = {{"apart", 0}, {"meet", 0}};
   if (of_sets) file.accepted = {{"none", 0}, {"some", 0}};
@@ -68,6 +89,23 @@ File verify(const std::string& name, bool no_limit) {
   return file;
 }
 
+// The files that certificates are held against, by their bytes.
+InputFiles read_inputs(const std::vector<std::string>& names) {
+  InputFiles inputs;
+  for (const std::string& name : names) io::read_file(name, &inputs);
+  return inputs;
+}
+
+// Does the certificate say that it was made of them? Their names do not count.
+void compare(const InputFiles& against, File& file) {
+  for (const InputFile& input : against) {
+    const auto& named = file.result.inputs;
+    const bool is_named =
+        std::any_of(named.begin(), named.end(), [&](const auto& known) { return known.sha256 == input.sha256; });
+    (is_named ? file.made_of : file.not_made_of).push_back(input);
+  }
+}
+
 std::string counts_text(const File& file) {
   std::string text;
   for (const auto& [verdict, count] : file.accepted) {
@@ -80,25 +118,31 @@ std::string human_text(const File& file) {
   const sunder_verifier::FileResult& result = file.result;
   if (!result.failed_form.empty())
     return fmt::format("{}: REFUSED: check F: {}\n", file.name, io::one_line(result.failed_form));
-  std::string text = fmt::format("{}: {}: {} of {} accepted{}\n", file.name, result.accepted() ? "accepted" : "REFUSED",
+  std::string text = fmt::format("{}: {}: {} of {} accepted{}\n", file.name, file.holds() ? "accepted" : "REFUSED",
                                  file.accepted_pairs(),
                                  count_of(result.pairs.size(), file.is_set ? "statement" : "pair"), counts_text(file));
   if (!result.note.empty()) text += fmt::format("  note: {}\n", io::one_line(result.note));
+  for (const InputFile& input : file.made_of) text += fmt::format("  made of {}\n", io::one_line(input.name));
+  for (const InputFile& input : file.not_made_of) {
+    text += fmt::format("  not made of {}: it names no file with its SHA-256, {}\n", io::one_line(input.name),
+                        input.sha256);
+  }
+  for (const std::string& what : result.left_out) text += fmt::format("  left out: {}\n", io::one_line(what));
   for (const sunder_verifier::FileInput& input : result.inputs) {
     text += fmt::format("  of {}, SHA-256 {}\n", io::one_line(input.name), input.sha256);
   }
   for (const std::size_t i : file.refused) {
     const sunder_verifier::PairResult& pair = result.pairs[i];
-    if (file.is_set) {
+    if (!is_about_two(pair)) {
       const std::string said = is_of_sets(pair.verdict) ? fmt::format("said that {} meet", pair.verdict)
                                                         : fmt::format("said to be {}", io::one_line(pair.verdict));
       text += fmt::format("  statement {}, {}, {}: check {}: {}\n", i, io::one_line(pair.name_b), said,
                           pair.failed_check, io::one_line(pair.reason));
       continue;
     }
-    text += fmt::format("  pair {}, {} and {}, said to {}: check {}: {}\n", i, io::one_line(pair.name_a),
-                        io::one_line(pair.name_b), pair.verdict == "meet" ? "meet" : "be apart", pair.failed_check,
-                        io::one_line(pair.reason));
+    text += fmt::format("  {} {}, {} and {}, said to {}: check {}: {}\n", file.is_set ? "statement" : "pair", i,
+                        io::one_line(pair.name_a), io::one_line(pair.name_b), said_of_two(pair.verdict),
+                        pair.failed_check, io::one_line(pair.reason));
   }
   return text;
 }
@@ -106,13 +150,16 @@ std::string human_text(const File& file) {
 Json report(const File& file) {
   const sunder_verifier::FileResult& result = file.result;
   Json json{{"file", file.name},
-            {"answer", result.accepted() ? "accepted" : "refused"},
+            {"answer", file.holds() ? "accepted" : "refused"},
             {file.is_set ? "statements" : "pairs", result.pairs.size()}};
   for (const auto& [verdict, count] : file.accepted) json[verdict] = count;
   if (!result.note.empty()) json["note"] = result.note;
+  if (!result.left_out.empty()) json["left_out"] = result.left_out;
   for (const sunder_verifier::FileInput& input : result.inputs) {
     json["inputs"].push_back({{"name", input.name}, {"sha256", input.sha256}});
   }
+  for (const InputFile& input : file.made_of) json["made_of"].push_back(input.name);
+  for (const InputFile& input : file.not_made_of) json["not_made_of"].push_back(input.name);
   json["refused"] = Json::array();
   if (!result.failed_form.empty()) json["refused"].push_back({{"check", "F"}, {"reason", result.failed_form}});
   for (const std::size_t i : file.refused) {
@@ -131,10 +178,12 @@ Json report(const File& file) {
 int run(const Call& call) {
   int code = exit_code::no;
   Json objects = Json::array();
+  const InputFiles against = read_inputs(call.against);
   for (const std::string& name : call.files) {
     try {
-      const File file = verify(name, call.no_limit);
-      if (!file.result.accepted()) code = std::max(code, exit_code::yes);
+      File file = verify(name, call.no_limit);
+      compare(against, file);
+      if (!file.holds()) code = std::max(code, exit_code::yes);
       if (call.json) {
         objects.push_back(report(file));
       } else {
@@ -163,6 +212,9 @@ void add_verify(CLI::App& program, int& code) {
   auto call = std::make_shared<Call>();
   CLI::App* verb = program.add_subcommand("verify", "Are these certificates true? Checked without the library.");
   verb->add_option("FILE", call->files, "certificate files")->required();
+  verb->add_option("--against", call->against, "refuse what is not made of this file, too: its SHA-256 is not named")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
   verb->add_flag("--no-limit", call->no_limit, "check files that take long, too");
   verb->add_flag("--json", call->json, "print a report in JSON");
   verb->callback([call, &code] { code = run(*call); });

@@ -32,26 +32,28 @@ TEST(SolidPairCases, EveryMethodGivesTheProvedVerdict) {
     SCOPED_TRACE(entry.path().filename());
     const json file = json::parse(std::ifstream(entry.path()));
     std::vector<ConvexPolyhedron> bodies;
-    for (const json& body : file.at("bodies")) {
-      std::vector<Point3> points;
-      for (const json& v : body.at("vertices")) points.push_back({number(v.at(0)), number(v.at(1)), number(v.at(2))});
-      bodies.emplace_back(points);
-      ASSERT_EQ(bodies.back().vertices().size(), points.size());
-    }
-    std::vector<std::uint32_t> body_of;
     std::vector<Pose> poses;
-    for (const json& placed : file.at("placed")) {
+    for (const json& body : file.at("tables").at("bodies")) {
+      if (!body.contains("of")) {
+        std::vector<Point3> points;
+        for (const json& v : body.at("points")) points.push_back({number(v.at(0)), number(v.at(1)), number(v.at(2))});
+        bodies.emplace_back(points);
+        poses.emplace_back();
+        ASSERT_EQ(bodies.back().vertices().size(), points.size());
+        continue;
+      }
       std::array<double, 9> linear{};
       std::array<double, 3> translation{};
-      for (std::size_t i = 0; i < 9; ++i) linear[i] = number(placed.at("linear").at(i));
-      for (std::size_t i = 0; i < 3; ++i) translation[i] = number(placed.at("translation").at(i));
+      for (std::size_t i = 0; i < 9; ++i) linear[i] = number(body.at("linear").at(i));
+      for (std::size_t i = 0; i < 3; ++i) translation[i] = number(body.at("translation").at(i));
       poses.push_back(Pose::from_matrix(linear, translation));
-      body_of.push_back(placed.at("body").get<std::uint32_t>());
+      const ConvexPolyhedron of = bodies.at(body.at("of").get<std::size_t>());
+      bodies.push_back(of);
     }
-    for (const json& pair : file.at("pairs")) {
+    for (const json& pair : file.at("statements")) {
       ++pairs;
       const std::size_t i = pair.at("a").get<std::size_t>(), j = pair.at("b").get<std::size_t>();
-      const ConvexPolyhedron &a = bodies[body_of[i]], &b = bodies[body_of[j]];
+      const ConvexPolyhedron &a = bodies[i], &b = bodies[j];
       const bool meet = pair.at("verdict") == "meet";
       for (const PairAnswer& answer :
            {polyhedron_polyhedron(a, poses[i], b, poses[j]), polyhedron_polyhedron(b, poses[j], a, poses[i]),

@@ -2,7 +2,7 @@
 #include <tests/support/solid_pairs.h>
 
 #include <sunder/certificate/check.h>
-#include <sunder/certificate/json.h>
+#include <sunder/certificate/pair_claims.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 
 #include <gtest/gtest.h>
@@ -26,12 +26,14 @@ CheckResult check(const PairCertificate& c, const ConvexPolyhedron& a, const Pos
 
 // The case as a certificate file: what a failure leaves behind.
 std::string as_text(const PairCase& c, const PairAnswer& answer) {
-  CertificateWriter writer;
-  const auto a = writer.add_body("a", c.a.vertices()), b = writer.add_body("b", c.b.vertices());
-  writer.add_placed("a", a, c.pose_a.affine());
-  writer.add_placed("b", b, c.pose_b.affine());
-  if (answer.evidence.verdict == Verdict::apart) writer.add_pair(0, 1, answer.evidence);
-  return writer.text();
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  PairClaims pairs(file);
+  const auto a = pairs.add_placed("a", pairs.add_body("a", c.a.vertices()), c.pose_a.affine());
+  const auto b = pairs.add_placed("b", pairs.add_body("b", c.b.vertices()), c.pose_b.affine());
+  if (answer.evidence.verdict == Verdict::apart) pairs.add_pair(a, b, answer.evidence);
+  pairs.end();
+  return text;
 }
 
 struct Tally {

@@ -9,8 +9,10 @@
 
 namespace sunder_verifier {
 
-// What became of one pair of a file.
+// What became of one pair of a file, or of one statement.
 struct PairResult {
+  std::string question;      // of version 2: "pair", ..; then the names are those of two bodies, where it is about two,
+                             // else the question, and in words what it is about. Empty in version 1
   std::string name_a;        // the name of the first placed body, as in the file: any UTF-8 text
   std::string name_b;        // the name of the second
   std::string verdict;       // "apart" or "meet", of sets and regions one of their words: stated, not what is true
@@ -32,8 +34,9 @@ struct FileResult {
   std::string failed_form;        // check F failed: what, in words; empty otherwise
   std::string note;               // what the file says that it does not speak of: any UTF-8 text, to be printed with
                                   // the verdict, control characters escaped. Empty: none, or failed_form
-  std::vector<FileInput> inputs;  // of version 2
-  std::vector<PairResult> pairs;  // in the order of the file; empty if not readable or wrong in form
+  std::vector<FileInput> inputs;  // of version 2, to be printed likewise
+  std::vector<std::string> left_out;  // of version 2, where there is no note
+  std::vector<PairResult> pairs;      // in the order of the file; empty if not readable or wrong in form
 
   // Readable, right in form, and every pair accepted. True for a file without pairs.
   bool accepted() const;

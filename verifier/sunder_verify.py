@@ -324,11 +324,11 @@ def verify(data, only=None, is_limited=False):
     """Checks the bytes of a file, or one pair of it; is_limited: within the steps that a file of its size may take.
     Returns a list of (pair, name_a, name_b, verdict, refusal), where refusal is None or (check, reason). Raises
     Unreadable, or Refused where the form is wrong."""
-    return verify_with_note(data, only, is_limited)[1]
+    return verify_with_notes(data, only, is_limited)[1]
 
 
-def verify_with_note(data, only=None, is_limited=False):
-    """The note of the file, or None, and what verify returns."""
+def verify_with_notes(data, only=None, is_limited=False):
+    """What the file says of itself, for people, and what verify returns."""
     steps.left = None
     if is_limited:
         steps.limit(len(data))
@@ -336,6 +336,7 @@ def verify_with_note(data, only=None, is_limited=False):
     if type(top) is dict and top.get("sunder_certificate") == 2 and "sunder_set_certificate" not in top:
         return verify_claims(data, is_limited)
     note = read_note(top)
+    note = [] if note is None else ["note: " + in_quotes(note)]
     if type(top) is dict and "sunder_set_certificate" in top:
         import sunder_verify_sets  # beside this file
         return note, sunder_verify_sets.verify(top)
@@ -358,9 +359,10 @@ def verify_claims(data, is_limited):
         raise Refused(*error.args)
     except package.Unreadable as error:
         raise Unreadable(*error.args)
-    note = "; ".join(report.left_out) or None
-    return note, [(i, question, ", ".join(words), verdict, refusal)
-                  for i, (question, words, verdict, refusal) in enumerate(report.statements)]
+    notes = ["of %s, SHA-256 %s" % (in_quotes(name), digest) for name, digest in report.inputs]
+    notes += ["left out: " + in_quotes(text) for text in report.left_out]
+    return notes, [(i, *(words if question in ("pair", "distance") else (question, ", ".join(words))), verdict, refusal)
+                   for i, (question, words, verdict, refusal) in enumerate(report.statements)]
 
 
 def verify_pairs(top, only):
@@ -401,7 +403,7 @@ def check_file(file, options):
     """Prints what becomes of a file. Returns the exit code, and how many pairs are accepted and refused."""
     name = shown(file)
     try:
-        note, results = verify_with_note(read_file(file), options.pair, not options.no_limit)
+        notes, results = verify_with_notes(read_file(file), options.pair, not options.no_limit)
     except Refused as error:
         print("%s: refused: %s: %s" % (name, *error.args))
         return 1, 0, 0
@@ -409,8 +411,8 @@ def check_file(file, options):
         sys.stdout.flush()  # what is known of the files before
         print("%s: %s" % (name, getattr(error, "strerror", None) or error), file=sys.stderr)
         return 2, 0, 0
-    if note is not None:
-        print("%s: note: %s" % (name, in_quotes(note)))
+    for line in notes:
+        print("%s: %s" % (name, line))
     for i, name_a, name_b, verdict, refusal in results:
         if refusal or not options.quiet:
             print("%s: pair %d: %s, %s: %s: %s" % (name, i, in_quotes(name_a), in_quotes(name_b), verdict,

@@ -428,6 +428,10 @@ std::string summary(const FileResult& result, const std::string& place) {
   const auto quoted = [](const std::string& name) { return json(name).dump(-1, ' ', true); };
   std::string lines;
   if (!result.note.empty()) lines += place + ": note: " + quoted(result.note) + "\n";
+  for (const sunder_verifier::FileInput& input : result.inputs) {
+    lines += place + ": of " + quoted(input.name) + ", SHA-256 " + input.sha256 + "\n";
+  }
+  for (const std::string& text : result.left_out) lines += place + ": left out: " + quoted(text) + "\n";
   for (std::size_t i = 0; i < result.pairs.size(); ++i) {
     const PairResult& pair = result.pairs[i];
     lines += place + ": pair " + std::to_string(i) + ": " + quoted(pair.name_a) + ", " + quoted(pair.name_b) + ": " +
@@ -452,10 +456,12 @@ std::string python_summary(const fs::path& folder, std::size_t count) {
   while (std::getline(lines, line)) {
     const std::string place = line.substr(0, line.find(':'));
     if (place.find(' ') != std::string::npos) continue;  // the last line, the totals
-    if (line.starts_with(place + ": refused: F: "))
+    const auto tells = [&](const char* what) { return line.starts_with(place + what); };
+    if (tells(": refused: F: ")) {
       line = place + ": refused: F";
-    else if (!line.starts_with(place + ": pair ") && !line.starts_with(place + ": note: "))
+    } else if (!tells(": pair ") && !tells(": note: ") && !tells(": of \"") && !tells(": left out: ")) {
       line = place + ": unreadable";
+    }
     result += line + "\n";
   }
   return result;

@@ -135,6 +135,11 @@ void ClaimsWriter::go_to(int part) {
   is_first_ = true;
 }
 
+void ClaimsWriter::add_origin(const Origin& origin) {
+  for (const InputFile& file : origin.inputs) add_input(file.name, file.sha256);
+  for (const std::string& what : origin.left_out) add_left_out(what);
+}
+
 void ClaimsWriter::add_input(const std::string& name, const std::string& sha256) {
   go_to(1);
   begin_entry();
@@ -257,6 +262,13 @@ void ClaimsWriter::add_weight(std::uint32_t entry, const Dyadic& weight) {
   text_ += '[';
   append_index(text_, entry);
   text_ += ", \"" + weight.hexadecimal() + "\"]";
+}
+
+void ClaimsWriter::add_weight(std::uint32_t entry, const Dyadic& weight, const Dyadic& denominator) {
+  next();
+  text_ += '[';
+  append_index(text_, entry);
+  text_ += ", \"" + fraction_text(weight, denominator) + "\"]";
 }
 
 void ClaimsWriter::add_fractions_and_index(std::span<const Dyadic> values, const Dyadic& denominator,

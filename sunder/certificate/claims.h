@@ -2,6 +2,7 @@
 // are exact. It writes as it goes, and keeps nothing but what it has not yet given away.
 #pragma once
 
+#include <sunder/certificate/origin.h>
 #include <sunder/number/dyadic.h>
 
 #include <cstdint>
@@ -23,7 +24,8 @@ class ClaimsWriter {
  public:
   explicit ClaimsWriter(TextSink sink) : sink_(std::move(sink)) {}
 
-  // What the tables were made of.
+  void add_origin(const Origin& origin);
+  // What the tables were made of. Requires a name.
   void add_input(const std::string& name, const std::string& sha256);
   // What the file does not speak of. Cut to 4,000 characters, and then ends in "...".
   void add_left_out(const std::string& what);
@@ -58,6 +60,7 @@ class ClaimsWriter {
   void add_list(std::span<const std::uint32_t> values);
   void add_contact(std::uint32_t i, std::uint32_t j, std::string_view kind);
   void add_weight(std::uint32_t entry, const Dyadic& weight);
+  void add_weight(std::uint32_t entry, const Dyadic& weight, const Dyadic& denominator);
   void add_fractions_and_index(std::span<const Dyadic> values, const Dyadic& denominator, std::uint32_t index);
   void add_null();
 

@@ -1,10 +1,12 @@
 #include <sunder/io/file.h>
+#include <sunder/io/sha256.h>
 #include <sunder/io/text.h>
 
 #include <fmt/format.h>
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -48,6 +50,11 @@ void append_all(std::ifstream& file, const fs::path& path, bool regular, std::si
   }
 }
 
+void add_to(InputFiles& inputs, const fs::path& path, std::string_view bytes) {
+  const InputFile file{path == "/dev/stdin" ? "-" : path.string(), sha256(bytes)};
+  if (std::find(inputs.begin(), inputs.end(), file) == inputs.end()) inputs.push_back(file);
+}
+
 // The names of files that are being written, where a handler of signals may read them.
 struct Unfinished {
   std::atomic<bool> taken{false}, named{false};
@@ -58,7 +65,7 @@ constexpr std::size_t no_slot = unfinished.size();
 
 }  // namespace
 
-std::string read_file(const fs::path& path) {
+std::string read_file(const fs::path& path, InputFiles* inputs) {
   if (path.empty()) fail_path("(no name)", "the name of the file is empty; give one");
   std::error_code problem;
   const fs::file_status status = fs::status(path, problem);
@@ -83,6 +90,7 @@ std::string read_file(const fs::path& path) {
     fail_path(path, "does not fit into memory; split it");
   }
   if (bytes.empty()) fail_path(path, "the file is empty; export or copy it again");
+  if (inputs != nullptr) add_to(*inputs, path, bytes);
   return bytes;
 }
 

@@ -1,6 +1,8 @@
 // Whole files, in and out.
 #pragma once
 
+#include <sunder/certificate/origin.h>
+
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
@@ -13,7 +15,9 @@ namespace sunder::io {
 // The bytes of the file. Pipes and devices are read to their end, up to 256 MiB.
 // Throws Error bad_file, "FILE: what is wrong; remedy": the name is empty, there is no such file, it is a folder, it
 // cannot be opened or read, it is empty, or it does not fit into memory.
-std::string read_file(const std::filesystem::path& path);
+// inputs: where given, the name and the SHA-256 of what was read are added, unless they stand there already; standard
+// input (/dev/stdin) is named "-". Costs about as much as reading text.
+std::string read_file(const std::filesystem::path& path, InputFiles* inputs = nullptr);
 
 // A file that is written piece by piece and takes its name at the end: all of it, or, when anything fails, nothing
 // (what was there before stays, and no other file is left behind).

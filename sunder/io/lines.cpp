@@ -291,7 +291,7 @@ LineFile parse_lines(std::string_view text, std::string_view place, const LineOp
 }
 
 LineFile read_lines(const std::filesystem::path& path, const LineOptions& options) {
-  return parse_lines(read_file(path), path.string(), options);
+  return parse_lines(read_file(path, options.inputs), path.string(), options);
 }
 
 void fail_group(std::string_view file, std::string_view group, std::string_view known) {

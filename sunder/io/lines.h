@@ -1,6 +1,7 @@
 // Segments, and the rings of polygons, out of files: CSV, WKT, GeoJSON, KiCad boards (kicad.h).
 #pragma once
 
+#include <sunder/certificate/origin.h>
 #include <sunder/io/left_out.h>
 #include <sunder/planar/object/segments.h>
 
@@ -28,6 +29,8 @@ struct LineOptions {
   bool keep_broken = false;
 
   std::string name{};  // the field that names features; empty: the first of those listed below
+
+  InputFiles* inputs = nullptr;  // as of read_file
 };
 
 // A ring that is none.

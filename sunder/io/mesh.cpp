@@ -73,8 +73,8 @@ Mesh parse_mesh(std::string_view bytes, std::string_view place, MeshFormat forma
   throw Error(ErrorCode::bad_call, "unknown mesh format");
 }
 
-Mesh read_mesh(const std::filesystem::path& path) {
-  const std::string bytes = read_file(path);
+Mesh read_mesh(const std::filesystem::path& path, InputFiles* inputs) {
+  const std::string bytes = read_file(path, inputs);
   const std::string place = path.string();
   Mesh mesh = parse_mesh(bytes, place, mesh_format(bytes, place));
   if (mesh.name.empty()) mesh.name = one_line(path.stem().string());

@@ -2,6 +2,7 @@
 // allows, mesh_write.h for the way back, urdf.h for robots.
 #pragma once
 
+#include <sunder/certificate/origin.h>
 #include <sunder/io/left_out.h>
 #include <sunder/predicate/point.h>
 
@@ -50,7 +51,8 @@ struct Mesh {
 // Throws Error bad_file: what is wrong and the remedy, in one line that begins with "FILE:LINE: " (text),
 // "FILE: byte OFFSET: " (binary) or "FILE: ". A file is taken whole or refused: nothing in it is guessed or repaired.
 // Cost: linear in the size of the file, n log n for STL; memory a small multiple of the file, whatever its header says.
-Mesh read_mesh(const std::filesystem::path& path);
+// inputs: as of read_file (file.h).
+Mesh read_mesh(const std::filesystem::path& path, InputFiles* inputs = nullptr);
 
 // As read_mesh, from memory. place: the file's name for messages.
 Mesh parse_mesh(std::string_view bytes, std::string_view place, MeshFormat format);

@@ -287,8 +287,8 @@ PlanarFile parse_planar_objects(std::string_view text, std::string_view place, b
   return file;
 }
 
-PlanarFile read_planar_objects(const std::filesystem::path& path, bool drop_z) {
-  return parse_planar_objects(read_file(path), path.string(), drop_z);
+PlanarFile read_planar_objects(const std::filesystem::path& path, bool drop_z, InputFiles* inputs) {
+  return parse_planar_objects(read_file(path, inputs), path.string(), drop_z);
 }
 
 }  // namespace sunder::io

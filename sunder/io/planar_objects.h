@@ -2,6 +2,7 @@
 // GeoJSON, CSV.
 #pragma once
 
+#include <sunder/certificate/origin.h>
 #include <sunder/io/left_out.h>
 #include <sunder/predicate/point.h>
 
@@ -47,8 +48,8 @@ bool is_planar(const std::filesystem::path& path);
 //                 its name; the same with ray, half-plane and segment; point,x,y. A line of names may stand first,
 //                 if its first one is "kind".
 // Semicolons part the fields where the first line has one. Small and large letters of kinds are the same.
-// Throws Error bad_file: "FILE:LINE: what; remedy". Cost: linear.
-PlanarFile read_planar_objects(const std::filesystem::path& path, bool drop_z = false);
+// inputs: as of read_file. Throws Error bad_file: "FILE:LINE: what; remedy". Cost: linear.
+PlanarFile read_planar_objects(const std::filesystem::path& path, bool drop_z = false, InputFiles* inputs = nullptr);
 
 // As read_planar_objects, from memory. place: the file's name, for its ending and for messages.
 PlanarFile parse_planar_objects(std::string_view text, std::string_view place, bool drop_z = false);

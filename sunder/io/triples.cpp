@@ -48,8 +48,8 @@ TripleFile parse_triples(std::string_view text, std::string_view place, const Tr
 }
 
 TripleFile read_triples(const std::filesystem::path& path, const TripleKind& kind, const std::string& group,
-                        const std::function<void(double)>& progress, const std::string& name) {
-  return parse_triples(read_file(path), path.string(), kind, group, progress, name);
+                        const std::function<void(double)>& progress, const std::string& name, InputFiles* inputs) {
+  return parse_triples(read_file(path, inputs), path.string(), kind, group, progress, name);
 }
 
 }  // namespace sunder::io

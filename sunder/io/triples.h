@@ -1,6 +1,8 @@
 // Objects of three numbers out of CSV: circles "x,y,r" and half-planes "a,b,c".
 #pragma once
 
+#include <sunder/certificate/origin.h>
+
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -34,12 +36,14 @@ inline constexpr TripleKind half_plane_rows{{"a", "b", "c"}, {"d", "r"}, "half-p
 // the columns, the three are found by their names, in any order, and any others may stand beside them; the name is the
 // one named "name" or "id" (also Name, NAME, ...), else the first other. Names that do not hold the three are refused.
 // Splitting as in csv.h. Numbers are rounded once to the nearest double.
-// group, name: the columns to group by and to name by; empty for none, and for the one told above.
+// group, name: the columns to group by and to name by; empty for none, and for the one told above. inputs: as of
+// read_file.
 // Throws Error bad_file: "FILE:LINE: what; remedy"; bad_call where there is no column
 // of that name.
 // Cost: linear, with a group O(N log N).
 TripleFile read_triples(const std::filesystem::path& path, const TripleKind& kind, const std::string& group = {},
-                        const std::function<void(double)>& progress = nullptr, const std::string& name = {});
+                        const std::function<void(double)>& progress = nullptr, const std::string& name = {},
+                        InputFiles* inputs = nullptr);
 
 // As read_triples, from memory. place: the file's name, for messages.
 TripleFile parse_triples(std::string_view text, std::string_view place, const TripleKind& kind,

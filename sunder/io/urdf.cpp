@@ -360,8 +360,8 @@ std::optional<std::string> behind_scheme(const std::string& written, std::string
 
 Robot parse_urdf(std::string_view bytes, std::string_view place) { return UrdfParser(place).parse(bytes); }
 
-Robot read_urdf(const fs::path& path) {
-  Robot robot = parse_urdf(read_file(path), path.string());
+Robot read_urdf(const fs::path& path, InputFiles* inputs) {
+  Robot robot = parse_urdf(read_file(path, inputs), path.string());
   robot.folder = path.parent_path();
   return robot;
 }

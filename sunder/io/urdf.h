@@ -2,6 +2,7 @@
 // values: urdf_kinematics.h.
 #pragma once
 
+#include <sunder/certificate/origin.h>
 #include <sunder/io/left_out.h>
 #include <sunder/predicate/point.h>
 
@@ -78,8 +79,8 @@ struct Robot {
 // Throws Error bad_file, "FILE:LINE: what is wrong; remedy", in one line: XML that is not well-formed, xacro that was
 // not expanded (anywhere in the file), two shapes in one <collision>, a missing or repeated name, a number that is
 // none, a link that does not exist, links that are no tree, a floating or planar joint, missing limits. Meshes are not
-// opened.
-Robot read_urdf(const std::filesystem::path& path);
+// opened. inputs: as of read_file (file.h).
+Robot read_urdf(const std::filesystem::path& path, InputFiles* inputs = nullptr);
 
 // As read_urdf, from memory. place: the file's name for messages. `folder` stays empty.
 Robot parse_urdf(std::string_view bytes, std::string_view place);

@@ -1,7 +1,7 @@
 // Writes a sample of certificate files, for checkers other than the library's: certificate_sample FOLDER COUNT [SEED].
 //
 // Every family of tests/support/solid_pairs.h in turn, fifty pairs a file. The last line printed says how many.
-#include <sunder/certificate/json.h>
+#include <sunder/certificate/pair_claims.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <tests/support/solid_pairs.h>
 
@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <string_view>
+#include <vector>
 
 int main(int argc, char** argv) {
   using namespace sunder;
@@ -23,18 +25,28 @@ int main(int argc, char** argv) {
   std::filesystem::create_directories(folder);
   int meets = 0, files = 0;
   for (int i = 0; i < count;) {
-    CertificateWriter writer;
-    for (int k = 0; k < 50 && i < count; ++k, ++i) {
-      const tests::PairCase c = pairs.next();
+    std::vector<tests::PairCase> cases;
+    for (int k = 0; k < 50 && i + k < count; ++k) cases.push_back(pairs.next());
+    std::ofstream file(folder / ("sample_" + std::to_string(files++) + ".json"), std::ios::binary);
+    ClaimsWriter claims([&](std::string_view text) { file << text; });
+    PairClaims written(claims);
+    struct Placed {
+      std::uint32_t a, b;
+    };
+    std::vector<Placed> placed;
+    for (const tests::PairCase& c : cases) {
+      const std::string name = std::string(tests::name_of(c.family)) + " " + std::to_string(i++);
+      const auto a = written.add_placed(name + " a", written.add_body(name + " a", c.a.vertices()), c.pose_a.affine());
+      const auto b = written.add_placed(name + " b", written.add_body(name + " b", c.b.vertices()), c.pose_b.affine());
+      placed.push_back({a, b});
+    }
+    for (std::size_t k = 0; k < cases.size(); ++k) {
+      const tests::PairCase& c = cases[k];
       const auto answer = solid::polyhedron_polyhedron(c.a, c.pose_a, c.b, c.pose_b);
-      const std::string name = std::string(tests::name_of(c.family)) + " " + std::to_string(i);
-      const auto a = writer.add_placed(name + " a", writer.add_body(name + " a", c.a.vertices()), c.pose_a.affine());
-      const auto b = writer.add_placed(name + " b", writer.add_body(name + " b", c.b.vertices()), c.pose_b.affine());
-      writer.add_pair(a, b, answer.certificate());
+      written.add_pair(placed[k].a, placed[k].b, answer.certificate());
       meets += answer.meet();
     }
-    std::ofstream file(folder / ("sample_" + std::to_string(files++) + ".json"), std::ios::binary);
-    file << writer.text();
+    written.end();
     if (!file.flush()) {
       std::fprintf(stderr, "%s: cannot be written\n", folder.c_str());
       return 2;

@@ -2,7 +2,8 @@
 //
 // Every family of tests/support/planar_pairs.h in turn but the large ones, the methods in turn, fifty pairs a file. The
 // last line printed says how many.
-#include <sunder/certificate/json.h>
+#include <sunder/certificate/pair_claims.h>
+#include <sunder/planar/pair/contact_evidence.h>
 #include <sunder/planar/pair/polygon_polygon.h>
 #include <tests/support/planar_pairs.h>
 
@@ -12,10 +13,40 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
+namespace {
+
+using namespace sunder;
+
+struct Case {
+  tests::PlanarCase planar;
+  std::string name;
+  std::vector<Point3> vertices_a, vertices_b;
+  std::uint32_t a = 0, b = 0;
+};
+
+std::vector<Point3> in_space(const planar::ConvexPolygon& polygon) {
+  std::vector<Point3> vertices;
+  for (const Point2& p : polygon.vertices()) vertices.push_back({p.x, p.y, 0});
+  return vertices;
+}
+
+// Every other one that meets tells how.
+void add_answer(PairClaims& written, const Case& c, const PairCertificate& evidence, bool tells_contact) {
+  const auto& [family, a, b, pose_a, pose_b, touches] = c.planar;
+  if (evidence.verdict == Verdict::apart || !tells_contact) return written.add_pair(c.a, c.b, evidence);
+  if (planar::polygon_polygon_contact(a, pose_a, b, pose_b) == Contact::touching) {
+    return written.add_touching(c.a, c.b, written.common_point(c.a, c.b, evidence),
+                                planar::touching_direction(a, pose_a, b, pose_b, evidence));
+  }
+  written.add_overlapping(c.a, c.b, planar::overlapping_point(a, pose_a, b, pose_b));
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  using namespace sunder;
   if (argc < 3) {
     std::fprintf(stderr, "usage: planar_certificate_sample FOLDER COUNT [SEED]\n");
     return 2;
@@ -32,24 +63,31 @@ int main(int argc, char** argv) {
   std::filesystem::create_directories(folder);
   int meets = 0, files = 0;
   for (int i = 0; i < count;) {
-    CertificateWriter writer;
-    for (int k = 0; k < 50 && i < count; ++k, ++i) {
+    std::vector<Case> cases;
+    for (int k = 0; k < 50 && i + k < count; ++k) {
       tests::PlanarCase c = pairs.next();
       while (c.family == tests::PlanarFamily::large) c = pairs.next();
-      const PairAnswer answer = methods[static_cast<std::size_t>(i) % methods.size()](c.a, c.pose_a, c.b, c.pose_b);
-      const std::string name = std::string(tests::name_of(c.family)) + " " + std::to_string(i);
-      const auto add = [&](const char* letter, const planar::ConvexPolygon& polygon, const planar::Pose& pose) {
-        std::vector<Point3> vertices;
-        for (const Point2& p : polygon.vertices()) vertices.push_back({p.x, p.y, 0});
-        return writer.add_placed(name + letter, writer.add_body(name + letter, vertices),
-                                 planar::in_space(pose.affine()));
-      };
-      const auto a = add(" a", c.a, c.pose_a), b = add(" b", c.b, c.pose_b);
-      writer.add_pair(a, b, answer.certificate());
-      meets += answer.meet() ? 1 : 0;
+      const std::string name = std::string(tests::name_of(c.family)) + " " + std::to_string(i + k);
+      std::vector<Point3> vertices_a = in_space(c.a), vertices_b = in_space(c.b);
+      cases.push_back({std::move(c), name, std::move(vertices_a), std::move(vertices_b)});
     }
     std::ofstream file(folder / ("planar_" + std::to_string(files++) + ".json"), std::ios::binary);
-    file << writer.text();
+    ClaimsWriter claims([&](std::string_view text) { file << text; });
+    PairClaims written(claims, PairClaims::Space::planar);
+    const auto add = [&](const std::string& name, const std::vector<Point3>& vertices, const planar::Pose& pose) {
+      return written.add_placed(name, written.add_body(name, vertices), planar::in_space(pose.affine()));
+    };
+    for (Case& c : cases) {
+      c.a = add(c.name + " a", c.vertices_a, c.planar.pose_a);
+      c.b = add(c.name + " b", c.vertices_b, c.planar.pose_b);
+    }
+    for (const Case& c : cases) {
+      const auto method = methods[static_cast<std::size_t>(i++) % methods.size()];
+      const PairAnswer answer = method(c.planar.a, c.planar.pose_a, c.planar.b, c.planar.pose_b);
+      add_answer(written, c, answer.certificate(), i % 4 < 2);
+      meets += answer.meet() ? 1 : 0;
+    }
+    written.end();
     if (!file.flush()) {
       std::fprintf(stderr, "%s: cannot be written\n", folder.c_str());
       return 2;

@@ -23,27 +23,27 @@ std::vector<FileInput> read_inputs(const json& list) {
   return result;
 }
 
-// All of it in a row.
-std::string read_left_out(const json& list) {
-  std::string result;
-  std::size_t count = 0;
+std::vector<std::string> read_left_out(const json& list) {
+  std::vector<std::string> result;
   for (const json& item : list) {
-    const std::string where = "left_out[" + std::to_string(count++) + "]";
+    const std::string where = "left_out[" + std::to_string(result.size()) + "]";
     if (!item.is_string()) refuse_form(where + " is not a text of 1 to " + std::to_string(most_name) + " characters");
     const std::string text = item.get<std::string>();
     const std::size_t size = characters(text);
     if (size == 0 || size > most_name) {
       refuse_form(where + " is not a text of 1 to " + std::to_string(most_name) + " characters");
     }
-    result += (result.empty() ? "" : "; ") + text;
+    result.push_back(text);
   }
   return result;
 }
 
 PairResult check(const ClaimedStatement& statement) {
   PairResult result;
-  result.name_a = statement.question;
-  result.name_b = statement.words;
+  const bool is_pair = !statement.a.empty();
+  result.question = statement.question;
+  result.name_a = is_pair ? statement.a : statement.question;
+  result.name_b = is_pair ? statement.b : statement.words;
   result.verdict = statement.verdict;
   try {
     for (const auto& check : statement.checks) check();
@@ -67,7 +67,7 @@ void verify_claims(const json& top, FileResult& result) {
   if (!top["sunder_certificate"].is_number_integer()) refuse_form("sunder_certificate is not 2");
   FileResult read;
   if (top.contains("inputs")) read.inputs = read_inputs(list_member(top, "inputs", "the file"));
-  if (top.contains("left_out")) read.note = read_left_out(list_member(top, "left_out", "the file"));
+  if (top.contains("left_out")) read.left_out = read_left_out(list_member(top, "left_out", "the file"));
   const Tables tables = read_tables(top["tables"]);
   const json& statements = list_member(top, "statements", "the file");
   if (statements.empty()) refuse_form("the file states nothing");
@@ -77,7 +77,7 @@ void verify_claims(const json& top, FileResult& result) {
   }
   for (const ClaimedStatement& statement : claimed) read.pairs.push_back(check(statement));
   result.inputs = std::move(read.inputs);
-  result.note = std::move(read.note);
+  result.left_out = std::move(read.left_out);
   result.pairs = std::move(read.pairs);
 }
 

@@ -11,7 +11,7 @@ namespace {
 // What a statement says; what its question does not name is empty.
 struct Said {
   const HullBody *a = nullptr, *b = nullptr;
-  Numbers objective, point;
+  Numbers objective, point, from_a, to_b;
   AllowedContacts allowed;
   std::vector<std::int64_t> groups;
   StatedContact contact;
@@ -45,6 +45,14 @@ std::size_t dimension(const Said& said) { return said.a != nullptr ? said.a->dim
 
 void read_point(const Place& p, Said& said) {
   said.point = read_numbers(list_member(p.item, "point", p.where), dimension(said), read_number, p.where + ".point");
+}
+
+void read_from_a(const Place& p, Said& said) {
+  said.from_a = read_numbers(list_member(p.item, "from_a", p.where), dimension(said), read_number, p.where + ".from_a");
+}
+
+void read_to_b(const Place& p, Said& said) {
+  said.to_b = read_numbers(list_member(p.item, "to_b", p.where), dimension(said), read_number, p.where + ".to_b");
 }
 
 void read_objective(const Place& p, Said& said) {
@@ -161,8 +169,8 @@ struct ClaimNeeded {
   void (*check)(const Claim&, const Said&, const Tables&);
 };
 
-std::size_t of_a(const Said& said, const Tables&) { return said.a->given.rows.size(); }
-std::size_t of_b(const Said& said, const Tables&) { return said.b->given.rows.size(); }
+std::size_t of_a(const Said& said, const Tables&) { return said.a->rows().size(); }
+std::size_t of_b(const Said& said, const Tables&) { return said.b->rows().size(); }
 std::size_t of_segments(const Said&, const Tables& tables) { return tables.segments.size(); }
 std::size_t of_half_planes(const Said&, const Tables& tables) { return tables.half_planes.size(); }
 
@@ -176,6 +184,28 @@ const ClaimNeeded a_holds{"holds", {{"weights", read_weights}}, of_a, [](const C
 const ClaimNeeded b_holds{"holds", {{"weights", read_weights}}, of_b, [](const Claim& c, const Said& s, const Tables&) {
                             check_holds(c, *s.b, s.point);
                           }};
+const ClaimNeeded parted_weakly_a_b{
+    "parted_weakly", {{"direction", read_direction}}, of_a, [](const Claim& c, const Said& s, const Tables&) {
+      check_parted_weakly(c, *s.a, *s.b);
+    }};
+const ClaimNeeded inside_a{
+    "inside", {{"weights", read_weights}}, of_a, [](const Claim& c, const Said& s, const Tables&) {
+      check_inside(c, *s.a, s.point);
+    }};
+const ClaimNeeded inside_b{
+    "inside", {{"weights", read_weights}}, of_b, [](const Claim& c, const Said& s, const Tables&) {
+      check_inside(c, *s.b, s.point);
+    }};
+const ClaimNeeded a_holds_from_a{
+    "holds", {{"weights", read_weights}}, of_a, [](const Claim& c, const Said& s, const Tables&) {
+      check_holds(c, *s.a, s.from_a);
+    }};
+const ClaimNeeded b_holds_to_b{
+    "holds", {{"weights", read_weights}}, of_b, [](const Claim& c, const Said& s, const Tables&) {
+      check_holds(c, *s.b, s.to_b);
+    }};
+const ClaimNeeded slab{
+    "slab", {}, of_a, [](const Claim&, const Said& s, const Tables&) { check_slab(*s.a, *s.b, s.from_a, s.to_b); }};
 const ClaimNeeded none_counts{
     "none_counts", {{"events", read_events}}, of_segments, [](const Claim& c, const Said& s, const Tables& t) {
       check_none_counts(c, t, s.groups, s.allowed);
@@ -236,7 +266,15 @@ const std::vector<Question> questions{
      "bodies",
      {{"a", read_a}, {"b", read_b}},
      {},
-     {{"apart", {}, {&parted_a_b}}, {"meet", {point}, {&a_holds, &b_holds}}}},
+     {{"apart", {}, {&parted_a_b}},
+      {"meet", {point}, {&a_holds, &b_holds}},
+      {"touching", {point}, {&a_holds, &b_holds, &parted_weakly_a_b}},
+      {"overlapping", {point}, {&inside_a, &inside_b}}}},
+    {"distance",
+     "bodies",
+     {{"a", read_a}, {"b", read_b}},
+     {},
+     {{"closest", {{"from_a", read_from_a}, {"to_b", read_to_b}}, {&a_holds_from_a, &b_holds_to_b, &slab}}}},
     {"segments",
      "segments",
      {{"allowed", read_allowed}},
@@ -310,6 +348,10 @@ ClaimedStatement read_statement(const json& item, const Tables& tables, const st
   Said said;
   for (const MemberReader& reader : readers) reader.read({item, tables, where}, said);
   result.words = words_of(item, said);
+  if (said.a != nullptr) {
+    result.a = said.a->name;
+    result.b = said.b->name;
+  }
   const json& claims = list_member(item, "claims", where);
   if (claims.size() != verdict.claims.size()) {
     refuse_form(where + " has not " + std::to_string(verdict.claims.size()) + " claims");

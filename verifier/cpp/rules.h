@@ -46,7 +46,10 @@ struct AllowedContacts {
 };
 
 void check_parted(const Claim& claim, const HullBody& a, const HullBody& b);
+void check_parted_weakly(const Claim& claim, const HullBody& a, const HullBody& b);
 void check_holds(const Claim& claim, const HullBody& body, const Numbers& point);
+void check_slab(const HullBody& a, const HullBody& b, const Numbers& from_a, const Numbers& to_b);
+void check_inside(const Claim& claim, const HullBody& body, const Numbers& point);
 
 void check_feasible(const Tables& tables, const Numbers& point);
 void check_bounds(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point);

@@ -44,21 +44,46 @@ HullBody read_image(const json& item, const std::vector<HullBody>& bodies, const
   return body;
 }
 
+// Points, then ways: vectors, or arrows of twice as many numbers from one point to another.
+Scaled read_points_and_ways(const json& points, const json& ways, const std::string& where) {
+  const std::size_t count = points.size(), d = points[0].size();
+  const json zero(d, json("0x0p+0"));
+  std::vector<json> ends;
+  for (const json& way : ways) {
+    const bool is_arrow = way.is_array() && way.size() == 2 * d;
+    const auto middle = is_arrow ? way.begin() + static_cast<std::ptrdiff_t>(d) : way.end();
+    ends.push_back(is_arrow ? json(json::array_t(way.begin(), middle)) : zero);
+    ends.push_back(is_arrow ? json(json::array_t(middle, way.end())) : way);
+  }
+  std::vector<const json*> rows = entries(points);
+  for (const json& end : ends) rows.push_back(&end);
+  Scaled scaled = read_rows(rows, d, where + " row");
+  for (std::size_t k = count; k < count + ways.size(); ++k) {
+    const Integers &from = scaled.rows[2 * k - count], &to = scaled.rows[2 * k - count + 1];
+    Integers way;
+    for (std::size_t axis = 0; axis < d; ++axis) way.push_back(to[axis] - from[axis]);
+    scaled.rows[k] = std::move(way);
+  }
+  scaled.rows.resize(count + ways.size());
+  scaled.bits = 0;
+  for (const Integers& row : scaled.rows) scaled.bits = std::max(scaled.bits, bits(row));
+  return scaled;
+}
+
 HullBody read_body(const json& item, const std::vector<HullBody>& bodies, const std::string& where) {
   HullBody body;
   if (item.is_object() && item.contains("of")) {
     body = read_image(item, bodies, where);
   } else {
     require_members(item, {"name", "points"}, {"ways"}, where);
-    std::vector<const json*> rows = entries(list_member(item, "points", where));
-    if (rows.empty() || !rows[0]->is_array() || (rows[0]->size() != 2 && rows[0]->size() != 3)) {
+    const json& points = list_member(item, "points", where);
+    if (points.empty() || !points[0].is_array() || (points[0].size() != 2 && points[0].size() != 3)) {
       refuse_form(where + ".points is not a list of points of 2 or 3 numbers");
     }
-    body.count = rows.size();
-    if (item.contains("ways")) {
-      for (const json& way : list_member(item, "ways", where)) rows.push_back(&way);
-    }
-    body.given = read_rows(rows, rows[0]->size(), where + " row");
+    body.count = points.size();
+    const json no_ways = json::array();
+    const json& ways = item.contains("ways") ? list_member(item, "ways", where) : no_ways;
+    body.given = std::make_shared<const Scaled>(read_points_and_ways(points, ways, where));
   }
   body.name = text_member(item, "name", where);
   return body;
@@ -117,10 +142,10 @@ Integer dot(const Integers& u, const Integers& v) {
 }
 
 std::pair<Integers, std::int64_t> image(const HullBody& body, std::size_t k) {
-  const Integers& v = body.given.rows[k];
-  if (!body.is_image()) return {v, body.given.e};
+  const Integers& v = body.rows()[k];
+  if (!body.is_image()) return {v, body.given->e};
   const std::size_t d = body.dimension();
-  const std::int64_t turned = body.linear.e + body.given.e, e = std::min(turned, body.translation.e);
+  const std::int64_t turned = body.linear.e + body.given->e, e = std::min(turned, body.translation.e);
   Integers result;
   for (std::size_t r = 0; r < d; ++r) {
     Integer sum = 0;
@@ -133,7 +158,7 @@ std::pair<Integers, std::int64_t> image(const HullBody& body, std::size_t k) {
 
 std::pair<Integers, std::int64_t> products(const HullBody& body, const Integers& direction) {
   Integers row = direction, result;
-  std::int64_t turned = body.given.e, e = turned;
+  std::int64_t turned = body.given->e, e = turned;
   Integer moved = 0;
   if (body.is_image()) {
     const std::size_t d = body.dimension();
@@ -146,9 +171,9 @@ std::pair<Integers, std::int64_t> products(const HullBody& body, const Integers&
     e = std::min(turned, body.translation.e);
     moved = shifted(dot(direction, body.translation.rows[0]), body.translation.e - e);
   }
-  take_steps(body.given.rows.size(), bits(row), body.given.bits);
-  for (std::size_t k = 0; k < body.given.rows.size(); ++k) {
-    result.push_back(shifted(dot(row, body.given.rows[k]), turned - e));
+  take_steps(body.rows().size(), bits(row), body.given->bits);
+  for (std::size_t k = 0; k < body.rows().size(); ++k) {
+    result.push_back(shifted(dot(row, body.rows()[k]), turned - e));
     if (!body.is_way(k)) result.back() += moved;
   }
   return {std::move(result), e};

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,12 +25,13 @@ struct Scaled {
 // A convex hull of points, with the ways that go on from there for ever; or the image of one.
 struct HullBody {
   std::string name;
-  Scaled given;           // its points, then its ways
-  std::size_t count = 0;  // of points
-  Scaled linear;          // one row: the matrix, row by row; no row where the body is not an image
-  Scaled translation;     // one row
+  std::shared_ptr<const Scaled> given;  // its points, then its ways; an image has those of the body that it is of
+  std::size_t count = 0;                // of points
+  Scaled linear;                        // one row: the matrix, row by row; no row where the body is not an image
+  Scaled translation;                   // one row
 
-  std::size_t dimension() const { return given.rows[0].size(); }
+  const std::vector<Integers>& rows() const { return given->rows; }
+  std::size_t dimension() const { return rows()[0].size(); }
   bool is_image() const { return !linear.rows.empty(); }
   bool is_way(std::size_t k) const { return k >= count; }
 };

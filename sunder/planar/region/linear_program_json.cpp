@@ -145,15 +145,17 @@ void write_statement(ClaimsWriter& file, const Given& given, const Objective& ob
 }
 
 template <class Given>
-std::string certificate_text(const Given& given, const Objective& objective, const LinearProgramAnswer& answer) {
+std::string certificate_text(const Given& given, const Objective& objective, const LinearProgramAnswer& answer,
+                             const Origin& origin) {
   std::string text;
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  file.add_origin(origin);
   write_statement(file, given, objective, answer);
   file.end();
   return text;
 }
 
-template std::string certificate_text(const Constraints&, const Objective&, const LinearProgramAnswer&);
-template std::string certificate_text(const HalfPlanes&, const Objective&, const LinearProgramAnswer&);
+template std::string certificate_text(const Constraints&, const Objective&, const LinearProgramAnswer&, const Origin&);
+template std::string certificate_text(const HalfPlanes&, const Objective&, const LinearProgramAnswer&, const Origin&);
 
 }  // namespace sunder::planar

@@ -1,6 +1,7 @@
 // The certificate file of a linear program (docs/claims.md, "linear_program").
 #pragma once
 
+#include <sunder/certificate/origin.h>
 #include <sunder/planar/region/linear_program.h>
 
 #include <string>
@@ -8,11 +9,14 @@
 namespace sunder::planar {
 
 // Requires the answer for these half-planes and this objective. `Given` is Constraints or HalfPlanes. The certificate
-// must be true: its point is computed here.
+// must be true: its point is computed here. origin: where the half-planes come from.
 template <class Given>
-std::string certificate_text(const Given& given, const Objective& objective, const LinearProgramAnswer& answer);
+std::string certificate_text(const Given& given, const Objective& objective, const LinearProgramAnswer& answer,
+                             const Origin& origin = {});
 
-extern template std::string certificate_text(const Constraints&, const Objective&, const LinearProgramAnswer&);
-extern template std::string certificate_text(const HalfPlanes&, const Objective&, const LinearProgramAnswer&);
+extern template std::string certificate_text(const Constraints&, const Objective&, const LinearProgramAnswer&,
+                                             const Origin&);
+extern template std::string certificate_text(const HalfPlanes&, const Objective&, const LinearProgramAnswer&,
+                                             const Origin&);
 
 }  // namespace sunder::planar

@@ -21,11 +21,13 @@ void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allow
 void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allowed, const SegmentsCountAnswer& answer,
                      Groups groups = {});
 
-// The whole file. Answer: one of the three.
+// The whole file. Answer: one of the three. origin: where the segments come from.
 template <class Answer>
-std::string certificate_text(const Segments& segments, Allowed allowed, const Answer& answer, Groups groups = {}) {
+std::string certificate_text(const Segments& segments, Allowed allowed, const Answer& answer, Groups groups = {},
+                             const Origin& origin = {}) {
   std::string text;
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  file.add_origin(origin);
   write_statement(file, segments, allowed, answer, groups);
   file.end();
   return text;

@@ -100,7 +100,10 @@ OBJECTIVE = (list, lambda value, where, read: numbers(value, 2, double, where))
 
 CLAIMS = {
     "parted": ({"direction": VECTOR}, rules.parted),
+    "parted_weakly": ({"direction": VECTOR}, rules.parted_weakly),
     "holds": ({"weights": WEIGHTS}, rules.holds),
+    "inside": ({"weights": WEIGHTS}, rules.inside),
+    "slab": ({}, rules.slab),
     "feasible": ({}, rules.feasible),
     "bounds": ({"weights": WEIGHTS}, rules.bounds),
     "bounds_only": ({"weights": WEIGHTS}, rules.bounds_only),
@@ -122,6 +125,12 @@ QUESTIONS = {
     "pair": ("bodies", {"a": entry("bodies"), "b": entry("bodies")}, {}, {
         "apart": ({}, [("parted", "a", "b")]),
         "meet": ({"point": VECTOR}, [("holds", "a", "point"), ("holds", "b", "point")]),
+        "touching": ({"point": VECTOR}, [("holds", "a", "point"), ("holds", "b", "point"), ("parted_weakly", "a", "b")]),
+        "overlapping": ({"point": VECTOR}, [("inside", "a", "point"), ("inside", "b", "point")]),
+    }),
+    "distance": ("bodies", {"a": entry("bodies"), "b": entry("bodies")}, {}, {
+        "closest": ({"from_a": VECTOR, "to_b": VECTOR}, [
+            ("holds", "a", "from_a"), ("holds", "b", "to_b"), ("slab", "a", "b", "from_a", "to_b")]),
     }),
     "segments": ("segments", {"allowed": ALLOW}, {"groups": groups("segments")}, {
         "some": ({"i": index_of("segments"), "j": index_of("segments"), "kind": KIND, "point": VECTOR},

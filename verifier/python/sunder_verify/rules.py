@@ -14,18 +14,24 @@ def aligned(m, e, n, f):
 
 # ---- Convex objects: the convex hull of points, and the ways from there that go on for ever.
 
-def parted(steps, claim, a, b):
-    """A is strictly less far along a direction than B."""
+def parted(steps, claim, a, b, is_weak=False):
+    """A is strictly less far along a direction than B; where is_weak, nowhere further, and not all of both just as far."""
     d, _, _ = common(claim["direction"])  # a positive multiple of the direction
-    limits = []
+    limits, is_flat = [], is_weak
     for body, sign in ((a, 1), (b, -1)):
-        along = [sign * n for n in d]
-        points, ways, e = body.forms(steps, along)
+        points, ways, e = body.forms(steps, [sign * n for n in d])
         require(all(n <= 0 for n in ways), "parted", "a way of %s goes on along the direction" % body.name)
         limits.append((max(points), e))
+        is_flat = is_flat and min(points) == max(points) and not any(ways)
     (p, e), (q, f) = limits
     p, q = aligned(p, e, -q, f)
-    require(p < q, "parted", "%s is not strictly less far along the direction than %s" % (a.name, b.name))
+    require(p < q or (is_weak and p == q), "parted", "%s is not %sless far along the direction than %s" % (
+        a.name, "" if is_weak else "strictly ", b.name))
+    require(p < q or not is_flat, "parted", "all of %s and %s is as far along the direction" % (a.name, b.name))
+
+
+def parted_weakly(steps, claim, a, b):
+    parted(steps, claim, a, b, True)
 
 
 def holds(steps, claim, body, point):
@@ -42,6 +48,35 @@ def holds(steps, claim, body, point):
         mean = sum(w * image[axis] for w, (image, _) in zip(weights, images))
         mean, wanted = aligned(mean * denominator, e + images[0][1], n * d, k)
         require(mean == wanted, "holds", "the weighted sum of %s is not the point in coordinate %d" % (body.name, axis))
+
+
+def inside(steps, claim, body, point):
+    """A body holds a point in its relative interior: what has a positive weight spans as much as the body does."""
+    holds(steps, claim, body, point)
+    named = [k for k, (n, _, _) in claim["weights"] if n > 0]
+    steps.take(body.dimension * len(body), 4 * body.bits, 4 * body.bits)
+    origin = next(body.rows[k] for k in named if not body.is_way(k))
+    basis = []  # rows, and where their first number stands that is not zero
+    for k in (*named, *range(len(body))):
+        row = body.rows[k] if body.is_way(k) else [x - y for x, y in zip(body.rows[k], origin)]
+        for other, lead in basis:
+            row = [x * other[lead] - y * row[lead] for x, y in zip(row, other)]
+        require(k in named or not any(row), "inside", "what makes the point does not span all of %s" % body.name)
+        if any(row):
+            basis.append((row, next(axis for axis, x in enumerate(row) if x)))
+        if len(basis) == body.dimension:
+            break
+
+
+def slab(steps, claim, a, b, from_a, to_b):
+    """Along the way from a point of A to one of B, no point of A is beyond the first, and none of B before the second."""
+    p, q = projective(from_a), projective(to_b)
+    d = [y * p[-1] - x * q[-1] for x, y in zip(p, q[:-1])]  # a positive multiple of the way
+    require(any(d), "slab", "the two points are one")
+    for body, end, sign in ((a, p, 1), (b, q, -1)):
+        points, ways, e = body.forms(steps, [sign * n for n in d])
+        most, limit = aligned(max(points) * end[-1], e, sign * dot(d, end), 0)
+        require(all(n <= 0 for n in ways) and most <= limit, "slab", "%s is not behind its point" % body.name)
 
 
 # ---- Linear constraints: half-planes a x + b y <= c as integers (a, b, c, exponent of all three).

@@ -28,8 +28,10 @@ class Body:
             name, points, ways = members(item, {"name": str, "points": list}, where, {"ways": list})
             require(points and type(points[0]) is list and len(points[0]) in (2, 3), "F",
                     where + ".points is not a list of points of 2 or 3 numbers")
-            self.count, self.dimension = len(points), len(points[0])
-            self.rows, self.exponent = rows_of(points + (ways or []), self.dimension, where + " row")
+            count, d = self.count, self.dimension = len(points), len(points[0])
+            arrows = [(way[:d], way[d:]) if type(way) is list and len(way) == 2 * d else (["0x0p+0"] * d, way) for way in ways or []]
+            rows, self.exponent = rows_of(points + [end for arrow in arrows for end in arrow], d, where + " row")
+            self.rows = rows[:count] + [tuple(y - x for x, y in zip(*arrow)) for arrow in zip(rows[count::2], rows[count + 1::2])]
             self.linear = None
         self.name = text_of(name, where + ".name")
         self.bits = max(map(bits, self.rows))

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Tests of statements about pairs against an exact simplex method: python3 verifier/python/tests/test_pairs.py."""
+import json
 import unittest
 from fractions import Fraction
 
@@ -37,11 +38,21 @@ def solution_or_proof(columns, wanted):
     return None, [signs[r] * (1 - cost[size + r]) for r in range(rows)]
 
 
+def value_of(text):
+    return Fraction(float.fromhex(text))
+
+
+def hexadecimal_of(x):
+    """As a double, if it is one."""
+    return float(x).hex() if Fraction(float(x)) == x else None
+
+
 class Body:
     def __init__(self, dice, dimension):
         def row(most):
             return [dice.randint(-most, most) for _ in range(dimension)]
-        self.points = [row(3) for _ in range(dice.randint(1, 4))]
+        size = dice.choice([1, 3])  # of small ones more touch
+        self.points = [row(size) for _ in range(dice.randint(1, 4))]
         self.ways = [row(2) for _ in range(dice.choice([0, 0, 1, 2]))]
         self.shift = None
 
@@ -86,56 +97,125 @@ def honest(bodies, i, j):
     return {**statement, "verdict": "meet", "point": [fraction(x) for x in point], "claims": claims}
 
 
-def some_file(dice):
+def contact(bodies, i, j, meet):
+    """Of two that meet: do their relative interiors? By combinations of all rows with weights of 1 at least."""
+    a, b = bodies[i], bodies[j]
+    columns = [p + [1] for p in a.points] + [w + [0] for w in a.ways]
+    columns += [[-x for x in p] + [-1] for p in b.points] + [[-x for x in w] + [0] for w in b.ways]
+    weights, proof = solution_or_proof(columns, [-sum(row) for row in zip(*columns)])
+    if weights is None:
+        direction = [fraction(x) for x in proof[:-1]]
+        return {**meet, "verdict": "touching", "claims": meet["claims"] + [{"claim": "parted_weakly", "direction": direction}]}
+    count = len(a.points) + len(a.ways)
+    total = sum(w + 1 for w in weights[:len(a.points)])
+    weights = [(w + 1) / total for w in weights]
+    point = [sum(w * p[k] for w, p in zip(weights, a.points + a.ways)) for k in range(len(a.points[0]))]
+    claims = [{"claim": "inside", "weights": [[k, fraction(w)] for k, w in enumerate(part)]}
+              for part in (weights[:count], weights[count:])]
+    return {**meet, "verdict": "overlapping", "point": [fraction(x) for x in point], "claims": claims}
+
+
+def some_file(dice, with_contact=False):
     dimension = dice.choice([2, 3])
     bodies = [Body(dice, dimension) for _ in range(2)]
     bodies.append(Image(dice, bodies[1], 1))
     i, j = dice.choice([(0, 1), (0, 2), (2, 0), (1, 2)])
-    return file_of({"bodies": [body.entry("body %d" % k) for k, body in enumerate(bodies)]}, honest(bodies, i, j))
+    statement = honest(bodies, i, j)
+    if with_contact and statement["verdict"] == "meet":
+        statement = contact(bodies, i, j, statement)
+    return file_of({"bodies": [body.entry("body %d" % k) for k, body in enumerate(bodies)]}, statement)
+
+
+VERDICTS = ("apart", "meet", "touching", "overlapping")
+
+
+def could_be(verdict, truth):
+    return verdict == truth or (verdict == "meet" and truth != "apart")
+
+
+def place(points, weights):
+    return [sum(w * points[k][axis] for k, w in weights) for axis in range(2)]
+
+
+def square_between(p, q):
+    return sum((x - y) ** 2 for x, y in zip(p, q))
+
+
+def feet(points, others):
+    """Of each point, as weights, with the nearest point of each segment between two of the others."""
+    for i, p in enumerate(points):
+        for j, q in enumerate(others):
+            for k, r in enumerate(others[:j + 1]):
+                square = square_between(q, r)
+                t = Fraction(sum((x - z) * (y - z) for x, y, z in zip(p, q, r)), square) if square else Fraction(1)
+                t = min(max(t, Fraction(0)), Fraction(1))
+                yield [(i, Fraction(1))], [(j, t), (k, 1 - t)] if j != k else [(j, Fraction(1))]
+
+
+def distance_file(bodies, p, q):
+    a, b = bodies
+    claims = [{"claim": "holds", "weights": [[k, fraction(w)] for k, w in weights]} for weights in (p, q)]
+    return file_of({"bodies": [body.entry("body") for body in bodies]},
+                   {"question": "distance", "a": 0, "b": 1, "verdict": "closest",
+                    "from_a": [fraction(x) for x in place(a.points, p)], "to_b": [fraction(x) for x in place(b.points, q)],
+                    "claims": claims + [{"claim": "slab"}]})
+
+
+def forced_statement(top, verdict, dice):
+    one = top["statements"][0]
+    statement = {**{key: one[key] for key in ("question", "a", "b")}, "verdict": verdict}
+    axes = len(top["tables"]["bodies"][0]["points"][0])
+    vector = [str(dice.randint(-3, 3)) for _ in range(axes)]
+    of = [claim.get("direction") for claim in one["claims"] if "direction" in claim]
+    direction = dice.choice(of + [vector, ["0"] * axes])
+    known = [claim["weights"] for claim in one["claims"] if "weights" in claim]
+    if verdict == "apart":
+        return {**statement, "claims": [{"claim": "parted", "direction": direction}]}
+    if len(known) < 2 or dice.random() < .3:
+        known = [[[k, dice.choice(["1/2", "1", "0", "1/4"])] for k in range(dice.randint(1, 2))]] * 2
+    kind = "inside" if verdict == "overlapping" else "holds"
+    claims = [{"claim": kind, "weights": weights} for weights in known]
+    claims += [{"claim": "parted_weakly", "direction": direction}] * (verdict == "touching")
+    return {**statement, "point": one.get("point", vector), "claims": claims}
 
 
 class PairsTest(unittest.TestCase):
     def test_each_pair_is_proved(self):
         dice, twins = dice_of(11), Twins(self)
         verdicts = []
-        for _ in range(some(1000)):
-            top = some_file(dice)
+        for k in range(some(1500)):
+            top = some_file(dice, k % 3 > 0)
             verdicts.append(top["statements"][0]["verdict"])
             self.assertEqual(twins.look(top), "accepted", top)
         twins.compare()
-        self.assertGreater(min(verdicts.count("apart"), verdicts.count("meet")), len(verdicts) / 5)
+        for verdict in VERDICTS:
+            self.assertGreater(verdicts.count(verdict), len(verdicts) / 50, verdict)
 
     def test_no_forced_claim_proves_what_is_not_so(self):
         dice, twins, accepted = dice_of(12), Twins(self), 0
-        while len(twins.tops) < some(4000):
-            top = some_file(dice)
-            verdict = top["statements"][0]["verdict"]
-            other = {"apart": "meet", "meet": "apart"}[verdict]
+        while len(twins.tops) < some(6000):
+            top = some_file(dice, True)
+            honest_one = top["statements"][0]
+            truth = honest_one["verdict"]
             for _ in range(8):
                 forced = spoilt_in_statements(top, dice)
                 said = twins.look(forced)
                 one = forced["statements"][0] if forced["statements"] else None
-                is_same = isinstance(one, dict) and all(one.get(k) == top["statements"][0][k] for k in "ab")
+                is_same = isinstance(one, dict) and all(one.get(k) == honest_one[k] for k in "ab")
                 if said == "accepted" and is_same:
                     accepted += 1
-                    self.assertEqual(one["verdict"], verdict, forced)
-            # What the other verdict would need, of random numbers.
-            statement = {key: top["statements"][0][key] for key in ("question", "a", "b")}
-            vector = [str(dice.randint(-3, 3)) for _ in top["tables"]["bodies"][0]["points"][0]]
-            if other == "apart":
-                statement["claims"] = [{"claim": "parted", "direction": vector}]
-            else:
-                half = [[k, dice.choice(["1/2", "1", "0", "1/4"])] for k in range(dice.randint(1, 2))]
-                statement.update(point=vector, claims=[{"claim": "holds", "weights": half}] * 2)
-            said = twins.look({**top, "statements": [{**statement, "verdict": other}]})
-            self.assertNotEqual(said, "accepted", twins.tops[-1])
+                    self.assertTrue(could_be(one["verdict"], truth), forced)
+            # What each other verdict would need, of the honest claims and of random numbers.
+            for verdict in VERDICTS:
+                said = twins.look({**top, "statements": [forced_statement(top, verdict, dice)]})
+                self.assertTrue(said != "accepted" or could_be(verdict, truth), twins.tops[-1])
         twins.compare()
         self.assertGreater(accepted, 0)
 
     def test_the_twins_agree_on_spoilt_files(self):
         dice, twins = dice_of(13), Twins(self)
         while len(twins.tops) < some(2000):
-            twins.look(spoilt(some_file(dice), dice))
+            twins.look(spoilt(some_file(dice, dice.random() < .5), dice))
         twins.compare()
 
     def test_lines_and_half_planes(self):
@@ -152,6 +232,98 @@ class PairsTest(unittest.TestCase):
             top = file_of({"bodies": [square, other]}, {"question": "pair", "a": 0, "b": 1, "verdict": "apart",
                                                         "claims": [{"claim": "parted", "direction": direction}]})
             self.assertEqual(twins.look(top), wanted, (other, direction))
+        twins.compare()
+
+    def test_distances(self):
+        """Accepted where the two points are as near to each other as any of the two bodies, and only there."""
+        dice, twins, nearest, count = dice_of(15), Twins(self), 0, 0
+        while len(twins.tops) < some(2500):
+            bodies = [Body(dice, 2) for _ in range(2)]
+            shift = [dice.randint(-4, 4) for _ in range(2)]
+            for body, sign in zip(bodies, (0, 1)):
+                body.ways = []
+                body.points = [[x + sign * y for x, y in zip(point, shift)] for point in body.points]
+            a, b = bodies
+            if honest(bodies, 0, 1)["verdict"] == "meet":
+                continue
+            count += 1
+            pairs = list(feet(a.points, b.points)) + [(q, p) for p, q in feet(b.points, a.points)]
+            best = min(square_between(place(a.points, p), place(b.points, q)) for p, q in pairs)
+            for p, q in pairs:
+                top = distance_file(bodies, p, q)
+                is_nearest = square_between(place(a.points, p), place(b.points, q)) == best
+                nearest += is_nearest
+                self.assertEqual(twins.look(top), "accepted" if is_nearest else "slab", top)
+                if dice.random() < .1:
+                    twins.look(spoilt_in_statements(top, dice))
+        twins.compare()
+        self.assertGreaterEqual(nearest, count)
+        one = [Body(dice, 2) for _ in range(2)]
+        one[0].points = one[1].points = [[1, 1]]
+        one[0].ways = one[1].ways = []
+        self.assertEqual(twins.look(distance_file(one, [(0, Fraction(1))], [(0, Fraction(1))])), "slab")  # no way between
+        one[1].points, one[1].ways = [[4, 1]], [[1, 1]]
+        self.assertEqual(twins.look(distance_file(one, [(0, Fraction(1))], [(0, Fraction(1))])), "accepted")
+        one[1].ways = [[-1, 1]]
+        self.assertEqual(twins.look(distance_file(one, [(0, Fraction(1))], [(0, Fraction(1))])), "slab")
+        twins.compare()
+
+    def test_ways_as_arrows(self):
+        """An arrow from one point to another is the way between them, in one unit with the points."""
+        dice, twins = dice_of(14), Twins(self)
+        for _ in range(some(300)):
+            top = some_file(dice)
+            arrows = json.loads(json.dumps(top))
+            for body in arrows["tables"]["bodies"]:
+                for k, way in enumerate(body.get("ways", [])):
+                    start = [dice.choice(["0x0p+0", "0x1p+3", "-0x3p-70", "0x1p+80"]) for _ in way]
+                    stop = [hexadecimal_of(value_of(p) + value_of(w)) for p, w in zip(start, way)]
+                    if None not in stop:
+                        body["ways"][k] = start + stop
+            self.assertEqual(twins.look(arrows), "accepted", arrows)
+        twins.compare()
+        for ways in ([["0x0p+0"] * 3], [["0x0p+0"] * 5], [["0x0p+0"] * 4 + ["1"]], ["0x0p+0"], [{}], [[]], {}):
+            body = {"name": "body", "points": [["0x0p+0", "0x0p+0"]], "ways": ways}
+            self.assertEqual(twins.look(file_of({"bodies": [body]}, {"question": "pair"})), "F", ways)
+        twins.compare()
+
+    def test_contacts_by_hand(self):
+        """Of flat bodies the relative interiors count."""
+        def body(*points):
+            return {"name": "body", "points": [[hexadecimal(x) for x in p] for p in points]}
+
+        def half(*entries):
+            return [[k, "1/%d" % len(entries)] for k in entries]
+        square, diagonal = body((0, 0), (2, 0), (2, 2), (0, 2)), body((0, 0), (2, 2))
+        corner, beyond, middle = body((2, 2)), body((2, 2), (4, 4)), body((1, 1))
+        twins = Twins(self)
+        for a, b, point, of_a, of_b, wanted in (
+                (square, diagonal, "1", half(0, 1, 2, 3), half(0, 1), "accepted"),
+                (square, diagonal, "1", half(0, 2), half(0, 1), "inside"),      # in the middle, of a diagonal only
+                (square, diagonal, "1", half(0, 2) + [[1, "0"]], half(0, 1), "inside"),
+                (square, diagonal, "2", half(2), half(1), "inside"),
+                (square, middle, "1", half(0, 1, 2, 3), half(0), "accepted"),
+                (diagonal, diagonal, "1", half(0, 1), half(0, 1), "accepted"),
+                (middle, middle, "1", half(0), half(0), "accepted"),
+                (square, middle, "1", half(0, 1, 2, 3), [[0, "2"]], "holds")):
+            claims = [{"claim": "inside", "weights": of_a}, {"claim": "inside", "weights": of_b}]
+            statement = {"question": "pair", "a": 0, "b": 1, "verdict": "overlapping", "point": [point] * 2, "claims": claims}
+            self.assertEqual(twins.look(file_of({"bodies": [a, b]}, statement)), wanted, (a, b, of_a, of_b))
+        for a, b, of_a, direction, wanted in (
+                (square, corner, half(2), ["1", "1"], "accepted"),
+                (square, corner, half(2), ["1", "0"], "accepted"),
+                (square, corner, half(2), ["1", "-1"], "parted"),
+                (square, corner, half(2), ["0", "0"], "parted"),
+                (diagonal, beyond, half(1), ["1", "1"], "accepted"),
+                (diagonal, beyond, half(1), ["1", "-1"], "parted"),              # both lie across it
+                (diagonal, body((2, 2), (0, 0)), half(1), ["1", "-1"], "parted"),
+                (diagonal, corner, half(1), ["1", "-1"], "parted"),
+                (diagonal, corner, half(1), ["2", "1"], "accepted"),
+                (corner, corner, half(0), ["1", "1"], "parted")):
+            claims = [{"claim": "holds", "weights": of_a}, {"claim": "holds", "weights": half(0)},
+                      {"claim": "parted_weakly", "direction": direction}]
+            statement = {"question": "pair", "a": 0, "b": 1, "verdict": "touching", "point": ["2", "2"], "claims": claims}
+            self.assertEqual(twins.look(file_of({"bodies": [a, b]}, statement)), wanted, (a, b, direction))
         twins.compare()
 
 

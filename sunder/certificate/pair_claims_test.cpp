@@ -1,6 +1,7 @@
 // The certificate file, read back by a foreign JSON parser and an own reader of its numbers, in fractions.
 #include <sunder/base/random.h>
 #include <sunder/certificate/json.h>
+#include <sunder/certificate/pair_claims.h>
 #include <sunder/number/integer_internal.h>
 #include <sunder/predicate/common_point.h>
 
@@ -31,7 +32,7 @@ Fraction exact(double x) {
   return times_power(static_cast<std::int64_t>(std::ldexp(m, 53)), e - 53);
 }
 
-// A number of docs/certificates.md; throws for anything else.
+// A number of docs/claims.md; throws for anything else.
 Fraction number(const json& text) {
   static const std::regex hexadecimal("(-?)0x([0-9a-fA-F]+)(\\.([0-9a-fA-F]+))?p([-+]?[0-9]+)");
   static const std::regex fraction("(-?)([0-9]+)(/([0-9]+))?");
@@ -87,17 +88,26 @@ const std::vector<double> odd_doubles{0.0,
                                       1e-300,
                                       123456789};
 
-TEST(CertificateJsonTest, AnEmptyFileIsOne) {
-  const json file = json::parse(CertificateWriter().text());
-  EXPECT_EQ(file.at("sunder_certificate"), 1);
-  for (const char* key : {"bodies", "placed", "pairs"}) {
-    EXPECT_TRUE(file.at(key).is_array());
-    EXPECT_TRUE(file.at(key).empty());
-  }
-  EXPECT_EQ(file.size(), 4u);
-}
+// A file as text, piece by piece.
+class File {
+ public:
+  explicit File(PairClaims::Space space = PairClaims::Space::solid)
+      : claims_([this](std::string_view piece) { text_ += piece; }), pairs(claims_, space) {}
 
-TEST(CertificateJsonTest, DoublesAreExact) {
+  json end() {
+    pairs.end();
+    return json::parse(text_);  // throws unless the text is UTF-8
+  }
+
+ private:
+  std::string text_;
+  ClaimsWriter claims_;
+
+ public:
+  PairClaims pairs;
+};
+
+TEST(PairClaimsTest, DoublesAreExact) {
   Random random(3);
   std::vector<Point3> points;
   for (const double x : odd_doubles) points.push_back({x, -x, 1});
@@ -108,15 +118,23 @@ TEST(CertificateJsonTest, DoublesAreExact) {
   Affine3 pose;
   for (std::size_t i = 0; i < 9; ++i) pose.linear[i] = odd_doubles[i + 4];
   pose.translation = {5e-324, -0.1, -0.0};
-  CertificateWriter writer;
-  EXPECT_EQ(writer.add_body("first", std::vector<Point3>{{1, 2, 3}}), 0u);
-  EXPECT_EQ(writer.add_body("second", points), 1u);
-  EXPECT_EQ(writer.add_placed("here", 1, pose), 0u);
-  EXPECT_EQ(writer.add_placed("there", 0, Affine3()), 1u);
-  const json file = json::parse(writer.text());
-  ASSERT_EQ(file.at("bodies").size(), 2u);
-  EXPECT_EQ(file["bodies"][0]["name"], "first");
-  const json& vertices = file["bodies"][1]["vertices"];
+  const std::vector<Point3> one{{1, 2, 3}};
+  File written;
+  EXPECT_EQ(written.pairs.add_body("first", one), 0u);
+  EXPECT_EQ(written.pairs.add_body("second", points), 1u);
+  EXPECT_EQ(written.pairs.add_placed("here", 1, pose), 2u);
+  EXPECT_EQ(written.pairs.add_placed("there", 0, Affine3()), 3u);
+  EXPECT_EQ(written.pairs.add_placed("first", 0, Affine3()), 0u);
+  EXPECT_EQ(written.pairs.add_placed("first", 0, pose), 4u);
+  EXPECT_FALSE(written.pairs.states_something());
+  const json file = written.end();
+  EXPECT_EQ(file.at("sunder_certificate"), 2);
+  EXPECT_EQ(file.at("statements").size(), 0u);
+  const json& bodies = file.at("tables").at("bodies");
+  ASSERT_EQ(bodies.size(), 5u);
+  EXPECT_EQ(bodies[0]["name"], "first");
+  EXPECT_FALSE(bodies[0].contains("ways"));
+  const json& vertices = bodies[1]["points"];
   ASSERT_EQ(vertices.size(), points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     ASSERT_TRUE(is_exactly(vertices[i][0], points[i].x)) << vertices[i];
@@ -124,20 +142,46 @@ TEST(CertificateJsonTest, DoublesAreExact) {
     ASSERT_TRUE(is_exactly(vertices[i][2], points[i].z)) << vertices[i];
     ASSERT_EQ(vertices[i].size(), 3u);
   }
-  ASSERT_EQ(file.at("placed").size(), 2u);
-  const json& placed = file["placed"][0];
+  const json& placed = bodies[2];
   EXPECT_EQ(placed.at("name"), "here");
-  EXPECT_EQ(placed.at("body"), 1);
+  EXPECT_EQ(placed.at("of"), 1);
   ASSERT_EQ(placed.at("linear").size(), 9u);
   ASSERT_EQ(placed.at("translation").size(), 3u);
   for (std::size_t i = 0; i < 9; ++i) EXPECT_TRUE(is_exactly(placed["linear"][i], pose.linear[i]));
   for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(is_exactly(placed["translation"][i], pose.translation[i]));
+  EXPECT_EQ(bodies[4]["name"], "first");
 }
 
-// Any bytes may be in a name: what is UTF-8 comes back as it was, what is not does not spoil the file.
-TEST(CertificateJsonTest, ANoteStandsInEitherForm) {
-  for (const std::string& file :
-       {CertificateWriter().text(), std::string("{\"sunder_set_certificate\": 1,\n\"a\": 2}\n")}) {
+// In the plane there are two coordinates, and matrices of four numbers; a way is an arrow of four.
+TEST(PairClaimsTest, PlanarBodies) {
+  const std::vector<Point3> points{{1, 2, 0}, {3, 4, 0}};
+  const std::vector<Way3> ways{{{1, 2, 0}, {3, 4, 0}}, {{3, 4, 0}, {1, 2, 0}}};
+  File written(PairClaims::Space::planar);
+  const auto line = written.pairs.add_body("", points, ways);
+  const auto moved = written.pairs.add_placed("moved", line, {{2, 3, 0, 4, 5, 0, 0, 0, 1}, {6, 7, 0}});
+  CommonPoint point{{Dyadic(1.0), Dyadic(3.0), Dyadic(0.0)}, 2.0, {{{0, 1.0}, {2, 5.0}}, 3.0}, {{{1, 1.0}}, 1.0}};
+  written.pairs.add_touching(line, moved, point, {1.0, -0.5, 0.0});
+  written.pairs.add_overlapping(moved, line, point);
+  EXPECT_TRUE(written.pairs.states_something());
+  const json file = written.end();
+  const json wanted = json::parse(R"({"bodies": [
+      {"name": "unnamed", "points": [["0x1p+0", "0x1p+1"], ["0x1.8p+1", "0x1p+2"]],
+       "ways": [["0x1p+0", "0x1p+1", "0x1.8p+1", "0x1p+2"], ["0x1.8p+1", "0x1p+2", "0x1p+0", "0x1p+1"]]},
+      {"name": "moved", "of": 0, "linear": ["0x1p+1", "0x1.8p+1", "0x1p+2", "0x1.4p+2"],
+       "translation": ["0x1.8p+2", "0x1.cp+2"]}]})");
+  EXPECT_EQ(file.at("tables"), wanted);
+  const json statements = json::parse(R"([
+      {"question": "pair", "a": 0, "b": 1, "verdict": "touching", "point": ["1/2", "3/2"], "claims": [
+        {"claim": "holds", "weights": [[0, "1/3"], [2, "5/3"]]}, {"claim": "holds", "weights": [[1, "1"]]},
+        {"claim": "parted_weakly", "direction": ["0x1p+0", "-0x1p-1"]}]},
+      {"question": "pair", "a": 1, "b": 0, "verdict": "overlapping", "point": ["1/2", "3/2"], "claims": [
+        {"claim": "inside", "weights": [[0, "1/3"], [2, "5/3"]]}, {"claim": "inside", "weights": [[1, "1"]]}]}])");
+  EXPECT_EQ(file.at("statements"), statements);
+}
+
+TEST(CertificateNoteTest, StandsInEitherForm) {
+  for (const std::string file :
+       {"{\n  \"sunder_certificate\": 1,\n  \"bodies\": []}\n", "{\"sunder_set_certificate\": 1,\n\"a\": 2}\n"}) {
     EXPECT_EQ(with_note(file, ""), file);
     json noted = json::parse(with_note(file, "\"left out\"\n\xff"));
     EXPECT_EQ(noted.at("note"), "\"left out\"\n\xef\xbf\xbd");
@@ -146,26 +190,27 @@ TEST(CertificateJsonTest, ANoteStandsInEitherForm) {
   }
 }
 
-TEST(CertificateJsonTest, ALongNoteIsCut) {
+TEST(CertificateNoteTest, ALongOneIsCut) {
+  constexpr std::size_t most = 4000;
   const auto note_of = [](const std::string& note) {
-    return json::parse(with_note(CertificateWriter().text(), note)).at("note").get<std::string>();
+    return json::parse(with_note("{\"sunder_certificate\": 1, \"bodies\": []}", note)).at("note").get<std::string>();
   };
   const auto umlauts = [](std::size_t count) {
     std::string text;
     for (std::size_t i = 0; i < count; ++i) text += "\xc3\xa4";
     return text;
   };
-  EXPECT_EQ(note_of(umlauts(max_note)), umlauts(max_note));
-  EXPECT_EQ(note_of(umlauts(max_note + 1)), umlauts(max_note - 3) + "...");
+  EXPECT_EQ(note_of(umlauts(most)), umlauts(most));
+  EXPECT_EQ(note_of(umlauts(most + 1)), umlauts(most - 3) + "...");
   // Each byte that is not UTF-8 becomes one character of three bytes.
-  EXPECT_EQ(note_of(std::string(max_note + 1, '\x80')).size(), 3 * (max_note - 3) + 3);
+  EXPECT_EQ(note_of(std::string(most + 1, '\x80')).size(), 3 * (most - 3) + 3);
 }
 
-TEST(CertificateJsonTest, NamesMayHoldAnything) {
+// Any bytes may be in a name: what is UTF-8 comes back as it was, what is not does not spoil the file.
+TEST(PairClaimsTest, NamesMayHoldAnything) {
   std::string control;
   for (char c = 0; c < 0x20; ++c) control += c;
-  const std::vector<std::string> good{"",
-                                      "plain",
+  const std::vector<std::string> good{"plain",
                                       "a \"quoted\" name",
                                       "back\\slash\\",
                                       control + "\x7f",
@@ -175,36 +220,46 @@ TEST(CertificateJsonTest, NamesMayHoldAnything) {
   const std::vector<std::string> bad{"latin \xfc",       "\xc3",     "\xe2\x82", "\xc0\xaf",         "\xe0\x80\xaf",
                                      "\xed\xa0\x80",     "\xff\xfe", "\x80",     "\xf5\x80\x80\x80", "\xf4\x90\x80\x80",
                                      "\xf0\x80\x80\x80", "\xc3\"\\"};
-  CertificateWriter writer;
-  for (const std::string& name : good)
-    writer.add_placed(name, writer.add_body(name, std::vector<Point3>{{}}), Affine3());
-  for (const std::string& name : bad)
-    writer.add_placed(name, writer.add_body(name, std::vector<Point3>{{}}), Affine3());
-  const json file = json::parse(writer.text());  // throws unless the text is UTF-8
-  for (const char* key : {"bodies", "placed"}) {
-    ASSERT_EQ(file.at(key).size(), good.size() + bad.size());
-    for (std::size_t i = 0; i < good.size(); ++i) EXPECT_EQ(file[key][i].at("name"), good[i]) << i;
-    for (std::size_t i = good.size(); i < good.size() + bad.size(); ++i) {
-      EXPECT_NE(file[key][i].at("name").get<std::string>().find("\xef\xbf\xbd"), std::string::npos) << i;
-    }
+  const std::vector<Point3> point{{}};
+  Affine3 away;
+  away.translation = {1, 2, 3};
+  File written;
+  for (const auto* names : {&good, &bad}) {
+    for (const std::string& name : *names) written.pairs.add_placed(name, written.pairs.add_body(name, point), away);
   }
-  EXPECT_EQ(file["bodies"].back()["name"], "\xef\xbf\xbd\"\\");
+  const json bodies = written.end().at("tables").at("bodies");
+  ASSERT_EQ(bodies.size(), 2 * (good.size() + bad.size()));
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    EXPECT_EQ(bodies[2 * i].at("name"), good[i]) << i;
+    EXPECT_EQ(bodies[2 * i + 1].at("name"), good[i]) << i;
+  }
+  for (std::size_t i = 2 * good.size(); i < bodies.size(); ++i) {
+    EXPECT_NE(bodies[i].at("name").get<std::string>().find("\xef\xbf\xbd"), std::string::npos) << i;
+  }
+  EXPECT_EQ(bodies.back()["name"], "\xef\xbf\xbd\"\\");
 }
 
-class CertificateJsonPairTest : public testing::Test {
+class PairClaimsAnswerTest : public testing::Test {
  protected:
-  CertificateJsonPairTest() {
-    writer_.add_placed("a", writer_.add_body("cube", cube_), pose_a_);
-    writer_.add_placed("b", writer_.add_body("point", other_), pose_b_);
+  json pair(const PairCertificate& c) const {
+    File written;
+    const auto a = written.pairs.add_placed("a", written.pairs.add_body("cube", cube_), pose_a_);
+    const auto b = written.pairs.add_placed("b", written.pairs.add_body("point", other_), pose_b_);
+    written.pairs.add_pair(a, b, c);
+    const json statements = written.end().at("statements");
+    EXPECT_EQ(statements.size(), 1u);
+    EXPECT_EQ(statements.at(0).at("question"), "pair");
+    EXPECT_EQ(statements.at(0).at("a"), 1);
+    EXPECT_EQ(statements.at(0).at("b"), 3);
+    return statements.at(0);
   }
 
-  json pair(const PairCertificate& c) {
-    writer_.add_pair(0, 1, c);
-    const json file = json::parse(writer_.text());
-    const json last = file.at("pairs").back();
-    EXPECT_EQ(last.at("a"), 0);
-    EXPECT_EQ(last.at("b"), 1);
-    return last;
+  json direction(const PairCertificate& c) const {
+    const json p = pair(c);
+    EXPECT_EQ(p.at("verdict"), "apart");
+    EXPECT_EQ(p.at("claims").size(), 1u);
+    EXPECT_EQ(p["claims"][0].at("claim"), "parted");
+    return p["claims"][0].at("direction");
   }
 
   // Parallel, and not against each other.
@@ -222,20 +277,15 @@ class CertificateJsonPairTest : public testing::Test {
   const std::vector<Point3> other_{{0.1, 0.2, 0.3}, {0.7, 5e-324, 1e300}, {3, -2, 1e-200}, {0.3, -0.1, 2}};
   const Affine3 pose_a_{{1, 0.1, 0, 0, 0.3, -0.1, 0.7, 0, 1}, {0.1, -5e-324, 1}};
   const Affine3 pose_b_{{0.5, 0.25, 0, 1e-9, 1, 0, 0, 0, 1}, {1, 1, 1}};
-  CertificateWriter writer_;
 };
 
-TEST_F(CertificateJsonPairTest, DirectionsAreExact) {
+TEST_F(PairClaimsAnswerTest, DirectionsAreExact) {
   PairCertificate c;
   c.extreme_a = 5;
   c.extreme_b = 3;
   Direction& d = c.direction;
   d.given = {5e-324, 0.1, -std::numeric_limits<double>::max()};
-  json p = pair(c);
-  EXPECT_EQ(p.at("verdict"), "apart");
-  EXPECT_EQ(p.at("extreme_a"), 5);
-  EXPECT_EQ(p.at("extreme_b"), 3);
-  EXPECT_EQ(numbers(p.at("direction")), (Exact3{exact(d.given.x), exact(d.given.y), exact(d.given.z)}));
+  EXPECT_EQ(numbers(direction(c)), (Exact3{exact(d.given.x), exact(d.given.y), exact(d.given.z)}));
 
   const auto minus = [](const Exact3& a, const Exact3& b) { return Exact3{a[0] - b[0], a[1] - b[1], a[2] - b[2]}; };
   const auto cross = [](const Exact3& a, const Exact3& b) {
@@ -247,9 +297,9 @@ TEST_F(CertificateJsonPairTest, DirectionsAreExact) {
     d.kind = kind;
     d.index = index;
     d.reversed = false;
-    EXPECT_TRUE(same_ray(numbers(pair(c).at("direction")), forward)) << static_cast<int>(kind);
+    EXPECT_TRUE(same_ray(numbers(direction(c)), forward)) << static_cast<int>(kind);
     d.reversed = true;
-    EXPECT_TRUE(same_ray(numbers(pair(c).at("direction")), minus({}, forward))) << static_cast<int>(kind);
+    EXPECT_TRUE(same_ray(numbers(direction(c)), minus({}, forward))) << static_cast<int>(kind);
   };
   expect(Direction::Kind::normal_of_a, {0, 3, 6, 0}, cross(minus(at_a(3), at_a(0)), minus(at_a(6), at_a(0))));
   expect(Direction::Kind::normal_of_b, {1, 2, 3, 0}, cross(minus(at_b(2), at_b(1)), minus(at_b(3), at_b(1))));
@@ -259,12 +309,11 @@ TEST_F(CertificateJsonPairTest, DirectionsAreExact) {
   d.kind = Direction::Kind::exact;
   d.numbers = std::make_shared<const std::array<Dyadic, 3>>(
       std::array<Dyadic, 3>{dyadic_of((Integer(1) << 3000) + 1, -4000), 0.0, dyadic_of(-12, 5)});
-  EXPECT_TRUE(
-      same_ray(numbers(pair(c).at("direction")), {times_power((Whole(1) << 3000) + 1, -4000), 0, times_power(-12, 5)}));
+  EXPECT_TRUE(same_ray(numbers(direction(c)), {times_power((Whole(1) << 3000) + 1, -4000), 0, times_power(-12, 5)}));
 }
 
 // The weights sum to 1 and give the point, exactly: for each way to share out two to five vertices.
-TEST_F(CertificateJsonPairTest, WeightsAndPointAreExact) {
+TEST_F(PairClaimsAnswerTest, WeightsAndPointAreExact) {
   struct Case {
     std::vector<Point3> a, b;
   };
@@ -284,9 +333,9 @@ TEST_F(CertificateJsonPairTest, WeightsAndPointAreExact) {
   for (const Case& k : cases) {
     // Under one map for both, the common point stays.
     for (const Affine3& pose : {Affine3(), pose_a_}) {
-      CertificateWriter writer;
-      writer.add_placed("a", writer.add_body("a", k.a), pose);
-      writer.add_placed("b", writer.add_body("b", k.b), pose);
+      File written;
+      const auto a = written.pairs.add_placed("a", written.pairs.add_body("", k.a), pose);
+      const auto b = written.pairs.add_placed("b", written.pairs.add_body("", k.b), pose);
       PairCertificate c;
       c.verdict = Verdict::meet;
       c.count_a = static_cast<std::uint8_t>(k.a.size());
@@ -298,11 +347,14 @@ TEST_F(CertificateJsonPairTest, WeightsAndPointAreExact) {
       for (std::uint32_t i = c.count_b; i-- > 0;) posed_b.push_back(posed(k.b[i], pose));
       if (!have_common_point(posed_a, posed_b)) continue;
       ++seen;
-      writer.add_pair(0, 1, c);
-      const json p = json::parse(writer.text()).at("pairs").at(0);
+      written.pairs.add_pair(a, b, c);
+      const json p = written.end().at("statements").at(0);
       EXPECT_EQ(p.at("verdict"), "meet");
       const Exact3 point = numbers(p.at("point"));
-      const auto expect = [&](const json& weights, const std::vector<Point3>& points) {
+      ASSERT_EQ(p.at("claims").size(), 2u);
+      const auto expect = [&](const json& claim, const std::vector<Point3>& points) {
+        EXPECT_EQ(claim.at("claim"), "holds");
+        const json& weights = claim.at("weights");
         ASSERT_EQ(weights.size(), points.size());
         Fraction total = 0;
         Exact3 sum{0, 0, 0};
@@ -318,8 +370,8 @@ TEST_F(CertificateJsonPairTest, WeightsAndPointAreExact) {
         EXPECT_EQ(total, 1);
         EXPECT_EQ(sum, point);
       };
-      expect(p.at("weights_a"), k.a);
-      expect(p.at("weights_b"), k.b);
+      expect(p["claims"][0], k.a);
+      expect(p["claims"][1], k.b);
     }
   }
   EXPECT_GE(seen, 16);

@@ -1,0 +1,160 @@
+#include <sunder/certificate/direction.h>
+#include <sunder/certificate/pair_claims.h>
+#include <sunder/predicate/common_point.h>
+
+namespace sunder {
+
+void PairClaims::begin_entry(const std::string& name) {
+  if (entries_.empty()) file_.begin_table("bodies");
+  file_.begin_entry();
+  file_.text("name", name.empty() ? "unnamed" : cut_text(name));
+}
+
+std::uint32_t PairClaims::add_body(const std::string& name, std::span<const Point3> vertices,
+                                   std::span<const Way3> ways) {
+  begin_entry(name);
+  const std::size_t d = dimension();
+  file_.begin_list("points");
+  for (const Point3& p : vertices) {
+    const std::array row{p.x, p.y, p.z};
+    file_.add_row(std::span(row).first(d));
+  }
+  file_.end_list();
+  if (!ways.empty()) {
+    file_.begin_list("ways");
+    for (const Way3& way : ways) {
+      const std::array<double, 6> row = d == 2 ? std::array{way.from.x, way.from.y, way.to.x, way.to.y, 0.0, 0.0}
+                                               : std::array{way.from.x, way.from.y, way.from.z,  //
+                                                            way.to.x,   way.to.y,   way.to.z};
+      file_.add_row(std::span(row).first(2 * d));
+    }
+    file_.end_list();
+  }
+  file_.end_entry();
+  entries_.push_back({name, vertices, Affine3()});
+  return static_cast<std::uint32_t>(entries_.size() - 1);
+}
+
+std::uint32_t PairClaims::add_placed(const std::string& name, std::uint32_t body, const Affine3& pose) {
+  if (pose == Affine3() && name == entries_[body].name) return body;
+  begin_entry(name);
+  file_.index("of", body);
+  const auto& m = pose.linear;
+  if (space_ == Space::planar) {
+    file_.doubles("linear", std::array{m[0], m[1], m[3], m[4]});
+  } else {
+    file_.doubles("linear", m);
+  }
+  file_.doubles("translation", std::span(pose.translation).first(dimension()));
+  file_.end_entry();
+  entries_.push_back({name, entries_[body].vertices, pose});
+  return static_cast<std::uint32_t>(entries_.size() - 1);
+}
+
+void PairClaims::go_to_statements() {
+  if (!states_something_ && !entries_.empty()) file_.end_table();
+  states_something_ = true;
+}
+
+void PairClaims::begin_statement(const char* question, std::uint32_t a, std::uint32_t b, const char* verdict) {
+  go_to_statements();
+  file_.begin_statement(question);
+  file_.index("a", a);
+  file_.index("b", b);
+  file_.text("verdict", verdict);
+}
+
+void PairClaims::add_parting(const char* claim, const std::array<Dyadic, 3>& direction) {
+  file_.begin_claim(claim);
+  file_.numbers("direction", std::span(direction).first(dimension()));
+  file_.end_claim();
+}
+
+void PairClaims::add_apart(std::uint32_t a, std::uint32_t b, const std::array<Dyadic, 3>& direction) {
+  begin_statement("pair", a, b, "apart");
+  file_.begin_claims();
+  add_parting("parted", direction);
+  file_.end_statement();
+}
+
+// The point, then a claim for each body; leaves the list of claims open.
+void PairClaims::add_point_claims(const char* claim, const CommonPoint& point) {
+  file_.fractions("point", std::span(point.coordinates).first(dimension()), point.denominator);
+  file_.begin_claims();
+  for (const Combination* of : {&point.of_a, &point.of_b}) add_combination(claim, *of);
+}
+
+void PairClaims::add_combination(const char* claim, const Combination& combination) {
+  file_.begin_claim(claim);
+  file_.begin_list("weights");
+  for (const auto& [entry, numerator] : combination.parts) {
+    file_.add_weight(entry, numerator, combination.denominator);
+  }
+  file_.end_list();
+  file_.end_claim();
+}
+
+void PairClaims::add_distance(std::uint32_t a, std::uint32_t b, const PointOf& from_a, const PointOf& to_b) {
+  begin_statement("distance", a, b, "closest");
+  file_.fractions("from_a", std::span(from_a.coordinates).first(dimension()), from_a.denominator);
+  file_.fractions("to_b", std::span(to_b.coordinates).first(dimension()), to_b.denominator);
+  file_.begin_claims();
+  add_combination("holds", from_a.of_body);
+  add_combination("holds", to_b.of_body);
+  file_.begin_claim("slab");
+  file_.end_claim();
+  file_.end_statement();
+}
+
+void PairClaims::add_meet(std::uint32_t a, std::uint32_t b, const CommonPoint& point) {
+  begin_statement("pair", a, b, "meet");
+  add_point_claims("holds", point);
+  file_.end_statement();
+}
+
+void PairClaims::add_touching(std::uint32_t a, std::uint32_t b, const CommonPoint& point,
+                              const std::array<Dyadic, 3>& direction) {
+  begin_statement("pair", a, b, "touching");
+  add_point_claims("holds", point);
+  add_parting("parted_weakly", direction);
+  file_.end_statement();
+}
+
+void PairClaims::add_overlapping(std::uint32_t a, std::uint32_t b, const CommonPoint& point) {
+  begin_statement("pair", a, b, "overlapping");
+  add_point_claims("inside", point);
+  file_.end_statement();
+}
+
+CommonPoint PairClaims::common_point(std::uint32_t a, std::uint32_t b, const PairCertificate& c) const {
+  std::array<Posed, 5> points{};
+  const std::size_t n = std::size_t{c.count_a} + c.count_b;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Entry& entry = entries_[k < c.count_a ? a : b];
+    points[k] = {entry.vertices[c.vertices[k]], &entry.pose, false};
+  }
+  const std::span<const Posed> all(points.data(), n);
+  CommonPointWeights weights = common_point_weights(all.first(c.count_a), all.subspan(c.count_a));
+  CommonPoint point{
+      std::move(weights.point), weights.denominator, {{}, weights.denominator}, {{}, weights.denominator}};
+  for (std::size_t k = 0; k < n; ++k) {
+    (k < c.count_a ? point.of_a : point.of_b).parts.push_back({c.vertices[k], std::move(weights.numerators[k])});
+  }
+  return point;
+}
+
+void PairClaims::add_pair(std::uint32_t a, std::uint32_t b, const PairCertificate& c) {
+  if (c.verdict == Verdict::meet) return add_meet(a, b, common_point(a, b, c));
+  const Entry &of_a = entries_[a], &of_b = entries_[b];
+  const WorldDirection d =
+      world_direction(c.direction, {of_a.vertices, of_a.pose, false}, {of_b.vertices, of_b.pose, false});
+  const Vector3<Dyadic> exact = d.exact();
+  add_apart(a, b, {exact.x, exact.y, exact.z});
+}
+
+void PairClaims::end() {
+  if (!states_something_ && !entries_.empty()) file_.end_table();
+  file_.end();
+}
+
+}  // namespace sunder

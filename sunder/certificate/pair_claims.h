@@ -1,0 +1,104 @@
+// Writes what is said of pairs of convex bodies into a certificate file (docs/claims.md): the table `bodies`, then
+// statements `pair`, as they come.
+#pragma once
+
+#include <sunder/certificate/claims.h>
+#include <sunder/certificate/pair.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace sunder {
+
+// The way from one point to another, which a body goes on for ever.
+struct Way3 {
+  Point3 from, to;
+};
+
+// A combination of a body's points, and of its ways, counted on from these. Each weight is its numerator over the
+// denominator, which is positive.
+struct Combination {
+  struct Part {
+    std::uint32_t entry = 0;
+    Dyadic numerator;
+  };
+  std::vector<Part> parts;
+  Dyadic denominator{1.0};
+};
+
+// A point of two bodies, each coordinate over the denominator, which is not zero; and how each of the two makes it.
+struct CommonPoint {
+  std::array<Dyadic, 3> coordinates;
+  Dyadic denominator{1.0};
+  Combination of_a, of_b;
+};
+
+// A point of one body, likewise.
+struct PointOf {
+  std::array<Dyadic, 3> coordinates;
+  Dyadic denominator{1.0};
+  Combination of_body;
+};
+
+// First what the file itself takes (ClaimsWriter::add_origin), then bodies, then pairs, then end(). Nothing is looked
+// at again but vertices and poses, for the exact weights of common points. In the plane, third coordinates are zero and
+// not written. A name that is empty is written as "unnamed".
+class PairClaims {
+ public:
+  enum class Space : std::uint8_t { planar, solid };
+
+  // Keeps a reference to the file.
+  explicit PairClaims(ClaimsWriter& file, Space space = Space::solid) : file_(file), space_(space) {}
+
+  // Adds a body to the table; returns its index. Keeps the span of its vertices, which must stay as they are.
+  std::uint32_t add_body(const std::string& name, std::span<const Point3> vertices, std::span<const Way3> ways = {});
+
+  // Adds a placed body; returns its index. One under its own name where it is stands in the table already. Requires a
+  // body that add_body gave.
+  std::uint32_t add_placed(const std::string& name, std::uint32_t body, const Affine3& pose);
+
+  // Adds an answer about two of these. It must be true: its exact weights are computed here.
+  void add_pair(std::uint32_t a, std::uint32_t b, const PairCertificate& certificate);
+
+  // Adds statements whose proof is known: that A is less far along the direction than B; that both hold the point; that
+  // they do, and that A is not further along the direction; that it is inside of both.
+  void add_apart(std::uint32_t a, std::uint32_t b, const std::array<Dyadic, 3>& direction);
+  void add_meet(std::uint32_t a, std::uint32_t b, const CommonPoint& point);
+  void add_touching(std::uint32_t a, std::uint32_t b, const CommonPoint& point, const std::array<Dyadic, 3>& direction);
+  void add_overlapping(std::uint32_t a, std::uint32_t b, const CommonPoint& point);
+
+  // That the points are as near to each other as any two of A and B. Requires different ones.
+  void add_distance(std::uint32_t a, std::uint32_t b, const PointOf& from_a, const PointOf& to_b);
+
+  // The common point that a certificate of meeting names. Its weights are all positive.
+  CommonPoint common_point(std::uint32_t a, std::uint32_t b, const PairCertificate& certificate) const;
+
+  bool states_something() const { return states_something_; }
+
+  // Ends the file. (One without statements states nothing, and is refused by checkers.)
+  void end();
+
+ private:
+  struct Entry {
+    std::string name;
+    std::span<const Point3> vertices;
+    Affine3 pose;
+  };
+  std::size_t dimension() const { return space_ == Space::planar ? 2 : 3; }
+  void begin_entry(const std::string& name);
+  void begin_statement(const char* question, std::uint32_t a, std::uint32_t b, const char* verdict);
+  void add_parting(const char* claim, const std::array<Dyadic, 3>& direction);
+  void add_point_claims(const char* claim, const CommonPoint& point);
+  void add_combination(const char* claim, const Combination& combination);
+  void go_to_statements();
+
+  ClaimsWriter& file_;
+  Space space_;
+  std::vector<Entry> entries_;
+  bool states_something_ = false;
+};
+
+}  // namespace sunder

@@ -1,0 +1,232 @@
+#include <sunder/planar/pair/contact_evidence.h>
+#include <sunder/planar/pair/polygon_point.h>
+#include <sunder/planar/pair/polygon_polygon_common_part.h>
+#include <sunder/predicate/stages.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace sunder::planar {
+
+namespace {
+
+using Exact = Vector2<Dyadic>;
+
+Dyadic whole(std::uint32_t n) { return static_cast<double>(n); }
+
+std::uint32_t after(const ConvexPolygon& polygon, std::uint32_t v) { return v + 1 == polygon.size() ? 0 : v + 1; }
+std::uint32_t before(const ConvexPolygon& polygon, std::uint32_t v) { return (v == 0 ? polygon.size() : v) - 1; }
+
+Exact image(const ConvexPolygon& polygon, const Pose& pose, std::uint32_t v) {
+  return lift<ExactStage>(Posed2{polygon[v], &pose.affine(), false});
+}
+
+Exact minus(const Exact& d) { return {-d.x, -d.y}; }
+
+Exact normal(const ConvexPolygon& polygon, const Pose& pose, std::uint32_t v) {
+  const auto [x, y] = outward_normal(polygon, pose, v);
+  return {x, y};
+}
+
+// Up to three vertices that span all that the polygon spans.
+std::vector<std::uint32_t> spanning(const ConvexPolygon& polygon) {
+  const std::uint32_t n = polygon.size();
+  if (n < 3) return n == 1 ? std::vector<std::uint32_t>{0} : std::vector<std::uint32_t>{0, 1};
+  return {0, n / 3, static_cast<std::uint32_t>(std::uint64_t{n} * 2 / 3)};
+}
+
+// ---- Touching.
+
+// A polygon at a common point, which is a vertex, or inside an edge.
+struct Corner {
+  const ConvexPolygon& polygon;
+  const Pose& pose;
+  std::span<const std::uint32_t> at;  // the vertex, or the ends of the edge
+
+  Exact operator[](std::uint32_t v) const { return image(polygon, pose, v); }
+
+  // Beside the point: what tells of a direction whether the polygon ends there.
+  std::vector<std::uint32_t> beside() const {
+    std::vector<std::uint32_t> all;
+    for (const std::uint32_t v : at) all.insert(all.end(), {before(polygon, v), after(polygon, v)});
+    return all;
+  }
+
+  // The edges of the cone of outward directions.
+  std::vector<Exact> outward() const {
+    std::vector<Exact> all;
+    if (polygon.size() == 1) return all;
+    for (const std::uint32_t v : at) {
+      for (const std::uint32_t e : {before(polygon, v), v}) all.push_back(normal(polygon, pose, e));
+    }
+    if (polygon.size() > 2) return all;
+    for (std::size_t k = 0, count = all.size(); k < count; ++k) all.push_back(minus(all[k]));
+    if (at.size() == 1) all.push_back((*this)[at[0]] - (*this)[after(polygon, at[0])]);
+    return all;
+  }
+};
+
+// Ends the polygon along the direction at the point? Nothing, if it does not; else, is it not all as far?
+std::optional<bool> ends_along(const Corner& corner, const Exact& direction) {
+  const Exact p = corner[corner.at[0]];
+  if (corner.at.size() == 2 && dot(direction, corner[corner.at[1]] - p).sign() != Sign::zero) return std::nullopt;
+  bool is_flat = true;
+  for (const std::uint32_t v : corner.beside()) {
+    const Sign further = dot(direction, corner[v] - p).sign();
+    if (further == Sign::positive) return std::nullopt;
+    if (further == Sign::negative) is_flat = false;
+  }
+  return !is_flat;
+}
+
+// ---- Combinations.
+
+Exact times(const Exact& v, const Dyadic& factor) { return {v.x * factor, v.y * factor}; }
+
+// Of the closed polygon, by a segment's two ends, or three corners of the fan at vertex 0; nothing where it is outside.
+// Weights of zero are among them. Requires two vertices at least; of a segment, a point of its line.
+std::optional<Combination> combination(const ConvexPolygon& polygon, const Pose& pose, const ExactPoint2& point) {
+  const std::uint32_t n = polygon.size();
+  const Exact origin = image(polygon, pose, 0);
+  const Exact d = Exact{point.x, point.y} - times(origin, point.denominator);  // times the denominator
+  const auto arm = [&](std::uint32_t v) { return image(polygon, pose, v) - origin; };
+  Combination found;
+  if (n == 2) {
+    const Exact u = arm(1);
+    const Dyadic square = dot(u, u) * point.denominator, along = dot(u, d);
+    found = {{{0, square - along}, {1, along}}, square};
+  } else {
+    const auto turn = [&](const Exact& u, const Exact& v) { return pose.reflects() ? cross(v, u) : cross(u, v); };
+    // The last of the fan's triangles whose first side does not have the point to its right.
+    std::uint32_t low = 1, high = n - 2;
+    while (low < high) {
+      const std::uint32_t middle = low + (high - low + 1) / 2;
+      const bool is_right = turn(arm(middle), d).sign() == Sign::negative;
+      (is_right ? high : low) = is_right ? middle - 1 : middle;
+    }
+    const Exact u = arm(low), v = arm(low + 1);
+    const Dyadic all = turn(u, v) * point.denominator, of_u = turn(d, v), of_v = turn(u, d);
+    found = {{{0, all - of_u - of_v}, {low, of_u}, {low + 1, of_v}}, all};
+  }
+  const auto is_negative = [](const Combination::Part& part) { return part.numerator.sign() == Sign::negative; };
+  if (std::any_of(found.parts.begin(), found.parts.end(), is_negative)) return std::nullopt;
+  return found;
+}
+
+PointOf vertex_point(const ConvexPolygon& polygon, const Pose& pose, std::uint32_t v) {
+  const Exact p = image(polygon, pose, v);
+  return {{p.x, p.y, 0.0}, 1.0, {{{v, 1.0}}, 1.0}};
+}
+
+// The foot of the point q on the line of edge v.
+PointOf foot(const ConvexPolygon& polygon, const Pose& pose, std::uint32_t v, const Exact& q) {
+  const std::uint32_t w = after(polygon, v);
+  const Exact from = image(polygon, pose, v), edge = image(polygon, pose, w) - from;
+  const Dyadic whole = dot(edge, edge), part = dot(edge, q - from);
+  return {{from.x * whole + edge.x * part, from.y * whole + edge.y * part, 0.0},
+          whole,
+          {{{v, whole - part}, {w, part}}, whole}};
+}
+
+// The mean of a few points.
+ExactPoint2 mean(std::span<const ExactPoint2> points) {
+  ExactPoint2 sum{0.0, 0.0, 1.0};
+  for (const ExactPoint2& p : points) {
+    sum = {sum.x * p.denominator + p.x * sum.denominator, sum.y * p.denominator + p.y * sum.denominator,
+           sum.denominator * p.denominator};
+  }
+  sum.denominator = sum.denominator * whole(static_cast<std::uint32_t>(points.size()));
+  return sum;
+}
+
+}  // namespace
+
+ExactPoint2 exact_vertex(const ConvexPolygon& polygon, const Pose& pose, std::uint32_t v) {
+  const Exact p = image(polygon, pose, v);
+  return {p.x, p.y, 1.0};
+}
+
+ExactPoint2 exact_middle(const ConvexPolygon& polygon, const Pose& pose) {
+  std::vector<ExactPoint2> corners;
+  for (const std::uint32_t v : spanning(polygon)) corners.push_back(exact_vertex(polygon, pose, v));
+  return mean(corners);
+}
+
+std::array<Dyadic, 2> outward_normal(const ConvexPolygon& polygon, const Pose& pose, std::uint32_t v) {
+  const Exact edge = image(polygon, pose, after(polygon, v)) - image(polygon, pose, v);
+  if (pose.reflects()) return {-edge.y, edge.x};
+  return {edge.y, -edge.x};
+}
+
+std::array<Dyadic, 3> touching_direction(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b,
+                                         const Pose& pose_b, const PairCertificate& meet) {
+  const std::span<const std::uint32_t> all(meet.vertices);
+  const Corner of_a{a, pose_a, all.first(meet.count_a)}, of_b{b, pose_b, all.subspan(meet.count_a, meet.count_b)};
+  std::vector<Exact> candidates = of_a.outward();
+  for (const Exact& d : of_b.outward()) candidates.push_back(minus(d));
+  for (const Exact& d : candidates) {
+    const std::optional<bool> in_a = ends_along(of_a, d), in_b = ends_along(of_b, minus(d));
+    if (in_a && in_b && (*in_a || *in_b)) return {d.x, d.y, 0.0};
+  }
+  return {0.0, 0.0, 0.0};  // not where they touch
+}
+
+ClosestPoints closest_points(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b, const Pose& pose_b,
+                             const PolygonDistance& distance) {
+  ClosestPoints points{vertex_point(a, pose_a, distance.a), vertex_point(b, pose_b, distance.b)};
+  if (distance.edge_of_a) points.of_a = foot(a, pose_a, distance.a, image(b, pose_b, distance.b));
+  if (distance.edge_of_b) points.of_b = foot(b, pose_b, distance.b, image(a, pose_a, distance.a));
+  return points;
+}
+
+Combination inner_combination(const ConvexPolygon& polygon, const Pose& pose, const ExactPoint2& point) {
+  if (polygon.size() == 1) return {{{0, 1.0}}, 1.0};
+  // The point is between the middle m and a point x of the polygon a little further on: x = p + e (p - m), so that
+  // p = (x + e m) / (1 + e).
+  const std::vector<std::uint32_t> corners = spanning(polygon);
+  const ExactPoint2 m = exact_middle(polygon, pose);
+  const Exact from_m = times({point.x, point.y}, m.denominator) - times({m.x, m.y}, point.denominator);
+  const Dyadic denominator = point.denominator * m.denominator;
+  for (std::int64_t k = 0;; --k) {
+    const Dyadic e = Dyadic::power_of_two(k);
+    const ExactPoint2 x{point.x * m.denominator + e * from_m.x, point.y * m.denominator + e * from_m.y, denominator};
+    std::optional<Combination> further = combination(polygon, pose, x);
+    if (!further) continue;
+    const Dyadic count = whole(static_cast<std::uint32_t>(corners.size()));
+    Combination sum;
+    sum.denominator = further->denominator * count * (Dyadic(1.0) + e);
+    for (const auto& [v, numerator] : further->parts) {
+      if (numerator.sign() != Sign::zero) sum.parts.push_back({v, numerator * count});
+    }
+    for (const std::uint32_t v : corners) {
+      auto part = std::find_if(sum.parts.begin(), sum.parts.end(), [&](const auto& known) { return known.entry == v; });
+      if (part == sum.parts.end()) part = sum.parts.insert(part, {v, 0.0});
+      part->numerator = part->numerator + e * further->denominator;
+    }
+    return sum;
+  }
+}
+
+CommonPoint overlapping_point(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b, const Pose& pose_b) {
+  const std::vector<CommonCorner> corners = polygon_polygon_common_part(a, pose_a, b, pose_b).corners;
+  const std::size_t n = corners.size(), few = std::min<std::size_t>(n, 3);
+  std::vector<ExactPoint2> chosen;
+  for (std::size_t k = 0; k < few; ++k) {
+    chosen.push_back(exact_corner(corners[k * n / few], a, pose_a, b, pose_b));
+  }
+  ExactPoint2 p = mean(chosen);
+  if (a.size() > 2 && b.size() > 2) {
+    const Point2 rounded{nearest_ratio(p.x, p.denominator), nearest_ratio(p.y, p.denominator)};
+    if (std::isfinite(rounded.x) && std::isfinite(rounded.y) &&
+        polygon_point(a, pose_a, rounded).place == Place::inside &&
+        polygon_point(b, pose_b, rounded).place == Place::inside) {
+      p = {rounded.x, rounded.y, 1.0};
+    }
+  }
+  return {{p.x, p.y, 0.0}, p.denominator, inner_combination(a, pose_a, p), inner_combination(b, pose_b, p)};
+}
+
+}  // namespace sunder::planar

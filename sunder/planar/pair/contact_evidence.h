@@ -1,0 +1,52 @@
+// What proves that two placed convex polygons touch, that they overlap, and how far apart they are (docs/claims.md,
+// "pair", "distance"): directions and points as exact numbers, for certificate files. For the questions themselves see
+// polygon_polygon.h and polygon_polygon_distance.h.
+//
+// None throws, but for want of memory. Cost: exact arithmetic on a few vertices; overlapping_point that of
+// polygon_polygon_common_part besides.
+#pragma once
+
+#include <sunder/certificate/pair_claims.h>
+#include <sunder/planar/object/convex_polygon.h>
+#include <sunder/planar/object/pose.h>
+#include <sunder/planar/pair/polygon_polygon_distance.h>
+#include <sunder/predicate/crossing.h>
+
+#include <array>
+#include <cstdint>
+
+namespace sunder::planar {
+
+// A direction along which no point of A is further than any of B, and not all of both are as far: so the relative
+// interiors have no common point. Requires polygon_polygon_contact to be touching, and `meet` a certificate of
+// polygon_polygon's.
+// Why there is one that is easily found: the directions along which A ends and B begins at a common point p are those
+// outward of A at p and inward of B. Outward of A is a cone, spanned by the normals of the edges at p; for an end of a
+// segment also by the way out of it. Where the cones of both meet, and neither is all of the plane, an edge of one of
+// them is in the other; and if all common directions but one have all of both on one line, that one is an edge, too.
+std::array<Dyadic, 3> touching_direction(const ConvexPolygon& a, const Pose& pose_a,  //
+                                         const ConvexPolygon& b, const Pose& pose_b, const PairCertificate& meet);
+
+// A point of both relative interiors, with how they make it. Requires the contact to be overlapping. It is the mean of
+// corners of the common part; rounded, where that still is inside both.
+CommonPoint overlapping_point(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b, const Pose& pose_b);
+
+// Two points that are nearest to each other. Requires the distance of these polygons, which do not meet.
+struct ClosestPoints {
+  PointOf of_a, of_b;
+};
+ClosestPoints closest_points(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b, const Pose& pose_b,
+                             const PolygonDistance& distance);
+
+// How a point of the relative interior is made of at most six vertices, all with positive weights, which span all that
+// the polygon spans. Requires such a point, with a positive denominator.
+Combination inner_combination(const ConvexPolygon& polygon, const Pose& pose, const ExactPoint2& point);
+
+// The exact image of vertex v, and of the mean of up to three vertices that span all that the polygon spans.
+ExactPoint2 exact_vertex(const ConvexPolygon& polygon, const Pose& pose, std::uint32_t v);
+ExactPoint2 exact_middle(const ConvexPolygon& polygon, const Pose& pose);
+
+// From vertex v to the next one: a quarter turn to the outside from there. Of a segment: to its right.
+std::array<Dyadic, 2> outward_normal(const ConvexPolygon& polygon, const Pose& pose, std::uint32_t v);
+
+}  // namespace sunder::planar

@@ -1,0 +1,88 @@
+// Certificates of planar pairs, written by the library and checked without it: apart, and how far; touching or
+// overlapping; of every family of nasty pairs. What the verifier accepts is proved, so this also checks
+// polygon_polygon_contact and polygon_polygon_distance.
+#include <tests/support/planar_pairs.h>
+#include <tests/support/scale.h>
+
+#include <sunder/certificate/pair_claims.h>
+#include <sunder/planar/pair/contact_evidence.h>
+#include <sunder/planar/pair/polygon_polygon.h>
+
+#include <verifier/sunder_verify.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sunder::tests {
+namespace {
+
+std::vector<Point3> in_space(const planar::ConvexPolygon& p) {
+  std::vector<Point3> out;
+  for (const Point2& v : p.vertices()) out.push_back({v.x, v.y, 0});
+  return out;
+}
+
+struct Written {
+  std::string text, verdict;
+};
+
+Written write(const PlanarCase& c) {
+  Written out;
+  ClaimsWriter file([&](std::string_view piece) { out.text += piece; });
+  PairClaims pairs(file, PairClaims::Space::planar);
+  const std::vector<Point3> in_a = in_space(c.a), in_b = in_space(c.b);
+  const auto a = pairs.add_placed("a", pairs.add_body("a", in_a), planar::in_space(c.pose_a.affine()));
+  const auto b = pairs.add_placed("b", pairs.add_body("b", in_b), planar::in_space(c.pose_b.affine()));
+  const PairAnswer answer = planar::polygon_polygon(c.a, c.pose_a, c.b, c.pose_b);
+  const Contact contact = planar::polygon_polygon_contact(c.a, c.pose_a, c.b, c.pose_b);
+  out.verdict = contact == Contact::none ? "apart" : std::string(name_of(contact));
+  if (contact == Contact::none) {
+    pairs.add_pair(a, b, answer.certificate());
+    const planar::PolygonDistance distance = planar::polygon_polygon_distance(c.a, c.pose_a, c.b, c.pose_b);
+    const auto [of_a, of_b] = planar::closest_points(c.a, c.pose_a, c.b, c.pose_b, distance);
+    pairs.add_distance(a, b, of_a, of_b);
+  } else if (contact == Contact::touching) {
+    pairs.add_touching(a, b, pairs.common_point(a, b, answer.certificate()),
+                       planar::touching_direction(c.a, c.pose_a, c.b, c.pose_b, answer.certificate()));
+  } else {
+    pairs.add_overlapping(a, b, planar::overlapping_point(c.a, c.pose_a, c.b, c.pose_b));
+  }
+  pairs.end();
+  return out;
+}
+
+TEST(PairCertificatesDifferential, EachAnswerIsProved) {
+  const int count = scaled_count(6000);
+  const std::uint64_t seed = chosen_seed(20261123);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  PlanarPairs pairs(seed);
+  std::map<PlanarFamily, std::map<std::string, int>> tallies;
+  std::map<std::string, int> total;
+  for (int i = 0; i < count; ++i) {
+    const PlanarCase c = pairs.next();
+    const Written written = write(c);
+    const auto result = sunder_verifier::verify_text(written.text, "certificate", sunder_verifier::Limit::none);
+    ASSERT_EQ(result.pairs.size(), written.verdict == "apart" ? 2u : 1u)
+        << i << " " << name_of(c.family) << result.failed_form << result.error;
+    ASSERT_TRUE(result.accepted()) << i << " " << name_of(c.family) << ": " << result.pairs[0].reason << "\n"
+                                   << written.text.substr(0, 5000);
+    ASSERT_EQ(result.pairs[0].verdict, written.verdict);
+    ++tallies[c.family][written.verdict];
+    ++total[written.verdict];
+  }
+  for (const auto& [family, tally] : tallies) {
+    std::printf("%-14s", std::string(name_of(family)).c_str());
+    for (const auto& [verdict, n] : tally) std::printf(" %s %d", verdict.c_str(), n);
+    std::printf("\n");
+  }
+  if (count < 500) return;
+  for (const char* verdict : {"apart", "touching", "overlapping"}) EXPECT_GT(total[verdict], count / 20) << verdict;
+}
+
+}  // namespace
+}  // namespace sunder::tests
