@@ -141,6 +141,14 @@ Integer dot(const Integers& u, const Integers& v) {
   return sum;
 }
 
+Integers projective(const Numbers& values) {
+  Common scaled = common(values);
+  const std::int64_t up = std::max<std::int64_t>(scaled.e, 0), down = std::max<std::int64_t>(-scaled.e, 0);
+  for (Integer& n : scaled.integers) n = shifted(n, up);
+  scaled.integers.push_back(shifted(scaled.d, down));
+  return std::move(scaled.integers);
+}
+
 std::pair<Integers, std::int64_t> image(const HullBody& body, std::size_t k) {
   const Integers& v = body.rows()[k];
   if (!body.is_image()) return {v, body.given->e};

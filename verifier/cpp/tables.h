@@ -38,6 +38,9 @@ struct HullBody {
 
 Integer dot(const Integers& u, const Integers& v);
 
+// A point x, y, .. as integers, and a positive w at the end: x / w, y / w, ..
+Integers projective(const Numbers& values);
+
 // Of point or way k, as integers * 2^e; and e.
 std::pair<Integers, std::int64_t> image(const HullBody& body, std::size_t k);
 
