@@ -3,9 +3,11 @@
 #include <sunder/planar/object/circle.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/polygon.h>
+#include <sunder/planar/set/circle_boxes.h>
 #include <sunder/planar/set/circles_all.h>
 #include <sunder/planar/set/circles_any.h>
 #include <sunder/planar/set/convex_polygons_any.h>
+#include <sunder/planar/set/cover_order.h>
 #include <sunder/planar/set/polygons_all.h>
 #include <sunder/planar/set/polygons_any.h>
 
@@ -84,10 +86,9 @@ Asked ask_sunder(const SetInput& input, SetKind kind, SetQuestion question) {
 
 Asked ask_sunder_for_transcript(const SetInput& input, SetKind kind) {
   if (kind == SetKind::discs) {
-    sunder::planar::CirclesOptions options;
-    options.transcript = true;
-    return [circles = circles_of(input), options]() -> std::uint64_t {
-      return circles_any(*circles, options).meet() ? 1 : 0;
+    return [circles = circles_of(input)]() -> std::uint64_t {
+      const bool meet = circles_any(*circles).meet();
+      return meet || cover_order(box_diagonals(*circles)).size() < circles->size() ? 1 : 0;
     };
   }
   if (kind == SetKind::convex_polygons) {

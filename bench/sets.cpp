@@ -94,7 +94,7 @@ std::vector<Plan> plans() {
        {SetFamily::spread_discs, SetFamily::packed_discs, SetFamily::sized_discs, SetFamily::one_disc}) {
     list.push_back(plan("circles any", family, SetKind::discs, any, sorting));
   }
-  list.push_back(plan("circles transcript", SetFamily::packed_discs, SetKind::discs, any, {}, true));
+  list.push_back(plan("circles proof", SetFamily::packed_discs, SetKind::discs, any, {}, true));
   list.push_back(plan("circles all", SetFamily::crowded_discs, SetKind::discs, all, faster));
   for (const SetFamily family :
        {SetFamily::coins, SetFamily::needles, SetFamily::one_in_coins, SetFamily::one_in_needles}) {

@@ -102,4 +102,13 @@ void require_drawable(std::uint64_t things, std::string_view noun, std::uint64_t
               "--svg");
 }
 
+void require_provable(std::uint64_t contacts) {
+  constexpr std::uint64_t most = 10'000'000, bytes_each = 24;  // [1234567,1234567,"inside"],
+  if (contacts <= most) return;
+  throw Error(ErrorCode::bad_call,
+              fmt::format("the proof of a list is as long as the list: {} contacts, about {} MB; ask for --count",
+                          contacts, contacts * bytes_each / 1'000'000),
+              "--certificate");
+}
+
 }  // namespace sunder::cli

@@ -78,4 +78,7 @@ void add_svg_limit(CLI::App& verb, std::uint64_t& limit);
 // Throws Error bad_call where so many things ("circle") and contacts are more than `most`: it names the option.
 void require_drawable(std::uint64_t things, std::string_view noun, std::uint64_t contacts, std::uint64_t most);
 
+// Proofs of lists are as long as the lists. Throws Error bad_call for more than 10^7 contacts: it names the option.
+void require_provable(std::uint64_t contacts);
+
 }  // namespace sunder::cli

@@ -26,7 +26,15 @@ TEST_F(Program, Circles) {
   const Run negative = run("circles " + apart);
   EXPECT_EQ(negative.code, 2);
   EXPECT_NE(negative.err.find("apart.csv:2: has a negative radius"), std::string::npos) << negative.err;
-  EXPECT_EQ(run("circles " + moon + " --all --certificate " + proof).code, 2);
+  // Each answer proved; the same by a method that looks at all pairs.
+  for (const std::string how : {"", "--all", "--count", "--count --method scan", "--all --allow touch --method scan"}) {
+    EXPECT_EQ(run("circles " + moon + " " + how + " --certificate " + proof).code, 1) << how;
+    EXPECT_EQ(run("verify " + proof).code, 0) << how;
+    const json statement = json::parse(read_text(proof))["statements"][0];
+    EXPECT_EQ(statement.value("number", 86), 86) << how;
+    EXPECT_EQ(statement.contains("contacts") ? statement["contacts"].size() : 86u, 86u) << how;
+    EXPECT_EQ(statement["verdict"], how.empty() ? "some" : how[2] == 'c' ? "count" : "these") << how;
+  }
 }
 
 TEST_F(Program, Polygons) {
@@ -77,7 +85,17 @@ TEST_F(Program, CirclesOfGroups) {
   EXPECT_NE(text.out.find("2 groups; those of one net may meet\n"), std::string::npos) << text.out;
   EXPECT_NE(text.out.find("circle b of GND, line 3: "), std::string::npos) << text.out;
   expect_bad("circles " + pads + " --group layer", "no column 'layer' to group by; there are net, name");
-  expect_bad("circles " + pads + " --group net --certificate " + in_folder("none.json"), "has no proof yet");
+  const std::string proof = in_folder("proof.json");
+  for (const std::string how : {" --group net", " --all --group net", " --count --group name"}) {
+    EXPECT_EQ(run("circles " + pads + how + " --certificate " + proof).code, 1) << how;
+    EXPECT_EQ(run("verify " + proof).code, 0) << how;
+  }
+  write_text(pads, "x,y,r,net\n0,0,2,GND\n3,0,2,GND\n20,0,1,VCC\n");
+  EXPECT_EQ(run("circles " + pads + " --group net --certificate " + proof).code, 0);
+  EXPECT_EQ(run("verify " + proof).code, 0);
+  const json statement = json::parse(read_text(proof))["statements"][0];
+  EXPECT_EQ(statement["verdict"], "none");
+  EXPECT_EQ(statement["groups"], (json{0, 0, 1}));
 }
 
 // Two layers of a map: parcels may meet one another, and zones too; the one parcel in a zone is found.

@@ -16,8 +16,10 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 namespace sunder::cli {
 
@@ -46,6 +48,7 @@ struct Call {
 using Contacts = planar::ContactsInOrder<CirclesContact>;
 
 struct Result {
+  CirclesAnswer any;                     // with --any
   std::unique_ptr<Contacts> contacts;    // with --any at most one; with --count null
   std::array<std::uint64_t, 4> count{};  // by kind
   Cost cost;
@@ -88,25 +91,12 @@ void check(const Call& call) {
   } else {
     any_method(call.method);
   }
-  if (call.certificate.empty()) return;
-  if (call.lists() || call.count) {
-    throw Error(ErrorCode::bad_call, "lists, counts and pictures have no proof; ask whether any two meet",
-                "--certificate");
-  }
-  if (!call.group.empty()) {
-    throw Error(ErrorCode::bad_call, "that members of different groups do not meet has no proof yet; leave out one",
-                "--group and --certificate");
-  }
-  if (call.method == "scan") {
-    throw Error(ErrorCode::bad_call, "scan writes no certificates; give automatic or sweep", "--method");
-  }
 }
 
 CirclesOptions options_of(const Call& call, const io::TripleFile& file) {
   CirclesOptions options;
   options.allowed = allowed_for_discs(call.allow);
   options.groups = file.group;
-  options.transcript = !call.certificate.empty();
   return options;
 }
 
@@ -135,7 +125,7 @@ void count_and_list(const Call& call, const CirclesOptions& options, const Circl
 void find_any(const Call& call, CirclesOptions options, const Circles& circles, Result& result) {
   Progress progress("comparing");
   options.progress = progress.reporter();
-  const CirclesAnswer answer = any_method(call.method)(circles, options);
+  const CirclesAnswer& answer = result.any = any_method(call.method)(circles, options);
   result.cost = answer.cost;
   std::vector<CirclesContact> found;
   if (answer.meet()) {
@@ -143,9 +133,27 @@ void find_any(const Call& call, CirclesOptions options, const Circles& circles, 
     result.add(answer.kind);
   }
   result.contacts = std::make_unique<Contacts>(std::move(found));
-  if (!call.certificate.empty()) {
-    io::write_file_atomically(call.certificate, planar::certificate_text(circles, options.allowed, answer));
+}
+
+void write_certificate(const Call& call, const CirclesOptions& options, const Circles& circles, const Result& result) {
+  if (call.lists()) require_provable(result.pairs());
+  io::OutputFile file(call.certificate);
+  ClaimsWriter claims([&](std::string_view text) { file.write(text); });
+  const planar::CirclesQuestion question{circles, options.allowed, options.groups};
+  if (call.lists()) {
+    write_list_statement(claims, question, [&](const std::function<void(const CirclesContact&)>& take) {
+      result.contacts->visit([&](const CirclesContact& contact) {
+        take(contact);
+        return true;
+      });
+    });
+  } else if (call.count) {
+    write_count_statement(claims, question, result.pairs());
+  } else {
+    write_statement(claims, question, result.any);
   }
+  claims.end();
+  file.commit();
 }
 
 std::string about(const Circle& c) {
@@ -296,6 +304,7 @@ int run(const Call& call) {
     find_any(call, options, input.circles, result);
   }
   require_drawable(result.pairs());
+  if (!call.certificate.empty()) write_certificate(call, options, input.circles, result);
   write(call, input.file, input.circles, result);
   return result.pairs() == 0 ? exit_code::no : exit_code::yes;
 }

@@ -1,13 +1,14 @@
-// Sets of circles: circles_any and the lists of contacts against their scans, under every rule, with groups; and a
-// checker of transcripts, which knows the rules T1 to T4 of circles_any.h and nothing else of the library.
+// Sets of circles: circles_any and the lists of contacts against their scans, under every rule, with groups; and what
+// proves them, against the checker.
 #include <tests/support/scale.h>
 
 #include <sunder/base/random.h>
 #include <sunder/planar/set/circles_all.h>
 #include <sunder/planar/set/circles_any.h>
+#include <sunder/planar/set/circles_any_json.h>
+#include <verifier/sunder_verify.h>
 
 #include <gtest/gtest.h>
-#include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <array>
@@ -176,110 +177,6 @@ class CircleSets {
   Family family_ = Family::grid;
 };
 
-// --- The checker of transcripts
-// ----------------------------------------------------------------------------------------
-
-using Integer = boost::multiprecision::cpp_int;
-
-// x 2^1074: a whole number for each double.
-Integer whole(double x) {
-  int exponent = 0;
-  const double fraction = std::frexp(x, &exponent);
-  const Integer mantissa = static_cast<std::int64_t>(std::ldexp(fraction, 53));
-  const int shift = exponent - 53 + 1074;
-  if (shift >= 0) return mantissa << shift;
-  return mantissa / (Integer(1) << -shift);  // without a rest
-}
-
-struct WholeDisc {
-  Integer x, y, r;
-  explicit WholeDisc(const Circle& c) : x(whole(c.center.x)), y(whole(c.center.y)), r(whole(c.radius)) {}
-  Integer end(bool is_last) const { return is_last ? Integer(x + r) : Integer(x - r); }
-};
-
-struct Transcript {
-  std::vector<std::uint32_t> events, below;
-};
-
-constexpr std::uint32_t no_disc = 0xffffffffu;
-
-// Is it a proof that no contact counts?
-bool accepts(const std::vector<Circle>& set, bool touching_allowed, const Transcript& transcript) {
-  std::vector<WholeDisc> discs;
-  for (const Circle& c : set) discs.emplace_back(c);
-  // T1
-  if (transcript.events.size() != 2 * set.size() || transcript.below.size() != set.size()) return false;
-  std::vector<int> seen(2 * set.size(), 0);
-  for (std::size_t k = 0; k < transcript.events.size(); ++k) {
-    const std::uint32_t e = transcript.events[k];
-    if (e >= seen.size() || seen[e]++ != 0) return false;
-    if (k == 0) continue;
-    const std::uint32_t before = transcript.events[k - 1];
-    const Integer at = discs[e / 2].end(e % 2 == 1), was = discs[before / 2].end(before % 2 == 1);
-    if (at < was || (at == was && e % 2 < before % 2)) return false;
-  }
-  // T2 to T4
-  const auto apart = [&](std::uint32_t i, std::uint32_t j) {
-    const WholeDisc &c = discs[i], &d = discs[j];
-    const Integer x = c.x - d.x, y = c.y - d.y, reach = c.r + d.r;
-    const Integer gap = x * x + y * y - reach * reach;
-    return gap > 0 || (touching_allowed && gap == 0);
-  };
-  std::vector<std::uint32_t> line;
-  std::size_t begun = 0;
-  for (const std::uint32_t e : transcript.events) {
-    const std::uint32_t i = e / 2;
-    if (e % 2 == 0) {
-      const std::uint32_t below = transcript.below[begun++];
-      std::size_t at = 0;
-      if (below != no_disc) {
-        at = static_cast<std::size_t>(std::find(line.begin(), line.end(), below) - line.begin()) + 1;
-        if (at > line.size() || discs[below].y > discs[i].y || !apart(below, i)) return false;
-      }
-      if (at < line.size() && (discs[i].y > discs[line[at]].y || !apart(i, line[at]))) return false;
-      line.insert(line.begin() + static_cast<std::ptrdiff_t>(at), i);
-    } else {
-      const auto at = std::find(line.begin(), line.end(), i);
-      if (at == line.end()) return false;
-      const auto after = line.erase(at);
-      if (after != line.begin() && after != line.end() && !apart(*std::prev(after), *after)) return false;
-    }
-  }
-  return true;
-}
-
-// The transcript of a sweep that tests nothing: in order by T1 to T3, ties as chance will have it.
-Transcript untested(const std::vector<Circle>& set, Random& random) {
-  std::vector<WholeDisc> discs;
-  for (const Circle& c : set) discs.emplace_back(c);
-  Transcript transcript;
-  std::vector<std::uint64_t> chance;
-  for (std::uint32_t e = 0; e < 2 * set.size(); ++e) {
-    transcript.events.push_back(e);
-    chance.push_back(random.next());
-  }
-  std::sort(transcript.events.begin(), transcript.events.end(), [&](std::uint32_t e, std::uint32_t f) {
-    const Integer at = discs[e / 2].end(e % 2 == 1), other = discs[f / 2].end(f % 2 == 1);
-    if (at != other) return at < other;
-    return e % 2 != f % 2 ? e % 2 < f % 2 : chance[e] < chance[f];
-  });
-  std::vector<std::uint32_t> line;
-  for (const std::uint32_t e : transcript.events) {
-    const std::uint32_t i = e / 2;
-    if (e % 2 == 1) {
-      line.erase(std::find(line.begin(), line.end(), i));
-      continue;
-    }
-    const bool over_equals = random.below(2) == 0;
-    const auto at = std::find_if(line.begin(), line.end(), [&](std::uint32_t j) {
-      return over_equals ? discs[j].y > discs[i].y : discs[j].y >= discs[i].y;
-    });
-    transcript.below.push_back(at == line.begin() ? no_disc : *std::prev(at));
-    line.insert(at, i);
-  }
-  return transcript;
-}
-
 // --- Tests
 // -------------------------------------------------------------------------------------------------------------
 
@@ -292,8 +189,9 @@ void expect_truth(const CirclesAnswer& answer, const CirclesAnswer& scan, const 
   ASSERT_EQ(planar::circle_circle(circles[answer.i], circles[answer.j]), answer.kind);
   ASSERT_TRUE(planar::counts(answer.kind, options.allowed));
   ASSERT_FALSE(planar::may_meet(options.groups, answer.i, answer.j));
-  ASSERT_TRUE(answer.transcript.events.empty());
 }
+
+bool is_accepted(const std::string& text) { return sunder_verifier::verify_text(text, "proof").accepted(); }
 
 struct Rates {
   int cases = 0;
@@ -314,23 +212,20 @@ TEST(CirclesDifferential, AnyAgreesWithTheScan) {
     ++rate.cases;
     for (std::size_t r = 0; r < rules.size(); ++r) {
       for (const bool grouped : {false, true}) {
-        CirclesOptions options{rules[r], false, {}, nullptr};
+        CirclesOptions options{rules[r], {}, nullptr};
         if (grouped) options.groups = groups;
         const CirclesAnswer scan = planar::circles_any_by_scan(circles, options);
         if (!grouped) {
           rate.meets[r] += scan.meet();
           ++kinds[scan.kind];
         }
-        for (const bool transcript : {false, true}) {
-          options.transcript = transcript;
-          for (const auto method :
-               {&planar::circles_any_by_sweep, &planar::circles_any_by_grid, &planar::circles_any}) {
-            const CirclesAnswer answer = method(circles, options);
-            ASSERT_NO_FATAL_FAILURE(expect_truth(answer, scan, circles, options))
-                << i << " " << family_names[static_cast<std::size_t>(sets.family())] << " rule " << r;
-            const bool proved = transcript && !grouped && !answer.meet();
-            ASSERT_EQ(answer.transcript.events.size(), proved ? 2 * set.size() : 0);
-          }
+        for (const auto method : {&planar::circles_any_by_sweep, &planar::circles_any_by_grid, &planar::circles_any}) {
+          const CirclesAnswer answer = method(circles, options);
+          ASSERT_NO_FATAL_FAILURE(expect_truth(answer, scan, circles, options))
+              << i << " " << family_names[static_cast<std::size_t>(sets.family())] << " rule " << r;
+        }
+        if (i % 8 == 0) {  // proved
+          ASSERT_TRUE(is_accepted(planar::certificate_text(circles, rules[r], scan, options.groups))) << i;
         }
       }
     }
@@ -363,7 +258,7 @@ TEST(CirclesDifferential, ListsAgreeWithTheScan) {
     const Circles circles(set);
     std::vector<std::uint32_t> groups;
     for (std::size_t k = 0; k < set.size(); ++k) groups.push_back(static_cast<std::uint32_t>(sets.random().below(3)));
-    CirclesOptions options{rules[static_cast<std::size_t>(i % 3)], false, {}, nullptr};
+    CirclesOptions options{rules[static_cast<std::size_t>(i % 3)], {}, nullptr};
     if (i % 2 == 0) options.groups = groups;
     const auto listed = [&](planar::CirclesContactMethod* method) {
       std::vector<CirclesContact> list;
@@ -381,45 +276,20 @@ TEST(CirclesDifferential, ListsAgreeWithTheScan) {
     ASSERT_EQ(planar::circles_count(circles, options).count, truth.size());
     ASSERT_EQ(planar::circles_all(circles, options).contacts.size(), truth.size());
     contacts += truth.size();
+    if (i % 4 > 1) continue;
+    const CirclesOptions& o = options;  // proved: the list, and its length; and nothing else
+    planar::CirclesAllAnswer all{truth, {}};
+    std::reverse(all.contacts.begin(), all.contacts.end());
+    ASSERT_TRUE(is_accepted(planar::certificate_text(circles, o.allowed, all, o.groups))) << i;
+    ASSERT_TRUE(
+        is_accepted(certificate_text(circles, o.allowed, planar::CirclesCountAnswer{truth.size(), {}}, o.groups)));
+    ASSERT_FALSE(
+        is_accepted(certificate_text(circles, o.allowed, planar::CirclesCountAnswer{truth.size() + 1, {}}, o.groups)));
+    if (truth.empty()) continue;
+    all.contacts.erase(all.contacts.begin() + static_cast<std::ptrdiff_t>(sets.random().below(truth.size())));
+    ASSERT_FALSE(is_accepted(planar::certificate_text(circles, o.allowed, all, o.groups))) << i;
   }
   EXPECT_GT(contacts, static_cast<std::uint64_t>(count >= 5000 ? count / 2 : 0));
-}
-
-// T1 to T4 are enough, and the sweep keeps to them: the checker accepts what the sweep writes, and a transcript that is
-// in order but untested if and only if nothing counts.
-TEST(CirclesDifferential, TranscriptsProveThatNothingCounts) {
-  const int count = scaled_count(8000);
-  CircleSets sets(chosen_seed(20261130));
-  int accepted = 0, refused = 0, mutations = 0, mutations_refused = 0;
-  for (int i = 0; i < count; ++i) {
-    const std::vector<Circle> set = sets.next();
-    if (set.size() > 100) continue;
-    const Allowed allowed = rules[static_cast<std::size_t>(i % 3)];
-    const bool touching_allowed = allowed != Allowed::nothing;
-    const Circles circles(set);
-    const bool none = !planar::circles_any_by_scan(circles, {allowed, false, {}, nullptr}).meet();
-    ASSERT_EQ(accepts(set, touching_allowed, untested(set, sets.random())), none) << i;
-    (none ? accepted : refused) += 1;
-    if (!none || set.empty()) continue;
-    const CirclesAnswer answer = planar::circles_any(circles, {allowed, true, {}, nullptr});
-    const Transcript written{answer.transcript.events, answer.transcript.below};
-    ASSERT_TRUE(accepts(set, touching_allowed, written)) << i;
-    Transcript changed = written;
-    const std::size_t at = sets.random().below(set.size());
-    switch (sets.random().below(4)) {
-      case 0: std::swap(changed.events[at], changed.events[at + set.size()]); break;
-      case 1: changed.events[at] = changed.events[at + 1]; break;
-      case 2: changed.events.pop_back(); break;
-      default: changed.below[at] = changed.below[at] == no_disc ? changed.events[2 * at] / 2 : no_disc; break;
-    }
-    ++mutations;
-    mutations_refused += !accepts(set, touching_allowed, changed);
-  }
-  std::printf("accepted %d, refused %d; of %d mutations refused %d\n", accepted, refused, mutations, mutations_refused);
-  if (count < 2000) return;
-  EXPECT_GT(accepted, count / 5);
-  EXPECT_GT(refused, count / 5);
-  EXPECT_GT(mutations_refused, mutations * 3 / 4);
 }
 
 // Reflected, turned, scaled by a power of two, order changed: the same verdict and count.
@@ -429,7 +299,7 @@ TEST(CirclesDifferential, SymmetriesKeepTheVerdict) {
   int meets = 0;
   for (int i = 0; i < count; ++i) {
     const std::vector<Circle> set = sets.next();
-    const CirclesOptions options{rules[static_cast<std::size_t>(i % 3)], true, {}, nullptr};
+    const CirclesOptions options{rules[static_cast<std::size_t>(i % 3)], {}, nullptr};
     const auto contacts = [&](auto&& changed) {
       std::vector<Circle> circles;
       for (const Circle& c : set) circles.push_back(changed(c));

@@ -4,9 +4,13 @@
 
 #include <sunder/base/random.h>
 #include <sunder/planar/region/circles.h>
+#include <sunder/planar/set/circle_boxes.h>
 #include <sunder/planar/set/circles_all.h>
+#include <sunder/planar/set/cover_order.h>
 
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <functional>
 #include <numbers>
 #include <string>
@@ -19,6 +23,7 @@ using planar::Allowed;
 using planar::Circle;
 using planar::Circles;
 using planar::CirclesOptions;
+using planar::Segment;
 
 struct Set {
   std::vector<Circle> circles;
@@ -107,6 +112,39 @@ Set ring(std::size_t n, double radius) {
 }
 Set ring_apart(std::size_t n, Random&) { return ring(n, 1 / number(n)); }
 
+// Apart from each other, in a row, of sizes that differ: as chance has it, or each larger than all before it together.
+Set sized_row(std::size_t n, Random& random) {
+  Set set;
+  double x = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double radius = std::exp2(random.uniform(-10, 4)), y = random.uniform(-1, 1);
+    set.circles.push_back({{x + radius, y}, radius});
+    x += 2.02 * radius;
+  }
+  return set;
+}
+Set growing_row(std::size_t n, Random&) {
+  Set set;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = std::exp2(600 * number(i) / number(n));
+    set.circles.push_back({{x, 0}, 200 / number(n) * x});
+  }
+  return set;
+}
+
+// Small discs in the corners of the boxes of four big ones, and between them.
+Set in_corners(std::size_t n, Random&) {
+  Set set{{{{0, 0}, 1}, {{2.2, 0}, 1}, {{0, 2.2}, 1}, {{2.2, 2.2}, 1}}, number(n)};
+  const std::size_t side = static_cast<std::size_t>(std::sqrt(number(n)));
+  for (std::size_t i = 0; i < n - 4; ++i) {
+    const double step = 0.8 / number(side);
+    const double x = 0.7 + step * number(i % side), y = 0.7 + step * number(i / side);
+    if (std::hypot(x < 1.1 ? x : 2.2 - x, y < 1.1 ? y : 2.2 - y) > 1 + step)
+      set.circles.push_back({{x, y}, 0.3 * step});
+  }
+  return set;
+}
+
 struct Family {
   const char* name;
   std::function<Set(std::size_t, Random&)> make;
@@ -121,12 +159,13 @@ constexpr std::array groupings{Grouping{"", nullptr}, Grouping{", one group", []
 
 TEST(CirclesGrowth, OfEachFrontDoor) {
   constexpr double most_pairs = 4e6;
-  Growth any(3.4), count(4.5);
+  Growth any(3.4), count(4.5), cover(3.0);
   for (const Family& family :
        {Family{"apart", apart}, Family{"touching", touching}, Family{"diagonal", diagonal},
         Family{"diagonals", diagonals}, Family{"nested", nested}, Family{"through one point", through_one_point},
         Family{"one huge", one_huge}, Family{"somewhere", somewhere}, Family{"clusters", clusters},
-        Family{"ring", ring_apart}}) {
+        Family{"ring", ring_apart}, Family{"sized row", sized_row}, Family{"growing row", growing_row},
+        Family{"in corners", in_corners}}) {
     for (const Grouping& grouping : groupings) {
       for (const Allowed allowed : {Allowed::nothing, Allowed::touch}) {
         for (int power = least_growth_power; power <= greatest_growth_power(); power += 2) {
@@ -138,13 +177,18 @@ TEST(CirclesGrowth, OfEachFrontDoor) {
           for (std::uint32_t i = 0; grouping.group != nullptr && i < circles.size(); ++i) {
             groups.push_back(grouping.group(i));
           }
-          const CirclesOptions options{allowed, false, groups};
+          const CirclesOptions options{allowed, groups};
           const std::string what =
               std::string(family.name) + grouping.name + ", allow " + std::string(name_of(allowed));
           const double n = circles.size();
           any.add("any: " + what, n, set.k, circles_any(circles, options).cost.probes);
           const std::uint64_t probes = circles_count(circles, options).cost.probes;
           count.add("count: " + what, n, set.k, probes);
+          if (allowed == Allowed::nothing) {
+            const std::vector<Segment> boxes = box_diagonals(circles);
+            const std::uint64_t looks = cover_looks(cover_order(boxes, groups), boxes, groups, ~std::uint64_t{0});
+            cover.add("proof: " + what, n, set.k, looks);
+          }
           if (power > 10) continue;
           EXPECT_EQ(circles_all(circles, options).cost.probes, probes);
         }
@@ -153,6 +197,7 @@ TEST(CirclesGrowth, OfEachFrontDoor) {
   }
   any.expect_no_growth();
   count.expect_no_growth();
+  cover.expect_no_growth();
 }
 
 // Of discs that hold the origin, but for the first ring.

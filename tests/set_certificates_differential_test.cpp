@@ -165,7 +165,7 @@ TEST_F(SetCertificates, CirclesThatMeet) {
     const std::vector<Circle> given = set_of(7, make);
     const Circles circles(given), others(changed(given, make));
     const Allowed allowed = random.below(2) == 0 ? Allowed::nothing : Allowed::touch;
-    const auto text = [&](const Circles& c) { return certificate_text(c, allowed, circles_any(c, {allowed, true})); };
+    const auto text = [&](const Circles& c) { return certificate_text(c, allowed, circles_any(c, {allowed})); };
     const std::string own = text(circles);
     expect_accepted(own);
     const bool meet = circles_any_by_scan(others, {allowed}).meet();
@@ -229,6 +229,42 @@ TEST_F(SetCertificates, ArcsOfCommonPartsOfCircles) {
     ++verdicts[std::to_string(truth.size())];
   }
   expect_hits(rounds, 3);
+}
+
+// Of more than eight discs there are chains of halves. All are wanted, and no list of arcs is accepted but one.
+TEST_F(SetCertificates, ArcsOfManyCircles) {
+  const int rounds = tests::scaled_count(300);
+  for (int round = 0; round < rounds; ++round) {
+    const bool is_whole = round % 3 == 0;
+    std::vector<Circle> given;
+    for (std::uint64_t k = 9 + random.below(40); k > 0; --k) {
+      const double x = is_whole ? whole(6) : random.uniform(-1, 1), y = is_whole ? whole(6) : random.uniform(-1, 1);
+      const double more = round % 2 == 0 ? 1 : static_cast<double>(1 + random.below(3));
+      given.push_back({{x, y}, is_whole ? 8 + more : std::hypot(x, y) + more});
+    }
+    const Circles circles(given);
+    const planar::CirclesPart part = circles_common_part(circles);
+    ASSERT_EQ(part.kind, planar::CirclesPartKind::region);
+    const std::string text = certificate_text(circles, part);
+    expect_accepted(text);
+    json top = json::parse(text);
+    json& statement = top["statements"][0];
+    const auto is_accepted = [&] { return sunder_verifier::verify_text(top.dump(), "changed").accepted(); };
+    std::vector<std::uint32_t> arcs = part.arcs;
+    arcs[random.below(arcs.size())] = static_cast<std::uint32_t>(random.below(circles.size()));
+    statement["arcs"] = arcs;
+    EXPECT_EQ(is_accepted(), in_one_form(circles, arcs) == in_one_form(circles, part.arcs)) << text;
+    statement["arcs"] = part.arcs;
+    json& parts = statement["claims"][1]["parts"];
+    ASSERT_FALSE(parts.empty());
+    const std::size_t at = random.below(parts.size());
+    parts.erase(at);
+    EXPECT_FALSE(is_accepted()) << text;
+    parts.insert(parts.begin() + static_cast<std::ptrdiff_t>(at), part.arcs);  // within each half
+    is_accepted() ? ++accepted : ++refused;  // a half may be beyond its own halves then
+    parts.push_back(part.arcs);
+    EXPECT_FALSE(is_accepted()) << text;
+  }
 }
 
 TEST_F(SetCertificates, CommonPartsOfCircles) {

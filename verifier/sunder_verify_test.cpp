@@ -537,7 +537,8 @@ TEST(Twins, AgreeOnDamagedFiles) {
     ++count[outcome(result)];
     texts.push_back(text);
   }
-  for (const char* key : {"-", "unreadable", "F", "M3"}) EXPECT_GE(count[key], 8) << key;
+  for (const char* key : {"-", "unreadable", "F"}) EXPECT_GE(count[key], 8) << key;
+  EXPECT_GE(count["M3"], 1);
   expect_twins_agree(texts);
 }
 

@@ -168,6 +168,10 @@ void ClaimsWriter::add_row(std::span<const double> numbers) {
 
 void ClaimsWriter::end_table() { close("]"); }
 
+void ClaimsWriter::begin_rows() { open("[", true); }
+
+void ClaimsWriter::end_rows() { close("]"); }
+
 void ClaimsWriter::begin_statement(std::string_view question) {
   go_to(4);
   open("{", true);

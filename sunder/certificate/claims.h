@@ -33,6 +33,9 @@ class ClaimsWriter {
   void begin_table(std::string_view name);
   void add_row(std::span<const double> numbers);
   void end_table();
+  // An entry that is a list of rows, each an add_row().
+  void begin_rows();
+  void end_rows();
 
   void begin_statement(std::string_view question);
   void begin_claims();

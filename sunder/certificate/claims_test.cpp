@@ -25,11 +25,13 @@ TEST(ClaimsWriter, WritesTheFileInItsOrder) {
   file.begin_statement("segments");
   file.indices("groups", std::array<std::uint32_t, 2>{7, no_entry});
   file.text("verdict", "none");
+  file.number("number", 12345678901u);
   file.begin_claims();
   file.begin_claim("none_counts");
   file.begin_list("events");
   file.add_list(std::array<std::uint32_t, 3>{0, no_entry, 0});
   file.add_null();
+  file.add_contact(1, 2, "inside");
   file.add_weight(3, Dyadic(0.75));
   file.add_fractions_and_index(std::array{Dyadic(1.0), Dyadic(2.0)}, 4.0, 5);
   file.end_list();
@@ -46,8 +48,10 @@ TEST(ClaimsWriter, WritesTheFileInItsOrder) {
           "...\"],\n"
           " \"tables\": {\n  \"segments\": [\n  [\"0x0p+0\",\"-0x1.8p+0\",\"0x1p+1\",\"0x0.0000000000001p-1022\"],\n"
           "  [\"0x1p+0\",\"0x1p+0\",\"0x1p+0\",\"0x1p+0\"]]},\n"
-          " \"statements\": [\n  {\"question\": \"segments\", \"groups\": [7,-1], \"verdict\": \"none\", "
-          "\"claims\": [\n  {\"claim\": \"none_counts\", \"events\": [[0,-1,0], null, [3, \"0x3p-2\"], "
+          " \"statements\": [\n  {\"question\": \"segments\", \"groups\": [7,-1], \"verdict\": \"none\", \"number\": "
+          "12345678901, "
+          "\"claims\": [\n  {\"claim\": \"none_counts\", \"events\": [[0,-1,0], null, [1,2,\"inside\"], [3, "
+          "\"0x3p-2\"], "
           "[[\"1/4\",\"1/2\"], 5]], \"point\": [\"1/3\"]}]}]}\n");
 }
 

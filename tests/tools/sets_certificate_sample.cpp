@@ -170,7 +170,15 @@ std::string some_text(Numbers& numbers, int question) {
     const std::uint64_t divisor = 1 + numbers.below(6);
     const Circles circles(some_circles(numbers, 12, divisor));
     const Allowed allowed = numbers.below(2) == 0 ? Allowed::nothing : Allowed::touch;
-    return certificate_text(circles, allowed, circles_any(circles, {allowed, true}));
+    std::vector<std::uint32_t> groups;
+    if (numbers.below(2) == 0) {
+      for (std::uint32_t i = 0; i < circles.size(); ++i) groups.push_back(static_cast<std::uint32_t>(numbers.below(3)));
+    }
+    const CirclesOptions options{allowed, groups, nullptr};
+    const std::uint64_t asked = numbers.below(3);
+    if (asked == 0) return certificate_text(circles, allowed, circles_all(circles, options), groups);
+    if (asked == 1) return certificate_text(circles, allowed, circles_count(circles, options), groups);
+    return certificate_text(circles, allowed, circles_any(circles, options), groups);
   }
   if (question == 1) {
     const Circles circles(some_circles(numbers, 4, 1));

@@ -17,6 +17,9 @@ struct Said {
   StatedContact contact;
   std::vector<StatedContact> contacts;
   std::uint64_t number = 0;
+  std::string verdict;
+  const Constraints* ring = nullptr;
+  std::vector<std::size_t> sides, arcs;
 };
 
 struct Place {
@@ -79,31 +82,77 @@ void read_contact(const Place& p, Said& said) {
   if (!is_segment_kind(said.contact.kind)) refuse_form(p.where + ".kind is no kind of contact");
 }
 
-// Of two, by i, then j, each once.
-void read_segment_contacts(const Place& p, Said& said) {
+// A list of contacts of two of `size`, by i, then j, each once.
+std::vector<StatedContact> contacts_of(const Place& p, std::size_t size, bool (*is_kind)(const std::string&)) {
   const std::string where = p.where + ".contacts entry";
+  std::vector<StatedContact> result;
   for (const json& entry : list_member(p.item, "contacts", p.where)) {
     if (!entry.is_array() || entry.size() != 3) refuse_form(where + " is no contact");
     StatedContact contact;
-    contact.i = read_index(entry[0], p.tables.segments.size(), where);
-    contact.j = read_index(entry[1], p.tables.segments.size(), where);
+    contact.i = read_index(entry[0], size, where);
+    contact.j = read_index(entry[1], size, where);
     if (!entry[2].is_string()) refuse_form(where + " is of no kind");
     contact.kind = entry[2].get<std::string>();
-    if (!is_segment_kind(contact.kind)) refuse_form(where + " is of no kind");
-    const auto is_before = [&](const StatedContact& c) {
-      return std::pair(c.i, c.j) < std::pair(contact.i, contact.j);
-    };
-    if (contact.i >= contact.j || (!said.contacts.empty() && !is_before(said.contacts.back()))) {
-      refuse_form(where + " is not in order");
-    }
-    said.contacts.push_back(std::move(contact));
+    if (!is_kind(contact.kind)) refuse_form(where + " is of no kind");
+    const bool is_next =
+        result.empty() || std::pair(result.back().i, result.back().j) < std::pair(contact.i, contact.j);
+    if (contact.i >= contact.j || !is_next) refuse_form(where + " is not in order");
+    result.push_back(std::move(contact));
   }
+  return result;
+}
+
+void read_segment_contacts(const Place& p, Said& said) {
+  said.contacts = contacts_of(p, p.tables.segments.size(), is_segment_kind);
 }
 
 constexpr std::size_t most_number = 999'999'999'999'999;  // all readers of JSON agree about numbers up to this
 
 void read_count(const Place& p, Said& said) {
   said.number = read_index(p.item["number"], most_number + 1, p.where + ".number");
+}
+
+void read_circle_groups(const Place& p, Said& said) {
+  if (p.item.contains("groups")) said.groups = read_groups(p.item, p.tables.circles.size(), p.where);
+}
+
+bool is_disc_kind(const std::string& kind) { return kind == "touching" || kind == "overlapping" || kind == "inside"; }
+
+void read_disc_contact(const Place& p, Said& said) {
+  said.contact.i = index_member(p.item, "i", p.tables.circles.size(), p.where);
+  said.contact.j = index_member(p.item, "j", p.tables.circles.size(), p.where);
+  said.contact.kind = string_member(p.item, "kind", p.where);
+  if (!is_disc_kind(said.contact.kind)) refuse_form(p.where + ".kind is no kind of contact");
+}
+
+void read_disc_contacts(const Place& p, Said& said) {
+  said.contacts = contacts_of(p, p.tables.circles.size(), is_disc_kind);
+}
+
+void read_ring(const Place& p, Said& said) {
+  said.ring = &p.tables.rings[index_member(p.item, "ring", p.tables.rings.size(), p.where)];
+}
+
+// What a common part is of.
+using GivenOf = const Constraints& (*)(const Said&, const Tables&);
+const Constraints& half_planes_of(const Said&, const Tables& tables) { return tables.half_planes; }
+const Constraints& ring_of(const Said& said, const Tables&) { return *said.ring; }
+const Constraints& convex_polygons_of(const Said&, const Tables& tables) { return tables.convex_polygons; }
+
+template <GivenOf given>
+void read_sides(const Place& p, Said& said) {
+  said.sides = index_list(p.item, "sides", given(said, p.tables).size(), no_index, p.where);
+}
+
+void require_arcs(const json& list, const Tables& tables, const std::string& where) {
+  if (!list.is_array() || list.empty() || list.size() > 2 * tables.circles.size()) {
+    refuse_form(where + " is empty, or has more than two arcs a circle");
+  }
+}
+
+void read_arcs(const Place& p, Said& said) {
+  require_arcs(p.item["arcs"], p.tables, p.where + ".arcs");
+  said.arcs = index_list(p.item, "arcs", p.tables.circles.size(), no_index, p.where);
 }
 
 void read_nothing(const Place&, Said&) {}
@@ -160,6 +209,32 @@ void read_events(const json& item, const Said&, std::size_t size, const std::str
   events.begin.push_back(events.row.size());
 }
 
+void read_order(const json& item, const Said&, std::size_t size, const std::string& where, Claim& claim) {
+  for (const json& entry : list_member(item, "order", where)) {
+    claim.order.push_back(read_index(entry, size, where + ".order entry"));
+  }
+  const std::set<std::size_t> once(claim.order.begin(), claim.order.end());
+  if (once.size() != size || claim.order.size() != size) refuse_form(where + ".order does not name each once");
+}
+
+void read_cones(const json& item, const Said& said, std::size_t size, const std::string& where, Claim& claim) {
+  // A corner is between two sides: of those that do not go round, none is after the last one.
+  const bool is_open = said.verdict == "ray" || said.verdict == "unbounded";
+  const std::size_t count = std::max<std::size_t>(said.sides.size(), is_open ? 1 : 0) - (is_open ? 1 : 0);
+  claim.cones = index_list(item, "cones", count, size, where);
+}
+
+// size: of circles
+void read_parts(const json& item, const Said&, std::size_t size, const std::string& where, Claim& claim) {
+  for (const json& part : list_member(item, "parts", where)) {
+    if (!part.is_array() || part.empty() || part.size() > 2 * size) {
+      refuse_form(where + ".parts has an entry that is empty, or of more than two arcs a circle");
+    }
+    claim.parts.emplace_back();
+    for (const json& arc : part) claim.parts.back().push_back(read_index(arc, size, where + ".parts entry"));
+  }
+}
+
 // ---- The list: what a claim brings, what its indices count, and its rule with what it is bound to.
 
 struct ClaimNeeded {
@@ -172,6 +247,7 @@ struct ClaimNeeded {
 std::size_t of_a(const Said& said, const Tables&) { return said.a->rows().size(); }
 std::size_t of_b(const Said& said, const Tables&) { return said.b->rows().size(); }
 std::size_t of_segments(const Said&, const Tables& tables) { return tables.segments.size(); }
+std::size_t of_circles(const Said&, const Tables& tables) { return tables.circles.size(); }
 std::size_t of_half_planes(const Said&, const Tables& tables) { return tables.half_planes.size(); }
 
 const ClaimNeeded parted_a_b{
@@ -221,6 +297,17 @@ const ClaimNeeded number_counts{
 const ClaimNeeded contact{"contact", {}, of_segments, [](const Claim&, const Said& s, const Tables& t) {
                             check_contact(t, s.contact, s.point, s.groups, s.allowed);
                           }};
+const ClaimNeeded disc_contact{"contact", {}, of_circles, [](const Claim&, const Said& s, const Tables& t) {
+                                 check_disc_contact(t, s.contact, s.point, s.groups, s.allowed);
+                               }};
+const ClaimNeeded cover{
+    "cover", {{"order", read_order}}, of_circles, [](const Claim& c, const Said& s, const Tables& t) {
+      check_cover(c, t, s.groups, s.allowed, s.contacts);
+    }};
+const ClaimNeeded cover_number{
+    "cover", {{"order", read_order}}, of_circles, [](const Claim& c, const Said& s, const Tables& t) {
+      check_cover_number(c, t, s.groups, s.allowed, s.number);
+    }};
 const ClaimNeeded feasible{
     "feasible", {}, of_half_planes, [](const Claim&, const Said& s, const Tables& t) { check_feasible(t, s.point); }};
 const ClaimNeeded bounds{
@@ -234,10 +321,32 @@ const ClaimNeeded bounds_only{
 const ClaimNeeded no_objective{"no_objective", {}, of_half_planes, [](const Claim&, const Said& s, const Tables&) {
                                  check_no_objective(s.objective);
                                }};
+template <GivenOf given>
+std::size_t size_of(const Said& said, const Tables& tables) {
+  return given(said, tables).size();
+}
+template <GivenOf given>
 const ClaimNeeded contradict{
-    "contradict", {{"weights", read_weights}}, of_half_planes, [](const Claim& c, const Said&, const Tables& t) {
-      check_contradict(c, t);
+    "contradict", {{"weights", read_weights}}, size_of<given>, [](const Claim& c, const Said& s, const Tables& t) {
+      check_contradict(c, given(s, t));
     }};
+template <GivenOf given>
+const ClaimNeeded cones{
+    "cones", {{"cones", read_cones}}, size_of<given>, [](const Claim& c, const Said& s, const Tables& t) {
+      check_cones(c, given(s, t), s.verdict, s.sides);
+    }};
+const ClaimNeeded no_entries{
+    "no_entries", {}, of_circles, [](const Claim&, const Said&, const Tables& t) { check_no_entries(t); }};
+const ClaimNeeded in_discs{"in_discs", {}, of_circles, [](const Claim&, const Said& s, const Tables& t) {
+                             check_in_discs(t, s.point, s.verdict == "region");
+                           }};
+const ClaimNeeded powers{
+    "powers", {{"weights", read_weights}}, of_circles, [](const Claim& c, const Said& s, const Tables& t) {
+      check_powers(c, t, s.verdict == "point");
+    }};
+const ClaimNeeded arcs{"arcs", {{"parts", read_parts}}, of_circles, [](const Claim& c, const Said& s, const Tables& t) {
+                         check_arcs(c, t, s.point, s.arcs);
+                       }};
 const ClaimNeeded goes_on{
     "goes_on", {{"direction", read_direction}}, of_half_planes, [](const Claim& c, const Said& s, const Tables& t) {
       check_goes_on(c, t, s.objective);
@@ -261,6 +370,16 @@ struct Question {
 
 const MemberReader point{"point", read_point};
 
+// The kinds of the common part of half-planes.
+template <GivenOf given>
+std::vector<VerdictNeeds> regions() {
+  std::vector<VerdictNeeds> result{{"empty", {}, {&contradict<given>}}};
+  for (const char* kind : {"point", "segment", "ray", "line", "strip", "half-plane", "unbounded", "bounded", "plane"}) {
+    result.push_back({kind, {{"sides", read_sides<given>}}, {&cones<given>}});
+  }
+  return result;
+}
+
 const std::vector<Question> questions{
     {"pair",
      "bodies",
@@ -283,6 +402,25 @@ const std::vector<Question> questions{
       {"none", {}, {&none_counts}},
       {"these", {{"contacts", read_segment_contacts}}, {&these_count}},
       {"count", {{"number", read_count}}, {&number_counts}}}},
+    {"circles",
+     "circles",
+     {{"allowed", read_allowed}},
+     {{"groups", read_circle_groups}},
+     {{"some", {{"i", read_disc_contact}, {"j", read_nothing}, {"kind", read_nothing}, point}, {&disc_contact}},
+      {"none", {}, {&cover}},
+      {"these", {{"contacts", read_disc_contacts}}, {&cover}},
+      {"count", {{"number", read_count}}, {&cover_number}}}},
+    {"half_planes", "half_planes", {}, {}, regions<half_planes_of>()},
+    {"kernel", "rings", {{"ring", read_ring}}, {}, regions<ring_of>()},
+    {"convex_polygons_common_part", "convex_polygons", {}, {}, regions<convex_polygons_of>()},
+    {"circles_common_part",
+     "circles",
+     {},
+     {},
+     {{"empty", {}, {&powers}},
+      {"point", {point}, {&in_discs, &powers}},
+      {"region", {point, {"arcs", read_arcs}}, {&in_discs, &arcs}},
+      {"plane", {}, {&no_entries}}}},
     {"linear_program",
      "half_planes",
      {{"objective", read_objective}},
@@ -291,7 +429,7 @@ const std::vector<Question> questions{
       {"many", {point}, {&feasible, &bounds, &ends}},
       {"all", {point}, {&feasible, &no_objective}},
       {"unbounded", {point}, {&feasible, &goes_on}},
-      {"infeasible", {}, {&contradict}}}},
+      {"infeasible", {}, {&contradict<half_planes_of>}}}},
 };
 
 template <class Entry>
@@ -317,6 +455,8 @@ std::string words_of(const json& item, const Said& said) {
   if (item.contains("objective")) {
     return "along (" + item["objective"][0].get<std::string>() + ", " + item["objective"][1].get<std::string>() + ")";
   }
+  if (item.contains("ring")) return "ring " + std::to_string(item["ring"].get<std::size_t>());
+  if (!item.contains("allowed")) return "";
   std::string words = item["allowed"].get<std::string>() + " allowed";
   if (item.contains("groups")) {
     const std::set<std::int64_t> different(said.groups.begin(), said.groups.end());
@@ -346,6 +486,7 @@ ClaimedStatement read_statement(const json& item, const Tables& tables, const st
   require_members(item, keys, more, where);
   readers.insert(readers.end(), question.may_say.begin(), question.may_say.end());
   Said said;
+  said.verdict = result.verdict;
   for (const MemberReader& reader : readers) reader.read({item, tables, where}, said);
   result.words = words_of(item, said);
   if (said.a != nullptr) {

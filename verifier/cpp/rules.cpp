@@ -11,124 +11,11 @@
 
 namespace sunder_verifier {
 
-// ---- Linear constraints.
+// ---- Sweeps.
 
 namespace {
 
 Integer turn(const Integer& ux, const Integer& uy, const Integer& vx, const Integer& vy) { return ux * vy - uy * vx; }
-
-Integer along(const LinearConstraint& h, const Integers& way) { return h.a * way[0] + h.b * way[1]; }
-
-// Positive: the point x, y, w is outside; zero: on the line.
-Integer excess(const LinearConstraint& h, const Integers& place) { return along(h, place) - h.c * place[2]; }
-
-void look_at_all(const Tables& tables, const Integers& vector) {
-  take_steps(2 * tables.half_planes.size(), bits(vector), tables.half_plane_bits);
-}
-
-// Of the named constraints, times a positive number.
-LinearConstraint weighted_sum(const Claim& claim, const Tables& tables) {
-  const WeightList& list = claim.weights;
-  const std::size_t whole = length(list.values);
-  take_steps(list.values.size() / 4 + 1, whole, whole);
-  Numbers values = list.values;
-  for (std::size_t k = 0; k < values.size(); ++k) values[k].e += tables.half_planes[list.named[k]].e;
-  const Integers weights = common(values).integers;
-  LinearConstraint sum;
-  for (std::size_t k = 0; k < weights.size(); ++k) {
-    require(weights[k] > 0, "weights", "a weight is not positive");
-    const LinearConstraint& h = tables.half_planes[list.named[k]];
-    sum.a += weights[k] * h.a;
-    sum.b += weights[k] * h.b;
-    sum.c += weights[k] * h.c;
-  }
-  return sum;
-}
-
-}  // namespace
-
-void check_feasible(const Tables& tables, const Numbers& point) {
-  const Integers place = projective(point);
-  look_at_all(tables, place);
-  for (std::size_t i = 0; i < tables.half_planes.size(); ++i) {
-    require(excess(tables.half_planes[i], place) <= 0, "feasible",
-            "the point is outside of half-plane " + std::to_string(i));
-  }
-}
-
-void check_bounds(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point) {
-  const LinearConstraint sum = weighted_sum(claim, tables);
-  const Integers up = common(objective).integers;
-  require(turn(sum.a, sum.b, up[0], up[1]) == 0 && along(sum, up) > 0, "bounds",
-          "the weighted normals are not the objective");
-  const Integers place = projective(point);
-  for (const std::size_t k : claim.weights.named) {
-    require(excess(tables.half_planes[k], place) == 0, "bounds",
-            "the point is not on the line of half-plane " + std::to_string(k));
-  }
-}
-
-void check_bounds_only(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point) {
-  check_bounds(claim, tables, objective, point);
-  const LinearConstraint& first = tables.half_planes[claim.weights.named[0]];
-  const auto is_parallel = [&](std::size_t k) {
-    return turn(first.a, first.b, tables.half_planes[k].a, tables.half_planes[k].b) == 0;
-  };
-  require(!std::all_of(claim.weights.named.begin(), claim.weights.named.end(), is_parallel), "bounds",
-          "the lines at the point are one");
-}
-
-void check_no_objective(const Numbers& objective) {
-  require(objective[0].n == 0 && objective[1].n == 0, "no_objective", "there is an objective");
-}
-
-void check_contradict(const Claim& claim, const Tables& tables) {
-  const LinearConstraint sum = weighted_sum(claim, tables);
-  require(sum.a == 0 && sum.b == 0 && sum.c < 0, "contradict", "the weighted constraints have a common point");
-}
-
-void check_goes_on(const Claim& claim, const Tables& tables, const Numbers& objective) {
-  const Integers way = common(claim.direction).integers, up = common(objective).integers;
-  require(dot(up, way) > 0, "goes_on", "the direction does not lead further along the objective");
-  look_at_all(tables, way);
-  for (std::size_t i = 0; i < tables.half_planes.size(); ++i) {
-    require(along(tables.half_planes[i], way) <= 0, "goes_on", "the direction leaves half-plane " + std::to_string(i));
-  }
-}
-
-void check_ends(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point) {
-  const Integers up = common(objective).integers, start = projective(point);
-  const std::array<Integers, 2> ways{Integers{up[1], -up[0]}, Integers{-up[1], up[0]}};
-  std::array<Integers, 2> places;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const Integers& way = ways[k];
-    if (!claim.ends[k]) {
-      look_at_all(tables, way);
-      for (const LinearConstraint& h : tables.half_planes) {
-        require(along(h, way) <= 0, "ends", "there is an end, and it is not given");
-      }
-      continue;
-    }
-    const Integers& place = places[k] = projective(claim.ends[k]->point);
-    look_at_all(tables, place);
-    for (const LinearConstraint& h : tables.half_planes) {
-      require(excess(h, place) <= 0, "ends", "an end is outside of a half-plane");
-    }
-    require((up[0] * place[0] + up[1] * place[1]) * start[2] == (up[0] * start[0] + up[1] * start[1]) * place[2],
-            "ends", "an end is not as far along the objective");
-    const LinearConstraint& h = tables.half_planes[claim.ends[k]->side];
-    require(excess(h, place) == 0 && along(h, way) > 0, "ends",
-            "half-plane " + std::to_string(claim.ends[k]->side) + " does not end it");
-  }
-  if (!claim.ends[0] || !claim.ends[1]) return;
-  const Integer before = ways[1][0] * places[0][0] + ways[1][1] * places[0][1];
-  const Integer after = ways[1][0] * places[1][0] + ways[1][1] * places[1][1];
-  require(before * places[1][2] < after * places[0][2], "ends", "the ends are one point");
-}
-
-// ---- Sweeps.
-
-namespace {
 
 // x / w, y / w; w > 0.
 struct SweepPoint {
@@ -432,11 +319,11 @@ void check_contact(const Tables& tables, const StatedContact& contact, const Num
   Integers given = projective(in_units);
   const SweepPoint place{std::move(given[0]), std::move(given[1]), std::move(given[2])};
   require(i != j && (groups.empty() || groups[i] != groups[j]), "contact",
-          "segments " + std::to_string(i) + " and " + std::to_string(j) + " are of one group");
+          std::to_string(i) + " and " + std::to_string(j) + " are of one group");
   const bool counts = !(kind == "shared-endpoint" && allowed.shared_endpoint) && !(kind == "touch" && allowed.touch);
   require(counts, "contact", kind + " does not count");
   for (const std::size_t k : {i, j}) {
-    require(is_on(tables.segments[k], place), "contact", "the point is not on segment " + std::to_string(k));
+    require(is_on(tables.segments[k], place), "contact", "the point is not in " + std::to_string(k));
   }
   const std::string found = kind_of(tables.segments[i], tables.segments[j]);
   require(found == kind, "contact", "the contact is " + found);

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <verifier/cpp/tables.h>
+#include <verifier/statement.h>
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -25,6 +27,27 @@ struct SweepEvents {
   std::vector<std::size_t> row;
 };
 
+// Two entries of a table, and a kind of contact.
+struct StatedContact {
+  std::size_t i = 0, j = 0;
+  std::string kind;
+
+  friend auto operator<=>(const StatedContact&, const StatedContact&) = default;
+};
+
+// Of the named entries; takes the steps. Requires that they are positive: refuses by "weights".
+// exponent_of: of what they are weights of; these are then in one unit.
+template <class ExponentOf>
+Integers positive_weights(const WeightList& list, const ExponentOf& exponent_of) {
+  const std::size_t whole = length(list.values);
+  take_steps(list.values.size() / 4 + 1, whole, whole);
+  Numbers values = list.values;
+  for (std::size_t k = 0; k < values.size(); ++k) values[k].e += exponent_of(list.named[k]);
+  Integers weights = common(values).integers;
+  for (const Integer& weight : weights) require(weight > 0, "weights", "a weight is not positive");
+  return weights;
+}
+
 struct EndOnLine {
   Numbers point;
   std::size_t side = 0;
@@ -36,9 +59,9 @@ struct Claim {
   WeightList weights;
   std::array<std::optional<EndOnLine>, 2> ends;
   SweepEvents events;
+  std::vector<std::size_t> order, cones;
+  std::vector<std::vector<std::size_t>> parts;
 };
-
-using Constraints = std::vector<LinearConstraint>;
 
 // What does not count.
 struct AllowedContacts {
@@ -55,15 +78,9 @@ void check_feasible(const Tables& tables, const Numbers& point);
 void check_bounds(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point);
 void check_bounds_only(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point);
 void check_no_objective(const Numbers& objective);
-void check_contradict(const Claim& claim, const Tables& tables);
+void check_contradict(const Claim& claim, const Constraints& given);
 void check_goes_on(const Claim& claim, const Tables& tables, const Numbers& objective);
 void check_ends(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point);
-
-// Two segments, and a kind of contact.
-struct StatedContact {
-  std::size_t i = 0, j = 0;
-  std::string kind;
-};
 
 // groups: empty, or one for each segment.
 void check_contact(const Tables& tables, const StatedContact& contact, const Numbers& point,
@@ -75,5 +92,23 @@ void check_these_count(const Claim& claim, const Tables& tables, const std::vect
                        const AllowedContacts& allowed, const std::vector<StatedContact>& contacts);
 void check_number_counts(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
                          const AllowedContacts& allowed, std::uint64_t number);
+
+// These bound the common part of the half-planes, which is of that kind.
+void check_cones(const Claim& claim, const Constraints& given, const std::string& verdict,
+                 const std::vector<std::size_t>& sides);
+
+void check_no_entries(const Tables& tables);  // no circles
+void check_in_discs(const Tables& tables, const Numbers& point, bool is_region);
+void check_powers(const Claim& claim, const Tables& tables, bool is_point);
+void check_arcs(const Claim& claim, const Tables& tables, const Numbers& point, const std::vector<std::size_t>& arcs);
+
+void check_disc_contact(const Tables& tables, const StatedContact& contact, const Numbers& point,
+                        const std::vector<std::int64_t>& groups, const AllowedContacts& allowed);
+
+// The contacts that count are those listed, or are so many.
+void check_cover(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
+                 const AllowedContacts& allowed, const std::vector<StatedContact>& listed);
+void check_cover_number(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
+                        const AllowedContacts& allowed, std::uint64_t number);
 
 }  // namespace sunder_verifier

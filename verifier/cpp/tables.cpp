@@ -89,19 +89,21 @@ HullBody read_body(const json& item, const std::vector<HullBody>& bodies, const 
   return body;
 }
 
+// To the left of an arrow from p to q, which are in units of 2^e.
+LinearConstraint left_of(const Integers& p, const Integers& q, std::int64_t e, const std::string& where) {
+  if (p == q) refuse_form(where + " has no direction");
+  // a and b are in units of 2^e, c in units of their square.
+  const std::int64_t up = std::max<std::int64_t>(-e, 0), down = std::max<std::int64_t>(e, 0);
+  return {shifted(q[1] - p[1], up), shifted(p[0] - q[0], up), shifted(p[0] * q[1] - q[0] * p[1], down), e - up};
+}
+
 LinearConstraint read_constraint(const json& item, const std::string& where) {
   if (!item.is_array() || (item.size() != 3 && item.size() != 4)) refuse_form(where + " is not a list of 3 or 4");
   const Scaled row = read_rows({&item}, item.size(), where);
   const Integers& v = row.rows[0];
-  LinearConstraint result;
-  if (v.size() == 3) {
-    result = {v[0], v[1], v[2], row.e};
-  } else {  // a and b are in units of 2^e, c in units of their square
-    const std::int64_t up = std::max<std::int64_t>(-row.e, 0), down = std::max<std::int64_t>(row.e, 0);
-    result = {shifted(v[3] - v[1], up), shifted(v[0] - v[2], up), shifted(v[0] * v[3] - v[2] * v[1], down), row.e - up};
-  }
-  if (result.a == 0 && result.b == 0) refuse_form(where + " has no direction");
-  return result;
+  if (v.size() == 4) return left_of({v[0], v[1]}, {v[2], v[3]}, row.e, where);
+  if (v[0] == 0 && v[1] == 0) refuse_form(where + " has no direction");
+  return {v[0], v[1], v[2], row.e};
 }
 
 void read_bodies(const json& list, Tables& tables) {
@@ -124,6 +126,16 @@ void read_segments(const json& list, Tables& tables) {
   }
 }
 
+void read_circles(const json& list, Tables& tables) {
+  Scaled scaled = read_rows(entries(list), 3, "tables.circles");
+  tables.circle_exponent = scaled.e;
+  tables.circle_bits = scaled.bits;
+  for (Integers& v : scaled.rows) {
+    if (v[2] < 0) refuse_form("tables.circles[" + std::to_string(tables.circles.size()) + "] has a negative radius");
+    tables.circles.push_back({std::move(v[0]), std::move(v[1]), std::move(v[2])});
+  }
+}
+
 void read_half_planes(const json& list, Tables& tables) {
   for (const json& item : list) {
     const std::string where = "tables.half_planes[" + std::to_string(tables.half_planes.size()) + "]";
@@ -133,7 +145,89 @@ void read_half_planes(const json& list, Tables& tables) {
   }
 }
 
+const json& list_of(const json& item, std::size_t least, const std::string& where) {
+  if (!item.is_array() || item.size() < least) {
+    refuse_form(where + " is not a list of " + std::to_string(least) + " or more vertices");
+  }
+  return item;
+}
+
+Constraints edges_of(const Scaled& vertices, const std::string& where) {
+  Constraints result;
+  const std::vector<Integers>& rows = vertices.rows;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    result.push_back(left_of(rows[k], rows[k + 1 == rows.size() ? 0 : k + 1], vertices.e, where));
+  }
+  return result;
+}
+
+void read_rings(const json& list, Tables& tables) {
+  for (const json& item : list) {
+    const std::string where = "tables.rings[" + std::to_string(tables.rings.size()) + "]";
+    const Scaled vertices = read_rows(entries(list_of(item, 3, where)), 2, where);
+    Integer area = 0;
+    for (std::size_t k = 0; k < vertices.rows.size(); ++k) {
+      const Integers &p = vertices.rows[k], &q = vertices.rows[k + 1 == vertices.rows.size() ? 0 : k + 1];
+      area += p[0] * q[1] - p[1] * q[0];
+    }
+    if (area == 0) refuse_form(where + " has no area");
+    tables.rings.push_back(edges_of(vertices, where));
+    if (area > 0) continue;
+    for (LinearConstraint& h : tables.rings.back()) {
+      h.a = -h.a;
+      h.b = -h.b;
+      h.c = -h.c;
+    }
+  }
+}
+
+// x or y (axis 0 or 1), times way, is at most so many units of 2^e.
+LinearConstraint at_most(std::size_t axis, int way, const Integer& limit, std::int64_t e) {
+  const Integer one = shifted(Integer(way), std::max<std::int64_t>(-e, 0));
+  const Integer none = 0, most = shifted(limit, std::max<std::int64_t>(e, 0));
+  return {axis == 0 ? one : none, axis == 0 ? none : one, most, std::min<std::int64_t>(e, 0)};
+}
+
+// A segment, or a point.
+Constraints sides_of_flat(const Scaled& vertices, const std::string& where) {
+  Constraints result;
+  const Integers &p = vertices.rows.front(), &q = vertices.rows.back();
+  if (vertices.rows.size() == 2) result = edges_of(vertices, where);
+  for (const int way : {1, -1}) {
+    for (const std::size_t axis : {0u, 1u}) {
+      if (vertices.rows.size() == 2 && axis == (p[0] == q[0] ? 0u : 1u)) continue;
+      result.push_back(at_most(axis, way, std::max<Integer>(way * p[axis], way * q[axis]), vertices.e));
+    }
+  }
+  return result;
+}
+
+void read_convex_polygons(const json& list, Tables& tables) {
+  std::size_t number = 0;
+  for (const json& item : list) {
+    const std::string where = "tables.convex_polygons[" + std::to_string(number++) + "]";
+    const Scaled vertices = read_rows(entries(list_of(item, 1, where)), 2, where);
+    const bool is_flat = vertices.rows.size() < 3;
+    const Constraints sides = is_flat ? sides_of_flat(vertices, where) : edges_of(vertices, where);
+    if (!is_flat && !goes_round_once(sides)) refuse_form(where + " is not strictly convex and counter-clockwise");
+    tables.convex_polygons.insert(tables.convex_polygons.end(), sides.begin(), sides.end());
+  }
+}
+
 }  // namespace
+
+Integer turn(const LinearConstraint& h, const LinearConstraint& k) { return h.a * k.b - h.b * k.a; }
+
+bool goes_round_once(const Constraints& sides) {
+  const auto is_low = [](const LinearConstraint& h) { return h.b < 0 || (h.b == 0 && h.a < 0); };
+  std::size_t rounds = 0;
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const LinearConstraint &h = sides[k], &next = sides[k + 1 == sides.size() ? 0 : k + 1];
+    if (turn(h, next) <= 0) return false;
+    if (is_low(h) && !is_low(next)) ++rounds;
+  }
+  return rounds == 1;
+}
 
 Integer dot(const Integers& u, const Integers& v) {
   Integer sum = 0;
@@ -191,7 +285,8 @@ bool Tables::has(const std::string& name) const { return std::find(names.begin()
 
 Tables read_tables(const json& item) {
   static const std::map<std::string, void (*)(const json&, Tables&)> readers{
-      {"bodies", read_bodies}, {"segments", read_segments}, {"half_planes", read_half_planes}};
+      {"bodies", read_bodies},           {"segments", read_segments}, {"circles", read_circles},
+      {"half_planes", read_half_planes}, {"rings", read_rings},       {"convex_polygons", read_convex_polygons}};
   Tables tables;
   for (const auto& [name, reader] : readers) tables.names.push_back(name);
   require_members(item, {}, tables.names, "tables");

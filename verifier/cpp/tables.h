@@ -58,11 +58,23 @@ struct PlanarSegment {
   PlanarPoint first, last;
 };
 
+// Closed. r >= 0.
+struct PlanarDisc {
+  Integer x, y, r;
+};
+
 // a x + b y <= c; each number in units of 2^e.
 struct LinearConstraint {
   Integer a, b, c;
   std::int64_t e = 0;
 };
+
+using Constraints = std::vector<LinearConstraint>;
+
+// Positive: the normal of k is less than half a turn counter-clockwise from that of h.
+Integer turn(const LinearConstraint& h, const LinearConstraint& k);
+// Does each turn to the next, and all by one turn?
+bool goes_round_once(const Constraints& sides);
 
 struct Tables {
   std::vector<std::string> names;  // of those that the file has
@@ -70,8 +82,13 @@ struct Tables {
   std::vector<PlanarSegment> segments;
   std::int64_t segment_exponent = 0;
   std::size_t segment_bits = 0;
-  std::vector<LinearConstraint> half_planes;
+  std::vector<PlanarDisc> circles;
+  std::int64_t circle_exponent = 0;
+  std::size_t circle_bits = 0;
+  Constraints half_planes;
   std::size_t half_plane_bits = 0;
+  std::vector<Constraints> rings;  // what is on the inner side of the edges of each
+  Constraints convex_polygons;     // the sides of all
 
   bool has(const std::string& name) const;
 };

@@ -1,39 +1,108 @@
+#include <sunder/certificate/claims.h>
 #include <sunder/planar/region/circles_json.h>
-#include <sunder/planar/set/tables_json.h>
+#include <sunder/planar/region/circles_prepared.h>
 #include <sunder/predicate/disc_powers.h>
+
+#include <array>
+#include <numeric>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace sunder::planar {
 
 namespace {
 
-void append_weights(std::string& text, const Circles& circles, const CirclesDeepest& deepest) {
-  const DeepestWeights weights = deepest_weights(discs_of(circles.all(), deepest.basis()));
-  text += ", \"discs\": ";
-  append_indices(text, deepest.basis());
-  text += ", \"weights\": [";
-  for (std::uint32_t k = 0; k < deepest.count; ++k) {
-    if (k > 0) text += ", ";
-    text += '"' + fraction_text(weights.numerators[k], weights.denominator) + '"';
+void write_claim(ClaimsWriter& file, std::string_view name) {
+  file.begin_claim(name);
+  file.end_claim();
+}
+
+void write_powers(ClaimsWriter& file, const CirclesPart& part, const DeepestWeights& weights) {
+  file.begin_claim("powers");
+  file.begin_list("weights");
+  for (std::uint32_t k = 0; k < part.deepest.count; ++k) {
+    file.add_weight(part.deepest.discs[k], weights.numerators[k]);
   }
-  text += ']';
+  file.end_list();
+  file.end_claim();
+}
+
+// The chains of the ranges of more than eight discs and of their halves, but for that of all; each after those of its
+// halves.
+class Parts {
+ public:
+  Parts(ClaimsWriter& file, ArcChains& chains) : file_(file), chains_(chains) {}
+
+  std::vector<ArcPiece> write(std::uint32_t first, std::uint32_t last, bool is_all = true) {
+    std::vector<ArcPiece> chain;
+    if (last - first > 8) {
+      const std::uint32_t half = first + (last - first) / 2;
+      const std::vector<ArcPiece> lower = write(first, half, false), upper = write(half, last, false);
+      chains_.merge(lower, upper, chain);
+    } else {
+      std::vector<std::uint32_t> discs(last - first);
+      std::iota(discs.begin(), discs.end(), first);
+      chain = chains_.divide(discs);
+    }
+    if (!is_all) file_.add_list(discs_around(chain));
+    return chain;
+  }
+
+ private:
+  ClaimsWriter& file_;
+  ArcChains& chains_;
+};
+
+void write_region(ClaimsWriter& file, const Circles& circles, const CirclesPart& part) {
+  Cost cost;
+  const Viewpoint point = inside_of_all(circles.all(), part.deepest, cost);
+  file.numbers("point", std::array{point.x, point.y});
+  file.indices("arcs", part.arcs);
+  file.begin_claims();
+  write_claim(file, "in_discs");
+  file.begin_claim("arcs");
+  file.begin_list("parts");
+  ArcChains chains(circles.all(), point);
+  Parts(file, chains).write(0, circles.size());
+  file.end_list();
+  file.end_claim();
+}
+
+void write_point(ClaimsWriter& file, const Circles& circles, const CirclesPart& part) {
+  const DiscBasis basis = discs_of(circles.all(), part.deepest.basis());
+  const ExactPoint2 point = deepest_point(basis);
+  file.fractions("point", std::array{point.x, point.y}, point.denominator);
+  file.begin_claims();
+  write_claim(file, "in_discs");
+  write_powers(file, part, deepest_weights(basis));
 }
 
 }  // namespace
 
 std::string certificate_text(const Circles& circles, const CirclesPart& part) {
-  std::string text = json_file_begin;
-  append_circles(text, circles.all());
-  text +=
-      ",\n \"statements\": [\n  {\"question\": \"circles\", \"verdict\": \"" + std::string(name_of(part.kind)) + '"';
-  if (part.kind == CirclesPartKind::region) {
-    text += ", \"point\": ";
-    append_point(text, deepest_point(discs_of(circles.all(), part.deepest.basis())));
-    text += ", \"arcs\": ";
-    append_indices(text, part.arcs);
-  } else if (part.kind != CirclesPartKind::plane) {
-    append_weights(text, circles, part.deepest);
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  file.begin_table("circles");
+  for (const Circle& c : circles.all()) file.add_row(std::array{c.center.x, c.center.y, c.radius});
+  file.end_table();
+  file.begin_statement("circles_common_part");
+  file.text("verdict", std::string(name_of(part.kind)));
+  switch (part.kind) {
+    case CirclesPartKind::region: write_region(file, circles, part); break;
+    case CirclesPartKind::point: write_point(file, circles, part); break;
+    case CirclesPartKind::empty:
+      file.begin_claims();
+      write_powers(file, part, deepest_weights(discs_of(circles.all(), part.deepest.basis())));
+      break;
+    case CirclesPartKind::plane:
+      file.begin_claims();
+      write_claim(file, "no_entries");
+      break;
   }
-  return text + "}]}\n";
+  file.end_statement();
+  file.end();
+  return text;
 }
 
 }  // namespace sunder::planar

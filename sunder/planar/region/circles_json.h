@@ -1,4 +1,4 @@
-// The certificate file of the common part of discs (docs/certificates-sets.md, "circles"): whether it is empty, a
+// The certificate file of the common part of discs (docs/claims.md, "circles_common_part"): whether it is empty, a
 // point, or a region, and which arcs bound it.
 #pragma once
 

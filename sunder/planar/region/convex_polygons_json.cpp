@@ -1,9 +1,10 @@
 #include <sunder/planar/region/convex_polygons_json.h>
 #include <sunder/planar/region/half_planes.h>
 #include <sunder/planar/region/regions_json.h>
-#include <sunder/planar/set/tables_json.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace sunder::planar {
 
@@ -39,13 +40,21 @@ std::vector<HalfPlane> sides_of(std::span<const ConvexPolygon> polygons) {
 }
 
 std::string certificate_text(std::span<const ConvexPolygon> polygons) {
-  const std::vector<HalfPlane> sides = sides_of(polygons);
-  const Region region = half_planes(HalfPlanes(sides), {.evidence = true});
-  std::string text = json_file_begin;
-  append_convex_polygons(text, polygons);
-  text += ",\n \"statements\": [\n  {\"question\": \"convex_polygons\", ";
-  append_region(text, region);
-  return text + "}]}\n";
+  const std::vector<HalfPlane> half = sides_of(polygons);
+  const HalfPlanes sides(half);  // keeps a reference
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  file.begin_table("convex_polygons");
+  for (const ConvexPolygon& polygon : polygons) {
+    file.begin_rows();
+    for (std::uint32_t k = 0; k < polygon.size(); ++k) file.add_row(std::array{polygon[k].x, polygon[k].y});
+    file.end_rows();
+  }
+  file.end_table();
+  file.begin_statement("convex_polygons_common_part");
+  write_region(file, sides, half_planes(sides, {.evidence = true}));
+  file.end();
+  return text;
 }
 
 }  // namespace sunder::planar

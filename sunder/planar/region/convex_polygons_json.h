@@ -1,4 +1,4 @@
-// The certificate file of the common part of convex polygons (docs/certificates-sets.md, "convex_polygons").
+// The certificate file of the common part of convex polygons (docs/claims.md, "convex_polygons_common_part").
 #pragma once
 
 #include <sunder/planar/object/convex_polygon.h>

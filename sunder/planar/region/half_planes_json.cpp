@@ -1,16 +1,19 @@
 #include <sunder/planar/region/half_planes_json.h>
 #include <sunder/planar/region/regions_json.h>
-#include <sunder/planar/set/tables_json.h>
+
+#include <string_view>
 
 namespace sunder::planar {
 
 template <class Given>
 std::string certificate_text(const Given& given, const Region& region) {
-  std::string text = json_file_begin;
-  append_half_planes(text, given);
-  text += ",\n \"statements\": [\n  {\"question\": \"half_planes\", ";
-  append_region(text, region);
-  return text + "}]}\n";
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  write_half_planes(file, given);
+  file.begin_statement("half_planes");
+  write_region(file, given, region);
+  file.end();
+  return text;
 }
 
 template std::string certificate_text(const Constraints&, const Region&);

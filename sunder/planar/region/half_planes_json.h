@@ -1,4 +1,4 @@
-// The certificate file of the common part of half-planes (docs/certificates-sets.md, "half_planes").
+// The certificate file of the common part of half-planes (docs/claims.md, "half_planes").
 #pragma once
 
 #include <sunder/planar/region/region.h>

@@ -1,21 +1,24 @@
 #include <sunder/planar/region/kernel_json.h>
 #include <sunder/planar/region/regions_json.h>
-#include <sunder/planar/set/tables_json.h>
 
 #include <array>
+#include <string_view>
 
 namespace sunder::planar {
 
 std::string certificate_text(const PolygonSides& polygon, const Region& kernel) {
-  std::string text = json_file_begin;
-  text += " \"rings\": [\n  [";
-  for (std::uint32_t k = 0; k < polygon.size(); ++k) {
-    if (k > 0) text += k % 4 == 0 ? ",\n   " : ", ";
-    append_doubles(text, std::array{polygon.vertices()[k].x, polygon.vertices()[k].y});
-  }
-  text += "]],\n \"statements\": [\n  {\"question\": \"kernel\", \"ring\": 0, ";
-  append_region(text, kernel);
-  return text + "}]}\n";
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  file.begin_table("rings");
+  file.begin_rows();
+  for (const Point2& p : polygon.vertices()) file.add_row(std::array{p.x, p.y});
+  file.end_rows();
+  file.end_table();
+  file.begin_statement("kernel");
+  file.index("ring", 0);
+  write_region(file, polygon, kernel);
+  file.end();
+  return text;
 }
 
 }  // namespace sunder::planar

@@ -1,4 +1,4 @@
-// The certificate file of a kernel (docs/certificates-sets.md, "kernel").
+// The certificate file of a kernel (docs/claims.md, "kernel").
 #pragma once
 
 #include <sunder/planar/region/kernel.h>

@@ -1,5 +1,6 @@
 #include <sunder/certificate/claims.h>
 #include <sunder/planar/region/linear_program_json.h>
+#include <sunder/planar/region/regions_json.h>
 
 #include <array>
 #include <vector>
@@ -98,24 +99,12 @@ void write_empty(ClaimsWriter& file, std::string_view claim) {
   file.end_claim();
 }
 
-void write_table(ClaimsWriter& file, const Constraints& given) {
-  for (std::uint32_t k = 0; k < given.size(); ++k) file.add_row(std::array{given[k].a, given[k].b, given[k].c});
-}
-
-void write_table(ClaimsWriter& file, const HalfPlanes& given) {
-  for (std::uint32_t k = 0; k < given.size(); ++k) {
-    file.add_row(std::array{given[k].from.x, given[k].from.y, given[k].to.x, given[k].to.y});
-  }
-}
-
 }  // namespace
 
 template <class Given>
 void write_statement(ClaimsWriter& file, const Given& given, const Objective& objective,
                      const LinearProgramAnswer& answer) {
-  file.begin_table("half_planes");
-  write_table(file, given);
-  file.end_table();
+  write_half_planes(file, given);
   file.begin_statement("linear_program");
   file.doubles("objective", std::array{objective.p, objective.q});
   file.text("verdict", std::string(name_of(answer.outcome)));

@@ -1,17 +1,27 @@
-// Tables and statements about half-planes in certificate files (docs/certificates-sets.md). Each appends to a text.
+// Tables and statements about half-planes in certificate files (docs/claims.md, "half_planes").
 #pragma once
 
+#include <sunder/certificate/claims.h>
+#include <sunder/planar/object/polygon_sides.h>
 #include <sunder/planar/region/region.h>
 
-#include <string>
+#include <cstdint>
+#include <string_view>
+#include <vector>
 
 namespace sunder::planar {
 
-// The table, with its key.
-void append_half_planes(std::string& text, const Constraints& given);
-void append_half_planes(std::string& text, const HalfPlanes& given);
+// The table of half-planes.
+void write_half_planes(ClaimsWriter& file, const Constraints& given);
+void write_half_planes(ClaimsWriter& file, const HalfPlanes& given);
 
-// The verdict, the sides, and what proves them, where the region is not empty; each with its key.
-void append_region(std::string& text, const Region& region);
+// The verdict, the sides and the claims of the statement that is open, and its end. Requires the region with its
+// evidence.
+template <class Given>
+void write_region(ClaimsWriter& file, const Given& given, const Region& region);
+
+extern template void write_region(ClaimsWriter&, const Constraints&, const Region&);
+extern template void write_region(ClaimsWriter&, const HalfPlanes&, const Region&);
+extern template void write_region(ClaimsWriter&, const PolygonSides&, const Region&);
 
 }  // namespace sunder::planar

@@ -4,7 +4,8 @@
 //   P2. The pairs given and their kinds do not depend on the method; their order does.
 //   P3. The answer does not depend on the compiler.
 // k is the number of pairs whose boxes meet, also of those that do not count: all contacts are among them.
-// Source: Shamos & Hoey 1976, section VI (the question). That the list is complete has no short proof.
+// Source: Shamos & Hoey 1976, section VI (the question). That the list is complete is proved by an order
+// (circles_any_json.h).
 #pragma once
 
 #include <sunder/base/cost.h>
@@ -34,7 +35,7 @@ struct CirclesCountAnswer {
   Cost cost;
 };
 
-// The front doors: the fastest method measured. `transcript` of the options is not looked at.
+// The front doors: the fastest method measured.
 CirclesAllAnswer circles_all(const Circles& circles, const CirclesOptions& options = {});
 CirclesCountAnswer circles_count(const Circles& circles, const CirclesOptions& options = {});
 

@@ -6,7 +6,6 @@
 namespace sunder::planar {
 
 CirclesAnswer circles_any_by_grid(const Circles& circles, const CirclesOptions& options) {
-  if (options.transcript) return circles_any_by_sweep(circles, options);
   const std::vector<Segment> boxes = box_diagonals(circles);
   const std::optional<SegmentGrid> grid = SegmentGrid::over(boxes);
   if (!grid || is_too_much(*grid, crowd_for_any, circles.size())) return circles_any_by_sweep(circles, options);
@@ -25,7 +24,7 @@ CirclesAnswer circles_any_by_grid(const Circles& circles, const CirclesOptions& 
   const std::vector<std::uint32_t> members = members_of_crowds(*grid, crowd_for_any, circles.size());
   if (members.empty()) return answer;
   const CirclesSubset part(circles, options.groups, members);
-  const CirclesAnswer contact = circles_any_by_sweep(part.circles, {options.allowed, false, part.groups});
+  const CirclesAnswer contact = circles_any_by_sweep(part.circles, {options.allowed, part.groups});
   answer.cost.probes += contact.cost.probes;
   if (!contact.meet()) return answer;
   answer.kind = contact.kind;

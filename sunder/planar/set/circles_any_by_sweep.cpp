@@ -16,8 +16,6 @@ namespace sunder::planar {
 
 namespace {
 
-static_assert(RankSet::none == no_segment);
-
 // The discs from low to high, by their centres; at one height by number.
 std::vector<std::uint32_t> by_height(const Circles& circles) {
   std::vector<KeyedItem> items;
@@ -60,11 +58,6 @@ class Sweep {
 
   CirclesAnswer run() {
     const std::vector<KeyedItem> ends = ends_from_left(discs_);
-    SweepTranscript& transcript = answer_.transcript;
-    if (options_.transcript) {
-      transcript.events.reserve(ends.size());
-      transcript.below.reserve(discs_.size());
-    }
     for (std::size_t k = 0; k < ends.size() && !answer_.meet(); ++k) {
       if (options_.progress && k % 65536 == 0) {
         options_.progress(static_cast<double>(k) / static_cast<double>(ends.size()));
@@ -75,16 +68,13 @@ class Sweep {
         line_.insert(disc);
         gather(below, disc);
         gather(disc, above);
-        if (options_.transcript) transcript.below.push_back(below == RankSet::none ? no_segment : number_[below]);
       } else {
         line_.erase(disc);
         gather(below, above);
       }
-      if (options_.transcript) transcript.events.push_back(2 * number_[disc] + end % 2);
     }
     test_gathered();
-    if (answer_.meet()) transcript = {};
-    return std::move(answer_);
+    return answer_;
   }
 
  private:

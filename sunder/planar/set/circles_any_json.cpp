@@ -1,28 +1,91 @@
+#include <sunder/planar/set/circle_boxes.h>
 #include <sunder/planar/set/circles_any_json.h>
-#include <sunder/planar/set/tables_json.h>
+#include <sunder/planar/set/cover_order.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace sunder::planar {
 
-std::string certificate_text(const Circles& circles, Allowed allowed, const CirclesAnswer& answer, Groups groups) {
-  std::string text = json_file_begin;
-  append_circles(text, circles.all());
-  text += ",\n \"statements\": [\n  {\"question\": \"circles_any\", \"allowed\": \"" + std::string(name_of(allowed)) +
-          "\", \"verdict\": \"" + (answer.meet() ? "some" : "none") + "\",\n   ";
-  if (answer.meet()) {
-    text += "\"i\": " + std::to_string(answer.i) + ", \"j\": " + std::to_string(answer.j) + ", \"kind\": \"" +
-            std::string(name_of(answer.kind)) + "\", \"point\": ";
-    append_point(text, common_point(circles[answer.i], circles[answer.j]));
-    if (!groups.empty()) {
-      text += ",\n   \"groups\": ";
-      append_indices(text, groups);
-    }
-  } else {
-    text += "\"events\": ";
-    append_indices(text, answer.transcript.events);
-    text += ",\n   \"below\": ";
-    append_indices(text, answer.transcript.below);
+namespace {
+
+void begin(ClaimsWriter& file, const CirclesQuestion& question, std::string_view verdict) {
+  file.begin_table("circles");
+  for (const Circle& c : question.circles.all()) file.add_row(std::array{c.center.x, c.center.y, c.radius});
+  file.end_table();
+  file.begin_statement("circles");
+  file.text("allowed", std::string(name_of(question.allowed)));
+  if (!question.groups.empty()) file.indices("groups", question.groups);
+  file.text("verdict", std::string(verdict));
+}
+
+void end_with_cover(ClaimsWriter& file, const CirclesQuestion& question) {
+  file.begin_claims();
+  file.begin_claim("cover");
+  file.indices("order", cover_order(box_diagonals(question.circles), question.groups));
+  file.end_claim();
+  file.end_statement();
+}
+
+template <class Write>
+std::string text_of(const Write& write) {
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  write(file);
+  file.end();
+  return text;
+}
+
+}  // namespace
+
+void write_statement(ClaimsWriter& file, const CirclesQuestion& question, const CirclesAnswer& answer) {
+  if (!answer.meet()) {
+    begin(file, question, "none");
+    end_with_cover(file, question);
+    return;
   }
-  return text + "}]}\n";
+  begin(file, question, "some");
+  file.index("i", answer.i);
+  file.index("j", answer.j);
+  file.text("kind", std::string(name_of(answer.kind)));
+  const ExactPoint2 p = common_point(question.circles[answer.i], question.circles[answer.j]);
+  file.fractions("point", std::array{p.x, p.y}, p.denominator);
+  file.begin_claims();
+  file.begin_claim("contact");
+  file.end_claim();
+  file.end_statement();
+}
+
+void write_list_statement(ClaimsWriter& file, const CirclesQuestion& question, const EachCirclesContact& visit) {
+  begin(file, question, "these");
+  file.begin_list("contacts");
+  visit([&](const CirclesContact& contact) { file.add_contact(contact.i, contact.j, name_of(contact.kind)); });
+  file.end_list();
+  end_with_cover(file, question);
+}
+
+void write_count_statement(ClaimsWriter& file, const CirclesQuestion& question, std::uint64_t number) {
+  begin(file, question, "count");
+  file.number("number", number);
+  end_with_cover(file, question);
+}
+
+std::string certificate_text(const Circles& circles, Allowed allowed, const CirclesAnswer& answer, Groups groups) {
+  return text_of([&](ClaimsWriter& file) { write_statement(file, {circles, allowed, groups}, answer); });
+}
+
+std::string certificate_text(const Circles& circles, Allowed allowed, CirclesAllAnswer answer, Groups groups) {
+  std::sort(answer.contacts.begin(), answer.contacts.end());
+  return text_of([&](ClaimsWriter& file) {
+    write_list_statement(file, {circles, allowed, groups}, [&](const std::function<void(const CirclesContact&)>& take) {
+      std::for_each(answer.contacts.begin(), answer.contacts.end(), take);
+    });
+  });
+}
+
+std::string certificate_text(const Circles& circles, Allowed allowed, const CirclesCountAnswer& answer, Groups groups) {
+  return text_of([&](ClaimsWriter& file) { write_count_statement(file, {circles, allowed, groups}, answer.count); });
 }
 
 }  // namespace sunder::planar

@@ -1,14 +1,37 @@
-// The certificate file of an answer about a set of circles (docs/certificates-sets.md, "circles_any").
+// Certificates of answers about a set of circles with their insides (docs/claims.md, "circles").
 #pragma once
 
+#include <sunder/certificate/claims.h>
+#include <sunder/planar/set/circles_all.h>
 #include <sunder/planar/set/circles_any.h>
 
+#include <cstdint>
+#include <functional>
 #include <string>
 
 namespace sunder::planar {
 
-// Requires an answer about these circles under this rule and with these groups; one of `none` with its transcript, so
-// without groups. The certificate must be true: the common point is computed here.
+// What was asked. Kept by reference.
+struct CirclesQuestion {
+  const Circles& circles;
+  Allowed allowed = Allowed::nothing;
+  Groups groups{};
+};
+
+// Each writes the table and the statement, and requires the true answer to this question, by whatever method: what
+// proves it is made here. Cost: O(N log N) time, that of cover_order(), O(N) memory, and the length of the list.
+// Two that meet, or that none do:
+void write_statement(ClaimsWriter& file, const CirclesQuestion& question, const CirclesAnswer& answer);
+// Exactly these meet. `visit` calls its argument for each, by i, then j.
+using EachCirclesContact = std::function<void(const std::function<void(const CirclesContact&)>&)>;
+void write_list_statement(ClaimsWriter& file, const CirclesQuestion& question, const EachCirclesContact& visit);
+// So many meet:
+void write_count_statement(ClaimsWriter& file, const CirclesQuestion& question, std::uint64_t number);
+
+// The whole file.
 std::string certificate_text(const Circles& circles, Allowed allowed, const CirclesAnswer& answer, Groups groups = {});
+std::string certificate_text(const Circles& circles, Allowed allowed, CirclesAllAnswer answer, Groups groups = {});
+std::string certificate_text(const Circles& circles, Allowed allowed, const CirclesCountAnswer& answer,
+                             Groups groups = {});
 
 }  // namespace sunder::planar

@@ -13,20 +13,15 @@ namespace {
 
 bool meet(const std::vector<Circle>& given, Allowed allowed = Allowed::nothing, Groups groups = {}) {
   const Circles circles(given);
-  const CirclesAnswer scan = circles_any_by_scan(circles, {allowed, false, groups});
-  for (const bool transcript : {false, true}) {
-    for (const auto method : {&circles_any, &circles_any_by_sweep, &circles_any_by_grid}) {
-      const CirclesAnswer answer = method(circles, {allowed, transcript, groups, nullptr});
-      EXPECT_EQ(answer.meet(), scan.meet());
-      const bool proved = transcript && !answer.meet() && groups.empty();
-      EXPECT_EQ(answer.transcript.events.size(), proved ? 2 * given.size() : 0u);
-      EXPECT_EQ(answer.transcript.below.size(), proved ? given.size() : 0u);
-      if (!answer.meet()) continue;
-      EXPECT_LT(answer.i, answer.j);
-      EXPECT_EQ(answer.kind, circle_circle(circles[answer.i], circles[answer.j]));
-      EXPECT_TRUE(counts(answer.kind, allowed));
-      EXPECT_FALSE(may_meet(groups, answer.i, answer.j));
-    }
+  const CirclesAnswer scan = circles_any_by_scan(circles, {allowed, groups});
+  for (const auto method : {&circles_any, &circles_any_by_sweep, &circles_any_by_grid}) {
+    const CirclesAnswer answer = method(circles, {allowed, groups, nullptr});
+    EXPECT_EQ(answer.meet(), scan.meet());
+    if (!answer.meet()) continue;
+    EXPECT_LT(answer.i, answer.j);
+    EXPECT_EQ(answer.kind, circle_circle(circles[answer.i], circles[answer.j]));
+    EXPECT_TRUE(counts(answer.kind, allowed));
+    EXPECT_FALSE(may_meet(groups, answer.i, answer.j));
   }
   return scan.meet();
 }
@@ -92,15 +87,6 @@ TEST(CirclesAnyTest, BeyondTheDoubles) {
   EXPECT_TRUE(meet({{{5e-324, 0}, 0}, {{0, 0}, 5e-324}}));
 }
 
-// One by one: first ends before last ones at one abscissa, exactly; what is below.
-TEST(CirclesAnyTest, TheTranscript) {
-  const Circles circles(std::vector<Circle>{{{0, 0}, 2}, {{3, 4}, 1}, {{1, -5}, 0}, {{3, 0}, 1 - 0x1p-53}});
-  const CirclesAnswer answer = circles_any(circles, {Allowed::nothing, true, {}, nullptr});
-  ASSERT_FALSE(answer.meet());
-  EXPECT_EQ(answer.transcript.events, (std::vector<std::uint32_t>{0, 4, 5, 2, 1, 6, 7, 3}));
-  EXPECT_EQ(answer.transcript.below, (std::vector<std::uint32_t>{no_segment, no_segment, 0, no_segment}));
-}
-
 // Members of one group meet at will, the others not; neighbours alone would not tell.
 TEST(CirclesAnyTest, Groups) {
   const std::vector<Circle> discs{{{0, 0}, 10}, {{0, 0}, 1}, {{0, 11}, 1.5}};
@@ -158,7 +144,7 @@ TEST(CirclesAnyTest, ProgressIsCalled) {
       last = part;
       ++calls;
     };
-    EXPECT_FALSE(method(circles, {Allowed::nothing, false, {}, progress}).meet());
+    EXPECT_FALSE(method(circles, {Allowed::nothing, {}, progress}).meet());
     EXPECT_GE(calls, 2);
   }
 }
@@ -172,12 +158,10 @@ TEST(CirclesAnyTest, PairsGrowAsN) {
     for (std::uint32_t k = 0; k < n; ++k) tower.push_back({{random.unit(), 3.0 * k}, 1 + 0.4 * random.unit()});
     for (const std::vector<Circle>& discs : {lattice(1u << (std::bit_width(n) / 2), random), tower}) {
       const Circles circles(discs);
-      for (const bool transcript : {false, true}) {
-        const CirclesAnswer answer = circles_any_by_sweep(circles, {Allowed::nothing, transcript, {}, nullptr});
-        ASSERT_FALSE(answer.meet());
-        EXPECT_LE(answer.cost.probes, 3 * std::uint64_t{n});
-        EXPECT_GE(answer.cost.probes, n / 4);
-      }
+      const CirclesAnswer answer = circles_any_by_sweep(circles);
+      ASSERT_FALSE(answer.meet());
+      EXPECT_LE(answer.cost.probes, 3 * std::uint64_t{n});
+      EXPECT_GE(answer.cost.probes, n / 4);
       EXPECT_LE(circles_any(circles).cost.probes, 4 * std::uint64_t{n});
     }
   }

@@ -157,7 +157,7 @@ TEST(ContactsInOrder, NarrowAndWideBlocks) {
     std::erase_if(expected, [&](const SegmentsContact& c) { return !block.holds(c.i); });
     EXPECT_EQ(found, expected);
 
-    const CirclesOptions of_circles{Allowed::touch, false, groups};
+    const CirclesOptions of_circles{Allowed::touch, groups};
     const auto found_discs = in_order<CirclesContact>([&](const CirclesContactVisitor& visit) {
       visit_circle_contacts_of_block(circles, of_circles, block, visit_circle_contacts_by_grid, visit);
     });

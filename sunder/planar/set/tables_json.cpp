@@ -28,15 +28,6 @@ void append_doubles(std::string& text, std::span<const double> numbers) {
   text += ']';
 }
 
-void append_circles(std::string& text, std::span<const Circle> circles) {
-  text += " \"circles\": [";
-  for (std::size_t k = 0; k < circles.size(); ++k) {
-    text += k > 0 ? ",\n  " : "\n  ";
-    append_doubles(text, std::array{circles[k].center.x, circles[k].center.y, circles[k].radius});
-  }
-  text += ']';
-}
-
 void append_convex_polygons(std::string& text, std::span<const ConvexPolygon> polygons) {
   text += " \"convex_polygons\": [";
   for (std::size_t i = 0; i < polygons.size(); ++i) {

@@ -2,7 +2,6 @@
 // "Sets"). Each function appends to a text.
 #pragma once
 
-#include <sunder/planar/object/circle.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/predicate/crossing.h>
 
@@ -26,8 +25,7 @@ void append_point(std::string& text, const ExactPoint2& p);
 // A list of doubles.
 void append_doubles(std::string& text, std::span<const double> numbers);
 
-// The tables, each with its key.
-void append_circles(std::string& text, std::span<const Circle> circles);
+// The table, with its key.
 void append_convex_polygons(std::string& text, std::span<const ConvexPolygon> polygons);
 
 }  // namespace sunder::planar

@@ -29,7 +29,7 @@ Cost visit_circle_contacts_by_grid(const Circles& circles, const CirclesOptions&
     const std::uint32_t c = grid->looking_cell(low_corner(boxes[i], boxes[j]));
     return grid->cell(c).size() <= crowd_for_all || visit({i, j, contact.kind});
   };
-  cost.probes += visit_circle_contacts_by_sweep(part.circles, {options.allowed, false, part.groups}, of_crowd).probes;
+  cost.probes += visit_circle_contacts_by_sweep(part.circles, {options.allowed, part.groups}, of_crowd).probes;
   return cost;
 }
 

@@ -3,14 +3,14 @@
 A statement says its question, what it is about, and its verdict; its claims follow in the order of the table. Each is
 checked by its rule, told what the table binds it to: so a true claim about something else proves nothing.
 """
-from . import rules
+from . import arcs, rules
 from .reader import MOST_NUMBER, double, index, members, number, numbers, require
 
 MOST_WEIGHTS = 16  # of one combination; 4 are always enough
 ALLOWED = {  # which kinds of contact do not count
     "nothing": (),
-    "shared-endpoint": ("shared-endpoint",),
-    "touch": ("shared-endpoint", "touch"),
+    "shared-endpoint": ("shared-endpoint", "touching"),
+    "touch": ("shared-endpoint", "touch", "touching"),
 }
 
 
@@ -36,9 +36,11 @@ def read_allowed(value, where, read):
     return ALLOWED[value]
 
 
-def read_kind(value, where, read):
-    require(value in rules.KINDS, "F", where + " is no kind of contact")
-    return value
+def kind(kinds):
+    def read_kind(value, where, read):
+        require(value in kinds, "F", where + " is no kind of contact")
+        return value
+    return str, read_kind
 
 
 def read_contacts(table, kinds):
@@ -91,9 +93,39 @@ def read_events(value, where, read):
     return value
 
 
+def indices(table):
+    return list, lambda value, where, read: [index(k, len(read[table]), where + " entry") for k in value]
+
+
+def read_arcs(value, where, read):
+    require(0 < len(value) <= 2 * len(read["circles"]), "F", where + " is empty, or has more than two arcs a circle")
+    return indices("circles")[1](value, where, read)
+
+
+def read_parts(value, where, read):
+    for part in value:
+        require(type(part) is list, "F", where + " has an entry that is not a list")
+        read_arcs(part, where + " entry", read)
+    return value
+
+
+def read_cones(value, where, read):
+    require(len(value) == len(read["of"]), "F", "%s is not a list of %d" % (where, len(read["of"])))
+    # A corner is between two sides: of those that do not go round, none is after the last one.
+    count = len(read["sides"]) - (read["verdict"] in ("ray", "unbounded"))
+    return [index(p, count, where + " entry") for p in value]
+
+
+def read_order(value, where, read):
+    size = len(read["of"])
+    require(len(value) == size and len({index(k, size, where + " entry") for k in value}) == size, "F",
+            where + " does not name each once")
+    return value
+
+
 ALLOW, VECTOR, WEIGHTS, ENDS = (str, read_allowed), (list, read_vector), (list, read_weights), (list, read_ends)
-EVENTS, KIND = (list, read_events), (str, read_kind)
-NUMBER = (int, lambda value, where, read: index(value, MOST_NUMBER + 1, where))
+EVENTS, KIND, DISC_KIND = (list, read_events), kind(rules.KINDS), kind(rules.DISC_KINDS)
+ORDER, NUMBER = (list, read_order), (int, lambda value, where, read: index(value, MOST_NUMBER + 1, where))
 OBJECTIVE = (list, lambda value, where, read: numbers(value, 2, double, where))
 
 # ---- Claims: what they bring, and their rule.
@@ -115,12 +147,27 @@ CLAIMS = {
     "none_counts": ({"events": EVENTS}, rules.none_counts),
     "these_count": ({"events": EVENTS}, rules.these_count),
     "number_counts": ({"events": EVENTS}, rules.number_counts),
+    "cones": ({"cones": (list, read_cones)}, rules.cones),
+    "no_entries": ({}, rules.no_entries),
+    "in_discs": ({}, rules.in_discs),
+    "powers": ({"weights": WEIGHTS}, rules.powers),
+    "arcs": ({"parts": (list, read_parts)}, arcs.arcs),
+    "cover": ({"order": ORDER}, rules.cover),
 }
 
 # ---- Statements. A question: the table it is about, what each statement about it says, what it may say; for each verdict
 # what that says more, and its claims, each with what it is bound to: the first is what the claim's indices count.
 
 PROGRAM = {"objective": OBJECTIVE}
+
+
+def regions(given):
+    """The kinds of the common part of half-planes."""
+    kinds = ("point", "segment", "ray", "line", "strip", "half-plane", "unbounded", "bounded", "plane")
+    return {"empty": ({}, [("contradict", given)]),
+            **{kind: ({"sides": indices(given)}, [("cones", given, "verdict", "sides")]) for kind in kinds}}
+
+
 QUESTIONS = {
     "pair": ("bodies", {"a": entry("bodies"), "b": entry("bodies")}, {}, {
         "apart": ({}, [("parted", "a", "b")]),
@@ -139,6 +186,24 @@ QUESTIONS = {
         "these": ({"contacts": read_contacts("segments", rules.KINDS)},
                   [("these_count", "segments", "groups", "allowed", "contacts")]),
         "count": ({"number": NUMBER}, [("number_counts", "segments", "groups", "allowed", "number")]),
+    }),
+    "circles": ("circles", {"allowed": ALLOW}, {"groups": groups("circles")}, {
+        "some": ({"i": index_of("circles"), "j": index_of("circles"), "kind": DISC_KIND, "point": VECTOR},
+                 [("contact", "circles", "i", "j", "kind", "point", "groups", "allowed")]),
+        "none": ({}, [("cover", "circles", "groups", "allowed")]),
+        "these": ({"contacts": read_contacts("circles", rules.DISC_KINDS)},
+                  [("cover", "circles", "groups", "allowed", "contacts")]),
+        "count": ({"number": NUMBER}, [("cover", "circles", "groups", "allowed", "number")]),
+    }),
+    "half_planes": ("half_planes", {}, {}, regions("half_planes")),
+    "kernel": ("rings", {"ring": entry("rings")}, {}, regions("ring")),
+    "convex_polygons_common_part": ("convex_polygons", {}, {}, regions("convex_polygons")),
+    "circles_common_part": ("circles", {}, {}, {
+        "empty": ({}, [("powers", "circles", "verdict")]),
+        "point": ({"point": VECTOR}, [("in_discs", "circles", "point", "verdict"), ("powers", "circles", "verdict")]),
+        "region": ({"point": VECTOR, "arcs": (list, read_arcs)},
+                   [("in_discs", "circles", "point", "verdict"), ("arcs", "circles", "point", "arcs")]),
+        "plane": ({}, [("no_entries", "circles")]),
     }),
     "linear_program": ("half_planes", PROGRAM, {}, {
         "one": ({"point": VECTOR}, [("feasible", "half_planes", "point"),
@@ -200,6 +265,8 @@ def description(item, read):
         words.append("%d contacts" % len(item["contacts"]))
     if "number" in item:
         words.append("%d contacts" % item["number"])
+    if "ring" in item:
+        words.append("ring %d" % item["ring"])
     if "objective" in item:
         words.append("along (%s, %s)" % tuple(item["objective"]))
     return words

@@ -4,7 +4,7 @@ All arithmetic is on integers. A point is x, ..., w with w > 0, for (x / w, ...)
 units of a power of two. A rule is told the steps that it may take, what the claim brings, and what it is bound to.
 """
 from .reader import bits, common, length, projective, require
-from .tables import dot
+from .tables import Discs, Segments, dot, goes_round_once, turn
 
 
 def aligned(m, e, n, f):
@@ -81,11 +81,6 @@ def slab(steps, claim, a, b, from_a, to_b):
 
 # ---- Linear constraints: half-planes a x + b y <= c as integers (a, b, c, exponent of all three).
 
-def turn(u, v):
-    """Positive: v is less than half a turn counter-clockwise from u."""
-    return u[0] * v[1] - u[1] * v[0]
-
-
 def excess(h, point):
     """Positive: the point x, y, w is outside; zero: on the line."""
     return h[0] * point[0] + h[1] * point[1] - h[2] * point[2]
@@ -103,19 +98,20 @@ def feasible(steps, claim, given, point):
         require(excess(h, place) <= 0, "feasible", "the point is outside of half-plane %d" % i)
 
 
-def weighted_sum(steps, claim, given):
-    """Of the named constraints, by weights that are positive: (a, b, c), times a positive number."""
+def weighted_sum(steps, claim, rows):
+    """Of the named rows of integers * 2^e, which stands last, by weights that are positive: times a positive number."""
     named = claim["weights"]
     whole = length([weight for _, weight in named])
     steps.take(len(named) // 4 + 1, whole, whole)
-    weights, _, _ = common([(n, d, e + given[k][3]) for k, (n, d, e) in named])
+    chosen = [rows(k) for k, _ in named]
+    weights, _, _ = common([(n, d, e + row[-1]) for row, (_, (n, d, e)) in zip(chosen, named)])
     require(all(w > 0 for w in weights), "weights", "a weight is not positive")
-    return [sum(w * given[k][axis] for w, (k, _) in zip(weights, named)) for axis in range(3)]
+    return [sum(map(int.__mul__, weights, column)) for column in zip(*chosen)][:-1]
 
 
 def bounds(steps, claim, given, objective, point, is_only=False):
     """No common point is further along the objective than the point, and, where is_only, no other one as far."""
-    a, b, _ = weighted_sum(steps, claim, given)
+    a, b, _ = weighted_sum(steps, claim, given.__getitem__)
     up = common(objective)[0]
     require(turn((a, b), up) == 0 and dot((a, b), up) > 0, "bounds", "the weighted normals are not the objective")
     place = projective(point)
@@ -137,7 +133,7 @@ def no_objective(steps, claim, given, objective):
 
 def contradict(steps, claim, given):
     """No point keeps the named constraints."""
-    a, b, c = weighted_sum(steps, claim, given)
+    a, b, c = weighted_sum(steps, claim, given.__getitem__)
     require(a == b == 0 and c < 0, "contradict", "the weighted constraints have a common point")
 
 
@@ -172,6 +168,48 @@ def ends(steps, claim, given, objective, point):
         require(m * w < n * v, "ends", "the ends are one point")
 
 
+def corner(h, g):
+    """The common point of the lines of two half-planes that turn, as x, y, w."""
+    return h[2] * g[1] - g[2] * h[1], h[0] * g[2] - g[0] * h[2], turn(h, g)
+
+
+EXTENTS = {"point": 0, "segment": 2, "ray": 0}  # how many sides with a corner at each end are no point; else all
+NUMBER = {"plane": 0, "half-plane": 1, "line": 2, "strip": 2}  # of sides without corners
+
+
+def cones(steps, claim, given, verdict, sides):
+    """The sides, counter-clockwise, bound a region of the kind, and each half-plane holds it."""
+    sides, is_open = [given[k] for k in sides], verdict in ("ray", "unbounded")
+    n, after = len(sides), sides[1:] + sides[:1]
+    if verdict in NUMBER:
+        require(n == NUMBER[verdict], "sides", "there are %d sides" % n)
+        if n == 2:
+            h, g = sides
+            gap = dot(h[:2], h) * g[2] - dot(h[:2], g) * h[2]
+            require(turn(h, g) == 0 > dot(h[:2], g) and (gap == 0 if verdict == "line" else gap > 0), "sides",
+                    "the sides are not opposite, or not as far apart as they must be")
+    else:
+        require(goes_round_once(sides) if not is_open else n > 1 and all(turn(h, g) > 0 for h, g in zip(sides, sides[1:])),
+                "sides", "the sides do not turn as they must")
+        whole = turn(sides[0], sides[-1]) if is_open else 0
+        require(not is_open or (whole >= 0 and all(turn(sides[0], h) > 0 for h in sides[1:-1])), "sides",
+                "the sides turn by more than half a turn")
+        corners = [corner(h, g) for h, g in zip(sides, after)]
+        ends = [excess(after[k], corners[k - 1]) for k in range(is_open, n - is_open)]
+        extents = sum(end < 0 for end in ends)
+        require(all(end <= 0 for end in ends) and extents == EXTENTS.get(verdict, len(ends)), "sides",
+                "%d sides have a part of the boundary" % extents)
+        require(verdict != "ray" or whole == 0, "sides", "the ray's sides are not opposite")
+    for i, (h, p) in enumerate(zip(given, claim["cones"])):
+        side = sides[p]
+        if verdict in NUMBER:
+            is_between, is_kept = turn(side, h) == 0 < dot(side[:2], h), dot(side[:2], h) * side[2] <= dot(side[:2], side) * h[2]
+        else:
+            is_between, is_kept = turn(side, h) >= 0 and turn(h, after[p]) >= 0, excess(h, corners[p]) <= 0
+        require(is_between, "cones", "half-plane %d does not face as between its sides" % i)
+        require(is_kept, "cones", "half-plane %d does not hold its corner" % i)
+
+
 # ---- Segments: pairs of points, the lexicographically lesser one first.
 
 KINDS = ("shared-endpoint", "touch", "crossing", "overlap")
@@ -200,18 +238,124 @@ def kind_of(s, t):
     return "touch" if any(ends) else "crossing"
 
 
-def contact(steps, claim, segments, i, j, kind, point, groups, allowed):
-    """Two segments of different groups hold a point, and the kind of their contact counts."""
-    place = projective([(n, d, e - segments.exponent) for n, d, e in point])
-    steps.take(16, length(point), segments.bits)
-    require(i != j and (groups is None or groups[i] != groups[j]), "contact", "segments %d and %d are of one group" % (i, j))
+def is_on(segment, point):
+    first, last = (end + (1,) for end in segment)
+    return side(segment, point) == 0 and not before(point, first) and not before(last, point)
+
+
+# ---- Discs: x, y, r.
+
+DISC_KINDS = ("touching", "overlapping", "inside")
+
+
+def power_of(disc, point):
+    """Positive: the point x, y, w is outside."""
+    x, y, w = point
+    return (x - disc[0] * w) ** 2 + (y - disc[1] * w) ** 2 - (disc[2] * w) ** 2
+
+
+def is_in(disc, point):
+    return power_of(disc, point) <= 0
+
+
+def kind_of_discs(c, d):
+    """How two discs meet, or None."""
+    distance, most, least = (c[0] - d[0]) ** 2 + (c[1] - d[1]) ** 2, (c[2] + d[2]) ** 2, (c[2] - d[2]) ** 2
+    if distance >= most:
+        return "touching" if distance == most else None
+    return "overlapping" if distance > least else "inside"
+
+
+def in_discs(steps, claim, discs, point, verdict):
+    """The point is in all discs; for a region, inside of all circles."""
+    place = projective([(n, d, e - discs.exponent) for n, d, e in point])
+    steps.take(4 * len(discs), length(point) + discs.bits, length(point) + discs.bits)
+    for k, disc in enumerate(discs):
+        power = power_of(disc, place)
+        require(power < 0 or (power == 0 and verdict == "point"), "in_discs", "the point is not inside of circle %d" % k)
+
+
+def no_entries(steps, claim, table):
+    require(not table, "no_entries", "there are entries")
+
+
+def powers(steps, claim, discs, verdict):
+    """The weighted mean of the powers is positive everywhere, or, where there is a common point, zero there at least."""
+    def row(k):
+        x, y, r = discs[k]
+        return 1, x, y, x * x + y * y - r * r, 0
+    total, x, y, rest = weighted_sum(steps, claim, row)
+    least = total * rest - x * x - y * y
+    require(least > 0 or (least == 0 and verdict == "point"), "powers", "the mean of the powers is not as it must be")
+
+
+# ---- Contacts of two entries of a table.
+
+MEETING = {Segments: (is_on, kind_of), Discs: (is_in, kind_of_discs)}
+
+
+def contact(steps, claim, table, i, j, kind, point, groups, allowed):
+    """Two entries of different groups hold a point, and the kind of their contact counts."""
+    holds_point, kind_between = MEETING[type(table)]
+    place = projective([(n, d, e - table.exponent) for n, d, e in point])
+    steps.take(16, length(point), table.bits)
+    require(i != j and (groups is None or groups[i] != groups[j]), "contact", "%d and %d are of one group" % (i, j))
     require(kind not in allowed, "contact", kind + " does not count")
     for k in (i, j):
-        first, last = (end + (1,) for end in segments[k])
-        require(side(segments[k], place) == 0 and not before(place, first) and not before(last, place), "contact",
-                "the point is not on segment %d" % k)
-    found = kind_of(segments[i], segments[j])
+        require(holds_point(table[k], place), "contact", "the point is not in %d" % k)
+    found = kind_between(table[i], table[j])
     require(found == kind, "contact", "the contact is " + found)
+
+
+class Node:
+    """Of the tree over an order: a range of it, its box, its group where it is one, and its halves."""
+
+    def __init__(self, order, boxes, groups):
+        self.first, self.halves = order[0], None
+        self.box, self.group = boxes[self.first], groups[self.first]
+        if len(order) > 1:
+            half = len(order) // 2
+            self.halves = a, b = Node(order[:half], boxes, groups), Node(order[half:], boxes, groups)
+            self.box = (*map(min, a.box[:2], b.box[:2]), *map(max, a.box[2:], b.box[2:]))
+            self.group = a.group if a.group == b.group else None
+        self.length = max(self.box[2] - self.box[0], self.box[3] - self.box[1])
+
+
+def meetings(steps, order, table, groups, allowed):
+    """Gives all contacts that count of two entries of different groups: i, j and the kind."""
+    root = order and Node(order, table.boxes(), groups if groups is not None else range(len(table)))
+    left = order and [(root, root)]
+    while left:
+        a, b = left.pop()
+        steps.take(1, table.bits, table.bits)
+        p, q = a.box, b.box
+        if p[2] < q[0] or q[2] < p[0] or p[3] < q[1] or q[3] < p[1] or a.group == b.group is not None:
+            continue
+        if a is b:
+            left += [(a.halves[0], a.halves[0]), a.halves, (a.halves[1], a.halves[1])]
+        elif a.halves and (not b.halves or a.length >= b.length):
+            left += [(half, b) for half in a.halves]
+        elif b.halves:
+            left += [(a, half) for half in b.halves]
+        else:
+            i, j = sorted((a.first, b.first))
+            kind = MEETING[type(table)][1](table[i], table[j])
+            if kind and kind not in allowed:
+                yield i, j, kind
+
+
+def cover(steps, claim, table, groups, allowed, found=()):
+    """The contacts that count are those found: a sorted list, or their number."""
+    contacts = meetings(steps, claim["order"], table, groups, allowed)
+    if type(found) is int:
+        number = sum(1 for _ in contacts)
+        require(number == found, "cover", "there are %d contacts" % number)
+        return
+    listed = {tuple(item) for item in found}
+    for contact_found in contacts:
+        require(contact_found in listed, "cover", "%d and %d have a contact, which is not listed: %s" % contact_found)
+        listed.remove(contact_found)
+    require(not listed, "cover", "a contact that is listed is none, or does not count")
 
 
 # ---- Sweeps: a list of segments from the lowest up, kept through events at points, lexicographically ordered.

@@ -100,19 +100,90 @@ class Segments(list):
             require(first <= last, "F", "%s[%d] does not begin with its lexicographically first end" % (where, i))
 
 
+class Discs(list):
+    """Closed discs x, y, r, in units of 2^exponent."""
+
+    def __init__(self, value, where):
+        rows, self.exponent = rows_of(value, 3, where)
+        self.bits = max(map(bits, rows), default=0)
+        super().__init__(rows)
+        for i, (_, _, r) in enumerate(self):
+            require(r >= 0, "F", "%s[%d] has a negative radius" % (where, i))
+
+    def boxes(self):
+        return [(x - r, y - r, x + r, y + r) for x, y, r in self]
+
+
+def left_of(arrow, e, where):
+    """The half-plane left of an arrow in units of 2^e: (a, b, c) as integers in units of 2^f, and f."""
+    px, py, qx, qy = arrow  # a and b are in units of 2^e, c in units of their square
+    require((px, py) != (qx, qy), "F", where + " has no direction")
+    return (qy - py) << max(-e, 0), (px - qx) << max(-e, 0), (px * qy - qx * py) << max(e, 0), e + min(e, 0)
+
+
 def half_planes(value, where):
-    """Of a, b, c, or of an arrow from one point to another, which has it on its left: (a, b, c) as integers * 2^e, and e."""
+    """Of a, b, c, or of an arrow from one point to another, which has it on its left."""
     result = []
     for i, item in enumerate(value):
         place = "%s[%d]" % (where, i)
         require(type(item) is list and len(item) in (3, 4), "F", place + " is not a list of 3 or 4")
         (row,), e = rows_of([item], len(item), place)
-        if len(row) == 4:
-            px, py, qx, qy = row  # a and b are in units of 2^e, c in units of their square
-            row, e = ((qy - py) << max(-e, 0), (px - qx) << max(-e, 0), (px * qy - qx * py) << max(e, 0)), e + min(e, 0)
-        require(row[0] or row[1], "F", place + " has no direction")
-        result.append((*row, e))
+        require(len(row) == 4 or row[0] or row[1], "F", place + " has no direction")
+        result.append((*row, e) if len(row) == 3 else left_of(row, e, place))
     return result
 
 
-TABLES = {"bodies": bodies, "segments": Segments, "half_planes": half_planes}
+def sides_of(vertices, e, where):
+    return [left_of(p + q, e, where) for p, q in zip(vertices, vertices[1:] + vertices[:1])]
+
+
+def turn(u, v):
+    """Positive: v is less than half a turn counter-clockwise from u."""
+    return u[0] * v[1] - u[1] * v[0]
+
+
+def rings(value, where):
+    """Of each ring the half-planes on the inner side of its edges."""
+    result = []
+    for i, item in enumerate(value):
+        place = "%s[%d]" % (where, i)
+        require(type(item) is list and len(item) > 2, "F", place + " is not a list of three vertices or more")
+        vertices, e = rows_of(item, 2, place)
+        area = sum(turn(p, q) for p, q in zip(vertices, vertices[1:] + vertices[:1]))
+        require(area, "F", place + " has no area")
+        inner = sides_of(vertices, e, place)
+        result.append(inner if area > 0 else [(-a, -b, -c, f) for a, b, c, f in inner])
+    return result
+
+
+def goes_round_once(sides):
+    """Does each half-plane turn to the next, by less than half a turn, and all by one turn?"""
+    after = sides[1:] + sides[:1]
+    is_low = [h[1] < 0 or (h[1] == 0 and h[0] < 0) for h in after]
+    return all(turn(h, g) > 0 for h, g in zip(sides, after)) and sum(map(int.__gt__, is_low[-1:] + is_low, is_low)) == 1
+
+
+def convex_polygons(value, where):
+    """The half-planes of the sides of all, polygon after polygon; also of segments and points."""
+    result = []
+    for i, item in enumerate(value):
+        place = "%s[%d]" % (where, i)
+        require(type(item) is list and item, "F", place + " is not a list of a vertex or more")
+        vertices, e = rows_of(item, 2, place)
+
+        def beside(axis, way, limit):
+            row = [0, 0, way * limit << max(e, 0), min(e, 0)]
+            row[axis] = way << max(-e, 0)
+            return tuple(row)
+        sides = sides_of(vertices, e, place) if len(vertices) > 1 else []
+        if len(vertices) < 3:
+            axes = (0, 1) if not sides else (0,) if vertices[0][0] != vertices[1][0] else (1,)
+            sides += [beside(axis, way, way * max(way * v[axis] for v in vertices)) for way in (1, -1) for axis in axes]
+        else:
+            require(goes_round_once(sides), "F", place + " is not strictly convex and counter-clockwise")
+        result += sides
+    return result
+
+
+TABLES = {"bodies": bodies, "segments": Segments, "circles": Discs, "half_planes": half_planes, "rings": rings,
+          "convex_polygons": convex_polygons}

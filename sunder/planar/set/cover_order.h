@@ -1,0 +1,25 @@
+// In which order do the halves of a set, their halves, and so on, lie apart from each other, as far as may be? Evidence
+// of which members meet (docs/claims.md, "Covers"): whatever the order is, it proves the contacts; a good one does so
+// with few looks.
+#pragma once
+
+#include <sunder/planar/object/segments.h>
+#include <sunder/planar/set/contact_rule.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace sunder::planar {
+
+// Boxes as the segments from their low left to their high right corners, rounded or beyond the doubles
+// (circle_boxes.h). The numbers of all, each once. Halves are made at the median of the coordinate of the boxes, of all
+// four, that differs most. Groups, where there are any, stand one after the other if a checker then looks at fewer
+// pairs. Cost: O(N log N) time, O(N) memory; with groups also that of a few checks.
+std::vector<std::uint32_t> cover_order(std::span<const Segment> boxes, Groups groups = {});
+
+// How many pairs of nodes a checker looks at that is told this order, were the boxes as rounded; at most `most`.
+std::uint64_t cover_looks(std::span<const std::uint32_t> order, std::span<const Segment> boxes, Groups groups,
+                          std::uint64_t most);
+
+}  // namespace sunder::planar

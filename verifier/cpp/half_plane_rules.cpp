@@ -1,0 +1,207 @@
+// Claims about half-planes: docs/claims.md, "Rules".
+#include <verifier/cpp/rules.h>
+#include <verifier/statement.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace sunder_verifier {
+
+namespace {
+
+Integer turn(const Integer& ux, const Integer& uy, const Integer& vx, const Integer& vy) { return ux * vy - uy * vx; }
+
+Integer along(const LinearConstraint& h, const Integers& way) { return h.a * way[0] + h.b * way[1]; }
+
+// Positive: the point x, y, w is outside; zero: on the line.
+Integer excess(const LinearConstraint& h, const Integers& place) { return along(h, place) - h.c * place[2]; }
+
+void look_at_all(const Tables& tables, const Integers& vector) {
+  take_steps(2 * tables.half_planes.size(), bits(vector), tables.half_plane_bits);
+}
+
+// Of the named constraints, times a positive number.
+LinearConstraint weighted_sum(const Claim& claim, const Constraints& given) {
+  const Integers weights = positive_weights(claim.weights, [&](std::size_t k) { return given[k].e; });
+  LinearConstraint sum;
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    const LinearConstraint& h = given[claim.weights.named[k]];
+    sum.a += weights[k] * h.a;
+    sum.b += weights[k] * h.b;
+    sum.c += weights[k] * h.c;
+  }
+  return sum;
+}
+
+}  // namespace
+
+void check_feasible(const Tables& tables, const Numbers& point) {
+  const Integers place = projective(point);
+  look_at_all(tables, place);
+  for (std::size_t i = 0; i < tables.half_planes.size(); ++i) {
+    require(excess(tables.half_planes[i], place) <= 0, "feasible",
+            "the point is outside of half-plane " + std::to_string(i));
+  }
+}
+
+void check_bounds(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point) {
+  const LinearConstraint sum = weighted_sum(claim, tables.half_planes);
+  const Integers up = common(objective).integers;
+  require(turn(sum.a, sum.b, up[0], up[1]) == 0 && along(sum, up) > 0, "bounds",
+          "the weighted normals are not the objective");
+  const Integers place = projective(point);
+  for (const std::size_t k : claim.weights.named) {
+    require(excess(tables.half_planes[k], place) == 0, "bounds",
+            "the point is not on the line of half-plane " + std::to_string(k));
+  }
+}
+
+void check_bounds_only(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point) {
+  check_bounds(claim, tables, objective, point);
+  const LinearConstraint& first = tables.half_planes[claim.weights.named[0]];
+  const auto is_parallel = [&](std::size_t k) {
+    return turn(first.a, first.b, tables.half_planes[k].a, tables.half_planes[k].b) == 0;
+  };
+  require(!std::all_of(claim.weights.named.begin(), claim.weights.named.end(), is_parallel), "bounds",
+          "the lines at the point are one");
+}
+
+void check_no_objective(const Numbers& objective) {
+  require(objective[0].n == 0 && objective[1].n == 0, "no_objective", "there is an objective");
+}
+
+void check_contradict(const Claim& claim, const Constraints& given) {
+  const LinearConstraint sum = weighted_sum(claim, given);
+  require(sum.a == 0 && sum.b == 0 && sum.c < 0, "contradict", "the weighted constraints have a common point");
+}
+
+void check_goes_on(const Claim& claim, const Tables& tables, const Numbers& objective) {
+  const Integers way = common(claim.direction).integers, up = common(objective).integers;
+  require(dot(up, way) > 0, "goes_on", "the direction does not lead further along the objective");
+  look_at_all(tables, way);
+  for (std::size_t i = 0; i < tables.half_planes.size(); ++i) {
+    require(along(tables.half_planes[i], way) <= 0, "goes_on", "the direction leaves half-plane " + std::to_string(i));
+  }
+}
+
+void check_ends(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point) {
+  const Integers up = common(objective).integers, start = projective(point);
+  const std::array<Integers, 2> ways{Integers{up[1], -up[0]}, Integers{-up[1], up[0]}};
+  std::array<Integers, 2> places;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Integers& way = ways[k];
+    if (!claim.ends[k]) {
+      look_at_all(tables, way);
+      for (const LinearConstraint& h : tables.half_planes) {
+        require(along(h, way) <= 0, "ends", "there is an end, and it is not given");
+      }
+      continue;
+    }
+    const Integers& place = places[k] = projective(claim.ends[k]->point);
+    look_at_all(tables, place);
+    for (const LinearConstraint& h : tables.half_planes) {
+      require(excess(h, place) <= 0, "ends", "an end is outside of a half-plane");
+    }
+    require((up[0] * place[0] + up[1] * place[1]) * start[2] == (up[0] * start[0] + up[1] * start[1]) * place[2],
+            "ends", "an end is not as far along the objective");
+    const LinearConstraint& h = tables.half_planes[claim.ends[k]->side];
+    require(excess(h, place) == 0 && along(h, way) > 0, "ends",
+            "half-plane " + std::to_string(claim.ends[k]->side) + " does not end it");
+  }
+  if (!claim.ends[0] || !claim.ends[1]) return;
+  const Integer before = ways[1][0] * places[0][0] + ways[1][1] * places[0][1];
+  const Integer after = ways[1][0] * places[1][0] + ways[1][1] * places[1][1];
+  require(before * places[1][2] < after * places[0][2], "ends", "the ends are one point");
+}
+
+// ---- Common parts.
+
+namespace {
+
+bool has_corners(const std::string& verdict) {
+  return verdict != "plane" && verdict != "half-plane" && verdict != "line" && verdict != "strip";
+}
+
+bool is_open(const std::string& verdict) { return verdict == "ray" || verdict == "unbounded"; }
+
+Integer facing(const LinearConstraint& h, const LinearConstraint& k) { return h.a * k.a + h.b * k.b; }
+
+// The common point of the lines, as x, y, w. Requires that h turns to k.
+Integers corner(const LinearConstraint& h, const LinearConstraint& k) {
+  return {h.c * k.b - k.c * h.b, h.a * k.c - k.a * h.c, turn(h, k)};
+}
+
+void require_no_corners(const Constraints& sides, const std::string& verdict) {
+  const std::size_t wanted = verdict == "plane" ? 0 : verdict == "half-plane" ? 1 : 2;
+  require(sides.size() == wanted, "sides", "there are " + std::to_string(sides.size()) + " sides");
+  if (wanted < 2) return;
+  const LinearConstraint &h = sides[0], &k = sides[1];
+  const Integer between = facing(h, h) * k.c - facing(h, k) * h.c;
+  const bool is_so = turn(h, k) == 0 && facing(h, k) < 0 && (verdict == "line" ? between == 0 : between > 0);
+  require(is_so, "sides", "the sides are not opposite, or not as far apart as they must be");
+}
+
+// Each turns to the next; the first to all others, by half a turn at most.
+void require_open_turns(const Constraints& sides) {
+  require(sides.size() > 1, "sides", "the sides do not turn as they must");
+  for (std::size_t k = 0; k + 1 < sides.size(); ++k) {
+    require(turn(sides[k], sides[k + 1]) > 0, "sides", "the sides do not turn as they must");
+  }
+  for (std::size_t k = 1; k + 1 < sides.size(); ++k) {
+    require(turn(sides[0], sides[k]) > 0, "sides", "the sides turn by more than half a turn");
+  }
+  const Integer whole = turn(sides.front(), sides.back());
+  require(whole >= 0, "sides", "the sides turn by more than half a turn");
+}
+
+// How many sides with a corner at each end are more than a point; all must be, but for the thin kinds.
+void require_extents(const Constraints& sides, const std::string& verdict) {
+  const std::size_t n = sides.size(), first = is_open(verdict) ? 1 : 0;
+  std::size_t extents = 0;
+  bool any_before = false;
+  for (std::size_t k = first; k + first < n; ++k) {
+    const Integer end = excess(sides[(k + 1) % n], corner(sides[(k + n - 1) % n], sides[k]));
+    if (end < 0) ++extents;
+    any_before = any_before || end > 0;
+  }
+  const bool is_point = verdict == "point" || verdict == "ray";
+  const std::size_t wanted = is_point ? 0 : verdict == "segment" ? 2 : n - 2 * first;
+  require(extents == wanted && !any_before, "sides", std::to_string(extents) + " sides have a part of the boundary");
+  require(verdict != "ray" || turn(sides.front(), sides.back()) == 0, "sides", "the ray's sides are not opposite");
+}
+
+}  // namespace
+
+void check_cones(const Claim& claim, const Constraints& given, const std::string& verdict,
+                 const std::vector<std::size_t>& named) {
+  Constraints sides;
+  for (const std::size_t k : named) sides.push_back(given[k]);
+  if (!has_corners(verdict)) {
+    require_no_corners(sides, verdict);
+  } else {
+    if (is_open(verdict)) {
+      require_open_turns(sides);
+    } else {
+      require(goes_round_once(sides), "sides", "the sides do not turn as they must");
+    }
+    require_extents(sides, verdict);
+  }
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const LinearConstraint &h = given[i], &side = sides[claim.cones[i]];
+    bool is_between = false, is_kept = false;
+    if (has_corners(verdict)) {
+      const LinearConstraint& after = sides[(claim.cones[i] + 1) % sides.size()];
+      is_between = turn(side, h) >= 0 && turn(h, after) >= 0;
+      is_kept = excess(h, corner(side, after)) <= 0;
+    } else {
+      is_between = turn(side, h) == 0 && facing(side, h) > 0;
+      is_kept = facing(side, h) * side.c <= facing(side, side) * h.c;
+    }
+    const std::string name = "half-plane " + std::to_string(i);
+    require(is_between, "cones", name + " does not face as between its sides");
+    require(is_kept, "cones", name + " does not hold its corner");
+  }
+}
+
+}  // namespace sunder_verifier
