@@ -212,7 +212,8 @@ Combination inner_combination(const ConvexPolygon& polygon, const Pose& pose, co
 
 CommonPoint overlapping_point(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b, const Pose& pose_b) {
   const std::vector<CommonCorner> corners = polygon_polygon_common_part(a, pose_a, b, pose_b).corners;
-  const std::size_t n = corners.size(), few = std::min<std::size_t>(n, 3);
+  // Of four corners and more, two that are not neighbours have the inside between them.
+  const std::size_t n = corners.size(), few = n > 3 ? 2 : n;
   std::vector<ExactPoint2> chosen;
   for (std::size_t k = 0; k < few; ++k) {
     chosen.push_back(exact_corner(corners[k * n / few], a, pose_a, b, pose_b));
