@@ -62,9 +62,8 @@ struct Corner {
     for (const std::uint32_t v : at) {
       for (const std::uint32_t e : {before(polygon, v), v}) all.push_back(normal(polygon, pose, e));
     }
-    if (polygon.size() > 2) return all;
-    for (std::size_t k = 0, count = all.size(); k < count; ++k) all.push_back(minus(all[k]));
-    if (at.size() == 1) all.push_back((*this)[at[0]] - (*this)[after(polygon, at[0])]);
+    // Of a segment these are both normals.
+    if (polygon.size() == 2 && at.size() == 1) all.push_back((*this)[at[0]] - (*this)[after(polygon, at[0])]);
     return all;
   }
 };
@@ -190,7 +189,8 @@ Combination inner_combination(const ConvexPolygon& polygon, const Pose& pose, co
   const ExactPoint2 m = exact_middle(polygon, pose);
   const Exact from_m = times({point.x, point.y}, m.denominator) - times({m.x, m.y}, point.denominator);
   const Dyadic denominator = point.denominator * m.denominator;
-  for (std::int64_t k = 0;; --k) {
+  constexpr std::int64_t least = -65536;  // beyond the exponents of certificate files
+  for (std::int64_t k = 0; k > least; k = k == 0 ? -1 : 2 * k) {
     const Dyadic e = Dyadic::power_of_two(k);
     const ExactPoint2 x{point.x * m.denominator + e * from_m.x, point.y * m.denominator + e * from_m.y, denominator};
     std::optional<Combination> further = combination(polygon, pose, x);
@@ -208,6 +208,7 @@ Combination inner_combination(const ConvexPolygon& polygon, const Pose& pose, co
     }
     return sum;
   }
+  return {};  // not of a point inside
 }
 
 CommonPoint overlapping_point(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b, const Pose& pose_b) {
