@@ -52,13 +52,14 @@ int turn(const Way& p, const Way& q) {
 // Does p come before q, going round from the bearing 0?
 bool is_before(const Way& p, const Way& q) { return p.is_upper == q.is_upper ? turn(p, q) > 0 : p.is_upper; }
 
-// Is a way strictly inside of the angle from u counter-clockwise to v?
-bool is_between(const Way& u, const Way& way, const Way& v) {
+// Is a way strictly inside of the angle from u counter-clockwise to v? in_order: u is not after v, going round from the
+// bearing 0.
+bool is_between(const Way& u, const Way& way, const Way& v, bool in_order) {
+  if (in_order && u.is_upper == v.is_upper) return turn(u, way) > 0 && turn(way, v) > 0;  // less than half a turn
   const int whole = turn(u, v);
   const bool after = turn(u, way) > 0;
   if (whole == 0) return after && u.is_upper != v.is_upper;  // half a turn, or nothing
-  const bool ahead = turn(way, v) > 0;
-  return whole > 0 ? after && ahead : after || ahead;
+  return after == (whole < 0) ? after : turn(way, v) > 0;    // after and ahead; beyond half a turn, after or ahead
 }
 
 // Where an arc of a ends and one of b begins: of the points where the circles cross, that at which the way around a
@@ -122,7 +123,7 @@ class Arcs {
   }
 
  private:
-  void take(std::size_t looks) const { take_steps(8 * looks, bits_, bits_); }
+  void take(std::size_t looks) const { take_steps(6 * looks, bits_, bits_); }
 
   Chain make_chain(const std::vector<std::size_t>& named) const {
     take(named.size());
@@ -179,8 +180,9 @@ class Arcs {
       const PlanarDisc &c = discs_[chain.named[i % chain.named.size()]],
                        &d = discs_[other.named[k % other.named.size()]];
       const bool may_leave = !holds(d, c) && (c.x != d.x || c.y != d.y);
-      require(!may_leave || !is_between(all[(m + all.size() - 1) % all.size()].first->way, furthest(c, d), end->way),
-              "arcs", "an arc is not all in a circle");
+      const End& before = *all[(m + all.size() - 1) % all.size()].first;
+      require(!may_leave || !is_between(before.way, furthest(c, d), end->way, m > 0), "arcs",
+              "an arc is not all in a circle");
       const int power = end->corner.power(is_other ? c : d);
       require(is_other ? power >= 0 : power <= 0, "arcs", "a corner is not in a circle");
       ++(is_other ? k : i);

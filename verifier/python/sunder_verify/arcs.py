@@ -43,12 +43,14 @@ def by_bearing(end, other):
     return -u.turn_to(v) if u.is_upper == v.is_upper else v.is_upper - u.is_upper
 
 
-def is_between(u, way, v):
-    """Is a way strictly inside of the angle from u counter-clockwise to v?"""
-    whole, after, ahead = u.turn_to(v), u.turn_to(way) > 0, way.turn_to(v) > 0
+def is_between(u, way, v, in_order):
+    """Is a way strictly inside of the angle from u counter-clockwise to v? in_order: u is not after v, from the bearing 0."""
+    if in_order and u.is_upper == v.is_upper:  # less than half a turn
+        return u.turn_to(way) > 0 and way.turn_to(v) > 0
+    whole, after = u.turn_to(v), u.turn_to(way) > 0
     if whole == 0:
         return after and u.is_upper != v.is_upper  # half a turn, or nothing
-    return (after and ahead) if whole > 0 else (after or ahead)
+    return (after and way.turn_to(v) > 0) if whole > 0 else (after or way.turn_to(v) > 0)
 
 
 class Corner:
@@ -80,7 +82,7 @@ class Chain:
     def __init__(self, steps, discs, named, place):
         self.discs, self.place = discs, place
         self.bits = 4 * discs.bits + 2 * bits(place)
-        steps.take(8 * len(named), self.bits, self.bits)
+        steps.take(6 * len(named), self.bits, self.bits)
         corners = [Corner(discs[a], discs[b]) for a, b in zip(named, named[1:] + named[:1])] if len(named) > 1 else []
         require(all(corner.root > 0 for corner in corners), "arcs", "circles do not cross in two points")
         ends = [(corner.seen_from(*place), corner) for corner in corners]
@@ -91,7 +93,7 @@ class Chain:
 
     def require_within(self, steps, other):
         """Seen from the point, no arc is further than the other chain in that direction."""
-        steps.take(8 * (len(self.ends) + len(other.ends) + 1), self.bits, self.bits)
+        steps.take(6 * (len(self.ends) + len(other.ends) + 1), self.bits, self.bits)
         ends = sorted([(*end, 0) for end in self.ends] + [(*end, 1) for end in other.ends], key=cmp_to_key(by_bearing))
         chains, at = (self, other), [0, 0]  # the arcs in the direction looked at
         for m, (way, corner, which) in enumerate(ends):
@@ -100,7 +102,7 @@ class Chain:
             square = away[0] ** 2 + away[1] ** 2
             if square > (d[2] - c[2]) ** 2 or c[2] > d[2]:  # the point of c that is furthest from the centre of d is outside
                 furthest = Way((square * (c[0] * w - x), square * (c[1] * w - y)), (c[2] * w * away[0], c[2] * w * away[1]), square)
-                require(not is_between(ends[m - 1][0], furthest, way), "arcs", "an arc is not all in a circle")
+                require(not is_between(ends[m - 1][0], furthest, way, m > 0), "arcs", "an arc is not all in a circle")
             require(corner.power(c) >= 0 if which else corner.power(d) <= 0, "arcs", "a corner is not in a circle")
             at[which] += 1
         if not ends:
