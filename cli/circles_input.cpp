@@ -7,9 +7,10 @@
 
 namespace sunder::cli {
 
-CirclesInput read_circles(const std::string& name, const std::string& group, const std::string& name_field) {
+CirclesInput read_circles(const std::string& name, const std::string& group, const std::string& name_field,
+                          InputFiles* inputs) {
   Progress progress("reading");
-  io::TripleFile file = io::read_triples(name, io::circle_rows, group, progress.reporter(), name_field);
+  io::TripleFile file = io::read_triples(name, io::circle_rows, group, progress.reporter(), name_field, inputs);
   std::vector<planar::Circle> circles;
   circles.reserve(file.rows.size());
   for (std::size_t k = 0; k < file.rows.size(); ++k) {

@@ -14,7 +14,9 @@ struct CirclesInput {
 };
 
 // group, name_field: the columns to group by and to name by, if not empty.
-// Throws Error bad_file with the line, also for a negative radius; bad_call where there is no such column.
-CirclesInput read_circles(const std::string& name, const std::string& group = {}, const std::string& name_field = {});
+// inputs: as of io::read_file. Throws Error bad_file with the line, also for a negative radius; bad_call where there is
+// no such column.
+CirclesInput read_circles(const std::string& name, const std::string& group = {}, const std::string& name_field = {},
+                          InputFiles* inputs = nullptr);
 
 }  // namespace sunder::cli

@@ -74,6 +74,7 @@ class Reader {
       options.group = request_.group;
       options.name = request_.name;
       options.progress = progress.reporter();
+      options.inputs = request_.tell_inputs ? &input_.inputs : nullptr;
       input_.files.push_back(io::read_lines(name, options));
     }
     input_.left_out.add(name, input_.files.back().left_out, "");
@@ -195,6 +196,14 @@ std::string PolygonsInput::note() const {
   if (!mended.empty())
     note += fmt::format("{}mended: {}", note.empty() ? "" : "; ", count_of(mended.size(), "feature"));
   return note;
+}
+
+Origin PolygonsInput::origin() const {
+  Origin origin{inputs, {}};
+  if (!skipped.empty()) origin.left_out.push_back(fmt::format("skipped: {}", count_of(skipped.size(), skipped_kind)));
+  for (const std::string& text : left_out.texts()) origin.left_out.push_back(text);
+  if (!mended.empty()) origin.left_out.push_back(fmt::format("mended: {}", count_of(mended.size(), "feature")));
+  return origin;
 }
 
 std::string PolygonsInput::tell() const {

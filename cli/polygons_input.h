@@ -30,6 +30,7 @@ struct PolygonsRequest {
   bool by_part = false;                       // each part of a multipolygon is a polygon; else each feature is one
   std::optional<planar::PolygonRule> rule{};  // what is not valid by it is refused, or skipped; none: all is taken
   std::string group, name;                    // as LineOptions have them
+  bool tell_inputs = false;                   // the SHA-256 of the files
 };
 
 // A polygon is the parts of a feature, or one of them. Features that hold nothing make none.
@@ -61,6 +62,7 @@ struct PolygonsInput {
   std::string skipped_kind = "invalid feature";  // what they are
   std::vector<MendedFeature> mended;
   LeftOutList left_out{true};
+  InputFiles inputs;  // where they are asked for
 
   const std::string& name(std::uint32_t polygon) const;  // of its feature
   std::uint32_t line(std::uint32_t polygon) const { return source[polygon].line; }
@@ -74,9 +76,11 @@ struct PolygonsInput {
   // points of 'mast'"; empty where it speaks of all.
   std::string left_out_words() const;
 
-  // The note of a certificate about the polygons: the same, and that features were mended; empty where there is
-  // nothing.
+  // The note of a certificate of version 1 about the polygons: the same, and that features were mended; empty where
+  // there is nothing.
   std::string note() const;
+  // The same for a certificate of version 2, with the files.
+  Origin origin() const;
 
   // "  skipped ...", "  left out ...", "  mended ...", "  remark ...": lines for people, at most 20 of a kind.
   std::string tell() const;

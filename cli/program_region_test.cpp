@@ -93,6 +93,13 @@ TEST_F(Program, Kernels) {
   EXPECT_NE(run("kernel --skip-invalid " + file).out.find("said of these only: skipped: 1 not strictly simple feature"),
             std::string::npos);
   EXPECT_EQ(run("kernel --mend " + file).code, 0);
+  EXPECT_EQ(run("kernel --mend --feature 1 " + file + " --certificate " + proof).code, 0);
+  EXPECT_EQ(run("verify " + proof + " --against " + file).code, 0);
+  EXPECT_EQ(json::parse(read_text(proof))["left_out"], json{"mended: 1 feature"});
+  write_text(file, "POINT (1 1)\nPOLYGON ((0 0, 4 0, 0 4, 0 0))\nPOLYGON ((0 0, 4 0, 4 4, 1 1, 0 4, 0 0))\n");
+  EXPECT_EQ(run("region --of polygons --leave-out --skip-invalid " + file + " --certificate " + proof).code, 0);
+  EXPECT_EQ(run("verify " + proof + " --against " + file).code, 0);
+  EXPECT_EQ(json::parse(read_text(proof))["left_out"].size(), 2u);
   write_text(file, "POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))\n");
   EXPECT_EQ(run("kernel " + file).code, 2);
 }

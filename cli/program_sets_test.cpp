@@ -19,7 +19,7 @@ TEST_F(Program, Circles) {
   write_text(apart, "0,0,1\n2,0,1\n");
   EXPECT_EQ(run("circles " + apart).code, 1);
   EXPECT_EQ(run("circles " + apart + " --allow touch --certificate " + proof).code, 0);
-  EXPECT_EQ(run("verify " + proof).code, 0);
+  EXPECT_EQ(run("verify " + proof + " --against " + apart).code, 0);
   EXPECT_EQ(run("circles " + moon + " --svg " + in_folder("moon.svg")).code, 1);
   EXPECT_NE(read_text(in_folder("moon.svg")).find("inside 12"), std::string::npos);
   write_text(apart, "0,0,1\n2,0,-1\n");

@@ -195,10 +195,12 @@ class Report {
 
 int run_region_circles(const RegionCall& call) {
   PartMethod* const method = part_method(call.method);
-  const auto [file, circles] = read_circles(call.file);
+  Origin origin;
+  const auto [file, circles] = read_circles(call.file, {}, {}, call.certificate.empty() ? nullptr : &origin.inputs);
   if (!call.svg.empty()) require_drawable(circles.size(), "circle", 0, call.svg_limit);
   const CirclesPart part = method(circles);
-  if (!call.certificate.empty()) io::write_file_atomically(call.certificate, planar::certificate_text(circles, part));
+  if (!call.certificate.empty())
+    io::write_file_atomically(call.certificate, planar::certificate_text(circles, part, origin));
   const Report report(call, file, circles, part);
   if (!call.svg.empty()) io::write_file_atomically(call.svg, report.picture());
   call.json ? print(to_text(report.json())) : print_for_people(report.human());

@@ -4,7 +4,6 @@
 #include <cli/region_polygons.h>
 
 #include <sunder/base/error.h>
-#include <sunder/certificate/json.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
 #include <sunder/planar/region/convex_polygons.h>
@@ -223,12 +222,13 @@ int run_region_polygons(const RegionCall& call) {
   request.mend = call.mend;
   request.by_part = true;
   request.name = call.name;
+  request.tell_inputs = !call.certificate.empty();
   PolygonsInput input = read_polygons(request);
   const std::vector<ConvexPolygon> polygons = convex_polygons(call, input);
   if (!call.svg.empty()) require_drawable(input.edges(), "edge", 0, call.svg_limit);
   const PolygonsPart part = method(polygons);
   if (!call.certificate.empty()) {
-    io::write_file_atomically(call.certificate, with_note(planar::certificate_text(polygons), input.note()));
+    io::write_file_atomically(call.certificate, planar::certificate_text(polygons, input.origin()));
   }
   const Report report(call, input, polygons, part);
   if (!call.svg.empty()) io::write_file_atomically(call.svg, report.picture());

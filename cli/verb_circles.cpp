@@ -135,10 +135,12 @@ void find_any(const Call& call, CirclesOptions options, const Circles& circles, 
   result.contacts = std::make_unique<Contacts>(std::move(found));
 }
 
-void write_certificate(const Call& call, const CirclesOptions& options, const Circles& circles, const Result& result) {
+void write_certificate(const Call& call, const CirclesOptions& options, const Circles& circles, const Result& result,
+                       const Origin& origin) {
   if (call.lists()) require_provable(result.pairs());
   io::OutputFile file(call.certificate);
   ClaimsWriter claims([&](std::string_view text) { file.write(text); });
+  claims.add_origin(origin);
   const planar::CirclesQuestion question{circles, options.allowed, options.groups};
   if (call.lists()) {
     write_list_statement(claims, question, [&](const std::function<void(const CirclesContact&)>& take) {
@@ -291,7 +293,9 @@ void write(const Call& call, const io::TripleFile& file, const Circles& circles,
 int run(const Call& call) {
   check(call);
   allowed_for_discs(call.allow);
-  const CirclesInput input = read_circles(call.file, call.group, call.name);
+  Origin origin;
+  const CirclesInput input =
+      read_circles(call.file, call.group, call.name, call.certificate.empty() ? nullptr : &origin.inputs);
   const CirclesOptions options = options_of(call, input.file);
   const auto require_drawable = [&](std::uint64_t contacts) {
     if (!call.svg.empty()) cli::require_drawable(input.circles.size(), "circle", contacts, call.svg_limit);
@@ -304,7 +308,7 @@ int run(const Call& call) {
     find_any(call, options, input.circles, result);
   }
   require_drawable(result.pairs());
-  if (!call.certificate.empty()) write_certificate(call, options, input.circles, result);
+  if (!call.certificate.empty()) write_certificate(call, options, input.circles, result, origin);
   write(call, input.file, input.circles, result);
   return result.pairs() == 0 ? exit_code::no : exit_code::yes;
 }

@@ -6,7 +6,6 @@
 #include <cli/polygons_input.h>
 
 #include <sunder/base/error.h>
-#include <sunder/certificate/json.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
 #include <sunder/planar/region/kernel.h>
@@ -149,6 +148,7 @@ int run(const Call& call) {
   request.by_part = true;
   request.rule = planar::PolygonRule::simple;
   request.name = call.name;
+  request.tell_inputs = !call.certificate.empty();
   const PolygonsInput input = read_polygons(request);
   std::vector<Result> results;
   std::string certificate;
@@ -172,17 +172,16 @@ int run(const Call& call) {
     if (results.size() > 1) {
       throw Error(ErrorCode::bad_call, "a proof is about one polygon; name it by --feature", "--certificate");
     }
-    certificate = planar::certificate_text(sides, result.kernel);
+    Origin origin = input.origin();
+    if (input.mended.empty()) origin.left_out.clear();  // a proof about one polygon speaks of no others
+    certificate = planar::certificate_text(sides, result.kernel, origin);
   }
   if (results.empty()) {
     throw Error(ErrorCode::bad_call, fmt::format("{} has no polygon named {}", call.file, io::quote(call.feature)),
                 "--feature");
   }
   if (!call.svg.empty()) require_drawable(edges, "edge", 0, call.svg_limit);
-  if (!call.certificate.empty()) {
-    const std::string note = input.mended.empty() ? "" : input.note();
-    io::write_file_atomically(call.certificate, with_note(certificate, note));
-  }
+  if (!call.certificate.empty()) io::write_file_atomically(call.certificate, certificate);
   if (!call.svg.empty()) io::write_file_atomically(call.svg, picture(call, input, results));
   const bool all = std::none_of(results.begin(), results.end(), [](const Result& r) { return r.kernel.empty(); });
   call.json ? print(to_text(report(call, input, results, all))) : print_for_people(human_text(call, input, results));

@@ -245,7 +245,7 @@ int run_half_planes(const Call& call) {
         call.certificate,
         objective ? planar::certificate_text(constraints, *objective,
                                              linear_program_by_region(constraints, region, *objective), origin)
-                  : planar::certificate_text(constraints, region));
+                  : planar::certificate_text(constraints, region, origin));
   }
   const Report report(call, file, constraints, region, objective);
   if (!call.svg.empty()) io::write_file_atomically(call.svg, report.picture());

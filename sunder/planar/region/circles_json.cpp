@@ -80,9 +80,10 @@ void write_point(ClaimsWriter& file, const Circles& circles, const CirclesPart& 
 
 }  // namespace
 
-std::string certificate_text(const Circles& circles, const CirclesPart& part) {
+std::string certificate_text(const Circles& circles, const CirclesPart& part, const Origin& origin) {
   std::string text;
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  file.add_origin(origin);
   file.begin_table("circles");
   for (const Circle& c : circles.all()) file.add_row(std::array{c.center.x, c.center.y, c.radius});
   file.end_table();

@@ -2,6 +2,7 @@
 // point, or a region, and which arcs bound it.
 #pragma once
 
+#include <sunder/certificate/origin.h>
 #include <sunder/planar/region/circles.h>
 
 #include <string>
@@ -9,6 +10,6 @@
 namespace sunder::planar {
 
 // Requires the common part of these circles. The certificate must be true: its exact numbers are computed here.
-std::string certificate_text(const Circles& circles, const CirclesPart& part);
+std::string certificate_text(const Circles& circles, const CirclesPart& part, const Origin& origin = {});
 
 }  // namespace sunder::planar

@@ -39,11 +39,12 @@ std::vector<HalfPlane> sides_of(std::span<const ConvexPolygon> polygons) {
   return sides;
 }
 
-std::string certificate_text(std::span<const ConvexPolygon> polygons) {
+std::string certificate_text(std::span<const ConvexPolygon> polygons, const Origin& origin) {
   const std::vector<HalfPlane> half = sides_of(polygons);
   const HalfPlanes sides(half);  // keeps a reference
   std::string text;
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  file.add_origin(origin);
   file.begin_table("convex_polygons");
   for (const ConvexPolygon& polygon : polygons) {
     file.begin_rows();

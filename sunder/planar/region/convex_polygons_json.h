@@ -1,6 +1,7 @@
 // The certificate file of the common part of convex polygons (docs/claims.md, "convex_polygons_common_part").
 #pragma once
 
+#include <sunder/certificate/origin.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/region/region.h>
 
@@ -17,6 +18,6 @@ std::vector<HalfPlane> sides_of(std::span<const ConvexPolygon> polygons);
 
 // What is common to these polygons, proved: by the common part of all their sides (half_planes), whatever method the
 // answer came from. Requires fewer than 2^31 sides in all. Cost: O(n log n) signs for n vertices in all.
-std::string certificate_text(std::span<const ConvexPolygon> polygons);
+std::string certificate_text(std::span<const ConvexPolygon> polygons, const Origin& origin = {});
 
 }  // namespace sunder::planar

@@ -6,9 +6,10 @@
 
 namespace sunder::planar {
 
-std::string certificate_text(const PolygonSides& polygon, const Region& kernel) {
+std::string certificate_text(const PolygonSides& polygon, const Region& kernel, const Origin& origin) {
   std::string text;
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  file.add_origin(origin);
   file.begin_table("rings");
   file.begin_rows();
   for (const Point2& p : polygon.vertices()) file.add_row(std::array{p.x, p.y});

@@ -1,6 +1,7 @@
 // The certificate file of a kernel (docs/claims.md, "kernel").
 #pragma once
 
+#include <sunder/certificate/origin.h>
 #include <sunder/planar/region/kernel.h>
 
 #include <string>
@@ -8,6 +9,6 @@
 namespace sunder::planar {
 
 // Requires the kernel of this polygon with its evidence.
-std::string certificate_text(const PolygonSides& polygon, const Region& kernel);
+std::string certificate_text(const PolygonSides& polygon, const Region& kernel, const Origin& origin = {});
 
 }  // namespace sunder::planar
