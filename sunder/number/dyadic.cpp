@@ -73,12 +73,14 @@ Dyadic::Dyadic(Dyadic&& other) noexcept : exponent_(other.exponent_) {
 }
 
 Dyadic& Dyadic::operator=(const Dyadic& other) {
+  if (this == &other) return *this;
   DyadicParts::mantissa(*this) = mantissa_of(other);
   exponent_ = other.exponent_;
   return *this;
 }
 
 Dyadic& Dyadic::operator=(Dyadic&& other) noexcept {
+  if (this == &other) return *this;
   DyadicParts::mantissa(*this) = std::move(DyadicParts::mantissa(other));
   exponent_ = other.exponent_;
   return *this;
