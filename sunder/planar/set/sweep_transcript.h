@@ -1,4 +1,4 @@
-// The sweep that met no contact, for certificates of version 1 (docs/certificates-sets.md): of circles and of polygons.
+// The sweep that met no contact, for certificates of version 1 (docs/certificates-sets.md): of polygons.
 #pragma once
 
 #include <cstdint>

@@ -6,6 +6,7 @@ import unittest
 from fractions import Fraction
 
 from files import Twins, dice_of, file_of, fraction, hexadecimal, outcome, some, spoilt, spoilt_in_statements
+from sunder_verify import arcs, reader, tables
 from test_pairs import solution_or_proof
 
 KINDS = ("point", "segment", "ray", "line", "strip", "half-plane", "unbounded", "bounded", "plane")
@@ -425,6 +426,14 @@ class DiscsTest(unittest.TestCase):
                     self.assertIn(chain, [named[k:] + named[:k] for k in range(len(named))])
         twins.compare()
         self.assertTrue(some(100) < 100 or min(tally["accepted"], tally["arcs"]) > 20, tally)
+
+    def test_a_chain_goes_round_once(self):
+        """Twice round, and where circles do not cross."""
+        table = tables.TABLES["circles"]([[hexadecimal(x) for x in disc] for disc in ((0, 0, 2), (2, 2, 2), (0, 0, 9))], "circles")
+        self.assertEqual(len(arcs.Chain(reader.Steps(), table, [0, 1], (1, 1, 1)).ends), 2)
+        for named in ([0, 1, 0, 1], [0, 2], [0, 0]):
+            with self.assertRaises(reader.Refused):
+                arcs.Chain(reader.Steps(), table, named, (1, 1, 1))
 
     def test_one_list_of_arcs_is_accepted(self):
         """Of all lists of up to four, but for equal discs and where it begins: that of the discs which are nearest, seen
