@@ -91,13 +91,6 @@ Asked ask_sunder_for_transcript(const SetInput& input, SetKind kind) {
       return meet || cover_order(box_diagonals(*circles)).size() < circles->size() ? 1 : 0;
     };
   }
-  if (kind == SetKind::convex_polygons) {
-    sunder::planar::ConvexPolygonsOptions options;
-    options.transcript = true;
-    return [polygons = convex_polygons_of(input), options]() -> std::uint64_t {
-      return convex_polygons_any(*polygons, options).meet() ? 1 : 0;
-    };
-  }
   return {};
 }
 

@@ -100,7 +100,6 @@ std::vector<Plan> plans() {
        {SetFamily::coins, SetFamily::needles, SetFamily::one_in_coins, SetFamily::one_in_needles}) {
     list.push_back(plan("convex polygons any", family, SetKind::convex_polygons, any, twice));
   }
-  list.push_back(plan("convex transcript", SetFamily::coins, SetKind::convex_polygons, any, {}, true));
   for (const SetFamily family : {SetFamily::stars, SetFamily::tracts, SetFamily::one_in_stars, SetFamily::one_in_tracts,
                                  SetFamily::inside_star}) {
     list.push_back(plan("polygons any", family, SetKind::polygons, any, twice));

@@ -191,13 +191,6 @@ std::string PolygonsInput::left_out_words() const {
   return words;
 }
 
-std::string PolygonsInput::note() const {
-  std::string note = left_out_words();
-  if (!mended.empty())
-    note += fmt::format("{}mended: {}", note.empty() ? "" : "; ", count_of(mended.size(), "feature"));
-  return note;
-}
-
 Origin PolygonsInput::origin() const {
   Origin origin{inputs, {}};
   if (!skipped.empty()) origin.left_out.push_back(fmt::format("skipped: {}", count_of(skipped.size(), skipped_kind)));

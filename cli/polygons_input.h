@@ -76,10 +76,7 @@ struct PolygonsInput {
   // points of 'mast'"; empty where it speaks of all.
   std::string left_out_words() const;
 
-  // The note of a certificate of version 1 about the polygons: the same, and that features were mended; empty where
-  // there is nothing.
-  std::string note() const;
-  // The same for a certificate of version 2, with the files.
+  // For a certificate: the files, the same one by one, and that features were mended.
   Origin origin() const;
 
   // "  skipped ...", "  left out ...", "  mended ...", "  remark ...": lines for people, at most 20 of a kind.

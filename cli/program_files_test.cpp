@@ -80,7 +80,7 @@ TEST_F(Program, InvalidFeatures) {
   EXPECT_NE(text.out.find("none meet, said of the 2 features only: skipped: 2 invalid features\n"), std::string::npos)
       << text.out;
   EXPECT_NE(text.out.find("  skipped     feature 4: ring 0: does not end where it began\n"), std::string::npos);
-  EXPECT_EQ(json::parse(read_text(proof))["note"], "skipped: 2 invalid features");
+  EXPECT_EQ(json::parse(read_text(proof))["left_out"][0], "skipped: 2 invalid features");
   EXPECT_EQ(run("verify " + proof).code, 0);
   EXPECT_TRUE(python_accepts(proof));
   write_text(file, bow_tie + "\n");
@@ -119,7 +119,7 @@ TEST_F(Program, Mending) {
                                      {"spikes", 1},
                                      {"closed_rings", 1},
                                      {"rings_left_out", 1}}}));
-  EXPECT_EQ(json::parse(read_text(proof))["note"], "mended: 1 feature");
+  EXPECT_EQ(json::parse(read_text(proof))["left_out"][0], "mended: 1 feature");
   EXPECT_NE(
       run("polygons --mend " + file)
           .out.find("  mended      feature 1: 2 repeated vertices left out, 1 spike cut off, 1 ring closed, 1 ring "
@@ -163,7 +163,6 @@ TEST_F(Program, TwoFiles) {
   expect_bad("polygons --skip-invalid " + a + " " + in_folder("bad.wkt"), "bad.wkt: no polygon is valid");
   expect_bad("polygons " + a + " " + b + " --group name", "two files are two groups");
   expect_bad("polygons " + a + " " + b + " " + a, "three files or more");
-  expect_bad("polygons " + a + " " + b + " --certificate " + in_folder("p.json"), "has no proof yet");
 }
 
 // Nothing that a verb cannot use is dropped in silence.
@@ -179,7 +178,7 @@ TEST_F(Program, OfAnotherKind) {
   const json polygons = report("polygons --leave-out " + file + " --certificate " + proof, 0);
   EXPECT_EQ(polygons["left_out"], (json{{{"kind", "point"}, {"count", 1}, {"of", {"line 1"}}},
                                         {{"kind", "line"}, {"count", 1}, {"of", {"line 2"}}}}));
-  EXPECT_EQ(json::parse(read_text(proof))["note"], "left out: 1 point of line 1; 1 line of line 2");
+  EXPECT_EQ(json::parse(read_text(proof))["left_out"], (json{"1 point of line 1", "1 line of line 2"}));
   EXPECT_EQ(run("verify " + proof).code, 0);
   const Run text = run("segments --leave-out --allow shared-endpoint " + file + " --certificate " + proof);
   EXPECT_EQ(text.code, 0) << text.err;

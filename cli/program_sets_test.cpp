@@ -49,7 +49,22 @@ TEST_F(Program, Polygons) {
     EXPECT_EQ(run("verify " + proof).code, 0) << rule;
     EXPECT_TRUE(python_accepts(proof)) << rule;
   }
-  expect_bad("polygons " + tracts + " --all --certificate " + in_folder("none.json"), "have no proof");
+  for (const std::string what : {"--all", "--count", "--allow shared-endpoint --all", "--allow touch --count"}) {
+    EXPECT_LT(run("polygons " + tracts + " --certificate " + proof + " " + what).code, 2) << what;
+    EXPECT_EQ(run("verify " + proof).code, 0) << what;
+    EXPECT_TRUE(python_accepts(proof)) << what;
+    json top = json::parse(read_text(proof));
+    json& said = top["statements"][0];
+    if (said["verdict"] == "these") {
+      EXPECT_EQ(said["contacts"].size(), report("polygons " + tracts + " " + what, 1)["contacts"].size());
+      said["contacts"].erase(3);
+    } else {
+      said["number"] = said["number"].get<int>() + 1;
+    }
+    write_text(proof, top.dump());
+    EXPECT_EQ(run("verify " + proof).code, 1) << what;
+    EXPECT_FALSE(python_accepts(proof)) << what;
+  }
   expect_bad("polygons " + tracts + " --method scan --certificate " + in_folder("none.json"), "scan writes no");
   const std::string two = in_folder("two.wkt");
   write_text(two, "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\nPOLYGON ((1 1, 2 1, 2 2, 1 1))\n");
@@ -125,7 +140,24 @@ TEST_F(Program, PolygonsOfGroups) {
   expect_bad("polygons " + map + " --group feature",
              "--group: each feature is one polygon, and its parts are not "
              "compared; leave it out, or group by a property");
-  expect_bad("polygons " + map + " --group layer --certificate " + in_folder("none.json"), "has no proof yet");
+  // With groups all is proved, and of two files, too; that a parcel is in a zone is not what the members of one do.
+  const std::string proof = in_folder("map.json"), certificate = " --certificate " + proof;
+  for (const std::string what : {"", "--all", "--count", "--allow touch", "--allow touch --count"}) {
+    EXPECT_EQ(run("polygons " + map + " --group layer " + what + certificate).code, 1) << what;
+    EXPECT_EQ(run("verify " + proof).code, 0) << what;
+    EXPECT_TRUE(python_accepts(proof)) << what;
+  }
+  const std::string west = in_folder("west.wkt"), east = in_folder("east.wkt");
+  write_text(west, "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\nPOLYGON ((3 3, 5 3, 5 5, 3 5, 3 3))\n");
+  write_text(east, "POLYGON ((6 0, 8 0, 8 4, 6 4, 6 0))\nPOLYGON ((7 3, 9 3, 9 5, 7 5, 7 3))\n");
+  EXPECT_EQ(run("polygons " + west + " " + east + certificate).code, 0);
+  EXPECT_EQ(run("verify " + proof).code, 0);
+  EXPECT_TRUE(python_accepts(proof));
+  json top = json::parse(read_text(proof));
+  top["statements"][0].erase("groups");
+  write_text(proof, top.dump());
+  EXPECT_EQ(run("verify " + proof).code, 1);
+  EXPECT_FALSE(python_accepts(proof));
 }
 
 }  // namespace

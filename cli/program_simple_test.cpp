@@ -1,7 +1,10 @@
 // The verb simple.
 #include <tests/support/program.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -38,6 +41,42 @@ TEST_F(Program, SimplePolygons) {
   expect_bad("simple '" + file + "'", "--leave-out");
   const json left_out = report("simple --leave-out '" + file + "'", 0);
   EXPECT_EQ(left_out["left_out"][0]["kind"], "line");
+}
+
+// Each case by each rule: that it is valid, or each defect, is accepted by both verifiers, and of nothing else.
+TEST_F(Program, ValidPolygonsAreProved) {
+  const std::string proof = in_folder("proof.json");
+  std::map<std::string, int> verdicts;
+  for (const auto& entry : std::filesystem::directory_iterator(cases + "/valid-polygons")) {
+    const std::string file = entry.path().string();
+    if (!file.ends_with("wkt") && !file.ends_with("json")) continue;
+    for (const std::string option : {"--all ", "--strict --all ", ""}) {
+      const Run r = run("simple --json " + option + file + " --certificate " + proof);
+      ASSERT_LT(r.code, 2) << r.err;
+      EXPECT_EQ(run("verify " + proof).code, 0) << option << file;
+      EXPECT_TRUE(python_accepts(proof)) << option << file;
+      std::size_t statements = 0;
+      const json told = json::parse(r.out);
+      for (const json& feature : told["objects"]) {
+        statements += std::max<std::size_t>(feature["defects"].size(), 1);
+      }
+      const json top = json::parse(read_text(proof));
+      EXPECT_EQ(top["statements"].size(), statements) << option << file;
+      for (const json& statement : top["statements"]) ++verdicts[statement["verdict"]];
+    }
+  }
+  for (const char* verdict :
+       {"valid", "too_few_points", "edges_meet", "comes_twice", "misplaced", "circle", "repeated", "rings_touch"}) {
+    EXPECT_GT(verdicts[verdict], 0) << verdict;
+  }
+  const std::string tracts = cases + "/tracts/tracts.wkt";
+  EXPECT_EQ(run("simple " + tracts + " --certificate " + proof).code, 0);
+  EXPECT_EQ(run("verify " + proof).code, 0);
+  json top = json::parse(read_text(proof));
+  top["tables"]["polygons"][7][0].erase(3);
+  write_text(proof, top.dump());
+  EXPECT_EQ(run("verify " + proof).code, 1);
+  expect_bad("simple --self-touch " + tracts + " --certificate " + proof, "have no proof yet");
 }
 
 // A spike, a repeated vertex and a hole without area: what is left is valid. Edges that cross stay.

@@ -7,15 +7,15 @@
 #include <cli/progress.h>
 
 #include <sunder/base/error.h>
-#include <sunder/certificate/json.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
 #include <sunder/planar/set/polygons_all.h>
-#include <sunder/planar/set/polygons_any_json.h>
+#include <sunder/planar/set/polygons_json.h>
 
 #include <fmt/format.h>
 #include <CLI/App.hpp>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -52,23 +52,56 @@ const Methods& methods_by(const std::string& name) {
 }
 
 void require_provable(const Call& call) {
-  if (call.certificate.empty()) return;
-  if (call.lists() || call.count) {
-    throw Error(ErrorCode::bad_call, "lists, counts and pictures have no proof; ask whether any two meet",
-                "--certificate");
-  }
-  if (call.groups()) {
-    throw Error(ErrorCode::bad_call, "that members of different groups do not meet has no proof yet; leave out one",
-                "--group and --certificate");
-  }
-  if (call.files.size() > 1) {
-    throw Error(ErrorCode::bad_call,
-                "that those of two files do not meet has no proof yet; give one file, or leave it out",
-                "--certificate");
-  }
-  if (call.method == "scan") {
+  if (!call.certificate.empty() && call.method == "scan") {
     throw Error(ErrorCode::bad_call, "scan writes no certificates; give automatic or sweep", "--method");
   }
+}
+
+constexpr std::uint64_t most_proved = 10'000'000;  // pairs, and numbers of a sweep
+
+[[noreturn]] void refuse_proof(const PolygonsInput& input, const std::string& what, std::uint64_t numbers) {
+  const std::size_t digits = std::to_string(input.edges()).size();
+  throw Error(ErrorCode::bad_call,
+              fmt::format("{}, and the proof would have {:.1f} GB or more; leave it out, or ask about less", what,
+                          static_cast<double>(numbers * (digits + 1)) / 1e9),
+              "--certificate");
+}
+
+// The sweep that proves all answers but `some`.
+planar::SweepEvents sweep_of(const PolygonsInput& input, const Result& result) {
+  if (result.pairs() > most_proved) {
+    refuse_proof(input, fmt::format("{} pairs meet, more than {}", result.pairs(), most_proved), 2 * result.pairs());
+  }
+  Progress progress("proving");
+  const std::uint64_t most = std::max(most_proved, 8 * input.edges());  // six for an edge, where none cross
+  std::optional<planar::SweepEvents> events = planar::polygon_events(input.polygons, most);
+  if (!events) refuse_proof(input, "edges cross, so that their sweep is long", most);
+  return std::move(*events);
+}
+
+void prove(const Call& call, const PolygonsInput& input, const Result& result) {
+  const planar::PolygonsAsked asked{input.polygons, allowed_by(call.allow), input.groups};
+  const bool is_some = !call.lists() && !call.count && result.pairs() > 0;
+  const planar::SweepEvents events = is_some ? planar::SweepEvents() : sweep_of(input, result);
+  io::OutputFile out(call.certificate);
+  ClaimsWriter file([&](std::string_view text) { out.write(text); });
+  file.add_origin(input.origin());
+  if (is_some) {
+    write_some(file, asked, result.found);
+  } else if (call.lists()) {
+    write_these(file, asked, events, [&](const auto& take) {
+      result.visit([&](const PolygonsContact& c) {
+        take(c.i, c.j);
+        return true;
+      });
+    });
+  } else if (call.count) {
+    write_count(file, asked, events, result.pairs());
+  } else {
+    write_none(file, asked, events);
+  }
+  file.end();
+  out.commit();
 }
 
 Result ask(const Call& call, const Methods& by, const PolygonsInput& input) {
@@ -76,7 +109,6 @@ Result ask(const Call& call, const Methods& by, const PolygonsInput& input) {
   PolygonsOptions options;
   options.allowed = allowed_by(call.allow);
   options.groups = input.groups;
-  options.transcript = !call.certificate.empty();
   options.progress = progress.reporter();
   Result result;
   if (call.count && !call.lists() && call.method == "automatic") {
@@ -95,10 +127,6 @@ Result ask(const Call& call, const Methods& by, const PolygonsInput& input) {
     result.touching = answer.found.contact == Contact::touching ? 1 : 0;
     result.overlapping = answer.found.contact == Contact::overlapping ? 1 : 0;
     result.cost = answer.cost;
-    if (!call.certificate.empty()) {
-      const std::string text = certificate_text(input.polygons, options.allowed, answer);
-      io::write_file_atomically(call.certificate, with_note(text, input.note()));
-    }
   }
   return result;
 }
@@ -145,6 +173,7 @@ int run(const Call& call) {
   request.rule = call.self_touch ? planar::PolygonRule::self_touch : planar::PolygonRule::valid;
   request.group = call.group;
   request.name = call.name;
+  request.tell_inputs = !call.certificate.empty();
   const PolygonsInput input = read_polygons(request);
   const auto require_drawable = [&](std::uint64_t contacts) {
     if (!call.svg.empty()) cli::require_drawable(input.edges(), "edge", contacts, call.svg_limit);
@@ -152,6 +181,7 @@ int run(const Call& call) {
   require_drawable(0);
   const Result result = ask(call, by, input);
   require_drawable(result.pairs());
+  if (!call.certificate.empty()) prove(call, input, result);
   write(call, input, result);
   return result.pairs() == 0 ? exit_code::no : exit_code::yes;
 }

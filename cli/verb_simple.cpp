@@ -8,10 +8,13 @@
 #include <cli/segments_picture.h>
 
 #include <sunder/base/error.h>
+#include <sunder/certificate/claims.h>
+#include <sunder/certificate/origin.h>
 #include <sunder/io/file.h>
 #include <sunder/io/lines.h>
 #include <sunder/io/text.h>
 #include <sunder/planar/set/polygon_valid.h>
+#include <sunder/planar/set/polygon_valid_json.h>
 
 #include <fmt/format.h>
 #include <CLI/App.hpp>
@@ -36,7 +39,7 @@ using planar::RingPlace;
 struct Call {
   std::string file, name;
   std::string method = "automatic";
-  std::string geojson, svg, title;
+  std::string certificate, geojson, svg, title;
   std::uint64_t svg_limit = most_drawn;  // segments and defects
   bool strict = false, self_touch = false;
   bool all = false;
@@ -136,6 +139,17 @@ void for_each_feature(const Call& call, const io::LineFile& file, const std::vec
   }
 }
 
+// Calls for each feature that was asked about and has parts, with these.
+void for_each_parts(const Call& call, const io::LineFile& file, const std::vector<Result>& results,
+                    const std::function<void(const Result&, std::span<const PolygonRings>)>& of_feature) {
+  PartsReader reader(file);
+  Parts parts;
+  for (const Result& result : results) {
+    next_of(call, reader, parts);
+    if (result.skipped.empty() && !parts.rings.empty()) of_feature(result, parts.rings);
+  }
+}
+
 std::string feature_text(const io::LineFile& file, const Result& result) {
   const std::string number = std::to_string(result.feature + 1), &name = file.features[result.feature];
   return fmt::format("feature {}{}{}", number, name == number ? "" : fmt::format(" ({})", name),
@@ -168,6 +182,58 @@ LeftOutList left_out_of(const io::LineFile& file) {
   LeftOutList list(true);  // the reader refuses what the caller does not let go
   list.add("", file.left_out, "");
   return list;
+}
+
+// What the certificate is of, what it does not speak of, and what was changed before.
+Origin origin_of(const Counts& counts, const LeftOutList& left_out, const InputFiles& inputs) {
+  Origin origin{inputs, {}};
+  if (counts.skipped > 0) {
+    origin.left_out.push_back(fmt::format("skipped: {}", count_of(counts.skipped, "invalid feature")));
+  }
+  for (const std::string& text : left_out.texts()) origin.left_out.push_back(text);
+  if (counts.mended > 0) origin.left_out.push_back(fmt::format("mended: {}", count_of(counts.mended, "feature")));
+  return origin;
+}
+
+constexpr std::uint64_t most_proved = 10'000'000;  // defects
+
+// Writes a statement for each feature that is valid, and for each defect that is listed.
+void prove(const Call& call, const io::LineFile& file, const std::vector<Result>& results, const InputFiles& inputs) {
+  const Counts counts = counts_of(results);
+  if (counts.defects > most_proved) {
+    throw Error(ErrorCode::bad_call,
+                fmt::format("{} defects, and their proofs would have about {:.1f} GB; leave out --all", counts.defects,
+                            static_cast<double>(counts.defects) * 150 / 1e9),
+                "--certificate");
+  }
+  io::OutputFile out(call.certificate);
+  ClaimsWriter claims([&](std::string_view text) { out.write(text); });
+  claims.add_origin(origin_of(counts, left_out_of(file), inputs));
+  claims.begin_table("polygons");
+  for_each_parts(call, file, results, [&](const Result&, const auto& parts) { planar::write_parts(claims, parts); });
+  claims.end_table();
+  std::uint32_t first = 0;
+  for_each_parts(call, file, results, [&](const Result& result, std::span<const PolygonRings> parts) {
+    const auto prove_defect = [&](const PolygonDefect& defect) {
+      if (!planar::write_defect(claims, parts, first, call.rule(), defect)) {
+        throw Error(ErrorCode::bad_call,
+                    fmt::format("{}: that two rings cross in a vertex has no proof here; leave it out",
+                                feature_text(file, result)),
+                    "--certificate");
+      }
+      return true;
+    };
+    if (result.valid()) {
+      planar::write_valid(claims, parts, first, call.rule());
+    } else if (result.held) {
+      static_cast<void>(std::all_of(result.held->begin(), result.held->end(), prove_defect));
+    } else {
+      visit_by(call, parts, prove_defect);
+    }
+    first += static_cast<std::uint32_t>(parts.size());
+  });
+  claims.end();
+  out.commit();
 }
 
 constexpr std::size_t most_listed = 20;  // of a feature, and features
@@ -213,6 +279,7 @@ std::string human_text(const Call& call, const io::LineFile& file, const std::ve
   const LeftOutList left_out = left_out_of(file);
   if (!left_out.empty()) text += fmt::format("left out: {}\n", left_out.text());
   for (const std::string& remark : file.remarks) text += fmt::format("remark: {}\n", remark);
+  if (!call.certificate.empty()) text += fmt::format("proof: {}\n", io::one_line(call.certificate));
   return text;
 }
 
@@ -311,8 +378,9 @@ std::string picture(const Call& call, const io::LineFile& file, const std::vecto
   return segments_svg({file, segments, contacts, title});
 }
 
-io::LineFile read(const Call& call) {
+io::LineFile read(const Call& call, InputFiles& inputs) {
   io::LineOptions options;
+  if (!call.certificate.empty()) options.inputs = &inputs;
   options.drop_z = call.drop_z;
   options.leave_out = call.leave_out;
   options.lines = false;
@@ -325,7 +393,12 @@ io::LineFile read(const Call& call) {
 
 int run(const Call& call) {
   if (call.method != "automatic" && call.method != "scan") refuse_method(call.method, "automatic, scan");
-  const io::LineFile file = read(call);
+  if (!call.certificate.empty() && call.self_touch) {
+    throw Error(ErrorCode::bad_call, "rings that touch themselves have no proof yet; leave out one",
+                "--self-touch and --certificate");
+  }
+  InputFiles inputs;
+  const io::LineFile file = read(call, inputs);
   const auto require_drawable = [&](std::uint64_t defects) {
     if (!call.svg.empty()) cli::require_drawable(file.segments.size(), "segment", defects, call.svg_limit);
   };
@@ -334,6 +407,7 @@ int run(const Call& call) {
   const Counts counts = counts_of(results);
   require_drawable(counts.defects);
   if (counts.asked == 0) io::fail_file(call.file, "no polygon has all its rings, so nothing is left to ask about");
+  if (!call.certificate.empty()) prove(call, file, results, inputs);
   if (!call.geojson.empty()) write_geojson(call, file, results);
   if (!call.svg.empty()) io::write_file_atomically(call.svg, picture(call, file, results));
   if (call.json) {
@@ -355,6 +429,8 @@ void add_simple(CLI::App& program, int& code) {
   auto* strict = verb->add_flag("--strict", call->strict, "no vertex repeated, no two rings with a common point");
   verb->add_flag("--self-touch", call->self_touch, "a ring may touch itself in points")->excludes(strict);
   verb->add_option("--method", call->method, "automatic, or scan")->type_name("NAME");
+  verb->add_option("--certificate", call->certificate, "write the proofs here, of defects those that are listed")
+      ->type_name("FILE");
   verb->add_option("--geojson", call->geojson, "write all defects here, as points and lines")->type_name("FILE");
   auto* svg = verb->add_option("--svg", call->svg, "draw the polygons and the edges that meet here")->type_name("FILE");
   verb->add_option("--title", call->title, "of the picture")->needs(svg);

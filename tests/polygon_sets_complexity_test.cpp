@@ -242,7 +242,7 @@ TEST(PolygonSetsComplexity, EachFrontDoorUnderEachRule) {
       for (const Grouping grouping : groupings) {
         const std::vector<std::uint32_t> groups = groups_of(polygons.size(), grouping);
         for (const Allowed allowed : rules) {
-          const PolygonsOptions options{allowed, false, groups, nullptr};
+          const PolygonsOptions options{allowed, groups, nullptr};
           const std::string what = family.name + ", " + std::string(name_of(allowed)) + " allowed, grouping " +
                                    std::to_string(static_cast<int>(grouping));
           const planar::PolygonsAnswer some = planar::polygons_any(polygons, options);
@@ -278,8 +278,7 @@ TEST(PolygonSetsComplexity, ConvexPolygons) {
       for (const Grouping grouping : groupings) {
         const std::vector<std::uint32_t> groups = groups_of(polygons.size(), grouping);
         for (const Allowed allowed : {Allowed::nothing, Allowed::touch}) {
-          const planar::ConvexPolygonsAnswer some =
-              planar::convex_polygons_any(polygons, {allowed, false, groups, nullptr});
+          const planar::ConvexPolygonsAnswer some = planar::convex_polygons_any(polygons, {allowed, groups, nullptr});
           growth.note(n, static_cast<double>(some.cost.probes) / bound(n, hidden),
                       family.name + ", " + std::string(name_of(allowed)) + " allowed, grouping " +
                           std::to_string(static_cast<int>(grouping)));

@@ -10,7 +10,7 @@
 #include <sunder/planar/set/circles_any_json.h>
 #include <sunder/planar/set/convex_polygons_any_json.h>
 #include <sunder/planar/set/polygon_simple.h>
-#include <sunder/planar/set/polygons_any_json.h>
+#include <sunder/planar/set/polygons_json.h>
 #include <tests/support/scale.h>
 #include <verifier/sunder_verify.h>
 
@@ -320,13 +320,19 @@ TEST_F(SetCertificates, ConvexPolygonsThatMeet) {
   for (int round = 0; round < rounds; ++round) {
     const auto make = [this] { return polygon(); };
     const std::vector<ConvexPolygon> given = set_of(6, make), others = changed(given, make);
+    const Allowed allowed = random.below(2) == 0 ? Allowed::nothing : Allowed::touch;
+    std::vector<std::uint32_t> groups;
+    for (std::size_t k = 0, count = random.below(3); count > 0 && k < given.size(); ++k) {
+      groups.push_back(static_cast<std::uint32_t>(random.below(count + 1)));
+    }
     const auto text = [&](const std::vector<ConvexPolygon>& polygons) {
-      return certificate_text(polygons, Allowed::nothing, convex_polygons_any(polygons, {Allowed::nothing, true}));
+      const ConvexPolygonsAnswer answer = convex_polygons_any(polygons, {.allowed = allowed, .groups = groups});
+      return certificate_text(polygons, allowed, answer, groups);
     };
     const std::string own = text(given);
     expect_accepted(own);
-    const bool meet = convex_polygons_any_by_scan(others, {Allowed::nothing}).meet();
-    expect_true_if_accepted(own, text(others), "convex_polygons", meet ? "some" : "none");
+    const bool meet = convex_polygons_any_by_scan(others, {.allowed = allowed, .groups = groups}).meet();
+    expect_true_if_accepted(own, text(others), "polygons", meet ? "some" : "none");
   }
   expect_hits(rounds, 2);
 }
@@ -366,15 +372,15 @@ TEST_F(SetCertificates, PolygonsThatMeet) {
       return certificate_text(polygons, allowed, answer);
     };
     auto* method = random.below(2) == 0 ? polygons_any_by_sweep : polygons_any;
-    const PolygonsAnswer answer = method(given, {allowed, true, {}, nullptr});
-    ASSERT_EQ(answer.meet(), polygons_any_by_scan(given, {allowed, false, {}, nullptr}).meet());
+    const PolygonsAnswer answer = method(given, {allowed, {}, nullptr});
+    ASSERT_EQ(answer.meet(), polygons_any_by_scan(given, {allowed, {}, nullptr}).meet());
     const std::string own = text(given, answer);
     expect_accepted(own);
     ++of_rule[allowed][answer.meet() ? "some" : "none"];
     std::vector<Polygon> others = given;
     Polygon& other = others[random.below(others.size())];
     other = random.below(3) == 0 ? polygon_with_holes() : bent(other);
-    const bool meet = polygons_any_by_scan(others, {allowed, false, {}, nullptr}).meet();
+    const bool meet = polygons_any_by_scan(others, {allowed, {}, nullptr}).meet();
     expect_true_if_accepted(own, text(others, {}), "polygons", meet ? "some" : "none");
   }
   expect_hits(rounds, 2);

@@ -520,7 +520,7 @@ TEST(Twins, AgreeOnDamagedFiles) {
   ASSERT_GE(sound.size(), 10u);
   const std::string bytes = "0123456789abcdefpx-+./,:[]{}\" \n\t\\untE\x7f\xc3\xa9\xff";
   std::map<std::string, int> count;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 4000; ++i) {
     std::string text = sound[random.below(sound.size())];
     for (std::size_t changes = 1 + random.below(2); changes > 0; --changes) {
       const std::size_t at = random.below(text.size());

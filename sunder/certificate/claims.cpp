@@ -250,6 +250,13 @@ void ClaimsWriter::add_list(std::span<const std::uint32_t> values) {
   append_list(text_, values, append_index);
 }
 
+void ClaimsWriter::add_numbers(std::span<const double> values) {
+  next();
+  append_list(text_, values, append_double);
+}
+
+void ClaimsWriter::begin_list() { open("[", true); }
+
 void ClaimsWriter::add_contact(std::uint32_t i, std::uint32_t j, std::string_view kind) {
   next();
   text_ += '[';

@@ -61,6 +61,8 @@ class ClaimsWriter {
 
   // Entries of the list that is open.
   void add_list(std::span<const std::uint32_t> values);
+  void add_numbers(std::span<const double> values);
+  void begin_list();  // a list itself
   void add_contact(std::uint32_t i, std::uint32_t j, std::string_view kind);
   void add_weight(std::uint32_t entry, const Dyadic& weight);
   void add_weight(std::uint32_t entry, const Dyadic& weight, const Dyadic& denominator);

@@ -9,7 +9,7 @@
 #include <sunder/planar/set/circles_any_json.h>
 #include <sunder/planar/set/convex_polygons_any_json.h>
 #include <sunder/planar/set/polygon_simple.h>
-#include <sunder/planar/set/polygons_any_json.h>
+#include <sunder/planar/set/polygons_json.h>
 
 #include <array>
 #include <cmath>
@@ -157,14 +157,12 @@ std::string some_text(Numbers& numbers, int question) {
   if (question == 6) {
     const std::vector<Polygon> polygons = some_simple_polygons(numbers);
     const Allowed allowed = std::array{Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}[numbers.below(3)];
-    return certificate_text(polygons, allowed, polygons_any(polygons, {allowed, true, {}, nullptr}));
+    return certificate_text(polygons, allowed, polygons_any(polygons, {allowed, {}, nullptr}));
   }
   if (question == 4) {
     const std::vector<ConvexPolygon> polygons = some_polygons(numbers);
-    ConvexPolygonsAnswer answer = convex_polygons_any(polygons, {Allowed::touch, false});
-    if (answer.meet()) return certificate_text(polygons, Allowed::touch, answer);
-    answer = convex_polygons_any(polygons, {Allowed::nothing, true});
-    return certificate_text(polygons, Allowed::nothing, answer);
+    const Allowed allowed = numbers.below(2) == 0 ? Allowed::nothing : Allowed::touch;
+    return certificate_text(polygons, allowed, convex_polygons_any(polygons, {.allowed = allowed}));
   }
   if (question == 0) {
     const std::uint64_t divisor = 1 + numbers.below(6);

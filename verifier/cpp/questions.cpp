@@ -3,6 +3,7 @@
 #include <verifier/statement.h>
 
 #include <algorithm>
+#include <memory>
 #include <set>
 
 namespace sunder_verifier {
@@ -15,11 +16,19 @@ struct Said {
   AllowedContacts allowed;
   std::vector<std::int64_t> groups;
   StatedContact contact;
+  std::shared_ptr<const PartTable> parts;
+  std::vector<std::size_t> named_parts;
+  std::string rule;
+  std::size_t ring = 0, other = 0, edge = 0;
+  std::vector<std::size_t> rings;
+  std::vector<Numbers> points;
   std::vector<StatedContact> contacts;
   std::uint64_t number = 0;
   std::string verdict;
-  const Constraints* ring = nullptr;
+  const Constraints* kernel_of = nullptr;
   std::vector<std::size_t> sides, arcs;
+
+  bool strict() const { return rule == "simple"; }
 };
 
 struct Place {
@@ -106,6 +115,29 @@ void read_segment_contacts(const Place& p, Said& said) {
   said.contacts = contacts_of(p, p.tables.segments.size(), is_segment_kind);
 }
 
+void read_polygon_groups(const Place& p, Said& said) {
+  if (p.item.contains("groups")) said.groups = read_groups(p.item, p.tables.polygons.rings.size(), p.where);
+}
+
+void read_polygon_pair(const Place& p, Said& said) {
+  said.contact.i = index_member(p.item, "i", p.tables.polygons.rings.size(), p.where);
+  said.contact.j = index_member(p.item, "j", p.tables.polygons.rings.size(), p.where);
+}
+
+// By i, then j, each once.
+void read_polygon_contacts(const Place& p, Said& said) {
+  const std::string where = p.where + ".contacts entry";
+  const std::size_t size = p.tables.polygons.rings.size();
+  for (const json& entry : list_member(p.item, "contacts", p.where)) {
+    if (!entry.is_array() || entry.size() != 2) refuse_form(where + " is no contact");
+    const StatedContact contact{read_index(entry[0], size, where), read_index(entry[1], size, where), ""};
+    const bool is_next = said.contacts.empty() ||
+                         std::pair(said.contacts.back().i, said.contacts.back().j) < std::pair(contact.i, contact.j);
+    if (contact.i >= contact.j || !is_next) refuse_form(where + " is not in order");
+    said.contacts.push_back(contact);
+  }
+}
+
 constexpr std::size_t most_number = 999'999'999'999'999;  // all readers of JSON agree about numbers up to this
 
 void read_count(const Place& p, Said& said) {
@@ -130,13 +162,13 @@ void read_disc_contacts(const Place& p, Said& said) {
 }
 
 void read_ring(const Place& p, Said& said) {
-  said.ring = &p.tables.rings[index_member(p.item, "ring", p.tables.rings.size(), p.where)];
+  said.kernel_of = &p.tables.rings[index_member(p.item, "ring", p.tables.rings.size(), p.where)];
 }
 
 // What a common part is of.
 using GivenOf = const Constraints& (*)(const Said&, const Tables&);
 const Constraints& half_planes_of(const Said&, const Tables& tables) { return tables.half_planes; }
-const Constraints& ring_of(const Said& said, const Tables&) { return *said.ring; }
+const Constraints& ring_of(const Said& said, const Tables&) { return *said.kernel_of; }
 const Constraints& convex_polygons_of(const Said&, const Tables& tables) { return tables.convex_polygons; }
 
 template <GivenOf given>
@@ -153,6 +185,57 @@ void require_arcs(const json& list, const Tables& tables, const std::string& whe
 void read_arcs(const Place& p, Said& said) {
   require_arcs(p.item["arcs"], p.tables, p.where + ".arcs");
   said.arcs = index_list(p.item, "arcs", p.tables.circles.size(), no_index, p.where);
+}
+
+void read_parts(const Place& p, Said& said) {
+  const std::string where = p.where + ".parts";
+  for (const json& entry : list_member(p.item, "parts", p.where)) {
+    said.named_parts.push_back(read_index(entry, p.tables.polygons.rings.size(), where + " entry"));
+  }
+  const std::set<std::size_t> once(said.named_parts.begin(), said.named_parts.end());
+  if (once.empty() || once.size() != said.named_parts.size()) refuse_form(where + " names none, or one twice");
+  said.parts = std::make_shared<const PartTable>(parts_of(p.tables.polygons, said.named_parts));
+}
+
+void read_validity(const Place& p, Said& said) {
+  said.rule = string_member(p.item, "rule", p.where);
+  if (said.rule != "valid" && said.rule != "simple") refuse_form(p.where + ".rule is none of valid, simple");
+}
+
+void read_ring_of_parts(const Place& p, Said& said) {
+  said.ring = index_member(p.item, "ring", said.parts->rings.size(), p.where);
+}
+
+void read_other_ring(const Place& p, Said& said) {
+  said.other = index_member(p.item, "other", said.parts->rings.size(), p.where);
+}
+
+void read_edge(const Place& p, Said& said) {
+  said.edge = index_member(p.item, "edge", said.parts->polygons.edges.size(), p.where);
+}
+
+void read_contact_of_edges(const Place& p, Said& said) {
+  said.contact.i = index_member(p.item, "i", said.parts->polygons.edges.size(), p.where);
+  said.contact.j = index_member(p.item, "j", said.parts->polygons.edges.size(), p.where);
+  said.contact.kind = string_member(p.item, "kind", p.where);
+  if (!is_segment_kind(said.contact.kind)) refuse_form(p.where + ".kind is no kind of contact");
+}
+
+void read_rings_of_circle(const Place& p, Said& said) {
+  for (const json& entry : list_member(p.item, "rings", p.where)) {
+    said.rings.push_back(read_index(entry, said.parts->rings.size(), p.where + ".rings entry"));
+  }
+  const std::set<std::size_t> once(said.rings.begin(), said.rings.end());
+  if (once.size() < 2 || once.size() != said.rings.size()) {
+    refuse_form(p.where + ".rings is not of two rings or more, each once");
+  }
+}
+
+void read_points_of_circle(const Place& p, Said& said) {
+  for (const json& entry : list_member(p.item, "points", p.where)) {
+    said.points.push_back(read_numbers(entry, 2, read_number, p.where + ".points entry"));
+  }
+  if (said.points.size() != said.rings.size()) refuse_form(p.where + ".points is not as long as the rings");
 }
 
 void read_nothing(const Place&, Said&) {}
@@ -248,6 +331,8 @@ std::size_t of_a(const Said& said, const Tables&) { return said.a->rows().size()
 std::size_t of_b(const Said& said, const Tables&) { return said.b->rows().size(); }
 std::size_t of_segments(const Said&, const Tables& tables) { return tables.segments.size(); }
 std::size_t of_circles(const Said&, const Tables& tables) { return tables.circles.size(); }
+std::size_t of_parts(const Said& said, const Tables&) { return said.parts->polygons.edges.size(); }
+std::size_t of_edges(const Said&, const Tables& tables) { return tables.polygons.edges.size(); }
 std::size_t of_half_planes(const Said&, const Tables& tables) { return tables.half_planes.size(); }
 
 const ClaimNeeded parted_a_b{
@@ -284,18 +369,61 @@ const ClaimNeeded slab{
     "slab", {}, of_a, [](const Claim&, const Said& s, const Tables&) { check_slab(*s.a, *s.b, s.from_a, s.to_b); }};
 const ClaimNeeded none_counts{
     "none_counts", {{"events", read_events}}, of_segments, [](const Claim& c, const Said& s, const Tables& t) {
-      check_none_counts(c, t, s.groups, s.allowed);
+      check_none_counts(contacts_of_segments(c, t, s.groups, s.allowed));
     }};
 const ClaimNeeded these_count{
     "these_count", {{"events", read_events}}, of_segments, [](const Claim& c, const Said& s, const Tables& t) {
-      check_these_count(c, t, s.groups, s.allowed, s.contacts);
+      check_these_count(contacts_of_segments(c, t, s.groups, s.allowed), s.contacts);
     }};
 const ClaimNeeded number_counts{
     "number_counts", {{"events", read_events}}, of_segments, [](const Claim& c, const Said& s, const Tables& t) {
-      check_number_counts(c, t, s.groups, s.allowed, s.number);
+      check_number_counts(contacts_of_segments(c, t, s.groups, s.allowed), s.number);
     }};
+const ClaimNeeded no_polygons_meet{
+    "none_counts", {{"events", read_events}}, of_edges, [](const Claim& c, const Said& s, const Tables& t) {
+      check_none_counts(contacts_of_polygons(c, t, s.groups, s.allowed));
+    }};
+const ClaimNeeded these_polygons_meet{
+    "these_count", {{"events", read_events}}, of_edges, [](const Claim& c, const Said& s, const Tables& t) {
+      check_these_count(contacts_of_polygons(c, t, s.groups, s.allowed), s.contacts);
+    }};
+const ClaimNeeded so_many_polygons_meet{
+    "number_counts", {{"events", read_events}}, of_edges, [](const Claim& c, const Said& s, const Tables& t) {
+      check_number_counts(contacts_of_polygons(c, t, s.groups, s.allowed), s.number);
+    }};
+const ClaimNeeded parts_valid{
+    "valid", {{"events", read_events}}, of_parts, [](const Claim& c, const Said& s, const Tables&) {
+      check_valid(c, *s.parts, s.strict());
+    }};
+const ClaimNeeded too_few_points{"too_few_points", {}, of_parts, [](const Claim&, const Said& s, const Tables&) {
+                                   check_too_few_points(*s.parts, s.ring);
+                                 }};
+const ClaimNeeded edges_meet{"contact", {}, of_parts, [](const Claim&, const Said& s, const Tables&) {
+                               const PolygonTable& polygons = s.parts->polygons;
+                               check_contact(polygons.edges, polygons.exponent, polygons.bits, s.contact, s.point, {},
+                                             {true, true});
+                             }};
+const ClaimNeeded comes_twice{"comes_twice", {}, of_parts, [](const Claim&, const Said& s, const Tables&) {
+                                check_comes_twice(*s.parts, s.ring, s.point);
+                              }};
+const ClaimNeeded misplaced{"misplaced", {}, of_parts, [](const Claim&, const Said& s, const Tables&) {
+                              check_misplaced(*s.parts, s.ring, s.point);
+                            }};
+const ClaimNeeded circle{"circle", {}, of_parts, [](const Claim&, const Said& s, const Tables&) {
+                           check_circle(*s.parts, s.rings, s.points);
+                         }};
+const ClaimNeeded repeated{"repeated", {}, of_parts, [](const Claim&, const Said& s, const Tables&) {
+                             check_repeated(*s.parts, s.strict(), s.edge);
+                           }};
+const ClaimNeeded rings_touch{"rings_touch", {}, of_parts, [](const Claim&, const Said& s, const Tables&) {
+                                check_rings_touch(*s.parts, s.strict(), s.ring, s.other, s.point);
+                              }};
+const ClaimNeeded common_point{"common_point", {}, of_edges, [](const Claim&, const Said& s, const Tables& t) {
+                                 check_common_point(t, s.contact, s.point, s.groups, s.allowed);
+                               }};
 const ClaimNeeded contact{"contact", {}, of_segments, [](const Claim&, const Said& s, const Tables& t) {
-                            check_contact(t, s.contact, s.point, s.groups, s.allowed);
+                            check_contact(t.segments, t.segment_exponent, t.segment_bits, s.contact, s.point, s.groups,
+                                          s.allowed);
                           }};
 const ClaimNeeded disc_contact{"contact", {}, of_circles, [](const Claim&, const Said& s, const Tables& t) {
                                  check_disc_contact(t, s.contact, s.point, s.groups, s.allowed);
@@ -421,6 +549,26 @@ const std::vector<Question> questions{
       {"point", {point}, {&in_discs, &powers}},
       {"region", {point, {"arcs", read_arcs}}, {&in_discs, &arcs}},
       {"plane", {}, {&no_entries}}}},
+    {"polygons",
+     "polygons",
+     {{"allowed", read_allowed}},
+     {{"groups", read_polygon_groups}},
+     {{"some", {{"i", read_polygon_pair}, {"j", read_nothing}, point}, {&common_point}},
+      {"none", {}, {&no_polygons_meet}},
+      {"these", {{"contacts", read_polygon_contacts}}, {&these_polygons_meet}},
+      {"count", {{"number", read_count}}, {&so_many_polygons_meet}}}},
+    {"valid",
+     "polygons",
+     {{"parts", read_parts}, {"rule", read_validity}},
+     {},
+     {{"valid", {}, {&parts_valid}},
+      {"too_few_points", {{"ring", read_ring_of_parts}}, {&too_few_points}},
+      {"edges_meet", {{"i", read_contact_of_edges}, {"j", read_nothing}, {"kind", read_nothing}, point}, {&edges_meet}},
+      {"comes_twice", {{"ring", read_ring_of_parts}, point}, {&comes_twice}},
+      {"misplaced", {{"ring", read_ring_of_parts}, point}, {&misplaced}},
+      {"circle", {{"rings", read_rings_of_circle}, {"points", read_points_of_circle}}, {&circle}},
+      {"repeated", {{"edge", read_edge}}, {&repeated}},
+      {"rings_touch", {{"ring", read_ring_of_parts}, {"other", read_other_ring}, point}, {&rings_touch}}}},
     {"linear_program",
      "half_planes",
      {{"objective", read_objective}},
@@ -454,6 +602,11 @@ std::string words_of(const json& item, const Said& said) {
   if (said.a != nullptr) return said.a->name + ", " + said.b->name;
   if (item.contains("objective")) {
     return "along (" + item["objective"][0].get<std::string>() + ", " + item["objective"][1].get<std::string>() + ")";
+  }
+  if (said.parts != nullptr) {
+    std::string parts;
+    for (const std::size_t part : said.named_parts) parts += (parts.empty() ? "" : ", ") + std::to_string(part);
+    return "polygons [" + parts + "] by the rule " + said.rule;
   }
   if (item.contains("ring")) return "ring " + std::to_string(item["ring"].get<std::size_t>());
   if (!item.contains("allowed")) return "";

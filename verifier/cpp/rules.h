@@ -8,6 +8,7 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -83,15 +84,34 @@ void check_goes_on(const Claim& claim, const Tables& tables, const Numbers& obje
 void check_ends(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point);
 
 // groups: empty, or one for each segment.
-void check_contact(const Tables& tables, const StatedContact& contact, const Numbers& point,
-                   const std::vector<std::int64_t>& groups, const AllowedContacts& allowed);
-void check_none_counts(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
-                       const AllowedContacts& allowed);
-// contacts: by i, then j.
-void check_these_count(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
-                       const AllowedContacts& allowed, const std::vector<StatedContact>& contacts);
-void check_number_counts(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
-                         const AllowedContacts& allowed, std::uint64_t number);
+void check_contact(const std::vector<PlanarSegment>& segments, std::int64_t exponent, std::size_t bits,
+                   const StatedContact& contact, const Numbers& point, const std::vector<std::int64_t>& groups,
+                   const AllowedContacts& allowed);
+void check_common_point(const Tables& tables, const StatedContact& contact, const Numbers& point,
+                        const std::vector<std::int64_t>& groups, const AllowedContacts& allowed);
+
+// strict: by the rule `simple`.
+void check_valid(const Claim& claim, const PartTable& parts, bool strict);
+void check_too_few_points(const PartTable& parts, std::size_t ring);
+void check_comes_twice(const PartTable& parts, std::size_t ring, const Numbers& point);
+void check_misplaced(const PartTable& parts, std::size_t ring, const Numbers& point);
+void check_circle(const PartTable& parts, const std::vector<std::size_t>& rings, const std::vector<Numbers>& points);
+void check_repeated(const PartTable& parts, bool strict, std::size_t edge);
+void check_rings_touch(const PartTable& parts, bool strict, std::size_t ring, std::size_t other, const Numbers& point);
+
+// Told of each two whose contact counts, once: i < j, and the kind, empty for polygons.
+using VisitContact = std::function<void(std::size_t i, std::size_t j, const char* kind)>;
+using ContactsOf = std::function<void(const VisitContact&)>;
+// All contacts by the sweep that the claim brings. Keep references.
+ContactsOf contacts_of_segments(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
+                                const AllowedContacts& allowed);
+ContactsOf contacts_of_polygons(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
+                                const AllowedContacts& allowed);
+
+void check_none_counts(const ContactsOf& contacts);
+// listed: by i, then j.
+void check_these_count(const ContactsOf& contacts, const std::vector<StatedContact>& listed);
+void check_number_counts(const ContactsOf& contacts, std::uint64_t number);
 
 // These bound the common part of the half-planes, which is of that kind.
 void check_cones(const Claim& claim, const Constraints& given, const std::string& verdict,

@@ -136,6 +136,41 @@ void read_circles(const json& list, Tables& tables) {
   }
 }
 
+// The vertices of all rings, in turn.
+std::vector<const json*> read_vertices(const json& list, PolygonTable& polygons) {
+  std::vector<const json*> vertices;
+  for (const json& item : list) {
+    const std::string where = "tables.polygons[" + std::to_string(polygons.rings.size()) + "]";
+    const auto is_ring = [](const json& ring) { return ring.is_array() && !ring.empty(); };
+    if (!item.is_array() || !std::all_of(item.begin(), item.end(), is_ring)) {
+      refuse_form(where + " is not a list of rings of one vertex or more");
+    }
+    polygons.rings.emplace_back();
+    for (const json& ring : item) {
+      for (const json& vertex : ring) vertices.push_back(&vertex);
+      polygons.rings.back().push_back({vertices.size() - ring.size(), vertices.size()});
+    }
+  }
+  return vertices;
+}
+
+void read_polygons(const json& list, Tables& tables) {
+  PolygonTable& polygons = tables.polygons;
+  const Scaled scaled = read_rows(read_vertices(list, polygons), 2, "tables.polygons vertex");
+  polygons.exponent = scaled.e;
+  polygons.bits = scaled.bits;
+  for (std::size_t i = 0; i < polygons.rings.size(); ++i) {
+    for (const EdgeRange& ring : polygons.rings[i]) {
+      for (std::size_t k = ring.begin; k < ring.end; ++k) {
+        const Integers &p = scaled.rows[k], &q = scaled.rows[k + 1 < ring.end ? k + 1 : ring.begin];
+        polygons.edges.push_back(p <= q ? PlanarSegment{{p[0], p[1]}, {q[0], q[1]}}
+                                        : PlanarSegment{{q[0], q[1]}, {p[0], p[1]}});
+        polygons.owner.push_back(i);
+      }
+    }
+  }
+}
+
 void read_half_planes(const json& list, Tables& tables) {
   for (const json& item : list) {
     const std::string where = "tables.half_planes[" + std::to_string(tables.half_planes.size()) + "]";
@@ -229,18 +264,18 @@ bool goes_round_once(const Constraints& sides) {
   return rounds == 1;
 }
 
-Integer dot(const Integers& u, const Integers& v) {
-  Integer sum = 0;
-  for (std::size_t k = 0; k < u.size(); ++k) sum += u[k] * v[k];
-  return sum;
-}
-
 Integers projective(const Numbers& values) {
   Common scaled = common(values);
   const std::int64_t up = std::max<std::int64_t>(scaled.e, 0), down = std::max<std::int64_t>(-scaled.e, 0);
   for (Integer& n : scaled.integers) n = shifted(n, up);
   scaled.integers.push_back(shifted(scaled.d, down));
   return std::move(scaled.integers);
+}
+
+Integer dot(const Integers& u, const Integers& v) {
+  Integer sum = 0;
+  for (std::size_t k = 0; k < u.size(); ++k) sum += u[k] * v[k];
+  return sum;
 }
 
 std::pair<Integers, std::int64_t> image(const HullBody& body, std::size_t k) {
@@ -281,12 +316,57 @@ std::pair<Integers, std::int64_t> products(const HullBody& body, const Integers&
   return {std::move(result), e};
 }
 
+bool PolygonTable::is_flat(std::size_t polygon) const {
+  std::size_t count = 0;
+  for (const EdgeRange& ring : rings[polygon]) count += ring.end - ring.begin;
+  return count < 3;
+}
+
+bool PolygonTable::is_point(std::size_t polygon) const {
+  for (const EdgeRange& ring : rings[polygon]) {
+    for (std::size_t k = ring.begin; k < ring.end; ++k) {
+      if (!(edges[k].first == edges[k].last)) return false;
+    }
+  }
+  return true;
+}
+
+PartTable parts_of(const PolygonTable& all, const std::vector<std::size_t>& which) {
+  PartTable result;
+  PolygonTable& polygons = result.polygons;
+  polygons.exponent = all.exponent;
+  for (const std::size_t i : which) {
+    result.shell.push_back(result.rings.size());
+    polygons.rings.emplace_back();
+    for (const EdgeRange& ring : all.rings[i]) {
+      const std::size_t begin = polygons.edges.size();
+      for (std::size_t k = ring.begin; k < ring.end; ++k) {
+        const PlanarSegment& edge = all.edges[k];
+        for (const Integer* x : {&edge.first.x, &edge.first.y, &edge.last.x, &edge.last.y}) {
+          polygons.bits = std::max(polygons.bits, bits(*x));
+        }
+        polygons.edges.push_back(edge);
+        polygons.owner.push_back(polygons.rings.size() - 1);
+        result.ring_of.push_back(result.rings.size());
+      }
+      polygons.rings.back().push_back({begin, polygons.edges.size()});
+      result.rings.push_back(polygons.rings.back().back());
+      result.part.push_back(polygons.rings.size() - 1);
+    }
+  }
+  return result;
+}
+
 bool Tables::has(const std::string& name) const { return std::find(names.begin(), names.end(), name) != names.end(); }
 
 Tables read_tables(const json& item) {
-  static const std::map<std::string, void (*)(const json&, Tables&)> readers{
-      {"bodies", read_bodies},           {"segments", read_segments}, {"circles", read_circles},
-      {"half_planes", read_half_planes}, {"rings", read_rings},       {"convex_polygons", read_convex_polygons}};
+  static const std::map<std::string, void (*)(const json&, Tables&)> readers{{"bodies", read_bodies},
+                                                                             {"segments", read_segments},
+                                                                             {"polygons", read_polygons},
+                                                                             {"circles", read_circles},
+                                                                             {"half_planes", read_half_planes},
+                                                                             {"rings", read_rings},
+                                                                             {"convex_polygons", read_convex_polygons}};
   Tables tables;
   for (const auto& [name, reader] : readers) tables.names.push_back(name);
   require_members(item, {}, tables.names, "tables");

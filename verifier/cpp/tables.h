@@ -75,6 +75,33 @@ using Constraints = std::vector<LinearConstraint>;
 Integer turn(const LinearConstraint& h, const LinearConstraint& k);
 // Does each turn to the next, and all by one turn?
 bool goes_round_once(const Constraints& sides);
+// Edges begin to end - 1.
+struct EdgeRange {
+  std::size_t begin, end;
+};
+
+// Edge k goes from vertex k to the next one of its ring.
+struct PolygonTable {
+  bool is_flat(std::size_t polygon) const;  // fewer than three edges: a point, or a segment
+  bool is_point(std::size_t polygon) const;
+
+  std::vector<std::vector<EdgeRange>> rings;  // of each polygon
+  std::vector<PlanarSegment> edges;
+  std::vector<std::size_t> owner;  // the polygon of each edge
+  std::int64_t exponent = 0;
+  std::size_t bits = 0;
+};
+
+// Some polygons, with edges and rings numbered anew.
+struct PartTable {
+  PolygonTable polygons;
+  std::vector<EdgeRange> rings;
+  std::vector<std::size_t> ring_of;  // of each edge
+  std::vector<std::size_t> part;     // of each ring
+  std::vector<std::size_t> shell;    // of each part, its first ring
+};
+
+PartTable parts_of(const PolygonTable& polygons, const std::vector<std::size_t>& which);
 
 struct Tables {
   std::vector<std::string> names;  // of those that the file has
@@ -86,6 +113,7 @@ struct Tables {
   std::int64_t circle_exponent = 0;
   std::size_t circle_bits = 0;
   Constraints half_planes;
+  PolygonTable polygons;
   std::size_t half_plane_bits = 0;
   std::vector<Constraints> rings;  // what is on the inner side of the edges of each
   Constraints convex_polygons;     // the sides of all

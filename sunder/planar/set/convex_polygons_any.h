@@ -2,7 +2,7 @@
 //
 // The polygons are closed: touching is meeting, and one inside another meets it. The answer is exactly right for the
 // doubles given, whatever the position. It comes with its evidence: two polygons that meet in a way that counts, with
-// the certificate of this pair; or a transcript of a sweep that proves that there are none.
+// the certificate of this pair; convex_polygons_any_json.h writes proofs, also that there are none.
 //   P1. meet() is true iff some two polygons have a contact that counts.
 //   P2. The contact named counts; it need not be the leftmost, nor the same for all methods. `evidence` passes the
 //       absolute check of certificate/check.h, with polygon i as body A and polygon j as body B.
@@ -18,42 +18,21 @@
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <vector>
 
 namespace sunder::planar {
 
-// Two polygons that became neighbours on the sweep line. What proves that they have no contact that counts: that they
-// are apart; where touching is allowed and they touch, only the meeting is proved, and a checker finds by itself that
-// no common point is inside of both.
-struct NeighboursEvidence {
-  std::uint32_t below = 0, above = 0;  // the bodies A and B of the evidence
-  PairCertificate evidence;
-};
-
-// The sweep that met no contact that counts. `events`: 2 i for the leftmost vertex of polygon i and 2 i + 1 for its
-// rightmost, in the order of ends_in_order; `below`: for each leftmost vertex, in that order, the polygon just below it
-// then, or no_polygon; `neighbours`: in the order in which they became neighbours.
-inline constexpr std::uint32_t no_polygon = 0xffffffffu;
-struct ConvexPolygonsTranscript {
-  std::vector<std::uint32_t> events;
-  std::vector<std::uint32_t> below;
-  std::vector<NeighboursEvidence> neighbours;
-};
-
 struct ConvexPolygonsAnswer {
-  Contact contact = Contact::none;      // none: no two polygons meet in a way that counts
-  std::uint32_t i = 0, j = 0;           // the two polygons, i < j; meaningless for `none`
-  PairCertificate evidence;             // that they meet; meaningless for `none`
-  ConvexPolygonsTranscript transcript;  // empty unless asked for, and for `none`
-  Cost cost;                            // probes: vertices looked at, and pairs of boxes or polygons compared
+  Contact contact = Contact::none;  // none: no two polygons meet in a way that counts
+  std::uint32_t i = 0, j = 0;       // the two polygons, i < j; meaningless for `none`
+  PairCertificate evidence;         // that they meet; meaningless for `none`
+  Cost cost;                        // probes: vertices looked at, and pairs of boxes or polygons compared
 
   bool meet() const { return contact != Contact::none; }
 };
 
 struct ConvexPolygonsOptions {
   Allowed allowed = Allowed::nothing;  // `touch`: only overlapping counts; `shared_endpoint` allows nothing here
-  bool transcript = false;
-  Groups groups{};                                 // members of one group may meet and overlap
+  Groups groups{};                     // members of one group may meet and overlap
   std::function<void(double)> progress = nullptr;  // called now and then with the part that is done, 0 to 1
 };
 
@@ -71,14 +50,14 @@ ConvexPolygonsAnswer convex_polygons_any(std::span<const ConvexPolygon> polygons
 ConvexPolygonsAnswer convex_polygons_any_by_sweep(std::span<const ConvexPolygon> polygons,
                                                   const ConvexPolygonsOptions& options = {});
 
-// The pairs whose boxes meet, by a uniform grid over the boxes. Where that does not pay, or a transcript is asked for,
-// the sweep decides instead, and where too many crowd in a cell, the sweep decides about these; so its bound holds.
-// Where there are groups: all pairs whose boxes meet; where that takes more than 64 probes a vertex, the sweep of
-// polygons_any_by_sweep, with its bound. (Not where there are points or segments among the polygons.)
+// The pairs whose boxes meet, by a uniform grid over the boxes. Where that does not pay, the sweep decides instead, and
+// where too many crowd in a cell, the sweep decides about these; so its bound holds. Where there are groups: all pairs
+// whose boxes meet; where that takes more than 64 probes a vertex, the sweep of polygons_any_by_sweep, with its bound.
+// (Not where there are points or segments among the polygons.)
 ConvexPolygonsAnswer convex_polygons_any_by_grid(std::span<const ConvexPolygon> polygons,
                                                  const ConvexPolygonsOptions& options = {});
 
-// Every pair, by its edges: the oracle. Names the first pair. Writes no transcript. O(N^2 k^2) time.
+// Every pair, by its edges: the oracle. Names the first pair. O(N^2 k^2) time.
 ConvexPolygonsAnswer convex_polygons_any_by_scan(std::span<const ConvexPolygon> polygons,
                                                  const ConvexPolygonsOptions& options = {});
 

@@ -25,7 +25,7 @@ void take_any_by_sweep(std::span<const ConvexPolygon> polygons, const ConvexPoly
   const PolygonEdges edges(pointers_to(of_any_shape));
   const Allowed allowed = options.allowed == Allowed::touch ? Allowed::touch : Allowed::nothing;
   PolygonsAnswer some;
-  PolygonSweep sweep(edges, {allowed, false, options.groups, options.progress}, first_that_counts(some, allowed));
+  PolygonSweep sweep(edges, {allowed, options.groups, options.progress}, first_that_counts(some, allowed));
   sweep.run();
   answer.cost.probes += sweep.cost.probes;
   if (some.meet()) report_pair(polygons, some.found.i, some.found.j, allowed, answer);
@@ -61,7 +61,6 @@ ConvexPolygonsAnswer any_across_groups(std::span<const ConvexPolygon> polygons, 
 ConvexPolygonsAnswer convex_polygons_any_by_grid(std::span<const ConvexPolygon> polygons,
                                                  const ConvexPolygonsOptions& options) {
   if (!options.groups.empty()) return any_across_groups(polygons, options);
-  if (options.transcript) return convex_polygons_any_by_sweep(polygons, options);
   ConvexPolygonsAnswer answer;
   const auto& [boxes, diagonals] = extents_of(polygons);
   const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {
@@ -79,7 +78,7 @@ ConvexPolygonsAnswer convex_polygons_any_by_grid(std::span<const ConvexPolygon> 
   std::vector<ConvexPolygon> crowd;
   crowd.reserve(members.size());
   for (const std::uint32_t i : members) crowd.push_back(polygons[i]);
-  ConvexPolygonsAnswer in_crowd = convex_polygons_any_by_sweep(crowd, {options.allowed, false, {}, nullptr});
+  ConvexPolygonsAnswer in_crowd = convex_polygons_any_by_sweep(crowd, {options.allowed, {}, nullptr});
   in_crowd.cost.probes += answer.cost.probes;
   in_crowd.i = members[in_crowd.i];  // also of `none`, where it is meaningless
   in_crowd.j = members[in_crowd.j];

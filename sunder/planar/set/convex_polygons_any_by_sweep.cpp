@@ -38,7 +38,7 @@ struct InStatus {
   double bottom = 0, top = 0;
 };
 
-static_assert(SweepStatus<InStatus>::none == no_polygon);
+constexpr std::uint32_t no_polygon = SweepStatus<InStatus>::none;
 
 class Sweep {
  public:
@@ -64,11 +64,6 @@ class Sweep {
       }
       ends[k] % 2 == 0 ? enter(ends[k] / 2) : leave(ends[k] / 2);
     }
-    if (answer_.meet()) {
-      answer_.transcript = {};
-    } else if (options_.transcript) {
-      answer_.transcript.events = ends;
-    }
     return std::move(answer_);
   }
 
@@ -87,7 +82,6 @@ class Sweep {
     entering_ = i;
     const auto around = status_.insert(i, [&](const InStatus& other) { return is_above(i, other); });
     if (answer_.meet()) return;
-    if (options_.transcript) answer_.transcript.below.push_back(around.below);
     test_neighbours(around.below, i);
     test_neighbours(i, around.above);
     touched_.clear();
@@ -123,14 +117,7 @@ class Sweep {
 
   void test_neighbours(std::uint32_t lower, std::uint32_t upper) {
     if (lower == no_polygon || upper == no_polygon || answer_.meet()) return;
-    if (options_.transcript) {
-      const ConvexPairTest test = test_pair(polygons_[lower], polygons_[upper], options_.allowed);
-      answer_.cost.probes += 1 + test.answer.cost.probes;
-      if (test.contact == Contact::none) {
-        answer_.transcript.neighbours.push_back({lower, upper, test.answer.evidence});
-        return;
-      }
-    } else if (std::find(touched_.begin(), touched_.end(), lower == entering_ ? upper : lower) != touched_.end()) {
+    if (std::find(touched_.begin(), touched_.end(), lower == entering_ ? upper : lower) != touched_.end()) {
       return;
     }
     ++answer_.cost.probes;

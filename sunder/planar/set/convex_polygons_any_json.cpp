@@ -1,9 +1,18 @@
-#include <sunder/certificate/direction.h>
+#include <sunder/certificate/claims.h>
 #include <sunder/planar/set/convex_polygons_any_json.h>
-#include <sunder/planar/set/tables_json.h>
+#include <sunder/planar/set/polygons_any.h>
+#include <sunder/planar/set/polygons_common_point.h>
+#include <sunder/planar/set/segments_all.h>
+#include <sunder/planar/set/sweep_json.h>
 #include <sunder/predicate/common_point.h>
+#include <sunder/predicate/crossing.h>
+#include <sunder/predicate/orient.h>
 
+#include <algorithm>
 #include <array>
+#include <limits>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace sunder::planar {
@@ -12,73 +21,123 @@ namespace {
 
 const Affine3 in_place;
 
-std::vector<Point3> in_space(const ConvexPolygon& polygon) {
+// What the certificate of a pair says: some common point.
+ExactPoint2 common_point(const ConvexPolygon& a, const ConvexPolygon& b, const PairCertificate& c) {
   std::vector<Point3> vertices;
-  vertices.reserve(polygon.size());
-  for (const Point2& p : polygon.vertices()) vertices.push_back({p.x, p.y, 0});
-  return vertices;
-}
-
-// Of two that became neighbours: what parts them.
-std::string direction_text(std::span<const ConvexPolygon> polygons, const NeighboursEvidence& neighbours) {
-  const std::vector<Point3> below = in_space(polygons[neighbours.below]), above = in_space(polygons[neighbours.above]);
-  const Vector3<Dyadic> d =
-      world_direction(neighbours.evidence.direction, {below, in_place, false}, {above, in_place, false}).exact();
-  return "[\"" + d.x.hexadecimal() + "\", \"" + d.y.hexadecimal() + "\"]";
-}
-
-void append_meeting(std::string& text, const ConvexPolygon& a, const ConvexPolygon& b, const PairCertificate& c) {
-  const std::vector<Point3> in_a = in_space(a), in_b = in_space(b);
-  std::array<Posed, 5> points{};
-  const std::size_t size = std::size_t{c.count_a} + c.count_b;
-  for (std::size_t k = 0; k < size; ++k) {
-    points[k] = {k < c.count_a ? in_a[c.vertices[k]] : in_b[c.vertices[k]], &in_place, false};
+  for (std::uint32_t k = 0; k < c.count_a + c.count_b; ++k) {
+    const Point2& p = (k < c.count_a ? a : b)[c.vertices[k]];
+    vertices.push_back({p.x, p.y, 0});
   }
-  const std::span<const Posed> all(points.data(), size);
+  std::vector<Posed> points;
+  for (const Point3& p : vertices) points.push_back({p, &in_place, false});
+  const std::span<const Posed> all(points);
   const CommonPointWeights w = common_point_weights(all.first(c.count_a), all.subspan(c.count_a));
-  const auto append_weights = [&](const char* key, std::size_t first, std::size_t count) {
-    text += ",\n   \"" + std::string(key) + "\": [";
-    for (std::size_t k = first; k < first + count; ++k) {
-      if (k > first) text += ", ";
-      text += '[' + std::to_string(c.vertices[k]) + ", \"" + fraction_text(w.numerators[k], w.denominator) + "\"]";
-    }
-    text += ']';
+  return {w.point[0], w.point[1], w.denominator};
+}
+
+ExactPoint2 exactly(const Point2& p) { return {p.x, p.y, 1.0}; }
+
+bool is_same(const ExactPoint2& p, const ExactPoint2& q) {
+  return p.x * q.denominator == q.x * p.denominator && p.y * q.denominator == q.y * p.denominator;
+}
+
+bool holds(const ConvexPolygon& polygon, const Point2& p) {
+  for (std::uint32_t k = 0; k < polygon.size(); ++k) {
+    const Point2 &from = polygon[k], &to = polygon[k + 1 == polygon.size() ? 0 : k + 1];
+    if (orient_2d(from, to, p) == Sign::negative) return false;
+  }
+  return true;
+}
+
+// Of a segment and a polygon, whose relative interiors meet: the middle between two of their common points, or the
+// only one.
+ExactPoint2 point_within(const Segment& s, const ConvexPolygon& polygon) {
+  std::vector<ExactPoint2> found;
+  const auto add = [&](const ExactPoint2& p) {
+    if (found.empty() || (found.size() == 1 && !is_same(found[0], p))) found.push_back(p);
   };
-  text += "\"point\": ";
-  append_point(text, {w.point[0], w.point[1], w.denominator});
-  append_weights("weights_i", 0, c.count_a);
-  append_weights("weights_j", c.count_a, c.count_b);
+  for (std::uint32_t k = 0; k < polygon.size(); ++k) {
+    const Segment t = sorted({polygon[k], polygon[k + 1 == polygon.size() ? 0 : k + 1]});
+    const ContactKind kind = segment_segment(s, t);
+    if (kind == ContactKind::overlap) {
+      add(exactly(lexicographically_less(s.a, t.a) ? t.a : s.a));
+      add(exactly(lexicographically_less(s.b, t.b) ? s.b : t.b));
+    } else if (kind != ContactKind::none) {
+      add(planar::common_point(s, t));
+    }
+  }
+  if (polygon.size() > 2) {
+    for (const Point2& end : {s.a, s.b}) {
+      if (holds(polygon, end)) add(exactly(end));
+    }
+  }
+  if (found.size() < 2) return found.at(0);
+  const auto& [p, q] = std::pair(found[0], found[1]);
+  return {p.x * q.denominator + q.x * p.denominator, p.y * q.denominator + q.y * p.denominator,
+          Dyadic(2.0) * p.denominator * q.denominator};
+}
+
+// Of two whose relative interiors meet, a point of both of these.
+ExactPoint2 point_within(const ConvexPolygon& a, const ConvexPolygon& b) {
+  if (b.size() < a.size()) return point_within(b, a);
+  if (a.size() == 1) return exactly(a[0]);
+  if (a.size() == 2) return point_within(sorted({a[0], a[1]}), b);
+  const auto polygon = [](const ConvexPolygon& convex) {
+    const std::vector<Point2> ring(convex.vertices().begin(), convex.vertices().end());
+    return Polygon(std::span(&ring, 1));
+  };
+  const Polygon i = polygon(a), j = polygon(b);
+  return common_point(i, j, polygons_contact(i, j).found);
+}
+
+void write_table(ClaimsWriter& file, std::span<const ConvexPolygon> polygons) {
+  file.begin_table("polygons");
+  for (const ConvexPolygon& polygon : polygons) {
+    file.begin_list();
+    file.begin_list();
+    for (const Point2& p : polygon.vertices()) file.add_numbers(std::array{p.x, p.y});
+    file.end_list();
+    file.end_list();
+  }
+  file.end_table();
+}
+
+SweepEvents events_of(std::span<const ConvexPolygon> polygons) {
+  std::vector<Segment> edges;
+  for (const ConvexPolygon& polygon : polygons) {
+    for (std::uint32_t k = 0; k < polygon.size(); ++k) {
+      edges.push_back({polygon[k], polygon[k + 1 == polygon.size() ? 0 : k + 1]});
+    }
+  }
+  return *sweep_events(Segments(edges), std::numeric_limits<std::size_t>::max());
 }
 
 }  // namespace
 
 std::string certificate_text(std::span<const ConvexPolygon> polygons, Allowed allowed,
                              const ConvexPolygonsAnswer& answer, Groups groups) {
-  std::string text = json_file_begin;
-  append_convex_polygons(text, polygons);
-  text += ",\n \"statements\": [\n  {\"question\": \"convex_polygons_any\", \"allowed\": \"" +
-          std::string(name_of(allowed)) + "\", \"verdict\": \"" + (answer.meet() ? "some" : "none") + "\",\n   ";
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  write_table(file, polygons);
+  file.begin_statement("polygons");
+  file.text("allowed", allowed == Allowed::touch ? "touch" : "nothing");
+  if (!groups.empty()) file.indices("groups", groups);
+  file.text("verdict", answer.meet() ? "some" : "none");
   if (answer.meet()) {
-    text += "\"i\": " + std::to_string(answer.i) + ", \"j\": " + std::to_string(answer.j) + ", \"contact\": \"" +
-            std::string(name_of(answer.contact)) + "\", ";
-    append_meeting(text, polygons[answer.i], polygons[answer.j], answer.evidence);
-    if (!groups.empty()) {
-      text += ",\n   \"groups\": ";
-      append_indices(text, groups);
-    }
+    const ConvexPolygon &a = polygons[answer.i], &b = polygons[answer.j];
+    const ExactPoint2 p = allowed == Allowed::touch ? point_within(a, b) : common_point(a, b, answer.evidence);
+    file.index("i", answer.i);
+    file.index("j", answer.j);
+    file.fractions("point", std::array{p.x, p.y}, p.denominator);
+    file.begin_claims();
+    file.begin_claim("common_point");
+    file.end_claim();
   } else {
-    text += "\"events\": ";
-    append_indices(text, answer.transcript.events);
-    text += ",\n   \"below\": ";
-    append_indices(text, answer.transcript.below);
-    text += ",\n   \"directions\": [";
-    for (std::size_t k = 0; k < answer.transcript.neighbours.size(); ++k) {
-      text += k > 0 ? ",\n    " : "\n    ";
-      text += direction_text(polygons, answer.transcript.neighbours[k]);
-    }
-    text += ']';
+    write_sweep(file, "none_counts", events_of(polygons));
   }
-  return text + "}]}\n";
+  file.end_statement();
+  file.end();
+  return text;
 }
 
 }  // namespace sunder::planar

@@ -1,4 +1,4 @@
-// The certificate file of an answer about a set of convex polygons (docs/certificates-sets.md, "convex_polygons_any").
+// Certificates of answers about a set of convex polygons (docs/claims.md, "polygons": each is a ring, flat or not).
 #pragma once
 
 #include <sunder/planar/set/convex_polygons_any.h>
@@ -8,9 +8,8 @@
 
 namespace sunder::planar {
 
-// Requires an answer about these polygons under this rule and with these groups; one of `none` with its transcript,
-// without groups, and touching not allowed: for that the format has no transcript. The certificate must be true: exact
-// directions and weights are computed here.
+// Requires an answer about these polygons under this rule and with these groups. The certificate must be true: the
+// common point is computed here, or the sweep over all edges.
 std::string certificate_text(std::span<const ConvexPolygon> polygons, Allowed allowed,
                              const ConvexPolygonsAnswer& answer, Groups groups = {});
 

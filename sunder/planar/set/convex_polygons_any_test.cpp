@@ -38,9 +38,9 @@ constexpr std::array<Method*, 4> methods{convex_polygons_any_by_scan, convex_pol
                                          convex_polygons_any_by_grid, convex_polygons_any};
 
 Contact contact(const Polygons& polygons, Allowed allowed = Allowed::nothing) {
-  const Contact by_scan = convex_polygons_any_by_scan(polygons, {allowed, false, {}, nullptr}).contact;
+  const Contact by_scan = convex_polygons_any_by_scan(polygons, {allowed, {}, nullptr}).contact;
   for (Method* method : methods) {
-    const ConvexPolygonsAnswer answer = method(polygons, {allowed, false, {}, nullptr});
+    const ConvexPolygonsAnswer answer = method(polygons, {allowed, {}, nullptr});
     EXPECT_EQ(answer.meet(), by_scan != Contact::none);
     if (polygons.size() == 2) {
       EXPECT_EQ(answer.contact, by_scan);
@@ -187,7 +187,6 @@ TEST(ConvexPolygonsAny, MethodsAgreeWithTheScan) {
   Random random(tests::chosen_seed(20261122));
   std::array<std::array<int, 2>, families> meet{};
   std::array<int, 3> contacts{};
-  int touching_neighbours = 0;
   for (int k = 0; k < count; ++k) {
     const int family = k % families;
     const Polygons polygons = some_polygons(random, family);
@@ -196,39 +195,28 @@ TEST(ConvexPolygonsAny, MethodsAgreeWithTheScan) {
       for (std::size_t i = 0; i < polygons.size(); ++i) groups.push_back(static_cast<std::uint32_t>(random.below(3)));
     }
     for (const Allowed allowed : {Allowed::nothing, Allowed::touch}) {
-      ConvexPolygonsOptions options{allowed, false, groups, nullptr};
+      const ConvexPolygonsOptions options{allowed, groups, nullptr};
       const bool some = convex_polygons_any_by_scan(polygons, options).meet();
       if (groups.empty()) meet[static_cast<std::size_t>(family)][allowed == Allowed::touch] += some;
       for (Method* method : {convex_polygons_any_by_sweep, convex_polygons_any_by_grid}) {
-        for (const bool transcript : {false, true}) {
-          options.transcript = transcript;
-          const ConvexPolygonsAnswer answer = method(polygons, options);
-          ASSERT_EQ(answer.meet(), some) << k << " family " << family << " " << name_of(allowed);
-          if (!answer.meet()) {
-            for (const NeighboursEvidence& pair : answer.transcript.neighbours) {
-              touching_neighbours += pair.evidence.verdict == Verdict::meet;
-              if (k % 4 != 0) continue;
-              ASSERT_EQ(check(pair.evidence, polygons[pair.below], polygons[pair.above]), CheckResult::accepted);
-            }
-            continue;
-          }
-          ++contacts[static_cast<std::size_t>(answer.contact)];
-          ASSERT_LT(answer.i, answer.j);
-          ASSERT_LT(answer.j, polygons.size());
-          ASSERT_FALSE(may_meet(groups, answer.i, answer.j));
-          ASSERT_TRUE(counts(answer.contact, allowed));
-          if (k % 4 != 0) continue;
-          ASSERT_EQ(check(answer.evidence, polygons[answer.i], polygons[answer.j]), CheckResult::accepted);
-          const Polygons pair{polygons[answer.i], polygons[answer.j]};
-          ASSERT_EQ(answer.contact, convex_polygons_any_by_scan(pair, {allowed, false, {}, nullptr}).contact);
-        }
+        const ConvexPolygonsAnswer answer = method(polygons, options);
+        ASSERT_EQ(answer.meet(), some) << k << " family " << family << " " << name_of(allowed);
+        if (!answer.meet()) continue;
+        ++contacts[static_cast<std::size_t>(answer.contact)];
+        ASSERT_LT(answer.i, answer.j);
+        ASSERT_LT(answer.j, polygons.size());
+        ASSERT_FALSE(may_meet(groups, answer.i, answer.j));
+        ASSERT_TRUE(counts(answer.contact, allowed));
+        if (k % 4 != 0) continue;
+        ASSERT_EQ(check(answer.evidence, polygons[answer.i], polygons[answer.j]), CheckResult::accepted);
+        const Polygons pair{polygons[answer.i], polygons[answer.j]};
+        ASSERT_EQ(answer.contact, convex_polygons_any_by_scan(pair, {allowed, {}, nullptr}).contact);
       }
     }
   }
-  std::printf("touching neighbours %d, touching %d, overlapping %d\n", touching_neighbours, contacts[1], contacts[2]);
+  std::printf("touching %d, overlapping %d\n", contacts[1], contacts[2]);
   for (std::size_t f = 0; f < families; ++f) std::printf("family %zu: %d %d\n", f, meet[f][0], meet[f][1]);
   if (count < 2000) return;
-  EXPECT_GT(touching_neighbours, count / 100);
   for (const std::size_t contact : {1u, 2u}) EXPECT_GT(contacts[contact], count / 10);
   for (std::size_t f = 0; f < families; ++f) {
     const int of_family = count / families * 3 / 4;

@@ -5,7 +5,7 @@
 // cross nor overlap, themselves or one another; they may touch in points, and vertices may be repeated: all polygons
 // that are valid are such, also those with rings that touch themselves (polygon_valid.h). What does not keep to that
 // is answered somehow. The answer is exactly right for the doubles given, and comes with
-// evidence: two edges that meet, or a vertex of one polygon inside of the other.
+// evidence: two edges that meet, or a vertex of one polygon inside of the other; polygons_json.h writes proofs.
 //   P1. meet() is true iff some two polygons have a contact that counts.
 //   P2. The contact named counts; it need not be the leftmost, nor the same for all methods.
 //   P3. The answer does not depend on the compiler.
@@ -20,7 +20,6 @@
 #include <sunder/planar/pair/segment_segment.h>
 #include <sunder/planar/set/contact_rule.h>
 #include <sunder/planar/set/segments_any.h>
-#include <sunder/planar/set/sweep_transcript.h>
 
 #include <cstdint>
 #include <functional>
@@ -48,21 +47,14 @@ inline bool counts(const PolygonsContact& c, Allowed allowed) {
 }
 
 struct PolygonsAnswer {
-  PolygonsContact found;       // Contact::none: no two polygons meet in a way that counts
-  SweepTranscript transcript;  // empty unless asked for, and where they meet; of edges, as numbered (see below)
-  Cost cost;                   // probes: pairs of edges or boxes compared, and edges looked at for points inside
+  PolygonsContact found;  // Contact::none: no two polygons meet in a way that counts
+  Cost cost;              // probes: pairs of edges or boxes compared, and edges looked at for points inside
 
   bool meet() const { return found.contact != Contact::none; }
 };
 
-// A transcript is that of segments_any for the edges of all polygons, numbered over all polygons in turn. It proves
-// that no polygons meet in a way that counts: no neighbours cross, and those of different polygons have no contact that
-// counts; and when all events at a point are over, the edges of the list stand in pairs, each of one polygon, which
-// hold all insides (docs/certificates-sets.md). Of two that overlap, either may be below. Written by the sweep, where
-// there are no groups; else empty.
 struct PolygonsOptions {
   Allowed allowed = Allowed::nothing;
-  bool transcript = false;
   Groups groups{};                                 // of the polygons; members of one group may meet and overlap
   std::function<void(double)> progress = nullptr;  // called now and then with the part that is done, 0 to 1
 };
@@ -83,7 +75,6 @@ PolygonsAnswer polygons_any(std::span<const Polygon> polygons, const PolygonsOpt
 // A line sweeps over the edges, which know the polygons that fill what is above them, and passes contacts that do not
 // count. O((n + k) log n) for n edges in all and k contacts that do not count: edges that cross and rings inside of
 // others, of one group; edges that pass a vertex of another polygon. All edges with one end in common are one contact.
-// Where nothing is allowed and a transcript is asked for, by Theorem 7: O(n log n) comparisons.
 PolygonsAnswer polygons_any_by_sweep(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
 
 // The pairs of polygons whose boxes meet; of each, the runs of edges whose boxes meet (EdgeBoxes), down to edges. Where

@@ -6,7 +6,6 @@
 namespace sunder::planar {
 
 PolygonsAnswer polygons_any_by_boxes(std::span<const Polygon> polygons, const PolygonsOptions& options) {
-  if (options.transcript && options.groups.empty()) return polygons_any_by_sweep(polygons, options);
   PolygonsAnswer answer;
   Cost cost;
   if (for_each_meeting_pair(polygons, options, cost, first_that_counts(answer, options.allowed))) {

@@ -5,7 +5,6 @@
 namespace sunder::planar {
 
 PolygonsAnswer polygons_any_by_grid(std::span<const Polygon> polygons, const PolygonsOptions& options) {
-  if (options.transcript && options.groups.empty()) return polygons_any_by_sweep(polygons, options);
   PolygonEdges edges(pointers_to(polygons));
   PolygonsAnswer answer;
   PolygonMeetings meetings(edges, options.groups, first_that_counts(answer, options.allowed));

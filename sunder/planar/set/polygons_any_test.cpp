@@ -32,13 +32,13 @@ PolygonsContact contact(const Rings& a, const Rings& b) {
   for (const Allowed allowed : {Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}) {
     for (auto* method :
          {polygons_any, polygons_any_by_boxes, polygons_any_by_grid, polygons_any_by_sweep, polygons_any_by_scan}) {
-      const PolygonsAnswer answer = method(set, {allowed, false, {}, nullptr});
+      const PolygonsAnswer answer = method(set, {allowed, {}, nullptr});
       EXPECT_EQ(answer.meet(), counts(found, allowed));
       if (answer.meet()) {
         EXPECT_EQ(answer.found.contact, found.contact);
       }
       const std::array<std::uint32_t, 2> one_group{4, 4};
-      EXPECT_FALSE(method(set, {allowed, false, one_group, nullptr}).meet());
+      EXPECT_FALSE(method(set, {allowed, one_group, nullptr}).meet());
     }
   }
   return found;
@@ -92,14 +92,14 @@ TEST(PolygonsAny, TractsMayTouchAndNotOverlap) {
     for (double y = 0; y < 5; ++y) tracts.emplace_back(Rings{box(x, y, x + 1, y + 1)});
   }
   for (auto* method : {polygons_any_by_boxes, polygons_any_by_grid, polygons_any_by_sweep, polygons_any_by_scan}) {
-    EXPECT_FALSE(method(tracts, {Allowed::touch, false, {}, nullptr}).meet());
-    EXPECT_TRUE(method(tracts, {Allowed::shared_endpoint, false, {}, nullptr}).meet());
+    EXPECT_FALSE(method(tracts, {Allowed::touch, {}, nullptr}).meet());
+    EXPECT_TRUE(method(tracts, {Allowed::shared_endpoint, {}, nullptr}).meet());
   }
   EXPECT_EQ(polygons_count(tracts).touching, 72u);
-  EXPECT_EQ(polygons_count(tracts, {Allowed::shared_endpoint, false, {}, nullptr}).touching, 40u);
+  EXPECT_EQ(polygons_count(tracts, {Allowed::shared_endpoint, {}, nullptr}).touching, 40u);
   tracts[12] = Polygon(Rings{box(2, 2, std::nextafter(3.0, 4.0), 3)});
   for (auto* method : {polygons_any_by_boxes, polygons_any_by_grid, polygons_any_by_sweep, polygons_any_by_scan}) {
-    const PolygonsAnswer answer = method(tracts, {Allowed::touch, false, {}, nullptr});
+    const PolygonsAnswer answer = method(tracts, {Allowed::touch, {}, nullptr});
     EXPECT_EQ(answer.found.contact, Contact::overlapping);
     EXPECT_EQ(answer.found.i, 12u);
     EXPECT_EQ(answer.found.j, 17u);
@@ -219,7 +219,7 @@ TEST(PolygonsAny, MethodsAgreeOnLargerSets) {
     (all.contacts.empty() ? none : some)++;
     for (const Allowed allowed : {Allowed::nothing, Allowed::touch}) {
       for (auto* method : {polygons_any_by_boxes, polygons_any_by_grid, polygons_any_by_sweep}) {
-        const PolygonsAnswer answer = method(set, {allowed, false, {}, nullptr});
+        const PolygonsAnswer answer = method(set, {allowed, {}, nullptr});
         ASSERT_EQ(answer.meet(), !all.contacts.empty()) << k;
         const auto is_it = [&](const PolygonsContact& c) { return c.i == answer.found.i && c.j == answer.found.j; };
         ASSERT_TRUE(!answer.meet() || std::any_of(all.contacts.begin(), all.contacts.end(), is_it)) << k;

@@ -29,7 +29,7 @@ void expect_inside_both(const Ring& a, const Ring& b) {
   const std::vector<Polygon> both{Polygon(Rings{a}), Polygon(Rings{b})};
   for (auto* method : {polygons_any_by_grid, polygons_any_by_sweep}) {
     for (const Allowed allowed : {Allowed::nothing, Allowed::touch}) {
-      const PolygonsContact found = method(both, {allowed, false, {}, nullptr}).found;
+      const PolygonsContact found = method(both, {allowed, {}, nullptr}).found;
       ASSERT_EQ(found.contact, Contact::overlapping);
       const ExactPoint2 p = common_point(both[0], both[1], found);
       EXPECT_TRUE(is_inside(a, p) && is_inside(b, p));

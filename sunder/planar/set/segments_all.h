@@ -14,6 +14,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace sunder::planar {
@@ -65,6 +66,10 @@ ContactMethod visit_contacts_by_bentley_ottmann;
 // The same, with its transcript.
 Cost visit_contacts_with_transcript(const Segments& segments, const SegmentsOptions& options,
                                     const ContactVisitor& visit, SweepEvents& transcript);
+
+// The events alone: they tell all contacts. nullopt where they would have more than `most` entries. Cost: as above, k
+// all pairs of neighbours that cross.
+std::optional<SweepEvents> sweep_events(const Segments& segments, std::size_t most);
 
 // Balaban's staircases: contacts in no particular order. O(N log N + k) comparisons; O(N) memory.
 ContactMethod visit_contacts_by_balaban;

@@ -1,9 +1,9 @@
 #include <sunder/planar/set/segments_json.h>
+#include <sunder/planar/set/sweep_json.h>
 #include <sunder/predicate/crossing.h>
 
 #include <array>
 #include <string_view>
-#include <vector>
 
 namespace sunder::planar {
 
@@ -18,21 +18,6 @@ void write_contact(ClaimsWriter& file, const Segments& segments, const SegmentsA
   file.fractions("point", std::array{p.x, p.y}, p.denominator);
   file.begin_claims();
   file.begin_claim("contact");
-  file.end_claim();
-}
-
-// The one claim of a statement that the sweep proves.
-void write_sweep(ClaimsWriter& file, std::string_view claim, const SweepEvents& events) {
-  file.begin_claims();
-  file.begin_claim(claim);
-  file.begin_list("events");
-  std::vector<std::uint32_t> event;
-  for (std::size_t k = 0; k < events.size(); ++k) {
-    event.assign({events.at[k], events.below[k]});
-    event.insert(event.end(), events.goes_on(k).begin(), events.goes_on(k).end());
-    file.add_list(event);
-  }
-  file.end_list();
   file.end_claim();
 }
 

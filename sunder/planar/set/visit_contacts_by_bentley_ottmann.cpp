@@ -19,6 +19,7 @@
 #include <sunder/predicate/orient.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace sunder::planar {
 
@@ -28,13 +29,14 @@ constexpr std::uint32_t none = no_segment;
 
 class BentleyOttmann {
  public:
-  // record: where to write the events, or null.
+  // record: where to write the events, or null; the sweep stops where it has more than `most` entries.
   BentleyOttmann(const Segments& segments, const SegmentsOptions& options, const ContactVisitor& visit,
-                 SweepEvents* record)
+                 SweepEvents* record, std::size_t most = std::numeric_limits<std::size_t>::max())
       : segments_(segments),
         options_(options),
         visit_(visit),
         record_(record),
+        most_(most),
         status_(segments.all()),
         ends_on_(segments.size()) {}
 
@@ -220,6 +222,7 @@ class BentleyOttmann {
     if (record_ == nullptr) return;
     record_->row.insert(record_->row.end(), row.begin(), row.end());
     record_->add(at, below_);
+    stopped_ = stopped_ || record_->entries() > most_;
   }
 
   // --- Neighbours ---
@@ -265,6 +268,7 @@ class BentleyOttmann {
   const SegmentsOptions& options_;
   const ContactVisitor& visit_;
   SweepEvents* record_;
+  const std::size_t most_;
   SweepStatus<Segment> status_;
   std::vector<std::uint8_t> ends_on_;  // of each segment: does it end on one that it was a neighbour of?
   std::vector<Event> crossings_;       // a heap
@@ -285,6 +289,18 @@ Cost visit_contacts_by_bentley_ottmann(const Segments& segments, const SegmentsO
 Cost visit_contacts_with_transcript(const Segments& segments, const SegmentsOptions& options,
                                     const ContactVisitor& visit, SweepEvents& transcript) {
   return BentleyOttmann(segments, options, visit, &transcript).run();
+}
+
+std::optional<SweepEvents> sweep_events(const Segments& segments, std::size_t most) {
+  SegmentsOptions options;
+  options.allowed = Allowed::touch;
+  const std::vector<std::uint32_t> one_group(segments.size(), 0);  // so that no contact is looked at
+  options.groups = one_group;
+  SweepEvents events;
+  const ContactVisitor visit = [](const SegmentsContact&) { return true; };
+  BentleyOttmann(segments, options, visit, &events, most).run();
+  if (events.entries() > most) return std::nullopt;
+  return events;
 }
 
 SegmentsAnswer segments_any_by_bentley_ottmann(const Segments& segments, const SegmentsOptions& options) {

@@ -5,6 +5,7 @@ checked by its rule, told what the table binds it to: so a true claim about some
 """
 from . import arcs, rules
 from .reader import MOST_NUMBER, double, index, members, number, numbers, require
+from .tables import Parts
 
 MOST_WEIGHTS = 16  # of one combination; 4 are always enough
 ALLOWED = {  # which kinds of contact do not count
@@ -20,8 +21,8 @@ def entry(table):
     return int, lambda value, where, read: read[table][index(value, len(read[table]), where)]
 
 
-def index_of(table):
-    return int, lambda value, where, read: index(value, len(read[table]), where)
+def index_of(table, of=list):
+    return int, lambda value, where, read: index(value, len(of(read[table])), where)
 
 
 def groups(table):
@@ -83,7 +84,7 @@ def read_ends(value, where, read):
 
 
 def read_events(value, where, read):
-    size = len(read["of"])
+    size = len(read["of"].edges)
     for k, event in enumerate(value):
         require(type(event) is list and len(event) >= 2, "F", "%s[%d] is not a list of 2 or more" % (where, k))
         index(event[0], 2 * size, "%s[%d]" % (where, k), -1)
@@ -123,6 +124,28 @@ def read_order(value, where, read):
     return value
 
 
+def read_polygons(value, where, read):
+    which = [index(i, len(read["polygons"]), where + " entry") for i in value]
+    require(0 < len(set(which)) == len(which), "F", where + " names none, or one twice")
+    return Parts(read["polygons"], which)
+
+
+def read_circle(value, where, read):
+    rings = [index(ring, len(read["parts"].rings), where + " entry") for ring in value]
+    require(1 < len(set(rings)) == len(rings), "F", where + " is not of two rings or more, each once")
+    return rings
+
+
+def read_points(value, where, read):
+    require(len(value) == len(read["rings"]), "F", where + " is not as long as the rings")
+    return [numbers(point, 2, number, where + " entry") for point in value]
+
+
+def read_rule(value, where, read):
+    require(value in ("valid", "simple"), "F", where + " is none of valid, simple")
+    return value
+
+
 ALLOW, VECTOR, WEIGHTS, ENDS = (str, read_allowed), (list, read_vector), (list, read_weights), (list, read_ends)
 EVENTS, KIND, DISC_KIND = (list, read_events), kind(rules.KINDS), kind(rules.DISC_KINDS)
 ORDER, NUMBER = (list, read_order), (int, lambda value, where, read: index(value, MOST_NUMBER + 1, where))
@@ -153,6 +176,10 @@ CLAIMS = {
     "powers": ({"weights": WEIGHTS}, rules.powers),
     "arcs": ({"parts": (list, read_parts)}, arcs.arcs),
     "cover": ({"order": ORDER}, rules.cover),
+    "common_point": ({}, rules.common_point),
+    "valid": ({"events": EVENTS}, rules.valid),
+    **{name: ({}, getattr(rules, name)) for name in ("too_few_points", "comes_twice", "misplaced", "circle", "repeated",
+                                                     "rings_touch")},
 }
 
 # ---- Statements. A question: the table it is about, what each statement about it says, what it may say; for each verdict
@@ -168,6 +195,8 @@ def regions(given):
             **{kind: ({"sides": indices(given)}, [("cones", given, "verdict", "sides")]) for kind in kinds}}
 
 
+RING = index_of("parts", lambda parts: parts.rings)
+EDGE = index_of("parts", lambda parts: parts.edges)
 QUESTIONS = {
     "pair": ("bodies", {"a": entry("bodies"), "b": entry("bodies")}, {}, {
         "apart": ({}, [("parted", "a", "b")]),
@@ -205,6 +234,27 @@ QUESTIONS = {
                    [("in_discs", "circles", "point", "verdict"), ("arcs", "circles", "point", "arcs")]),
         "plane": ({}, [("no_entries", "circles")]),
     }),
+    "polygons": ("polygons", {"allowed": ALLOW}, {"groups": groups("polygons")}, {
+        "some": ({"i": index_of("polygons"), "j": index_of("polygons"), "point": VECTOR},
+                 [("common_point", "polygons", "i", "j", "point", "groups", "allowed")]),
+        "none": ({}, [("none_counts", "polygons", "groups", "allowed")]),
+        "these": ({"contacts": read_contacts("polygons", None)},
+                  [("these_count", "polygons", "groups", "allowed", "contacts")]),
+        "count": ({"number": NUMBER}, [("number_counts", "polygons", "groups", "allowed", "number")]),
+    }),
+    "valid": ("polygons", {"parts": (list, read_polygons), "rule": (str, read_rule)}, {}, {
+        "valid": ({}, [("valid", "parts", "rule")]),
+        "too_few_points": ({"ring": RING}, [("too_few_points", "parts", "ring")]),
+        "edges_meet": ({"i": EDGE, "j": EDGE, "kind": KIND, "point": VECTOR},
+                       [("contact", "edges", "i", "j", "kind", "point", "no_groups", "touch")]),
+        "comes_twice": ({"ring": RING, "point": VECTOR}, [("comes_twice", "parts", "ring", "point")]),
+        "misplaced": ({"ring": RING, "point": VECTOR}, [("misplaced", "parts", "ring", "point")]),
+        "circle": ({"rings": (list, read_circle), "points": (list, read_points)},
+                   [("circle", "parts", "rings", "points")]),
+        "repeated": ({"edge": EDGE}, [("repeated", "parts", "rule", "edge")]),
+        "rings_touch": ({"ring": RING, "other": RING, "point": VECTOR},
+                        [("rings_touch", "parts", "rule", "ring", "other", "point")]),
+    }),
     "linear_program": ("half_planes", PROGRAM, {}, {
         "one": ({"point": VECTOR}, [("feasible", "half_planes", "point"),
                                     ("bounds_only", "half_planes", "objective", "point")]),
@@ -237,8 +287,10 @@ def read_statement(item, tables, where):
     require(type(verdict) is str and verdict in verdicts, "F", where + ".verdict is none of this question")
     more, needed = verdicts[verdict]
     said = (str, lambda value, where, read: value)
-    read = dict(tables)
+    read = {**tables, "no_groups": None, "touch": ALLOWED["touch"]}
     read_members({"question": said, **given, "verdict": said, **more, "claims": (list, said[1])}, item, where, read, optional)
+    if question == "valid":
+        read["edges"] = read["parts"].edges
     claims = read["claims"]
     require(len(claims) == len(needed), "F", "%s has not %d claims" % (where, len(needed)))
     checks = []
@@ -257,6 +309,8 @@ def description(item, read):
     words = []
     if "a" in item:
         words += [read[key].name for key in "ab"]
+    if "parts" in item:
+        words.append("polygons %s by the rule %s" % (item["parts"], item["rule"]))
     if "allowed" in item:
         words.append(item["allowed"] + " allowed")
     if "groups" in item:
@@ -265,7 +319,7 @@ def description(item, read):
         words.append("%d contacts" % len(item["contacts"]))
     if "number" in item:
         words.append("%d contacts" % item["number"])
-    if "ring" in item:
+    if "ring" in item and "parts" not in item:
         words.append("ring %d" % item["ring"])
     if "objective" in item:
         words.append("along (%s, %s)" % tuple(item["objective"]))

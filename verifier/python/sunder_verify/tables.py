@@ -92,12 +92,58 @@ def bodies(value, where):
 class Segments(list):
     """Pairs of points, the lexicographically lesser one first, in units of 2^exponent."""
 
+    def __init__(self, pairs, exponent):
+        super().__init__(pairs)
+        self.edges, self.exponent = self, exponent
+        self.bits = max((bits(p + q) for p, q in self), default=0)
+
+
+def segments(value, where):
+    rows, exponent = rows_of(value, 4, where)
+    for i, row in enumerate(rows):
+        require(row[:2] <= row[2:], "F", "%s[%d] does not begin with its lexicographically first end" % (where, i))
+    return Segments(((row[:2], row[2:]) for row in rows), exponent)
+
+
+class Polygons(list):
+    """Of each polygon its rings, each as the range of its edges. Edge k goes from vertex k to the next of the ring."""
+
     def __init__(self, value, where):
-        rows, self.exponent = rows_of(value, 4, where)
-        self.bits = max(map(bits, rows), default=0)
-        super().__init__((row[:2], row[2:]) for row in rows)
-        for i, (first, last) in enumerate(self):
-            require(first <= last, "F", "%s[%d] does not begin with its lexicographically first end" % (where, i))
+        super().__init__()
+        vertices, ends = [], []
+        for i, item in enumerate(value):
+            require(type(item) is list and all(type(ring) is list and ring for ring in item), "F",
+                    "%s[%d] is not a list of rings of one vertex or more" % (where, i))
+            self.append([])
+            for ring in item:
+                self[i].append(range(len(vertices), len(vertices) + len(ring)))
+                vertices += ring
+                ends += [(k, k + 1) for k in self[i][-1][:-1]] + [(self[i][-1][-1], self[i][-1][0])]
+        rows, exponent = rows_of(vertices, 2, where + " vertex")
+        self.edges = Segments((sorted((rows[p], rows[q])) for p, q in ends), exponent)
+        self.owner = [i for i, rings in enumerate(self) for ring in rings for _ in ring]
+        self.flat = {i for i, rings in enumerate(self) if sum(map(len, rings)) < 3}  # points and segments
+
+    def edges_of(self, i):
+        return [self.edges[k] for ring in self[i] for k in ring]
+
+    def is_point(self, i):
+        return all(first == last for first, last in self.edges_of(i))
+
+
+class Parts(list):
+    """Some polygons, with edges and rings numbered anew."""
+
+    def __init__(self, polygons, which):
+        super().__init__(polygons[i] for i in which)
+        self.edges = Segments((edge for i in which for edge in polygons.edges_of(i)), polygons.edges.exponent)
+        self.rings, self.ring, self.part, self.shell = [], [], [], []  # of each edge its ring; of each ring its part
+        for i, rings in enumerate(self):
+            self.shell.append(len(self.rings))
+            for ring in rings:
+                self.rings.append(range(len(self.ring), len(self.ring) + len(ring)))
+                self.ring += [len(self.part)] * len(ring)
+                self.part.append(i)
 
 
 class Discs(list):
@@ -185,5 +231,5 @@ def convex_polygons(value, where):
     return result
 
 
-TABLES = {"bodies": bodies, "segments": Segments, "circles": Discs, "half_planes": half_planes, "rings": rings,
+TABLES = {"bodies": bodies, "segments": segments, "polygons": Polygons, "circles": Discs, "half_planes": half_planes, "rings": rings,
           "convex_polygons": convex_polygons}

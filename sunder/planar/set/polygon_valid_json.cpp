@@ -1,0 +1,377 @@
+#include <sunder/planar/pair/segment_segment.h>
+#include <sunder/planar/set/polygon_valid_json.h>
+#include <sunder/planar/set/segments_all.h>
+#include <sunder/planar/set/sweep_json.h>
+#include <sunder/predicate/crossing.h>
+#include <sunder/predicate/orient.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace sunder::planar {
+
+namespace {
+
+// A ring without a last vertex that repeats its first.
+std::span<const Point2> open(const std::vector<Point2>& ring) {
+  return std::span(ring).first(ring.size() - (ring.size() > 1 && ring.front() == ring.back() ? 1 : 0));
+}
+
+// The rings and edges of some parts, numbered over all of them in turn.
+struct Numbered {
+  explicit Numbered(std::span<const PolygonRings> parts) {
+    for (std::uint32_t i = 0; i < parts.size(); ++i) {
+      first_ring.push_back(static_cast<std::uint32_t>(part.size()));
+      for (const std::vector<Point2>& ring : parts[i]) {
+        const std::span<const Point2> vertices = open(ring);
+        first_edge.push_back(static_cast<std::uint32_t>(edges.size()));
+        for (std::size_t k = 0; k < vertices.size(); ++k) {
+          edges.push_back(sorted({vertices[k], vertices[k + 1 < vertices.size() ? k + 1 : 0]}));
+          ring_of.push_back(static_cast<std::uint32_t>(part.size()));
+        }
+        part.push_back(i);
+      }
+    }
+    first_edge.push_back(static_cast<std::uint32_t>(edges.size()));
+  }
+
+  std::uint32_t ring(const RingPlace& place) const { return first_ring[place.part] + place.ring; }
+  std::uint32_t edge(const RingPlace& place) const { return first_edge[ring(place)] + place.edge; }
+  std::span<const Segment> edges_of(std::uint32_t ring) const {
+    return std::span(edges).subspan(first_edge[ring], first_edge[ring + 1] - first_edge[ring]);
+  }
+
+  std::vector<std::uint32_t> first_ring, first_edge;  // of each part, of each ring
+  std::vector<std::uint32_t> ring_of, part;           // of each edge, of each ring
+  std::vector<Segment> edges;
+};
+
+void begin(ClaimsWriter& file, std::size_t count, std::uint32_t first_part, PolygonRule rule,
+           const std::string& verdict) {
+  std::vector<std::uint32_t> parts(count);
+  std::iota(parts.begin(), parts.end(), first_part);
+  file.begin_statement("valid");
+  file.indices("parts", parts);
+  file.text("rule", rule == PolygonRule::simple ? "simple" : "valid");
+  file.text("verdict", verdict);
+}
+
+void end(ClaimsWriter& file, std::string_view claim) {
+  file.begin_claims();
+  file.begin_claim(claim);
+  file.end_claim();
+  file.end_statement();
+}
+
+ExactPoint2 exactly(const Point2& p) { return {p.x, p.y, 1.0}; }
+
+void write_point(ClaimsWriter& file, const ExactPoint2& p) {
+  file.fractions("point", std::array{p.x, p.y}, p.denominator);
+}
+
+// ---- Rings that do not fit at a point.
+
+// Positive: the point, of denominator 1, is left of the edge.
+Sign side(const Segment& e, const ExactPoint2& p) {
+  const Dyadic ax(e.a.x), ay(e.a.y);
+  return ((Dyadic(e.b.x) - ax) * (p.y - ay) - (Dyadic(e.b.y) - ay) * (p.x - ax)).sign();
+}
+
+bool is_before(const ExactPoint2& p, const Point2& q) {
+  const Sign x = (p.x - Dyadic(q.x)).sign();
+  return x == Sign::negative || (x == Sign::zero && (p.y - Dyadic(q.y)).sign() == Sign::negative);
+}
+
+bool is_after(const ExactPoint2& p, const Point2& q) {
+  const Sign x = (p.x - Dyadic(q.x)).sign();
+  return x == Sign::positive || (x == Sign::zero && (p.y - Dyadic(q.y)).sign() == Sign::positive);
+}
+
+enum class Place { outside, on, inside };
+
+Place place_in(std::span<const Segment> ring, const ExactPoint2& p) {
+  bool inside = false;
+  for (const Segment& e : ring) {
+    if (is_before(p, e.a) || is_after(p, e.b)) continue;
+    const Sign at = side(e, p);
+    if (at == Sign::zero) return Place::on;
+    inside ^= at == Sign::positive && is_before(p, e.b);
+  }
+  return inside ? Place::inside : Place::outside;
+}
+
+// May these rings, sorted, have a common point inside? In each part its first, and one other; one without another.
+bool fits(const Numbered& all, const std::vector<std::uint32_t>& rings) {
+  std::size_t filled = 0;
+  for (std::size_t k = 0; k < rings.size();) {
+    const std::uint32_t part = all.part[rings[k]];
+    const std::size_t first = k;
+    while (k < rings.size() && all.part[rings[k]] == part) ++k;
+    if (k - first > 2 || rings[first] != all.first_ring[part]) return false;
+    if (k - first == 1) ++filled;
+  }
+  return filled <= 1;
+}
+
+// Of a point of a ring: is it on no other, and does what is on one of its sides not fit?
+bool is_misplaced(const Numbered& all, std::uint32_t ring, const ExactPoint2& p) {
+  std::vector<std::uint32_t> others, with;
+  for (std::uint32_t r = 0; r < all.part.size(); ++r) {
+    const Place place = r == ring ? Place::outside : place_in(all.edges_of(r), p);
+    if (place == Place::on) return false;
+    if (place == Place::inside) others.push_back(r);
+    if (place == Place::inside || r == ring) with.push_back(r);
+  }
+  return !fits(all, others) || !fits(all, with);
+}
+
+ExactPoint2 between(const Point2& p, const Point2& q, const Dyadic& part) {
+  return {Dyadic(p.x) + (Dyadic(q.x) - Dyadic(p.x)) * part, Dyadic(p.y) + (Dyadic(q.y) - Dyadic(p.y)) * part, 1.0};
+}
+
+Dyadic power_of_two(int exponent) {
+  Dyadic result(1.0);
+  for (; exponent < -1000; exponent += 1000) result = result * Dyadic(std::ldexp(1.0, -1000));
+  return result * Dyadic(std::ldexp(1.0, exponent));
+}
+
+// On an edge, from its middle to near its ends.
+std::optional<ExactPoint2> misplaced_on(const Numbered& all, std::uint32_t edge) {
+  const Segment& e = all.edges[edge];
+  for (int k = 1; k < 4000; k += k < 64 ? 1 : k) {
+    const Dyadic part = power_of_two(-k);
+    for (const auto& [p, q] : {std::pair(e.a, e.b), std::pair(e.b, e.a)}) {
+      const ExactPoint2 point = between(p, q, part);
+      if (is_misplaced(all, all.ring_of[edge], point)) return point;
+    }
+  }
+  return std::nullopt;
+}
+
+bool write_misplaced(ClaimsWriter& file, const Numbered& all, std::uint32_t first_part, PolygonRule rule,
+                     const std::vector<std::uint32_t>& edges) {
+  for (const std::uint32_t edge : edges) {
+    const std::optional<ExactPoint2> point = misplaced_on(all, edge);
+    if (!point) continue;
+    begin(file, all.first_ring.size(), first_part, rule, "misplaced");
+    file.index("ring", all.ring_of[edge]);
+    write_point(file, *point);
+    end(file, "misplaced");
+    return true;
+  }
+  return false;
+}
+
+// The edges of a ring that hold a point.
+std::vector<std::uint32_t> edges_at(const Numbered& all, std::uint32_t ring, const Point2& p) {
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t e = all.first_edge[ring]; e < all.first_edge[ring + 1]; ++e) {
+    const Segment& s = all.edges[e];
+    if (s.a != s.b && segment_segment({p, p}, s) != ContactKind::none) result.push_back(e);
+  }
+  return result;
+}
+
+// ---- Rings that close a circle.
+
+// Rings and points, each the neighbour of the next, the last of the first.
+struct Circle {
+  std::vector<std::uint32_t> rings;
+  std::vector<Point2> points;
+};
+
+// A forest of rings, below `rings`, and of points that some touch in.
+class Touches {
+ public:
+  explicit Touches(std::uint32_t rings) : rings_(rings), joined_(rings) {}
+
+  // The way between a ring and a point that were joined before; else joins them.
+  std::optional<Circle> join(std::uint32_t ring, const Point2& p) {
+    const auto [found, is_new] = number_.try_emplace({p.x, p.y}, static_cast<std::uint32_t>(joined_.size()));
+    const std::uint32_t point = found->second;
+    if (is_new) {
+      joined_.emplace_back();
+      points_.push_back(p);
+    }
+    const std::vector<std::uint32_t>& known = joined_[ring];
+    if (std::find(known.begin(), known.end(), point) != known.end()) return std::nullopt;
+    std::optional<Circle> circle = way(ring, point);
+    joined_[ring].push_back(point);
+    joined_[point].push_back(ring);
+    return circle;
+  }
+
+ private:
+  std::optional<Circle> way(std::uint32_t ring, std::uint32_t point) const {
+    std::vector<std::uint32_t> from(joined_.size(), none), next{point};
+    from[point] = point;
+    for (std::size_t k = 0; k < next.size() && from[ring] == none; ++k) {
+      for (const std::uint32_t other : joined_[next[k]]) {
+        if (from[other] != none) continue;
+        from[other] = next[k];
+        next.push_back(other);
+      }
+    }
+    if (from[ring] == none) return std::nullopt;
+    Circle circle;
+    for (std::uint32_t at = ring;; at = from[at]) {
+      if (at < rings_) {
+        circle.rings.push_back(at);
+      } else {
+        circle.points.push_back(points_[at - rings_]);
+      }
+      if (at == point) return circle;
+    }
+  }
+
+  static constexpr std::uint32_t none = no_segment;
+  std::uint32_t rings_;
+  std::vector<std::vector<std::uint32_t>> joined_;  // of each ring, then of each point
+  std::map<std::pair<double, double>, std::uint32_t> number_;
+  std::vector<Point2> points_;
+};
+
+// Of one part, whose rings meet in points only.
+std::optional<Circle> circle_in(const Numbered& all, std::uint32_t part) {
+  std::vector<Segment> edges;
+  std::vector<std::uint32_t> ring_of;
+  for (std::size_t e = 0; e < all.edges.size(); ++e) {
+    if (all.part[all.ring_of[e]] != part) continue;
+    edges.push_back(all.edges[e]);
+    ring_of.push_back(all.ring_of[e]);
+  }
+  Touches touches(static_cast<std::uint32_t>(all.part.size()));
+  std::optional<Circle> circle;
+  SegmentsOptions options;
+  options.groups = ring_of;
+  const Segments segments(edges);
+  visit_contacts(segments, options, [&](const SegmentsContact& c) {
+    const Segment &s = segments[c.i], &t = segments[c.j];
+    const auto holds = [](const Segment& e, const Point2& p) {
+      return segment_segment({p, p}, e) != ContactKind::none;
+    };
+    const Point2& p = holds(t, s.a) ? s.a : holds(t, s.b) ? s.b : holds(s, t.a) ? t.a : t.b;
+    circle = touches.join(ring_of[c.i], p);
+    if (!circle) circle = touches.join(ring_of[c.j], p);
+    return !circle;
+  });
+  return circle;
+}
+
+bool write_circle(ClaimsWriter& file, const Numbered& all, std::uint32_t first_part, PolygonRule rule,
+                  std::uint32_t part) {
+  const std::optional<Circle> circle = circle_in(all, part);
+  if (!circle) return false;
+  begin(file, all.first_ring.size(), first_part, rule, "circle");
+  file.indices("rings", circle->rings);
+  file.begin_list("points");
+  for (const Point2& p : circle->points) file.add_numbers(std::array{p.x, p.y});
+  file.end_list();
+  end(file, "circle");
+  return true;
+}
+
+// ---- Others.
+
+void write_edges_meet(ClaimsWriter& file, const Numbered& all, std::uint32_t first_part, PolygonRule rule,
+                      std::uint32_t i, std::uint32_t j) {
+  const Segment &s = all.edges[i], &t = all.edges[j];
+  const ContactKind kind = segment_segment(s, t);
+  begin(file, all.first_ring.size(), first_part, rule, "edges_meet");
+  file.index("i", i);
+  file.index("j", j);
+  file.text("kind", std::string(name_of(kind)));
+  write_point(
+      file, kind == ContactKind::overlap ? exactly(lexicographically_less(s.a, t.a) ? t.a : s.a) : common_point(s, t));
+  end(file, "contact");
+}
+
+void write_at_ring(ClaimsWriter& file, const Numbered& all, std::uint32_t first_part, PolygonRule rule,
+                   const std::string& verdict, std::uint32_t ring, std::optional<std::uint32_t> other,
+                   const std::optional<Point2>& point) {
+  begin(file, all.first_ring.size(), first_part, rule, verdict);
+  file.index("ring", ring);
+  if (other) file.index("other", *other);
+  if (point) write_point(file, exactly(*point));
+  end(file, verdict);
+}
+
+}  // namespace
+
+void write_parts(ClaimsWriter& file, std::span<const PolygonRings> parts) {
+  for (const PolygonRings& part : parts) {
+    file.begin_list();
+    for (const std::vector<Point2>& ring : part) {
+      file.begin_list();
+      for (const Point2& p : open(ring)) file.add_numbers(std::array{p.x, p.y});
+      file.end_list();
+    }
+    file.end_list();
+  }
+}
+
+void write_valid(ClaimsWriter& file, std::span<const PolygonRings> parts, std::uint32_t first_part, PolygonRule rule) {
+  const Numbered all(parts);
+  const auto events = sweep_events(Segments(all.edges), std::numeric_limits<std::size_t>::max());
+  begin(file, parts.size(), first_part, rule, "valid");
+  write_sweep(file, "valid", *events);
+  file.end_statement();
+}
+
+bool write_defect(ClaimsWriter& file, std::span<const PolygonRings> parts, std::uint32_t first_part, PolygonRule rule,
+                  const PolygonDefect& defect) {
+  const Numbered all(parts);
+  const std::uint32_t a = all.ring(defect.a), b = all.ring(defect.b);
+  switch (defect.kind) {
+    case PolygonDefectKind::too_few_points:
+      write_at_ring(file, all, first_part, rule, "too_few_points", a, std::nullopt, std::nullopt);
+      return true;
+    case PolygonDefectKind::crossing: {
+      const std::uint32_t i = all.edge(defect.a), j = all.edge(defect.b);
+      if (segment_segment(all.edges[i], all.edges[j]) == ContactKind::crossing) {
+        write_edges_meet(file, all, first_part, rule, i, j);
+        return true;
+      }
+      if (a == b) {
+        write_at_ring(file, all, first_part, rule, "comes_twice", a, std::nullopt, defect.place.a);
+        return true;
+      }
+      std::vector<std::uint32_t> edges = edges_at(all, a, defect.place.a), more = edges_at(all, b, defect.place.a);
+      edges.insert(edges.end(), more.begin(), more.end());
+      return write_misplaced(file, all, first_part, rule, edges);
+    }
+    case PolygonDefectKind::overlap:
+      write_edges_meet(file, all, first_part, rule, all.edge(defect.a), all.edge(defect.b));
+      return true;
+    case PolygonDefectKind::repeated_vertex:
+      begin(file, parts.size(), first_part, rule, "repeated");
+      file.index("edge", all.edge(defect.a));
+      end(file, "repeated");
+      return true;
+    case PolygonDefectKind::self_touch:
+      write_at_ring(file, all, first_part, rule, "comes_twice", a, std::nullopt, defect.place.a);
+      return true;
+    case PolygonDefectKind::rings_touch:
+      write_at_ring(file, all, first_part, rule, "rings_touch", a, b, defect.place.a);
+      return true;
+    case PolygonDefectKind::hole_outside:
+    case PolygonDefectKind::nested_holes:
+    case PolygonDefectKind::nested_parts: return write_misplaced(file, all, first_part, rule, {all.edge(defect.a)});
+    case PolygonDefectKind::disconnected:
+      if (write_circle(file, all, first_part, rule, defect.a.part)) return true;
+      if (a != b) return false;
+      write_at_ring(file, all, first_part, rule, "comes_twice", a, std::nullopt, defect.place.a);
+      return true;
+  }
+  return false;
+}
+
+}  // namespace sunder::planar

@@ -1,0 +1,25 @@
+// Certificates that polygons are valid, or of what is wrong with them (docs/claims.md, "Valid polygons").
+#pragma once
+
+#include <sunder/certificate/claims.h>
+#include <sunder/planar/set/polygon_valid.h>
+
+#include <cstdint>
+#include <span>
+
+namespace sunder::planar {
+
+// Adds the parts to the table `polygons`, which is open. A last vertex that repeats its ring's first is left out.
+void write_parts(ClaimsWriter& file, std::span<const PolygonRings> parts);
+
+// The statement that the parts of a multipolygon are valid; in the table these are first_part and those that follow.
+// Requires that it is true, and a rule other than self_touch. O((n + k) log n) time for n edges, k crossings.
+void write_valid(ClaimsWriter& file, std::span<const PolygonRings> parts, std::uint32_t first_part, PolygonRule rule);
+
+// The statement of a defect, as polygon_defects names it. Requires a rule other than self_touch. False, and nothing is
+// written: the defect is that two rings cross in a vertex, and no point near it shows it. Cost: linear in the edges for
+// each point that is looked at, mostly one; for `disconnected`, as for write_valid.
+bool write_defect(ClaimsWriter& file, std::span<const PolygonRings> parts, std::uint32_t first_part, PolygonRule rule,
+                  const PolygonDefect& defect);
+
+}  // namespace sunder::planar

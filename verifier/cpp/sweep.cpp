@@ -1,0 +1,146 @@
+#include <verifier/cpp/sweep.h>
+
+#include <utility>
+
+namespace sunder_verifier {
+namespace {
+
+Integer turn(const Integer& ux, const Integer& uy, const Integer& vx, const Integer& vy) { return ux * vy - uy * vx; }
+
+// Of their lines, which are not parallel.
+SweepPoint crossing(const PlanarSegment& s, const PlanarSegment& t) {
+  const Integer ux = s.last.x - s.first.x, uy = s.last.y - s.first.y;
+  const Integer vx = t.last.x - t.first.x, vy = t.last.y - t.first.y;
+  SweepPoint p;
+  p.w = turn(ux, uy, vx, vy);
+  Integer along = turn(t.first.x - s.first.x, t.first.y - s.first.y, vx, vy);
+  if (p.w < 0) {
+    p.w = -p.w;
+    along = -along;
+  }
+  p.x = s.first.x * p.w + ux * along;
+  p.y = s.first.y * p.w + uy * along;
+  return p;
+}
+
+}  // namespace
+
+bool is_before(const SweepPoint& p, const SweepPoint& q) {
+  const int x = Integer(p.x * q.w).compare(Integer(q.x * p.w));
+  return x != 0 ? x < 0 : p.y * q.w < q.y * p.w;
+}
+
+int side(const PlanarSegment& s, const SweepPoint& p) {
+  return turn(s.last.x - s.first.x, s.last.y - s.first.y, p.x - s.first.x * p.w, p.y - s.first.y * p.w).sign();
+}
+
+int turn(const PlanarSegment& s, const PlanarSegment& t) {
+  return turn(s.last.x - s.first.x, s.last.y - s.first.y, t.last.x - t.first.x, t.last.y - t.first.y).sign();
+}
+
+bool is_point(const PlanarSegment& s) { return s.first == s.last; }
+
+SweepPoint place_of(const PlanarPoint& p) { return {p.x, p.y, 1}; }
+
+SweepPoint place_in_units(Numbers point, std::int64_t exponent) {
+  for (Number& value : point) value.e -= exponent;
+  Integers given = projective(point);
+  return {std::move(given[0]), std::move(given[1]), std::move(given[2])};
+}
+
+bool is_on(const PlanarSegment& s, const SweepPoint& p) {
+  return side(s, p) == 0 && !is_before(p, place_of(s.first)) && !is_before(place_of(s.last), p);
+}
+
+bool ends_at(const PlanarSegment& s, const SweepPoint& p) { return p.is(s.first) || p.is(s.last); }
+
+Sweep::Sweep(const SweepEvents& events, const std::vector<PlanarSegment>& segments, std::size_t bits)
+    : events_(events),
+      segments_(segments),
+      bits_(bits),
+      above_(segments_.size() + 1, kOut),
+      has_begun_(segments_.size()),
+      stays_(segments_.size()) {
+  above_[segments_.size()] = segments_.size();  // the end of the ring, which stands below and above all
+}
+
+bool Sweep::next() {
+  if (k_ == events_.at.size()) {
+    require(above_[segments_.size()] == segments_.size() && begun_ == segments_.size(), "sweep",
+            "not all segments begin and end");
+    return false;
+  }
+  row = events_.row.data() + events_.begin[k_];
+  row_end = events_.row.data() + events_.begin[k_ + 1];
+  come_to_point();
+  const std::size_t none = segments_.size();
+  const std::size_t lower = events_.below[k_] < 0 ? none : static_cast<std::size_t>(events_.below[k_]);
+  put_in(lower, take_out_from(lower));
+  below = lower == none ? no_index : lower;
+  require(stay_ == 0, "sweep", where() + " loses a segment that goes on");
+  ++k_;
+  return true;
+}
+
+void Sweep::come_to_point() {
+  SweepPoint p;
+  if (events_.at[k_] >= 0) {
+    const auto end = static_cast<std::size_t>(events_.at[k_]);
+    const PlanarPoint& q = end % 2 == 1 ? segments_[end / 2].last : segments_[end / 2].first;
+    p.x = q.x;
+    p.y = q.y;
+  } else {
+    require(row_end - row > 1 && turn(segments_[*row], segments_[row_end[-1]]) != 0, "sweep",
+            where() + " has no point: its first and last segment do not cross");
+    const std::size_t longest = 3 * bits_;
+    take_steps(static_cast<std::uint64_t>(row_end - row) + 4, longest, longest);
+    p = crossing(segments_[*row], segments_[row_end[-1]]);
+  }
+  require(k_ == 0 || is_before(point, p), "sweep", where() + " is not after the one before it");
+  point = std::move(p);
+}
+
+// Takes out what holds the point, from the lower one up. The one above that.
+std::size_t Sweep::take_out_from(std::size_t lower) {
+  const std::size_t none = segments_.size();
+  require(above_[lower] != kOut, "sweep", where() + " is above a segment that is not in the list");
+  require(lower == none || side(segments_[lower], point) > 0, "sweep",
+          where() + " is not above segment " + std::to_string(lower));
+  here.clear();
+  stay_ = 0;
+  std::size_t s = above_[lower];
+  int place = 0;
+  while (s != none && (place = side(segments_[s], point)) == 0) {
+    here.push_back(s);
+    stays_[s] = !point.is(segments_[s].last);
+    if (stays_[s]) ++stay_;
+    s = std::exchange(above_[s], kOut);
+  }
+  require(s == none || place < 0, "sweep", where() + " is not below segment " + std::to_string(s));
+  return s;
+}
+
+// Puts in what goes on, sorted by direction.
+void Sweep::put_in(std::size_t lower, std::size_t upper) {
+  bool is_first = true;
+  for (const std::size_t* s = row; s != row_end; ++s) {
+    if (stays_[*s]) {
+      stays_[*s] = false;
+      --stay_;
+    } else {
+      require(!has_begun_[*s] && point.is(segments_[*s].first), "sweep",
+              where() + ": segment " + std::to_string(*s) + " is not in the list there, or does not begin there");
+      has_begun_[*s] = true;
+      ++begun_;
+    }
+    require(is_first || turn(segments_[lower], segments_[*s]) >= 0, "sweep",
+            where() + ": segment " + std::to_string(*s) + " does not go on above " + std::to_string(lower));
+    if (is_point(segments_[*s])) continue;
+    above_[lower] = *s;
+    lower = *s;
+    is_first = false;
+  }
+  above_[lower] = upper;
+}
+
+}  // namespace sunder_verifier

@@ -1,0 +1,68 @@
+// The list of a sweep over segments: docs/claims.md, "Sweeps".
+#pragma once
+
+#include <verifier/cpp/rules.h>
+#include <verifier/statement.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace sunder_verifier {
+
+// x / w, y / w; w > 0.
+struct SweepPoint {
+  Integer x, y, w = 1;
+
+  bool is(const PlanarPoint& p) const { return x == p.x * w && y == p.y * w; }
+};
+
+SweepPoint place_of(const PlanarPoint& p);
+// A point in units of 2^exponent.
+SweepPoint place_in_units(Numbers point, std::int64_t exponent);
+
+// Is p lexicographically before q?
+bool is_before(const SweepPoint& p, const SweepPoint& q);
+
+// 1: the point is above the segment's line: left of it, seen from its first end.
+int side(const PlanarSegment& s, const SweepPoint& p);
+
+// 1: t turns to the left of s.
+int turn(const PlanarSegment& s, const PlanarSegment& t);
+
+bool is_point(const PlanarSegment& s);
+bool is_on(const PlanarSegment& s, const SweepPoint& p);
+bool ends_at(const PlanarSegment& s, const SweepPoint& p);
+
+// Event by event, which segments hold its point. Throws Refused by the rule `sweep`.
+class Sweep {
+ public:
+  // bits: of the longest coordinate.
+  Sweep(const SweepEvents& events, const std::vector<PlanarSegment>& segments, std::size_t bits);
+
+  // Of the event passed last.
+  SweepPoint point;
+  std::vector<std::size_t> here;                         // what was in the list, and holds the point
+  const std::size_t *row = nullptr, *row_end = nullptr;  // what goes on from it
+  std::size_t below = no_index;                          // what is just below it; no_index: nothing
+
+  // Passes the next event. False: there is none, and the list is empty.
+  bool next();
+
+ private:
+  static constexpr std::size_t kOut = no_index;
+
+  std::string where() const { return "event " + std::to_string(k_); }
+  void come_to_point();
+  std::size_t take_out_from(std::size_t lower);
+  void put_in(std::size_t lower, std::size_t upper);
+
+  const SweepEvents& events_;
+  const std::vector<PlanarSegment>& segments_;
+  const std::size_t bits_;
+  std::size_t k_ = 0, begun_ = 0, stay_ = 0;
+  std::vector<std::size_t> above_;  // by segment: the next one in the list; out: it is not in
+  std::vector<bool> has_begun_, stays_;
+};
+
+}  // namespace sunder_verifier

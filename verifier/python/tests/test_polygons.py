@@ -1,0 +1,210 @@
+#!/usr/bin/env python3
+"""Tests of statements about polygons against fractions and brute force: python3 verifier/python/tests/test_polygons.py."""
+import itertools
+import unittest
+from fractions import Fraction
+
+from files import Twins, dice_of, file_of, fraction, hexadecimal, some, spoilt, spoilt_in_statements
+from test_segments import above, forced, is_on, sweep
+
+RULES = ("nothing", "shared-endpoint", "touch")
+
+
+def edges_of(rings):
+    return [tuple(sorted(edge)) for ring in rings for edge in zip(ring, ring[1:] + ring[:1])]
+
+
+def parts_of(edges):
+    """The ends of edges and their crossings, and the middles between those that follow each other on an edge."""
+    points = {end for edge in edges for end in edge}
+    for ((ax, ay), (bx, by)), ((cx, cy), (dx, dy)) in itertools.combinations(edges, 2):
+        across = (bx - ax) * (dy - cy) - (by - ay) * (dx - cx)
+        if across:
+            k = Fraction((cx - ax) * (dy - cy) - (cy - ay) * (dx - cx), across)
+            points.add((ax + k * (bx - ax), ay + k * (by - ay)))
+    middles = set()
+    for edge in edges:
+        along = sorted(p for p in points if is_on(edge, p))
+        middles |= {((px + qx) / Fraction(2), (py + qy) / Fraction(2)) for (px, py), (qx, qy) in zip(along, along[1:])}
+    return points, middles
+
+
+def sides(edges, p):
+    """Is it inside just below the point, and just above it? Of a point that is no end of an edge."""
+    below = sum(a < p < b and above((a, b), p) > 0 for a, b in edges) % 2 == 1
+    return below, (sum(a < p < b and above((a, b), p) >= 0 for a, b in edges) % 2 == 1)
+
+
+def holds(edges, p):
+    return any(is_on(edge, p) for edge in edges) or sum(a <= p < b and above((a, b), p) > 0 for a, b in edges) % 2 == 1
+
+
+def is_flat(edges):
+    return len(edges) < 3
+
+
+def is_within(edges, p):
+    """Is it inside? Of a segment: not an end."""
+    on = [edge for edge in edges if is_on(edge, p)]
+    return (is_flat(edges) and any(p not in edge or edge[0] == edge[1] for edge in on)) or (not on and holds(edges, p))
+
+
+def point_counts(a, b, p, allowed):
+    """Is the point common to both, and does it count?"""
+    if not (holds(a, p) and holds(b, p)):
+        return False
+    on = [[edge for edge in edges if is_on(edge, p)] for edges in (a, b)]
+    if allowed == "touch":
+        return is_within(a, p) and is_within(b, p)
+    return allowed == "nothing" or not on[0] or not on[1] or any(p not in edge for edge in on[0] + on[1])
+
+
+def meet(a, b, allowed):
+    """Have two polygons a common point that counts? By their edges."""
+    points, middles = parts_of(a + b)
+    if allowed == "touch":
+        if any(p and q for m in middles for p, q in zip(sides(a, m), sides(b, m))):
+            return True
+    return any(point_counts(a, b, p, allowed) for p in points | middles)
+
+
+def pairs_that_meet(polygons, allowed, groups):
+    edges = [edges_of(rings) for rings in polygons]
+    return [[i, j] for i, j in itertools.combinations(range(len(polygons)), 2)
+            if (groups is None or groups[i] != groups[j]) and meet(edges[i], edges[j], allowed)]
+
+
+def table_of(polygons):
+    return {"polygons": [[[[hexadecimal(x), hexadecimal(y)] for x, y in ring] for ring in rings] for rings in polygons]}
+
+
+def statement_of(allowed, groups, verdict, claim, **more):
+    statement = {"question": "polygons", "allowed": allowed, "verdict": verdict, **more, "claims": [claim]}
+    if groups is not None:
+        statement["groups"] = groups
+    return statement
+
+
+def none_of(polygons, allowed, groups, events):
+    return file_of(table_of(polygons), statement_of(allowed, groups, "none", {"claim": "none_counts", "events": events}))
+
+
+def these_of(polygons, allowed, groups, events, contacts):
+    claim = {"claim": "these_count", "events": events}
+    return file_of(table_of(polygons), statement_of(allowed, groups, "these", claim, contacts=contacts))
+
+
+def number_of(polygons, allowed, groups, events, number):
+    claim = {"claim": "number_counts", "events": events}
+    return file_of(table_of(polygons), statement_of(allowed, groups, "count", claim, number=number))
+
+
+def events_of(polygons):
+    return sweep([edge for rings in polygons for edge in edges_of(rings)])
+
+
+def some_ring(dice, at, size):
+    x, y = at
+    if dice.random() < .3:
+        w, h = dice.randint(1, 2), dice.randint(1, 2)
+        return [(x, y), (x + w, y), (x + w, y + h), (x, y + h)]
+    return [(x + dice.randint(0, size), y + dice.randint(0, size)) for _ in range(dice.choice([1, 2, 3, 3, 3, 4, 4, 5]))]
+
+
+def some_polygons(dice):
+    """Rings of few points near some places; equal ones, and with vertices, spikes and borders in common."""
+    size, spread = dice.choice([2, 3]), dice.choice([1, 3, 5])
+    polygons = []
+    for _ in range(dice.randint(1, 4)):
+        at = dice.randint(0, spread), dice.randint(0, spread)
+        polygons.append([some_ring(dice, at, size) for _ in range(dice.choice([1, 1, 1, 2]))])
+        throw = dice.random()
+        if throw < .15:
+            polygons.append([list(reversed(ring)) for ring in dice.choice(polygons)])
+        elif throw < .3:  # around it
+            x, y = at
+            polygons.append([[(x - 1, y - 1), (x + size + 2, y - 1), (x + size + 2, y + size + 1), (x - 1, y + size + 1)]])
+        elif throw < .45:  # from vertex to vertex
+            vertices = [p for rings in polygons for ring in rings for p in ring]
+            polygons.append([[dice.choice(vertices) for _ in range(dice.choice([2, 3]))]])
+    return polygons
+
+
+def some_groups(polygons, dice):
+    return dice.choice([None, None, [dice.randint(0, 1) for _ in polygons]])
+
+
+class PolygonsTest(unittest.TestCase):
+    def test_none_these_and_counts_are_accepted_where_they_are_so_and_only_there(self):
+        dice, twins = dice_of(1), Twins(self)
+        for _ in range(some(700)):
+            polygons = some_polygons(dice)
+            groups, events = some_groups(polygons, dice), events_of(polygons)
+            for allowed in RULES:
+                pairs = pairs_that_meet(polygons, allowed, groups)
+                changed = [list(pair) for pair in itertools.combinations(range(len(polygons)), 2) if dice.random() < .5]
+                number = dice.choice([len(pairs), max(0, len(pairs) - 1), len(pairs) + 1])
+                for top, truth, rule in (
+                        (none_of(polygons, allowed, groups, events), not pairs, "none_counts"),
+                        (these_of(polygons, allowed, groups, events, pairs), True, "these_count"),
+                        (these_of(polygons, allowed, groups, events, changed), changed == pairs, "these_count"),
+                        (number_of(polygons, allowed, groups, events, number), number == len(pairs), "number_counts")):
+                    self.assertEqual(twins.look(top), "accepted" if truth else rule, (polygons, groups, allowed, pairs))
+        twins.compare()
+        self.assertGreater(min(twins.tally().values()), len(twins.tops) / 30)
+
+    def test_a_point_is_accepted_where_it_is_common_and_counts(self):
+        dice, twins = dice_of(4), Twins(self)
+        while len(twins.tops) < some(4000):
+            polygons = some_polygons(dice)
+            if len(polygons) < 2:
+                continue
+            i, j = dice.sample(range(len(polygons)), 2) if dice.random() < .95 else (0, 0)
+            groups, allowed = some_groups(polygons, dice), dice.choice(RULES)
+            a, b = edges_of(polygons[i]), edges_of(polygons[j])
+            points, middles = parts_of(a + b)
+            near = dice.choice(sorted(points | middles))
+            point = tuple(x + dice.choice([0, 0, 0, 0, Fraction(1, 7), Fraction(-1, 9)]) for x in near)
+            truth = i != j and (groups is None or groups[i] != groups[j]) and point_counts(a, b, point, allowed)
+            top = file_of(table_of(polygons), statement_of(allowed, groups, "some", {"claim": "common_point"}, i=i, j=j,
+                                                           point=[fraction(Fraction(x)) for x in point]))
+            self.assertEqual(twins.look(top), "accepted" if truth else "common_point", top)
+        twins.compare()
+        self.assertGreater(min(twins.tally().values()), len(twins.tops) / 50)
+
+    def test_no_forced_sweep_proves_what_is_not_so(self):
+        dice, twins, accepted = dice_of(2), Twins(self), 0
+        while len(twins.tops) < some(6000):
+            polygons = some_polygons(dice)
+            edges = [edge for rings in polygons for edge in edges_of(rings)]
+            groups, allowed, events = some_groups(polygons, dice), dice.choice(RULES), events_of(polygons)
+            pairs = pairs_that_meet(polygons, allowed, groups)
+            for _ in range(6):
+                false = forced(events, edges, dice)
+                number = dice.choice([len(pairs), len(pairs), max(len(pairs) - 1, 0)])
+                for top, truth in ((none_of(polygons, allowed, groups, false), not pairs),
+                                   (these_of(polygons, allowed, groups, false, pairs[:number]), number == len(pairs)),
+                                   (number_of(polygons, allowed, groups, false, number), number == len(pairs))):
+                    said = twins.look(top)
+                    self.assertTrue(truth or said != "accepted", top)
+                    accepted += said == "accepted"
+        twins.compare()
+        self.assertGreater(accepted, 0 if some(100) >= 30 else -1)
+        self.assertLess(accepted, len(twins.tops) / 2)
+
+    def test_the_twins_agree_on_spoilt_files(self):
+        dice, twins = dice_of(3), Twins(self)
+        while len(twins.tops) < some(2000):
+            polygons = some_polygons(dice)
+            groups, allowed, events = some_groups(polygons, dice), dice.choice(RULES), events_of(polygons)
+            pairs = pairs_that_meet(polygons, allowed, groups)
+            top = dice.choice([none_of(polygons, allowed, groups, events),
+                               these_of(polygons, allowed, groups, events, pairs),
+                               number_of(polygons, allowed, groups, events, len(pairs))])
+            twins.look(spoilt(top, dice))
+            twins.look(spoilt_in_statements(top, dice))
+        twins.compare()
+
+
+if __name__ == "__main__":
+    unittest.main()

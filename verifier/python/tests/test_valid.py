@@ -1,0 +1,263 @@
+#!/usr/bin/env python3
+"""Tests of statements about validity against fractions and brute force: python3 verifier/python/tests/test_valid.py."""
+import itertools
+import unittest
+from fractions import Fraction
+
+from files import Twins, dice_of, file_of, fraction, some, spoilt, spoilt_in_statements
+from test_polygons import edges_of, holds, parts_of, table_of
+from test_segments import forced, is_on, kind_of, sweep
+
+
+def ordinate(edge, x):
+    (ax, ay), (bx, by) = edge
+    return ay + (by - ay) * Fraction(x - ax) / (bx - ax)
+
+
+def trapezoids(edges, points):
+    """The plane in columns between the abscissas of points; a column is the middles of what edges part it into, and the
+    ends of these on its left and right."""
+    xs = sorted({x for x, _ in points})
+    columns = []
+    for left, right in zip(xs, xs[1:]):
+        over = sorted({(ordinate(e, Fraction(left + right) / 2), ordinate(e, left), ordinate(e, right))
+                       for e in edges if e[0][0] <= left and e[1][0] >= right and e[0][0] < e[1][0]})
+        columns.append([(Fraction(left + right) / 2, (a[0] + b[0]) / 2, (a[1], b[1]), (a[2], b[2]))
+                        for a, b in zip(over, over[1:])])
+    return xs, columns
+
+
+def upright(edges, x, low, high):
+    """Is there an upright edge between two ordinates?"""
+    return any(a[0] == b[0] == x and a[1] < high and b[1] > low for a, b in edges)
+
+
+def pieces_of(columns, xs, is_inside, edges):
+    """So many pieces hang together."""
+    inside = {(c, k) for c, column in enumerate(columns) for k, (x, y, _, _) in enumerate(column) if is_inside((x, y))}
+    leader = {cell: cell for cell in inside}
+
+    def find(cell):
+        while leader[cell] != cell:
+            cell = leader[cell]
+        return cell
+    for c, k in inside:
+        for m in range(len(columns[c + 1]) if c + 1 < len(columns) else 0):
+            low = max(columns[c][k][3][0], columns[c + 1][m][2][0])
+            high = min(columns[c][k][3][1], columns[c + 1][m][2][1])
+            # An upright edge with a gap between others parts only a part of what is common: look at each part.
+            cuts = sorted({low, high} | {y for e in edges for x, y in e if x == xs[c + 1] and low < y < high})
+            if (c + 1, m) in inside and low < high and any(
+                    not upright(edges, xs[c + 1], p, q) for p, q in zip(cuts, cuts[1:])):
+                leader[find((c, k))] = find((c + 1, m))
+    return len({find(cell) for cell in inside})
+
+
+def is_valid(parts, rule):
+    """By definition: rings simple, no pieces in common, each part its shell without its holes, which are side by side;
+    parts hang together, and are side by side."""
+    if not all(parts):
+        return False
+    rings = [[edges_of([ring]) for ring in part] for part in parts]
+    for part, given in zip(rings, parts):
+        for ring, vertices in zip(part, given):
+            if rule == "simple" and any(a == b for a, b in ring):
+                return False
+            kept = [p for k, p in enumerate(vertices) if p != vertices[k - 1]]
+            if len(set(kept)) < 3 or len(set(kept)) < len(kept):
+                return False
+            edges = list(zip(kept, kept[1:] + kept[:1]))
+            for (k, s), (m, t) in itertools.combinations(enumerate(edges), 2):
+                kind = kind_of(tuple(sorted(s)), tuple(sorted(t)))
+                if kind and not (kind == "shared-endpoint" and (m == k + 1 or (k == 0 and m == len(edges) - 1))):
+                    return False
+    edges = [edge for part in rings for ring in part for edge in ring if edge[0] != edge[1]]
+    for (i, s), (j, t) in itertools.combinations([(i, s) for i, part in enumerate(rings) for ring in part for s in ring], 2):
+        if kind_of(s, t) in ("overlap", "crossing"):
+            return False
+    if rule == "simple" and any(kind_of(s, t) for part in rings for r, q in itertools.combinations(part, 2)
+                                for s in r for t in q):
+        return False
+    points, _ = parts_of(edges)
+    xs, columns = trapezoids(edges, points)
+    for x, y, _, _ in itertools.chain.from_iterable(columns):
+        filled = 0
+        for part in rings:
+            inside = [holds(ring, (x, y)) for ring in part]
+            if sum(inside[1:]) > 1 or (any(inside[1:]) and not inside[0]):
+                return False
+            filled += inside[0] and not any(inside[1:])
+        if filled > 1:
+            return False
+    for part in rings:
+        own = [edge for ring in part for edge in ring]
+
+        def is_inside(p, own=own):
+            return not any(is_on(e, p) for e in own) and holds(own, p)
+        if pieces_of(columns, xs, is_inside, own) != 1:
+            return False
+    return True
+
+
+def some_ring(dice, x, y, size):
+    throw = dice.random()
+    if throw < .3:
+        w, h = dice.randint(1, size), dice.randint(1, size)
+        ring = [(x, y), (x + w, y), (x + w, y + h), (x, y + h)]
+    elif throw < .5:
+        ring = [(x, y), (x + dice.randint(1, 2), y), (x, y + dice.randint(1, 2))]
+    else:
+        ring = [(x + dice.randint(0, size), y + dice.randint(0, size)) for _ in range(dice.choice([2, 3, 3, 4, 5]))]
+    if dice.random() < .15:
+        k = dice.randrange(len(ring))
+        ring.insert(k, ring[k])
+    return ring if dice.random() < .5 else ring[::-1]
+
+
+def some_parts(dice):
+    """Shells with holes that touch them, or each other, and parts beside and within each other."""
+    parts = []
+    for _ in range(dice.choice([1, 1, 1, 2, 2, 3])):
+        x, y, size = dice.randint(0, 6), dice.randint(0, 6), dice.choice([2, 4, 6, 6])
+        shell = [(x, y), (x + size, y), (x + size, y + size), (x, y + size)]
+        if dice.random() < .3:
+            shell = some_ring(dice, x, y, size)
+        elif dice.random() < .3:  # with a corner in the middle of a side
+            shell.insert(1, (x + size // 2, y))
+        holes = [some_ring(dice, x + dice.randint(0, size - 1), y + dice.randint(0, size - 1), 2)
+                 for _ in range(dice.choice([0, 0, 1, 1, 2, 3]))]
+        if holes and dice.random() < .2:  # around the middle, from corner to corner
+            m = [(x + 1, y + 1), (x + 2, y + 1), (x + 2, y + 2), (x + 1, y + 2)]
+            holes = [[m[0], (m[0][0], m[0][1] + 1), m[0]][:2] + [m[2]], [m[0], m[1], m[2]]][:dice.randint(1, 2)]
+        if size == 6 and dice.random() < .15:  # a hole in a hole
+            holes = [[(x + 1, y + 1), (x + 5, y + 1), (x + 1, y + 5)], [(x + 2, y + 2), (x + 3, y + 2), (x + 2, y + 3)]]
+        parts.append([shell] + holes if dice.random() < .97 else [])
+    return parts
+
+
+def statement_of(parts, rule, events):
+    top = file_of(table_of(parts), {"question": "valid", "parts": list(range(len(parts))), "rule": rule,
+                                    "verdict": "valid", "claims": [{"claim": "valid", "events": events}]})
+    return top
+
+
+def defect_of(parts, rule, verdict, **says):
+    claim = "contact" if verdict == "edges_meet" else verdict
+    return file_of(table_of(parts), {"question": "valid", "parts": list(range(len(parts))), "rule": rule,
+                                     "verdict": verdict, **says, "claims": [{"claim": claim}]})
+
+
+def text_of(point):
+    return [fraction(Fraction(x)) for x in point]
+
+
+def circles_of(rings, of_part, touching):
+    """Ways from ring to ring of a part over points in which two touch, each once, back to the first."""
+    def ways(way, points):
+        for (r, q), places in touching.items():
+            if r != way[-1]:
+                continue
+            for point in places:
+                if point in points:
+                    continue
+                if q == way[0] and len(way) > 1:
+                    yield way, points + [point]
+                elif q not in way and of_part[q] == of_part[r]:
+                    yield from ways(way + [q], points + [point])
+    for r in range(len(rings)):
+        yield from itertools.islice(ways([r], []), 3)
+
+
+def defects(parts, rule):
+    """Statements of defects: all that are true, and some that are not."""
+    rings = [edges_of([ring]) for part in parts for ring in part]
+    of_part = [i for i, part in enumerate(parts) for _ in part]
+    edges = [edge for ring in rings for edge in ring]
+    points, middles = parts_of([edge for edge in edges if edge[0] != edge[1]])
+    for r, ring in enumerate(rings):
+        yield defect_of(parts, rule, "too_few_points", ring=r)
+        for point in points:
+            if any(is_on(edge, point) for edge in ring):
+                yield defect_of(parts, rule, "comes_twice", ring=r, point=text_of(point))
+        for point in middles:
+            if any(is_on(edge, point) for edge in ring):
+                yield defect_of(parts, rule, "misplaced", ring=r, point=text_of(point))
+    for (i, s), (j, t) in itertools.combinations(enumerate(edges), 2):
+        kind, on_both = kind_of(s, t), [p for p in points if is_on(s, p) and is_on(t, p)]
+        if kind and on_both:
+            yield defect_of(parts, rule, "edges_meet", i=i, j=j, kind=kind, point=text_of(on_both[0]))
+    touching = {}
+    for r, q in itertools.permutations(range(len(rings)), 2):
+        common = [p for p in points if any(is_on(s, p) for s in rings[r]) and any(is_on(s, p) for s in rings[q])]
+        if common and of_part[r] == of_part[q]:
+            touching[r, q] = common[:3]
+        if common:
+            yield defect_of(parts, rule, "rings_touch", ring=r, other=q, point=text_of(common[0]))
+    for way, places in circles_of(rings, of_part, touching):
+        yield defect_of(parts, rule, "circle", rings=way, points=[text_of(p) for p in places])
+    for k in range(len(edges)):
+        yield defect_of(parts, rule, "repeated", edge=k)
+
+
+def edges_in(parts):
+    return [edge for part in parts for edge in edges_of(part)]
+
+
+class ValidTest(unittest.TestCase):
+    def test_it_is_accepted_where_it_is_so_and_only_there(self):
+        dice, twins = dice_of(1), Twins(self)
+        while len(twins.tops) < some(6000):
+            parts = some_parts(dice)
+            events = sweep(edges_in(parts))
+            for rule in ("valid", "simple"):
+                wanted = "accepted" if is_valid(parts, rule) else "valid"
+                self.assertEqual(twins.look(statement_of(parts, rule, events)), wanted, (parts, rule))
+        twins.compare()
+        self.assertGreater(min(twins.tally().values()), len(twins.tops) / 16)
+
+    def test_each_defect_is_proved_and_none_that_is_not_there(self):
+        dice, twins = dice_of(4), Twins(self)
+        while len(twins.tops) < some(20000):
+            parts, rule = some_parts(dice), dice.choice(["valid", "simple"])
+            if not all(parts):
+                continue
+            truth, found = is_valid(parts, rule), False
+            for top in defects(parts, rule):
+                said = twins.look(top)
+                self.assertFalse(truth and said == "accepted", top)
+                found = found or said == "accepted"
+            self.assertNotEqual(found, truth, (parts, rule))
+        twins.compare()
+        if some(100) < 30:
+            return  # too few for each
+        accepted = {top["statements"][0]["verdict"] for top, said in zip(twins.tops, twins.outcomes) if said == "accepted"}
+        self.assertEqual(accepted, {"too_few_points", "edges_meet", "comes_twice", "misplaced", "circle", "repeated",
+                                    "rings_touch"})
+
+    def test_no_forced_sweep_proves_what_is_not_so(self):
+        dice, twins, accepted = dice_of(2), Twins(self), 0
+        while len(twins.tops) < some(5000):
+            parts, rule = some_parts(dice), dice.choice(["valid", "simple"])
+            truth, events = is_valid(parts, rule), sweep(edges_in(parts))
+            if not events:
+                continue
+            for _ in range(6):
+                said = twins.look(statement_of(parts, rule, forced(events, edges_in(parts), dice)))
+                self.assertTrue(truth or said != "accepted", twins.tops[-1])
+                accepted += said == "accepted"
+        twins.compare()
+        self.assertGreater(accepted, 0 if some(100) >= 30 else -1)
+        self.assertLess(accepted, len(twins.tops) / 2)
+
+    def test_the_twins_agree_on_spoilt_files(self):
+        dice, twins = dice_of(3), Twins(self)
+        while len(twins.tops) < some(2000):
+            parts = some_parts(dice)
+            top = statement_of(parts, dice.choice(["valid", "simple"]), sweep(edges_in(parts)))
+            twins.look(spoilt(top, dice))
+            twins.look(spoilt_in_statements(top, dice))
+        twins.compare()
+
+
+if __name__ == "__main__":
+    unittest.main()
