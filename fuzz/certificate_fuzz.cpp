@@ -11,10 +11,11 @@
 
 namespace {
 
-// Of pairs; of sets; of common parts; of linear programs.
-constexpr std::array<std::string_view, 19> verdicts{
-    "apart",      "meet",      "none",    "some",  "empty",  "point", "segment", "ray", "line",      "strip",
-    "half-plane", "unbounded", "bounded", "plane", "region", "one",   "many",    "all", "infeasible"};
+// Of pairs and distances; of sets; of common parts; of linear programs.
+constexpr std::array<std::string_view, 24> verdicts{
+    "apart",     "meet",    "touching", "overlapping", "closest", "none", "some",  "these",
+    "count",     "empty",   "point",    "segment",     "ray",     "line", "strip", "half-plane",
+    "unbounded", "bounded", "plane",    "region",      "one",     "many", "all",   "infeasible"};
 
 void require(bool condition) {
   if (!condition) std::abort();
