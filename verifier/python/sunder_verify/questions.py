@@ -3,7 +3,7 @@
 A statement says its question, what it is about, and its verdict; its claims follow in the order of the table. Each is
 checked by its rule, told what the table binds it to: so a true claim about something else proves nothing.
 """
-from . import arcs, rules
+from . import arcs, polygons, rules
 from .reader import MOST_NUMBER, double, index, members, number, numbers, require
 from .tables import Parts
 
@@ -167,18 +167,18 @@ CLAIMS = {
     "goes_on": ({"direction": VECTOR}, rules.goes_on),
     "ends": ({"ends": ENDS}, rules.ends),
     "contact": ({}, rules.contact),
-    "none_counts": ({"events": EVENTS}, rules.none_counts),
-    "these_count": ({"events": EVENTS}, rules.these_count),
-    "number_counts": ({"events": EVENTS}, rules.number_counts),
+    "none_counts": ({"events": EVENTS}, polygons.none_counts),
+    "these_count": ({"events": EVENTS}, polygons.these_count),
+    "number_counts": ({"events": EVENTS}, polygons.number_counts),
     "cones": ({"cones": (list, read_cones)}, rules.cones),
     "no_entries": ({}, rules.no_entries),
     "in_discs": ({}, rules.in_discs),
     "powers": ({"weights": WEIGHTS}, rules.powers),
     "arcs": ({"parts": (list, read_parts)}, arcs.arcs),
     "cover": ({"order": ORDER}, rules.cover),
-    "common_point": ({}, rules.common_point),
-    "valid": ({"events": EVENTS}, rules.valid),
-    **{name: ({}, getattr(rules, name)) for name in ("too_few_points", "comes_twice", "misplaced", "circle", "repeated",
+    "common_point": ({}, polygons.common_point),
+    "valid": ({"events": EVENTS}, polygons.valid),
+    **{name: ({}, getattr(polygons, name)) for name in ("too_few_points", "comes_twice", "misplaced", "circle", "repeated",
                                                      "rings_touch")},
 }
 
