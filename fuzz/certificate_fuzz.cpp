@@ -11,11 +11,12 @@
 
 namespace {
 
-// Of pairs and distances; of sets; of common parts; of linear programs.
-constexpr std::array<std::string_view, 24> verdicts{
-    "apart",     "meet",    "touching", "overlapping", "closest", "none", "some",  "these",
-    "count",     "empty",   "point",    "segment",     "ray",     "line", "strip", "half-plane",
-    "unbounded", "bounded", "plane",    "region",      "one",     "many", "all",   "infeasible"};
+// Of pairs and distances; of sets; of common parts; of linear programs; of valid polygons.
+constexpr std::array<std::string_view, 32> verdicts{
+    "apart",     "meet",           "touching",   "overlapping", "closest",   "none",   "some",     "these",
+    "count",     "empty",          "point",      "segment",     "ray",       "line",   "strip",    "half-plane",
+    "unbounded", "bounded",        "plane",      "region",      "one",       "many",   "all",      "infeasible",
+    "valid",     "too_few_points", "edges_meet", "comes_twice", "misplaced", "circle", "repeated", "rings_touch"};
 
 void require(bool condition) {
   if (!condition) std::abort();
