@@ -30,7 +30,8 @@ Exact left_of(const Exact& d) { return {-d.y, d.x}; }
 
 // The body is on one side of the line, and not all on it.
 Exact across_line(const PlanarBody& body, const Unbounded& u) {
-  const Exact left = left_of(along(u)), a = lift<ExactStage>(u.a);
+  Exact left = left_of(along(u));
+  const Exact a = lift<ExactStage>(u.a);
   for (std::uint32_t v = 0; v < body.polygon.size(); ++v) {
     const ExactPoint2 p = planar::exact_vertex(body.polygon, body.pose, v);
     const Sign side = dot(left, Exact{p.x, p.y} - a).sign();
@@ -43,7 +44,7 @@ Exact across_line(const PlanarBody& body, const Unbounded& u) {
 // a vertex it passes one. A segment that the line runs along, and a point, it leaves along itself.
 Exact out_of_body(const PlanarBody& body, const Unbounded& u, const CutEnd& last) {
   const std::uint32_t n = body.polygon.size(), v = last.feature;
-  const Exact way = along(u);
+  Exact way = along(u);
   for (const std::uint32_t e : {v, (v + n - 1) % n}) {
     if (n == 1 || (last.place == Place::edge && e != v)) continue;
     const auto [x, y] = planar::outward_normal(body.polygon, body.pose, e);
