@@ -62,8 +62,6 @@ std::string LeftOutList::text() const { return text_of(kinds_); }
 
 std::string LeftOutList::clause() const { return empty() ? "" : "; left out: " + text(); }
 
-std::string LeftOutList::note() const { return empty() ? "" : "left out: " + text(); }
-
 std::vector<std::string> LeftOutList::texts() const {
   std::vector<std::string> texts;
   for (const Kind& kind : kinds_) texts.push_back(text_of(std::span(&kind, 1)));

@@ -1,5 +1,5 @@
 // What of its files a call does not speak of. It is an error, unless the caller says --leave-out; then it is told with
-// the verdict, in the JSON, and in the certificate's note.
+// the verdict, in the JSON, and in the certificate.
 #pragma once
 
 #include <cli/common.h>
@@ -32,9 +32,7 @@ class LeftOutList {
   std::string text() const;
   // "; left out: 2 cylinders of a, b; 1 sphere of c", to stand behind a verdict; or nothing.
   std::string clause() const;
-  // The note of a certificate of version 1: "left out: ..."; or nothing.
-  std::string note() const;
-  // What a certificate of version 2 says, kind by kind: "2 cylinders of a, b", "1 sphere of c".
+  // What a certificate says, kind by kind: "2 cylinders of a, b", "1 sphere of c".
   std::vector<std::string> texts() const;
   // [{"kind", "count", "of": [...]}], with all owners.
   Json json() const;

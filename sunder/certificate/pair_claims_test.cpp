@@ -1,6 +1,5 @@
 // The certificate file, read back by a foreign JSON parser and an own reader of its numbers, in fractions.
 #include <sunder/base/random.h>
-#include <sunder/certificate/json.h>
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/number/integer_internal.h>
 #include <sunder/predicate/common_point.h>
@@ -177,33 +176,6 @@ TEST(PairClaimsTest, PlanarBodies) {
       {"question": "pair", "a": 1, "b": 0, "verdict": "overlapping", "point": ["1/2", "3/2"], "claims": [
         {"claim": "inside", "weights": [[0, "1/3"], [2, "5/3"]]}, {"claim": "inside", "weights": [[1, "1"]]}]}])");
   EXPECT_EQ(file.at("statements"), statements);
-}
-
-TEST(CertificateNoteTest, StandsInEitherForm) {
-  for (const std::string file :
-       {"{\n  \"sunder_certificate\": 1,\n  \"bodies\": []}\n", "{\"sunder_set_certificate\": 1,\n\"a\": 2}\n"}) {
-    EXPECT_EQ(with_note(file, ""), file);
-    json noted = json::parse(with_note(file, "\"left out\"\n\xff"));
-    EXPECT_EQ(noted.at("note"), "\"left out\"\n\xef\xbf\xbd");
-    noted.erase("note");
-    EXPECT_EQ(noted, json::parse(file));
-  }
-}
-
-TEST(CertificateNoteTest, ALongOneIsCut) {
-  constexpr std::size_t most = 4000;
-  const auto note_of = [](const std::string& note) {
-    return json::parse(with_note("{\"sunder_certificate\": 1, \"bodies\": []}", note)).at("note").get<std::string>();
-  };
-  const auto umlauts = [](std::size_t count) {
-    std::string text;
-    for (std::size_t i = 0; i < count; ++i) text += "\xc3\xa4";
-    return text;
-  };
-  EXPECT_EQ(note_of(umlauts(most)), umlauts(most));
-  EXPECT_EQ(note_of(umlauts(most + 1)), umlauts(most - 3) + "...");
-  // Each byte that is not UTF-8 becomes one character of three bytes.
-  EXPECT_EQ(note_of(std::string(most + 1, '\x80')).size(), 3 * (most - 3) + 3);
 }
 
 // Any bytes may be in a name: what is UTF-8 comes back as it was, what is not does not spoil the file.
