@@ -7,6 +7,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <tuple>
 #include <unordered_set>
 #include <utility>
 
@@ -152,6 +153,7 @@ struct Member {
 };
 
 bool is_of_lower_group(const Member& a, const Member& b) { return a.group < b.group; }
+bool is_before(const Member& a, const Member& b) { return std::tie(a.group, a.polygon) < std::tie(b.group, b.polygon); }
 
 class PolygonPairs {
  public:
@@ -171,7 +173,7 @@ class PolygonPairs {
   void look(const Meeting& meeting, const VisitContact& visit) {
     std::vector<Member> second;
     for (const std::size_t j : meeting.second) second.push_back({group_of(j), j});
-    std::stable_sort(second.begin(), second.end(), is_of_lower_group);
+    std::sort(second.begin(), second.end(), is_before);
     std::size_t groups = second.empty() ? 0 : 1;
     for (std::size_t k = 1; k < second.size(); ++k)
       if (second[k].group != second[k - 1].group) ++groups;

@@ -180,11 +180,11 @@ void read_half_planes(const json& list, Tables& tables) {
   }
 }
 
-const json& list_of(const json& item, std::size_t least, const std::string& where) {
+Scaled read_vertex_list(const json& item, std::size_t least, const std::string& where) {
   if (!item.is_array() || item.size() < least) {
     refuse_form(where + " is not a list of " + std::to_string(least) + " or more vertices");
   }
-  return item;
+  return read_rows(entries(item), 2, where);
 }
 
 Constraints edges_of(const Scaled& vertices, const std::string& where) {
@@ -199,7 +199,7 @@ Constraints edges_of(const Scaled& vertices, const std::string& where) {
 void read_rings(const json& list, Tables& tables) {
   for (const json& item : list) {
     const std::string where = "tables.rings[" + std::to_string(tables.rings.size()) + "]";
-    const Scaled vertices = read_rows(entries(list_of(item, 3, where)), 2, where);
+    const Scaled vertices = read_vertex_list(item, 3, where);
     Integer area = 0;
     for (std::size_t k = 0; k < vertices.rows.size(); ++k) {
       const Integers &p = vertices.rows[k], &q = vertices.rows[k + 1 == vertices.rows.size() ? 0 : k + 1];
@@ -241,7 +241,7 @@ void read_convex_polygons(const json& list, Tables& tables) {
   std::size_t number = 0;
   for (const json& item : list) {
     const std::string where = "tables.convex_polygons[" + std::to_string(number++) + "]";
-    const Scaled vertices = read_rows(entries(list_of(item, 1, where)), 2, where);
+    const Scaled vertices = read_vertex_list(item, 1, where);
     const bool is_flat = vertices.rows.size() < 3;
     const Constraints sides = is_flat ? sides_of_flat(vertices, where) : edges_of(vertices, where);
     if (!is_flat && !goes_round_once(sides)) refuse_form(where + " is not strictly convex and counter-clockwise");

@@ -149,7 +149,7 @@ std::optional<ExactPoint2> misplaced_on(const Numbered& all, std::uint32_t edge)
   for (int k = 1; k < 4000; k += k < 64 ? 1 : k) {
     const Dyadic part = power_of_two(-k);
     for (const auto& [p, q] : {std::pair(e.a, e.b), std::pair(e.b, e.a)}) {
-      const ExactPoint2 point = between(p, q, part);
+      ExactPoint2 point = between(p, q, part);
       if (is_misplaced(all, all.ring_of[edge], point)) return point;
     }
   }
