@@ -1,22 +1,35 @@
 """Certificate files of version 2, how they are spoilt, and what both checkers say of them: for tests."""
+import collections
 import json
 import os
 import random
 import subprocess
 import sys
 import tempfile
+import unittest
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 import sunder_verify  # noqa: E402
+from sunder_verify.questions import QUESTIONS  # noqa: E402
 
 PROGRAM = os.environ.get("SUNDER_PROGRAM", "")
 SCALE = float(os.environ.get("SUNDER_TEST_SCALE", "1"))
 
 
 def some(count):
-    """So many, at the scale that is asked for."""
-    return max(1, int(count * SCALE))
+    """So many, at the scale that is asked for; 20 times as many at most. What goes on beyond are the tries of each statement."""
+    return max(1, int(count * min(SCALE, 20)))
+
+
+FORCED, MUTANT = "forced", "mutants"
+WANTED = {FORCED: max(4, int(400 * SCALE)), MUTANT: max(2, int(40 * SCALE))}  # tries of each statement
+TRIED = {kind: collections.Counter() for kind in (*WANTED, "accepted")}       # by question and verdict
+
+
+def lacking(kind, question):
+    """The verdicts of a question of which too few have been tried."""
+    return [verdict for verdict in QUESTIONS[question][3] if TRIED[kind][question, verdict] < WANTED[kind]]
 
 
 def hexadecimal(n):
@@ -34,7 +47,7 @@ def file_of(tables, *statements):
 def outcome(top):
     """By the Python checker: "accepted", "not checked", or the first rule that fails."""
     try:
-        report = sunder_verify.verify(json.dumps(top).encode(), True)
+        report = sunder_verify.verify((top if isinstance(top, str) else json.dumps(top)).encode(), True)
     except sunder_verify.Refused as refused:
         return refused.args[0]
     except sunder_verify.Unreadable:
@@ -42,20 +55,16 @@ def outcome(top):
     return next((refusal[0] for *_, refusal in report.statements if refusal), "accepted")
 
 
-def outcomes_of_twin(tops):
-    """The same by `sunder verify`."""
-    result = []
-    with tempfile.TemporaryDirectory() as folder:
-        for begin in range(0, len(tops), 500):
-            names = []
-            for i, top in enumerate(tops[begin:begin + 500]):
-                names.append(os.path.join(folder, str(i)))
-                with open(names[-1], "w", encoding="utf-8") as stream:
-                    json.dump(top, stream)
-            run = subprocess.run([PROGRAM, "verify", "--json", *names], capture_output=True, text=True, check=False)
-            objects = json.loads(run.stdout)["objects"] if run.stdout else [{"answer": "not checked"}] * len(names)
-            result += [o["refused"][0]["check"] if o["answer"] == "refused" else o["answer"] for o in objects]
-    return result
+def outcomes_of_twin(texts):
+    """The same by `sunder verify`, in one call. Files are in memory, where that is a folder: making one takes long elsewhere."""
+    with tempfile.TemporaryDirectory(dir="/dev/shm" if os.access("/dev/shm", os.W_OK) else None) as folder:
+        names = [os.path.join(folder, str(i)) for i in range(len(texts))]
+        for name, text in zip(names, texts):
+            with open(name, "w", encoding="utf-8") as stream:
+                stream.write(text)
+        run = subprocess.run([PROGRAM, "verify", "--json", *names], capture_output=True, text=True, check=False)
+        objects = json.loads(run.stdout)["objects"] if run.stdout else [{"answer": "not checked"}] * len(names)
+        return [o["refused"][0]["check"] if o["answer"] == "refused" else o["answer"] for o in objects]
 
 
 VALUES = ["0", "1", "-1", "1/2", "-1/3", "0x1p+0", "-0x1p-1", "0x3p+0", "7", "nothing", "touch", "0x1p+20001", "1/0", ".5"]
@@ -98,24 +107,59 @@ def spoilt_in_statements(top, dice):
 
 
 class Twins:
-    """Collects files and what the Python checker says of them, to compare it with what the twin says."""
+    """Asks the Python checker about files, and compares what it says with what the twin says, of many at once."""
 
     def __init__(self, test):
-        self.test, self.tops, self.outcomes = test, [], []
+        self.test, self.waiting, self.count, self.last, self.said = test, [], 0, None, collections.Counter()
 
     def look(self, top):
-        self.tops.append(top)
-        self.outcomes.append(outcome(top))
-        return self.outcomes[-1]
+        """What the checker says of a file."""
+        self.last, self.count = top, self.count + 1
+        text = json.dumps(top)
+        said = outcome(text)
+        self.said[said] += 1
+        if PROGRAM:
+            self.waiting.append((text, said))
+        if len(self.waiting) >= 1000:
+            self.compare()
+        return said
+
+    def force(self, top):
+        """The same of a file about which the test knows whether it is true. Counted if its form is right."""
+        said = self.look(top)
+        if said not in ("F", "not checked") and len(top["statements"]) == 1:
+            key = top["statements"][0]["question"], top["statements"][0]["verdict"]
+            TRIED[FORCED][key] += 1
+            TRIED["accepted"][key] += said == "accepted"
+        return said
+
+    def spoil(self, top, dice):
+        """Both checkers look at a file with a change anywhere, and at one with a change in the statements."""
+        key = top["statements"][0]["question"], top["statements"][0]["verdict"]
+        for change in (spoilt, spoilt_in_statements):
+            self.look(change(top, dice))
+            TRIED[MUTANT][key] += 1
 
     def compare(self):
-        if not PROGRAM:
+        waiting, self.waiting = self.waiting, []
+        if not waiting:
             return
-        for top, ours, other in zip(self.tops, self.outcomes, outcomes_of_twin(self.tops)):
-            self.test.assertEqual(ours, other, json.dumps(top)[:3000])
+        for (text, ours), other in zip(waiting, outcomes_of_twin([text for text, _ in waiting])):
+            self.test.assertEqual(ours, other, text[:3000])
 
     def tally(self):
-        return {name: self.outcomes.count(name) for name in set(self.outcomes)}
+        return dict(self.said)
+
+
+def main():
+    """Runs the tests of a file, then tells how often each statement was tried."""
+    done = unittest.main(exit=False)
+    keys = sorted(set(TRIED[FORCED]) | set(TRIED[MUTANT]))
+    if keys:
+        print("%-28s %-15s %9s %9s %9s" % ("question", "verdict", "forced", "accepted", "mutants"))
+    for key in keys:
+        print("%-28s %-15s %9d %9d %9d" % (*key, TRIED[FORCED][key], TRIED["accepted"][key], TRIED[MUTANT][key]))
+    sys.exit(not done.result.wasSuccessful())
 
 
 def dice_of(seed):

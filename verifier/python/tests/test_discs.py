@@ -5,7 +5,7 @@ import unittest
 from decimal import Decimal
 from fractions import Fraction
 
-from files import Twins, dice_of, file_of, fraction, hexadecimal, some, spoilt, spoilt_in_statements
+from files import FORCED, MUTANT, Twins, dice_of, file_of, fraction, hexadecimal, lacking, main, some, spoilt_in_statements
 from sunder_verify import reader, rules, tables
 
 ALLOWED = ("nothing", "shared-endpoint", "touch")
@@ -54,6 +54,20 @@ def covers(discs, allowed, groups, dice):
     return result + ([] if contacts else [{"verdict": "none", "claims": claims}])
 
 
+def some_of(discs, dice):
+    """That two of them meet, which may be so; and whether it is."""
+    groups, allowed = some_groups(discs, dice), dice.choice(ALLOWED)
+    i, j = dice.randrange(len(discs)), dice.randrange(len(discs))
+    (a, b, r), (c, d, s) = discs[i], discs[j]
+    kind = kind_of(discs[i], discs[j]) if dice.random() < .8 else dice.choice(KINDS)
+    along = Fraction(r, r + s) if r + s else 0
+    point = dice.choice([(a + along * (c - a), b + along * (d - b))] * 5 + [(Fraction(a), Fraction(d)), (c + s, d)])
+    holds = all((point[0] - x) ** 2 + (point[1] - y) ** 2 <= q * q for x, y, q in (discs[i], discs[j]))
+    truth = holds and [*sorted((i, j)), kind] in contacts_of(discs, allowed, groups)
+    return certificate(discs, allowed, groups, {"verdict": "some", "i": i, "j": j, "kind": kind or "touching",
+                                                "point": [fraction(x) for x in point], "claims": [{"claim": "contact"}]}), truth
+
+
 def is_true(top):
     """Of a file that a checker accepted, its table as it was made."""
     (statement,), discs = top["statements"], [tuple(int(x.split("p")[0], 16) for x in row) for row in top["tables"]["circles"]]
@@ -66,52 +80,56 @@ def is_true(top):
 class DiscsTest(unittest.TestCase):
     def test_what_is_true_is_accepted_and_nothing_else(self):
         dice, twins = dice_of(31), Twins(self)
-        while len(twins.tops) < some(4000):
+        while twins.count < some(2000):
             discs = some_discs(dice)
             groups = some_groups(discs, dice)
             for allowed in ALLOWED:
                 for said in covers(discs, allowed, groups, dice):
-                    self.assertEqual(twins.look(certificate(discs, allowed, groups, said)), "accepted", twins.tops[-1])
+                    self.assertEqual(twins.look(certificate(discs, allowed, groups, said)), "accepted", twins.last)
                     for forced in (dice.choice(ALLOWED), groups), (allowed, some_groups(discs, dice)):
                         top = certificate(discs, *forced, said)
                         self.assertEqual(twins.look(top), "accepted" if is_true(top) else "cover", top)
         twins.compare()
-        self.assertTrue(some(100) < 100 or min(twins.tally().values()) > len(twins.tops) / 20)
+        self.assertTrue(some(100) < 100 or min(twins.tally().values()) > twins.count / 20)
 
     def test_a_contact_is_accepted_where_it_counts_and_is_as_stated(self):
         dice, twins = dice_of(32), Twins(self)
-        while len(twins.tops) < some(4000):
+        while "some" in lacking(FORCED, "circles"):
             discs = some_discs(dice)
-            if len(discs) < 2:
-                continue
-            groups, allowed = some_groups(discs, dice), dice.choice(ALLOWED)
-            i, j = dice.randrange(len(discs)), dice.randrange(len(discs))
-            (a, b, r), (c, d, s) = discs[i], discs[j]
-            kind = kind_of(discs[i], discs[j]) if dice.random() < .8 else dice.choice(KINDS)
-            along = Fraction(r, r + s) if r + s else 0
-            point = dice.choice([(a + along * (c - a), b + along * (d - b))] * 5 + [(Fraction(a), Fraction(d)), (c + s, d)])
-            holds = all((point[0] - x) ** 2 + (point[1] - y) ** 2 <= q * q for x, y, q in (discs[i], discs[j]))
-            truth = holds and [*sorted((i, j)), kind] in contacts_of(discs, allowed, groups)
-            top = certificate(discs, allowed, groups, {"verdict": "some", "i": i, "j": j, "kind": kind or "touching",
-                                                       "point": [fraction(x) for x in point], "claims": [{"claim": "contact"}]})
-            self.assertEqual(twins.look(top), "accepted" if truth else "contact", top)
+            if len(discs) > 1:
+                top, truth = some_of(discs, dice)
+                self.assertEqual(twins.force(top), "accepted" if truth else "contact", top)
         twins.compare()
-        self.assertTrue(some(100) < 100 or min(twins.tally().values()) > len(twins.tops) / 20)
+        self.assertTrue(some(100) < 100 or min(twins.tally().values()) > twins.count / 20)
 
     def test_no_forced_certificate_proves_what_is_not_so(self):
+        """What is true with changes; and covers, of which there is one for each order, of what is not so."""
         dice, twins, accepted = dice_of(33), Twins(self), 0
-        while len(twins.tops) < some(8000):
+        while set(lacking(FORCED, "circles")) - {"some"}:
+            discs = some_discs(dice)
+            groups, allowed = some_groups(discs, dice), dice.choice(ALLOWED)
+            said = covers(discs, allowed, groups, dice)
+            forced = [spoilt_in_statements(certificate(discs, allowed, groups, one), dice) for one in said for _ in range(2)]
+            contacts = [c for c in said[0]["contacts"] if dice.random() < .8]
+            forced += [certificate(discs, allowed, groups, {**more, "claims": said[0]["claims"]}) for more in (
+                {"verdict": "none"}, {"verdict": "count", "number": len(contacts)}, {"verdict": "these", "contacts": contacts})]
+            for top in forced:
+                if twins.force(top) == "accepted":
+                    self.assertTrue(is_true(top), top)
+                    accepted += 1
+        twins.compare()
+        self.assertTrue(some(100) < 100 or accepted > twins.count / 50)  # another order, another rule
+
+    def test_the_twins_agree_on_spoilt_files(self):
+        dice, twins = dice_of(34), Twins(self)
+        while lacking(MUTANT, "circles"):
             discs = some_discs(dice)
             groups, allowed = some_groups(discs, dice), dice.choice(ALLOWED)
             for said in covers(discs, allowed, groups, dice):
-                for _ in range(4):
-                    top = spoilt_in_statements(certificate(discs, allowed, groups, said), dice)
-                    if twins.look(top) == "accepted":
-                        self.assertTrue(is_true(top), top)
-                        accepted += 1
-                    twins.look(spoilt(certificate(discs, allowed, groups, said), dice))
+                twins.spoil(certificate(discs, allowed, groups, said), dice)
+            if len(discs) > 1:
+                twins.spoil(some_of(discs, dice)[0], dice)
         twins.compare()
-        self.assertTrue(some(100) < 100 or accepted > len(twins.tops) / 50)  # another order, another rule
 
     def test_how_much_is_looked_at(self):
         """Nodes that are apart, and nodes of one group, are not gone into."""
@@ -131,4 +149,4 @@ class DiscsTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

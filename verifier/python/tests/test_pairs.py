@@ -4,7 +4,7 @@ import json
 import unittest
 from fractions import Fraction
 
-from files import Twins, dice_of, file_of, fraction, hexadecimal, some, spoilt, spoilt_in_statements
+from files import FORCED, MUTANT, Twins, dice_of, file_of, fraction, hexadecimal, lacking, main, some, spoilt_in_statements
 
 
 def solution_or_proof(columns, wanted):
@@ -183,39 +183,41 @@ class PairsTest(unittest.TestCase):
     def test_each_pair_is_proved(self):
         dice, twins = dice_of(11), Twins(self)
         verdicts = []
-        for k in range(some(1500)):
+        for k in range(some(800)):
             top = some_file(dice, k % 3 > 0)
             verdicts.append(top["statements"][0]["verdict"])
             self.assertEqual(twins.look(top), "accepted", top)
         twins.compare()
         for verdict in VERDICTS:
-            self.assertGreater(verdicts.count(verdict), len(verdicts) / 50, verdict)
+            self.assertTrue(some(100) < 100 or verdicts.count(verdict) > len(verdicts) / 50, verdict)
 
     def test_no_forced_claim_proves_what_is_not_so(self):
         dice, twins, accepted = dice_of(12), Twins(self), 0
-        while len(twins.tops) < some(6000):
+        while lacking(FORCED, "pair"):
             top = some_file(dice, True)
             honest_one = top["statements"][0]
             truth = honest_one["verdict"]
-            for _ in range(8):
+            for _ in range(2):
                 forced = spoilt_in_statements(top, dice)
-                said = twins.look(forced)
                 one = forced["statements"][0] if forced["statements"] else None
                 is_same = isinstance(one, dict) and all(one.get(k) == honest_one[k] for k in "ab")
+                said = (twins.force if is_same else twins.look)(forced)
                 if said == "accepted" and is_same:
                     accepted += 1
                     self.assertTrue(could_be(one["verdict"], truth), forced)
             # What each other verdict would need, of the honest claims and of random numbers.
-            for verdict in VERDICTS:
-                said = twins.look({**top, "statements": [forced_statement(top, verdict, dice)]})
-                self.assertTrue(said != "accepted" or could_be(verdict, truth), twins.tops[-1])
+            for verdict in lacking(FORCED, "pair"):
+                said = twins.force({**top, "statements": [forced_statement(top, verdict, dice)]})
+                self.assertTrue(said != "accepted" or could_be(verdict, truth), twins.last)
         twins.compare()
-        self.assertGreater(accepted, 0)
+        self.assertTrue(some(100) < 100 or accepted > 0)
 
     def test_the_twins_agree_on_spoilt_files(self):
         dice, twins = dice_of(13), Twins(self)
-        while len(twins.tops) < some(2000):
-            twins.look(spoilt(some_file(dice, dice.random() < .5), dice))
+        while lacking(MUTANT, "pair"):
+            top = some_file(dice, dice.random() < .8)
+            if top["statements"][0]["verdict"] in lacking(MUTANT, "pair"):
+                twins.spoil(top, dice)
         twins.compare()
 
     def test_lines_and_half_planes(self):
@@ -237,7 +239,7 @@ class PairsTest(unittest.TestCase):
     def test_distances(self):
         """Accepted where the two points are as near to each other as any of the two bodies, and only there."""
         dice, twins, nearest, count = dice_of(15), Twins(self), 0, 0
-        while len(twins.tops) < some(2500):
+        while lacking(FORCED, "distance") or lacking(MUTANT, "distance"):
             bodies = [Body(dice, 2) for _ in range(2)]
             shift = [dice.randint(-4, 4) for _ in range(2)]
             for body, sign in zip(bodies, (0, 1)):
@@ -253,9 +255,9 @@ class PairsTest(unittest.TestCase):
                 top = distance_file(bodies, p, q)
                 is_nearest = square_between(place(a.points, p), place(b.points, q)) == best
                 nearest += is_nearest
-                self.assertEqual(twins.look(top), "accepted" if is_nearest else "slab", top)
+                self.assertEqual(twins.force(top), "accepted" if is_nearest else "slab", top)
                 if dice.random() < .1:
-                    twins.look(spoilt_in_statements(top, dice))
+                    twins.spoil(top, dice)
         twins.compare()
         self.assertGreaterEqual(nearest, count)
         one = [Body(dice, 2) for _ in range(2)]
@@ -271,7 +273,7 @@ class PairsTest(unittest.TestCase):
     def test_ways_as_arrows(self):
         """An arrow from one point to another is the way between them, in one unit with the points."""
         dice, twins = dice_of(14), Twins(self)
-        for _ in range(some(300)):
+        for _ in range(some(200)):
             top = some_file(dice)
             arrows = json.loads(json.dumps(top))
             for body in arrows["tables"]["bodies"]:
@@ -328,4 +330,4 @@ class PairsTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

@@ -5,7 +5,7 @@ import math
 import unittest
 from fractions import Fraction
 
-from files import Twins, dice_of, file_of, fraction, hexadecimal, outcome, some, spoilt, spoilt_in_statements
+from files import FORCED, MUTANT, Twins, dice_of, file_of, fraction, hexadecimal, lacking, main, outcome, some, spoilt_in_statements
 from sunder_verify import arcs, reader, tables
 from test_pairs import solution_or_proof
 
@@ -156,33 +156,78 @@ def numbered(polygon):
     return sides_of(polygon) + (beside[0::2] if polygon[0][0] != polygon[1][0] else beside[1::2])
 
 
+def forced_statement(given, true_one, verdict, dice):
+    """What another verdict would need, of the true one's, of random ones, and of those that fit best."""
+    if verdict == "empty":
+        (claim,), few = true_one["claims"], min(3, len(given))
+        weights = [[k, dice.choice(["1", "2", "1/2"])] for k in dice.sample(range(len(given)), few)]
+        return {"verdict": verdict, "claims": [{"claim": "contradict", "weights": claim.get("weights", weights)}]}
+    sides = list(true_one.get("sides", []))
+    if dice.random() < .5 or not sides:
+        sides = dice.sample(range(len(given)), dice.randint(min(2, len(given)), len(given)))
+        sides.sort(key=lambda k: bearing(given[k]))
+    elif dice.random() < .5:
+        sides.insert(dice.randint(0, len(sides)), dice.randrange(len(given)))
+    elif len(sides) > 1 and dice.random() < .5:
+        sides.pop(dice.randrange(len(sides)))
+    count = len(sides) - (verdict in ("ray", "unbounded"))
+    cones = [dice.randrange(count) if count > 0 else 0 for _ in given]
+    kind, count = (verdict, count) if verdict != "plane" else ("bounded", 0)
+    if verdict == "half-plane" or len(sides) < 2:
+        kind = "half-plane"
+    for k, h in enumerate(given):
+        held = (p for p in range(count) if kind in ("line", "strip", "half-plane") or
+                turn(given[sides[p]], given[sides[(p + 1) % len(sides)]]))
+        cones[k] = next((p for p in held if is_held(given, sides, p, h, kind)), cones[k])
+    return {"verdict": verdict, "sides": sides, "claims": [{"claim": "cones", "cones": cones}]}
+
+
+def forced_about_discs(discs, true_one, verdict, dice):
+    claims = {claim["claim"]: claim for claim in true_one["claims"]}
+    weights = [[k, dice.choice(["1", "1/2", "1/3"])] for k in dice.sample(range(len(discs)), min(len(discs), dice.randint(1, 3)))]
+    powers = claims.get("powers", {"claim": "powers", "weights": weights})
+    x, y, r = dice.choice(discs)
+    point = dice.choice([true_one.get("point", ["0", "0"]), [str(x), str(y)], [str(x + r), str(y)], [str(x), str(y - r)]])
+    if verdict == "empty":
+        return {"verdict": verdict, "claims": [powers]}
+    if verdict == "point":
+        return {"verdict": verdict, "point": point, "claims": [{"claim": "in_discs"}, powers]}
+    if verdict == "plane":
+        return {"verdict": verdict, "claims": [{"claim": "no_entries"}]}
+    named = true_one.get("arcs", []) if dice.random() < .5 else []
+    named = named or [dice.randrange(len(discs)) for _ in range(dice.randint(1, min(4, 2 * len(discs))))]
+    return {"verdict": verdict, "point": point, "arcs": named, "claims": [{"claim": "in_discs"}, {"claim": "arcs", "parts": []}]}
+
+
 class RegionsTest(unittest.TestCase):
-    def check(self, given, kind, top_of, twins, dice, forced):
-        """Proved is what is true, and nothing else; of forced evidence what is accepted is true."""
+    def check(self, given, kind, top_of, twins, dice):
+        """Proved is what is true, and nothing else: of forced evidence what is accepted is true."""
         statement = statements_of(given, kind, top_of)
         self.assertIsNotNone(statement, (given, kind))
-        self.assertEqual(twins.look(top_of(statement)), "accepted", twins.tops[-1])
-        for _ in range(forced):
-            top = spoilt_in_statements(top_of(statement), dice)
-            if dice.random() < .3 and top["statements"] and isinstance(top["statements"][0], dict):
-                top["statements"][0]["verdict"] = dice.choice(KINDS)
-            if twins.look(top) == "accepted":
-                self.assertEqual({s["verdict"] for s in top["statements"]}, {kind}, top)
-            twins.look(spoilt(top_of(statement), dice))
+        top = top_of(statement)
+        question = top["statements"][0]["question"]
+        self.assertEqual(twins.look(top), "accepted", top)
+        forced = [spoilt_in_statements(top, dice) for _ in range(2)]
+        forced += [top_of(forced_statement(given, statement, verdict, dice)) for verdict in lacking(FORCED, question) for _ in range(3)]
+        for false in forced:
+            if twins.force(false) == "accepted":
+                self.assertEqual({s["verdict"] for s in false["statements"]}, {kind}, false)
+        for verdict in lacking(MUTANT, question):
+            twins.spoil(top if verdict == kind else top_of(forced_statement(given, statement, verdict, dice)), dice)
 
     def test_common_parts_of_half_planes(self):
         dice, twins, kinds = dice_of(41), Twins(self), []
-        for _ in range(some(700)):
+        while len(kinds) < some(300) or lacking(FORCED, "half_planes") or lacking(MUTANT, "half_planes"):
             given = some_half_planes(dice)
             kinds.append(kind_of_region(given))
-            self.check(given, kinds[-1], about_half_planes(given), twins, dice, 8)
+            self.check(given, kinds[-1], about_half_planes(given), twins, dice)
         twins.compare()
         if some(100) < 100:
             return  # too few for the rates below
         for kind in (*KINDS, "empty"):
             self.assertGreater(kinds.count(kind), 0, kind)
         for refusal in ("F", "sides", "cones", "contradict"):
-            self.assertGreater(twins.outcomes.count(refusal), 0, refusal)
+            self.assertGreater(twins.tally().get(refusal, 0), 0, refusal)
 
     def test_no_evidence_at_all_proves_another_kind(self):
         """All lists of sides, with the cones that fit."""
@@ -222,7 +267,7 @@ class RegionsTest(unittest.TestCase):
 
     def test_kernels(self):
         dice, twins, kinds = dice_of(43), Twins(self), set()
-        while len(twins.tops) < some(2000):
+        while twins.count < some(1000) or lacking(FORCED, "kernel") or lacking(MUTANT, "kernel"):
             ring = [(dice.randint(0, 4), dice.randint(0, 4)) for _ in range(dice.randint(3, 5))]
             area = sum(turn(p, q) for p, q in zip(ring, ring[1:] + ring[:1]))
             if not area or any(p == q for p, q in zip(ring, ring[1:] + ring[:1])):
@@ -233,13 +278,13 @@ class RegionsTest(unittest.TestCase):
             kinds.add(kind_of_region(given))
             rings = vertex_rows([[(0, 0), (0, 7), (9, 9)], ring])
             self.check(given, kind_of_region(given), lambda statement: file_of(
-                {"rings": rings}, {"question": "kernel", "ring": 1, **statement}), twins, dice, 3)
+                {"rings": rings}, {"question": "kernel", "ring": 1, **statement}), twins, dice)
         twins.compare()
         self.assertTrue(some(100) < 100 or kinds >= {"empty", "bounded", "point"}, kinds)
 
     def test_common_parts_of_convex_polygons(self):
-        dice, twins, kinds = dice_of(44), Twins(self), []
-        while len(twins.tops) < some(1500):
+        dice, twins, kinds, question = dice_of(44), Twins(self), [], "convex_polygons_common_part"
+        while twins.count < some(1000) or lacking(FORCED, question) or lacking(MUTANT, question):
             polygons = [some_convex(dice) for _ in range(dice.randint(0, 2))]
             given = [h for polygon in polygons for h in numbered(polygon)]
             if len(given) > 8:
@@ -248,11 +293,11 @@ class RegionsTest(unittest.TestCase):
             self.assertEqual(kinds[-1], kind_of_region(given))
             rows = vertex_rows(polygons)
             self.check(given, kinds[-1], lambda statement: file_of(
-                {"convex_polygons": rows}, {"question": "convex_polygons_common_part", **statement}), twins, dice, 2)
+                {"convex_polygons": rows}, {"question": question, **statement}), twins, dice)
             for polygon in polygons:
                 if len(polygon) > 2:
                     top = file_of({"convex_polygons": vertex_rows([polygon[::-1]])},
-                                  {"question": "convex_polygons_common_part", "verdict": "empty", "claims": []})
+                                  {"question": question, "verdict": "empty", "claims": []})
                     self.assertEqual(twins.look(top), "F")
         twins.compare()
         self.assertTrue(some(100) < 100 or set(kinds) >= {"empty", "bounded", "point", "segment", "plane"}, set(kinds))
@@ -382,29 +427,33 @@ def forced_arcs(statement, size, dice):
 
 class DiscsTest(unittest.TestCase):
     def test_each_common_part_is_proved_and_no_other(self):
-        dice, twins = dice_of(45), Twins(self)
-        while len(twins.tops) < some(4000):
+        dice, twins, question = dice_of(45), Twins(self), "circles_common_part"
+        while twins.count < some(1500) or lacking(FORCED, question) or lacking(MUTANT, question):
             discs = some_discs(dice)
             statement = statement_of(discs)
             self.assertIsNotNone(statement, discs)
-            self.assertEqual(twins.look(about_discs(discs, statement)), "accepted", twins.tops[-1])
-            for _ in range(8):
-                top = spoilt_in_statements(about_discs(discs, statement), dice)
-                if twins.look(top) == "accepted":
-                    self.assertEqual({s["verdict"] for s in top["statements"]}, {statement["verdict"]}, top)
-                twins.look(spoilt(about_discs(discs, statement), dice))
-        twins.look(about_discs([], statement_of([])))
-        self.assertEqual(twins.outcomes[-1], "accepted")
+            top = about_discs(discs, statement)
+            self.assertEqual(twins.look(top), "accepted", top)
+            forced = [spoilt_in_statements(top, dice) for _ in range(2)]
+            forced += [about_discs(discs, forced_about_discs(discs, statement, verdict, dice))
+                       for verdict in lacking(FORCED, question) for _ in range(4)]
+            for false in forced:
+                if twins.force(false) == "accepted":
+                    self.assertEqual({s["verdict"] for s in false["statements"]}, {statement["verdict"]}, false)
+            for verdict in lacking(MUTANT, question):
+                twins.spoil(top if verdict == statement["verdict"] else
+                            about_discs(discs, forced_about_discs(discs, statement, verdict, dice)), dice)
+        self.assertEqual(twins.look(about_discs([], statement_of([]))), "accepted")
         twins.compare()
         if some(100) < 100:
             return
         for refusal in ("F", "in_discs", "powers", "arcs", "weights"):
-            self.assertGreater(twins.outcomes.count(refusal), 0, refusal)
+            self.assertGreater(twins.tally().get(refusal, 0), 0, refusal)
 
     def test_parts_of_many_discs(self):
         """Chains of halves prove the whole; whatever they are, the arcs that are accepted are those that bound it."""
         dice, twins, tally = dice_of(47), Twins(self), {}
-        while len(twins.tops) < some(1200):
+        while twins.count < some(800):
             discs = []
             for _ in range(dice.choice((9, 10, 17, 20, 40))):
                 x, y = dice.gauss(0, 1), dice.gauss(0, 1)
@@ -419,7 +468,7 @@ class DiscsTest(unittest.TestCase):
             self.assertEqual(twins.look(top), "accepted", top)
             for _ in range(20):
                 forced = forced_arcs(statement, len(discs), dice)
-                said = twins.look(file_of({"circles": rows}, {"question": "circles_common_part", **forced}))
+                said = twins.force(file_of({"circles": rows}, {"question": "circles_common_part", **forced}))
                 tally[said] = tally.get(said, 0) + 1
                 if said == "accepted":
                     named = forced["arcs"]
@@ -466,4 +515,4 @@ class DiscsTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()
