@@ -7,7 +7,7 @@
 #   bench [OPTIONS]     run the benchmarks against other libraries; --check: the ratios that are promised
 #   check [PART...]     lint (of what has changed since scripts/lint.base), sanitizers, fuzzers, the Python verifier
 #                       (20 minutes); parts: format headers tidy sanitize fuzz verify
-#   soak [PART...]      hours: parts: differential[=FROM-TO] tsan clang fuzz coverage lint
+#   soak [PART...]      hours: parts: differential[=FROM-TO] claims tsan clang fuzz coverage lint
 #   docs                check the pages, and list them
 #   help                this text
 #
@@ -511,10 +511,10 @@ part_verify() {
 
 command_soak() {
   local part
-  [ $# -gt 0 ] || set -- clang tsan coverage fuzz lint differential
+  [ $# -gt 0 ] || set -- clang tsan coverage fuzz lint claims differential
   for part in "$@"; do
     case $part in
-      differential | differential=[0-9]*-[0-9]* | tsan | clang | fuzz | coverage | lint) ;;
+      differential | differential=[0-9]*-[0-9]* | claims | tsan | clang | fuzz | coverage | lint) ;;
       *) wrong_call "soak has no part '$part'" ;;
     esac
   done
@@ -540,6 +540,21 @@ part_differential() {
     done
   done
   [ -n "$found" ] || { say "There is no test named *_differential_test."; return 1; }
+  return "$result"
+}
+
+# Of each statement of certificate files: 100,000 forced ones, which both checkers may accept where brute force says that they
+# are true only, and 10,000 spoilt ones, about which they agree.
+part_claims() {
+  local test name result=0
+  configure release "$CXX" -DSUNDER_TESTS=ON || return 1
+  build release sunder_cli || return 1
+  for test in verifier/python/tests/test_*.py; do
+    name=$(basename "$test" .py)
+    SUNDER_PROGRAM=$root/build/bin/sunder SUNDER_TEST_SCALE=${SUNDER_TEST_SCALE:-250} \
+      run "soak-claims-$name" "$name" python3 "$test" || result=1
+    grep -E '^(question|[a-z_]+ .* [0-9]+ +[0-9]+ +[0-9]+$)' "$log_folder/soak-claims-$name.log" || true
+  done
   return "$result"
 }
 

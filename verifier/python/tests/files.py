@@ -18,7 +18,7 @@ SCALE = float(os.environ.get("SUNDER_TEST_SCALE", "1"))
 
 
 def some(count):
-    """So many, at the scale that is asked for; 20 times as many at most. What goes on beyond are the tries of each statement."""
+    """So many, at the scale that is asked for; 20 times at most: beyond, only tries of statements become more."""
     return max(1, int(count * min(SCALE, 20)))
 
 
@@ -56,7 +56,7 @@ def outcome(top):
 
 
 def outcomes_of_twin(texts):
-    """The same by `sunder verify`, in one call. Files are in memory, where that is a folder: making one takes long elsewhere."""
+    """The same by `sunder verify`, in one call. Files are in memory, if that is a folder: elsewhere they take long."""
     with tempfile.TemporaryDirectory(dir="/dev/shm" if os.access("/dev/shm", os.W_OK) else None) as folder:
         names = [os.path.join(folder, str(i)) for i in range(len(texts))]
         for name, text in zip(names, texts):

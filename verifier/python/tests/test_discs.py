@@ -5,7 +5,8 @@ import unittest
 from decimal import Decimal
 from fractions import Fraction
 
-from files import FORCED, MUTANT, Twins, dice_of, file_of, fraction, hexadecimal, lacking, main, some, spoilt_in_statements
+from files import (FORCED, MUTANT, Twins, dice_of, file_of, fraction, hexadecimal, lacking, main, some,
+                   spoilt_in_statements)
 from sunder_verify import reader, rules, tables
 
 ALLOWED = ("nothing", "shared-endpoint", "touch")
@@ -64,8 +65,8 @@ def some_of(discs, dice):
     point = dice.choice([(a + along * (c - a), b + along * (d - b))] * 5 + [(Fraction(a), Fraction(d)), (c + s, d)])
     holds = all((point[0] - x) ** 2 + (point[1] - y) ** 2 <= q * q for x, y, q in (discs[i], discs[j]))
     truth = holds and [*sorted((i, j)), kind] in contacts_of(discs, allowed, groups)
-    return certificate(discs, allowed, groups, {"verdict": "some", "i": i, "j": j, "kind": kind or "touching",
-                                                "point": [fraction(x) for x in point], "claims": [{"claim": "contact"}]}), truth
+    said = {"verdict": "some", "i": i, "j": j, "kind": kind or "touching", "point": [fraction(x) for x in point]}
+    return certificate(discs, allowed, groups, {**said, "claims": [{"claim": "contact"}]}), truth
 
 
 def is_true(top):
@@ -109,10 +110,11 @@ class DiscsTest(unittest.TestCase):
             discs = some_discs(dice)
             groups, allowed = some_groups(discs, dice), dice.choice(ALLOWED)
             said = covers(discs, allowed, groups, dice)
-            forced = [spoilt_in_statements(certificate(discs, allowed, groups, one), dice) for one in said for _ in range(2)]
+            forced = [spoilt_in_statements(certificate(discs, allowed, groups, one), dice) for one in said * 2]
             contacts = [c for c in said[0]["contacts"] if dice.random() < .8]
-            forced += [certificate(discs, allowed, groups, {**more, "claims": said[0]["claims"]}) for more in (
-                {"verdict": "none"}, {"verdict": "count", "number": len(contacts)}, {"verdict": "these", "contacts": contacts})]
+            for more in ({"verdict": "none"}, {"verdict": "count", "number": len(contacts)},
+                         {"verdict": "these", "contacts": contacts}):
+                forced.append(certificate(discs, allowed, groups, {**more, "claims": said[0]["claims"]}))
             for top in forced:
                 if twins.force(top) == "accepted":
                     self.assertTrue(is_true(top), top)

@@ -4,7 +4,8 @@ import json
 import unittest
 from fractions import Fraction
 
-from files import FORCED, MUTANT, Twins, dice_of, file_of, fraction, hexadecimal, lacking, main, some, spoilt_in_statements
+from files import (FORCED, MUTANT, Twins, dice_of, file_of, fraction, hexadecimal, lacking, main, some,
+                   spoilt_in_statements)
 
 
 def solution_or_proof(columns, wanted):

@@ -5,7 +5,8 @@ import math
 import unittest
 from fractions import Fraction
 
-from files import FORCED, MUTANT, Twins, dice_of, file_of, fraction, hexadecimal, lacking, main, outcome, some, spoilt_in_statements
+from files import (FORCED, MUTANT, Twins, dice_of, file_of, fraction, hexadecimal, lacking,
+                   main, outcome, some, spoilt_in_statements)
 from sunder_verify import arcs, reader, tables
 from test_pairs import solution_or_proof
 
