@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 #include <tests/support/scale.h>
-#include <verifier/sunder_verify.h>
+#include <verifier/cpp/verify.h>
 #include <nlohmann/json.hpp>
 
 #include <map>

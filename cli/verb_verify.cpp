@@ -6,7 +6,7 @@
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
 
-#include <verifier/sunder_verify.h>
+#include <verifier/cpp/verify.h>
 
 #include <fmt/format.h>
 #include <CLI/App.hpp>
@@ -121,7 +121,6 @@ std::string human_text(const File& file) {
   std::string text = fmt::format("{}: {}: {} of {} accepted{}\n", file.name, file.holds() ? "accepted" : "REFUSED",
                                  file.accepted_pairs(),
                                  count_of(result.pairs.size(), file.is_set ? "statement" : "pair"), counts_text(file));
-  if (!result.note.empty()) text += fmt::format("  note: {}\n", io::one_line(result.note));
   for (const InputFile& input : file.made_of) text += fmt::format("  made of {}\n", io::one_line(input.name));
   for (const InputFile& input : file.not_made_of) {
     text += fmt::format("  not made of {}: it names no file with its SHA-256, {}\n", io::one_line(input.name),
@@ -153,7 +152,6 @@ Json report(const File& file) {
             {"answer", file.holds() ? "accepted" : "refused"},
             {file.is_set ? "statements" : "pairs", result.pairs.size()}};
   for (const auto& [verdict, count] : file.accepted) json[verdict] = count;
-  if (!result.note.empty()) json["note"] = result.note;
   if (!result.left_out.empty()) json["left_out"] = result.left_out;
   for (const sunder_verifier::FileInput& input : result.inputs) {
     json["inputs"].push_back({{"name", input.name}, {"sha256", input.sha256}});

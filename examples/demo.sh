@@ -40,8 +40,8 @@ echo "which has no shape). No other pair is excused."
 echo "report: $out/panda.json"
 
 say "Every answer is proved. A short verifier in Python, which shares no code with Sunder, checks all proofs:"
-show "python3 verifier/sunder_verify.py $proofs | tail -n 1"
-python3 verifier/sunder_verify.py "$proofs" > "$out/verified.txt" || fail "the Python verifier refuses: $out/verified.txt"
+show "python3 verifier/python/sunder_verify $proofs | tail -n 1"
+python3 verifier/python/sunder_verify "$proofs" > "$out/verified.txt" || fail "the Python verifier refuses: $out/verified.txt"
 tail -n 1 "$out/verified.txt"
 show "sunder verify $proofs"
 "$program" verify "$proofs" || fail "sunder verify refuses"
@@ -49,9 +49,9 @@ show "sunder verify $proofs"
 say "One digit of one proof changed, and it is refused:"
 show "python3 examples/change_a_digit.py $proofs > $out/changed.json"
 python3 examples/change_a_digit.py "$proofs" > "$out/changed.json"
-show "python3 verifier/sunder_verify.py --quiet $out/changed.json"
+show "python3 verifier/python/sunder_verify --quiet $out/changed.json"
 code=0
-python3 verifier/sunder_verify.py --quiet "$out/changed.json" || code=$?
+python3 verifier/python/sunder_verify --quiet "$out/changed.json" || code=$?
 [ $code -eq 1 ] || fail "the Python verifier did not refuse the changed proof"
 show "sunder verify $out/changed.json"
 code=0
@@ -76,8 +76,8 @@ say "The coastlines of the world: does any cross itself or another? (Segments th
 show "sunder segments $coast --allow shared-endpoint --certificate $out/coast.proof.json"
 "$program" segments "$coast" --allow shared-endpoint --certificate "$out/coast.proof.json" \
   || fail "expected that none meet (exit code 0)"
-show "python3 verifier/sunder_verify.py $out/coast.proof.json"
-python3 verifier/sunder_verify.py "$out/coast.proof.json" || fail "the Python verifier refuses"
+show "python3 verifier/python/sunder_verify $out/coast.proof.json"
+python3 verifier/python/sunder_verify "$out/coast.proof.json" || fail "the Python verifier refuses"
 show "sunder verify $out/coast.proof.json"
 "$program" verify "$out/coast.proof.json" || fail "sunder verify refuses"
 
@@ -120,7 +120,7 @@ show "sunder region cases/half-planes/co2.csv --certificate $out/co2.json"
 code=0
 "$program" region cases/half-planes/co2.csv --certificate "$out/co2.json" || code=$?
 [ $code -eq 1 ] || fail "expected that there is none (exit code 1), but the exit code is $code"
-python3 verifier/sunder_verify.py "$out/co2.json" || fail "the Python verifier refuses"
+python3 verifier/python/sunder_verify "$out/co2.json" || fail "the Python verifier refuses"
 say "And through those of the first five years? The steepest:"
 show "sunder region cases/half-planes/co2-five-years.csv --maximize 1,0 --svg $out/co2.svg"
 "$program" region cases/half-planes/co2-five-years.csv --maximize 1,0 --svg "$out/co2.svg" || fail "expected that there is one"

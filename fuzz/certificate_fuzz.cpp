@@ -1,6 +1,6 @@
 // Fuzzes the C++ verifier: any text gets a consistent result, without a throw, a crash or much memory.
 // Seeds: cases/certificates/accepted and cases/certificates/refused.
-#include "../verifier/sunder_verify.h"
+#include <verifier/cpp/verify.h>
 
 #include <algorithm>
 #include <array>

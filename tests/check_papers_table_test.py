@@ -12,13 +12,13 @@ FILES = {
     "sunder/solid/pair/x.h": "int by_drums();\n",
     "sunder/solid/pair/x_test.cpp": "TEST(X, Grows) {}\n",
     "bench/pair.cpp": "\n",
-    "docs/certificates.md": "\n",
+    "docs/claims.md": "\n",
     "docs/papers/README.md": "No table here.\n",
 }
 HEAD = "# A paper\n\n| symbol | here |\n|---|---|\n| n | size |\n\n"
 COLUMNS = "| Item | File | Test | Benchmark | Certificate | Command | Departure |\n|---|---|---|---|---|---|---|\n"
 BUILT = ("| Theorem 1 | `sunder/solid/pair/x.h` `by_drums` | `sunder/solid/pair/x_test.cpp` `X.Grows` | bench/pair.cpp "
-         "| apart, [meet](../certificates.md#meet) | `sunder pair a b` | a \\| b |\n")
+         "| apart, [meet](../claims.md#meet) | `sunder pair a b` | a \\| b |\n")
 PLANNED = "| Lemma 2 | not yet | not yet | - | - | - | |\n"
 GOOD = HEAD + COLUMNS + BUILT + PLANNED + "\n```\n| item | file |\n```\n"
 
@@ -34,7 +34,7 @@ BAD = {
     "a file that is not": ("pair/x.h`", "pair/y.h`", "T4"),
     "a test that is not": ("x_test.cpp", "y_test.cpp", "T4"),
     "a benchmark that is not": ("bench/pair.cpp", "bench/other.cpp", "T4"),
-    "a link that is not": ("../certificates.md", "../other.md", "T4"),
+    "a link that is not": ("../claims.md", "../other.md", "T4"),
     "a folder for a file": ("`sunder/solid/pair/x.h`", "`sunder/solid/pair`", "T4"),
     "a word for a file": ("| - | - | - | |", "| soon | - | - | |", "T4"),
     "a function that is not": ("`by_drums`", "`by_polar`", "T5"),

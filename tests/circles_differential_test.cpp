@@ -6,7 +6,7 @@
 #include <sunder/planar/set/circles_all.h>
 #include <sunder/planar/set/circles_any.h>
 #include <sunder/planar/set/circles_any_json.h>
-#include <verifier/sunder_verify.h>
+#include <verifier/cpp/verify.h>
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <sunder/planar/pair/contact_evidence.h>
 #include <sunder/planar/pair/polygon_polygon.h>
 
-#include <verifier/sunder_verify.h>
+#include <verifier/cpp/verify.h>
 
 #include <gtest/gtest.h>
 

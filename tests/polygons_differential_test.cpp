@@ -12,7 +12,7 @@
 #include <sunder/planar/set/polygons_any.h>
 #include <sunder/planar/set/polygons_json.h>
 #include <sunder/predicate/orient.h>
-#include <verifier/sunder_verify.h>
+#include <verifier/cpp/verify.h>
 
 #include <gtest/gtest.h>
 

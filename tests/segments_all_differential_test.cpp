@@ -5,7 +5,7 @@
 
 #include <sunder/planar/set/segments_all.h>
 #include <sunder/planar/set/segments_json.h>
-#include <verifier/sunder_verify.h>
+#include <verifier/cpp/verify.h>
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include <sunder/planar/set/polygon_simple.h>
 #include <sunder/planar/set/polygons_json.h>
 #include <tests/support/scale.h>
-#include <verifier/sunder_verify.h>
+#include <verifier/cpp/verify.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

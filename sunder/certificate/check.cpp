@@ -10,7 +10,7 @@ namespace {
 
 // Is there a direction at all: are its indices in range, and its numbers such as exact arithmetic can hold?
 bool names_a_direction(const Direction& d, std::size_t n_a, std::size_t n_b) {
-  constexpr std::int64_t most = 20000;  // the exponents of certificate files: docs/certificates.md
+  constexpr std::int64_t most = 20000;  // the exponents of certificate files: docs/claims.md
   const auto in_a = [&](std::size_t k) { return d.index[k] < n_a; };
   const auto in_b = [&](std::size_t k) { return d.index[k] < n_b; };
   switch (d.kind) {

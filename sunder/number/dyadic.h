@@ -39,7 +39,7 @@ class Dyadic {
   // The nearest double, ties to even; infinite beyond the range.
   double nearest() const;
 
-  // The form 0xH p E of docs/certificates.md, and back to the same number by any reader of that form.
+  // The form 0xH p E of docs/claims.md, and back to the same number by any reader of that form.
   std::string hexadecimal() const;
 
   friend Dyadic operator-(const Dyadic& a);

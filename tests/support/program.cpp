@@ -73,7 +73,7 @@ json Program::report(const std::string& arguments, int code) const {
 }
 
 bool Program::python_accepts(const std::string& file) {
-  const std::string verifier = source_folder() + "/verifier/sunder_verify.py";
+  const std::string verifier = source_folder() + "/verifier/python/sunder_verify";
   return std::system(("python3 '" + verifier + "' --quiet '" + file + "' > /dev/null").c_str()) == 0;
 }
 

@@ -1,6 +1,6 @@
 // The rules about convex bodies: docs/claims.md, "Rules", from `parted` to `inside`.
+#include <verifier/cpp/reader.h>
 #include <verifier/cpp/rules.h>
-#include <verifier/statement.h>
 
 #include <algorithm>
 #include <string>

@@ -1,6 +1,6 @@
 // Contacts of discs: docs/claims.md, "contact" and "cover".
+#include <verifier/cpp/reader.h>
 #include <verifier/cpp/rules.h>
-#include <verifier/statement.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // Claims about half-planes: docs/claims.md, "Rules".
+#include <verifier/cpp/reader.h>
 #include <verifier/cpp/rules.h>
-#include <verifier/statement.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // long because: it is the list of all questions, each with what it says and brings.
 #include <verifier/cpp/questions.h>
+#include <verifier/cpp/reader.h>
 #include <verifier/cpp/rules.h>
-#include <verifier/statement.h>
 
 #include <algorithm>
 #include <memory>

@@ -1,6 +1,6 @@
+#include <verifier/cpp/reader.h>
 #include <verifier/cpp/rules.h>
 #include <verifier/cpp/sweep.h>
-#include <verifier/statement.h>
 
 #include <algorithm>
 #include <functional>

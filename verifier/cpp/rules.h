@@ -2,8 +2,8 @@
 // throws Refused, with its name, where the claim does not hold.
 #pragma once
 
+#include <verifier/cpp/reader.h>
 #include <verifier/cpp/tables.h>
-#include <verifier/statement.h>
 
 #include <array>
 #include <compare>

@@ -1,8 +1,8 @@
 // The list of a sweep over segments: docs/claims.md, "Sweeps".
 #pragma once
 
+#include <verifier/cpp/reader.h>
 #include <verifier/cpp/rules.h>
-#include <verifier/statement.h>
 
 #include <cstddef>
 #include <string>

@@ -2,7 +2,7 @@
 // is refused by rule F.
 #pragma once
 
-#include <verifier/statement_reader.h>
+#include <verifier/cpp/reader.h>
 
 #include <array>
 #include <cstddef>

@@ -3,7 +3,7 @@
 // The answer is exactly right for the doubles given, whatever the position: vertical, horizontal, collinear,
 // overlapping, zero-length, repeated segments, many through one point. It comes with its evidence: two segments that
 // meet in a way that counts, or a transcript of a sweep that proves that there are none (certificate format:
-// docs/certificates.md).
+// docs/claims.md).
 //   P1. meet() is true iff some two segments have a contact whose kind counts under the rule.
 //   P2. The contact named counts; it need not be the leftmost, nor the same for all methods.
 //   P3. The answer does not depend on the compiler.

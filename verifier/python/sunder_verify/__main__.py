@@ -1,4 +1,4 @@
-"""Checks certificate files of Sunder: python3 -m sunder_verify FILE...
+"""Checks certificate files of Sunder: python3 -m sunder_verify FILE..., or the path of this folder for -m and its name.
 
 Exit code: 0 all accepted, 1 something refused, 2 a file that cannot be read, or checked within the limits, or a bad call,
 3 an internal error or too little memory. Of many files each is told about; the greatest code counts.
@@ -9,7 +9,10 @@ import os
 import stat
 import sys
 
-from . import Refused, Unreadable, verify
+if not __package__:  # called by the folder's path
+    sys.path[0] = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+
+from sunder_verify import Refused, Unreadable, verify  # noqa: E402
 
 MAX_STREAM = 1 << 28  # bytes of what is no regular file
 
@@ -41,7 +44,7 @@ def check_file(file, options):
     try:
         report = verify(read_file(file), not options.no_limit)
     except Refused as error:
-        print("%s: refused: %s: %s" % (name, *error.args))
+        print("%s: refused: %s: %s" % (name, error.args[0], shown(error.args[1])))
         return 1, 0, 0
     except (OSError, Unreadable) as error:
         sys.stdout.flush()  # what is known of the files before
@@ -55,8 +58,9 @@ def check_file(file, options):
     for i, (question, words, verdict, refusal) in enumerate(report.statements):
         bad += refusal is not None
         if refusal or not options.quiet:
-            print("%s: statement %d: %s: %s: %s: %s" % (name, i, question, ", ".join(map(in_quotes, words)), verdict,
-                                                        "refused: %s: %s" % refusal if refusal else "accepted"))
+            said = ": ".join(filter(None, (question, ", ".join(map(in_quotes, words)), verdict)))
+            outcome = "refused: %s: %s" % (refusal[0], shown(refusal[1])) if refusal else "accepted"
+            print("%s: statement %d: %s: %s" % (name, i, said, outcome))
     return 1 if bad else 0, len(report.statements) - bad, bad
 
 

@@ -5,6 +5,7 @@ A number is kept as (n, d, e), meaning n / d * 2^e with d > 0. Tables are kept a
 import json
 import math
 import re
+import sys
 
 MAX_CHARACTERS = 20000  # of a number
 MAX_EXPONENT = 20000    # E of a hexadecimal number, either sign
@@ -18,6 +19,9 @@ ESCAPE = re.compile(r"\\(?:u[dD][89abAB][0-9a-fA-F]{2}\\u[dD][c-fC-F][0-9a-fA-F]
 HEXADECIMAL = re.compile(r"(-?)0x([0-9a-fA-F]+)(?:\.([0-9a-fA-F]+))?p([+-]?[0-9]+)")
 DECIMAL = re.compile(r"(-?[0-9]+)(?:/([0-9]+))?")
 SHA256 = re.compile(r"[0-9a-f]{64}")
+
+if hasattr(sys, "set_int_max_str_digits"):
+    sys.set_int_max_str_digits(0)  # MAX_CHARACTERS bounds them
 
 
 class Unreadable(Exception):

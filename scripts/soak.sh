@@ -1,0 +1,84 @@
+# The parts of ./do soak, which reads this file: hours of tests, with what ./do has to run them.
+command_soak() {
+  local part
+  [ $# -gt 0 ] || set -- clang tsan coverage fuzz lint claims differential
+  for part in "$@"; do
+    case $part in
+      differential | differential=[0-9]*-[0-9]* | claims | tsan | clang | fuzz | coverage | lint) ;;
+      *) wrong_call "soak has no part '$part'" ;;
+    esac
+  done
+  need_to_test
+  need_clang
+  case " $* " in *" coverage "*) need gcovr ;; esac
+  pick_compiler
+  SUNDER_FUZZ_SECONDS=${SUNDER_FUZZ_SECONDS:-600} run_parts "$@"
+}
+
+# 20 slices of 25 times the usual number of instances, each with seeds of its own: 10 million of what has 20,000.
+part_differential() {
+  local from=1 to=20 slice program result=0 found=
+  case $1 in *-*) from=${1%-*} to=${1#*-} ;; esac
+  configure release "$CXX" -DSUNDER_TESTS=ON || return 1
+  build release || return 1
+  for ((slice = from; slice <= to; ++slice)); do
+    for program in build/tests/*_differential_test; do
+      [ -x "$program" ] || continue
+      found=1
+      SUNDER_TEST_SCALE=${SUNDER_TEST_SCALE:-25} SUNDER_TEST_SEED=$slice \
+        run "soak-$(basename "$program")-$slice" "$(basename "$program"), slice $slice" "$program" || result=1
+    done
+  done
+  [ -n "$found" ] || { say "There is no test named *_differential_test."; return 1; }
+  return "$result"
+}
+
+# Of each statement of certificate files: 100,000 forced ones, which both checkers may accept where brute force says that they
+# are true only, and 10,000 spoilt ones, about which they agree.
+part_claims() {
+  local test name result=0
+  configure release "$CXX" -DSUNDER_TESTS=ON || return 1
+  build release sunder_cli || return 1
+  for test in verifier/python/tests/test_*.py; do
+    name=$(basename "$test" .py)
+    SUNDER_PROGRAM=$root/build/bin/sunder SUNDER_TEST_SCALE=${SUNDER_TEST_SCALE:-250} \
+      run "soak-claims-$name" "$name" python3 "$test" || result=1
+    grep -E '^(question|[a-z_]+ .* [0-9]+ +[0-9]+ +[0-9]+$)' "$log_folder/soak-claims-$name.log" || true
+  done
+  return "$result"
+}
+
+part_tsan() {
+  configure tsan "$CXX" || return 1
+  build tsan || return 1
+  local suppressions=
+  [ ! -f tests/tsan.suppressions ] || suppressions=suppressions=$root/tests/tsan.suppressions
+  SUNDER_TEST_SCALE=${SUNDER_TEST_SCALE:-0.02} TSAN_OPTIONS="halt_on_error=1 $suppressions" \
+    run_tests tsan tsan --label-regex '^(unit|tests|example)$' --label-exclude '^slow$'
+}
+
+# All tests with Clang, without precompiled headers; then the same certificates, byte for byte, as with the other compiler.
+part_clang() {
+  configure clang "clang++-$clang" -DSUNDER_PRECOMPILED_HEADERS=OFF || return 1
+  build clang || return 1
+  run_tests clang clang || return 1
+  configure release "$CXX" -DSUNDER_TESTS=ON || return 1
+  build release certificate_sample planar_certificate_sample segments_certificate_sample \
+    sets_certificate_sample || return 1
+  compare_compilers() {
+    certificates build/certificates build 2000 && certificates build/clang/certificates build/clang 2000 &&
+      diff -rq -x verdicts build/certificates build/clang/certificates
+  }
+  run compare "$CXX and clang++-$clang write the same certificates" compare_compilers
+}
+
+part_coverage() {
+  configure coverage g++ || return 1
+  build coverage || return 1
+  find build/coverage -name '*.gcda' -delete
+  SUNDER_TEST_SCALE=${SUNDER_TEST_SCALE:-0.02} run_tests coverage coverage-tests --label-exclude '^slow$' || return 1
+  run coverage "Counting lines" gcovr --root . --filter sunder/ --filter cli/ --filter verifier/ \
+    --exclude '.*_test\.cpp' --exclude-throw-branches --sort-uncovered build/coverage || return 1
+  tail -n 3 "$log_folder/coverage.log"
+  say "By file: $root/$log_folder/coverage.log"
+}

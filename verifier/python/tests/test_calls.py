@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""The corpus of cases/certificates, and what the Python checker prints when it is called."""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+CASES = os.path.join(HERE, "..", "..", "..", "cases", "certificates")
+PACKAGE = os.path.join(os.path.dirname(HERE), "sunder_verify")
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(HERE))
+import sunder_verify  # noqa: E402
+
+
+def read(file):
+    with open(os.path.join(CASES, file), "rb") as stream:
+        return stream.read()
+
+
+def expected_table():
+    return [line.split("\t") for line in read("EXPECTED.tsv").decode().splitlines()[1:]]
+
+
+def outcome(data):
+    """'-' if accepted, 'unreadable', or the first rule that fails."""
+    try:
+        report = sunder_verify.verify(data)
+    except sunder_verify.Unreadable:
+        return "unreadable"
+    except sunder_verify.Refused as error:
+        return error.args[0]
+    return next((refusal[0] for *_, refusal in report.statements if refusal), "-")
+
+
+class Corpus(unittest.TestCase):
+    def test_each_file_meets_its_expectation(self):
+        count = {}
+        for file, rule, what in expected_table():
+            with self.subTest(file=file, what=what):
+                self.assertEqual(outcome(read(file)), rule)
+            count[rule] = count.get(rule, 0) + 1
+        for rule in ("-", "unreadable", "F", "parted", "holds", "sweep", "sides", "cover"):
+            self.assertGreaterEqual(count[rule], 5)
+
+    def test_index_and_folders_agree(self):
+        present = {folder + "/" + file for folder in ("accepted", "refused")
+                   for file in os.listdir(os.path.join(CASES, folder))}
+        self.assertEqual(sorted(row[0] for row in expected_table()), sorted(present))
+
+
+class Calls(unittest.TestCase):
+    def call(self, *arguments, how=(PACKAGE,), where=CASES):
+        done = subprocess.run([sys.executable, *how, *arguments], cwd=where, capture_output=True, text=True)
+        return done.returncode, done.stdout, done.stderr
+
+    def test_accepted(self):
+        code, out, err = self.call("accepted/segments.json")
+        self.assertEqual((code, err), (0, ""))
+        self.assertEqual(out.splitlines()[0], 'accepted/segments.json: statement 0: pair: "X", "Y": meet: accepted')
+        self.assertEqual(out.splitlines()[4:], ["4 statements accepted, 0 refused: accepted"])
+        as_module = self.call(os.path.join(CASES, "accepted", "segments.json"), "--quiet", how=("-m", "sunder_verify"),
+                              where=os.path.dirname(PACKAGE))
+        self.assertEqual(as_module, (0, "", ""))
+
+    def test_refused(self):
+        code, out, err = self.call("refused/parted_second_statement.json", "accepted/segments.json", "--quiet")
+        self.assertEqual((code, err), (1, ""))
+        self.assertEqual(out, 'refused/parted_second_statement.json: statement 1: pair: "first", "third": apart: refused: '
+                              'parted: first is not strictly less far along the direction than third\n')
+        for file in ("refused/F_version_1.json", "refused/F_version_1_of_a_set.json"):
+            self.assertEqual(self.call(file, "--quiet"), (
+                1, file + ": refused: F: this is a certificate of version 1, which is no longer read; make it again\n", ""))
+
+    def test_what_was_left_out_is_always_told(self):
+        self.assertEqual(self.call("accepted/left_out.json", "--quiet"), (
+            0, "accepted/left_out.json: left out: \"1 cylinder of 'arm'\\u001b[2J\\u007f\\u009b, \\u00e4u\\u00dfere\"\n", ""))
+
+    def test_unreadable_files_and_bad_calls(self):
+        for arguments in (["refused/unreadable_comma.json"], ["no/such/file"], ["accepted"], [], ["--no-option", "x"]):
+            code, _, err = self.call(*arguments)
+            self.assertEqual((code, len(err.splitlines())), (2, 1), arguments)
+        self.assertIn("refused/unreadable_comma.json: line 9, column ", self.call("refused/unreadable_comma.json")[2])
+
+    def test_names_are_printed_as_ascii_on_one_line(self):
+        code, out, _ = self.call("accepted/spellings.json")
+        self.assertEqual((code, len(out.splitlines()), out.isascii()), (0, 3, True))
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "names.json")
+            with open(path, "wb") as file:
+                file.write(read("refused/parted_second_statement.json").replace(b'"first"', b'"fi\\nrst"'))
+            code, out, _ = self.call(path, "--quiet")
+            self.assertEqual((code, len(out.splitlines())), (1, 1), out)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,364 @@
+#!/usr/bin/env python3
+"""Tests of both checkers at their limits: hostile files of 1 MB, and what may go wrong around a file."""
+import json
+import math
+import os
+import random
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+CASES = os.path.join(HERE, "..", "..", "..", "cases", "certificates")
+PYTHON = [sys.executable, os.path.join(os.path.dirname(HERE), "sunder_verify")]
+PROGRAM = os.environ.get("SUNDER_PROGRAM", "")
+IS_SANITIZED = "asan" in PROGRAM or "tsan" in PROGRAM
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(HERE))
+from sunder_verify import __main__ as program, reader  # noqa: E402
+
+YARDSTICK = 0.15  # seconds of yardstick() where the limits are as they are said
+MOST_SECONDS = {"python": 20, "c++": 60 if IS_SANITIZED else 2}
+ZEROS = ["0x0p0"] * 3
+UNIT = ["0x1p0", "0x0p0", "0x0p0"] + ["0x0p0", "0x1p0", "0x0p0"] + ["0x0p0", "0x0p0", "0x1p0"]
+EXTREME = ["0x1p-1074", "0x1p1023", "0x1p1023"]  # long integers out of few letters
+EXPONENTS = ["0x1p20000", "0x1p-20000", "0x1p3"]
+RANDOM = random.Random(1)
+
+
+def digits(n):
+    return "1" + "".join(RANDOM.choices("0123456789", k=n - 1))
+
+
+def fraction(n):
+    return "%s/%s" % (digits(n // 2), digits(n // 2))
+
+
+def claimed(table, rows, *statements):
+    return {"sunder_certificate": 2, "tables": {table: rows}, "statements": list(statements)}
+
+
+def bodies(points, statements, name="a", linear=None):
+    """A body and an image of it, which the statements are about."""
+    return claimed("bodies", [{"name": "a", "points": points},
+                              {"name": name, "of": 0, "linear": linear or UNIT, "translation": ZEROS}], *statements)
+
+
+def apart(direction):
+    return {"question": "pair", "a": 1, "b": 1, "verdict": "apart", "claims": [{"claim": "parted", "direction": direction}]}
+
+
+def meet(count, length):
+    holds = {"claim": "holds", "weights": [[i, fraction(length)] for i in range(count)]}
+    return {"question": "pair", "a": 1, "b": 1, "verdict": "meet", "point": ["1", "1", "1"], "claims": [holds, holds]}
+
+
+def parabola(n):
+    return [["0x%xp0" % i, "0x%xp0" % (i * i)] for i in range(n)]
+
+
+def some_of(table, point, count, **more):
+    """The statement that two entries have this point in common, so many times."""
+    kind = {} if table == "polygons" else more
+    return [{"question": table, "allowed": "nothing", "verdict": "some", "i": 0, "j": 1, "point": point, **kind,
+             "claims": [{"claim": "common_point" if table == "polygons" else "contact"}]}] * count
+
+
+def common_discs(rows, claim, count=1, **said):
+    return claimed("circles", rows, *[{"question": "circles_common_part", **said, "claims": [{"claim": "in_discs"}, claim]}]
+                   * count)
+
+
+def region(rows, arcs, point=("0", "0"), count=1):
+    return common_discs(rows, {"claim": "arcs", "parts": [list(range(i, min(i + 8, len(rows)))) for i in range(0, len(rows), 8)]
+                               if len(rows) > 8 else []}, count, verdict="region", point=list(point), arcs=arcs)
+
+
+def powers(rows, weights, count):
+    return common_discs(rows, {"claim": "powers", "weights": weights}, count, verdict="point", point=["0", "0"])
+
+
+def ring_of_discs(n):
+    angles = [2 * math.pi * i / n for i in range(n)]
+    discs = [[math.cos(a).hex(), math.sin(a).hex(), "0x1.4p0"] for a in angles]
+    return region(discs, list(range(n)))
+
+
+def unbounded(point):
+    return {"question": "linear_program", "objective": ["-0x1p0", "0x0p0"], "verdict": "unbounded", "point": point,
+            "claims": [{"claim": "feasible"}, {"claim": "goes_on", "direction": ["-1", "0"]}]}
+
+
+def far_corner(half_plane, n):
+    rows = [["-0x1p-1074", "0x0p0", "0x0p0"], ["0x0p0", "-0x1p1023", "0x0p0"]] + [half_plane] * n
+    return claimed("half_planes", rows, {"question": "half_planes", "verdict": "unbounded", "sides": [0, 1],
+                                         "claims": [{"claim": "cones", "cones": [0] * (n + 2)}]})
+
+
+def swept(rows, events, **more):
+    return claimed("segments", rows, {"question": "segments", "allowed": "nothing", "verdict": "none", **more,
+                                      "claims": [{"claim": "none_counts", "events": events}]})
+
+
+def claimed_program(claims, **more):
+    return {"question": "linear_program", "objective": ["-0x1p0", "0x0p0"], **more, "claims": claims}
+
+
+def hatch(n):
+    """n lines one way, n the other, of long integers: their crossings, in no order."""
+    rows = [["0x1p-1074", "0x%xp0" % (2 * i), "0x1p900", "0x%xp0" % (4 * n - 2 * i)] for i in range(n)]
+    events = [[2 * i, i - 1, i] for i in range(n)] + [[-1, -1, n - 1 - i % n, i % (n - 1)] for i in range(30000)]
+    return swept(rows, events, groups=[1] * n)
+
+
+def one_crossing(n):
+    rows = [["0x0p0", "0x0p0", "0x1p1023", "0x1p1023"], ["0x0p0", "0x1p1023", "0x1p1023", "0x1p-1074"]]
+    return swept(rows, [[0, -1, 0], [2, 0, 1]] + [[-1, -1, 1, 0]] * n + [[1, -1], [3, -1]], groups=[1, 1])
+
+
+def fan(n):
+    """n long segments through one point, which is an event for each of them."""
+    rows = [["-0x1p1000", "-0x%xp900" % (i + 1), "0x1p1000", "0x%xp900" % (i + 1)] for i in range(n)]
+    first = [[2 * i, -1, i] for i in reversed(range(n))]
+    return swept(rows, first + [[-1, -1, *range(n)]] + [[2 * i + 1, -1] for i in range(n)], groups=[1] * n)
+
+
+HOSTILE = {  # about 1 MB each, but for those that need less
+    "many pairs of a large body": lambda: bodies([ZEROS] * 18000, [apart(["1", "0", "0"])] * 5500),
+    "the same, long integers": lambda: bodies([EXTREME] * 12000, [apart(["1", "0", "0"])] * 4500),
+    "long directions": lambda: bodies([EXTREME] * 11000, [apart([digits(20000), digits(20000), "1"])] * 8),
+    "exponents": lambda: bodies([EXTREME] * 1000, [apart(EXPONENTS)] * 7000),
+    "exponents, one vertex": lambda: bodies([EXTREME], [apart(EXPONENTS)] * 9000, linear=EXTREME + UNIT[3:]),
+    "16 long weights": lambda: bodies([EXTREME] * 16, [meet(16, 19990)]),
+    "16 weights, often": lambda: bodies([EXTREME] * 16, [meet(16, 1000)] * 31),
+    "4 long weights": lambda: bodies([EXTREME] * 16, [meet(4, 9000)] * 13),
+    "a long name": lambda: bodies([ZEROS], [apart(["1", "0", "0"])] * 6000, name="n" * 400000),
+    "a name, often": lambda: bodies([ZEROS], [apart(["1", "0", "0"])] * 9000, name="n" * 4000),
+    "convex polygons, often": lambda: claimed(
+        "convex_polygons", [[["0x%xp0" % i, "0x0p0"], ["0x%xp0" % (i + 1), "0x0p0"], ["0x0p0", "0x1p0"]] for i in range(9000)],
+        *[{"question": "convex_polygons_common_part", "verdict": "empty",
+           "claims": [{"claim": "contradict", "weights": [[0, "1"], [1, "1"]]}]}] * 4000),
+    "discs, often": lambda: region([["0x0p0", "0x0p0", "0x1p0"]] * 15000, [0], count=3),
+    "arcs": lambda: ring_of_discs(900),
+    "many arcs": lambda: ring_of_discs(9000),
+    "arcs of long integers": lambda: region([["0x1p-1074", "0x%xp0" % i, "0x1p900"] for i in range(3000)], list(range(3000))),
+    "a point of discs, often": lambda: powers([ZEROS] * 16000, [[0, "1"]], 3000),
+    "a long weight of a disc": lambda: powers([ZEROS] * 20000, [[0, digits(19000)]], 10),
+    "a point in large polygons, often": lambda: claimed(
+        "polygons", [[parabola(12000)]] * 2, *some_of("polygons", ["0", "0"], 3500)),
+    "a long point in large polygons": lambda: claimed(
+        "polygons", [[parabola(14000)]] * 2, *some_of("polygons", ["1/" + digits(19000), "0"], 10)),
+    "a long point in edges that go to and fro": lambda: claimed(
+        "polygons", [[[["0x%xp0" % (i % 2), "0x%xp0" % i] for i in range(20000)]]] * 2,
+        *some_of("polygons", ["1/" + digits(19000), "0"], 2)),
+    "a long point in discs": lambda: region([["0x0p0", "0x0p0", "0x1p0"]] * 30000, [0], ("1/" + digits(19000), "0"), 2),
+    "long points in two discs": lambda: claimed(
+        "circles", [["0x0p0", "0x0p0", "0x1p0"]] * 2,
+        *[some_of("circles", ["1/" + digits(900), "0"], 1, kind="inside")[0] for _ in range(900)]),
+    "linear programs": lambda: claimed("half_planes", [["0x1p0", "0x0p0", "0x0p0"]] * 18000,
+                                       *[unbounded(["0", "0"])] * 2500),
+    "linear programs with long points": lambda: claimed(
+        "half_planes", [["0x1p0", "0x0p0", "0x0p0"]] * 18000, *[unbounded(["-" + fraction(19900), "0"])] * 20),
+    "linear programs of long integers": lambda: claimed(
+        "half_planes", [["0x1p1000", "0x1p-1074", "0x0p0"]] * 15000, *[unbounded(["0", "0"])] * 2500),
+    "long half-planes": lambda: far_corner(["-0x1p-1074", "-0x1p1023", "0x1p0"], 24000),
+    "long arrows": lambda: far_corner(["0x0p0", "0x1p1023", "0x1p1023", "-0x1p-1074"], 17000),
+    "16 long weights": lambda: claimed("bodies", [{"name": "a", "points": [EXTREME] * 16}], {
+        "question": "pair", "a": 0, "b": 0, "verdict": "meet", "point": ["1", "1", "1"],
+        "claims": [{"claim": "holds", "weights": [[i, fraction(19000)] for i in range(16)]}] * 2}),
+    "a sweep over long integers": lambda: swept(
+        [["0x1p-1074", "0x%xp0" % i, "0x1p1023", "0x%xp0" % i] for i in range(9000)],
+        [[2 * i, i - 1, i] for i in range(9000)] + [[2 * i + 1, -1] for i in range(9000)]),
+    "a fan": lambda: fan(7000),
+    "crossings in no order": lambda: hatch(2000),
+    "one crossing, often": lambda: one_crossing(70000),
+    "few segments, often": lambda: claimed(
+        "segments", [["0x0p0", "0x0p0", "0x1p0", "0x0p0"]] * 12000,
+        *[{"question": "segments", "allowed": "nothing", "verdict": "none",
+           "claims": [{"claim": "none_counts", "events": []}]}] * 5000),
+    "a long point, often": lambda: claimed(
+        "segments", [["0x1p-1074", "0x0p0", "0x1p1023", "0x0p0"]] * 2,
+        *[{"question": "segments", "allowed": "nothing", "verdict": "some", "i": 0, "j": 1, "kind": "overlap",
+           "point": EXPONENTS[:2], "claims": [{"claim": "contact"}]}] * 7000),
+    "long weights of half-planes": lambda: claimed(
+        "half_planes", [["0x1p0", "0x%xp0" % (i + 1), "0x0p0"] for i in range(16)],
+        *[claimed_program([{"claim": "contradict", "weights": [[i, fraction(3000)] for i in range(16)]}],
+                          verdict="infeasible")] * 20),
+    "ends of long integers": lambda: claimed(
+        "half_planes", [["-0x1p0", "0x0p0", "0x0p0"]] * 15000,
+        *[claimed_program([{"claim": "feasible"}, {"claim": "bounds", "weights": [[0, "1"]]},
+                           {"claim": "ends", "ends": [[["0", digits(9000)], 0], None]}],
+                          verdict="many", point=["0", "0"])] * 40),
+    "many keys": lambda: {"sunder_certificate": 2, **{"k%d" % i: 0 for i in range(80000)}},
+    "strings that do not end": lambda: "[" + '"\\' * 499000,
+    "backslashes": lambda: '["' + "\\\\" * 499000 + '"]',
+    "surrogates": lambda: '["' + "\\ud800" * 160000 + '"]',
+    "brackets": lambda: "[" * 500 + "[],{}," * 160000 + "1" + "]" * 500,
+}
+
+
+def checked(command, *arguments, **options):
+    """The exit code, standard output, standard error, and the seconds of the processor."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    done = subprocess.run([*command, *arguments], capture_output=True, **options)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return done.returncode, done.stdout.decode(), done.stderr.decode(), seconds
+
+
+def twins():
+    result = {"python": PYTHON}
+    if PROGRAM:
+        result["c++"] = [PROGRAM, "verify"]
+    return result
+
+
+def yardstick():
+    """The seconds of the processor that a fixed piece of work takes: how fast is this machine now?"""
+    before, n = time.process_time(), 3 ** 20000
+    for _ in range(300):
+        n * n
+    return time.process_time() - before
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def write(self, name, text):
+        path = os.path.join(self.folder, name)
+        with open(path, "w", encoding="utf-8") as stream:
+            stream.write(text)
+        return path
+
+
+class Hostile(InFolder):
+    def test_no_file_of_1_mb_takes_long(self):
+        codes, slowest = {}, {}
+        for what, make in HOSTILE.items():
+            made = make()
+            path = self.write("hostile.json", made if isinstance(made, str) else json.dumps(made, separators=(",", ":")))
+            self.assertLess(os.path.getsize(path), 1200000, what)
+            for name, command in twins().items():
+                code, _, error, seconds = checked(command, path)
+                if seconds >= MOST_SECONDS[name]:  # a machine that is busy, or slower than the one of the limit
+                    seconds /= max(1, yardstick() / YARDSTICK)
+                with self.subTest(what=what, twin=name):
+                    self.assertLess(seconds, MOST_SECONDS[name])
+                    self.assertIn(code, (0, 1, 2), error)
+                    self.assertEqual(codes.setdefault(what, code), code, error)
+                slowest[name] = max(slowest.get(name, (0, "")), (seconds, what))
+        print(slowest)
+        self.assertGreaterEqual(list(codes.values()).count(2), 15)
+        self.assertGreaterEqual(len(codes) - list(codes.values()).count(2), 12)
+
+    def test_limits_are_where_they_are_said_to_be(self):
+        for count, code in ((524, 1), (526, 2)):  # 300 million steps, of 17 each for a look, at 2 x 16,806 + 18 of them
+            text = json.dumps(bodies([ZEROS] * 16806, [apart(["0", "0", "0"])] * count), separators=(",", ":"))
+            self.assertLess(len(text), 10 ** 6)
+            path = self.write("pairs.json", text)
+            for name, command in twins().items():
+                with self.subTest(twin=name, count=count):
+                    self.assertEqual(checked(command, path)[0], code)
+        for name, command in twins().items():
+            self.assertEqual(checked(command, path, "--no-limit")[0], 1)
+
+
+class Twins(InFolder):
+    def expect_both(self, text, code):
+        path = self.write("file.json", text)
+        for name, command in twins().items():
+            with self.subTest(twin=name, text=text[:40]):
+                result = checked(command, path)
+                self.assertEqual(result[0], code, result)
+
+    def test_nesting(self):
+        for deep, code in ((500, 1), (501, 2), (700, 2), (990, 2), (100000, 2)):
+            self.expect_both("[" * deep + "]" * deep, code)
+            self.expect_both('{"a":' * deep + "1" + "}" * deep, code)
+        self.expect_both('["' + "[" * 600 + '"]', 1)
+        self.expect_both('["\\"' + "[" * 600 + '"]', 1)
+        self.expect_both("[" * 499 + "[],{}" + "]" * 499, 1)
+
+    def test_halves_of_surrogate_pairs(self):
+        for half in ("\\ud800", "\\udc00", "\\uDBFF", "\\ud800\\ud800", "\\ud800x\\udc00", "\\ud800\\n"):
+            self.expect_both('{"%s": 1}' % half, 2)
+            self.expect_both('{"a": "%s", "a": 1}' % half, 2)
+            self.expect_both('{"%s": 1, "%s": 1}' % (half, half), 2)
+        self.expect_both('{"a": 1, "a": 1}', 1)
+        self.expect_both('{"\\ud834\\udd1e": 1, "\\\\ud800": 1}', 1)
+
+    def test_names(self):
+        for length, code in ((4000, 1), (4001, 1)):
+            path = self.write("file.json", json.dumps(bodies([ZEROS], [apart(["1", "0", "0"])], name="\u00e9" * length)))
+            for name, command in twins().items():
+                out = checked(command, path)[1]
+                with self.subTest(twin=name, length=length):
+                    self.assertEqual("of 1 to 4000 characters" in out, length > 4000)
+
+
+class Around(unittest.TestCase):
+    """What may go wrong around a file: one line, and the code that the help says."""
+
+    def setUp(self):
+        self.accepted = os.path.join(CASES, "accepted")
+        self.names = sorted(os.listdir(self.accepted))
+        self.files = [os.path.join(self.accepted, name) for name in self.names]
+
+    def expect_line(self, result, *codes):
+        self.assertIn(result.returncode, codes, result)
+        self.assertNotIn(b"Traceback", result.stderr)
+        self.assertEqual(result.stderr.count(b"\n"), 1, result)
+
+    def test_a_closed_pipe(self):
+        reader, writer = os.pipe()
+        os.close(reader)
+        with os.fdopen(writer, "wb") as closed:
+            self.expect_line(subprocess.run(PYTHON + self.files, stdout=closed, stderr=subprocess.PIPE), 2)
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "there is no /dev/full")
+    def test_a_full_output(self):
+        with open("/dev/full", "wb") as full:
+            self.expect_line(subprocess.run(PYTHON + self.files, stdout=full, stderr=subprocess.PIPE), 2)
+            self.expect_line(subprocess.run(PYTHON + self.files[:1], stdout=full, stderr=subprocess.PIPE), 2)
+
+    def test_names_of_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, shown in ((b"caf\xe9.json", b"caf\\xe9.json"), (b"a\x1b[31m\n.json", b"a\\x1b[31m\\x0a.json")):
+                path = os.path.join(os.fsencode(folder), name)
+                with open(self.files[0], "rb") as source, open(path, "wb") as copy:
+                    copy.write(source.read())
+                for command in twins().values():
+                    for locale in ("C.UTF-8", "C", "POSIX"):
+                        done = subprocess.run([*command, path], capture_output=True, env={**os.environ, "LC_ALL": locale})
+                        self.assertEqual((done.returncode, done.stderr), (0, b""), done)
+                        self.assertIn(shown, done.stdout)
+                    done = subprocess.run([*command, path + b"missing"], capture_output=True)
+                    self.expect_line(done, 2)
+                    self.assertIn(shown, done.stderr)
+
+    @unittest.skipUnless(os.path.exists("/dev/zero"), "there is no /dev/zero")
+    def test_an_endless_file(self):
+        for command in twins().values():
+            done = subprocess.run([*command, "/dev/zero"], capture_output=True)
+            self.expect_line(done, 2)
+            self.assertIn(b"256 MiB", done.stderr)
+
+    def test_each_file_is_told_about(self):
+        done = subprocess.run([*PYTHON, self.files[0], "missing", self.files[1]], capture_output=True)
+        self.expect_line(done, 2)
+        for name in self.names[:2]:
+            self.assertIn(name.encode(), done.stdout)
+
+    def test_no_more_than_is_said_is_read(self):
+        self.assertEqual(program.MAX_STREAM, 256 << 20)
+        self.assertEqual(reader.MAX_DEPTH, 500)
+
+
+if __name__ == "__main__":
+    unittest.main()
