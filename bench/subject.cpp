@@ -54,6 +54,7 @@ class SunderSubject : public Subject {
         case sunder::DecidedBy::filter: ++sum.filter; break;
         case sunder::DecidedBy::evidence: ++sum.evidence; break;
         case sunder::DecidedBy::finishing: ++sum.finishing; break;
+        case sunder::DecidedBy::scan: break;  // the front door does not
       }
       sum.probes += answer.cost.probes;
       sum.iterations += answer.cost.iterations;

@@ -15,6 +15,7 @@ std::string decided_text(DecidedBy decided_by) {
     case DecidedBy::filter: return "the search's evidence, checked by floating-point filters alone";
     case DecidedBy::evidence: return "the search's evidence, checked with the help of exact arithmetic";
     case DecidedBy::finishing: return "exact finishing, because the search's evidence did not hold";
+    case DecidedBy::scan: return "exact arithmetic, by looking at everything";
   }
   return "";
 }

@@ -118,9 +118,12 @@ TEST(PlanarPairDifferential, MethodsAgreeWithTheScan) {
   for (const PlanarFamily family : {PlanarFamily::grid, PlanarFamily::degenerate}) {
     EXPECT_GT(tallies[family].touching, tallies[family].cases / 50) << name_of(family);
   }
-  // In general position the searches' evidence holds: at most 0.1 % are left to the exact method.
+  // In general position the searches' evidence holds: none is left to the exact method; of the front door 0.5 % at
+  // most.
+  Tally& general = tallies[PlanarFamily::general];
   for (const auto& m : methods) {
-    EXPECT_LE(1000 * tallies[PlanarFamily::general].finishing[m.name], tallies[PlanarFamily::general].cases) << m.name;
+    const bool is_front = m.method == planar::polygon_polygon;
+    EXPECT_LE(general.finishing[m.name], is_front ? general.cases / 200 : 0) << m.name;
   }
 }
 

@@ -7,6 +7,7 @@ std::string_view name_of(DecidedBy decided_by) {
     case DecidedBy::filter: return "filter";
     case DecidedBy::evidence: return "evidence";
     case DecidedBy::finishing: return "finishing";
+    case DecidedBy::scan: return "scan";
   }
   return "";
 }

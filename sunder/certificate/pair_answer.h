@@ -14,6 +14,7 @@ enum class DecidedBy : std::uint8_t {
   filter,     // the search's evidence in doubles, accepted by filters alone
   evidence,   // the search's evidence, made or accepted with the help of exact arithmetic
   finishing,  // an exact method, because the search's evidence did not hold
+  scan,       // an exact method that looks at everything
 };
 
 std::string_view name_of(DecidedBy);
@@ -34,6 +35,12 @@ struct PairAnswer {
 
   bool meet() const { return evidence.verdict == Verdict::meet; }
   const PairCertificate& certificate() const { return evidence; }
+
+  // Sets how the answer came about, from how many signs exact arithmetic decided.
+  void conclude(std::uint32_t exact_signs, bool finished) {
+    cost.exact = exact_signs;
+    decided_by = finished ? DecidedBy::finishing : exact_signs == 0 ? DecidedBy::filter : DecidedBy::evidence;
+  }
 };
 
 }  // namespace sunder

@@ -1,9 +1,10 @@
-// From what a search proposes to a certificate, for sequences of vertices: each function checks a proposal exactly, and
-// fills in the certificate where it holds. A proposal that does not hold proves nothing.
+// From features to a certificate, for sequences of vertices: each function checks exactly what should be true of them,
+// and fills in the certificate where it is. Where it is not, nothing is known.
 #pragma once
 
 #include <sunder/certificate/pair.h>
 #include <sunder/planar/pair/edge_runs.h>
+#include <sunder/planar/pair/proposal.h>
 #include <sunder/predicate/triangles.h>
 
 #include <array>
@@ -11,9 +12,6 @@
 #include <span>
 
 namespace sunder::planar {
-
-// Positions in a sequence, three at most.
-using Corners = std::span<const std::uint32_t>;
 
 namespace evidence {
 
@@ -186,6 +184,26 @@ void fill_apart_by_edge_of_b(const A& a, std::uint32_t near, const B& b, std::ui
   c.direction = {.kind = Direction::Kind::side_of_b, .reversed = true, .index = {b.number(at), b.number(next)}};
   c.extreme_a = a.number(position(a, near));
   c.extreme_b = b.number(at);
+}
+
+// Does an edge at vertex i of a or at vertex j of b part the two, with the other vertex nearest to it? Fills in the
+// certificate. Where some line parts a and b strictly and is nearest to i and j among their vertices, the answer is
+// yes: the origin is outside the cone of A - B at its vertex i - j, hence beyond one of the two edges there.
+template <class A, class B>
+bool parts_at(const A& a, std::uint32_t i, const B& b, std::uint32_t j, PairCertificate& certificate,
+              StageTally& tally) {
+  i = position(a, i), j = position(b, j);
+  for (const std::uint32_t edge : {i, position(a, i + a.size() - 1)}) {
+    if (!parts(a, edge, b, j, tally)) continue;
+    fill_apart_by_edge_of_a(a, edge, b, j, certificate);
+    return true;
+  }
+  for (const std::uint32_t edge : {j, position(b, j + b.size() - 1)}) {
+    if (!parts(b, edge, a, i, tally)) continue;
+    fill_apart_by_edge_of_b(a, i, b, edge, certificate);
+    return true;
+  }
+  return false;
 }
 
 }  // namespace sunder::planar

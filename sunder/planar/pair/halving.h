@@ -31,8 +31,8 @@
 // p for a line through it; and the chains' ends, which may be within edges, are kept as the numbers of these edges.
 #pragma once
 
-#include <sunder/planar/pair/evidence.h>
 #include <sunder/planar/pair/extreme_vertex.h>
+#include <sunder/planar/pair/proposal.h>
 
 #include <algorithm>
 #include <array>
@@ -191,29 +191,21 @@ Crossing cross_line(const typename Q::Vertex& tail, const typename Q::Vertex& he
   return {within, position(q, entry), position(q, exit)};
 }
 
-// Evidence about one of the polygons and the other: a and b, or b and a.
-template <bool Swapped, class Own, class Other>
-struct Evidence {
+// What is proposed about one of the polygons and the other: a and b, or b and a. True where it holds.
+template <bool Swapped, class Own, class Other, class Holds>
+struct Proposals {
   const Own& own;
   const Other& other;
-  PairCertificate& certificate;
-  StageTally& tally;
+  const Holds& holds;
 
   bool meet(Corners of_own, Corners of_other) const {
-    if constexpr (Swapped) return check_meet(other, of_other, own, of_own, certificate, tally);
-    return check_meet(own, of_own, other, of_other, certificate, tally);
+    return holds(Swapped ? planar::meet(of_other, of_own) : planar::meet(of_own, of_other));
   }
   bool apart_by_own(std::uint32_t edge, std::uint32_t near) const {
-    if (!parts(own, edge, other, near, tally)) return false;
-    if constexpr (Swapped) {
-      fill_apart_by_edge_of_b(other, near, own, edge, certificate);
-    } else {
-      fill_apart_by_edge_of_a(own, edge, other, near, certificate);
-    }
-    return true;
+    return holds(Swapped ? apart_by_edge_of_b(near, edge) : apart_by_edge_of_a(edge, near));
   }
   bool apart_by_other(std::uint32_t edge, std::uint32_t near) const {
-    return Evidence<!Swapped, Other, Own>{other, own, certificate, tally}.apart_by_own(edge, near);
+    return holds(Swapped ? apart_by_edge_of_a(edge, near) : apart_by_edge_of_b(near, edge));
   }
   // The segment from vertex i to vertex j meets the other one, as cross_line says.
   bool meet(std::uint32_t i, std::uint32_t j, const Crossing& within) const {
@@ -224,17 +216,17 @@ struct Evidence {
 };
 
 // Theorem 4, when own chain is short. `view` is what own vertex 0 sees of the other polygon.
-template <class Known>
-bool finish_short(const Known& known, const Chain& chain, const View& view, Cost& cost, StageTally& tally) {
+template <class About>
+bool propose_short(const About& about, const Chain& chain, const View& view, Cost& cost, StageTally& tally) {
   using enum Crossing::Place;
-  const auto& own = known.own;
+  const auto& own = about.own;
   const auto cross = [&](std::uint32_t i, std::uint32_t j) {
-    return cross_line(vertex_at(own, i), vertex_at(own, j), known.other, cost, tally);
+    return cross_line(vertex_at(own, i), vertex_at(own, j), about.other, cost, tally);
   };
   const auto meets = [&](std::uint32_t i, std::uint32_t j) {
     if (i == j) return false;
     const Crossing c = cross(i, j);
-    return c.place == within && known.meet(i, j, c);
+    return c.place == within && about.meet(i, j, c);
   };
   const std::uint32_t first = chain.low - 1, last = chain.high;
   std::uint32_t low = first, high = last + 1;
@@ -242,11 +234,11 @@ bool finish_short(const Known& known, const Chain& chain, const View& view, Cost
   while (low < high) {
     const std::uint32_t i = low + (high - low) / 2;
     const Crossing c = cross(i, position(own, i) + 1);
-    if (c.place == right) return known.apart_by_own(i, c.edge);
-    if (c.place == within) return known.meet(i, position(own, i) + 1, c);
+    if (c.place == right) return about.apart_by_own(i, c.edge);
+    if (c.place == within) return about.meet(i, position(own, i) + 1, c);
     // All of the other on the left: the segment between its two tangents is before an end of the edge, seen from vertex
     // 0. Unless the pencil does not enter own polygon: then the first of its two edges parts them.
-    if (c.place == left && known.meet(std::array{0u, i > first ? i : i + 1}, std::array{view.left, view.right})) {
+    if (c.place == left && about.meet(std::array{0u, i > first ? i : i + 1}, std::array{view.left, view.right})) {
       return true;
     }
     if (c.place == ahead) {
@@ -258,7 +250,7 @@ bool finish_short(const Known& known, const Chain& chain, const View& view, Cost
   }
   if (low == first) return meets(chain.begin + 1, low + 1) || meets(chain.begin, chain.begin + 1);
   if (low == last + 1) return meets(last, chain.end) || meets(chain.end, position(own, chain.end) + 1);
-  return known.apart_by_other(facing, low);
+  return about.apart_by_other(facing, low);
 }
 
 // Case 2: do the lines of two edges cross outside the pencils? In floating point: a guess. The edges are from v and
@@ -282,16 +274,16 @@ bool seem_to_cross_outside(const A& a, std::uint32_t v, const View& of_b, const 
 
 }  // namespace halving
 
-// Algorithm IGG for polygons of three vertices at least. False where it finds no evidence that holds.
-template <class A, class B>
-bool search_by_halving(const A& a, const B& b, PairCertificate& certificate, Cost& cost, StageTally& tally) {
-  const halving::Evidence<false, A, B> known{a, b, certificate, tally};
-  const halving::Evidence<true, B, A> known_of_b{b, a, certificate, tally};
+// Algorithm IGG for polygons of three vertices at least. holds(proposal): see answer_by in polygon_polygon_answer.h.
+template <class A, class B, class Holds>
+bool propose_by_halving(const A& a, const B& b, const Holds& holds, Cost& cost, StageTally& tally) {
+  const halving::Proposals<false, A, B, Holds> about{a, b, holds};
+  const halving::Proposals<true, B, A, Holds> about_b{b, a, holds};
   const auto &apex_a = a[0], &apex_b = b[0];
   const halving::View of_b = halving::view_from(apex_a, b, cost, tally);
-  if (of_b.inside) return known.meet(std::array{0u}, std::array{0u, of_b.wedge, of_b.wedge + 1});
+  if (of_b.inside) return about.meet(std::array{0u}, std::array{0u, of_b.wedge, of_b.wedge + 1});
   const halving::View of_a = halving::view_from(apex_b, a, cost, tally);
-  if (of_a.inside) return known.meet(std::array{0u, of_a.wedge, of_a.wedge + 1}, std::array{0u});
+  if (of_a.inside) return about.meet(std::array{0u, of_a.wedge, of_a.wedge + 1}, std::array{0u});
   halving::Chain in_a = halving::chain_in_pencil(a, b[of_b.right], b[of_b.left], cost, tally);
   halving::Chain in_b = halving::chain_in_pencil(b, a[of_a.right], a[of_a.left], cost, tally);
 
@@ -309,9 +301,9 @@ bool search_by_halving(const A& a, const B& b, PairCertificate& certificate, Cos
     const auto of_w = [&](const auto& point) { return cross_2d(w, w_next, w, point, &tally); };
     if (turn == Sign::zero) {  // the lines cross nowhere
       const Sign side = of_w(v);
-      if (side == Sign::negative) return known.apart_by_own(i, j);
+      if (side == Sign::negative) return about.apart_by_own(i, j);
       if (side == Sign::zero) {  // edges of one line, the polygons on either side of it
-        if (known.meet(std::array{i, i + 1}, std::array{j, j + 1})) return true;
+        if (about.meet(std::array{i, i + 1}, std::array{j, j + 1})) return true;
         if (dot_2d(v, v_next, v_next, w, &tally) == Sign::positive) {
           in_a.low = i, in_b.low = j;
         } else {
@@ -326,8 +318,8 @@ bool search_by_halving(const A& a, const B& b, PairCertificate& certificate, Cos
           of_w(left_turn ? v : v_next) == Sign::negative && of_v(left_turn ? w_next : w) == Sign::negative &&
           halving::seem_to_cross_outside(a, i, of_b, b, j, of_a)) {
         may_guess = false;  // case 2
-        if (known.apart_by_other(j, extreme_vertex_by_bisection(a, w, w_next, cost, tally))) return true;
-        if (known.apart_by_own(i, extreme_vertex_by_bisection(b, v, v_next, cost, tally))) return true;
+        if (about.apart_by_other(j, extreme_vertex_by_bisection(a, w, w_next, cost, tally))) return true;
+        if (about.apart_by_own(i, extreme_vertex_by_bisection(b, v, v_next, cost, tally))) return true;
       }
       // Case 3.
       if (end_of_v != Sign::positive) (left_turn ? in_a.high : in_a.low) = left_turn ? i + 1 : i;
@@ -337,7 +329,7 @@ bool search_by_halving(const A& a, const B& b, PairCertificate& certificate, Cos
     const Sign w_side = cross_2d(apex_a, v, apex_a, w, &tally);
     if (w_side * cross_2d(apex_a, v, apex_a, apex_b, &tally) != Sign::positive &&
         cross_2d(apex_b, w, apex_b, apex_a, &tally) * cross_2d(apex_b, w, apex_b, v, &tally) != Sign::positive &&
-        known.meet(std::array{0u, i}, std::array{0u, j})) {
+        about.meet(std::array{0u, i}, std::array{0u, j})) {
       return true;  // case 4
     }
     // Case 5.
@@ -347,8 +339,8 @@ bool search_by_halving(const A& a, const B& b, PairCertificate& certificate, Cos
       in_a.high = i + 1, in_b.high = j + 1;
     }
   }
-  return in_a.is_short() ? halving::finish_short(known, in_a, of_b, cost, tally)
-                         : halving::finish_short(known_of_b, in_b, of_a, cost, tally);
+  return in_a.is_short() ? halving::propose_short(about, in_a, of_b, cost, tally)
+                         : halving::propose_short(about_b, in_b, of_a, cost, tally);
 }
 
 }  // namespace sunder::planar

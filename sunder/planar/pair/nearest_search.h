@@ -8,7 +8,7 @@
 // All of this in doubles. In the plane the nearest point itself is not needed: from an edge of the simplex the way is
 // at a right angle.
 //
-// Everything here proposes; a proposal is checked exactly.
+// Everything here proposes.
 #pragma once
 
 #include <sunder/planar/pair/proposal.h>
@@ -69,8 +69,9 @@ struct Simplex {
 
 }  // namespace nearest_search
 
-template <class A, class B>
-bool search_nearest(const A& a, const B& b, PairCertificate& certificate, Cost& cost, StageTally& tally) {
+// holds(proposal): see answer_by in polygon_polygon_answer.h.
+template <class A, class B, class Holds>
+bool propose_by_nearest(const A& a, const B& b, const Holds& holds, Cost& cost) {
   using in_doubles::dot;
   using in_doubles::operator-;
   using nearest_search::Simplex;
@@ -78,7 +79,7 @@ bool search_nearest(const A& a, const B& b, PairCertificate& certificate, Cost& 
   const SupportOfDifference support(a, b, cost);
   Difference furthest = support.vertex(0, 0);
   Simplex simplex;
-  const auto are_apart = [&] { return propose_apart(a, furthest.i, b, furthest.j, certificate, tally); };
+  const auto are_apart = [&] { return holds(apart_at_vertices(furthest.i, furthest.j)); };
   simplex.add(furthest);
   while (cost.iterations < most_rounds) {
     ++cost.iterations;
@@ -93,11 +94,10 @@ bool search_nearest(const A& a, const B& b, PairCertificate& certificate, Cost& 
   std::array<std::uint32_t, 3> in_a{}, in_b{};
   for (std::uint32_t k = 0; k < simplex.size; ++k) in_a[k] = simplex.at[k].i, in_b[k] = simplex.at[k].j;
   const Corners of_simplex_a{in_a.data(), simplex.size}, of_simplex_b{in_b.data(), simplex.size};
-  if (check_meet(a, of_simplex_a, b, of_simplex_b, certificate, tally) || are_apart()) return true;
+  if (holds(meet(of_simplex_a, of_simplex_b)) || are_apart()) return true;
   // As rounding may have it, they only just overlap, beside the two vertices that are nearest to parting them.
   const auto [i, j, p] = furthest;
-  return check_meet(a, std::array{i, i + 1, i + a.size() - 1}, b, std::array{j, j + 1, j + b.size() - 1}, certificate,
-                    tally);
+  return holds(meet(std::array{i, i + 1, i + a.size() - 1}, std::array{j, j + 1, j + b.size() - 1}));
 }
 
 }  // namespace sunder::planar

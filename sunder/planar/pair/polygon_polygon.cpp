@@ -1,21 +1,15 @@
 #include <sunder/planar/pair/cone_search.h>
-#include <sunder/planar/pair/difference_search.h>
 #include <sunder/planar/pair/polygon_polygon.h>
+#include <sunder/planar/pair/polygon_polygon_answer.h>
 
 namespace sunder::planar {
 
-PairAnswer polygon_polygon(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b, const Pose& pose_b) {
+PairAnswer polygon_polygon(const ConvexPolygon& a, const Pose& pose_a,  //
+                           const ConvexPolygon& b, const Pose& pose_b) {
   return with_placed(a, pose_a, b, pose_b, [](const auto& in_a, const auto& in_b) {
-    PairAnswer answer;
-    StageTally tally;
-    const bool flat = in_a.size() < 3 || in_b.size() < 3;
-    if (flat || !search_cone(in_a, in_b, answer.evidence, answer.cost, tally)) {
-      answer.evidence = {};
-      search_difference(in_a, 0, in_b, 0, answer.evidence, answer.cost, tally);
-    }
-    answer.cost.exact = tally.exact;
-    answer.decided_by = tally.exact == 0 ? DecidedBy::filter : DecidedBy::evidence;
-    return answer;
+    return answer_by(in_a, in_b, [&](const auto& holds, Cost& cost, StageTally& tally) {
+      return propose_by_cone(in_a, in_b, holds, cost, tally);
+    });
   });
 }
 

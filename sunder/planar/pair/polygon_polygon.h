@@ -22,8 +22,7 @@ namespace planar {
 
 // The front door: the fastest that was measured: a triangle in each; a triangle of A - B and a search behind one of its
 // sides, in doubles, whose evidence is checked exactly (cone_search.h); where it does not hold, as near contact, the
-// search over the whole difference, which does not count as finishing. Cost: at most 7 (log2 n + log2 m) + 24 probes,
-// less than 3 of them mostly.
+// search over the whole difference finishes. Cost: at most 7 (log2 n + log2 m) + 24 probes, less than 3 of them mostly.
 PairAnswer polygon_polygon(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b, const Pose& pose_b);
 
 // By one search for the edge of the difference A - B through which a ray leaves it: signs only, no constructed points,

@@ -147,7 +147,7 @@ PairAnswer polygon_polygon_by_scan(const ConvexPolygon& a, const Pose& pose_a,  
   Scan scan{a, b, pose_a, pose_b};
   if (!scan.apart()) scan.meet();
   scan.answer.cost.exact = scan.tally.exact;
-  scan.answer.decided_by = scan.tally.exact == 0 ? DecidedBy::filter : DecidedBy::evidence;
+  scan.answer.decided_by = DecidedBy::scan;
   return scan.answer;
 }
 

@@ -16,8 +16,9 @@
 // A chain has at least one inner vertex (edge): one that has none is never beyond a line (never leaves a piece).
 //
 // All of this in doubles; of the common points nothing is stored but their heights over the lines.
+#include <sunder/planar/pair/in_doubles.h>
 #include <sunder/planar/pair/polygon_polygon.h>
-#include <sunder/planar/pair/proposal.h>
+#include <sunder/planar/pair/polygon_polygon_answer.h>
 
 #include <optional>
 #include <span>
@@ -97,14 +98,14 @@ struct Edge {
   Point2 start, end;
 };
 
-template <class A, class B>
+template <class A, class B, class Holds>
 class Triangles {
  public:
-  Triangles(const A& a, const B& b, PairCertificate& certificate, Cost& cost, StageTally& tally)
-      : a_(a), b_(b), certificate_(certificate), cost_(cost), tally_(tally) {}
+  Triangles(const A& a, const B& b, const Holds& holds, Cost& cost, StageTally& tally)
+      : a_(a), b_(b), holds_(holds), cost_(cost), tally_(tally) {}
 
   // Does a proposal hold?
-  bool search() {
+  bool propose() {
     scale_ = scale_near_one({a_.rounded(0), a_.rounded(of_a_.at[1]), a_.rounded(of_a_.at[2]), b_.rounded(0),
                              b_.rounded(of_b_.at[1]), b_.rounded(of_b_.at[2])});
     for (std::uint32_t k = 0; k < 3; ++k) inner_[k] = vertex(of_a_.at[k]), outer_[k] = edge(of_b_.at[k]);
@@ -164,18 +165,13 @@ class Triangles {
     if (along_outer_edge(k, at)) return true;
     // As rounding may have it, a only just reaches over the edge.
     const std::uint32_t e = of_b_.at[k];
-    return check_meet(a_, std::array{at + a_.size() - 1, at, at + 1}, b_, std::array{e, position(b_, e) + 1},
-                      certificate_, tally_);
+    return holds_(meet(std::array{at + a_.size() - 1, at, at + 1}, std::array{e, position(b_, e) + 1}));
   }
 
   // The line of edge k of the outer triangle parts a, of which v is nearest, and b: or one through v and that edge.
   bool along_outer_edge(std::uint32_t k, std::uint32_t v) {
     const std::uint32_t e = position(b_, of_b_.at[k]);
-    if (parts(b_, e, a_, v, tally_)) {
-      fill_apart_by_edge_of_b(a_, v, b_, e, certificate_);
-      return true;
-    }
-    return propose_apart(a_, v, b_, e, certificate_, tally_) || propose_apart(a_, v, b_, e + 1, certificate_, tally_);
+    return holds_(apart_by_edge_of_b(v, e)) || holds_(apart_at_vertices(v, e)) || holds_(apart_at_vertices(v, e + 1));
   }
 
   // The triangles are apart, but no edge of the outer one parts them.
@@ -209,16 +205,13 @@ class Triangles {
   bool parts_along(std::uint32_t i, std::uint32_t& near) {
     i = position(a_, i);
     near = position(b_, edges_to_left(b_, a_[i], vertex_at(a_, i + 1), cost_, tally_).end);
-    if (!parts(a_, i, b_, near, tally_)) return false;
-    fill_apart_by_edge_of_a(a_, i, b_, near, certificate_);
-    return true;
+    return holds_(apart_by_edge_of_a(i, near));
   }
 
   // It has, or, as rounding may have it, b only just reaches over the edge.
   bool along_inner_edge(std::uint32_t i) {
     std::uint32_t near = 0;
-    return parts_along(i, near) || check_meet(a_, std::array{i, i + 1}, b_,  //
-                                              std::array{near + b_.size() - 1, near, near + 1}, certificate_, tally_);
+    return parts_along(i, near) || holds_(meet(std::array{i, i + 1}, std::array{near + b_.size() - 1, near, near + 1}));
   }
 
   std::optional<bool> keep_vertices(std::uint32_t chain) {
@@ -245,10 +238,6 @@ class Triangles {
     return meet_here() || apart_here();
   }
 
-  bool meet(const std::array<std::uint32_t, 3>& corners, Corners of_b) {
-    return check_meet(a_, corners, b_, of_b, certificate_, tally_);
-  }
-
   // The inner triangle meets the hull of the three edges.
   bool meet_here() {
     std::array<std::uint32_t, 6> h{};
@@ -257,7 +246,7 @@ class Triangles {
       h[2 * k + 1] = position(b_, h[2 * k] + 1);
     }
     for (std::uint32_t k = 1; k + 1 < 6; ++k) {
-      if (h[k] != h[k + 1] && meet(of_a_.at, std::array{h[0], h[k], h[k + 1]})) return true;
+      if (h[k] != h[k + 1] && holds_(meet(of_a_.at, std::array{h[0], h[k], h[k + 1]}))) return true;
     }
     return false;
   }
@@ -279,7 +268,7 @@ class Triangles {
 
   const A& a_;
   const B& b_;
-  PairCertificate& certificate_;
+  const Holds& holds_;
   Cost& cost_;
   StageTally& tally_;
   double scale_ = 1;
@@ -293,8 +282,8 @@ class Triangles {
 PairAnswer polygon_polygon_by_triangles(const ConvexPolygon& a, const Pose& pose_a,  //
                                         const ConvexPolygon& b, const Pose& pose_b) {
   return with_placed(a, pose_a, b, pose_b, [](const auto& in_a, const auto& in_b) {
-    return answer_by_proposal(in_a, in_b, [&](PairCertificate& certificate, Cost& cost, StageTally& tally) {
-      return Triangles(in_a, in_b, certificate, cost, tally).search();
+    return answer_by(in_a, in_b, [&](const auto& holds, Cost& cost, StageTally& tally) {
+      return Triangles(in_a, in_b, holds, cost, tally).propose();
     });
   });
 }

@@ -1,75 +1,48 @@
-// What the methods that search in doubles share: coordinates of a size that they can square, and the way from a pair of
-// vertices to a certificate.
+// What a search has found about two convex polygons: a claim, and the vertices and edges that should prove it. Plain
+// data of fixed size, without exact numbers; a search knows nothing of certificates. A proposal may be wrong in any
+// way: polygon_polygon_answer.h disposes of it.
 #pragma once
-
-#include <sunder/certificate/pair_answer.h>
-#include <sunder/planar/pair/difference_search.h>
-#include <sunder/planar/pair/evidence.h>
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
 #include <cstdint>
-#include <initializer_list>
+#include <span>
 
 namespace sunder::planar {
 
-// A power of two that brings these coordinates near 1, so that products neither overflow nor underflow; 1 where that
-// would not help (all are zero, or one is no number). Scaling the objects by a power of two does not change a search.
-inline double scale_near_one(std::initializer_list<Point2> points) {
-  double greatest = 0;
-  for (const Point2& p : points) greatest = std::max({greatest, std::fabs(p.x), std::fabs(p.y)});
-  if (!(greatest > 0) || std::isinf(greatest)) return 1;
-  constexpr std::uint64_t bias = 1023, least = bias - 1000, most = bias + 1000;  // 2^e is stored as e + bias
-  const std::uint64_t stored = std::clamp(std::bit_cast<std::uint64_t>(greatest) >> 52, least, most);
-  return std::bit_cast<double>((2 * bias - stored) << 52);
+// Positions in a sequence of n vertices, three at most; where not said otherwise, a position may also be given plus n.
+using Corners = std::span<const std::uint32_t>;
+
+struct Proposal {
+  enum class Claim : std::uint8_t {
+    apart_by_edge_of_a,  // edge of_a[0] of A has all of B strictly on its right; vertex of_b[0] is nearest
+    apart_by_edge_of_b,  // edge of_b[0] of B, and vertex of_a[0] of A
+    apart_at_vertices,   // an edge at vertex of_a[0] of A, or at of_b[0] of B, does, with the other vertex nearest
+    meet,                // the hulls of these corners have a common point
+    meet_plainly,        // the same of three corners of each, without plus n, so that floating point is sure of it
+  };
+  Claim claim = Claim::meet;
+  std::uint8_t count_a = 1, count_b = 1;
+  std::array<std::uint32_t, 3> of_a{}, of_b{};  // the first count_a, count_b of them mean something
+};
+
+inline Proposal apart_by_edge_of_a(std::uint32_t edge, std::uint32_t near) {
+  return {Proposal::Claim::apart_by_edge_of_a, 1, 1, {edge}, {near}};
 }
-
-namespace in_doubles {
-inline Point2 scaled(const Point2& p, double scale) { return {p.x * scale, p.y * scale}; }
-inline Point2 operator-(const Point2& p, const Point2& q) { return {p.x - q.x, p.y - q.y}; }
-inline double cross(const Point2& u, const Point2& v) { return u.x * v.y - u.y * v.x; }
-inline double dot(const Point2& u, const Point2& v) { return u.x * v.x + u.y * v.y; }
-}  // namespace in_doubles
-
-// Does an edge at vertex i of a or at vertex j of b part the two, with the other vertex nearest to it? Fills in the
-// certificate. Where some line parts a and b strictly and is nearest to i and j among their vertices, the answer is
-// yes: the origin is outside the cone of A - B at its vertex i - j, hence beyond one of the two edges there.
-template <class A, class B>
-bool propose_apart(const A& a, std::uint32_t i, const B& b, std::uint32_t j, PairCertificate& certificate,
-                   StageTally& tally) {
-  i = position(a, i), j = position(b, j);
-  for (const std::uint32_t edge : {i, position(a, i + a.size() - 1)}) {
-    if (!parts(a, edge, b, j, tally)) continue;
-    fill_apart_by_edge_of_a(a, edge, b, j, certificate);
-    return true;
-  }
-  for (const std::uint32_t edge : {j, position(b, j + b.size() - 1)}) {
-    if (!parts(b, edge, a, i, tally)) continue;
-    fill_apart_by_edge_of_b(a, i, b, edge, certificate);
-    return true;
-  }
-  return false;
+inline Proposal apart_by_edge_of_b(std::uint32_t near, std::uint32_t edge) {
+  return {Proposal::Claim::apart_by_edge_of_b, 1, 1, {near}, {edge}};
 }
-
-// By a search whose proposals are checked: search(certificate, cost, tally) is false where none of them held. Then, and
-// where a polygon is a point or a segment, the exact search decides.
-template <class A, class B, class Search>
-PairAnswer answer_by_proposal(const A& a, const B& b, const Search& search) {
-  PairAnswer answer;
-  StageTally tally;
-  const bool flat = a.size() < 3 || b.size() < 3;
-  const bool held = !flat && search(answer.evidence, answer.cost, tally);
-  if (!held) {
-    answer.evidence = {};
-    search_difference(a, 0, b, 0, answer.evidence, answer.cost, tally);
-  }
-  answer.cost.exact = tally.exact;
-  answer.decided_by = !held && !flat     ? DecidedBy::finishing
-                      : tally.exact == 0 ? DecidedBy::filter
-                                         : DecidedBy::evidence;
-  return answer;
+inline Proposal apart_at_vertices(std::uint32_t i, std::uint32_t j) {
+  return {Proposal::Claim::apart_at_vertices, 1, 1, {i}, {j}};
+}
+inline Proposal meet(Corners of_a, Corners of_b) {
+  Proposal p{Proposal::Claim::meet, static_cast<std::uint8_t>(of_a.size()), static_cast<std::uint8_t>(of_b.size())};
+  std::copy(of_a.begin(), of_a.end(), p.of_a.begin());
+  std::copy(of_b.begin(), of_b.end(), p.of_b.begin());
+  return p;
+}
+inline Proposal meet_plainly(const std::array<std::uint32_t, 3>& of_a, const std::array<std::uint32_t, 3>& of_b) {
+  return {Proposal::Claim::meet_plainly, 3, 3, of_a, of_b};
 }
 
 }  // namespace sunder::planar

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <sunder/planar/pair/edge_runs.h>
-#include <sunder/planar/pair/proposal.h>
+#include <sunder/planar/pair/in_doubles.h>
 
 namespace sunder::planar {
 

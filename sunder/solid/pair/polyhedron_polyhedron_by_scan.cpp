@@ -89,7 +89,7 @@ class Scan {
   PairAnswer run() {
     constexpr int patience = 60;
     PairAnswer answer;
-    answer.decided_by = DecidedBy::filter;
+    answer.decided_by = DecidedBy::scan;
     for (int step = 0;; ++step) {
       ++answer.cost.iterations;
       answer.cost.probes += static_cast<std::uint32_t>(columns_.size());
