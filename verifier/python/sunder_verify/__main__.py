@@ -1,7 +1,7 @@
 """Checks certificate files of Sunder: python3 -m sunder_verify FILE..., or the path of this folder for -m and its name.
 
-Exit code: 0 all accepted, 1 something refused, 2 a file that cannot be read, or checked within the limits, or a bad call,
-3 an internal error or too little memory. Of many files each is told about; the greatest code counts.
+Exit code: 0 all accepted, 1 something refused, 2 a file that cannot be read, or checked within the limits, or a bad
+call, 3 an internal error or too little memory. Of many files each is told about; the greatest code counts.
 """
 import argparse
 import json
@@ -68,7 +68,8 @@ def main(arguments):
     parser = argparse.ArgumentParser(prog="sunder_verify",
                                      description="Checks certificate files of Sunder, exactly and without Sunder.")
     parser.add_argument("files", metavar="FILE", nargs="+")
-    parser.add_argument("--quiet", action="store_true", help="print inputs, what was left out, refusals and errors only")
+    parser.add_argument("--quiet", action="store_true",
+                        help="print inputs, what was left out, refusals and errors only")
     parser.add_argument("--no-limit", action="store_true", help="check files that take long, too")
     parser.error = lambda message: parser.exit(2, "sunder_verify: %s; see --help\n" % shown(message))
     options = parser.parse_args(arguments)

@@ -1,12 +1,11 @@
-"""Which arcs bound the common part of discs: docs/claims.md, "arcs". All numbers are integers, or p + q sqrt(r) of them.
+"""Which arcs bound the common part of discs: docs/claims.md, "Arcs".
 
-A corner is where an arc of one circle ends and one of the next begins: of the two points where they cross, that at which
-the way around the first, counter-clockwise, leaves the disc of the second.
+All numbers are integers, or p + q sqrt(r) of them. A corner is where an arc of one circle ends and one of the next
+begins: of the two points where they cross, that at which the way around the first, counter-clockwise, leaves the disc
+of the second.
 """
-from functools import cmp_to_key
-
 from .reader import bits, projective, require
-from .tables import turn
+from .tables import around, dot, turn
 
 
 def sign(n):
@@ -22,7 +21,9 @@ def sign_of_root(p, q, r):
 def sign_of_roots(p, q, r, s, u, t):
     """The sign of p + q sqrt(r) + (s + u sqrt(r)) sqrt(t)."""
     a, b = sign_of_root(p, q, r), sign_of_root(s, u, r) if t else 0
-    return (a or b) if a * b >= 0 else a * sign_of_root(p * p + q * q * r - t * (s * s + u * u * r), 2 * (p * q - t * s * u), r)
+    if a * b >= 0:
+        return a or b
+    return a * sign_of_root(p * p + q * q * r - t * (s * s + u * u * r), 2 * (p * q - t * s * u), r)
 
 
 class Way:
@@ -37,20 +38,9 @@ class Way:
         return sign_of_roots(turn(self.even, other.even), turn(self.odd, other.even), self.root,
                              turn(self.even, other.odd), turn(self.odd, other.odd), other.root)
 
-
-def by_bearing(end, other):
-    u, v = end[0], other[0]
-    return -u.turn_to(v) if u.is_upper == v.is_upper else v.is_upper - u.is_upper
-
-
-def is_between(u, way, v, in_order):
-    """Is a way strictly inside of the angle from u counter-clockwise to v? in_order: u is not after v, from the bearing 0."""
-    if in_order and u.is_upper == v.is_upper:  # less than half a turn
-        return u.turn_to(way) > 0 and way.turn_to(v) > 0
-    whole, after = u.turn_to(v), u.turn_to(way) > 0
-    if whole == 0:
-        return after and u.is_upper != v.is_upper  # half a turn, or nothing
-    return (after and way.turn_to(v) > 0) if whole > 0 else (after or way.turn_to(v) > 0)
+    def __lt__(self, other):
+        """Is its bearing less, from 0 up to a full turn?"""
+        return self.turn_to(other) > 0 if self.is_upper == other.is_upper else self.is_upper
 
 
 class Corner:
@@ -64,16 +54,28 @@ class Corner:
 
     def seen_from(self, x, y, w):
         """The way from the point (x / w, y / w)."""
-        (ux, uy), twice = self.u, 2 * self.square
-        return Way((twice * (self.a[0] * w - x) + self.along * ux * w, twice * (self.a[1] * w - y) + self.along * uy * w),
-                   (-uy * w, ux * w), self.root)
+        (ux, uy), twice, along = self.u, 2 * self.square, self.along * w
+        even = twice * (self.a[0] * w - x) + along * ux, twice * (self.a[1] * w - y) + along * uy
+        return Way(even, (-uy * w, ux * w), self.root)
 
     def power(self, disc):
         """1: it is outside of the disc; 0: on its circle."""
         # The powers of a point for two discs differ by a linear function of it; that for the first disc is zero here.
-        v, (ux, uy) = (disc[0] - self.a[0], disc[1] - self.a[1]), self.u
-        even = (v[0] ** 2 + v[1] ** 2 + self.a[2] ** 2 - disc[2] ** 2) * self.square - self.along * (ux * v[0] + uy * v[1])
-        return sign_of_root(even, uy * v[0] - ux * v[1], self.root)
+        v = disc[0] - self.a[0], disc[1] - self.a[1]
+        even = (dot(v, v) + self.a[2] ** 2 - disc[2] ** 2) * self.square - self.along * dot(self.u, v)
+        return sign_of_root(even, turn(v, self.u), self.root)
+
+
+def is_within(c, d):
+    """Does disc d hold disc c?"""
+    return d[2] >= c[2] and (c[0] - d[0]) ** 2 + (c[1] - d[1]) ** 2 <= (d[2] - c[2]) ** 2
+
+
+def furthest(c, d, place):
+    """From the point (place), the way to the point of disc c that is furthest from the centre of d."""
+    away, w = (c[0] - d[0], c[1] - d[1]), place[2]
+    square = dot(away, away)
+    return Way([square * (p * w - q) for p, q in zip(c[:2], place)], [c[2] * w * n for n in away], square)
 
 
 class Chain:
@@ -83,10 +85,10 @@ class Chain:
         self.discs, self.place = discs, place
         self.bits = 4 * discs.bits + 2 * bits(place)
         steps.take(6 * len(named), self.bits, self.bits)
-        corners = [Corner(discs[a], discs[b]) for a, b in zip(named, named[1:] + named[:1])] if len(named) > 1 else []
+        corners = [Corner(discs[a], discs[b]) for a, b in around(named)] if len(named) > 1 else []
         require(all(corner.root > 0 for corner in corners), "arcs", "circles do not cross in two points")
         ends = [(corner.seen_from(*place), corner) for corner in corners]
-        starts = [m for m, end in enumerate(ends) if by_bearing(ends[m - 1], end) >= 0]  # past the bearing 0
+        starts = [m for m, end in enumerate(ends) if not ends[m - 1][0] < end[0]]  # past the bearing 0
         require(len(starts) == min(len(ends), 1), "arcs", "the corners do not go once around the point")
         first = sum(starts)
         self.ends, self.named = ends[first:] + ends[:first], named[first:] + named[:first]
@@ -94,32 +96,32 @@ class Chain:
     def require_within(self, steps, other):
         """Seen from the point, no arc is further than the other chain in that direction."""
         steps.take(6 * (len(self.ends) + len(other.ends) + 1), self.bits, self.bits)
-        ends = sorted([(*end, 0) for end in self.ends] + [(*end, 1) for end in other.ends], key=cmp_to_key(by_bearing))
+        ends = sorted([(*end, 0) for end in self.ends] + [(*end, 1) for end in other.ends], key=lambda end: end[0])
         chains, at = (self, other), [0, 0]  # the arcs in the direction looked at
         for m, (way, corner, which) in enumerate(ends):
             c, d = (self.discs[chain.named[k % len(chain.named)]] for chain, k in zip(chains, at))
-            away, (x, y, w) = (c[0] - d[0], c[1] - d[1]), self.place
-            square = away[0] ** 2 + away[1] ** 2
-            if square > (d[2] - c[2]) ** 2 or c[2] > d[2]:  # the point of c that is furthest from the centre of d is outside
-                furthest = Way((square * (c[0] * w - x), square * (c[1] * w - y)), (c[2] * w * away[0], c[2] * w * away[1]), square)
-                require(not is_between(ends[m - 1][0], furthest, way, m > 0), "arcs", "an arc is not all in a circle")
+            if not is_within(c, d):
+                far = furthest(c, d, self.place)
+                is_after, is_before = ends[m - 1][0] < far, far < way
+                is_between = is_after and is_before if m > 0 else is_after or is_before
+                require(not is_between, "arcs", "an arc is not all in a circle")
             require(corner.power(c) >= 0 if which else corner.power(d) <= 0, "arcs", "a corner is not in a circle")
             at[which] += 1
-        if not ends:
-            c, d = (self.discs[chain.named[0]] for chain in chains)
-            require(d[2] >= c[2] and (c[0] - d[0]) ** 2 + (c[1] - d[1]) ** 2 <= (d[2] - c[2]) ** 2, "arcs",
-                    "a circle does not hold another one")
+        require(ends or is_within(*(self.discs[chain.named[0]] for chain in chains)), "arcs",
+                "a circle does not hold another one")
 
 
-def arcs(steps, claim, discs, point, named):
+def arcs(steps, parts, discs, point, named):
     """The arcs of the named discs, counter-clockwise, bound the common part; the point is inside of it."""
-    place, parts = projective([(n, d, e - discs.exponent) for n, d, e in point]), iter(claim["parts"])
+    place, parts = projective(point, discs.exponent), iter(parts)
 
     def chain_of(first, last, named):
         """What bounds the common part of a range of discs."""
         half = (first + last) // 2
-        within = ([chain_of(*part, None) for part in ((first, half), (half, last))] if last - first > 8 else
-                  [Chain(steps, discs, [k], place) for k in range(first, last)])
+        if last - first > 8:
+            within = [chain_of(first, half, None), chain_of(half, last, None)]
+        else:
+            within = [Chain(steps, discs, [k], place) for k in range(first, last)]
         named = named or next(parts, None)
         require(named, "arcs", "there are not as many parts as there are ranges of discs")
         chain = Chain(steps, discs, named, place)

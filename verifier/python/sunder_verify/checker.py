@@ -1,25 +1,34 @@
 """Checks a file: its form, then each statement."""
-from .questions import read_statement
-from .reader import SHA256, Refused, Steps, load, members, require, text_of
+from collections import namedtuple
+
+from .questions import statement
+from .reader import SHA256, Refused, Steps, form, list_of, load, members, text_of
 from .tables import TABLES
 
-
-class Report:
-    """What a file says of itself, and what became of its statements: (question, words, verdict, refusal), where refusal is
-    None or (rule, reason)."""
-
-    def __init__(self, inputs, left_out, statements):
-        self.inputs, self.left_out, self.statements = inputs, left_out, statements
+# What a file says of itself, and what became of its statements: (question, words, verdict, refusal), where refusal is
+# None or (rule, reason).
+Report = namedtuple("Report", "inputs left_out statements")
 
 
-def read_inputs(value):
-    result = []
-    for i, item in enumerate(value):
-        where = "inputs[%d]" % i
-        name, digest = members(item, {"name": str, "sha256": str}, where)
-        require(SHA256.fullmatch(digest), "F", where + ".sha256 is not 64 small hexadecimal digits")
-        result.append((text_of(name, where + ".name"), digest))
-    return result
+def version(value, where, read):
+    form(type(value) is int and value == 2, where + " is not 2")
+
+
+def sha256(value, where, read):
+    form(type(value) is str and SHA256.fullmatch(value), where + " is not 64 small hexadecimal digits")
+    return value
+
+
+def made_of(value, where, read):
+    return tuple(members(value, {"name": text_of, "sha256": sha256}, where).values())
+
+
+def tables(value, where, read):
+    return members(value, TABLES, where, optional=dict.fromkeys(TABLES))
+
+
+FILE = {"sunder_certificate": version, "inputs": list_of(made_of), "left_out": list_of(text_of), "tables": tables,
+        "statements": list_of(statement, lambda those, read: those, ": the file states nothing")}
 
 
 def verify(data, is_limited=False):
@@ -27,25 +36,17 @@ def verify(data, is_limited=False):
     Refused where the form is wrong."""
     steps = Steps(len(data) if is_limited else None)
     top = load(data)
-    require(type(top) is dict, "F", "the file is not an object")
-    require("sunder_set_certificate" not in top and top.get("sunder_certificate") != 1, "F",
-            "this is a certificate of version 1, which is no longer read; make it again")
-    version, tables, statements, inputs, left_out = members(
-        top, {"sunder_certificate": int, "tables": dict, "statements": list}, "the file",
-        {"inputs": list, "left_out": list})
-    require(version == 2, "F", "sunder_certificate is not 2")
-    report = Report(read_inputs(inputs or []),
-                    [text_of(text, "left_out[%d]" % i) for i, text in enumerate(left_out or [])], [])
-    members(tables, {}, "tables", {name: list for name in TABLES})
-    read = {name: TABLES[name](value, "tables." + name) for name, value in tables.items()}
-    require(statements, "F", "the file states nothing")
-    read_statements = [read_statement(item, read, "statements[%d]" % i) for i, item in enumerate(statements)]
-    for said, checks in read_statements:
+    form(type(top) is dict, "the file is not an object")
+    form("sunder_set_certificate" not in top and top.get("sunder_certificate") != 1,
+         "this is a certificate of version 1, which is no longer read; make it again")
+    read = members(top, FILE, "", optional={"inputs": [], "left_out": []})
+    statements = []
+    for said, checks in read["statements"]:
         refusal = None
         try:
-            for rule, claim, bound in checks:
-                rule(steps, claim, *bound)
+            for rule, bound in checks:
+                rule(steps, *bound)
         except Refused as error:
             refusal = error.args
-        report.statements.append((*said, refusal))
-    return report
+        statements.append((*said, refusal))
+    return Report(read["inputs"], read["left_out"], statements)

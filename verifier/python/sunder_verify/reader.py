@@ -1,7 +1,8 @@
 """Reads certificate files of version 2: JSON, numbers, and what has a wrong form (docs/claims.md, "The file").
 
-A number is kept as (n, d, e), meaning n / d * 2^e with d > 0. Tables are kept as integers: multiples of one power of two.
+A number is kept as (n, d, e), meaning n / d * 2^e with d > 0. Tables are kept as multiples of one power of two.
 """
+import itertools
 import json
 import math
 import re
@@ -37,6 +38,11 @@ def require(condition, rule, reason):
         raise Refused(rule, reason)
 
 
+def form(condition, reason):
+    """What every file must be like, whatever it states."""
+    require(condition, "F", reason)
+
+
 class Steps:
     """How much work is left of what a file of its size may take: docs/claims.md, "Limits"."""
 
@@ -48,8 +54,8 @@ class Steps:
         if self.left is not None:
             self.left -= looks * (16 + (a // 64 + 1) * (b // 64 + 1))
             if self.left < 0:
-                raise Unreadable("checking it takes more than %d steps, the limit for a file of its size; give --no-limit "
-                                 "to check it all the same" % self.most)
+                raise Unreadable("checking it takes more than %d steps, the limit for a file of its size; "
+                                 "give --no-limit to check it all the same" % self.most)
 
 
 def load(data):
@@ -72,11 +78,9 @@ def load(data):
 
     try:
         text = data.decode("utf-8-sig")
-        level = deepest = 0
-        for brackets in BRACKETS.findall(STRING.sub("", text)):
-            level += len(brackets) if brackets[0] in "[{" else -len(brackets)
-            deepest = max(deepest, level)
-        if deepest > MAX_DEPTH:
+        runs = BRACKETS.findall(STRING.sub("", text))
+        levels = itertools.accumulate(len(run) if run[0] in "[{" else -len(run) for run in runs)
+        if max(levels, default=0) > MAX_DEPTH:
             raise Unreadable("nested too deeply; a certificate needs 7 levels")
         value = json.loads(text, object_pairs_hook=make_object, parse_float=make_float, parse_int=make_int,
                            parse_constant=make_float)
@@ -86,62 +90,94 @@ def load(data):
         raise Unreadable("not UTF-8 text; write the file again")
     if any(escape.group(1) for escape in ESCAPE.finditer(text)):
         raise Unreadable("half a surrogate pair; write the file again")
-    require(not repeated, "F", "an object has a key twice")
+    form(not repeated, "an object has a key twice")
     return value
 
 
-# ---- Values. Everything that is required from here on is rule F, the form.
+# ---- The form. A shape reads a value: it is told the value, its place, and, by name, what has been read before.
 
-def members(item, needed, where, allowed=()):
-    """The values of an object's keys, each of its type; a key of `allowed` may be missing, and is then None."""
-    require(type(item) is dict, "F", where + " is not an object")
-    for key in item:
-        require(key in needed or key in allowed, "F", "%s has %s, which means nothing" % (where, json.dumps(key)[:60]))
-    for key in needed:
-        require(key in item, "F", "%s has no %s" % (where, key))
-    kinds = {**needed, **dict(allowed)}
-    for key, value in item.items():
-        require(type(value) is kinds[key], "F", "%s.%s is not of type %s" % (where, key, kinds[key].__name__))
-    return [item.get(key) for key in kinds]
+def anything(value, where, read=None):
+    return value
+
+
+def typed(kind, words):
+    def read_typed(value, where, read=None):
+        form(type(value) is kind, where + words)
+        return value
+    return read_typed
+
+
+LIST, OBJECT = typed(list, " is not a list"), typed(dict, " is not an object")
+
+
+def members(item, shapes, where, read=None, optional=()):
+    """Reads an object that has these members, each of its shape, into `read`; some may be missing."""
+    read = {} if read is None else read
+    for key in OBJECT(item, where or "the file"):
+        form(key in shapes, "%s has %s, which means nothing" % (where or "the file", json.dumps(key)[:60]))
+    for key, shape in shapes.items():
+        form(key in item or key in optional, "%s has no %s" % (where or "the file", key))
+        read[key] = shape(item[key], "%s.%s" % (where, key) if where else key, read) if key in item else optional[key]
+    return read
+
+
+def list_of(shape, fits=None, words=""):
+    """Lists of that shape which, as read, fit: told the list and what has been read before."""
+    def read_list(value, where, read=None):
+        result = [shape(item, "%s[%d]" % (where, k), read) for k, item in enumerate(LIST(value, where))]
+        form(fits is None or fits(result, read), where + words)
+        return result
+    return read_list
+
+
+def row_of(*shapes):
+    """Lists of so many entries, each of its shape."""
+    def read_row(value, where, read=None):
+        form(type(value) is list and len(value) == len(shapes), "%s is not a list of %d" % (where, len(shapes)))
+        return [shape(item, where + " entry", read) for shape, item in zip(shapes, value)]
+    return read_row
+
+
+def text_of(value, where, read=None):
+    is_text = type(value) is str and 0 < len(value) <= MAX_TEXT
+    form(is_text, "%s is not a text of 1 to %d characters" % (where, MAX_TEXT))
+    return value
 
 
 def index(value, size, where, least=0):
-    require(type(value) is int and least <= value < size, "F", where + " is not an index in range")  # true is no int here
+    form(type(value) is int and least <= value < size, where + " is not an index in range")  # true is no int here
     return value
 
 
-def text_of(value, where):
-    require(type(value) is str and 0 < len(value) <= MAX_TEXT, "F", "%s is not a text of 1 to %d characters" % (where, MAX_TEXT))
-    return value
+# ---- Numbers.
 
-
-def number(value, where):
-    require(type(value) is str and len(value) <= MAX_CHARACTERS, "F", where + " is not a number as a string")
+def number(value, where, read=None):
+    form(type(value) is str and len(value) <= MAX_CHARACTERS, where + " is not a number as a string")
     match = HEXADECIMAL.fullmatch(value)
     if match:
         sign, whole, fraction, exponent = match.groups(default="")
         n, e = int(sign + whole + fraction, 16), int(exponent)
-        require(abs(e) <= MAX_EXPONENT, "F", where + " has too large an exponent")
+        form(abs(e) <= MAX_EXPONENT, where + " has too large an exponent")
         zeros = (n & -n).bit_length() - 1 if n else 0
         return n >> zeros, 1, e - 4 * len(fraction) + zeros
     match = DECIMAL.fullmatch(value)
-    require(match, "F", where + " is not a number of one of the three forms")
+    form(match, where + " is not a number of one of the three forms")
     n, d = int(match.group(1)), int(match.group(2) or 1)
-    require(d != 0, "F", where + " has denominator zero")
+    form(d != 0, where + " has denominator zero")
     return n, d, 0
 
 
-def double(value, where):
+def double(value, where, read=None):
     n, d, e = number(value, where)
     size = n.bit_length()  # n is odd or zero
-    require("x" in value and (n == 0 or (size <= 53 and e >= -1074 and size + e <= 1024)), "F",
-            where + " is not a hexadecimal double")
+    form("x" in value and (n == 0 or (size <= 53 and e >= -1074 and size + e <= 1024)),
+         where + " is not a hexadecimal double")
     return n, d, e
 
 
-def numbers(value, count, read, where):
-    require(type(value) is list and len(value) == count, "F", "%s is not a list of %d" % (where, count))
-    return [read(item, where) for item in value]
+def numbers(value, count, read_number, where):
+    form(type(value) is list and len(value) == count, "%s is not a list of %d" % (where, count))
+    return [read_number(item, where) for item in value]
 
 
 def common(values):
@@ -156,9 +192,9 @@ def common(values):
     return integers, product, e
 
 
-def projective(values):
-    """The same as integers and one positive denominator, without an exponent: (x, ..., w) for the point (x / w, ...)."""
-    integers, d, e = common(values)
+def projective(values, unit=0):
+    """(x, ..., w), integers with w > 0, for the point (x / w, ...) in units of a power of two."""
+    integers, d, e = common([(n, d, k - unit) for n, d, k in values])
     return tuple(n << max(e, 0) for n in integers) + (d << max(-e, 0),)
 
 

@@ -1,11 +1,28 @@
-"""The tables of a certificate file, as integers: docs/claims.md, "Tables". Everything that is required is rule F, the form."""
-from .reader import bits, common, double, index, members, numbers, require, text_of
+"""The tables of a certificate file, as integers: docs/claims.md, "Tables". Everything that is required is the form."""
+import operator
+
+from .reader import LIST, anything, bits, common, double, form, index, list_of, members, numbers, text_of
+
+
+def dot(u, v):
+    """The product of as many numbers as the shorter one has."""
+    return sum(map(operator.mul, u, v))
+
+
+def turn(u, v):
+    """Positive: v is less than half a turn counter-clockwise from u."""
+    return u[0] * v[1] - u[1] * v[0]
+
+
+def around(items):
+    """Each with the next one, and the last with the first."""
+    return zip(items, items[1:] + items[:1])
 
 
 def rows_of(value, count, where):
     """Rows of so many doubles each, as rows of integers, in units of 2^e; and e."""
     flat = []
-    for k, row in enumerate(value):
+    for k, row in enumerate(LIST(value, where)):
         flat += numbers(row, count, double, "%s[%d]" % (where, k))
     flat, _, e = common(flat)
     return [tuple(flat[k:k + count]) for k in range(0, len(flat), count)], e
@@ -15,63 +32,52 @@ class Body:
     """A convex hull of points, with the ways that go on from there for ever; or the image of one."""
 
     def __init__(self, item, bodies, where):
+        self.linear, self.turned = None, 0
         if type(item) is dict and "of" in item:
-            name, of, linear, translation = members(
-                item, {"name": str, "of": int, "linear": list, "translation": list}, where)
-            body = bodies[index(of, len(bodies), where + ".of")]
-            require(body.linear is None, "F", where + " is of one that is placed itself")
-            self.rows, self.count, self.exponent, self.dimension = body.rows, body.count, body.exponent, body.dimension
-            d = self.dimension
-            (self.linear,), self.turned = rows_of([linear], d * d, where + ".linear")
-            (self.translation,), self.moved = rows_of([translation], d, where + ".translation")
+            read = members(item, {"name": text_of, "of": anything, "linear": anything, "translation": anything}, where)
+            body = bodies[index(read["of"], len(bodies), where + ".of")]
+            form(body.linear is None, where + " is of one that is placed itself")
+            self.rows, self.count, self.exponent, d = body.rows, body.count, body.exponent, body.dimension
+            (self.linear,), self.turned = rows_of([read["linear"]], d * d, where + ".linear")
+            (self.translation,), self.moved = rows_of([read["translation"]], d, where + ".translation")
         else:
-            name, points, ways = members(item, {"name": str, "points": list}, where, {"ways": list})
-            require(points and type(points[0]) is list and len(points[0]) in (2, 3), "F",
-                    where + ".points is not a list of points of 2 or 3 numbers")
-            count, d = self.count, self.dimension = len(points), len(points[0])
-            arrows = [(way[:d], way[d:]) if type(way) is list and len(way) == 2 * d else (["0x0p+0"] * d, way) for way in ways or []]
+            read = members(item, {"name": text_of, "points": LIST, "ways": LIST}, where, optional={"ways": []})
+            points = read["points"]
+            form(points and type(points[0]) is list and len(points[0]) in (2, 3),
+                 where + ".points is not a list of points of 2 or 3 numbers")
+            d = len(points[0])
+            arrows = [(way[:d], way[d:]) if type(way) is list and len(way) == 2 * d else (["0x0p+0"] * d, way)
+                      for way in read["ways"]]
             rows, self.exponent = rows_of(points + [end for arrow in arrows for end in arrow], d, where + " row")
-            self.rows = rows[:count] + [tuple(y - x for x, y in zip(*arrow)) for arrow in zip(rows[count::2], rows[count + 1::2])]
-            self.linear = None
-        self.name = text_of(name, where + ".name")
-        self.bits = max(map(bits, self.rows))
+            self.count = len(points)
+            ends = rows[self.count:]
+            self.rows = rows[:self.count] + [tuple(map(operator.sub, q, p)) for p, q in zip(ends[::2], ends[1::2])]
+            self.translation, self.moved = (0,) * d, self.exponent
+        self.name, self.dimension, self.bits = read["name"], d, max(map(bits, self.rows))
 
     def __len__(self):
         return len(self.rows)
 
-    def is_way(self, k):
-        return k >= self.count
-
     def forms(self, steps, along):
         """A direction's products with the points and with the ways, all as integers * 2^e, and e."""
-        d = self.dimension
-        if self.linear is None:
-            steps.take(len(self.rows), bits(along), self.bits)
-            return *self.split(products_of(along, self.rows)), self.exponent
-        steps.take(d * d, bits(along), bits(self.linear))
-        row = [dot(along, self.linear[c::d]) for c in range(d)]
-        steps.take(len(self.rows), bits(row), self.bits)
-        turned, e = self.turned + self.exponent, min(self.turned + self.exponent, self.moved)
-        moved = dot(along, self.translation) << (self.moved - e)
-        points, ways = self.split([n << (turned - e) for n in products_of(row, self.rows)])
-        return [n + moved for n in points], ways, e
-
-    def split(self, values):
-        return values[:self.count], values[self.count:]
+        d, turned, moved = self.dimension, self.turned + self.exponent, dot(along, self.translation)
+        if self.linear:
+            steps.take(d * d, bits(along), bits(self.linear))
+            along = [dot(along, self.linear[c::d]) for c in range(d)]
+        steps.take(len(self.rows), bits(along), self.bits)
+        e = min(turned, self.moved)
+        products = products_of([n << (turned - e) for n in along], self.rows)
+        points, moved = products[:self.count], moved << (self.moved - e)
+        return [n + moved for n in points] if moved else points, products[self.count:], e
 
     def image(self, k):
-        """Of point or way k, as integers * 2^e, and e."""
-        d, v = self.dimension, self.rows[k]
-        if self.linear is None:
-            return v, self.exponent
-        turned = self.turned + self.exponent
-        e = min(turned, self.moved)
-        v = [dot(self.linear[r * d:r * d + d], v) << (turned - e) for r in range(d)]
-        return [n + (t << (self.moved - e)) for n, t in zip(v, self.translation)] if k < self.count else v, e
-
-
-def dot(u, v):
-    return sum(a * b for a, b in zip(u, v))
+        """Of point or way k: its numbers, and 1 for a point, 0 for a way, as integers * 2^e, which stands last."""
+        d, v, is_point, turned = self.dimension, self.rows[k], int(k < self.count), self.turned + self.exponent
+        if self.linear:
+            v = [dot(self.linear[r:r + d], v) for r in range(0, d * d, d)]
+        e = min(turned, self.moved, 0)
+        moved = [t * is_point << (self.moved - e) for t in self.translation]
+        return *((x << (turned - e)) + t for x, t in zip(v, moved)), is_point << -e, e
 
 
 def products_of(row, rows):
@@ -82,9 +88,9 @@ def products_of(row, rows):
     return [a * x + b * y + c * z for x, y, z in rows]
 
 
-def bodies(value, where):
+def bodies(value, where, read=None):
     result = []
-    for i, item in enumerate(value):
+    for i, item in enumerate(LIST(value, where)):
         result.append(Body(item, result, "%s[%d]" % (where, i)))
     return result
 
@@ -98,138 +104,117 @@ class Segments(list):
         self.bits = max((bits(p + q) for p, q in self), default=0)
 
 
-def segments(value, where):
+def segments(value, where, read=None):
     rows, exponent = rows_of(value, 4, where)
     for i, row in enumerate(rows):
-        require(row[:2] <= row[2:], "F", "%s[%d] does not begin with its lexicographically first end" % (where, i))
-    return Segments(((row[:2], row[2:]) for row in rows), exponent)
+        form(row[:2] <= row[2:], "%s[%d] does not begin with its lexicographically first end" % (where, i))
+    return Segments([(row[:2], row[2:]) for row in rows], exponent)
 
 
 class Polygons(list):
-    """Of each polygon its rings, each as the range of its edges. Edge k goes from vertex k to the next of the ring."""
+    """Lists of rings, which are lists of edges. Rings and edges are numbered over all polygons."""
 
-    def __init__(self, value, where):
-        super().__init__()
-        vertices, ends = [], []
-        for i, item in enumerate(value):
-            require(type(item) is list and all(type(ring) is list and ring for ring in item), "F",
-                    "%s[%d] is not a list of rings of one vertex or more" % (where, i))
-            self.append([])
-            for ring in item:
-                self[i].append(range(len(vertices), len(vertices) + len(ring)))
-                vertices += ring
-                ends += [(k, k + 1) for k in self[i][-1][:-1]] + [(self[i][-1][-1], self[i][-1][0])]
-        rows, exponent = rows_of(vertices, 2, where + " vertex")
-        self.edges = Segments((sorted((rows[p], rows[q])) for p, q in ends), exponent)
-        self.owner = [i for i, rings in enumerate(self) for ring in rings for _ in ring]
-        self.flat = {i for i, rings in enumerate(self) if sum(map(len, rings)) < 3}  # points and segments
+    def __init__(self, polygons, exponent):
+        super().__init__(polygons)
+        self.rings = [ring for polygon in self for ring in polygon]
+        self.edges = Segments([edge for ring in self.rings for edge in ring], exponent)
+        self.part = [i for i, polygon in enumerate(self) for _ in polygon]  # of each ring its polygon
+        self.ring = [r for r, ring in enumerate(self.rings) for _ in ring]  # of each edge its ring
+        self.owner = [self.part[r] for r in self.ring]
+        self.shell = {i: r for r, i in reversed([*enumerate(self.part)])}  # of each polygon its first ring
+        self.flat = {i for i, polygon in enumerate(self) if sum(map(len, polygon)) < 3}  # points and segments
+
+    def some(self, which):
+        """Some of them, numbered anew."""
+        return Polygons([self[i] for i in which], self.edges.exponent)
 
     def edges_of(self, i):
-        return [self.edges[k] for ring in self[i] for k in ring]
+        return [edge for ring in self[i] for edge in ring]
 
     def is_point(self, i):
         return all(first == last for first, last in self.edges_of(i))
 
 
-class Parts(list):
-    """Some polygons, with edges and rings numbered anew."""
-
-    def __init__(self, polygons, which):
-        super().__init__(polygons[i] for i in which)
-        self.edges = Segments((edge for i in which for edge in polygons.edges_of(i)), polygons.edges.exponent)
-        self.rings, self.ring, self.part, self.shell = [], [], [], []  # of each edge its ring; of each ring its part
-        for i, rings in enumerate(self):
-            self.shell.append(len(self.rings))
-            for ring in rings:
-                self.rings.append(range(len(self.ring), len(self.ring) + len(ring)))
-                self.ring += [len(self.part)] * len(ring)
-                self.part.append(i)
+def polygons(value, where, read=None):
+    for i, item in enumerate(LIST(value, where)):
+        form(type(item) is list and all(type(ring) is list and ring for ring in item),
+             "%s[%d] is not a list of rings of one vertex or more" % (where, i))
+    rows, exponent = rows_of([vertex for rings in value for ring in rings for vertex in ring], 2, where + " vertex")
+    row = iter(rows)
+    placed = [[[next(row) for _ in ring] for ring in rings] for rings in value]
+    return Polygons([[[tuple(sorted(ends)) for ends in around(ring)] for ring in rings] for rings in placed], exponent)
 
 
 class Discs(list):
     """Closed discs x, y, r, in units of 2^exponent."""
 
-    def __init__(self, value, where):
+    def __init__(self, value, where, read=None):
         rows, self.exponent = rows_of(value, 3, where)
-        self.bits = max(map(bits, rows), default=0)
         super().__init__(rows)
+        self.bits = max(map(bits, rows), default=0)
         for i, (_, _, r) in enumerate(self):
-            require(r >= 0, "F", "%s[%d] has a negative radius" % (where, i))
-
-    def boxes(self):
-        return [(x - r, y - r, x + r, y + r) for x, y, r in self]
+            form(r >= 0, "%s[%d] has a negative radius" % (where, i))
 
 
-def left_of(arrow, e, where):
-    """The half-plane left of an arrow in units of 2^e: (a, b, c) as integers in units of 2^f, and f."""
-    px, py, qx, qy = arrow  # a and b are in units of 2^e, c in units of their square
-    require((px, py) != (qx, qy), "F", where + " has no direction")
-    return (qy - py) << max(-e, 0), (px - qx) << max(-e, 0), (px * qy - qx * py) << max(e, 0), e + min(e, 0)
+# ---- Half-planes a x + b y <= c as integers (a, b, c, exponent of all three).
+
+def half_plane(a, b, e, c, f):
+    """Of a and b in units of 2^e, c in units of 2^f."""
+    least = min(e, f)
+    return a << (e - least), b << (e - least), c << (f - least), least
 
 
-def half_planes(value, where):
-    """Of a, b, c, or of an arrow from one point to another, which has it on its left."""
-    result = []
-    for i, item in enumerate(value):
-        place = "%s[%d]" % (where, i)
-        require(type(item) is list and len(item) in (3, 4), "F", place + " is not a list of 3 or 4")
-        (row,), e = rows_of([item], len(item), place)
-        require(len(row) == 4 or row[0] or row[1], "F", place + " has no direction")
-        result.append((*row, e) if len(row) == 3 else left_of(row, e, place))
-    return result
+def left_of(p, q, e, where):
+    """What is left of the arrow from one point to another, both in units of 2^e."""
+    form(p != q, where + " has no direction")
+    return half_plane(q[1] - p[1], p[0] - q[0], e, turn(p, q), 2 * e)
+
+
+def given_half_plane(item, where, read=None):
+    """Of a, b, c, or of an arrow from one point to another."""
+    form(type(item) is list and len(item) in (3, 4), where + " is not a list of 3 or 4")
+    (row,), e = rows_of([item], len(item), where)
+    form(len(row) == 4 or row[0] or row[1], where + " has no direction")
+    return (*row, e) if len(row) == 3 else left_of(row[:2], row[2:], e, where)
 
 
 def sides_of(vertices, e, where):
-    return [left_of(p + q, e, where) for p, q in zip(vertices, vertices[1:] + vertices[:1])]
+    return [left_of(p, q, e, where) for p, q in around(vertices)]
 
 
-def turn(u, v):
-    """Positive: v is less than half a turn counter-clockwise from u."""
-    return u[0] * v[1] - u[1] * v[0]
-
-
-def rings(value, where):
-    """Of each ring the half-planes on the inner side of its edges."""
-    result = []
-    for i, item in enumerate(value):
-        place = "%s[%d]" % (where, i)
-        require(type(item) is list and len(item) > 2, "F", place + " is not a list of three vertices or more")
-        vertices, e = rows_of(item, 2, place)
-        area = sum(turn(p, q) for p, q in zip(vertices, vertices[1:] + vertices[:1]))
-        require(area, "F", place + " has no area")
-        inner = sides_of(vertices, e, place)
-        result.append(inner if area > 0 else [(-a, -b, -c, f) for a, b, c, f in inner])
-    return result
+def sides_of_ring(item, where, read=None):
+    """The half-planes on the inner side of its edges."""
+    form(type(item) is list and len(item) > 2, where + " is not a list of three vertices or more")
+    vertices, e = rows_of(item, 2, where)
+    area = sum(turn(p, q) for p, q in around(vertices))
+    form(area, where + " has no area")
+    inner = sides_of(vertices, e, where)
+    return inner if area > 0 else [(-a, -b, -c, f) for a, b, c, f in inner]
 
 
 def goes_round_once(sides):
     """Does each half-plane turn to the next, by less than half a turn, and all by one turn?"""
-    after = sides[1:] + sides[:1]
-    is_low = [h[1] < 0 or (h[1] == 0 and h[0] < 0) for h in after]
-    return all(turn(h, g) > 0 for h, g in zip(sides, after)) and sum(map(int.__gt__, is_low[-1:] + is_low, is_low)) == 1
+    is_low = [h[1] < 0 or (h[1] == 0 and h[0] < 0) for h in sides]
+    return all(turn(h, g) > 0 for h, g in around(sides)) and sum(low > after for low, after in around(is_low)) == 1
 
 
-def convex_polygons(value, where):
-    """The half-planes of the sides of all, polygon after polygon; also of segments and points."""
-    result = []
-    for i, item in enumerate(value):
-        place = "%s[%d]" % (where, i)
-        require(type(item) is list and item, "F", place + " is not a list of a vertex or more")
-        vertices, e = rows_of(item, 2, place)
-
-        def beside(axis, way, limit):
-            row = [0, 0, way * limit << max(e, 0), min(e, 0)]
-            row[axis] = way << max(-e, 0)
-            return tuple(row)
-        sides = sides_of(vertices, e, place) if len(vertices) > 1 else []
-        if len(vertices) < 3:
-            axes = (0, 1) if not sides else (0,) if vertices[0][0] != vertices[1][0] else (1,)
-            sides += [beside(axis, way, way * max(way * v[axis] for v in vertices)) for way in (1, -1) for axis in axes]
-        else:
-            require(goes_round_once(sides), "F", place + " is not strictly convex and counter-clockwise")
-        result += sides
-    return result
+def sides_of_convex_polygon(item, where, read=None):
+    """Also of a segment and a point."""
+    form(type(item) is list and item, where + " is not a list of a vertex or more")
+    vertices, e = rows_of(item, 2, where)
+    sides = sides_of(vertices, e, where) if len(vertices) > 1 else []
+    if len(vertices) < 3:
+        axes = [(1, 0), (0, 1)] if not sides else [(1, 0)] if vertices[0][0] != vertices[1][0] else [(0, 1)]
+        axes += [(-x, -y) for x, y in axes]
+        return sides + [half_plane(x, y, 0, max(dot((x, y), v) for v in vertices), e) for x, y in axes]
+    form(goes_round_once(sides), where + " is not strictly convex and counter-clockwise")
+    return sides
 
 
-TABLES = {"bodies": bodies, "segments": segments, "polygons": Polygons, "circles": Discs, "half_planes": half_planes, "rings": rings,
-          "convex_polygons": convex_polygons}
+def convex_polygons(value, where, read=None):
+    """The half-planes of all, polygon after polygon."""
+    return [side for sides in list_of(sides_of_convex_polygon)(value, where, read) for side in sides]
+
+
+TABLES = {"bodies": bodies, "segments": segments, "polygons": polygons, "circles": Discs,
+          "half_planes": list_of(given_half_plane), "rings": list_of(sides_of_ring), "convex_polygons": convex_polygons}

@@ -29,7 +29,7 @@ TRIED = {kind: collections.Counter() for kind in (*WANTED, "accepted")}       # 
 
 def lacking(kind, question):
     """The verdicts of a question of which too few have been tried."""
-    return [verdict for verdict in QUESTIONS[question][3] if TRIED[kind][question, verdict] < WANTED[kind]]
+    return [verdict for verdict in QUESTIONS[question][-1] if TRIED[kind][question, verdict] < WANTED[kind]]
 
 
 def hexadecimal(n):

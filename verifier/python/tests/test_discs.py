@@ -135,11 +135,11 @@ class DiscsTest(unittest.TestCase):
 
     def test_how_much_is_looked_at(self):
         """Nodes that are apart, and nodes of one group, are not gone into."""
-        def looks(discs, order, groups=None):
+        def looks(discs, order, groups=range(1024)):
             steps = reader.Steps(0)
             table = tables.TABLES["circles"]([[hexadecimal(x) for x in disc] for disc in discs], "circles")
             most = steps.left
-            for _ in rules.meetings(steps, order, table, groups, ()):
+            for _ in rules.contacts_of_discs(steps, order, table, groups, ()):
                 pass
             return (most - steps.left) // 17  # one look is 16 and 1 steps
         row, one_place, order = [(3 * k, 0, 1) for k in range(1024)], [(0, 0, 1)] * 1024, list(range(1024))
