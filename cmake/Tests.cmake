@@ -11,6 +11,7 @@
 # The environment: SUNDER_TEST_SCALE multiplies the numbers of random instances, SUNDER_TEST_SEED moves their seeds.
 find_package(GTest REQUIRED)
 find_package(rapidcheck REQUIRED)
+find_package(nlohmann_json REQUIRED)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 set(environment SUNDER_CASES_DIR=${PROJECT_SOURCE_DIR}/cases SUNDER_SOURCE_DIR=${PROJECT_SOURCE_DIR}

@@ -54,7 +54,7 @@ OUTSIDE = {
     "oneapi": {"scene", "cli"},
     "fmt": IO_AND_UP,
     "tinyxml2.h": {"io"},
-    "nlohmann": IO_AND_UP | {"verifier"},
+    "nlohmann": IO_AND_UP,
     "CLI": {"cli"},
 }
 

@@ -23,7 +23,7 @@ GOOD = {
     "sunder/io/file.cpp": "#include <sunder/solid/object/body.h>\n#include <fstream>\n#include <fmt/format.h>\n"
                           "#include <sys/stat.h>\n",
     "cli/pair.cpp": "#include \"verbs.h\"\n#include <sunder/io/file.h>\n#include <verifier/verify.h>\n#include <iostream>\n",
-    "verifier/verify.cpp": "#include \"verify.h\"\n#include <nlohmann/json.hpp>\n",
+    "verifier/verify.cpp": "#include \"verify.h\"\n#include <boost/multiprecision/cpp_int.hpp>\n",
     "tests/a_test.cpp": "#include <sunder/scene/scene.h>\n#include <gtest/gtest.h>\n",
     "sunder/solid/pair/table.cpp": "// long because: it is a table\n" + "int x;\n" * 700,
 }

@@ -33,7 +33,7 @@ struct Said {
 };
 
 struct Place {
-  const json& item;
+  const Json& item;
   const Tables& tables;
   const std::string& where;
 };
@@ -57,19 +57,21 @@ void read_b(const Place& p, Said& said) {
 std::size_t dimension(const Said& said) { return said.a != nullptr ? said.a->dimension() : 2; }
 
 void read_point(const Place& p, Said& said) {
-  said.point = read_numbers(list_member(p.item, "point", p.where), dimension(said), read_number, p.where + ".point");
+  said.point = read_numbers(list_member(p.item, "point", p.where), dimension(said), p.where + ".point");
 }
 
 void read_from_a(const Place& p, Said& said) {
-  said.from_a = read_numbers(list_member(p.item, "from_a", p.where), dimension(said), read_number, p.where + ".from_a");
+  said.from_a = read_numbers(list_member(p.item, "from_a", p.where), dimension(said), p.where + ".from_a");
 }
 
 void read_to_b(const Place& p, Said& said) {
-  said.to_b = read_numbers(list_member(p.item, "to_b", p.where), dimension(said), read_number, p.where + ".to_b");
+  said.to_b = read_numbers(list_member(p.item, "to_b", p.where), dimension(said), p.where + ".to_b");
 }
 
 void read_objective(const Place& p, Said& said) {
-  said.objective = read_numbers(list_member(p.item, "objective", p.where), 2, read_double, p.where + ".objective");
+  for (const Double& d : read_doubles(list_member(p.item, "objective", p.where), 2, p.where + ".objective")) {
+    said.objective.push_back(number_of(d));
+  }
 }
 
 void read_allowed(const Place& p, Said& said) {
@@ -96,13 +98,12 @@ void read_contact(const Place& p, Said& said) {
 std::vector<StatedContact> contacts_of(const Place& p, std::size_t size, bool (*is_kind)(const std::string&)) {
   const std::string where = p.where + ".contacts entry";
   std::vector<StatedContact> result;
-  for (const json& entry : list_member(p.item, "contacts", p.where)) {
+  for (const Json& entry : list_member(p.item, "contacts", p.where)) {
     if (!entry.is_array() || entry.size() != 3) refuse_form(where + " is no contact");
     StatedContact contact;
     contact.i = read_index(entry[0], size, where);
     contact.j = read_index(entry[1], size, where);
-    if (!entry[2].is_string()) refuse_form(where + " is of no kind");
-    contact.kind = entry[2].get<std::string>();
+    if (entry[2].is_string()) contact.kind = entry[2].text();
     if (!is_kind(contact.kind)) refuse_form(where + " is of no kind");
     const bool is_next =
         result.empty() || std::pair(result.back().i, result.back().j) < std::pair(contact.i, contact.j);
@@ -129,7 +130,7 @@ void read_polygon_pair(const Place& p, Said& said) {
 void read_polygon_contacts(const Place& p, Said& said) {
   const std::string where = p.where + ".contacts entry";
   const std::size_t size = p.tables.polygons.rings.size();
-  for (const json& entry : list_member(p.item, "contacts", p.where)) {
+  for (const Json& entry : list_member(p.item, "contacts", p.where)) {
     if (!entry.is_array() || entry.size() != 2) refuse_form(where + " is no contact");
     const StatedContact contact{read_index(entry[0], size, where), read_index(entry[1], size, where), ""};
     const bool is_next = said.contacts.empty() ||
@@ -177,7 +178,7 @@ void read_sides(const Place& p, Said& said) {
   said.sides = index_list(p.item, "sides", given(said, p.tables).size(), no_index, p.where);
 }
 
-void require_arcs(const json& list, const Tables& tables, const std::string& where) {
+void require_arcs(const Json& list, const Tables& tables, const std::string& where) {
   if (!list.is_array() || list.empty() || list.size() > 2 * tables.circles.size()) {
     refuse_form(where + " is empty, or has more than two arcs a circle");
   }
@@ -190,7 +191,7 @@ void read_arcs(const Place& p, Said& said) {
 
 void read_parts(const Place& p, Said& said) {
   const std::string where = p.where + ".parts";
-  for (const json& entry : list_member(p.item, "parts", p.where)) {
+  for (const Json& entry : list_member(p.item, "parts", p.where)) {
     said.named_parts.push_back(read_index(entry, p.tables.polygons.rings.size(), where + " entry"));
   }
   const std::set<std::size_t> once(said.named_parts.begin(), said.named_parts.end());
@@ -223,7 +224,7 @@ void read_contact_of_edges(const Place& p, Said& said) {
 }
 
 void read_rings_of_circle(const Place& p, Said& said) {
-  for (const json& entry : list_member(p.item, "rings", p.where)) {
+  for (const Json& entry : list_member(p.item, "rings", p.where)) {
     said.rings.push_back(read_index(entry, said.parts->rings.size(), p.where + ".rings entry"));
   }
   const std::set<std::size_t> once(said.rings.begin(), said.rings.end());
@@ -233,8 +234,8 @@ void read_rings_of_circle(const Place& p, Said& said) {
 }
 
 void read_points_of_circle(const Place& p, Said& said) {
-  for (const json& entry : list_member(p.item, "points", p.where)) {
-    said.points.push_back(read_numbers(entry, 2, read_number, p.where + ".points entry"));
+  for (const Json& entry : list_member(p.item, "points", p.where)) {
+    said.points.push_back(read_numbers(entry, 2, p.where + ".points entry"));
   }
   if (said.points.size() != said.rings.size()) refuse_form(p.where + ".points is not as long as the rings");
 }
@@ -243,20 +244,19 @@ void read_nothing(const Place&, Said&) {}
 
 // ---- Claims.
 
-using ReadClaim = void (*)(const json& item, const Said& said, std::size_t size, const std::string& where,
+using ReadClaim = void (*)(const Json& item, const Said& said, std::size_t size, const std::string& where,
                            Claim& claim);
 
-void read_direction(const json& item, const Said& said, std::size_t, const std::string& where, Claim& claim) {
-  claim.direction =
-      read_numbers(list_member(item, "direction", where), dimension(said), read_number, where + ".direction");
+void read_direction(const Json& item, const Said& said, std::size_t, const std::string& where, Claim& claim) {
+  claim.direction = read_numbers(list_member(item, "direction", where), dimension(said), where + ".direction");
 }
 
-void read_weights(const json& item, const Said&, std::size_t size, const std::string& where, Claim& claim) {
-  const json& list = list_member(item, "weights", where);
+void read_weights(const Json& item, const Said&, std::size_t size, const std::string& where, Claim& claim) {
+  const Json& list = list_member(item, "weights", where);
   if (list.empty() || list.size() > most_weights) {
     refuse_form(where + ".weights has not 1 to " + std::to_string(most_weights) + " entries");
   }
-  for (const json& entry : list) {
+  for (const Json& entry : list) {
     if (!entry.is_array() || entry.size() != 2) refuse_form(where + ".weights has an entry that is not a list of 2");
     claim.weights.named.push_back(read_index(entry[0], size, where + ".weights entry"));
     claim.weights.values.push_back(read_number(entry[1], where + ".weights entry"));
@@ -265,43 +265,44 @@ void read_weights(const json& item, const Said&, std::size_t size, const std::st
   if (once.size() != list.size()) refuse_form(where + ".weights names something twice");
 }
 
-void read_ends(const json& item, const Said&, std::size_t size, const std::string& where, Claim& claim) {
-  const json& list = list_member(item, "ends", where);
+void read_ends(const Json& item, const Said&, std::size_t size, const std::string& where, Claim& claim) {
+  const Json& list = list_member(item, "ends", where);
   if (list.size() != 2) refuse_form(where + ".ends is not a list of 2");
   for (std::size_t k = 0; k < 2; ++k) {
     if (list[k].is_null()) continue;
     if (!list[k].is_array() || list[k].size() != 2) refuse_form(where + ".ends has an entry that is no end");
-    claim.ends[k] = EndOnLine{read_numbers(list[k][0], 2, read_number, where + ".ends entry"),
+    claim.ends[k] = EndOnLine{read_numbers(list[k][0], 2, where + ".ends entry"),
                               read_index(list[k][1], size, where + ".ends entry")};
   }
 }
 
-std::int64_t read_index_or_minus_one(const json& value, std::size_t size, const std::string& where) {
+std::int64_t read_index_or_minus_one(const Json& value, std::size_t size, const std::string& where) {
   return is_minus_one(value) ? -1 : static_cast<std::int64_t>(read_index(value, size, where));
 }
 
-void read_events(const json& item, const Said&, std::size_t size, const std::string& where, Claim& claim) {
+void read_events(const Json& item, const Said&, std::size_t size, const std::string& where, Claim& claim) {
   SweepEvents& events = claim.events;
   const std::string of = where + ".events entry";
-  for (const json& event : list_member(item, "events", where)) {
+  for (const Json& event : list_member(item, "events", where)) {
     if (!event.is_array() || event.size() < 2) refuse_form(of + " is not a list of 2 or more");
-    events.at.push_back(read_index_or_minus_one(event[0], 2 * size, of));
-    events.below.push_back(read_index_or_minus_one(event[1], size, of));
+    auto entry = event.begin();
+    events.at.push_back(read_index_or_minus_one(*entry, 2 * size, of));
+    events.below.push_back(read_index_or_minus_one(*++entry, size, of));
     events.begin.push_back(events.row.size());
-    for (std::size_t k = 2; k < event.size(); ++k) events.row.push_back(read_index(event[k], size, of));
+    while (++entry != event.end()) events.row.push_back(read_index(*entry, size, of));
   }
   events.begin.push_back(events.row.size());
 }
 
-void read_order(const json& item, const Said&, std::size_t size, const std::string& where, Claim& claim) {
-  for (const json& entry : list_member(item, "order", where)) {
+void read_order(const Json& item, const Said&, std::size_t size, const std::string& where, Claim& claim) {
+  for (const Json& entry : list_member(item, "order", where)) {
     claim.order.push_back(read_index(entry, size, where + ".order entry"));
   }
   const std::set<std::size_t> once(claim.order.begin(), claim.order.end());
   if (once.size() != size || claim.order.size() != size) refuse_form(where + ".order does not name each once");
 }
 
-void read_cones(const json& item, const Said& said, std::size_t size, const std::string& where, Claim& claim) {
+void read_cones(const Json& item, const Said& said, std::size_t size, const std::string& where, Claim& claim) {
   // A corner is between two sides: of those that do not go round, none is after the last one.
   const bool is_open = said.verdict == "ray" || said.verdict == "unbounded";
   const std::size_t count = std::max<std::size_t>(said.sides.size(), is_open ? 1 : 0) - (is_open ? 1 : 0);
@@ -309,13 +310,13 @@ void read_cones(const json& item, const Said& said, std::size_t size, const std:
 }
 
 // size: of circles
-void read_parts(const json& item, const Said&, std::size_t size, const std::string& where, Claim& claim) {
-  for (const json& part : list_member(item, "parts", where)) {
+void read_parts(const Json& item, const Said&, std::size_t size, const std::string& where, Claim& claim) {
+  for (const Json& part : list_member(item, "parts", where)) {
     if (!part.is_array() || part.empty() || part.size() > 2 * size) {
       refuse_form(where + ".parts has an entry that is empty, or of more than two arcs a circle");
     }
     claim.parts.emplace_back();
-    for (const json& arc : part) claim.parts.back().push_back(read_index(arc, size, where + ".parts entry"));
+    for (const Json& arc : part) claim.parts.back().push_back(read_index(arc, size, where + ".parts entry"));
   }
 }
 
@@ -588,7 +589,7 @@ const Entry& find(const std::vector<Entry>& list, const std::string& name, const
   return *found;
 }
 
-std::function<void()> read_claim(const json& item, const ClaimNeeded& needed, const Said& said, const Tables& tables,
+std::function<void()> read_claim(const Json& item, const ClaimNeeded& needed, const Said& said, const Tables& tables,
                                  const std::string& where) {
   std::vector<std::string> keys{"claim"};
   for (const auto& [name, read] : needed.brings) keys.emplace_back(name);
@@ -599,19 +600,20 @@ std::function<void()> read_claim(const json& item, const ClaimNeeded& needed, co
   return [claim = std::move(claim), &needed, said, &tables] { needed.check(claim, said, tables); };
 }
 
-std::string words_of(const json& item, const Said& said) {
+std::string words_of(const Json& item, const Said& said) {
   if (said.a != nullptr) return said.a->name + ", " + said.b->name;
   if (item.contains("objective")) {
-    return "along (" + item["objective"][0].get<std::string>() + ", " + item["objective"][1].get<std::string>() + ")";
+    const Json& along = item["objective"];
+    return "along (" + std::string(along[0].text()) + ", " + std::string(along[1].text()) + ")";
   }
   if (said.parts != nullptr) {
     std::string parts;
     for (const std::size_t part : said.named_parts) parts += (parts.empty() ? "" : ", ") + std::to_string(part);
     return "polygons [" + parts + "] by the rule " + said.rule;
   }
-  if (item.contains("ring")) return "ring " + std::to_string(item["ring"].get<std::size_t>());
+  if (item.contains("ring")) return "ring " + std::to_string(item["ring"].integer());
   if (!item.contains("allowed")) return "";
-  std::string words = item["allowed"].get<std::string>() + " allowed";
+  std::string words = std::string(item["allowed"].text()) + " allowed";
   if (item.contains("groups")) {
     const std::set<std::int64_t> different(said.groups.begin(), said.groups.end());
     words += ", members of one of " + std::to_string(different.size()) + " groups may meet";
@@ -623,7 +625,7 @@ std::string words_of(const json& item, const Said& said) {
 
 }  // namespace
 
-ClaimedStatement read_statement(const json& item, const Tables& tables, const std::string& where) {
+ClaimedStatement read_statement(const Json& item, const Tables& tables, const std::string& where) {
   ClaimedStatement result;
   result.question = string_member(item, "question", where);
   result.verdict = string_member(item, "verdict", where);
@@ -647,7 +649,7 @@ ClaimedStatement read_statement(const json& item, const Tables& tables, const st
     result.a = said.a->name;
     result.b = said.b->name;
   }
-  const json& claims = list_member(item, "claims", where);
+  const Json& claims = list_member(item, "claims", where);
   if (claims.size() != verdict.claims.size()) {
     refuse_form(where + " has not " + std::to_string(verdict.claims.size()) + " claims");
   }

@@ -17,6 +17,6 @@ struct ClaimedStatement {
 };
 
 // Reads a statement: throws Refused where its form is wrong. The tables must outlive its checks.
-ClaimedStatement read_statement(const json& item, const Tables& tables, const std::string& where);
+ClaimedStatement read_statement(const Json& item, const Tables& tables, const std::string& where);
 
 }  // namespace sunder_verifier

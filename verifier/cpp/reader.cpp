@@ -1,115 +1,110 @@
 #include <verifier/cpp/reader.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdlib>
-#include <limits>
 #include <string_view>
 
 namespace sunder_verifier {
-
-void require(bool condition, const char* check, const std::string& reason) {
-  if (!condition) throw Refused{check, reason};
-}
-
-void refuse_form(const std::string& reason) { throw Refused{"F", reason}; }
-
-Integer shifted(const Integer& n, std::int64_t bits) { return n << static_cast<unsigned>(bits); }  // bits >= 0
-
 namespace {
 
-constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
-thread_local std::uint64_t most_steps = no_limit, steps_left = no_limit;
+constexpr std::size_t most_characters = 20000;  // of a number
+constexpr std::int64_t most_exponent = 20000;   // E of a hexadecimal number, either sign
 
-}  // namespace
+// The value of each character as a digit; 16: it is none.
+constexpr std::array<std::uint8_t, 256> digit_values = [] {
+  std::array<std::uint8_t, 256> values{};
+  values.fill(16);
+  for (std::uint8_t k = 0; k < 10; ++k) values['0' + std::size_t{k}] = k;
+  for (std::uint8_t k = 10; k < 16; ++k) values['a' + std::size_t{k} - 10] = values['A' + std::size_t{k} - 10] = k;
+  return values;
+}();
 
-void limit_steps(std::size_t bytes) { most_steps = steps_left = 300 * std::max<std::uint64_t>(bytes, 1'000'000); }
-
-void lift_limit() { most_steps = steps_left = no_limit; }
-
-void take_steps(std::uint64_t looks, std::size_t a, std::size_t b) {
-  if (steps_left == no_limit) return;
-  const std::uint64_t steps = looks * (16 + std::uint64_t{a / 64 + 1} * (b / 64 + 1));
-  if (steps > steps_left) throw TooLong{most_steps};
-  steps_left -= steps;
-}
-
-std::size_t bits(const Integer& n) { return n == 0 ? 0 : boost::multiprecision::msb(abs(n)) + std::size_t{1}; }
-
-std::size_t bits(std::span<const Integer> integers) {
-  std::size_t most = 0;
-  for (const Integer& n : integers) most = std::max(most, bits(n));
-  return most;
-}
-
-std::size_t length(const Numbers& values) {
-  std::size_t sum = 0;
-  for (const Number& value : values) sum += bits(value.n) + bits(value.d) + static_cast<std::size_t>(std::abs(value.e));
-  return sum;
-}
-
-Common common_weights(const Numbers& values) {
-  const std::size_t whole = length(values);
-  take_steps(values.size() / 4 + 1, whole, whole);
-  return common(values);
-}
-
-Common common(const Numbers& values) {
-  Common result;
-  bool first = true;
-  for (const Number& value : values) {
-    if (value.n != 0 && (first || value.e < result.e)) {
-      result.e = value.e;
-      first = false;
-    }
-  }
-  for (const Number& value : values) {
-    if (value.d != 1) {
-      for (Integer& integer : result.integers) integer *= value.d;
-    }
-    const Integer scaled = value.n * result.d;
-    result.integers.push_back(value.n == 0 ? Integer(0) : shifted(scaled, value.e - result.e));
-    result.d *= value.d;
-  }
-  return result;
-}
-
-namespace {
-
-constexpr std::size_t kMaxCharacters = 20000;  // of a number
-constexpr std::int64_t kMaxExponent = 20000;   // E of a hexadecimal number, either sign
-
-bool is_digit(char c, int base) {
-  const bool letter = (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
-  return (c >= '0' && c <= '9') || (base == 16 && letter);
-}
-
-int digit_value(char c) {
-  if (c >= 'a') return c - 'a' + 10;
-  if (c >= 'A') return c - 'A' + 10;
-  return c - '0';
-}
+unsigned digit_value(char c) { return digit_values[static_cast<unsigned char>(c)]; }
 
 // Takes the longest run of digits off the front of text.
-std::string_view take_digits(std::string_view& text, int base) {
+std::string_view take_digits(std::string_view& text, unsigned base) {
   std::size_t length = 0;
-  while (length < text.size() && is_digit(text[length], base)) ++length;
+  while (length < text.size() && digit_value(text[length]) < base) ++length;
   const std::string_view digits = text.substr(0, length);
   text.remove_prefix(length);
   return digits;
 }
 
 bool take(std::string_view& text, std::string_view expected) {
-  if (text.substr(0, expected.size()) != expected) return false;
+  if (!text.starts_with(expected)) return false;
   text.remove_prefix(expected.size());
   return true;
 }
 
+// A text -?0xH(.H)?pE, in its parts.
+struct Hexadecimal {
+  bool is_negative = false;
+  std::string_view whole, fraction;
+  std::int64_t exponent = 0;  // beyond most_exponent: something beyond it
+};
+
+// False: it is not of this form.
+bool parse(std::string_view text, Hexadecimal& parts) {
+  parts.is_negative = take(text, "-");
+  if (!take(text, "0x")) return false;
+  parts.whole = take_digits(text, 16);
+  const bool point = take(text, ".");
+  parts.fraction = point ? take_digits(text, 16) : std::string_view();
+  if (parts.whole.empty() || (point && parts.fraction.empty()) || !take(text, "p")) return false;
+  const bool is_down = take(text, "-");
+  if (!is_down) take(text, "+");
+  const std::string_view exponent = take_digits(text, 10);
+  if (exponent.empty() || !text.empty()) return false;
+  for (const char c : exponent) {
+    parts.exponent = std::min<std::int64_t>(10 * parts.exponent + (c - '0'), most_exponent + 1);
+  }
+  if (is_down) parts.exponent = -parts.exponent;
+  return true;
+}
+
+bool has_small_exponent(const Hexadecimal& parts) { return std::abs(parts.exponent) <= most_exponent; }
+
+// n, followed by more digits, which are hexadecimal. False: they do not fit, but for zeros at the end; these are
+// counted.
+bool append_digits(std::string_view digits, std::uint64_t& n, std::size_t& zeros) {
+  for (const char c : digits) {
+    ++zeros;
+    const unsigned digit = digit_value(c);
+    if (digit == 0) continue;
+    if (n != 0 && (zeros >= 16 || n >> (64 - 4 * zeros) != 0)) return false;
+    n = (n == 0 ? 0 : n << 4 * zeros) | digit;
+    zeros = 0;
+  }
+  return true;
+}
+
+// False: the text is no double in hexadecimal form.
+bool parse_double(std::string_view text, Double& number) {
+  Hexadecimal parts;
+  std::uint64_t n = 0;
+  std::size_t zeros = 0;  // digits behind those of n
+  if (text.size() > most_characters || !parse(text, parts) || !has_small_exponent(parts)) return false;
+  if (!append_digits(parts.whole, n, zeros) || !append_digits(parts.fraction, n, zeros)) return false;
+  number = {};
+  if (n == 0) return true;
+  const int down = std::countr_zero(n);
+  n >>= down;
+  number.n = static_cast<std::int64_t>(n);
+  number.e =
+      parts.exponent + 4 * (static_cast<std::int64_t>(zeros) - static_cast<std::int64_t>(parts.fraction.size())) + down;
+  if (parts.is_negative) number.n = -number.n;
+  return std::bit_width(n) <= 53 && number.e >= -1074 &&
+         static_cast<std::int64_t>(std::bit_width(n)) + number.e <= 1024;
+}
+
 // value, followed by more digits.
-Integer append_digits(Integer value, std::string_view digits, int base) {
+Integer append_digits(Integer value, std::string_view digits, unsigned base) {
   while (!digits.empty()) {
     std::int64_t chunk = 0, scale = 1;
     const std::size_t length = std::min<std::size_t>(digits.size(), 15);  // 16^15 < 2^63
-    for (char c : digits.substr(0, length)) {
+    for (const char c : digits.substr(0, length)) {
       chunk = chunk * base + digit_value(c);
       scale *= base;
     }
@@ -120,138 +115,150 @@ Integer append_digits(Integer value, std::string_view digits, int base) {
   return value;
 }
 
-// (hexadecimal integer or fraction) p E. The result's n is odd or zero. False: not of this form.
-bool parse_hexadecimal(std::string_view text, Number& number, const std::string& where) {
-  const bool negative = take(text, "-");
-  if (!take(text, "0x")) return false;
-  const std::string_view whole = take_digits(text, 16);
-  const bool point = take(text, ".");
-  const std::string_view fraction = point ? take_digits(text, 16) : std::string_view();
-  if (whole.empty() || (point && fraction.empty()) || !take(text, "p")) return false;
-  const bool negative_exponent = take(text, "-");
-  if (!negative_exponent) take(text, "+");
-  const std::string_view exponent = take_digits(text, 10);
-  if (exponent.empty() || !text.empty()) return false;
-  std::int64_t e = 0;
-  for (char c : exponent) {
-    e = 10 * e + digit_value(c);
-    if (e > kMaxExponent) refuse_form(where + " has too large an exponent");
-  }
-  number.n = append_digits(append_digits(0, whole, 16), fraction, 16);
-  number.d = 1;
-  number.e = (negative_exponent ? -e : e) - 4 * static_cast<std::int64_t>(fraction.size());
-  if (number.n != 0) {
-    const unsigned zeros = boost::multiprecision::lsb(number.n);
-    number.n >>= zeros;
-    number.e += zeros;
-    if (negative) number.n = -number.n;
-  }
-  return true;
+Number number_of(const Hexadecimal& parts) {
+  Number number;
+  number.n = append_digits(append_digits(0, parts.whole, 16), parts.fraction, 16);
+  number.e = parts.exponent - 4 * static_cast<std::int64_t>(parts.fraction.size());
+  if (number.n == 0) return number;
+  const unsigned zeros = boost::multiprecision::lsb(number.n);
+  number.n >>= zeros;
+  number.e += zeros;
+  if (parts.is_negative) number.n = -number.n;
+  return number;
 }
 
 // D or D/D. False: not of this form.
-bool parse_decimal(std::string_view text, Number& number, const std::string& where) {
-  const bool negative = take(text, "-");
+bool parse(std::string_view text, Number& number) {
+  const bool is_negative = take(text, "-");
   const std::string_view above = take_digits(text, 10);
   const bool slash = take(text, "/");
   const std::string_view below = slash ? take_digits(text, 10) : std::string_view("1");
   if (above.empty() || below.empty() || !text.empty()) return false;
   number.n = append_digits(0, above, 10);
   number.d = append_digits(0, below, 10);
-  number.e = 0;
-  if (negative) number.n = -number.n;
-  if (number.d == 0) refuse_form(where + " has denominator zero");
+  if (is_negative) number.n = -number.n;
   return true;
 }
 
-}  // namespace
-
-Number read_number(const json& value, const std::string& where) {
-  const auto* text = value.get_ptr<const std::string*>();
-  if (text == nullptr || text->size() > kMaxCharacters) refuse_form(where + " is not a number as a string");
-  Number number;
-  if (!parse_hexadecimal(*text, number, where) && !parse_decimal(*text, number, where)) {
-    refuse_form(where + " is not a number of one of the three forms");
-  }
-  return number;
+void require_list(const Json& value, std::size_t count, const std::string& where) {
+  if (!value.is_array() || value.size() != count) refuse_form(where + " is not a list of " + std::to_string(count));
 }
 
-Number read_double(const json& value, const std::string& where) {
-  const Number number = read_number(value, where);
-  bool is_double = value.get_ref<const std::string&>().find('x') != std::string::npos;
-  if (number.n != 0) {
-    const std::int64_t bits = static_cast<std::int64_t>(boost::multiprecision::msb(abs(number.n))) + 1;
-    is_double = is_double && bits <= 53 && number.e >= -1074 && bits + number.e <= 1024;
-  }
-  if (!is_double) refuse_form(where + " is not a hexadecimal double");
-  return number;
-}
-
-Numbers read_numbers(const json& value, std::size_t count, Number (*read)(const json&, const std::string&),
-                     const std::string& where) {
-  if (!value.is_array() || value.size() != count) {
-    refuse_form(where + " is not a list of " + std::to_string(count));
-  }
-  Numbers result;
-  for (const json& item : value) result.push_back(read(item, where));
-  return result;
-}
-
-const json& member(const json& item, const char* key, const std::string& where) {
-  if (!item.is_object()) refuse_form(where + " is not an object");
-  const auto found = item.find(key);
-  if (found == item.end()) refuse_form(where + " has no " + key);
-  return *found;
-}
-
-const json& list_member(const json& item, const char* key, const std::string& where) {
-  const json& value = member(item, key, where);
-  if (!value.is_array()) refuse_form(where + "." + key + " is not a list");
-  return value;
-}
-
-std::string string_member(const json& item, const char* key, const std::string& where) {
-  const json& value = member(item, key, where);
-  if (!value.is_string()) refuse_form(where + "." + key + " is not a string");
-  return value.get<std::string>();
-}
-
-std::size_t characters(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-std::size_t read_index(const json& value, std::size_t size, const std::string& where) {
-  const bool in_range = value.is_number_integer() && (value.is_number_unsigned() || value.get<std::int64_t>() >= 0) &&
-                        value.get<std::uint64_t>() < size;
-  if (!in_range) refuse_form(where + " is not an index in range");
-  return value.get<std::size_t>();
-}
-
-std::size_t index_member(const json& item, const char* key, std::size_t size, const std::string& where) {
-  return read_index(member(item, key, where), size, where + "." + key);
-}
-
-namespace {
-
-const json& list_of(const json& item, const char* key, std::size_t count, const std::string& where) {
-  const json& list = list_member(item, key, where);
-  if (count != no_index && list.size() != count) {
-    refuse_form(where + "." + key + " is not a list of " + std::to_string(count));
-  }
+const Json& list_of(const Json& item, const char* key, std::size_t count, const std::string& where) {
+  const Json& list = list_member(item, key, where);
+  if (count != no_index) require_list(list, count, where + "." + key);
   return list;
 }
 
 }  // namespace
 
-std::vector<std::size_t> index_list(const json& item, const char* key, std::size_t size, std::size_t count,
-                                    const std::string& where) {
-  std::vector<std::size_t> result;
-  const std::string entry_where = where + "." + key + " entry";
-  for (const json& entry : list_of(item, key, count, where)) result.push_back(read_index(entry, size, entry_where));
+Number number_of(const Double& value) {
+  Number number;
+  number.n = value.n;
+  number.e = value.e;
+  return number;
+}
+
+Number read_number(const Json& value, const std::string& where) {
+  if (!value.is_string() || value.size() > most_characters) refuse_form(where + " is not a number as a string");
+  Hexadecimal parts;
+  if (parse(value.text(), parts)) {
+    if (!has_small_exponent(parts)) refuse_form(where + " has too large an exponent");
+    return number_of(parts);
+  }
+  Number number;
+  if (!parse(value.text(), number)) refuse_form(where + " is not a number of one of the three forms");
+  if (number.d == 0) refuse_form(where + " has denominator zero");
+  return number;
+}
+
+Double read_double(const Json& value, const std::string& where) {
+  Double number;
+  if (value.is_string() && parse_double(value.text(), number)) return number;
+  read_number(value, where);  // refuses what is no number at all
+  refuse_form(where + " is not a hexadecimal double");
+}
+
+Numbers read_numbers(const Json& value, std::size_t count, const std::string& where) {
+  require_list(value, count, where);
+  Numbers result;
+  for (const Json& entry : value) result.push_back(read_number(entry, where));
   return result;
 }
 
-std::string read_rule(const json& item, const std::string& where) {
+Doubles read_doubles(const Json& value, std::size_t count, const std::string& where) {
+  require_list(value, count, where);
+  Doubles result;
+  for (const Json& entry : value) result.push_back(read_double(entry, where));
+  return result;
+}
+
+void add_doubles(const Json& value, std::size_t count, const std::string& where, std::size_t k, Doubles& doubles) {
+  const std::size_t size = doubles.size();
+  bool are_doubles = value.is_array() && value.size() == count;
+  for (auto entry = value.begin(); are_doubles && entry != value.end(); ++entry) {
+    are_doubles = (*entry).is_string() && parse_double((*entry).text(), doubles.emplace_back());
+  }
+  if (are_doubles) return;
+  doubles.resize(size);  // what is wrong, in words
+  const Doubles row = read_doubles(value, count, where + "[" + std::to_string(k) + "]");
+  doubles.insert(doubles.end(), row.begin(), row.end());
+}
+
+const Json& member(const Json& item, const char* key, const std::string& where) {
+  if (!item.is_object()) refuse_form(where + " is not an object");
+  const Json* found = item.find(key);
+  if (found == nullptr) refuse_form(where + " has no " + key);
+  return *found;
+}
+
+const Json& list_member(const Json& item, const char* key, const std::string& where) {
+  const Json& value = member(item, key, where);
+  if (!value.is_array()) refuse_form(where + "." + key + " is not a list");
+  return value;
+}
+
+std::string string_member(const Json& item, const char* key, const std::string& where) {
+  const Json& value = member(item, key, where);
+  if (!value.is_string()) refuse_form(where + "." + key + " is not a string");
+  return std::string(value.text());
+}
+
+std::string text_member(const Json& item, const char* key, const std::string& where) {
+  std::string text = string_member(item, key, where);
+  const std::size_t size = characters(text);
+  if (size == 0 || size > most_name) {
+    refuse_form(where + "." + key + " is not a text of 1 to " + std::to_string(most_name) + " characters");
+  }
+  return text;
+}
+
+std::size_t characters(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::size_t read_index(const Json& value, std::size_t size, const std::string& where) {
+  const bool in_range =
+      value.is_integer() && value.integer() >= 0 && static_cast<std::uint64_t>(value.integer()) < size;
+  if (!in_range) refuse_form(where + " is not an index in range");
+  return static_cast<std::size_t>(value.integer());
+}
+
+std::size_t index_member(const Json& item, const char* key, std::size_t size, const std::string& where) {
+  return read_index(member(item, key, where), size, where + "." + key);
+}
+
+bool is_minus_one(const Json& value) { return value.is_integer() && value.integer() == -1; }
+
+std::vector<std::size_t> index_list(const Json& item, const char* key, std::size_t size, std::size_t count,
+                                    const std::string& where) {
+  std::vector<std::size_t> result;
+  const std::string entry_where = where + "." + key + " entry";
+  for (const Json& entry : list_of(item, key, count, where)) result.push_back(read_index(entry, size, entry_where));
+  return result;
+}
+
+std::string read_rule(const Json& item, const std::string& where) {
   std::string rule = string_member(item, "allowed", where);
   if (rule != "nothing" && rule != "shared-endpoint" && rule != "touch") {
     refuse_form(where + ".allowed is none of nothing, shared-endpoint, touch");
@@ -259,20 +266,31 @@ std::string read_rule(const json& item, const std::string& where) {
   return rule;
 }
 
-std::vector<std::int64_t> read_groups(const json& item, std::size_t size, const std::string& where) {
+std::vector<std::int64_t> read_groups(const Json& item, std::size_t size, const std::string& where) {
   constexpr std::int64_t most = 999'999'999'999'999;  // all JSON readers agree about whole numbers up to this
   std::vector<std::int64_t> result;
-  for (const json& entry : list_of(item, "groups", size, where)) {
-    const bool is_small = entry.is_number_unsigned() ? entry.get<std::uint64_t>() <= most
-                                                     : entry.is_number_integer() && entry.get<std::int64_t>() >= -most;
-    if (!is_small) refuse_form(where + ".groups has an entry that is not a whole number of at most 15 digits");
-    result.push_back(entry.get<std::int64_t>());
+  for (const Json& entry : list_of(item, "groups", size, where)) {
+    if (!entry.is_integer() || entry.integer() < -most || entry.integer() > most) {
+      refuse_form(where + ".groups has an entry that is not a whole number of at most 15 digits");
+    }
+    result.push_back(entry.integer());
   }
   return result;
 }
 
-bool is_minus_one(const json& value) {
-  return value.is_number_integer() && !value.is_number_unsigned() && value.get<std::int64_t>() == -1;
+void require_members(const Json& item, const std::vector<std::string>& needed, const std::vector<std::string>& allowed,
+                     const std::string& where) {
+  if (!item.is_object()) refuse_form(where + " is not an object");
+  const auto is_in = [](const std::vector<std::string>& keys, std::string_view key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+  };
+  for (const auto& [key, value] : item.members()) {
+    if (is_in(needed, key) || is_in(allowed, key)) continue;
+    refuse_form(where + " has \"" + std::string(key) + "\", which means nothing");
+  }
+  for (const std::string& key : needed) {
+    if (!item.contains(key)) refuse_form(where + " has no " + key);
+  }
 }
 
 }  // namespace sunder_verifier

@@ -16,8 +16,6 @@ namespace sunder_verifier {
 
 namespace {
 
-bool is_less(const PlanarPoint& p, const PlanarPoint& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; }
-
 // How two segments meet that have a common point.
 const char* kind_of(const PlanarSegment& s, const PlanarSegment& t) {
   if (turn(s, t) == 0 && !is_point(s) &&
@@ -54,6 +52,7 @@ class ContactSweep {
 
   void run(const VisitContact& visit) {
     while (sweep_.next()) {
+      if (sweep_.here.size() + static_cast<std::size_t>(sweep_.row_end - sweep_.row) < 2) continue;  // it is alone
       gather();
       const auto passes = [&](std::size_t k) { return !at_[k].ends; };
       std::vector<std::size_t> all(at_.size()), passing;

@@ -1,3 +1,4 @@
+#include <verifier/cpp/products.h>
 #include <verifier/cpp/sweep.h>
 
 #include <utility>
@@ -26,16 +27,19 @@ SweepPoint crossing(const PlanarSegment& s, const PlanarSegment& t) {
 }  // namespace
 
 bool is_before(const SweepPoint& p, const SweepPoint& q) {
-  const int x = Integer(p.x * q.w).compare(Integer(q.x * p.w));
-  return x != 0 ? x < 0 : p.y * q.w < q.y * p.w;
+  const int x = compare_products(p.x, q.w, q.x, p.w);
+  return x != 0 ? x < 0 : compare_products(p.y, q.w, q.y, p.w) < 0;
 }
 
 int side(const PlanarSegment& s, const SweepPoint& p) {
-  return turn(s.last.x - s.first.x, s.last.y - s.first.y, p.x - s.first.x * p.w, p.y - s.first.y * p.w).sign();
+  const bool is_whole = p.w == 1;
+  const Integer x = is_whole ? Integer(p.x - s.first.x) : p.x - s.first.x * p.w;
+  const Integer y = is_whole ? Integer(p.y - s.first.y) : p.y - s.first.y * p.w;
+  return compare_products(s.last.x - s.first.x, y, s.last.y - s.first.y, x);
 }
 
 int turn(const PlanarSegment& s, const PlanarSegment& t) {
-  return turn(s.last.x - s.first.x, s.last.y - s.first.y, t.last.x - t.first.x, t.last.y - t.first.y).sign();
+  return compare_products(s.last.x - s.first.x, t.last.y - t.first.y, s.last.y - s.first.y, t.last.x - t.first.x);
 }
 
 bool is_point(const PlanarSegment& s) { return s.first == s.last; }
@@ -77,7 +81,7 @@ bool Sweep::next() {
   const std::size_t lower = events_.below[k_] < 0 ? none : static_cast<std::size_t>(events_.below[k_]);
   put_in(lower, take_out_from(lower));
   below = lower == none ? no_index : lower;
-  require(stay_ == 0, "sweep", where() + " loses a segment that goes on");
+  require_event(stay_ == 0, " loses a segment that goes on");
   ++k_;
   return true;
 }
@@ -90,22 +94,21 @@ void Sweep::come_to_point() {
     p.x = q.x;
     p.y = q.y;
   } else {
-    require(row_end - row > 1 && turn(segments_[*row], segments_[row_end[-1]]) != 0, "sweep",
-            where() + " has no point: its first and last segment do not cross");
+    require_event(row_end - row > 1 && turn(segments_[*row], segments_[row_end[-1]]) != 0,
+                  " has no point: its first and last segment do not cross");
     const std::size_t longest = 3 * bits_;
     take_steps(static_cast<std::uint64_t>(row_end - row) + 4, longest, longest);
     p = crossing(segments_[*row], segments_[row_end[-1]]);
   }
-  require(k_ == 0 || is_before(point, p), "sweep", where() + " is not after the one before it");
+  require_event(k_ == 0 || is_before(point, p), " is not after the one before it");
   point = std::move(p);
 }
 
 // Takes out what holds the point, from the lower one up. The one above that.
 std::size_t Sweep::take_out_from(std::size_t lower) {
   const std::size_t none = segments_.size();
-  require(above_[lower] != kOut, "sweep", where() + " is above a segment that is not in the list");
-  require(lower == none || side(segments_[lower], point) > 0, "sweep",
-          where() + " is not above segment " + std::to_string(lower));
+  require_event(above_[lower] != kOut, " is above a segment that is not in the list");
+  require_event(lower == none || side(segments_[lower], point) > 0, " is not above segment ", lower);
   here.clear();
   stay_ = 0;
   std::size_t s = above_[lower];
@@ -116,7 +119,7 @@ std::size_t Sweep::take_out_from(std::size_t lower) {
     if (stays_[s]) ++stay_;
     s = std::exchange(above_[s], kOut);
   }
-  require(s == none || place < 0, "sweep", where() + " is not below segment " + std::to_string(s));
+  require_event(s == none || place < 0, " is not below segment ", s);
   return s;
 }
 
@@ -128,13 +131,13 @@ void Sweep::put_in(std::size_t lower, std::size_t upper) {
       stays_[*s] = false;
       --stay_;
     } else {
-      require(!has_begun_[*s] && point.is(segments_[*s].first), "sweep",
-              where() + ": segment " + std::to_string(*s) + " is not in the list there, or does not begin there");
+      require_event(!has_begun_[*s] && point.is(segments_[*s].first), ": segment ", *s,
+                    " is not in the list there, or does not begin there");
       has_begun_[*s] = true;
       ++begun_;
     }
-    require(is_first || turn(segments_[lower], segments_[*s]) >= 0, "sweep",
-            where() + ": segment " + std::to_string(*s) + " does not go on above " + std::to_string(lower));
+    require_event(is_first || turn(segments_[lower], segments_[*s]) >= 0, ": segment ", *s, " does not go on above ",
+                  lower);
     if (is_point(segments_[*s])) continue;
     above_[lower] = *s;
     lower = *s;

@@ -52,7 +52,14 @@ class Sweep {
  private:
   static constexpr std::size_t kOut = no_index;
 
-  std::string where() const { return "event " + std::to_string(k_); }
+  // The words of the refusal are texts and numbers, put together only where they are needed.
+  template <class... Words>
+  void require_event(bool condition, const Words&... words) const {
+    if (!condition) require(false, "sweep", ("event " + std::to_string(k_) + ... + word(words)));
+  }
+  static std::string word(const char* text) { return text; }
+  static std::string word(std::size_t number) { return std::to_string(number); }
+
   void come_to_point();
   std::size_t take_out_from(std::size_t lower);
   void put_in(std::size_t lower, std::size_t upper);

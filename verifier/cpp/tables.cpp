@@ -1,88 +1,112 @@
+#include <verifier/cpp/reader.h>
 #include <verifier/cpp/tables.h>
 
 #include <algorithm>
-#include <iterator>
+#include <bit>
+#include <cstdlib>
+#include <limits>
 
 namespace sunder_verifier {
 namespace {
 
-// Rows of so many doubles each.
-Scaled read_rows(const std::vector<const json*>& rows, std::size_t count, const std::string& where) {
-  Numbers flat;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    Numbers row = read_numbers(*rows[k], count, read_double, where + "[" + std::to_string(k) + "]");
-    std::move(row.begin(), row.end(), std::back_inserter(flat));
+// 2^e, in which some doubles are integers; and the bits of the longest.
+struct Unit {
+  std::int64_t e = 0;
+  std::size_t bits = 0;
+
+  Integer integer(const Double& d) const { return d.n == 0 ? Integer(0) : shifted(d.n, d.e - e); }
+};
+
+Unit unit_of(const Doubles& doubles) {
+  Unit unit;
+  std::int64_t least = std::numeric_limits<std::int64_t>::max(), end = least;  // of the bits of all
+  for (const Double& d : doubles) {
+    if (d.n == 0) continue;
+    const std::int64_t end_of_d =
+        d.e + static_cast<std::int64_t>(std::bit_width(static_cast<std::uint64_t>(std::abs(d.n))));
+    end = least == std::numeric_limits<std::int64_t>::max() ? end_of_d : std::max(end, end_of_d);
+    least = std::min(least, d.e);
   }
-  Common scaled = common(flat);
-  Scaled result;
-  result.e = scaled.e;
-  result.bits = bits(scaled.integers);
-  for (auto at = scaled.integers.begin(); at != scaled.integers.end(); at += static_cast<std::ptrdiff_t>(count)) {
-    const auto end = at + static_cast<std::ptrdiff_t>(count);
-    result.rows.emplace_back(std::make_move_iterator(at), std::make_move_iterator(end));
+  if (least == std::numeric_limits<std::int64_t>::max()) return unit;
+  return {least, static_cast<std::size_t>(end - least)};
+}
+
+// Rows of so many numbers each.
+Scaled rows_of(const Doubles& doubles, std::size_t count) {
+  const Unit unit = unit_of(doubles);
+  Scaled result{{}, unit.e, unit.bits};
+  for (std::size_t k = 0; k < doubles.size(); ++k) {
+    if (k % count == 0) result.rows.emplace_back();
+    result.rows.back().push_back(unit.integer(doubles[k]));
   }
   return result;
 }
 
-Scaled read_row(const json& item, const char* key, std::size_t count, const std::string& where) {
-  return read_rows({&list_member(item, key, where)}, count, where + "." + key);
+// A list of lists of so many doubles each.
+Doubles read_lists(const Json& list, std::size_t count, const std::string& where) {
+  Doubles doubles;
+  doubles.reserve(list.size() * count);
+  std::size_t k = 0;
+  for (const Json& row : list) add_doubles(row, count, where, k++, doubles);
+  return doubles;
 }
 
-std::vector<const json*> entries(const json& list) {
-  std::vector<const json*> result;
-  for (const json& entry : list) result.push_back(&entry);
-  return result;
+Scaled read_row(const Json& row, std::size_t count, const std::string& where) {
+  Doubles doubles;
+  add_doubles(row, count, where, 0, doubles);
+  return rows_of(doubles, count);
 }
 
-HullBody read_image(const json& item, const std::vector<HullBody>& bodies, const std::string& where) {
+HullBody read_image(const Json& item, const std::vector<HullBody>& bodies, const std::string& where) {
   require_members(item, {"name", "of", "linear", "translation"}, {}, where);
   const HullBody& of = bodies[index_member(item, "of", bodies.size(), where)];
   if (of.is_image()) refuse_form(where + " is of one that is placed itself");
   HullBody body = of;
-  body.linear = read_row(item, "linear", of.dimension() * of.dimension(), where);
-  body.translation = read_row(item, "translation", of.dimension(), where);
+  const Json &linear = list_member(item, "linear", where), &translation = list_member(item, "translation", where);
+  body.linear = read_row(linear, of.dimension() * of.dimension(), where + ".linear");
+  body.translation = read_row(translation, of.dimension(), where + ".translation");
   return body;
 }
 
 // Points, then ways: vectors, or arrows of twice as many numbers from one point to another.
-Scaled read_points_and_ways(const json& points, const json& ways, const std::string& where) {
+Scaled read_points_and_ways(const Json& points, const Json* ways, const std::string& where) {
   const std::size_t count = points.size(), d = points[0].size();
-  const json zero(d, json("0x0p+0"));
-  std::vector<json> ends;
-  for (const json& way : ways) {
-    const bool is_arrow = way.is_array() && way.size() == 2 * d;
-    const auto middle = is_arrow ? way.begin() + static_cast<std::ptrdiff_t>(d) : way.end();
-    ends.push_back(is_arrow ? json(json::array_t(way.begin(), middle)) : zero);
-    ends.push_back(is_arrow ? json(json::array_t(middle, way.end())) : way);
+  Doubles doubles;
+  std::size_t k = 0;
+  for (const Json& point : points) add_doubles(point, d, where + " row", k++, doubles);
+  if (ways != nullptr) {
+    for (const Json& way : *ways) {  // all as arrows
+      const bool is_arrow = way.is_array() && way.size() == 2 * d;
+      if (!is_arrow) doubles.resize(doubles.size() + d);
+      add_doubles(way, is_arrow ? 2 * d : d, where + " row", k++, doubles);
+    }
   }
-  std::vector<const json*> rows = entries(points);
-  for (const json& end : ends) rows.push_back(&end);
-  Scaled scaled = read_rows(rows, d, where + " row");
-  for (std::size_t k = count; k < count + ways.size(); ++k) {
+  Scaled scaled = rows_of(doubles, d);
+  const std::size_t all = (scaled.rows.size() + count) / 2;
+  for (k = count; k < all; ++k) {
     const Integers &from = scaled.rows[2 * k - count], &to = scaled.rows[2 * k - count + 1];
     Integers way;
     for (std::size_t axis = 0; axis < d; ++axis) way.push_back(to[axis] - from[axis]);
     scaled.rows[k] = std::move(way);
   }
-  scaled.rows.resize(count + ways.size());
+  scaled.rows.resize(all);
   scaled.bits = 0;
   for (const Integers& row : scaled.rows) scaled.bits = std::max(scaled.bits, bits(row));
   return scaled;
 }
 
-HullBody read_body(const json& item, const std::vector<HullBody>& bodies, const std::string& where) {
+HullBody read_body(const Json& item, const std::vector<HullBody>& bodies, const std::string& where) {
   HullBody body;
   if (item.is_object() && item.contains("of")) {
     body = read_image(item, bodies, where);
   } else {
     require_members(item, {"name", "points"}, {"ways"}, where);
-    const json& points = list_member(item, "points", where);
+    const Json& points = list_member(item, "points", where);
     if (points.empty() || !points[0].is_array() || (points[0].size() != 2 && points[0].size() != 3)) {
       refuse_form(where + ".points is not a list of points of 2 or 3 numbers");
     }
     body.count = points.size();
-    const json no_ways = json::array();
-    const json& ways = item.contains("ways") ? list_member(item, "ways", where) : no_ways;
+    const Json* ways = item.contains("ways") ? &list_member(item, "ways", where) : nullptr;
     body.given = std::make_shared<const Scaled>(read_points_and_ways(points, ways, where));
   }
   body.name = text_member(item, "name", where);
@@ -97,82 +121,91 @@ LinearConstraint left_of(const Integers& p, const Integers& q, std::int64_t e, c
   return {shifted(q[1] - p[1], up), shifted(p[0] - q[0], up), shifted(p[0] * q[1] - q[0] * p[1], down), e - up};
 }
 
-LinearConstraint read_constraint(const json& item, const std::string& where) {
+LinearConstraint read_constraint(const Json& item, const std::string& where) {
   if (!item.is_array() || (item.size() != 3 && item.size() != 4)) refuse_form(where + " is not a list of 3 or 4");
-  const Scaled row = read_rows({&item}, item.size(), where);
+  const Scaled row = read_row(item, item.size(), where);
   const Integers& v = row.rows[0];
   if (v.size() == 4) return left_of({v[0], v[1]}, {v[2], v[3]}, row.e, where);
   if (v[0] == 0 && v[1] == 0) refuse_form(where + " has no direction");
   return {v[0], v[1], v[2], row.e};
 }
 
-void read_bodies(const json& list, Tables& tables) {
-  for (const json& item : list) {
+void read_bodies(const Json& list, Tables& tables) {
+  for (const Json& item : list) {
     tables.bodies.push_back(
         read_body(item, tables.bodies, "tables.bodies[" + std::to_string(tables.bodies.size()) + "]"));
   }
 }
 
-void read_segments(const json& list, Tables& tables) {
-  Scaled scaled = read_rows(entries(list), 4, "tables.segments");
-  tables.segment_exponent = scaled.e;
-  tables.segment_bits = scaled.bits;
-  for (Integers& v : scaled.rows) {
-    if (v[0] > v[2] || (v[0] == v[2] && v[1] > v[3])) {
+void read_segments(const Json& list, Tables& tables) {
+  const Doubles doubles = read_lists(list, 4, "tables.segments");
+  const Unit unit = unit_of(doubles);
+  tables.segment_exponent = unit.e;
+  tables.segment_bits = unit.bits;
+  tables.segments.reserve(list.size());
+  for (auto d = doubles.begin(); d != doubles.end(); d += 4) {
+    PlanarPoint first{unit.integer(d[0]), unit.integer(d[1])}, last{unit.integer(d[2]), unit.integer(d[3])};
+    if (is_less(last, first)) {
       refuse_form("tables.segments[" + std::to_string(tables.segments.size()) +
                   "] does not begin with its lexicographically first end");
     }
-    tables.segments.push_back({{std::move(v[0]), std::move(v[1])}, {std::move(v[2]), std::move(v[3])}});
+    tables.segments.push_back({std::move(first), std::move(last)});
   }
 }
 
-void read_circles(const json& list, Tables& tables) {
-  Scaled scaled = read_rows(entries(list), 3, "tables.circles");
-  tables.circle_exponent = scaled.e;
-  tables.circle_bits = scaled.bits;
-  for (Integers& v : scaled.rows) {
-    if (v[2] < 0) refuse_form("tables.circles[" + std::to_string(tables.circles.size()) + "] has a negative radius");
-    tables.circles.push_back({std::move(v[0]), std::move(v[1]), std::move(v[2])});
+void read_circles(const Json& list, Tables& tables) {
+  const Doubles doubles = read_lists(list, 3, "tables.circles");
+  const Unit unit = unit_of(doubles);
+  tables.circle_exponent = unit.e;
+  tables.circle_bits = unit.bits;
+  tables.circles.reserve(list.size());
+  for (auto d = doubles.begin(); d != doubles.end(); d += 3) {
+    if (d[2].n < 0) refuse_form("tables.circles[" + std::to_string(tables.circles.size()) + "] has a negative radius");
+    tables.circles.push_back({unit.integer(d[0]), unit.integer(d[1]), unit.integer(d[2])});
   }
 }
 
-// The vertices of all rings, in turn.
-std::vector<const json*> read_vertices(const json& list, PolygonTable& polygons) {
-  std::vector<const json*> vertices;
-  for (const json& item : list) {
+// The coordinates of the vertices of all rings, in turn.
+Doubles read_vertices(const Json& list, PolygonTable& polygons) {
+  Doubles doubles;
+  std::size_t count = 0;
+  for (const Json& item : list) {
     const std::string where = "tables.polygons[" + std::to_string(polygons.rings.size()) + "]";
-    const auto is_ring = [](const json& ring) { return ring.is_array() && !ring.empty(); };
-    if (!item.is_array() || !std::all_of(item.begin(), item.end(), is_ring)) {
-      refuse_form(where + " is not a list of rings of one vertex or more");
-    }
+    const std::string not_rings = where + " is not a list of rings of one vertex or more";
+    if (!item.is_array()) refuse_form(not_rings);
     polygons.rings.emplace_back();
-    for (const json& ring : item) {
-      for (const json& vertex : ring) vertices.push_back(&vertex);
-      polygons.rings.back().push_back({vertices.size() - ring.size(), vertices.size()});
+    for (const Json& ring : item) {
+      if (!ring.is_array() || ring.empty()) refuse_form(not_rings);
+      polygons.rings.back().push_back({count, count + ring.size()});
+      for (const Json& vertex : ring) add_doubles(vertex, 2, "tables.polygons vertex", count++, doubles);
     }
   }
-  return vertices;
+  return doubles;
 }
 
-void read_polygons(const json& list, Tables& tables) {
+void read_polygons(const Json& list, Tables& tables) {
   PolygonTable& polygons = tables.polygons;
-  const Scaled scaled = read_rows(read_vertices(list, polygons), 2, "tables.polygons vertex");
-  polygons.exponent = scaled.e;
-  polygons.bits = scaled.bits;
+  const Doubles doubles = read_vertices(list, polygons);
+  const Unit unit = unit_of(doubles);
+  polygons.exponent = unit.e;
+  polygons.bits = unit.bits;
+  const auto vertex = [&](std::size_t k) {
+    return PlanarPoint{unit.integer(doubles[2 * k]), unit.integer(doubles[2 * k + 1])};
+  };
   for (std::size_t i = 0; i < polygons.rings.size(); ++i) {
     for (const EdgeRange& ring : polygons.rings[i]) {
       for (std::size_t k = ring.begin; k < ring.end; ++k) {
-        const Integers &p = scaled.rows[k], &q = scaled.rows[k + 1 < ring.end ? k + 1 : ring.begin];
-        polygons.edges.push_back(p <= q ? PlanarSegment{{p[0], p[1]}, {q[0], q[1]}}
-                                        : PlanarSegment{{q[0], q[1]}, {p[0], p[1]}});
+        PlanarPoint p = vertex(k), q = vertex(k + 1 < ring.end ? k + 1 : ring.begin);
+        if (is_less(q, p)) std::swap(p, q);
+        polygons.edges.push_back({std::move(p), std::move(q)});
         polygons.owner.push_back(i);
       }
     }
   }
 }
 
-void read_half_planes(const json& list, Tables& tables) {
-  for (const json& item : list) {
+void read_half_planes(const Json& list, Tables& tables) {
+  for (const Json& item : list) {
     const std::string where = "tables.half_planes[" + std::to_string(tables.half_planes.size()) + "]";
     LinearConstraint h = read_constraint(item, where);
     tables.half_plane_bits = std::max({tables.half_plane_bits, bits(h.a), bits(h.b), bits(h.c)});
@@ -180,11 +213,11 @@ void read_half_planes(const json& list, Tables& tables) {
   }
 }
 
-Scaled read_vertex_list(const json& item, std::size_t least, const std::string& where) {
+Scaled read_vertex_list(const Json& item, std::size_t least, const std::string& where) {
   if (!item.is_array() || item.size() < least) {
     refuse_form(where + " is not a list of " + std::to_string(least) + " or more vertices");
   }
-  return read_rows(entries(item), 2, where);
+  return rows_of(read_lists(item, 2, where), 2);
 }
 
 Constraints edges_of(const Scaled& vertices, const std::string& where) {
@@ -196,8 +229,8 @@ Constraints edges_of(const Scaled& vertices, const std::string& where) {
   return result;
 }
 
-void read_rings(const json& list, Tables& tables) {
-  for (const json& item : list) {
+void read_rings(const Json& list, Tables& tables) {
+  for (const Json& item : list) {
     const std::string where = "tables.rings[" + std::to_string(tables.rings.size()) + "]";
     const Scaled vertices = read_vertex_list(item, 3, where);
     Integer area = 0;
@@ -237,9 +270,9 @@ Constraints sides_of_flat(const Scaled& vertices, const std::string& where) {
   return result;
 }
 
-void read_convex_polygons(const json& list, Tables& tables) {
+void read_convex_polygons(const Json& list, Tables& tables) {
   std::size_t number = 0;
-  for (const json& item : list) {
+  for (const Json& item : list) {
     const std::string where = "tables.convex_polygons[" + std::to_string(number++) + "]";
     const Scaled vertices = read_vertex_list(item, 1, where);
     const bool is_flat = vertices.rows.size() < 3;
@@ -250,6 +283,8 @@ void read_convex_polygons(const json& list, Tables& tables) {
 }
 
 }  // namespace
+
+bool is_less(const PlanarPoint& p, const PlanarPoint& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; }
 
 Integer turn(const LinearConstraint& h, const LinearConstraint& k) { return h.a * k.b - h.b * k.a; }
 
@@ -359,8 +394,8 @@ PartTable parts_of(const PolygonTable& all, const std::vector<std::size_t>& whic
 
 bool Tables::has(const std::string& name) const { return std::find(names.begin(), names.end(), name) != names.end(); }
 
-Tables read_tables(const json& item) {
-  static const std::map<std::string, void (*)(const json&, Tables&)> readers{{"bodies", read_bodies},
+Tables read_tables(const Json& item) {
+  static const std::map<std::string, void (*)(const Json&, Tables&)> readers{{"bodies", read_bodies},
                                                                              {"segments", read_segments},
                                                                              {"polygons", read_polygons},
                                                                              {"circles", read_circles},
@@ -371,34 +406,12 @@ Tables read_tables(const json& item) {
   for (const auto& [name, reader] : readers) tables.names.push_back(name);
   require_members(item, {}, tables.names, "tables");
   tables.names.clear();
-  for (const auto& [name, list] : item.items()) {
+  for (const auto& [key, list] : item.members()) {
+    const std::string name(key);
     readers.at(name)(list_member(item, name.c_str(), "tables"), tables);
     tables.names.push_back(name);
   }
   return tables;
-}
-
-void require_members(const json& item, const std::vector<std::string>& needed, const std::vector<std::string>& allowed,
-                     const std::string& where) {
-  if (!item.is_object()) refuse_form(where + " is not an object");
-  const auto is_in = [](const std::vector<std::string>& keys, const std::string& key) {
-    return std::find(keys.begin(), keys.end(), key) != keys.end();
-  };
-  for (const auto& [key, value] : item.items()) {
-    if (!is_in(needed, key) && !is_in(allowed, key)) refuse_form(where + " has \"" + key + "\", which means nothing");
-  }
-  for (const std::string& key : needed) {
-    if (!item.contains(key)) refuse_form(where + " has no " + key);
-  }
-}
-
-std::string text_member(const json& item, const char* key, const std::string& where) {
-  std::string text = string_member(item, key, where);
-  const std::size_t size = characters(text);
-  if (size == 0 || size > most_name) {
-    refuse_form(where + "." + key + " is not a text of 1 to " + std::to_string(most_name) + " characters");
-  }
-  return text;
 }
 
 }  // namespace sunder_verifier

@@ -2,7 +2,8 @@
 // is refused by rule F.
 #pragma once
 
-#include <verifier/cpp/reader.h>
+#include <verifier/cpp/json.h>
+#include <verifier/cpp/numbers.h>
 
 #include <array>
 #include <cstddef>
@@ -52,6 +53,8 @@ struct PlanarPoint {
 
   friend bool operator==(const PlanarPoint& p, const PlanarPoint& q) { return p.x == q.x && p.y == q.y; }
 };
+
+bool is_less(const PlanarPoint& p, const PlanarPoint& q);  // lexicographically
 
 // The first end is lexicographically not after the last.
 struct PlanarSegment {
@@ -121,13 +124,6 @@ struct Tables {
   bool has(const std::string& name) const;
 };
 
-Tables read_tables(const json& item);
-
-// An object has these members, and besides at most those: throws Refused.
-void require_members(const json& item, const std::vector<std::string>& needed, const std::vector<std::string>& allowed,
-                     const std::string& where);
-
-// A string of 1 to most_name characters.
-std::string text_member(const json& item, const char* key, const std::string& where);
+Tables read_tables(const Json& item);
 
 }  // namespace sunder_verifier
