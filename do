@@ -231,7 +231,7 @@ need_clang() {
 }
 need_to_bench() {
   need_to_build_program pkg-config libfcl-dev libccd-dev libeigen3-dev libbullet-dev libqhull-dev libbenchmark-dev \
-    libcgal-dev libgeos-dev libgeos++-dev
+    libcgal-dev libgeos-dev libgeos++-dev python3
 }
 
 # --- Building -----------------------------------------------------------------------------------------------------
