@@ -6,10 +6,10 @@
 namespace sunder {
 
 struct Cost {
-  std::uint64_t probes = 0;      // vertices whose coordinates were looked at by the search
+  std::uint64_t probes = 0;      // vertices whose coordinates were looked at, by the search or by an exact walk
   std::uint32_t iterations = 0;  // steps of the search (one extreme vertex of each object a step)
-  std::uint32_t exact = 0;       // signs that no filter could decide, so that exact arithmetic did
-  std::uint32_t proposals = 0;   // what the search proposed, one after another until one held, if one did
+  std::uint32_t exact = 0;       // signs that no filter could decide, and directions, so that exact arithmetic did
+  std::uint32_t proposals = 0;   // what the search proposed, until one held, if one did
 };
 
 }  // namespace sunder

@@ -4,14 +4,14 @@
 // Where two triangles meet, each of three vertices a third of the way round apart, the polygons do. Else:
 // D = A - B holds the origin iff A and B meet (difference_search.h). In doubles: r is a difference of vertices, s the
 // vertex of D furthest from r towards the origin, t the one furthest from the line rs on the origin's side. Where the
-// origin is beyond s, or beyond t, A and B are apart; this is how most pairs that are apart are told. Where it is in the
-// triangle rst they meet. Else it is beyond the side st, seen from r, or beyond rt, seen from s (not both: D would not
-// reach that far). The ray from there through the origin leaves D behind that side: between two vertices of D that are
-// known, which bound the chains of edges to be searched. (Without the triangle, finding the chains takes half of a
+// origin is beyond s, or beyond t, A and B are apart; this is how most pairs that are apart are told. Where it is in
+// the triangle rst they meet. Else it is beyond the side st, seen from r, or beyond rt, seen from s (not both: D would
+// not reach that far). The ray from there through the origin leaves D behind that side: between two vertices of D that
+// are known, which bound the chains of edges to be searched. (Without the triangle, finding the chains takes half of a
 // search.)
 //
-// All of this proposes. What is proposed does not hold where rounding spoils it, near contact; and, about twice in 1,000
-// pairs in general position, beyond rt, because r need not be on the boundary of D.
+// All of this proposes. What is proposed does not hold where rounding spoils it, near contact; and, about twice in
+// 1,000 pairs in general position, beyond rt, because r need not be on the boundary of D.
 // Cost: two searches for a furthest vertex in each polygon, then two probes for each halving of what is left:
 // at most 4 (log2 n + log2 m) + O(1).
 #pragma once

@@ -39,7 +39,7 @@ class TetrahedronReduction {
   }
 
   // Names the five vertices. False where rounding has left no move, or vertices of one body only.
-  bool reduce(PairCertificate& certificate) {
+  bool reduce(Proposal& proposal) {
     std::uint32_t held = 255;  // a bit for each place
     for (std::size_t k = 0; k < 3; ++k) {
       const Row& move = moves_[k];
@@ -58,17 +58,17 @@ class TetrahedronReduction {
       // What has vanished counts as 1 from here on; no move touches it.
       for (std::size_t i = 0; i < 4; ++i) weight_[i] = (weight_[i] - step * move[i]) * others[i] + (1 - others[i]);
     }
-    certificate.verdict = Verdict::meet;
+    proposal.claim = Proposal::Claim::meet;
     std::uint32_t of_a = 0;
-    for (std::uint32_t& name : certificate.vertices) {
+    for (std::size_t k = 0; k < 5; ++k) {
       const std::size_t place = static_cast<std::size_t>(std::countr_zero(held)) % places;
-      name = place < 4 ? vertex_[place].a : vertex_[place - 4].b;
+      proposal.vertices[k] = place < 4 ? vertex_[place].a : vertex_[place - 4].b;
       of_a += std::uint32_t{place < 4};
       held &= held - 1;
     }
-    certificate.count_a = static_cast<std::uint8_t>(of_a);
-    certificate.count_b = static_cast<std::uint8_t>(5 - of_a);
-    return certificate.count_a > 0 && certificate.count_b > 0;
+    proposal.count_a = static_cast<std::uint8_t>(of_a);
+    proposal.count_b = static_cast<std::uint8_t>(5 - of_a);
+    return proposal.count_a > 0 && proposal.count_b > 0;
   }
 
  private:
@@ -147,18 +147,18 @@ class Reduction {
     for (Real& w : weight_) w = w > least ? w : Real(0);
   }
 
-  // The vertices with positive weights. False where they cannot be a certificate.
-  bool write(PairCertificate& certificate) const {
+  // The vertices with positive weights. False where they cannot be a proposal.
+  bool write(Proposal& proposal) const {
     std::size_t n = 0;
-    certificate.verdict = Verdict::meet;
-    certificate.count_a = certificate.count_b = 0;
+    proposal.claim = Proposal::Claim::meet;
+    proposal.count_a = proposal.count_b = 0;
     for (std::size_t i = 0; i < places; ++i) {
       if (!(weight_[i] > 0)) continue;
       if (n == 5) return false;
-      certificate.vertices[n++] = i < first_of_b ? of_a_.vertex[i] : of_b_.vertex[i - first_of_b];
-      ++(i < first_of_b ? certificate.count_a : certificate.count_b);
+      proposal.vertices[n++] = i < first_of_b ? of_a_.vertex[i] : of_b_.vertex[i - first_of_b];
+      ++(i < first_of_b ? proposal.count_a : proposal.count_b);
     }
-    return certificate.count_a > 0 && certificate.count_b > 0;
+    return proposal.count_a > 0 && proposal.count_b > 0;
   }
 
  private:
@@ -236,13 +236,13 @@ class Reduction {
 }  // namespace
 
 bool name_five_of_tetrahedron(const Placed& a, const DifferenceSimplex& tetrahedron,
-                              const std::array<double, 4>& weights, PairCertificate& certificate) {
-  return TetrahedronReduction(a, tetrahedron, weights).reduce(certificate);
+                              const std::array<double, 4>& weights, Proposal& proposal) {
+  return TetrahedronReduction(a, tetrahedron, weights).reduce(proposal);
 }
 
 template <class Real>
 bool name_at_most_five(const Placed& a, const Placed& b, const DifferenceSimplexOf<Real>& simplex,
-                       const std::array<Real, 4>& weights, bool drop_negligible, PairCertificate& certificate) {
+                       const std::array<Real, 4>& weights, bool drop_negligible, Proposal& proposal) {
   std::array<Real, 4> used = weights;
   if (drop_negligible) {
     const Real least = *std::max_element(weights.begin(), weights.end()) * negligible<Real>;
@@ -251,12 +251,12 @@ bool name_at_most_five(const Placed& a, const Placed& b, const DifferenceSimplex
   Reduction<Real> reduction(a, b, simplex, used);
   reduction.reduce();
   if (drop_negligible) reduction.drop_negligible();
-  return reduction.write(certificate);
+  return reduction.write(proposal);
 }
 
 template bool name_at_most_five(const Placed&, const Placed&, const DifferenceSimplexOf<double>&,
-                                const std::array<double, 4>&, bool, PairCertificate&);
+                                const std::array<double, 4>&, bool, Proposal&);
 template bool name_at_most_five(const Placed&, const Placed&, const DifferenceSimplexOf<DoubleDouble>&,
-                                const std::array<DoubleDouble, 4>&, bool, PairCertificate&);
+                                const std::array<DoubleDouble, 4>&, bool, Proposal&);
 
 }  // namespace sunder::solid

@@ -2,9 +2,9 @@
 // point (Caratheodory's theorem). In floating point: the outcome is a proposal.
 #pragma once
 
-#include <sunder/certificate/pair.h>
 #include <sunder/solid/pair/closest_simplex.h>
 #include <sunder/solid/pair/placed.h>
+#include <sunder/solid/pair/proposal.h>
 
 #include <array>
 #include <cstdint>
@@ -32,14 +32,14 @@ struct Support {
 };
 
 // Of a tetrahedron that holds the origin, with the origin's weights, up to a factor, all positive. Names the vertices
-// in the certificate. False where rounding spoils it.
+// in the proposal, that they meet. False where rounding spoils it.
 bool name_five_of_tetrahedron(const Placed& a, const DifferenceSimplex& tetrahedron,
-                              const std::array<double, 4>& weights, PairCertificate& certificate);
+                              const std::array<double, 4>& weights, Proposal& proposal);
 
 // Of any simplex, with the weights of the point nearest to the origin. `drop_negligible`: weights that are next to
 // nothing beside the largest count as zero, before and after.
 template <class Real>
 bool name_at_most_five(const Placed& a, const Placed& b, const DifferenceSimplexOf<Real>& simplex,
-                       const std::array<Real, 4>& weights, bool drop_negligible, PairCertificate& certificate);
+                       const std::array<Real, 4>& weights, bool drop_negligible, Proposal& proposal);
 
 }  // namespace sunder::solid

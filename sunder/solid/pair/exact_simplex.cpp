@@ -35,7 +35,8 @@ std::vector<std::uint32_t> spanning_vertices(const ConvexPolyhedron& body) {
 
 class ExactSimplex {
  public:
-  ExactSimplex(const Placed& a, const Placed& b, StageTally& tally) : a_(a), b_(b), tally_(tally) {
+  ExactSimplex(const Placed& a, const Placed& b, Cost& cost, StageTally& tally)
+      : a_(a), b_(b), cost_(cost), tally_(tally) {
     exponent_ = std::min(least_exponent(a), least_exponent(b));
   }
 
@@ -89,8 +90,8 @@ class ExactSimplex {
       if (y[0] == 0 && y[1] == 0 && y[2] == 0) continue;  // all of one body have one price
       const WorldDirection direction(Vector3<Dyadic>{dyadic_of(y[0], 0), dyadic_of(y[1], 0), dyadic_of(y[2], 0)});
       Along along_a(direction, a_.pose, a_.tame), along_b(direction, b_.pose, b_.tame);
-      at_a_ = extreme_vertex_from(a_, along_a, End::greatest, at_a_, tally_);
-      at_b_ = extreme_vertex_from(b_, along_b, End::least, at_b_, tally_);
+      at_a_ = extreme_vertex_from(a_, along_a, End::greatest, at_a_, cost_, tally_);
+      at_b_ = extreme_vertex_from(b_, along_b, End::least, at_b_, cost_, tally_);
     } while (enter_if_it_pays({Variable::Kind::of_a, at_a_}) || enter_if_it_pays({Variable::Kind::of_b, at_b_}));
   }
 
@@ -133,6 +134,7 @@ class ExactSimplex {
     const Column y = multipliers();
     Integer price = 0;
     for (std::size_t k = 0; k < rows_; ++k) price += y[k] * c[k];
+    ++tally_.exact;
     if (price <= 0) return false;
     Column t{};  // the column in terms of the basis, times determinant_
     for (std::size_t i = 0; i < rows_; ++i) {
@@ -154,7 +156,10 @@ class ExactSimplex {
   }
 
   bool lexicographically_less(std::size_t i, std::size_t j, const Column& t) const {
-    const auto less = [&](const Integer& at_i, const Integer& at_j) { return (at_i * t[j]).compare(at_j * t[i]); };
+    const auto less = [&](const Integer& at_i, const Integer& at_j) {
+      ++tally_.exact;
+      return (at_i * t[j]).compare(at_j * t[i]);
+    };
     int order = less(solution_[i], solution_[j]);
     for (std::size_t k = 0; order == 0 && k < rows_; ++k) order = less(inverse_[i][k], inverse_[j][k]);
     return order < 0;
@@ -198,6 +203,7 @@ class ExactSimplex {
 
   const Placed& a_;
   const Placed& b_;
+  Cost& cost_;
   StageTally& tally_;
   std::int64_t exponent_;  // images are multiples of 2^exponent_, and counted in it
   std::size_t rows_ = 0;
@@ -210,14 +216,15 @@ class ExactSimplex {
 
 }  // namespace
 
-PairCertificate decide_by_exact_simplex(const Placed& a, const Placed& b, const DifferenceSimplex& hint,
+PairCertificate decide_by_exact_simplex(const Placed& a, const Placed& b, const DifferenceSimplex& hint, Cost& cost,
                                         StageTally& tally) {
-  return ExactSimplex(a, b, tally).common_point(hint);
+  return ExactSimplex(a, b, cost, tally).common_point(hint);
 }
 
 bool interiors_meet(const ConvexPolyhedron& body_a, const Placed& a, const ConvexPolyhedron& body_b, const Placed& b,
                     StageTally& tally) {
-  return ExactSimplex(a, b, tally).interiors_meet(spanning_vertices(body_a), spanning_vertices(body_b));
+  Cost cost;
+  return ExactSimplex(a, b, cost, tally).interiors_meet(spanning_vertices(body_a), spanning_vertices(body_b));
 }
 
 }  // namespace sunder::solid

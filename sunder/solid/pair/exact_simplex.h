@@ -25,8 +25,9 @@
 namespace sunder::solid {
 
 // Decides; never fails. `hint`: vertices to try first, as a search left them. Allocates.
-// Cost: some five to thirty exact pivots, each with a walk over the graph.
-PairCertificate decide_by_exact_simplex(const Placed& a, const Placed& b, const DifferenceSimplex& hint,
+// Cost: some five to thirty exact pivots, each with a walk over the graph: every price and every comparison of rows is
+// an exact sign, every neighbour a probe.
+PairCertificate decide_by_exact_simplex(const Placed& a, const Placed& b, const DifferenceSimplex& hint, Cost& cost,
                                         StageTally& tally);
 
 // Do the relative interiors of two bodies that meet have a common point? Allocates.

@@ -53,8 +53,9 @@ TEST(ExactSimplexTest, DecidesAllPairsLikeTheScan) {
     if (i % 3 == 0) wrong.push_back(wrong[0]);
     if (wrong.size() > 4) wrong.pop_back();
     for (const DifferenceSimplex& hint : {DifferenceSimplex(), hint_of(wrong)}) {
+      Cost cost;
       StageTally tally;
-      const PairCertificate answer = decide_by_exact_simplex(a, b, hint, tally);
+      const PairCertificate answer = decide_by_exact_simplex(a, b, hint, cost, tally);
       ASSERT_EQ(answer.verdict == Verdict::meet, meet) << i << " " << name_of(c.family) << " hint " << hint.count;
       ASSERT_EQ(check(answer, a, b), CheckResult::accepted) << i << " " << name_of(c.family) << " hint " << hint.count;
     }
@@ -81,8 +82,9 @@ TEST(ExactSimplexTest, EndsWhateverTheDegeneracy) {
       for (const double dz : {0.0, 1.0, 2.0, 3.0}) {
         const Pose here, there = Pose::from_matrix(here.affine().linear, {dx, dy, dz});
         const Placed a(body, here), b(body, there);
+        Cost cost;
         StageTally tally;
-        const PairCertificate c = decide_by_exact_simplex(a, b, {}, tally);
+        const PairCertificate c = decide_by_exact_simplex(a, b, {}, cost, tally);
         EXPECT_EQ(c.verdict, polyhedron_polyhedron_by_scan(body, here, body, there).evidence.verdict);
         EXPECT_EQ(check(c, a, b), CheckResult::accepted);
       }
@@ -104,8 +106,9 @@ TEST(ExactSimplexTest, TheEndsOfTheRangeOfDoubles) {
           const Pose here = Pose::from_matrix({linear, 0, 0, 0, linear, 0, 0, least, linear}, {0, 0, 0});
           const Pose there = Pose::from_matrix({1, 0, 0, 0, linear, 0, 0, 0, 1}, {shift, 0, -shift});
           const Placed a(p, here), b(q, there);
+          Cost cost;
           StageTally tally;
-          const PairCertificate c = decide_by_exact_simplex(a, b, {}, tally);
+          const PairCertificate c = decide_by_exact_simplex(a, b, {}, cost, tally);
           ASSERT_EQ(c.verdict, polyhedron_polyhedron_by_scan(p, here, q, there).evidence.verdict)
               << s << " " << t << " " << linear << " " << shift;
           ASSERT_EQ(check(c, a, b), CheckResult::accepted);
@@ -121,9 +124,12 @@ TEST(ExactSimplexTest, TheEndsOfTheRangeOfDoubles) {
 TEST(ExactSimplexTest, TwoPoints) {
   const ConvexPolyhedron origin(std::vector<Point3>{{0, 0, 0}}), other(std::vector<Point3>{{5e-324, 0, 0}});
   const Pose pose;
+  Cost cost;
   StageTally tally;
-  EXPECT_EQ(decide_by_exact_simplex(Placed(origin, pose), Placed(origin, pose), {}, tally).verdict, Verdict::meet);
-  EXPECT_EQ(decide_by_exact_simplex(Placed(origin, pose), Placed(other, pose), {}, tally).verdict, Verdict::apart);
+  EXPECT_EQ(decide_by_exact_simplex(Placed(origin, pose), Placed(origin, pose), {}, cost, tally).verdict,
+            Verdict::meet);
+  EXPECT_EQ(decide_by_exact_simplex(Placed(origin, pose), Placed(other, pose), {}, cost, tally).verdict,
+            Verdict::apart);
   EXPECT_TRUE(interiors_meet(origin, Placed(origin, pose), origin, Placed(origin, pose), tally));
   EXPECT_FALSE(interiors_meet(origin, Placed(origin, pose), other, Placed(other, pose), tally));
 }

@@ -2,12 +2,14 @@
 
 namespace sunder::solid {
 
-std::uint32_t extreme_vertex_from(const Placed& body, Along& along, End end, std::uint32_t start, StageTally& tally) {
+std::uint32_t extreme_vertex_from(const Placed& body, Along& along, End end, std::uint32_t start, Cost& cost,
+                                  StageTally& tally) {
   const SearchGraph& graph = body.graph;
   const Sign further = static_cast<Sign>(end);
   VertexBlock block = graph.block(graph.place[start]);
   while (true) {
     const std::uint32_t count = block.count();
+    cost.probes += count;
     const double *x = block.x(), *y = block.y(), *z = block.z();
     const Point3 at = block.at();
     const double reach = graph.sizes.greatest;

@@ -70,8 +70,8 @@ class ExtremeVertexTest : public testing::Test {
     const std::uint32_t n = static_cast<std::uint32_t>(height.size());
     for (std::uint32_t start = 0; start < n; start += 1 + n / 16) {
       Along along(direction, placed.pose, placed.tame);
-      const std::uint32_t top = extreme_vertex_from(placed, along, End::greatest, start, tally_);
-      const std::uint32_t bottom = extreme_vertex_from(placed, along, End::least, start, tally_);
+      const std::uint32_t top = extreme_vertex_from(placed, along, End::greatest, start, cost_, tally_);
+      const std::uint32_t bottom = extreme_vertex_from(placed, along, End::least, start, cost_, tally_);
       EXPECT_EQ(height.at(top), *high);
       EXPECT_EQ(height.at(bottom), *low);
       // Where it is extreme already it stays: a certificate names the vertex that was proposed.
@@ -84,6 +84,7 @@ class ExtremeVertexTest : public testing::Test {
   }
 
   Random random_{tests::chosen_seed(71)};
+  Cost cost_;
   StageTally tally_;
   int walks_ = 0, steps_ = 0;
 };

@@ -1,10 +1,9 @@
-// Search, propose, check; finish exactly where the check fails. See docs/design/solid-pair.md.
+// The search that proposes. See docs/design/solid-pair.md.
 #include <sunder/solid/object/search_graph_walk.h>
 #include <sunder/solid/pair/closest_simplex.h>
-#include <sunder/solid/pair/evidence.h>
-#include <sunder/solid/pair/exact_simplex.h>
-#include <sunder/solid/pair/extreme_vertex.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
+#include <sunder/solid/pair/simplex_proposals.h>
 
 #include <cmath>
 
@@ -175,43 +174,42 @@ bool settle(const DifferenceSimplex& simplex, Point3& d, DifferenceVertex& w) {
 
 constexpr int most_iterations = 100;
 
-// In doubles, with directions in doubles as the evidence that the bodies are apart.
-bool decide_in_doubles(const Placed& a, const Placed& b, Search<double>& search, PairAnswer& answer,
-                       StageTally& tally) {
+// In doubles, with directions in doubles for bodies that are apart.
+template <class Holds>
+bool propose_in_doubles(const Placed& a, const Placed& b, Search<double>& search, const Holds& holds, Cost& cost) {
   search.direction = search.first_direction();
   for (int i = 0; i < most_iterations; ++i) {
-    ++answer.cost.iterations;
-    const DifferenceVertex w = search.probe(answer.cost);
+    ++cost.iterations;
+    const DifferenceVertex w = search.probe(cost);
     if (dot(search.direction, w.at) < 0) {
       DifferenceVertex furthest = w;
       Point3 direction = search.direction;
-      if (settle(search.simplex, direction, furthest) &&
-          check_apart(a, b, direction, furthest.a, furthest.b, answer.evidence, tally)) {
+      if (settle(search.simplex, direction, furthest) && holds(apart_along(direction, furthest.a, furthest.b))) {
         return true;
       }
     }
     if (!search.gains_by(w) || !search.step_to(w)) break;
   }
-  return check_meet(a, b, search.simplex, answer.evidence, tally) ||
-         check_apart_by_features(a, b, search.simplex, search.direction, answer.evidence, tally);
+  return propose_meet(a, b, search.simplex, holds) ||
+         propose_apart_along_features(search.simplex, search.direction, holds);
 }
 
 // The same search in twice the precision, for gaps and depths in the last bits; with directions perpendicular to the
-// simplex, exactly, as the evidence that the bodies are apart.
-bool decide_in_double_doubles(const Placed& a, const Placed& b, const Point3& direction, PairAnswer& answer,
-                              StageTally& tally) {
+// simplex for bodies that are apart.
+template <class Holds>
+bool propose_in_double_doubles(const Placed& a, const Placed& b, const Point3& direction, const Holds& holds,
+                               Cost& cost) {
   Search<DoubleDouble> search(a, b);
   search.direction = {direction.x, direction.y, direction.z};
   for (int i = 0; i < most_iterations; ++i) {
-    ++answer.cost.iterations;
-    const DifferenceVertexOf<DoubleDouble> w = search.probe(answer.cost);
-    if (dot(search.direction, w.at) < 0 &&
-        check_apart_perpendicular(a, b, search.simplex, w.a, w.b, answer.evidence, tally)) {
+    ++cost.iterations;
+    const DifferenceVertexOf<DoubleDouble> w = search.probe(cost);
+    if (dot(search.direction, w.at) < 0 && propose_apart_along_perpendicular(search.simplex, w.a, w.b, holds)) {
       return true;
     }
     if (!search.gains_by(w) || !search.step_to(w)) break;
   }
-  return check_meet(a, b, search.simplex, answer.evidence, tally);
+  return propose_meet(a, b, search.simplex, holds);
 }
 
 }  // namespace
@@ -219,21 +217,11 @@ bool decide_in_double_doubles(const Placed& a, const Placed& b, const Point3& di
 PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& body_a, const Pose& pose_a,  //
                                         const ConvexPolyhedron& body_b, const Pose& pose_b) {
   const Placed a(body_a, pose_a), b(body_b, pose_b);
-  PairAnswer answer;
-  StageTally tally;
-  Search<double> search(a, b);
-  const bool decided =
-      decide_in_doubles(a, b, search, answer, tally) || decide_in_double_doubles(a, b, search.direction, answer, tally);
-  // A direction that is not doubles was made by exact arithmetic, even where filters then compare along it.
-  const bool by_filters =
-      tally.exact == 0 && (answer.meet() || answer.evidence.direction.kind == Direction::Kind::given);
-  answer.decided_by = by_filters ? DecidedBy::filter : DecidedBy::evidence;
-  if (!decided) {
-    answer.evidence = decide_by_exact_simplex(a, b, search.simplex, tally);
-    answer.decided_by = DecidedBy::finishing;
-  }
-  answer.cost.exact = tally.exact;
-  return answer;
+  return answer_by(a, b, [&](const auto& holds, Cost& cost) {
+    Search<double> search(a, b);
+    return propose_in_doubles(a, b, search, holds, cost) ||
+           propose_in_double_doubles(a, b, search.direction, holds, cost);
+  });
 }
 
 }  // namespace sunder::solid

@@ -3,9 +3,13 @@
 #include <sunder/base/random.h>
 #include <sunder/certificate/check.h>
 #include <sunder/solid/pair/caratheodory.h>
-#include <sunder/solid/pair/evidence.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
+#include <sunder/solid/pair/simplex_proposals.h>
+
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
 
 #include <tests/support/scale.h>
+#include <tests/support/solid_pairs.h>
 
 #include <gtest/gtest.h>
 
@@ -77,7 +81,33 @@ std::uint32_t vertex_at(const ConvexPolyhedron& body, const Point3& p) {
   return static_cast<std::uint32_t>(std::find(v.begin(), v.end(), p) - v.begin());
 }
 
-class EvidenceTest : public testing::Test {
+// What a search would do with a direction or a simplex.
+bool check_apart(const Placed& a, const Placed& b, const Point3& direction, std::uint32_t near_a, std::uint32_t near_b,
+                 PairCertificate& c, StageTally& tally) {
+  Cost cost;
+  return dispose(a, b, apart_along(direction, near_a, near_b), c, cost, tally);
+}
+auto disposing(const Placed& a, const Placed& b, PairCertificate& c, StageTally& tally) {
+  return [&](const Proposal& p) {
+    Cost cost;
+    return dispose(a, b, p, c, cost, tally);
+  };
+}
+template <class Real>
+bool check_meet(const Placed& a, const Placed& b, const DifferenceSimplexOf<Real>& s, PairCertificate& c,
+                StageTally& tally) {
+  return propose_meet(a, b, s, disposing(a, b, c, tally));
+}
+bool check_apart_by_features(const Placed& a, const Placed& b, const DifferenceSimplex& s, const Point3& towards,
+                             PairCertificate& c, StageTally& tally) {
+  return propose_apart_along_features(s, towards, disposing(a, b, c, tally));
+}
+bool check_apart_perpendicular(const Placed& a, const Placed& b, const DifferenceSimplexOf<DoubleDouble>& s,
+                               std::uint32_t near_a, std::uint32_t near_b, PairCertificate& c, StageTally& tally) {
+  return propose_apart_along_perpendicular(s, near_a, near_b, disposing(a, b, c, tally));
+}
+
+class PolyhedronPolyhedronAnswerTest : public testing::Test {
  protected:
   ConvexPolyhedron some_body() {
     std::vector<Point3> points;
@@ -95,7 +125,7 @@ class EvidenceTest : public testing::Test {
 };
 
 // Whatever vertices the walk begins at, the answer is that of all vertices. Small integers: doubles are exact.
-TEST_F(EvidenceTest, CheckApartIsThePlainTruthFromAnyStart) {
+TEST_F(PolyhedronPolyhedronAnswerTest, CheckApartIsThePlainTruthFromAnyStart) {
   int accepted = 0, refused = 0, ties = 0;
   for (int i = 0; i < 5000; ++i) {
     const ConvexPolyhedron body_a = some_body(), body_b = some_body();
@@ -124,7 +154,7 @@ TEST_F(EvidenceTest, CheckApartIsThePlainTruthFromAnyStart) {
 }
 
 // Simplices at random, most of them not what a search would leave: what is accepted holds.
-TEST_F(EvidenceTest, WhatIsAcceptedHolds) {
+TEST_F(PolyhedronPolyhedronAnswerTest, WhatIsAcceptedHolds) {
   std::map<Direction::Kind, int> kinds;
   std::map<int, int> counts, finer_counts, perpendicular;
   int refused = 0;
@@ -180,7 +210,7 @@ TEST_F(EvidenceTest, WhatIsAcceptedHolds) {
 }
 
 // Gaps that no direction of doubles can show: 5e-324 beyond a facet, an edge, a vertex.
-TEST_F(EvidenceTest, FeaturesPartWhatDoublesCannot) {
+TEST_F(PolyhedronPolyhedronAnswerTest, FeaturesPartWhatDoublesCannot) {
   // Irregular numbers: the features' exact directions are no triples of doubles.
   const Pose pose = Pose::from_matrix({0.1, 0.7, -0.3, 0.4, 0.2, 0.9, -0.8, 0.3, 0.35}, {0.1, 0.2, 0.3});
   const ConvexPolyhedron cube(cube_points());
@@ -231,7 +261,7 @@ TEST_F(EvidenceTest, FeaturesPartWhatDoublesCannot) {
 }
 
 // The nearest parts of a vertex and an edge's inside, or of a vertex and a vertex, one unit in the last place apart.
-TEST_F(EvidenceTest, ThePerpendicularPartsWhatDoublesCannot) {
+TEST_F(PolyhedronPolyhedronAnswerTest, ThePerpendicularPartsWhatDoublesCannot) {
   const Pose pose = Pose::from_matrix({0.1, 0.7, -0.3, 0.4, 0.2, 0.9, -0.8, 0.3, 0.35}, {0.1, 0.2, 0.3});
   const ConvexPolyhedron cube(cube_points());
   const Placed a(cube, pose);
@@ -270,7 +300,7 @@ TEST_F(EvidenceTest, ThePerpendicularPartsWhatDoublesCannot) {
 }
 
 // Proper overlaps: the plain case.
-TEST_F(EvidenceTest, TetrahedraAroundTheOriginAreAccepted) {
+TEST_F(PolyhedronPolyhedronAnswerTest, TetrahedraAroundTheOriginAreAccepted) {
   int enclosing = 0, accepted = 0, at_once = 0, finer_accepted = 0;
   for (int i = 0; i < 40000 && enclosing < 1000; ++i) {
     std::vector<Point3> p, q;
@@ -288,13 +318,15 @@ TEST_F(EvidenceTest, TetrahedraAroundTheOriginAreAccepted) {
     if (*std::min_element(w.begin(), w.end()) < 1e-6) continue;
     ++enclosing;
     PairCertificate c;
-    if (name_five_of_tetrahedron(a, s, w, c)) {
+    Proposal five;
+    if (name_five_of_tetrahedron(a, s, w, five)) {
       // Never a vertex twice, whatever the tetrahedron shares.
-      std::array<std::uint32_t, 5> names = c.vertices;
-      for (std::size_t k = c.count_a; k < 5; ++k) names[k] += 100;
+      std::array<std::uint32_t, 5> names{};
+      std::copy_n(five.vertices.begin(), 5, names.begin());
+      for (std::size_t k = five.count_a; k < 5; ++k) names[k] += 100;
       std::sort(names.begin(), names.end());
       EXPECT_EQ(std::unique(names.begin(), names.end()), names.end());
-      at_once += check(c, a, b) == CheckResult::accepted;
+      at_once += disposing(a, b, c, tally_)(five) && check(c, a, b) == CheckResult::accepted;
     }
     finer_accepted += check_meet(a, b, finer(a, b, s), c, tally_);
     if (!check_meet(a, b, s, c, tally_)) continue;
@@ -308,7 +340,7 @@ TEST_F(EvidenceTest, TetrahedraAroundTheOriginAreAccepted) {
 }
 
 // Touching: the nearest face is a corner, an edge or a triangle that holds the origin, some weights are zero.
-TEST_F(EvidenceTest, TouchingPairsAreAccepted) {
+TEST_F(PolyhedronPolyhedronAnswerTest, TouchingPairsAreAccepted) {
   const ConvexPolyhedron cube(cube_points());
   const Pose here, there = shifted(2, 0.5, -0.25);
   const Placed a(cube, here), b(cube, there);
@@ -331,13 +363,182 @@ TEST_F(EvidenceTest, TouchingPairsAreAccepted) {
   EXPECT_FALSE(check_meet(a, off_corner, simplex_of(a, off_corner, {{v(1, 1, 1), v(-1, -1, -1)}}), c, tally_));
 }
 
-TEST_F(EvidenceTest, AnEmptySimplexProposesNothing) {
+TEST_F(PolyhedronPolyhedronAnswerTest, AnEmptySimplexProposesNothing) {
   const ConvexPolyhedron cube(cube_points());
   const Pose pose;
   const Placed a(cube, pose);
   PairCertificate c;
   EXPECT_FALSE(check_meet(a, a, DifferenceSimplex(), c, tally_));
   EXPECT_FALSE(check_apart_by_features(a, a, {}, {1, 0, 0}, c, tally_));
+}
+
+// Proposals about two cubes with a gap between them, right and wrong in each way.
+TEST_F(PolyhedronPolyhedronAnswerTest, WrongProposalsDoNotHold) {
+  using Claim = Proposal::Claim;
+  const ConvexPolyhedron cube(cube_points());
+  const Pose here, there = shifted(3, 0, 0), close = shifted(1.5, 0, 0);
+  const Placed a(cube, here), b(cube, there), c(cube, close);
+  const auto v = [&](double x, double y, double z) { return vertex_at(cube, {x, y, z}); };
+  PairCertificate certificate;
+  const auto apart = disposing(a, b, certificate, tally_), meeting = disposing(a, c, certificate, tally_);
+  const std::uint32_t p = v(1, 1, 1), q = v(1, -1, 1), r = v(1, 1, -1), u = v(-1, 1, 1), t = v(-1, -1, 1),
+                      w = v(-1, 1, -1);
+  const Point3 right{1, 0, 0}, left{-1, 0, 0}, up{0, 1, 0};
+  const std::vector<Proposal> true_ones{
+      apart_along(right, p, u),
+      apart_along(right, u, p),  // the walk finds the extreme vertices
+      {Claim::apart_along_normal_of_a, 3, 0, {p, q, r}, p, u, right},
+      {Claim::apart_along_normal_of_b, 0, 3, {u, t, w}, p, u, right},
+      {Claim::apart_along_edge_x_edge, 2, 2, {p, q, u, w}, p, u, right},
+      {Claim::apart_along_difference, 1, 1, {p, u}, p, u, right},
+      {Claim::apart_along_perpendicular, 1, 1, {p, u}, p, u, {}},
+      {Claim::apart_along_perpendicular, 3, 3, {p, q, r, u, u, u}, p, u, {}},
+      apart_at_vertices(p, u),
+  };
+  for (std::size_t k = 0; k < true_ones.size(); ++k) {
+    const Proposal& one = true_ones[k];
+    EXPECT_TRUE(apart(one)) << k;
+    EXPECT_EQ(check(certificate, a, b), CheckResult::accepted) << k;
+    EXPECT_FALSE(meeting(one)) << k;                              // the wrong claim
+    for (const std::uint32_t wrong : {8u, 1000u, 0xffffffffu}) {  // features that there are not
+      Proposal other = one;
+      other.near_a = wrong;
+      EXPECT_FALSE(apart(other)) << k;
+      other = one;
+      other.near_b = wrong;
+      EXPECT_FALSE(apart(other)) << k;
+      for (std::size_t i = 0; i < std::size_t{one.count_a} + one.count_b; ++i) {
+        other = one;
+        other.vertices[i] = wrong;
+        EXPECT_FALSE(apart(other)) << k << " " << i;
+      }
+      if (one.count_a == 0) continue;
+      other = one;
+      other.count_a = 200;
+      EXPECT_FALSE(apart(other)) << k;
+    }
+  }
+  // A wrong direction, or one that is none.
+  for (const Point3& d : {left, up, Point3{0, 0, 0}, Point3{HUGE_VAL, 0, 0}, Point3{1, std::nan(""), 0}}) {
+    EXPECT_FALSE(apart(apart_along(d, p, u)));
+  }
+  EXPECT_FALSE(apart({Claim::apart_along_normal_of_a, 3, 0, {p, q, r}, p, u, left}));   // the wrong sense
+  EXPECT_FALSE(apart({Claim::apart_along_normal_of_a, 3, 0, {p, q, u}, p, u, right}));  // another facet
+  EXPECT_FALSE(apart({Claim::apart_along_normal_of_a, 3, 0, {p, p, p}, p, u, right}));
+  EXPECT_FALSE(apart(apart_at_vertices(u, p)));
+  // A corner of one cube on an edge of the other; other vertices.
+  const std::uint32_t x = v(-1, -1, -1);
+  EXPECT_TRUE(meeting({Claim::meet, 2, 1, {u, p, u}, 0, 0, {}}));
+  EXPECT_EQ(check(certificate, a, c), CheckResult::accepted);
+  EXPECT_FALSE(meeting({Claim::meet, 2, 1, {u, p, t}, 0, 0, {}}));
+  EXPECT_FALSE(meeting({Claim::meet, 2, 1, {x, p, u}, 0, 0, {}}));
+  EXPECT_FALSE(apart({Claim::meet, 4, 1, {x, p, q, r, u}, 0, 0, {}}));
+  EXPECT_FALSE(meeting({Claim::meet, 1, 1, {p, u}, 0, 0, {}}));
+  EXPECT_FALSE(meeting({Claim::meet, 0, 1, {p, u}, 0, 0, {}}));
+  EXPECT_FALSE(meeting({Claim::meet, 5, 1, {p, u}, 0, 0, {}}));
+  EXPECT_FALSE(meeting({Claim::meet, 1, 1, {p, 8}, 0, 0, {}}));
+}
+
+// A search that proposes anything: what holds is true, and where nothing does, the answer is right all the same.
+TEST_F(PolyhedronPolyhedronAnswerTest, AnswersAreRightWhateverIsProposed) {
+  tests::SolidPairs pairs(tests::chosen_seed(91));
+  std::map<Proposal::Claim, int> held;
+  int finished = 0;
+  const int count = tests::scaled_count(2000);
+  for (int i = 0; i < count; ++i) {
+    const tests::PairCase c = pairs.next();
+    if (c.a.vertices().size() + c.b.vertices().size() > 100) continue;
+    const Placed a(c.a, c.pose_a), b(c.b, c.pose_b);
+    const PairAnswer answer = answer_by(a, b, [&](const auto& holds, Cost&) {
+      for (int k = 0; k < 6; ++k) {
+        Proposal p{static_cast<Proposal::Claim>(random_.below(8)), 0, 0, {}, some_vertex(a), some_vertex(b), {}};
+        using Counts = std::array<std::uint8_t, 2>;
+        constexpr std::array<Counts, 8> counts{Counts{0, 0}, {3, 0}, {0, 3}, {2, 2}, {1, 1}, {2, 2}, {0, 0}, {4, 1}};
+        const auto& [count_a, count_b] =
+            counts[random_.below(8) == 0 ? random_.below(8) : static_cast<std::size_t>(p.claim)];
+        p.count_a = count_a, p.count_b = count_b;
+        for (std::size_t n = 0; n < 6; ++n) p.vertices[n] = n < count_a ? some_vertex(a) : some_vertex(b);
+        p.direction = {random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1)};
+        if (!holds(p)) continue;
+        ++held[p.claim];
+        return true;
+      }
+      return false;
+    });
+    ASSERT_EQ(answer.meet(), polyhedron_polyhedron_by_scan(c.a, c.pose_a, c.b, c.pose_b).meet()) << i;
+    ASSERT_EQ(check(answer.evidence, a, b), CheckResult::accepted) << i;
+    if (answer.decided_by == DecidedBy::finishing) {
+      EXPECT_EQ(answer.cost.proposals, 6u);
+      EXPECT_GT(answer.cost.exact, 0u);
+      ++finished;
+    }
+  }
+  if (count < 1000) return;
+  for (int k = 0; k < 8; ++k) EXPECT_GT(held[static_cast<Proposal::Claim>(k)], 0) << k;
+  EXPECT_GT(finished, count / 10);
+}
+
+// The share of answers that come from proposals, by family: all in general position; elsewhere what was reached.
+TEST_F(PolyhedronPolyhedronAnswerTest, HitRateByFamily) {
+  tests::SolidPairs pairs(tests::chosen_seed(92));
+  const int count = tests::scaled_count(500);
+  for (int f = 0; f < tests::family_count; ++f) {
+    const auto family = static_cast<tests::Family>(f);
+    int hits = 0;
+    std::uint64_t proposals = 0;
+    for (int i = 0; i < count; ++i) {
+      const tests::PairCase c = pairs.next(family);
+      const PairAnswer answer = polyhedron_polyhedron(c.a, c.pose_a, c.b, c.pose_b);
+      hits += answer.decided_by != DecidedBy::finishing;
+      EXPECT_EQ(answer.decided_by == DecidedBy::filter, answer.cost.exact == 0);
+      proposals += answer.cost.proposals;
+    }
+    std::printf("%-14s %5d per mille, %.2f proposals a pair\n", std::string(name_of(family)).c_str(),
+                hits * 1000 / count, static_cast<double>(proposals) / count);
+    const bool plain = family == tests::Family::general;
+    EXPECT_GE(1000 * hits, (plain                                   ? 1000
+                            : family == tests::Family::tiny_or_huge ? 900
+                                                                    : 990) *
+                               count)
+        << name_of(family);
+  }
+}
+
+// A pyramid and its copy, turned by a little less than a bit of single precision, with the apex in its base: what
+// doubles and double-doubles propose does not hold. An ordinary size is no promise that nothing is to be finished.
+TEST_F(PolyhedronPolyhedronAnswerTest, APyramidOfOrdinarySizeIsFinished) {
+  std::vector<Point3> points{{0, 0, 1}};
+  for (int i = 0; i < 4; ++i) points.push_back({std::cos(2 * M_PI * i / 4), std::sin(2 * M_PI * i / 4), 0});
+  const ConvexPolyhedron pyramid(points);
+  constexpr double s = 0x1.97bc0c83a2d44p-31, t = 0x1.70c293018f74fp-31;
+  const Pose there = Pose::from_matrix({1, 0, -s, 0, 1, -t, s, t, 1}, {0, 0, 1});
+  const PairAnswer answer = polyhedron_polyhedron(pyramid, Pose(), pyramid, there);
+  EXPECT_EQ(answer.decided_by, DecidedBy::finishing);
+  EXPECT_EQ(answer.meet(), polyhedron_polyhedron_by_scan(pyramid, Pose(), pyramid, there).meet());
+  EXPECT_EQ(check(answer.evidence, Placed(pyramid, Pose()), Placed(pyramid, there)), CheckResult::accepted);
+  EXPECT_GT(answer.cost.exact, 20u);  // pivots are counted, too
+  EXPECT_EQ(polyhedron_polyhedron_by_scan(pyramid, Pose(), pyramid, there).decided_by, DecidedBy::scan);
+}
+
+// An exact walk around a facet of many vertices is not free: each vertex that it looks at is a probe.
+TEST_F(PolyhedronPolyhedronAnswerTest, WalksOfChecksAreCounted) {
+  constexpr int n = 1000;
+  std::vector<Point3> points;
+  for (int i = 0; i < n; ++i) {
+    const double x = std::cos(2 * M_PI * i / n), y = std::sin(2 * M_PI * i / n);
+    points.push_back({x, y, 0});
+    points.push_back({x, y, 1});
+  }
+  const ConvexPolyhedron prism(points);
+  const Pose here, there = shifted(0, 0, 3);
+  const Placed a(prism, here), b(prism, there);
+  PairCertificate c;
+  Cost cost;
+  StageTally tally;
+  // Nearly along the axis, from the far side of the cap.
+  const std::uint32_t far_a = vertex_at(prism, {1, 0, 1}), far_b = vertex_at(prism, {1, 0, 0});
+  EXPECT_TRUE(dispose(a, b, apart_along({-0x1p-20, 0, 1}, far_a, far_b), c, cost, tally));
+  EXPECT_GE(cost.probes, 3u * n / 2);  // half way around one of the caps, three neighbours a vertex
 }
 
 }  // namespace

@@ -1,0 +1,41 @@
+// How every method answers whether two convex polyhedra meet: its search proposes, dispose() checks what it proposes,
+// and where nothing holds finish() decides. Both are written once; both are exact.
+#pragma once
+
+#include <sunder/certificate/pair_answer.h>
+#include <sunder/solid/pair/placed.h>
+#include <sunder/solid/pair/proposal.h>
+
+namespace sunder::solid {
+
+// Does the proposal hold? Fills in the certificate where it does. It may come from anywhere: what names no features of
+// these bodies does not hold. A direction that is not three doubles is made by exact arithmetic, and counts as an exact
+// sign; what a check walks over counts as probes. Allocates where a perpendicular parts the bodies.
+bool dispose(const Placed& a, const Placed& b, const Proposal& proposal, PairCertificate& certificate, Cost& cost,
+             StageTally& tally);
+
+// Decides, whatever the bodies are (exact_simplex.h). Exact walks begin at these vertices; at others where there are no
+// such ones. Allocates.
+void finish(const Placed& a, const Placed& b, std::uint32_t near_a, std::uint32_t near_b, PairCertificate& certificate,
+            Cost& cost, StageTally& tally);
+
+// The answer of a method that proposes: propose(holds, cost) calls holds(proposal) until that is true, and tells
+// whether it was. A search that is told that a proposal does not hold goes on where it is, or gives up.
+template <class Propose>
+PairAnswer answer_by(const Placed& a, const Placed& b, const Propose& propose) {
+  PairAnswer answer;
+  StageTally tally;
+  std::uint32_t near_a = 0, near_b = 0;
+  const auto holds = [&](const Proposal& proposal) {
+    ++answer.cost.proposals;
+    if (dispose(a, b, proposal, answer.evidence, answer.cost, tally)) return true;
+    near_a = proposal.near_a, near_b = proposal.near_b;
+    return false;
+  };
+  const bool held = propose(holds, answer.cost);
+  if (!held) finish(a, b, near_a, near_b, answer.evidence, answer.cost, tally);
+  answer.conclude(tally.exact, !held);
+  return answer;
+}
+
+}  // namespace sunder::solid
