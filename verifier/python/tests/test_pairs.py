@@ -162,6 +162,33 @@ def distance_file(bodies, p, q):
                     "claims": claims + [{"claim": "slab"}]})
 
 
+def rows_of(top, k):
+    """The points and ways of a body, in coordinates."""
+    entry = top["tables"]["bodies"][k]
+    if "of" not in entry:
+        return [[list(map(value_of, row)) for row in entry.get(key, [])] for key in ("points", "ways")]
+    points, ways = rows_of(top, entry["of"])
+    d = len(points[0])
+    linear, moved = [value_of(x) for x in entry["linear"]], [value_of(x) for x in entry["translation"]]
+
+    def turned(v):
+        return [sum(linear[r * d + c] * v[c] for c in range(d)) for r in range(d)]
+    return [[x + t for x, t in zip(turned(p), moved)] for p in points], [turned(w) for w in ways]
+
+
+def extrapolated(top, dice):
+    """A point of B as a combination of what A is of, with weights of any sign; or None."""
+    one = top["statements"][0]
+    (points, ways), (others, _) = (rows_of(top, one[key]) for key in "ab")
+    k = dice.randrange(len(others))
+    columns = [p + [1] for p in points] + [w + [0] for w in ways]
+    weights, _ = solution_or_proof(columns + [[-x for x in c] for c in columns], others[k] + [1])
+    if weights is None:
+        return None
+    of_a = [[m, fraction(p - n)] for m, (p, n) in enumerate(zip(weights, weights[len(columns):])) if p != n]
+    return [fraction(x) for x in others[k]], [of_a, [[k, "1"]]]
+
+
 def forced_statement(top, verdict, dice):
     one = top["statements"][0]
     statement = {**{key: one[key] for key in ("question", "a", "b")}, "verdict": verdict}
@@ -174,10 +201,11 @@ def forced_statement(top, verdict, dice):
         return {**statement, "claims": [{"claim": "parted", "direction": direction}]}
     if len(known) < 2 or dice.random() < .3:
         known = [[[k, dice.choice(["1/2", "1", "0", "1/4"])] for k in range(dice.randint(1, 2))]] * 2
+    point, known = dice.random() < .3 and extrapolated(top, dice) or (one.get("point", vector), known)
     kind = "inside" if verdict == "overlapping" else "holds"
     claims = [{"claim": kind, "weights": weights} for weights in known]
     claims += [{"claim": "parted_weakly", "direction": direction}] * (verdict == "touching")
-    return {**statement, "point": one.get("point", vector), "claims": claims}
+    return {**statement, "point": point, "claims": claims}
 
 
 class PairsTest(unittest.TestCase):

@@ -134,12 +134,19 @@ def forced_statement(given, objective, true_one, verdict, dice):
     weights = [[k, dice.choice(["1", "2", "1/3"])] for k in dice.sample(range(len(given)), dice.randint(1, min(3, len(given))))]
     weights = dice.choice(known + [weights])
 
+    as_far = []  # of the best points
+    if true_one["verdict"] in ("one", "many"):
+        best = tuple(map(value, true_one["point"]))
+        as_far = [p for p in near if is_in(given, p) and dot(objective, p) == dot(objective, best)]
+        as_far += [((p[0] + q[0]) / 2, (p[1] + q[1]) / 2) for p, q in zip(as_far, as_far[1:])]
+
     def end():
-        return dice.choice([None, [[fraction(x) for x in dice.choice(near)], dice.randrange(len(given))]])
+        return dice.choice([None, [[fraction(x) for x in dice.choice(as_far or near)], dice.randrange(len(given))]])
+    of_ends = {"claim": "ends", "ends": [end(), end()]}
     along = dice.choice([vector, [str(x) for x in objective], [str(-objective[1]), str(objective[0])]])
     needed = {
         "one": [{"claim": "bounds_only", "weights": weights}],
-        "many": [{"claim": "bounds", "weights": weights}, claims.get("ends", {"claim": "ends", "ends": [end(), end()]})],
+        "many": [{"claim": "bounds", "weights": weights}, dice.choice([of_ends, claims.get("ends", of_ends)])],
         "all": [{"claim": "no_objective"}],
         "unbounded": [{"claim": "goes_on", "direction": along}],
         "infeasible": [{"claim": "contradict", "weights": weights}]}[verdict]
