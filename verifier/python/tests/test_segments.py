@@ -275,6 +275,10 @@ class SegmentsTest(unittest.TestCase):
                 ([5, 5], [[0, -1, 0, 0]] + events[1:], "sweep"),
                 ([5, 5], [], "sweep")):
             self.assertEqual(twins.look(certificate(cross, "nothing", groups, changed)), wanted, (groups, changed))
+        # One is lost where it meets another one of its group, and later crosses one of another group.
+        lost = [((0, 0), (4, 0)), ((1, 0), (1, 1)), ((3, -1), (3, 1))]
+        events = [[0, -1, 0], [2, -1, 1], [3, -1], [4, -1, 2], [5, -1], [1, -1]]
+        self.assertEqual(twins.look(certificate(lost, "nothing", [1, 1, 2], events)), "sweep")
         # Two of one group overlap, then part; a point of another group where they do.
         fork = [((0, 0), (4, 0)), ((1, 0), (3, 0)), ((2, 0), (2, 0))]
         events = [[0, -1, 0], [2, -1, 1, 0], [4, -1, 1, 0, 2], [3, -1, 0], [1, -1]]

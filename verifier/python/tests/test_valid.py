@@ -194,7 +194,10 @@ def defects(parts, rule):
         common = [p for p in points if any(is_on(s, p) for s in rings[r]) and any(is_on(s, p) for s in rings[q])]
         if common and of_part[r] == of_part[q]:
             touching[r, q] = common[:3]
-        if common:
+        if common:  # in one point, and rings of two parts, close no circle
+            twice = [text_of(common[0]), text_of(common[-1])]
+            if len(common) == 1 or of_part[r] != of_part[q]:
+                yield defect_of(parts, rule, "circle", rings=[r, q], points=twice)
             yield defect_of(parts, rule, "rings_touch", ring=r, other=q, point=text_of(common[0]))
     for way, places in circles_of(rings, of_part, touching):
         yield defect_of(parts, rule, "circle", rings=way, points=[text_of(p) for p in places])
@@ -244,6 +247,16 @@ class ValidTest(unittest.TestCase):
             self.assertTrue(found != truth or not are_all, (parts, rule))
         twins.compare()
         self.assertTrue(some(100) < 30 or accepted == DEFECTS, accepted)
+
+    def test_rings_of_two_parts_close_no_circle(self):
+        around = [[(0, 0), (6, 0), (6, 6), (5, 6), (5, 1), (1, 1), (1, 6), (0, 6)]]
+        between, twins = [[(1, 3), (3, 2), (5, 3), (3, 4)]], Twins(self)
+        self.assertTrue(is_valid([around, between], "valid"))
+        points = [["1", "3"], ["5", "3"]]
+        said = [twins.look(defect_of(parts, "valid", "circle", rings=[0, 1], points=points))
+                for parts in ([around, between], [around + between])]
+        self.assertEqual(said, ["circle", "accepted"])
+        twins.compare()
 
     def test_no_forced_sweep_proves_what_is_not_so(self):
         dice, twins, accepted = dice_of(2), Twins(self), 0
