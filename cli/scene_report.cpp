@@ -272,9 +272,13 @@ Json scene_json(const SceneReport& report, const std::vector<const Object*>& obj
 
 void write_scene_certificate(const SceneReport& report, const InputFiles& inputs, const TextSink& sink) {
   ClaimsWriter file(sink);
-  file.add_origin({inputs, report.left_out->texts()});
-  PairClaims pairs(file);
   const std::vector<scene::Body>& bodies = report.placements.front().bodies;
+  std::vector<std::string> left_out = report.left_out->texts();
+  for (const auto& [a, b] : report.allowed) {
+    left_out.push_back(fmt::format("{} and {}, which may meet", bodies[a].name, bodies[b].name));
+  }
+  file.add_origin({inputs, std::move(left_out)});
+  PairClaims pairs(file);
   std::vector<std::vector<std::uint32_t>> tables;
   for (const scene::Body& body : bodies) {
     tables.emplace_back();

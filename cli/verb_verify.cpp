@@ -45,19 +45,6 @@ bool is_pair(const sunder_verifier::PairResult& result) {
   return result.question.empty() ? result.verdict == "apart" || result.verdict == "meet" : result.question == "pair";
 }
 
-bool is_about_two(const sunder_verifier::PairResult& result) {
-  return is_pair(result) || result.question == "distance";
-}
-
-// "said to be apart".
-std::string said_of_two(const std::string& verdict) {
-  return verdict == "apart"      ? "be apart"
-         : verdict == "meet"     ? "meet"
-         : verdict == "touching" ? "touch"
-         : verdict == "closest"  ? "be as near as two points"
-                                 : "overlap";
-}
-
 // Throws Error bad_file where it cannot be read.
 File verify(const std::string& name, bool no_limit) {
   using sunder_verifier::Limit;
@@ -106,6 +93,18 @@ void compare(const InputFiles& against, File& file) {
   }
 }
 
+constexpr std::size_t most_told = 10;  // statements of a file; of more it is told how many there are of each kind
+
+// "proved: exactly 2 pairs of segments meet: 0 1 crossing, 0 2 touch", line by line.
+std::string proved_text(const File& file) {
+  std::string text;
+  if (file.result.pairs.size() > most_told) return text;
+  for (const sunder_verifier::PairResult& statement : file.result.pairs) {
+    if (statement.accepted) text += fmt::format("  proved: {}\n", statement.sentence);
+  }
+  return text;
+}
+
 std::string counts_text(const File& file) {
   std::string text;
   for (const auto& [verdict, count] : file.accepted) {
@@ -118,9 +117,11 @@ std::string human_text(const File& file) {
   const sunder_verifier::FileResult& result = file.result;
   if (!result.failed_form.empty())
     return fmt::format("{}: REFUSED: check F: {}\n", file.name, io::one_line(result.failed_form));
-  std::string text = fmt::format("{}: {}: {} of {} accepted{}\n", file.name, file.holds() ? "accepted" : "REFUSED",
-                                 file.accepted_pairs(),
-                                 count_of(result.pairs.size(), file.is_set ? "statement" : "pair"), counts_text(file));
+  std::string text =
+      fmt::format("{}: {}: {} of {} accepted{}\n", file.name, file.holds() ? "accepted" : "REFUSED",
+                  file.accepted_pairs(), count_of(result.pairs.size(), file.is_set ? "statement" : "pair"),
+                  file.is_set && result.pairs.size() <= most_told ? "" : counts_text(file));
+  text += proved_text(file);
   for (const InputFile& input : file.made_of) text += fmt::format("  made of {}\n", io::one_line(input.name));
   for (const InputFile& input : file.not_made_of) {
     text += fmt::format("  not made of {}: it names no file with its SHA-256, {}\n", io::one_line(input.name),
@@ -132,15 +133,7 @@ std::string human_text(const File& file) {
   }
   for (const std::size_t i : file.refused) {
     const sunder_verifier::PairResult& pair = result.pairs[i];
-    if (!is_about_two(pair)) {
-      const std::string said = is_of_sets(pair.verdict) ? fmt::format("said that {} meet", pair.verdict)
-                                                        : fmt::format("said to be {}", io::one_line(pair.verdict));
-      text += fmt::format("  statement {}, {}, {}: check {}: {}\n", i, io::one_line(pair.name_b), said,
-                          pair.failed_check, io::one_line(pair.reason));
-      continue;
-    }
-    text += fmt::format("  {} {}, {} and {}, said to {}: check {}: {}\n", file.is_set ? "statement" : "pair", i,
-                        io::one_line(pair.name_a), io::one_line(pair.name_b), said_of_two(pair.verdict),
+    text += fmt::format("  {} {}, said that {}: check {}: {}\n", file.is_set ? "statement" : "pair", i, pair.sentence,
                         pair.failed_check, io::one_line(pair.reason));
   }
   return text;
@@ -158,6 +151,9 @@ Json report(const File& file) {
   }
   for (const InputFile& input : file.made_of) json["made_of"].push_back(input.name);
   for (const InputFile& input : file.not_made_of) json["not_made_of"].push_back(input.name);
+  for (const sunder_verifier::PairResult& statement : result.pairs) {
+    if (statement.accepted) json["proved"].push_back(statement.sentence);
+  }
   json["refused"] = Json::array();
   if (!result.failed_form.empty()) json["refused"].push_back({{"check", "F"}, {"reason", result.failed_form}});
   for (const std::size_t i : file.refused) {

@@ -2,6 +2,7 @@
 #include <verifier/cpp/questions.h>
 #include <verifier/cpp/reader.h>
 #include <verifier/cpp/rules.h>
+#include <verifier/cpp/sentences.h>
 
 #include <algorithm>
 #include <memory>
@@ -600,29 +601,6 @@ std::function<void()> read_claim(const Json& item, const ClaimNeeded& needed, co
   return [claim = std::move(claim), &needed, said, &tables] { needed.check(claim, said, tables); };
 }
 
-std::string words_of(const Json& item, const Said& said) {
-  if (said.a != nullptr) return said.a->name + ", " + said.b->name;
-  if (item.contains("objective")) {
-    const Json& along = item["objective"];
-    return "along (" + std::string(along[0].text()) + ", " + std::string(along[1].text()) + ")";
-  }
-  if (said.parts != nullptr) {
-    std::string parts;
-    for (const std::size_t part : said.named_parts) parts += (parts.empty() ? "" : ", ") + std::to_string(part);
-    return "polygons [" + parts + "] by the rule " + said.rule;
-  }
-  if (item.contains("ring")) return "ring " + std::to_string(item["ring"].integer());
-  if (!item.contains("allowed")) return "";
-  std::string words = std::string(item["allowed"].text()) + " allowed";
-  if (item.contains("groups")) {
-    const std::set<std::int64_t> different(said.groups.begin(), said.groups.end());
-    words += ", members of one of " + std::to_string(different.size()) + " groups may meet";
-  }
-  if (item.contains("contacts")) words += ", " + std::to_string(said.contacts.size()) + " contacts";
-  if (item.contains("number")) words += ", " + std::to_string(said.number) + " contacts";
-  return words;
-}
-
 }  // namespace
 
 ClaimedStatement read_statement(const Json& item, const Tables& tables, const std::string& where) {
@@ -644,11 +622,11 @@ ClaimedStatement read_statement(const Json& item, const Tables& tables, const st
   Said said;
   said.verdict = result.verdict;
   for (const MemberReader& reader : readers) reader.read({item, tables, where}, said);
-  result.words = words_of(item, said);
   if (said.a != nullptr) {
     result.a = said.a->name;
     result.b = said.b->name;
   }
+  result.sentence = sentence_of(item, result.a, result.b);
   const Json& claims = list_member(item, "claims", where);
   if (claims.size() != verdict.claims.size()) {
     refuse_form(where + " has not " + std::to_string(verdict.claims.size()) + " claims");

@@ -11,8 +11,8 @@ namespace sunder_verifier {
 
 struct ClaimedStatement {
   std::string question, verdict;
-  std::string words;  // what it speaks of, all of it
-  std::string a, b;   // of a pair: the names of the bodies
+  std::string sentence;  // what it says, and of what
+  std::string a, b;      // of a pair: the names of the bodies
   std::vector<std::function<void()>> checks;
 };
 

@@ -46,7 +46,8 @@ PairResult check(const ClaimedStatement& statement) {
   const bool is_pair = !statement.a.empty();
   result.question = statement.question;
   result.name_a = is_pair ? statement.a : statement.question;
-  result.name_b = is_pair ? statement.b : statement.words;
+  result.name_b = is_pair ? statement.b : statement.sentence;
+  result.sentence = statement.sentence;
   result.verdict = statement.verdict;
   try {
     for (const auto& check : statement.checks) check();

@@ -13,7 +13,8 @@ namespace sunder_verifier {
 struct PairResult {
   std::string question;      // "pair", ..
   std::string name_a;        // where it is about two bodies the name of the first, any UTF-8 text; else the question
-  std::string name_b;        // the name of the second; else, in words, what it is about
+  std::string name_b;        // the name of the second; else the sentence
+  std::string sentence;      // what is stated, in words: one line of ASCII
   std::string verdict;       // stated, not what is true
   bool accepted = false;     // the statement is proved
   std::string failed_check;  // the first rule that failed; empty if accepted

@@ -453,11 +453,10 @@ std::string summary(const FileResult& result, const std::string& place) {
   for (const std::string& text : result.left_out) lines += place + ": left out: " + quoted(text) + "\n";
   for (std::size_t i = 0; i < result.pairs.size(); ++i) {
     const PairResult& pair = result.pairs[i];
-    std::string said = pair.question + ": ";
-    if (is_about_two(pair)) said += quoted(pair.name_a) + ", ";
-    if (!pair.name_b.empty()) said += quoted(pair.name_b) + ": ";
-    lines += place + ": statement " + std::to_string(i) + ": " + said + pair.verdict + ": ";
-    lines += pair.accepted ? "accepted\n" : "refused: " + pair.failed_check + ": " + on_one_line(pair.reason) + "\n";
+    lines += place + ": statement " + std::to_string(i);
+    lines += pair.accepted ? ": accepted: "
+                           : ": refused: " + pair.failed_check + ": " + on_one_line(pair.reason) + ": said that ";
+    lines += pair.sentence + "\n";
   }
   return lines;
 }

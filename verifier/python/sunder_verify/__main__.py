@@ -4,7 +4,6 @@ Exit code: 0 all accepted, 1 something refused, 2 a file that cannot be read, or
 call, 3 an internal error or too little memory. Of many files each is told about; the greatest code counts.
 """
 import argparse
-import json
 import os
 import stat
 import sys
@@ -13,6 +12,7 @@ if not __package__:  # called by the folder's path
     sys.path[0] = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 from sunder_verify import Refused, Unreadable, verify  # noqa: E402
+from sunder_verify.sentences import in_quotes  # noqa: E402
 
 MAX_STREAM = 1 << 28  # bytes of what is no regular file
 
@@ -21,11 +21,6 @@ def shown(text):
     """On one line: control bytes and what is no UTF-8 as \\xNN."""
     raw = os.fsencode(text).decode("utf-8", "backslashreplace")
     return "".join(c if c.isprintable() else "".join("\\x%02x" % byte for byte in c.encode()) for c in raw)
-
-
-def in_quotes(text):
-    """The text in quotes, as one line of ASCII without control characters."""
-    return json.dumps(text).replace("\x7f", "\\u007f")
 
 
 def read_file(file):
@@ -55,12 +50,11 @@ def check_file(file, options):
     for text in report.left_out:
         print("%s: left out: %s" % (name, in_quotes(text)))
     bad = 0
-    for i, (question, words, verdict, refusal) in enumerate(report.statements):
+    for i, (sentence, refusal) in enumerate(report.statements):
         bad += refusal is not None
         if refusal or not options.quiet:
-            said = ": ".join(filter(None, (question, ", ".join(map(in_quotes, words)), verdict)))
-            outcome = "refused: %s: %s" % (refusal[0], shown(refusal[1])) if refusal else "accepted"
-            print("%s: statement %d: %s: %s" % (name, i, said, outcome))
+            what = "refused: %s: %s: said that " % (refusal[0], shown(refusal[1])) if refusal else "accepted: "
+            print("%s: statement %d: %s%s" % (name, i, what, sentence))
     return 1 if bad else 0, len(report.statements) - bad, bad
 
 

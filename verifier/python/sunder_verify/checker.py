@@ -5,8 +5,8 @@ from .questions import statement
 from .reader import SHA256, Refused, Steps, form, list_of, load, members, text_of
 from .tables import TABLES
 
-# What a file says of itself, and what became of its statements: (question, words, verdict, refusal), where refusal is
-# None or (rule, reason).
+# What a file says of itself, and what became of its statements: (sentence, refusal), where refusal is None or
+# (rule, reason).
 Report = namedtuple("Report", "inputs left_out statements")
 
 
@@ -48,5 +48,5 @@ def verify(data, is_limited=False):
                 rule(steps, *bound)
         except Refused as error:
             refusal = error.args
-        statements.append((*said, refusal))
+        statements.append((said, refusal))
     return Report(read["inputs"], read["left_out"], statements)

@@ -7,6 +7,7 @@ from functools import partial
 
 from . import arcs, polygons, rules
 from .reader import LIST, MOST_NUMBER, OBJECT, anything, double, form, index, list_of, members, number, numbers, row_of
+from .sentences import sentence
 from .tables import Discs, Polygons
 
 MOST_WEIGHTS = 16  # of one combination; 4 are always enough
@@ -221,16 +222,10 @@ QUESTIONS = {
         "infeasible": "contradict half_planes",
     }),
 }
-WORDS = {  # what a statement speaks of: all of it
-    "a": "{a.name}", "b": "{b.name}", "allowed": "{allowed} allowed",
-    "groups": "members of one of {groups} groups may meet", "contacts": "{contacts} contacts",
-    "number": "{number} contacts", "parts": "polygons {parts} by the rule {rule}", "ring": "ring {ring}",
-    "objective": "along ({objective[0]}, {objective[1]})",
-}
 
 
 def statement(item, where, read):
-    """What is said, for people: question, words, verdict; and what is to be checked: rules, and what they are told."""
+    """What is said, as a sentence; and what is to be checked: rules, and what they are told."""
     question, verdict = OBJECT(item, where).get("question"), item.get("verdict")
     form(type(question) is str and question in QUESTIONS, where + ".question is none that is known")
     about, given, verdicts = QUESTIONS[question]
@@ -251,7 +246,4 @@ def statement(item, where, read):
         shapes = {"claim": anything, **{key: SAID[key] for key in brings}}
         brought = members(claim, shapes, place, {**scope, "subject": bound[0]})
         checks.append((rule, [brought[key] for key in brings] + [found(scope, key) for key in bound]))
-    said = {**item, "a": scope.get("a"), "b": scope.get("b"), "groups": len(set(item.get("groups", ()))),
-            "contacts": len(item.get("contacts", ()))}
-    words = [WORDS[key].format(**said) for key in (*given, "contacts", "number") if key in item and key in WORDS]
-    return (question, words, verdict), checks
+    return sentence(item, {key: scope[key].name for key in "ab" if key in item}), checks

@@ -44,18 +44,23 @@ def file_of(tables, *statements):
     return {"sunder_certificate": 2, "tables": tables, "statements": list(statements)}
 
 
-def outcome(top):
-    """By the Python checker: "accepted", "not checked", or the first rule that fails."""
+def told(text):
+    """By the Python checker: "accepted", "not checked", or the first rule that fails; and what is proved, in sentences."""
     try:
-        report = sunder_verify.verify((top if isinstance(top, str) else json.dumps(top)).encode(), True)
+        report = sunder_verify.verify(text.encode(), True)
     except sunder_verify.Refused as refused:
-        return refused.args[0]
+        return refused.args[0], []
     except sunder_verify.Unreadable:
-        return "not checked"
-    return next((refusal[0] for *_, refusal in report.statements if refusal), "accepted")
+        return "not checked", []
+    refusals = [refusal[0] for _, refusal in report.statements if refusal]
+    return (refusals or ["accepted"])[0], [sentence for sentence, refusal in report.statements if not refusal]
 
 
-def outcomes_of_twin(texts):
+def outcome(top):
+    return told(json.dumps(top))[0]
+
+
+def told_by_twin(texts):
     """The same by `sunder verify`, in one call. Files are in memory, if that is a folder: elsewhere they take long."""
     with tempfile.TemporaryDirectory(dir="/dev/shm" if os.access("/dev/shm", os.W_OK) else None) as folder:
         names = [os.path.join(folder, str(i)) for i in range(len(texts))]
@@ -64,7 +69,7 @@ def outcomes_of_twin(texts):
                 stream.write(text)
         run = subprocess.run([PROGRAM, "verify", "--json", *names], capture_output=True, text=True, check=False)
         objects = json.loads(run.stdout)["objects"] if run.stdout else [{"answer": "not checked"}] * len(names)
-        return [o["refused"][0]["check"] if o["answer"] == "refused" else o["answer"] for o in objects]
+        return [(o["refused"][0]["check"] if o["answer"] == "refused" else o["answer"], o.get("proved", [])) for o in objects]
 
 
 VALUES = ["0", "1", "-1", "1/2", "-1/3", "0x1p+0", "-0x1p-1", "0x3p+0", "7", "nothing", "touch", "0x1p+20001", "1/0", ".5"]
@@ -116,10 +121,10 @@ class Twins:
         """What the checker says of a file."""
         self.last, self.count = top, self.count + 1
         text = json.dumps(top)
-        said = outcome(text)
+        said, proved = told(text)
         self.said[said] += 1
         if PROGRAM:
-            self.waiting.append((text, said))
+            self.waiting.append((text, (said, proved)))
         if len(self.waiting) >= 1000:
             self.compare()
         return said
@@ -144,7 +149,7 @@ class Twins:
         waiting, self.waiting = self.waiting, []
         if not waiting:
             return
-        for (text, ours), other in zip(waiting, outcomes_of_twin([text for text, _ in waiting])):
+        for (text, ours), other in zip(waiting, told_by_twin([text for text, _ in waiting])):
             self.test.assertEqual(ours, other, text[:3000])
 
     def tally(self):

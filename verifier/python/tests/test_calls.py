@@ -58,7 +58,7 @@ class Calls(unittest.TestCase):
     def test_accepted(self):
         code, out, err = self.call("accepted/segments.json")
         self.assertEqual((code, err), (0, ""))
-        self.assertEqual(out.splitlines()[0], 'accepted/segments.json: statement 0: pair: "X", "Y": meet: accepted')
+        self.assertEqual(out.splitlines()[0], 'accepted/segments.json: statement 0: accepted: "X" and "Y" meet at XX')
         self.assertEqual(out.splitlines()[4:], ["4 statements accepted, 0 refused: accepted"])
         as_module = self.call(os.path.join(CASES, "accepted", "segments.json"), "--quiet", how=("-m", "sunder_verify"),
                               where=os.path.dirname(PACKAGE))

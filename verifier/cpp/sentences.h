@@ -1,0 +1,14 @@
+// What a statement says, as a sentence: in the same words as the twin's (verifier/python/sunder_verify/sentences.py).
+#pragma once
+
+#include <verifier/cpp/json.h>
+
+#include <string>
+
+namespace sunder_verifier {
+
+// Of a statement whose form is right; the names are those of the bodies a and b, where it is about two. One line of
+// ASCII.
+std::string sentence_of(const Json& item, const std::string& name_a, const std::string& name_b);
+
+}  // namespace sunder_verifier

@@ -1,0 +1,71 @@
+"""What a statement says, as a sentence: in the same words as the twin's (verifier/cpp/sentences.cpp)."""
+import json
+
+MOST, LONG = 10, 40  # entries of a list, and characters of a number, that are shown
+
+SENTENCES = {  # of the members that a statement has
+    "pair": {"apart": "{a} and {b} are apart", "meet": "{a} and {b} meet at {point}",
+             "touching": "{a} and {b} touch at {point}", "overlapping": "{a} and {b} overlap at {point}"},
+    "distance": {"closest": "{a} and {b} are closest at {from_a} and {to_b}"},
+    "segments": {"some": "segments {i} and {j} meet at {point}: {kind}", "none": "no two segments meet"},
+    "circles": {"some": "circles {i} and {j} meet at {point}: {kind}", "none": "no two circles meet"},
+    "polygons": {"some": "polygons {i} and {j} meet at {point}", "none": "no two polygons meet"},
+    "half_planes": "the common part of the half-planes is {region}",
+    "kernel": "the kernel of ring {ring} is {region}",
+    "convex_polygons_common_part": "the common part of the convex polygons is {region}",
+    "circles_common_part": {
+        "empty": "the common part of the circles is empty", "plane": "the common part of the circles is the plane",
+        "point": "the common part of the circles is the point {point}",
+        "region": "the common part of the circles is a region around {point}, bounded by arcs of {arcs}"},
+    "valid": {"valid": "polygons {parts}: {rule}", "too_few_points": "ring {ring} has too few points",
+              "edges_meet": "edges {i} and {j} meet at {point}: {kind}",
+              "comes_twice": "ring {ring} comes twice to {point}", "misplaced": "ring {ring} is misplaced at {point}",
+              "circle": "rings {rings} close a circle", "repeated": "edge {edge} has no length",
+              "rings_touch": "rings {ring} and {other} touch at {point}"},
+    "linear_program": {"one": "{point} is the best point along {objective}",
+                       "many": "{point} is one of many best points along {objective}",
+                       "all": "{point} is as good as all others along {objective}",
+                       "unbounded": "there is no best point along {objective}",
+                       "infeasible": "no point is in all half-planes"},
+}
+REGIONS = {"empty": "empty", "plane": "the plane", "point": "a point", "segment": "a segment", "ray": "a ray",
+           "line": "a line", "strip": "a strip", "half-plane": "a half-plane",
+           "unbounded": "a region without bounds", "bounded": "a bounded region"}
+
+
+def in_quotes(text):
+    """The text in quotes, as one line of ASCII without control characters."""
+    return json.dumps(text).replace("\x7f", "\\u007f")
+
+
+def shown(value):
+    """A number, a point of numbers as they stand in the file, or a list of entries."""
+    if type(value) is str:
+        return value if len(value) <= LONG else value[:LONG] + ".."
+    if type(value) is not list:
+        return str(value)
+    if value and type(value[0]) is str:
+        return "(%s)" % ", ".join(map(shown, value))
+    entries = [" ".join(map(str, entry)) if type(entry) is list else str(entry) for entry in value[:MOST]]
+    return ", ".join(entries) + (" and %d more" % (len(value) - MOST) if len(value) > MOST else "")
+
+
+def sentence(item, names):
+    """Of a statement whose form is right; names: of the bodies a and b."""
+    question, verdict = item["question"], item["verdict"]
+    said = {key: shown(value) for key, value in item.items() if key != "claims"}
+    said.update({key: in_quotes(name) for key, name in names.items()})
+    said["region"] = REGIONS.get(verdict, "") + (", of sides " + said["sides"] if item.get("sides") else "")
+    if verdict in ("these", "count"):
+        count = len(item["contacts"]) if verdict == "these" else item["number"]
+        text = ("exactly %d pair of %s meets" if count == 1 else "exactly %d pairs of %s meet") % (count, question)
+        text += ": " + said["contacts"] if item.get("contacts") else ""
+    else:
+        known = SENTENCES[question]
+        text = (known if type(known) is str else known[verdict]).format(**said)
+    if question == "valid" and verdict != "valid":
+        text = "polygons %s: not %s, as %s" % (said["parts"], said["rule"], text)
+    rules = [said["allowed"] + " allowed"] if said.get("allowed", "nothing") != "nothing" else []
+    if "groups" in item:
+        rules.append("members of one of %d groups may meet" % len(set(item["groups"])))
+    return text + (" (%s)" % ", ".join(rules) if rules else "")
