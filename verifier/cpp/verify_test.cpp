@@ -428,8 +428,6 @@ TEST(Random, TrueStatementsAreAcceptedAndMutationsJudgedAlike) {
 
 // ---- The Python twin.
 
-bool is_about_two(const PairResult& result) { return result.question == "pair" || result.question == "distance"; }
-
 std::string on_one_line(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -453,10 +451,8 @@ std::string summary(const FileResult& result, const std::string& place) {
   for (const std::string& text : result.left_out) lines += place + ": left out: " + quoted(text) + "\n";
   for (std::size_t i = 0; i < result.pairs.size(); ++i) {
     const PairResult& pair = result.pairs[i];
-    lines += place + ": statement " + std::to_string(i);
-    lines += pair.accepted ? ": accepted: "
-                           : ": refused: " + pair.failed_check + ": " + on_one_line(pair.reason) + ": said that ";
-    lines += pair.sentence + "\n";
+    lines += place + ": statement " + std::to_string(i) + ": " + (pair.accepted ? "accepted: " : "refused: ");
+    lines += pair.sentence + (pair.accepted ? "" : ": " + pair.failed_check + ": " + on_one_line(pair.reason)) + "\n";
   }
   return lines;
 }
@@ -481,11 +477,6 @@ std::string python_summary(const fs::path& folder, std::size_t count) {
       line = place + ": refused: F";
     } else if (!tells(": statement ") && !tells(": of \"") && !tells(": left out: ")) {
       line = place + ": unreadable";
-    }
-    if (!tells(": statement ") ||
-        (line.find(": pair: ") > line.find('"') && line.find(": distance: ") > line.find('"'))) {
-      // What it is about, word by word.
-      for (std::size_t at = 0; (at = line.find("\", \"", at)) != std::string::npos;) line.replace(at, 4, ", ");
     }
     result += line + "\n";
   }

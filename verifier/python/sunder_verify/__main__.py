@@ -53,8 +53,8 @@ def check_file(file, options):
     for i, (sentence, refusal) in enumerate(report.statements):
         bad += refusal is not None
         if refusal or not options.quiet:
-            what = "refused: %s: %s: said that " % (refusal[0], shown(refusal[1])) if refusal else "accepted: "
-            print("%s: statement %d: %s%s" % (name, i, what, sentence))
+            said = "refused: %s: %s: %s" % (sentence, refusal[0], shown(refusal[1])) if refusal else "accepted: " + sentence
+            print("%s: statement %d: %s" % (name, i, said))
     return 1 if bad else 0, len(report.statements) - bad, bad
 
 

@@ -1,7 +1,7 @@
 """What a statement says, as a sentence: in the same words as the twin's (verifier/cpp/sentences.cpp)."""
 import json
 
-MOST, LONG = 10, 40  # entries of a list, and characters of a number, that are shown
+MOST, LONG = 10, 40  # entries of a list, and characters of a number of a point, that are shown
 
 SENTENCES = {  # of the members that a statement has
     "pair": {"apart": "{a} and {b} are apart", "meet": "{a} and {b} meet at {point}",
@@ -39,13 +39,11 @@ def in_quotes(text):
 
 
 def shown(value):
-    """A number, a point of numbers as they stand in the file, or a list of entries."""
-    if type(value) is str:
-        return value if len(value) <= LONG else value[:LONG] + ".."
+    """A word, a number, a point of numbers as they stand in the file, or a list of entries."""
     if type(value) is not list:
         return str(value)
     if value and type(value[0]) is str:
-        return "(%s)" % ", ".join(map(shown, value))
+        return "(%s)" % ", ".join(value) if max(map(len, value)) <= LONG else "a point that the file has"
     entries = [" ".join(map(str, entry)) if type(entry) is list else str(entry) for entry in value[:MOST]]
     return ", ".join(entries) + (" and %d more" % (len(value) - MOST) if len(value) > MOST else "")
 

@@ -58,7 +58,7 @@ class Calls(unittest.TestCase):
     def test_accepted(self):
         code, out, err = self.call("accepted/segments.json")
         self.assertEqual((code, err), (0, ""))
-        self.assertEqual(out.splitlines()[0], 'accepted/segments.json: statement 0: accepted: "X" and "Y" meet at XX')
+        self.assertEqual(out.splitlines()[0], 'accepted/segments.json: statement 0: accepted: "X" and "Y" meet at (0, 0, 0)')
         self.assertEqual(out.splitlines()[4:], ["4 statements accepted, 0 refused: accepted"])
         as_module = self.call(os.path.join(CASES, "accepted", "segments.json"), "--quiet", how=("-m", "sunder_verify"),
                               where=os.path.dirname(PACKAGE))
@@ -67,7 +67,7 @@ class Calls(unittest.TestCase):
     def test_refused(self):
         code, out, err = self.call("refused/parted_second_statement.json", "accepted/segments.json", "--quiet")
         self.assertEqual((code, err), (1, ""))
-        self.assertEqual(out, 'refused/parted_second_statement.json: statement 1: pair: "first", "third": apart: refused: '
+        self.assertEqual(out, 'refused/parted_second_statement.json: statement 1: refused: "first" and "third" are apart: '
                               'parted: first is not strictly less far along the direction than third\n')
         for file in ("refused/F_version_1.json", "refused/F_version_1_of_a_set.json"):
             self.assertEqual(self.call(file, "--quiet"), (
