@@ -124,7 +124,7 @@ class ProofsPage(unittest.TestCase):
         self.assertEqual(listed - known, set())
 
     def test_no_statement_is_missing(self):
-        known = {(question, verdict) for question, (_, _, _, verdicts) in QUESTIONS.items() for verdict in verdicts}
+        known = {(question, verdict) for question, (*_, verdicts) in QUESTIONS.items() for verdict in verdicts}
         said = {(question, verdict) for row in ROWS for question, verdict, _ in row.wanted}
         self.assertEqual(said | UNSAID, known)
         self.assertEqual(said & UNSAID, set())
