@@ -101,9 +101,8 @@ class Chain:
         for m, (way, corner, which) in enumerate(ends):
             c, d = (self.discs[chain.named[k % len(chain.named)]] for chain, k in zip(chains, at))
             if not is_within(c, d):
-                far = furthest(c, d, self.place)
-                is_after, is_before = ends[m - 1][0] < far, far < way
-                is_between = is_after and is_before if m > 0 else is_after or is_before
+                last, far = ends[m - 1][0], furthest(c, d, self.place)
+                is_between = last < far < way if m > 0 else last < far or far < way
                 require(not is_between, "arcs", "an arc is not all in a circle")
             require(corner.power(c) >= 0 if which else corner.power(d) <= 0, "arcs", "a corner is not in a circle")
             at[which] += 1

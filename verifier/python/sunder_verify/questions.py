@@ -46,12 +46,8 @@ def subject_index(value, where, read):
     return index(value, len(subject(read)), where)
 
 
-def whole(value, where, read):
-    return index(value, MOST_NUMBER + 1, where)
-
-
-def group(value, where, read):
-    return index(value, MOST_NUMBER + 1, where, -MOST_NUMBER)
+def whole(least):
+    return lambda value, where, read: index(value, MOST_NUMBER + 1, where, least)
 
 
 def choice(names):
@@ -59,10 +55,6 @@ def choice(names):
         form(type(value) is str and value in names, "%s is none of %s" % (where, ", ".join(names)))
         return value
     return read_choice
-
-
-def allowed(value, where, read):
-    return ALLOWED[choice(ALLOWED)(value, where, read)]
 
 
 def kind(value, where, read):
@@ -124,21 +116,20 @@ def for_each(shape):
 ARCS = list_of(subject_index, lambda those, read: 0 < len(those) <= 2 * len(subject(read)),
                " is empty, or has more than two arcs a circle")
 GIVEN = {  # what questions say
-    "a": entry("bodies"), "b": entry("bodies"), "allowed": allowed, "groups": for_each(group), "parts": parts,
-    "rule": choice(("valid", "simple")), "ring": entry("rings"),
+    "a": entry("bodies"), "b": entry("bodies"), "ring": entry("rings"), "parts": parts,
+    "rule": choice(("valid", "simple")),
+    "allowed": lambda *told: ALLOWED[choice(ALLOWED)(*told)], "groups": for_each(whole(-MOST_NUMBER)),
     "objective": lambda value, where, read: numbers(value, 2, double, where),
 }
 SAID = {  # what verdicts and claims say
     "i": subject_index, "j": subject_index, "kind": kind, "point": vector, "from_a": vector, "to_b": vector,
-    "contacts": contacts, "number": whole, "sides": list_of(subject_index), "arcs": ARCS,
+    "contacts": contacts, "number": whole(0), "sides": list_of(subject_index), "arcs": ARCS,
     "ring": index_of("parts.rings"), "other": index_of("parts.rings"), "edge": index_of("parts.edges"),
     "rings": list_of(index_of("parts.rings"), lambda those, read: 1 < len(set(those)) == len(those),
                      " is not of two rings or more, each once"),
     "points": list_of(vector, lambda those, read: len(those) == len(read["rings"]), " is not as long as the rings"),
-    "direction": vector,
-    "weights": weights,
+    "direction": vector, "weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
     "ends": list_of(end, lambda those, read: len(those) == 2, " is not a list of 2"),
-    "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
     "order": list_of(subject_index, lambda those, read: len(set(those)) == len(those) == len(subject(read)),
                      " does not name each once"),
 }

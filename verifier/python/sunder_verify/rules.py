@@ -86,15 +86,16 @@ def excess(h, place):
     return h[0] * place[0] + h[1] * place[1] - h[2] * place[2]
 
 
-def excesses(steps, given, place):
+def require_kept(steps, given, place, rule, reason):
+    """All hold the point, or go on along the direction."""
     steps.take(2 * len(given), bits(place), max((bits(h[:3]) for h in given), default=0))
-    return [excess(h, place) for h in given]
+    for i, h in enumerate(given):
+        require(excess(h, place) <= 0, rule, reason % i)
 
 
 def feasible(steps, given, point):
     """The point keeps all constraints."""
-    for i, n in enumerate(excesses(steps, given, projective(point))):
-        require(n <= 0, "feasible", "the point is outside of half-plane %d" % i)
+    require_kept(steps, given, projective(point), "feasible", "the point is outside of half-plane %d")
 
 
 def bounds(steps, weights, given, objective, point, is_only=False):
@@ -123,8 +124,7 @@ def goes_on(steps, direction, given, objective):
     """Along a direction no constraint is left; and it leads further along the objective."""
     way = (*common(direction)[0], 0)
     require(dot(common(objective)[0], way) > 0, "goes_on", "the direction does not lead further along the objective")
-    for i, n in enumerate(excesses(steps, given, way)):
-        require(n <= 0, "goes_on", "the direction leaves half-plane %d" % i)
+    require_kept(steps, given, way, "goes_on", "the direction leaves half-plane %d")
 
 
 def ends(steps, given_ends, given, objective, point):
@@ -133,8 +133,8 @@ def ends(steps, given_ends, given, objective, point):
     (p, q), (x, y, w), places = common(objective)[0], projective(point), []
     for way, end in zip(((q, -p, 0), (-q, p, 0)), given_ends):
         place = projective(end[0]) if end else way
-        require(all(n <= 0 for n in excesses(steps, given, place)), "ends",
-                "an end is outside of a half-plane" if end else "there is an end, and it is not given")
+        require_kept(steps, given, place, "ends", "an end is outside of half-plane %d" if end else
+                     "there is an end, at half-plane %d, and it is not given")
         if end:
             h = given[end[1]]
             level = (p * w, q * w, p * x + q * y)
