@@ -170,25 +170,27 @@ void check_powers(const Claim& claim, const Tables& tables, bool is_point) {
   require(least > 0 || (is_point && least == 0), "powers", "the mean of the powers is not as it must be");
 }
 
+namespace {
+
+ContactsOf contacts_of_discs(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
+                             const AllowedContacts& allowed) {
+  return [&](const VisitContact& visit) {
+    Cover(claim.order, tables, groups).visit([&](std::size_t i, std::size_t j, const std::string& kind) {
+      if (counts(kind, allowed)) visit(i, j, kind.c_str());
+    });
+  };
+}
+
+}  // namespace
+
 void check_cover(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
                  const AllowedContacts& allowed, const std::vector<StatedContact>& listed) {
-  std::size_t count = 0;
-  Cover(claim.order, tables, groups).visit([&](std::size_t i, std::size_t j, const std::string& kind) {
-    if (!counts(kind, allowed)) return;
-    ++count;
-    require(std::binary_search(listed.begin(), listed.end(), StatedContact{i, j, kind}), "cover",
-            std::to_string(i) + " and " + std::to_string(j) + " have a contact, which is not listed: " + kind);
-  });
-  require(count == listed.size(), "cover", "a contact that is listed is none, or does not count");
+  check_listed("cover", contacts_of_discs(claim, tables, groups, allowed), listed);
 }
 
 void check_cover_number(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
                         const AllowedContacts& allowed, std::uint64_t number) {
-  std::uint64_t count = 0;
-  Cover(claim.order, tables, groups).visit([&](std::size_t, std::size_t, const std::string& kind) {
-    if (counts(kind, allowed)) ++count;
-  });
-  require(count == number, "cover", "there are " + std::to_string(count) + " contacts");
+  check_number("cover", contacts_of_discs(claim, tables, groups, allowed), number);
 }
 
 }  // namespace sunder_verifier

@@ -142,17 +142,15 @@ void require_no_corners(const Constraints& sides, const std::string& verdict) {
   require(is_so, "sides", "the sides are not opposite, or not as far apart as they must be");
 }
 
-// Each turns to the next; the first to all others, by half a turn at most.
-void require_open_turns(const Constraints& sides) {
-  require(sides.size() > 1, "sides", "the sides do not turn as they must");
+// Does each turn to the next, and the first to all but the last, which may be opposite, and is of a ray?
+bool turn_on(const Constraints& sides, bool is_ray) {
+  if (sides.size() < 2) return false;
   for (std::size_t k = 0; k + 1 < sides.size(); ++k) {
-    require(turn(sides[k], sides[k + 1]) > 0, "sides", "the sides do not turn as they must");
-  }
-  for (std::size_t k = 1; k + 1 < sides.size(); ++k) {
-    require(turn(sides[0], sides[k]) > 0, "sides", "the sides turn by more than half a turn");
+    if (turn(sides[k], sides[k + 1]) <= 0) return false;
+    if (k > 0 && turn(sides[0], sides[k]) <= 0) return false;
   }
   const Integer whole = turn(sides.front(), sides.back());
-  require(whole >= 0, "sides", "the sides turn by more than half a turn");
+  return whole == 0 || (whole > 0 && !is_ray);
 }
 
 // How many sides with a corner at each end are more than a point; all must be, but for the thin kinds.
@@ -168,7 +166,6 @@ void require_extents(const Constraints& sides, const std::string& verdict) {
   const bool is_point = verdict == "point" || verdict == "ray";
   const std::size_t wanted = is_point ? 0 : verdict == "segment" ? 2 : n - 2 * first;
   require(extents == wanted && !any_before, "sides", std::to_string(extents) + " sides have a part of the boundary");
-  require(verdict != "ray" || turn(sides.front(), sides.back()) == 0, "sides", "the ray's sides are not opposite");
 }
 
 }  // namespace
@@ -180,11 +177,8 @@ void check_cones(const Claim& claim, const Constraints& given, const std::string
   if (!has_corners(verdict)) {
     require_no_corners(sides, verdict);
   } else {
-    if (is_open(verdict)) {
-      require_open_turns(sides);
-    } else {
-      require(goes_round_once(sides), "sides", "the sides do not turn as they must");
-    }
+    require(is_open(verdict) ? turn_on(sides, verdict == "ray") : goes_round_once(sides), "sides",
+            "the sides do not turn as they must");
     require_extents(sides, verdict);
   }
   for (std::size_t i = 0; i < given.size(); ++i) {

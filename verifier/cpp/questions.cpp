@@ -372,27 +372,27 @@ const ClaimNeeded slab{
     "slab", {}, of_a, [](const Claim&, const Said& s, const Tables&) { check_slab(*s.a, *s.b, s.from_a, s.to_b); }};
 const ClaimNeeded none_counts{
     "none_counts", {{"events", read_events}}, of_segments, [](const Claim& c, const Said& s, const Tables& t) {
-      check_none_counts(contacts_of_segments(c, t, s.groups, s.allowed));
+      check_listed("none_counts", contacts_of_segments(c, t, s.groups, s.allowed), {});
     }};
 const ClaimNeeded these_count{
     "these_count", {{"events", read_events}}, of_segments, [](const Claim& c, const Said& s, const Tables& t) {
-      check_these_count(contacts_of_segments(c, t, s.groups, s.allowed), s.contacts);
+      check_listed("these_count", contacts_of_segments(c, t, s.groups, s.allowed), s.contacts);
     }};
 const ClaimNeeded number_counts{
     "number_counts", {{"events", read_events}}, of_segments, [](const Claim& c, const Said& s, const Tables& t) {
-      check_number_counts(contacts_of_segments(c, t, s.groups, s.allowed), s.number);
+      check_number("number_counts", contacts_of_segments(c, t, s.groups, s.allowed), s.number);
     }};
 const ClaimNeeded no_polygons_meet{
     "none_counts", {{"events", read_events}}, of_edges, [](const Claim& c, const Said& s, const Tables& t) {
-      check_none_counts(contacts_of_polygons(c, t, s.groups, s.allowed));
+      check_listed("none_counts", contacts_of_polygons(c, t, s.groups, s.allowed), {});
     }};
 const ClaimNeeded these_polygons_meet{
     "these_count", {{"events", read_events}}, of_edges, [](const Claim& c, const Said& s, const Tables& t) {
-      check_these_count(contacts_of_polygons(c, t, s.groups, s.allowed), s.contacts);
+      check_listed("these_count", contacts_of_polygons(c, t, s.groups, s.allowed), s.contacts);
     }};
 const ClaimNeeded so_many_polygons_meet{
     "number_counts", {{"events", read_events}}, of_edges, [](const Claim& c, const Said& s, const Tables& t) {
-      check_number_counts(contacts_of_polygons(c, t, s.groups, s.allowed), s.number);
+      check_number("number_counts", contacts_of_polygons(c, t, s.groups, s.allowed), s.number);
     }};
 const ClaimNeeded parts_valid{
     "valid", {{"events", read_events}}, of_parts, [](const Claim& c, const Said& s, const Tables&) {

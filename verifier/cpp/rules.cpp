@@ -174,31 +174,25 @@ ContactsOf contacts_of_segments(const Claim& claim, const Tables& tables, const 
 
 // ---- Lists: of segments that meet, and of polygons.
 
-void check_none_counts(const ContactsOf& contacts) {
-  contacts([](std::size_t i, std::size_t j, const char*) {
-    require(false, "none_counts", pair_text(i, j) + " have a contact that counts");
-  });
-}
-
-void check_these_count(const ContactsOf& contacts, const std::vector<StatedContact>& listed) {
+void check_listed(const char* rule, const ContactsOf& contacts, const std::vector<StatedContact>& listed) {
   std::vector<bool> found(listed.size());
   contacts([&](std::size_t i, std::size_t j, const char* kind) {
     const auto at =
         std::lower_bound(listed.begin(), listed.end(), std::pair(i, j),
                          [](const StatedContact& c, const auto& pair) { return std::pair(c.i, c.j) < pair; });
-    require(at != listed.end() && at->i == i && at->j == j && at->kind == kind, "these_count",
-            "the contact of " + pair_text(i, j) + " is not listed as it is");
+    const bool is_listed = at != listed.end() && at->i == i && at->j == j && at->kind == kind;
+    require(is_listed, rule, pair_text(i, j) + " have a contact that counts, and is not listed");
     found[static_cast<std::size_t>(at - listed.begin())] = true;
   });
   for (std::size_t k = 0; k < listed.size(); ++k) {
-    require(found[k], "these_count", pair_text(listed[k].i, listed[k].j) + " have no contact that counts");
+    require(found[k], rule, pair_text(listed[k].i, listed[k].j) + " have no contact that counts");
   }
 }
 
-void check_number_counts(const ContactsOf& contacts, std::uint64_t number) {
+void check_number(const char* rule, const ContactsOf& contacts, std::uint64_t number) {
   std::uint64_t count = 0;
   contacts([&](std::size_t, std::size_t, const char*) { ++count; });
-  require(count == number, "number_counts", std::to_string(count) + " contacts count");
+  require(count == number, rule, std::to_string(count) + " contacts count");
 }
 
 }  // namespace sunder_verifier

@@ -108,10 +108,9 @@ ContactsOf contacts_of_segments(const Claim& claim, const Tables& tables, const 
 ContactsOf contacts_of_polygons(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
                                 const AllowedContacts& allowed);
 
-void check_none_counts(const ContactsOf& contacts);
-// listed: by i, then j.
-void check_these_count(const ContactsOf& contacts, const std::vector<StatedContact>& listed);
-void check_number_counts(const ContactsOf& contacts, std::uint64_t number);
+// Those that count are those listed, by i, then j; or are so many. Refuses by that rule.
+void check_listed(const char* rule, const ContactsOf& contacts, const std::vector<StatedContact>& listed);
+void check_number(const char* rule, const ContactsOf& contacts, std::uint64_t number);
 
 // These bound the common part of the half-planes, which is of that kind.
 void check_cones(const Claim& claim, const Constraints& given, const std::string& verdict,
