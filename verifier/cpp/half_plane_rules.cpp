@@ -93,15 +93,17 @@ void check_ends(const Claim& claim, const Tables& tables, const Numbers& objecti
     const Integers& way = ways[k];
     if (!claim.ends[k]) {
       look_at_all(tables, way);
-      for (const LinearConstraint& h : tables.half_planes) {
-        require(along(h, way) <= 0, "ends", "there is an end, and it is not given");
+      for (std::size_t i = 0; i < tables.half_planes.size(); ++i) {
+        require(along(tables.half_planes[i], way) <= 0, "ends",
+                "there is an end, at half-plane " + std::to_string(i) + ", and it is not given");
       }
       continue;
     }
     const Integers& place = places[k] = projective(claim.ends[k]->point);
     look_at_all(tables, place);
-    for (const LinearConstraint& h : tables.half_planes) {
-      require(excess(h, place) <= 0, "ends", "an end is outside of a half-plane");
+    for (std::size_t i = 0; i < tables.half_planes.size(); ++i) {
+      require(excess(tables.half_planes[i], place) <= 0, "ends",
+              "an end is outside of half-plane " + std::to_string(i));
     }
     require((up[0] * place[0] + up[1] * place[1]) * start[2] == (up[0] * start[0] + up[1] * start[1]) * place[2],
             "ends", "an end is not as far along the objective");
