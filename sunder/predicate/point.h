@@ -1,33 +1,102 @@
-// Points as plain numbers, and the plain numbers of a pose. No invariant: objects check their coordinates when made.
+// Points, affine maps and boxes as plain numbers, of the plane (D = 2) and of space (D = 3). No invariant: objects
+// check their coordinates when made.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace sunder {
 
-struct Point2 {
+template <std::size_t D>
+struct Point;
+
+template <>
+struct Point<2> {
   double x = 0, y = 0;
-  friend bool operator==(const Point2&, const Point2&) = default;
+  friend bool operator==(const Point&, const Point&) = default;
+  double operator[](std::size_t k) const { return k == 0 ? x : y; }
+  double& operator[](std::size_t k) { return k == 0 ? x : y; }
 };
 
-struct Point3 {
+template <>
+struct Point<3> {
   double x = 0, y = 0, z = 0;
-  friend bool operator==(const Point3&, const Point3&) = default;
+  friend bool operator==(const Point&, const Point&) = default;
+  double operator[](std::size_t k) const { return k == 0 ? x : k == 1 ? y : z; }
+  double& operator[](std::size_t k) { return k == 0 ? x : k == 1 ? y : z; }
 };
 
-// Affine maps of the plane and of space, x -> linear x + translation.
-struct Affine2 {
-  std::array<double, 4> linear{1, 0, 0, 1};  // row by row
-  std::array<double, 2> translation{0, 0};
-  friend bool operator==(const Affine2&, const Affine2&) = default;
-};
+using Point2 = Point<2>;
+using Point3 = Point<3>;
 
-// The linear part is row by row: row i is linear[3 i .. 3 i + 2].
+// The numbers of the identity, row by row.
+template <std::size_t D>
+constexpr std::array<double, D * D> identity_matrix() {
+  std::array<double, D * D> result{};
+  for (std::size_t k = 0; k < D; ++k) result[k * D + k] = 1;
+  return result;
+}
+
+// The affine map x -> linear x + translation. The linear part is row by row: row i is linear[D i .. D i + D - 1].
 // The numbers *are* the map: a predicate on posed points decides about the exact images, which need not be doubles.
-struct Affine3 {
-  std::array<double, 9> linear{1, 0, 0, 0, 1, 0, 0, 0, 1};
-  std::array<double, 3> translation{0, 0, 0};
-  friend bool operator==(const Affine3&, const Affine3&) = default;
+template <std::size_t D>
+struct Affine {
+  std::array<double, D * D> linear = identity_matrix<D>();
+  std::array<double, D> translation{};
+  friend bool operator==(const Affine&, const Affine&) = default;
 };
+
+using Affine2 = Affine<2>;
+using Affine3 = Affine<3>;
+
+// A closed box, its sides along the axes: low[k] <= high[k].
+template <std::size_t D>
+struct Box {
+  Point<D> low, high;
+  friend bool operator==(const Box&, const Box&) = default;
+};
+
+using Box2 = Box<2>;
+using Box3 = Box<3>;
+
+// Have they a common point?
+template <std::size_t D>
+bool meet(const Box<D>& a, const Box<D>& b) {
+  for (std::size_t k = 0; k < D; ++k) {
+    if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
+  }
+  return true;
+}
+
+template <std::size_t D>
+bool holds(const Box<D>& outer, const Box<D>& inner) {
+  for (std::size_t k = 0; k < D; ++k) {
+    if (outer.low[k] > inner.low[k] || inner.high[k] > outer.high[k]) return false;
+  }
+  return true;
+}
+
+// The smallest box that holds both.
+template <std::size_t D>
+Box<D> hull(const Box<D>& a, const Box<D>& b) {
+  Box<D> result;
+  for (std::size_t k = 0; k < D; ++k) {
+    result.low[k] = std::min(a.low[k], b.low[k]);
+    result.high[k] = std::max(a.high[k], b.high[k]);
+  }
+  return result;
+}
+
+// What two boxes have in common. Requires that they meet.
+template <std::size_t D>
+Box<D> common_part(const Box<D>& a, const Box<D>& b) {
+  Box<D> result;
+  for (std::size_t k = 0; k < D; ++k) {
+    result.low[k] = std::max(a.low[k], b.low[k]);
+    result.high[k] = std::min(a.high[k], b.high[k]);
+  }
+  return result;
+}
 
 }  // namespace sunder

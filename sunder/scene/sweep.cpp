@@ -44,7 +44,7 @@ std::vector<std::array<std::uint32_t, 2>> meeting_boxes(std::span<const WorldBox
   for (const std::uint32_t i : order) {
     std::erase_if(open, [&](std::uint32_t j) { return boxes[j].high[k] < boxes[i].low[k]; });
     for (const std::uint32_t j : open) {
-      if (boxes_meet(boxes[i], boxes[j])) pairs.push_back({std::min(i, j), std::max(i, j)});
+      if (meet(boxes[i], boxes[j])) pairs.push_back({std::min(i, j), std::max(i, j)});
     }
     open.push_back(i);
   }

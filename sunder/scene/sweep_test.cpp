@@ -13,7 +13,7 @@ std::vector<std::array<std::uint32_t, 2>> by_all_pairs(const std::vector<WorldBo
   std::vector<std::array<std::uint32_t, 2>> pairs;
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
     for (std::uint32_t j = i + 1; j < boxes.size(); ++j) {
-      if (boxes_meet(boxes[i], boxes[j])) pairs.push_back({i, j});
+      if (meet(boxes[i], boxes[j])) pairs.push_back({i, j});
     }
   }
   return pairs;

@@ -33,13 +33,6 @@ WorldBox world_box(const solid::Placed& body) {
   return box;
 }
 
-bool boxes_meet(const WorldBox& a, const WorldBox& b) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (a.high[k] < b.low[k] || b.high[k] < a.low[k]) return false;
-  }
-  return true;
-}
-
 std::optional<PairCertificate> apart_by_boxes(const WorldBox& a, const WorldBox& b) {
   for (std::size_t k = 0; k < 3; ++k) {
     const bool up = a.high[k] < b.low[k];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sunder/certificate/pair.h>
+#include <sunder/predicate/point.h>
 #include <sunder/solid/pair/extreme_vertex.h>
 
 #include <array>
@@ -13,16 +14,12 @@ namespace sunder::scene {
 // W1. low[k] <= coordinate k of every point of the placed body, exactly, <= high[k]; a bound that overflows is
 // infinite. W2. lowest[k] and highest[k] are vertices where the coordinate is exactly the least and the greatest. The
 // bounds are within a few units in the last place of the numbers that are added up.
-struct WorldBox {
-  std::array<double, 3> low{}, high{};
+struct WorldBox : Box3 {
   std::array<std::uint32_t, 3> lowest{}, highest{};
 };
 
 // Cost: six walks over the vertex graph.
 WorldBox world_box(const solid::Placed& body);
-
-// Have the boxes a common point? Boxes are closed: where they touch, they have.
-bool boxes_meet(const WorldBox& a, const WorldBox& b);
 
 // Where the boxes are apart, so are the bodies: the certificate, its direction one of +-x, +-y, +-z. Nothing where the
 // boxes meet. Cost: at most six comparisons.

@@ -70,7 +70,7 @@ TEST(WorldBox, OverflowIsInfinite) {
   const WorldBox box = world_box(Placed(body, pose));
   EXPECT_EQ(box.low[0], -std::numeric_limits<double>::infinity());
   EXPECT_EQ(box.high[0], std::numeric_limits<double>::infinity());
-  EXPECT_TRUE(boxes_meet(box, box));
+  EXPECT_TRUE(meet(box, box));
   EXPECT_FALSE(apart_by_boxes(box, box));
 }
 
@@ -87,7 +87,7 @@ TEST(WorldBox, NeverPartsWhatTouches) {
             there = Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1},
                                       {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)});
         const WorldBox a = world_box(Placed(cube, here)), b = world_box(Placed(cube, there));
-        ASSERT_TRUE(boxes_meet(a, b));
+        ASSERT_TRUE(meet(a, b));
         ASSERT_FALSE(apart_by_boxes(a, b));
         ++touching;
       }
@@ -106,7 +106,7 @@ TEST(WorldBox, CertificatesHold) {
     const Placed a(body_a, pose_a), b(body_b, pose_b);
     const WorldBox box_a = world_box(a), box_b = world_box(b);
     const auto certificate = apart_by_boxes(box_a, box_b);
-    ASSERT_EQ(certificate.has_value(), !boxes_meet(box_a, box_b));
+    ASSERT_EQ(certificate.has_value(), !meet(box_a, box_b));
     if (!certificate) {
       ++near_miss;
       continue;

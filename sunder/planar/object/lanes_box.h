@@ -2,7 +2,6 @@
 #pragma once
 
 #include <sunder/base/lanes.h>
-#include <sunder/planar/object/box.h>
 #include <sunder/predicate/point.h>
 
 namespace sunder::planar {
@@ -11,7 +10,7 @@ namespace sunder::planar {
 struct LanesBox {
   Lanes low, high;
 
-  static LanesBox of(const Box& b) { return {Lanes{b.left, b.bottom}, Lanes{b.right, b.top}}; }
+  static LanesBox of(const Box2& b) { return {Lanes{b.low.x, b.low.y}, Lanes{b.high.x, b.high.y}}; }
 };
 
 inline bool meet(const LanesBox& a, const LanesBox& b) {

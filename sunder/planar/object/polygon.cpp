@@ -31,7 +31,7 @@ Polygon::Polygon(std::span<const std::vector<Point2>> rings) {
   edge_boxes_ = EdgeBoxes(edges);
   LanesBox all = box_of_edge(edges[0].a, edges[0].b);
   for (const Segment& e : edges) all = hull(all, box_of_edge(e.a, e.b));
-  box_ = {all.low[0], all.high[0], all.low[1], all.high[1]};
+  box_ = {{all.low[0], all.low[1]}, {all.high[0], all.high[1]}};
 }
 
 }  // namespace sunder::planar

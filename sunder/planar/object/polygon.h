@@ -23,7 +23,7 @@ class Polygon {
   std::uint32_t size() const { return static_cast<std::uint32_t>(vertices_.size()); }  // of vertices, and of edges
   const std::vector<Point2>& vertices() const { return vertices_; }
 
-  const Box& box() const { return box_; }                      // the smallest that holds all vertices
+  const Box2& box() const { return box_; }                     // the smallest that holds all vertices
   const EdgeBoxes& edge_boxes() const { return edge_boxes_; }  // for searches
 
   std::uint32_t ring_count() const { return static_cast<std::uint32_t>(begin_.size() - 1); }
@@ -45,7 +45,7 @@ class Polygon {
  private:
   std::vector<Point2> vertices_;
   std::vector<std::uint32_t> begin_{0}, ring_;  // ring_ is empty where there is one
-  Box box_;
+  Box2 box_;
   EdgeBoxes edge_boxes_;
 };
 

@@ -5,8 +5,8 @@
 // that cell is the one that looks at the pair. In other words, one of both begins in its column, and one in its row.
 #pragma once
 
-#include <sunder/planar/object/box.h>
 #include <sunder/planar/object/lanes_box.h>
+#include <sunder/predicate/point.h>
 
 #include <array>
 #include <cstddef>
@@ -23,7 +23,7 @@ class BoxGrid {
   // A grid with about as many cells as boxes, fewer where boxes are large; or nothing where it would not pay: boxes
   // that cover more than `most_covered` cells each on average, ranges too wide or too narrow for doubles, fewer than
   // two boxes or 2^31. Cost: linear.
-  static std::optional<BoxGrid> over(std::span<const Box> boxes, double most_covered = 8);
+  static std::optional<BoxGrid> over(std::span<const Box2> boxes, double most_covered = 8);
 
   std::uint32_t cell_count() const { return static_cast<std::uint32_t>(first_.size() - 1); }
   // The boxes that cover the cell, the lower numbers first.
@@ -60,7 +60,7 @@ inline constexpr std::size_t crowd_of_boxes = 64;
 // Calls of_pair(i, j), i < j, once for each pair of boxes that meet, save for pairs that crowds look at. Stops, and
 // returns false, when it returns false. The order of the pairs is that of the cells, then of j, then of i.
 template <class OfPair>
-bool for_each_near_box_pair(std::span<const Box> boxes, const BoxGrid& grid, std::size_t crowd, const OfPair& of_pair,
+bool for_each_near_box_pair(std::span<const Box2> boxes, const BoxGrid& grid, std::size_t crowd, const OfPair& of_pair,
                             const std::function<void(double)>& progress = nullptr) {
   struct Member {
     LanesBox box;
@@ -94,9 +94,9 @@ bool for_each_near_box_pair(std::span<const Box> boxes, const BoxGrid& grid, std
     if (cell.size() < 2 || cell.size() > crowd) continue;
     if (members.size() < cell.size()) members.resize(2 * cell.size());
     for (std::size_t l = 0; l < cell.size(); ++l) {
-      const Box& box = boxes[cell[l]];
+      const Box2& box = boxes[cell[l]];
       const std::uint32_t begins =
-          std::uint32_t{grid.column(box.left) == column} | std::uint32_t{grid.row(box.bottom) == row} << 1;
+          std::uint32_t{grid.column(box.low.x) == column} | std::uint32_t{grid.row(box.low.y) == row} << 1;
       const Member& b = members[l] = {LanesBox::of(box), cell[l], begins};
       if (pairs.size() < found + l) pairs.resize(2 * (found + l));
       for (std::size_t k = 0; k < l; ++k) {  // without branches

@@ -15,7 +15,7 @@ namespace {
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-Pairs by_scan(const std::vector<Box>& boxes) {
+Pairs by_scan(const std::vector<Box2>& boxes) {
   Pairs pairs;
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
     for (std::uint32_t j = i + 1; j < boxes.size(); ++j) {
@@ -39,10 +39,10 @@ Pairs sorted_pairs(Pairs pairs) {
   return pairs;
 }
 
-std::vector<Box> some_boxes(Random& random, std::size_t count, int family) {
-  std::vector<Box> boxes;
+std::vector<Box2> some_boxes(Random& random, std::size_t count, int family) {
+  std::vector<Box2> boxes;
   const auto ordered = [](double x, double y, double z, double w) {
-    return Box{std::min(x, y), std::max(x, y), std::min(z, w), std::max(z, w)};
+    return Box2{{std::min(x, y), std::min(z, w)}, {std::max(x, y), std::max(z, w)}};
   };
   for (std::size_t k = 0; k < count; ++k) {
     const auto whole = [&](std::uint64_t n) { return static_cast<double>(random.below(n)); };
@@ -50,13 +50,13 @@ std::vector<Box> some_boxes(Random& random, std::size_t count, int family) {
       case 0: boxes.push_back(ordered(whole(9), whole(9), whole(9), whole(9))); break;  // many touch
       case 1: {
         const double x = random.unit(), y = random.unit(), size = 1 / std::sqrt(static_cast<double>(count));
-        boxes.push_back({x, x + size * random.unit(), y, y + size * random.unit()});
+        boxes.push_back(ordered(x, x + size * random.unit(), y, y + size * random.unit()));
         break;
       }
       case 2: boxes.push_back(ordered(random.unit(), random.unit(), whole(3), whole(3))); break;  // long and flat
       case 3: {                                                                                   // points, some huge
         const double x = whole(40), y = whole(40), far = random.below(9) == 0 ? 1e300 : 0;
-        boxes.push_back({x - far, x, y, y + far});
+        boxes.push_back({{x - far, y}, {x, y + far}});
         break;
       }
       default: {  // of all scales
@@ -73,7 +73,7 @@ TEST(BoxPairs, AreThoseOfTheScan) {
   Random random(20261124);
   std::size_t grids = 0, pairs_found = 0;
   for (int k = 0; k < 1500; ++k) {
-    const std::vector<Box> boxes = some_boxes(random, random.below(k % 50 == 0 ? 400 : 60), k % 5);
+    const std::vector<Box2> boxes = some_boxes(random, random.below(k % 50 == 0 ? 400 : 60), k % 5);
     const Pairs expected = by_scan(boxes);
     pairs_found += expected.size();
     Pairs found;
@@ -110,25 +110,25 @@ TEST(BoxPairs, AreThoseOfTheScan) {
 }
 
 TEST(BoxGrid, IsNotMadeWhereItDoesNotPay) {
-  EXPECT_FALSE(BoxGrid::over(std::vector<Box>{}));
-  EXPECT_FALSE(BoxGrid::over(std::vector<Box>{{0, 1, 0, 1}}));
+  EXPECT_FALSE(BoxGrid::over(std::vector<Box2>{}));
+  EXPECT_FALSE(BoxGrid::over(std::vector<Box2>{{{0, 0}, {1, 1}}}));
   constexpr double most = std::numeric_limits<double>::max();
-  EXPECT_FALSE(BoxGrid::over(std::vector<Box>{{-most, most, 0, 1}, {0, 1, 0, 1}}));  // ranges overflow
-  std::vector<Box> crosses;
+  EXPECT_FALSE(BoxGrid::over(std::vector<Box2>{{{-most, 0}, {most, 1}}, {{0, 0}, {1, 1}}}));  // ranges overflow
+  std::vector<Box2> crosses;
   for (int k = 0; k < 100; ++k) {
     const double at = k;
-    crosses.push_back(k % 2 == 0 ? Box{0, 100, at, at} : Box{at, at, 0, 100});
+    crosses.push_back(k % 2 == 0 ? Box2{{0, at}, {100, at}} : Box2{{at, 0}, {at, 100}});
   }
   EXPECT_FALSE(BoxGrid::over(crosses, 1.5));
-  EXPECT_TRUE(BoxGrid::over(std::vector<Box>{{1, 1, 1, 1}, {1, 1, 1, 1}}));
+  EXPECT_TRUE(BoxGrid::over(std::vector<Box2>{{{1, 1}, {1, 1}}, {{1, 1}, {1, 1}}}));
 }
 
 // Halving looks at no more than a multiple of N log N boxes besides the pairs: long ones that do not meet.
 TEST(BoxPairs, ByHalvingTakesNearLinearTimeForLongOnes) {
-  std::vector<Box> boxes;
+  std::vector<Box2> boxes;
   for (int k = 0; k < 200000; ++k) {
     const double at = k;
-    boxes.push_back({-at, at, at, at});
+    boxes.push_back({{-at, at}, {at, at}});
   }
   Pairs found;
   const auto add = adding_to(found);

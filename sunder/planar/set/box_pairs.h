@@ -24,7 +24,7 @@ namespace sunder::planar {
 template <class OfPair>
 class BoxPairsByHalving {
  public:
-  BoxPairsByHalving(std::span<const Box> boxes, const OfPair& of_pair) : boxes_(boxes), of_pair_(of_pair) {}
+  BoxPairsByHalving(std::span<const Box2> boxes, const OfPair& of_pair) : boxes_(boxes), of_pair_(of_pair) {}
 
   bool run() {
     const std::uint32_t n = static_cast<std::uint32_t>(boxes_.size());
@@ -32,16 +32,16 @@ class BoxPairsByHalving {
     std::iota(by_left.begin(), by_left.end(), 0u);
     by_bottom = by_left;
     std::sort(by_left.begin(), by_left.end(), [&](std::uint32_t i, std::uint32_t j) {
-      return boxes_[i].left != boxes_[j].left ? boxes_[i].left < boxes_[j].left : i < j;
+      return boxes_[i].low.x != boxes_[j].low.x ? boxes_[i].low.x < boxes_[j].low.x : i < j;
     });
     std::sort(by_bottom.begin(), by_bottom.end(), [&](std::uint32_t i, std::uint32_t j) {
-      return boxes_[i].bottom != boxes_[j].bottom ? boxes_[i].bottom < boxes_[j].bottom : i < j;
+      return boxes_[i].low.y != boxes_[j].low.y ? boxes_[i].low.y < boxes_[j].low.y : i < j;
     });
     places_.resize(n);
     for (std::uint32_t place = 0; place < n; ++place) {
       const std::uint32_t i = by_left[place];
-      const auto end = std::upper_bound(by_left.begin(), by_left.end(), boxes_[i].right,
-                                        [&](double x, std::uint32_t j) { return x < boxes_[j].left; });
+      const auto end = std::upper_bound(by_left.begin(), by_left.end(), boxes_[i].high.x,
+                                        [&](double x, std::uint32_t j) { return x < boxes_[j].low.x; });
       places_[i] = {place, static_cast<std::uint32_t>(end - by_left.begin())};
     }
     List ranges;
@@ -87,13 +87,13 @@ class BoxPairsByHalving {
 
   bool visit_all(const List& over, const List& in) {
     for (const std::uint32_t i : over) {
-      const Box& a = boxes_[i];
+      const Box2& a = boxes_[i];
       for (const std::uint32_t j : in) {
-        const Box& b = boxes_[j];
+        const Box2& b = boxes_[j];
         ++looks_;
-        if (b.bottom > a.top) break;
+        if (b.low.y > a.high.y) break;
         const bool begins_inside = places_[i].place < places_[j].place && places_[j].place < places_[i].end;
-        if (begins_inside && a.bottom <= b.top && !report(i, j)) return false;
+        if (begins_inside && a.low.y <= b.high.y && !report(i, j)) return false;
       }
     }
     return true;
@@ -103,10 +103,10 @@ class BoxPairsByHalving {
   bool match(const List& some, const List& others) {
     std::size_t k = 0, l = 0;
     while (k < some.size() && l < others.size()) {
-      const bool first = boxes_[some[k]].bottom <= boxes_[others[l]].bottom;
+      const bool first = boxes_[some[k]].low.y <= boxes_[others[l]].low.y;
       const List& list = first ? others : some;
       const std::uint32_t i = first ? some[k++] : others[l++];
-      for (std::size_t at = first ? l : k; at < list.size() && boxes_[list[at]].bottom <= boxes_[i].top; ++at) {
+      for (std::size_t at = first ? l : k; at < list.size() && boxes_[list[at]].low.y <= boxes_[i].high.y; ++at) {
         if (!report(i, list[at])) return false;
       }
     }
@@ -114,7 +114,7 @@ class BoxPairsByHalving {
   }
 
   static constexpr std::uint32_t few = 16;
-  std::span<const Box> boxes_;
+  std::span<const Box2> boxes_;
   const OfPair& of_pair_;
   std::vector<Places> places_;
   std::uint64_t looks_ = 0;
@@ -124,7 +124,7 @@ class BoxPairsByHalving {
 // Returns whether it never did. Adds to `looks`, where given, how often it looked at a box. Cost: O(N log N + k) for k
 // pairs.
 template <class OfPair>
-bool for_each_box_pair(std::span<const Box> boxes, const OfPair& of_pair,
+bool for_each_box_pair(std::span<const Box2> boxes, const OfPair& of_pair,
                        const std::function<void(double)>& progress = nullptr, std::uint64_t* looks = nullptr) {
   const std::optional<BoxGrid> grid = BoxGrid::over(boxes);
   if (grid && grid->crowded(crowd_of_boxes) == 0) {

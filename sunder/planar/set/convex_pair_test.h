@@ -41,7 +41,7 @@ inline bool report_pair(std::span<const ConvexPolygon> polygons, std::uint32_t i
   return true;
 }
 
-inline Box box_of(const ConvexPolygon& polygon) {
+inline Box2 box_of(const ConvexPolygon& polygon) {
   const std::span<const Point2> vertices = polygon.vertices();
   double bottom = vertices[0].y, top = bottom, low = bottom, high = bottom;  // of the even ones, and of the odd ones
   for (std::size_t k = 1; k < vertices.size(); k += 2) {
@@ -53,12 +53,13 @@ inline Box box_of(const ConvexPolygon& polygon) {
   }
   low = std::min(low, vertices.back().y);
   high = std::max(high, vertices.back().y);
-  return {polygon[polygon.leftmost()].x, polygon[polygon.rightmost()].x, std::min(bottom, low), std::max(top, high)};
+  return {{polygon[polygon.leftmost()].x, std::min(bottom, low)},
+          {polygon[polygon.rightmost()].x, std::max(top, high)}};
 }
 
 // Boxes, and extents along the diagonals, which part many of those whose boxes meet.
 struct Extents {
-  std::vector<Box> boxes;
+  std::vector<Box2> boxes;
   std::vector<DiagonalExtents> diagonals;
 };
 
@@ -77,8 +78,8 @@ void for_each_polygon(std::span<const ConvexPolygon> polygons, const Visit& visi
   }
 }
 
-inline std::vector<Box> boxes_of(std::span<const ConvexPolygon> polygons) {
-  std::vector<Box> boxes;
+inline std::vector<Box2> boxes_of(std::span<const ConvexPolygon> polygons) {
+  std::vector<Box2> boxes;
   boxes.reserve(polygons.size());
   for_each_polygon(polygons, [&](const ConvexPolygon& polygon) { boxes.push_back(box_of(polygon)); });
   return boxes;

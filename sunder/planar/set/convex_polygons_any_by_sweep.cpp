@@ -69,11 +69,11 @@ class Sweep {
 
  private:
   static std::vector<InStatus> keys_of(std::span<const ConvexPolygon> polygons) {
-    const std::vector<Box> boxes = boxes_of(polygons);
+    const std::vector<Box2> boxes = boxes_of(polygons);
     std::vector<InStatus> keys;
     keys.reserve(polygons.size());
     for (std::uint32_t i = 0; i < polygons.size(); ++i) {
-      keys.push_back({&polygons[i], i, boxes[i].bottom, boxes[i].top});
+      keys.push_back({&polygons[i], i, boxes[i].low.y, boxes[i].high.y});
     }
     return keys;
   }

@@ -26,13 +26,12 @@ Segments all_edges(const std::vector<const Polygon*>& polygons) {
 
 }  // namespace
 
-Box box_of_ring(const Polygon& polygon, std::uint32_t ring) {
+Box2 box_of_ring(const Polygon& polygon, std::uint32_t ring) {
   const std::vector<Point2>& v = polygon.vertices();
   const std::uint32_t begin = polygon.ring_begin(ring), end = polygon.ring_begin(ring + 1);
-  Box box{v[begin].x, v[begin].x, v[begin].y, v[begin].y};
+  Box2 box{v[begin], v[begin]};
   for (std::uint32_t k = begin + 1; k < end; ++k) {
-    box = {std::min(box.left, v[k].x), std::max(box.right, v[k].x), std::min(box.bottom, v[k].y),
-           std::max(box.top, v[k].y)};
+    box = hull(box, {v[k], v[k]});
   }
   return box;
 }
@@ -49,8 +48,8 @@ PolygonEdges::PolygonEdges(std::vector<const Polygon*> polygons)
   inside_is_left_.resize(rings_.size());
 }
 
-std::vector<Box> PolygonEdges::ring_boxes() const {
-  std::vector<Box> boxes;
+std::vector<Box2> PolygonEdges::ring_boxes() const {
+  std::vector<Box2> boxes;
   boxes.reserve(rings_.size());
   for (const Ring& ring : rings_) boxes.push_back(box_of_ring(*polygons_[ring.polygon], ring.in_polygon));
   return boxes;
@@ -70,7 +69,7 @@ void PolygonEdges::find_sides(std::uint32_t p) {
   sides_known_[p] = true;
   const Polygon& polygon = *polygons_[p];
   const std::uint32_t first = first_ring_[p], count = polygon.ring_count();
-  std::vector<Box> boxes;
+  std::vector<Box2> boxes;
   for (std::uint32_t r = 0; r < count; ++r) {
     inside_is_left_[first + r] = is_counter_clockwise(polygon, r);
     if (count > 1) boxes.push_back(box_of_ring(polygon, r));

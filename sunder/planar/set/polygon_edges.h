@@ -39,7 +39,7 @@ class PolygonEdges {
   };
   const std::vector<Ring>& rings() const { return rings_; }
   std::uint32_t first_ring(std::uint32_t p) const { return first_ring_[p]; }
-  std::vector<Box> ring_boxes() const;
+  std::vector<Box2> ring_boxes() const;
 
   // Is the inside of its polygon above the edge, that is, to the left of the way from its first end to its last?
   // Cost of the first question about a polygon: linear for one ring; else as many times linear as rings are nested.
@@ -66,6 +66,6 @@ inline std::vector<const Polygon*> pointers_to(std::span<const Polygon> polygons
   return pointers;
 }
 
-Box box_of_ring(const Polygon& polygon, std::uint32_t ring);
+Box2 box_of_ring(const Polygon& polygon, std::uint32_t ring);
 
 }  // namespace sunder::planar

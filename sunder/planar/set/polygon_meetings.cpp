@@ -136,7 +136,7 @@ bool PolygonMeetings::look_inside() {
   // Rings, and polygons that have a ring whose box holds that of the ring.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> candidates;
   const std::vector<PolygonEdges::Ring>& rings = edges_.rings();
-  const std::vector<Box> boxes = edges_.ring_boxes();
+  const std::vector<Box2> boxes = edges_.ring_boxes();
   // Is the ring's first vertex in the interior of the polygon?
   const auto is_inside = [&](std::uint32_t ring, std::uint32_t p) {
     const Polygon &of_ring = edges_.polygon(rings[ring].polygon), &polygon = edges_.polygon(p);

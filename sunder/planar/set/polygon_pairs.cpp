@@ -292,7 +292,7 @@ std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, con
   constexpr std::uint64_t looks = 64, looks_for_found = 16;
   // So many that they stay in the cache until they are looked at.
   constexpr std::uint64_t few = 1 << 13;
-  std::vector<Box> boxes;
+  std::vector<Box2> boxes;
   boxes.reserve(polygons.size());
   std::uint64_t edges = 0;
   for (const Polygon& polygon : polygons) {

@@ -22,7 +22,7 @@ bool have_many_rings(const Polygon& a, const Polygon& b) {
 PolygonsAnswer polygons_contact(const Polygon& a, const Polygon& b) {
   PolygonsAnswer answer;
   if (!meet(a.box(), b.box())) return answer;
-  const Box common = common_part(a.box(), b.box());
+  const Box2 common = common_part(a.box(), b.box());
   PolygonEdges edges({&a, &b});
   const auto greatest = [&](const PolygonsContact& found) {
     const bool more = found.contact != Contact::touching || found.kind > answer.found.kind;
@@ -42,7 +42,7 @@ PolygonsAnswer polygons_contact(const Polygon& a, const Polygon& b) {
   for (std::uint32_t e = 0; e < edges.edges().size(); ++e) {
     const Segment& s = edges.edges()[e];
     const double low = std::min(s.a.y, s.b.y), high = std::max(s.a.y, s.b.y);
-    if (meet(Box{s.a.x, s.b.x, low, high}, common)) near.push_back(e);
+    if (meet(Box2{{s.a.x, low}, {s.b.x, high}}, common)) near.push_back(e);
   }
   const std::optional<bool> taken = take_contacts_of(near, edges, {}, meetings);
   if (!taken) return by_sweep();
