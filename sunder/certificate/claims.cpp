@@ -1,3 +1,4 @@
+#include <sunder/base/contract.h>
 #include <sunder/certificate/claims.h>
 
 #include <algorithm>
@@ -141,6 +142,7 @@ void ClaimsWriter::add_origin(const Origin& origin) {
 }
 
 void ClaimsWriter::add_input(const std::string& name, const std::string& sha256) {
+  SUNDER_REQUIRE(!name.empty());
   go_to(1);
   begin_entry();
   text("name", cut_text(name));

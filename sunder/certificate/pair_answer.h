@@ -28,7 +28,7 @@ enum class Contact : std::uint8_t {
 
 std::string_view name_of(Contact);
 
-struct PairAnswer {
+struct [[nodiscard]] PairAnswer {
   PairCertificate evidence;
   DecidedBy decided_by = DecidedBy::filter;
   Cost cost;

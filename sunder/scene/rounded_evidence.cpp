@@ -1,3 +1,4 @@
+#include <sunder/base/contract.h>
 #include <sunder/predicate/common_point.h>
 #include <sunder/scene/rounded_evidence.h>
 
@@ -30,6 +31,7 @@ double joined(double mantissa, std::int64_t exponent) {
 }  // namespace
 
 Point3 rounded_common_point(const PairCertificate& c, const PlacedVertices& a, const PlacedVertices& b) {
+  SUNDER_REQUIRE(c.verdict == Verdict::meet);
   std::array<Posed, 5> points{};
   const std::size_t n = std::size_t{c.count_a} + c.count_b;
   for (std::size_t i = 0; i < n; ++i) points[i] = i < c.count_a ? a[c.vertices[i]] : b[c.vertices[i]];
@@ -44,6 +46,7 @@ Point3 rounded_common_point(const PairCertificate& c, const PlacedVertices& a, c
 }
 
 RoundedGap rounded_gap(const PairCertificate& c, const PlacedVertices& a, const PlacedVertices& b) {
+  SUNDER_REQUIRE(c.verdict == Verdict::apart);
   const Vector3<Dyadic> d = world_direction(c.direction, a, b).exact();
   // Scaled by a power of two so that the largest component is in [1/2, 1).
   const Split x = split(d.x), y = split(d.y), z = split(d.z);

@@ -1,3 +1,4 @@
+#include <sunder/base/contract.h>
 #include <sunder/scene/scene.h>
 #include <sunder/scene/sweep.h>
 
@@ -27,6 +28,8 @@ class Scene {
  public:
   Scene(std::span<const Body> bodies, const Question& question)
       : bodies_(bodies), question_(question), allowed_(normalized(question.allowed)) {
+    SUNDER_REQUIRE(std::all_of(allowed_.begin(), allowed_.end(),
+                               [&](const BodyPair& pair) { return std::max(pair[0], pair[1]) < bodies.size(); }));
     for (std::uint32_t b = 0; b < bodies.size(); ++b) {
       for (std::uint32_t p = 0; p < bodies[b].parts.size(); ++p) {
         const Part& part = bodies[b].parts[p];

@@ -62,7 +62,7 @@ struct Counts {
   std::uint64_t touching_only = 0;  // of those, touching where touching is allowed
 };
 
-struct Answer {
+struct [[nodiscard]] Answer {
   std::vector<PartPair> pairs;  // all that the method was asked about; with every_pair all but the allowed
   Counts counts;
 

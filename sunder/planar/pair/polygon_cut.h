@@ -35,7 +35,7 @@ struct CutEnd {
   friend bool operator==(const CutEnd&, const CutEnd&) = default;
 };
 
-struct PolygonCut {
+struct [[nodiscard]] PolygonCut {
   CutKind kind = CutKind::nothing;
   CutEnd first, last;      // in the direction from a to b; the same for `point`; meaningless for `nothing`
   std::uint32_t edge = 0;  // meaningless but for `along`

@@ -3,7 +3,8 @@
 // The answer is exactly right for the doubles given; the half-plane is in the world. P1 of polygon_line.h holds.
 // The witness is the polygon's vertex furthest into the half-plane, of two the one further along its direction: the two
 // edges beside it tell that it is; if it is not in the half-plane, no vertex is.
-// None throws, and none allocates while filters decide. Source: Chazelle & Dobkin 1987, section 2.2.
+// None allocates while filters decide, and none throws, but for want of memory. Source: Chazelle & Dobkin 1987,
+// section 2.2.
 #pragma once
 
 #include <sunder/certificate/pair_answer.h>

@@ -6,7 +6,7 @@
 // A polygon of three vertices or more has in common with a line nothing (then the nearest vertex is named), one vertex,
 // an edge with its two vertices, or a segment through its inside, between two features of the boundary. One of two
 // vertices, a segment, has one point, also in its inside, or all of it; one of one vertex has that.
-// None throws, and none but the scan allocates while filters decide.
+// None but the scan allocates while filters decide, and none throws, but for want of memory.
 // Source: Chazelle & Dobkin 1987, section 2.3, Theorem 3.
 // Departures: where the paper's function f compares signs with that of f(p_1), p_1 may be on the line here: then
 // another of the first three vertices takes its place. Its two binary searches for the points of intersection are

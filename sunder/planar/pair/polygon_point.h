@@ -4,7 +4,7 @@
 // polygons of two vertices and of one: all their points are on the boundary.
 //   P1. The answer is that of the exact images of the vertices under the pose.
 //   P2. All methods give the same place and the same feature, and evidence that passes certificate/check.h.
-// None throws, and none allocates while filters decide. Requires finite coordinates.
+// None allocates while filters decide, and none throws, but for want of memory. Requires finite coordinates.
 // Source: the question is that of Shamos, Preparata and others; Chazelle & Dobkin 1987, section 2.3, reduce it to the
 // intersection with a line, and name log2 n as its lower bound. Here it is a search in the fan of a vertex.
 #pragma once

@@ -8,7 +8,7 @@
 //       polygons meet; where they are apart, its direction is the normal of an edge, or the difference of two vertices
 //       (parallel segments, and points), and so it names a pair of parallel lines that part the polygons.
 //   P4. The answer, the certificate and the counts are the same for every compiler.
-// All methods have one signature. None throws, and none allocates while filters decide.
+// All methods have one signature. None allocates while filters decide, and none throws, but for want of memory.
 // Sources: Chazelle & Dobkin 1987, section 2.4 and Theorem 4; Barba & Langerman 2015, section 2.
 #pragma once
 

@@ -1,7 +1,7 @@
 // Do the boundaries of two placed convex polygons meet, or is one of them inside the other?
 //
 // The boundary of a segment or a point is all of it. Exactly right for the doubles given; touching is meeting.
-// None throws, and none allocates while filters decide.
+// None allocates while filters decide, and none throws, but for want of memory.
 // Source: Chazelle & Dobkin 1987, Theorem 5: no test by vertices in random access can do with less than linear time,
 // as each vertex of a polygon around another one may be the only one that is not far enough out.
 #pragma once
@@ -24,7 +24,7 @@ enum class Boundaries : std::uint8_t {
 
 std::string_view name_of(Boundaries);
 
-struct BoundariesAnswer {
+struct [[nodiscard]] BoundariesAnswer {
   Boundaries relation = Boundaries::apart;
   Cost cost;
 };

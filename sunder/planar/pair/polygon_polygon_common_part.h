@@ -31,7 +31,7 @@ struct CommonCorner {
   friend bool operator==(const CommonCorner&, const CommonCorner&) = default;
 };
 
-struct CommonPart {
+struct [[nodiscard]] CommonPart {
   std::vector<CommonCorner> corners;
   Cost cost;
 };

@@ -20,7 +20,7 @@
 
 namespace sunder::planar {
 
-struct PolygonDistance {
+struct [[nodiscard]] PolygonDistance {
   PairAnswer answer;  // do they meet? Its cost is that of everything. The rest is meaningless where they meet
 
   // The closest features: a vertex of each, or the edge that begins at the vertex (in the polygon's own order) of one.

@@ -13,6 +13,7 @@
 // Source: Shamos & Hoey 1976, section V, Theorem 13.
 #pragma once
 
+#include <sunder/base/contract.h>
 #include <sunder/base/cost.h>
 #include <sunder/planar/object/circle.h>
 #include <sunder/planar/region/circles_deepest.h>
@@ -33,7 +34,7 @@ enum class CirclesPartKind : std::uint8_t {
 
 std::string_view name_of(CirclesPartKind);
 
-struct CirclesPart {
+struct [[nodiscard]] CirclesPart {
   CirclesPartKind kind = CirclesPartKind::plane;
 
   // region: the discs whose arcs bound it, counter-clockwise, beginning so that the list is lexicographically least.
@@ -46,6 +47,7 @@ struct CirclesPart {
 
 // Corner m: where arc m ends and the next one begins. Requires two arcs.
 inline DiscCrossing corner(const Circles& circles, const CirclesPart& part, std::size_t m) {
+  SUNDER_REQUIRE(part.arcs.size() > 1 && m < part.arcs.size());
   const std::uint32_t a = part.arcs[m], b = part.arcs[m + 1 == part.arcs.size() ? 0 : m + 1];
   return {disc_of(circles[a]), disc_of(circles[b])};
 }

@@ -26,7 +26,7 @@ namespace sunder::planar {
 
 inline Disc disc_of(const Circle& circle) { return {circle.center, circle.radius}; }
 
-struct CirclesDeepest {
+struct [[nodiscard]] CirclesDeepest {
   std::array<std::uint32_t, 3> discs{};
   std::uint32_t count = 0;  // of the discs that name the point: 1 to 3
   Sign power = Sign::zero;  // at the point

@@ -53,7 +53,7 @@ struct PolygonSupport {
   Point2 from, to;
 };
 
-struct PolygonsPart {
+struct [[nodiscard]] PolygonsPart {
   PolygonsPartKind kind = PolygonsPartKind::plane;
   std::vector<PolygonsCorner> corners;  // one of a point, two of a segment; none of `empty` and `plane`
 

@@ -8,6 +8,7 @@
 // Of pieces in one line the lowest polygon's, and of one polygon the lowest edge, serves.
 #pragma once
 
+#include <sunder/base/contract.h>
 #include <sunder/base/cost.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/predicate/line_points.h>
@@ -26,6 +27,7 @@ struct EdgePiece {
 
 // Where piece m of a chain begins. Requires m > 0.
 inline LinePoint beginning(std::span<const EdgePiece> chain, std::size_t m) {
+  SUNDER_REQUIRE(m > 0 && m < chain.size());
   const EdgePiece &before = chain[m - 1], &piece = chain[m];
   LinePoint p{{before.a, before.b, piece.a, piece.b}, piece.begin};
   if (p.is_double()) p.lines.a = {p.in.x.low, p.in.y.low};
@@ -42,7 +44,9 @@ class EdgeChains {
  public:
   // Requires low < high.
   EdgeChains(std::span<const ConvexPolygon> polygons, const Abscissas& between)
-      : polygons_(polygons), between_(between) {}
+      : polygons_(polygons), between_(between) {
+    SUNDER_REQUIRE(between.low < between.high);
+  }
 
   // Appends the chain of one polygon. Requires that it reaches over the abscissas. Cost: linear.
   void append(std::uint32_t polygon, Boundary boundary, std::vector<EdgePiece>& out);

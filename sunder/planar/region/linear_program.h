@@ -48,7 +48,7 @@ inline constexpr std::uint32_t no_half_plane = 0xffffffffu;
 //     set, before and after have none.
 // The common point: the corner of before and after; where after is not set, all lines are parallel to that of before,
 // and each of its points is one; where both are not set, there are no half-planes.
-struct LinearProgramAnswer {
+struct [[nodiscard]] LinearProgramAnswer {
   Optimum outcome = Optimum::infeasible;
   std::uint32_t before = no_half_plane, side = no_half_plane, after = no_half_plane;
   bool backward = false;  // meaningless unless unbounded

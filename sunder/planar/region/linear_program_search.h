@@ -8,6 +8,7 @@
 // point.
 #pragma once
 
+#include <sunder/base/contract.h>
 #include <sunder/base/random.h>
 #include <sunder/planar/region/linear_program.h>
 #include <sunder/planar/region/region_search.h>
@@ -26,7 +27,9 @@ class ProgramSearch {
 
   // Requires that p and q are not both zero.
   ProgramSearch(const Given& given, const Objective& objective)
-      : given_(given), up_(through_origin<Half>(objective.p, objective.q)), size_(given.size()) {}
+      : given_(given), up_(through_origin<Half>(objective.p, objective.q)), size_(given.size()) {
+    SUNDER_REQUIRE(objective.p != 0 || objective.q != 0);
+  }
 
   // The nearest normals: of `before` clockwise of the objective or in its direction, of `after` counter-clockwise or
   // opposite; of equal ones the tightest.

@@ -1,3 +1,4 @@
+#include <sunder/base/contract.h>
 #include <sunder/planar/object/polygon_sides.h>
 #include <sunder/planar/region/region.h>
 
@@ -41,6 +42,7 @@ std::vector<std::array<std::uint32_t, 2>> corners(const Region& region) {
 
 template <class Given>
 ExactPoint2 point_of(const Given& given, const Region& region) {
+  SUNDER_REQUIRE(region.kind != RegionKind::empty);
   if (region.kind == RegionKind::plane) return {0.0, 0.0, 1.0};
   const bool has_corner =
       region.kind != RegionKind::half_plane && region.kind != RegionKind::strip && region.kind != RegionKind::line;

@@ -33,7 +33,7 @@ std::string_view name_of(RegionKind);
 //   R2. Two sides that follow each other turn by less than a half turn, and their lines meet in a corner of the region;
 //       so do the last and the first one of a bounded region, a segment and a point. The sides of a line or strip, and
 //       the first and last of a ray, are antiparallel.
-struct Region {
+struct [[nodiscard]] Region {
   RegionKind kind = RegionKind::plane;
 
   // empty: two or three half-planes without a common point, counter-clockwise. Otherwise half-planes whose common part

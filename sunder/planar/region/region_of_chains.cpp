@@ -1,3 +1,4 @@
+#include <sunder/base/contract.h>
 #include <sunder/planar/object/polygon_sides.h>
 #include <sunder/planar/region/angle_order.h>
 #include <sunder/planar/region/region_search.h>
@@ -159,6 +160,7 @@ Region region_of(Signs<Given>& signs, const Chains& chains, const RegionOptions&
 
 template <class Given>
 void add_cones(Signs<Given>& signs, Region& region) {
+  SUNDER_REQUIRE(region.kind != RegionKind::empty);
   region.cones.resize(signs.given().size());
   const bool has_corner = region.sides.size() > 2 || region.kind == RegionKind::unbounded;
   if (!has_corner) {

@@ -1,6 +1,7 @@
 // Where in the order of sides does a normal belong? A table of angles in doubles proposes.
 #pragma once
 
+#include <sunder/base/contract.h>
 #include <sunder/predicate/constraints.h>
 
 #include <algorithm>
@@ -89,6 +90,7 @@ class SideTable {
   // Requires at least one side. Cost: O(1) for angles spread evenly, O(log n) at worst.
   template <class Half>
   std::uint32_t position(const Half& half) const {
+    SUNDER_REQUIRE(!keys_.empty());
     const double key = side_table_detail::key_of(half);
     const auto [first, last] = buckets_.around(key);
     const auto after = std::upper_bound(keys_.begin() + first, keys_.begin() + last, buckets_.from_first(key));

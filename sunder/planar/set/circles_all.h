@@ -25,12 +25,12 @@ struct CirclesContact {
   friend auto operator<=>(const CirclesContact&, const CirclesContact&) = default;
 };
 
-struct CirclesAllAnswer {
+struct [[nodiscard]] CirclesAllAnswer {
   std::vector<CirclesContact> contacts;
   Cost cost;  // probes: pairs that were compared, also those of boxes in a cell
 };
 
-struct CirclesCountAnswer {
+struct [[nodiscard]] CirclesCountAnswer {
   std::uint64_t count = 0;
   Cost cost;
 };

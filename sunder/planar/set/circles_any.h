@@ -38,7 +38,7 @@ inline bool counts(DiscContact kind, Allowed allowed) {
   return kind != DiscContact::none && (kind != DiscContact::touching || allowed == Allowed::nothing);
 }
 
-struct CirclesAnswer {
+struct [[nodiscard]] CirclesAnswer {
   DiscContact kind = DiscContact::none;  // of the contact; none: no two discs meet in a way that counts
   std::uint32_t i = 0, j = 0;            // the two discs, i < j; meaningless for `none`
   Cost cost;                             // probes: pairs of discs that were compared

@@ -21,7 +21,7 @@
 
 namespace sunder::planar {
 
-struct ConvexPolygonsAnswer {
+struct [[nodiscard]] ConvexPolygonsAnswer {
   Contact contact = Contact::none;  // none: no two polygons meet in a way that counts
   std::uint32_t i = 0, j = 0;       // the two polygons, i < j; meaningless for `none`
   PairCertificate evidence;         // that they meet; meaningless for `none`

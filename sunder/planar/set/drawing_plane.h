@@ -16,7 +16,7 @@
 
 namespace sunder::planar {
 
-struct DrawingAnswer {
+struct [[nodiscard]] DrawingAnswer {
   enum class Contact : std::uint8_t {
     none,             // the drawing is plane
     vertices,         // the vertices i < j have one place

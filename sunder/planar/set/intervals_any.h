@@ -20,7 +20,7 @@ struct LineInterval {
   double low = 0, high = 0;
 };
 
-struct IntervalsAnswer {
+struct [[nodiscard]] IntervalsAnswer {
   ContactKind kind = ContactKind::none;  // none: no two meet in a way that counts
   std::uint32_t i = 0, j = 0;            // the two intervals, i < j; meaningless for `none`
   std::vector<std::uint32_t> order;      // where none meet: the intervals from left to right

@@ -1,3 +1,4 @@
+#include <sunder/base/contract.h>
 #include <sunder/planar/set/box_pairs.h>
 #include <sunder/planar/set/polygon_edges.h>
 #include <sunder/planar/set/ring_tests.h>
@@ -38,6 +39,7 @@ Box2 box_of_ring(const Polygon& polygon, std::uint32_t ring) {
 
 PolygonEdges::PolygonEdges(std::vector<const Polygon*> polygons)
     : polygons_(std::move(polygons)), sides_known_(polygons_.size()), edges_(all_edges(polygons_)) {
+  SUNDER_REQUIRE(edges_.size() < std::size_t{1} << 31);
   polygon_of_.reserve(edges_.size());
   for (std::uint32_t p = 0; p < polygons_.size(); ++p) {
     first_edge_.push_back(static_cast<std::uint32_t>(polygon_of_.size()));

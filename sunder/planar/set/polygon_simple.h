@@ -18,7 +18,7 @@
 
 namespace sunder::planar {
 
-struct PolygonSimpleAnswer {
+struct [[nodiscard]] PolygonSimpleAnswer {
   ContactKind kind = ContactKind::none;  // of the contact; none: the polygon is simple
   std::uint32_t i = 0, j = 0;            // the two edges, i < j; meaningless for `none`
   Cost cost;                             // probes: pairs of edges, and of vertices next to each other once sorted

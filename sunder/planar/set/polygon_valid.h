@@ -80,7 +80,7 @@ struct PolygonDefect {
   Segment place;  // a and b are equal but for an overlap
 };
 
-struct PolygonDefects {
+struct [[nodiscard]] PolygonDefects {
   std::vector<PolygonDefect> defects;
   Cost cost;  // probes: comparisons of the sweep, and pairs of edges
 

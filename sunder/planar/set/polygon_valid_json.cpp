@@ -1,3 +1,4 @@
+#include <sunder/base/contract.h>
 #include <sunder/planar/pair/segment_segment.h>
 #include <sunder/planar/set/polygon_valid_json.h>
 #include <sunder/planar/set/segments_all.h>
@@ -319,6 +320,7 @@ void write_parts(ClaimsWriter& file, std::span<const PolygonRings> parts) {
 }
 
 void write_valid(ClaimsWriter& file, std::span<const PolygonRings> parts, std::uint32_t first_part, PolygonRule rule) {
+  SUNDER_REQUIRE(rule != PolygonRule::self_touch);
   const Numbered all(parts);
   const auto events = sweep_events(Segments(all.edges), std::numeric_limits<std::size_t>::max());
   begin(file, parts.size(), first_part, rule, "valid");
@@ -328,6 +330,7 @@ void write_valid(ClaimsWriter& file, std::span<const PolygonRings> parts, std::u
 
 bool write_defect(ClaimsWriter& file, std::span<const PolygonRings> parts, std::uint32_t first_part, PolygonRule rule,
                   const PolygonDefect& defect) {
+  SUNDER_REQUIRE(rule != PolygonRule::self_touch);
   const Numbered all(parts);
   const std::uint32_t a = all.ring(defect.a), b = all.ring(defect.b);
   switch (defect.kind) {

@@ -14,12 +14,12 @@
 
 namespace sunder::planar {
 
-struct PolygonsAllAnswer {
+struct [[nodiscard]] PolygonsAllAnswer {
   std::vector<PolygonsContact> contacts;
   Cost cost;
 };
 
-struct PolygonsCountAnswer {
+struct [[nodiscard]] PolygonsCountAnswer {
   std::uint64_t touching = 0, overlapping = 0;  // pairs that count
   Cost cost;
 };

@@ -46,7 +46,7 @@ inline bool counts(const PolygonsContact& c, Allowed allowed) {
   return allowed == Allowed::nothing || (allowed == Allowed::shared_endpoint && c.kind != ContactKind::shared_endpoint);
 }
 
-struct PolygonsAnswer {
+struct [[nodiscard]] PolygonsAnswer {
   PolygonsContact found;  // Contact::none: no two polygons meet in a way that counts
   Cost cost;              // probes: pairs of edges or boxes compared, and edges looked at for points inside
 

@@ -25,13 +25,13 @@ struct SegmentsContact {
   friend auto operator<=>(const SegmentsContact&, const SegmentsContact&) = default;
 };
 
-struct SegmentsAllAnswer {
+struct [[nodiscard]] SegmentsAllAnswer {
   std::vector<SegmentsContact> contacts;  // with a transcript: by i, then j
   SweepEvents transcript;                 // empty unless asked for
   Cost cost;                              // probes: pairs that were compared, also those of boxes in a cell
 };
 
-struct SegmentsCountAnswer {
+struct [[nodiscard]] SegmentsCountAnswer {
   std::uint64_t count = 0;
   SweepEvents transcript;  // empty unless asked for
   Cost cost;

@@ -23,7 +23,7 @@
 
 namespace sunder::planar {
 
-struct SegmentsAnswer {
+struct [[nodiscard]] SegmentsAnswer {
   ContactKind kind = ContactKind::none;  // of the contact; none: no two segments meet in a way that counts
   std::uint32_t i = 0, j = 0;            // the two segments, i < j; meaningless for `none`
   SweepEvents transcript;                // empty unless asked for, and where some meet

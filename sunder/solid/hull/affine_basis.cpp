@@ -1,3 +1,4 @@
+#include <sunder/base/contract.h>
 #include <sunder/solid/hull/affine_basis.h>
 
 #include <sunder/predicate/orient.h>
@@ -50,6 +51,7 @@ std::optional<int> projection_axis(const Point3& a, const Point3& b, const Point
 }
 
 std::vector<std::uint32_t> affine_basis(std::span<const Point3> points) {
+  SUNDER_REQUIRE(!points.empty());
   std::uint32_t lowest = 0, highest = 0;
   for (std::uint32_t i = 1; i < points.size(); ++i) {
     if (lexicographically_less(points[i], points[lowest])) lowest = i;

@@ -1,3 +1,4 @@
+#include <sunder/base/contract.h>
 #include <sunder/solid/hull/canonical_order.h>
 
 #include <algorithm>
@@ -46,6 +47,7 @@ std::vector<std::uint32_t> facet_order(const ConvexHull& hull) {
 }  // namespace
 
 ConvexHull in_canonical_order(const ConvexHull& hull, std::size_t point_count) {
+  SUNDER_REQUIRE(std::all_of(hull.vertices.begin(), hull.vertices.end(), [&](auto v) { return v < point_count; }));
   constexpr std::uint32_t none = 0xffffffff;
   std::vector<std::uint32_t> vertex_at(point_count, none);
   for (std::uint32_t v = 0; v < hull.vertices.size(); ++v) vertex_at[hull.vertices[v]] = v;

@@ -1,3 +1,4 @@
+#include <sunder/base/contract.h>
 #include <sunder/solid/hull/flat_hull.h>
 
 #include <sunder/predicate/orient.h>
@@ -63,6 +64,7 @@ ConvexHull segment_hull(std::uint32_t a, std::uint32_t b) {
 }
 
 ConvexHull polygon_hull(std::span<const Point3> points, int axis) {
+  SUNDER_REQUIRE(axis >= 0 && axis < 3);
   ConvexHull hull;
   hull.dimension = 2;
   hull.vertices = monotone_chain(points, axis);

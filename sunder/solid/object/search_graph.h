@@ -5,6 +5,7 @@
 // For bodies of few vertices, reading them all is faster than walking: `all` holds them coordinate by coordinate.
 #pragma once
 
+#include <sunder/base/contract.h>
 #include <sunder/predicate/point.h>
 #include <sunder/predicate/posed.h>
 #include <sunder/solid/hull/convex_hull.h>
@@ -40,6 +41,7 @@ class VertexBlock {
 
   // The place of the j-th neighbour's block. Requires j < padded().
   std::uint32_t place(std::uint32_t j) const {
+    SUNDER_REQUIRE(j < padded());
     const std::uint64_t pair = std::bit_cast<std::uint64_t>(words_[4 + 3 * std::size_t{padded()} + j / 2]);
     return static_cast<std::uint32_t>(pair >> (j % 2 * 32));
   }

@@ -6,7 +6,7 @@
 //   P2. Swapping the objects, and scaling or shifting both exactly, does not change the verdict.
 //   P3. The certificate passes the absolute check of certificate/check.h.
 //   P4. The answer, the certificate and the counts are the same for every compiler, thread count and vector unit.
-// All methods have one signature. None throws, and none allocates while filters decide.
+// All methods have one signature. None allocates while filters decide, and none throws, but for want of memory.
 #pragma once
 
 #include <sunder/certificate/pair_answer.h>
