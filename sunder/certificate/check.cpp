@@ -49,13 +49,13 @@ CheckResult check_apart(const PairCertificate& c, const PlacedVertices& a, const
 CheckResult check_meet(const PairCertificate& c, const PlacedVertices& a, const PlacedVertices& b) {
   const std::size_t n = std::size_t{c.count_a} + c.count_b;
   if (c.count_a == 0 || c.count_b == 0 || n > c.vertices.size()) return CheckResult::bad_index;
-  std::array<Posed, 5> points{};
+  std::array<Posed3, 5> points{};
   for (std::size_t i = 0; i < n; ++i) {
     const PlacedVertices& body = i < c.count_a ? a : b;
     if (c.vertices[i] >= body.vertices.size()) return CheckResult::bad_index;
     points[i] = body[c.vertices[i]];
   }
-  const std::span<const Posed> all(points.data(), n);
+  const std::span<const Posed3> all(points.data(), n);
   return have_common_point(all.first(c.count_a), all.subspan(c.count_a)) ? CheckResult::accepted
                                                                          : CheckResult::no_common_point;
 }

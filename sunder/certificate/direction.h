@@ -14,7 +14,7 @@ struct PlacedVertices {
   const Affine3& pose;
   bool tame;  // as decided by images_are_tame (false is always allowed)
 
-  Posed operator[](std::uint32_t v) const { return {vertices[v], &pose, tame}; }
+  Posed3 operator[](std::uint32_t v) const { return {vertices[v], &pose, tame}; }
 };
 
 // The direction of the world that `direction` names on the bodies A and B. Requires its indices to be in range.

@@ -127,13 +127,13 @@ void PairClaims::add_overlapping(std::uint32_t a, std::uint32_t b, const CommonP
 }
 
 CommonPoint PairClaims::common_point(std::uint32_t a, std::uint32_t b, const PairCertificate& c) const {
-  std::array<Posed, 5> points{};
+  std::array<Posed3, 5> points{};
   const std::size_t n = std::size_t{c.count_a} + c.count_b;
   for (std::size_t k = 0; k < n; ++k) {
     const Entry& entry = entries_[k < c.count_a ? a : b];
     points[k] = {entry.vertices[c.vertices[k]], &entry.pose, false};
   }
-  const std::span<const Posed> all(points.data(), n);
+  const std::span<const Posed3> all(points.data(), n);
   CommonPointWeights weights = common_point_weights(all.first(c.count_a), all.subspan(c.count_a));
   CommonPoint point{
       std::move(weights.point), weights.denominator, {{}, weights.denominator}, {{}, weights.denominator}};

@@ -314,7 +314,7 @@ TEST_F(PairClaimsAnswerTest, WeightsAndPointAreExact) {
       c.count_b = static_cast<std::uint8_t>(k.b.size());
       for (std::uint32_t i = 0; i < c.count_a; ++i) c.vertices[i] = c.count_a - 1 - i;
       for (std::uint32_t i = 0; i < c.count_b; ++i) c.vertices[c.count_a + i] = c.count_b - 1 - i;
-      std::vector<Posed> posed_a, posed_b;
+      std::vector<Posed3> posed_a, posed_b;
       for (std::uint32_t i = c.count_a; i-- > 0;) posed_a.push_back(posed(k.a[i], pose));
       for (std::uint32_t i = c.count_b; i-- > 0;) posed_b.push_back(posed(k.b[i], pose));
       if (!have_common_point(posed_a, posed_b)) continue;

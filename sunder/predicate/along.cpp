@@ -14,11 +14,11 @@ Vector3<Interval> WorldDirection::enclosure() const {
 
 Vector3<Dyadic> WorldDirection::exact() const { return is_doubles_ ? lift<ExactStage>(doubles_) : *exact_; }
 
-WorldDirection cross_direction(const Posed& a, const Posed& b, const Posed& c, const Posed& d) {
+WorldDirection cross_direction(const Posed3& a, const Posed3& b, const Posed3& c, const Posed3& d) {
   return WorldDirection(cross(lift<ExactStage>(b) - lift<ExactStage>(a), lift<ExactStage>(d) - lift<ExactStage>(c)));
 }
 
-WorldDirection difference_direction(const Posed& a, const Posed& b) {
+WorldDirection difference_direction(const Posed3& a, const Posed3& b) {
   return WorldDirection(lift<ExactStage>(b) - lift<ExactStage>(a));
 }
 
@@ -34,7 +34,7 @@ Sign Along::compare_further(const Point3& from, const Point3& to, StageTally* ta
   return dot(*exact_, lift<ExactStage>(to) - lift<ExactStage>(from)).sign();
 }
 
-Sign compare_along_further(const WorldDirection& direction, const Posed& a, const Posed& b, StageTally* tally) {
+Sign compare_along_further(const WorldDirection& direction, const Posed3& a, const Posed3& b, StageTally* tally) {
   const Guess guess = sign(dot(direction.enclosure(), lift<IntervalStage>(b) - lift<IntervalStage>(a)));
   if (is_sure(guess)) {
     if (tally) ++tally->interval;

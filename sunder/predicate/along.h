@@ -40,8 +40,8 @@ class WorldDirection {
 };
 
 // The exact direction (b - a) x (d - c), and b - a, from posed points.
-WorldDirection cross_direction(const Posed& a, const Posed& b, const Posed& c, const Posed& d);
-WorldDirection difference_direction(const Posed& a, const Posed& b);
+WorldDirection cross_direction(const Posed3& a, const Posed3& b, const Posed3& c, const Posed3& d);
+WorldDirection difference_direction(const Posed3& a, const Posed3& b);
 
 // The direction seen from the frame of a posed body: compares points of that body along it.
 class Along {
@@ -115,13 +115,13 @@ class Along {
 };
 
 // compare_along for what floating point does not decide.
-Sign compare_along_further(const WorldDirection& direction, const Posed& a, const Posed& b, StageTally* tally);
+Sign compare_along_further(const WorldDirection& direction, const Posed3& a, const Posed3& b, StageTally* tally);
 
 // The sign of direction . (b - a) for posed points of any two bodies: positive when b is further along.
 // First with one bound from the points' reach: the formula is a Rounded<7>, its magnitude at most the sum of the sizes
 // of the direction's components times four times the sum of both reaches; another Rounded step pays for the rounding of
 // that product.
-inline Sign compare_along(const WorldDirection& direction, const Posed& a, const Posed& b,
+inline Sign compare_along(const WorldDirection& direction, const Posed3& a, const Posed3& b,
                           StageTally* tally = nullptr) {
   if (direction.is_tame() && a.tame && b.tame) {
     const Point3& d = direction.doubles();

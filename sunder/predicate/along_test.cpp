@@ -45,7 +45,7 @@ bool operator<=(const Exact& a, const Exact& b) { return (a - b).n <= 0; }
 using ExactPoint = std::array<Exact, 3>;
 
 ExactPoint image(const Point3& p) { return {p.x, p.y, p.z}; }
-ExactPoint image(const Posed& p) {
+ExactPoint image(const Posed3& p) {
   const auto& [m, t] = *p.pose;
   const ExactPoint x = image(p.point);
   return {x[0] * m[0] + x[1] * m[1] + x[2] * m[2] + t[0], x[0] * m[3] + x[1] * m[4] + x[2] * m[5] + t[1],
@@ -189,7 +189,7 @@ TEST(AlongTest, DirectionsOfFeatures) {
       y = whole ? on_grid(random, 1) : in_cube(random);
       y = {y.x * scale, y.y * scale, y.z * scale};
     }
-    const Posed a = posed(x[0], p), b = posed(x[1], p), c = posed(x[2], q), d = posed(x[3], q);
+    const Posed3 a = posed(x[0], p), b = posed(x[1], p), c = posed(x[2], q), d = posed(x[3], q);
     const ExactPoint ia = image(a), ib = image(b), ic = image(c), id = image(d);
     const WorldDirection normal = cross_direction(a, b, c, d), difference = difference_direction(a, c);
     ExactPoint u = ia, v = ic;
@@ -229,7 +229,7 @@ TEST(AlongTest, ComparesPointsOfOneBody) {
     const WorldDirection direction(q.direction);
     Along along(direction, q.pose, q.tame());
     Record& record = (is_plain ? plain : scaled)[kind];
-    const Posed from = posed(q.from, q.pose), to = posed(q.to, q.pose);
+    const Posed3 from = posed(q.from, q.pose), to = posed(q.to, q.pose);
     const Sign expected = further(image(q.direction), image(from), image(to));
     StageTally tally, there, back, other, slow;
     record.check(along.compare(q.from, q.to, &tally), expected, tally);
@@ -276,7 +276,7 @@ TEST(AlongTest, TinyMatrixOfHugeBody) {
     ASSERT_TRUE(direction.is_tame());
     Along along(direction, q.pose, q.tame());
     StageTally tally;
-    const Posed from = posed(q.from, q.pose), to = posed(q.to, q.pose);
+    const Posed3 from = posed(q.from, q.pose), to = posed(q.to, q.pose);
     const Sign expected = further(image(q.direction), image(from), image(to));
     ASSERT_EQ(along.compare(q.from, q.to, &tally), expected) << i << " " << e;
     ASSERT_EQ(compare_along(direction, from, to), expected) << i << " " << e;
@@ -304,7 +304,7 @@ TEST(AlongTest, DirectionsOfAnySize) {
     const int e = static_cast<int>(random.below(2) ? random.between(-1060, 1000) : random.between(-1060, -1000));
     q.direction = {std::ldexp(q.direction.x, e), std::ldexp(q.direction.y, e), std::ldexp(q.direction.z, e)};
     const WorldDirection direction(q.direction);
-    const Posed from = posed(q.from, q.pose), to = posed(q.to, q.pose);
+    const Posed3 from = posed(q.from, q.pose), to = posed(q.to, q.pose);
     ASSERT_TRUE(from.tame && to.tame);
     Along along(direction, q.pose, true);
     StageTally tally;
@@ -322,7 +322,7 @@ TEST(AlongTest, DirectionsOfAnySize) {
 // One body is tame, the image of the other is not zero but would be in floating point.
 TEST(AlongTest, OneBodyUnderflows) {
   const Affine3 identity, tiny{{1e-200, 0, 0, 0, 1e-200, 0, 0, 0, 1e-200}, {}};
-  const Posed a = posed({0, 0, 0}, identity), b = posed({1e-200, 0, 0}, tiny);
+  const Posed3 a = posed({0, 0, 0}, identity), b = posed({1e-200, 0, 0}, tiny);
   ASSERT_TRUE(a.tame);
   ASSERT_FALSE(b.tame);
   const WorldDirection direction(Point3{1, 0, 0});
@@ -364,7 +364,7 @@ TEST(AlongTest, ManyPointsAtOnce) {
     const WorldDirection opposite(q.direction);
     bool tame = true, less = true;
     for (std::size_t j = 0; j < count; ++j) {
-      const Posed p = posed({x[j], y[j], z[j]}, q.pose), r = posed(at, q.pose);
+      const Posed3 p = posed({x[j], y[j], z[j]}, q.pose), r = posed(at, q.pose);
       tame = tame && p.tame && r.tame;
       less = less && further(exact(direction), image(r), image(p)) == Sign::negative;
     }
@@ -417,7 +417,7 @@ TEST(AlongTest, ComparesPointsOfTwoBodies) {
       for (double& m : pose->linear) m = std::ldexp(m, e);
       for (double& t : pose->translation) t = std::ldexp(t, e);
     }
-    const Posed a = posed(q.from, first), b = posed(r.from, second);
+    const Posed3 a = posed(q.from, first), b = posed(r.from, second);
     if (!a.tame || !b.tame) ++untame;
     const WorldDirection direction(q.direction);
     StageTally tally;

@@ -21,8 +21,8 @@ std::array<T, N - 1> others(const std::array<T, N>& points, std::size_t left_out
 }
 
 template <std::size_t N>
-std::array<Posed, N> joined(std::span<const Posed> a, std::span<const Posed> b) {
-  std::array<Posed, N> points{};
+std::array<Posed3, N> joined(std::span<const Posed3> a, std::span<const Posed3> b) {
+  std::array<Posed3, N> points{};
   for (std::size_t i = 0; i < N; ++i) points[i] = i < a.size() ? a[i] : b[i - a.size()];
   return points;
 }
@@ -44,18 +44,18 @@ auto minor_of(int axis, const std::array<P, 2>& p) {
   return axis == 0 ? p[1].x - p[0].x : axis == 1 ? p[1].y - p[0].y : p[1].z - p[0].z;
 }
 
-Sign minor_sign(int axis, const std::array<Posed, 3>& p, StageTally* tally) {
+Sign minor_sign(int axis, const std::array<Posed3, 3>& p, StageTally* tally) {
   return orient_2d_along(axis, p[0], p[1], p[2], tally);
 }
-Sign minor_sign(int axis, const std::array<Posed, 2>& p, StageTally* tally) {
+Sign minor_sign(int axis, const std::array<Posed3, 2>& p, StageTally* tally) {
   return compare_coordinate(axis, p[0], p[1], tally);
 }
 
 // Do the N points lie in a common space of dimension N - 2?
-bool is_flat(const std::array<Posed, 4>& p, StageTally* tally) {
+bool is_flat(const std::array<Posed3, 4>& p, StageTally* tally) {
   return orient_3d(p[0], p[1], p[2], p[3], tally) == Sign::zero;
 }
-bool is_flat(const std::array<Posed, 3>& p, StageTally* tally) {
+bool is_flat(const std::array<Posed3, 3>& p, StageTally* tally) {
   for (int axis = 0; axis < 3; ++axis) {
     if (orient_2d_along(axis, p[0], p[1], p[2], tally) != Sign::zero) return false;
   }
@@ -75,7 +75,7 @@ auto five_minors(const std::array<P, 5>& p) {
 
 // Of five points: does the dependency part A from B, as far as one stage can tell?
 template <class Stage>
-Guess five_are_separated(const std::array<Posed, 5>& points, std::size_t count_a) {
+Guess five_are_separated(const std::array<Posed3, 5>& points, std::size_t count_a) {
   using Image = decltype(lift<Stage>(points[0]));
   const std::array<Image, 5> images{lift<Stage>(points[0]), lift<Stage>(points[1]), lift<Stage>(points[2]),
                                     lift<Stage>(points[3]), lift<Stage>(points[4])};
@@ -105,12 +105,12 @@ Guess five_are_separated(const std::array<Posed, 5>& points, std::size_t count_a
 //   |error| <= 6 ((Y + d)^3 - Y^3) + bound<5> 6 Y^3 <= 18 d (Y + d)^2 + 36 u Y^3
 // and the last minor, a sum of four of these in two steps, has four times that error and 2.1 u times 4 * 6.1 Y^3. The
 // factors below are larger by more than what the rounding of the bound itself takes away.
-Guess five_are_separated_with_one_bound(std::span<const Posed> a, std::span<const Posed> b) {
+Guess five_are_separated_with_one_bound(std::span<const Posed3> a, std::span<const Posed3> b) {
   std::array<Vector3<double>, 5> images;
   double reach = 0;
   std::size_t n = 0;
-  for (const std::span<const Posed>& part : {a, b}) {
-    for (const Posed& p : part) {
+  for (const std::span<const Posed3>& part : {a, b}) {
+    for (const Posed3& p : part) {
       images[n++] = rounded_image(p);
       reach = std::max(reach, p.reach);
     }
@@ -134,10 +134,10 @@ Guess five_are_separated_with_one_bound(std::span<const Posed> a, std::span<cons
   return least < -error && greatest > error ? Guess::negative : Guess::unsure;
 }
 
-bool five_have_common_point(std::span<const Posed> a, std::span<const Posed> b, StageTally* tally) {
+bool five_have_common_point(std::span<const Posed3> a, std::span<const Posed3> b, StageTally* tally) {
   bool all_tame = true;
-  for (const Posed& p : a) all_tame = all_tame && p.tame;
-  for (const Posed& p : b) all_tame = all_tame && p.tame;
+  for (const Posed3& p : a) all_tame = all_tame && p.tame;
+  for (const Posed3& p : b) all_tame = all_tame && p.tame;
   if (all_tame) {
     const Guess guess = five_are_separated_with_one_bound(a, b);
     if (is_sure(guess)) {
@@ -145,7 +145,7 @@ bool five_have_common_point(std::span<const Posed> a, std::span<const Posed> b, 
       return guess == Guess::positive;
     }
   }
-  const std::array<Posed, 5> points = joined<5>(a, b);
+  const std::array<Posed3, 5> points = joined<5>(a, b);
   const std::size_t count_a = a.size();
   if (all_tame) {
     const Guess guess = five_are_separated<RoundedStage>(points, count_a);
@@ -165,7 +165,7 @@ bool five_have_common_point(std::span<const Posed> a, std::span<const Posed> b, 
 
 // Along one choice of axis: -1 a sign is wrong, 0 all minors vanish (another axis is needed), 1 they separate A from B.
 template <std::size_t N>
-int separated_along(int axis, const std::array<Posed, N>& points, std::size_t count_a, StageTally* tally) {
+int separated_along(int axis, const std::array<Posed3, N>& points, std::size_t count_a, StageTally* tally) {
   int first = 0;
   bool vanishes = false;
   for (std::size_t i = 0; i < N; ++i) {
@@ -183,8 +183,8 @@ int separated_along(int axis, const std::array<Posed, N>& points, std::size_t co
 }
 
 template <std::size_t N>
-bool have_common_point_of(std::span<const Posed> a, std::span<const Posed> b, StageTally* tally) {
-  const std::array<Posed, N> points = joined<N>(a, b);
+bool have_common_point_of(std::span<const Posed3> a, std::span<const Posed3> b, StageTally* tally) {
+  const std::array<Posed3, N> points = joined<N>(a, b);
   if (!is_flat(points, tally)) return false;
   for (int axis = 0; axis < 3; ++axis) {
     const int separated = separated_along(axis, points, a.size(), tally);
@@ -194,8 +194,8 @@ bool have_common_point_of(std::span<const Posed> a, std::span<const Posed> b, St
 }
 
 template <std::size_t N>
-CommonPointWeights weights_of(std::span<const Posed> a, std::span<const Posed> b) {
-  const std::array<Posed, N> points = joined<N>(a, b);
+CommonPointWeights weights_of(std::span<const Posed3> a, std::span<const Posed3> b) {
+  const std::array<Posed3, N> points = joined<N>(a, b);
   std::array<Vector3<Dyadic>, N> images;
   for (std::size_t i = 0; i < N; ++i) images[i] = lift<ExactStage>(points[i]);
   CommonPointWeights weights;
@@ -220,7 +220,7 @@ CommonPointWeights weights_of(std::span<const Posed> a, std::span<const Posed> b
 
 }  // namespace
 
-bool have_common_point(std::span<const Posed> a, std::span<const Posed> b, StageTally* tally) {
+bool have_common_point(std::span<const Posed3> a, std::span<const Posed3> b, StageTally* tally) {
   SUNDER_REQUIRE(!a.empty() && !b.empty() && a.size() + b.size() <= 5);
   switch (a.size() + b.size()) {
     case 2:
@@ -235,7 +235,7 @@ bool have_common_point(std::span<const Posed> a, std::span<const Posed> b, Stage
   }
 }
 
-CommonPointWeights common_point_weights(std::span<const Posed> a, std::span<const Posed> b) {
+CommonPointWeights common_point_weights(std::span<const Posed3> a, std::span<const Posed3> b) {
   SUNDER_REQUIRE(have_common_point(a, b));
   switch (a.size() + b.size()) {
     case 2: return weights_of<2>(a, b);

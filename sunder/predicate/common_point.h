@@ -20,7 +20,7 @@ namespace sunder {
 // True iff the k = a.size() + b.size() points span a space of dimension k - 2 exactly and their dependency separates A
 // from B as above, no c_i zero. Exact. Requires both non-empty, k <= 5.
 // Cost: four triple products in floating point at k = 5 when filters decide; below, exact arithmetic.
-bool have_common_point(std::span<const Posed> a, std::span<const Posed> b, StageTally* tally = nullptr);
+bool have_common_point(std::span<const Posed3> a, std::span<const Posed3> b, StageTally* tally = nullptr);
 
 // The exact weights of the common point: those of A, then those of B, as numerators over one common denominator, all
 // positive; the rest zero. Requires have_common_point(a, b).
@@ -29,6 +29,6 @@ struct CommonPointWeights {
   Dyadic denominator;
   std::array<Dyadic, 3> point;  // numerators of the common point, over the same denominator
 };
-CommonPointWeights common_point_weights(std::span<const Posed> a, std::span<const Posed> b);
+CommonPointWeights common_point_weights(std::span<const Posed3> a, std::span<const Posed3> b);
 
 }  // namespace sunder

@@ -44,7 +44,7 @@ bool operator==(const Exact& a, const Exact& b) { return (a - b).n == 0; }
 
 using ExactPoint = std::array<Exact, 3>;
 
-ExactPoint image(const Posed& p) {
+ExactPoint image(const Posed3& p) {
   const auto& [m, t] = *p.pose;
   const ExactPoint x{p.point.x, p.point.y, p.point.z};
   return {x[0] * m[0] + x[1] * m[1] + x[2] * m[2] + t[0], x[0] * m[3] + x[1] * m[4] + x[2] * m[5] + t[1],
@@ -89,7 +89,7 @@ bool has_unique_positive_weights(const std::vector<WholePoint>& points, std::siz
 }
 
 // The weights are positive, sum up to the denominator on both sides, and give the point on both sides.
-void expect_valid(const CommonPointWeights& w, std::span<const Posed> a, std::span<const Posed> b) {
+void expect_valid(const CommonPointWeights& w, std::span<const Posed3> a, std::span<const Posed3> b) {
   std::array<Exact, 2> sums{0, 0};
   std::array<ExactPoint, 2> points{ExactPoint{0, 0, 0}, ExactPoint{0, 0, 0}};
   const std::size_t k = a.size() + b.size();
@@ -125,7 +125,7 @@ struct Body {
     for (std::size_t i = 0; i < 9; ++i) y[i / 3] += linear[i] * x[i % 3];
     return y;
   }
-  Posed place(const WholePoint& x) const {
+  Posed3 place(const WholePoint& x) const {
     return posed(
         {scale * static_cast<double>(x[0]), scale * static_cast<double>(x[1]), scale * static_cast<double>(x[2])},
         pose);
@@ -140,13 +140,13 @@ struct Counts {
 void check(const Body& first, const Body& second, const std::vector<WholePoint>& x, std::size_t count_a,
            Counts& counts) {
   std::vector<WholePoint> images;
-  std::vector<Posed> placed;
+  std::vector<Posed3> placed;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const Body& body = i < count_a ? first : second;
     images.push_back(body.image_of(x[i]));
     placed.push_back(body.place(x[i]));
   }
-  const std::span<const Posed> a(placed.data(), count_a), b(placed.data() + count_a, x.size() - count_a);
+  const std::span<const Posed3> a(placed.data(), count_a), b(placed.data() + count_a, x.size() - count_a);
   const bool expected = has_unique_positive_weights(images, count_a);
   StageTally tally;
   ASSERT_EQ(have_common_point(a, b, &tally), expected);
@@ -185,13 +185,13 @@ TEST(CommonPointTest, KnownCases) {
   EXPECT_EQ(w.point[0], w.denominator);
   EXPECT_EQ(w.point[2].sign(), Sign::zero);
   // The same triangle lifted past the end, and up to the end: a weight is zero there.
-  std::array<Posed, 3> lifted{};
+  std::array<Posed3, 3> lifted{};
   for (const double z : {2.0, 3.0}) {
     for (std::size_t i = 0; i < 3; ++i) lifted[i] = posed({b[i].point.x, b[i].point.y, z}, shifted);
     EXPECT_FALSE(have_common_point(a, lifted));
   }
   const std::array end{at(1, 1, 3)};
-  for (Posed& p : lifted) p.point.z = 2;
+  for (Posed3& p : lifted) p.point.z = 2;
   EXPECT_TRUE(have_common_point(end, lifted));
   expect_valid(common_point_weights(end, lifted), end, lifted);
   // One point twice.
@@ -298,7 +298,7 @@ struct Minors {
   bool vanish = false;
 };
 
-Minors minors(std::span<const Posed> points, std::size_t count_a) {
+Minors minors(std::span<const Posed3> points, std::size_t count_a) {
   Minors result;
   std::array<int, 5> c{};
   for (std::size_t i = 0; i < 5; ++i) {
@@ -352,9 +352,9 @@ TEST(CommonPointTest, FivePointsOfAnySize) {
       if (random.below(2)) pose[0].linear = {0, 1, 0, -1, 0, 0, 0, 0, 1};
       if (random.below(4) == 0) pose[1].translation = {1e300, -5e-324, 1};
     }
-    std::array<Posed, 5> p{};
+    std::array<Posed3, 5> p{};
     for (std::size_t j = 0; j < 5; ++j) p[j] = posed(x[j], pose[j < count_a ? 0 : 1]);
-    const std::span<const Posed> a(p.data(), count_a), b(p.data() + count_a, 5 - count_a);
+    const std::span<const Posed3> a(p.data(), count_a), b(p.data() + count_a, 5 - count_a);
     const Minors m = minors(p, count_a);
     StageTally tally;
     ASSERT_EQ(have_common_point(a, b, &tally), m.separate) << "instance " << i << ", kind " << kind;

@@ -66,7 +66,7 @@ Sign orient_2d_along(int axis, const Point3& a, const Point3& b, const Point3& c
   return orient_2d_along_axis(axis, a, b, c, tally);
 }
 
-Sign orient_2d_along(int axis, const Posed& a, const Posed& b, const Posed& c, StageTally* tally) {
+Sign orient_2d_along(int axis, const Posed3& a, const Posed3& b, const Posed3& c, StageTally* tally) {
   return orient_2d_along_axis(axis, a, b, c, tally);
 }
 
@@ -74,11 +74,11 @@ Sign orient_3d(const Point3& a, const Point3& b, const Point3& c, const Point3& 
   return decide(tally, orient_3d_formula, a, b, c, d);
 }
 
-Sign orient_3d(const Posed& a, const Posed& b, const Posed& c, const Posed& d, StageTally* tally) {
+Sign orient_3d(const Posed3& a, const Posed3& b, const Posed3& c, const Posed3& d, StageTally* tally) {
   return decide(tally, orient_3d_formula, a, b, c, d);
 }
 
-Sign compare_coordinate(int axis, const Posed& a, const Posed& b, StageTally* tally) {
+Sign compare_coordinate(int axis, const Posed3& a, const Posed3& b, StageTally* tally) {
   if (axis == 0) return decide(tally, difference_formula<0>, a, b);
   if (axis == 1) return decide(tally, difference_formula<1>, a, b);
   return decide(tally, difference_formula<2>, a, b);

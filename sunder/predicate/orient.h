@@ -22,17 +22,17 @@ inline Sign orient_2d(const Point2& a, const Point2& b, const Point2& c, StageTa
 // The same for points of space projected along an axis (0: x, 1: y, 2: z) on the plane of the other two in cyclic
 // order (for axis 2: x, y).
 Sign orient_2d_along(int axis, const Point3& a, const Point3& b, const Point3& c, StageTally* tally = nullptr);
-Sign orient_2d_along(int axis, const Posed& a, const Posed& b, const Posed& c, StageTally* tally = nullptr);
+Sign orient_2d_along(int axis, const Posed3& a, const Posed3& b, const Posed3& c, StageTally* tally = nullptr);
 
 // positive: d is on the side of the plane a, b, c to which (b - a) x (c - a) points, that is, a, b, c appear
 // counter-clockwise from d; zero: coplanar; negative: on the other side.
 // Formula: ((b - a) x (c - a)) . (d - a). Exchanging two points flips the sign.
 // (Shewchuk's orient3d has the opposite sign: mind it when comparing.)
 Sign orient_3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d, StageTally* tally = nullptr);
-Sign orient_3d(const Posed& a, const Posed& b, const Posed& c, const Posed& d, StageTally* tally = nullptr);
+Sign orient_3d(const Posed3& a, const Posed3& b, const Posed3& c, const Posed3& d, StageTally* tally = nullptr);
 
 // The sign of b's coordinate minus a's (axis 0: x, 1: y, 2: z).
-Sign compare_coordinate(int axis, const Posed& a, const Posed& b, StageTally* tally = nullptr);
+Sign compare_coordinate(int axis, const Posed3& a, const Posed3& b, StageTally* tally = nullptr);
 
 // What its first stage leaves: exact products where the differences are doubles (tallied as rounded); else as the rest.
 Sign orient_2d_further(const Point2& a, const Point2& b, const Point2& c, StageTally* tally);

@@ -44,7 +44,7 @@ Exact operator*(const Exact& a, const Exact& b) { return {a.n * b.n, a.e + b.e};
 using ExactPoint = std::array<Exact, 3>;
 
 ExactPoint image(const Point3& p) { return {p.x, p.y, p.z}; }
-ExactPoint image(const Posed& p) {
+ExactPoint image(const Posed3& p) {
   const auto& [m, t] = *p.pose;
   const ExactPoint x = image(p.point);
   return {x[0] * m[0] + x[1] * m[1] + x[2] * m[2] + t[0], x[0] * m[3] + x[1] * m[4] + x[2] * m[5] + t[1],
@@ -98,7 +98,7 @@ struct Record {
         orient_3d_formula, [](const auto&... p) { return orient_3d(p...); },
         side(image(a), image(b), image(c), image(d)), a, b, c, d);
   }
-  void check_side(const Posed& a, const Posed& b, const Posed& c, const Posed& d) {
+  void check_side(const Posed3& a, const Posed3& b, const Posed3& c, const Posed3& d) {
     check(
         orient_3d_formula, [](const auto&... p) { return orient_3d(p...); },
         side(image(a), image(b), image(c), image(d)), a, b, c, d);
@@ -311,7 +311,7 @@ TEST(OrientTest, EachStageOfPosedPoints) {
     }
     std::array<Point3, 4> p = four_points(random, kind);
     for (Point3& q : p) q = inner * q;
-    const Posed a = posed(p[0], first), b = posed(p[1], second), c = posed(p[2], first), d = posed(p[3], second);
+    const Posed3 a = posed(p[0], first), b = posed(p[1], second), c = posed(p[2], first), d = posed(p[3], second);
     if (!a.tame) ++untame;
     side_of[kind].check_side(a, b, c, d);
     const int axis = static_cast<int>(random.below(3));

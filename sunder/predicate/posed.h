@@ -65,7 +65,11 @@ inline bool images_are_tame(const SizeRange& linear, const SizeRange& translatio
 
 // The image of `point` under `pose`. tame: as decided by images_are_tame for these numbers (false is always allowed,
 // and costs time only).
-struct Posed {
+template <std::size_t D>
+struct Posed;
+
+template <>
+struct Posed<3> {
   Point3 point;
   const Affine3* pose;
   bool tame;
@@ -74,8 +78,8 @@ struct Posed {
   double reach = std::numeric_limits<double>::infinity();
 };
 
-// The same in the plane.
-struct Posed2 {
+template <>
+struct Posed<2> {
   Point2 point;
   const Affine2* pose;
   bool tame;
@@ -89,6 +93,9 @@ struct Posed2 {
   }
 };
 
+using Posed2 = Posed<2>;
+using Posed3 = Posed<3>;
+
 // The error of images (Posed2) of points whose coordinates are at most `coordinates` in size: three roundings, of sums
 // of at most 2 linear coordinates + translation; one more pays for computing the bound.
 inline double image_error(const SizeRange& linear, const SizeRange& translation, double coordinates) {
@@ -96,7 +103,7 @@ inline double image_error(const SizeRange& linear, const SizeRange& translation,
 }
 
 // A convenience where speed does not matter: finds out by itself whether the image is tame, and its reach.
-inline Posed posed(const Point3& point, const Affine3& pose) {
+inline Posed3 posed(const Point3& point, const Affine3& pose) {
   const SizeRange linear = size_range(std::span<const double>(pose.linear)),
                   translation = size_range(std::span<const double>(pose.translation)),
                   coordinates = size_range({&point, 1});

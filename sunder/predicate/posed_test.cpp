@@ -76,7 +76,7 @@ TEST(PosedTest, FindsOutByItself) {
   EXPECT_FALSE(posed({1, 2, 3}, far).tame);
   const Affine3 tiny{{1, 0, 0, 0, 1, 0, 0, 0, least}, {0, 0, 0}};
   EXPECT_FALSE(posed({1, 2, 3}, tiny).tame);
-  const Posed p = posed({1, 2, 3}, far);
+  const Posed3 p = posed({1, 2, 3}, far);
   EXPECT_EQ(p.point, (Point3{1, 2, 3}));
   EXPECT_EQ(p.pose, &far);
 }

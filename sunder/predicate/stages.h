@@ -84,7 +84,7 @@ auto lift(const Posed2& p) {
 }
 
 template <class Stage>
-auto lift(const Posed& p) {
+auto lift(const Posed3& p) {
   const auto v = lift<Stage>(p.point);
   const auto row = [&](int i) {
     const std::size_t r = static_cast<std::size_t>(3 * i);
@@ -96,7 +96,7 @@ auto lift(const Posed& p) {
 }
 
 // What floating point makes of an image: the value of lift<RoundedStage>(p), without the magnitude.
-inline Vector3<double> rounded_image(const Posed& p) {
+inline Vector3<double> rounded_image(const Posed3& p) {
   const auto row = [&](std::size_t i) {
     const auto& m = p.pose->linear;
     return (m[3 * i] * p.point.x + m[3 * i + 1] * p.point.y) + (m[3 * i + 2] * p.point.z + p.pose->translation[i]);
@@ -106,7 +106,7 @@ inline Vector3<double> rounded_image(const Posed& p) {
 
 // Is the floating-point stage free of underflow for formulas of up to three factors?
 inline bool is_tame(const Point3& p) { return tame(p.x) && tame(p.y) && tame(p.z); }
-inline bool is_tame(const Posed& p) { return p.tame; }
+inline bool is_tame(const Posed3& p) { return p.tame; }
 inline bool is_tame(const Point2& p) { return tame(p.x) && tame(p.y); }
 inline bool is_tame(const Posed2& p) { return p.tame; }
 

@@ -35,7 +35,7 @@ Rational rational(const Dyadic& x) { return rational(Whole(mantissa_of(x).str())
 using FromPoint = Vector3<Rounded<0>>;
 using FromPosed = Vector3<Rounded<3>>;
 static_assert(std::is_same_v<decltype(lift<RoundedStage>(Point3{})), FromPoint>);
-static_assert(std::is_same_v<decltype(lift<RoundedStage>(std::declval<Posed>())), FromPosed>);
+static_assert(std::is_same_v<decltype(lift<RoundedStage>(std::declval<Posed3>())), FromPosed>);
 template <class P, class Formula, class... More>
 using Result = std::invoke_result_t<Formula, P, P, More...>;
 static_assert(std::is_same_v<Result<FromPoint, decltype(difference_formula<0>)>, Rounded<1>>);
@@ -88,7 +88,7 @@ TEST(StagesTest, ImagesOfPosedPoints) {
     for (double& m : pose.linear) m = any(outer - 9, outer);
     for (double& t : pose.translation) t = any(outer + inner - 30, outer + inner + 9);
     const Point3 x{any(inner, inner), any(inner, inner), any(inner - 9, inner)};
-    const Posed p = posed(x, pose);
+    const Posed3 p = posed(x, pose);
     const auto exact = lift<ExactStage>(p);
     const auto interval = lift<IntervalStage>(p);
     const auto rounded = lift<RoundedStage>(p);
@@ -151,8 +151,8 @@ TEST(StagesTest, FirstSureStageDecides) {
 TEST(StagesTest, PosedPointsSayWhetherTheyAreTame) {
   const auto height = [](const auto& p) { return p.z; };
   const Affine3 pose{{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, -3}};
-  EXPECT_EQ(decided(height, Posed{{0, 0, 4}, &pose, true}), (std::pair{Sign::positive, Stage::rounded}));
-  EXPECT_EQ(decided(height, Posed{{0, 0, 4}, &pose, false}), (std::pair{Sign::positive, Stage::interval}));
+  EXPECT_EQ(decided(height, Posed3{{0, 0, 4}, &pose, true}), (std::pair{Sign::positive, Stage::rounded}));
+  EXPECT_EQ(decided(height, Posed3{{0, 0, 4}, &pose, false}), (std::pair{Sign::positive, Stage::interval}));
   EXPECT_EQ(decided(height, posed({0, 0, 3}, pose)), (std::pair{Sign::zero, Stage::exact}));
 }
 

@@ -32,10 +32,10 @@ double joined(double mantissa, std::int64_t exponent) {
 
 Point3 rounded_common_point(const PairCertificate& c, const PlacedVertices& a, const PlacedVertices& b) {
   SUNDER_REQUIRE(c.verdict == Verdict::meet);
-  std::array<Posed, 5> points{};
+  std::array<Posed3, 5> points{};
   const std::size_t n = std::size_t{c.count_a} + c.count_b;
   for (std::size_t i = 0; i < n; ++i) points[i] = i < c.count_a ? a[c.vertices[i]] : b[c.vertices[i]];
-  const std::span<const Posed> all(points.data(), n);
+  const std::span<const Posed3> all(points.data(), n);
   const CommonPointWeights weights = common_point_weights(all.first(c.count_a), all.subspan(c.count_a));
   const Split denominator = split(weights.denominator);
   const auto coordinate = [&](std::size_t k) {

@@ -7,7 +7,7 @@ namespace sunder::scene {
 namespace {
 
 // Encloses coordinate k of the image.
-Interval coordinate(std::size_t k, const Posed& point) {
+Interval coordinate(std::size_t k, const Posed3& point) {
   const auto& m = point.pose->linear;
   const Point3& p = point.point;
   return (Interval(m[3 * k]) * p.x + Interval(m[3 * k + 1]) * p.y) +

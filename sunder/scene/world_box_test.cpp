@@ -31,7 +31,7 @@ ConvexPolyhedron random_body(Random& random, double scale, int points) {
 }
 
 // Compares a bound, which is a double, with the image of a point exactly.
-Sign from_bound_to_image(int axis, double bound, const Posed& image) {
+Sign from_bound_to_image(int axis, double bound, const Posed3& image) {
   const Affine3 identity;
   const Point3 at{axis == 0 ? bound : 0, axis == 1 ? bound : 0, axis == 2 ? bound : 0};
   return compare_coordinate(axis, posed(at, identity), image);

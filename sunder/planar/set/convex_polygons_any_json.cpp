@@ -28,9 +28,9 @@ ExactPoint2 common_point(const ConvexPolygon& a, const ConvexPolygon& b, const P
     const Point2& p = (k < c.count_a ? a : b)[c.vertices[k]];
     vertices.push_back({p.x, p.y, 0});
   }
-  std::vector<Posed> points;
+  std::vector<Posed3> points;
   for (const Point3& p : vertices) points.push_back({p, &in_place, false});
-  const std::span<const Posed> all(points);
+  const std::span<const Posed3> all(points);
   const CommonPointWeights w = common_point_weights(all.first(c.count_a), all.subspan(c.count_a));
   return {w.point[0], w.point[1], w.denominator};
 }

@@ -24,7 +24,7 @@ struct Placed {
         tame(images_are_tame(at.linear_range(), at.translation_range(), graph.sizes)),
         size(std::max(at.linear_range().greatest * graph.sizes.greatest, at.translation_range().greatest)) {}
 
-  Posed operator[](std::uint32_t v) const { return {graph.vertices[v], &pose, tame, size}; }
+  Posed3 operator[](std::uint32_t v) const { return {graph.vertices[v], &pose, tame, size}; }
 
   // The image of a point of the body without the translation, times the scale, a power of two. Rounded: for searches.
   template <class Real = double>

@@ -155,7 +155,7 @@ class Disposal {
   }
 
   bool meet(const Proposal& p) {
-    std::array<Posed, 5> points;
+    std::array<Posed3, 5> points;
     const std::size_t count_a = p.count_a, count = count_a + p.count_b;
     for (std::size_t i = 0; i < count; ++i) points[i] = i < count_a ? a_[p.vertices[i]] : b_[p.vertices[i]];
     if (!have_common_point({points.data(), count_a}, {points.data() + count_a, count - count_a}, &tally_)) return false;
