@@ -36,7 +36,7 @@ class PolygonSubject : public PolygonPeer {
   virtual PolygonTally tally(bool certificates) const = 0;
 };
 
-// By the method, certificate included. Polygons and poses are prepared, answers are not kept. Posed3: each pair has a
+// By the method, certificate included. Polygons and poses are prepared, answers are not kept. Posed: each pair has a
 // rotation and translation of its own, the same for both polygons, so that the truth is the same exactly.
 std::unique_ptr<PolygonSubject> make_polygon_subject(const PolygonScenario&, const PolygonMethod&, bool posed);
 
