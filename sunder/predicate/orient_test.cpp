@@ -5,6 +5,7 @@
 
 #include <tests/support/scale.h>
 
+#include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
 
 #include <array>

@@ -143,7 +143,7 @@ bool PolygonMeetings::look_inside() {
     const Point2& v = of_ring.vertices()[of_ring.ring_begin(rings[ring].in_polygon)];
     bool inside = false;
     for (std::uint32_t s = 0; s < polygon.ring_count(); ++s) {
-      if (!holds(boxes[edges_.first_ring(p) + s], {v.x, v.x, v.y, v.y})) continue;
+      if (!holds(boxes[edges_.first_ring(p) + s], {v, v})) continue;
       cost.probes += polygon.ring_begin(s + 1) - polygon.ring_begin(s);
       const Sign where = where_in_ring(polygon, s, v);
       if (where == Sign::zero) return false;

@@ -250,7 +250,7 @@ std::optional<std::uint32_t> PolygonPairs::vertex_inside(const Polygon& inner, c
   for (std::uint32_t ring = 0; ring < inner.ring_count() && !gave_up(); ++ring) {
     const Point2& v = inner.vertices()[inner.ring_begin(ring)];
     ++cost.probes;
-    if (holds(outer.box(), {v.x, v.x, v.y, v.y}) && is_inside(outer, v)) return inner.ring_begin(ring);
+    if (holds(outer.box(), {v, v}) && is_inside(outer, v)) return inner.ring_begin(ring);
   }
   return std::nullopt;
 }
