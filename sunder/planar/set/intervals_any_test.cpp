@@ -69,7 +69,7 @@ TEST(IntervalsAnyTest, ComparisonsGrowAsNLogN) {
 TEST(IntervalsAnyTest, BadIntervalsAreRefused) {
   for (const LineInterval bad : {LineInterval{2, 1}, {std::nan(""), 1}, {0, std::numeric_limits<double>::infinity()}}) {
     try {
-      intervals_any(std::vector<LineInterval>{{0, 1}, bad});
+      static_cast<void>(intervals_any(std::vector<LineInterval>{{0, 1}, bad}));
       ADD_FAILURE();
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::bad_value);

@@ -182,7 +182,7 @@ TEST(PolygonValidTest, SeveralOfOnePolygonInTheirPlaces) {
 
 TEST(PolygonValidTest, BadCoordinates) {
   try {
-    polygon_defects(Parts{{square, {{1, 1}, {2, std::nan("")}, {2, 2}}}});
+    static_cast<void>(polygon_defects(Parts{{square, {{1, 1}, {2, std::nan("")}, {2, 2}}}}));
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::bad_value);
