@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace sunder::io {
 
@@ -19,23 +20,40 @@ namespace {
 
 char upper(char c) { return 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
+// Is this a first line that names the columns of intervals, which are segments of the x-axis?
+bool name_intervals(const CsvReader::Fields& fields) {
+  const auto has = [&](std::string_view wanted) {
+    return std::any_of(fields.begin(), fields.end(), [&](auto name) { return in_small_letters(name) == wanted; });
+  };
+  return are_names(fields, 2) && has("low") && has("high") && !has("x1");
+}
+
+void add_row(const CsvReader& reader, const CsvTable& table, bool are_intervals, LineBuilder& builder) {
+  const double first = table.number(reader, 0), second = table.number(reader, 1);
+  if (!are_intervals) return builder.add({first, second}, {table.number(reader, 2), table.number(reader, 3)});
+  if (first > second) reader.fail("low is greater than high; an interval is from low to high");
+  builder.add({first, 0}, {second, 0});
+}
+
 void parse_csv(std::string_view text, LineBuilder& builder) {
-  const CsvColumns columns{{"x1", "y1", "x2", "y2"}, {}, "segments"};
+  const CsvColumns of_segments{{"x1", "y1", "x2", "y2"}, {}, "segments"},
+      of_intervals{{"low", "high"}, {}, "intervals"};
   const LineOptions& options = builder.options();
-  CsvTable table(columns, options.name, options.group);
+  std::optional<CsvTable> table;
   CsvReader reader(text, builder.place(), options.progress);
+  bool are_intervals = false;
   while (reader.next()) {
     if (reader.is_first()) {
-      const bool names = table.begin(reader, builder.place(), options.drop_z, true);
-      if (!options.group.empty()) builder.group_by(table.groups() ? GroupBy::field : GroupBy::feature);
+      are_intervals = name_intervals(reader.fields());
+      table.emplace(are_intervals ? of_intervals : of_segments, options.name, options.group);
+      const bool names = table->begin(reader, builder.place(), options.drop_z, true);
+      if (!options.group.empty()) builder.group_by(table->groups() ? GroupBy::field : GroupBy::feature);
       if (names) continue;
     }
-    table.check_count(reader);
-    builder.begin_feature(table.name(reader), reader.line());
-    if (table.groups()) builder.group_value(std::string(table.group(reader)));
-    const Point2 from{table.number(reader, 0), table.number(reader, 1)};
-    const Point2 to{table.number(reader, 2), table.number(reader, 3)};
-    builder.add(from, to);
+    table->check_count(reader);
+    builder.begin_feature(table->name(reader), reader.line());
+    if (table->groups()) builder.group_value(std::string(table->group(reader)));
+    add_row(reader, *table, are_intervals, builder);
   }
 }
 

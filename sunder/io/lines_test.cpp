@@ -61,6 +61,21 @@ TEST(LinesTest, CsvInQuotesAndWithOldLineEnds) {
   EXPECT_EQ(file.source[2].line, 3u);
 }
 
+TEST(LinesTest, IntervalsAreSegmentsOfTheAxis) {
+  const LineFile file = parse_lines("team,High,low\na,3,1\nb,3,3\n", "a.csv", {.group = "team"});
+  EXPECT_EQ(file.segments[0], (Segment{{1, 0}, {3, 0}}));
+  EXPECT_EQ(file.segments[1], (Segment{{3, 0}, {3, 0}}));
+  EXPECT_EQ(file.groups, (Names{"a", "b"}));
+  EXPECT_EQ(parse_lines("low,high,x1,y1,x2,y2\n1,2,3,4,5,6\n", "a.csv").segments[0], (Segment{{3, 4}, {5, 6}}));
+  EXPECT_THROW(parse_lines("low,top\n1,2\n", "a.csv"), Error);
+  try {
+    parse_lines("low,high\n1,2\n2,1\n", "a.csv");
+    ADD_FAILURE();
+  } catch (const Error& problem) {
+    EXPECT_STREQ(problem.what(), "a.csv:3: low is greater than high; an interval is from low to high");
+  }
+}
+
 TEST(LinesTest, CsvColumnsByName) {
   const LineFile file =
       parse_lines("width,name,X2,Y2,x1,y1,net\n7,a,3,4,1,2,GND\n8,,5,6,3,4,VCC\n", "a.csv", {.group = "net"});
