@@ -78,11 +78,11 @@ TEST(UnboundedCertificate, Random) {
     const std::string text = certificate_of_unbounded(body, u, answer);
     const auto verified = sunder_verifier::verify_text(text, "certificate");
     ASSERT_TRUE(verified.accepted()) << text;
-    ASSERT_EQ(verified.pairs.size(), 1u);
+    ASSERT_EQ(verified.statements.size(), 1u);
     const std::string verdict = answer.contact == Contact::none ? "apart"
                                 : answer.tells_contact          ? std::string(name_of(answer.contact))
                                                                 : "meet";
-    EXPECT_EQ(verified.pairs[0].verdict, verdict);
+    EXPECT_EQ(verified.statements[0].verdict, verdict);
     const nlohmann::json other = nlohmann::json::parse(text)["tables"]["bodies"].back();
     EXPECT_EQ(other["points"].size(), 1u);
     EXPECT_EQ(other["ways"].size(), u.kind == Kind::ray ? 1u : u.kind == Kind::line ? 2u : 3u);

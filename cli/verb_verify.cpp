@@ -36,12 +36,12 @@ struct File {
 
   bool holds() const { return result.accepted() && not_made_of.empty(); }
 
-  std::uint64_t accepted_pairs() const { return result.pairs.size() - refused.size(); }
+  std::uint64_t accepted_pairs() const { return result.statements.size() - refused.size(); }
 };
 
 bool is_of_sets(const std::string& verdict) { return verdict == "none" || verdict == "some"; }
 
-bool is_pair(const sunder_verifier::PairResult& result) {
+bool is_pair(const sunder_verifier::StatementResult& result) {
   return result.question.empty() ? result.verdict == "apart" || result.verdict == "meet" : result.question == "pair";
 }
 
@@ -57,20 +57,20 @@ File verify(const std::string& name, bool no_limit) {
     if (text.starts_with(file.name + ": ")) text = text.substr(file.name.size() + 2);
     io::fail_file(name, text);
   }
-  const std::vector<sunder_verifier::PairResult>& pairs = file.result.pairs;
-  const bool of_sets = !pairs.empty() && is_of_sets(pairs[0].verdict);
-  file.is_set = !std::all_of(pairs.begin(), pairs.end(), is_pair);
+  const std::vector<sunder_verifier::StatementResult>& statements = file.result.statements;
+  const bool of_sets = !statements.empty() && is_of_sets(statements[0].verdict);
+  file.is_set = !std::all_of(statements.begin(), statements.end(), is_pair);
   // Both verdicts about pairs, and both about sets, are always told.
   if (!file.is_set) file.accepted = {{"apart", 0}, {"meet", 0}};
   if (of_sets) file.accepted = {{"none", 0}, {"some", 0}};
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (!pairs[i].accepted) {
+  for (std::size_t i = 0; i < statements.size(); ++i) {
+    if (!statements[i].accepted) {
       file.refused.push_back(i);
       continue;
     }
     auto known = std::find_if(file.accepted.begin(), file.accepted.end(),
-                              [&](const auto& entry) { return entry.first == pairs[i].verdict; });
-    if (known == file.accepted.end()) known = file.accepted.insert(known, {io::one_line(pairs[i].verdict), 0});
+                              [&](const auto& entry) { return entry.first == statements[i].verdict; });
+    if (known == file.accepted.end()) known = file.accepted.insert(known, {io::one_line(statements[i].verdict), 0});
     ++known->second;
   }
   return file;
@@ -98,8 +98,8 @@ constexpr std::size_t most_told = 10;  // statements of a file; of more it is to
 // "proved: exactly 2 pairs of segments meet: 0 1 crossing, 0 2 touch", line by line.
 std::string proved_text(const File& file) {
   std::string text;
-  if (file.result.pairs.size() > most_told) return text;
-  for (const sunder_verifier::PairResult& statement : file.result.pairs) {
+  if (file.result.statements.size() > most_told) return text;
+  for (const sunder_verifier::StatementResult& statement : file.result.statements) {
     if (statement.accepted) text += fmt::format("  proved: {}\n", statement.sentence);
   }
   return text;
@@ -119,8 +119,8 @@ std::string human_text(const File& file) {
     return fmt::format("{}: REFUSED: check F: {}\n", file.name, io::one_line(result.failed_form));
   std::string text =
       fmt::format("{}: {}: {} of {} accepted{}\n", file.name, file.holds() ? "accepted" : "REFUSED",
-                  file.accepted_pairs(), count_of(result.pairs.size(), file.is_set ? "statement" : "pair"),
-                  file.is_set && result.pairs.size() <= most_told ? "" : counts_text(file));
+                  file.accepted_pairs(), count_of(result.statements.size(), file.is_set ? "statement" : "pair"),
+                  file.is_set && result.statements.size() <= most_told ? "" : counts_text(file));
   text += proved_text(file);
   for (const InputFile& input : file.made_of) text += fmt::format("  made of {}\n", io::one_line(input.name));
   for (const InputFile& input : file.not_made_of) {
@@ -132,7 +132,7 @@ std::string human_text(const File& file) {
     text += fmt::format("  of {}, SHA-256 {}\n", io::one_line(input.name), input.sha256);
   }
   for (const std::size_t i : file.refused) {
-    const sunder_verifier::PairResult& pair = result.pairs[i];
+    const sunder_verifier::StatementResult& pair = result.statements[i];
     text += fmt::format("  {} {}, said that {}: check {}: {}\n", file.is_set ? "statement" : "pair", i, pair.sentence,
                         pair.failed_check, io::one_line(pair.reason));
   }
@@ -143,7 +143,7 @@ Json report(const File& file) {
   const sunder_verifier::FileResult& result = file.result;
   Json json{{"file", file.name},
             {"answer", file.holds() ? "accepted" : "refused"},
-            {file.is_set ? "statements" : "pairs", result.pairs.size()}};
+            {file.is_set ? "statements" : "pairs", result.statements.size()}};
   for (const auto& [verdict, count] : file.accepted) json[verdict] = count;
   if (!result.left_out.empty()) json["left_out"] = result.left_out;
   for (const sunder_verifier::FileInput& input : result.inputs) {
@@ -151,13 +151,13 @@ Json report(const File& file) {
   }
   for (const InputFile& input : file.made_of) json["made_of"].push_back(input.name);
   for (const InputFile& input : file.not_made_of) json["not_made_of"].push_back(input.name);
-  for (const sunder_verifier::PairResult& statement : result.pairs) {
+  for (const sunder_verifier::StatementResult& statement : result.statements) {
     if (statement.accepted) json["proved"].push_back(statement.sentence);
   }
   json["refused"] = Json::array();
   if (!result.failed_form.empty()) json["refused"].push_back({{"check", "F"}, {"reason", result.failed_form}});
   for (const std::size_t i : file.refused) {
-    const sunder_verifier::PairResult& pair = result.pairs[i];
+    const sunder_verifier::StatementResult& pair = result.statements[i];
     json["refused"].push_back({{"pair", i},
                                {"a", pair.name_a},
                                {"b", pair.name_b},

@@ -29,9 +29,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const sunder_verifier::FileResult result = sunder_verifier::verify_text(text, "fuzz");
   require(result.readable == result.error.empty());
   require(result.error.find('\n') == std::string::npos);
-  if (!result.readable || !result.failed_form.empty()) require(result.pairs.empty());
+  if (!result.readable || !result.failed_form.empty()) require(result.statements.empty());
   bool accepted = result.readable && result.failed_form.empty();
-  for (const sunder_verifier::PairResult& pair : result.pairs) {
+  for (const sunder_verifier::StatementResult& pair : result.statements) {
     require(std::find(verdicts.begin(), verdicts.end(), pair.verdict) != verdicts.end());
     require(pair.accepted == pair.failed_check.empty() && pair.accepted == pair.reason.empty());
     accepted = accepted && pair.accepted;

@@ -67,11 +67,11 @@ TEST(PairCertificatesDifferential, EachAnswerIsProved) {
     const PlanarCase c = pairs.next();
     const Written written = write(c);
     const auto result = sunder_verifier::verify_text(written.text, "certificate", sunder_verifier::Limit::none);
-    ASSERT_EQ(result.pairs.size(), written.verdict == "apart" ? 2u : 1u)
+    ASSERT_EQ(result.statements.size(), written.verdict == "apart" ? 2u : 1u)
         << i << " " << name_of(c.family) << result.failed_form << result.error;
-    ASSERT_TRUE(result.accepted()) << i << " " << name_of(c.family) << ": " << result.pairs[0].reason << "\n"
+    ASSERT_TRUE(result.accepted()) << i << " " << name_of(c.family) << ": " << result.statements[0].reason << "\n"
                                    << written.text.substr(0, 5000);
-    ASSERT_EQ(result.pairs[0].verdict, written.verdict);
+    ASSERT_EQ(result.statements[0].verdict, written.verdict);
     ++tallies[c.family][written.verdict];
     ++total[written.verdict];
   }

@@ -129,7 +129,7 @@ class SetCertificates : public testing::Test {
   void expect_accepted(const std::string& text) {
     const sunder_verifier::FileResult result = sunder_verifier::verify_text(text, "library");
     ASSERT_TRUE(result.accepted()) << text;
-    ++verdicts[result.pairs.at(0).verdict];
+    ++verdicts[result.statements.at(0).verdict];
   }
 
   // The statement of one file about the table of another one, for which the verdict would be `truth`.

@@ -41,8 +41,8 @@ std::vector<std::string> read_left_out(const Json& list) {
   return result;
 }
 
-PairResult check(const ClaimedStatement& statement) {
-  PairResult result;
+StatementResult check(const ClaimedStatement& statement) {
+  StatementResult result;
   const bool is_pair = !statement.a.empty();
   result.question = statement.question;
   result.name_a = is_pair ? statement.a : statement.question;
@@ -82,10 +82,10 @@ void verify_file(JsonText text, FileResult& result) {
     claimed.push_back(read_statement(item, tables, "statements[" + std::to_string(claimed.size()) + "]"));
   }
   text = JsonText();
-  for (const ClaimedStatement& statement : claimed) read.pairs.push_back(check(statement));
+  for (const ClaimedStatement& statement : claimed) read.statements.push_back(check(statement));
   result.inputs = std::move(read.inputs);
   result.left_out = std::move(read.left_out);
-  result.pairs = std::move(read.pairs);
+  result.statements = std::move(read.statements);
 }
 
 // ---- The text.
@@ -120,7 +120,7 @@ void verify_into(std::string_view text, const std::string& prefix, FileResult& r
 
 bool FileResult::accepted() const {
   return readable && failed_form.empty() &&
-         std::all_of(pairs.begin(), pairs.end(), [](const PairResult& pair) { return pair.accepted; });
+         std::all_of(statements.begin(), statements.end(), [](const StatementResult& one) { return one.accepted; });
 }
 
 FileResult verify_text(std::string_view text, std::string_view place, Limit limit) {

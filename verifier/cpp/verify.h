@@ -10,7 +10,7 @@
 namespace sunder_verifier {
 
 // What became of one statement of a file.
-struct PairResult {
+struct StatementResult {
   std::string question;      // "pair", ..
   std::string name_a;        // where it is about two bodies the name of the first, any UTF-8 text; else the question
   std::string name_b;        // the name of the second; else the sentence
@@ -29,12 +29,12 @@ struct FileInput {
 
 // What became of a file. One of three: not readable, wrong in form, or a result for each statement.
 struct FileResult {
-  bool readable = false;              // the text is JSON, and checking it did not take too long
-  std::string error;                  // one line with the place; empty if readable
-  std::string failed_form;            // rule F failed: what, in words; empty otherwise
-  std::vector<FileInput> inputs;      // to be printed with the verdict, control characters escaped
-  std::vector<std::string> left_out;  // likewise: what the file does not speak of
-  std::vector<PairResult> pairs;      // in the order of the file; empty if not readable or wrong in form
+  bool readable = false;                    // the text is JSON, and checking it did not take too long
+  std::string error;                        // one line with the place; empty if readable
+  std::string failed_form;                  // rule F failed: what, in words; empty otherwise
+  std::vector<FileInput> inputs;            // to be printed with the verdict, control characters escaped
+  std::vector<std::string> left_out;        // likewise: what the file does not speak of
+  std::vector<StatementResult> statements;  // in the order of the file; empty if not readable or wrong in form
 
   // Readable, right in form, and every statement accepted.
   bool accepted() const;

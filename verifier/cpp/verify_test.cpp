@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 using sunder_verifier::FileResult;
-using sunder_verifier::PairResult;
+using sunder_verifier::StatementResult;
 using sunder_verifier::verify_text;
 
 const fs::path kCases = fs::path(sunder::tests::cases_folder()) / "certificates";
@@ -51,7 +51,7 @@ void write_text(const fs::path& path, const std::string& text) {
 std::string outcome(const FileResult& result) {
   if (!result.readable) return "unreadable";
   if (!result.failed_form.empty()) return "F";
-  for (const PairResult& pair : result.pairs) {
+  for (const StatementResult& pair : result.statements) {
     if (!pair.accepted) return pair.failed_check;
   }
   return "-";
@@ -62,10 +62,10 @@ void expect_consistent(const FileResult& result) {
   EXPECT_EQ(result.readable, result.error.empty());
   EXPECT_EQ(result.error.find('\n'), std::string::npos);
   if (!result.readable || !result.failed_form.empty()) {
-    EXPECT_TRUE(result.pairs.empty());
+    EXPECT_TRUE(result.statements.empty());
   }
   EXPECT_EQ(result.accepted(), outcome(result) == "-");
-  for (const PairResult& pair : result.pairs) {
+  for (const StatementResult& pair : result.statements) {
     EXPECT_EQ(pair.accepted, pair.failed_check.empty());
     EXPECT_EQ(pair.accepted, pair.reason.empty());
   }
@@ -127,14 +127,14 @@ TEST(Corpus, EachFileMeetsItsExpectation) {
 
 TEST(Corpus, ResultsNameTheStatements) {
   const FileResult result = verify_text(read_text(kCases / "refused" / "parted_second_statement.json"), "here");
-  ASSERT_EQ(result.pairs.size(), 4u);
-  EXPECT_EQ(result.pairs[1].name_a, "first");
-  EXPECT_EQ(result.pairs[1].name_b, "third");
-  EXPECT_EQ(result.pairs[1].verdict, "apart");
-  EXPECT_EQ(result.pairs[1].failed_check, "parted");
-  EXPECT_EQ(result.pairs[1].reason, "first is not strictly less far along the direction than third");
-  EXPECT_EQ(result.pairs[2].verdict, "meet");
-  EXPECT_TRUE(result.pairs[0].accepted && result.pairs[2].accepted && result.pairs[3].accepted);
+  ASSERT_EQ(result.statements.size(), 4u);
+  EXPECT_EQ(result.statements[1].name_a, "first");
+  EXPECT_EQ(result.statements[1].name_b, "third");
+  EXPECT_EQ(result.statements[1].verdict, "apart");
+  EXPECT_EQ(result.statements[1].failed_check, "parted");
+  EXPECT_EQ(result.statements[1].reason, "first is not strictly less far along the direction than third");
+  EXPECT_EQ(result.statements[2].verdict, "meet");
+  EXPECT_TRUE(result.statements[0].accepted && result.statements[2].accepted && result.statements[3].accepted);
   EXPECT_FALSE(result.accepted());
 }
 
@@ -449,8 +449,8 @@ std::string summary(const FileResult& result, const std::string& place) {
     lines += place + ": of " + quoted(input.name) + ", SHA-256 " + input.sha256 + "\n";
   }
   for (const std::string& text : result.left_out) lines += place + ": left out: " + quoted(text) + "\n";
-  for (std::size_t i = 0; i < result.pairs.size(); ++i) {
-    const PairResult& pair = result.pairs[i];
+  for (std::size_t i = 0; i < result.statements.size(); ++i) {
+    const StatementResult& pair = result.statements[i];
     lines += place + ": statement " + std::to_string(i) + ": " + (pair.accepted ? "accepted: " : "refused: ");
     lines += pair.sentence + (pair.accepted ? "" : ": " + pair.failed_check + ": " + on_one_line(pair.reason)) + "\n";
   }
