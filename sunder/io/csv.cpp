@@ -13,12 +13,6 @@ namespace {
 
 bool is_break(char c) { return c == '\n' || c == '\r'; }
 
-std::string in_small_letters(std::string_view word) {
-  std::string small(word);
-  for (char& c : small) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return small;
-}
-
 bool is_any_of(const std::vector<std::string_view>& list, const std::string& word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }

@@ -18,14 +18,6 @@ namespace {
 
 using Kind = PlanarObject::Kind;
 
-std::string in_small_letters(std::string_view word) {
-  std::string small(word);
-  for (char& c : small) {
-    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return small;
-}
-
 // The kinds that a word names; a polygon has no word in CSV, and those of WKT are read in lines.h.
 std::optional<Kind> kind_of(std::string_view word) {
   const std::string small = in_small_letters(word.substr(0, 20));

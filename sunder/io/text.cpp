@@ -91,12 +91,14 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
+std::string in_small_letters(std::string_view word) {
+  std::string small(word);
+  for (char& c : small) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return small;
+}
+
 std::string ending_of(std::string_view file) {
-  std::string ending = std::filesystem::path(file).extension().string();
-  for (char& c : ending) {
-    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return ending;
+  return in_small_letters(std::filesystem::path(file).extension().string());
 }
 
 const char* parse_number(std::string_view word, double& value) {

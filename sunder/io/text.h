@@ -22,6 +22,9 @@ std::string quote(std::string_view text);
 inline constexpr std::string_view blanks = " \t\r\f\v";
 std::string_view trimmed(std::string_view text);
 
+// The word with A to Z made small, in any locale.
+std::string in_small_letters(std::string_view word);
+
 // The ending of a file's name, in small letters: ".wkt"; empty where there is none.
 std::string ending_of(std::string_view file);
 
