@@ -10,10 +10,12 @@
 // are known, which bound the chains of edges to be searched. (Without the triangle, finding the chains takes half of a
 // search.)
 //
-// All of this proposes. What is proposed does not hold where rounding spoils it, near contact; and, about twice in
-// 1,000 pairs in general position, beyond rt, because r need not be on the boundary of D.
-// Cost: two searches for a furthest vertex in each polygon, then two probes for each halving of what is left:
-// at most 4 (log2 n + log2 m) + O(1).
+// Beyond rt the chain does not end with r where r, a difference of any two vertices, is inside of D. Where what is
+// proposed there does not hold, the chain is ended with w instead, the vertex of D furthest to that side of the ray.
+//
+// All of this proposes. What is proposed does not hold where rounding spoils it, near contact.
+// Cost: two searches for a furthest vertex in each polygon, then two probes for each halving of what is left: at most
+// 4 (log2 n + log2 m) + O(1); with w, about twice in 1,000 pairs, three more for each halving.
 #pragma once
 
 #include <sunder/planar/pair/difference_search.h>
@@ -90,7 +92,9 @@ bool propose_by_cone(const A& a, const B& b, const Holds& holds, Cost& cost, Sta
     return cone_search::propose_behind(a, b, r, left ? s : t, left ? t : s, holds, cost, tally);
   }
   if (tr < 0) {
-    return cone_search::propose_behind(a, b, s, left ? t : r, left ? r : t, holds, cost, tally);
+    if (cone_search::propose_behind(a, b, s, left ? t : r, left ? r : t, holds, cost, tally)) return true;
+    const Difference w = support.furthest_along(left ? Point2{s.p.y, -s.p.x} : Point2{-s.p.y, s.p.x});
+    return cone_search::propose_behind(a, b, s, left ? t : w, left ? w : t, holds, cost, tally);
   }
   return holds(meet(std::array{r.i, s.i, t.i}, std::array{r.j, s.j, t.j}));
 }

@@ -7,7 +7,7 @@ namespace sunder::planar {
 
 CirclesAnswer circles_any_by_grid(const Circles& circles, const CirclesOptions& options) {
   const std::vector<Segment> boxes = box_diagonals(circles);
-  const std::optional<SegmentGrid> grid = SegmentGrid::over(boxes);
+  const std::optional<SegmentGrid> grid = SegmentGrid::over(boxes, 1);
   if (!grid || is_too_much(*grid, crowd_for_any, circles.size())) return circles_any_by_sweep(circles, options);
   CirclesAnswer answer;
   const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {

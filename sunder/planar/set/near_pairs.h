@@ -36,12 +36,13 @@ inline std::size_t crowded(const SegmentGrid& grid, std::size_t crowd) {
 // for a dozen pairs of boxes.)
 inline bool is_too_much(const SegmentGrid& grid, std::size_t crowd, std::uint32_t count) {
   constexpr double most_looks = 10;  // over N log2 N
-  double looks = 0;
+  std::uint64_t looks = 0, in_crowds = 0;
   for (std::uint32_t c = 0; c < grid.cell_count(); ++c) {
-    const double size = static_cast<double>(grid.cell(c).size());
-    if (grid.cell(c).size() <= crowd) looks += size * (size - 1) / 2;
+    const std::uint64_t size = grid.cell(c).size(), is_crowd = size > crowd;
+    in_crowds += is_crowd * size;
+    looks += (1 - is_crowd) * (size * (size - 1) / 2);
   }
-  return crowded(grid, crowd) > count / 2 || looks > most_looks * count * std::log2(count);
+  return in_crowds > count / 2 || static_cast<double>(looks) > most_looks * count * std::log2(count);
 }
 
 // The segments of all crowded cells, the lower numbers first.

@@ -30,7 +30,7 @@ constexpr double finest = 1.2;  // cells that the mean box is long
 
 }  // namespace
 
-std::optional<SegmentGrid> SegmentGrid::over(std::span<const Segment> segments, double most_covered) {
+std::optional<SegmentGrid> SegmentGrid::over(std::span<const Segment> segments, double cells, double most_covered) {
   if (segments.size() < 2) return std::nullopt;
   const double count = static_cast<double>(segments.size());
   const Extents extents(segments);
@@ -38,8 +38,8 @@ std::optional<SegmentGrid> SegmentGrid::over(std::span<const Segment> segments, 
   // Columns and rows in the proportion of how many mean segments the range holds, at most as many as segments each.
   const auto fit = [&](double range, double sum) { return sum > 0 ? std::min(range / (sum / count), count) : count; };
   const double fit_x = fit(width, extents.sum_x), fit_y = fit(height, extents.sum_y);
-  // As many cells as segments, but none smaller than most boxes.
-  const double scale = std::min(std::sqrt(count / (fit_x * fit_y)), finest);
+  // As many cells as asked for, but none smaller than most boxes.
+  const double scale = std::min(std::sqrt(cells * count / (fit_x * fit_y)), finest);
   const double columns = std::floor(std::clamp(fit_x * scale, 1.0, count));
   const double rows = std::floor(std::clamp(fit_y * scale, 1.0, std::max(1.0, count / columns)));
   const auto finite = [](double x) { return std::isfinite(x); };
@@ -65,10 +65,10 @@ std::optional<SegmentGrid> SegmentGrid::over(std::span<const Segment> segments, 
     }
   };
   // How many segments cover each cell, until it is clear that the grid does not pay.
-  const std::size_t cells = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+  const std::size_t all_cells = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   const double most = std::min(most_covered * count, 0x1p32 - 16);
   double covered = 0;
-  grid.first_.assign(cells + 1, 0);
+  grid.first_.assign(all_cells + 1, 0);
   for (const Segment& s : segments) {
     const Range range = range_of(s);
     covered += (range.right - range.left + 1.0) * (range.top - range.bottom + 1.0);

@@ -17,9 +17,11 @@ namespace sunder::planar {
 
 class SegmentGrid {
  public:
-  // A grid with about as many cells as segments, or nothing where it would not pay: boxes that cover more than
+  // A grid with about `cells` cells for each segment, or nothing where it would not pay: boxes that cover more than
   // `most_covered` cells each on average, ranges that overflow, or fewer than two segments. Cost: linear.
-  static std::optional<SegmentGrid> over(std::span<const Segment> segments, double most_covered = 8);
+  // (For meshes of 300 to 10^6 segments, 0.65 is faster than 1 by a tenth, and than 0.3 to 0.5 where they are small.)
+  static std::optional<SegmentGrid> over(std::span<const Segment> segments, double cells = 0.65,
+                                         double most_covered = 8);
 
   std::uint32_t cell_count() const { return static_cast<std::uint32_t>(first_.size() - 1); }
   // The segments whose boxes cover the cell, the lower numbers first.

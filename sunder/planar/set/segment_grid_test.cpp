@@ -124,7 +124,7 @@ TEST(SegmentGridTest, OneCellLooksAtEachPair) {
     }
     const double most_covered = i % 3 == 0 ? 2 : 1000;
     const Segments segments(given);
-    const auto grid = SegmentGrid::over(segments.all(), most_covered);
+    const auto grid = SegmentGrid::over(segments.all(), 1, most_covered);
     ++(grid ? grids : none);
     if (!grid) continue;
     cells += grid->cell_count();
@@ -140,7 +140,7 @@ TEST(SegmentGridTest, OneCellLooksAtEachPair) {
 TEST(SegmentGridTest, Degenerate) {
   const auto over = [](const std::vector<Segment>& given, double most_covered = 8) {
     const Segments segments(given);
-    const auto grid = SegmentGrid::over(segments.all(), most_covered);
+    const auto grid = SegmentGrid::over(segments.all(), 1, most_covered);
     if (grid) check(segments, *grid, most_covered);
     return grid.has_value();
   };

@@ -9,7 +9,7 @@ namespace sunder::planar {
 Cost visit_circle_contacts_by_grid(const Circles& circles, const CirclesOptions& options,
                                    const CirclesContactVisitor& visit) {
   const std::vector<Segment> boxes = box_diagonals(circles);
-  const std::optional<SegmentGrid> grid = SegmentGrid::over(boxes);
+  const std::optional<SegmentGrid> grid = SegmentGrid::over(boxes, 1);
   if (!grid || is_too_much(*grid, crowd_for_all, circles.size())) {
     return visit_circle_contacts_by_sweep(circles, options, visit);
   }
