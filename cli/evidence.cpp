@@ -1,6 +1,7 @@
 #include <cli/evidence.h>
 
 #include <sunder/scene/rounded_evidence.h>
+#include <sunder/solid/pair/contact_evidence.h>
 
 #include <fmt/format.h>
 
@@ -45,6 +46,14 @@ Json evidence_json(const PairCertificate& c, const PlacedVertices& a, const Plac
           {"gap_about", gap.width},
           {"extreme_a", c.extreme_a},
           {"extreme_b", c.extreme_b}};
+}
+
+void add_solid_pair(PairClaims& pairs, const SolidPair& pair, const PairCertificate& certificate, Contact contact) {
+  if (contact == Contact::none) return pairs.add_pair(pair.index_a, pair.index_b, certificate);
+  const solid::Interiors interiors = solid::interiors(pair.a, pair.pose_a, pair.b, pair.pose_b);
+  if (interiors.meet) return pairs.add_overlapping(pair.index_a, pair.index_b, interiors.point);
+  pairs.add_touching(pair.index_a, pair.index_b, pairs.common_point(pair.index_a, pair.index_b, certificate),
+                     interiors.direction);
 }
 
 }  // namespace sunder::cli

@@ -4,8 +4,10 @@
 #include <cli/common.h>
 
 #include <sunder/certificate/direction.h>
+#include <sunder/certificate/pair_claims.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 
+#include <cstdint>
 #include <string>
 
 namespace sunder::cli {
@@ -21,5 +23,15 @@ std::string evidence_text(const PairCertificate& certificate, const PlacedVertic
 
 // apart: {"direction_about", "gap_about", "extreme_a", "extreme_b"}; meet: {"point_about", "vertices_a", "vertices_b"}.
 Json evidence_json(const PairCertificate& certificate, const PlacedVertices& a, const PlacedVertices& b);
+
+// Two bodies of a certificate file, and what proves how they are to each other.
+struct SolidPair {
+  std::uint32_t index_a, index_b;  // among the file's bodies
+  const solid::ConvexPolyhedron &a, &b;
+  const solid::Pose &pose_a, &pose_b;
+};
+
+// States that they are apart, or meet; where contact is not none, that they touch, or overlap.
+void add_solid_pair(PairClaims& pairs, const SolidPair& pair, const PairCertificate& certificate, Contact contact);
 
 }  // namespace sunder::cli

@@ -300,7 +300,11 @@ void write_scene_certificate(const SceneReport& report, const InputFiles& inputs
   }
   for (std::size_t p = 0; p < report.placements.size(); ++p) {
     for (const PartPair& pair : report.placements[p].answer.pairs) {
-      pairs.add_pair(index[p][pair.body_a][pair.part_a], index[p][pair.body_b][pair.part_b], pair.answer.certificate());
+      const scene::Part &a = part_a(report.placements[p], pair), &b = part_b(report.placements[p], pair);
+      add_solid_pair(
+          pairs,
+          {index[p][pair.body_a][pair.part_a], index[p][pair.body_b][pair.part_b], a.shape, b.shape, a.pose, b.pose},
+          pair.answer.certificate(), pair.answer.meet() ? pair.contact : Contact::none);
     }
   }
   pairs.end();

@@ -40,7 +40,8 @@ bool is_said_of_hulls(const Placed& a, const Placed& b, const solid::PairAnswer&
   return answer.meet() && (a.object.shape == Shape::hull || b.object.shape == Shape::hull);
 }
 
-std::string certificate_text(const Placed& a, const Placed& b, const PairCertificate& evidence, const Origin& origin) {
+std::string certificate_text(const Placed& a, const Placed& b, const PairCertificate& evidence, Contact contact,
+                             const Origin& origin) {
   std::string text;
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
   file.add_origin(origin);
@@ -49,7 +50,7 @@ std::string certificate_text(const Placed& a, const Placed& b, const PairCertifi
     return pairs.add_placed(p.object.name, pairs.add_body(p.object.name, p.object.hull.vertices()), p.pose.affine());
   };
   const std::uint32_t index_a = add(a), index_b = add(b);
-  pairs.add_pair(index_a, index_b, evidence);
+  add_solid_pair(pairs, {index_a, index_b, a.object.hull, b.object.hull, a.pose, b.pose}, evidence, contact);
   pairs.end();
   return text;
 }
@@ -124,7 +125,7 @@ int run(const Call& call) {
                               : Contact::none;
   if (!call.certificate.empty()) {
     io::write_file_atomically(call.certificate,
-                              certificate_text(a, b, answer.certificate(), {files, left_out.texts()}));
+                              certificate_text(a, b, answer.certificate(), contact, {files, left_out.texts()}));
   }
   note_hulls({&a.object, &b.object});
   call.json ? print(to_text(report(call, a, b, answer, contact, left_out)))

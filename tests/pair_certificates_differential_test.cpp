@@ -1,12 +1,15 @@
-// Certificates of planar pairs, written by the library and checked without it: apart, and how far; touching or
+// Certificates of pairs, written by the library and checked without it: apart, in the plane also how far; touching or
 // overlapping; of every family of nasty pairs. What the verifier accepts is proved, so this also checks
-// polygon_polygon_contact and polygon_polygon_distance.
+// polygon_polygon_contact, polygon_polygon_distance and polyhedron_polyhedron_contact.
 #include <tests/support/planar_pairs.h>
 #include <tests/support/scale.h>
+#include <tests/support/solid_pairs.h>
 
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/planar/pair/contact_evidence.h>
 #include <sunder/planar/pair/polygon_polygon.h>
+#include <sunder/solid/pair/contact_evidence.h>
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
 
 #include <verifier/cpp/verify.h>
 
@@ -56,18 +59,40 @@ Written write(const PlanarCase& c) {
   return out;
 }
 
-TEST(PairCertificatesDifferential, EachAnswerIsProved) {
-  const int count = scaled_count(6000);
-  const std::uint64_t seed = chosen_seed(20261123);
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  PlanarPairs pairs(seed);
-  std::map<PlanarFamily, std::map<std::string, int>> tallies;
+Written write(const PairCase& c) {
+  Written out;
+  ClaimsWriter file([&](std::string_view piece) { out.text += piece; });
+  PairClaims pairs(file);
+  const auto a = pairs.add_placed("a", pairs.add_body("a", c.a.vertices()), c.pose_a.affine());
+  const auto b = pairs.add_placed("b", pairs.add_body("b", c.b.vertices()), c.pose_b.affine());
+  const PairAnswer answer = solid::polyhedron_polyhedron(c.a, c.pose_a, c.b, c.pose_b);
+  const Contact contact = solid::polyhedron_polyhedron_contact(c.a, c.pose_a, c.b, c.pose_b);
+  out.verdict = contact == Contact::none ? "apart" : std::string(name_of(contact));
+  if (contact == Contact::none) {
+    pairs.add_pair(a, b, answer.certificate());
+  } else {
+    const solid::Interiors interiors = solid::interiors(c.a, c.pose_a, c.b, c.pose_b);
+    EXPECT_EQ(interiors.meet, contact == Contact::overlapping);
+    if (interiors.meet) {
+      pairs.add_overlapping(a, b, interiors.point);
+    } else {
+      pairs.add_touching(a, b, pairs.common_point(a, b, answer.certificate()), interiors.direction);
+    }
+  }
+  pairs.end();
+  return out;
+}
+
+// Writes and checks the proofs of many pairs, and prints the verdicts of each family.
+template <class Family, class Pairs>
+void each_answer_is_proved(Pairs& pairs, int count, std::size_t statements_if_apart) {
+  std::map<Family, std::map<std::string, int>> tallies;
   std::map<std::string, int> total;
   for (int i = 0; i < count; ++i) {
-    const PlanarCase c = pairs.next();
+    const auto c = pairs.next();
     const Written written = write(c);
     const auto result = sunder_verifier::verify_text(written.text, "certificate", sunder_verifier::Limit::none);
-    ASSERT_EQ(result.statements.size(), written.verdict == "apart" ? 2u : 1u)
+    ASSERT_EQ(result.statements.size(), written.verdict == "apart" ? statements_if_apart : 1u)
         << i << " " << name_of(c.family) << result.failed_form << result.error;
     ASSERT_TRUE(result.accepted()) << i << " " << name_of(c.family) << ": " << result.statements[0].reason << "\n"
                                    << written.text.substr(0, 5000);
@@ -82,6 +107,20 @@ TEST(PairCertificatesDifferential, EachAnswerIsProved) {
   }
   if (count < 500) return;
   for (const char* verdict : {"apart", "touching", "overlapping"}) EXPECT_GT(total[verdict], count / 20) << verdict;
+}
+
+TEST(PairCertificatesDifferential, EachAnswerInThePlaneIsProved) {
+  const std::uint64_t seed = chosen_seed(20261123);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  PlanarPairs pairs(seed);
+  each_answer_is_proved<PlanarFamily>(pairs, scaled_count(6000), 2);
+}
+
+TEST(PairCertificatesDifferential, EachAnswerInSpaceIsProved) {
+  const std::uint64_t seed = chosen_seed(20261124);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  SolidPairs pairs(seed);
+  each_answer_is_proved<Family>(pairs, scaled_count(3000), 1);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace sunder::solid {
@@ -19,6 +20,8 @@ struct Variable {
   Kind kind = Kind::artificial;
   std::uint32_t vertex = 0;
 };
+
+constexpr std::size_t whole_weight = 12;  // a multiple of 1, 2, 3 and 4
 
 // Some points of a body whose mean is in its relative interior: as many as it has dimensions, and one.
 std::vector<std::uint32_t> spanning_vertices(const ConvexPolyhedron& body) {
@@ -49,10 +52,10 @@ class ExactSimplex {
 
   bool interiors_meet(const std::vector<std::uint32_t>& span_a, const std::vector<std::uint32_t>& span_b) {
     rows_ = 4;
-    // 12 (mean of A's - mean of B's): 12 is a multiple of 1, 2, 3 and 4.
+    // whole_weight (mean of A's - mean of B's).
     Column c{};
-    for (const std::uint32_t v : span_a) add_multiple(c, {Variable::Kind::of_a, v}, 12 / span_a.size());
-    for (const std::uint32_t v : span_b) add_multiple(c, {Variable::Kind::of_b, v}, 12 / span_b.size());
+    for (const std::uint32_t v : span_a) add_multiple(c, {Variable::Kind::of_a, v}, whole_weight / span_a.size());
+    for (const std::uint32_t v : span_b) add_multiple(c, {Variable::Kind::of_b, v}, whole_weight / span_b.size());
     start({-c[0], -c[1], -c[2], 0, 0});
     minimize({});
     for (std::size_t i = 0; i < rows_; ++i) {
@@ -60,6 +63,24 @@ class ExactSimplex {
     }
     return true;
   }
+
+  // After interiors_meet said so: the point sum l_i a_i + whole_weight (mean of A's), over the sum of these weights.
+  CommonPoint inner_point(const std::vector<std::uint32_t>& span_a, const std::vector<std::uint32_t>& span_b) const {
+    CommonPoint point;
+    point.of_a = inner_weights(Variable::Kind::of_a, span_a);
+    point.of_b = inner_weights(Variable::Kind::of_b, span_b);
+    point.denominator = point.of_a.denominator;
+    Vector3<Dyadic> sum{};
+    for (const auto& [v, weight] : point.of_a.parts) {
+      const Vector3<Dyadic> p = lift<ExactStage>(a_[v]);
+      sum = {sum.x + p.x * weight, sum.y + p.y * weight, sum.z + p.z * weight};
+    }
+    point.coordinates = {sum.x, sum.y, sum.z};
+    return point;
+  }
+
+  // After interiors_meet denied it: along it no vertex of A is further than any of B, and A's mean is less far.
+  std::array<Dyadic, 3> parting() const { return dyadics(multipliers()); }
 
  private:
   // The basis of artificial variables, with the signs that make the solution not negative.
@@ -69,6 +90,31 @@ class ExactSimplex {
       inverse_[i][i] = right_hand_side[i] < 0 ? -1 : 1;
       solution_[i] = boost::multiprecision::abs(right_hand_side[i]);
     }
+  }
+
+  // The weights of the vertices of one body, all times determinant_: of the basis, and of those that span it.
+  Combination inner_weights(Variable::Kind kind, const std::vector<std::uint32_t>& span) const {
+    std::vector<std::pair<std::uint32_t, Integer>> weights;
+    for (const std::uint32_t v : span) weights.push_back({v, determinant_ * (whole_weight / span.size())});
+    for (std::size_t i = 0; i < rows_; ++i) {
+      if (basis_[i].kind != kind || solution_[i].is_zero()) continue;
+      auto of_vertex =
+          std::find_if(weights.begin(), weights.end(), [&](const auto& w) { return w.first == basis_[i].vertex; });
+      if (of_vertex == weights.end()) of_vertex = weights.insert(of_vertex, {basis_[i].vertex, 0});
+      of_vertex->second += solution_[i];
+    }
+    Combination combination;
+    Integer sum = 0;
+    for (const auto& [v, weight] : weights) {
+      sum += weight;
+      combination.parts.push_back({v, dyadic_of(weight, 0)});
+    }
+    combination.denominator = dyadic_of(sum, 0);
+    return combination;
+  }
+
+  static std::array<Dyadic, 3> dyadics(const Column& c) {
+    return {dyadic_of(c[0], 0), dyadic_of(c[1], 0), dyadic_of(c[2], 0)};
   }
 
   void add_multiple(Column& sum, const Variable& v, std::size_t factor) const {
@@ -183,8 +229,7 @@ class ExactSimplex {
     if (y[3] + y[4] > 0) {  // the sum of the artificial variables
       c.verdict = Verdict::apart;
       c.direction.kind = Direction::Kind::exact;
-      c.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(
-          std::array<Dyadic, 3>{dyadic_of(y[0], 0), dyadic_of(y[1], 0), dyadic_of(y[2], 0)});
+      c.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(dyadics(y));
       c.extreme_a = at_a_;
       c.extreme_b = at_b_;
       return c;
@@ -225,6 +270,19 @@ bool interiors_meet(const ConvexPolyhedron& body_a, const Placed& a, const Conve
                     StageTally& tally) {
   Cost cost;
   return ExactSimplex(a, b, cost, tally).interiors_meet(spanning_vertices(body_a), spanning_vertices(body_b));
+}
+
+Interiors interiors(const ConvexPolyhedron& body_a, const Placed& a, const ConvexPolyhedron& body_b, const Placed& b) {
+  Cost cost;
+  StageTally tally;
+  const std::vector<std::uint32_t> span_a = spanning_vertices(body_a), span_b = spanning_vertices(body_b);
+  ExactSimplex simplex(a, b, cost, tally);
+  if (simplex.interiors_meet(span_a, span_b)) return {true, simplex.inner_point(span_a, span_b), {}};
+  return {false, {}, simplex.parting()};
+}
+
+Interiors interiors(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b) {
+  return interiors(a, Placed(a, pose_a), b, Placed(b, pose_b));
 }
 
 }  // namespace sunder::solid
