@@ -39,10 +39,10 @@ std::string_view name_of(ContactKind kind) {
 }
 
 ContactKind segment_segment(const Segment& s, const Segment& t, StageTally* tally) {
-  if (boxes_are_apart(s, t)) return ContactKind::none;
   // One begins where the other ends: lexicographically, nothing else of them can meet.
   const bool same_first = s.a == t.a, same_last = s.b == t.b;
   if (!same_first && !same_last && (s.b == t.a || t.b == s.a)) return ContactKind::shared_endpoint;
+  if (boxes_are_apart(s, t)) return ContactKind::none;
   if (same_first || same_last) {
     const bool one_line = orient_2d(s.a, s.b, same_first ? t.b : t.a, tally) == Sign::zero;
     return one_line ? on_one_line(s, t) : ContactKind::shared_endpoint;

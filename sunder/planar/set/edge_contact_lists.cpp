@@ -45,7 +45,7 @@ class Taker {
 template <class NumberOf>
 std::optional<bool> take_by_grid(const Segments& segments, const NumberOf& number_of, const WantedContacts& wanted,
                                  Taker& taker) {
-  const std::optional<SegmentGrid> grid = SegmentGrid::over(segments.all());
+  const std::optional<SegmentGrid> grid = SegmentGrid::over(segments);
   if (!grid || crowded(*grid, crowd_for_any) > 0) return std::nullopt;
   taker.count_pairs(*grid);
   const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {

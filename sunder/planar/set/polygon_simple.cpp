@@ -78,7 +78,7 @@ PolygonSimpleAnswer polygon_simple(const Polygon& polygon) { return polygon_simp
 
 PolygonSimpleAnswer polygon_simple_by_grid(const Polygon& polygon) {
   const Segments edges = edges_of(polygon);
-  const std::optional<SegmentGrid> grid = SegmentGrid::over(edges.all());
+  const std::optional<SegmentGrid> grid = SegmentGrid::over(edges);
   if (!grid || crowded(*grid, crowd_for_any) > 0) return by_sweep(polygon, edges);
   PolygonSimpleAnswer answer;
   const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {

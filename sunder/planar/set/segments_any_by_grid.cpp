@@ -5,7 +5,7 @@
 namespace sunder::planar {
 
 SegmentsAnswer segments_any_by_grid(const Segments& segments, const SegmentsOptions& options) {
-  const std::optional<SegmentGrid> grid = SegmentGrid::over(segments.all());
+  const std::optional<SegmentGrid> grid = SegmentGrid::over(segments);
   if (!grid || options.transcript || is_too_much(*grid, crowd_for_any, segments.size())) {
     return segments_any_by_sweep(segments, options);
   }
@@ -21,8 +21,8 @@ SegmentsAnswer segments_any_by_grid(const Segments& segments, const SegmentsOpti
     return false;
   };
   if (!for_each_near_pair<crowd_for_any>(segments.all(), *grid, of_pair, options.progress, &answer.cost)) return answer;
+  if (crowded(*grid, crowd_for_any) == 0) return answer;
   const std::vector<std::uint32_t> members = members_of_crowds(*grid, crowd_for_any, segments.size());
-  if (members.empty()) return answer;
   const Part part(segments, options.groups, members);
   const SegmentsAnswer contact = segments_any_by_sweep(part.segments, {options.allowed, false, part.groups});
   answer.cost.probes += contact.cost.probes;

@@ -6,7 +6,7 @@
 namespace sunder::planar {
 
 Cost visit_contacts_by_grid(const Segments& segments, const SegmentsOptions& options, const ContactVisitor& visit) {
-  const std::optional<SegmentGrid> grid = SegmentGrid::over(segments.all());
+  const std::optional<SegmentGrid> grid = SegmentGrid::over(segments);
   if (!grid || is_too_much(*grid, crowd_for_all, segments.size())) {
     return visit_contacts_by_sweep(segments, options, visit);
   }
