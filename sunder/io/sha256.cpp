@@ -1,10 +1,17 @@
 #include <sunder/io/sha256.h>
+#include <sunder/io/sha256_internal.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+
+#if defined(__x86_64__)
+#include <cpuid.h>
+#include <immintrin.h>
+#endif
 
 namespace sunder::io {
 
@@ -59,6 +66,60 @@ void take_block(const char* bytes, Words& hash) {
   for (std::size_t k = 0; k < hash.size(); ++k) hash[k] += step[k];
 }
 
+void take_blocks(const char* bytes, std::size_t count, Words& hash) {
+  for (std::size_t k = 0; k < count; ++k) take_block(bytes + k * block, hash);
+}
+
+#if defined(__x86_64__)
+
+bool has_instructions() {
+  unsigned eax = 0, ebx = 0, ecx = 0, edx = 0;
+  if (__get_cpuid(1, &eax, &ebx, &ecx, &edx) == 0 || (ecx & bit_SSE4_1) == 0 || (ecx & bit_SSSE3) == 0) return false;
+  return __get_cpuid_count(7, 0, &eax, &ebx, &ecx, &edx) != 0 && (ebx & bit_SHA) != 0;
+}
+
+// The same by the processor's instructions, which take two rounds each, on the words a, b, e, f and c, d, g, h; some
+// eight times as fast. Requires has_instructions().
+__attribute__((target("sha,sse4.1"))) void take_blocks_by_instructions(const char* bytes, std::size_t count,
+                                                                       Words& hash) {
+  const auto lanes = [](std::uint32_t x, std::uint32_t y, std::uint32_t z, std::uint32_t w) {
+    const std::array words{w, z, y, x};
+    __m128i four;
+    std::memcpy(&four, words.data(), sizeof four);
+    return four;
+  };
+  const __m128i big_endian = _mm_set_epi64x(0x0c0d0e0f08090a0b, 0x0405060700010203);
+  __m128i abef = lanes(hash[0], hash[1], hash[4], hash[5]), cdgh = lanes(hash[2], hash[3], hash[6], hash[7]);
+  for (; count > 0; --count, bytes += block) {
+    const __m128i abef_before = abef, cdgh_before = cdgh;
+    __m128i w[4];  // the last sixteen words of the schedule, in turn
+    for (unsigned g = 0; g < 16; ++g) {
+      __m128i &now = w[g % 4], &last = w[(g + 3) % 4];
+      if (g < 4) {
+        __m128i given;
+        std::memcpy(&given, bytes + 16 * g, 16);
+        now = _mm_shuffle_epi8(given, big_endian);
+      } else {
+        const __m128i seven_before = _mm_alignr_epi8(last, w[(g + 2) % 4], 4);
+        now = _mm_sha256msg2_epu32(_mm_add_epi32(_mm_sha256msg1_epu32(now, w[(g + 1) % 4]), seven_before), last);
+      }
+      __m128i k;
+      std::memcpy(&k, constants.data() + std::size_t{4} * g, 16);
+      k = _mm_add_epi32(now, k);
+      cdgh = _mm_sha256rnds2_epu32(cdgh, abef, k);
+      abef = _mm_sha256rnds2_epu32(abef, cdgh, _mm_shuffle_epi32(k, 0x0e));
+    }
+    abef = _mm_add_epi32(abef, abef_before);
+    cdgh = _mm_add_epi32(cdgh, cdgh_before);
+  }
+  std::array<std::uint32_t, 4> first{}, second{};
+  std::memcpy(first.data(), &abef, sizeof abef);
+  std::memcpy(second.data(), &cdgh, sizeof cdgh);
+  hash = {first[3], first[2], second[3], second[2], first[1], first[0], second[1], second[0]};
+}
+
+#endif
+
 // What does not fill a block; a one; zeros; and the number of bits (section 5.1.1).
 std::string padded(std::string_view rest, std::uint64_t bytes) {
   std::string last(rest);
@@ -68,19 +129,29 @@ std::string padded(std::string_view rest, std::uint64_t bytes) {
   return last;
 }
 
-}  // namespace
-
-std::string sha256(std::string_view bytes) {
+std::string sha256_by(void (*take)(const char*, std::size_t, Words&), std::string_view bytes) {
   Words hash{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
-  const std::size_t whole = bytes.size() / block * block;
-  for (std::size_t at = 0; at < whole; at += block) take_block(bytes.data() + at, hash);
-  const std::string last = padded(bytes.substr(whole), bytes.size());
-  for (std::size_t at = 0; at < last.size(); at += block) take_block(last.data() + at, hash);
+  const std::size_t whole = bytes.size() / block;
+  take(bytes.data(), whole, hash);
+  const std::string last = padded(bytes.substr(whole * block), bytes.size());
+  take(last.data(), last.size() / block, hash);
   std::string digits;
   for (const std::uint32_t word : hash) {
     for (int shift = 28; shift >= 0; shift -= 4) digits += "0123456789abcdef"[word >> shift & 15];
   }
   return digits;
+}
+
+}  // namespace
+
+std::string sha256_plainly(std::string_view bytes) { return sha256_by(take_blocks, bytes); }
+
+std::string sha256(std::string_view bytes) {
+#if defined(__x86_64__)
+  static const bool by_instructions = has_instructions();
+  if (by_instructions) return sha256_by(take_blocks_by_instructions, bytes);
+#endif
+  return sha256_plainly(bytes);
 }
 
 }  // namespace sunder::io
