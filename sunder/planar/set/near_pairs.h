@@ -50,7 +50,7 @@ inline std::vector<std::uint32_t> members_of_crowds(const SegmentGrid& grid, std
   std::vector<bool> is_member(count);
   for (std::uint32_t c = 0; c < grid.cell_count(); ++c) {
     if (grid.cell(c).size() <= crowd) continue;
-    for (const std::uint32_t i : grid.cell(c)) is_member[i] = true;
+    for (const Covering& s : grid.cell(c)) is_member[s.number()] = true;
   }
   std::vector<std::uint32_t> members;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -91,7 +91,7 @@ bool for_each_near_pair(std::span<const Segment> segments, const SegmentGrid& gr
                         const std::function<void(double)>& progress = nullptr, Cost* cost = nullptr) {
   struct Member {
     LanesBox box;
-    std::uint32_t number, begins;  // begins: bit 0, in this column; bit 1, in this row
+    std::uint32_t number, begins;
   };
   std::array<Member, crowd> members;
   // Pairs wait until there are many: who calls of_pair cannot predict where the few of a cell end.
@@ -107,24 +107,17 @@ bool for_each_near_pair(std::span<const Segment> segments, const SegmentGrid& gr
   };
   constexpr std::uint32_t ahead = 8;
   const std::uint32_t cells = grid.cell_count();
-  std::uint32_t column = 0, row = 0;
-  for (std::uint32_t c = 0; c < cells; ++c, ++column) {
-    if (column == grid.column_count()) {
-      column = 0;
-      ++row;
-    }
+  for (std::uint32_t c = 0; c < cells; ++c) {
     if (progress && c % 65536 == 0) progress(static_cast<double>(c) / cells);
     if (c + ahead < cells) {
-      for (const std::uint32_t i : grid.cell(c + ahead)) prefetch(segments[i]);
+      for (const Covering& s : grid.cell(c + ahead)) prefetch(segments[s.number()]);
     }
     const auto cell = grid.cell(c);
     if (cell.size() < 2 || cell.size() > crowd) continue;
     if (cost != nullptr) cost->probes += cell.size() * (cell.size() - 1) / 2;
     for (std::uint32_t l = 0; l < cell.size(); ++l) {
-      const Segment& s = segments[cell[l]];
-      const std::uint32_t begins =
-          std::uint32_t{grid.column(s.a.x) == column} | std::uint32_t{grid.row(std::min(s.a.y, s.b.y)) == row} << 1;
-      const Member& b = members[l] = {box_of_edge(s.a, s.b), cell[l], begins};
+      const Segment& s = segments[cell[l].number()];
+      const Member& b = members[l] = {box_of_edge(s.a, s.b), cell[l].number(), cell[l].begins()};
       for (std::uint32_t k = 0; k < l; ++k) {  // without branches
         const Member& a = members[k];
         pairs[found] = {a.number, b.number};

@@ -19,7 +19,7 @@ std::optional<SegmentGrid> SegmentGrid::over(std::span<const Segment> segments, 
 
 std::optional<SegmentGrid> SegmentGrid::over(std::span<const Segment> segments, const SegmentExtents& extents,
                                              double cells, double most_covered) {
-  if (segments.size() < 2) return std::nullopt;
+  if (segments.size() < 2 || segments.size() >= Covering::most) return std::nullopt;
   const double count = static_cast<double>(segments.size());
   const Point2 &low = extents.box.low, &high = extents.box.high;
   const double width = high.x - low.x, height = high.y - low.y;
@@ -54,7 +54,7 @@ std::optional<SegmentGrid> SegmentGrid::over(std::span<const Segment> segments, 
   };
   const auto for_each_cell = [stride](std::uint32_t corner, std::uint32_t across, std::uint32_t up, const auto& visit) {
     for (std::uint32_t r = 0; r <= up; ++r, corner += stride) {
-      for (std::uint32_t c = 0; c <= across; ++c) visit(corner + c);
+      for (std::uint32_t c = 0; c <= across; ++c) visit(corner + c, c == 0, r == 0);
     }
   };
   // How many segments cover each cell, until it is clear that the grid does not pay.
@@ -69,17 +69,19 @@ std::optional<SegmentGrid> SegmentGrid::over(std::span<const Segment> segments, 
       ranges[i] = {corner, static_cast<std::uint16_t>(std::min(across, too_many)),
                    static_cast<std::uint16_t>(std::min(up, too_many))};
       covered += (across + 1.0) * (up + 1.0);
-      if (covered <= most) for_each_cell(corner, across, up, [&](std::uint32_t c) { ++first[c]; });
+      if (covered <= most) for_each_cell(corner, across, up, [&](std::uint32_t c, bool, bool) { ++first[c]; });
     });
     if (covered > most) return std::nullopt;
   }
   std::uint32_t end = 0;
   for (std::uint32_t& f : grid.first_) f = end += f;  // the end of each cell, lowered to its beginning below
-  grid.covering_ = std::make_unique_for_overwrite<std::uint32_t[]>(end);
-  std::uint32_t* const covering = grid.covering_.get();
+  grid.covering_ = std::make_unique_for_overwrite<Covering[]>(end);
+  Covering* const covering = grid.covering_.get();
   for (std::uint32_t i = static_cast<std::uint32_t>(segments.size()); i-- > 0;) {
     const auto cover = [&](std::uint32_t corner, std::uint32_t across, std::uint32_t up) {
-      for_each_cell(corner, across, up, [&](std::uint32_t c) { covering[--first[c]] = i; });
+      for_each_cell(corner, across, up, [&](std::uint32_t c, bool begins_column, bool begins_row) {
+        covering[--first[c]] = {i, begins_column, begins_row};
+      });
     };
     const Range& range = ranges[i];
     if (range.across == too_many || range.up == too_many) {

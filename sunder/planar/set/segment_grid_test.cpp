@@ -39,8 +39,12 @@ std::size_t check(const Segments& segments, const SegmentGrid& grid, double most
     const auto cell = grid.cell(c);
     covered += cell.size();
     for (std::size_t k = 0; k < cell.size(); ++k) {
-      EXPECT_TRUE(k == 0 || cell[k - 1] < cell[k]);
-      cells_of[cell[k]].push_back(c);
+      const std::uint32_t number = cell[k].number();
+      EXPECT_TRUE(k == 0 || cell[k - 1].number() < number);
+      cells_of[number].push_back(c);
+      const Segment& s = segments[number];
+      EXPECT_EQ(cell[k].begins() & 1, std::uint32_t{grid.column(s.a.x) == c % grid.column_count()});
+      EXPECT_EQ(cell[k].begins() >> 1, std::uint32_t{grid.row(std::min(s.a.y, s.b.y)) == c / grid.column_count()});
     }
   }
   EXPECT_LE(static_cast<double>(covered), most_covered * n);
@@ -82,7 +86,7 @@ std::size_t check(const Segments& segments, const SegmentGrid& grid, double most
     const auto cell = grid.cell(c);
     if (cell.size() <= crowd) continue;
     in_crowds += cell.size();
-    EXPECT_TRUE(std::includes(members.begin(), members.end(), cell.begin(), cell.end()));
+    for (const Covering& s : cell) EXPECT_TRUE(std::binary_search(members.begin(), members.end(), s.number()));
   }
   EXPECT_EQ(crowded(grid, crowd), in_crowds);
   EXPECT_LE(members.size(), in_crowds);
