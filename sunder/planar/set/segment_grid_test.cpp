@@ -215,5 +215,24 @@ TEST(SegmentGridTest, Crowds) {
   }
 }
 
+// More columns than the 16 bits in which a range of them is noted: one segment covers them all.
+TEST(SegmentGridTest, ALongOneAmongVeryMany) {
+  constexpr int count = 200000;
+  std::vector<Segment> all;
+  for (int i = 0; i < count; ++i) all.push_back({{i + 0.0, 0}, {i + 0.5, 1}});
+  all.push_back({{0, 2}, {count, 2}});
+  all.push_back({{count - 0.25, 1.5}, {count - 0.25, 2.5}});
+  const Segments segments(all);
+  const auto grid = SegmentGrid::over(segments);
+  ASSERT_TRUE(grid);
+  ASSERT_GT(grid->column_count(), 70000u);
+  Pairs near;
+  for_each_near_pair<crowd_for_any>(segments.all(), *grid, [&](std::uint32_t i, std::uint32_t j) {
+    near.insert({i, j});
+    return true;
+  });
+  EXPECT_EQ(near, (Pairs{{count, count + 1}}));
+}
+
 }  // namespace
 }  // namespace sunder::planar
