@@ -63,7 +63,7 @@ double allowed_sorts(SegmentFamily family, Question question, std::size_t n) {
   const bool local =
       family == SegmentFamily::mesh || family == SegmentFamily::loose_mesh || family == SegmentFamily::map;
   switch (question) {
-    case Question::any: return family == SegmentFamily::mesh && n >= 1000000 ? 0.75 : local ? 1.5 : star ? 4 : 0;
+    case Question::any: return family == SegmentFamily::mesh && n >= 1000000 ? 0.7 : local ? 1.5 : star ? 4 : 0;
     case Question::transcript: return local || star ? 6 : 0;
     case Question::simple: return family == SegmentFamily::star && n >= 1000000 ? 2.5 : 3;
     case Question::all:

@@ -226,6 +226,11 @@ TEST(SegmentGridTest, ALongOneAmongVeryMany) {
   const auto grid = SegmentGrid::over(segments);
   ASSERT_TRUE(grid);
   ASSERT_GT(grid->column_count(), 70000u);
+  std::uint32_t holds_long_one = 0;
+  for (std::uint32_t c = 0; c < grid->cell_count(); ++c) {
+    for (const Covering& s : grid->cell(c)) holds_long_one += s.number() == count;
+  }
+  EXPECT_EQ(holds_long_one, grid->cell_count());
   Pairs near;
   for_each_near_pair<crowd_for_any>(segments.all(), *grid, [&](std::uint32_t i, std::uint32_t j) {
     near.insert({i, j});
