@@ -1,5 +1,6 @@
 #include <sunder/number/integer_internal.h>
 #include <sunder/predicate/stages.h>
+#include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/exact_simplex.h>
 
 #include <algorithm>
@@ -272,17 +273,14 @@ bool interiors_meet(const ConvexPolyhedron& body_a, const Placed& a, const Conve
   return ExactSimplex(a, b, cost, tally).interiors_meet(spanning_vertices(body_a), spanning_vertices(body_b));
 }
 
-Interiors interiors(const ConvexPolyhedron& body_a, const Placed& a, const ConvexPolyhedron& body_b, const Placed& b) {
+Interiors interiors(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b) {
   Cost cost;
   StageTally tally;
-  const std::vector<std::uint32_t> span_a = spanning_vertices(body_a), span_b = spanning_vertices(body_b);
-  ExactSimplex simplex(a, b, cost, tally);
+  const Placed placed_a(a, pose_a), placed_b(b, pose_b);
+  const std::vector<std::uint32_t> span_a = spanning_vertices(a), span_b = spanning_vertices(b);
+  ExactSimplex simplex(placed_a, placed_b, cost, tally);
   if (simplex.interiors_meet(span_a, span_b)) return {true, simplex.inner_point(span_a, span_b), {}};
   return {false, {}, simplex.parting()};
-}
-
-Interiors interiors(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b) {
-  return interiors(a, Placed(a, pose_a), b, Placed(b, pose_b));
 }
 
 }  // namespace sunder::solid

@@ -20,7 +20,6 @@
 
 #include <sunder/certificate/pair.h>
 #include <sunder/solid/pair/closest_simplex.h>
-#include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/extreme_vertex.h>
 
 namespace sunder::solid {
@@ -34,8 +33,5 @@ PairCertificate decide_by_exact_simplex(const Placed& a, const Placed& b, const 
 // Do the relative interiors of two bodies that meet have a common point? Allocates.
 bool interiors_meet(const ConvexPolyhedron& body_a, const Placed& a, const ConvexPolyhedron& body_b, const Placed& b,
                     StageTally& tally);
-
-// The same, with what proves it (contact_evidence.h). Allocates.
-Interiors interiors(const ConvexPolyhedron& body_a, const Placed& a, const ConvexPolyhedron& body_b, const Placed& b);
 
 }  // namespace sunder::solid
