@@ -78,8 +78,8 @@ bool has_instructions() {
   return __get_cpuid_count(7, 0, &eax, &ebx, &ecx, &edx) != 0 && (ebx & bit_SHA) != 0;
 }
 
-// The same by the processor's instructions, which take two rounds each, on the words a, b, e, f and c, d, g, h; some
-// eight times as fast. Requires has_instructions().
+// The same by the processor's instructions, which take two rounds each, on the words a, b, e, f and c, d, g, h.
+// Requires has_instructions().
 __attribute__((target("sha,sse4.1"))) void take_blocks_by_instructions(const char* bytes, std::size_t count,
                                                                        Words& hash) {
   const auto lanes = [](std::uint32_t x, std::uint32_t y, std::uint32_t z, std::uint32_t w) {
