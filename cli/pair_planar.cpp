@@ -17,7 +17,9 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace sunder::cli {
 
@@ -64,7 +66,24 @@ struct Answers {
   PairAnswer pair;
   Contact contact = Contact::none;
   planar::PolygonDistance distance;
+  double least = 0;  // the clearance that is asked about; 0: none
+  bool clear = false;
+
+  bool yes() const { return least > 0 ? !clear : pair.meet(); }
 };
+
+double least_of(const std::string& text) {
+  if (text.empty()) return 0;
+  const std::vector<double> numbers = parse_numbers(text, "--clearance");
+  if (numbers.size() != 1 || !(numbers[0] > 0)) {
+    throw Error(ErrorCode::bad_call, fmt::format("{} is not one number above zero", io::quote(text)), "--clearance");
+  }
+  return numbers[0];
+}
+
+std::string clearance_text(const Answers& answers) {
+  return fmt::format("{}: {}", answers.least, answers.clear ? "kept" : "not kept");
+}
 
 std::string human_text(const PlanarPairCall& call, const PlanarBody& a, const PlanarBody& b, const Answers& answers,
                        const LeftOutList& left_out) {
@@ -80,12 +99,13 @@ std::string human_text(const PlanarPairCall& call, const PlanarBody& a, const Pl
   line("B", text_of(b, call));
   line("evidence", evidence_text(answers.pair.certificate(), a, b));
   if (call.distance) {
-    const planar::PolygonDistance& d = answers.distance;
-    line("distance", meet
-                         ? "0"
-                         : fmt::format("about {}, from {} to {}", fmt::format("{:.12g}", d.distance.high),
-                                       feature_text(a, "A", d.a, d.edge_of_a), feature_text(b, "B", d.b, d.edge_of_b)));
+    const auto& d = answers.distance.closest;
+    line("distance",
+         !d ? "0"
+            : fmt::format("about {}, from {} to {}", fmt::format("{:.12g}", d->distance.high),
+                          feature_text(a, "A", d->a, d->edge_of_a), feature_text(b, "B", d->b, d->edge_of_b)));
   }
+  if (answers.least > 0) line("clearance", clearance_text(answers));
   line("decided by", decided_text(answers.pair.decided_by));
   const Cost& cost = answers.pair.cost;
   line("cost", fmt::format("{}, {}, {} of exact arithmetic", count_of(cost.probes, "probe"),
@@ -111,18 +131,19 @@ Json report(const PlanarPairCall& call, const PlanarBody& a, const PlanarBody& b
   if (!left_out.empty()) json["left_out"] = left_out.json();
   if (call.classify) json["contact"] = name_of(answers.contact);
   if (call.distance) {
-    const planar::PolygonDistance& d = answers.distance;
-    json["distance"] = {{"low", d.distance.low}, {"high", d.distance.high}};
-    if (!d.meet()) {
-      json["distance"]["a"] = feature_json(a, d.a, d.edge_of_a);
-      json["distance"]["b"] = feature_json(b, d.b, d.edge_of_b);
+    const Interval distance = answers.distance.distance();
+    json["distance"] = {{"low", distance.low}, {"high", distance.high}};
+    if (const auto& d = answers.distance.closest) {
+      json["distance"]["a"] = feature_json(a, d->a, d->edge_of_a);
+      json["distance"]["b"] = feature_json(b, d->b, d->edge_of_b);
     }
   }
+  if (answers.least > 0) json["clearance"] = {{"least", answers.least}, {"kept", answers.clear}};
   json["evidence"] = evidence_json(answers.pair.certificate(), a, b);
   return json;
 }
 
-// Of touching and overlapping, and of the distance, where the caller asks for it.
+// Of touching and overlapping, of the distance and of the clearance, where the caller asks for it.
 std::string certificate_text(const PlanarPairCall& call, const PlanarBody& a, const PlanarBody& b,
                              const Answers& answers, const Origin& origin) {
   std::string text;
@@ -142,9 +163,15 @@ std::string certificate_text(const PlanarPairCall& call, const PlanarBody& a, co
   } else {
     pairs.add_overlapping(index_a, index_b, planar::overlapping_point(a.polygon, a.pose, b.polygon, b.pose));
   }
-  if (call.distance && !answers.pair.meet()) {
-    const auto [of_a, of_b] = planar::closest_points(a.polygon, a.pose, b.polygon, b.pose, answers.distance);
-    pairs.add_distance(index_a, index_b, of_a, of_b);
+  if (const auto& closest = answers.distance.closest) {
+    const auto [of_a, of_b] = planar::closest_points(a.polygon, a.pose, b.polygon, b.pose, *closest);
+    if (call.distance) pairs.add_distance(index_a, index_b, of_a, of_b);
+    if (answers.clear) pairs.add_clearance(index_a, index_b, answers.least, way_between(of_a, of_b));
+    if (answers.least > 0 && !answers.clear) pairs.add_clearance_broken(index_a, index_b, answers.least, of_a, of_b);
+  } else if (answers.least > 0) {
+    const CommonPoint point = pairs.common_point(index_a, index_b, evidence);
+    pairs.add_clearance_broken(index_a, index_b, answers.least, {point.coordinates, point.denominator, point.of_a},
+                               {point.coordinates, point.denominator, point.of_b});
   }
   pairs.end();
   return text;
@@ -177,7 +204,11 @@ int run_planar_pair(const PlanarPairCall& call) {
   Answers answers;
   answers.pair = method(a.polygon, a.pose, b.polygon, b.pose);
   if (call.classify) answers.contact = planar::polygon_polygon_contact(a.polygon, a.pose, b.polygon, b.pose);
-  if (call.distance) answers.distance = planar::polygon_polygon_distance(a.polygon, a.pose, b.polygon, b.pose);
+  answers.least = least_of(call.clearance);
+  if (call.distance || answers.least > 0) {
+    answers.distance = planar::polygon_polygon_distance(a.polygon, a.pose, b.polygon, b.pose);
+    answers.clear = answers.least > 0 && compare_distance(answers.distance, answers.least) != Sign::negative;
+  }
   if (!call.certificate.empty()) {
     io::write_file_atomically(call.certificate, certificate_text(call, a, b, answers, origin));
   }
@@ -186,7 +217,7 @@ int run_planar_pair(const PlanarPairCall& call) {
   }
   call.json ? print(to_text(report(call, a, b, answers, left_out)))
             : print_for_people(human_text(call, a, b, answers, left_out));
-  return answers.pair.meet() ? exit_code::yes : exit_code::no;
+  return answers.yes() ? exit_code::yes : exit_code::no;
 }
 
 }  // namespace sunder::cli

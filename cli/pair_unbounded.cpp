@@ -294,9 +294,9 @@ int run_unbounded_pair(const PlanarPairCall& call, const PlanarInput& a, const P
                 fmt::format("A is a {} and B a {}; one of them must be bounded: give a point, a segment or a polygon",
                             io::name_of(a.object.kind), io::name_of(b.object.kind)));
   }
-  if (call.distance) {
+  if (call.distance || !call.clearance.empty()) {
     throw Error(ErrorCode::bad_call, "is for points, segments and polygons; leave it out, or give a segment",
-                "--distance");
+                call.distance ? "--distance" : "--clearance");
   }
   const bool body_is_a = !a.object.unbounded();
   const PlanarInput& other = body_is_a ? b : a;

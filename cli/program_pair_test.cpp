@@ -83,6 +83,16 @@ TEST_F(Program, PlanarPairs) {
   EXPECT_NE(other.out.find("\n  not made of " + points + ": it names no file"), std::string::npos) << other.out;
   EXPECT_EQ(report("verify '" + proof + "' --against '" + points + "'", 1)["objects"][0]["not_made_of"], json{points});
   expect_bad("verify '" + proof + "' --against '" + in_folder("nothing.wkt") + "'", "no such file");
+  // So far, and not a bit further.
+  for (const auto& [least, code] : {std::pair("3", 0), {"3.0000000000000004", 1}, {"0.001", 0}, {"4", 1}}) {
+    const std::string with = "--feature-b far --certificate '" + proof + "' --clearance " + least;
+    const json r = report(pair + with, code);
+    EXPECT_EQ(r["answer"], "apart");
+    EXPECT_EQ(r["clearance"]["kept"], code == 0);
+    EXPECT_TRUE(python_accepts(proof)) << least;
+    EXPECT_EQ(run("verify '" + proof + "'").code, 0) << least;
+  }
+  EXPECT_FALSE(report(pair + "--feature-b corner --clearance 1e-300", 1)["clearance"]["kept"]);
   for (const char* method : {"automatic", "difference", "halving", "triangles", "gjk", "scan"}) {
     const std::string with = pair + "--method " + method + " --classify --certificate '" + proof + "' ";
     EXPECT_EQ(report(with + "--feature-b corner", 1)["contact"], "touching") << method;
@@ -106,6 +116,10 @@ TEST_F(Program, PlanarPairs) {
            {pair + "--feature-b none", "has no feature 'none'"},
            {"pair '" + square + "' " + cube, "is not planar"},
            {"pair " + cube + " " + cube + " --distance", "is for planar objects only"},
+           {"pair " + cube + " " + cube + " --clearance 1", "is for planar objects only"},
+           {pair + "--feature-b far --clearance 0", "'0' is not one number above zero"},
+           {pair + "--feature-b far --clearance x", "'x' is not a number"},
+           {pair + "--feature-b far --clearance 1,2", "'1,2' is not one number above zero"},
            {pair + "--feature-b far --method gjkk", "there is no method 'gjkk' for planar objects"},
            {pair + "--feature-b far --pose-a 1", "a pose of 1 number"},
            {pair + "--feature-b far --pose-a 1,0,0,2,0,0", "singular"},
@@ -225,6 +239,7 @@ TEST_F(Program, UnboundedPairs) {
             "is no pair of doubles, and is not rounded; give the line in its place"},
            {"pair " + paths + " " + paths + " --feature-a beam --feature-b hill",
             "A is a ray and B a half-plane; one of"},
+           {pair + "roof --clearance 1", "--clearance: is for points, segments and polygons"},
            {pair + "roof --distance", "--distance: is for points, segments and polygons"},
            {pair + "beam --method fibonacci", "where one object is a ray; choose one of automatic, scan"},
            {pair + "roof --method gjk", "where one object is a line; choose one of automatic, fibonacci, scan"},

@@ -30,7 +30,7 @@ TEST_F(Program, SceneOfTheArm) {
   EXPECT_EQ(j["pairs"].size(), j["counts"]["pairs"].get<std::size_t>() - j["counts"]["allowed"].get<std::size_t>());
 
   const json verified = report("verify " + proofs, 0);
-  EXPECT_EQ(verified["objects"][0]["pairs"], j["pairs"].size());
+  EXPECT_EQ(verified["objects"][0]["statements"], j["pairs"].size() + 2);  // and one of all pairs, for each placement
   EXPECT_EQ(verified["objects"][0]["meet"], 0);
   EXPECT_EQ(verified["objects"][0]["overlapping"], 1);
 
@@ -59,6 +59,12 @@ TEST_F(Program, SceneOfMeshes) {
   ASSERT_EQ(far["pairs"].size(), 1u);
   EXPECT_EQ(far["pairs"][0]["decided_by"], "boxes");
   EXPECT_EQ(run("verify " + in_folder("c.json")).code, 0);
+  // Without one of its statements, the file proves less than it says.
+  json top = json::parse(read_text(in_folder("c.json")));
+  ASSERT_EQ(top["statements"].size(), 2u);
+  top["statements"].erase(0);
+  write_text(in_folder("c.json"), top.dump());
+  EXPECT_EQ(run("verify " + in_folder("c.json")).code, 1);
   expect_bad("scene " + cube + " --certificate " + in_folder("c.json"), "--certificate: no pair is asked about");
   EXPECT_EQ(run("scene " + panda + ready + " --allow adjacent " + cube + "@0,0,-0.45").code, 1);  // under its base
 }

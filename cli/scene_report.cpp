@@ -7,6 +7,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
 
 namespace sunder::cli {
 
@@ -270,6 +275,38 @@ Json scene_json(const SceneReport& report, const std::vector<const Object*>& obj
   return json;
 }
 
+namespace {
+
+// What was asked about, and what counts, by parts of bodies one after the other. index: of each part in the file.
+AllPairs all_pairs(const SceneReport& report, const Placed& placed,
+                   const std::vector<std::vector<std::uint32_t>>& index) {
+  AllPairs result;
+  std::vector<std::uint32_t> first;  // of each body, where its parts begin
+  for (std::uint32_t b = 0; b < index.size(); ++b) {
+    first.push_back(static_cast<std::uint32_t>(result.members.size()));
+    result.members.insert(result.members.end(), index[b].begin(), index[b].end());
+    result.groups.insert(result.groups.end(), index[b].size(), b);
+  }
+  result.touching_allowed = report.touching_allowed;
+  std::set<std::array<std::uint32_t, 2>> allowed;
+  for (const auto& [a, b] : report.allowed) {
+    if (a != b) allowed.insert({std::min(a, b), std::max(a, b)});
+  }
+  for (const auto& [a, b] : allowed) {
+    for (std::uint32_t i = 0; i < index[a].size(); ++i) {
+      for (std::uint32_t j = 0; j < index[b].size(); ++j) result.besides.push_back({first[a] + i, first[b] + j});
+    }
+  }
+  for (const PartPair& pair : placed.answer.pairs) {
+    if (pair.counts) result.contacts.push_back({first[pair.body_a] + pair.part_a, first[pair.body_b] + pair.part_b});
+  }
+  std::sort(result.besides.begin(), result.besides.end());
+  std::sort(result.contacts.begin(), result.contacts.end());
+  return result;
+}
+
+}  // namespace
+
 void write_scene_certificate(const SceneReport& report, const InputFiles& inputs, const TextSink& sink) {
   ClaimsWriter file(sink);
   const std::vector<scene::Body>& bodies = report.placements.front().bodies;
@@ -306,6 +343,7 @@ void write_scene_certificate(const SceneReport& report, const InputFiles& inputs
           {index[p][pair.body_a][pair.part_a], index[p][pair.body_b][pair.part_b], a.shape, b.shape, a.pose, b.pose},
           pair.answer.certificate(), pair.answer.meet() ? pair.contact : Contact::none);
     }
+    pairs.add_all_pairs(all_pairs(report, report.placements[p], index[p]));
   }
   pairs.end();
 }

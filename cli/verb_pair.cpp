@@ -105,6 +105,7 @@ int run(const Call& call) {
   }
   for (const auto& [is_given, option] : {std::pair(!call.svg.empty(), "--svg"),
                                          {call.distance, "--distance"},
+                                         {!call.clearance.empty(), "--clearance"},
                                          {call.mend, "--mend"},
                                          {call.hull, "--hull"},
                                          {call.drop_z, "--drop-z"},
@@ -160,6 +161,9 @@ void add_pair(CLI::App& program, int& code) {
   verb->add_flag("--json", call->json, "print a report in JSON");
   verb->add_flag("--distance", call->distance,
                  "planar, both bounded: tell how far apart they are, and the closest features");
+  verb->add_option("--clearance", call->clearance,
+                   "planar, both bounded: are they so far apart, or further? If not, the exit code is 1")
+      ->type_name("NUMBER");
   verb->add_option("--feature-a", call->feature_a, "planar: which object of the file A is")->type_name("NAME");
   verb->add_option("--feature-b", call->feature_b, "planar: which object of the file B is")->type_name("NAME");
   verb->add_flag("--mend", call->mend, "planar: leave out repeated and collinear vertices, turn clockwise ones round");

@@ -217,8 +217,8 @@ void prove(const Call& call, const io::LineFile& file, const std::vector<Result>
     const auto prove_defect = [&](const PolygonDefect& defect) {
       if (!planar::write_defect(claims, parts, first, call.rule(), defect)) {
         throw Error(ErrorCode::bad_call,
-                    fmt::format("{}: that two rings cross in a vertex has no proof here; leave it out",
-                                feature_text(file, result)),
+                    fmt::format("{}: one of its defects, {}, has no proof here; leave it out",
+                                feature_text(file, result), text_of(defect, result.has_parts())),
                     "--certificate");
       }
       return true;
@@ -393,10 +393,6 @@ io::LineFile read(const Call& call, InputFiles& inputs) {
 
 int run(const Call& call) {
   if (call.method != "automatic" && call.method != "scan") refuse_method(call.method, "automatic, scan");
-  if (!call.certificate.empty() && call.self_touch) {
-    throw Error(ErrorCode::bad_call, "rings that touch themselves have no proof yet; leave out one",
-                "--self-touch and --certificate");
-  }
   InputFiles inputs;
   const io::LineFile file = read(call, inputs);
   const auto require_drawable = [&](std::uint64_t defects) {

@@ -61,7 +61,7 @@ File verify(const std::string& name, bool no_limit) {
   const bool of_sets = !statements.empty() && is_of_sets(statements[0].verdict);
   file.is_set = !std::all_of(statements.begin(), statements.end(), is_pair);
   // Both verdicts about pairs, and both about sets, are always told.
-  if (!file.is_set) file.accepted = {{"apart", 0}, {"meet", 0}};
+  if (std::any_of(statements.begin(), statements.end(), is_pair)) file.accepted = {{"apart", 0}, {"meet", 0}};
   if (of_sets) file.accepted = {{"none", 0}, {"some", 0}};
   for (std::size_t i = 0; i < statements.size(); ++i) {
     if (!statements[i].accepted) {
@@ -93,14 +93,20 @@ void compare(const InputFiles& against, File& file) {
   }
 }
 
-constexpr std::size_t most_told = 10;  // statements of a file; of more it is told how many there are of each kind
+constexpr std::size_t most_told = 10;  // statements of a file; of more it is told how many there are of each verdict
 
 // "proved: exactly 2 pairs of segments meet: 0 1 crossing, 0 2 touch", line by line.
 std::string proved_text(const File& file) {
   std::string text;
-  if (file.result.statements.size() > most_told) return text;
-  for (const sunder_verifier::StatementResult& statement : file.result.statements) {
-    if (statement.accepted) text += fmt::format("  proved: {}\n", statement.sentence);
+  const std::vector<sunder_verifier::StatementResult>& statements = file.result.statements;
+  const bool tells_pairs = statements.size() <= most_told;  // else what is said of all of them, if that is not as long
+  const auto count =
+      statements.size() - static_cast<std::size_t>(std::count_if(statements.begin(), statements.end(), is_pair));
+  if (!tells_pairs && count > most_told) return text;
+  for (const sunder_verifier::StatementResult& statement : statements) {
+    if (statement.accepted && (tells_pairs || !is_pair(statement))) {
+      text += fmt::format("  proved: {}\n", statement.sentence);
+    }
   }
   return text;
 }

@@ -1,6 +1,6 @@
-// Certificates of pairs, written by the library and checked without it: apart, in the plane also how far; touching or
-// overlapping; of every family of nasty pairs. What the verifier accepts is proved, so this also checks
-// polygon_polygon_contact, polygon_polygon_distance and polyhedron_polyhedron_contact.
+// Certificates of pairs, written by the library and checked without it: apart, in the plane also how far, and so far or
+// not; touching or overlapping; of every family of nasty pairs. What the verifier accepts is proved, so this also
+// checks polygon_polygon_contact, polygon_polygon_distance and polyhedron_polyhedron_contact.
 #include <tests/support/planar_pairs.h>
 #include <tests/support/scale.h>
 #include <tests/support/solid_pairs.h>
@@ -15,6 +15,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <map>
 #include <string>
@@ -32,7 +35,26 @@ std::vector<Point3> in_space(const planar::ConvexPolygon& p) {
 
 struct Written {
   std::string text, verdict;
+  std::size_t statements = 1;
+  int kept = 0, broken = 0;  // of these, of clearances
 };
+
+// What the distance says of clearances that it keeps barely, and not quite.
+void add_clearances(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const planar::PolygonDistance& distance,
+                    const PointOf& of_a, const PointOf& of_b, Written& out) {
+  const auto [low, high] = distance.distance();
+  for (const double least : {low, high, std::nextafter(high, HUGE_VAL)}) {
+    if (!(least > 0) || !std::isfinite(least)) continue;
+    ++out.statements;
+    if (planar::compare_distance(distance, least) == Sign::negative) {
+      pairs.add_clearance_broken(a, b, least, of_a, of_b);
+      ++out.broken;
+    } else {
+      pairs.add_clearance(a, b, least, way_between(of_a, of_b));
+      ++out.kept;
+    }
+  }
+}
 
 Written write(const PlanarCase& c) {
   Written out;
@@ -47,8 +69,12 @@ Written write(const PlanarCase& c) {
   if (contact == Contact::none) {
     pairs.add_pair(a, b, answer.certificate());
     const planar::PolygonDistance distance = planar::polygon_polygon_distance(c.a, c.pose_a, c.b, c.pose_b);
-    const auto [of_a, of_b] = planar::closest_points(c.a, c.pose_a, c.b, c.pose_b, distance);
+    EXPECT_TRUE(distance.closest);
+    if (!distance.closest) return out;
+    const auto [of_a, of_b] = planar::closest_points(c.a, c.pose_a, c.b, c.pose_b, *distance.closest);
     pairs.add_distance(a, b, of_a, of_b);
+    ++out.statements;
+    add_clearances(pairs, a, b, distance, of_a, of_b, out);
   } else if (contact == Contact::touching) {
     pairs.add_touching(a, b, pairs.common_point(a, b, answer.certificate()),
                        planar::touching_direction(c.a, c.pose_a, c.b, c.pose_b, answer.certificate()));
@@ -85,20 +111,22 @@ Written write(const PairCase& c) {
 
 // Writes and checks the proofs of many pairs, and prints the verdicts of each family.
 template <class Family, class Pairs>
-void each_answer_is_proved(Pairs& pairs, int count, std::size_t statements_if_apart) {
+void each_answer_is_proved(Pairs& pairs, int count, bool has_clearances) {
   std::map<Family, std::map<std::string, int>> tallies;
   std::map<std::string, int> total;
   for (int i = 0; i < count; ++i) {
     const auto c = pairs.next();
     const Written written = write(c);
     const auto result = sunder_verifier::verify_text(written.text, "certificate", sunder_verifier::Limit::none);
-    ASSERT_EQ(result.statements.size(), written.verdict == "apart" ? statements_if_apart : 1u)
+    ASSERT_EQ(result.statements.size(), written.statements)
         << i << " " << name_of(c.family) << result.failed_form << result.error;
     ASSERT_TRUE(result.accepted()) << i << " " << name_of(c.family) << ": " << result.statements[0].reason << "\n"
                                    << written.text.substr(0, 5000);
     ASSERT_EQ(result.statements[0].verdict, written.verdict);
     ++tallies[c.family][written.verdict];
     ++total[written.verdict];
+    total["kept"] += written.kept;
+    total["broken"] += written.broken;
   }
   for (const auto& [family, tally] : tallies) {
     std::printf("%-14s", std::string(name_of(family)).c_str());
@@ -107,20 +135,23 @@ void each_answer_is_proved(Pairs& pairs, int count, std::size_t statements_if_ap
   }
   if (count < 500) return;
   for (const char* verdict : {"apart", "touching", "overlapping"}) EXPECT_GT(total[verdict], count / 20) << verdict;
+  if (!has_clearances) return;
+  std::printf("clearances: kept %d, broken %d\n", total["kept"], total["broken"]);
+  EXPECT_GT(std::min(total["kept"], total["broken"]), count / 20);
 }
 
 TEST(PairCertificatesDifferential, EachAnswerInThePlaneIsProved) {
   const std::uint64_t seed = chosen_seed(20261123);
   SCOPED_TRACE("seed " + std::to_string(seed));
   PlanarPairs pairs(seed);
-  each_answer_is_proved<PlanarFamily>(pairs, scaled_count(6000), 2);
+  each_answer_is_proved<PlanarFamily>(pairs, scaled_count(6000), true);
 }
 
 TEST(PairCertificatesDifferential, EachAnswerInSpaceIsProved) {
   const std::uint64_t seed = chosen_seed(20261124);
   SCOPED_TRACE("seed " + std::to_string(seed));
   SolidPairs pairs(seed);
-  each_answer_is_proved<Family>(pairs, scaled_count(3000), 1);
+  each_answer_is_proved<Family>(pairs, scaled_count(3000), false);
 }
 
 }  // namespace

@@ -223,6 +223,11 @@ void ClaimsWriter::indices(std::string_view name, std::span<const std::uint32_t>
   append_list(text_, values, append_index);
 }
 
+void ClaimsWriter::real(std::string_view name, double value) {
+  key(name);
+  append_double(text_, value);
+}
+
 void ClaimsWriter::doubles(std::string_view name, std::span<const double> values) {
   key(name);
   append_list(text_, values, append_double);

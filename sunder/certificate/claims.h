@@ -52,6 +52,7 @@ class ClaimsWriter {
   void index(std::string_view key, std::uint32_t value);
   void number(std::string_view key, std::uint64_t value);
   void indices(std::string_view key, std::span<const std::uint32_t> values);
+  void real(std::string_view key, double value);
   void doubles(std::string_view key, std::span<const double> values);
   void numbers(std::string_view key, std::span<const Dyadic> values);
   // Each divided by the denominator, which is not zero.

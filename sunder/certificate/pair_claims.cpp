@@ -1,8 +1,17 @@
+#include <sunder/base/contract.h>
 #include <sunder/certificate/direction.h>
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/predicate/common_point.h>
 
 namespace sunder {
+
+std::array<Dyadic, 3> way_between(const PointOf& from, const PointOf& to) {
+  std::array<Dyadic, 3> way;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    way[axis] = to.coordinates[axis] * from.denominator - from.coordinates[axis] * to.denominator;
+  }
+  return way;
+}
 
 void PairClaims::begin_entry(const std::string& name) {
   if (entries_.empty()) file_.begin_table("bodies");
@@ -96,12 +105,53 @@ void PairClaims::add_combination(const char* claim, const Combination& combinati
 
 void PairClaims::add_distance(std::uint32_t a, std::uint32_t b, const PointOf& from_a, const PointOf& to_b) {
   begin_statement("distance", a, b, "closest");
+  add_points("slab", from_a, to_b);
+}
+
+void PairClaims::add_clearance(std::uint32_t a, std::uint32_t b, double least, const std::array<Dyadic, 3>& direction) {
+  SUNDER_REQUIRE(least > 0);
+  begin_statement("clearance", a, b, "kept");
+  file_.real("least", least);
+  file_.begin_claims();
+  add_parting("clear", direction);
+  file_.end_statement();
+}
+
+void PairClaims::add_clearance_broken(std::uint32_t a, std::uint32_t b, double least, const PointOf& from_a,
+                                      const PointOf& to_b) {
+  SUNDER_REQUIRE(least > 0);
+  begin_statement("clearance", a, b, "broken");
+  file_.real("least", least);
+  add_points("nearer", from_a, to_b);
+}
+
+void PairClaims::add_all_pairs(const AllPairs& pairs) {
+  go_to_statements();
+  file_.begin_statement("bodies");
+  file_.indices("members", pairs.members);
+  file_.indices("groups", pairs.groups);
+  file_.text("allowed", pairs.touching_allowed ? "touch" : "nothing");
+  file_.begin_list("except");
+  for (const auto& pair : pairs.besides) file_.add_list(pair);
+  file_.end_list();
+  file_.text("verdict", "these");
+  file_.begin_list("contacts");
+  for (const auto& pair : pairs.contacts) file_.add_list(pair);
+  file_.end_list();
+  file_.begin_claims();
+  file_.begin_claim("each_pair");
+  file_.end_claim();
+  file_.end_statement();
+}
+
+// A point of each body, and the claims that prove them; the last one is of the two points. Ends the statement.
+void PairClaims::add_points(const char* claim, const PointOf& from_a, const PointOf& to_b) {
   file_.fractions("from_a", std::span(from_a.coordinates).first(dimension()), from_a.denominator);
   file_.fractions("to_b", std::span(to_b.coordinates).first(dimension()), to_b.denominator);
   file_.begin_claims();
   add_combination("holds", from_a.of_body);
   add_combination("holds", to_b.of_body);
-  file_.begin_claim("slab");
+  file_.begin_claim(claim);
   file_.end_claim();
   file_.end_statement();
 }

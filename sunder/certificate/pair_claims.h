@@ -43,6 +43,16 @@ struct PointOf {
   Combination of_body;
 };
 
+// From the first point to the second, times a positive number. Requires positive denominators.
+std::array<Dyadic, 3> way_between(const PointOf& from, const PointOf& to);
+
+// What is said of all pairs of some bodies.
+struct AllPairs {
+  std::vector<std::uint32_t> members, groups;  // a group for each
+  bool touching_allowed = false;
+  std::vector<std::array<std::uint32_t, 2>> besides, contacts;
+};
+
 // First what the file itself takes (ClaimsWriter::add_origin), then bodies, then pairs, then end(). Nothing is looked
 // at again but vertices and poses, for the exact weights of common points. In the plane, third coordinates are zero and
 // not written. A name that is empty is written as "unnamed".
@@ -73,6 +83,16 @@ class PairClaims {
   // That the points are as near to each other as any two of A and B. Requires different ones.
   void add_distance(std::uint32_t a, std::uint32_t b, const PointOf& from_a, const PointOf& to_b);
 
+  // That A and B are `least` apart, or more, as along the direction from A to B; that two of their points are nearer
+  // than that. Requires a positive finite `least`.
+  void add_clearance(std::uint32_t a, std::uint32_t b, double least, const std::array<Dyadic, 3>& direction);
+  void add_clearance_broken(std::uint32_t a, std::uint32_t b, double least, const PointOf& from_a, const PointOf& to_b);
+
+  // That of each two of these bodies, which are of different groups, but for those besides, it is stated before whether
+  // they meet; and that these do (which, where touching is allowed, overlap). Pairs are positions in `members`, the
+  // first less than the second, in order.
+  void add_all_pairs(const AllPairs& pairs);
+
   // The common point that a certificate of meeting names. Its weights are all positive.
   CommonPoint common_point(std::uint32_t a, std::uint32_t b, const PairCertificate& certificate) const;
 
@@ -91,6 +111,7 @@ class PairClaims {
   void begin_entry(const std::string& name);
   void begin_statement(const char* question, std::uint32_t a, std::uint32_t b, const char* verdict);
   void add_parting(const char* claim, const std::array<Dyadic, 3>& direction);
+  void add_points(const char* claim, const PointOf& from_a, const PointOf& to_b);
   void add_point_claims(const char* claim, const CommonPoint& point);
   void add_combination(const char* claim, const Combination& combination);
   void go_to_statements();

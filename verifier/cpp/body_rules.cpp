@@ -22,13 +22,13 @@ struct Reach {
   bool is_flat = true;  // all of the body is as far
 };
 
-// Requires that no way goes on along the direction.
-Reach reach(const HullBody& body, const Integers& direction) {
+// Requires by that rule that no way goes on along the direction.
+Reach reach(const char* rule, const HullBody& body, const Integers& direction) {
   const auto [all, e] = products(body, direction);
   Reach result{all[0], e, true};
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (body.is_way(k)) {
-      require(all[k] <= 0, "parted", "a way of " + body.name + " goes on along the direction");
+      require(all[k] <= 0, rule, "a way of " + body.name + " goes on along the direction");
       result.is_flat = result.is_flat && all[k] == 0;
     } else {
       result.is_flat = result.is_flat && all[k] == all[0];
@@ -36,6 +36,18 @@ Reach reach(const HullBody& body, const Integers& direction) {
     }
   }
   return result;
+}
+
+Integers opposite(Integers direction) {
+  for (Integer& n : direction) n = -n;
+  return direction;
+}
+
+// From one point x, .., w to another, times a positive number.
+Integers way_between(const Integers& p, const Integers& q) {
+  Integers way;
+  for (std::size_t axis = 0; axis + 1 < p.size(); ++axis) way.push_back(q[axis] * p.back() - p[axis] * q.back());
+  return way;
 }
 
 // The sign of how much further B begins along the direction than A ends, and whether both are flat.
@@ -46,9 +58,7 @@ struct Parting {
 
 Parting parting(const Claim& claim, const HullBody& a, const HullBody& b) {
   const Integers direction = common(claim.direction).integers;  // a positive multiple of it
-  Integers back = direction;
-  for (Integer& n : back) n = -n;
-  const Reach of_a = reach(a, direction), of_b = reach(b, back);
+  const Reach of_a = reach("parted", a, direction), of_b = reach("parted", b, opposite(direction));
   return {compare(-of_b.greatest, of_b.e, of_a.greatest, of_a.e), of_a.is_flat && of_b.is_flat};
 }
 
@@ -120,15 +130,29 @@ void check_holds(const Claim& claim, const HullBody& body, const Numbers& point)
 
 void check_slab(const HullBody& a, const HullBody& b, const Numbers& from_a, const Numbers& to_b) {
   const Integers p = projective(from_a), q = projective(to_b);
-  Integers way, back;
-  for (std::size_t axis = 0; axis + 1 < p.size(); ++axis) {
-    way.push_back(q[axis] * p.back() - p[axis] * q.back());
-    back.push_back(-way.back());
-  }
+  const Integers way = way_between(p, q);
   require(std::any_of(way.begin(), way.end(), [](const Integer& n) { return n != 0; }), "slab",
           "the two points are one");
   require_behind(a, way, p);
-  require_behind(b, back, q);
+  require_behind(b, opposite(way), q);
+}
+
+void check_clear(const Claim& claim, const HullBody& a, const HullBody& b, const Number& least) {
+  const Integers direction = common(claim.direction).integers;  // a positive multiple of it
+  const Reach of_a = reach("clear", a, direction), of_b = reach("clear", b, opposite(direction));
+  const std::int64_t e = std::min(of_a.e, of_b.e);
+  const Integer gap = -shifted(of_b.greatest, of_b.e - e) - shifted(of_a.greatest, of_a.e - e);
+  const bool is_wide =
+      gap > 0 && compare(gap * gap, 2 * e, least.n * least.n * dot(direction, direction), 2 * least.e) >= 0;
+  require(is_wide, "clear", "along the direction they are nearer");
+}
+
+void check_nearer(const Numbers& from_a, const Numbers& to_b, const Number& least) {
+  const std::size_t size = length(from_a) + length(to_b);
+  take_steps(16, size, size);
+  const Integers p = projective(from_a), q = projective(to_b), way = way_between(p, q);
+  const Integer limit = least.n * p.back() * q.back();
+  require(compare(dot(way, way), 0, limit * limit, 2 * least.e) < 0, "nearer", "the points are as far apart");
 }
 
 void check_inside(const Claim& claim, const HullBody& body, const Numbers& point) {

@@ -5,6 +5,7 @@
 #include <verifier/cpp/sentences.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <set>
 
@@ -14,13 +15,17 @@ namespace {
 // What a statement says; what its question does not name is empty.
 struct Said {
   const HullBody *a = nullptr, *b = nullptr;
+  std::size_t index_a = 0, index_b = 0;
+  Number least;
+  AllPairs all_pairs;
+  const ProvedPairs* proved = nullptr;
   Numbers objective, point, from_a, to_b;
   AllowedContacts allowed;
   std::vector<std::int64_t> groups;
   StatedContact contact;
   std::shared_ptr<const PartTable> parts;
   std::vector<std::size_t> named_parts;
-  std::string rule;
+  ValidRule rule = ValidRule::valid;
   std::size_t ring = 0, other = 0, edge = 0;
   std::vector<std::size_t> rings;
   std::vector<Numbers> points;
@@ -29,8 +34,6 @@ struct Said {
   std::string verdict;
   const Constraints* kernel_of = nullptr;
   std::vector<std::size_t> sides, arcs;
-
-  bool strict() const { return rule == "simple"; }
 };
 
 struct Place {
@@ -47,11 +50,13 @@ struct MemberReader {
 };
 
 void read_a(const Place& p, Said& said) {
-  said.a = &p.tables.bodies[index_member(p.item, "a", p.tables.bodies.size(), p.where)];
+  said.index_a = index_member(p.item, "a", p.tables.bodies.size(), p.where);
+  said.a = &p.tables.bodies[said.index_a];
 }
 
 void read_b(const Place& p, Said& said) {
-  said.b = &p.tables.bodies[index_member(p.item, "b", p.tables.bodies.size(), p.where)];
+  said.index_b = index_member(p.item, "b", p.tables.bodies.size(), p.where);
+  said.b = &p.tables.bodies[said.index_b];
   if (said.a->dimension() != said.b->dimension()) refuse_form(p.where + " is of bodies of different dimensions");
 }
 
@@ -67,6 +72,11 @@ void read_from_a(const Place& p, Said& said) {
 
 void read_to_b(const Place& p, Said& said) {
   said.to_b = read_numbers(list_member(p.item, "to_b", p.where), dimension(said), p.where + ".to_b");
+}
+
+void read_least(const Place& p, Said& said) {
+  said.least = number_of(read_double(p.item["least"], p.where + ".least"));
+  if (said.least.n <= 0) refuse_form(p.where + ".least is not positive");
 }
 
 void read_objective(const Place& p, Said& said) {
@@ -127,18 +137,42 @@ void read_polygon_pair(const Place& p, Said& said) {
   said.contact.j = index_member(p.item, "j", p.tables.polygons.rings.size(), p.where);
 }
 
-// By i, then j, each once.
-void read_polygon_contacts(const Place& p, Said& said) {
-  const std::string where = p.where + ".contacts entry";
-  const std::size_t size = p.tables.polygons.rings.size();
-  for (const Json& entry : list_member(p.item, "contacts", p.where)) {
-    if (!entry.is_array() || entry.size() != 2) refuse_form(where + " is no contact");
-    const StatedContact contact{read_index(entry[0], size, where), read_index(entry[1], size, where), ""};
-    const bool is_next = said.contacts.empty() ||
-                         std::pair(said.contacts.back().i, said.contacts.back().j) < std::pair(contact.i, contact.j);
-    if (contact.i >= contact.j || !is_next) refuse_form(where + " is not in order");
-    said.contacts.push_back(contact);
+// A list of pairs of two of `size`, by i, then j, each once.
+std::vector<StatedContact> pairs_of(const Place& p, const char* key, std::size_t size) {
+  const std::string where = p.where + "." + key + " entry";
+  std::vector<StatedContact> result;
+  for (const Json& entry : list_member(p.item, key, p.where)) {
+    if (!entry.is_array() || entry.size() != 2) refuse_form(where + " is no pair");
+    const StatedContact pair{read_index(entry[0], size, where), read_index(entry[1], size, where), ""};
+    const bool is_next = result.empty() || std::pair(result.back().i, result.back().j) < std::pair(pair.i, pair.j);
+    if (pair.i >= pair.j || !is_next) refuse_form(where + " is not in order");
+    result.push_back(pair);
   }
+  return result;
+}
+
+void read_polygon_contacts(const Place& p, Said& said) {
+  said.contacts = pairs_of(p, "contacts", p.tables.polygons.rings.size());
+}
+
+void read_members(const Place& p, Said& said) {
+  said.all_pairs.members = index_list(p.item, "members", p.tables.bodies.size(), no_index, p.where);
+  const std::set<std::size_t> once(said.all_pairs.members.begin(), said.all_pairs.members.end());
+  if (once.size() != said.all_pairs.members.size()) refuse_form(p.where + ".members names one twice");
+}
+
+void read_groups_of_members(const Place& p, Said& said) {
+  if (p.item.contains("groups")) said.groups = read_groups(p.item, said.all_pairs.members.size(), p.where);
+}
+
+void read_besides(const Place& p, Said& said) {
+  for (const StatedContact& pair : pairs_of(p, "except", said.all_pairs.members.size())) {
+    said.all_pairs.besides.emplace_back(pair.i, pair.j);
+  }
+}
+
+void read_pairs_of_members(const Place& p, Said& said) {
+  said.contacts = pairs_of(p, "contacts", said.all_pairs.members.size());
 }
 
 constexpr std::size_t most_number = 999'999'999'999'999;  // all readers of JSON agree about numbers up to this
@@ -197,12 +231,14 @@ void read_parts(const Place& p, Said& said) {
   }
   const std::set<std::size_t> once(said.named_parts.begin(), said.named_parts.end());
   if (once.empty() || once.size() != said.named_parts.size()) refuse_form(where + " names none, or one twice");
-  said.parts = std::make_shared<const PartTable>(parts_of(p.tables.polygons, said.named_parts));
+  said.parts = p.tables.parts_of(said.named_parts);
 }
 
 void read_validity(const Place& p, Said& said) {
-  said.rule = string_member(p.item, "rule", p.where);
-  if (said.rule != "valid" && said.rule != "simple") refuse_form(p.where + ".rule is none of valid, simple");
+  static const std::array<std::string, 3> names{"valid", "simple", "valid-with-self-touch"};
+  const auto name = std::find(names.begin(), names.end(), string_member(p.item, "rule", p.where));
+  if (name == names.end()) refuse_form(p.where + ".rule is none of valid, simple, valid-with-self-touch");
+  said.rule = static_cast<ValidRule>(name - names.begin());
 }
 
 void read_ring_of_parts(const Place& p, Said& said) {
@@ -332,6 +368,7 @@ struct ClaimNeeded {
 
 std::size_t of_a(const Said& said, const Tables&) { return said.a->rows().size(); }
 std::size_t of_b(const Said& said, const Tables&) { return said.b->rows().size(); }
+std::size_t of_members(const Said& said, const Tables&) { return said.all_pairs.members.size(); }
 std::size_t of_segments(const Said&, const Tables& tables) { return tables.segments.size(); }
 std::size_t of_circles(const Said&, const Tables& tables) { return tables.circles.size(); }
 std::size_t of_parts(const Said& said, const Tables&) { return said.parts->polygons.edges.size(); }
@@ -370,6 +407,15 @@ const ClaimNeeded b_holds_to_b{
     }};
 const ClaimNeeded slab{
     "slab", {}, of_a, [](const Claim&, const Said& s, const Tables&) { check_slab(*s.a, *s.b, s.from_a, s.to_b); }};
+const ClaimNeeded clear{
+    "clear", {{"direction", read_direction}}, of_a, [](const Claim& c, const Said& s, const Tables&) {
+      check_clear(c, *s.a, *s.b, s.least);
+    }};
+const ClaimNeeded nearer{
+    "nearer", {}, of_a, [](const Claim&, const Said& s, const Tables&) { check_nearer(s.from_a, s.to_b, s.least); }};
+const ClaimNeeded each_pair{"each_pair", {}, of_members, [](const Claim&, const Said& s, const Tables&) {
+                              check_each_pair(s.all_pairs, s.groups, s.allowed, *s.proved, s.contacts);
+                            }};
 const ClaimNeeded none_counts{
     "none_counts", {{"events", read_events}}, of_segments, [](const Claim& c, const Said& s, const Tables& t) {
       check_listed("none_counts", contacts_of_segments(c, t, s.groups, s.allowed), {});
@@ -396,7 +442,7 @@ const ClaimNeeded so_many_polygons_meet{
     }};
 const ClaimNeeded parts_valid{
     "valid", {{"events", read_events}}, of_parts, [](const Claim& c, const Said& s, const Tables&) {
-      check_valid(c, *s.parts, s.strict());
+      check_valid(c, *s.parts, s.rule);
     }};
 const ClaimNeeded too_few_points{"too_few_points", {}, of_parts, [](const Claim&, const Said& s, const Tables&) {
                                    check_too_few_points(*s.parts, s.ring);
@@ -407,8 +453,15 @@ const ClaimNeeded edges_meet{"contact", {}, of_parts, [](const Claim&, const Sai
                                              {true, true});
                              }};
 const ClaimNeeded comes_twice{"comes_twice", {}, of_parts, [](const Claim&, const Said& s, const Tables&) {
-                                check_comes_twice(*s.parts, s.ring, s.point);
+                                check_comes_twice(*s.parts, s.rule, s.ring, s.point);
                               }};
+const ClaimNeeded crosses{"crosses", {}, of_parts, [](const Claim&, const Said& s, const Tables&) {
+                            check_crosses(*s.parts, s.ring, s.point);
+                          }};
+const ClaimNeeded falls_apart{
+    "falls_apart", {{"events", read_events}}, of_parts, [](const Claim& c, const Said& s, const Tables&) {
+      check_falls_apart(c, *s.parts);
+    }};
 const ClaimNeeded misplaced{"misplaced", {}, of_parts, [](const Claim&, const Said& s, const Tables&) {
                               check_misplaced(*s.parts, s.ring, s.point);
                             }};
@@ -416,10 +469,10 @@ const ClaimNeeded circle{"circle", {}, of_parts, [](const Claim&, const Said& s,
                            check_circle(*s.parts, s.rings, s.points);
                          }};
 const ClaimNeeded repeated{"repeated", {}, of_parts, [](const Claim&, const Said& s, const Tables&) {
-                             check_repeated(*s.parts, s.strict(), s.edge);
+                             check_repeated(*s.parts, s.rule, s.edge);
                            }};
 const ClaimNeeded rings_touch{"rings_touch", {}, of_parts, [](const Claim&, const Said& s, const Tables&) {
-                                check_rings_touch(*s.parts, s.strict(), s.ring, s.other, s.point);
+                                check_rings_touch(*s.parts, s.rule, s.ring, s.other, s.point);
                               }};
 const ClaimNeeded common_point{"common_point", {}, of_edges, [](const Claim&, const Said& s, const Tables& t) {
                                  check_common_point(t, s.contact, s.point, s.groups, s.allowed);
@@ -525,6 +578,17 @@ const std::vector<Question> questions{
      {{"a", read_a}, {"b", read_b}},
      {},
      {{"closest", {{"from_a", read_from_a}, {"to_b", read_to_b}}, {&a_holds_from_a, &b_holds_to_b, &slab}}}},
+    {"clearance",
+     "bodies",
+     {{"a", read_a}, {"b", read_b}, {"least", read_least}},
+     {},
+     {{"kept", {}, {&clear}},
+      {"broken", {{"from_a", read_from_a}, {"to_b", read_to_b}}, {&a_holds_from_a, &b_holds_to_b, &nearer}}}},
+    {"bodies",
+     "bodies",
+     {{"members", read_members}, {"allowed", read_allowed}, {"except", read_besides}},
+     {{"groups", read_groups_of_members}},
+     {{"these", {{"contacts", read_pairs_of_members}}, {&each_pair}}}},
     {"segments",
      "segments",
      {{"allowed", read_allowed}},
@@ -568,8 +632,10 @@ const std::vector<Question> questions{
       {"too_few_points", {{"ring", read_ring_of_parts}}, {&too_few_points}},
       {"edges_meet", {{"i", read_contact_of_edges}, {"j", read_nothing}, {"kind", read_nothing}, point}, {&edges_meet}},
       {"comes_twice", {{"ring", read_ring_of_parts}, point}, {&comes_twice}},
+      {"crosses", {{"ring", read_ring_of_parts}, point}, {&crosses}},
       {"misplaced", {{"ring", read_ring_of_parts}, point}, {&misplaced}},
       {"circle", {{"rings", read_rings_of_circle}, {"points", read_points_of_circle}}, {&circle}},
+      {"falls_apart", {}, {&falls_apart}},
       {"repeated", {{"edge", read_edge}}, {&repeated}},
       {"rings_touch", {{"ring", read_ring_of_parts}, {"other", read_other_ring}, point}, {&rings_touch}}}},
     {"linear_program",
@@ -603,7 +669,8 @@ std::function<void()> read_claim(const Json& item, const ClaimNeeded& needed, co
 
 }  // namespace
 
-ClaimedStatement read_statement(const Json& item, const Tables& tables, const std::string& where) {
+ClaimedStatement read_statement(const Json& item, const Tables& tables, const ProvedPairs& proved,
+                                const std::string& where) {
   ClaimedStatement result;
   result.question = string_member(item, "question", where);
   result.verdict = string_member(item, "verdict", where);
@@ -621,10 +688,13 @@ ClaimedStatement read_statement(const Json& item, const Tables& tables, const st
   readers.insert(readers.end(), question.may_say.begin(), question.may_say.end());
   Said said;
   said.verdict = result.verdict;
+  said.proved = &proved;
   for (const MemberReader& reader : readers) reader.read({item, tables, where}, said);
   if (said.a != nullptr) {
     result.a = said.a->name;
     result.b = said.b->name;
+    result.index_a = said.index_a;
+    result.index_b = said.index_b;
   }
   result.sentence = sentence_of(item, result.a, result.b);
   const Json& claims = list_member(item, "claims", where);

@@ -1,6 +1,7 @@
 // Which claims prove which statement, as data: docs/claims.md, "Statements".
 #pragma once
 
+#include <verifier/cpp/rules.h>
 #include <verifier/cpp/tables.h>
 
 #include <functional>
@@ -13,10 +14,13 @@ struct ClaimedStatement {
   std::string question, verdict;
   std::string sentence;  // what it says, and of what
   std::string a, b;      // of a pair: the names of the bodies
+  std::size_t index_a = 0, index_b = 0;
   std::vector<std::function<void()>> checks;
 };
 
-// Reads a statement: throws Refused where its form is wrong. The tables must outlive its checks.
-ClaimedStatement read_statement(const Json& item, const Tables& tables, const std::string& where);
+// Reads a statement: throws Refused where its form is wrong. The tables, and what has been proved when it is checked,
+// must outlive its checks.
+ClaimedStatement read_statement(const Json& item, const Tables& tables, const ProvedPairs& proved,
+                                const std::string& where);
 
 }  // namespace sunder_verifier

@@ -9,6 +9,7 @@
 #include <compare>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -73,7 +74,24 @@ void check_parted(const Claim& claim, const HullBody& a, const HullBody& b);
 void check_parted_weakly(const Claim& claim, const HullBody& a, const HullBody& b);
 void check_holds(const Claim& claim, const HullBody& body, const Numbers& point);
 void check_slab(const HullBody& a, const HullBody& b, const Numbers& from_a, const Numbers& to_b);
+void check_clear(const Claim& claim, const HullBody& a, const HullBody& b, const Number& least);
+void check_nearer(const Numbers& from_a, const Numbers& to_b, const Number& least);
 void check_inside(const Claim& claim, const HullBody& body, const Numbers& point);
+
+// What statements `pair` before have proved, by the indices of their bodies.
+struct ProvedPair {
+  bool is_apart = false, meet = false, touch = false, overlap = false;
+};
+using ProvedPairs = std::map<std::pair<std::size_t, std::size_t>, ProvedPair>;
+
+struct AllPairs {
+  std::vector<std::size_t> members;                          // bodies
+  std::vector<std::pair<std::size_t, std::size_t>> besides;  // pairs of members that it does not speak of
+};
+
+// groups: empty, or one for each member.
+void check_each_pair(const AllPairs& pairs, const std::vector<std::int64_t>& groups, const AllowedContacts& allowed,
+                     const ProvedPairs& proved, const std::vector<StatedContact>& contacts);
 
 void check_feasible(const Tables& tables, const Numbers& point);
 void check_bounds(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point);
@@ -90,14 +108,18 @@ void check_contact(const std::vector<PlanarSegment>& segments, std::int64_t expo
 void check_common_point(const Tables& tables, const StatedContact& contact, const Numbers& point,
                         const std::vector<std::int64_t>& groups, const AllowedContacts& allowed);
 
-// strict: by the rule `simple`.
-void check_valid(const Claim& claim, const PartTable& parts, bool strict);
+enum class ValidRule : std::uint8_t { valid, simple, with_self_touch };
+
+void check_valid(const Claim& claim, const PartTable& parts, ValidRule rule);
+void check_falls_apart(const Claim& claim, const PartTable& parts);
 void check_too_few_points(const PartTable& parts, std::size_t ring);
-void check_comes_twice(const PartTable& parts, std::size_t ring, const Numbers& point);
+void check_comes_twice(const PartTable& parts, ValidRule rule, std::size_t ring, const Numbers& point);
+void check_crosses(const PartTable& parts, std::size_t ring, const Numbers& point);
 void check_misplaced(const PartTable& parts, std::size_t ring, const Numbers& point);
 void check_circle(const PartTable& parts, const std::vector<std::size_t>& rings, const std::vector<Numbers>& points);
-void check_repeated(const PartTable& parts, bool strict, std::size_t edge);
-void check_rings_touch(const PartTable& parts, bool strict, std::size_t ring, std::size_t other, const Numbers& point);
+void check_repeated(const PartTable& parts, ValidRule rule, std::size_t edge);
+void check_rings_touch(const PartTable& parts, ValidRule rule, std::size_t ring, std::size_t other,
+                       const Numbers& point);
 
 // Told of each two whose contact counts, once: i < j, and the kind, empty for polygons.
 using VisitContact = std::function<void(std::size_t i, std::size_t j, const char* kind)>;

@@ -18,12 +18,14 @@ struct Sentence {
   const char* text;                // with members of the statement
 };
 
-constexpr std::array<Sentence, 31> sentences{{
+constexpr std::array<Sentence, 35> sentences{{
     {"pair", "apart", "{a} and {b} are apart"},
     {"pair", "meet", "{a} and {b} meet at {point}"},
     {"pair", "touching", "{a} and {b} touch at {point}"},
     {"pair", "overlapping", "{a} and {b} overlap at {point}"},
     {"distance", "closest", "{a} and {b} are closest at {from_a} and {to_b}"},
+    {"clearance", "kept", "{a} and {b} are {least} apart, or more"},
+    {"clearance", "broken", "{a} and {b} are nearer than {least}, at {from_a} and {to_b}"},
     {"segments", "some", "segments {i} and {j} meet at {point}: {kind}"},
     {"segments", "none", "no two segments meet"},
     {"circles", "some", "circles {i} and {j} meet at {point}: {kind}"},
@@ -43,6 +45,8 @@ constexpr std::array<Sentence, 31> sentences{{
     {"valid", "edges_meet", "edges {i} and {j} meet at {point}: {kind}"},
     {"valid", "comes_twice", "ring {ring} comes twice to {point}"},
     {"valid", "misplaced", "ring {ring} is misplaced at {point}"},
+    {"valid", "crosses", "ring {ring} crosses itself at {point}"},
+    {"valid", "falls_apart", "one falls apart"},
     {"valid", "circle", "rings {rings} close a circle"},
     {"valid", "repeated", "edge {edge} has no length"},
     {"valid", "rings_touch", "rings {ring} and {other} touch at {point}"},
@@ -174,6 +178,9 @@ std::string rules_text(const Json& item) {
     for (const Json& group : item["groups"]) different.insert(group.integer());
     text += text.empty() ? "" : ", ";
     text += "members of one of " + std::to_string(different.size()) + " groups may meet";
+  }
+  for (const auto& [key, title] : {std::pair("members", "members: "), std::pair("except", "not asked about: ")}) {
+    if (item.contains(key) && !item[key].empty()) text += (text.empty() ? "" : ", ") + (title + shown(item[key]));
   }
   return text.empty() ? "" : " (" + text + ")";
 }

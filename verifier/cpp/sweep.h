@@ -5,6 +5,7 @@
 #include <verifier/cpp/rules.h>
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ int turn(const PlanarSegment& s, const PlanarSegment& t);
 bool is_point(const PlanarSegment& s);
 bool is_on(const PlanarSegment& s, const SweepPoint& p);
 bool ends_at(const PlanarSegment& s, const SweepPoint& p);
+
+// Is a point, which is on no edge, above an odd number of the edges of some rings?
+bool is_above_odd(const std::vector<PlanarSegment>& edges, std::span<const EdgeRange> rings, const SweepPoint& p);
 
 // Event by event, which segments hold its point. Throws Refused by the rule `sweep`.
 class Sweep {

@@ -282,6 +282,33 @@ void read_convex_polygons(const Json& list, Tables& tables) {
   }
 }
 
+// Some polygons, with edges and rings numbered anew.
+PartTable numbered_anew(const PolygonTable& all, const std::vector<std::size_t>& which) {
+  PartTable result;
+  PolygonTable& polygons = result.polygons;
+  polygons.exponent = all.exponent;
+  for (const std::size_t i : which) {
+    result.shell.push_back(result.rings.size());
+    polygons.rings.emplace_back();
+    for (const EdgeRange& ring : all.rings[i]) {
+      const std::size_t begin = polygons.edges.size();
+      for (std::size_t k = ring.begin; k < ring.end; ++k) {
+        const PlanarSegment& edge = all.edges[k];
+        for (const Integer* x : {&edge.first.x, &edge.first.y, &edge.last.x, &edge.last.y}) {
+          polygons.bits = std::max(polygons.bits, bits(*x));
+        }
+        polygons.edges.push_back(edge);
+        polygons.owner.push_back(polygons.rings.size() - 1);
+        result.ring_of.push_back(result.rings.size());
+      }
+      polygons.rings.back().push_back({begin, polygons.edges.size()});
+      result.rings.push_back(polygons.rings.back().back());
+      result.part.push_back(polygons.rings.size() - 1);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 bool is_less(const PlanarPoint& p, const PlanarPoint& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; }
@@ -366,33 +393,20 @@ bool PolygonTable::is_point(std::size_t polygon) const {
   return true;
 }
 
-PartTable parts_of(const PolygonTable& all, const std::vector<std::size_t>& which) {
-  PartTable result;
-  PolygonTable& polygons = result.polygons;
-  polygons.exponent = all.exponent;
-  for (const std::size_t i : which) {
-    result.shell.push_back(result.rings.size());
-    polygons.rings.emplace_back();
-    for (const EdgeRange& ring : all.rings[i]) {
-      const std::size_t begin = polygons.edges.size();
-      for (std::size_t k = ring.begin; k < ring.end; ++k) {
-        const PlanarSegment& edge = all.edges[k];
-        for (const Integer* x : {&edge.first.x, &edge.first.y, &edge.last.x, &edge.last.y}) {
-          polygons.bits = std::max(polygons.bits, bits(*x));
-        }
-        polygons.edges.push_back(edge);
-        polygons.owner.push_back(polygons.rings.size() - 1);
-        result.ring_of.push_back(result.rings.size());
-      }
-      polygons.rings.back().push_back({begin, polygons.edges.size()});
-      result.rings.push_back(polygons.rings.back().back());
-      result.part.push_back(polygons.rings.size() - 1);
-    }
-  }
-  return result;
-}
-
 bool Tables::has(const std::string& name) const { return std::find(names.begin(), names.end(), name) != names.end(); }
+
+std::shared_ptr<const PartTable> Tables::parts_of(const std::vector<std::size_t>& which) const {
+  if (last_parts_ == nullptr || last_named_ != which) {
+    std::size_t size = 0;
+    for (const std::size_t i : which) {
+      for (const EdgeRange& ring : polygons.rings[i]) size += ring.end - ring.begin;
+    }
+    take_steps(20 * size, 1, 1);
+    last_named_ = which;
+    last_parts_ = std::make_shared<const PartTable>(numbered_anew(polygons, which));
+  }
+  return last_parts_;
+}
 
 Tables read_tables(const Json& item) {
   static const std::map<std::string, void (*)(const Json&, Tables&)> readers{{"bodies", read_bodies},

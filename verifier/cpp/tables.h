@@ -104,8 +104,6 @@ struct PartTable {
   std::vector<std::size_t> shell;    // of each part, its first ring
 };
 
-PartTable parts_of(const PolygonTable& polygons, const std::vector<std::size_t>& which);
-
 struct Tables {
   std::vector<std::string> names;  // of those that the file has
   std::vector<HullBody> bodies;
@@ -122,6 +120,13 @@ struct Tables {
   Constraints convex_polygons;     // the sides of all
 
   bool has(const std::string& name) const;
+
+  // Those of the call before, if it named the same: statements that follow each other mostly do.
+  std::shared_ptr<const PartTable> parts_of(const std::vector<std::size_t>& which) const;
+
+ private:
+  mutable std::vector<std::size_t> last_named_;
+  mutable std::shared_ptr<const PartTable> last_parts_;
 };
 
 Tables read_tables(const Json& item);

@@ -59,6 +59,16 @@ StatementResult check(const ClaimedStatement& statement) {
   return result;
 }
 
+// What a statement `pair`, which is accepted, has proved.
+void note_pair(const ClaimedStatement& statement, ProvedPairs& proved) {
+  if (statement.question != "pair") return;
+  ProvedPair& pair = proved[{statement.index_a, statement.index_b}];
+  if (statement.verdict == "apart") pair.is_apart = true;
+  if (statement.verdict == "meet") pair.meet = true;
+  if (statement.verdict == "touching") pair.touch = true;
+  if (statement.verdict == "overlapping") pair.overlap = true;
+}
+
 // Lets the text go as soon as all of it is read.
 void verify_file(JsonText text, FileResult& result) {
   const Json& top = text.top();
@@ -78,11 +88,15 @@ void verify_file(JsonText text, FileResult& result) {
   const Json& statements = list_member(top, "statements", "the file");
   if (statements.empty()) refuse_form("the file states nothing");
   std::vector<ClaimedStatement> claimed;
+  ProvedPairs proved;
   for (const Json& item : statements) {
-    claimed.push_back(read_statement(item, tables, "statements[" + std::to_string(claimed.size()) + "]"));
+    claimed.push_back(read_statement(item, tables, proved, "statements[" + std::to_string(claimed.size()) + "]"));
   }
   text = JsonText();
-  for (const ClaimedStatement& statement : claimed) read.statements.push_back(check(statement));
+  for (const ClaimedStatement& statement : claimed) {
+    read.statements.push_back(check(statement));
+    if (read.statements.back().accepted) note_pair(statement, proved);
+  }
   result.inputs = std::move(read.inputs);
   result.left_out = std::move(read.left_out);
   result.statements = std::move(read.statements);

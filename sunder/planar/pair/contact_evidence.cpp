@@ -174,10 +174,10 @@ std::array<Dyadic, 3> touching_direction(const ConvexPolygon& a, const Pose& pos
 }
 
 ClosestPoints closest_points(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b, const Pose& pose_b,
-                             const PolygonDistance& distance) {
-  ClosestPoints points{vertex_point(a, pose_a, distance.a), vertex_point(b, pose_b, distance.b)};
-  if (distance.edge_of_a) points.of_a = foot(a, pose_a, distance.a, image(b, pose_b, distance.b));
-  if (distance.edge_of_b) points.of_b = foot(b, pose_b, distance.b, image(a, pose_a, distance.a));
+                             const ClosestFeatures& closest) {
+  ClosestPoints points{vertex_point(a, pose_a, closest.a), vertex_point(b, pose_b, closest.b)};
+  if (closest.edge_of_a) points.of_a = foot(a, pose_a, closest.a, image(b, pose_b, closest.b));
+  if (closest.edge_of_b) points.of_b = foot(b, pose_b, closest.b, image(a, pose_a, closest.a));
   return points;
 }
 

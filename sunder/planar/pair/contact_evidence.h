@@ -31,12 +31,13 @@ std::array<Dyadic, 3> touching_direction(const ConvexPolygon& a, const Pose& pos
 // corners of the common part; rounded, where that still is inside both.
 CommonPoint overlapping_point(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b, const Pose& pose_b);
 
-// Two points that are nearest to each other. Requires the distance of these polygons, which do not meet.
+// Two points that are nearest to each other, with positive denominators. Requires the closest features of these
+// polygons.
 struct ClosestPoints {
   PointOf of_a, of_b;
 };
 ClosestPoints closest_points(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b, const Pose& pose_b,
-                             const PolygonDistance& distance);
+                             const ClosestFeatures& closest);
 
 // How a point of the relative interior is made of at most six vertices, all with positive weights, which span all that
 // the polygon spans. Requires such a point, with a positive denominator.

@@ -84,8 +84,7 @@ Tangents tangents(const ConvexPolygon& polygon, const Pose& pose, const Point2& 
     a.place = found.place;
     if (found.place != Place::outside) return;
     const Extremes e = find_tangents(p, x, found, a.cost, tally);
-    a.left = p.number(e.left);
-    a.right = p.number(e.right);
+    a.vertices = TangentVertices{p.number(e.left), p.number(e.right)};
   });
 }
 
@@ -104,8 +103,7 @@ Tangents tangents_by_scan(const ConvexPolygon& polygon, const Pose& pose, const 
       if (beats(best.left, Sign::positive)) best.left = k;
       if (beats(best.right, Sign::negative)) best.right = k;
     }
-    a.left = p.number(best.left);
-    a.right = p.number(best.right);
+    a.vertices = TangentVertices{p.number(best.left), p.number(best.right)};
   });
 }
 

@@ -14,6 +14,7 @@
 #include <sunder/planar/object/pose.h>
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace sunder::planar {
@@ -48,9 +49,14 @@ PolygonPoint polygon_point_by_scan(const ConvexPolygon& polygon, const Pose& pos
 
 // The vertices in which the lines through a point outside touch the polygon: seen from the point, no vertex is further
 // to the left than `left`, none further to the right than `right`. Of two in line with the point, the nearer one.
-struct Tangents {
-  Place place = Place::outside;       // of the point; there are tangents only from outside
-  std::uint32_t left = 0, right = 0;  // meaningless unless `outside`
+struct TangentVertices {
+  std::uint32_t left = 0, right = 0;
+  friend bool operator==(const TangentVertices&, const TangentVertices&) = default;
+};
+
+struct [[nodiscard]] Tangents {
+  Place place = Place::outside;             // of the point
+  std::optional<TangentVertices> vertices;  // from outside only
   DecidedBy decided_by = DecidedBy::filter;
   Cost cost;
 };

@@ -40,8 +40,8 @@ PolygonPoint ask(const ConvexPolygon& polygon, const Pose& pose, const Point2& p
   }
   const Tangents s = tangents_by_scan(polygon, pose, point);
   EXPECT_EQ(t.place, s.place);
-  EXPECT_EQ(t.left, s.left);
-  EXPECT_EQ(t.right, s.right);
+  EXPECT_EQ(t.vertices.has_value(), t.place == Place::outside);
+  EXPECT_EQ(t.vertices, s.vertices);
   return found;
 }
 
@@ -64,11 +64,12 @@ TEST(PolygonPointTest, ByHand) {
   EXPECT_EQ(ask(square, mirrored, {-2, 2}).feature, 2u);
   // From (1, -3), the corners below; from (4, 0), in line with two of them, the nearer one.
   Tangents t = tangents(square, {1, -3});
-  EXPECT_EQ(std::pair(t.left, t.right), std::pair(0u, 1u));
+  EXPECT_EQ(t.vertices, (TangentVertices{0, 1}));
   t = tangents(square, {4, 0});
-  EXPECT_EQ(std::pair(t.left, t.right), std::pair(1u, 2u));
+  EXPECT_EQ(t.vertices, (TangentVertices{1, 2}));
   t = tangents(square, {1, 1});
   EXPECT_EQ(t.place, Place::inside);
+  EXPECT_FALSE(t.vertices);
 }
 
 TEST(PolygonPointTest, OfSegmentsAndPoints) {

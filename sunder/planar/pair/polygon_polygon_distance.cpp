@@ -52,10 +52,10 @@ std::array<Dyadic, 2> squared_from_line(const V& p, const V& from, const V& to) 
   return {height * height, dot(e, e)};
 }
 
-// Fills in what is named by positions: edge_of_a, the edge of A from i; edge_of_b, that of B from j.
+// What is named by positions: edge_of_a, the edge of A from i; edge_of_b, that of B from j.
 template <class A, class B>
-void fill(PolygonDistance& out, const A& a, std::uint32_t i, bool edge_of_a, const B& b, std::uint32_t j,
-          bool edge_of_b) {
+ClosestFeatures features(const A& a, std::uint32_t i, bool edge_of_a, const B& b, std::uint32_t j, bool edge_of_b) {
+  ClosestFeatures out;
   i = position(a, i);
   j = position(b, j);
   const auto p = a[i];
@@ -85,6 +85,7 @@ void fill(PolygonDistance& out, const A& a, std::uint32_t i, bool edge_of_a, con
   const double low = std::ldexp(scaled.low, power), high = std::ldexp(scaled.high, power);
   out.distance = {power < -900 ? interval_detail::down(low) : low, power < -900 ? interval_detail::up(high) : high};
   out.distance.low = std::clamp(out.distance.low, 0.0, std::numeric_limits<double>::max());  // where it overflows
+  return out;
 }
 
 // The windows low .. high - 1 of edges of A and of B, in order of direction, all within a right angle.
@@ -152,7 +153,7 @@ PolygonDistance distance_between(const A& a, const B& b) {
   Cost& cost = out.answer.cost;
   const difference_search::Found found = search_difference(a, 0, b, 0, out.answer.evidence, cost, tally);
   const auto finish = [&](std::uint32_t i, bool edge_of_a, std::uint32_t j, bool edge_of_b) {
-    fill(out, a, i, edge_of_a, b, j, edge_of_b);
+    out.closest = features(a, i, edge_of_a, b, j, edge_of_b);
   };
   if (!found.meet) {
     const std::uint32_t i = found.edge_a, j = found.edge_b;
@@ -233,15 +234,11 @@ PolygonDistance polygon_polygon_distance_by_scan(const ConvexPolygon& polygon_a,
   best.answer = polygon_polygon_by_scan(polygon_a, pose_a, polygon_b, pose_b);
   if (best.meet()) return best;
   const PosedPolygon a(polygon_a, pose_a), b(polygon_b, pose_b);
-  bool is_first = true;
   StageTally tally;
   const auto try_one = [&](std::uint32_t i, bool edge_of_a, std::uint32_t j, bool edge_of_b) {
-    PolygonDistance other;
-    fill(other, a, i, edge_of_a, b, j, edge_of_b);
-    if (!is_first && compare(other.squared, best.squared) != Sign::negative) return;
-    is_first = false;
-    other.answer = best.answer;
-    best = std::move(other);
+    ClosestFeatures other = features(a, i, edge_of_a, b, j, edge_of_b);
+    if (best.closest && compare(other.squared, best.closest->squared) != Sign::negative) return;
+    best.closest = std::move(other);
   };
   // The foot of p on the edge from q to r is inside it.
   const auto faces = [&](const Posed2& p, const Posed2& q, const Posed2& r) {
@@ -260,11 +257,12 @@ PolygonDistance polygon_polygon_distance_by_scan(const ConvexPolygon& polygon_a,
 
 Sign compare_distance(const PolygonDistance& distance, double radius) {
   SUNDER_REQUIRE(std::isfinite(radius) && radius >= 0);
-  if (distance.meet()) return radius > 0 ? Sign::negative : Sign::zero;
-  if (distance.distance.low > radius) return Sign::positive;
-  if (distance.distance.high < radius) return Sign::negative;
+  if (!distance.closest) return radius > 0 ? Sign::negative : Sign::zero;
+  const ClosestFeatures& closest = *distance.closest;
+  if (closest.distance.low > radius) return Sign::positive;
+  if (closest.distance.high < radius) return Sign::negative;
   const Dyadic r(radius);
-  return compare(distance.squared, {r * r, Dyadic(1)});
+  return compare(closest.squared, {r * r, Dyadic(1)});
 }
 
 }  // namespace sunder::planar

@@ -17,21 +17,24 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 namespace sunder::planar {
 
-struct [[nodiscard]] PolygonDistance {
-  PairAnswer answer;  // do they meet? Its cost is that of everything. The rest is meaningless where they meet
-
-  // The closest features: a vertex of each, or the edge that begins at the vertex (in the polygon's own order) of one.
+// Of each polygon a vertex, or of one of them the edge that begins at the vertex, in the polygon's own order.
+struct ClosestFeatures {
   bool edge_of_a = false, edge_of_b = false;  // not both
   std::uint32_t a = 0, b = 0;
-  Interval distance;  // [0, 0] where they meet
+  Interval distance;
+  std::array<Dyadic, 2> squared{};  // of the distance: numerator over denominator, both exact; the latter is positive
+};
 
-  // The square of the distance: numerator over denominator, both exact; the denominator is positive.
-  std::array<Dyadic, 2> squared{};
+struct [[nodiscard]] PolygonDistance {
+  PairAnswer answer;                       // do they meet? Its cost is that of everything
+  std::optional<ClosestFeatures> closest;  // none where they meet
 
   bool meet() const { return answer.meet(); }
+  Interval distance() const { return closest ? closest->distance : Interval{0, 0}; }
 };
 
 PolygonDistance polygon_polygon_distance(const ConvexPolygon& a, const Pose& pose_a,  //

@@ -1,4 +1,3 @@
-#include <sunder/base/contract.h>
 #include <sunder/planar/pair/segment_segment.h>
 #include <sunder/planar/set/polygon_valid_json.h>
 #include <sunder/planar/set/segments_all.h>
@@ -9,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -55,13 +55,22 @@ struct Numbered {
   std::vector<Segment> edges;
 };
 
+std::string name_in_file(PolygonRule rule) {
+  switch (rule) {
+    case PolygonRule::simple: return "simple";
+    case PolygonRule::valid: return "valid";
+    case PolygonRule::self_touch: break;
+  }
+  return "valid-with-self-touch";
+}
+
 void begin(ClaimsWriter& file, std::size_t count, std::uint32_t first_part, PolygonRule rule,
            const std::string& verdict) {
   std::vector<std::uint32_t> parts(count);
   std::iota(parts.begin(), parts.end(), first_part);
   file.begin_statement("valid");
   file.indices("parts", parts);
-  file.text("rule", rule == PolygonRule::simple ? "simple" : "valid");
+  file.text("rule", name_in_file(rule));
   file.text("verdict", verdict);
 }
 
@@ -240,7 +249,7 @@ class Touches {
   std::vector<Point2> points_;
 };
 
-// Of one part, whose rings meet in points only.
+// Of one part; of crossings nothing is looked at.
 std::optional<Circle> circle_in(const Numbered& all, std::uint32_t part) {
   std::vector<Segment> edges;
   std::vector<std::uint32_t> ring_of;
@@ -255,6 +264,7 @@ std::optional<Circle> circle_in(const Numbered& all, std::uint32_t part) {
   options.groups = ring_of;
   const Segments segments(edges);
   visit_contacts(segments, options, [&](const SegmentsContact& c) {
+    if (c.kind == ContactKind::crossing) return true;
     const Segment &s = segments[c.i], &t = segments[c.j];
     const auto holds = [](const Segment& e, const Point2& p) {
       return segment_segment({p, p}, e) != ContactKind::none;
@@ -277,6 +287,105 @@ bool write_circle(ClaimsWriter& file, const Numbered& all, std::uint32_t first_p
   for (const Point2& p : circle->points) file.add_numbers(std::array{p.x, p.y});
   file.end_list();
   end(file, "circle");
+  return true;
+}
+
+// ---- Parts that fall apart.
+
+// Goes through a sweep of all edges, with the rings around what is just above each, and the face that this is of.
+class Faces {
+ public:
+  explicit Faces(const Numbered& all)
+      : all_(all),
+        outside_(static_cast<std::uint32_t>(all.edges.size())),
+        next_(all.edges.size() + 1, none),
+        goes_on_at_(all.edges.size() + 1, none),
+        face_(all.edges.size() + 1),
+        rings_(all.edges.size() + 1),
+        joined_{0},
+        pieces_(all.first_ring.size()) {}
+
+  // Is the inside of a part in two pieces or more?
+  bool fall_apart(const SweepEvents& events) {
+    for (std::uint32_t k = 0; k < events.size(); ++k) pass(events, k);
+    return std::any_of(pieces_.begin(), pieces_.end(), [](std::size_t n) { return n > 1; });
+  }
+
+ private:
+  void pass(const SweepEvents& events, std::uint32_t k) {
+    const std::uint32_t below = events.below[k] == no_segment ? outside_ : events.below[k];
+    for (const std::uint32_t s : events.goes_on(k)) goes_on_at_[s] = k;
+    std::uint32_t upper = next_[below], upper_face = face_[below], last = below;
+    for (; upper != none && (goes_on_at_[upper] == k || ends(events.at[k], upper)); upper = next_[upper]) {
+      upper_face = face_[upper];
+    }
+    for (const std::uint32_t s : events.goes_on(k)) {
+      if (all_.edges[s].a == all_.edges[s].b) continue;
+      if (last != below) add_face(last);
+      next_[last] = s;
+      const std::uint32_t ring = all_.ring_of[s];
+      rings_[s].clear();
+      std::set_symmetric_difference(rings_[last].begin(), rings_[last].end(), &ring, &ring + 1,
+                                    std::back_inserter(rings_[s]));
+      last = s;
+    }
+    next_[last] = upper;
+    if (last == below) {
+      join(last, upper_face);
+    } else {
+      face_[last] = upper_face;
+    }
+  }
+
+  bool ends(std::uint32_t at, std::uint32_t s) const {
+    if (at == at_crossing) return false;
+    const Segment& e = all_.edges[at / 2];
+    return all_.edges[s].b == (at % 2 == 0 ? e.a : e.b);
+  }
+
+  // The part that this is inside of, and in none of its holes; of parts that overlap, any.
+  std::optional<std::uint32_t> part_around(const std::vector<std::uint32_t>& rings) const {
+    for (std::size_t k = 0; k < rings.size(); ++k) {
+      const std::uint32_t part = all_.part[rings[k]];
+      const bool has_hole = k + 1 < rings.size() && all_.part[rings[k + 1]] == part;
+      if (rings[k] == all_.first_ring[part] && !has_hole) return part;
+    }
+    return std::nullopt;
+  }
+
+  void add_face(std::uint32_t above) {
+    face_[above] = static_cast<std::uint32_t>(joined_.size());
+    joined_.push_back(face_[above]);
+    if (const auto part = part_around(rings_[above])) ++pieces_[*part];
+  }
+
+  void join(std::uint32_t above, std::uint32_t face) {
+    const std::uint32_t a = leader(face_[above]), b = leader(face);
+    if (a == b) return;
+    joined_[b] = a;
+    if (const auto part = part_around(rings_[above])) --pieces_[*part];
+  }
+
+  std::uint32_t leader(std::uint32_t k) {
+    while (joined_[k] != k) k = joined_[k] = joined_[joined_[k]];
+    return k;
+  }
+
+  static constexpr std::uint32_t none = no_segment;
+  const Numbered& all_;
+  const std::uint32_t outside_;  // stands below all edges
+  std::vector<std::uint32_t> next_, goes_on_at_, face_;
+  std::vector<std::vector<std::uint32_t>> rings_;
+  std::vector<std::uint32_t> joined_;  // of each face one that it is one with, or itself
+  std::vector<std::size_t> pieces_;
+};
+
+bool write_falls_apart(ClaimsWriter& file, const Numbered& all, std::uint32_t first_part, PolygonRule rule) {
+  const auto events = sweep_events(Segments(all.edges), std::numeric_limits<std::size_t>::max());
+  if (!Faces(all).fall_apart(*events)) return false;
+  begin(file, all.first_ring.size(), first_part, rule, "falls_apart");
+  write_sweep(file, "falls_apart", *events);
+  file.end_statement();
   return true;
 }
 
@@ -320,7 +429,6 @@ void write_parts(ClaimsWriter& file, std::span<const PolygonRings> parts) {
 }
 
 void write_valid(ClaimsWriter& file, std::span<const PolygonRings> parts, std::uint32_t first_part, PolygonRule rule) {
-  SUNDER_REQUIRE(rule != PolygonRule::self_touch);
   const Numbered all(parts);
   const auto events = sweep_events(Segments(all.edges), std::numeric_limits<std::size_t>::max());
   begin(file, parts.size(), first_part, rule, "valid");
@@ -330,7 +438,6 @@ void write_valid(ClaimsWriter& file, std::span<const PolygonRings> parts, std::u
 
 bool write_defect(ClaimsWriter& file, std::span<const PolygonRings> parts, std::uint32_t first_part, PolygonRule rule,
                   const PolygonDefect& defect) {
-  SUNDER_REQUIRE(rule != PolygonRule::self_touch);
   const Numbered all(parts);
   const std::uint32_t a = all.ring(defect.a), b = all.ring(defect.b);
   switch (defect.kind) {
@@ -344,7 +451,8 @@ bool write_defect(ClaimsWriter& file, std::span<const PolygonRings> parts, std::
         return true;
       }
       if (a == b) {
-        write_at_ring(file, all, first_part, rule, "comes_twice", a, std::nullopt, defect.place.a);
+        const std::string verdict = rule == PolygonRule::self_touch ? "crosses" : "comes_twice";
+        write_at_ring(file, all, first_part, rule, verdict, a, std::nullopt, defect.place.a);
         return true;
       }
       std::vector<std::uint32_t> edges = edges_at(all, a, defect.place.a), more = edges_at(all, b, defect.place.a);
@@ -370,7 +478,7 @@ bool write_defect(ClaimsWriter& file, std::span<const PolygonRings> parts, std::
     case PolygonDefectKind::nested_parts: return write_misplaced(file, all, first_part, rule, {all.edge(defect.a)});
     case PolygonDefectKind::disconnected:
       if (write_circle(file, all, first_part, rule, defect.a.part)) return true;
-      if (a != b) return false;
+      if (a != b || rule == PolygonRule::self_touch) return write_falls_apart(file, all, first_part, rule);
       write_at_ring(file, all, first_part, rule, "comes_twice", a, std::nullopt, defect.place.a);
       return true;
   }

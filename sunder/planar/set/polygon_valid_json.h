@@ -13,12 +13,12 @@ namespace sunder::planar {
 void write_parts(ClaimsWriter& file, std::span<const PolygonRings> parts);
 
 // The statement that the parts of a multipolygon are valid; in the table these are first_part and those that follow.
-// Requires that it is true, and a rule other than self_touch. O((n + k) log n) time for n edges, k crossings.
+// Requires that it is true. O((n + k) log n) time for n edges, k crossings.
 void write_valid(ClaimsWriter& file, std::span<const PolygonRings> parts, std::uint32_t first_part, PolygonRule rule);
 
-// The statement of a defect, as polygon_defects names it. Requires a rule other than self_touch. False, and nothing is
-// written: the defect is that two rings cross in a vertex, and no point near it shows it. Cost: linear in the edges for
-// each point that is looked at, mostly one; for `disconnected`, as for write_valid.
+// The statement of a defect, as polygon_defects names it. False, and nothing is written: the defect is that two rings
+// cross in a vertex, and no point near it shows it; or that the interior is not connected, and another defect hides
+// that. Cost: linear in the edges for each point that is looked at, mostly one; for `disconnected`, as for write_valid.
 bool write_defect(ClaimsWriter& file, std::span<const PolygonRings> parts, std::uint32_t first_part, PolygonRule rule,
                   const PolygonDefect& defect);
 

@@ -39,13 +39,15 @@ def verify(data, is_limited=False):
     form(type(top) is dict, "the file is not an object")
     form("sunder_set_certificate" not in top and top.get("sunder_certificate") != 1,
          "this is a certificate of version 1, which is no longer read; make it again")
-    read = members(top, FILE, "", optional={"inputs": [], "left_out": []})
+    read = members(top, FILE, "", {"steps": steps, "proved": {}}, optional={"inputs": [], "left_out": []})
     statements = []
-    for said, checks in read["statements"]:
+    for item, said, checks in read["statements"]:
         refusal = None
         try:
             for rule, bound in checks:
                 rule(steps, *bound)
+            if item["question"] == "pair":
+                read["proved"].setdefault((item["a"], item["b"]), set()).add(item["verdict"])
         except Refused as error:
             refusal = error.args
         statements.append((said, refusal))

@@ -3,6 +3,7 @@ import collections
 import fractions
 import itertools
 
+from .arcs import Way
 from .reader import length, projective, require
 from .rules import before, contacts_of_discs, contacts_of_segments, ends_at, is_on, lines_of, side, sweep
 from .tables import Discs, Polygons, Segments, around
@@ -21,14 +22,14 @@ def labelled(steps, events, edges, owner):
         for s in itertools.chain(*lines):
             above[s] = labels[-1] ^ {owner[s]}
             labels.append(above[s])
-        yield point, here, row, lines, labels
+        yield point, below, here, row, lines, labels
 
 
 def cells(steps, events, polygons, allowed):
     """Gives, event by event, pairs of sets: each polygon of the first has common points that count with each of the
     second. Any two that have some are in one of these pairs."""
     owner, flat = polygons.owner, polygons.flat
-    for point, here, row, lines, labels in labelled(steps, events, polygons.edges, owner):
+    for point, _, here, row, lines, labels in labelled(steps, events, polygons.edges, owner):
         at, label, k = {owner[s] for s in here + row}, labels[0], 0
         passing = {owner[s] for s in here + row if not ends_at(polygons.edges[s], point)}
         if not allowed:
@@ -96,42 +97,83 @@ def common_point(steps, polygons, i, j, point, groups, allowed):
 
 # ---- Valid polygons: some polygons as parts of one, and what is wrong with them.
 
+SELF_TOUCH = "valid-with-self-touch"  # the rule that allows rings to touch themselves
+
+
+def filled(parts, label):
+    """Of which parts the label has the shell, and no hole."""
+    rings = collections.Counter(parts.part[r] for r in label)
+    return [i for i, n in rings.items() if n == 1 and parts.shell[i] in label]
+
+
 def fits(parts, label):
     """May all these rings have a common point inside? In each part its shell, and one hole; one shell without."""
     rings = collections.Counter(parts.part[r] for r in label)
-    have_shells = all(n <= 2 and parts.shell[i] in label for i, n in rings.items())
-    return have_shells and sum(n == 1 for n in rings.values()) <= 1
+    return all(n <= 2 and parts.shell[i] in label for i, n in rings.items()) and len(filled(parts, label)) <= 1
 
 
-def leader(joined, r):
-    while joined[r] != r:
-        joined[r] = r = joined[joined[r]]
-    return r
+def leader(joined, k):
+    while joined[k] != k:
+        joined[k] = k = joined[joined[k]]
+    return k
+
+
+def regions(steps, events, parts, pieces):
+    """A sweep of the edges, with labels of rings. Counts in how many pieces the inside of each part is: in the end,
+    or what has been seen of it."""
+    face, joined = {-1: 0}, [0]  # of what is above each edge of the list; faces that turn out to be one
+    for _, below, here, row, lines, labels in labelled(steps, events, parts.edges, parts.ring):
+        steps.take(sum(map(len, labels)), 1, 1)
+        going, lower = [*itertools.chain(*lines)], face[below]
+        upper = face[here[-1]] if here else lower
+        for s, label in zip(going[:-1], labels[1:]):
+            face[s] = len(joined)
+            joined.append(len(joined))
+            pieces.update(filled(parts, label))
+        if going:
+            face[going[-1]] = upper
+        elif leader(joined, lower) != leader(joined, upper):
+            joined[leader(joined, upper)] = leader(joined, lower)
+            pieces.subtract(filled(parts, labels[0]))
+        yield here, row, lines, labels[1:]
+
+
+def is_nested(parts, ways):
+    """Of the edges around a point, one that passes twice: does each way of a ring through it have, on either side, all
+    of another one, or nothing?"""
+    begun = []
+    for s in ways:
+        if begun and (begun[-1] == s or begun[-1] in parts.beside[s]):
+            begun.pop()
+        else:
+            begun.append(s)
+    return not begun
 
 
 def valid(steps, events, parts, rule):
-    """Rings are simple, have no pieces in common, and each part is the inside of its first ring without the others,
-    which are holes side by side; it hangs together, and no other part is in it."""
-    joined, seen = list(range(len(parts.part))), set()
-    for _, here, row, lines, labels in labelled(steps, events, parts.edges, parts.ring):
+    """Rings are simple, or touch themselves, have no pieces in common, and each part is the inside of its first ring
+    without the others, which are holes side by side; it hangs together, and no other part is in it."""
+    seen, pieces = set(), collections.Counter()
+    for here, row, lines, labels in regions(steps, events, parts, pieces):
         going = [s for line in lines for s in line]
-        require(rule == "valid" or len(going) == len(row), "valid", "a vertex is repeated")
+        require(rule != "simple" or len(going) == len(row), "valid", "a vertex is repeated")
         at = collections.Counter(parts.ring[s] for s in here + going)
-        require(all(n == 2 for n in at.values()), "valid", "a ring comes twice to a point")
+        require(rule == SELF_TOUCH or all(n == 2 for n in at.values()), "valid", "a ring comes twice to a point")
         require(len(going) == len(lines), "valid", "edges go on along one line")
-        steps.take(len(labels[0]), 1, 1)  # which is one that fits
-        for label in labels[1:]:
-            steps.take(len(label), 1, 1)
-            require(fits(parts, label), "valid", "a ring is misplaced")
-        for _, rings in itertools.groupby(sorted(at), parts.part.__getitem__):
-            rings = list(rings)
-            require(rule == "valid" or len(rings) == 1, "valid", "two rings of a part touch")
-            leaders = {leader(joined, r) for r in rings}
-            require(len(leaders) == len(rings), "valid", "rings close a circle")
-            for r in leaders:
-                joined[r] = min(leaders)
+        require(rule != SELF_TOUCH or is_nested(parts, going + here[::-1]), "valid", "a ring crosses itself")
+        require(all(fits(parts, label) for label in labels), "valid", "a ring is misplaced")
+        is_alone = len({parts.part[r] for r in at}) == len(at)
+        require(rule != "simple" or is_alone, "valid", "two rings of a part touch")
         seen.update(at)
     require(len(seen) == len(parts.part) and all(parts), "valid", "a ring is one point, or a part has none")
+    require(all(pieces[i] == 1 for i in range(len(parts))), "valid", "a part falls apart")
+
+
+def falls_apart(steps, events, parts):
+    """The inside of a part is in two pieces or more."""
+    pieces = collections.Counter()
+    collections.deque(regions(steps, events, parts, pieces), 0)
+    require(max(pieces.values(), default=0) > 1, "falls_apart", "no part falls apart")
 
 
 def ring_at(steps, rule, parts, ring, point):
@@ -148,10 +190,23 @@ def too_few_points(steps, parts, ring):
     require(len(vertices) < 3, "too_few_points", "ring %d has three different vertices" % ring)
 
 
-def comes_twice(steps, parts, ring, point):
-    """A ring comes to a point twice."""
+def comes_twice(steps, parts, rule, ring, point):
+    """A ring comes to a point twice, and may not."""
+    require(rule != SELF_TOUCH, "comes_twice", "a ring may touch itself")
     on, place = ring_at(steps, "comes_twice", parts, ring, point)
     require(sum(2 - ends_at(edge, place) for edge in on) > 2, "comes_twice", "the ring comes there once")
+
+
+def crosses(steps, parts, ring, point):
+    """A ring crosses itself: of two of its ways through the point, each has an end of the other one on either side."""
+    _, (x, y, w) = ring_at(steps, "crosses", parts, ring, point)
+    first, ways = parts.ring.index(ring), []
+    for s, edge in enumerate(parts.rings[ring], first):
+        if edge[0] != edge[1] and is_on(edge, (x, y, w)):
+            ways += [((p * w - x, q * w - y), s) for p, q in edge if (p * w, q * w) != (x, y)]
+    steps.take(32 * len(ways), length(point) + parts.edges.bits, length(point) + parts.edges.bits)
+    ways.sort(key=lambda way: Way(way[0], (0, 0), 0))
+    require(not is_nested(parts, [s for _, s in ways]), "crosses", "the ring does not cross itself there")
 
 
 def misplaced(steps, parts, ring, point):

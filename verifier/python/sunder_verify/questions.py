@@ -8,7 +8,7 @@ from functools import partial
 from . import arcs, polygons, rules
 from .reader import LIST, MOST_NUMBER, OBJECT, anything, double, form, index, list_of, members, number, numbers, row_of
 from .sentences import sentence
-from .tables import Discs, Polygons
+from .tables import Discs
 
 MOST_WEIGHTS = 16  # of one combination; 4 are always enough
 ALLOWED = {  # which kinds of contact do not count
@@ -46,6 +46,12 @@ def subject_index(value, where, read):
     return index(value, len(subject(read)), where)
 
 
+def positive(value, where, read):
+    result = double(value, where)
+    form(result[0] > 0, where + " is not positive")
+    return result
+
+
 def whole(least):
     return lambda value, where, read: index(value, MOST_NUMBER + 1, where, least)
 
@@ -62,7 +68,7 @@ def kind(value, where, read):
 
 
 def contacts(value, where, read):
-    entries = list_of(row_of(subject_index, subject_index, *(() if isinstance(subject(read), Polygons) else (kind,))))
+    entries = list_of(row_of(subject_index, subject_index, *([kind] if type(subject(read)) in rules.MEETING else [])))
     result = entries(value, where, read)
     form(all(i < j for i, j, *_ in result) and all(c[:2] < d[:2] for c, d in zip(result, result[1:])),
          where + " is not in order")
@@ -106,7 +112,11 @@ def corner(value, where, read):
 def parts(value, where, read):
     which = list_of(index_of("polygons"))(value, where, read)
     form(0 < len(set(which)) == len(which), where + " names none, or one twice")
-    return read["polygons"].some(which)
+    return read["polygons"].some(read["steps"], which)
+
+
+def members_of(name, fits, words):
+    return list_of(index_of(name), lambda those, read: fits(those) and len(set(those)) == len(those), words)
 
 
 def for_each(shape):
@@ -117,16 +127,16 @@ ARCS = list_of(subject_index, lambda those, read: 0 < len(those) <= 2 * len(subj
                " is empty, or has more than two arcs a circle")
 GIVEN = {  # what questions say
     "a": entry("bodies"), "b": entry("bodies"), "ring": entry("rings"), "parts": parts,
-    "rule": choice(("valid", "simple")),
+    "members": members_of("bodies", lambda those: True, " names one twice"), "except": contacts,
+    "rule": choice(("valid", "simple", polygons.SELF_TOUCH)),
     "allowed": lambda *told: ALLOWED[choice(ALLOWED)(*told)], "groups": for_each(whole(-MOST_NUMBER)),
-    "objective": lambda value, where, read: numbers(value, 2, double, where),
+    "least": positive, "objective": lambda value, where, read: numbers(value, 2, double, where),
 }
 SAID = {  # what verdicts and claims say
     "i": subject_index, "j": subject_index, "kind": kind, "point": vector, "from_a": vector, "to_b": vector,
     "contacts": contacts, "number": whole(0), "sides": list_of(subject_index), "arcs": ARCS,
     "ring": index_of("parts.rings"), "other": index_of("parts.rings"), "edge": index_of("parts.edges"),
-    "rings": list_of(index_of("parts.rings"), lambda those, read: 1 < len(set(those)) == len(those),
-                     " is not of two rings or more, each once"),
+    "rings": members_of("parts.rings", lambda those: len(those) > 1, " is not of two rings or more, each once"),
     "points": list_of(vector, lambda those, read: len(those) == len(read["rings"]), " is not as long as the rings"),
     "direction": vector, "weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
     "ends": list_of(end, lambda those, read: len(those) == 2, " is not a list of 2"),
@@ -138,14 +148,15 @@ SAID = {  # what verdicts and claims say
 
 CLAIMS = {
     **{rule.__name__: (rule,) for rule in (
-        rules.slab, rules.feasible, rules.no_objective, rules.no_entries, rules.in_discs, rules.contact,
-        polygons.common_point, polygons.too_few_points, polygons.comes_twice, polygons.misplaced, polygons.circle,
-        polygons.repeated, polygons.rings_touch)},
+        rules.slab, rules.nearer, rules.feasible, rules.no_objective, rules.no_entries, rules.in_discs, rules.contact,
+        polygons.common_point, polygons.too_few_points, polygons.comes_twice, polygons.crosses, polygons.misplaced,
+        polygons.circle, polygons.repeated, polygons.rings_touch, rules.each_pair)},
     **{rule.__name__: (rule, "weights") for rule in (
         rules.holds, rules.inside, rules.bounds, rules.contradict, rules.powers)},
     **{name: (polygons.exactly(name), "events") for name in ("none_counts", "these_count", "number_counts")},
     "bounds_only": (partial(rules.bounds, is_only=True), "weights"),
     "parted": (rules.parted, "direction"),
+    "clear": (rules.clear, "direction"),
     "parted_weakly": (partial(rules.parted, is_weak=True), "direction"),
     "goes_on": (rules.goes_on, "direction"),
     "ends": (rules.ends, "ends"),
@@ -153,6 +164,7 @@ CLAIMS = {
     "arcs": (arcs.arcs, "parts"),
     "cover": (polygons.exactly("cover"), "order"),
     "valid": (polygons.valid, "events"),
+    "falls_apart": (polygons.falls_apart, "events"),
 }
 
 
@@ -181,6 +193,12 @@ QUESTIONS = {
         "overlapping": "inside a point, inside b point",
     }),
     "distance": ("bodies", "a b", {"closest": "holds a from_a, holds b to_b, slab a b from_a to_b"}),
+    "clearance": ("bodies", "a b least", {
+        "kept": "clear a b least",
+        "broken": "holds a from_a, holds b to_b, nearer from_a to_b least",
+    }),
+    "bodies": ("bodies", "members allowed groups except", {
+        "these": "each_pair members groups except allowed PROVED contacts"}),
     "segments": meetings("segments", "contact segments i j kind point groups allowed",
                          "none_counts", "these_count", "number_counts"),
     "circles": meetings("circles", "contact circles i j kind point groups allowed", "cover", "cover", "cover"),
@@ -199,9 +217,11 @@ QUESTIONS = {
         "valid": "valid parts rule",
         "too_few_points": "too_few_points parts ring",
         "edges_meet": "contact parts.edges i j kind point ALONE TOUCH",
-        "comes_twice": "comes_twice parts ring point",
+        "comes_twice": "comes_twice parts rule ring point",
+        "crosses": "crosses parts ring point",
         "misplaced": "misplaced parts ring point",
         "circle": "circle parts rings points",
+        "falls_apart": "falls_apart parts",
         "repeated": "repeated parts rule edge",
         "rings_touch": "rings_touch parts rule ring other point",
     }),
@@ -216,7 +236,7 @@ QUESTIONS = {
 
 
 def statement(item, where, read):
-    """What is said, as a sentence; and what is to be checked: rules, and what they are told."""
+    """The statement; it as a sentence; and what is to be checked: rules, and what they are told."""
     question, verdict = OBJECT(item, where).get("question"), item.get("verdict")
     form(type(question) is str and question in QUESTIONS, where + ".question is none that is known")
     about, given, verdicts = QUESTIONS[question]
@@ -225,7 +245,8 @@ def statement(item, where, read):
     needed = [claim.split() for claim in verdicts[verdict].split(", ")]
     given = {name: GIVEN[name] for name in given.split()}
     says = {name: SAID[name] for _, *bound in needed for name in bound if name in SAID and name not in given}
-    scope = {**read["tables"], "ALONE": ALONE, "TOUCH": ALLOWED["touch"], "subject": needed[0][1]}
+    scope = {**read["tables"], "steps": read["steps"], "ALONE": ALONE, "TOUCH": ALLOWED["touch"], "PROVED": read["proved"],
+             "subject": needed[0][1]}
     shapes = {"question": anything, **given, "verdict": anything, **says, "claims": LIST}
     members(item, shapes, where, scope, {"groups": ALONE})
     form(len(item["claims"]) == len(needed), "%s has not %d claims" % (where, len(needed)))
@@ -237,4 +258,4 @@ def statement(item, where, read):
         shapes = {"claim": anything, **{key: SAID[key] for key in brings}}
         brought = members(claim, shapes, place, {**scope, "subject": bound[0]})
         checks.append((rule, [brought[key] for key in brings] + [found(scope, key) for key in bound]))
-    return sentence(item, {key: scope[key].name for key in "ab" if key in item}), checks
+    return item, sentence(item, {key: scope[key].name for key in "ab" if key in item}), checks

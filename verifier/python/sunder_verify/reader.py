@@ -115,8 +115,9 @@ def members(item, shapes, where, read=None, optional=()):
     read = {} if read is None else read
     for key in OBJECT(item, where or "the file"):
         form(key in shapes, "%s has %s, which means nothing" % (where or "the file", json.dumps(key)[:60]))
-    for key, shape in shapes.items():
+    for key in shapes:
         form(key in item or key in optional, "%s has no %s" % (where or "the file", key))
+    for key, shape in shapes.items():
         read[key] = shape(item[key], "%s.%s" % (where, key) if where else key, read) if key in item else optional[key]
     return read
 

@@ -4,6 +4,8 @@ All arithmetic is on integers. A point is x, ..., w with w > 0, for (x / w, ...)
 points of a table have w = 1, and are in units of a power of two. A rule is told the steps that it may take, what the
 claim brings, if anything, and what it is bound to.
 """
+import itertools
+
 from .reader import Refused, bits, common, length, projective, require
 from .tables import Discs, Segments, dot, goes_round_once, turn
 
@@ -25,19 +27,22 @@ def weighted_sum(steps, weights, row_of, least=1, rule="weights", reason="a weig
 
 # ---- Convex objects: the convex hull of points, and the ways from there that go on for ever.
 
+def reach(steps, rule, body, d):
+    """How far a body goes along a direction, in units of 2^e; e; and is all of it as far? No way leads on along it."""
+    points, ways, e = body.forms(steps, d)
+    require(all(n <= 0 for n in ways), rule, "a way of %s goes on along the direction" % body.name)
+    return max(points), e, min(points) == max(points) and not any(ways)
+
+
 def parted(steps, direction, a, b, is_weak=False):
     """A is strictly less far along a direction than B; if is_weak, nowhere further, and not all of both just as far."""
-    d, _, _ = common(direction)  # a positive multiple of the direction
-    limits, is_flat = [], is_weak
-    for body, sign in ((a, 1), (b, -1)):
-        points, ways, e = body.forms(steps, [sign * n for n in d])
-        require(all(n <= 0 for n in ways), "parted", "a way of %s goes on along the direction" % body.name)
-        limits += sign * max(points), e
-        is_flat = is_flat and min(points) == max(points) and not any(ways)
-    p, q = aligned(*limits)
+    d = common(direction)[0]  # a positive multiple of the direction
+    (last, e, is_flat), (first, f, is_flat_too) = reach(steps, "parted", a, d), reach(steps, "parted", b, [-n for n in d])
+    p, q = aligned(last, e, -first, f)
     require(p < q or (is_weak and p == q), "parted", "%s is not %sless far along the direction than %s" % (
         a.name, "" if is_weak else "strictly ", b.name))
-    require(p < q or not is_flat, "parted", "all of %s and %s is as far along the direction" % (a.name, b.name))
+    require(p < q or not (is_flat and is_flat_too), "parted",
+            "all of %s and %s is as far along the direction" % (a.name, b.name))
 
 
 def slab(steps, a, b, from_a, to_b):
@@ -49,6 +54,24 @@ def slab(steps, a, b, from_a, to_b):
         points, ways, e = body.forms(steps, [sign * n for n in d])
         most, limit = aligned(max(points) * end[-1], e, sign * dot(d, end), 0)
         require(all(n <= 0 for n in ways) and most <= limit, "slab", "%s is not behind its point" % body.name)
+
+
+def clear(steps, direction, a, b, least):
+    """From A to B it is so far along a direction, which is in units of its length."""
+    (n, _, unit), d = least, common(direction)[0]
+    (last, e, _), (first, f, _) = reach(steps, "clear", a, d), reach(steps, "clear", b, [-n for n in d])
+    last, first = aligned(last, e, -first, f)
+    gap, wanted = aligned((first - last) ** 2, 2 * min(e, f), n * n * dot(d, d), 2 * unit)
+    require(first > last and gap >= wanted, "clear", "along the direction they are nearer")
+
+
+def nearer(steps, from_a, to_b, least):
+    """Two points are less far apart."""
+    steps.take(16, length(from_a) + length(to_b), length(from_a) + length(to_b))
+    (n, _, unit), p, q = least, projective(from_a), projective(to_b)
+    way = [y * p[-1] - x * q[-1] for x, y in zip(p, q[:-1])]
+    square, limit = aligned(dot(way, way), 0, (n * p[-1] * q[-1]) ** 2, 2 * unit)
+    require(square < limit, "nearer", "the points are as far apart")
 
 
 def holds(steps, weights, body, point):
@@ -77,6 +100,25 @@ def inside(steps, weights, body, point):
             basis.append((row, next(axis for axis, x in enumerate(row) if x)))
         if len(basis) > body.dimension:
             break
+
+
+def each_pair(steps, members, groups, besides, allowed, proved, contacts):
+    """Of each two members of different groups, but for some, a statement before tells whether they meet; these do."""
+    besides, left, of_group = {*map(tuple, besides)}, {*map(tuple, contacts)}, {}
+    counts = {"overlapping"} if allowed else {"meet", "touching", "overlapping"}
+    for i, group in zip(range(len(members)), groups):
+        of_group.setdefault(group, []).append(i)
+    for first, second in itertools.combinations([those for _, those in sorted(of_group.items())], 2):
+        for pair in itertools.product(first, second):
+            steps.take(4, 1, 1)
+            pair = tuple(sorted(pair))
+            if pair not in besides:
+                (a, b) = (members[k] for k in pair)
+                known = proved.get((a, b), set()) | proved.get((b, a), set())
+                is_known = known & (counts if pair in left else {"apart", "touching"} if allowed else {"apart"})
+                require(is_known, "each_pair", "of %d and %d this is not proved before" % pair)
+                left.discard(pair)
+    require(not left, "each_pair", "a pair is listed that is not asked about")
 
 
 # ---- Linear constraints: half-planes a x + b y <= c as integers (a, b, c, exponent of all three).

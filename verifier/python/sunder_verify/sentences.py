@@ -7,6 +7,8 @@ SENTENCES = {  # of the members that a statement has
     "pair": {"apart": "{a} and {b} are apart", "meet": "{a} and {b} meet at {point}",
              "touching": "{a} and {b} touch at {point}", "overlapping": "{a} and {b} overlap at {point}"},
     "distance": {"closest": "{a} and {b} are closest at {from_a} and {to_b}"},
+    "clearance": {"kept": "{a} and {b} are {least} apart, or more",
+                  "broken": "{a} and {b} are nearer than {least}, at {from_a} and {to_b}"},
     "segments": {"some": "segments {i} and {j} meet at {point}: {kind}", "none": "no two segments meet"},
     "circles": {"some": "circles {i} and {j} meet at {point}: {kind}", "none": "no two circles meet"},
     "polygons": {"some": "polygons {i} and {j} meet at {point}", "none": "no two polygons meet"},
@@ -19,9 +21,10 @@ SENTENCES = {  # of the members that a statement has
         "region": "the common part of the circles is a region around {point}, bounded by arcs of {arcs}"},
     "valid": {"valid": "polygons {parts}: {rule}", "too_few_points": "ring {ring} has too few points",
               "edges_meet": "edges {i} and {j} meet at {point}: {kind}",
-              "comes_twice": "ring {ring} comes twice to {point}", "misplaced": "ring {ring} is misplaced at {point}",
-              "circle": "rings {rings} close a circle", "repeated": "edge {edge} has no length",
-              "rings_touch": "rings {ring} and {other} touch at {point}"},
+              "comes_twice": "ring {ring} comes twice to {point}",
+              "crosses": "ring {ring} crosses itself at {point}", "falls_apart": "one falls apart",
+              "misplaced": "ring {ring} is misplaced at {point}", "circle": "rings {rings} close a circle",
+              "repeated": "edge {edge} has no length", "rings_touch": "rings {ring} and {other} touch at {point}"},
     "linear_program": {"one": "{point} is the best point along {objective}",
                        "many": "{point} is one of many best points along {objective}",
                        "all": "{point} is as good as all others along {objective}",
@@ -66,4 +69,8 @@ def sentence(item, names):
     rules = [said["allowed"] + " allowed"] if said.get("allowed", "nothing") != "nothing" else []
     if "groups" in item:
         rules.append("members of one of %d groups may meet" % len(set(item["groups"])))
+    if item.get("members"):
+        rules.append("members: " + said["members"])
+    if item.get("except"):
+        rules.append("not asked about: " + said["except"])
     return text + (" (%s)" % ", ".join(rules) if rules else "")

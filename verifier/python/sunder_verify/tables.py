@@ -1,4 +1,6 @@
 """The tables of a certificate file, as integers: docs/claims.md, "Tables". Everything that is required is the form."""
+import functools
+import itertools
 import operator
 
 from .reader import LIST, anything, bits, common, double, form, index, list_of, members, numbers, text_of
@@ -116,6 +118,7 @@ class Polygons(list):
 
     def __init__(self, polygons, exponent):
         super().__init__(polygons)
+        self.last = None
         self.rings = [ring for polygon in self for ring in polygon]
         self.edges = Segments([edge for ring in self.rings for edge in ring], exponent)
         self.part = [i for i, polygon in enumerate(self) for _ in polygon]  # of each ring its polygon
@@ -124,9 +127,22 @@ class Polygons(list):
         self.shell = {i: r for r, i in reversed([*enumerate(self.part)])}  # of each polygon its first ring
         self.flat = {i for i, polygon in enumerate(self) if sum(map(len, polygon)) < 3}  # points and segments
 
-    def some(self, which):
-        """Some of them, numbered anew."""
-        return Polygons([self[i] for i in which], self.edges.exponent)
+    def some(self, steps, which):
+        """Some of them, numbered anew. Statements that follow each other are mostly about the same."""
+        if self.last is None or self.last[0] != which:
+            some = [self[i] for i in which]
+            steps.take(20 * sum(map(len, itertools.chain(*some))), 1, 1)
+            self.last = which, Polygons(some, self.edges.exponent)
+        return self.last[1]
+
+    @functools.cached_property
+    def beside(self):
+        """Of each edge of some length those before and after it on its ring, those of no length left out."""
+        result = {}
+        for _, ring in itertools.groupby(range(len(self.edges)), self.ring.__getitem__):
+            ring = [s for s in ring if self.edges[s][0] != self.edges[s][1]]
+            result.update(zip(ring, zip(ring[-1:] + ring[:-1], ring[1:] + ring[:1])))
+        return result
 
     def edges_of(self, i):
         return [edge for ring in self[i] for edge in ring]

@@ -129,18 +129,19 @@ class Twins:
             self.compare()
         return said
 
-    def force(self, top):
-        """The same of a file about which the test knows whether it is true. Counted if its form is right."""
+    def force(self, top, at=-1):
+        """The same of a file about which the test knows whether it is true. Counted, as a try of the statement that
+        stands there, if its form is right."""
         said = self.look(top)
-        if said not in ("F", "not checked") and len(top["statements"]) == 1:
-            key = top["statements"][0]["question"], top["statements"][0]["verdict"]
+        if said not in ("F", "not checked"):
+            key = top["statements"][at]["question"], top["statements"][at]["verdict"]
             TRIED[FORCED][key] += 1
             TRIED["accepted"][key] += said == "accepted"
         return said
 
     def spoil(self, top, dice):
         """Both checkers look at a file with a change anywhere, and at one with a change in the statements."""
-        key = top["statements"][0]["question"], top["statements"][0]["verdict"]
+        key = top["statements"][-1]["question"], top["statements"][-1]["verdict"]
         for change in (spoilt, spoilt_in_statements):
             self.look(change(top, dice))
             TRIED[MUTANT][key] += 1

@@ -126,6 +126,24 @@ def fan(n):
     return swept(rows, first + [[-1, -1, *range(n)]] + [[2 * i + 1, -1] for i in range(n)], groups=[1] * n)
 
 
+def parts_in_turns(n, count, parts=([0], [0, 1])):
+    """Short statements about parts that are long, each other one about others."""
+    return claimed("polygons", [[parabola(n), [["0x0p0", "0x0p0"]]], [[["0x0p0", "0x0p0"]]]],
+                   *[{"question": "valid", "parts": parts[k % len(parts)], "rule": "valid", "verdict": "too_few_points", "ring": 1,
+                      "claims": [{"claim": "too_few_points"}]} for k in range(count)])
+
+
+def all_pairs(n, groups):
+    return {"question": "bodies", "members": list(range(n)), "allowed": "nothing", "groups": list(groups), "except": [],
+            "verdict": "these", "contacts": [], "claims": [{"claim": "each_pair"}]}
+
+
+def broken(long):
+    holds = {"claim": "holds", "weights": [[0, "1"]]}
+    return {"question": "clearance", "a": 1, "b": 1, "least": "0x1p0", "verdict": "broken", "from_a": ["1/" + long, "0", "0"],
+            "to_b": ["0", "1/" + long, "1"], "claims": [holds, holds, {"claim": "nearer"}]}
+
+
 HOSTILE = {  # about 1 MB each, but for those that need less
     "many pairs of a large body": lambda: bodies([ZEROS] * 18000, [apart(["1", "0", "0"])] * 5500),
     "the same, long integers": lambda: bodies([EXTREME] * 12000, [apart(["1", "0", "0"])] * 4500),
@@ -158,6 +176,13 @@ HOSTILE = {  # about 1 MB each, but for those that need less
     "long points in two discs": lambda: claimed(
         "circles", [["0x0p0", "0x0p0", "0x1p0"]] * 2,
         *[some_of("circles", ["1/" + digits(900), "0"], 1, kind="inside")[0] for _ in range(900)]),
+    "parts of a large polygon, in turns": lambda: parts_in_turns(12000, 5000),
+    "parts of a large polygon, in one way": lambda: parts_in_turns(12000, 5000, [[0]]),
+    "many members": lambda: claimed("bodies", [{"name": "a", "points": [ZEROS]}] * 12000,
+                                    *[all_pairs(12000, range(12000))] * 3),
+    "members of few groups": lambda: claimed("bodies", [{"name": "a", "points": [ZEROS]}] * 12000,
+                                             *[all_pairs(12000, [i % 2 for i in range(12000)])] * 4),
+    "clearances of long points": lambda: bodies([EXTREME] * 2, [broken(digits(9000))] * 25),
     "linear programs": lambda: claimed("half_planes", [["0x1p0", "0x0p0", "0x0p0"]] * 18000,
                                        *[unbounded(["0", "0"])] * 2500),
     "linear programs with long points": lambda: claimed(

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Tests of statements about pairs against an exact simplex method: python3 verifier/python/tests/test_pairs.py."""
 import json
+import math
 import unittest
 from fractions import Fraction
 
@@ -297,6 +298,65 @@ class PairsTest(unittest.TestCase):
         self.assertEqual(twins.look(distance_file(one, [(0, Fraction(1))], [(0, Fraction(1))])), "accepted")
         one[1].ways = [[-1, 1]]
         self.assertEqual(twins.look(distance_file(one, [(0, Fraction(1))], [(0, Fraction(1))])), "slab")
+        twins.compare()
+
+    def test_clearance(self):
+        """Bodies are so far apart, or they are not: what is accepted is true, and one of both can be proved."""
+        dice, twins, exactly_so = dice_of(16), Twins(self), 0
+        while lacking(FORCED, "clearance") or lacking(MUTANT, "clearance"):
+            bodies = [Body(dice, 2) for _ in range(2)]
+            shift = [dice.randint(-5, 5) for _ in range(2)]
+            bodies[0].ways, bodies[1].ways = [], []
+            bodies[1].points = [[x + y for x, y in zip(point, shift)] for point in bodies[1].points]
+            a, b = bodies
+            known = honest(bodies, 0, 1)
+            pairs = list(feet(a.points, b.points)) + [(p, q) for q, p in feet(b.points, a.points)]
+            pairs.sort(key=lambda pair: square_between(place(a.points, pair[0]), place(b.points, pair[1])))
+            best = square_between(place(a.points, pairs[0][0]), place(b.points, pairs[0][1]))
+            best = Fraction(0) if known["verdict"] == "meet" else best
+            least = dice.choice([1, 2, 3, 5, Fraction(1, 2), Fraction(5, 4)])
+            root = Fraction(math.isqrt(best.numerator), math.isqrt(best.denominator))
+            if root and root * root == best and root.denominator in (1, 2, 4, 8):
+                least = root
+            table = {"bodies": [body.entry("body") for body in bodies]}
+            start = {"question": "clearance", "a": 0, "b": 1, "least": float(least).hex()}
+            proved = set()
+            exactly_so += best == least ** 2
+            tries = pairs[:1] + dice.sample(pairs, min(3, len(pairs)))
+            tops = []
+            for p, q in tries:
+                points = place(a.points, p), place(b.points, q)
+                direction = [fraction(y - x) for x, y in zip(*points)]
+                tops.append(file_of(table, {**start, "verdict": "kept", "claims": [{"claim": "clear", "direction": direction}]}))
+                claims = [{"claim": "holds", "weights": [[k, fraction(w)] for k, w in weights]} for weights in (p, q)]
+                tops.append(file_of(table, {**start, "verdict": "broken", "from_a": [fraction(x) for x in points[0]],
+                                            "to_b": [fraction(x) for x in points[1]], "claims": claims + [{"claim": "nearer"}]}))
+            if known["verdict"] == "meet":
+                tops.append(file_of(table, {**start, "verdict": "broken", "from_a": known["point"], "to_b": known["point"],
+                                            "claims": known["claims"] + [{"claim": "nearer"}]}))
+            for top in tops:
+                verdict = top["statements"][0]["verdict"]
+                if twins.force(top) == "accepted":
+                    proved.add(verdict)
+                if dice.random() < .1:
+                    twins.spoil(top, dice)
+            self.assertEqual(proved, {"kept" if best >= least ** 2 else "broken"}, (tops, best))
+        twins.compare()
+        self.assertTrue(some(100) < 100 or exactly_so > 0)
+
+    def test_clearance_with_ways(self):
+        """What leads on from one body towards the other is seen."""
+        twins = Twins(self)
+        for way, said in (("-0x1p+0", "accepted"), ("0x1p+0", "clear")):
+            point, other = ["0x0p+0", "0x0p+0"], ["0x1p+2", "0x0p+0"]
+            for which in (0, 1):
+                bodies = [{"name": "a", "points": [point]}, {"name": "b", "points": [other]}]
+                bodies[which]["ways"] = [[way if which == 0 else ("-" + way).replace("--", ""), "0x1p+0"]]
+                for direction, least, wanted in ((["1", "0"], "0x1p+2", said), (["0", "0"], "0x1p+2", "clear"),
+                                                 (["1/7", "0"], "0x1.0000000000001p+2", "clear"), (["1", "0"], "0x0p+0", "F")):
+                    top = file_of({"bodies": bodies}, {"question": "clearance", "a": 0, "b": 1, "least": least, "verdict": "kept",
+                                                       "claims": [{"claim": "clear", "direction": direction}]})
+                    self.assertEqual(twins.look(top), wanted, top)
         twins.compare()
 
     def test_ways_as_arrows(self):

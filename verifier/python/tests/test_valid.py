@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Tests of statements about validity against fractions and brute force: python3 verifier/python/tests/test_valid.py."""
+import functools
 import itertools
 import unittest
 from fractions import Fraction
@@ -7,6 +8,22 @@ from fractions import Fraction
 from files import FORCED, MUTANT, Twins, dice_of, file_of, fraction, lacking, main, some
 from test_polygons import edges_of, holds, parts_of, table_of
 from test_segments import factor_of, forced, is_on, kind_of, stretched, sweep
+
+SELF_TOUCH = "valid-with-self-touch"
+RULES = ["valid", "simple", SELF_TOUCH]
+TOUCHING = [  # rings that come to a point again
+    [(0, 0), (4, 0), (4, 4), (2, 0), (0, 4)],                          # a corner on an edge
+    [(0, 0), (4, 0), (4, 4), (2, 4), (3, 2), (1, 2), (2, 4), (0, 4)],  # a pocket
+    [(0, 0), (4, 0), (4, 4), (2, 4), (1, 2), (3, 2), (2, 4), (0, 4)],  # a loop inside that is crossed into
+    [(0, 0), (2, 1), (4, 0), (4, 2), (2, 1), (0, 2)],                  # side by side
+    [(0, 0), (2, 1), (4, 2), (4, 0), (2, 1), (0, 2)],                  # the same, crossed
+    [(0, 0), (4, 0), (4, 4), (2, 4), (3, 3), (2, 2), (1, 3), (2, 4), (1, 3), (2, 2), (2, 1), (0, 4)],
+    [(0, 0), (6, 0), (3, 2), (2, 1), (4, 1), (3, 2), (3, 3), (4, 4), (2, 4), (3, 3), (0, 6)],
+    [(0, 0), (6, 0), (6, 2), (3, 2), (3, 3), (6, 2), (6, 6), (0, 6), (0, 3), (3, 3), (3, 2), (0, 3)],
+    [(0, 0), (6, 0), (6, 6), (0, 6), (0, 3), (2, 4), (4, 3), (2, 2), (0, 3)],
+    [(0, 0), (6, 0), (6, 6), (3, 6), (1, 3), (3, 0), (5, 3), (3, 6), (0, 6)],
+    [(0, 0), (6, 0), (6, 6), (3, 6), (2, 4), (3, 2), (4, 4), (3, 6), (5, 4), (3, 1), (1, 4), (3, 6), (0, 6)],
+]
 
 
 def ordinate(edge, x):
@@ -53,9 +70,38 @@ def pieces_of(columns, xs, is_inside, edges):
     return len({find(cell) for cell in inside})
 
 
+def order_around(ways):
+    """Directions counter-clockwise, those alike together."""
+    def is_lower(u):
+        return u[1] < 0 or (u[1] == 0 and u[0] < 0)
+
+    def compare(u, v):
+        return is_lower(u) - is_lower(v) or v[0] * u[1] - v[1] * u[0]
+    return sorted(ways, key=functools.cmp_to_key(compare))
+
+
+def crosses_itself(vertices, points):
+    """Do two ways of a ring, whose vertices differ from the ones before, cross in one of its points?"""
+    for p in points:
+        ways = []
+        for k, q in enumerate(vertices):
+            before, after = vertices[k - 1], vertices[(k + 1) % len(vertices)]
+            if q == p:
+                ways.append((before, after))
+            elif after != p and is_on(tuple(sorted((q, after))), p):
+                ways.append((q, after))
+        ways = [tuple((x - p[0], y - p[1]) for x, y in way) for way in ways]
+        order = order_around([end for way in ways for end in way])
+        for a, b in itertools.combinations(ways, 2):
+            (i, k), between = sorted(map(order.index, a)), [order.index(end) for end in b]
+            if sum(i < m < k for m in between) == 1:
+                return True
+    return False
+
+
 def is_valid(parts, rule):
-    """By definition: rings simple, no pieces in common, each part its shell without its holes, which are side by side;
-    parts hang together, and are side by side."""
+    """By definition: rings simple, or touching themselves, no pieces in common, each part its shell without its holes,
+    which are side by side; parts hang together, and are side by side."""
     if not all(parts):
         return False
     rings = [[edges_of([ring]) for ring in part] for part in parts]
@@ -64,9 +110,14 @@ def is_valid(parts, rule):
             if rule == "simple" and any(a == b for a, b in ring):
                 return False
             kept = [p for k, p in enumerate(vertices) if p != vertices[k - 1]]
-            if len(set(kept)) < 3 or len(set(kept)) < len(kept):
+            if len(set(kept)) < 3 or (len(set(kept)) < len(kept) and rule != SELF_TOUCH):
                 return False
             edges = list(zip(kept, kept[1:] + kept[:1]))
+            if rule == SELF_TOUCH:
+                if any(kind_of(tuple(sorted(s)), tuple(sorted(t))) in ("overlap", "crossing")
+                       for s, t in itertools.combinations(edges, 2)) or crosses_itself(kept, set(kept)):
+                    return False
+                continue
             for (k, s), (m, t) in itertools.combinations(enumerate(edges), 2):
                 kind = kind_of(tuple(sorted(s)), tuple(sorted(t)))
                 if kind and not (kind == "shared-endpoint" and (m == k + 1 or (k == 0 and m == len(edges) - 1))):
@@ -103,7 +154,12 @@ def is_valid(parts, rule):
 
 def some_ring(dice, x, y, size):
     throw = dice.random()
-    if throw < .3:
+    if throw < .12:
+        ring = [(x + p, y + q) for p, q in dice.choice(TOUCHING)]
+        if dice.random() < .3:
+            k = dice.randrange(len(ring))
+            ring[k] = (x + dice.randint(0, 4), y + dice.randint(0, 4))
+    elif throw < .3:
         w, h = dice.randint(1, size), dice.randint(1, size)
         ring = [(x, y), (x + w, y), (x + w, y + h), (x, y + h)]
     elif throw < .5:
@@ -145,8 +201,9 @@ def statement_of(parts, rule, events):
 
 def defect_of(parts, rule, verdict, **says):
     claim = "contact" if verdict == "edges_meet" else verdict
+    brings = {"events": sweep(edges_in(parts))} if verdict == "falls_apart" else {}
     return file_of(table_of(parts), {"question": "valid", "parts": list(range(len(parts))), "rule": rule,
-                                     "verdict": verdict, **says, "claims": [{"claim": claim}]})
+                                     "verdict": verdict, **says, "claims": [{"claim": claim, **brings}]})
 
 
 def circles_of(rings, of_part, touching):
@@ -185,6 +242,10 @@ def defects(parts, rule):
         for point in middles:
             if any(is_on(edge, point) for edge in ring):
                 yield defect_of(parts, rule, "misplaced", ring=r, point=text_of(point))
+        for point in points:
+            if any(is_on(edge, point) for edge in ring):
+                yield defect_of(parts, rule, "crosses", ring=r, point=text_of(point))
+    yield defect_of(parts, rule, "falls_apart")
     for (i, s), (j, t) in itertools.combinations(enumerate(edges), 2):
         kind, on_both = kind_of(s, t), [p for p in points if is_on(s, p) and is_on(t, p)]
         if kind and on_both:
@@ -213,7 +274,8 @@ def edges_in(parts):
     return [edge for part in parts for edge in edges_of(part)]
 
 
-DEFECTS = {"too_few_points", "edges_meet", "comes_twice", "misplaced", "circle", "repeated", "rings_touch"}
+DEFECTS = {"too_few_points", "edges_meet", "comes_twice", "crosses", "misplaced", "circle", "falls_apart", "repeated",
+           "rings_touch"}
 
 
 class ValidTest(unittest.TestCase):
@@ -222,7 +284,7 @@ class ValidTest(unittest.TestCase):
         while twins.count < some(2000):
             parts = some_parts(dice)
             events = sweep(edges_in(parts))
-            for rule in ("valid", "simple"):
+            for rule in RULES:
                 wanted = "accepted" if is_valid(parts, rule) else "valid"
                 self.assertEqual(twins.look(statement_of(parts, rule, events)), wanted, (parts, rule))
         twins.compare()
@@ -231,7 +293,7 @@ class ValidTest(unittest.TestCase):
     def test_each_defect_is_proved_and_none_that_is_not_there(self):
         dice, twins, accepted = dice_of(4), Twins(self), set()
         while DEFECTS & set(lacking(FORCED, "valid")) or twins.count < some(8000):
-            parts, rule = some_parts(dice), dice.choice(["valid", "simple"])
+            parts, rule = some_parts(dice), dice.choice(RULES)
             if not all(parts):
                 continue
             truth, found, are_all = is_valid(parts, rule), False, twins.count < some(8000)
@@ -261,7 +323,7 @@ class ValidTest(unittest.TestCase):
     def test_no_forced_sweep_proves_what_is_not_so(self):
         dice, twins, accepted = dice_of(2), Twins(self), 0
         while "valid" in lacking(FORCED, "valid") or twins.count < some(2000):
-            parts, rule = some_parts(dice), dice.choice(["valid", "simple"])
+            parts, rule = some_parts(dice), dice.choice(RULES)
             truth, events = is_valid(parts, rule), sweep(edges_in(parts))
             if not events:
                 continue
@@ -275,7 +337,7 @@ class ValidTest(unittest.TestCase):
     def test_the_twins_agree_on_spoilt_files(self):
         dice, twins = dice_of(3), Twins(self)
         while lacking(MUTANT, "valid"):
-            parts, rule = some_parts(dice), dice.choice(["valid", "simple"])
+            parts, rule = some_parts(dice), dice.choice(RULES)
             if "valid" in lacking(MUTANT, "valid"):
                 twins.spoil(statement_of(parts, rule, sweep(edges_in(parts))), dice)
             for top in defects(parts, rule):

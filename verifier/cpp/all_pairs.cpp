@@ -1,0 +1,61 @@
+// The rule that what is said of many bodies has been proved pair by pair: docs/claims.md, "each_pair".
+#include <verifier/cpp/rules.h>
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace sunder_verifier {
+namespace {
+
+using IndexPair = std::pair<std::size_t, std::size_t>;
+
+IndexPair in_order(std::size_t i, std::size_t j) { return {std::min(i, j), std::max(i, j)}; }
+
+ProvedPair known_of(const ProvedPairs& proved, std::size_t a, std::size_t b) {
+  ProvedPair result;
+  for (const IndexPair& pair : {IndexPair{a, b}, IndexPair{b, a}}) {
+    const auto found = proved.find(pair);
+    if (found == proved.end()) continue;
+    result.is_apart |= found->second.is_apart;
+    result.meet |= found->second.meet;
+    result.touch |= found->second.touch;
+    result.overlap |= found->second.overlap;
+  }
+  return result;
+}
+
+}  // namespace
+
+void check_each_pair(const AllPairs& pairs, const std::vector<std::int64_t>& groups, const AllowedContacts& allowed,
+                     const ProvedPairs& proved, const std::vector<StatedContact>& contacts) {
+  std::map<std::int64_t, std::vector<std::size_t>> of_group;
+  for (std::size_t i = 0; i < pairs.members.size(); ++i) {
+    of_group[groups.empty() ? static_cast<std::int64_t>(i) : groups[i]].push_back(i);
+  }
+  const std::set<IndexPair> besides(pairs.besides.begin(), pairs.besides.end());
+  std::set<IndexPair> left;
+  for (const StatedContact& contact : contacts) left.emplace(contact.i, contact.j);
+  const auto look_at = [&](std::size_t i, std::size_t j) {
+    take_steps(4, 1, 1);
+    const IndexPair pair = in_order(i, j);
+    if (besides.contains(pair)) return;
+    const ProvedPair known = known_of(proved, pairs.members[i], pairs.members[j]);
+    const bool counts = known.overlap || (!allowed.shared_endpoint && (known.meet || known.touch));
+    const bool does_not_count = known.is_apart || (allowed.shared_endpoint && known.touch);
+    require(left.erase(pair) > 0 ? counts : does_not_count, "each_pair",
+            "of " + std::to_string(pair.first) + " and " + std::to_string(pair.second) + " this is not proved before");
+  };
+  for (auto first = of_group.begin(); first != of_group.end(); ++first) {
+    for (auto second = std::next(first); second != of_group.end(); ++second) {
+      for (const std::size_t i : first->second) {
+        for (const std::size_t j : second->second) look_at(i, j);
+      }
+    }
+  }
+  require(left.empty(), "each_pair", "a pair is listed that is not asked about");
+}
+
+}  // namespace sunder_verifier

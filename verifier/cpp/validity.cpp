@@ -1,0 +1,339 @@
+// Rules about valid polygons, and about what is wrong with others: docs/claims.md, "Valid polygons".
+#include <verifier/cpp/reader.h>
+#include <verifier/cpp/rules.h>
+#include <verifier/cpp/sets.h>
+#include <verifier/cpp/sweep.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace sunder_verifier {
+namespace {
+
+// Of a label, whose rings stand by parts, the shell of a part first: may they have a common point inside, which is so
+// if of each part there is its shell, and one hole, and one shell without; and the parts of which there is the shell
+// alone.
+struct Filling {
+  bool fits = true;
+  Set alone;
+};
+
+Filling filling(const PartTable& parts, const Set& label) {
+  Filling result;
+  for (std::size_t k = 0; k < label.size();) {
+    const std::size_t part = parts.part[label[k]], begin = k;
+    while (k < label.size() && parts.part[label[k]] == part) ++k;
+    const bool has_shell = label[begin] == parts.shell[part];
+    result.fits = result.fits && k - begin <= 2 && has_shell;
+    if (k - begin == 1 && has_shell) result.alone.push_back(part);
+  }
+  result.fits = result.fits && result.alone.size() <= 1;
+  return result;
+}
+
+// Of each edge of some length those before and after it on its ring, those of no length left out.
+using Neighbours = std::vector<std::array<std::size_t, 2>>;
+
+Neighbours neighbours_of(const PartTable& parts, std::span<const EdgeRange> rings) {
+  const std::vector<PlanarSegment>& edges = parts.polygons.edges;
+  Neighbours beside(edges.size());
+  for (const EdgeRange& ring : rings) {
+    std::vector<std::size_t> on;
+    for (std::size_t k = ring.begin; k < ring.end; ++k) {
+      if (!is_point(edges[k])) on.push_back(k);
+    }
+    for (std::size_t k = 0; k < on.size(); ++k) {
+      beside[on[k]] = {on[k == 0 ? on.size() - 1 : k - 1], on[k + 1 == on.size() ? 0 : k + 1]};
+    }
+  }
+  return beside;
+}
+
+// Of the edges around a point, one that passes twice: does each way of a ring through it have, on either side, all of
+// another one, or nothing?
+bool is_nested(const Neighbours& beside, const std::vector<std::size_t>& ways) {
+  std::vector<std::size_t> begun;
+  for (const std::size_t s : ways) {
+    const bool ends =
+        !begun.empty() && (begun.back() == s || begun.back() == beside[s][0] || begun.back() == beside[s][1]);
+    if (ends) {
+      begun.pop_back();
+    } else {
+      begun.push_back(s);
+    }
+  }
+  return begun.empty();
+}
+
+// Goes through a sweep of all edges, with the rings that cover what is just above each edge of the list, and counts in
+// how many pieces the inside of each part is.
+class Regions {
+ public:
+  Regions(const Claim& claim, const PartTable& parts)
+      : sweep(claim.events, parts.polygons.edges, parts.polygons.bits),
+        pieces(parts.polygons.rings.size()),
+        parts_(parts),
+        label_(parts.polygons.edges.size()),
+        face_(parts.polygons.edges.size()),
+        joined_{0} {}
+
+  Sweep sweep;
+  std::vector<std::size_t> going;  // edges of some length
+  bool fit = true;                 // all labels so far
+  std::vector<std::size_t> pieces;
+
+  bool next() {
+    if (!sweep.next()) return false;
+    going.clear();
+    for (const std::size_t* s = sweep.row; s != sweep.row_end; ++s) {
+      if (!is_point(parts_.polygons.edges[*s])) going.push_back(*s);
+    }
+    const std::size_t lower = sweep.below == no_index ? 0 : face_[sweep.below];
+    const std::size_t upper = sweep.here.empty() ? lower : face_[sweep.here.back()];
+    look_at_labels();
+    for (std::size_t k = 0; k + 1 < going.size(); ++k) {
+      face_[going[k]] = joined_.size();
+      joined_.push_back(joined_.size());
+      for (const std::size_t part : filling(parts_, label_[going[k]]).alone) ++pieces[part];
+    }
+    if (going.empty()) {
+      join(lower, upper);
+    } else {
+      face_[going.back()] = upper;
+    }
+    return true;
+  }
+
+ private:
+  const Set& label_below() const { return sweep.below == no_index ? nothing_ : label_[sweep.below]; }
+
+  void look_at_labels() {
+    const Set* label = &label_below();
+    std::uint64_t looks = label->size();
+    for (const std::size_t s : sweep.here) label_[s] = {};
+    for (const std::size_t s : going) {
+      label_[s] = toggled(*label, parts_.ring_of[s]);
+      label = &label_[s];
+      looks += label->size();
+      fit = fit && filling(parts_, *label).fits;
+    }
+    take_steps(looks, 1, 1);
+  }
+
+  // What is below and what is above the point are one: just right of it nothing is between.
+  void join(std::size_t lower, std::size_t upper) {
+    const std::size_t a = leader(lower), b = leader(upper);
+    if (a == b) return;
+    joined_[b] = a;
+    for (const std::size_t part : filling(parts_, label_below()).alone) --pieces[part];
+  }
+
+  std::size_t leader(std::size_t k) {
+    while (joined_[k] != k) k = joined_[k] = joined_[joined_[k]];
+    return k;
+  }
+
+  const PartTable& parts_;
+  std::vector<Set> label_;         // of what is just above each edge in the list
+  std::vector<std::size_t> face_;  // likewise
+  const Set nothing_;
+  std::vector<std::size_t> joined_;  // of each face one that it is one with, or itself
+};
+
+class Validity {
+ public:
+  Validity(const Claim& claim, const PartTable& parts, ValidRule rule)
+      : parts_(parts), rule_(rule), regions_(claim, parts), seen_(parts.rings.size()) {
+    if (rule == ValidRule::with_self_touch) beside_ = neighbours_of(parts, parts.rings);
+  }
+
+  void check() {
+    while (regions_.next()) {
+      look_at_edges();
+      require(regions_.fit, "valid", "a ring is misplaced");
+      look_at_rings();
+    }
+    const bool all_seen = std::find(seen_.begin(), seen_.end(), false) == seen_.end();
+    const bool all_filled = std::none_of(parts_.polygons.rings.begin(), parts_.polygons.rings.end(),
+                                         [](const auto& p) { return p.empty(); });
+    require(all_seen && all_filled, "valid", "a ring is one point, or a part has none");
+    const bool all_whole =
+        std::all_of(regions_.pieces.begin(), regions_.pieces.end(), [](std::size_t n) { return n == 1; });
+    require(all_whole, "valid", "a part falls apart");
+  }
+
+ private:
+  // What goes on, no two along one line; and rings come to the point once, or do not cross there.
+  void look_at_edges() {
+    const std::vector<PlanarSegment>& edges = parts_.polygons.edges;
+    const std::vector<std::size_t>& going = regions_.going;
+    const Sweep& sweep = regions_.sweep;
+    const bool has_points = going.size() < static_cast<std::size_t>(sweep.row_end - sweep.row);
+    require(rule_ != ValidRule::simple || !has_points, "valid", "a vertex is repeated");
+    std::vector<std::size_t> ends;
+    for (const std::size_t s : sweep.here) ends.push_back(parts_.ring_of[s]);
+    for (const std::size_t s : going) ends.push_back(parts_.ring_of[s]);
+    at_ = as_set(ends);
+    std::sort(ends.begin(), ends.end());
+    bool twice = ends.size() == 2 * at_.size();
+    for (std::size_t k = 0; twice && k < at_.size(); ++k) twice = ends[2 * k] == ends[2 * k + 1];
+    require(twice || rule_ == ValidRule::with_self_touch, "valid", "a ring comes twice to a point");
+    for (std::size_t k = 1; k < going.size(); ++k) {
+      require(turn(edges[going[k - 1]], edges[going[k]]) != 0, "valid", "edges go on along one line");
+    }
+    if (twice) return;
+    std::vector<std::size_t> ways = going;
+    ways.insert(ways.end(), sweep.here.rbegin(), sweep.here.rend());
+    require(is_nested(beside_, ways), "valid", "a ring crosses itself");
+  }
+
+  void look_at_rings() {
+    for (std::size_t k = 0; k < at_.size(); ++k) {
+      seen_[at_[k]] = true;
+      const bool is_second = k > 0 && parts_.part[at_[k]] == parts_.part[at_[k - 1]];
+      require(rule_ != ValidRule::simple || !is_second, "valid", "two rings of a part touch");
+    }
+  }
+
+  const PartTable& parts_;
+  const ValidRule rule_;
+  Regions regions_;
+  Neighbours beside_;
+  std::vector<bool> seen_;
+  Set at_;  // rings
+};
+
+// Where a point is seen from a ring.
+struct AtRing {
+  SweepPoint place;
+  std::vector<std::size_t> edges;  // of some length, that hold the point
+};
+
+// Requires, by a rule, that an edge of some length holds the point.
+AtRing at_ring(const char* rule, const PartTable& parts, std::size_t ring, const Numbers& point) {
+  const EdgeRange& edges = parts.rings[ring];
+  take_steps(4 * (edges.end - edges.begin), length(point), parts.polygons.bits);
+  AtRing at{place_in_units(point, parts.polygons.exponent), {}};
+  for (std::size_t k = edges.begin; k < edges.end; ++k) {
+    const PlanarSegment& edge = parts.polygons.edges[k];
+    if (!is_point(edge) && is_on(edge, at.place)) at.edges.push_back(k);
+  }
+  require(!at.edges.empty(), rule, "the point is not on ring " + std::to_string(ring));
+  return at;
+}
+
+// Is the first point of two lexicographically before the other?
+struct IsBefore {
+  bool operator()(const SweepPoint& p, const SweepPoint& q) const { return is_before(p, q); }
+};
+
+// A way from a point along an edge.
+struct WayAlong {
+  Integer x, y;
+  std::size_t edge;
+
+  bool is_upper() const { return y.sign() > 0 || (y.sign() == 0 && x.sign() > 0); }  // by less than half a turn
+};
+
+// By bearing; of two alike, by edge.
+bool is_before(const WayAlong& p, const WayAlong& q) {
+  if (p.is_upper() != q.is_upper()) return p.is_upper();
+  const Integer turn = p.x * q.y - p.y * q.x;
+  return turn > 0 || (turn == 0 && p.edge < q.edge);
+}
+
+}  // namespace
+
+void check_valid(const Claim& claim, const PartTable& parts, ValidRule rule) { Validity(claim, parts, rule).check(); }
+
+void check_falls_apart(const Claim& claim, const PartTable& parts) {
+  Regions regions(claim, parts);
+  while (regions.next()) {
+  }
+  const bool apart = std::any_of(regions.pieces.begin(), regions.pieces.end(), [](std::size_t n) { return n > 1; });
+  require(apart, "falls_apart", "no part falls apart");
+}
+
+void check_too_few_points(const PartTable& parts, std::size_t ring) {
+  const EdgeRange& edges = parts.rings[ring];
+  take_steps(2 * (edges.end - edges.begin), parts.polygons.bits, 1);
+  std::set<SweepPoint, IsBefore> ends;
+  for (std::size_t k = edges.begin; k < edges.end; ++k) {
+    ends.insert(place_of(parts.polygons.edges[k].first));
+    ends.insert(place_of(parts.polygons.edges[k].last));
+  }
+  require(ends.size() < 3, "too_few_points", "ring " + std::to_string(ring) + " has three different vertices");
+}
+
+void check_comes_twice(const PartTable& parts, ValidRule rule, std::size_t ring, const Numbers& point) {
+  require(rule != ValidRule::with_self_touch, "comes_twice", "a ring may touch itself");
+  const AtRing at = at_ring("comes_twice", parts, ring, point);
+  std::size_t ends = 0;
+  for (const std::size_t s : at.edges) ends += ends_at(parts.polygons.edges[s], at.place) ? std::size_t{1} : 2;
+  require(ends > 2, "comes_twice", "the ring comes there once");
+}
+
+void check_crosses(const PartTable& parts, std::size_t ring, const Numbers& point) {
+  const AtRing at = at_ring("crosses", parts, ring, point);
+  std::vector<WayAlong> ways;
+  for (const std::size_t s : at.edges) {
+    for (const PlanarPoint* end : {&parts.polygons.edges[s].first, &parts.polygons.edges[s].last}) {
+      if (at.place.is(*end)) continue;
+      ways.push_back({end->x * at.place.w - at.place.x, end->y * at.place.w - at.place.y, s});
+    }
+  }
+  const std::size_t size = length(point) + parts.polygons.bits;
+  take_steps(32 * ways.size(), size, size);
+  std::sort(ways.begin(), ways.end(), [](const WayAlong& p, const WayAlong& q) { return is_before(p, q); });
+  std::vector<std::size_t> around;
+  for (const WayAlong& way : ways) around.push_back(way.edge);
+  const Neighbours beside = neighbours_of(parts, std::span(&parts.rings[ring], 1));
+  require(!is_nested(beside, around), "crosses", "the ring does not cross itself there");
+}
+
+void check_misplaced(const PartTable& parts, std::size_t ring, const Numbers& point) {
+  const SweepPoint place = at_ring("misplaced", parts, ring, point).place;
+  const std::vector<PlanarSegment>& edges = parts.polygons.edges;
+  Set label;
+  for (std::size_t r = 0; r < parts.rings.size(); ++r) {
+    const EdgeRange& own = parts.rings[r];
+    take_steps(4 * (own.end - own.begin), length(point), parts.polygons.bits);
+    if (r == ring) continue;
+    for (std::size_t k = own.begin; k < own.end; ++k) {
+      require(!is_on(edges[k], place), "misplaced", "the point is on ring " + std::to_string(r) + ", too");
+    }
+    if (is_above_odd(edges, std::span(&own, 1), place)) label.push_back(r);
+  }
+  require(!filling(parts, label).fits || !filling(parts, toggled(label, ring)).fits, "misplaced", "rings fit there");
+}
+
+void check_circle(const PartTable& parts, const std::vector<std::size_t>& rings, const std::vector<Numbers>& points) {
+  for (const std::size_t r : rings) {
+    require(parts.part[r] == parts.part[rings[0]], "circle", "the rings are of different parts");
+  }
+  std::set<SweepPoint, IsBefore> places;
+  for (std::size_t k = 0; k < rings.size(); ++k) {
+    at_ring("circle", parts, rings[k], points[k]);
+    places.insert(at_ring("circle", parts, rings[k + 1 < rings.size() ? k + 1 : 0], points[k]).place);
+  }
+  require(places.size() == rings.size(), "circle", "a point stands twice");
+}
+
+void check_repeated(const PartTable& parts, ValidRule rule, std::size_t edge) {
+  require(rule == ValidRule::simple, "repeated", "vertices may be repeated");
+  require(is_point(parts.polygons.edges[edge]), "repeated", "the edge is of some length");
+}
+
+void check_rings_touch(const PartTable& parts, ValidRule rule, std::size_t ring, std::size_t other,
+                       const Numbers& point) {
+  require(rule == ValidRule::simple && ring != other && parts.part[ring] == parts.part[other], "rings_touch",
+          "these may touch");
+  at_ring("rings_touch", parts, ring, point);
+  at_ring("rings_touch", parts, other, point);
+}
+
+}  // namespace sunder_verifier
