@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace sunder::cli {
 
@@ -115,6 +116,14 @@ Object make_object(const io::Mesh& mesh, const std::filesystem::path& file, bool
 
 Object read_object(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out, InputFiles* inputs) {
   return make_object(read_whole(file, left_out, inputs), file, require_convex);
+}
+
+ObjectOfPoints read_object_of_points(const std::filesystem::path& file, LeftOutList& left_out, InputFiles* inputs) {
+  const io::Mesh mesh = read_whole(file, left_out, inputs);
+  const std::vector<std::uint32_t> used = io::used_vertices(mesh);
+  io::Mesh small = without_unused(mesh, used);
+  Object object = object_of(small, {file, used}, false);
+  return {std::move(object), std::move(small.vertices)};
 }
 
 std::vector<Object> read_parts(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out,

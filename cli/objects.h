@@ -45,6 +45,12 @@ Object make_object(const io::Mesh& mesh, const std::filesystem::path& file, bool
 // read into `inputs`, where given. Throws Error also where something is not read, and the list has no consent.
 Object read_object(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out,
                    InputFiles* inputs = nullptr);
+// The same with the points that the hull is of.
+struct ObjectOfPoints {
+  Object object;
+  std::vector<Point3> points;
+};
+ObjectOfPoints read_object_of_points(const std::filesystem::path& file, LeftOutList& left_out, InputFiles* inputs);
 std::vector<Object> read_parts(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out,
                                InputFiles* inputs = nullptr);
 

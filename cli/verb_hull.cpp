@@ -5,19 +5,22 @@
 #include <sunder/io/file.h>
 #include <sunder/io/mesh_write.h>
 #include <sunder/io/text.h>
+#include <sunder/solid/object/hull_json.h>
 
 #include <fmt/format.h>
 #include <CLI/App.hpp>
 
 #include <memory>
 #include <span>
+#include <string>
+#include <string_view>
 
 namespace sunder::cli {
 
 namespace {
 
 struct Call {
-  std::string file, out;
+  std::string file, out, certificate;
   bool leave_out = false;
   bool json = false;
 };
@@ -37,12 +40,24 @@ std::size_t edge_count(const solid::ConvexPolyhedron& hull) {
   return ends / 2;
 }
 
+void prove(const Call& call, const Object& object, std::span<const Point3> points, const Origin& origin) {
+  io::OutputFile out(call.certificate);
+  ClaimsWriter claims([&](std::string_view text) { out.write(text); });
+  claims.add_origin(origin);
+  solid::write_hull(claims, object.name.empty() ? "unnamed" : object.name, points, object.hull);
+  claims.end();
+  out.commit();
+}
+
 int run(const Call& call) {
   const io::MeshFormat format = call.out.empty() ? io::MeshFormat::obj : io::mesh_format_of_name(call.out);
   LeftOutList left_out(call.leave_out);
-  const Object object = read_object(call.file, false, left_out);
+  InputFiles inputs;
+  const auto [object, points] =
+      read_object_of_points(call.file, left_out, call.certificate.empty() ? nullptr : &inputs);
   const solid::ConvexPolyhedron& hull = object.hull;
   if (!call.out.empty()) io::write_file_atomically(call.out, mesh_text(hull, format));
+  if (!call.certificate.empty()) prove(call, object, points, {inputs, left_out.texts()});
 
   const auto [low, high] = hull.box();
   if (call.json) {
@@ -65,6 +80,7 @@ int run(const Call& call) {
   if (object.shape == Shape::hull) text += fmt::format("  mesh      not exactly convex: {}\n", object.why_hull);
   if (object.departure) text += fmt::format("            {}\n", departure_text(object));
   if (!call.out.empty()) text += fmt::format("  written   {}\n", io::one_line(call.out));
+  if (!call.certificate.empty()) text += fmt::format("  proof     {}\n", io::one_line(call.certificate));
   print_for_people(text);
   return exit_code::no;
 }
@@ -76,6 +92,7 @@ void add_hull(CLI::App& program, int& code) {
   CLI::App* verb = program.add_subcommand("hull", "The exact convex hull of a mesh or a set of points.");
   verb->add_option("FILE", call->file, "a mesh or a set of points: OBJ, STL, PLY, OFF")->required();
   verb->add_option("-o,--out", call->out, "write the hull here: .obj, .off, .ply or .stl")->type_name("FILE");
+  verb->add_option("--certificate", call->certificate, "write the proof here")->type_name("FILE");
   verb->add_flag("--leave-out", call->leave_out, leave_out_help);
   verb->add_flag("--json", call->json, "print a report in JSON");
   verb->callback([call, &code] { code = run(*call); });

@@ -300,6 +300,11 @@ void ClaimsWriter::add_fractions_and_index(std::span<const Dyadic> values, const
   text_ += ']';
 }
 
+void ClaimsWriter::add_index(std::uint32_t index) {
+  next();
+  text_ += std::to_string(index);
+}
+
 void ClaimsWriter::add_null() {
   next();
   text_ += "null";

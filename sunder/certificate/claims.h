@@ -68,6 +68,7 @@ class ClaimsWriter {
   void add_weight(std::uint32_t entry, const Dyadic& weight);
   void add_weight(std::uint32_t entry, const Dyadic& weight, const Dyadic& denominator);
   void add_fractions_and_index(std::span<const Dyadic> values, const Dyadic& denominator, std::uint32_t index);
+  void add_index(std::uint32_t index);
   void add_null();
 
  private:

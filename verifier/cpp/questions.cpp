@@ -19,6 +19,9 @@ struct Said {
   Number least;
   AllPairs all_pairs;
   const ProvedPairs* proved = nullptr;
+  const HullBody* body = nullptr;
+  std::vector<std::vector<std::size_t>> faces;
+  std::vector<std::size_t> outline;
   Numbers objective, point, from_a, to_b;
   AllowedContacts allowed;
   std::vector<std::int64_t> groups;
@@ -77,6 +80,37 @@ void read_to_b(const Place& p, Said& said) {
 void read_least(const Place& p, Said& said) {
   said.least = number_of(read_double(p.item["least"], p.where + ".least"));
   if (said.least.n <= 0) refuse_form(p.where + ".least is not positive");
+}
+
+void read_body(const Place& p, Said& said) {
+  said.body = &p.tables.bodies[index_member(p.item, "body", p.tables.bodies.size(), p.where)];
+  const bool is_of_points = !said.body->is_image() && said.body->count == said.body->rows().size();
+  if (!is_of_points || said.body->dimension() != 3) refuse_form(p.where + ".body is not of points in space");
+}
+
+// Corners of a face, or an outline.
+std::vector<std::size_t> corners_of(const Json& list, std::size_t size, const std::string& where) {
+  std::vector<std::size_t> result;
+  if (!list.is_array()) refuse_form(where + " is not a list");
+  for (const Json& entry : list) result.push_back(read_index(entry, size, where + " entry"));
+  if (result.size() < 3) refuse_form(where + " has fewer than three corners");
+  return result;
+}
+
+void read_faces(const Place& p, Said& said) {
+  for (const Json& face : list_member(p.item, "faces", p.where)) {
+    said.faces.push_back(corners_of(face, said.body->rows().size(), p.where + ".faces entry"));
+  }
+  if (said.faces.empty()) refuse_form(p.where + ".faces is empty");
+}
+
+void read_outline(const Place& p, Said& said) {
+  said.outline = corners_of(p.item["outline"], said.body->rows().size(), p.where + ".outline");
+}
+
+void read_ends_of_body(const Place& p, Said& said) {
+  said.contact.i = index_member(p.item, "i", said.body->rows().size(), p.where);
+  said.contact.j = index_member(p.item, "j", said.body->rows().size(), p.where);
 }
 
 void read_objective(const Place& p, Said& said) {
@@ -339,6 +373,32 @@ void read_order(const Json& item, const Said&, std::size_t size, const std::stri
   if (once.size() != size || claim.order.size() != size) refuse_form(where + ".order does not name each once");
 }
 
+const Json& list_for_each(const Json& item, const char* key, std::size_t size, const std::string& where) {
+  const Json& list = list_member(item, key, where);
+  if (list.size() != size) refuse_form(where + "." + key + " is not as long as what it is about");
+  return list;
+}
+
+// size: of points
+void read_homes(const Json& item, const Said& said, std::size_t size, const std::string& where, Claim& claim) {
+  const std::string of = where + ".homes entry";
+  for (const Json& entry : list_for_each(item, "homes", size, where)) {
+    claim.homes.emplace_back();
+    if (entry.is_null()) continue;
+    if (!entry.is_array() || entry.size() != 2) refuse_form(of + " is not a list of 2");
+    claim.homes.back().face = read_index(entry[0], said.faces.size(), of);
+    claim.homes.back().corner = read_index(entry[1], said.faces[claim.homes.back().face].size() - 1, of);
+    if (claim.homes.back().corner == 0) refuse_form(of + " is not an index in range");
+  }
+}
+
+void read_sectors(const Json& item, const Said& said, std::size_t size, const std::string& where, Claim& claim) {
+  for (const Json& entry : list_for_each(item, "sectors", size, where)) {
+    claim.sectors.push_back(entry.is_null() ? no_index
+                                            : read_index(entry, said.outline.size(), where + ".sectors entry"));
+  }
+}
+
 void read_cones(const Json& item, const Said& said, std::size_t size, const std::string& where, Claim& claim) {
   // A corner is between two sides: of those that do not go round, none is after the last one.
   const bool is_open = said.verdict == "ray" || said.verdict == "unbounded";
@@ -368,6 +428,7 @@ struct ClaimNeeded {
 
 std::size_t of_a(const Said& said, const Tables&) { return said.a->rows().size(); }
 std::size_t of_b(const Said& said, const Tables&) { return said.b->rows().size(); }
+std::size_t of_body(const Said& said, const Tables&) { return said.body->rows().size(); }
 std::size_t of_members(const Said& said, const Tables&) { return said.all_pairs.members.size(); }
 std::size_t of_segments(const Said&, const Tables& tables) { return tables.segments.size(); }
 std::size_t of_circles(const Said&, const Tables& tables) { return tables.circles.size(); }
@@ -416,6 +477,19 @@ const ClaimNeeded nearer{
 const ClaimNeeded each_pair{"each_pair", {}, of_members, [](const Claim&, const Said& s, const Tables&) {
                               check_each_pair(s.all_pairs, s.groups, s.allowed, *s.proved, s.contacts);
                             }};
+const ClaimNeeded surface{
+    "surface", {{"homes", read_homes}}, of_body, [](const Claim& c, const Said& s, const Tables&) {
+      check_surface(c, *s.body, s.faces);
+    }};
+const ClaimNeeded outline{
+    "outline", {{"sectors", read_sectors}}, of_body, [](const Claim& c, const Said& s, const Tables&) {
+      check_outline(c, *s.body, s.outline);
+    }};
+const ClaimNeeded between{"between", {}, of_body, [](const Claim&, const Said& s, const Tables&) {
+                            check_between(*s.body, s.contact.i, s.contact.j);
+                          }};
+const ClaimNeeded one_point{
+    "one_point", {}, of_body, [](const Claim&, const Said& s, const Tables&) { check_one_point(*s.body); }};
 const ClaimNeeded none_counts{
     "none_counts", {{"events", read_events}}, of_segments, [](const Claim& c, const Said& s, const Tables& t) {
       check_listed("none_counts", contacts_of_segments(c, t, s.groups, s.allowed), {});
@@ -589,6 +663,14 @@ const std::vector<Question> questions{
      {{"members", read_members}, {"allowed", read_allowed}, {"except", read_besides}},
      {{"groups", read_groups_of_members}},
      {{"these", {{"contacts", read_pairs_of_members}}, {&each_pair}}}},
+    {"hull",
+     "bodies",
+     {{"body", read_body}},
+     {},
+     {{"solid", {{"faces", read_faces}}, {&surface}},
+      {"flat", {{"outline", read_outline}}, {&outline}},
+      {"segment", {{"i", read_ends_of_body}, {"j", read_nothing}}, {&between}},
+      {"point", {}, {&one_point}}}},
     {"segments",
      "segments",
      {{"allowed", read_allowed}},
@@ -696,7 +778,7 @@ ClaimedStatement read_statement(const Json& item, const Tables& tables, const Pr
     result.index_a = said.index_a;
     result.index_b = said.index_b;
   }
-  result.sentence = sentence_of(item, result.a, result.b);
+  result.sentence = sentence_of(item, said.body != nullptr ? said.body->name : result.a, result.b);
   const Json& claims = list_member(item, "claims", where);
   if (claims.size() != verdict.claims.size()) {
     refuse_form(where + " has not " + std::to_string(verdict.claims.size()) + " claims");

@@ -22,6 +22,11 @@ struct WeightList {
   Numbers values;
 };
 
+// A triangle of a face: its first corner, this one and the next; or no face.
+struct FaceHome {
+  std::size_t face = no_index, corner = 0;
+};
+
 struct SweepEvents {
   std::vector<std::int64_t> at;     // an end: 2 i or 2 i + 1; or -1
   std::vector<std::int64_t> below;  // a segment, or -1
@@ -61,7 +66,8 @@ struct Claim {
   WeightList weights;
   std::array<std::optional<EndOnLine>, 2> ends;
   SweepEvents events;
-  std::vector<std::size_t> order, cones;
+  std::vector<std::size_t> order, cones, sectors;  // of sectors some are no_index
+  std::vector<FaceHome> homes;
   std::vector<std::vector<std::size_t>> parts;
 };
 
@@ -77,6 +83,11 @@ void check_slab(const HullBody& a, const HullBody& b, const Numbers& from_a, con
 void check_clear(const Claim& claim, const HullBody& a, const HullBody& b, const Number& least);
 void check_nearer(const Numbers& from_a, const Numbers& to_b, const Number& least);
 void check_inside(const Claim& claim, const HullBody& body, const Numbers& point);
+
+void check_surface(const Claim& claim, const HullBody& body, const std::vector<std::vector<std::size_t>>& faces);
+void check_outline(const Claim& claim, const HullBody& body, const std::vector<std::size_t>& outline);
+void check_between(const HullBody& body, std::size_t i, std::size_t j);
+void check_one_point(const HullBody& body);
 
 // What statements `pair` before have proved, by the indices of their bodies.
 struct ProvedPair {

@@ -18,7 +18,7 @@ struct Sentence {
   const char* text;                // with members of the statement
 };
 
-constexpr std::array<Sentence, 35> sentences{{
+constexpr std::array<Sentence, 39> sentences{{
     {"pair", "apart", "{a} and {b} are apart"},
     {"pair", "meet", "{a} and {b} meet at {point}"},
     {"pair", "touching", "{a} and {b} touch at {point}"},
@@ -26,6 +26,10 @@ constexpr std::array<Sentence, 35> sentences{{
     {"distance", "closest", "{a} and {b} are closest at {from_a} and {to_b}"},
     {"clearance", "kept", "{a} and {b} are {least} apart, or more"},
     {"clearance", "broken", "{a} and {b} are nearer than {least}, at {from_a} and {to_b}"},
+    {"hull", "solid", "the hull of {a} is solid, with the faces {faces}"},
+    {"hull", "flat", "the hull of {a} is a polygon with the corners {outline}"},
+    {"hull", "segment", "the hull of {a} is the segment between its points {i} and {j}"},
+    {"hull", "point", "the hull of {a} is a point"},
     {"segments", "some", "segments {i} and {j} meet at {point}: {kind}"},
     {"segments", "none", "no two segments meet"},
     {"circles", "some", "circles {i} and {j} meet at {point}: {kind}"},

@@ -7,8 +7,8 @@
 
 namespace sunder_verifier {
 
-// Of a statement whose form is right; the names are those of the bodies a and b, where it is about two. One line of
-// ASCII.
+// Of a statement whose form is right; the names are those of the bodies a and b, or of the one that it is about, as the
+// first. One line of ASCII.
 std::string sentence_of(const Json& item, const std::string& name_a, const std::string& name_b);
 
 }  // namespace sunder_verifier

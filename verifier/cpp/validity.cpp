@@ -144,6 +144,14 @@ class Regions {
   std::vector<std::size_t> joined_;  // of each face one that it is one with, or itself
 };
 
+// Requires that no two edges that go on have one direction.
+void require_no_lines(const std::vector<PlanarSegment>& edges, const std::vector<std::size_t>& going,
+                      const char* rule) {
+  for (std::size_t k = 1; k < going.size(); ++k) {
+    require(turn(edges[going[k - 1]], edges[going[k]]) != 0, rule, "edges go on along one line");
+  }
+}
+
 class Validity {
  public:
   Validity(const Claim& claim, const PartTable& parts, ValidRule rule)
@@ -182,10 +190,8 @@ class Validity {
     bool twice = ends.size() == 2 * at_.size();
     for (std::size_t k = 0; twice && k < at_.size(); ++k) twice = ends[2 * k] == ends[2 * k + 1];
     require(twice || rule_ == ValidRule::with_self_touch, "valid", "a ring comes twice to a point");
-    for (std::size_t k = 1; k < going.size(); ++k) {
-      require(turn(edges[going[k - 1]], edges[going[k]]) != 0, "valid", "edges go on along one line");
-    }
-    if (twice) return;
+    require_no_lines(edges, going, "valid");
+    if (rule_ != ValidRule::with_self_touch) return;
     std::vector<std::size_t> ways = going;
     ways.insert(ways.end(), sweep.here.rbegin(), sweep.here.rend());
     require(is_nested(beside_, ways), "valid", "a ring crosses itself");
@@ -252,8 +258,7 @@ void check_valid(const Claim& claim, const PartTable& parts, ValidRule rule) { V
 
 void check_falls_apart(const Claim& claim, const PartTable& parts) {
   Regions regions(claim, parts);
-  while (regions.next()) {
-  }
+  while (regions.next()) require_no_lines(parts.polygons.edges, regions.going, "falls_apart");
   const bool apart = std::any_of(regions.pieces.begin(), regions.pieces.end(), [](std::size_t n) { return n > 1; });
   require(apart, "falls_apart", "no part falls apart");
 }
@@ -317,6 +322,7 @@ void check_circle(const PartTable& parts, const std::vector<std::size_t>& rings,
   }
   std::set<SweepPoint, IsBefore> places;
   for (std::size_t k = 0; k < rings.size(); ++k) {
+    take_steps(32, length(points[k]), length(points[k]));
     at_ring("circle", parts, rings[k], points[k]);
     places.insert(at_ring("circle", parts, rings[k + 1 < rings.size() ? k + 1 : 0], points[k]).place);
   }

@@ -305,9 +305,12 @@ class Faces {
         joined_{0},
         pieces_(all.first_ring.size()) {}
 
-  // Is the inside of a part in two pieces or more?
+  // Is the inside of a part in two pieces or more? Of edges with a piece in common nothing is said.
   bool fall_apart(const SweepEvents& events) {
-    for (std::uint32_t k = 0; k < events.size(); ++k) pass(events, k);
+    for (std::uint32_t k = 0; k < events.size(); ++k) {
+      if (has_line(events.goes_on(k))) return false;
+      pass(events, k);
+    }
     return std::any_of(pieces_.begin(), pieces_.end(), [](std::size_t n) { return n > 1; });
   }
 
@@ -335,6 +338,18 @@ class Faces {
     } else {
       face_[last] = upper_face;
     }
+  }
+
+  // Do two of these, which begin or go on in one point, from the lowest up, have one direction?
+  bool has_line(std::span<const std::uint32_t> row) const {
+    const Segment* last = nullptr;
+    for (const std::uint32_t s : row) {
+      const Segment& e = all_.edges[s];
+      if (e.a == e.b) continue;
+      if (last != nullptr && segment_segment(*last, e) == ContactKind::overlap) return true;
+      last = &e;
+    }
+    return false;
   }
 
   bool ends(std::uint32_t at, std::uint32_t s) const {

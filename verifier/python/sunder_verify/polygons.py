@@ -66,11 +66,10 @@ def contacts_of_polygons(steps, events, polygons, groups, allowed):
                     yield pair
 
 
-def edges_at(steps, polygons, edges, point):
-    """Of some edges those that hold the point; and this as x, y, w."""
+def edges_at(steps, polygons, edges, point, place):
+    """Of some edges those that hold a point, which is x, y, w in the table's unit."""
     steps.take(4 * len(edges), length(point), polygons.edges.bits)
-    place = projective(point, polygons.edges.exponent)
-    return [edge for edge in edges if is_on(edge, place)], place
+    return [edge for edge in edges if is_on(edge, place)]
 
 
 def above_odd(edges, place):
@@ -82,9 +81,9 @@ def above_odd(edges, place):
 def common_point(steps, polygons, i, j, point, groups, allowed):
     """Two polygons of different groups hold a point, which counts."""
     require(groups[i] != groups[j], "common_point", "%d and %d are of one group" % (i, j))
-    inside, touched, passed = 0, 0, False
+    inside, touched, passed, place = 0, 0, False, projective(point, polygons.edges.exponent)
     for k in (i, j):
-        on, place = edges_at(steps, polygons, polygons.edges_of(k), point)
+        on = edges_at(steps, polygons, polygons.edges_of(k), point, place)
         require(on or above_odd(polygons.edges_of(k), place), "common_point", "the point is not in polygon %d" % k)
         passes = not all(ends_at(edge, place) for edge in on)
         inside += not on or (k in polygons.flat and (passes or polygons.is_point(k)))
@@ -172,13 +171,15 @@ def valid(steps, events, parts, rule):
 def falls_apart(steps, events, parts):
     """The inside of a part is in two pieces or more."""
     pieces = collections.Counter()
-    collections.deque(regions(steps, events, parts, pieces), 0)
+    for _, _, lines, _ in regions(steps, events, parts, pieces):
+        require(all(len(line) == 1 for line in lines), "falls_apart", "edges go on along one line")
     require(max(pieces.values(), default=0) > 1, "falls_apart", "no part falls apart")
 
 
 def ring_at(steps, rule, parts, ring, point):
     """The edges of a ring, of some length, that hold a point; there are some. And the point as x, y, w."""
-    on, place = edges_at(steps, parts, parts.rings[ring], point)
+    place = projective(point, parts.edges.exponent)
+    on = edges_at(steps, parts, parts.rings[ring], point, place)
     on = [edge for edge in on if edge[0] != edge[1]]
     require(on, rule, "the point is not on ring %d" % ring)
     return on, place
@@ -211,10 +212,9 @@ def crosses(steps, parts, ring, point):
 
 def misplaced(steps, parts, ring, point):
     """On one side of a ring there are rings that do not fit."""
-    ring_at(steps, "misplaced", parts, ring, point)
-    label = set()
+    label, place = set(), ring_at(steps, "misplaced", parts, ring, point)[1]
     for r, edges in enumerate(parts.rings):
-        on, place = edges_at(steps, parts, edges, point)
+        on = edges_at(steps, parts, edges, point, place)
         require(r == ring or not on, "misplaced", "the point is on ring %d, too" % r)
         label |= {r} if r != ring and above_odd(edges, place) else set()
     require(not fits(parts, label) or not fits(parts, label | {ring}), "misplaced", "rings fit there")
@@ -225,6 +225,7 @@ def circle(steps, parts, rings, points):
     require(len({parts.part[r] for r in rings}) == 1, "circle", "the rings are of different parts")
     places = set()
     for touching, point in zip(around(rings), points):
+        steps.take(32, length(point), length(point))
         for ring in touching:
             x, y, w = ring_at(steps, "circle", parts, ring, point)[1]
         places.add((fractions.Fraction(x, w), fractions.Fraction(y, w)))

@@ -5,7 +5,7 @@ checked by its rule, told what the table binds it to: so a true claim about some
 """
 from functools import partial
 
-from . import arcs, polygons, rules
+from . import arcs, hulls, polygons, rules
 from .reader import LIST, MOST_NUMBER, OBJECT, anything, double, form, index, list_of, members, number, numbers, row_of
 from .sentences import sentence
 from .tables import Discs
@@ -119,16 +119,31 @@ def members_of(name, fits, words):
     return list_of(index_of(name), lambda those, read: fits(those) and len(set(those)) == len(those), words)
 
 
+def points_alone(value, where, read):
+    body = entry("bodies")(value, where, read)
+    form(body.linear is None and body.count == len(body) and body.dimension == 3, where + " is not of points in space")
+    return body
+
+
+def home(value, where, read):
+    """Of a vertex none; else a face, and which two of its corners are one with its first."""
+    if value is None:
+        return None
+    face, _ = row_of(index_of("faces"), lambda corner, *_: corner)(value, where, read)
+    return face, index(value[1], len(read["faces"][face]) - 1, where, 1)
+
+
 def for_each(shape):
     return list_of(shape, lambda those, read: len(those) == len(subject(read)), " is not as long as what it is about")
 
 
 ARCS = list_of(subject_index, lambda those, read: 0 < len(those) <= 2 * len(subject(read)),
                " is empty, or has more than two arcs a circle")
+FACE = list_of(subject_index, lambda those, read: len(those) > 2, " has fewer than three corners")
 GIVEN = {  # what questions say
     "a": entry("bodies"), "b": entry("bodies"), "ring": entry("rings"), "parts": parts,
     "members": members_of("bodies", lambda those: True, " names one twice"), "except": contacts,
-    "rule": choice(("valid", "simple", polygons.SELF_TOUCH)),
+    "body": points_alone, "rule": choice(("valid", "simple", polygons.SELF_TOUCH)),
     "allowed": lambda *told: ALLOWED[choice(ALLOWED)(*told)], "groups": for_each(whole(-MOST_NUMBER)),
     "least": positive, "objective": lambda value, where, read: numbers(value, 2, double, where),
 }
@@ -138,6 +153,8 @@ SAID = {  # what verdicts and claims say
     "ring": index_of("parts.rings"), "other": index_of("parts.rings"), "edge": index_of("parts.edges"),
     "rings": members_of("parts.rings", lambda those: len(those) > 1, " is not of two rings or more, each once"),
     "points": list_of(vector, lambda those, read: len(those) == len(read["rings"]), " is not as long as the rings"),
+    "faces": list_of(FACE, lambda those, read: those, " is empty"), "homes": for_each(home), "outline": FACE,
+    "sectors": for_each(lambda value, where, read: None if value is None else index_of("outline")(value, where, read)),
     "direction": vector, "weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
     "ends": list_of(end, lambda those, read: len(those) == 2, " is not a list of 2"),
     "order": list_of(subject_index, lambda those, read: len(set(those)) == len(those) == len(subject(read)),
@@ -150,7 +167,8 @@ CLAIMS = {
     **{rule.__name__: (rule,) for rule in (
         rules.slab, rules.nearer, rules.feasible, rules.no_objective, rules.no_entries, rules.in_discs, rules.contact,
         polygons.common_point, polygons.too_few_points, polygons.comes_twice, polygons.crosses, polygons.misplaced,
-        polygons.circle, polygons.repeated, polygons.rings_touch, rules.each_pair)},
+        polygons.circle, polygons.repeated, polygons.rings_touch, rules.each_pair,
+        hulls.between, hulls.one_point)},
     **{rule.__name__: (rule, "weights") for rule in (
         rules.holds, rules.inside, rules.bounds, rules.contradict, rules.powers)},
     **{name: (polygons.exactly(name), "events") for name in ("none_counts", "these_count", "number_counts")},
@@ -158,6 +176,8 @@ CLAIMS = {
     "parted": (rules.parted, "direction"),
     "clear": (rules.clear, "direction"),
     "parted_weakly": (partial(rules.parted, is_weak=True), "direction"),
+    "surface": (hulls.surface, "homes"),
+    "outline": (hulls.outline, "sectors"),
     "goes_on": (rules.goes_on, "direction"),
     "ends": (rules.ends, "ends"),
     "cones": (rules.cones, "cones"),
@@ -199,6 +219,12 @@ QUESTIONS = {
     }),
     "bodies": ("bodies", "members allowed groups except", {
         "these": "each_pair members groups except allowed PROVED contacts"}),
+    "hull": ("bodies", "body", {
+        "solid": "surface body faces",
+        "flat": "outline body outline",
+        "segment": "between body i j",
+        "point": "one_point body",
+    }),
     "segments": meetings("segments", "contact segments i j kind point groups allowed",
                          "none_counts", "these_count", "number_counts"),
     "circles": meetings("circles", "contact circles i j kind point groups allowed", "cover", "cover", "cover"),
@@ -258,4 +284,4 @@ def statement(item, where, read):
         shapes = {"claim": anything, **{key: SAID[key] for key in brings}}
         brought = members(claim, shapes, place, {**scope, "subject": bound[0]})
         checks.append((rule, [brought[key] for key in brings] + [found(scope, key) for key in bound]))
-    return item, sentence(item, {key: scope[key].name for key in "ab" if key in item}), checks
+    return item, sentence(item, {key: scope[key].name for key in ("a", "b", "body") if key in item}), checks

@@ -9,6 +9,10 @@ SENTENCES = {  # of the members that a statement has
     "distance": {"closest": "{a} and {b} are closest at {from_a} and {to_b}"},
     "clearance": {"kept": "{a} and {b} are {least} apart, or more",
                   "broken": "{a} and {b} are nearer than {least}, at {from_a} and {to_b}"},
+    "hull": {"solid": "the hull of {body} is solid, with the faces {faces}",
+             "flat": "the hull of {body} is a polygon with the corners {outline}",
+             "segment": "the hull of {body} is the segment between its points {i} and {j}",
+             "point": "the hull of {body} is a point"},
     "segments": {"some": "segments {i} and {j} meet at {point}: {kind}", "none": "no two segments meet"},
     "circles": {"some": "circles {i} and {j} meet at {point}: {kind}", "none": "no two circles meet"},
     "polygons": {"some": "polygons {i} and {j} meet at {point}", "none": "no two polygons meet"},
@@ -52,7 +56,7 @@ def shown(value):
 
 
 def sentence(item, names):
-    """Of a statement whose form is right; names: of the bodies a and b."""
+    """Of a statement whose form is right; names: of the bodies that it says."""
     question, verdict = item["question"], item["verdict"]
     said = {key: shown(value) for key, value in item.items() if key != "claims"}
     said.update({key: in_quotes(name) for key, name in names.items()})

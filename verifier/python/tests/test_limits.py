@@ -133,6 +133,20 @@ def parts_in_turns(n, count, parts=([0], [0, 1])):
                       "claims": [{"claim": "too_few_points"}]} for k in range(count)])
 
 
+def hulls(n, count, point=("0x1p-3", "0x1p-3", "0x1p-3")):
+    """A tetrahedron around one point, n times."""
+    corners = [["0x0p0"] * 3, ["0x1p1023", "0x0p0", "0x0p0"], ["0x0p0", "0x1p1023", "0x0p0"], ["0x0p0", "0x0p0", "0x1p1023"]]
+    homes = [None] * 4 + [[0, 1]] * n
+    return claimed("bodies", [{"name": "a", "points": corners + [list(point)] * n}], *[
+        {"question": "hull", "body": 0, "verdict": "segment", "i": 0, "j": 1, "claims": [{"claim": "between"}]}] * count,
+        {"question": "hull", "body": 0, "verdict": "solid", "faces": [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]],
+         "claims": [{"claim": "surface", "homes": homes}]})
+
+
+def circle_in_space(n):
+    return [["0x%xp0" % (i * i), "0x%xp0" % i, "0x0p0"] for i in range(n)]
+
+
 def all_pairs(n, groups):
     return {"question": "bodies", "members": list(range(n)), "allowed": "nothing", "groups": list(groups), "except": [],
             "verdict": "these", "contacts": [], "claims": [{"claim": "each_pair"}]}
@@ -183,6 +197,11 @@ HOSTILE = {  # about 1 MB each, but for those that need less
     "members of few groups": lambda: claimed("bodies", [{"name": "a", "points": [ZEROS]}] * 12000,
                                              *[all_pairs(12000, [i % 2 for i in range(12000)])] * 4),
     "clearances of long points": lambda: bodies([EXTREME] * 2, [broken(digits(9000))] * 25),
+    "a hull of many points, often": lambda: hulls(9000, 1500),
+    "hulls of long integers": lambda: hulls(8000, 200, EXTREME),
+    "a ring around many points": lambda: claimed("bodies", [{"name": "a", "points": circle_in_space(6000)}], {
+        "question": "hull", "body": 0, "verdict": "flat", "outline": list(range(6000)),
+        "claims": [{"claim": "outline", "sectors": [None] * 6000}]}),
     "linear programs": lambda: claimed("half_planes", [["0x1p0", "0x0p0", "0x0p0"]] * 18000,
                                        *[unbounded(["0", "0"])] * 2500),
     "linear programs with long points": lambda: claimed(

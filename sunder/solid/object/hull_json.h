@@ -1,0 +1,18 @@
+// Certificates of convex hulls (docs/claims.md, "Hulls").
+#pragma once
+
+#include <sunder/certificate/claims.h>
+#include <sunder/solid/object/convex_polyhedron.h>
+
+#include <span>
+#include <string>
+
+namespace sunder::solid {
+
+// The table of one body, these points, and the statement of what their hull is. Requires the hull of these points, and
+// a name. Time: exact arithmetic for each facet, and for each other point on a few facets: walks over them, begun at
+// that which a search in doubles proposes.
+void write_hull(ClaimsWriter& file, const std::string& name, std::span<const Point3> points,
+                const ConvexPolyhedron& hull);
+
+}  // namespace sunder::solid
