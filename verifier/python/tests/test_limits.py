@@ -133,6 +133,12 @@ def parts_in_turns(n, count, parts=([0], [0, 1])):
                       "claims": [{"claim": "too_few_points"}]} for k in range(count)])
 
 
+def beside_rings(n, point, count):
+    rings = [[["0x0p0", "0x0p0"], ["0x1p0", "0x1p0"], ["0x0p0", "0x1p0"]]] + [[["0x%xp0" % (k + 2), "0x0p0"]] for k in range(n)]
+    return claimed("polygons", [rings], *[{"question": "valid", "parts": [0], "rule": "valid", "verdict": "misplaced", "ring": 0,
+                                           "point": point, "claims": [{"claim": "misplaced"}]}] * count)
+
+
 def hulls(n, count, point=("0x1p-3", "0x1p-3", "0x1p-3")):
     """A tetrahedron around one point, n times."""
     corners = [["0x0p0"] * 3, ["0x1p1023", "0x0p0", "0x0p0"], ["0x0p0", "0x1p1023", "0x0p0"], ["0x0p0", "0x0p0", "0x1p1023"]]
@@ -202,6 +208,12 @@ HOSTILE = {  # about 1 MB each, but for those that need less
     "a ring around many points": lambda: claimed("bodies", [{"name": "a", "points": circle_in_space(6000)}], {
         "question": "hull", "body": 0, "verdict": "flat", "outline": list(range(6000)),
         "claims": [{"claim": "outline", "sectors": [None] * 6000}]}),
+    "a circle of far points": lambda: claimed(
+        "polygons", [[[["0x1p0", "0x0p0"], ["0x1p0", "0x1p0"]]] * 12000],
+        {"question": "valid", "parts": [0], "rule": "valid", "verdict": "circle", "rings": list(range(12000)),
+         "points": [["1", "0x%xp-20000" % (k + 1)] for k in range(12000)], "claims": [{"claim": "circle"}]}),
+    "a point beside many rings": lambda: beside_rings(14000, ["2/7", "4/14"], 308),
+    "a long point beside many rings": lambda: beside_rings(17000, [digits(9990) + "/" + digits(9990)] * 2, 2),
     "linear programs": lambda: claimed("half_planes", [["0x1p0", "0x0p0", "0x0p0"]] * 18000,
                                        *[unbounded(["0", "0"])] * 2500),
     "linear programs with long points": lambda: claimed(
