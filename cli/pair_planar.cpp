@@ -82,7 +82,9 @@ double least_of(const std::string& text) {
 }
 
 std::string clearance_text(const Answers& answers) {
-  return fmt::format("{}: {}", answers.least, answers.clear ? "kept" : "not kept");
+  const auto& closest = answers.distance.closest;
+  return fmt::format("{}: {}; {}", answers.least, answers.clear ? "kept" : "not kept",
+                     closest ? fmt::format("about {:.12g} apart", closest->distance.high) : "they meet");
 }
 
 std::string human_text(const PlanarPairCall& call, const PlanarBody& a, const PlanarBody& b, const Answers& answers,
