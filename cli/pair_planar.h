@@ -17,7 +17,7 @@ struct PlanarPairCall {
   std::uint64_t svg_limit = most_drawn;  // vertices
   bool classify = false;
   bool distance = false;
-  std::string clearance;  // a number: is one that far from the other? Empty: it is not asked
+  std::string clearance;            // a number: is one that far from the other? Empty: it is not asked
   bool mend = false, hull = false;  // what to do with vertices that are not those of a convex polygon
   bool drop_z = false;
   bool leave_out = false;  // what is no object here; of meshes, what is not read

@@ -6,8 +6,8 @@
 namespace sunder::cli {
 
 // Prints what the two have in common; returns the exit code. Requires one of them, or both, to be unbounded. Throws
-// Error for bad input: two unbounded objects; --distance or --clearance; a pose of the unbounded object under which one of its two
-// points is no pair of doubles. origin: for the certificate.
+// Error for bad input: two unbounded objects; --distance or --clearance; a pose of the unbounded object under which one
+// of its two points is no pair of doubles. origin: for the certificate.
 int run_unbounded_pair(const PlanarPairCall& call, const PlanarInput& a, const PlanarInput& b,
                        const LeftOutList& left_out, const Origin& origin);
 

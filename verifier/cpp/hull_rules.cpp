@@ -196,6 +196,7 @@ void check_between(const HullBody& body, std::size_t i, std::size_t j) {
 }
 
 void check_one_point(const HullBody& body) {
+  take_steps(4 * body.rows().size(), body.given->bits, body.given->bits);
   const bool is_one =
       std::all_of(body.rows().begin(), body.rows().end(), [&](const Vector& row) { return row == body.rows()[0]; });
   require(is_one, "one_point", "two points differ");

@@ -11,7 +11,8 @@ namespace sunder::solid {
 
 // The table of one body, these points, and the statement of what their hull is. Requires the hull of these points, and
 // a name. Time: exact arithmetic for each facet, and for each other point on a few facets: walks over them, begun at
-// that which a search in doubles proposes.
+// that which a search in doubles proposes. At worst, on facets around two far corners or with very many corners, points
+// times facets.
 void write_hull(ClaimsWriter& file, const std::string& name, std::span<const Point3> points,
                 const ConvexPolyhedron& hull);
 

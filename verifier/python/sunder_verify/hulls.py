@@ -64,8 +64,9 @@ def surface(steps, homes, body, faces):
 
 def outline(steps, sectors, body, ring):
     """The ring is that of the hull of a body's points, which is flat."""
-    at = from_mean(steps, body, ring, len(ring))
-    corners, vertices = [at[k] for k in ring], {*ring}
+    vertices = {*ring}
+    at = from_mean(steps, body, vertices, len(ring))
+    corners = [at[k] for k in ring]
     normal = cross(corners[0], corners[1])
     require(any(normal) and not any(dot(normal, p) for p in at), "outline", "the points are not in one plane")
     require(is_convex(corners, normal), "outline", "the ring is not strictly convex")
@@ -90,4 +91,5 @@ def between(steps, body, i, j):
 
 def one_point(steps, body):
     """All points of a body are one."""
-    require(len(set(body.rows)) == 1, "one_point", "two points differ")
+    steps.take(4 * len(body), body.bits, body.bits)
+    require(all(row == body.rows[0] for row in body.rows), "one_point", "two points differ")

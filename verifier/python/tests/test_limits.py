@@ -205,6 +205,8 @@ HOSTILE = {  # about 1 MB each, but for those that need less
     "clearances of long points": lambda: bodies([EXTREME] * 2, [broken(digits(9000))] * 25),
     "a hull of many points, often": lambda: hulls(9000, 1500),
     "hulls of long integers": lambda: hulls(8000, 200, EXTREME),
+    "one point, often": lambda: claimed("bodies", [{"name": "a", "points": [["0x1p1023"] * 3] * 10999 + [["0x1p-1074"] * 3]}], *[
+        {"question": "hull", "body": 0, "verdict": "point", "claims": [{"claim": "one_point"}]}] * 4500),
     "a ring around many points": lambda: claimed("bodies", [{"name": "a", "points": circle_in_space(6000)}], {
         "question": "hull", "body": 0, "verdict": "flat", "outline": list(range(6000)),
         "claims": [{"claim": "outline", "sectors": [None] * 6000}]}),
@@ -326,6 +328,18 @@ class Hostile(InFolder):
 
 
 class Twins(InFolder):
+    def test_a_ring_that_names_corners_often(self):
+        """Numbers of corners are counted once each, also where steps are."""
+        for times, code in ((10, 1), (12000, 1), (33330, None)):
+            points = [["0x1p%d" % (100 * axis * k) for axis in range(3)] for k in range(3)] + [ZEROS] * 30000
+            statement = {"question": "hull", "body": 0, "verdict": "flat", "outline": [0, 1, 2] * times,
+                         "claims": [{"claim": "outline", "sectors": [None] * 30003}]}
+            path = self.write("ring.json", json.dumps(claimed("bodies", [{"name": "a", "points": points}], statement)))
+            codes = {checked(command, path)[0] for command in twins().values()}
+            self.assertEqual(len(codes), 1)
+            self.assertTrue(code is None or codes == {code}, codes)
+
+
     def expect_both(self, text, code):
         path = self.write("file.json", text)
         for name, command in twins().items():
