@@ -79,7 +79,8 @@ class Facets {
     for (last_ = 0; last_ < hull_.facet_count(); ++last_) {
       if (const Look look = look_at(last_, p); look.home) return *look.home;
     }
-    SUNDER_REQUIRE(!"the point is in the hull");
+    SUNDER_REQUIRE(last_ < hull_.facet_count());  // the point is in the hull
+    last_ = 0;
     return {};
   }
 
