@@ -11,12 +11,13 @@
 
 namespace {
 
-// Of pairs and distances; of sets; of common parts; of linear programs; of valid polygons.
-constexpr std::array<std::string_view, 32> verdicts{
+// Of pairs, distances and clearances; of sets; of common parts; of linear programs; of valid polygons; of hulls.
+constexpr std::array<std::string_view, 38> verdicts{
     "apart",     "meet",           "touching",   "overlapping", "closest",   "none",   "some",     "these",
     "count",     "empty",          "point",      "segment",     "ray",       "line",   "strip",    "half-plane",
     "unbounded", "bounded",        "plane",      "region",      "one",       "many",   "all",      "infeasible",
-    "valid",     "too_few_points", "edges_meet", "comes_twice", "misplaced", "circle", "repeated", "rings_touch"};
+    "valid",     "too_few_points", "edges_meet", "comes_twice", "misplaced", "circle", "repeated", "rings_touch",
+    "kept",      "broken",         "crosses",    "falls_apart", "solid",     "flat"};
 
 void require(bool condition) {
   if (!condition) std::abort();
