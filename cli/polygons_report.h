@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,7 +32,7 @@ struct PolygonsCall {
 
 struct PolygonsResult {
   std::unique_ptr<planar::PolygonContactsInOrder> contacts;  // of a list, else null
-  planar::PolygonsContact found;                             // with --any; Contact::none where none is
+  std::optional<planar::PolygonsContact> found;              // with --any
   std::uint64_t touching = 0, overlapping = 0;
   Cost cost;
 
@@ -41,8 +42,8 @@ struct PolygonsResult {
   void visit(const planar::PolygonContactsInOrder::Visitor& visitor) const {
     if (contacts) {
       contacts->visit(visitor);
-    } else if (found.contact != Contact::none) {
-      visitor(found);
+    } else if (found) {
+      visitor(*found);
     }
   }
 };

@@ -129,8 +129,8 @@ void find_any(const Call& call, CirclesOptions options, const Circles& circles, 
   result.cost = answer.cost;
   std::vector<CirclesContact> found;
   if (answer.meet()) {
-    found.push_back({answer.i, answer.j, answer.kind});
-    result.add(answer.kind);
+    found.push_back(*answer.found);
+    result.add(answer.found->kind);
   }
   result.contacts = std::make_unique<Contacts>(std::move(found));
 }

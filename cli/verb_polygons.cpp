@@ -87,7 +87,7 @@ void prove(const Call& call, const PolygonsInput& input, const Result& result) {
   ClaimsWriter file([&](std::string_view text) { out.write(text); });
   file.add_origin(input.origin());
   if (is_some) {
-    write_some(file, asked, result.found);
+    write_some(file, asked, *result.found);
   } else if (call.lists()) {
     write_these(file, asked, events, [&](const auto& take) {
       result.visit([&](const PolygonsContact& c) {
@@ -124,8 +124,8 @@ Result ask(const Call& call, const Methods& by, const PolygonsInput& input) {
   } else {
     const planar::PolygonsAnswer answer = by.any(input.polygons, options);
     result.found = answer.found;
-    result.touching = answer.found.contact == Contact::touching ? 1 : 0;
-    result.overlapping = answer.found.contact == Contact::overlapping ? 1 : 0;
+    result.touching = answer.meet() && answer.found->contact == Contact::touching ? 1 : 0;
+    result.overlapping = answer.meet() ? 1 - result.touching : 0;
     result.cost = answer.cost;
   }
   return result;

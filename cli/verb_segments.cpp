@@ -264,7 +264,7 @@ void count_and_prove(const Call& call, const std::vector<Sheet>& sheets, Segment
       prove(call, sheet, options.allowed, answer, origin, result);
     } else {
       prove(call, sheet, options.allowed,
-            planar::SegmentsCountAnswer{answer.contacts.size(), std::move(answer.transcript), answer.cost}, origin,
+            planar::SegmentsCountAnswer{{answer.contacts.size(), answer.cost}, std::move(answer.transcript)}, origin,
             result);
     }
   }
@@ -285,8 +285,8 @@ void find_any(const Call& call, const std::vector<Sheet>& sheets, SegmentsOption
     result.cost.probes += answer.cost.probes;
     if (!call.certificate.empty()) prove(call, sheet, options.allowed, answer, origin, result);
     if (!answer.meet()) continue;
-    found.push_back(in_file(sheet, {answer.i, answer.j, answer.kind}));
-    result.add(answer.kind);
+    found.push_back(in_file(sheet, *answer.found));
+    result.add(answer.found->kind);
     break;
   }
   result.contacts = std::make_unique<Contacts>(std::move(found));

@@ -184,11 +184,11 @@ void expect_truth(const CirclesAnswer& answer, const CirclesAnswer& scan, const 
                   const CirclesOptions& options) {
   ASSERT_EQ(answer.meet(), scan.meet());
   if (!answer.meet()) return;
-  ASSERT_LT(answer.i, answer.j);
-  ASSERT_LT(answer.j, circles.size());
-  ASSERT_EQ(planar::circle_circle(circles[answer.i], circles[answer.j]), answer.kind);
-  ASSERT_TRUE(planar::counts(answer.kind, options.allowed));
-  ASSERT_FALSE(planar::may_meet(options.groups, answer.i, answer.j));
+  ASSERT_LT(answer.found->i, answer.found->j);
+  ASSERT_LT(answer.found->j, circles.size());
+  ASSERT_EQ(planar::circle_circle(circles[answer.found->i], circles[answer.found->j]), answer.found->kind);
+  ASSERT_TRUE(planar::counts(answer.found->kind, options.allowed));
+  ASSERT_FALSE(planar::may_meet(options.groups, answer.found->i, answer.found->j));
 }
 
 bool is_accepted(const std::string& text) { return sunder_verifier::verify_text(text, "proof").accepted(); }
@@ -217,7 +217,7 @@ TEST(CirclesDifferential, AnyAgreesWithTheScan) {
         const CirclesAnswer scan = planar::circles_any_by_scan(circles, options);
         if (!grouped) {
           rate.meets[r] += scan.meet();
-          ++kinds[scan.kind];
+          ++kinds[scan.found.value_or(planar::CirclesContact{}).kind];
         }
         for (const auto method : {&planar::circles_any_by_sweep, &planar::circles_any_by_grid, &planar::circles_any}) {
           const CirclesAnswer answer = method(circles, options);

@@ -317,7 +317,7 @@ void expect_certified(const PolygonsAnswer& answer, const std::vector<Polygon>& 
     return sunder_verifier::verify_text(text, "differential").accepted();
   };
   ASSERT_TRUE(is_accepted(options.allowed)) << certificate_text(polygons, options.allowed, answer, options.groups);
-  ASSERT_EQ(is_accepted(Allowed::touch), answer.found.contact != Contact::touching);
+  ASSERT_EQ(is_accepted(Allowed::touch), !answer.meet() || answer.found->contact != Contact::touching);
 }
 
 // A list, and its length, in a file, as the verifier reads it; and neither of another length.
@@ -371,11 +371,11 @@ void compare_on(const std::vector<Polygon>& polygons, planar::Groups groups, Rat
       const PolygonsAnswer answer = method(polygons, options);
       ASSERT_EQ(answer.meet(), !count_here.empty()) << "allowed " << name_of(rules[r]);
       if (!answer.meet()) continue;
-      ASSERT_NO_FATAL_FAILURE(expect_shown(answer.found, polygons));
-      const auto same_pair = [&](const PolygonsContact& c) { return c.i == answer.found.i && c.j == answer.found.j; };
+      ASSERT_NO_FATAL_FAILURE(expect_shown(*answer.found, polygons));
+      const auto same_pair = [&](const PolygonsContact& c) { return c.i == answer.found->i && c.j == answer.found->j; };
       const auto at = std::find_if(count_here.begin(), count_here.end(), same_pair);
       ASSERT_NE(at, count_here.end());
-      ASSERT_EQ(answer.found.contact, at->contact);
+      ASSERT_EQ(answer.found->contact, at->contact);
     }
     const planar::PolygonsCountAnswer counted = planar::polygons_count(polygons, options);
     const auto overlapping = std::count_if(count_here.begin(), count_here.end(),
@@ -410,7 +410,7 @@ void compare_on(const std::vector<Polygon>& polygons, planar::Groups groups, Rat
   ASSERT_NO_FATAL_FAILURE(expect_list_certified(listed, polygons, options));
   for (std::uint32_t i = 0; i < polygons.size(); ++i) {
     for (std::uint32_t j = i + 1; j < polygons.size() && groups.empty(); ++j) {
-      const PolygonsContact pair = planar::polygons_contact(polygons[i], polygons[j]).found;
+      const PolygonsContact pair = planar::polygons_contact(polygons[i], polygons[j]).found.value_or(PolygonsContact());
       const auto same_pair = [&](const PolygonsContact& c) { return c.i == i && c.j == j; };
       const auto at = std::find_if(truth.contacts.begin(), truth.contacts.end(), same_pair);
       const Contact expected = at == truth.contacts.end() ? Contact::none : at->contact;

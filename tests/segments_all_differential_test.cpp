@@ -84,7 +84,7 @@ TEST(SegmentsAllDifferential, MethodsAgreeWithTheScan) {
             planar::segments_any_by_sweep(segments, options), planar::segments_any_by_scan(segments, options)}) {
         ASSERT_EQ(answer.meet(), !truth.empty()) << i;
         if (!answer.meet()) continue;
-        const SegmentsContact found{answer.i, answer.j, answer.kind};
+        const SegmentsContact found = *answer.found;
         ASSERT_TRUE(std::binary_search(truth.begin(), truth.end(), found)) << i;
       }
       any_meet += !truth.empty();

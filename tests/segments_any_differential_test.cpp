@@ -25,10 +25,10 @@ constexpr std::array<Allowed, 3> rules{Allowed::nothing, Allowed::shared_endpoin
 void expect_truth(const SegmentsAnswer& answer, const SegmentsAnswer& scan, const Segments& segments, Allowed allowed) {
   ASSERT_EQ(answer.meet(), scan.meet());
   if (!answer.meet()) return;
-  ASSERT_LT(answer.i, answer.j);
-  ASSERT_LT(answer.j, segments.size());
-  ASSERT_EQ(planar::segment_segment(segments[answer.i], segments[answer.j]), answer.kind);
-  ASSERT_TRUE(planar::counts(answer.kind, allowed));
+  ASSERT_LT(answer.found->i, answer.found->j);
+  ASSERT_LT(answer.found->j, segments.size());
+  ASSERT_EQ(planar::segment_segment(segments[answer.found->i], segments[answer.found->j]), answer.found->kind);
+  ASSERT_TRUE(planar::counts(answer.found->kind, allowed));
 }
 
 TEST(SegmentsAnyDifferential, MethodsAgreeWithTheScan) {
@@ -51,7 +51,7 @@ TEST(SegmentsAnyDifferential, MethodsAgreeWithTheScan) {
             << i << " " << name_of(set.family) << " allowed " << name_of(rules[r]);
         if (!transcript) continue;
         ASSERT_EQ(sweep.transcript.empty(), sweep.meet());
-        ++kinds[sweep.kind];
+        ++kinds[sweep.found.value_or(planar::SegmentsContact{}).kind];
       }
       const SegmentsAnswer grid = planar::segments_any_by_grid(segments, {rules[r], false});
       ASSERT_NO_FATAL_FAILURE(expect_truth(grid, scan, segments, rules[r])) << i << " " << name_of(set.family);

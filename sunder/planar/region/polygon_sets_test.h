@@ -75,7 +75,7 @@ class SimplePolygons {
     for (int n = 0; n < 40 && ring.size() >= 3; ++n) {
       const PolygonSimpleAnswer answer = polygon_simple_by_scan(Polygon(std::vector<std::vector<Point2>>{ring}));
       if (answer.simple()) return;
-      std::reverse(ring.begin() + answer.i + 1, ring.begin() + answer.j + 1);
+      std::reverse(ring.begin() + answer.found->i + 1, ring.begin() + answer.found->j + 1);
     }
   }
 

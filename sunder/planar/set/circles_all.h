@@ -19,21 +19,8 @@
 
 namespace sunder::planar {
 
-struct CirclesContact {
-  std::uint32_t i = 0, j = 0;  // i < j
-  DiscContact kind = DiscContact::none;
-  friend auto operator<=>(const CirclesContact&, const CirclesContact&) = default;
-};
-
-struct [[nodiscard]] CirclesAllAnswer {
-  std::vector<CirclesContact> contacts;
-  Cost cost;  // probes: pairs that were compared, also those of boxes in a cell
-};
-
-struct [[nodiscard]] CirclesCountAnswer {
-  std::uint64_t count = 0;
-  Cost cost;
-};
+using CirclesAllAnswer = AllAnswer<CirclesContact>;  // probes: pairs that were compared, also those of boxes in a cell
+using CirclesCountAnswer = CountAnswer;              // probes: the same
 
 // The front doors: the fastest method measured.
 CirclesAllAnswer circles_all(const Circles& circles, const CirclesOptions& options = {});

@@ -22,11 +22,10 @@
 // nothing is computed to find it, and no contact disturbs it.
 #pragma once
 
-#include <sunder/base/cost.h>
 #include <sunder/planar/object/circle.h>
 #include <sunder/planar/pair/circle_circle.h>
 #include <sunder/planar/set/contact_rule.h>
-#include <sunder/planar/set/segments_any.h>
+#include <sunder/planar/set/set_answer.h>
 
 #include <cstdint>
 #include <functional>
@@ -38,13 +37,8 @@ inline bool counts(DiscContact kind, Allowed allowed) {
   return kind != DiscContact::none && (kind != DiscContact::touching || allowed == Allowed::nothing);
 }
 
-struct [[nodiscard]] CirclesAnswer {
-  DiscContact kind = DiscContact::none;  // of the contact; none: no two discs meet in a way that counts
-  std::uint32_t i = 0, j = 0;            // the two discs, i < j; meaningless for `none`
-  Cost cost;                             // probes: pairs of discs that were compared
-
-  bool meet() const { return kind != DiscContact::none; }
-};
+using CirclesContact = ContactOfTwo<DiscContact>;
+using CirclesAnswer = AnyAnswer<CirclesContact>;  // probes: pairs of discs that were compared
 
 struct CirclesOptions {
   Allowed allowed = Allowed::nothing;

@@ -15,21 +15,17 @@ CirclesAnswer circles_any_by_grid(const Circles& circles, const CirclesOptions& 
     ++answer.cost.probes;
     const DiscContact kind = circle_circle(circles[i], circles[j]);
     if (!counts(kind, options.allowed)) return true;
-    answer.kind = kind;
-    answer.i = i;
-    answer.j = j;
+    answer.found = contact_of(i, j, kind);
     return false;
   };
   if (!for_each_near_pair<crowd_for_any>(boxes, *grid, of_pair, options.progress, &answer.cost)) return answer;
   const std::vector<std::uint32_t> members = members_of_crowds(*grid, crowd_for_any, circles.size());
   if (members.empty()) return answer;
   const CirclesSubset part(circles, options.groups, members);
-  const CirclesAnswer contact = circles_any_by_sweep(part.circles, {options.allowed, part.groups});
-  answer.cost.probes += contact.cost.probes;
-  if (!contact.meet()) return answer;
-  answer.kind = contact.kind;
-  answer.i = members[contact.i];
-  answer.j = members[contact.j];
+  const CirclesAnswer in_crowd = circles_any_by_sweep(part.circles, {options.allowed, part.groups});
+  answer.cost.probes += in_crowd.cost.probes;
+  if (!in_crowd.meet()) return answer;
+  answer.found = contact_of(members[in_crowd.found->i], members[in_crowd.found->j], in_crowd.found->kind);
   return answer;
 }
 

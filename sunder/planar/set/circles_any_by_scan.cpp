@@ -10,9 +10,7 @@ CirclesAnswer circles_any_by_scan(const Circles& circles, const CirclesOptions& 
       ++answer.cost.probes;
       const DiscContact kind = circle_circle(circles[i], circles[j]);
       if (!counts(kind, options.allowed) || may_meet(options.groups, i, j)) continue;
-      answer.kind = kind;
-      answer.i = i;
-      answer.j = j;
+      answer.found = contact_of(i, j, kind);
       return answer;
     }
   }

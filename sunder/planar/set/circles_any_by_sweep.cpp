@@ -96,9 +96,7 @@ class Sweep {
     const Circle &c = discs_[below], &d = discs_[above];
     const DiscContact kind = circle_circle(c, d);
     if (!counts(kind, options_.allowed)) return;
-    answer_.kind = kind;
-    answer_.i = std::min(number_[below], number_[above]);
-    answer_.j = std::max(number_[below], number_[above]);
+    answer_.found = contact_of(number_[below], number_[above], kind);
   }
 
   const CirclesOptions& options_;
@@ -113,9 +111,7 @@ class Sweep {
 CirclesAnswer by_contacts(const Circles& circles, const CirclesOptions& options) {
   CirclesAnswer answer;
   answer.cost = visit_circle_contacts_by_sweep(circles, options, [&](const CirclesContact& contact) {
-    answer.kind = contact.kind;
-    answer.i = contact.i;
-    answer.j = contact.j;
+    answer.found = contact;
     return false;
   });
   return answer;

@@ -46,10 +46,11 @@ void write_statement(ClaimsWriter& file, const CirclesQuestion& question, const 
     return;
   }
   begin(file, question, "some");
-  file.index("i", answer.i);
-  file.index("j", answer.j);
-  file.text("kind", std::string(name_of(answer.kind)));
-  const ExactPoint2 p = common_point(question.circles[answer.i], question.circles[answer.j]);
+  const auto [i, j, kind] = *answer.found;
+  file.index("i", i);
+  file.index("j", j);
+  file.text("kind", std::string(name_of(kind)));
+  const ExactPoint2 p = common_point(question.circles[i], question.circles[j]);
   file.fractions("point", std::array{p.x, p.y}, p.denominator);
   file.begin_claims();
   file.begin_claim("contact");

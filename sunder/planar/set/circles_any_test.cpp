@@ -18,10 +18,10 @@ bool meet(const std::vector<Circle>& given, Allowed allowed = Allowed::nothing, 
     const CirclesAnswer answer = method(circles, {allowed, groups, nullptr});
     EXPECT_EQ(answer.meet(), scan.meet());
     if (!answer.meet()) continue;
-    EXPECT_LT(answer.i, answer.j);
-    EXPECT_EQ(answer.kind, circle_circle(circles[answer.i], circles[answer.j]));
-    EXPECT_TRUE(counts(answer.kind, allowed));
-    EXPECT_FALSE(may_meet(groups, answer.i, answer.j));
+    EXPECT_LT(answer.found->i, answer.found->j);
+    EXPECT_EQ(answer.found->kind, circle_circle(circles[answer.found->i], circles[answer.found->j]));
+    EXPECT_TRUE(counts(answer.found->kind, allowed));
+    EXPECT_FALSE(may_meet(groups, answer.found->i, answer.found->j));
   }
   return scan.meet();
 }

@@ -34,10 +34,7 @@ inline bool report_pair(std::span<const ConvexPolygon> polygons, std::uint32_t i
   ConvexPairTest test = test_pair(polygons[first], polygons[second], allowed);
   answer.cost.probes += 1 + test.answer.cost.probes;
   if (test.contact == Contact::none) return false;
-  answer.contact = test.contact;
-  answer.i = first;
-  answer.j = second;
-  answer.evidence = test.answer.evidence;
+  answer.found = {{first, second, test.contact}, test.answer.evidence};
   return true;
 }
 

@@ -10,10 +10,10 @@
 // Source: Shamos & Hoey 1976, section IV, Theorem 6.
 #pragma once
 
-#include <sunder/base/cost.h>
 #include <sunder/certificate/pair_answer.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/set/contact_rule.h>
+#include <sunder/planar/set/set_answer.h>
 
 #include <cstdint>
 #include <functional>
@@ -21,14 +21,12 @@
 
 namespace sunder::planar {
 
-struct [[nodiscard]] ConvexPolygonsAnswer {
-  Contact contact = Contact::none;  // none: no two polygons meet in a way that counts
-  std::uint32_t i = 0, j = 0;       // the two polygons, i < j; meaningless for `none`
-  PairCertificate evidence;         // that they meet; meaningless for `none`
-  Cost cost;                        // probes: vertices looked at, and pairs of boxes or polygons compared
-
-  bool meet() const { return contact != Contact::none; }
+struct ConvexPolygonsContact : ContactOfTwo<Contact> {
+  PairCertificate evidence;  // that they meet
 };
+
+// Probes: vertices looked at, and pairs of boxes or polygons compared.
+using ConvexPolygonsAnswer = AnyAnswer<ConvexPolygonsContact>;
 
 struct ConvexPolygonsOptions {
   Allowed allowed = Allowed::nothing;  // `touch`: only overlapping counts; `shared_endpoint` allows nothing here

@@ -28,7 +28,7 @@ void take_any_by_sweep(std::span<const ConvexPolygon> polygons, const ConvexPoly
   PolygonSweep sweep(edges, {allowed, options.groups, options.progress}, first_that_counts(some, allowed));
   sweep.run();
   answer.cost.probes += sweep.cost.probes;
-  if (some.meet()) report_pair(polygons, some.found.i, some.found.j, allowed, answer);
+  if (some.meet()) report_pair(polygons, some.found->i, some.found->j, allowed, answer);
 }
 
 ConvexPolygonsAnswer any_across_groups(std::span<const ConvexPolygon> polygons, const ConvexPolygonsOptions& options) {
@@ -80,8 +80,10 @@ ConvexPolygonsAnswer convex_polygons_any_by_grid(std::span<const ConvexPolygon> 
   for (const std::uint32_t i : members) crowd.push_back(polygons[i]);
   ConvexPolygonsAnswer in_crowd = convex_polygons_any_by_sweep(crowd, {options.allowed, {}, nullptr});
   in_crowd.cost.probes += answer.cost.probes;
-  in_crowd.i = members[in_crowd.i];  // also of `none`, where it is meaningless
-  in_crowd.j = members[in_crowd.j];
+  if (in_crowd.meet()) {
+    in_crowd.found->i = members[in_crowd.found->i];
+    in_crowd.found->j = members[in_crowd.found->j];
+  }
   return in_crowd;
 }
 

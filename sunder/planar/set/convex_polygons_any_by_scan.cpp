@@ -57,10 +57,7 @@ ConvexPolygonsAnswer convex_polygons_any_by_scan(std::span<const ConvexPolygon> 
       if (!pair.meet()) continue;
       const Contact contact = overlap(polygons[i], polygons[j]) ? Contact::overlapping : Contact::touching;
       if (!counts(contact, options.allowed)) continue;
-      answer.contact = contact;
-      answer.i = i;
-      answer.j = j;
-      answer.evidence = pair.evidence;
+      answer.found = {{i, j, contact}, pair.evidence};
       return answer;
     }
   }

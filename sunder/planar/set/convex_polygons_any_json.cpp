@@ -87,7 +87,7 @@ ExactPoint2 point_within(const ConvexPolygon& a, const ConvexPolygon& b) {
     return Polygon(std::span(&ring, 1));
   };
   const Polygon i = polygon(a), j = polygon(b);
-  return common_point(i, j, polygons_contact(i, j).found);
+  return common_point(i, j, polygons_contact(i, j).found.value());
 }
 
 void write_table(ClaimsWriter& file, std::span<const ConvexPolygon> polygons) {
@@ -124,10 +124,11 @@ std::string certificate_text(std::span<const ConvexPolygon> polygons, Allowed al
   if (!groups.empty()) file.indices("groups", groups);
   file.text("verdict", answer.meet() ? "some" : "none");
   if (answer.meet()) {
-    const ConvexPolygon &a = polygons[answer.i], &b = polygons[answer.j];
-    const ExactPoint2 p = allowed == Allowed::touch ? point_within(a, b) : common_point(a, b, answer.evidence);
-    file.index("i", answer.i);
-    file.index("j", answer.j);
+    const ConvexPolygonsContact& found = *answer.found;
+    const ConvexPolygon &a = polygons[found.i], &b = polygons[found.j];
+    const ExactPoint2 p = allowed == Allowed::touch ? point_within(a, b) : common_point(a, b, found.evidence);
+    file.index("i", found.i);
+    file.index("j", found.j);
     file.fractions("point", std::array{p.x, p.y}, p.denominator);
     file.begin_claims();
     file.begin_claim("common_point");

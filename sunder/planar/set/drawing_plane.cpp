@@ -15,7 +15,7 @@ namespace sunder::planar {
 
 namespace {
 
-using Contact = DrawingAnswer::Contact;
+using Of = DrawingContact::Of;
 
 void check(std::span<const Point2> vertices, std::span<const DrawingEdge> edges) {
   constexpr std::size_t most = std::size_t{1} << 30;
@@ -34,11 +34,9 @@ void check(std::span<const Point2> vertices, std::span<const DrawingEdge> edges)
   }
 }
 
-bool report(DrawingAnswer& answer, Contact contact, ContactKind kind, std::uint32_t i, std::uint32_t j) {
-  answer.contact = contact;
-  answer.kind = kind;
-  answer.i = contact == Contact::vertex_and_edge ? i : std::min(i, j);
-  answer.j = contact == Contact::vertex_and_edge ? j : std::max(i, j);
+bool report(DrawingAnswer& answer, Of of, ContactKind kind, std::uint32_t i, std::uint32_t j) {
+  const bool is_mixed = of == Of::vertex_and_edge;
+  answer.found = {of, is_mixed ? i : std::min(i, j), is_mixed ? j : std::max(i, j), kind};
   return true;
 }
 
@@ -54,7 +52,7 @@ DrawingAnswer drawing_plane(std::span<const Point2> vertices, std::span<const Dr
   for (std::size_t k = 2; k < ends.size(); k += 2) {
     ++answer.cost.probes;
     const std::uint32_t u = ends[k - 2] / 2, v = ends[k] / 2;
-    if (vertices[u] == vertices[v]) return report(answer, Contact::vertices, ContactKind::none, u, v), answer;
+    if (vertices[u] == vertices[v]) return report(answer, Of::vertices, ContactKind::none, u, v), answer;
   }
   std::vector<Segment> segments;
   std::vector<bool> has_edge(vertices.size());
@@ -71,11 +69,12 @@ DrawingAnswer drawing_plane(std::span<const Point2> vertices, std::span<const Dr
   const SegmentsAnswer found = segments_any(Segments(segments), {Allowed::shared_endpoint, false});
   answer.cost.probes += found.cost.probes;
   if (!found.meet()) return answer;
+  const auto [i, j, kind] = *found.found;
   const std::uint32_t edge_count = static_cast<std::uint32_t>(edges.size());
-  if (found.j < edge_count) {
-    report(answer, Contact::edges, found.kind, found.i, found.j);
+  if (j < edge_count) {
+    report(answer, Of::edges, kind, i, j);
   } else {
-    report(answer, Contact::vertex_and_edge, found.kind, alone[found.j - edge_count], found.i);
+    report(answer, Of::vertex_and_edge, kind, alone[j - edge_count], i);
   }
   return answer;
 }
@@ -87,7 +86,7 @@ DrawingAnswer drawing_plane_by_scan(std::span<const Point2> vertices, std::span<
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {
     for (std::uint32_t u = 0; u < v; ++u) {
       ++answer.cost.probes;
-      if (vertices[u] == vertices[v]) return report(answer, Contact::vertices, ContactKind::none, u, v), answer;
+      if (vertices[u] == vertices[v]) return report(answer, Of::vertices, ContactKind::none, u, v), answer;
     }
   }
   for (std::uint32_t f = 0; f < edges.size(); ++f) {
@@ -95,7 +94,7 @@ DrawingAnswer drawing_plane_by_scan(std::span<const Point2> vertices, std::span<
       ++answer.cost.probes;
       const ContactKind kind = segment_segment(segment(e), segment(f));
       if (!counts(kind, Allowed::shared_endpoint)) continue;  // vertices differ: a shared end is a common vertex
-      return report(answer, Contact::edges, kind, e, f), answer;
+      return report(answer, Of::edges, kind, e, f), answer;
     }
     for (std::uint32_t v = 0; v < vertices.size(); ++v) {
       if (v == edges[f][0] || v == edges[f][1]) continue;
@@ -104,7 +103,7 @@ DrawingAnswer drawing_plane_by_scan(std::span<const Point2> vertices, std::span<
       if (!alone) continue;
       ++answer.cost.probes;
       const ContactKind kind = segment_segment(segment(f), {vertices[v], vertices[v]});
-      if (kind != ContactKind::none) return report(answer, Contact::vertex_and_edge, kind, v, f), answer;
+      if (kind != ContactKind::none) return report(answer, Of::vertex_and_edge, kind, v, f), answer;
     }
   }
   return answer;

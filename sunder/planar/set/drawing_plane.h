@@ -7,8 +7,8 @@
 // Source: Shamos & Hoey 1976, section IV (a drawing with more than 3 N - 6 edges is not plane; else Algorithm 1).
 #pragma once
 
-#include <sunder/base/cost.h>
 #include <sunder/planar/pair/segment_segment.h>
+#include <sunder/planar/set/set_answer.h>
 
 #include <array>
 #include <cstdint>
@@ -16,19 +16,20 @@
 
 namespace sunder::planar {
 
-struct [[nodiscard]] DrawingAnswer {
-  enum class Contact : std::uint8_t {
-    none,             // the drawing is plane
+// What a plane drawing has none of.
+struct DrawingContact {
+  enum class Of : std::uint8_t {
     vertices,         // the vertices i < j have one place
     vertex_and_edge,  // the vertex i, which no edge ends at, lies on the edge j
     edges,            // the edges i < j meet
   };
-  Contact contact = Contact::none;
-  ContactKind kind = ContactKind::none;  // of the two edges
+  Of of = Of::vertices;
   std::uint32_t i = 0, j = 0;
-  Cost cost;  // probes: comparisons
+  ContactKind kind = ContactKind::none;  // of the two edges, or of the edge and the vertex; of vertices none
+};
 
-  bool plane() const { return contact == Contact::none; }
+struct [[nodiscard]] DrawingAnswer : AnyAnswer<DrawingContact> {  // probes: comparisons
+  bool plane() const noexcept { return !meet(); }
 };
 
 using DrawingEdge = std::array<std::uint32_t, 2>;  // two vertices

@@ -7,36 +7,41 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace sunder::planar {
 namespace {
 
-using Contact = DrawingAnswer::Contact;
+using Of = DrawingContact::Of;
 
 TEST(DrawingPlaneTest, KnownDrawings) {
   // The complete graph of four vertices: with one inside of the triangle of the others, and as a square.
   const std::vector<DrawingEdge> all{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
   EXPECT_TRUE(drawing_plane(std::array<Point2, 4>{{{0, 0}, {4, 0}, {0, 4}, {1, 1}}}, all).plane());
   const DrawingAnswer square = drawing_plane(std::array<Point2, 4>{{{0, 0}, {4, 0}, {0, 4}, {4, 4}}}, all);
-  EXPECT_EQ(square.contact, Contact::edges);
-  EXPECT_EQ(square.kind, ContactKind::crossing);
-  EXPECT_EQ(square.i, 1u);
-  EXPECT_EQ(square.j, 3u);
+  EXPECT_EQ(square.found->of, Of::edges);
+  EXPECT_EQ(square.found->kind, ContactKind::crossing);
+  EXPECT_EQ(square.found->i, 1u);
+  EXPECT_EQ(square.found->j, 3u);
 
   const std::array<Point2, 3> three{{{0, 0}, {2, 2}, {1, 1}}};
-  EXPECT_EQ(drawing_plane(three, std::array<DrawingEdge, 1>{{{0, 1}}}).contact, Contact::vertex_and_edge);
-  EXPECT_EQ(drawing_plane(three, std::array<DrawingEdge, 1>{{{0, 1}}}).i, 2u);
-  EXPECT_EQ(drawing_plane(three, std::array<DrawingEdge, 2>{{{0, 1}, {0, 2}}}).kind, ContactKind::overlap);
+  EXPECT_EQ(drawing_plane(three, std::array<DrawingEdge, 1>{{{0, 1}}}).found->of, Of::vertex_and_edge);
+  EXPECT_EQ(drawing_plane(three, std::array<DrawingEdge, 1>{{{0, 1}}}).found->i, 2u);
+  EXPECT_EQ(drawing_plane(three, std::array<DrawingEdge, 2>{{{0, 1}, {0, 2}}}).found->kind, ContactKind::overlap);
   EXPECT_TRUE(drawing_plane(three, std::array<DrawingEdge, 2>{{{0, 2}, {2, 1}}}).plane());
-  EXPECT_EQ(drawing_plane(three, std::array<DrawingEdge, 2>{{{0, 2}, {2, 0}}}).kind, ContactKind::overlap);
-  EXPECT_EQ(drawing_plane(std::array<Point2, 2>{{{0.0, 1}, {-0.0, 1}}}, {}).contact, Contact::vertices);
+  EXPECT_EQ(drawing_plane(three, std::array<DrawingEdge, 2>{{{0, 2}, {2, 0}}}).found->kind, ContactKind::overlap);
+  EXPECT_EQ(drawing_plane(std::array<Point2, 2>{{{0.0, 1}, {-0.0, 1}}}, {}).found->of, Of::vertices);
   EXPECT_TRUE(drawing_plane({}, {}).plane());
+}
+
+std::optional<Of> what_meets(const DrawingAnswer& answer) {
+  return answer.plane() ? std::nullopt : std::optional(answer.found->of);
 }
 
 TEST(DrawingPlaneTest, AgreesWithTheScan) {
   Random random(227);
-  std::map<Contact, int> seen;
+  std::map<std::optional<Of>, int> seen;  // of plane ones: nullopt
   for (int k = 0; k < 20000; ++k) {
     const std::uint64_t side = 3 + random.below(20), count = 2 + random.below(6);
     std::vector<Point2> vertices;
@@ -51,19 +56,20 @@ TEST(DrawingPlaneTest, AgreesWithTheScan) {
     }
     const DrawingAnswer answer = drawing_plane(vertices, edges), scan = drawing_plane_by_scan(vertices, edges);
     ASSERT_EQ(answer.plane(), scan.plane()) << k;
-    ASSERT_EQ(answer.contact == Contact::vertices, scan.contact == Contact::vertices) << k;
-    ++seen[answer.contact];
-    if (answer.contact == Contact::edges) {
-      ASSERT_LT(answer.i, answer.j);
-      ASSERT_LT(answer.j, edges.size());
+    const std::optional<Of> of = what_meets(answer);
+    ASSERT_EQ(of == Of::vertices, what_meets(scan) == Of::vertices) << k;
+    ++seen[of];
+    if (of == Of::edges) {
+      ASSERT_LT(answer.found->i, answer.found->j);
+      ASSERT_LT(answer.found->j, edges.size());
     }
-    if (answer.contact == Contact::vertex_and_edge) {
-      ASSERT_LT(answer.i, vertices.size());
-      ASSERT_LT(answer.j, edges.size());
+    if (of == Of::vertex_and_edge) {
+      ASSERT_LT(answer.found->i, vertices.size());
+      ASSERT_LT(answer.found->j, edges.size());
     }
   }
-  for (const Contact contact : {Contact::none, Contact::vertices, Contact::vertex_and_edge, Contact::edges}) {
-    EXPECT_GT(seen[contact], 100) << static_cast<int>(contact);
+  for (const std::optional<Of> of : {std::optional<Of>(), {Of::vertices}, {Of::vertex_and_edge}, {Of::edges}}) {
+    EXPECT_GT(seen[of], 100);
   }
 }
 

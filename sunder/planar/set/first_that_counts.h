@@ -19,13 +19,14 @@ inline auto first_that_counts(PolygonsAnswer& answer, Allowed allowed) {
 
 // Where two polygons are only known to meet: how they do.
 inline void classify(std::span<const Polygon> polygons, PolygonsAnswer& answer) {
-  if (answer.found.contact != Contact::touching) return;
-  const std::uint32_t i = answer.found.i, j = answer.found.j;
+  if (!answer.meet() || answer.found->contact != Contact::touching) return;
+  const std::uint32_t i = answer.found->i, j = answer.found->j;
   const PolygonsAnswer pair = polygons_contact(polygons[i], polygons[j]);
   answer.cost.probes += pair.cost.probes;
+  if (!pair.meet()) return;  // of polygons whose own rings cross
   answer.found = pair.found;
-  answer.found.i = i;
-  answer.found.j = j;
+  answer.found->i = i;
+  answer.found->j = j;
 }
 
 }  // namespace sunder::planar

@@ -33,9 +33,7 @@ ContactKind kind_of(const LineInterval& a, const LineInterval& b) {
 bool report(IntervalsAnswer& answer, ContactKind kind, std::uint32_t i, std::uint32_t j, Allowed allowed) {
   ++answer.cost.probes;
   if (!counts(kind, allowed)) return false;
-  answer.kind = kind;
-  answer.i = std::min(i, j);
-  answer.j = std::max(i, j);
+  answer.found = contact_of(i, j, kind);
   return true;
 }
 

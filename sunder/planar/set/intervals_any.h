@@ -7,8 +7,8 @@
 // Source: Shamos & Hoey 1976, section II: sorting is enough, and no fewer comparisons than N log N do.
 #pragma once
 
-#include <sunder/base/cost.h>
 #include <sunder/planar/set/contact_rule.h>
+#include <sunder/planar/set/set_answer.h>
 
 #include <cstdint>
 #include <span>
@@ -20,13 +20,8 @@ struct LineInterval {
   double low = 0, high = 0;
 };
 
-struct [[nodiscard]] IntervalsAnswer {
-  ContactKind kind = ContactKind::none;  // none: no two meet in a way that counts
-  std::uint32_t i = 0, j = 0;            // the two intervals, i < j; meaningless for `none`
-  std::vector<std::uint32_t> order;      // where none meet: the intervals from left to right
-  Cost cost;                             // probes: comparisons of intervals
-
-  bool meet() const { return kind != ContactKind::none; }
+struct [[nodiscard]] IntervalsAnswer : AnyAnswer<ContactOfTwo<ContactKind>> {  // probes: comparisons of intervals
+  std::vector<std::uint32_t> order;  // where none meet: the intervals from left to right; else empty
 };
 
 // Throws Error bad_value, "interval 7: ...", where an end is not finite or low > high; bad_shape for 2^31 or more.

@@ -34,8 +34,8 @@ TEST(IntervalsAnyTest, AgreesWithTheScanAndWithSegments) {
       ASSERT_EQ(answer.meet(), segments_any_by_scan(Segments(segments), {allowed, false}).meet()) << k;
       ++(answer.meet() ? meets : none);
       if (answer.meet()) {
-        ASSERT_LT(answer.i, answer.j);
-        ASSERT_EQ(answer.kind, segment_segment(segments[answer.i], segments[answer.j]));
+        ASSERT_LT(answer.found->i, answer.found->j);
+        ASSERT_EQ(answer.found->kind, segment_segment(segments[answer.found->i], segments[answer.found->j]));
         continue;
       }
       ASSERT_EQ(std::set<std::uint32_t>(answer.order.begin(), answer.order.end()).size(), n);

@@ -266,7 +266,8 @@ std::optional<PolygonsContact> PolygonPairs::contact(std::uint32_t i, std::uint3
     const PolygonsAnswer pair = polygons_contact(a, b);
     constexpr std::uint64_t of_a_call = 256;  // it takes as long as so many looks, beside what it counts
     cost.probes += of_a_call + pair.cost.probes;
-    found_ = pair.found;
+    if (!pair.meet()) return std::nullopt;  // of polygons whose own rings cross
+    found_ = *pair.found;
     found_.i = i;
     found_.j = j;
     return found_;

@@ -11,12 +11,6 @@ namespace sunder::planar {
 
 namespace {
 
-void report(PolygonSimpleAnswer& answer, ContactKind kind, std::uint32_t i, std::uint32_t j) {
-  answer.kind = kind;
-  answer.i = std::min(i, j);
-  answer.j = std::max(i, j);
-}
-
 // Two vertices u < v that are equal. Of the edges at one and the other some two
 // have a contact that counts: where the vertices do not follow each other, any two that do not; where they do, the edge
 // between them has length zero, and those around it share its point, or are one edge (a ring of three), whose two
@@ -26,7 +20,7 @@ void report_equal_vertices(const Polygon& polygon, std::uint32_t u, std::uint32_
     for (const std::uint32_t j : {v, polygon.previous(v)}) {
       if (i == j) continue;
       const ContactKind kind = counted_contact(polygon, i, j);
-      if (kind != ContactKind::none) return report(answer, kind, i, j);
+      if (kind != ContactKind::none) return void(answer.found = contact_of(i, j, kind));
     }
   }
 }
@@ -60,7 +54,7 @@ PolygonSimpleAnswer by_sweep(const Polygon& polygon, const Segments& edges) {
   }
   const SegmentsAnswer contact = segments_any_by_sweep_over(edges, ends, {Allowed::shared_endpoint, false});
   answer.cost.probes += contact.cost.probes;
-  if (contact.meet()) report(answer, contact.kind, contact.i, contact.j);
+  answer.found = contact.found;
   return answer;
 }
 
@@ -84,7 +78,7 @@ PolygonSimpleAnswer polygon_simple_by_grid(const Polygon& polygon) {
   const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {
     ++answer.cost.probes;
     const ContactKind kind = counted_contact(polygon, i, j);
-    if (kind != ContactKind::none) report(answer, kind, i, j);
+    if (kind != ContactKind::none) answer.found = contact_of(i, j, kind);
     return answer.simple();
   };
   for_each_near_pair<crowd_for_any>(edges.all(), *grid, of_pair);
@@ -100,7 +94,7 @@ PolygonSimpleAnswer polygon_simple_by_scan(const Polygon& polygon) {
       ++answer.cost.probes;
       const ContactKind kind = counted_contact(polygon, i, j);
       if (kind == ContactKind::none) continue;
-      report(answer, kind, i, j);
+      answer.found = contact_of(i, j, kind);
       return answer;
     }
   }

@@ -10,20 +10,17 @@
 // Source: Shamos & Hoey 1976, section IV, Theorem 4.
 #pragma once
 
-#include <sunder/base/cost.h>
 #include <sunder/planar/object/polygon.h>
 #include <sunder/planar/pair/segment_segment.h>
+#include <sunder/planar/set/set_answer.h>
 
 #include <cstdint>
 
 namespace sunder::planar {
 
-struct [[nodiscard]] PolygonSimpleAnswer {
-  ContactKind kind = ContactKind::none;  // of the contact; none: the polygon is simple
-  std::uint32_t i = 0, j = 0;            // the two edges, i < j; meaningless for `none`
-  Cost cost;                             // probes: pairs of edges, and of vertices next to each other once sorted
-
-  bool simple() const { return kind == ContactKind::none; }
+// Probes: pairs of edges, and of vertices next to each other once sorted.
+struct [[nodiscard]] PolygonSimpleAnswer : AnyAnswer<ContactOfTwo<ContactKind>> {  // of two edges
+  bool simple() const noexcept { return !meet(); }
 };
 
 // The front door: the fastest method measured.

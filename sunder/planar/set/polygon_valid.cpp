@@ -155,7 +155,7 @@ class Check {
     if (is_visited_) {
       keep_contacts();
     } else if (options_.most == 1) {
-      answer_.defects.push_back(defect_of({any.i, any.j, any.kind}));
+      answer_.defects.push_back(defect_of(*any.found));
       return;
     } else {
       answer_.cost.probes += visit_contacts(edges_, {Allowed::touch}, [&](const SegmentsContact& c) {

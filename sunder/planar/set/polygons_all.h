@@ -14,10 +14,7 @@
 
 namespace sunder::planar {
 
-struct [[nodiscard]] PolygonsAllAnswer {
-  std::vector<PolygonsContact> contacts;
-  Cost cost;
-};
+using PolygonsAllAnswer = AllAnswer<PolygonsContact>;
 
 struct [[nodiscard]] PolygonsCountAnswer {
   std::uint64_t touching = 0, overlapping = 0;  // pairs that count

@@ -14,12 +14,11 @@
 // Source: Shamos & Hoey 1976, section IV, Theorems 5 and 7.
 #pragma once
 
-#include <sunder/base/cost.h>
 #include <sunder/certificate/pair_answer.h>
 #include <sunder/planar/object/polygon.h>
 #include <sunder/planar/pair/segment_segment.h>
 #include <sunder/planar/set/contact_rule.h>
-#include <sunder/planar/set/segments_any.h>
+#include <sunder/planar/set/set_answer.h>
 
 #include <cstdint>
 #include <functional>
@@ -31,10 +30,10 @@ namespace sunder::planar {
 // Overlapping is shown by edges that cross; else by edges with a common point (of an overlap, its first or its last
 // end) around which the interiors have common points, as the edges of both polygons there tell; or by the vertex.
 struct PolygonsContact {
-  Contact contact = Contact::none;
+  Contact contact = Contact::none;       // of a contact that was found never none
   ContactKind kind = ContactKind::none;  // of the two edges; none: it is shown by a vertex
   bool i_inside = false;                 // where kind is none: is it a vertex of i?
-  std::uint32_t i = 0, j = 0;            // the polygons, i < j; meaningless for Contact::none, like all that follows
+  std::uint32_t i = 0, j = 0;            // the polygons, i < j
   std::uint32_t of_i = 0, of_j = 0;      // edges of i and of j; or the vertex of the one that is inside
   friend bool operator==(const PolygonsContact&, const PolygonsContact&) = default;
 };
@@ -46,12 +45,8 @@ inline bool counts(const PolygonsContact& c, Allowed allowed) {
   return allowed == Allowed::nothing || (allowed == Allowed::shared_endpoint && c.kind != ContactKind::shared_endpoint);
 }
 
-struct [[nodiscard]] PolygonsAnswer {
-  PolygonsContact found;  // Contact::none: no two polygons meet in a way that counts
-  Cost cost;              // probes: pairs of edges or boxes compared, and edges looked at for points inside
-
-  bool meet() const { return found.contact != Contact::none; }
-};
+// Probes: pairs of edges or boxes compared, and edges looked at for points inside.
+using PolygonsAnswer = AnyAnswer<PolygonsContact>;
 
 struct PolygonsOptions {
   Allowed allowed = Allowed::nothing;

@@ -23,19 +23,21 @@ Ring box(double left, double bottom, double right, double top) {
   return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
 }
 
-// As all methods say.
+PolygonsContact contact_in(const PolygonsAnswer& answer) { return answer.found.value_or(PolygonsContact()); }
+
+// As all methods say. Contact::none: they do not meet.
 PolygonsContact contact(const Rings& a, const Rings& b) {
   const std::vector<Polygon> set{Polygon(a), Polygon(b)};
-  const PolygonsContact found = polygons_contact(set[0], set[1]).found;
-  EXPECT_EQ(found.contact, polygons_contact_by_scan(set[0], set[1]).found.contact);
-  EXPECT_EQ(found.contact, polygons_contact(set[1], set[0]).found.contact);
+  const PolygonsContact found = contact_in(polygons_contact(set[0], set[1]));
+  EXPECT_EQ(found.contact, contact_in(polygons_contact_by_scan(set[0], set[1])).contact);
+  EXPECT_EQ(found.contact, contact_in(polygons_contact(set[1], set[0])).contact);
   for (const Allowed allowed : {Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}) {
     for (auto* method :
          {polygons_any, polygons_any_by_boxes, polygons_any_by_grid, polygons_any_by_sweep, polygons_any_by_scan}) {
       const PolygonsAnswer answer = method(set, {allowed, {}, nullptr});
       EXPECT_EQ(answer.meet(), counts(found, allowed));
       if (answer.meet()) {
-        EXPECT_EQ(answer.found.contact, found.contact);
+        EXPECT_EQ(answer.found->contact, found.contact);
       }
       const std::array<std::uint32_t, 2> one_group{4, 4};
       EXPECT_FALSE(method(set, {allowed, one_group, nullptr}).meet());
@@ -100,9 +102,9 @@ TEST(PolygonsAny, TractsMayTouchAndNotOverlap) {
   tracts[12] = Polygon(Rings{box(2, 2, std::nextafter(3.0, 4.0), 3)});
   for (auto* method : {polygons_any_by_boxes, polygons_any_by_grid, polygons_any_by_sweep, polygons_any_by_scan}) {
     const PolygonsAnswer answer = method(tracts, {Allowed::touch, {}, nullptr});
-    EXPECT_EQ(answer.found.contact, Contact::overlapping);
-    EXPECT_EQ(answer.found.i, 12u);
-    EXPECT_EQ(answer.found.j, 17u);
+    EXPECT_EQ(answer.found->contact, Contact::overlapping);
+    EXPECT_EQ(answer.found->i, 12u);
+    EXPECT_EQ(answer.found->j, 17u);
   }
   EXPECT_EQ(polygons_count(tracts).overlapping, 1u);
 }
@@ -165,7 +167,7 @@ TEST(PolygonsAny, BoxesWithinBoxes) {
     set->emplace_back(Rings{{first, second, {first.x, second.y}}});
     const PolygonsAnswer answer = polygons_any_by_boxes(*set);
     EXPECT_TRUE(answer.meet());
-    EXPECT_EQ(answer.found.j + 1, set->size());
+    EXPECT_EQ(answer.found->j + 1, set->size());
     EXPECT_EQ(polygons_all_by_boxes(*set).contacts.size(), polygons_all_by_sweep(*set).contacts.size());
   }
 }
@@ -221,7 +223,7 @@ TEST(PolygonsAny, MethodsAgreeOnLargerSets) {
       for (auto* method : {polygons_any_by_boxes, polygons_any_by_grid, polygons_any_by_sweep}) {
         const PolygonsAnswer answer = method(set, {allowed, {}, nullptr});
         ASSERT_EQ(answer.meet(), !all.contacts.empty()) << k;
-        const auto is_it = [&](const PolygonsContact& c) { return c.i == answer.found.i && c.j == answer.found.j; };
+        const auto is_it = [&](const PolygonsContact& c) { return c.i == answer.found->i && c.j == answer.found->j; };
         ASSERT_TRUE(!answer.meet() || std::any_of(all.contacts.begin(), all.contacts.end(), is_it)) << k;
       }
     }

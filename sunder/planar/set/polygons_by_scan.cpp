@@ -156,8 +156,7 @@ bool are_small_and_whole(const Polygon& polygon) {
 template <class Number>
 PolygonsAnswer contact_in(const Polygon& a, const Polygon& b) {
   PolygonsAnswer answer;
-  PolygonsContact& found = answer.found;
-  found.j = 1;
+  PolygonsContact found;
   for (std::uint32_t e = 0; e < a.size(); ++e) {
     for (std::uint32_t f = 0; f < b.size(); ++f) {
       ++answer.cost.probes;
@@ -168,15 +167,14 @@ PolygonsAnswer contact_in(const Polygon& a, const Polygon& b) {
   }
   if (overlap<Number>(a, b, answer.cost)) {
     found.contact = Contact::overlapping;
-    if (found.kind != ContactKind::none) return answer;
-    for (std::uint32_t v = 0; v < a.size(); ++v) {
+    for (std::uint32_t v = 0; v < a.size() && found.kind == ContactKind::none; ++v) {
       if (inside<Number>(b, a.vertices()[v])) found = {Contact::overlapping, ContactKind::none, true, 0, 1, v, 0};
     }
-    for (std::uint32_t v = 0; v < b.size() && !found.i_inside; ++v) {
+    for (std::uint32_t v = 0; v < b.size() && found.kind == ContactKind::none && !found.i_inside; ++v) {
       if (inside<Number>(a, b.vertices()[v])) found = {Contact::overlapping, ContactKind::none, false, 0, 1, 0, v};
     }
   }
-  if (found.contact == Contact::none) found = {};
+  if (found.contact != Contact::none) answer.found = found;
   return answer;
 }
 
@@ -194,9 +192,10 @@ PolygonsAllAnswer polygons_all_by_scan(std::span<const Polygon> polygons, const 
       if (may_meet(options.groups, i, j)) continue;
       PolygonsAnswer pair = polygons_contact_by_scan(polygons[i], polygons[j]);
       answer.cost.probes += pair.cost.probes;
-      pair.found.i = i;
-      pair.found.j = j;
-      if (counts(pair.found, options.allowed)) answer.contacts.push_back(pair.found);
+      if (!pair.meet() || !counts(*pair.found, options.allowed)) continue;
+      pair.found->i = i;
+      pair.found->j = j;
+      answer.contacts.push_back(*pair.found);
     }
   }
   return answer;

@@ -29,7 +29,7 @@ void expect_inside_both(const Ring& a, const Ring& b) {
   const std::vector<Polygon> both{Polygon(Rings{a}), Polygon(Rings{b})};
   for (auto* method : {polygons_any_by_grid, polygons_any_by_sweep}) {
     for (const Allowed allowed : {Allowed::nothing, Allowed::touch}) {
-      const PolygonsContact found = method(both, {allowed, {}, nullptr}).found;
+      const PolygonsContact found = method(both, {allowed, {}, nullptr}).found.value();
       ASSERT_EQ(found.contact, Contact::overlapping);
       const ExactPoint2 p = common_point(both[0], both[1], found);
       EXPECT_TRUE(is_inside(a, p) && is_inside(b, p));
@@ -48,7 +48,7 @@ TEST(PolygonsCommonPoint, IsInsideOfBothWhereTheyOverlap) {
 
 TEST(PolygonsCommonPoint, OfBordersInCommonIsTheMiddle) {
   const Polygon a(Rings{box(0, 0, 4, 4)}), b(Rings{box(4, 1, 6, 2)});
-  const PolygonsContact found = polygons_contact(a, b).found;
+  const PolygonsContact found = polygons_contact(a, b).found.value();
   ASSERT_EQ(found.kind, ContactKind::overlap);
   const ExactPoint2 p = common_point(a, b, found);
   EXPECT_EQ(nearest_ratio(p.x, p.denominator), 4);

@@ -82,7 +82,7 @@ std::string certificate_text(std::span<const Polygon> polygons, Allowed allowed,
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
   const PolygonsAsked asked{polygons, allowed, groups};
   if (answer.meet()) {
-    write_some(file, asked, answer.found);
+    write_some(file, asked, *answer.found);
   } else {
     write_none(file, asked, *polygon_events(polygons));
   }

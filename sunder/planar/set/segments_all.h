@@ -19,22 +19,13 @@
 
 namespace sunder::planar {
 
-struct SegmentsContact {
-  std::uint32_t i = 0, j = 0;  // i < j
-  ContactKind kind = ContactKind::none;
-  friend auto operator<=>(const SegmentsContact&, const SegmentsContact&) = default;
-};
-
-struct [[nodiscard]] SegmentsAllAnswer {
-  std::vector<SegmentsContact> contacts;  // with a transcript: by i, then j
-  SweepEvents transcript;                 // empty unless asked for
-  Cost cost;                              // probes: pairs that were compared, also those of boxes in a cell
-};
-
-struct [[nodiscard]] SegmentsCountAnswer {
-  std::uint64_t count = 0;
+// Probes: pairs that were compared, also those of boxes in a cell. With a transcript contacts are by i, then j.
+struct [[nodiscard]] SegmentsAllAnswer : AllAnswer<SegmentsContact> {
   SweepEvents transcript;  // empty unless asked for
-  Cost cost;
+};
+
+struct [[nodiscard]] SegmentsCountAnswer : CountAnswer {
+  SweepEvents transcript;  // empty unless asked for
 };
 
 // The front doors: the fastest method measured; with a transcript, which proves the answer, Bentley and Ottmann's.

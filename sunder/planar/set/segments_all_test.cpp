@@ -212,9 +212,9 @@ TEST(SegmentsAllTest, Crowds) {
     const SegmentsAnswer grid = segments_any_by_grid(segments, options);
     ASSERT_EQ(grid.meet(), other < segments.size()) << other;
     if (!grid.meet()) continue;
-    EXPECT_LT(grid.i, grid.j);
-    EXPECT_TRUE(grid.i == other || grid.j == other) << other;
-    EXPECT_EQ(segment_segment(segments[grid.i], segments[grid.j]), grid.kind);
+    EXPECT_LT(grid.found->i, grid.found->j);
+    EXPECT_TRUE(grid.found->i == other || grid.found->j == other) << other;
+    EXPECT_EQ(segment_segment(segments[grid.found->i], segments[grid.found->j]), grid.found->kind);
   }
 }
 

@@ -10,10 +10,10 @@
 // Source: Shamos & Hoey 1976, section III, Algorithm 1 and Theorems 2 and 3.
 #pragma once
 
-#include <sunder/base/cost.h>
 #include <sunder/planar/object/segments.h>
 #include <sunder/planar/pair/segment_segment.h>
 #include <sunder/planar/set/contact_rule.h>
+#include <sunder/planar/set/set_answer.h>
 #include <sunder/planar/set/sweep_events.h>
 
 #include <array>
@@ -23,13 +23,10 @@
 
 namespace sunder::planar {
 
-struct [[nodiscard]] SegmentsAnswer {
-  ContactKind kind = ContactKind::none;  // of the contact; none: no two segments meet in a way that counts
-  std::uint32_t i = 0, j = 0;            // the two segments, i < j; meaningless for `none`
-  SweepEvents transcript;                // empty unless asked for, and where some meet
-  Cost cost;                             // probes: pairs of segments that were compared
+using SegmentsContact = ContactOfTwo<ContactKind>;
 
-  bool meet() const { return kind != ContactKind::none; }
+struct [[nodiscard]] SegmentsAnswer : AnyAnswer<SegmentsContact> {  // probes: pairs of segments that were compared
+  SweepEvents transcript;                                           // empty unless asked for, and where some meet
 };
 
 struct SegmentsOptions {

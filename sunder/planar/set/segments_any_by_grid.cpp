@@ -15,21 +15,17 @@ SegmentsAnswer segments_any_by_grid(const Segments& segments, const SegmentsOpti
     ++answer.cost.probes;
     const ContactKind kind = segment_segment(segments[i], segments[j]);
     if (!counts(kind, options.allowed)) return true;
-    answer.kind = kind;
-    answer.i = i;
-    answer.j = j;
+    answer.found = contact_of(i, j, kind);
     return false;
   };
   if (!for_each_near_pair<crowd_for_any>(segments.all(), *grid, of_pair, options.progress, &answer.cost)) return answer;
   if (crowded(*grid, crowd_for_any) == 0) return answer;
   const std::vector<std::uint32_t> members = members_of_crowds(*grid, crowd_for_any, segments.size());
   const Part part(segments, options.groups, members);
-  const SegmentsAnswer contact = segments_any_by_sweep(part.segments, {options.allowed, false, part.groups});
-  answer.cost.probes += contact.cost.probes;
-  if (!contact.meet()) return answer;
-  answer.kind = contact.kind;
-  answer.i = members[contact.i];
-  answer.j = members[contact.j];
+  const SegmentsAnswer in_crowd = segments_any_by_sweep(part.segments, {options.allowed, false, part.groups});
+  answer.cost.probes += in_crowd.cost.probes;
+  if (!in_crowd.meet()) return answer;
+  answer.found = contact_of(members[in_crowd.found->i], members[in_crowd.found->j], in_crowd.found->kind);
   return answer;
 }
 

@@ -10,9 +10,7 @@ SegmentsAnswer segments_any_by_scan(const Segments& segments, const SegmentsOpti
       ++answer.cost.probes;
       const ContactKind kind = segment_segment(segments[i], segments[j]);
       if (!counts(kind, options.allowed) || may_meet(options.groups, i, j)) continue;
-      answer.kind = kind;
-      answer.i = i;
-      answer.j = j;
+      answer.found = contact_of(i, j, kind);
       return answer;
     }
   }

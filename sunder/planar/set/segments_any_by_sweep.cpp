@@ -133,9 +133,7 @@ class Sweep {
     ++answer_.cost.probes;
     const ContactKind kind = segment_segment(segments_[i], segments_[j]);
     if (!counts(kind, options_.allowed)) return;
-    answer_.kind = kind;
-    answer_.i = std::min(i, j);
-    answer_.j = std::max(i, j);
+    answer_.found = contact_of(i, j, kind);
   }
 
   const Segments& segments_;
@@ -150,9 +148,7 @@ class Sweep {
 SegmentsAnswer by_contacts(const Segments& segments, const SegmentsOptions& options) {
   SegmentsAnswer answer;
   answer.cost = visit_contacts_by_sweep(segments, options, [&](const SegmentsContact& contact) {
-    answer.kind = contact.kind;
-    answer.i = contact.i;
-    answer.j = contact.j;
+    answer.found = contact;
     return false;
   });
   return answer;

@@ -9,12 +9,12 @@ namespace sunder::planar {
 
 namespace {
 
-void write_contact(ClaimsWriter& file, const Segments& segments, const SegmentsAnswer& answer) {
+void write_contact(ClaimsWriter& file, const Segments& segments, const SegmentsContact& found) {
   file.text("verdict", "some");
-  file.index("i", answer.i);
-  file.index("j", answer.j);
-  file.text("kind", std::string(name_of(answer.kind)));
-  const ExactPoint2 p = common_point(segments[answer.i], segments[answer.j]);
+  file.index("i", found.i);
+  file.index("j", found.j);
+  file.text("kind", std::string(name_of(found.kind)));
+  const ExactPoint2 p = common_point(segments[found.i], segments[found.j]);
   file.fractions("point", std::array{p.x, p.y}, p.denominator);
   file.begin_claims();
   file.begin_claim("contact");
@@ -39,7 +39,7 @@ void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allow
                      Groups groups) {
   begin_statement(file, segments, allowed, groups);
   if (answer.meet()) {
-    write_contact(file, segments, answer);
+    write_contact(file, segments, *answer.found);
   } else {
     file.text("verdict", "none");
     write_sweep(file, "none_counts", answer.transcript);

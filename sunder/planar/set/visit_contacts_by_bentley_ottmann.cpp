@@ -306,9 +306,7 @@ std::optional<SweepEvents> sweep_events(const Segments& segments, std::size_t mo
 SegmentsAnswer segments_any_by_bentley_ottmann(const Segments& segments, const SegmentsOptions& options) {
   SegmentsAnswer answer;
   const auto stop = [&](const SegmentsContact& contact) {
-    answer.kind = contact.kind;
-    answer.i = contact.i;
-    answer.j = contact.j;
+    answer.found = contact;
     return false;
   };
   const ContactVisitor visit = stop;
