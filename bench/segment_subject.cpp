@@ -13,11 +13,12 @@
 namespace bench {
 namespace {
 
-using sunder::planar::Allowed;
+using sunder::Allowed;
+using sunder::SetOptions;
 using sunder::planar::Segments;
 
-sunder::planar::SegmentsOptions options_of(Allowed allowed, bool transcript) {
-  sunder::planar::SegmentsOptions options;
+SetOptions options_of(Allowed allowed, bool transcript) {
+  SetOptions options;
   options.allowed = allowed;
   options.transcript = transcript;
   return options;

@@ -11,10 +11,10 @@
 namespace bench {
 namespace {
 
+using sunder::Allowed;
 using sunder::Point2;
-using sunder::planar::Allowed;
+using sunder::SetOptions;
 using sunder::planar::Polygon;
-using sunder::planar::PolygonsOptions;
 using Rings = std::vector<std::vector<Point2>>;
 
 constexpr double kTurn = 6.283185307179586;
@@ -24,7 +24,7 @@ Point2 on_circle(double radius, double turns) {
 }
 
 Asked ask_any(const std::shared_ptr<const std::vector<Polygon>>& polygons, Allowed allowed) {
-  PolygonsOptions options;
+  SetOptions options;
   options.allowed = allowed;
   return [=]() -> std::uint64_t { return polygons_any(*polygons, options).meet() ? 1 : 0; };
 }
@@ -64,7 +64,7 @@ Contest net_contest(std::size_t n) {
   made.truths = {crossings};
   made.subject = {"sunder", "one net", [=](std::size_t) -> Asked {
                     return [=]() -> std::uint64_t {
-                      return crossings + segments_count(*lines, {Allowed::nothing, false, one_net}).count;
+                      return crossings + segments_count(*lines, {Allowed::nothing, one_net}).count;
                     };
                   }};
   made.peers = {{"itself", "no nets", [=](std::size_t) -> Asked {

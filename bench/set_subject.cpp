@@ -1,5 +1,6 @@
 #include "set_subject.h"
 
+#include <sunder/near/cover_order.h>
 #include <sunder/planar/object/circle.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/polygon.h>
@@ -7,7 +8,6 @@
 #include <sunder/planar/set/circles_all.h>
 #include <sunder/planar/set/circles_any.h>
 #include <sunder/planar/set/convex_polygons_any.h>
-#include <sunder/planar/set/cover_order.h>
 #include <sunder/planar/set/polygons_all.h>
 #include <sunder/planar/set/polygons_any.h>
 
@@ -88,7 +88,7 @@ Asked ask_sunder_for_transcript(const SetInput& input, SetKind kind) {
   if (kind == SetKind::discs) {
     return [circles = circles_of(input)]() -> std::uint64_t {
       const bool meet = circles_any(*circles).meet();
-      return meet || cover_order(box_diagonals(*circles)).size() < circles->size() ? 1 : 0;
+      return meet || cover_order(rounded_boxes(*circles)).size() < circles->size() ? 1 : 0;
     };
   }
   return {};

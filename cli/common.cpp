@@ -102,8 +102,7 @@ void refuse_method(std::string_view method, std::string_view known) {
               "--method");
 }
 
-planar::Allowed allowed_by(std::string_view name) {
-  using planar::Allowed;
+Allowed allowed_by(std::string_view name) {
   for (const Allowed allowed : {Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}) {
     if (name == name_of(allowed)) return allowed;
   }

@@ -54,7 +54,7 @@ void note(std::string_view text);
 [[noreturn]] void refuse_method(std::string_view method, std::string_view known);
 
 // The contacts that --allow names: nothing, shared-endpoint, touch. Throws Error bad_call that lists them.
-planar::Allowed allowed_by(std::string_view name);
+Allowed allowed_by(std::string_view name);
 
 // A method for pair questions by its name: automatic, gjk, scan. Throws Error bad_call that names all.
 using PairMethod = solid::PairAnswer (*)(const solid::ConvexPolyhedron&, const solid::Pose&,  //

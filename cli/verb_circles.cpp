@@ -25,12 +25,10 @@ namespace sunder::cli {
 
 namespace {
 
-using planar::Allowed;
 using planar::Circle;
 using planar::Circles;
 using planar::CirclesAnswer;
 using planar::CirclesContact;
-using planar::CirclesOptions;
 using planar::DiscContact;
 
 struct Call {
@@ -45,7 +43,7 @@ struct Call {
   bool lists() const { return all || !svg.empty(); }
 };
 
-using Contacts = planar::ContactsInOrder<CirclesContact>;
+using Contacts = ContactsInOrder<CirclesContact>;
 
 struct Result {
   CirclesAnswer any;                     // with --any
@@ -68,7 +66,7 @@ Allowed allowed_for_discs(const std::string& name) {
               fmt::format("there is nothing named {} to allow; there are nothing, touch", io::quote(name)), "--allow");
 }
 
-using AnyMethod = CirclesAnswer(const Circles&, const CirclesOptions&);
+using AnyMethod = CirclesAnswer(const Circles&, const SetOptions&);
 AnyMethod* any_method(const std::string& name) {
   if (name == "automatic") return planar::circles_any;
   if (name == "grid") return planar::circles_any_by_grid;
@@ -93,19 +91,19 @@ void check(const Call& call) {
   }
 }
 
-CirclesOptions options_of(const Call& call, const io::TripleFile& file) {
-  CirclesOptions options;
+SetOptions options_of(const Call& call, const io::TripleFile& file) {
+  SetOptions options;
   options.allowed = allowed_for_discs(call.allow);
   options.groups = file.group;
   return options;
 }
 
 // With --count, and where a list is wanted. Keeps the circles by reference.
-void count_and_list(const Call& call, const CirclesOptions& options, const Circles& circles, Result& result) {
-  const auto ask = [&, options](const planar::Block& block, const Contacts::Take& take) {
+void count_and_list(const Call& call, const SetOptions& options, const Circles& circles, Result& result) {
+  const auto ask = [&, options](const Block& block, const Contacts::Take& take) {
     const bool is_first = result.contacts == nullptr;
     Progress progress("comparing");
-    CirclesOptions shown = options;
+    SetOptions shown = options;
     shown.progress = progress.reporter();
     const Cost cost = visit_circle_contacts_of_block(circles, shown, block, contact_method(call.method),
                                                      [&](const CirclesContact& contact) {
@@ -116,13 +114,13 @@ void count_and_list(const Call& call, const CirclesOptions& options, const Circl
     if (is_first) result.cost = cost;
   };
   if (call.lists()) {
-    result.contacts = std::make_unique<Contacts>(circles.size(), planar::most_held(circles.size()), ask);
+    result.contacts = std::make_unique<Contacts>(circles.size(), most_held(circles.size()), ask);
   } else {
     ask({0, circles.size()}, nullptr);
   }
 }
 
-void find_any(const Call& call, CirclesOptions options, const Circles& circles, Result& result) {
+void find_any(const Call& call, SetOptions options, const Circles& circles, Result& result) {
   Progress progress("comparing");
   options.progress = progress.reporter();
   const CirclesAnswer& answer = result.any = any_method(call.method)(circles, options);
@@ -135,7 +133,7 @@ void find_any(const Call& call, CirclesOptions options, const Circles& circles, 
   result.contacts = std::make_unique<Contacts>(std::move(found));
 }
 
-void write_certificate(const Call& call, const CirclesOptions& options, const Circles& circles, const Result& result,
+void write_certificate(const Call& call, const SetOptions& options, const Circles& circles, const Result& result,
                        const Origin& origin) {
   if (call.lists()) require_provable(result.pairs());
   io::OutputFile file(call.certificate);
@@ -296,7 +294,7 @@ int run(const Call& call) {
   Origin origin;
   const CirclesInput input =
       read_circles(call.file, call.group, call.name, call.certificate.empty() ? nullptr : &origin.inputs);
-  const CirclesOptions options = options_of(call, input.file);
+  const SetOptions options = options_of(call, input.file);
   const auto require_drawable = [&](std::uint64_t contacts) {
     if (!call.svg.empty()) cli::require_drawable(input.circles.size(), "circle", contacts, call.svg_limit);
   };

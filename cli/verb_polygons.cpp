@@ -27,12 +27,11 @@ namespace {
 
 using planar::Polygon;
 using planar::PolygonsContact;
-using planar::PolygonsOptions;
 
 using Call = PolygonsCall;
 using Result = PolygonsResult;
 
-using AnyMethod = planar::PolygonsAnswer(std::span<const Polygon>, const PolygonsOptions&);
+using AnyMethod = planar::PolygonsAnswer(std::span<const Polygon>, const SetOptions&);
 struct Methods {
   std::string_view name;
   AnyMethod* any;
@@ -106,7 +105,7 @@ void prove(const Call& call, const PolygonsInput& input, const Result& result) {
 
 Result ask(const Call& call, const Methods& by, const PolygonsInput& input) {
   Progress progress("comparing");
-  PolygonsOptions options;
+  SetOptions options;
   options.allowed = allowed_by(call.allow);
   options.groups = input.groups;
   options.progress = progress.reporter();

@@ -35,7 +35,6 @@ using planar::ContactKind;
 using planar::Segment;
 using planar::Segments;
 using planar::SegmentsAnswer;
-using planar::SegmentsOptions;
 
 struct Call {
   std::string file;
@@ -64,7 +63,7 @@ struct Sheet {
 constexpr std::uint64_t most_proved = 10'000'000;  // pairs that a proof tells of
 
 using planar::SegmentsContact;
-using Contacts = planar::ContactsInOrder<SegmentsContact>;
+using Contacts = ContactsInOrder<SegmentsContact>;
 
 struct Result {
   std::unique_ptr<Contacts> contacts;     // by numbers of the file, with --any at most one; with --count null
@@ -78,7 +77,7 @@ struct Result {
   bool all_are(ContactKind kind) const { return some() && number.at(static_cast<std::size_t>(kind)) == count(); }
 };
 
-using AnyMethod = SegmentsAnswer(const Segments&, const SegmentsOptions&);
+using AnyMethod = SegmentsAnswer(const Segments&, const SetOptions&);
 AnyMethod* any_method(const std::string& name) {
   if (name == "automatic") return planar::segments_any;
   if (name == "grid") return planar::segments_any_by_grid;
@@ -176,7 +175,7 @@ SegmentsContact in_file(const Sheet& sheet, const SegmentsContact& c) {
 }
 
 // The numbers in the sheet of those in the file.
-planar::Block in_sheet(const Sheet& sheet, const planar::Block& block) {
+Block in_sheet(const Sheet& sheet, const Block& block) {
   const auto number = [&](std::uint32_t i) {
     return static_cast<std::uint32_t>(std::lower_bound(sheet.members.begin(), sheet.members.end(), i) -
                                       sheet.members.begin());
@@ -186,8 +185,7 @@ planar::Block in_sheet(const Sheet& sheet, const planar::Block& block) {
 
 // Calls take for each contact of the sheet whose i the block holds.
 template <class Take>
-Cost visit(const Call& call, const Sheet& sheet, SegmentsOptions options, const planar::Block& block,
-           const Take& take) {
+Cost visit(const Call& call, const Sheet& sheet, SetOptions options, const Block& block, const Take& take) {
   Progress progress("comparing");
   options.progress = progress.reporter();
   options.groups = sheet.groups;
@@ -199,9 +197,9 @@ Cost visit(const Call& call, const Sheet& sheet, SegmentsOptions options, const 
 }
 
 // With --count, and where a list is wanted. Keeps the sheets by reference.
-void count_and_list(const Call& call, const std::vector<Sheet>& sheets, const SegmentsOptions& options,
-                    std::uint32_t size, Result& result) {
-  const auto ask = [&, options](const planar::Block& block, const Contacts::Take& take) {
+void count_and_list(const Call& call, const std::vector<Sheet>& sheets, const SetOptions& options, std::uint32_t size,
+                    Result& result) {
+  const auto ask = [&, options](const Block& block, const Contacts::Take& take) {
     const bool is_first = result.contacts == nullptr;
     for (const Sheet& sheet : sheets) {
       const Cost cost = visit(call, sheet, options, block, [&](const SegmentsContact& c) {
@@ -212,7 +210,7 @@ void count_and_list(const Call& call, const std::vector<Sheet>& sheets, const Se
     }
   };
   if (call.lists()) {
-    result.contacts = std::make_unique<Contacts>(size, planar::most_held(size), ask);
+    result.contacts = std::make_unique<Contacts>(size, most_held(size), ask);
   } else {
     ask({0, size}, nullptr);
   }
@@ -220,7 +218,7 @@ void count_and_list(const Call& call, const std::vector<Sheet>& sheets, const Se
 
 // Writes the proof of an answer about a sheet.
 template <class Answer>
-void prove(const Call& call, const Sheet& sheet, planar::Allowed allowed, const Answer& answer, const Origin& origin,
+void prove(const Call& call, const Sheet& sheet, Allowed allowed, const Answer& answer, const Origin& origin,
            Result& result) {
   result.proofs.push_back(certificate_of(call, sheet).string());
   io::OutputFile file(result.proofs.back());
@@ -232,7 +230,7 @@ void prove(const Call& call, const Sheet& sheet, planar::Allowed allowed, const 
 }
 
 // A proof of a list, or of its length, has an event for each place where some meet.
-void require_provable(const Sheet& sheet, SegmentsOptions options) {
+void require_provable(const Sheet& sheet, SetOptions options) {
   options.transcript = false;
   const std::uint64_t count = planar::segments_count(sheet.segments, options).count;
   if (count <= most_proved) return;
@@ -246,7 +244,7 @@ void require_provable(const Sheet& sheet, SegmentsOptions options) {
 }
 
 // With --count or --all, and a proof.
-void count_and_prove(const Call& call, const std::vector<Sheet>& sheets, SegmentsOptions options, const Origin& origin,
+void count_and_prove(const Call& call, const std::vector<Sheet>& sheets, SetOptions options, const Origin& origin,
                      Result& result) {
   std::vector<SegmentsContact> all;
   for (const Sheet& sheet : sheets) {
@@ -274,7 +272,7 @@ void count_and_prove(const Call& call, const std::vector<Sheet>& sheets, Segment
 }
 
 // Does any pair meet? Sheet by sheet, until one does.
-void find_any(const Call& call, const std::vector<Sheet>& sheets, SegmentsOptions options, const Origin& origin,
+void find_any(const Call& call, const std::vector<Sheet>& sheets, SetOptions options, const Origin& origin,
               Result& result) {
   std::vector<SegmentsContact> found;
   for (const Sheet& sheet : sheets) {
@@ -456,7 +454,7 @@ io::LineFile read(const Call& call, InputFiles* inputs) {
 
 int run(const Call& call) {
   check(call);
-  SegmentsOptions options;
+  SetOptions options;
   options.allowed = allowed_by(call.allow);
   options.transcript = !call.certificate.empty();
   Origin origin;

@@ -65,10 +65,9 @@ void check(std::string_view text, std::string_view place, const sunder::io::Line
   if (file.segments.empty()) return;
   const sunder::planar::Segments segments(file.segments);  // throws where a coordinate is not finite
   if (segments.size() > 60) return;
-  for (const auto allowed :
-       {sunder::planar::Allowed::nothing, sunder::planar::Allowed::shared_endpoint, sunder::planar::Allowed::touch}) {
-    const auto sweep = sunder::planar::segments_any(segments, {allowed, true});
-    require(sweep.meet() == sunder::planar::segments_any_by_scan(segments, {allowed, false}).meet());
+  for (const auto allowed : {sunder::Allowed::nothing, sunder::Allowed::shared_endpoint, sunder::Allowed::touch}) {
+    const auto sweep = sunder::planar::segments_any(segments, {allowed, {}, nullptr, true});
+    require(sweep.meet() == sunder::planar::segments_any_by_scan(segments, {allowed}).meet());
   }
 }
 

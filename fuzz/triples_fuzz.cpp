@@ -30,8 +30,8 @@ void ask_circles(const sunder::io::TripleFile& file) {
   std::vector<Circle> circles;
   for (const auto& [x, y, r] : file.rows) circles.push_back({{x, y}, std::fabs(r)});
   const Circles set(circles);
-  for (const auto allowed : {sunder::planar::Allowed::nothing, sunder::planar::Allowed::touch}) {
-    const sunder::planar::CirclesOptions options{allowed, file.group, nullptr};
+  for (const auto allowed : {sunder::Allowed::nothing, sunder::Allowed::touch}) {
+    const sunder::SetOptions options{allowed, file.group, nullptr};
     const bool meet = sunder::planar::circles_any_by_scan(set, options).meet();
     require(sunder::planar::circles_any(set, options).meet() == meet);
     require(sunder::planar::circles_any_by_grid(set, options).meet() == meet);

@@ -20,8 +20,8 @@ import os
 import re
 import sys
 
-CORE = ["base", "number", "predicate", "certificate", "planar", "solid", "polytope", "scene"]
-UP_TO_CERTIFICATE = {"base", "number", "predicate", "certificate"}
+CORE = ["base", "number", "predicate", "certificate", "near", "planar", "solid", "polytope", "scene"]
+UP_TO_NEAR = {"base", "number", "predicate", "certificate", "near"}
 
 # layer: the layers that it may include, besides itself
 LAYERS = {
@@ -29,10 +29,11 @@ LAYERS = {
     "number": {"base"},
     "predicate": {"base", "number"},
     "certificate": {"base", "number", "predicate"},
-    "planar": UP_TO_CERTIFICATE,
-    "solid": UP_TO_CERTIFICATE,
-    "polytope": UP_TO_CERTIFICATE,
-    "scene": UP_TO_CERTIFICATE | {"planar", "solid", "polytope"},
+    "near": {"base", "number", "predicate", "certificate"},
+    "planar": UP_TO_NEAR,
+    "solid": UP_TO_NEAR,
+    "polytope": UP_TO_NEAR,
+    "scene": UP_TO_NEAR | {"planar", "solid", "polytope"},
     "io": set(CORE),
     "cli": set(CORE) | {"io", "verifier"},
     "verifier": set(),
@@ -40,8 +41,8 @@ LAYERS = {
 
 # layer: its folders from the lowest to the highest
 ORDER = {
-    "planar": ["object", "pair", "set", "region"],
-    "solid": ["hull", "object", "represent", "pair"],
+    "planar": ["object", "pair", "sweep", "set", "region"],
+    "solid": ["hull", "represent", "object", "pair"],
 }
 
 # The first part of a header of somebody else's: where it may be included (tests may include all).

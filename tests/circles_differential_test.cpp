@@ -22,12 +22,10 @@
 namespace sunder::tests {
 namespace {
 
-using planar::Allowed;
 using planar::Circle;
 using planar::Circles;
 using planar::CirclesAnswer;
 using planar::CirclesContact;
-using planar::CirclesOptions;
 using planar::DiscContact;
 
 constexpr std::array<Allowed, 3> rules{Allowed::nothing, Allowed::shared_endpoint, Allowed::touch};
@@ -181,14 +179,14 @@ class CircleSets {
 // -------------------------------------------------------------------------------------------------------------
 
 void expect_truth(const CirclesAnswer& answer, const CirclesAnswer& scan, const Circles& circles,
-                  const CirclesOptions& options) {
+                  const SetOptions& options) {
   ASSERT_EQ(answer.meet(), scan.meet());
   if (!answer.meet()) return;
   ASSERT_LT(answer.found->i, answer.found->j);
   ASSERT_LT(answer.found->j, circles.size());
   ASSERT_EQ(planar::circle_circle(circles[answer.found->i], circles[answer.found->j]), answer.found->kind);
   ASSERT_TRUE(planar::counts(answer.found->kind, options.allowed));
-  ASSERT_FALSE(planar::may_meet(options.groups, answer.found->i, answer.found->j));
+  ASSERT_FALSE(may_meet(options.groups, answer.found->i, answer.found->j));
 }
 
 bool is_accepted(const std::string& text) { return sunder_verifier::verify_text(text, "proof").accepted(); }
@@ -212,7 +210,7 @@ TEST(CirclesDifferential, AnyAgreesWithTheScan) {
     ++rate.cases;
     for (std::size_t r = 0; r < rules.size(); ++r) {
       for (const bool grouped : {false, true}) {
-        CirclesOptions options{rules[r], {}, nullptr};
+        SetOptions options{rules[r], {}, nullptr};
         if (grouped) options.groups = groups;
         const CirclesAnswer scan = planar::circles_any_by_scan(circles, options);
         if (!grouped) {
@@ -258,7 +256,7 @@ TEST(CirclesDifferential, ListsAgreeWithTheScan) {
     const Circles circles(set);
     std::vector<std::uint32_t> groups;
     for (std::size_t k = 0; k < set.size(); ++k) groups.push_back(static_cast<std::uint32_t>(sets.random().below(3)));
-    CirclesOptions options{rules[static_cast<std::size_t>(i % 3)], {}, nullptr};
+    SetOptions options{rules[static_cast<std::size_t>(i % 3)], {}, nullptr};
     if (i % 2 == 0) options.groups = groups;
     const auto listed = [&](planar::CirclesContactMethod* method) {
       std::vector<CirclesContact> list;
@@ -277,14 +275,12 @@ TEST(CirclesDifferential, ListsAgreeWithTheScan) {
     ASSERT_EQ(planar::circles_all(circles, options).contacts.size(), truth.size());
     contacts += truth.size();
     if (i % 4 > 1) continue;
-    const CirclesOptions& o = options;  // proved: the list, and its length; and nothing else
+    const SetOptions& o = options;  // proved: the list, and its length; and nothing else
     planar::CirclesAllAnswer all{truth, {}};
     std::reverse(all.contacts.begin(), all.contacts.end());
     ASSERT_TRUE(is_accepted(planar::certificate_text(circles, o.allowed, all, o.groups))) << i;
-    ASSERT_TRUE(
-        is_accepted(certificate_text(circles, o.allowed, planar::CirclesCountAnswer{truth.size(), {}}, o.groups)));
-    ASSERT_FALSE(
-        is_accepted(certificate_text(circles, o.allowed, planar::CirclesCountAnswer{truth.size() + 1, {}}, o.groups)));
+    ASSERT_TRUE(is_accepted(certificate_text(circles, o.allowed, CountAnswer{truth.size(), {}}, o.groups)));
+    ASSERT_FALSE(is_accepted(certificate_text(circles, o.allowed, CountAnswer{truth.size() + 1, {}}, o.groups)));
     if (truth.empty()) continue;
     all.contacts.erase(all.contacts.begin() + static_cast<std::ptrdiff_t>(sets.random().below(truth.size())));
     ASSERT_FALSE(is_accepted(planar::certificate_text(circles, o.allowed, all, o.groups))) << i;
@@ -299,7 +295,7 @@ TEST(CirclesDifferential, SymmetriesKeepTheVerdict) {
   int meets = 0;
   for (int i = 0; i < count; ++i) {
     const std::vector<Circle> set = sets.next();
-    const CirclesOptions options{rules[static_cast<std::size_t>(i % 3)], {}, nullptr};
+    const SetOptions options{rules[static_cast<std::size_t>(i % 3)], {}, nullptr};
     const auto contacts = [&](auto&& changed) {
       std::vector<Circle> circles;
       for (const Circle& c : set) circles.push_back(changed(c));

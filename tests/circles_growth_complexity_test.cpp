@@ -3,10 +3,10 @@
 #include <tests/support/growth.h>
 
 #include <sunder/base/random.h>
+#include <sunder/near/cover_order.h>
 #include <sunder/planar/region/circles.h>
 #include <sunder/planar/set/circle_boxes.h>
 #include <sunder/planar/set/circles_all.h>
-#include <sunder/planar/set/cover_order.h>
 
 #include <array>
 #include <cmath>
@@ -19,11 +19,8 @@
 namespace sunder::tests {
 namespace {
 
-using planar::Allowed;
 using planar::Circle;
 using planar::Circles;
-using planar::CirclesOptions;
-using planar::Segment;
 
 struct Set {
   std::vector<Circle> circles;
@@ -177,7 +174,7 @@ TEST(CirclesGrowth, OfEachFrontDoor) {
           for (std::uint32_t i = 0; grouping.group != nullptr && i < circles.size(); ++i) {
             groups.push_back(grouping.group(i));
           }
-          const CirclesOptions options{allowed, groups};
+          const SetOptions options{allowed, groups};
           const std::string what =
               std::string(family.name) + grouping.name + ", allow " + std::string(name_of(allowed));
           const double n = circles.size();
@@ -185,7 +182,7 @@ TEST(CirclesGrowth, OfEachFrontDoor) {
           const std::uint64_t probes = circles_count(circles, options).cost.probes;
           count.add("count: " + what, n, set.k, probes);
           if (allowed == Allowed::nothing) {
-            const std::vector<Segment> boxes = box_diagonals(circles);
+            const std::vector<Box2> boxes = rounded_boxes(circles);
             const std::uint64_t looks = cover_looks(cover_order(boxes, groups), boxes, groups, ~std::uint64_t{0});
             cover.add("proof: " + what, n, set.k, looks);
           }

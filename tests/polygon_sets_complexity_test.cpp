@@ -24,10 +24,8 @@
 namespace sunder::tests {
 namespace {
 
-using planar::Allowed;
 using planar::ConvexPolygon;
 using planar::Polygon;
-using planar::PolygonsOptions;
 using Ring = std::vector<Point2>;
 using Rings = std::vector<Ring>;
 
@@ -242,7 +240,7 @@ TEST(PolygonSetsComplexity, EachFrontDoorUnderEachRule) {
       for (const Grouping grouping : groupings) {
         const std::vector<std::uint32_t> groups = groups_of(polygons.size(), grouping);
         for (const Allowed allowed : rules) {
-          const PolygonsOptions options{allowed, groups, nullptr};
+          const SetOptions options{allowed, groups, nullptr};
           const std::string what = family.name + ", " + std::string(name_of(allowed)) + " allowed, grouping " +
                                    std::to_string(static_cast<int>(grouping));
           const planar::PolygonsAnswer some = planar::polygons_any(polygons, options);

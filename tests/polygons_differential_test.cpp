@@ -27,13 +27,11 @@
 namespace sunder::tests {
 namespace {
 
-using planar::Allowed;
 using planar::ContactKind;
 using planar::Polygon;
 using planar::PolygonsAllAnswer;
 using planar::PolygonsAnswer;
 using planar::PolygonsContact;
-using planar::PolygonsOptions;
 using Ring = std::vector<Point2>;
 using Rings = std::vector<Ring>;
 
@@ -310,8 +308,7 @@ void expect_shown(const PolygonsContact& c, const std::vector<Polygon>& polygons
 }
 
 // The answer in a file, as the verifier reads it. Where two overlap, the point says so: it is inside of both.
-void expect_certified(const PolygonsAnswer& answer, const std::vector<Polygon>& polygons,
-                      const PolygonsOptions& options) {
+void expect_certified(const PolygonsAnswer& answer, const std::vector<Polygon>& polygons, const SetOptions& options) {
   const auto is_accepted = [&](Allowed allowed) {
     const std::string text = certificate_text(polygons, allowed, answer, options.groups);
     return sunder_verifier::verify_text(text, "differential").accepted();
@@ -322,7 +319,7 @@ void expect_certified(const PolygonsAnswer& answer, const std::vector<Polygon>& 
 
 // A list, and its length, in a file, as the verifier reads it; and neither of another length.
 void expect_list_certified(const std::vector<PolygonsContact>& contacts, const std::vector<Polygon>& polygons,
-                           const PolygonsOptions& options) {
+                           const SetOptions& options) {
   const planar::PolygonsAsked asked{polygons, options.allowed, options.groups};
   const planar::SweepEvents events = *planar::polygon_events(polygons);
   const auto is_accepted = [&](const auto& write) {
@@ -359,10 +356,10 @@ struct Rates {
   std::map<ContactKind, int> touching, overlapping;  // what shows them
 };
 
-void compare_on(const std::vector<Polygon>& polygons, planar::Groups groups, Rates& rates) {
+void compare_on(const std::vector<Polygon>& polygons, Groups groups, Rates& rates) {
   const PolygonsAllAnswer truth = planar::polygons_all_by_scan(polygons, {Allowed::nothing, groups, nullptr});
   for (std::size_t r = 0; r < rules.size(); ++r) {
-    const PolygonsOptions options{rules[r], groups, nullptr};
+    const SetOptions options{rules[r], groups, nullptr};
     std::vector<PolygonsContact> count_here;
     std::copy_if(truth.contacts.begin(), truth.contacts.end(), std::back_inserter(count_here),
                  [&](const PolygonsContact& c) { return counts(c, rules[r]); });
@@ -398,7 +395,7 @@ void compare_on(const std::vector<Polygon>& polygons, planar::Groups groups, Rat
       }
     }
   }
-  const PolygonsOptions options{rules[static_cast<std::size_t>(rates.sets) % rules.size()], groups, nullptr};
+  const SetOptions options{rules[static_cast<std::size_t>(rates.sets) % rules.size()], groups, nullptr};
   for (auto* method : {planar::polygons_any_by_boxes, planar::polygons_any_by_grid, planar::polygons_any_by_sweep}) {
     const PolygonsAnswer answer = method(polygons, options);
     ASSERT_NO_FATAL_FAILURE(expect_certified(answer, polygons, options));

@@ -19,18 +19,16 @@
 namespace sunder::tests {
 namespace {
 
-using planar::Allowed;
 using planar::ContactKind;
 using planar::Segments;
 using planar::SegmentsContact;
-using planar::SegmentsOptions;
 
 bool is_accepted(const std::string& certificate) {
   return sunder_verifier::verify_text(certificate, "differential").accepted();
 }
 
 std::vector<SegmentsContact> listed(planar::ContactMethod& method, const Segments& segments,
-                                    const SegmentsOptions& options) {
+                                    const SetOptions& options) {
   std::vector<SegmentsContact> contacts;
   method(segments, options, [&](const SegmentsContact& contact) {
     contacts.push_back(contact);
@@ -58,7 +56,7 @@ TEST(SegmentsAllDifferential, MethodsAgreeWithTheScan) {
     }
     for (const bool grouped : {false, true}) {
       const Allowed allowed = static_cast<Allowed>(i % 3);
-      SegmentsOptions options{allowed, false};
+      SetOptions options{allowed};
       if (grouped) options.groups = groups;
       const std::vector<SegmentsContact> truth = listed(planar::visit_contacts_by_scan, segments, options);
       for (planar::ContactMethod* method :
@@ -131,8 +129,8 @@ TEST(SegmentsAllDifferential, CrowdsAgreeWithTheScan) {
     contacts += truth.size();
     for (const Allowed allowed : {Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}) {
       const bool meet = std::any_of(truth.begin(), truth.end(), [&](const auto& c) { return counts(c.kind, allowed); });
-      ASSERT_EQ(planar::segments_any_by_grid(segments, {allowed, false}).meet(), meet);
-      ASSERT_EQ(planar::segments_any_by_sweep(segments, {allowed, false}).meet(), meet);
+      ASSERT_EQ(planar::segments_any_by_grid(segments, {allowed}).meet(), meet);
+      ASSERT_EQ(planar::segments_any_by_sweep(segments, {allowed}).meet(), meet);
     }
   }
   EXPECT_GT(contacts, static_cast<std::size_t>(count) * 100);
@@ -155,7 +153,7 @@ TEST(SegmentsAllDifferential, BundlesAgreeWithTheScan) {
     }
     const Segments segments(given);
     for (const bool grouped : {false, true}) {
-      SegmentsOptions options{static_cast<Allowed>(i % 3), false};
+      SetOptions options{static_cast<Allowed>(i % 3)};
       if (grouped) options.groups = groups;
       const std::vector<SegmentsContact> truth = listed(planar::visit_contacts_by_scan, segments, options);
       for (planar::ContactMethod* method : {&planar::visit_contacts_by_bentley_ottmann,

@@ -14,7 +14,6 @@
 namespace sunder::tests {
 namespace {
 
-using planar::Allowed;
 using planar::ContactKind;
 using planar::Segment;
 using planar::Segments;
@@ -44,18 +43,18 @@ TEST(SegmentsAnyDifferential, MethodsAgreeWithTheScan) {
     const Segments segments(set.segments);
     ++cases[set.family];
     for (std::size_t r = 0; r < rules.size(); ++r) {
-      const SegmentsAnswer scan = planar::segments_any_by_scan(segments, {rules[r], false});
+      const SegmentsAnswer scan = planar::segments_any_by_scan(segments, {rules[r]});
       for (const bool transcript : {false, true}) {
-        const SegmentsAnswer sweep = planar::segments_any_by_sweep(segments, {rules[r], transcript});
+        const SegmentsAnswer sweep = planar::segments_any_by_sweep(segments, {rules[r], {}, nullptr, transcript});
         ASSERT_NO_FATAL_FAILURE(expect_truth(sweep, scan, segments, rules[r]))
             << i << " " << name_of(set.family) << " allowed " << name_of(rules[r]);
         if (!transcript) continue;
         ASSERT_EQ(sweep.transcript.empty(), sweep.meet());
         ++kinds[sweep.found.value_or(planar::SegmentsContact{}).kind];
       }
-      const SegmentsAnswer grid = planar::segments_any_by_grid(segments, {rules[r], false});
+      const SegmentsAnswer grid = planar::segments_any_by_grid(segments, {rules[r]});
       ASSERT_NO_FATAL_FAILURE(expect_truth(grid, scan, segments, rules[r])) << i << " " << name_of(set.family);
-      const SegmentsAnswer front = planar::segments_any(segments, {rules[r], false});
+      const SegmentsAnswer front = planar::segments_any(segments, {rules[r]});
       ASSERT_NO_FATAL_FAILURE(expect_truth(front, scan, segments, rules[r])) << i << " " << name_of(set.family);
       meets[set.family][r] += scan.meet();
     }
@@ -90,7 +89,7 @@ TEST(SegmentsAnyDifferential, SymmetriesKeepTheVerdict) {
     const auto verdict = [&](auto&& changed) {
       std::vector<Segment> segments;
       for (const Segment& s : set.segments) segments.push_back(changed(s));
-      return planar::segments_any(Segments(segments), {allowed, false}).meet();
+      return planar::segments_any(Segments(segments), {allowed}).meet();
     };
     const bool meet = verdict([](const Segment& s) { return s; });
     meets += meet;
@@ -102,7 +101,7 @@ TEST(SegmentsAnyDifferential, SymmetriesKeepTheVerdict) {
           << i;
     }
     std::vector<Segment> reversed(set.segments.rbegin(), set.segments.rend());
-    ASSERT_EQ(planar::segments_any(Segments(reversed), {allowed, false}).meet(), meet) << i;
+    ASSERT_EQ(planar::segments_any(Segments(reversed), {allowed}).meet(), meet) << i;
   }
   EXPECT_GT(meets, count / 5);
   EXPECT_LT(meets, count - count / 5);

@@ -14,11 +14,9 @@
 namespace sunder::tests {
 namespace {
 
-using planar::Allowed;
 using planar::Segment;
 using planar::Segments;
 using planar::SegmentsContact;
-using planar::SegmentsOptions;
 
 struct Set {
   std::vector<Segment> segments;
@@ -260,7 +258,7 @@ TEST(SegmentsGrowth, OfEachFrontDoor) {
           for (std::uint32_t i = 0; grouping.group != nullptr && i < segments.size(); ++i) {
             groups.push_back(grouping.group(i));
           }
-          const SegmentsOptions options{allowed, false, groups};
+          const SetOptions options{allowed, groups};
           const std::string what =
               std::string(family.name) + grouping.name + ", allow " + std::string(name_of(allowed));
           const double n = segments.size();

@@ -60,6 +60,11 @@ struct Box {
 using Box2 = Box<2>;
 using Box3 = Box<3>;
 
+// Of a box, or of what derives from one.
+template <class BoxLike>
+inline constexpr std::size_t dimension_of =
+    [] { return []<std::size_t D>(const Box<D>*) { return D; }(static_cast<const BoxLike*>(nullptr)); }();
+
 // Have they a common point?
 template <std::size_t D>
 bool meet(const Box<D>& a, const Box<D>& b) {

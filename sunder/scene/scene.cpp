@@ -1,6 +1,6 @@
 #include <sunder/base/contract.h>
+#include <sunder/near/box_sweep.h>
 #include <sunder/scene/scene.h>
-#include <sunder/scene/sweep.h>
 
 #include <algorithm>
 #include <tuple>
@@ -45,7 +45,7 @@ class Scene {
         for (std::uint32_t j = i + 1; j < members_.size(); ++j) look_at(i, j);
       }
     } else {
-      for (const auto& [i, j] : meeting_boxes(boxes_)) look_at(i, j);
+      for (const auto& [i, j] : meeting_boxes(std::span<const WorldBox>(boxes_))) look_at(i, j);
     }
     std::sort(answer_.pairs.begin(), answer_.pairs.end(), [](const PartPair& p, const PartPair& q) {
       return std::tie(p.body_a, p.body_b, p.part_a, p.part_b) < std::tie(q.body_a, q.body_b, q.part_a, q.part_b);

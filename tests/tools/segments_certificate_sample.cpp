@@ -16,7 +16,6 @@
 
 int main(int argc, char** argv) {
   using namespace sunder;
-  using planar::Allowed;
   if (argc < 3) {
     std::fprintf(stderr, "usage: segments_certificate_sample FOLDER COUNT [SEED]\n");
     return 2;
@@ -35,7 +34,7 @@ int main(int argc, char** argv) {
     for (std::uint32_t k = 0; i % 2 == 1 && k < segments.size(); ++k) {
       groups.push_back(static_cast<std::uint32_t>(sets.random().below(group_count)));
     }
-    const planar::SegmentsOptions options{allowed, true, groups};
+    const SetOptions options{allowed, groups, nullptr, true};
     std::ofstream file(folder / ("segments_" + std::to_string(i) + ".json"), std::ios::binary);
     const auto write = [&](const auto& answer) {
       crossings += static_cast<std::size_t>(std::ranges::count(answer.transcript.at, planar::at_crossing));

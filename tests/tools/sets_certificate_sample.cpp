@@ -172,7 +172,7 @@ std::string some_text(Numbers& numbers, int question) {
     if (numbers.below(2) == 0) {
       for (std::uint32_t i = 0; i < circles.size(); ++i) groups.push_back(static_cast<std::uint32_t>(numbers.below(3)));
     }
-    const CirclesOptions options{allowed, groups, nullptr};
+    const SetOptions options{allowed, groups, nullptr};
     const std::uint64_t asked = numbers.below(3);
     if (asked == 0) return certificate_text(circles, allowed, circles_all(circles, options), groups);
     if (asked == 1) return certificate_text(circles, allowed, circles_count(circles, options), groups);

@@ -27,9 +27,9 @@ EdgeBoxes::EdgeBoxes(std::span<const Segment> edges) {
   constexpr float nothing = std::numeric_limits<float>::quiet_NaN();  // compares as false: such a box meets none
   std::vector<CoarseBox> runs;
   for (std::size_t k = 0; k < edges.size(); k += fan) {
-    LanesBox run = box_of_edge(edges[k].a, edges[k].b);
+    LanesBox run = lanes_box_of(edges[k].a, edges[k].b);
     for (std::size_t l = k + 1; l < std::min(k + fan, edges.size()); ++l) {
-      run = hull(run, box_of_edge(edges[l].a, edges[l].b));
+      run = hull(run, lanes_box_of(edges[l].a, edges[l].b));
     }
     runs.push_back(coarse(run));
   }

@@ -6,7 +6,7 @@
 #pragma once
 
 #include <sunder/base/lanes.h>
-#include <sunder/planar/object/lanes_box.h>
+#include <sunder/near/lanes_box.h>
 #include <sunder/planar/object/segments.h>
 
 #include <algorithm>

@@ -28,7 +28,7 @@ TEST(EdgeBoxesTest, CoarseBoxesHoldTrueOnesAndNoMoreThanTheNextFloats) {
   Random random(1);
   for (int round = 0; round < 20000; ++round) {
     const LanesBox box =
-        box_of_edge({coordinate(random), coordinate(random)}, {coordinate(random), coordinate(random)});
+        lanes_box_of(Point2{coordinate(random), coordinate(random)}, Point2{coordinate(random), coordinate(random)});
     const CoarseBox outer = coarse(box);
     EXPECT_TRUE(holds(outer.in_doubles(), box));
     const float low = std::nextafter(outer.left, std::numeric_limits<float>::infinity());
@@ -36,7 +36,7 @@ TEST(EdgeBoxesTest, CoarseBoxesHoldTrueOnesAndNoMoreThanTheNextFloats) {
     EXPECT_GT(static_cast<double>(low), box.low[0]);
     EXPECT_LT(static_cast<double>(high), box.high[1]);
   }
-  const LanesBox floats = box_of_edge({-1.5, 3}, {0.25, -0x1p-149});
+  const LanesBox floats = lanes_box_of(Point2{-1.5, 3}, Point2{0.25, -0x1p-149});
   EXPECT_TRUE(are_equal(coarse(floats).in_doubles(), floats));
 }
 
@@ -48,14 +48,14 @@ TEST(EdgeBoxesTest, RunsHoldTheirEdges) {
   for (std::uint32_t size = 1; size < 300; size = size < 80 ? size + 1 : size + 37) {
     std::vector<Segment> edges;
     for (std::uint32_t k = 0; k < size; ++k) {
-      edges.push_back({{coordinate(random), coordinate(random)}, {coordinate(random), coordinate(random)}});
+      edges.push_back({{coordinate(random), coordinate(random)}, Point2{coordinate(random), coordinate(random)}});
     }
     const EdgeBoxes boxes(edges);
     std::uint32_t members = size;
     for (std::uint32_t l = 0; l <= boxes.top(); ++l) {
       const std::uint32_t runs = (members + EdgeBoxes::fan - 1) / EdgeBoxes::fan;
       for (std::uint32_t k = 0; k < members; ++k) {
-        const LanesBox member = l == 0 ? box_of_edge(edges[k].a, edges[k].b) : boxes.box(l - 1, k).in_doubles();
+        const LanesBox member = l == 0 ? lanes_box_of(edges[k].a, edges[k].b) : boxes.box(l - 1, k).in_doubles();
         EXPECT_TRUE(holds(boxes.box(l, k / EdgeBoxes::fan).in_doubles(), member));
       }
       std::uint32_t counted = 0;
@@ -80,7 +80,7 @@ TEST(EdgeBoxesTest, FourBoxesAtOnceMeetAsEachDoes) {
   const auto box = [&] {
     const auto some = [&] { return static_cast<double>(random.between(-3, 3)); };
     const double x = some(), y = some();
-    return coarse(box_of_edge({x, y}, {x + some(), y + some()}));
+    return coarse(lanes_box_of(Point2{x, y}, Point2{x + some(), y + some()}));
   };
   int met = 0;
   for (int round = 0; round < 3000; ++round) {

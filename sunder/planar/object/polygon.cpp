@@ -29,8 +29,8 @@ Polygon::Polygon(std::span<const std::vector<Point2>> rings) {
   edges.reserve(size());
   for (std::uint32_t k = 0; k < size(); ++k) edges.push_back(edge(k));
   edge_boxes_ = EdgeBoxes(edges);
-  LanesBox all = box_of_edge(edges[0].a, edges[0].b);
-  for (const Segment& e : edges) all = hull(all, box_of_edge(e.a, e.b));
+  LanesBox all = lanes_box_of(edges[0].a, edges[0].b);
+  for (const Segment& e : edges) all = hull(all, lanes_box_of(e.a, e.b));
   box_ = {{all.low[0], all.low[1]}, {all.high[0], all.high[1]}};
 }
 

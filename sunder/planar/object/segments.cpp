@@ -18,7 +18,7 @@ Segments::Segments(std::span<const Segment> given) {
                   "segment " + std::to_string(segments_.size()));
     }
     segments_.push_back(sorted(s));
-    extents_.add(segments_.back());
+    extents_.add(box_of(segments_.back()));
   }
 }
 

@@ -1,11 +1,11 @@
 // Segments of the plane: closed, of any length, also zero.
 #pragma once
 
-#include <sunder/predicate/point.h>
+#include <sunder/near/box_grid.h>
+#include <sunder/near/lanes_box.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -22,21 +22,9 @@ struct Segment {
 // From its lexicographically first end to its last.
 inline Segment sorted(const Segment& s) { return lexicographically_less(s.b, s.a) ? Segment{s.b, s.a} : s; }
 
-// Of some segments: their common box, and the sums of the widths and heights of their boxes.
-struct SegmentExtents {
-  Box2 box{{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()},
-           {-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}};
-  double sum_x = 0, sum_y = 0;  // rounded
-
-  // Requires s.a lexicographically not after s.b.
-  void add(const Segment& s) {
-    const double bottom = std::min(s.a.y, s.b.y), top = std::max(s.a.y, s.b.y);
-    box.low = {std::min(box.low.x, s.a.x), std::min(box.low.y, bottom)};
-    box.high = {std::max(box.high.x, s.b.x), std::max(box.high.y, top)};
-    sum_x += s.b.x - s.a.x;
-    sum_y += top - bottom;
-  }
-};
+// The box between its ends, which is its box. Requires s.a.x <= s.b.x.
+inline Box2 box_of(const Segment& s) { return {{s.a.x, std::min(s.a.y, s.b.y)}, {s.b.x, std::max(s.a.y, s.b.y)}}; }
+inline LanesBox lanes_box_of(const Segment& s) { return lanes_box_of(s.a, s.b); }  // in any order
 
 // A set of segments, numbered from 0. Immutable; any number of threads may use it.
 // P1. All coordinates are finite.
@@ -49,11 +37,11 @@ class Segments {
   std::uint32_t size() const { return static_cast<std::uint32_t>(segments_.size()); }
   const Segment& operator[](std::uint32_t i) const { return segments_[i]; }
   std::span<const Segment> all() const { return segments_; }
-  const SegmentExtents& extents() const { return extents_; }
+  const BoxExtents& extents() const { return extents_; }
 
  private:
   std::vector<Segment> segments_;
-  SegmentExtents extents_;
+  BoxExtents extents_;
 };
 
 }  // namespace sunder::planar

@@ -9,9 +9,9 @@
 #pragma once
 
 #include <sunder/base/cost.h>
+#include <sunder/near/contacts_in_order.h>
 #include <sunder/planar/object/circle.h>
 #include <sunder/planar/set/circles_any.h>
-#include <sunder/planar/set/contacts_in_order.h>
 
 #include <cstdint>
 #include <functional>
@@ -20,21 +20,21 @@
 namespace sunder::planar {
 
 using CirclesAllAnswer = AllAnswer<CirclesContact>;  // probes: pairs that were compared, also those of boxes in a cell
-using CirclesCountAnswer = CountAnswer;              // probes: the same
+using CountAnswer = CountAnswer;                     // probes: the same
 
 // The front doors: the fastest method measured.
-CirclesAllAnswer circles_all(const Circles& circles, const CirclesOptions& options = {});
-CirclesCountAnswer circles_count(const Circles& circles, const CirclesOptions& options = {});
+CirclesAllAnswer circles_all(const Circles& circles, const SetOptions& options = {});
+CountAnswer circles_count(const Circles& circles, const SetOptions& options = {});
 
 // Calls for each contact, in the order of the method, until the visitor returns false.
 using CirclesContactVisitor = std::function<bool(const CirclesContact&)>;
-using CirclesContactMethod = Cost(const Circles& circles, const CirclesOptions& options,
+using CirclesContactMethod = Cost(const Circles& circles, const SetOptions& options,
                                   const CirclesContactVisitor& visit);
 
 CirclesContactMethod visit_circle_contacts;  // the front door
 
 // Those whose i the block holds, as visit_contacts_of_block.
-Cost visit_circle_contacts_of_block(const Circles& circles, const CirclesOptions& options, const Block& block,
+Cost visit_circle_contacts_of_block(const Circles& circles, const SetOptions& options, const Block& block,
                                     CirclesContactMethod* by, const CirclesContactVisitor& visit);
 
 // A uniform grid over the discs' boxes; where it does not pay, or many crowd in a cell, by sweep.

@@ -21,7 +21,7 @@ using Kinds = std::map<DiscContact, std::size_t>;
 // What all methods list, kind by kind.
 Kinds kinds_of(const std::vector<Circle>& given, Allowed allowed = Allowed::nothing, Groups groups = {}) {
   const Circles circles(given);
-  const CirclesOptions options{allowed, groups, nullptr};
+  const SetOptions options{allowed, groups, nullptr};
   std::set<CirclesContact> first;
   for (std::size_t m = 0; m < methods.size(); ++m) {
     std::set<CirclesContact> contacts;

@@ -2,7 +2,7 @@
 
 namespace sunder::planar {
 
-CirclesAnswer circles_any(const Circles& circles, const CirclesOptions& options) {
+CirclesAnswer circles_any(const Circles& circles, const SetOptions& options) {
   return circles_any_by_grid(circles, options);
 }
 

@@ -22,10 +22,9 @@
 // nothing is computed to find it, and no contact disturbs it.
 #pragma once
 
+#include <sunder/near/set_question.h>
 #include <sunder/planar/object/circle.h>
 #include <sunder/planar/pair/circle_circle.h>
-#include <sunder/planar/set/contact_rule.h>
-#include <sunder/planar/set/set_answer.h>
 
 #include <cstdint>
 #include <functional>
@@ -40,27 +39,23 @@ inline bool counts(DiscContact kind, Allowed allowed) {
 using CirclesContact = ContactOfTwo<DiscContact>;
 using CirclesAnswer = AnyAnswer<CirclesContact>;  // probes: pairs of discs that were compared
 
-struct CirclesOptions {
-  Allowed allowed = Allowed::nothing;
-  Groups groups{};                                 // members of one group may meet
-  std::function<void(double)> progress = nullptr;  // called now and then with the part that is done, 0 to 1
-};
+inline DiscContact contact_kind(const Circle& c, const Circle& d) { return circle_circle(c, d); }
 
 // The front door: the fastest method measured.
-CirclesAnswer circles_any(const Circles& circles, const CirclesOptions& options = {});
+CirclesAnswer circles_any(const Circles& circles, const SetOptions& options = {});
 
 // Algorithm 1 with discs as units: discs are tested when they become neighbours on the line.
 // Cost: at most 3 N pairs, two sorts of N and 2 N numbers, 3 N searches in a RankSet; O(N) memory.
 // Where there are groups, whose members may meet, neighbours prove nothing: all pairs whose boxes meet are looked at
 // from left to right until one counts (visit_circle_contacts_by_sweep).
-CirclesAnswer circles_any_by_sweep(const Circles& circles, const CirclesOptions& options = {});
+CirclesAnswer circles_any_by_sweep(const Circles& circles, const SetOptions& options = {});
 
 // A uniform grid over the discs' boxes finds the pairs that are near each other. Where boxes are large against the
 // grid, the sweep decides instead, and where too many crowd in a cell, the sweep decides about these; so its bound
 // holds.
-CirclesAnswer circles_any_by_grid(const Circles& circles, const CirclesOptions& options = {});
+CirclesAnswer circles_any_by_grid(const Circles& circles, const SetOptions& options = {});
 
 // Every pair: the oracle. Names the first pair. O(N^2) time.
-CirclesAnswer circles_any_by_scan(const Circles& circles, const CirclesOptions& options = {});
+CirclesAnswer circles_any_by_scan(const Circles& circles, const SetOptions& options = {});
 
 }  // namespace sunder::planar

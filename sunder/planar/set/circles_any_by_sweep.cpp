@@ -3,10 +3,11 @@
 // Discs are numbered anew by their centres' ordinates: ranks. The list along the line is a set of ranks, whose order
 // never changes, whatever meets. So the tests of neighbours need not be made at once: they are gathered, and their
 // discs fetched, before some of them are tested together.
+#include <sunder/base/prefetch.h>
 #include <sunder/planar/set/circles_all.h>
 #include <sunder/planar/set/circles_any.h>
-#include <sunder/planar/set/keyed_order.h>
-#include <sunder/planar/set/rank_set.h>
+#include <sunder/planar/sweep/keyed_order.h>
+#include <sunder/planar/sweep/rank_set.h>
 #include <sunder/predicate/discs.h>
 
 #include <algorithm>
@@ -50,7 +51,7 @@ std::vector<KeyedItem> ends_from_left(const std::vector<Circle>& discs) {
 
 class Sweep {
  public:
-  Sweep(const Circles& circles, const CirclesOptions& options)
+  Sweep(const Circles& circles, const SetOptions& options)
       : options_(options), number_(by_height(circles)), line_(circles.size()) {
     discs_.reserve(circles.size());
     for (const std::uint32_t i : number_) discs_.push_back(circles[i]);
@@ -80,8 +81,8 @@ class Sweep {
  private:
   void gather(std::uint32_t below, std::uint32_t above) {
     if (below == RankSet::none || above == RankSet::none) return;
-    __builtin_prefetch(&discs_[below]);
-    __builtin_prefetch(&discs_[above]);
+    prefetch(discs_[below]);
+    prefetch(discs_[above]);
     pairs_[gathered_++] = {below, above};
     if (gathered_ == pairs_.size()) test_gathered();
   }
@@ -99,7 +100,7 @@ class Sweep {
     answer_.found = contact_of(number_[below], number_[above], kind);
   }
 
-  const CirclesOptions& options_;
+  const SetOptions& options_;
   const std::vector<std::uint32_t> number_;  // of each rank
   std::vector<Circle> discs_;                // by rank
   RankSet line_;
@@ -108,19 +109,12 @@ class Sweep {
   CirclesAnswer answer_;
 };
 
-CirclesAnswer by_contacts(const Circles& circles, const CirclesOptions& options) {
-  CirclesAnswer answer;
-  answer.cost = visit_circle_contacts_by_sweep(circles, options, [&](const CirclesContact& contact) {
-    answer.found = contact;
-    return false;
-  });
-  return answer;
-}
-
 }  // namespace
 
-CirclesAnswer circles_any_by_sweep(const Circles& circles, const CirclesOptions& options) {
-  return options.groups.empty() ? Sweep(circles, options).run() : by_contacts(circles, options);
+CirclesAnswer circles_any_by_sweep(const Circles& circles, const SetOptions& options) {
+  if (options.groups.empty()) return Sweep(circles, options).run();
+  return first_of<CirclesContact>(
+      [&](const CirclesContactVisitor& visit) { return visit_circle_contacts_by_sweep(circles, options, visit); });
 }
 
 }  // namespace sunder::planar

@@ -1,6 +1,6 @@
+#include <sunder/near/cover_order.h>
 #include <sunder/planar/set/circle_boxes.h>
 #include <sunder/planar/set/circles_any_json.h>
-#include <sunder/planar/set/cover_order.h>
 
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@ void begin(ClaimsWriter& file, const CirclesQuestion& question, std::string_view
 void end_with_cover(ClaimsWriter& file, const CirclesQuestion& question) {
   file.begin_claims();
   file.begin_claim("cover");
-  file.indices("order", cover_order(box_diagonals(question.circles), question.groups));
+  file.indices("order", cover_order(rounded_boxes(question.circles), question.groups));
   file.end_claim();
   file.end_statement();
 }
@@ -85,7 +85,7 @@ std::string certificate_text(const Circles& circles, Allowed allowed, CirclesAll
   });
 }
 
-std::string certificate_text(const Circles& circles, Allowed allowed, const CirclesCountAnswer& answer, Groups groups) {
+std::string certificate_text(const Circles& circles, Allowed allowed, const CountAnswer& answer, Groups groups) {
   return text_of([&](ClaimsWriter& file) { write_count_statement(file, {circles, allowed, groups}, answer.count); });
 }
 

@@ -31,7 +31,6 @@ void write_count_statement(ClaimsWriter& file, const CirclesQuestion& question, 
 // The whole file.
 std::string certificate_text(const Circles& circles, Allowed allowed, const CirclesAnswer& answer, Groups groups = {});
 std::string certificate_text(const Circles& circles, Allowed allowed, CirclesAllAnswer answer, Groups groups = {});
-std::string certificate_text(const Circles& circles, Allowed allowed, const CirclesCountAnswer& answer,
-                             Groups groups = {});
+std::string certificate_text(const Circles& circles, Allowed allowed, const CountAnswer& answer, Groups groups = {});
 
 }  // namespace sunder::planar

@@ -22,7 +22,7 @@ namespace sunder::planar {
 class ContactBundle {
  public:
   // Keeps references.
-  ContactBundle(const Segments& segments, const SegmentsOptions& options, const ContactVisitor& visit, Cost& cost);
+  ContactBundle(const Segments& segments, const SetOptions& options, const ContactVisitor& visit, Cost& cost);
 
   // Those at a point p. Requires that it was called, and where need be add_aside, for each place before at which one of
   // these began that was not alone there. row: alive just before, from below to above; begins: those that begin;
@@ -71,7 +71,7 @@ class ContactBundle {
   bool give(const Member& x, const Member& y);
 
   const Segments& segments_;
-  const SegmentsOptions& options_;
+  const SetOptions& options_;
   const ContactVisitor& visit_;
   Cost& cost_;
   Point2 point_{};

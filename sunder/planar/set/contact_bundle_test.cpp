@@ -63,7 +63,7 @@ TEST(ContactBundleTest, GivesThePairsThatCount) {
   for (int turn = 0; turn < 6000; ++turn) {
     const Made made = make(random, turn % 10 == 0 ? 40 : 9, 1 + random.below(5));
     const Segments segments(made.given);
-    SegmentsOptions options{static_cast<Allowed>(turn % 3), false};
+    SetOptions options{static_cast<Allowed>(turn % 3)};
     if (turn % 2 == 0) options.groups = made.groups;
     const auto begins = [&](std::uint32_t i) { return segments[i].a == origin && segments[i].b != origin; };
     const auto passes_aside = [&](std::uint32_t i) { return std::count(made.aside.begin(), made.aside.end(), i) > 0; };
@@ -136,7 +136,7 @@ TEST(ContactBundleTest, PairsThatDoNotCountAreFree) {
     all[i] = i;
     reversed[n - 1 - i] = i;
   }
-  const auto probes = [&](const std::vector<Segment>& given, const SegmentsOptions& options, bool begin) {
+  const auto probes = [&](const std::vector<Segment>& given, const SetOptions& options, bool begin) {
     const Segments segments(given);
     const ContactVisitor none = [](const SegmentsContact&) {
       ADD_FAILURE();
@@ -151,10 +151,10 @@ TEST(ContactBundleTest, PairsThatDoNotCountAreFree) {
     EXPECT_TRUE(bundle.visit());
     return cost.probes;
   };
-  EXPECT_LE(probes(fan, {Allowed::touch, false}, true), 20 * n);
-  EXPECT_LE(probes(fan, {Allowed::nothing, false, one}, true), 20 * n);
-  EXPECT_LE(probes(pencil, {Allowed::nothing, false, one}, false), 4 * n);
-  EXPECT_LE(probes(line, {Allowed::nothing, false, all}, false), 4 * n);
+  EXPECT_LE(probes(fan, {Allowed::touch}, true), 20 * n);
+  EXPECT_LE(probes(fan, {Allowed::nothing, one}, true), 20 * n);
+  EXPECT_LE(probes(pencil, {Allowed::nothing, one}, false), 4 * n);
+  EXPECT_LE(probes(line, {Allowed::nothing, all}, false), 4 * n);
 }
 
 }  // namespace

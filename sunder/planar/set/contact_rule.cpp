@@ -2,15 +2,6 @@
 
 namespace sunder::planar {
 
-std::string_view name_of(Allowed allowed) {
-  switch (allowed) {
-    case Allowed::nothing: return "nothing";
-    case Allowed::shared_endpoint: return "shared-endpoint";
-    case Allowed::touch: return "touch";
-  }
-  return "";
-}
-
 bool counts(ContactKind kind, Allowed allowed) {
   switch (kind) {
     case ContactKind::none: return false;

@@ -1,6 +1,6 @@
 #include <sunder/base/random.h>
+#include <sunder/near/contacts_in_order.h>
 #include <sunder/planar/set/circles_all.h>
-#include <sunder/planar/set/contacts_in_order.h>
 #include <sunder/planar/set/segments_all.h>
 
 #include <gtest/gtest.h>
@@ -147,7 +147,7 @@ TEST(ContactsInOrder, NarrowAndWideBlocks) {
   for (const Block block : {Block{0, 0}, Block{0, 1}, Block{3000, 3500}, Block{size - 2, size}, Block{1, size},
                             Block{500, 8500}, Block{0, size}}) {
     ++(is_narrow(block, size) ? narrow : wide);
-    const SegmentsOptions of_segments{Allowed::shared_endpoint, false, groups};
+    const SetOptions of_segments{Allowed::shared_endpoint, groups};
     const auto found = in_order<SegmentsContact>([&](const ContactVisitor& visit) {
       visit_contacts_of_block(segments, of_segments, block, visit_contacts_by_grid, visit);
     });
@@ -157,7 +157,7 @@ TEST(ContactsInOrder, NarrowAndWideBlocks) {
     std::erase_if(expected, [&](const SegmentsContact& c) { return !block.holds(c.i); });
     EXPECT_EQ(found, expected);
 
-    const CirclesOptions of_circles{Allowed::touch, groups};
+    const SetOptions of_circles{Allowed::touch, groups};
     const auto found_discs = in_order<CirclesContact>([&](const CirclesContactVisitor& visit) {
       visit_circle_contacts_of_block(circles, of_circles, block, visit_circle_contacts_by_grid, visit);
     });

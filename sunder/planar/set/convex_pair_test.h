@@ -1,8 +1,8 @@
 // How two convex polygons of a set meet, where that counts. For use by the methods of convex_polygons_any and _all.
 #pragma once
 
+#include <sunder/near/box_grid.h>
 #include <sunder/planar/pair/polygon_polygon.h>
-#include <sunder/planar/set/box_grid.h>
 #include <sunder/planar/set/convex_polygons_any.h>
 #include <sunder/predicate/diagonals.h>
 

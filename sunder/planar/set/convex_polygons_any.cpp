@@ -2,8 +2,7 @@
 
 namespace sunder::planar {
 
-ConvexPolygonsAnswer convex_polygons_any(std::span<const ConvexPolygon> polygons,
-                                         const ConvexPolygonsOptions& options) {
+ConvexPolygonsAnswer convex_polygons_any(std::span<const ConvexPolygon> polygons, const SetOptions& options) {
   return convex_polygons_any_by_grid(polygons, options);
 }
 

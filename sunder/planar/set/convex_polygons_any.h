@@ -11,9 +11,9 @@
 #pragma once
 
 #include <sunder/certificate/pair_answer.h>
+#include <sunder/near/set_question.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/set/contact_rule.h>
-#include <sunder/planar/set/set_answer.h>
 
 #include <cstdint>
 #include <functional>
@@ -28,35 +28,24 @@ struct ConvexPolygonsContact : ContactOfTwo<Contact> {
 // Probes: vertices looked at, and pairs of boxes or polygons compared.
 using ConvexPolygonsAnswer = AnyAnswer<ConvexPolygonsContact>;
 
-struct ConvexPolygonsOptions {
-  Allowed allowed = Allowed::nothing;  // `touch`: only overlapping counts; `shared_endpoint` allows nothing here
-  Groups groups{};                     // members of one group may meet and overlap
-  std::function<void(double)> progress = nullptr;  // called now and then with the part that is done, 0 to 1
-};
-
-inline bool counts(Contact contact, Allowed allowed) {
-  return contact == Contact::overlapping || (contact == Contact::touching && allowed != Allowed::touch);
-}
-
 // The front door: the fastest method measured. Requires fewer than 2^31 polygons, as all of them.
-ConvexPolygonsAnswer convex_polygons_any(std::span<const ConvexPolygon> polygons,
-                                         const ConvexPolygonsOptions& options = {});
+ConvexPolygonsAnswer convex_polygons_any(std::span<const ConvexPolygon> polygons, const SetOptions& options = {});
 
 // Theorem 6: a line sweeps over the plane, and polygons are compared when they become neighbours on it.
 // Cost: O(N log N log k) probes for polygons of at most k vertices; O(N) memory. Where there are groups, whose members
 // may overlap, it does not apply: then as by grid.
 ConvexPolygonsAnswer convex_polygons_any_by_sweep(std::span<const ConvexPolygon> polygons,
-                                                  const ConvexPolygonsOptions& options = {});
+                                                  const SetOptions& options = {});
 
 // The pairs whose boxes meet, by a uniform grid over the boxes. Where that does not pay, the sweep decides instead, and
 // where too many crowd in a cell, the sweep decides about these; so its bound holds. Where there are groups: all pairs
 // whose boxes meet; where that takes more than 64 probes a vertex, the sweep of polygons_any_by_sweep, with its bound.
 // (Not where there are points or segments among the polygons.)
 ConvexPolygonsAnswer convex_polygons_any_by_grid(std::span<const ConvexPolygon> polygons,
-                                                 const ConvexPolygonsOptions& options = {});
+                                                 const SetOptions& options = {});
 
 // Every pair, by its edges: the oracle. Names the first pair. O(N^2 k^2) time.
 ConvexPolygonsAnswer convex_polygons_any_by_scan(std::span<const ConvexPolygon> polygons,
-                                                 const ConvexPolygonsOptions& options = {});
+                                                 const SetOptions& options = {});
 
 }  // namespace sunder::planar

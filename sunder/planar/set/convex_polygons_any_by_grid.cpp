@@ -2,7 +2,7 @@
 //
 // Members of one group may overlap, and neighbours on that sweep's line tell nothing then. Where boxes are too many,
 // the sweep decides that takes polygons of any shape, and passes crossings.
-#include <sunder/planar/set/box_pairs.h>
+#include <sunder/near/box_pairs.h>
 #include <sunder/planar/set/convex_pair_test.h>
 #include <sunder/planar/set/first_that_counts.h>
 #include <sunder/planar/set/polygon_sweep.h>
@@ -14,7 +14,7 @@ namespace sunder::planar {
 namespace {
 
 // Requires that no polygon is a point or a segment.
-void take_any_by_sweep(std::span<const ConvexPolygon> polygons, const ConvexPolygonsOptions& options,
+void take_any_by_sweep(std::span<const ConvexPolygon> polygons, const SetOptions& options,
                        ConvexPolygonsAnswer& answer) {
   std::vector<Polygon> of_any_shape;
   of_any_shape.reserve(polygons.size());
@@ -31,7 +31,7 @@ void take_any_by_sweep(std::span<const ConvexPolygon> polygons, const ConvexPoly
   if (some.meet()) report_pair(polygons, some.found->i, some.found->j, allowed, answer);
 }
 
-ConvexPolygonsAnswer any_across_groups(std::span<const ConvexPolygon> polygons, const ConvexPolygonsOptions& options) {
+ConvexPolygonsAnswer any_across_groups(std::span<const ConvexPolygon> polygons, const SetOptions& options) {
   constexpr std::uint64_t looks = 64;  // for each vertex
   std::uint64_t most = 0;
   bool some_are_flat = false;
@@ -58,8 +58,7 @@ ConvexPolygonsAnswer any_across_groups(std::span<const ConvexPolygon> polygons, 
 
 }  // namespace
 
-ConvexPolygonsAnswer convex_polygons_any_by_grid(std::span<const ConvexPolygon> polygons,
-                                                 const ConvexPolygonsOptions& options) {
+ConvexPolygonsAnswer convex_polygons_any_by_grid(std::span<const ConvexPolygon> polygons, const SetOptions& options) {
   if (!options.groups.empty()) return any_across_groups(polygons, options);
   ConvexPolygonsAnswer answer;
   const auto& [boxes, diagonals] = extents_of(polygons);
@@ -69,11 +68,12 @@ ConvexPolygonsAnswer convex_polygons_any_by_grid(std::span<const ConvexPolygon> 
     return !report_pair(polygons, i, j, options.allowed, answer);
   };
   const std::optional<BoxGrid> grid = BoxGrid::over(boxes);
-  if (!grid || grid->crowded(crowd_of_boxes) > polygons.size() / 2) {
+  if (!grid || crowded(*grid, crowd_of_polygons) > polygons.size() / 2) {
     return convex_polygons_any_by_sweep(polygons, options);
   }
-  if (!for_each_near_box_pair(boxes, *grid, crowd_of_boxes, of_pair, options.progress)) return answer;
-  const std::vector<std::uint32_t> members = grid->members_of_crowds(crowd_of_boxes);
+  if (!for_each_near_pair<crowd_of_polygons>(std::span<const Box2>(boxes), *grid, of_pair, options.progress))
+    return answer;
+  const std::vector<std::uint32_t> members = members_of_crowds(*grid, crowd_of_polygons, polygons.size());
   if (members.empty()) return answer;
   std::vector<ConvexPolygon> crowd;
   crowd.reserve(members.size());

@@ -46,8 +46,7 @@ bool overlap(const ConvexPolygon& a, const ConvexPolygon& b) {
 
 }  // namespace
 
-ConvexPolygonsAnswer convex_polygons_any_by_scan(std::span<const ConvexPolygon> polygons,
-                                                 const ConvexPolygonsOptions& options) {
+ConvexPolygonsAnswer convex_polygons_any_by_scan(std::span<const ConvexPolygon> polygons, const SetOptions& options) {
   ConvexPolygonsAnswer answer;
   for (std::uint32_t i = 0; i < polygons.size(); ++i) {
     for (std::uint32_t j = i + 1; j < polygons.size(); ++j) {

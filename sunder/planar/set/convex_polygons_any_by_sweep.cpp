@@ -24,8 +24,8 @@
 //   each other are of different polygons. Where it is allowed, only equal points are left: these are such events too.
 #include <sunder/planar/set/convex_chains.h>
 #include <sunder/planar/set/convex_pair_test.h>
-#include <sunder/planar/set/ends_in_order.h>
-#include <sunder/planar/set/sweep_status.h>
+#include <sunder/planar/sweep/ends_in_order.h>
+#include <sunder/planar/sweep/sweep_status.h>
 #include <sunder/predicate/arrows.h>
 
 namespace sunder::planar {
@@ -42,7 +42,7 @@ constexpr std::uint32_t no_polygon = SweepStatus<InStatus>::none;
 
 class Sweep {
  public:
-  Sweep(std::span<const ConvexPolygon> polygons, const ConvexPolygonsOptions& options)
+  Sweep(std::span<const ConvexPolygon> polygons, const SetOptions& options)
       : polygons_(polygons), options_(options), keys_(keys_of(polygons)), status_(keys_) {}
 
   ConvexPolygonsAnswer run() {
@@ -127,7 +127,7 @@ class Sweep {
   }
 
   std::span<const ConvexPolygon> polygons_;
-  const ConvexPolygonsOptions& options_;
+  const SetOptions& options_;
   const std::vector<InStatus> keys_;
   SweepStatus<InStatus> status_;
   std::uint32_t entering_ = no_polygon;
@@ -137,8 +137,7 @@ class Sweep {
 
 }  // namespace
 
-ConvexPolygonsAnswer convex_polygons_any_by_sweep(std::span<const ConvexPolygon> polygons,
-                                                  const ConvexPolygonsOptions& options) {
+ConvexPolygonsAnswer convex_polygons_any_by_sweep(std::span<const ConvexPolygon> polygons, const SetOptions& options) {
   if (!options.groups.empty()) return convex_polygons_any_by_grid(polygons, options);
   return Sweep(polygons, options).run();
 }

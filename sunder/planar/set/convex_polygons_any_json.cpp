@@ -3,7 +3,7 @@
 #include <sunder/planar/set/polygons_any.h>
 #include <sunder/planar/set/polygons_common_point.h>
 #include <sunder/planar/set/segments_all.h>
-#include <sunder/planar/set/sweep_json.h>
+#include <sunder/planar/sweep/sweep_json.h>
 #include <sunder/predicate/common_point.h>
 #include <sunder/predicate/crossing.h>
 #include <sunder/predicate/orient.h>

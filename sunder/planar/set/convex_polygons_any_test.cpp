@@ -33,7 +33,7 @@ CheckResult check(const PairCertificate& certificate, const ConvexPolygon& a, co
   return check_absolutely(certificate, {in_a, in_place, false}, {in_b, in_place, false});
 }
 
-using Method = ConvexPolygonsAnswer(std::span<const ConvexPolygon>, const ConvexPolygonsOptions&);
+using Method = ConvexPolygonsAnswer(std::span<const ConvexPolygon>, const SetOptions&);
 constexpr std::array<Method*, 4> methods{convex_polygons_any_by_scan, convex_polygons_any_by_sweep,
                                          convex_polygons_any_by_grid, convex_polygons_any};
 
@@ -197,7 +197,7 @@ TEST(ConvexPolygonsAny, MethodsAgreeWithTheScan) {
       for (std::size_t i = 0; i < polygons.size(); ++i) groups.push_back(static_cast<std::uint32_t>(random.below(3)));
     }
     for (const Allowed allowed : {Allowed::nothing, Allowed::touch}) {
-      const ConvexPolygonsOptions options{allowed, groups, nullptr};
+      const SetOptions options{allowed, groups, nullptr};
       const bool some = convex_polygons_any_by_scan(polygons, options).meet();
       if (groups.empty()) meet[static_cast<std::size_t>(family)][allowed == Allowed::touch] += some;
       for (Method* method : {convex_polygons_any_by_sweep, convex_polygons_any_by_grid}) {

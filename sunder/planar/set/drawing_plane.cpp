@@ -3,8 +3,8 @@
 // inside, that is a touch; on its end it cannot lie.
 #include <sunder/base/error.h>
 #include <sunder/planar/set/drawing_plane.h>
-#include <sunder/planar/set/ends_in_order.h>
 #include <sunder/planar/set/segments_any.h>
+#include <sunder/planar/sweep/ends_in_order.h>
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,7 @@ DrawingAnswer drawing_plane(std::span<const Point2> vertices, std::span<const Dr
     alone.push_back(v);
     segments.push_back(points[v]);
   }
-  const SegmentsAnswer found = segments_any(Segments(segments), {Allowed::shared_endpoint, false});
+  const SegmentsAnswer found = segments_any(Segments(segments), {Allowed::shared_endpoint});
   answer.cost.probes += found.cost.probes;
   if (!found.meet()) return answer;
   const auto [i, j, kind] = *found.found;

@@ -1,5 +1,6 @@
+#include <sunder/near/near_pairs.h>
 #include <sunder/planar/set/edge_contact_lists.h>
-#include <sunder/planar/set/near_pairs.h>
+#include <sunder/planar/set/segment_boxes.h>
 
 #include <algorithm>
 #include <optional>
@@ -22,7 +23,7 @@ class Taker {
     return !may_meet(wanted_.groups, p, q);
   }
 
-  void count_pairs(const SegmentGrid& grid) {
+  void count_pairs(const BoxGrid& grid) {
     for (std::uint32_t c = 0; c < grid.cell_count(); ++c) {
       const std::uint64_t size = grid.cell(c).size();
       meetings_.cost.probes += size * size / 2;
@@ -45,7 +46,7 @@ class Taker {
 template <class NumberOf>
 std::optional<bool> take_by_grid(const Segments& segments, const NumberOf& number_of, const WantedContacts& wanted,
                                  Taker& taker) {
-  const std::optional<SegmentGrid> grid = SegmentGrid::over(segments);
+  const std::optional<BoxGrid> grid = grid_over(segments);
   if (!grid || crowded(*grid, crowd_for_any) > 0) return std::nullopt;
   taker.count_pairs(*grid);
   const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {

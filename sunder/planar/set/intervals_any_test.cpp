@@ -31,7 +31,7 @@ TEST(IntervalsAnyTest, AgreesWithTheScanAndWithSegments) {
     for (const Allowed allowed : rules) {
       const IntervalsAnswer answer = intervals_any(intervals, allowed);
       ASSERT_EQ(answer.meet(), intervals_any_by_scan(intervals, allowed).meet()) << k;
-      ASSERT_EQ(answer.meet(), segments_any_by_scan(Segments(segments), {allowed, false}).meet()) << k;
+      ASSERT_EQ(answer.meet(), segments_any_by_scan(Segments(segments), {allowed}).meet()) << k;
       ++(answer.meet() ? meets : none);
       if (answer.meet()) {
         ASSERT_LT(answer.found->i, answer.found->j);

@@ -43,7 +43,7 @@ std::vector<PolygonsContact> LowestContacts::take_in_order() {
   return std::exchange(held_, {});
 }
 
-PolygonContactsInOrder::PolygonContactsInOrder(std::span<const Polygon> polygons, const PolygonsOptions& options,
+PolygonContactsInOrder::PolygonContactsInOrder(std::span<const Polygon> polygons, const SetOptions& options,
                                                PolygonsFinder* find, std::size_t most)
     : polygons_(polygons), options_(options), find_(find), most_(most) {
   SUNDER_REQUIRE(most_ > 0);
@@ -61,7 +61,7 @@ PolygonContactsInOrder::PolygonContactsInOrder(std::span<const Polygon> polygons
 // What the block holds, in order. Of a block with too many it loses the end.
 Cost PolygonContactsInOrder::ask(Block& block) {
   held_ = {};  // before as many are gathered
-  PolygonsOptions options = options_;
+  SetOptions options = options_;
   if (!options.groups.empty()) options.groups = options.groups.subspan(block.first);
   LowestContacts found(block.size(), most_, options.allowed);
   const Cost cost = find_(polygons_.subspan(block.first), options, found);

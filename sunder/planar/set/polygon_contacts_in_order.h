@@ -5,7 +5,7 @@
 // again.
 #pragma once
 
-#include <sunder/planar/set/contacts_in_order.h>
+#include <sunder/near/contacts_in_order.h>
 #include <sunder/planar/set/polygons_any.h>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ class LowestContacts {
 };
 
 // Adds the contacts of all pairs whose i is below found.end().
-using PolygonsFinder = Cost(std::span<const Polygon> polygons, const PolygonsOptions& options, LowestContacts& found);
+using PolygonsFinder = Cost(std::span<const Polygon> polygons, const SetOptions& options, LowestContacts& found);
 PolygonsFinder find_contacts_by_boxes, find_contacts_by_grid, find_contacts_by_sweep, find_contacts_by_scan;
 
 constexpr std::size_t most_polygon_contacts_held(std::size_t size) {
@@ -63,9 +63,9 @@ class PolygonContactsInOrder {
 
   // Asks for all, and counts them. Keeps the polygons, and the groups of the options. Requires that `most` is at least
   // twice N.
-  PolygonContactsInOrder(std::span<const Polygon> polygons, const PolygonsOptions& options, PolygonsFinder* find,
+  PolygonContactsInOrder(std::span<const Polygon> polygons, const SetOptions& options, PolygonsFinder* find,
                          std::size_t most);
-  PolygonContactsInOrder(std::span<const Polygon> polygons, const PolygonsOptions& options, PolygonsFinder* find)
+  PolygonContactsInOrder(std::span<const Polygon> polygons, const SetOptions& options, PolygonsFinder* find)
       : PolygonContactsInOrder(polygons, options, find, most_polygon_contacts_held(polygons.size())) {}
 
   std::uint64_t touching() const { return touching_; }
@@ -79,7 +79,7 @@ class PolygonContactsInOrder {
   Cost ask(Block& block);
 
   std::span<const Polygon> polygons_;
-  PolygonsOptions options_;
+  SetOptions options_;
   PolygonsFinder* find_;
   std::size_t most_;
   std::uint64_t touching_ = 0, overlapping_ = 0;

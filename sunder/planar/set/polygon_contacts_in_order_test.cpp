@@ -49,7 +49,7 @@ TEST(PolygonContactsInOrder, AnyNumberThatIsHeldGivesTheSameList) {
   for (std::uint32_t i = 0; i < size; ++i) groups.push_back(i * i % 11 % 5);
   for (const Allowed allowed : {Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}) {
     for (const Groups of : {Groups(), Groups(groups)}) {
-      const PolygonsOptions options{allowed, of, nullptr};
+      const SetOptions options{allowed, of, nullptr};
       const std::vector<PolygonsContact> expected = polygons_all_by_scan(squares, options).contacts;
       ASSERT_GT(expected.size(), std::size_t{3} * size);
       for (PolygonsFinder* find : {find_contacts_by_boxes, find_contacts_by_grid, find_contacts_by_sweep}) {

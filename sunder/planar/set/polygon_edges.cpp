@@ -1,5 +1,5 @@
 #include <sunder/base/contract.h>
-#include <sunder/planar/set/box_pairs.h>
+#include <sunder/near/box_pairs.h>
 #include <sunder/planar/set/polygon_edges.h>
 #include <sunder/planar/set/ring_tests.h>
 

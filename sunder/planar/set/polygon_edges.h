@@ -5,9 +5,9 @@
 // in points. So each edge has the inside of its polygon on one side.
 #pragma once
 
+#include <sunder/near/box_grid.h>
 #include <sunder/planar/object/polygon.h>
 #include <sunder/planar/object/segments.h>
-#include <sunder/planar/set/box_grid.h>
 
 #include <cstdint>
 #include <span>

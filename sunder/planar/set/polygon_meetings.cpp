@@ -1,4 +1,4 @@
-#include <sunder/planar/set/box_pairs.h>
+#include <sunder/near/box_pairs.h>
 #include <sunder/planar/set/polygon_meetings.h>
 #include <sunder/planar/set/ring_tests.h>
 

@@ -4,7 +4,7 @@
 // that have a common point have a ring of one inside of the other: what they have in common has a boundary, of which
 // each point is on a ring of one and inside of the other.
 #include <sunder/base/lanes.h>
-#include <sunder/planar/set/box_pairs.h>
+#include <sunder/near/box_pairs.h>
 #include <sunder/planar/set/polygon_pairs.h>
 #include <sunder/predicate/orient.h>
 
@@ -118,7 +118,7 @@ struct PolygonPairs::Edges {
 
   Edges(const std::array<Point2, fan>& from, const std::array<Point2, fan>& to) {
     for (std::uint32_t k = 0; k < fan / 2; ++k) {
-      const LanesBox a = box_of_edge(from[2 * k], to[2 * k]), b = box_of_edge(from[2 * k + 1], to[2 * k + 1]);
+      const LanesBox a = lanes_box_of(from[2 * k], to[2 * k]), b = lanes_box_of(from[2 * k + 1], to[2 * k + 1]);
       left[k] = Lanes{a.low[0], b.low[0]};
       right[k] = Lanes{a.high[0], b.high[0]};
       bottom[k] = Lanes{a.low[1], b.low[1]};
@@ -286,7 +286,7 @@ std::optional<PolygonsContact> PolygonPairs::contact(std::uint32_t i, std::uint3
   return found_;
 }
 
-std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, const PolygonsOptions& options, Cost& cost,
+std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, const SetOptions& options, Cost& cost,
                                           const std::function<bool(const PolygonsContact&)>& found,
                                           const std::uint32_t* end) {
   // To look at an edge takes a hundredth of the time that it takes to put it in a grid, or a sweep.

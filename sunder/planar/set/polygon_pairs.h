@@ -60,7 +60,7 @@ class PolygonPairs {
 // whether it never did; nothing where that takes more than 64 looks at boxes and edges for each edge and 16 for each
 // pair that counts: then some pairs may have been given. Where `end` is given, of pairs i < j only those whose i is
 // below it, which may fall meanwhile.
-std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, const PolygonsOptions& options, Cost& cost,
+std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, const SetOptions& options, Cost& cost,
                                           const std::function<bool(const PolygonsContact&)>& found,
                                           const std::uint32_t* end = nullptr);
 

@@ -29,7 +29,7 @@ class PolygonPlace {
   };
 
   // Members of one group are left out, and touching that is allowed.
-  PolygonPlace(const PolygonEdges& edges, const PolygonsOptions& options, Found found)
+  PolygonPlace(const PolygonEdges& edges, const SetOptions& options, Found found)
       : edges_(edges),
         groups_(options.groups),
         allowed_(options.allowed),

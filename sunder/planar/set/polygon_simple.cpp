@@ -1,8 +1,9 @@
-#include <sunder/planar/set/ends_in_order.h>
-#include <sunder/planar/set/near_pairs.h>
+#include <sunder/base/prefetch.h>
+#include <sunder/near/near_pairs.h>
 #include <sunder/planar/set/polygon_simple.h>
-#include <sunder/planar/set/prefetch.h>
+#include <sunder/planar/set/segment_boxes.h>
 #include <sunder/planar/set/segments_any.h>
+#include <sunder/planar/sweep/ends_in_order.h>
 
 #include <algorithm>
 #include <array>
@@ -52,7 +53,7 @@ PolygonSimpleAnswer by_sweep(const Polygon& polygon, const Segments& edges) {
     report_equal_vertices(polygon, vertices[0], vertices[2], answer);
     return answer;
   }
-  const SegmentsAnswer contact = segments_any_by_sweep_over(edges, ends, {Allowed::shared_endpoint, false});
+  const SegmentsAnswer contact = segments_any_by_sweep_over(edges, ends, {Allowed::shared_endpoint});
   answer.cost.probes += contact.cost.probes;
   answer.found = contact.found;
   return answer;
@@ -72,7 +73,7 @@ PolygonSimpleAnswer polygon_simple(const Polygon& polygon) { return polygon_simp
 
 PolygonSimpleAnswer polygon_simple_by_grid(const Polygon& polygon) {
   const Segments edges = edges_of(polygon);
-  const std::optional<SegmentGrid> grid = SegmentGrid::over(edges);
+  const std::optional<BoxGrid> grid = grid_over(edges);
   if (!grid || crowded(*grid, crowd_for_any) > 0) return by_sweep(polygon, edges);
   PolygonSimpleAnswer answer;
   const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {

@@ -10,9 +10,9 @@
 // Source: Shamos & Hoey 1976, section IV, Theorem 4.
 #pragma once
 
+#include <sunder/near/set_question.h>
 #include <sunder/planar/object/polygon.h>
 #include <sunder/planar/pair/segment_segment.h>
-#include <sunder/planar/set/set_answer.h>
 
 #include <cstdint>
 

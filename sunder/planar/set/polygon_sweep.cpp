@@ -1,5 +1,5 @@
-#include <sunder/planar/set/ends_in_order.h>
 #include <sunder/planar/set/polygon_sweep.h>
+#include <sunder/planar/sweep/ends_in_order.h>
 #include <sunder/predicate/orient.h>
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace sunder::planar {
 
-PolygonSweep::PolygonSweep(const PolygonEdges& edges, const PolygonsOptions& options, PolygonPlace::Found found)
+PolygonSweep::PolygonSweep(const PolygonEdges& edges, const SetOptions& options, PolygonPlace::Found found)
     : edges_(edges),
       options_(options),
       found_(std::move(found)),
@@ -226,7 +226,7 @@ bool PolygonSweep::look_inside() {
 
 bool PolygonSweep::report_inside(std::uint32_t e, std::uint32_t outer) {
   const std::uint32_t inner = edges_.polygon_of(e), vertex = edges_.in_polygon(e);  // the edge goes on from there
-  if (planar::may_meet(options_.groups, inner, outer)) return true;
+  if (sunder::may_meet(options_.groups, inner, outer)) return true;
   const bool first = inner < outer;
   return found_({Contact::overlapping, ContactKind::none, first, std::min(inner, outer), std::max(inner, outer),
                  first ? vertex : 0, first ? 0 : vertex});
@@ -260,7 +260,7 @@ Sign PolygonSweep::side_of(const Point2& p, std::uint32_t e) {
 
 bool PolygonSweep::may_meet(std::uint32_t e, std::uint32_t f) const {
   const std::uint32_t p = edges_.polygon_of(e), q = edges_.polygon_of(f);
-  return p == q || planar::may_meet(options_.groups, p, q);
+  return p == q || sunder::may_meet(options_.groups, p, q);
 }
 
 // Two that are neighbours now: do they cross further on? Then the one that ends first does so on the wrong side.

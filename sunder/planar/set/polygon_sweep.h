@@ -13,10 +13,10 @@
 // what crossings lie ahead.
 #pragma once
 
-#include <sunder/planar/set/crossing_queue.h>
 #include <sunder/planar/set/polygon_place.h>
-#include <sunder/planar/set/shared_sets.h>
-#include <sunder/planar/set/sweep_status.h>
+#include <sunder/planar/sweep/crossing_queue.h>
+#include <sunder/planar/sweep/shared_sets.h>
+#include <sunder/planar/sweep/sweep_status.h>
 
 #include <cstdint>
 #include <span>
@@ -28,7 +28,7 @@ class PolygonSweep {
  public:
   // Calls `found` for pairs that meet, also more than once for a pair, until it returns false. Contacts that are said
   // to be touching may yet be found to be overlapping. Pairs of one group are left out, and touching that is allowed.
-  PolygonSweep(const PolygonEdges& edges, const PolygonsOptions& options, PolygonPlace::Found found);
+  PolygonSweep(const PolygonEdges& edges, const SetOptions& options, PolygonPlace::Found found);
 
   // Returns whether `found` never returned false.
   bool run();
@@ -59,7 +59,7 @@ class PolygonSweep {
   bool meet(std::uint32_t lower, std::uint32_t upper);
 
   const PolygonEdges& edges_;
-  PolygonsOptions options_;
+  SetOptions options_;
   PolygonPlace::Found found_;
   PolygonPlace place_;
   SweepStatus<Segment> status_;

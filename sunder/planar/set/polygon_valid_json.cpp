@@ -1,7 +1,7 @@
 #include <sunder/planar/pair/segment_segment.h>
 #include <sunder/planar/set/polygon_valid_json.h>
 #include <sunder/planar/set/segments_all.h>
-#include <sunder/planar/set/sweep_json.h>
+#include <sunder/planar/sweep/sweep_json.h>
 #include <sunder/predicate/crossing.h>
 #include <sunder/predicate/orient.h>
 
@@ -260,7 +260,7 @@ std::optional<Circle> circle_in(const Numbered& all, std::uint32_t part) {
   }
   Touches touches(static_cast<std::uint32_t>(all.part.size()));
   std::optional<Circle> circle;
-  SegmentsOptions options;
+  SetOptions options;
   options.groups = ring_of;
   const Segments segments(edges);
   visit_contacts(segments, options, [&](const SegmentsContact& c) {

@@ -59,7 +59,7 @@ class PairCount {
   std::size_t full_ = 1 << 16;
 };
 
-PolygonsAllAnswer all_by(PolygonsFinder* find, std::span<const Polygon> polygons, const PolygonsOptions& options) {
+PolygonsAllAnswer all_by(PolygonsFinder* find, std::span<const Polygon> polygons, const SetOptions& options) {
   LowestContacts found(static_cast<std::uint32_t>(polygons.size()), std::numeric_limits<std::size_t>::max() / 2,
                        options.allowed);
   const Cost cost = find(polygons, options, found);
@@ -68,12 +68,12 @@ PolygonsAllAnswer all_by(PolygonsFinder* find, std::span<const Polygon> polygons
 
 }  // namespace
 
-PolygonsAllAnswer polygons_all(std::span<const Polygon> polygons, const PolygonsOptions& options) {
+PolygonsAllAnswer polygons_all(std::span<const Polygon> polygons, const SetOptions& options) {
   return polygons_all_by_boxes(polygons, options);
 }
 
 // Nothing but the pairs is kept, and that only where boxes give up: then a pair may be found many times.
-PolygonsCountAnswer polygons_count(std::span<const Polygon> polygons, const PolygonsOptions& options) {
+PolygonsCountAnswer polygons_count(std::span<const Polygon> polygons, const SetOptions& options) {
   PolygonsCountAnswer answer;
   Cost cost;
   const bool is_counted = for_each_meeting_pair(polygons, options, cost, [&](const PolygonsContact& c) {
@@ -97,7 +97,7 @@ PolygonsCountAnswer polygons_count(std::span<const Polygon> polygons, const Poly
   return answer;
 }
 
-PolygonsAllAnswer polygons_all_by_boxes(std::span<const Polygon> polygons, const PolygonsOptions& options) {
+PolygonsAllAnswer polygons_all_by_boxes(std::span<const Polygon> polygons, const SetOptions& options) {
   PolygonsAllAnswer answer;
   const auto add = [&](const PolygonsContact& c) {
     if (counts(c, options.allowed)) answer.contacts.push_back(c);
@@ -115,15 +115,15 @@ PolygonsAllAnswer polygons_all_by_boxes(std::span<const Polygon> polygons, const
   return answer;
 }
 
-PolygonsAllAnswer polygons_all_by_grid(std::span<const Polygon> polygons, const PolygonsOptions& options) {
+PolygonsAllAnswer polygons_all_by_grid(std::span<const Polygon> polygons, const SetOptions& options) {
   return all_by(find_contacts_by_grid, polygons, options);
 }
 
-PolygonsAllAnswer polygons_all_by_sweep(std::span<const Polygon> polygons, const PolygonsOptions& options) {
+PolygonsAllAnswer polygons_all_by_sweep(std::span<const Polygon> polygons, const SetOptions& options) {
   return all_by(find_contacts_by_sweep, polygons, options);
 }
 
-Cost find_contacts_by_boxes(std::span<const Polygon> polygons, const PolygonsOptions& options, LowestContacts& found) {
+Cost find_contacts_by_boxes(std::span<const Polygon> polygons, const SetOptions& options, LowestContacts& found) {
   Cost cost;
   const auto add = [&](const PolygonsContact& c) { return found.add(c); };
   if (for_each_meeting_pair(polygons, options, cost, add, &found.end())) return cost;
@@ -132,7 +132,7 @@ Cost find_contacts_by_boxes(std::span<const Polygon> polygons, const PolygonsOpt
   return cost;
 }
 
-Cost find_contacts_by_grid(std::span<const Polygon> polygons, const PolygonsOptions& options, LowestContacts& found) {
+Cost find_contacts_by_grid(std::span<const Polygon> polygons, const SetOptions& options, LowestContacts& found) {
   PolygonEdges edges(pointers_to(polygons));
   PolygonMeetings meetings(edges, options.groups, [&](const PolygonsContact& c) { return found.add(c); });
   if (!take_contacts_by_grid(edges, {options.groups, true, options.progress}, meetings)) {
@@ -144,7 +144,7 @@ Cost find_contacts_by_grid(std::span<const Polygon> polygons, const PolygonsOpti
   return meetings.cost;
 }
 
-Cost find_contacts_by_sweep(std::span<const Polygon> polygons, const PolygonsOptions& options, LowestContacts& found) {
+Cost find_contacts_by_sweep(std::span<const Polygon> polygons, const SetOptions& options, LowestContacts& found) {
   const PolygonEdges edges(pointers_to(polygons));
   PolygonSweep sweep(edges, options, [&](const PolygonsContact& c) { return found.add(c); });
   sweep.run();

@@ -23,25 +23,25 @@ struct [[nodiscard]] PolygonsCountAnswer {
 
 // The front doors: the fastest method measured. Counting keeps no contacts: where boxes give up, 16 bytes for each pair
 // that counts, at most.
-PolygonsAllAnswer polygons_all(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
-PolygonsCountAnswer polygons_count(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
+PolygonsAllAnswer polygons_all(std::span<const Polygon> polygons, const SetOptions& options = {});
+PolygonsCountAnswer polygons_count(std::span<const Polygon> polygons, const SetOptions& options = {});
 
 // The pairs of polygons whose boxes meet; of each, the runs of edges whose boxes meet (EdgeBoxes), down to edges. Where
 // that takes more than 64 looks at boxes and edges for each edge, and 16 for each pair that counts, by sweep. Memory:
 // O(N) for N polygons.
-PolygonsAllAnswer polygons_all_by_boxes(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
+PolygonsAllAnswer polygons_all_by_boxes(std::span<const Polygon> polygons, const SetOptions& options = {});
 
 // The contacts of edges by a grid over their boxes, then the polygons around each common point, then rings inside of
 // other polygons, one by one. Where the grid does not pay, or many edges crowd in a cell, by sweep. It has no bound,
 // and is not the front door. O(n + k) memory for k contacts of edges.
-PolygonsAllAnswer polygons_all_by_grid(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
+PolygonsAllAnswer polygons_all_by_grid(std::span<const Polygon> polygons, const SetOptions& options = {});
 
 // A line sweeps over the edges, which know the polygons that fill what is above them. O((n + k) log n) for n edges and
 // k contacts: pairs that count, edges that cross and rings inside of others, also of one group, edges that pass a
 // vertex of another polygon. All edges with one end in common are one contact that does not count.
-PolygonsAllAnswer polygons_all_by_sweep(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
+PolygonsAllAnswer polygons_all_by_sweep(std::span<const Polygon> polygons, const SetOptions& options = {});
 
 // Every pair: the oracle.
-PolygonsAllAnswer polygons_all_by_scan(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
+PolygonsAllAnswer polygons_all_by_scan(std::span<const Polygon> polygons, const SetOptions& options = {});
 
 }  // namespace sunder::planar

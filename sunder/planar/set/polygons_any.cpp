@@ -2,7 +2,7 @@
 
 namespace sunder::planar {
 
-PolygonsAnswer polygons_any(std::span<const Polygon> polygons, const PolygonsOptions& options) {
+PolygonsAnswer polygons_any(std::span<const Polygon> polygons, const SetOptions& options) {
   return polygons_any_by_boxes(polygons, options);
 }
 

@@ -15,10 +15,10 @@
 #pragma once
 
 #include <sunder/certificate/pair_answer.h>
+#include <sunder/near/set_question.h>
 #include <sunder/planar/object/polygon.h>
 #include <sunder/planar/pair/segment_segment.h>
 #include <sunder/planar/set/contact_rule.h>
-#include <sunder/planar/set/set_answer.h>
 
 #include <cstdint>
 #include <functional>
@@ -48,12 +48,6 @@ inline bool counts(const PolygonsContact& c, Allowed allowed) {
 // Probes: pairs of edges or boxes compared, and edges looked at for points inside.
 using PolygonsAnswer = AnyAnswer<PolygonsContact>;
 
-struct PolygonsOptions {
-  Allowed allowed = Allowed::nothing;
-  Groups groups{};                                 // of the polygons; members of one group may meet and overlap
-  std::function<void(double)> progress = nullptr;  // called now and then with the part that is done, 0 to 1
-};
-
 // How do two polygons meet? Of a touching pair, kind is the greatest there is. i is 0 and j is 1.
 // Cost: linear, and what a grid over those edges takes that are near the other polygon; where it does not pay, many
 // edges crowd in a cell, or there are many rings, as by sweep.
@@ -65,23 +59,23 @@ PolygonsAnswer polygons_contact(const Polygon& a, const Polygon& b);
 PolygonsAnswer polygons_contact_by_scan(const Polygon& a, const Polygon& b);
 
 // The front door: the fastest method measured. Requires fewer than 2^31 edges in all, as all methods.
-PolygonsAnswer polygons_any(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
+PolygonsAnswer polygons_any(std::span<const Polygon> polygons, const SetOptions& options = {});
 
 // A line sweeps over the edges, which know the polygons that fill what is above them, and passes contacts that do not
 // count. O((n + k) log n) for n edges in all and k contacts that do not count: edges that cross and rings inside of
 // others, of one group; edges that pass a vertex of another polygon. All edges with one end in common are one contact.
-PolygonsAnswer polygons_any_by_sweep(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
+PolygonsAnswer polygons_any_by_sweep(std::span<const Polygon> polygons, const SetOptions& options = {});
 
 // The pairs of polygons whose boxes meet; of each, the runs of edges whose boxes meet (EdgeBoxes), down to edges. Where
 // that takes more than 64 looks at boxes and edges for each edge, by sweep: O(N log N) comparisons and about 64 n such
 // looks for N polygons of n edges in all (the last two may need a look at all of theirs), besides what the sweep takes.
-PolygonsAnswer polygons_any_by_boxes(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
+PolygonsAnswer polygons_any_by_boxes(std::span<const Polygon> polygons, const SetOptions& options = {});
 
 // A uniform grid over the edges' boxes. Where it does not pay, or many edges crowd in cells, by sweep. Then rings whose
 // boxes are in those of other polygons, one by one: it has no bound, and is not the front door.
-PolygonsAnswer polygons_any_by_grid(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
+PolygonsAnswer polygons_any_by_grid(std::span<const Polygon> polygons, const SetOptions& options = {});
 
 // Every pair of polygons by polygons_contact_by_scan: the oracle. Names the first pair.
-PolygonsAnswer polygons_any_by_scan(std::span<const Polygon> polygons, const PolygonsOptions& options = {});
+PolygonsAnswer polygons_any_by_scan(std::span<const Polygon> polygons, const SetOptions& options = {});
 
 }  // namespace sunder::planar

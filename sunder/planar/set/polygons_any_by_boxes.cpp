@@ -5,7 +5,7 @@
 
 namespace sunder::planar {
 
-PolygonsAnswer polygons_any_by_boxes(std::span<const Polygon> polygons, const PolygonsOptions& options) {
+PolygonsAnswer polygons_any_by_boxes(std::span<const Polygon> polygons, const SetOptions& options) {
   PolygonsAnswer answer;
   Cost cost;
   if (for_each_meeting_pair(polygons, options, cost, first_that_counts(answer, options.allowed))) {

@@ -4,7 +4,7 @@
 
 namespace sunder::planar {
 
-PolygonsAnswer polygons_any_by_grid(std::span<const Polygon> polygons, const PolygonsOptions& options) {
+PolygonsAnswer polygons_any_by_grid(std::span<const Polygon> polygons, const SetOptions& options) {
   PolygonEdges edges(pointers_to(polygons));
   PolygonsAnswer answer;
   PolygonMeetings meetings(edges, options.groups, first_that_counts(answer, options.allowed));

@@ -185,7 +185,7 @@ PolygonsAnswer polygons_contact_by_scan(const Polygon& a, const Polygon& b) {
   return small ? contact_in<std::int64_t>(a, b) : contact_in<Dyadic>(a, b);
 }
 
-PolygonsAllAnswer polygons_all_by_scan(std::span<const Polygon> polygons, const PolygonsOptions& options) {
+PolygonsAllAnswer polygons_all_by_scan(std::span<const Polygon> polygons, const SetOptions& options) {
   PolygonsAllAnswer answer;
   for (std::uint32_t i = 0; i < polygons.size(); ++i) {
     for (std::uint32_t j = i + 1; j < polygons.size(); ++j) {
@@ -201,13 +201,13 @@ PolygonsAllAnswer polygons_all_by_scan(std::span<const Polygon> polygons, const 
   return answer;
 }
 
-Cost find_contacts_by_scan(std::span<const Polygon> polygons, const PolygonsOptions& options, LowestContacts& found) {
+Cost find_contacts_by_scan(std::span<const Polygon> polygons, const SetOptions& options, LowestContacts& found) {
   const PolygonsAllAnswer all = polygons_all_by_scan(polygons, options);
   for (const PolygonsContact& c : all.contacts) found.add(c);
   return all.cost;
 }
 
-PolygonsAnswer polygons_any_by_scan(std::span<const Polygon> polygons, const PolygonsOptions& options) {
+PolygonsAnswer polygons_any_by_scan(std::span<const Polygon> polygons, const SetOptions& options) {
   PolygonsAnswer answer;
   const PolygonsAllAnswer all = polygons_all_by_scan(polygons, options);
   answer.cost = all.cost;

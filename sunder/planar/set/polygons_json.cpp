@@ -2,7 +2,7 @@
 #include <sunder/planar/set/polygons_common_point.h>
 #include <sunder/planar/set/polygons_json.h>
 #include <sunder/planar/set/segments_all.h>
-#include <sunder/planar/set/sweep_json.h>
+#include <sunder/planar/sweep/sweep_json.h>
 
 #include <array>
 #include <string_view>

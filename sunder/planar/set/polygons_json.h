@@ -4,7 +4,7 @@
 
 #include <sunder/certificate/claims.h>
 #include <sunder/planar/set/polygons_any.h>
-#include <sunder/planar/set/sweep_events.h>
+#include <sunder/planar/sweep/sweep_events.h>
 
 #include <cstdint>
 #include <functional>

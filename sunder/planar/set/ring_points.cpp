@@ -2,9 +2,9 @@
 // on it is fixed. At a point at most one edge passes that does not end there, as two would cross or overlap; in the
 // list it stands next to those that end or begin there.
 #include <sunder/base/error.h>
-#include <sunder/planar/set/ends_in_order.h>
 #include <sunder/planar/set/ring_points.h>
-#include <sunder/planar/set/sweep_status.h>
+#include <sunder/planar/sweep/ends_in_order.h>
+#include <sunder/planar/sweep/sweep_status.h>
 #include <sunder/predicate/orient.h>
 
 #include <algorithm>

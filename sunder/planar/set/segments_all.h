@@ -8,8 +8,8 @@
 #pragma once
 
 #include <sunder/base/cost.h>
+#include <sunder/near/contacts_in_order.h>
 #include <sunder/planar/object/segments.h>
-#include <sunder/planar/set/contacts_in_order.h>
 #include <sunder/planar/set/segments_any.h>
 
 #include <cstdint>
@@ -29,20 +29,20 @@ struct [[nodiscard]] SegmentsCountAnswer : CountAnswer {
 };
 
 // The front doors: the fastest method measured; with a transcript, which proves the answer, Bentley and Ottmann's.
-SegmentsAllAnswer segments_all(const Segments& segments, const SegmentsOptions& options = {});
-SegmentsCountAnswer segments_count(const Segments& segments, const SegmentsOptions& options = {});
+SegmentsAllAnswer segments_all(const Segments& segments, const SetOptions& options = {});
+SegmentsCountAnswer segments_count(const Segments& segments, const SetOptions& options = {});
 
 // Calls for each contact, in the order of the method, until the visitor returns false. `transcript` of the options is
 // not looked at.
 using ContactVisitor = std::function<bool(const SegmentsContact&)>;
-using ContactMethod = Cost(const Segments& segments, const SegmentsOptions& options, const ContactVisitor& visit);
+using ContactMethod = Cost(const Segments& segments, const SetOptions& options, const ContactVisitor& visit);
 
 ContactMethod visit_contacts;  // the front door
 
 // Those whose i the block holds, for ContactsInOrder: of all segments by the method, of a narrow block by boxes of its
 // members, else those of the method that the block holds.
-Cost visit_contacts_of_block(const Segments& segments, const SegmentsOptions& options, const Block& block,
-                             ContactMethod* by, const ContactVisitor& visit);
+Cost visit_contacts_of_block(const Segments& segments, const SetOptions& options, const Block& block, ContactMethod* by,
+                             const ContactVisitor& visit);
 
 // A grid over the segments' boxes; where it does not pay, or many crowd in a cell, by a sweep.
 ContactMethod visit_contacts_by_grid;
@@ -55,8 +55,8 @@ ContactMethod visit_contacts_by_sweep;
 ContactMethod visit_contacts_by_bentley_ottmann;
 
 // The same, with its transcript.
-Cost visit_contacts_with_transcript(const Segments& segments, const SegmentsOptions& options,
-                                    const ContactVisitor& visit, SweepEvents& transcript);
+Cost visit_contacts_with_transcript(const Segments& segments, const SetOptions& options, const ContactVisitor& visit,
+                                    SweepEvents& transcript);
 
 // The events alone: they tell all contacts. nullopt where they would have more than `most` entries. Cost: as above, k
 // all pairs of neighbours that cross.

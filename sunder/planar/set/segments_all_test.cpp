@@ -20,7 +20,7 @@ constexpr std::array methods{&visit_contacts_by_scan, &visit_contacts_by_bentley
 using Kinds = std::map<ContactKind, std::size_t>;
 
 // What all methods list, kind by kind.
-Kinds kinds_of(const std::vector<Segment>& given, const SegmentsOptions& options = {}) {
+Kinds kinds_of(const std::vector<Segment>& given, const SetOptions& options = {}) {
   const Segments segments(given);
   Kinds first;
   for (std::size_t m = 0; m < methods.size(); ++m) {
@@ -124,7 +124,7 @@ TEST(SegmentsAllTest, OnOneLineAndRepeated) {
 TEST(SegmentsAllTest, Groups) {
   const std::vector<Segment> plus{{{-1, 0}, {1, 0}}, {{0, -1}, {0, 1}}, {{-1, -1}, {1, 1}}};
   const std::vector<std::uint32_t> all_one{4, 4, 4}, two{0, 9, 0}, own{0, 1, 2};
-  SegmentsOptions options;
+  SetOptions options;
   options.groups = all_one;
   EXPECT_EQ(kinds_of(plus, options), Kinds{});
   options.groups = two;
@@ -186,7 +186,7 @@ TEST(SegmentsAllTest, Crowds) {
     std::vector<std::uint32_t> groups;
     for (std::size_t k = 0; k < given.size(); ++k) groups.push_back(static_cast<std::uint32_t>(random.below(3)));
     for (const Allowed allowed : {Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}) {
-      SegmentsOptions options{allowed};
+      SetOptions options{allowed};
       const std::size_t all = kinds_of(given, options)[ContactKind::crossing];
       EXPECT_GT(all, 2000u);
       options.groups = groups;
@@ -207,7 +207,7 @@ TEST(SegmentsAllTest, Crowds) {
   for (const std::uint32_t other : {segments.size(), 1210u, 1270u, segments.size() - 1}) {
     std::vector<std::uint32_t> groups(segments.size(), 5);
     if (other < segments.size()) groups[other] = 6;
-    SegmentsOptions options;
+    SetOptions options;
     options.groups = groups;
     const SegmentsAnswer grid = segments_any_by_grid(segments, options);
     ASSERT_EQ(grid.meet(), other < segments.size()) << other;
@@ -222,7 +222,7 @@ TEST(SegmentsAllTest, Crowds) {
 TEST(SegmentsAllTest, ProgressIsTold) {
   Random random(162);
   const Segments edges(short_ones(40000, 0, 0, 1, 1e-5, random));  // apart, of 80000 ends
-  SegmentsOptions options;
+  SetOptions options;
   std::vector<double> told;
   options.progress = [&](double part) { told.push_back(part); };
   const auto check = [&](std::size_t least_calls) {

@@ -2,7 +2,7 @@
 
 namespace sunder::planar {
 
-SegmentsAnswer segments_any(const Segments& segments, const SegmentsOptions& options) {
+SegmentsAnswer segments_any(const Segments& segments, const SetOptions& options) {
   return segments_any_by_grid(segments, options);
 }
 

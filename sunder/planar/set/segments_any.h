@@ -10,11 +10,11 @@
 // Source: Shamos & Hoey 1976, section III, Algorithm 1 and Theorems 2 and 3.
 #pragma once
 
+#include <sunder/near/set_question.h>
 #include <sunder/planar/object/segments.h>
 #include <sunder/planar/pair/segment_segment.h>
 #include <sunder/planar/set/contact_rule.h>
-#include <sunder/planar/set/set_answer.h>
-#include <sunder/planar/set/sweep_events.h>
+#include <sunder/planar/sweep/sweep_events.h>
 
 #include <array>
 #include <cstdint>
@@ -29,35 +29,30 @@ struct [[nodiscard]] SegmentsAnswer : AnyAnswer<SegmentsContact> {  // probes: p
   SweepEvents transcript;                                           // empty unless asked for, and where some meet
 };
 
-struct SegmentsOptions {
-  Allowed allowed = Allowed::nothing;
-  bool transcript = false;
-  Groups groups{};                                 // members of one group may meet
-  std::function<void(double)> progress = nullptr;  // called now and then with the part that is done, 0 to 1
-};
+inline ContactKind contact_kind(const Segment& s, const Segment& t) { return segment_segment(s, t); }
 
 // The front door: the fastest method measured.
-SegmentsAnswer segments_any(const Segments& segments, const SegmentsOptions& options = {});
+SegmentsAnswer segments_any(const Segments& segments, const SetOptions& options = {});
 
 // Algorithm 1: a line sweeps over the plane; segments are tested when they become neighbours on it.
 // Cost: O(N log N) comparisons; O(N) memory. Where there are groups, whose members may cross: by Bentley and Ottmann
 // with a transcript, else as visit_contacts_by_sweep (segments_all.h) up to the first contact that counts.
-SegmentsAnswer segments_any_by_sweep(const Segments& segments, const SegmentsOptions& options = {});
+SegmentsAnswer segments_any_by_sweep(const Segments& segments, const SetOptions& options = {});
 
 // The same where the order of the ends (as by ends_in_order) is known. Requires that there are no groups.
 SegmentsAnswer segments_any_by_sweep_over(const Segments& segments, std::span<const std::uint32_t> ends,
-                                          const SegmentsOptions& options = {});
+                                          const SetOptions& options = {});
 
 // The sweep that passes crossings, up to the first contact that counts.
 // Cost: O((N + k) log N) comparisons for k contacts that do not count; O(N + k) memory.
-SegmentsAnswer segments_any_by_bentley_ottmann(const Segments& segments, const SegmentsOptions& options = {});
+SegmentsAnswer segments_any_by_bentley_ottmann(const Segments& segments, const SetOptions& options = {});
 
 // A uniform grid over the segments' boxes finds the pairs that are near each other. Where boxes are long against the
 // grid, or a transcript is asked for, the sweep decides instead, and where too many crowd in a cell, the sweep decides
 // about these; so its bound holds.
-SegmentsAnswer segments_any_by_grid(const Segments& segments, const SegmentsOptions& options = {});
+SegmentsAnswer segments_any_by_grid(const Segments& segments, const SetOptions& options = {});
 
 // Every pair: the oracle. Names the first pair. Writes no transcript. O(N^2) time.
-SegmentsAnswer segments_any_by_scan(const Segments& segments, const SegmentsOptions& options = {});
+SegmentsAnswer segments_any_by_scan(const Segments& segments, const SetOptions& options = {});
 
 }  // namespace sunder::planar

@@ -1,20 +1,11 @@
-// The oracle: every pair.
-#include <sunder/planar/set/segments_any.h>
+#include <sunder/planar/set/segments_all.h>
 
 namespace sunder::planar {
 
-SegmentsAnswer segments_any_by_scan(const Segments& segments, const SegmentsOptions& options) {
-  SegmentsAnswer answer;
-  for (std::uint32_t i = 0; i < segments.size(); ++i) {
-    for (std::uint32_t j = i + 1; j < segments.size(); ++j) {
-      ++answer.cost.probes;
-      const ContactKind kind = segment_segment(segments[i], segments[j]);
-      if (!counts(kind, options.allowed) || may_meet(options.groups, i, j)) continue;
-      answer.found = contact_of(i, j, kind);
-      return answer;
-    }
-  }
-  return answer;
+SegmentsAnswer segments_any_by_scan(const Segments& segments, const SetOptions& options) {
+  return {first_of<SegmentsContact>(
+              [&](const ContactVisitor& visit) { return visit_contacts_by_scan(segments, options, visit); }),
+          {}};
 }
 
 }  // namespace sunder::planar

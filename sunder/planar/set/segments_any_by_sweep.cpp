@@ -27,11 +27,11 @@
 // nothing in the list is, the second one stands next to the first; of two neighbours that end in one point, the first
 // one leaves no new neighbours that last.
 #include <sunder/base/contract.h>
-#include <sunder/planar/set/ends_in_order.h>
-#include <sunder/planar/set/prefetch.h>
+#include <sunder/base/prefetch.h>
 #include <sunder/planar/set/segments_all.h>
 #include <sunder/planar/set/segments_any.h>
-#include <sunder/planar/set/sweep_status.h>
+#include <sunder/planar/sweep/ends_in_order.h>
+#include <sunder/planar/sweep/sweep_status.h>
 #include <sunder/predicate/orient.h>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ static_assert(SweepStatus<Segment>::none == no_segment);
 
 class Sweep {
  public:
-  Sweep(const Segments& segments, const SegmentsOptions& options)
+  Sweep(const Segments& segments, const SetOptions& options)
       : segments_(segments), options_(options), status_(segments.all()) {}
 
   SegmentsAnswer run(std::span<const std::uint32_t> ends) {
@@ -137,33 +137,27 @@ class Sweep {
   }
 
   const Segments& segments_;
-  const SegmentsOptions options_;
+  const SetOptions options_;
   SweepStatus<Segment> status_;
   SegmentsAnswer answer_;
   bool begins_on_another_ = false;  // does the segment that enters begin on one that it was compared with?
   std::uint32_t entered_ = none;    // the last one that entered beside another, whose turn is still to come
 };
 
-// Members of a group may cross, many times: up to the first contact that counts.
-SegmentsAnswer by_contacts(const Segments& segments, const SegmentsOptions& options) {
-  SegmentsAnswer answer;
-  answer.cost = visit_contacts_by_sweep(segments, options, [&](const SegmentsContact& contact) {
-    answer.found = contact;
-    return false;
-  });
-  return answer;
-}
-
 }  // namespace
 
-SegmentsAnswer segments_any_by_sweep(const Segments& segments, const SegmentsOptions& options) {
+SegmentsAnswer segments_any_by_sweep(const Segments& segments, const SetOptions& options) {
   if (options.transcript) return segments_any_by_bentley_ottmann(segments, options);
-  if (!options.groups.empty()) return by_contacts(segments, options);
+  if (!options.groups.empty()) {  // members of one may cross, many times: up to the first contact that counts
+    return {first_of<SegmentsContact>(
+                [&](const ContactVisitor& visit) { return visit_contacts_by_sweep(segments, options, visit); }),
+            {}};
+  }
   return segments_any_by_sweep_over(segments, ends_in_order(segments.all()), options);
 }
 
 SegmentsAnswer segments_any_by_sweep_over(const Segments& segments, std::span<const std::uint32_t> ends,
-                                          const SegmentsOptions& options) {
+                                          const SetOptions& options) {
   SUNDER_REQUIRE(options.groups.empty());
   SUNDER_REQUIRE(ends.size() == 2 * segments.size());
   return Sweep(segments, options).run(ends);

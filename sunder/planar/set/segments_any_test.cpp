@@ -15,9 +15,9 @@ namespace {
 
 bool meet(const std::vector<Segment>& given, Allowed allowed) {
   const Segments segments(given);
-  const SegmentsAnswer sweep = segments_any_by_sweep(segments, {allowed, true});
-  EXPECT_EQ(sweep.meet(), segments_any_by_scan(segments, {allowed, false}).meet());
-  EXPECT_EQ(sweep.meet(), segments_any(segments, {allowed, false}).meet());
+  const SegmentsAnswer sweep = segments_any_by_sweep(segments, {allowed, {}, nullptr, true});
+  EXPECT_EQ(sweep.meet(), segments_any_by_scan(segments, {allowed}).meet());
+  EXPECT_EQ(sweep.meet(), segments_any(segments, {allowed}).meet());
   return sweep.meet();
 }
 
@@ -97,7 +97,7 @@ Numbers goes_on(const SweepEvents& events, std::size_t k) {
 // The transcript has an event at each point where one begins or ends, in the order of the plane.
 TEST(SegmentsAnyTest, TheTranscript) {
   const Segments segments(std::vector<Segment>{{{0, 0}, {4, 0}}, {{1, 2}, {3, 1}}, {{2, 1}, {2, 1}}, {{2, 4}, {5, 5}}});
-  const SegmentsAnswer answer = segments_any(segments, {Allowed::nothing, true});
+  const SegmentsAnswer answer = segments_any(segments, {Allowed::nothing, {}, nullptr, true});
   ASSERT_FALSE(answer.meet());
   const SweepEvents& events = answer.transcript;
   EXPECT_EQ(events.at, (Numbers{0, 2, 4, 6, 3, 1, 7}));
@@ -111,7 +111,7 @@ TEST(SegmentsAnyTest, TheTranscript) {
 TEST(SegmentsAnyTest, TheTranscriptAtOnePoint) {
   const Segments segments(
       std::vector<Segment>{{{1, 1}, {2, 2}}, {{1, 1}, {1, 1}}, {{0, 0}, {1, 1}}, {{1, 1}, {3, 0}}, {{0, 3}, {1, 1}}});
-  const SegmentsAnswer answer = segments_any(segments, {Allowed::shared_endpoint, true});
+  const SegmentsAnswer answer = segments_any(segments, {Allowed::shared_endpoint, {}, nullptr, true});
   ASSERT_FALSE(answer.meet());
   ASSERT_EQ(answer.transcript.size(), 5u);
   EXPECT_EQ(goes_on(answer.transcript, 2), (Numbers{1, 3, 0}));
@@ -122,7 +122,7 @@ TEST(SegmentsAnyTest, TheTranscriptAtOnePoint) {
 TEST(SegmentsAnyTest, TheTranscriptOfAGroup) {
   const Segments segments(std::vector<Segment>{{{0, 0}, {4, 4}}, {{0, 4}, {4, 0}}, {{0, 2}, {4, 2}}, {{1, 2}, {3, 2}}});
   const Numbers groups{7, 7, 7, 7};
-  const SegmentsAnswer answer = segments_any(segments, {Allowed::nothing, true, groups});
+  const SegmentsAnswer answer = segments_any(segments, {Allowed::nothing, groups, nullptr, true});
   ASSERT_FALSE(answer.meet());
   const SweepEvents& events = answer.transcript;
   EXPECT_EQ(std::count(events.at.begin(), events.at.end(), at_crossing), 1);
@@ -163,7 +163,7 @@ TEST(SegmentsAnyTest, ComparisonsGrowAsNLogN) {
         }
       }
       const Segments segments(given);
-      const SegmentsAnswer answer = segments_any_by_sweep(segments, {Allowed::shared_endpoint, false});
+      const SegmentsAnswer answer = segments_any_by_sweep(segments, {Allowed::shared_endpoint});
       ASSERT_FALSE(answer.meet());
       const double size = segments.size();
       EXPECT_LE(answer.cost.probes, size * (std::log2(size) + 3)) << n << (star ? " star" : " grid");

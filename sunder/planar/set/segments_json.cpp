@@ -1,5 +1,5 @@
 #include <sunder/planar/set/segments_json.h>
-#include <sunder/planar/set/sweep_json.h>
+#include <sunder/planar/sweep/sweep_json.h>
 #include <sunder/predicate/crossing.h>
 
 #include <array>

@@ -37,8 +37,8 @@
 // where one of the two begins or ends, no more than four times. In all, O(N log N + k).
 //   Memory: each segment is in the list or in one staircase; those lent add a third, and one per strip around: O(N).
 #include <sunder/planar/set/contact_bundle.h>
-#include <sunder/planar/set/ends_in_order.h>
 #include <sunder/planar/set/segments_all.h>
+#include <sunder/planar/sweep/ends_in_order.h>
 #include <sunder/predicate/height_order.h>
 #include <sunder/predicate/orient.h>
 
@@ -55,7 +55,7 @@ constexpr std::uint32_t few = 8;
 
 class Balaban {
  public:
-  Balaban(const Segments& segments, const SegmentsOptions& options, const ContactVisitor& visit)
+  Balaban(const Segments& segments, const SetOptions& options, const ContactVisitor& visit)
       : segments_(segments),
         options_(options),
         visit_(visit),
@@ -329,7 +329,7 @@ class Balaban {
   }
 
   const Segments& segments_;
-  const SegmentsOptions& options_;
+  const SetOptions& options_;
   const ContactVisitor& visit_;
   std::vector<std::uint32_t> ends_, places_;  // each place: where its ends begin
   std::vector<std::uint32_t> first_, last_;   // of each segment: the places of its ends
@@ -346,7 +346,7 @@ class Balaban {
 
 }  // namespace
 
-Cost visit_contacts_by_balaban(const Segments& segments, const SegmentsOptions& options, const ContactVisitor& visit) {
+Cost visit_contacts_by_balaban(const Segments& segments, const SetOptions& options, const ContactVisitor& visit) {
   return Balaban(segments, options, visit).run();
 }
 

@@ -12,8 +12,7 @@
 namespace sunder::planar {
 namespace {
 
-std::vector<SegmentsContact> listed(ContactMethod& method, const Segments& segments,
-                                    const SegmentsOptions& options = {}) {
+std::vector<SegmentsContact> listed(ContactMethod& method, const Segments& segments, const SetOptions& options = {}) {
   std::vector<SegmentsContact> contacts;
   method(segments, options, [&](const SegmentsContact& contact) {
     contacts.push_back(contact);
@@ -80,7 +79,7 @@ TEST(VisitContactsByBalabanTest, LargeStaircasesAgreeWithTheScan) {
     std::vector<std::uint32_t> groups;
     for (std::uint32_t k = 0; k < segments.size(); ++k) groups.push_back(static_cast<std::uint32_t>(random.below(3)));
     for (const bool grouped : {false, true}) {
-      SegmentsOptions options{static_cast<Allowed>(i % 3), false};
+      SetOptions options{static_cast<Allowed>(i % 3)};
       if (grouped) options.groups = groups;
       const std::vector<SegmentsContact> truth = listed(visit_contacts_by_scan, segments, options);
       ASSERT_EQ(listed(visit_contacts_by_balaban, segments, options), truth) << i;

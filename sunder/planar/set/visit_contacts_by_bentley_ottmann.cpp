@@ -12,9 +12,9 @@
 // common point, where one of them begins; where one ends on others of its line only, nothing happens.
 // The bundle of p is complete: just before p, those in the list that hold p have nothing else between them.
 #include <sunder/planar/set/contact_bundle.h>
-#include <sunder/planar/set/ends_in_order.h>
 #include <sunder/planar/set/segments_all.h>
-#include <sunder/planar/set/sweep_status.h>
+#include <sunder/planar/sweep/ends_in_order.h>
+#include <sunder/planar/sweep/sweep_status.h>
 #include <sunder/predicate/crossing.h>
 #include <sunder/predicate/orient.h>
 
@@ -30,8 +30,8 @@ constexpr std::uint32_t none = no_segment;
 class BentleyOttmann {
  public:
   // record: where to write the events, or null; the sweep stops where it has more than `most` entries.
-  BentleyOttmann(const Segments& segments, const SegmentsOptions& options, const ContactVisitor& visit,
-                 SweepEvents* record, std::size_t most = std::numeric_limits<std::size_t>::max())
+  BentleyOttmann(const Segments& segments, const SetOptions& options, const ContactVisitor& visit, SweepEvents* record,
+                 std::size_t most = std::numeric_limits<std::size_t>::max())
       : segments_(segments),
         options_(options),
         visit_(visit),
@@ -265,7 +265,7 @@ class BentleyOttmann {
   }
 
   const Segments& segments_;
-  const SegmentsOptions& options_;
+  const SetOptions& options_;
   const ContactVisitor& visit_;
   SweepEvents* record_;
   const std::size_t most_;
@@ -281,18 +281,18 @@ class BentleyOttmann {
 
 }  // namespace
 
-Cost visit_contacts_by_bentley_ottmann(const Segments& segments, const SegmentsOptions& options,
+Cost visit_contacts_by_bentley_ottmann(const Segments& segments, const SetOptions& options,
                                        const ContactVisitor& visit) {
   return BentleyOttmann(segments, options, visit, nullptr).run();
 }
 
-Cost visit_contacts_with_transcript(const Segments& segments, const SegmentsOptions& options,
-                                    const ContactVisitor& visit, SweepEvents& transcript) {
+Cost visit_contacts_with_transcript(const Segments& segments, const SetOptions& options, const ContactVisitor& visit,
+                                    SweepEvents& transcript) {
   return BentleyOttmann(segments, options, visit, &transcript).run();
 }
 
 std::optional<SweepEvents> sweep_events(const Segments& segments, std::size_t most) {
-  SegmentsOptions options;
+  SetOptions options;
   options.allowed = Allowed::touch;
   const std::vector<std::uint32_t> one_group(segments.size(), 0);  // so that no contact is looked at
   options.groups = one_group;
@@ -303,7 +303,7 @@ std::optional<SweepEvents> sweep_events(const Segments& segments, std::size_t mo
   return events;
 }
 
-SegmentsAnswer segments_any_by_bentley_ottmann(const Segments& segments, const SegmentsOptions& options) {
+SegmentsAnswer segments_any_by_bentley_ottmann(const Segments& segments, const SetOptions& options) {
   SegmentsAnswer answer;
   const auto stop = [&](const SegmentsContact& contact) {
     answer.found = contact;

@@ -65,7 +65,7 @@ struct Sample {
 
 }  // namespace
 
-Cost visit_contacts_by_sweep(const Segments& segments, const SegmentsOptions& options, const ContactVisitor& visit) {
+Cost visit_contacts_by_sweep(const Segments& segments, const SetOptions& options, const ContactVisitor& visit) {
   if (segments.size() <= few) return visit_contacts_by_scan(segments, options, visit);
   const Sample sample(segments, options.groups);
   ContactMethod& method =

@@ -1,6 +1,6 @@
 #include <sunder/base/contract.h>
 #include <sunder/solid/object/convex_polyhedron.h>
-#include <sunder/solid/object/search_graph.h>
+#include <sunder/solid/represent/search_graph.h>
 
 #include <algorithm>
 #include <cmath>

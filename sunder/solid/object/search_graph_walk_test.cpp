@@ -1,7 +1,7 @@
 // The floating-point searches against reading every vertex, and what they look at against a bound.
 #include <sunder/base/random.h>
 #include <sunder/solid/object/convex_polyhedron.h>
-#include <sunder/solid/object/search_graph_walk.h>
+#include <sunder/solid/represent/search_graph_walk.h>
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <sunder/predicate/posed.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
-#include <sunder/solid/object/search_graph.h>
 #include <sunder/solid/pair/search_vector.h>
+#include <sunder/solid/represent/search_graph.h>
 
 #include <cstdint>
 

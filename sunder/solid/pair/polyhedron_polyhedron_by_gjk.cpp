@@ -1,9 +1,9 @@
 // The search that proposes. See docs/design/solid-pair.md.
-#include <sunder/solid/object/search_graph_walk.h>
 #include <sunder/solid/pair/closest_simplex.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
 #include <sunder/solid/pair/simplex_proposals.h>
+#include <sunder/solid/represent/search_graph_walk.h>
 
 #include <cmath>
 

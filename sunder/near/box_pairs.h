@@ -1,0 +1,139 @@
+// All pairs of boxes that meet.
+//
+// By a uniform grid (near_pairs.h) where it pays. Else by halving, for any boxes: in the order of their left sides, box
+// j begins inside of box i, or where it begins, iff its place is in the range of those from the place after i to the
+// last one that begins no further right than i ends. A tree over the places splits each range to nodes that it covers,
+// two a level at most; there, those that cover the node are matched with those that have their place in it by their
+// bottoms and tops alone, in one merge. Source: Zomorodian & Edelsbrunner 2000, in the plane.
+#pragma once
+
+#include <sunder/near/near_pairs.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <functional>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace sunder {
+
+template <class OfPair>
+class BoxPairsByHalving {
+ public:
+  BoxPairsByHalving(std::span<const Box2> boxes, const OfPair& of_pair) : boxes_(boxes), of_pair_(of_pair) {}
+
+  bool run() {
+    const std::uint32_t n = static_cast<std::uint32_t>(boxes_.size());
+    List by_left(n), by_bottom(n);
+    std::iota(by_left.begin(), by_left.end(), 0u);
+    by_bottom = by_left;
+    std::sort(by_left.begin(), by_left.end(), [&](std::uint32_t i, std::uint32_t j) {
+      return boxes_[i].low.x != boxes_[j].low.x ? boxes_[i].low.x < boxes_[j].low.x : i < j;
+    });
+    std::sort(by_bottom.begin(), by_bottom.end(), [&](std::uint32_t i, std::uint32_t j) {
+      return boxes_[i].low.y != boxes_[j].low.y ? boxes_[i].low.y < boxes_[j].low.y : i < j;
+    });
+    places_.resize(n);
+    for (std::uint32_t place = 0; place < n; ++place) {
+      const std::uint32_t i = by_left[place];
+      const auto end = std::upper_bound(by_left.begin(), by_left.end(), boxes_[i].high.x,
+                                        [&](double x, std::uint32_t j) { return x < boxes_[j].low.x; });
+      places_[i] = {place, static_cast<std::uint32_t>(end - by_left.begin())};
+    }
+    List ranges;
+    std::copy_if(by_bottom.begin(), by_bottom.end(), std::back_inserter(ranges),
+                 [&](std::uint32_t i) { return places_[i].place + 1 < places_[i].end; });
+    looks_ += 3 * std::uint64_t{n} * static_cast<std::uint64_t>(std::bit_width(n));  // three searches and sorts
+    return visit(0, n, std::move(ranges), std::move(by_bottom));
+  }
+
+  std::uint64_t looks() const { return looks_; }
+
+ private:
+  using List = std::vector<std::uint32_t>;
+  struct Places {
+    std::uint32_t place, end;  // the range goes from place + 1 to end, which does not belong to it
+  };
+
+  bool report(std::uint32_t i, std::uint32_t j) { return of_pair_(std::min(i, j), std::max(i, j)); }
+
+  // The boxes `in` have their places from `begin` to `end`; the ranges of `over` meet this. Both by their bottoms.
+  bool visit(std::uint32_t begin, std::uint32_t end, List over, List in) {
+    if (over.empty() || in.empty()) return true;
+    looks_ += over.size() + in.size();
+    if (end - begin <= few || over.size() <= few) return visit_all(over, in);
+    const std::uint32_t middle = begin + (end - begin) / 2;
+    List covering, over_left, over_right, in_left, in_right;
+    for (const std::uint32_t i : over) {
+      const auto [place, last] = places_[i];
+      if (place < begin && end <= last) {
+        covering.push_back(i);
+        continue;
+      }
+      if (place + 1 < middle) over_left.push_back(i);
+      if (last > middle) over_right.push_back(i);
+    }
+    if (!match(covering, in)) return false;
+    for (const std::uint32_t i : in) (places_[i].place < middle ? in_left : in_right).push_back(i);
+    List().swap(over);
+    List().swap(in);
+    return visit(begin, middle, std::move(over_left), std::move(in_left)) &&
+           visit(middle, end, std::move(over_right), std::move(in_right));
+  }
+
+  bool visit_all(const List& over, const List& in) {
+    for (const std::uint32_t i : over) {
+      const Box2& a = boxes_[i];
+      for (const std::uint32_t j : in) {
+        const Box2& b = boxes_[j];
+        ++looks_;
+        if (b.low.y > a.high.y) break;
+        const bool begins_inside = places_[i].place < places_[j].place && places_[j].place < places_[i].end;
+        if (begins_inside && a.low.y <= b.high.y && !report(i, j)) return false;
+      }
+    }
+    return true;
+  }
+
+  // Each of one list with each of the other, by bottoms and tops.
+  bool match(const List& some, const List& others) {
+    std::size_t k = 0, l = 0;
+    while (k < some.size() && l < others.size()) {
+      const bool first = boxes_[some[k]].low.y <= boxes_[others[l]].low.y;
+      const List& list = first ? others : some;
+      const std::uint32_t i = first ? some[k++] : others[l++];
+      for (std::size_t at = first ? l : k; at < list.size() && boxes_[list[at]].low.y <= boxes_[i].high.y; ++at) {
+        if (!report(i, list[at])) return false;
+      }
+    }
+    return true;
+  }
+
+  static constexpr std::uint32_t few = 16;
+  std::span<const Box2> boxes_;
+  const OfPair& of_pair_;
+  std::vector<Places> places_;
+  std::uint64_t looks_ = 0;
+};
+
+// Calls of_pair(i, j), i < j, once for each pair of boxes that meet, in no particular order, until it returns false.
+// Returns whether it never did. Adds to `looks`, where given, how often it looked at a box. Cost: O(N log N + k) for k
+// pairs.
+template <class OfPair>
+bool for_each_box_pair(std::span<const Box2> boxes, const OfPair& of_pair,
+                       const std::function<void(double)>& progress = nullptr, std::uint64_t* looks = nullptr) {
+  const std::optional<BoxGrid> grid = BoxGrid::over(boxes, extents_of_boxes(boxes));
+  if (grid && crowded(*grid, crowd_of_polygons) == 0) {
+    if (looks != nullptr) *looks += pairs_in_cells(*grid);
+    return for_each_near_pair<crowd_of_polygons>(boxes, *grid, of_pair, progress);
+  }
+  BoxPairsByHalving<OfPair> halving(boxes, of_pair);
+  const bool all = halving.run();
+  if (looks != nullptr) *looks += halving.looks();
+  return all;
+}
+
+}  // namespace sunder

@@ -1,0 +1,110 @@
+// Radix sort by the leading bits of x, then comparisons among those that are equal there.
+#include <sunder/base/contract.h>
+#include <sunder/base/prefetch.h>
+#include <sunder/planar/sweep/ends_in_order.h>
+#include <sunder/planar/sweep/keyed_order.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <utility>
+
+namespace sunder::planar {
+
+namespace {
+
+// The leading 32 bits in which abscissas differ, then the number of the end.
+using Entry = std::uint64_t;
+std::uint32_t end_of(Entry e) { return static_cast<std::uint32_t>(e); }
+std::uint64_t leading_bits(Entry e) { return e >> 32; }
+
+// Last ends, then points, then first ends.
+int rank(const Segment& s, std::uint32_t end) { return s.a == s.b ? 1 : end % 2 == 0 ? 2 : 0; }
+
+class Less {
+ public:
+  explicit Less(std::span<const Segment> segments) : segments_(segments) {}
+  bool operator()(Entry e, Entry f) const {
+    if (leading_bits(e) != leading_bits(f)) return e < f;
+    const Point2 &p = end_point(segments_, end_of(e)), &q = end_point(segments_, end_of(f));
+    if (p.x != q.x) return p.x < q.x;
+    if (p.y != q.y) return p.y < q.y;
+    const int r = rank(segments_[end_of(e) / 2], end_of(e)), s = rank(segments_[end_of(f) / 2], end_of(f));
+    return r != s ? r < s : end_of(e) < end_of(f);
+  }
+
+ private:
+  std::span<const Segment> segments_;
+};
+
+constexpr std::size_t digits = 3;
+constexpr std::array<int, digits + 1> digit_begins{32, 43, 54, 64};
+constexpr std::size_t worth_a_radix_sort = 2000;
+
+void sort_by_digits(std::vector<Entry>& entries) {
+  std::vector<Entry> other(entries.size());
+  std::array<std::array<std::uint32_t, 1 << 11>, digits> place{};
+  const auto digit = [](Entry e, std::size_t d) {
+    const int bits = digit_begins[d + 1] - digit_begins[d];
+    return std::size_t{e >> digit_begins[d]} & ((std::size_t{1} << bits) - 1);
+  };
+  for (const Entry e : entries) {
+    for (std::size_t d = 0; d < digits; ++d) ++place[d][digit(e, d)];
+  }
+  for (std::size_t d = 0; d < digits; ++d) {
+    std::uint32_t before = 0;
+    for (std::uint32_t& p : place[d]) before += std::exchange(p, before);
+    for (const Entry e : entries) other[place[d][digit(e, d)]++] = e;
+    std::swap(entries, other);
+  }
+}
+
+std::vector<Entry> entries_of(std::span<const Segment> segments) {
+  std::uint64_t least = ~std::uint64_t{0}, greatest = 0;
+  for (const Segment& s : segments) {
+    least = std::min(least, key_of(s.a.x));
+    greatest = std::max(greatest, key_of(s.b.x));
+  }
+  // The bits in which keys differ, or the leading ones of these.
+  const int shift = std::max(0, static_cast<int>(std::bit_width(least ^ greatest)) - 32);
+  std::vector<Entry> entries;
+  entries.reserve(2 * segments.size());
+  for (std::uint32_t i = 0; i < segments.size(); ++i) {
+    entries.push_back(key_of(segments[i].a.x) >> shift << 32 | 2 * i);
+    entries.push_back(key_of(segments[i].b.x) >> shift << 32 | (2 * i + 1));
+  }
+  return entries;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> ends_in_order(std::span<const Segment> segments) {
+  SUNDER_REQUIRE(segments.size() < std::size_t{1} << 31);
+  std::vector<Entry> entries = entries_of(segments);
+  const Less less(segments);
+  if (entries.size() < worth_a_radix_sort) {
+    std::sort(entries.begin(), entries.end(), less);
+  } else {
+    sort_by_digits(entries);
+    const auto are_equal = [&](std::size_t k, std::size_t l) {
+      return leading_bits(entries[k]) == leading_bits(entries[l]);
+    };
+    constexpr std::size_t ahead = 16;
+    for (std::size_t run = 0, end; run < entries.size(); run = end) {
+      for (end = run + 1; end < entries.size() && are_equal(run, end);) ++end;
+      for (std::size_t k = run + ahead; k < std::min(end + ahead, entries.size()); ++k) {  // where it will compare
+        if (are_equal(k - 1, k)) {
+          prefetch(segments[end_of(entries[k - 1]) / 2]);
+          prefetch(segments[end_of(entries[k]) / 2]);
+        }
+      }
+      const auto at = entries.begin() + static_cast<std::ptrdiff_t>(run);
+      if (end - run > 1) std::sort(at, at + static_cast<std::ptrdiff_t>(end - run), less);
+    }
+  }
+  std::vector<std::uint32_t> ends(entries.size());
+  std::transform(entries.begin(), entries.end(), ends.begin(), end_of);
+  return ends;
+}
+
+}  // namespace sunder::planar
