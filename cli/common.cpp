@@ -27,6 +27,12 @@ constexpr std::array<NamedMethod, 3> pair_methods{{{"automatic", solid::polyhedr
 
 constexpr std::size_t text_width = 120;
 
+// What has been said in this call, and whether anything is to be.
+struct Said {
+  std::vector<std::string> notes;
+  bool is_quiet = false, has_printed = false;
+} said;
+
 bool is_flat(const Json& json) {
   return std::none_of(json.begin(), json.end(), [](const Json& item) { return item.is_structured(); });
 }
@@ -76,6 +82,7 @@ void append(const Json& json, std::size_t indent, std::string& text) {
 const char* const pose_forms = "tx,ty,tz; or qw,qx,qy,qz,tx,ty,tz; or 12 or 16 numbers of a matrix row by row";
 
 void print(std::string_view text) {
+  said.has_printed = true;
   errno = 0;
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
   if (written) return;
@@ -84,7 +91,12 @@ void print(std::string_view text) {
               "standard output");
 }
 
+void be_quiet() { said.is_quiet = true; }
+bool is_quiet() { return said.is_quiet; }
+bool has_printed() { return said.has_printed; }
+
 void print_for_people(std::string_view text) {
+  if (said.is_quiet) return;
   std::string shown;
   while (!text.empty()) {
     const std::size_t length = std::min(text.find('\n'), text.size());
@@ -95,7 +107,10 @@ void print_for_people(std::string_view text) {
   print(shown);
 }
 
-void note(std::string_view text) { fmt::print(stderr, "sunder: note: {}\n", io::one_line(text)); }
+void note(std::string_view text) {
+  said.notes.push_back(io::one_line(text));
+  if (!said.is_quiet) fmt::print(stderr, "sunder: note: {}\n", said.notes.back());
+}
 
 void refuse_method(std::string_view method, std::string_view known) {
   throw Error(ErrorCode::bad_call, fmt::format("there is no method {}; choose one of {}", io::quote(method), known),
@@ -167,8 +182,14 @@ solid::Pose parse_pose(std::string_view text, const std::string& place) {
 }
 
 Json envelope(std::string_view verb, const Json& answer, const Json& method) {
-  return {{"sunder", 1},           {"verb", verb},    {"answer", answer},        {"method", method},
-          {"decided_by", nullptr}, {"cost", nullptr}, {"objects", Json::array()}};
+  return {{"sunder", 1},           {"verb", verb},    {"answer", answer},         {"method", method},
+          {"decided_by", nullptr}, {"cost", nullptr}, {"objects", Json::array()}, {"notes", said.notes}};
+}
+
+Json error_report(std::string_view verb, std::string_view kind, std::string_view place, std::string_view text) {
+  Json json = envelope(verb, nullptr);
+  json["error"] = {{"kind", kind}, {"place", place}, {"text", io::one_line(text)}};
+  return json;
 }
 
 Json to_json(const Cost& cost) {

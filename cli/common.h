@@ -47,8 +47,15 @@ void print(std::string_view text);
 // line feeds are made one line before: io::one_line.
 void print_for_people(std::string_view text);
 
-// One line on standard error: "sunder: note: ...".
+// One line on standard error, and in reports that are made after it: "sunder: note: ...".
 void note(std::string_view text);
+
+// From now on nothing is printed but errors (--quiet).
+void be_quiet();
+bool is_quiet();
+
+// Has anything been printed, a part of a report perhaps?
+bool has_printed();
 
 // There is no such method: throws Error bad_call that lists the `known`.
 [[noreturn]] void refuse_method(std::string_view method, std::string_view known);
@@ -74,8 +81,11 @@ solid::Pose parse_pose(std::string_view text, const std::string& place);
 // JSON. Objects keep the order in which they are made.
 using Json = nlohmann::ordered_json;
 
-// The keys that every verb's report begins with. What does not apply is null.
+// The keys that every verb's report begins with. What does not apply is null; `notes` are those so far.
 Json envelope(std::string_view verb, const Json& answer, const Json& method = nullptr);
+
+// The report of a call that came to no answer: "error" has its kind, place and text.
+Json error_report(std::string_view verb, std::string_view kind, std::string_view place, std::string_view text);
 Json to_json(const Cost& cost);
 Json to_json(const Point3& point);
 

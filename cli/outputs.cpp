@@ -72,11 +72,30 @@ void require_apart(const CLI::App& verb) {
         continue;
       }
       for (const std::string& file : {value, value.substr(0, value.rfind('@'))}) {  // FILE@POSE
-        if (!file.empty()) inputs.push_back({name, file});
+        if (!file.empty() && file != "-") inputs.push_back({name, file});
       }
     }
   }
   require_apart(inputs, outputs);
+}
+
+bool takes_standard_output(const CLI::App& verb) {
+  const CLI::Option* json = verb.get_option_no_throw("--json");
+  std::string first = json != nullptr && json->count() > 0 ? "--json" : "";
+  if (!first.empty() && verb.get_option("--quiet")->count() > 0) {
+    throw Error(ErrorCode::bad_call, "a report is not quiet; leave one of the two out", "--json and --quiet");
+  }
+  bool takes = false;
+  for (const std::string_view name : output_options) {
+    const CLI::Option* option = verb.get_option_no_throw(std::string(name));
+    if (option == nullptr || !is_in(option->results(), "-")) continue;
+    if (!first.empty()) {
+      throw Error(ErrorCode::bad_call, "standard output is taken by " + first + "; name a file", std::string(name));
+    }
+    first = name;
+    takes = true;
+  }
+  return takes;
 }
 
 }  // namespace sunder::cli

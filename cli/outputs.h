@@ -26,4 +26,8 @@ void require_apart(const std::vector<NamedFile>& inputs, const std::vector<Named
 // but for those that are words (--title).
 void require_apart(const CLI::App& verb);
 
+// Does an option ask for an output on standard output, as "-"? Throws Error bad_call where two do, where a report in
+// JSON goes there, too, and where such a report is asked for and --quiet.
+bool takes_standard_output(const CLI::App& verb);
+
 }  // namespace sunder::cli

@@ -1,6 +1,12 @@
 // Calls, messages and files of all verbs.
 #include <tests/support/program.h>
 
+#include <array>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <utility>
+
 namespace sunder::tests {
 
 namespace {
@@ -14,6 +20,100 @@ TEST_F(Program, HelpAndVersion) {
     EXPECT_EQ(r.err, "") << call;
   }
   EXPECT_TRUE(run("--version").out.starts_with("sunder "));
+  EXPECT_EQ(run("help").out, run("--help").out);
+  EXPECT_EQ(run("help pair").out, run("pair --help").out);
+  expect_bad("help frob", "there is no verb 'frob'");
+  expect_bad("help pair scene", "name one verb");
+}
+
+TEST_F(Program, WhatWasMeant) {
+  expect_bad("par a b", "there is no verb 'par'; did you mean pair?");
+  expect_bad("help polgons", "did you mean polygons?");
+  expect_bad("pair a b --jsno", "there is no option '--jsno'; did you mean --json?; see sunder pair --help");
+  EXPECT_EQ(run("frob").err.find("did you mean"), std::string::npos);
+}
+
+TEST_F(Program, QuietSaysNothing) {
+  const std::string apart = "pair " + cube + " " + cube + " --pose-b 5,0,0";
+  for (const auto& [call, code] : {std::pair(apart, 0), std::pair("pair " + cube + " " + cube, 1)}) {
+    EXPECT_NE(run(call).out, "");
+    const Run r = run(call + " --quiet");
+    EXPECT_EQ(r.code, code) << call;
+    EXPECT_EQ(r.out + r.err, "") << call;
+  }
+  expect_bad("pair " + cube + " none.obj --quiet", "none.obj");
+  expect_bad(apart + " --quiet --json", "--json and --quiet: a report is not quiet");
+}
+
+TEST_F(Program, ErrorsAreInTheReport) {
+  const std::string none = in_folder("none.obj");
+  for (const auto& [call, verb, kind, place] :
+       {std::array<std::string, 4>{"pair " + cube + " " + none + " --json", "pair", "bad-file", none},
+        std::array<std::string, 4>{"pair " + cube + " --json", "pair", "bad-call", ""},
+        std::array<std::string, 4>{"segments --json --allow frob " + cube, "segments", "bad-call", "--allow"}}) {
+    const Run r = run(call);
+    EXPECT_EQ(r.code, 2) << call;
+    const json report = json::parse(r.out);
+    EXPECT_EQ(report["verb"], verb);
+    EXPECT_EQ(report["answer"], nullptr);
+    EXPECT_EQ(report["error"]["kind"], kind);
+    EXPECT_EQ(report["error"]["place"], place);
+    EXPECT_EQ("sunder: " + std::string(report["error"]["text"]) + "\n", r.err);
+  }
+}
+
+// The content tells the format; the output stands alone, also where standard output is a file.
+TEST_F(Program, StandardInputAndOutput) {
+  const std::string wires = cases + "/segments/wires.csv", paths = cases + "/segments/paths.wkt";
+  EXPECT_EQ(run("segments - < " + wires).out.substr(1), run("segments " + wires).out.substr(wires.size()));
+  EXPECT_EQ(run("segments - < " + paths).code, run("segments " + paths).code);
+  EXPECT_EQ(run("hull - --json < " + cube).code, 0);
+  const std::string ask = "segments " + wires + " --certificate ", proof = in_folder("proof.json");
+  run(ask + proof);
+  const Run r = run(ask + "-");
+  EXPECT_EQ(r.out, read_text(proof));
+  EXPECT_EQ(r.code, 1);
+  const std::string redirected = in_folder("redirected.json");
+  run(ask + "- > " + redirected);
+  EXPECT_EQ(read_text(redirected), read_text(proof));
+  EXPECT_EQ(run("verify - < " + proof).code, 0);
+  expect_bad(ask + "- --svg -", "--svg: standard output is taken by --certificate");
+  expect_bad(ask + "- --json", "--certificate: standard output is taken by --json");
+}
+
+// As bash asks for it: the words of the call, the last one to be completed.
+TEST_F(Program, CompletionOfBash) {
+  const std::string script = in_folder("sunder.bash");
+  write_text(script, run("--completion bash").out);
+  const auto completed = [&](const std::string& words, int number) {
+    const std::string ask = in_folder("ask.bash");
+    write_text(ask, "source " + script + "\ncd " + folder_.string() + "\nCOMP_WORDS=(" + words +
+                        ")\nCOMP_CWORD=" + std::to_string(number) + "\n_sunder\necho \"${COMPREPLY[*]}\"\n");
+    const std::string out = in_folder("out.txt");
+    EXPECT_EQ(std::system(("bash " + ask + " > " + out).c_str()), 0);
+    return read_text(out);
+  };
+  EXPECT_EQ(completed("sunder p", 1), "pair polygons\n");
+  EXPECT_EQ(completed("sunder help ker", 2), "kernel\n");
+  EXPECT_EQ(completed("sunder verify --ag", 2), "--against\n");
+  EXPECT_EQ(completed("sunder verify sund", 2), "sunder.bash\n");
+  EXPECT_NE(run("--completion zsh").out.find("'--against["), std::string::npos);
+  EXPECT_NE(run("--completion fish").out.find("-l against -d "), std::string::npos);
+  expect_bad("--completion tcsh", "there is no completion for 'tcsh'; there are bash, zsh, fish");
+}
+
+TEST_F(Program, TheManualPage) {
+  const Run r = run("--man");
+  EXPECT_TRUE(r.out.starts_with(".TH SUNDER 1 "));
+  for (const char* part : {".SS \"sunder pair\"", "\\fB\\-\\-certificate\\fR \\fIFILE\\fR", ".SH \"EXIT STATUS\""}) {
+    EXPECT_NE(r.out.find(part), std::string::npos) << part;
+  }
+  std::istringstream lines(r.out);
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_known = line.empty() || line[0] != '.' || line.starts_with(".SS ") || line.starts_with(".SH ") ||
+                          line == ".PP" || line == ".TP" || line == ".br" || line.starts_with(".TH ");
+    EXPECT_TRUE(is_known) << line;
+  }
 }
 
 TEST_F(Program, BadCalls) {

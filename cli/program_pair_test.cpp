@@ -271,6 +271,9 @@ TEST_F(Program, MeshesThatAreNotConvex) {
   const json j = json::parse(r.out);
   EXPECT_EQ(j["objects"][0]["shape"], "convex");
   EXPECT_EQ(j["objects"][1]["shape"], "hull");
+  ASSERT_EQ(j["notes"].size(), 1u);
+  EXPECT_EQ("sunder: note: " + std::string(j["notes"][0]) + "\n", r.err);
+  EXPECT_EQ(run("pair " + cube + " " + file + " --quiet").err, "");
   for (const std::string& call : {"pair " + cube + " " + file, "scene " + file}) {
     expect_bad(call + " --require-convex",
                "not exactly convex: it bends inwards at the reflex edge from vertex 4 (0, 0, 1)");

@@ -1,3 +1,4 @@
+#include <cli/common.h>
 #include <cli/progress.h>
 
 #include <unistd.h>
@@ -13,7 +14,7 @@ Progress::~Progress() {
 }
 
 std::function<void(double)> Progress::reporter() {
-  if (isatty(STDERR_FILENO) == 0) return nullptr;
+  if (isatty(STDERR_FILENO) == 0 || is_quiet()) return nullptr;
   return [this](double part) { report(part); };
 }
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -94,6 +95,7 @@ void compare(const InputFiles& against, File& file) {
 }
 
 constexpr std::size_t most_told = 10;  // statements of a file; of more it is told how many there are of each verdict
+constexpr std::size_t most_refused = 100;  // of a file, told one by one
 
 // "proved: exactly 2 pairs of segments meet: 0 1 crossing, 0 2 touch", line by line.
 std::string proved_text(const File& file) {
@@ -137,11 +139,13 @@ std::string human_text(const File& file) {
   for (const sunder_verifier::FileInput& input : result.inputs) {
     text += fmt::format("  of {}, SHA-256 {}\n", io::one_line(input.name), input.sha256);
   }
-  for (const std::size_t i : file.refused) {
+  const std::size_t told = std::min(file.refused.size(), most_refused);
+  for (const std::size_t i : std::span(file.refused).first(told)) {
     const sunder_verifier::StatementResult& pair = result.statements[i];
     text += fmt::format("  {} {}, said that {}: check {}: {}\n", file.is_set ? "statement" : "pair", i, pair.sentence,
                         pair.failed_check, io::one_line(pair.reason));
   }
+  if (told < file.refused.size()) text += fmt::format("  {} more are refused\n", file.refused.size() - told);
   return text;
 }
 

@@ -22,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* standard_input = "/dev/stdin";
 constexpr std::size_t largest_stream = std::size_t{1} << 28;
 constexpr std::size_t stream_piece = std::size_t{1} << 20;
 
@@ -51,7 +52,7 @@ void append_all(std::ifstream& file, const fs::path& path, bool regular, std::si
 }
 
 void add_to(InputFiles& inputs, const fs::path& path, std::string_view bytes) {
-  const InputFile file{path == "/dev/stdin" ? "-" : path.string(), sha256(bytes)};
+  const InputFile file{path == standard_input ? "-" : path.string(), sha256(bytes)};
   if (std::find(inputs.begin(), inputs.end(), file) == inputs.end()) inputs.push_back(file);
 }
 
@@ -67,14 +68,15 @@ constexpr std::size_t no_slot = unfinished.size();
 
 std::string read_file(const fs::path& path, InputFiles* inputs) {
   if (path.empty()) fail_path("(no name)", "the name of the file is empty; give one");
+  const fs::path source = path == "-" ? standard_input : path;
   std::error_code problem;
-  const fs::file_status status = fs::status(path, problem);
+  const fs::file_status status = fs::status(source, problem);
   if (status.type() == fs::file_type::not_found) fail_path(path, "no such file; check the name and the folder");
   if (status.type() == fs::file_type::directory) fail_path(path, "is a folder; name a file");
   const bool regular = status.type() == fs::file_type::regular;
 
   errno = 0;
-  std::ifstream file(path, std::ios::binary);
+  std::ifstream file(source, std::ios::binary);
   if (!file) {
     const int error = errno != 0 ? errno : problem.value();
     fail_path(path, fmt::format("cannot be opened ({}); check the permissions", reason(error)));
@@ -82,7 +84,7 @@ std::string read_file(const fs::path& path, InputFiles* inputs) {
 
   std::string bytes;
   try {
-    const std::uintmax_t size = regular ? fs::file_size(path, problem) : 0;
+    const std::uintmax_t size = regular ? fs::file_size(source, problem) : 0;
     append_all(file, path, regular, problem ? 0 : static_cast<std::size_t>(size), bytes);
   } catch (const std::bad_alloc&) {
     fail_path(path, "does not fit into memory; split it");
@@ -116,6 +118,12 @@ void OutputFile::Slot::set(const std::string& name) {
 
 OutputFile::OutputFile(const fs::path& path) : path_(path) {
   if (path.empty()) fail_path("(no name)", "the name of the file is empty; give one");
+  if (path == "-") {
+    errno = 0;
+    file_.reset(fdopen(dup(STDOUT_FILENO), "wb"));
+    if (!file_) fail_path(path, fmt::format("standard output cannot be written ({})", reason(errno)));
+    return;
+  }
   std::error_code problem;
   const fs::file_status status = fs::status(path, problem);
   if (status.type() == fs::file_type::directory) fail_path(path, "is a folder; name a file");

@@ -12,18 +12,18 @@
 
 namespace sunder::io {
 
-// The bytes of the file. Pipes and devices are read to their end, up to 256 MiB.
+// The bytes of the file; of "-", those of standard input. Pipes and devices are read to their end, up to 256 MiB.
 // Throws Error bad_file, "FILE: what is wrong; remedy": the name is empty, there is no such file, it is a folder, it
 // cannot be opened or read, it is empty, or it does not fit into memory.
 // inputs: where given, the name and the SHA-256 of what was read are added, unless they stand there already; standard
-// input (/dev/stdin) is named "-". Costs about as much as reading text.
+// input, by either name, is named "-". Costs about as much as reading text.
 std::string read_file(const std::filesystem::path& path, InputFiles* inputs = nullptr);
 
 // A file that is written piece by piece and takes its name at the end: all of it, or, when anything fails, nothing
 // (what was there before stays, and no other file is left behind).
 //   O1. It is written to a new file in the same folder, which takes the name in commit(). Where that is not called, the
 //       new file is removed. Permissions of a file that is replaced are kept, and a symbolic link is followed.
-//   O2. What is no regular file (/dev/stdout, a pipe) is written to directly.
+//   O2. What is no regular file (/dev/stdout, a pipe) is written to directly; "-" is standard output, whatever that is.
 //   O3. remove_unfinished_files() removes the new files of up to 16 that are being written.
 // Not promised: that the text survives a power cut right after the return.
 // Each throws Error bad_file: "FILE: what is wrong; remedy".

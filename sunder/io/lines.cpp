@@ -284,11 +284,13 @@ LineFile parse_lines(std::string_view text, std::string_view place, const LineOp
   refuse_foreign(text, place);
   LineBuilder builder(place, options);
   const char first = text[begin];
+  const std::string_view line = text.substr(begin, text.find_first_of("\r\n", begin) - begin);
+  const bool is_table = line.find(',') < line.find('(');  // names of columns
   const bool is_json = first == '{' || first == '[', is_word = 'A' <= upper(first) && upper(first) <= 'Z';
   if (ending == ".geojson" || ending == ".json" || (is_json && ending != ".csv" && ending != ".wkt")) {
     builder.file.format = "GeoJSON";
     parse_geojson(text, builder);
-  } else if (ending == ".wkt" || (is_word && ending != ".csv")) {
+  } else if (ending == ".wkt" || (is_word && !is_table && ending != ".csv")) {
     builder.file.format = "WKT";
     Wkt(text, builder).parse();
   } else {

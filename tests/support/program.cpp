@@ -52,7 +52,11 @@ void Program::expect_bad(const std::string& arguments, const std::string& part) 
   const std::size_t before = files_in_folder();
   const Run r = run(arguments);
   EXPECT_EQ(r.code, 2) << arguments << "\n" << r.err;
-  EXPECT_EQ(r.out, "") << arguments;
+  if (arguments.find("--json") == std::string::npos) {
+    EXPECT_EQ(r.out, "") << arguments;
+  } else {  // the same as a report
+    EXPECT_EQ("sunder: " + json::parse(r.out)["error"].value("text", "") + "\n", r.err) << arguments;
+  }
   EXPECT_TRUE(r.err.starts_with("sunder: ")) << arguments << "\n" << r.err;
   EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << arguments << "\n" << r.err;
   EXPECT_NE(r.err.find(part), std::string::npos) << arguments << "\n" << r.err << "expected: " << part;
@@ -64,7 +68,7 @@ json Program::report(const std::string& arguments, int code) const {
   EXPECT_EQ(r.code, code) << arguments << "\n" << r.err;
   const json j = json::parse(r.out, nullptr, false);
   EXPECT_FALSE(j.is_discarded()) << r.out;
-  for (const char* key : {"sunder", "verb", "answer", "method", "decided_by", "cost", "objects"}) {
+  for (const char* key : {"sunder", "verb", "answer", "method", "decided_by", "cost", "objects", "notes"}) {
     EXPECT_TRUE(j.contains(key)) << arguments << ": " << key;
   }
   EXPECT_EQ(j.value("sunder", 0), 1);
