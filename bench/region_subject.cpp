@@ -1,11 +1,11 @@
 #include "region_subject.h"
 
-#include <sunder/planar/object/circle.h>
 #include <sunder/planar/object/constraints.h>
 #include <sunder/planar/object/convex_polygon.h>
-#include <sunder/planar/region/circles.h>
-#include <sunder/planar/region/convex_polygons.h>
-#include <sunder/planar/region/half_planes.h>
+#include <sunder/planar/object/discs.h>
+#include <sunder/planar/region/convex_polygon_intersection.h>
+#include <sunder/planar/region/disc_intersection.h>
+#include <sunder/planar/region/half_plane_intersection.h>
 #include <sunder/planar/region/linear_program.h>
 
 #include <memory>
@@ -15,9 +15,9 @@
 namespace bench {
 namespace {
 
-using sunder::planar::Circles;
 using sunder::planar::Constraints;
 using sunder::planar::ConvexPolygon;
+using sunder::planar::Discs;
 using sunder::planar::LinearProgramAnswer;
 using sunder::planar::Optimum;
 using sunder::planar::RegionKind;
@@ -32,7 +32,7 @@ Asked ask_half_planes(const RegionInput& input, bool evidence) {
   sunder::planar::RegionOptions options;
   options.evidence = evidence;
   return [given = constraints_of(input), options]() -> std::uint64_t {
-    const sunder::planar::Region region = half_planes(*given, options);
+    const sunder::planar::Region region = half_plane_intersection(*given, options);
     return region.kind == RegionKind::bounded ? region.sides.size() : 0;
   };
 }
@@ -45,15 +45,15 @@ Asked ask_polygons(const RegionInput& input) {
     given.push_back(ConvexPolygon::from_vertices(std::move(points)));
   }
   return [polygons = std::make_shared<const std::vector<ConvexPolygon>>(std::move(given))]() -> std::uint64_t {
-    return convex_polygons_common_part(*polygons).corners.size();
+    return convex_polygon_intersection(*polygons).corners.size();
   };
 }
 
 Asked ask_discs(const RegionInput& input) {
-  std::vector<sunder::planar::Circle> given;
+  std::vector<sunder::Disc> given;
   for (const Disc& d : input.discs) given.push_back({{d.center.x, d.center.y}, d.radius});
-  return [circles = std::make_shared<const Circles>(given)]() -> std::uint64_t {
-    return circles_common_part(*circles).arcs.size();
+  return [circles = std::make_shared<const Discs>(given)]() -> std::uint64_t {
+    return disc_intersection(*circles).arcs.size();
   };
 }
 
@@ -83,7 +83,7 @@ Asked ask_sunder_by_region(const RegionInput& input, std::span<const Objective> 
   const auto given = constraints_of(input);
   std::vector<sunder::planar::Objective> asked;
   for (const Objective& o : objectives) asked.push_back(objective_of(o));
-  const auto region = std::make_shared<const sunder::planar::Region>(half_planes(*given));
+  const auto region = std::make_shared<const sunder::planar::Region>(half_plane_intersection(*given));
   return [given, region, prepared = sunder::planar::PreparedRegion(*given, *region),
           asked = std::move(asked)]() -> std::uint64_t {
     std::uint64_t sum = 0;

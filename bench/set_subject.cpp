@@ -1,13 +1,13 @@
 #include "set_subject.h"
 
 #include <sunder/near/cover_order.h>
-#include <sunder/planar/object/circle.h>
 #include <sunder/planar/object/convex_polygon.h>
+#include <sunder/planar/object/discs.h>
 #include <sunder/planar/object/polygon.h>
-#include <sunder/planar/set/circle_boxes.h>
-#include <sunder/planar/set/circles_all.h>
-#include <sunder/planar/set/circles_any.h>
 #include <sunder/planar/set/convex_polygons_any.h>
+#include <sunder/planar/set/disc_boxes.h>
+#include <sunder/planar/set/discs_all.h>
+#include <sunder/planar/set/discs_any.h>
 #include <sunder/planar/set/polygons_all.h>
 #include <sunder/planar/set/polygons_any.h>
 
@@ -19,8 +19,8 @@ namespace bench {
 namespace {
 
 using sunder::Point2;
-using sunder::planar::Circles;
 using sunder::planar::ConvexPolygon;
+using sunder::planar::Discs;
 using sunder::planar::Polygon;
 
 std::vector<Point2> points_of(const Ring& ring) {
@@ -30,10 +30,10 @@ std::vector<Point2> points_of(const Ring& ring) {
   return points;
 }
 
-std::shared_ptr<const Circles> circles_of(const SetInput& input) {
-  std::vector<sunder::planar::Circle> given;
+std::shared_ptr<const Discs> circles_of(const SetInput& input) {
+  std::vector<sunder::Disc> given;
   for (const Disc& d : input.discs) given.push_back({{d.center.x, d.center.y}, d.radius});
-  return std::make_shared<const Circles>(given);
+  return std::make_shared<const Discs>(given);
 }
 
 std::shared_ptr<const std::vector<ConvexPolygon>> convex_polygons_of(const SetInput& input) {
@@ -51,9 +51,9 @@ std::shared_ptr<const std::vector<Polygon>> polygons_of(const SetInput& input) {
 Asked ask_discs(const SetInput& input, SetQuestion question) {
   const auto circles = circles_of(input);
   switch (question) {
-    case SetQuestion::any: return [circles]() -> std::uint64_t { return circles_any(*circles).meet() ? 1 : 0; };
-    case SetQuestion::all: return [circles]() -> std::uint64_t { return circles_all(*circles).contacts.size(); };
-    case SetQuestion::count: return [circles]() -> std::uint64_t { return circles_count(*circles).count; };
+    case SetQuestion::any: return [circles]() -> std::uint64_t { return discs_any(*circles).meet() ? 1 : 0; };
+    case SetQuestion::all: return [circles]() -> std::uint64_t { return discs_all(*circles).contacts.size(); };
+    case SetQuestion::count: return [circles]() -> std::uint64_t { return discs_count(*circles).count; };
     default: return {};
   }
 }
@@ -87,7 +87,7 @@ Asked ask_sunder(const SetInput& input, SetKind kind, SetQuestion question) {
 Asked ask_sunder_for_transcript(const SetInput& input, SetKind kind) {
   if (kind == SetKind::discs) {
     return [circles = circles_of(input)]() -> std::uint64_t {
-      const bool meet = circles_any(*circles).meet();
+      const bool meet = discs_any(*circles).meet();
       return meet || cover_order(rounded_boxes(*circles)).size() < circles->size() ? 1 : 0;
     };
   }

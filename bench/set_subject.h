@@ -6,7 +6,7 @@
 
 namespace bench {
 
-// Sunder's front doors: circles_any and circles_all, convex_polygons_any where the polygons are convex (there is no
+// Sunder's front doors: discs_any and discs_all, convex_polygons_any where the polygons are convex (there is no
 // convex_polygons_all), polygons_any and polygons_all else. Objects are prepared; the input need not outlive the call.
 enum class SetKind { discs, convex_polygons, polygons };
 Asked ask_sunder(const SetInput& input, SetKind kind, SetQuestion question);

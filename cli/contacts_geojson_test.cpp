@@ -47,7 +47,7 @@ TEST(ContactsGeojson, AnOverlapIsItsCommonPart) {
 }
 
 TEST(ContactsGeojson, CommonPart) {
-  const Segments segments(std::array{Segment{{0, 0}, {0, 3}}, Segment{{0, 5}, {0, 2}}, Segment{{0, 1}, {0, 2.5}}});
+  const Segments segments(std::vector{Segment{{0, 0}, {0, 3}}, Segment{{0, 5}, {0, 2}}, Segment{{0, 1}, {0, 2.5}}});
   EXPECT_EQ(common_part(segments[0], segments[1]), (Segment{{0, 2}, {0, 3}}));
   EXPECT_EQ(common_part(segments[1], segments[0]), (Segment{{0, 2}, {0, 3}}));
   EXPECT_EQ(common_part(segments[0], segments[2]), segments[2]);  // the one holds the other

@@ -105,7 +105,7 @@ class Outputs(InFolder):
                                   cwd=self.folder.name, stdout=stdout, stderr=subprocess.PIPE)
         self.assertEqual(done.returncode, 2)
         self.assertEqual(done.stderr.count(b"\n"), 1)
-        self.assertEqual(self.read("y.json"), "")
+        self.assertIn("is the same file as", json.loads(self.read("y.json"))["error"]["text"])
 
     def test_names_are_not_empty(self):
         for option in ("--certificate", "--svg", "--geojson"):

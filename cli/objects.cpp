@@ -45,17 +45,18 @@ std::string why(const io::Mesh& mesh, const Origin& origin, const scene::MeshDef
 }
 
 // The mesh without the vertices that no polygon uses; these are the vertices `used` of the file.
-io::Mesh without_unused(const io::Mesh& mesh, const std::vector<std::uint32_t>& used) {
+io::Mesh without_unused(io::Mesh mesh, const std::vector<std::uint32_t>& used) {
   if (used.size() == mesh.vertices.size()) return mesh;
-  io::Mesh small = mesh;
-  small.vertices.clear();
+  std::vector<Point3> vertices;
   std::vector<std::uint32_t> number(mesh.vertices.size());
+  vertices.reserve(used.size());
   for (const std::uint32_t v : used) {
-    number[v] = static_cast<std::uint32_t>(small.vertices.size());
-    small.vertices.push_back(mesh.vertices[v]);
+    number[v] = static_cast<std::uint32_t>(vertices.size());
+    vertices.push_back(mesh.vertices[v]);
   }
-  for (std::uint32_t& v : small.polygon_vertices) v = number[v];
-  return small;
+  mesh.vertices = std::move(vertices);
+  for (std::uint32_t& v : mesh.polygon_vertices) v = number[v];
+  return mesh;
 }
 
 // All vertices of the mesh are in use.
@@ -109,9 +110,9 @@ const char* name_of(Shape shape) {
   return "";
 }
 
-Object make_object(const io::Mesh& mesh, const std::filesystem::path& file, bool require_convex) {
+Object make_object(io::Mesh mesh, const std::filesystem::path& file, bool require_convex) {
   const std::vector<std::uint32_t> used = io::used_vertices(mesh);
-  return object_of(without_unused(mesh, used), {file, used}, require_convex);
+  return object_of(without_unused(std::move(mesh), used), {file, used}, require_convex);
 }
 
 Object read_object(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out, InputFiles* inputs) {
@@ -119,9 +120,9 @@ Object read_object(const std::filesystem::path& file, bool require_convex, LeftO
 }
 
 ObjectOfPoints read_object_of_points(const std::filesystem::path& file, LeftOutList& left_out, InputFiles* inputs) {
-  const io::Mesh mesh = read_whole(file, left_out, inputs);
+  io::Mesh mesh = read_whole(file, left_out, inputs);
   const std::vector<std::uint32_t> used = io::used_vertices(mesh);
-  io::Mesh small = without_unused(mesh, used);
+  io::Mesh small = without_unused(std::move(mesh), used);
   Object object = object_of(small, {file, used}, false);
   return {std::move(object), std::move(small.vertices)};
 }

@@ -39,7 +39,7 @@ struct Object {
 
 // The mesh as one object, without the vertices that are in no polygon. Throws Error bad_shape where convexity is
 // required and missing, naming the reflex edge.
-Object make_object(const io::Mesh& mesh, const std::filesystem::path& file, bool require_convex);
+Object make_object(io::Mesh mesh, const std::filesystem::path& file, bool require_convex);
 
 // Reads the file as one object, or as one object for each of its parts; what is not read goes into `left_out`, what is
 // read into `inputs`, where given. Throws Error also where something is not read, and the list has no consent.

@@ -3,7 +3,7 @@
 #include <cli/planar_canvas.h>
 
 #include <sunder/certificate/direction.h>
-#include <sunder/planar/pair/difference_search.h>
+#include <sunder/planar/pair/minkowski_difference_search.h>
 #include <sunder/scene/rounded_evidence.h>
 
 #include <fmt/format.h>

@@ -65,7 +65,7 @@ void PlanePicture::path(std::string_view data, Ink ink) {
   drawn_ += fmt::format("<path class='{}' d='{}'/>\n", look_of(ink).letter, data);
 }
 
-void PlanePicture::circle(const planar::Circle& circle, Ink ink) {
+void PlanePicture::circle(const Disc& circle, Ink ink) {
   const Point2 c = at(circle.center);
   const double radius = within(std::ldexp(circle.radius, -exponent_) * per_unit_);
   drawn_ += fmt::format("<circle class='{}' cx='{:.2f}' cy='{:.2f}' r='{:.2f}'/>\n", look_of(ink).letter, c.x, c.y,

@@ -1,7 +1,7 @@
 // A picture of objects of the plane, as SVG: circles, polygons, lines and dots, to one scale.
 #pragma once
 
-#include <sunder/planar/object/circle.h>
+#include <sunder/planar/object/discs.h>
 #include <sunder/predicate/point.h>
 
 #include <cstdint>
@@ -30,7 +30,7 @@ class PlanePicture {
   // What must be seen: at least one point. What lies outside is cut off.
   explicit PlanePicture(std::span<const Point2> seen);
 
-  void circle(const planar::Circle& circle, Ink ink);
+  void circle(const Disc& circle, Ink ink);
   void polygon(std::span<const Point2> corners, Ink ink);             // closed
   void polygon(std::span<const std::vector<Point2>> rings, Ink ink);  // with holes
   void line(const Point2& from, const Point2& to, Ink ink);           // of the plane, not of its ends

@@ -202,7 +202,7 @@ TEST_F(Program, TablesOfNamedColumns) {
             (json{"High \"B\" St, West", "Low"}));
   write_text(file, "r,y,x,of\n1,0,0,a\n1,0,1,b\n");
   EXPECT_EQ(report("circles " + file, 1)["contacts"][0]["names"], (json{"a", "b"}));
-  // Circles are not half-planes, nor segments, nor vertices.
+  // Discs are not half-planes, nor segments, nor vertices.
   write_text(file, "x,y,r,name\n0,0,1,a\n3,0,1,b\n");
   expect_bad("region " + file,
              "table.csv:1: the columns are named x,y,r,name, but half-planes have a,b,c; name them so");

@@ -5,7 +5,7 @@ namespace sunder::tests {
 
 namespace {
 
-TEST_F(Program, Circles) {
+TEST_F(Program, Discs) {
   const std::string moon = cases + "/circles/moon.csv";
   const Run count = run("circles " + moon + " --count --json");
   EXPECT_EQ(count.code, 1) << count.err;
@@ -84,7 +84,7 @@ TEST_F(Program, Polygons) {
 }
 
 // Pads of one net may meet; the one pair of two nets is found.
-TEST_F(Program, CirclesOfGroups) {
+TEST_F(Program, DiscsOfGroups) {
   const std::string pads = in_folder("pads.csv");
   write_text(pads, "x,y,r,net,name\n0,0,2,GND,a\n3,0,2,GND,b\n6,0,2,VCC,c\n20,0,1,VCC,d\n");
   EXPECT_EQ(run("circles " + pads).code, 1);

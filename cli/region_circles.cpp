@@ -7,8 +7,8 @@
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
-#include <sunder/planar/region/circles.h>
-#include <sunder/planar/region/circles_json.h>
+#include <sunder/planar/region/disc_intersection.h>
+#include <sunder/planar/region/disc_intersection_json.h>
 #include <sunder/predicate/constraints.h>
 #include <sunder/predicate/disc_powers.h>
 
@@ -22,16 +22,15 @@ namespace sunder::cli {
 
 namespace {
 
-using planar::Circle;
-using planar::Circles;
-using planar::CirclesPart;
-using planar::CirclesPartKind;
+using planar::DiscIntersection;
+using planar::DiscIntersectionKind;
+using planar::Discs;
 
-using PartMethod = CirclesPart(const Circles&);
+using PartMethod = DiscIntersection(const Discs&);
 PartMethod* part_method(const std::string& name) {
-  if (name == "automatic") return planar::circles_common_part;
-  if (name == "division") return planar::circles_common_part_by_division;
-  if (name == "scan") return planar::circles_common_part_by_scan;
+  if (name == "automatic") return planar::disc_intersection;
+  if (name == "division") return planar::disc_intersection_by_division;
+  if (name == "scan") return planar::disc_intersection_by_scan;
   refuse_method(name, "automatic, division, scan");
 }
 
@@ -43,25 +42,25 @@ Point2 rounded(const DiscCrossing& crossing) {
   return {in.x.low / 2 + in.x.high / 2, in.y.low / 2 + in.y.high / 2};
 }
 
-Point2 deepest_of(const Circles& circles, const CirclesPart& part) {
+Point2 deepest_of(const Discs& circles, const DiscIntersection& part) {
   const planar::DiscBasis basis = planar::discs_of(circles.all(), part.deepest.basis());
   return nearest(deepest_point(basis));
 }
 
 class Report {
  public:
-  Report(const RegionCall& call, const io::TripleFile& file, const Circles& circles, const CirclesPart& part)
+  Report(const RegionCall& call, const io::TripleFile& file, const Discs& circles, const DiscIntersection& part)
       : call_(call), file_(file), circles_(circles), part_(part), deepest_(deepest_of(circles, part)) {}
 
   std::string human() const {
     std::string text = fmt::format("{}: {}\n", io::one_line(call_.file), count_of(circles_.size(), "circle"));
     const auto basis = part_.deepest.basis();
     switch (part_.kind) {
-      case CirclesPartKind::empty:
+      case DiscIntersectionKind::empty:
         text += "empty: these have nothing in common\n";
         for (const std::uint32_t k : basis) text += fmt::format("    circle {}\n", circle(k));
         break;
-      case CirclesPartKind::point:
+      case DiscIntersectionKind::point:
         text += fmt::format("one point, about {}, common to\n", about(deepest_));
         for (const std::uint32_t k : basis) text += fmt::format("    circle {}\n", circle(k));
         break;
@@ -79,7 +78,7 @@ class Report {
   }
 
   Json json() const {
-    const bool empty = part_.kind == CirclesPartKind::empty;
+    const bool empty = part_.kind == DiscIntersectionKind::empty;
     Json json = envelope("region", empty ? "infeasible" : "feasible", call_.method);
     json["cost"] = to_json(part_.cost);
     json["objects"] = Json::array({{{"file", call_.file}, {"circles", circles_.size()}}});
@@ -94,34 +93,34 @@ class Report {
   std::string picture() const {
     PlanePicture drawing(seen());
     std::vector<bool> named(circles_.size(), false);
-    for (const std::uint32_t k : part_.deepest.basis()) named[k] = part_.kind != CirclesPartKind::region;
+    for (const std::uint32_t k : part_.deepest.basis()) named[k] = part_.kind != DiscIntersectionKind::region;
     for (std::uint32_t k = 0; k < circles_.size(); ++k) {
       if (!named[k]) drawing.circle(circles_[k], Ink::calm);
     }
     for (std::uint32_t k = 0; k < circles_.size(); ++k) {
       if (named[k]) drawing.circle(circles_[k], Ink::accent);
     }
-    if (part_.kind == CirclesPartKind::region) {
+    if (part_.kind == DiscIntersectionKind::region) {
       drawing.polygon(outline(), Ink::bold);
       for (const Point2& p : corners()) drawing.dot(p, Ink::bold);
       drawing.legend(Ink::bold, "common to all");
-    } else if (part_.kind == CirclesPartKind::point) {
+    } else if (part_.kind == DiscIntersectionKind::point) {
       drawing.dot(deepest_, Ink::accent, "the only point");
     } else {
       drawing.legend(Ink::accent, "have nothing in common");
     }
     return drawing.text(call_.title.empty() ? "What is common to these circles?" : call_.title,
                         fmt::format("{}: {}", count_of(circles_.size(), "circle"),
-                                    part_.kind == CirclesPartKind::empty   ? "nothing is common to all"
-                                    : part_.kind == CirclesPartKind::point ? "one point"
-                                                                           : count_of(part_.arcs.size(), "arc")));
+                                    part_.kind == DiscIntersectionKind::empty   ? "nothing is common to all"
+                                    : part_.kind == DiscIntersectionKind::point ? "one point"
+                                                                                : count_of(part_.arcs.size(), "arc")));
   }
 
  private:
   static constexpr std::size_t most_listed = 20;
 
   std::string circle(std::uint32_t k) const {
-    const Circle& c = circles_[k];
+    const Disc& c = circles_[k];
     return fmt::format("{}, line {}: centre {}, radius {:.10g}", file_.name[k], file_.line[k], about(c.center),
                        c.radius);
   }
@@ -151,7 +150,7 @@ class Report {
     const std::vector<Point2> ends = corners();
     std::vector<Point2> points;
     for (std::size_t m = 0; m < part_.arcs.size(); ++m) {
-      const Circle& c = circles_[part_.arcs[m]];
+      const Disc& c = circles_[part_.arcs[m]];
       const auto angle = [&](const Point2& p) { return std::atan2(p.y - c.center.y, p.x - c.center.x); };
       const double from = ends.empty() ? 0 : angle(ends[m > 0 ? m - 1 : ends.size() - 1]);
       double to = ends.empty() ? 2 * std::numbers::pi : angle(ends[m]);
@@ -168,7 +167,7 @@ class Report {
   // The common part with as much again around it; without a region the circles that are named.
   std::vector<Point2> seen() const {
     std::vector<Point2> points;
-    if (part_.kind == CirclesPartKind::region) {
+    if (part_.kind == DiscIntersectionKind::region) {
       points = outline();
       double room = 0;
       for (const Point2& p : points) room = std::max({room, std::fabs(p.x - deepest_.x), std::fabs(p.y - deepest_.y)});
@@ -177,7 +176,7 @@ class Report {
       return points;
     }
     for (const std::uint32_t k : part_.deepest.basis()) {
-      const Circle& c = circles_[k];
+      const Disc& c = circles_[k];
       points.push_back({c.center.x - c.radius, c.center.y - c.radius});
       points.push_back({c.center.x + c.radius, c.center.y + c.radius});
     }
@@ -186,8 +185,8 @@ class Report {
 
   const RegionCall& call_;
   const io::TripleFile& file_;
-  const Circles& circles_;
-  const CirclesPart& part_;
+  const Discs& circles_;
+  const DiscIntersection& part_;
   Point2 deepest_;
 };
 
@@ -198,13 +197,13 @@ int run_region_circles(const RegionCall& call) {
   Origin origin;
   const auto [file, circles] = read_circles(call.file, {}, {}, call.certificate.empty() ? nullptr : &origin.inputs);
   if (!call.svg.empty()) require_drawable(circles.size(), "circle", 0, call.svg_limit);
-  const CirclesPart part = method(circles);
+  const DiscIntersection part = method(circles);
   if (!call.certificate.empty())
     io::write_file_atomically(call.certificate, planar::certificate_text(circles, part, origin));
   const Report report(call, file, circles, part);
   if (!call.svg.empty()) io::write_file_atomically(call.svg, report.picture());
   call.json ? print(to_text(report.json())) : print_for_people(report.human());
-  return part.kind == CirclesPartKind::empty ? exit_code::yes : exit_code::no;
+  return part.kind == DiscIntersectionKind::empty ? exit_code::yes : exit_code::no;
 }
 
 }  // namespace sunder::cli

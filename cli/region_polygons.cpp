@@ -6,8 +6,8 @@
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
-#include <sunder/planar/region/convex_polygons.h>
-#include <sunder/planar/region/convex_polygons_json.h>
+#include <sunder/planar/region/convex_polygon_intersection.h>
+#include <sunder/planar/region/convex_polygon_intersection_json.h>
 
 #include <fmt/format.h>
 
@@ -27,10 +27,10 @@ using planar::PolygonsPartKind;
 
 using PartMethod = PolygonsPart(std::span<const ConvexPolygon>);
 PartMethod* part_method(const std::string& name) {
-  if (name == "automatic") return planar::convex_polygons_common_part;
-  if (name == "division") return planar::convex_polygons_common_part_by_division;
-  if (name == "edges") return planar::convex_polygons_common_part_by_edges;
-  if (name == "scan") return planar::convex_polygons_common_part_by_scan;
+  if (name == "automatic") return planar::convex_polygon_intersection;
+  if (name == "division") return planar::convex_polygon_intersection_by_division;
+  if (name == "edges") return planar::convex_polygon_intersection_by_edges;
+  if (name == "scan") return planar::convex_polygon_intersection_by_scan;
   refuse_method(name, "automatic, division, edges, scan");
 }
 

@@ -8,8 +8,8 @@
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
-#include <sunder/planar/set/circles_all.h>
-#include <sunder/planar/set/circles_any_json.h>
+#include <sunder/planar/set/discs_all.h>
+#include <sunder/planar/set/discs_any_json.h>
 
 #include <fmt/format.h>
 #include <CLI/App.hpp>
@@ -25,11 +25,10 @@ namespace sunder::cli {
 
 namespace {
 
-using planar::Circle;
-using planar::Circles;
-using planar::CirclesAnswer;
-using planar::CirclesContact;
 using planar::DiscContact;
+using planar::Discs;
+using planar::DiscsAnswer;
+using planar::DiscsContact;
 
 struct Call {
   std::string file;
@@ -43,10 +42,10 @@ struct Call {
   bool lists() const { return all || !svg.empty(); }
 };
 
-using Contacts = ContactsInOrder<CirclesContact>;
+using Contacts = ContactsInOrder<DiscsContact>;
 
 struct Result {
-  CirclesAnswer any;                     // with --any
+  DiscsAnswer any;                       // with --any
   std::unique_ptr<Contacts> contacts;    // with --any at most one; with --count null
   std::array<std::uint64_t, 4> count{};  // by kind
   Cost cost;
@@ -66,19 +65,19 @@ Allowed allowed_for_discs(const std::string& name) {
               fmt::format("there is nothing named {} to allow; there are nothing, touch", io::quote(name)), "--allow");
 }
 
-using AnyMethod = CirclesAnswer(const Circles&, const SetOptions&);
+using AnyMethod = DiscsAnswer(const Discs&, const SetOptions&);
 AnyMethod* any_method(const std::string& name) {
-  if (name == "automatic") return planar::circles_any;
-  if (name == "grid") return planar::circles_any_by_grid;
-  if (name == "sweep") return planar::circles_any_by_sweep;
-  if (name == "scan") return planar::circles_any_by_scan;
+  if (name == "automatic") return planar::discs_any;
+  if (name == "grid") return planar::discs_any_by_grid;
+  if (name == "sweep") return planar::discs_any_by_sweep;
+  if (name == "scan") return planar::discs_any_by_scan;
   refuse_method(name, "automatic, grid, sweep, scan");
 }
-planar::CirclesContactMethod* contact_method(const std::string& name) {
-  if (name == "automatic") return planar::visit_circle_contacts;
-  if (name == "grid") return planar::visit_circle_contacts_by_grid;
-  if (name == "sweep") return planar::visit_circle_contacts_by_sweep;
-  if (name == "scan") return planar::visit_circle_contacts_by_scan;
+planar::DiscsMethod* contact_method(const std::string& name) {
+  if (name == "automatic") return planar::discs_visit;
+  if (name == "grid") return planar::discs_all_by_grid;
+  if (name == "sweep") return planar::discs_all_by_sweep;
+  if (name == "scan") return planar::discs_all_by_scan;
   refuse_method(name, "automatic, grid, sweep, scan");
 }
 
@@ -99,18 +98,18 @@ SetOptions options_of(const Call& call, const io::TripleFile& file) {
 }
 
 // With --count, and where a list is wanted. Keeps the circles by reference.
-void count_and_list(const Call& call, const SetOptions& options, const Circles& circles, Result& result) {
+void count_and_list(const Call& call, const SetOptions& options, const Discs& circles, Result& result) {
   const auto ask = [&, options](const Block& block, const Contacts::Take& take) {
     const bool is_first = result.contacts == nullptr;
     Progress progress("comparing");
     SetOptions shown = options;
     shown.progress = progress.reporter();
-    const Cost cost = visit_circle_contacts_of_block(circles, shown, block, contact_method(call.method),
-                                                     [&](const CirclesContact& contact) {
-                                                       if (is_first) result.add(contact.kind);
-                                                       if (take) take(contact);
-                                                       return true;
-                                                     });
+    const Cost cost =
+        discs_visit_block(circles, shown, block, contact_method(call.method), [&](const DiscsContact& contact) {
+          if (is_first) result.add(contact.kind);
+          if (take) take(contact);
+          return true;
+        });
     if (is_first) result.cost = cost;
   };
   if (call.lists()) {
@@ -120,12 +119,12 @@ void count_and_list(const Call& call, const SetOptions& options, const Circles& 
   }
 }
 
-void find_any(const Call& call, SetOptions options, const Circles& circles, Result& result) {
+void find_any(const Call& call, SetOptions options, const Discs& circles, Result& result) {
   Progress progress("comparing");
   options.progress = progress.reporter();
-  const CirclesAnswer& answer = result.any = any_method(call.method)(circles, options);
+  const DiscsAnswer& answer = result.any = any_method(call.method)(circles, options);
   result.cost = answer.cost;
-  std::vector<CirclesContact> found;
+  std::vector<DiscsContact> found;
   if (answer.meet()) {
     found.push_back(*answer.found);
     result.add(answer.found->kind);
@@ -133,16 +132,16 @@ void find_any(const Call& call, SetOptions options, const Circles& circles, Resu
   result.contacts = std::make_unique<Contacts>(std::move(found));
 }
 
-void write_certificate(const Call& call, const SetOptions& options, const Circles& circles, const Result& result,
+void write_certificate(const Call& call, const SetOptions& options, const Discs& circles, const Result& result,
                        const Origin& origin) {
   if (call.lists()) require_provable(result.pairs());
   io::OutputFile file(call.certificate);
   ClaimsWriter claims([&](std::string_view text) { file.write(text); });
   claims.add_origin(origin);
-  const planar::CirclesQuestion question{circles, options.allowed, options.groups};
+  const planar::DiscsQuestion question{circles, options.allowed, options.groups};
   if (call.lists()) {
-    write_list_statement(claims, question, [&](const std::function<void(const CirclesContact&)>& take) {
-      result.contacts->visit([&](const CirclesContact& contact) {
+    write_list_statement(claims, question, [&](const std::function<void(const DiscsContact&)>& take) {
+      result.contacts->visit([&](const DiscsContact& contact) {
         take(contact);
         return true;
       });
@@ -156,7 +155,7 @@ void write_certificate(const Call& call, const SetOptions& options, const Circle
   file.commit();
 }
 
-std::string about(const Circle& c) {
+std::string about(const Disc& c) {
   return fmt::format("centre ({:.10g}, {:.10g}), radius {:.10g}", c.center.x, c.center.y, c.radius);
 }
 
@@ -173,8 +172,8 @@ std::string counts_text(const Result& result) {
 constexpr std::size_t most_listed = 20;
 
 // listed: the first of the contacts.
-std::string human_text(const Call& call, const io::TripleFile& file, const Circles& circles, const Result& result,
-                       const std::vector<CirclesContact>& listed) {
+std::string human_text(const Call& call, const io::TripleFile& file, const Discs& circles, const Result& result,
+                       const std::vector<DiscsContact>& listed) {
   std::string text = fmt::format("{}: {}\n", io::one_line(call.file), count_of(circles.size(), "circle"));
   if (!call.group.empty()) {
     text += fmt::format("{}; those of one {} may meet\n", count_of(file.groups.size(), "group"), call.group);
@@ -186,7 +185,7 @@ std::string human_text(const Call& call, const io::TripleFile& file, const Circl
   }
   text += '\n';
   for (std::size_t k = 0; k < listed.size(); ++k) {
-    const CirclesContact& contact = listed[k];
+    const DiscsContact& contact = listed[k];
     const Point2 p = planar::common_point_rounded(circles[contact.i], circles[contact.j]);
     text += fmt::format("{} {}, with about ({:.10g}, {:.10g}) in common\n",
                         call.lists() ? fmt::format("  {}.", k + 1) : " ", name_of(contact.kind), p.x, p.y);
@@ -205,7 +204,7 @@ std::string human_text(const Call& call, const io::TripleFile& file, const Circl
 }
 
 // All but the contacts.
-Json report(const Call& call, const Circles& circles, const Result& result) {
+Json report(const Call& call, const Discs& circles, const Result& result) {
   Json json = envelope("circles", result.pairs() > 0 ? "some" : "none", call.method);
   json["cost"] = to_json(result.cost);
   json["objects"] = Json::array({{{"file", call.file}, {"circles", circles.size()}}});
@@ -218,8 +217,7 @@ Json report(const Call& call, const Circles& circles, const Result& result) {
   return json;
 }
 
-std::string contact_json(const Call& call, const io::TripleFile& file, const Circles& circles,
-                         const CirclesContact& c) {
+std::string contact_json(const Call& call, const io::TripleFile& file, const Discs& circles, const DiscsContact& c) {
   const Point2 p = planar::common_point_rounded(circles[c.i], circles[c.j]);
   std::string text =
       fmt::format(R"({{"i": {}, "j": {}, "kind": "{}", "point": {}, "names": {}, "lines": [{}, {}])", c.i, c.j,
@@ -237,17 +235,17 @@ Ink ink_of(DiscContact kind) {
 }
 
 // A circle has the colour of the strongest contact that it is in.
-std::string picture(const Call& call, const Circles& circles, const Result& result,
-                    const std::vector<CirclesContact>& drawn) {
+std::string picture(const Call& call, const Discs& circles, const Result& result,
+                    const std::vector<DiscsContact>& drawn) {
   std::vector<Point2> seen;
-  for (const Circle& c : circles.all()) {
+  for (const Disc& c : circles.all()) {
     seen.push_back({c.center.x - c.radius, c.center.y - c.radius});
     seen.push_back({c.center.x + c.radius, c.center.y + c.radius});
   }
   PlanePicture drawing(seen);
   std::vector<DiscContact> strongest(circles.size(), DiscContact::none);
   for (auto kind = kinds.rbegin(); kind != kinds.rend(); ++kind) {
-    for (const CirclesContact& c : drawn) {
+    for (const DiscsContact& c : drawn) {
       if (c.kind == *kind) strongest[c.i] = strongest[c.j] = *kind;
     }
   }
@@ -269,11 +267,11 @@ std::string picture(const Call& call, const Circles& circles, const Result& resu
 }
 
 // Goes through the contacts once, and writes all that was asked for.
-void write(const Call& call, const io::TripleFile& file, const Circles& circles, const Result& result) {
+void write(const Call& call, const io::TripleFile& file, const Discs& circles, const Result& result) {
   std::optional<ListReport> json;
   if (call.json) json.emplace(report(call, circles, result), "contacts");
-  std::vector<CirclesContact> listed, drawn;
-  const auto take = [&](const CirclesContact& contact) {
+  std::vector<DiscsContact> listed, drawn;
+  const auto take = [&](const DiscsContact& contact) {
     if (json) json->add(contact_json(call, file, circles, contact));
     if (!call.svg.empty()) drawn.push_back(contact);
     if (listed.size() < most_listed) listed.push_back(contact);
@@ -292,7 +290,7 @@ int run(const Call& call) {
   check(call);
   allowed_for_discs(call.allow);
   Origin origin;
-  const CirclesInput input =
+  const DiscsInput input =
       read_circles(call.file, call.group, call.name, call.certificate.empty() ? nullptr : &origin.inputs);
   const SetOptions options = options_of(call, input.file);
   const auto require_drawable = [&](std::uint64_t contacts) {

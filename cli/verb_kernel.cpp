@@ -39,7 +39,7 @@ struct Call {
 using KernelMethod = Region(const PolygonSides&, const planar::RegionOptions&);
 KernelMethod* kernel_method(const std::string& name) {
   if (name == "automatic") return planar::kernel;
-  if (name == "half-planes") return planar::kernel_by_half_planes;
+  if (name == "half-planes") return planar::kernel_by_half_plane_intersection;
   if (name == "lee-preparata") return planar::kernel_by_lee_preparata;
   if (name == "scan") return planar::kernel_by_scan;
   refuse_method(name, "automatic, half-planes, lee-preparata, scan");

@@ -9,8 +9,8 @@
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
 #include <sunder/io/triples.h>
-#include <sunder/planar/region/half_planes.h>
-#include <sunder/planar/region/half_planes_json.h>
+#include <sunder/planar/region/half_plane_intersection.h>
+#include <sunder/planar/region/half_plane_intersection_json.h>
 #include <sunder/planar/region/linear_program.h>
 #include <sunder/planar/region/linear_program_json.h>
 
@@ -38,10 +38,10 @@ using Call = RegionCall;
 
 using RegionMethod = Region(const Constraints&, const planar::RegionOptions&);
 RegionMethod* region_method(const std::string& name) {
-  if (name == "automatic") return planar::half_planes<Constraints>;
-  if (name == "sort") return planar::half_planes_by_sort<Constraints>;
-  if (name == "division") return planar::half_planes_by_division<Constraints>;
-  if (name == "scan") return planar::half_planes_by_scan<Constraints>;
+  if (name == "automatic") return planar::half_plane_intersection<Constraints>;
+  if (name == "sort") return planar::half_plane_intersection_by_sort<Constraints>;
+  if (name == "division") return planar::half_plane_intersection_by_division<Constraints>;
+  if (name == "scan") return planar::half_plane_intersection_by_scan<Constraints>;
   refuse_method(name, "automatic, sort, division, scan");
 }
 
@@ -55,7 +55,7 @@ Constraints constraints_of(const io::TripleFile& file, const std::string& name) 
     }
     rows.push_back({a, b, c});
   }
-  return Constraints(rows);
+  return Constraints(std::move(rows));
 }
 
 std::optional<Objective> objective_of(const std::string& text) {

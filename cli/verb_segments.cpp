@@ -86,12 +86,12 @@ AnyMethod* any_method(const std::string& name) {
   if (name == "scan") return planar::segments_any_by_scan;
   refuse_method(name, "automatic, grid, sweep, bentley-ottmann, scan");
 }
-planar::ContactMethod* contact_method(const std::string& name) {
-  if (name == "automatic") return planar::visit_contacts;
-  if (name == "grid") return planar::visit_contacts_by_grid;
-  if (name == "bentley-ottmann") return planar::visit_contacts_by_bentley_ottmann;
-  if (name == "balaban") return planar::visit_contacts_by_balaban;
-  if (name == "scan") return planar::visit_contacts_by_scan;
+planar::SegmentsMethod* contact_method(const std::string& name) {
+  if (name == "automatic") return planar::segments_visit;
+  if (name == "grid") return planar::segments_all_by_grid;
+  if (name == "bentley-ottmann") return planar::segments_all_by_bentley_ottmann;
+  if (name == "balaban") return planar::segments_all_by_balaban;
+  if (name == "scan") return planar::segments_all_by_scan;
   refuse_method(name, "automatic, grid, bentley-ottmann, balaban, scan (for lists and counts)");
 }
 
@@ -112,12 +112,13 @@ std::vector<Sheet> sheets_of(const Call& call, const io::LineFile& file) {
     if (m.empty()) continue;
     std::vector<Segment> segments;
     std::vector<std::uint32_t> groups;
+    segments.reserve(m.size());
     for (const std::uint32_t i : m) {
       segments.push_back(file.segments[i]);
       if (!file.group.empty()) groups.push_back(file.group[i]);
     }
     const std::string layer = members.size() > 1 && call.layer.empty() ? file.layers[file.layer[m[0]]] : "";
-    sheets.push_back({std::move(m), Segments(segments), std::move(groups), layer});
+    sheets.push_back({std::move(m), Segments(std::move(segments)), std::move(groups), layer});
   }
   if (sheets.empty()) {
     throw Error(
@@ -189,11 +190,11 @@ Cost visit(const Call& call, const Sheet& sheet, SetOptions options, const Block
   Progress progress("comparing");
   options.progress = progress.reporter();
   options.groups = sheet.groups;
-  return visit_contacts_of_block(sheet.segments, options, in_sheet(sheet, block), contact_method(call.method),
-                                 [&](const SegmentsContact& c) {
-                                   take(in_file(sheet, c));
-                                   return true;
-                                 });
+  return segments_visit_block(sheet.segments, options, in_sheet(sheet, block), contact_method(call.method),
+                              [&](const SegmentsContact& c) {
+                                take(in_file(sheet, c));
+                                return true;
+                              });
 }
 
 // With --count, and where a list is wanted. Keeps the sheets by reference.

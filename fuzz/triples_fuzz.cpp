@@ -2,8 +2,8 @@
 // part? Seeds: cases/circles, cases/half-planes.
 #include <sunder/base/error.h>
 #include <sunder/io/triples.h>
-#include <sunder/planar/region/half_planes.h>
-#include <sunder/planar/set/circles_any.h>
+#include <sunder/planar/region/half_plane_intersection.h>
+#include <sunder/planar/set/discs_any.h>
 
 #include <cmath>
 #include <cstdint>
@@ -15,9 +15,9 @@
 namespace {
 
 using namespace std::string_view_literals;
-using sunder::planar::Circle;
-using sunder::planar::Circles;
+using sunder::Disc;
 using sunder::planar::Constraints;
+using sunder::planar::Discs;
 using sunder::planar::Region;
 
 constexpr std::size_t most_rows = 40;  // for the oracles
@@ -27,15 +27,15 @@ void require(bool condition) {
 }
 
 void ask_circles(const sunder::io::TripleFile& file) {
-  std::vector<Circle> circles;
+  std::vector<Disc> circles;
   for (const auto& [x, y, r] : file.rows) circles.push_back({{x, y}, std::fabs(r)});
-  const Circles set(circles);
+  const Discs set(circles);
   for (const auto allowed : {sunder::Allowed::nothing, sunder::Allowed::touch}) {
     const sunder::SetOptions options{allowed, file.group, nullptr};
-    const bool meet = sunder::planar::circles_any_by_scan(set, options).meet();
-    require(sunder::planar::circles_any(set, options).meet() == meet);
-    require(sunder::planar::circles_any_by_grid(set, options).meet() == meet);
-    require(sunder::planar::circles_any_by_sweep(set, options).meet() == meet);
+    const bool meet = sunder::planar::discs_any_by_scan(set, options).meet();
+    require(sunder::planar::discs_any(set, options).meet() == meet);
+    require(sunder::planar::discs_any_by_grid(set, options).meet() == meet);
+    require(sunder::planar::discs_any_by_sweep(set, options).meet() == meet);
   }
 }
 
@@ -46,8 +46,9 @@ void ask_half_planes(const sunder::io::TripleFile& file) {
   }
   if (rows.empty()) return;
   const Constraints constraints(rows);
-  const Region oracle = half_planes_by_scan(constraints);
-  for (const Region& region : {half_planes(constraints, {true}), half_planes_by_division(constraints, {true})}) {
+  const Region oracle = half_plane_intersection_by_scan(constraints);
+  for (const Region& region :
+       {half_plane_intersection(constraints, {true}), half_plane_intersection_by_division(constraints, {true})}) {
     require(region.kind == oracle.kind);
     require(region.empty() || region.sides == oracle.sides);
     require(check(constraints, region));

@@ -1,11 +1,11 @@
-// Sets of circles: circles_any and the lists of contacts against their scans, under every rule, with groups; and what
+// Sets of circles: discs_any and the lists of contacts against their scans, under every rule, with groups; and what
 // proves them, against the checker.
 #include <tests/support/scale.h>
 
 #include <sunder/base/random.h>
-#include <sunder/planar/set/circles_all.h>
-#include <sunder/planar/set/circles_any.h>
-#include <sunder/planar/set/circles_any_json.h>
+#include <sunder/planar/set/discs_all.h>
+#include <sunder/planar/set/discs_any.h>
+#include <sunder/planar/set/discs_any_json.h>
 #include <verifier/cpp/verify.h>
 
 #include <gtest/gtest.h>
@@ -22,11 +22,10 @@
 namespace sunder::tests {
 namespace {
 
-using planar::Circle;
-using planar::Circles;
-using planar::CirclesAnswer;
-using planar::CirclesContact;
 using planar::DiscContact;
+using planar::Discs;
+using planar::DiscsAnswer;
+using planar::DiscsContact;
 
 constexpr std::array<Allowed, 3> rules{Allowed::nothing, Allowed::shared_endpoint, Allowed::touch};
 
@@ -53,10 +52,10 @@ class CircleSets {
   Random& random() { return random_; }
 
   Family family() const { return family_; }
-  std::vector<Circle> next() {
+  std::vector<Disc> next() {
     family_ = static_cast<Family>(turn_++ % family_count);
     if (family_ == Family::crowd && random_.below(16) != 0) family_ = Family::sparse;
-    std::vector<Circle> set = of_family();
+    std::vector<Disc> set = of_family();
     for (std::size_t k = set.size(); k > 1; --k) std::swap(set[k - 1], set[random_.below(k)]);
     if (!set.empty() && random_.below(40) == 0) set.push_back(set[random_.below(set.size())]);
     return set;
@@ -64,17 +63,17 @@ class CircleSets {
 
  private:
   double integer(std::int64_t low, std::int64_t high) { return static_cast<double>(random_.between(low, high)); }
-  Circle on_integers(std::int64_t side, std::int64_t radius) {
+  Disc on_integers(std::int64_t side, std::int64_t radius) {
     const double x = integer(0, side), y = integer(0, side);
     return {{x, y}, integer(0, radius)};
   }
-  Circle in_square(double x, double y, double size, double radius) {
+  Disc in_square(double x, double y, double size, double radius) {
     const double u = random_.unit(), v = random_.unit();
     return {{x + size * u, y + size * v}, radius * random_.unit()};
   }
 
-  std::vector<Circle> of_family() {
-    std::vector<Circle> set;
+  std::vector<Disc> of_family() {
+    std::vector<Disc> set;
     const std::int64_t count = random_.between(2, 14);
     const auto repeat = [&](std::int64_t times, const auto& make) {
       for (std::int64_t k = 0; k < times; ++k) set.push_back(make());
@@ -93,7 +92,7 @@ class CircleSets {
         const double at = integer(-3, 3), step = integer(2, 6), how = integer(0, 2);
         for (std::int64_t k = 0; k < count / 2 + 1; ++k) {
           const double r = integer(0, 2), y = step * static_cast<double>(k) + integer(0, 1);
-          set.push_back(how == 0 ? Circle{{at - r, y}, r} : how == 1 ? Circle{{at + r, y}, r} : Circle{{y, at}, r});
+          set.push_back(how == 0 ? Disc{{at - r, y}, r} : how == 1 ? Disc{{at + r, y}, r} : Disc{{y, at}, r});
         }
         break;
       }
@@ -101,14 +100,14 @@ class CircleSets {
         const double unit = std::ldexp(1, static_cast<int>(random_.between(-1074, 1015)));
         if (random_.below(2) == 0) {
           repeat(random_.between(2, 4), [&] {
-            const Circle c = on_integers(8, 3);
-            return Circle{{unit * c.center.x, unit * c.center.y}, unit * c.radius};
+            const Disc c = on_integers(8, 3);
+            return Disc{{unit * c.center.x, unit * c.center.y}, unit * c.radius};
           });
         } else {
           const auto any = [&](double x) { return std::ldexp(x, static_cast<int>(random_.between(-1074, 1022))); };
           repeat(random_.between(2, 3), [&] {
             const double x = any(random_.uniform(-2, 2)), y = any(random_.uniform(-2, 2));
-            return Circle{{x, y}, random_.below(3) == 0 ? 0 : any(random_.unit())};
+            return Disc{{x, y}, random_.below(3) == 0 ? 0 : any(random_.unit())};
           });
         }
         break;
@@ -128,7 +127,7 @@ class CircleSets {
     return set;
   }
 
-  void pack(std::vector<Circle>& set) {
+  void pack(std::vector<Disc>& set) {
     const std::int64_t side = random_.between(2, 4), odd = random_.between(0, 1);
     for (std::int64_t k = 0; k < side * side; ++k) {
       const double x = 2 * static_cast<double>(k % side), y = 2 * static_cast<double>(k / side);
@@ -141,28 +140,27 @@ class CircleSets {
     if (odd != 0 && !set.empty()) set[random_.below(set.size())].radius += random_.below(2) == 0 ? 0x1p-40 : 0.5;
   }
 
-  void touch(std::vector<Circle>& set, std::int64_t count) {
+  void touch(std::vector<Disc>& set, std::int64_t count) {
     set.push_back(in_square(0, 0, 1, 0.3));
     for (std::int64_t k = 1; k < count; ++k) {
-      Circle c = in_square(0, 0, 3, 0);
-      const Circle& other = set[random_.below(set.size())];
+      Disc c = in_square(0, 0, 3, 0);
+      const Disc& other = set[random_.below(set.size())];
       const double apart = std::hypot(c.center.x - other.center.x, c.center.y - other.center.y);
       c.radius = std::fabs(apart - other.radius);
       for (std::int64_t bits = random_.between(-2, 2); bits != 0; bits += bits < 0 ? 1 : -1) {
         c.radius = std::nextafter(c.radius, bits < 0 ? 0 : 9);
       }
       const auto meets_others = [&] {
-        return std::any_of(set.begin(), set.end(), [&](const Circle& d) {
-          return &d != &other && planar::circle_circle(c, d) != DiscContact::none;
-        });
+        return std::any_of(set.begin(), set.end(),
+                           [&](const Disc& d) { return &d != &other && planar::disc_disc(c, d) != DiscContact::none; });
       };
       if (random_.below(8) == 0 || !meets_others()) set.push_back(c);
     }
   }
 
-  void nest(std::vector<Circle>& set, std::int64_t count) {
+  void nest(std::vector<Disc>& set, std::int64_t count) {
     for (std::int64_t k = 0; k < count; ++k) {
-      const Circle around{{20.0 * static_cast<double>(k), integer(-2, 2)}, integer(1, 9)};
+      const Disc around{{20.0 * static_cast<double>(k), integer(-2, 2)}, integer(1, 9)};
       set.push_back(around);
       if (random_.below(3) != 0) continue;
       const double r = integer(0, 4), along = random_.below(2) == 0 ? around.radius - r : integer(-3, 3);
@@ -178,13 +176,12 @@ class CircleSets {
 // --- Tests
 // -------------------------------------------------------------------------------------------------------------
 
-void expect_truth(const CirclesAnswer& answer, const CirclesAnswer& scan, const Circles& circles,
-                  const SetOptions& options) {
+void expect_truth(const DiscsAnswer& answer, const DiscsAnswer& scan, const Discs& circles, const SetOptions& options) {
   ASSERT_EQ(answer.meet(), scan.meet());
   if (!answer.meet()) return;
   ASSERT_LT(answer.found->i, answer.found->j);
   ASSERT_LT(answer.found->j, circles.size());
-  ASSERT_EQ(planar::circle_circle(circles[answer.found->i], circles[answer.found->j]), answer.found->kind);
+  ASSERT_EQ(planar::disc_disc(circles[answer.found->i], circles[answer.found->j]), answer.found->kind);
   ASSERT_TRUE(planar::counts(answer.found->kind, options.allowed));
   ASSERT_FALSE(may_meet(options.groups, answer.found->i, answer.found->j));
 }
@@ -196,14 +193,14 @@ struct Rates {
   std::array<int, 3> meets{};
 };
 
-TEST(CirclesDifferential, AnyAgreesWithTheScan) {
+TEST(DiscsDifferential, AnyAgreesWithTheScan) {
   const int count = scaled_count(20000);
   CircleSets sets(chosen_seed(20261128));
   std::map<Family, Rates> rates;
   std::map<DiscContact, int> kinds;
   for (int i = 0; i < count; ++i) {
-    const std::vector<Circle> set = sets.next();
-    const Circles circles(set);
+    const std::vector<Disc> set = sets.next();
+    const Discs circles(set);
     std::vector<std::uint32_t> groups;
     for (std::size_t k = 0; k < set.size(); ++k) groups.push_back(static_cast<std::uint32_t>(sets.random().below(3)));
     Rates& rate = rates[sets.family()];
@@ -212,13 +209,13 @@ TEST(CirclesDifferential, AnyAgreesWithTheScan) {
       for (const bool grouped : {false, true}) {
         SetOptions options{rules[r], {}, nullptr};
         if (grouped) options.groups = groups;
-        const CirclesAnswer scan = planar::circles_any_by_scan(circles, options);
+        const DiscsAnswer scan = planar::discs_any_by_scan(circles, options);
         if (!grouped) {
           rate.meets[r] += scan.meet();
-          ++kinds[scan.found.value_or(planar::CirclesContact{}).kind];
+          ++kinds[scan.found.value_or(planar::DiscsContact{}).kind];
         }
-        for (const auto method : {&planar::circles_any_by_sweep, &planar::circles_any_by_grid, &planar::circles_any}) {
-          const CirclesAnswer answer = method(circles, options);
+        for (const auto method : {&planar::discs_any_by_sweep, &planar::discs_any_by_grid, &planar::discs_any}) {
+          const DiscsAnswer answer = method(circles, options);
           ASSERT_NO_FATAL_FAILURE(expect_truth(answer, scan, circles, options))
               << i << " " << family_names[static_cast<std::size_t>(sets.family())] << " rule " << r;
         }
@@ -247,36 +244,36 @@ TEST(CirclesDifferential, AnyAgreesWithTheScan) {
 }
 
 // The same pairs and kinds, each once.
-TEST(CirclesDifferential, ListsAgreeWithTheScan) {
+TEST(DiscsDifferential, ListsAgreeWithTheScan) {
   const int count = scaled_count(10000);
   CircleSets sets(chosen_seed(20261129));
   std::uint64_t contacts = 0;
   for (int i = 0; i < count; ++i) {
-    const std::vector<Circle> set = sets.next();
-    const Circles circles(set);
+    const std::vector<Disc> set = sets.next();
+    const Discs circles(set);
     std::vector<std::uint32_t> groups;
     for (std::size_t k = 0; k < set.size(); ++k) groups.push_back(static_cast<std::uint32_t>(sets.random().below(3)));
     SetOptions options{rules[static_cast<std::size_t>(i % 3)], {}, nullptr};
     if (i % 2 == 0) options.groups = groups;
-    const auto listed = [&](planar::CirclesContactMethod* method) {
-      std::vector<CirclesContact> list;
-      method(circles, options, [&](const CirclesContact& contact) {
+    const auto listed = [&](planar::DiscsMethod* method) {
+      std::vector<DiscsContact> list;
+      method(circles, options, [&](const DiscsContact& contact) {
         list.push_back(contact);
         return true;
       });
       std::sort(list.begin(), list.end());
       return list;
     };
-    const std::vector<CirclesContact> truth = listed(&planar::visit_circle_contacts_by_scan);
-    ASSERT_TRUE(listed(&planar::visit_circle_contacts_by_sweep) == truth) << i;
-    ASSERT_TRUE(listed(&planar::visit_circle_contacts_by_grid) == truth) << i;
-    ASSERT_TRUE(listed(&planar::visit_circle_contacts) == truth) << i;
-    ASSERT_EQ(planar::circles_count(circles, options).count, truth.size());
-    ASSERT_EQ(planar::circles_all(circles, options).contacts.size(), truth.size());
+    const std::vector<DiscsContact> truth = listed(&planar::discs_all_by_scan);
+    ASSERT_TRUE(listed(&planar::discs_all_by_sweep) == truth) << i;
+    ASSERT_TRUE(listed(&planar::discs_all_by_grid) == truth) << i;
+    ASSERT_TRUE(listed(&planar::discs_visit) == truth) << i;
+    ASSERT_EQ(planar::discs_count(circles, options).count, truth.size());
+    ASSERT_EQ(planar::discs_all(circles, options).contacts.size(), truth.size());
     contacts += truth.size();
     if (i % 4 > 1) continue;
     const SetOptions& o = options;  // proved: the list, and its length; and nothing else
-    planar::CirclesAllAnswer all{truth, {}};
+    planar::DiscsAllAnswer all{truth, {}};
     std::reverse(all.contacts.begin(), all.contacts.end());
     ASSERT_TRUE(is_accepted(planar::certificate_text(circles, o.allowed, all, o.groups))) << i;
     ASSERT_TRUE(is_accepted(certificate_text(circles, o.allowed, CountAnswer{truth.size(), {}}, o.groups)));
@@ -289,34 +286,34 @@ TEST(CirclesDifferential, ListsAgreeWithTheScan) {
 }
 
 // Reflected, turned, scaled by a power of two, order changed: the same verdict and count.
-TEST(CirclesDifferential, SymmetriesKeepTheVerdict) {
+TEST(DiscsDifferential, SymmetriesKeepTheVerdict) {
   const int count = scaled_count(4000);
   CircleSets sets(chosen_seed(12));
   int meets = 0;
   for (int i = 0; i < count; ++i) {
-    const std::vector<Circle> set = sets.next();
+    const std::vector<Disc> set = sets.next();
     const SetOptions options{rules[static_cast<std::size_t>(i % 3)], {}, nullptr};
     const auto contacts = [&](auto&& changed) {
-      std::vector<Circle> circles;
-      for (const Circle& c : set) circles.push_back(changed(c));
-      const std::uint64_t found = planar::circles_count(Circles(circles), options).count;
-      EXPECT_EQ(planar::circles_any(Circles(circles), options).meet(), found > 0) << i;
+      std::vector<Disc> circles;
+      for (const Disc& c : set) circles.push_back(changed(c));
+      const std::uint64_t found = planar::discs_count(Discs(circles), options).count;
+      EXPECT_EQ(planar::discs_any(Discs(circles), options).meet(), found > 0) << i;
       return found;
     };
-    const std::uint64_t truth = contacts([](const Circle& c) { return c; });
+    const std::uint64_t truth = contacts([](const Disc& c) { return c; });
     meets += truth > 0;
-    ASSERT_EQ(contacts([](const Circle& c) { return Circle{{-c.center.x, c.center.y}, c.radius}; }), truth) << i;
-    ASSERT_EQ(contacts([](const Circle& c) { return Circle{{c.center.x, -c.center.y}, c.radius}; }), truth) << i;
-    ASSERT_EQ(contacts([](const Circle& c) { return Circle{{c.center.y, c.center.x}, c.radius}; }), truth) << i;
+    ASSERT_EQ(contacts([](const Disc& c) { return Disc{{-c.center.x, c.center.y}, c.radius}; }), truth) << i;
+    ASSERT_EQ(contacts([](const Disc& c) { return Disc{{c.center.x, -c.center.y}, c.radius}; }), truth) << i;
+    ASSERT_EQ(contacts([](const Disc& c) { return Disc{{c.center.y, c.center.x}, c.radius}; }), truth) << i;
     if (sets.family() != Family::any_scale) {
-      ASSERT_EQ(contacts([](const Circle& c) {
-                  return Circle{{0x1p-900 * c.center.x, 0x1p-900 * c.center.y}, 0x1p-900 * c.radius};
+      ASSERT_EQ(contacts([](const Disc& c) {
+                  return Disc{{0x1p-900 * c.center.x, 0x1p-900 * c.center.y}, 0x1p-900 * c.radius};
                 }),
                 truth)
           << i;
     }
-    const std::vector<Circle> reversed(set.rbegin(), set.rend());
-    ASSERT_EQ(planar::circles_count(Circles(reversed), options).count, truth) << i;
+    const std::vector<Disc> reversed(set.rbegin(), set.rend());
+    ASSERT_EQ(planar::discs_count(Discs(reversed), options).count, truth) << i;
   }
   if (count < 1000) return;
   EXPECT_GT(meets, count / 5);

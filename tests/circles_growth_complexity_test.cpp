@@ -4,9 +4,9 @@
 
 #include <sunder/base/random.h>
 #include <sunder/near/cover_order.h>
-#include <sunder/planar/region/circles.h>
-#include <sunder/planar/set/circle_boxes.h>
-#include <sunder/planar/set/circles_all.h>
+#include <sunder/planar/region/disc_intersection.h>
+#include <sunder/planar/set/disc_boxes.h>
+#include <sunder/planar/set/discs_all.h>
 
 #include <array>
 #include <cmath>
@@ -19,11 +19,10 @@
 namespace sunder::tests {
 namespace {
 
-using planar::Circle;
-using planar::Circles;
+using planar::Discs;
 
 struct Set {
-  std::vector<Circle> circles;
+  std::vector<Disc> circles;
   double k = 0;  // pairs whose boxes meet, about
 };
 
@@ -68,7 +67,7 @@ Set nested(std::size_t n, Random&) {
 // All through the origin, each inside of the next.
 Set through_one_point(std::size_t n, Random& random) {
   Set set = nested(n, random);
-  for (Circle& c : set.circles) c.center.x = c.radius;
+  for (Disc& c : set.circles) c.center.x = c.radius;
   return set;
 }
 
@@ -154,7 +153,7 @@ struct Grouping {
 constexpr std::array groupings{Grouping{"", nullptr}, Grouping{", one group", [](std::uint32_t) { return 0u; }},
                                Grouping{", two groups", [](std::uint32_t i) { return i / 2 % 2; }}};
 
-TEST(CirclesGrowth, OfEachFrontDoor) {
+TEST(DiscsGrowth, OfEachFrontDoor) {
   constexpr double most_pairs = 4e6;
   Growth any(3.4), count(4.5), cover(3.0);
   for (const Family& family :
@@ -169,7 +168,7 @@ TEST(CirclesGrowth, OfEachFrontDoor) {
           Random random(20261123);
           const Set set = family.make(std::size_t{1} << power, random);
           if (set.k > most_pairs) break;
-          const Circles circles(set.circles);
+          const Discs circles(set.circles);
           std::vector<std::uint32_t> groups;
           for (std::uint32_t i = 0; grouping.group != nullptr && i < circles.size(); ++i) {
             groups.push_back(grouping.group(i));
@@ -178,8 +177,8 @@ TEST(CirclesGrowth, OfEachFrontDoor) {
           const std::string what =
               std::string(family.name) + grouping.name + ", allow " + std::string(name_of(allowed));
           const double n = circles.size();
-          any.add("any: " + what, n, set.k, circles_any(circles, options).cost.probes);
-          const std::uint64_t probes = circles_count(circles, options).cost.probes;
+          any.add("any: " + what, n, set.k, discs_any(circles, options).cost.probes);
+          const std::uint64_t probes = discs_count(circles, options).cost.probes;
           count.add("count: " + what, n, set.k, probes);
           if (allowed == Allowed::nothing) {
             const std::vector<Box2> boxes = rounded_boxes(circles);
@@ -187,7 +186,7 @@ TEST(CirclesGrowth, OfEachFrontDoor) {
             cover.add("proof: " + what, n, set.k, looks);
           }
           if (power > 10) continue;
-          EXPECT_EQ(circles_all(circles, options).cost.probes, probes);
+          EXPECT_EQ(discs_all(circles, options).cost.probes, probes);
         }
       }
     }
@@ -198,7 +197,7 @@ TEST(CirclesGrowth, OfEachFrontDoor) {
 }
 
 // Of discs that hold the origin, but for the first ring.
-TEST(CirclesGrowth, OfTheirCommonPart) {
+TEST(DiscsGrowth, OfTheirCommonPart) {
   const std::array families{Family{"ring, empty", [](std::size_t n, Random&) { return ring(n, 0.5); }},
                             Family{"ring, a point", [](std::size_t n, Random&) { return ring(n, 1); }},
                             Family{"ring", [](std::size_t n, Random&) { return ring(n, 1.5); }},
@@ -215,8 +214,8 @@ TEST(CirclesGrowth, OfTheirCommonPart) {
   for (const Family& family : families) {
     for (int power = least_growth_power; power <= greatest_growth_power(); power += 2) {
       Random random(20261123);
-      const Circles circles(family.make(std::size_t{1} << power, random).circles);
-      growth.add(family.name, circles.size(), 0, circles_common_part(circles).cost.probes);
+      const Discs circles(family.make(std::size_t{1} << power, random).circles);
+      growth.add(family.name, circles.size(), 0, disc_intersection(circles).cost.probes);
     }
   }
   growth.expect_no_growth();

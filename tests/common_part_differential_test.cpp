@@ -2,8 +2,8 @@
 #include <tests/support/scale.h>
 
 #include <sunder/base/random.h>
-#include <sunder/planar/region/circles.h>
-#include <sunder/planar/region/convex_polygons.h>
+#include <sunder/planar/region/convex_polygon_intersection.h>
+#include <sunder/planar/region/disc_intersection.h>
 #include <sunder/predicate/disc_powers.h>
 
 #include <gtest/gtest.h>
@@ -19,11 +19,10 @@
 namespace sunder::tests {
 namespace {
 
-using planar::Circle;
-using planar::Circles;
-using planar::CirclesPart;
-using planar::CirclesPartKind;
 using planar::ConvexPolygon;
+using planar::DiscIntersection;
+using planar::DiscIntersectionKind;
+using planar::Discs;
 using planar::PolygonsPart;
 using planar::PolygonsPartKind;
 
@@ -47,8 +46,8 @@ class DiscSets {
  public:
   explicit DiscSets(std::uint64_t seed) : random_(seed) {}
 
-  std::vector<Circle> next(DiscFamily family) {
-    std::vector<Circle> set;
+  std::vector<Disc> next(DiscFamily family) {
+    std::vector<Disc> set;
     switch (family) {
       case DiscFamily::grid: {
         const std::int64_t side = random_.between(1, 4);
@@ -68,7 +67,7 @@ class DiscSets {
       }
       case DiscFamily::last_bit:
         set = next(random_.below(2) ? DiscFamily::grid : DiscFamily::concurrent);
-        for (Circle& c : set) {
+        for (Disc& c : set) {
           for (double* x : {&c.center.x, &c.center.y, &c.radius}) {
             if (random_.below(3) == 0)
               *x = std::nextafter(*x, random_.below(2) ? HUGE_VAL : x == &c.radius ? 0 : -HUGE_VAL);
@@ -95,7 +94,7 @@ class DiscSets {
           set = next(static_cast<DiscFamily>(random_.below(5)));
           const int exponent =
               static_cast<int>(random_.below(2) ? random_.between(900, 1015) : -random_.between(900, 1000));
-          for (Circle& c : set) {
+          for (Disc& c : set) {
             c = {{std::ldexp(c.center.x, exponent), std::ldexp(c.center.y, exponent)}, std::ldexp(c.radius, exponent)};
           }
           break;
@@ -114,7 +113,7 @@ class DiscSets {
  private:
   double whole(std::int64_t low, std::int64_t high) { return static_cast<double>(random_.between(low, high)); }
 
-  Circle through(const Point2& p) {
+  Disc through(const Point2& p) {
     const auto& [a, b, r] = whole_arrows[random_.below(whole_arrows.size())];
     const double x = random_.below(2) ? a : -a, y = random_.below(2) ? b : -b;
     return {random_.below(2) ? Point2{p.x + x, p.y + y} : Point2{p.x + y, p.y + x}, static_cast<double>(r)};
@@ -124,14 +123,14 @@ class DiscSets {
 };
 
 // What the header says of the deepest point.
-void expect_deepest(const Circles& circles, const CirclesPart& part) {
-  const planar::DiscBasis basis = discs_of(circles.all(), part.deepest.basis());
+void expect_deepest(const Discs& circles, const DiscIntersection& part) {
+  const planar::DiscBasis basis = planar::discs_of(circles.all(), part.deepest.basis());
   const Sign power = deepest_power(basis);
   ASSERT_EQ(power, part.deepest.power);
-  ASSERT_EQ(part.kind, power == Sign::positive ? CirclesPartKind::empty
-                       : power == Sign::zero   ? CirclesPartKind::point
-                                               : CirclesPartKind::region);
-  for (const Circle& c : circles.all()) ASSERT_NE(power_against(basis, disc_of(c)), Sign::positive);
+  ASSERT_EQ(part.kind, power == Sign::positive ? DiscIntersectionKind::empty
+                       : power == Sign::zero   ? DiscIntersectionKind::point
+                                               : DiscIntersectionKind::region);
+  for (const Disc& c : circles.all()) ASSERT_NE(power_against(basis, c), Sign::positive);
   const DeepestWeights weights = deepest_weights(basis);
   ASSERT_EQ(weights.denominator.sign(), Sign::positive);
   Dyadic sum;
@@ -142,9 +141,9 @@ void expect_deepest(const Circles& circles, const CirclesPart& part) {
   ASSERT_EQ(sum, weights.denominator);
 }
 
-std::string text_of(const std::vector<Circle>& set) {
+std::string text_of(const std::vector<Disc>& set) {
   std::string text;
-  for (const Circle& c : set) {
+  for (const Disc& c : set) {
     std::array<char, 200> line{};
     std::snprintf(line.data(), line.size(), "  {{%a, %a}, %a}  %g %g %g\n", c.center.x, c.center.y, c.radius,
                   c.center.x, c.center.y, c.radius);
@@ -153,20 +152,20 @@ std::string text_of(const std::vector<Circle>& set) {
   return text;
 }
 
-TEST(CommonPartDifferential, CirclesAgreeWithTheScan) {
+TEST(CommonPartDifferential, DiscsAgreeWithTheScan) {
   const int count = scaled_count(20000);
   DiscSets sets(chosen_seed(13));
-  std::map<DiscFamily, std::map<CirclesPartKind, int>> kinds;
+  std::map<DiscFamily, std::map<DiscIntersectionKind, int>> kinds;
   std::map<std::size_t, int> sizes;
   int repeated = 0;
   for (int i = 0; i < count; ++i) {
     const auto family = static_cast<DiscFamily>(i % disc_family_count);
-    const std::vector<Circle> set = sets.next(family);
+    const std::vector<Disc> set = sets.next(family);
     SCOPED_TRACE(std::to_string(i) + " " + disc_family_names[static_cast<std::size_t>(family)] + "\n" + text_of(set));
-    const Circles circles(set);
-    const CirclesPart scan = circles_common_part_by_scan(circles);
-    for (const auto method : {planar::circles_common_part, planar::circles_common_part_by_division}) {
-      const CirclesPart part = method(circles);
+    const Discs circles(set);
+    const DiscIntersection scan = disc_intersection_by_scan(circles);
+    for (const auto method : {planar::disc_intersection, planar::disc_intersection_by_division}) {
+      const DiscIntersection part = method(circles);
       ASSERT_EQ(part.kind, scan.kind);
       ASSERT_EQ(part.arcs, scan.arcs);
       ASSERT_NO_FATAL_FAILURE(expect_deepest(circles, part));
@@ -179,8 +178,8 @@ TEST(CommonPartDifferential, CirclesAgreeWithTheScan) {
   }
   std::printf("%-12s %8s %8s %8s\n", "family", "empty", "point", "region");
   for (auto& [family, of] : kinds) {
-    std::printf("%-12s %8d %8d %8d\n", disc_family_names[static_cast<std::size_t>(family)], of[CirclesPartKind::empty],
-                of[CirclesPartKind::point], of[CirclesPartKind::region]);
+    std::printf("%-12s %8d %8d %8d\n", disc_family_names[static_cast<std::size_t>(family)],
+                of[DiscIntersectionKind::empty], of[DiscIntersectionKind::point], of[DiscIntersectionKind::region]);
   }
   std::printf("arcs:");
   for (const auto& [size, n] : sizes) std::printf(" %zu: %d", size, n);
@@ -189,47 +188,47 @@ TEST(CommonPartDifferential, CirclesAgreeWithTheScan) {
   const int of_family = count / disc_family_count;
   for (auto& [family, of] : kinds) {
     if (family != DiscFamily::equal_radii) {
-      EXPECT_GT(of[CirclesPartKind::empty], of_family / 5);
+      EXPECT_GT(of[DiscIntersectionKind::empty], of_family / 5);
     }
-    EXPECT_GT(of[CirclesPartKind::region], of_family / 5);
+    EXPECT_GT(of[DiscIntersectionKind::region], of_family / 5);
   }
   for (const DiscFamily family : {DiscFamily::grid, DiscFamily::concurrent, DiscFamily::any_scale}) {
-    EXPECT_GT(kinds[family][CirclesPartKind::point], of_family / 100);
+    EXPECT_GT(kinds[family][DiscIntersectionKind::point], of_family / 100);
   }
   for (std::size_t size = 1; size <= 6; ++size) EXPECT_GT(sizes[size], count / 100) << size;
   EXPECT_GT(repeated, count / 500);
 }
 
 // With many others that hold one of them each, after them: the same part. So the batches have something to do.
-TEST(CommonPartDifferential, CirclesAmongLargerOnes) {
+TEST(CommonPartDifferential, DiscsAmongLargerOnes) {
   const int count = scaled_count(6000);
   DiscSets sets(chosen_seed(23));
   Random random(chosen_seed(24));
   int regions = 0;
   for (int i = 0; i < count; ++i) {
     const auto family = static_cast<DiscFamily>(i % (disc_family_count - 1));
-    std::vector<Circle> set = sets.next(family);
+    std::vector<Disc> set = sets.next(family);
     SCOPED_TRACE(std::to_string(i) + " " + disc_family_names[static_cast<std::size_t>(family)] + "\n" + text_of(set));
-    const CirclesPart expected = circles_common_part_by_division(Circles(set));
+    const DiscIntersection expected = disc_intersection_by_division(Discs(set));
     const std::size_t given = set.size();
     for (std::int64_t n = random.between(10, 50); n > 0; --n) {
-      Circle c = set[random.below(given)];
+      Disc c = set[random.below(given)];
       const double more = random.below(4) == 0 ? 0 : static_cast<double>(random.below(3));
       if (c.radius + more - more != c.radius) continue;
       c.radius += more;
       if (random.below(2)) c.center.x += random.below(2) ? more : -more;  // touches from inside
       set.push_back(c);
     }
-    const Circles circles(set);
-    const CirclesPart division = circles_common_part_by_division(circles);
-    const CirclesPart part = circles_common_part_by_batches(circles);
+    const Discs circles(set);
+    const DiscIntersection division = disc_intersection_by_division(circles);
+    const DiscIntersection part = disc_intersection_by_batches(circles);
     ASSERT_EQ(part.kind, division.kind);
     ASSERT_EQ(part.arcs, division.arcs);
     ASSERT_NO_FATAL_FAILURE(expect_deepest(circles, part));
     if (family != DiscFamily::grid && family != DiscFamily::concurrent) continue;  // else sums were rounded
     ASSERT_EQ(part.kind, expected.kind);
     ASSERT_EQ(part.arcs, expected.arcs);
-    regions += part.kind == CirclesPartKind::region;
+    regions += part.kind == DiscIntersectionKind::region;
   }
   if (count < 2000) return;
   EXPECT_GT(regions, count / 8);
@@ -390,11 +389,11 @@ TEST(CommonPartDifferential, ConvexPolygonsAgreeWithTheScan) {
     const std::vector<ConvexPolygon> set = sets.next(family);
     SCOPED_TRACE(std::to_string(i) + " " + polygon_family_names[static_cast<std::size_t>(family)] + "\n" +
                  text_of(set));
-    const PolygonsPart scan = convex_polygons_common_part_by_scan(set);
+    const PolygonsPart scan = convex_polygon_intersection_by_scan(set);
     ASSERT_EQ(scan.kind == PolygonsPartKind::empty, is_contradiction(set, scan.supports()));
-    const PolygonsPart division = convex_polygons_common_part_by_division(set);
-    for (const auto method : {planar::convex_polygons_common_part, planar::convex_polygons_common_part_by_division,
-                              planar::convex_polygons_common_part_by_edges}) {
+    const PolygonsPart division = convex_polygon_intersection_by_division(set);
+    for (const auto method : {planar::convex_polygon_intersection, planar::convex_polygon_intersection_by_division,
+                              planar::convex_polygon_intersection_by_edges}) {
       const PolygonsPart part = method(set);
       ASSERT_NO_FATAL_FAILURE(expect_same_part(set, part, scan));
       ASSERT_EQ(part.corners, division.corners);
@@ -429,7 +428,7 @@ TEST(CommonPartDifferential, ConvexPolygonsAmongLargerOnes) {
     std::vector<ConvexPolygon> set = sets.next(family);
     SCOPED_TRACE(std::to_string(i) + " " + polygon_family_names[static_cast<std::size_t>(family)] + "\n" +
                  text_of(set));
-    const PolygonsPart expected = convex_polygons_common_part_by_division(set);
+    const PolygonsPart expected = convex_polygon_intersection_by_division(set);
     const std::vector<ConvexPolygon> given = set;
     for (std::int64_t n = random.between(10, 50); n > 0; --n) {
       const auto vertices = given[random.below(given.size())].vertices();
@@ -439,9 +438,9 @@ TEST(CommonPartDifferential, ConvexPolygonsAmongLargerOnes) {
       }
       set.push_back(ConvexPolygon::hull_of(points));
     }
-    const PolygonsPart part = convex_polygons_common_part_by_batches(set);
+    const PolygonsPart part = convex_polygon_intersection_by_batches(set);
     ASSERT_NO_FATAL_FAILURE(expect_same_part(set, part, expected));
-    ASSERT_EQ(part.corners, convex_polygons_common_part_by_division(set).corners);
+    ASSERT_EQ(part.corners, convex_polygon_intersection_by_division(set).corners);
     ++kinds[part.kind];
   }
   if (count < 2000) return;

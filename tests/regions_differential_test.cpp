@@ -2,8 +2,8 @@
 #include <tests/support/scale.h>
 
 #include <sunder/base/error.h>
+#include <sunder/planar/region/half_plane_intersection.h>
 #include <sunder/planar/region/half_plane_sets_test.h>
-#include <sunder/planar/region/half_planes.h>
 #include <sunder/planar/region/kernel.h>
 #include <sunder/planar/region/linear_program.h>
 #include <sunder/planar/region/polygon_sets_test.h>
@@ -63,11 +63,11 @@ void print(const std::map<Family, std::map<RegionKind, int>>& kinds) {
 
 template <class Given>
 RegionKind region_by_all(const Given& given) {
-  const Region scan = half_planes_by_scan(given, with_evidence);
+  const Region scan = half_plane_intersection_by_scan(given, with_evidence);
   expect_truth(given, scan, scan);
-  expect_truth(given, half_planes(given, with_evidence), scan);
-  expect_truth(given, half_planes_by_sort(given, with_evidence), scan);
-  expect_truth(given, half_planes_by_division(given, with_evidence), scan);
+  expect_truth(given, half_plane_intersection(given, with_evidence), scan);
+  expect_truth(given, half_plane_intersection_by_sort(given, with_evidence), scan);
+  expect_truth(given, half_plane_intersection_by_division(given, with_evidence), scan);
   return scan.kind;
 }
 
@@ -137,7 +137,7 @@ Optimum program_by_all(const Given& given, const Objective& objective) {
   expect_truth(given, objective, linear_program(given, objective), scan);
   expect_truth(given, objective, linear_program_by_seidel(given, objective), scan);
   expect_truth(given, objective, linear_program_by_sampling(given, objective), scan);
-  const Region region = half_planes(given);
+  const Region region = half_plane_intersection(given);
   EXPECT_EQ(region.empty(), !scan.feasible());
   expect_truth(given, objective, linear_program_by_region(given, region, objective), scan);
   expect_truth(given, objective, linear_program_by_region(planar::PreparedRegion<Given>(given, region), objective),
@@ -200,7 +200,7 @@ TEST(RegionsDifferential, KernelsAgreeWithTheScan) {
     const Region scan = kernel_by_scan(sides, with_evidence);
     expect_truth(sides, scan, scan);
     expect_truth(sides, kernel(sides, with_evidence), scan);
-    expect_truth(sides, kernel_by_half_planes(sides, with_evidence), scan);
+    expect_truth(sides, kernel_by_half_plane_intersection(sides, with_evidence), scan);
     expect_truth(sides, kernel_by_lee_preparata(sides, with_evidence), scan);
     vertices[polygons.family()] += sides.size();
     ++kinds[polygons.family()][scan.kind];
@@ -227,12 +227,12 @@ TEST(RegionsDifferential, SymmetriesKeepTheKind) {
   int empty = 0;
   for (int i = 0; i < count; ++i) {
     std::vector<Constraint> given = sets.constraints();
-    const Region region = planar::half_planes(Constraints(given));
+    const Region region = planar::half_plane_intersection(Constraints(given));
     empty += region.empty() ? 1 : 0;
     const auto changed = [&](auto&& change) {
       std::vector<Constraint> all;
       for (const Constraint& c : given) all.push_back(change(c));
-      return planar::half_planes(Constraints(all));
+      return planar::half_plane_intersection(Constraints(all));
     };
     ASSERT_EQ(changed([](const Constraint& c) { return Constraint{-c.a, c.b, c.c}; }).kind, region.kind) << i;
     ASSERT_EQ(changed([](const Constraint& c) { return Constraint{c.b, c.a, c.c}; }).kind, region.kind) << i;
@@ -250,7 +250,7 @@ TEST(RegionsDifferential, SymmetriesKeepTheKind) {
       }
     }
     std::reverse(given.begin(), given.end());
-    ASSERT_EQ(planar::half_planes(Constraints(given)).kind, region.kind) << i;
+    ASSERT_EQ(planar::half_plane_intersection(Constraints(given)).kind, region.kind) << i;
   }
   if (count < 4000) return;
   EXPECT_GT(empty, count / 5);

@@ -3,8 +3,8 @@
 
 #include <sunder/base/random.h>
 #include <sunder/planar/object/constraints.h>
-#include <sunder/planar/region/convex_polygons.h>
-#include <sunder/planar/region/half_planes.h>
+#include <sunder/planar/region/convex_polygon_intersection.h>
+#include <sunder/planar/region/half_plane_intersection.h>
 
 #include <array>
 #include <functional>
@@ -53,7 +53,7 @@ TEST(RegionsGrowth, OfHalfPlanes) {
         std::vector<Constraint> given;
         for (std::size_t i = 0; i < n; ++i) given.push_back(family.make(i, number(n), random));
         growth.add(std::string(family.name) + (evidence ? ", evidence" : ""), number(n), 0,
-                   half_planes(Constraints(given), {evidence}).cost.probes);
+                   half_plane_intersection(Constraints(given), {evidence}).cost.probes);
       }
     }
   }
@@ -102,7 +102,7 @@ TEST(RegionsGrowth, OfConvexPolygons) {
       const std::size_t n = (std::size_t{1} << power) / family.vertices;
       std::vector<ConvexPolygon> polygons;
       for (std::size_t i = 0; i < n; ++i) polygons.push_back(family.make(number(i), number(n), random));
-      growth.add(family.name, std::ldexp(1, power), 0, convex_polygons_common_part(polygons).cost.probes);
+      growth.add(family.name, std::ldexp(1, power), 0, convex_polygon_intersection(polygons).cost.probes);
     }
   }
   growth.expect_no_growth();

@@ -1,5 +1,5 @@
 // How the number of comparisons of Balaban's method grows: at most 14 (N log2 N + k), from 2^6 segments on, on sets
-// with few and with many contacts. (Found by trial: below 11. By the argument in visit_contacts_by_balaban.cpp it is
+// with few and with many contacts. (Found by trial: below 11. By the argument in segments_all_by_balaban.cpp it is
 // bounded for all N.)
 #include <sunder/base/random.h>
 #include <sunder/planar/set/segments_all.h>
@@ -138,7 +138,7 @@ TEST(SegmentsAllComplexity, BalabanIsOptimal) {
       Random random(20261127);
       const Segments segments(family.make(std::size_t{1} << power, random));
       double k = 0;
-      const Cost cost = planar::visit_contacts_by_balaban(segments, {}, [&](const SegmentsContact&) {
+      const Cost cost = planar::segments_all_by_balaban(segments, {}, [&](const SegmentsContact&) {
         ++k;
         return true;
       });

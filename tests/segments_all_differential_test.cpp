@@ -27,7 +27,7 @@ bool is_accepted(const std::string& certificate) {
   return sunder_verifier::verify_text(certificate, "differential").accepted();
 }
 
-std::vector<SegmentsContact> listed(planar::ContactMethod& method, const Segments& segments,
+std::vector<SegmentsContact> listed(planar::SegmentsMethod& method, const Segments& segments,
                                     const SetOptions& options) {
   std::vector<SegmentsContact> contacts;
   method(segments, options, [&](const SegmentsContact& contact) {
@@ -58,10 +58,9 @@ TEST(SegmentsAllDifferential, MethodsAgreeWithTheScan) {
       const Allowed allowed = static_cast<Allowed>(i % 3);
       SetOptions options{allowed};
       if (grouped) options.groups = groups;
-      const std::vector<SegmentsContact> truth = listed(planar::visit_contacts_by_scan, segments, options);
-      for (planar::ContactMethod* method :
-           {&planar::visit_contacts_by_bentley_ottmann, &planar::visit_contacts_by_balaban,
-            &planar::visit_contacts_by_grid, &planar::visit_contacts}) {
+      const std::vector<SegmentsContact> truth = listed(planar::segments_all_by_scan, segments, options);
+      for (planar::SegmentsMethod* method : {&planar::segments_all_by_bentley_ottmann, &planar::segments_all_by_balaban,
+                                             &planar::segments_all_by_grid, &planar::segments_visit}) {
         ASSERT_EQ(listed(*method, segments, options), truth)
             << i << " " << name_of(set.family) << " allowed " << name_of(allowed) << (grouped ? " groups" : "");
       }
@@ -122,10 +121,10 @@ TEST(SegmentsAllDifferential, CrowdsAgreeWithTheScan) {
     const auto near = [&](double at) { return at + static_cast<double>(random.below(i % 2 == 0 ? 8 : 40)) / 8; };
     for (int k = 0; k < n / 3; ++k) given.push_back({{near(500), near(500)}, {near(500), near(500)}});
     const Segments segments(given);
-    const std::vector<SegmentsContact> truth = listed(planar::visit_contacts_by_scan, segments, {});
-    ASSERT_EQ(listed(planar::visit_contacts_by_bentley_ottmann, segments, {}), truth) << i;
-    ASSERT_EQ(listed(planar::visit_contacts_by_balaban, segments, {}), truth) << i;
-    ASSERT_EQ(listed(planar::visit_contacts_by_grid, segments, {}), truth) << i;
+    const std::vector<SegmentsContact> truth = listed(planar::segments_all_by_scan, segments, {});
+    ASSERT_EQ(listed(planar::segments_all_by_bentley_ottmann, segments, {}), truth) << i;
+    ASSERT_EQ(listed(planar::segments_all_by_balaban, segments, {}), truth) << i;
+    ASSERT_EQ(listed(planar::segments_all_by_grid, segments, {}), truth) << i;
     contacts += truth.size();
     for (const Allowed allowed : {Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}) {
       const bool meet = std::any_of(truth.begin(), truth.end(), [&](const auto& c) { return counts(c.kind, allowed); });
@@ -155,9 +154,9 @@ TEST(SegmentsAllDifferential, BundlesAgreeWithTheScan) {
     for (const bool grouped : {false, true}) {
       SetOptions options{static_cast<Allowed>(i % 3)};
       if (grouped) options.groups = groups;
-      const std::vector<SegmentsContact> truth = listed(planar::visit_contacts_by_scan, segments, options);
-      for (planar::ContactMethod* method : {&planar::visit_contacts_by_bentley_ottmann,
-                                            &planar::visit_contacts_by_balaban, &planar::visit_contacts_by_sweep}) {
+      const std::vector<SegmentsContact> truth = listed(planar::segments_all_by_scan, segments, options);
+      for (planar::SegmentsMethod* method : {&planar::segments_all_by_bentley_ottmann, &planar::segments_all_by_balaban,
+                                             &planar::segments_all_by_sweep}) {
         ASSERT_EQ(listed(*method, segments, options), truth) << i << (grouped ? " groups" : "");
       }
       ASSERT_EQ(planar::segments_any_by_sweep(segments, options).meet(), !truth.empty()) << i;
@@ -212,9 +211,9 @@ TEST(SegmentsAllDifferential, LargeSetsWithAKnownAnswer) {
     EXPECT_FALSE(planar::segments_any(Segments(edges)).meet());
     EXPECT_FALSE(planar::segments_any_by_sweep(Segments(edges)).meet());
     const Segments segments(all);
-    EXPECT_EQ(listed(planar::visit_contacts_by_grid, segments, {}), truth);
-    EXPECT_EQ(listed(planar::visit_contacts_by_bentley_ottmann, segments, {}), truth);
-    EXPECT_EQ(listed(planar::visit_contacts_by_balaban, segments, {}), truth);
+    EXPECT_EQ(listed(planar::segments_all_by_grid, segments, {}), truth);
+    EXPECT_EQ(listed(planar::segments_all_by_bentley_ottmann, segments, {}), truth);
+    EXPECT_EQ(listed(planar::segments_all_by_balaban, segments, {}), truth);
     EXPECT_TRUE(planar::segments_any(segments).meet());
     EXPECT_TRUE(planar::segments_any_by_sweep(segments).meet());
   }
@@ -228,7 +227,7 @@ TEST(SegmentsAllDifferential, CrossingsComeInOrder) {
   for (int i = 0; i < count; ++i) {
     const Segments segments(sets.next().segments);
     std::optional<ExactPoint2> last;
-    planar::visit_contacts_by_bentley_ottmann(segments, {}, [&](const SegmentsContact& contact) {
+    planar::segments_all_by_bentley_ottmann(segments, {}, [&](const SegmentsContact& contact) {
       const ExactPoint2 p = planar::common_point(segments[contact.i], segments[contact.j]);
       if (last) {
         const Sign by_x = (p.x * last->denominator - last->x * p.denominator).sign();

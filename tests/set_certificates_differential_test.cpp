@@ -1,14 +1,14 @@
 // Evidence about circles, half-planes, linear programs and polygons against the checker: what the library says is
 // accepted, and what is accepted is true, also of a set that was changed a little.
 #include <sunder/base/random.h>
-#include <sunder/planar/region/circles_json.h>
-#include <sunder/planar/region/convex_polygons.h>
-#include <sunder/planar/region/convex_polygons_json.h>
-#include <sunder/planar/region/half_planes.h>
-#include <sunder/planar/region/half_planes_json.h>
+#include <sunder/planar/region/convex_polygon_intersection.h>
+#include <sunder/planar/region/convex_polygon_intersection_json.h>
+#include <sunder/planar/region/disc_intersection_json.h>
+#include <sunder/planar/region/half_plane_intersection.h>
+#include <sunder/planar/region/half_plane_intersection_json.h>
 #include <sunder/planar/region/linear_program_json.h>
-#include <sunder/planar/set/circles_any_json.h>
 #include <sunder/planar/set/convex_polygons_any_json.h>
+#include <sunder/planar/set/discs_any_json.h>
 #include <sunder/planar/set/polygon_simple.h>
 #include <sunder/planar/set/polygons_json.h>
 #include <tests/support/scale.h>
@@ -41,7 +41,7 @@ class SetCertificates : public testing::Test {
   }
 
   // Small whole numbers, so that everything degenerate is common.
-  Circle circle() {
+  Disc circle() {
     const double x = whole(6), y = whole(6);
     return {{x, y}, std::fabs(whole(3))};
   }
@@ -158,24 +158,24 @@ class SetCertificates : public testing::Test {
   }
 };
 
-TEST_F(SetCertificates, CirclesThatMeet) {
+TEST_F(SetCertificates, DiscsThatMeet) {
   const int rounds = tests::scaled_count(3000);
   for (int round = 0; round < rounds; ++round) {
     const auto make = [this] { return circle(); };
-    const std::vector<Circle> given = set_of(7, make);
-    const Circles circles(given), others(changed(given, make));
+    const std::vector<Disc> given = set_of(7, make);
+    const Discs circles(given), others(changed(given, make));
     const Allowed allowed = random.below(2) == 0 ? Allowed::nothing : Allowed::touch;
-    const auto text = [&](const Circles& c) { return certificate_text(c, allowed, circles_any(c, {allowed})); };
+    const auto text = [&](const Discs& c) { return certificate_text(c, allowed, discs_any(c, {allowed})); };
     const std::string own = text(circles);
     expect_accepted(own);
-    const bool meet = circles_any_by_scan(others, {allowed}).meet();
+    const bool meet = discs_any_by_scan(others, {allowed}).meet();
     expect_true_if_accepted(own, text(others), "circles", meet ? "some" : "none");
   }
   expect_hits(rounds, 2);
 }
 
 // Of equal discs the lowest number, and the list turned so that it is lexicographically least.
-std::vector<std::uint32_t> in_one_form(const Circles& circles, std::vector<std::uint32_t> arcs) {
+std::vector<std::uint32_t> in_one_form(const Discs& circles, std::vector<std::uint32_t> arcs) {
   for (std::uint32_t& arc : arcs) {
     const auto equal = std::find(circles.all().begin(), circles.all().end(), circles[arc]);
     arc = static_cast<std::uint32_t>(equal - circles.all().begin());
@@ -193,14 +193,14 @@ TEST_F(SetCertificates, ArcsOfCommonPartsOfCircles) {
   const int rounds = tests::scaled_count(3000);
   for (int round = 0; round < rounds; ++round) {
     const bool are_wide = round % 2 == 0;  // most of these have a common part, with arcs over half a turn
-    const Circles circles(set_of(4, [&] {
-      Circle disc = circle();
-      return are_wide ? Circle{disc.center, static_cast<double>(3 + random.below(8))} : disc;
+    const Discs circles(set_of(4, [&] {
+      Disc disc = circle();
+      return are_wide ? Disc{disc.center, static_cast<double>(3 + random.below(8))} : disc;
     }));
-    const planar::CirclesPart part = circles_common_part(circles);
-    if (part.kind != planar::CirclesPartKind::region) continue;
+    const planar::DiscIntersection part = disc_intersection(circles);
+    if (part.kind != planar::DiscIntersectionKind::region) continue;
     json top = json::parse(certificate_text(circles, part));
-    const std::vector<std::uint32_t> truth = in_one_form(circles, planar::circles_common_part_by_scan(circles).arcs);
+    const std::vector<std::uint32_t> truth = in_one_form(circles, planar::disc_intersection_by_scan(circles).arcs);
     for (int change = 0; change < 9; ++change) {
       std::vector<std::uint32_t> arcs = part.arcs;
       const auto at = [&](std::size_t more) {
@@ -236,15 +236,15 @@ TEST_F(SetCertificates, ArcsOfManyCircles) {
   const int rounds = tests::scaled_count(300);
   for (int round = 0; round < rounds; ++round) {
     const bool is_whole = round % 3 == 0;
-    std::vector<Circle> given;
+    std::vector<Disc> given;
     for (std::uint64_t k = 9 + random.below(40); k > 0; --k) {
       const double x = is_whole ? whole(6) : random.uniform(-1, 1), y = is_whole ? whole(6) : random.uniform(-1, 1);
       const double more = round % 2 == 0 ? 1 : static_cast<double>(1 + random.below(3));
       given.push_back({{x, y}, is_whole ? 8 + more : std::hypot(x, y) + more});
     }
-    const Circles circles(given);
-    const planar::CirclesPart part = circles_common_part(circles);
-    ASSERT_EQ(part.kind, planar::CirclesPartKind::region);
+    const Discs circles(given);
+    const planar::DiscIntersection part = disc_intersection(circles);
+    ASSERT_EQ(part.kind, planar::DiscIntersectionKind::region);
     const std::string text = certificate_text(circles, part);
     expect_accepted(text);
     json top = json::parse(text);
@@ -271,13 +271,12 @@ TEST_F(SetCertificates, CommonPartsOfCircles) {
   const int rounds = tests::scaled_count(2000);
   for (int round = 0; round < rounds; ++round) {
     const auto make = [this] { return circle(); };
-    const std::vector<Circle> given = set_of(4, make);
-    const Circles circles(given), others(changed(given, make));
-    const auto text = [](const Circles& c) { return certificate_text(c, circles_common_part(c)); };
+    const std::vector<Disc> given = set_of(4, make);
+    const Discs circles(given), others(changed(given, make));
+    const auto text = [](const Discs& c) { return certificate_text(c, disc_intersection(c)); };
     const std::string own = text(circles);
     expect_accepted(own);
-    expect_true_if_accepted(own, text(others), "circles",
-                            std::string(name_of(circles_common_part_by_scan(others).kind)));
+    expect_true_if_accepted(own, text(others), "circles", std::string(name_of(disc_intersection_by_scan(others).kind)));
   }
   expect_hits(rounds, 3);
 }
@@ -288,10 +287,11 @@ TEST_F(SetCertificates, CommonPartsOfHalfPlanes) {
     const auto make = [this] { return constraint(); };
     const std::vector<Constraint> given = set_of(7, make);
     const Constraints half(given), others(changed(given, make));
-    const auto text = [](const Constraints& h) { return certificate_text(h, half_planes(h, {true})); };
+    const auto text = [](const Constraints& h) { return certificate_text(h, half_plane_intersection(h, {true})); };
     const std::string own = text(half);
     expect_accepted(own);
-    expect_true_if_accepted(own, text(others), "half_planes", std::string(name_of(half_planes_by_scan(others).kind)));
+    expect_true_if_accepted(own, text(others), "half_planes",
+                            std::string(name_of(half_plane_intersection_by_scan(others).kind)));
   }
   expect_hits(rounds, 9);
 }
@@ -351,7 +351,7 @@ TEST_F(SetCertificates, CommonPartsOfConvexPolygons) {
     };
     const std::vector<ConvexPolygon> given = set_of(3, make), others = changed(given, make);
     const auto truth = [](const std::vector<ConvexPolygon>& polygons) {
-      const PolygonsPartKind kind = convex_polygons_common_part_by_scan(polygons).kind;
+      const PolygonsPartKind kind = convex_polygon_intersection_by_scan(polygons).kind;
       return std::string(kind == PolygonsPartKind::polygon ? "bounded" : name_of(kind));
     };
     const std::string own = certificate_text(given);

@@ -115,7 +115,7 @@ double square(const Point2& p) { return p.x * p.x + p.y * p.y; }
 bool is_finite(const Point2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 // Part of a circle, counter-clockwise or not. Only + - * / and square roots: the same on any machine.
-struct Circle {
+struct Disc {
   Point2 centre;
   double radius = 0;
   bool counter_clockwise = false;
@@ -138,7 +138,7 @@ struct Circle {
 constexpr int most_halvings = 7;  // 360 / 2^7 < 5
 
 // Appends the corners behind p, of chords of equal length.
-void append_arc(const Circle& circle, const Point2& p, const Point2& q, std::vector<Point2>& corners) {
+void append_arc(const Disc& circle, const Point2& p, const Point2& q, std::vector<Point2>& corners) {
   int halvings = 0;
   for (Point2 end = q; halvings < most_halvings && circle.is_long(p, end); ++halvings) end = circle.middle(p, end);
   std::vector<Point2> points{p, q};
@@ -164,7 +164,7 @@ std::vector<Point2> corners_of_arc(const Point2& start, const Point2& mid, const
   if (size > 0 && (size < 1e-100 || size > 1e100)) return {{std::numeric_limits<double>::infinity(), 0}};
   const double turn = cross(m, e);
   if (std::fabs(turn) <= flat * (std::fabs(m.x * e.y) + std::fabs(m.y * e.x))) return {start, mid, end};
-  Circle circle;
+  Disc circle;
   circle.centre = {(e.y * square(m) - m.y * square(e)) / (2 * turn), (m.x * square(e) - e.x * square(m)) / (2 * turn)};
   circle.radius = std::sqrt(square(circle.centre));
   circle.counter_clockwise = turn > 0;

@@ -66,7 +66,7 @@ TEST(TriplesTest, RefusalsOfGroups) {
   EXPECT_EQ(refused("x,y,r,net\n1,2,3,\n"), "f.csv:2: has no value in the column 'net'; give one");
 }
 
-// Circles are not half-planes, and spheres are not circles.
+// Discs are not half-planes, and spheres are not circles.
 TEST(TriplesTest, ColumnsByName) {
   const TripleFile file = parse_triples("name,R,y,x\n\"a, b\",3,2,1\n", "f.csv", circle_rows);
   EXPECT_EQ(file.rows[0], (std::array{1.0, 2.0, 3.0}));

@@ -1,4 +1,5 @@
 // A uniform grid over closed boxes of the plane: two that meet have a cell in common.
+// Also called: uniform grid; spatial hashing; broad phase.
 //
 // What has a box is a Box2, or anything that box_of() and lanes_box_of() know: a segment's ends are its box, so sets of
 // segments need no others.

@@ -1,4 +1,5 @@
 // All pairs of boxes that meet.
+// Also called: box or rectangle intersection reporting; broad phase.
 //
 // By a uniform grid (near_pairs.h) where it pays. Else by halving, for any boxes: in the order of their left sides, box
 // j begins inside of box i, or where it begins, iff its place is in the range of those from the place after i to the

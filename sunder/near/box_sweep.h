@@ -1,4 +1,5 @@
 // Which of many boxes meet, of any dimension? The broad phase of a scene.
+// Also called: sweep and prune; sort and sweep; broad phase.
 #pragma once
 
 #include <sunder/predicate/point.h>

@@ -1,7 +1,7 @@
 // From how two members meet to which contacts there are in a set: methods that every kind of member shares.
 //
-// A set has size() and members [i], and can be made of a std::span of some of them. Of two members there is
-// contact_kind(a, b), and counts(kind, allowed); of one, box_of() and lanes_box_of(), where boxes are asked for.
+// A set has size() and members [i], and can be made of a std::vector of some of them. Of two there is
+// contact_kind(set, i, j), and counts(kind, allowed); of one, box_of() and lanes_box_of(), where boxes are asked for.
 // A visitor takes a contact, and returns whether to go on.
 #pragma once
 
@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace sunder {
@@ -19,14 +20,12 @@ namespace sunder {
 template <class Set>
 using MemberOf = std::remove_cvref_t<decltype(std::declval<const Set&>()[0])>;
 template <class Set>
-using ContactIn =
-    ContactOfTwo<decltype(contact_kind(std::declval<MemberOf<Set>>(), std::declval<MemberOf<Set>>()))>;
+using ContactIn = ContactOfTwo<decltype(contact_kind(std::declval<const Set&>(), 0u, 0u))>;
 
 // Some of a set as a set of their own, with their groups.
 template <class Set>
 struct Subset {
-  Subset(const Set& all, Groups all_groups, std::span<const std::uint32_t> numbers)
-      : members(chosen(all, numbers)) {
+  Subset(const Set& all, Groups all_groups, std::span<const std::uint32_t> numbers) : members(chosen(all, numbers)) {
     if (all_groups.empty()) return;
     for (const std::uint32_t i : numbers) groups.push_back(all_groups[i]);
   }
@@ -39,7 +38,7 @@ struct Subset {
     std::vector<MemberOf<Set>> some;
     some.reserve(numbers.size());
     for (const std::uint32_t i : numbers) some.push_back(all[i]);
-    return Set(some);
+    return Set(std::move(some));
   }
 };
 
@@ -49,7 +48,7 @@ auto pair_test(const Set& set, const SetOptions& options, Cost& cost, const Visi
   return [&](std::uint32_t i, std::uint32_t j) {
     if (may_meet(options.groups, i, j)) return true;
     ++cost.probes;
-    const auto kind = contact_kind(set[i], set[j]);
+    const auto kind = contact_kind(set, i, j);
     return !counts(kind, options.allowed) || visit(contact_of(i, j, kind));
   };
 }

@@ -1,4 +1,5 @@
 // The point in which two segments cross, without computing it: predicates decide about the exact point.
+// Also called: vertex of an arrangement of segments; intersection point predicates.
 #pragma once
 
 #include <sunder/number/dyadic.h>

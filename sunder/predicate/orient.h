@@ -1,4 +1,5 @@
 // On which side: the orientation predicates, exact for every finite double, for points and for posed points.
+// Also called: orientation predicate; counter-clockwise test (CCW); side of a line or plane.
 //
 // Each runs in stages: floating point with a derived error bound, intervals, exact numbers. All stages evaluate one
 // formula. Where a tally is given, the stage that decided is counted in it.

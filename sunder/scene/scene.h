@@ -1,4 +1,5 @@
 // Which of many placed bodies meet?
+// Also called: collision checking of many bodies; broad phase and narrow phase.
 //
 // A body is made of parts, convex polyhedra each with its own placement; parts of one body are not tested against each
 // other. Boxes are compared first, so that bodies far apart cost next to nothing.

@@ -1,13 +1,13 @@
 // Writes a sample of certificate files about circles, half-planes, linear programs and polygons, for checkers other
 // than the library's: sets_certificate_sample FOLDER COUNT [SEED]. COUNT files in all, the questions in turn.
 #include <sunder/base/random.h>
-#include <sunder/planar/region/circles_json.h>
-#include <sunder/planar/region/convex_polygons_json.h>
-#include <sunder/planar/region/half_planes.h>
-#include <sunder/planar/region/half_planes_json.h>
+#include <sunder/planar/region/convex_polygon_intersection_json.h>
+#include <sunder/planar/region/disc_intersection_json.h>
+#include <sunder/planar/region/half_plane_intersection.h>
+#include <sunder/planar/region/half_plane_intersection_json.h>
 #include <sunder/planar/region/linear_program_json.h>
-#include <sunder/planar/set/circles_any_json.h>
 #include <sunder/planar/set/convex_polygons_any_json.h>
+#include <sunder/planar/set/discs_any_json.h>
 #include <sunder/planar/set/polygon_simple.h>
 #include <sunder/planar/set/polygons_json.h>
 
@@ -52,10 +52,10 @@ class Numbers {
   double scale_ = 1;
 };
 
-std::vector<Circle> some_circles(Numbers& numbers, std::uint64_t most, std::uint64_t divisor) {
+std::vector<Disc> some_circles(Numbers& numbers, std::uint64_t most, std::uint64_t divisor) {
   numbers.next();
   const std::uint64_t count = 1 + numbers.below(most);
-  std::vector<Circle> circles;
+  std::vector<Disc> circles;
   while (circles.size() < count) {
     const double x = numbers.number(), y = numbers.number(), r = numbers.number();
     circles.push_back({{x, y}, std::fabs(r) / static_cast<double>(divisor)});
@@ -93,7 +93,7 @@ std::vector<HalfPlane> some_arrows(Numbers& numbers) {
 
 template <class Given>
 std::string region_text(const Given& given) {
-  return certificate_text(given, half_planes(given, {true}));
+  return certificate_text(given, half_plane_intersection(given, {true}));
 }
 
 template <class Given>
@@ -166,7 +166,7 @@ std::string some_text(Numbers& numbers, int question) {
   }
   if (question == 0) {
     const std::uint64_t divisor = 1 + numbers.below(6);
-    const Circles circles(some_circles(numbers, 12, divisor));
+    const Discs circles(some_circles(numbers, 12, divisor));
     const Allowed allowed = numbers.below(2) == 0 ? Allowed::nothing : Allowed::touch;
     std::vector<std::uint32_t> groups;
     if (numbers.below(2) == 0) {
@@ -174,13 +174,13 @@ std::string some_text(Numbers& numbers, int question) {
     }
     const SetOptions options{allowed, groups, nullptr};
     const std::uint64_t asked = numbers.below(3);
-    if (asked == 0) return certificate_text(circles, allowed, circles_all(circles, options), groups);
-    if (asked == 1) return certificate_text(circles, allowed, circles_count(circles, options), groups);
-    return certificate_text(circles, allowed, circles_any(circles, options), groups);
+    if (asked == 0) return certificate_text(circles, allowed, discs_all(circles, options), groups);
+    if (asked == 1) return certificate_text(circles, allowed, discs_count(circles, options), groups);
+    return certificate_text(circles, allowed, discs_any(circles, options), groups);
   }
   if (question == 1) {
-    const Circles circles(some_circles(numbers, 4, 1));
-    return certificate_text(circles, circles_common_part(circles));
+    const Discs circles(some_circles(numbers, 4, 1));
+    return certificate_text(circles, disc_intersection(circles));
   }
   const bool is_region = question == 2;
   const bool of_arrows = numbers.below(3) == 0;

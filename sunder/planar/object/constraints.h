@@ -18,7 +18,7 @@ class Constraints {
 
   // Throws Error bad_value: "half-plane 7: ..." where a coefficient is not finite; bad_shape where a and b are zero,
   // and for 2^31 constraints or more.
-  explicit Constraints(std::span<const Constraint> given);
+  explicit Constraints(std::vector<Constraint> given);
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(constraints_.size()); }
   const Constraint& operator[](std::uint32_t i) const { return constraints_[i]; }

@@ -32,7 +32,7 @@ inline LanesBox lanes_box_of(const Segment& s) { return lanes_box_of(s.a, s.b); 
 class Segments {
  public:
   // Throws Error bad_value: "segment 7: ..." where a coordinate is not finite; bad_shape for 2^31 segments or more.
-  explicit Segments(std::span<const Segment> given);
+  explicit Segments(std::vector<Segment> given);
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(segments_.size()); }
   const Segment& operator[](std::uint32_t i) const { return segments_[i]; }

@@ -2,13 +2,13 @@
 // sides.
 //
 // Where two triangles meet, each of three vertices a third of the way round apart, the polygons do. Else:
-// D = A - B holds the origin iff A and B meet (difference_search.h). In doubles: r is a difference of vertices, s the
-// vertex of D furthest from r towards the origin, t the one furthest from the line rs on the origin's side. Where the
-// origin is beyond s, or beyond t, A and B are apart; this is how most pairs that are apart are told. Where it is in
-// the triangle rst they meet. Else it is beyond the side st, seen from r, or beyond rt, seen from s (not both: D would
-// not reach that far). The ray from there through the origin leaves D behind that side: between two vertices of D that
-// are known, which bound the chains of edges to be searched. (Without the triangle, finding the chains takes half of a
-// search.)
+// D = A - B holds the origin iff A and B meet (minkowski_difference_search.h). In doubles: r is a difference of
+// vertices, s the vertex of D furthest from r towards the origin, t the one furthest from the line rs on the origin's
+// side. Where the origin is beyond s, or beyond t, A and B are apart; this is how most pairs that are apart are told.
+// Where it is in the triangle rst they meet. Else it is beyond the side st, seen from r, or beyond rt, seen from s (not
+// both: D would not reach that far). The ray from there through the origin leaves D behind that side: between two
+// vertices of D that are known, which bound the chains of edges to be searched. (Without the triangle, finding the
+// chains takes half of a search.)
 //
 // Beyond rt the chain does not end with r where r, a difference of any two vertices, is inside of D. Where what is
 // proposed there does not hold, the chain is ended with w instead, the vertex of D furthest to that side of the ray.
@@ -18,7 +18,7 @@
 // 4 (log2 n + log2 m) + O(1); with w, about twice in 1,000 pairs, three more for each halving.
 #pragma once
 
-#include <sunder/planar/pair/difference_search.h>
+#include <sunder/planar/pair/minkowski_difference_search.h>
 #include <sunder/planar/pair/proposal.h>
 #include <sunder/planar/pair/support.h>
 
@@ -57,7 +57,7 @@ bool propose_behind(const A& a, const B& b, const Difference& apex, const Differ
                     const Holds& holds, Cost& cost, StageTally& tally) {
   const EdgeRun chain_a = run_between(from.i, to.i, a.size()), chain_b = run_between(from.j, to.j, b.size());
   if (chain_a.empty() && chain_b.empty()) return false;
-  const auto [of_a, i, j] = difference_search::exit_edge(a, apex.i, b, apex.j, chain_a, chain_b, cost, tally);
+  const auto [of_a, i, j] = minkowski_difference_search::exit_edge(a, apex.i, b, apex.j, chain_a, chain_b, cost, tally);
   if (of_a) {
     return holds(apart_by_edge_of_a(i, j)) || holds(meet(std::array{apex.i, i, i + 1}, std::array{apex.j, j}));
   }

@@ -1,6 +1,6 @@
 #include <sunder/planar/pair/contact_evidence.h>
 #include <sunder/planar/pair/polygon_point.h>
-#include <sunder/planar/pair/polygon_polygon_common_part.h>
+#include <sunder/planar/pair/polygon_polygon_intersection.h>
 #include <sunder/predicate/stages.h>
 
 #include <algorithm>
@@ -212,7 +212,7 @@ Combination inner_combination(const ConvexPolygon& polygon, const Pose& pose, co
 }
 
 CommonPoint overlapping_point(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b, const Pose& pose_b) {
-  const std::vector<CommonCorner> corners = polygon_polygon_common_part(a, pose_a, b, pose_b).corners;
+  const std::vector<CommonCorner> corners = polygon_polygon_intersection(a, pose_a, b, pose_b).corners;
   // Of four corners and more, two that are not neighbours have the inside between them.
   const std::size_t n = corners.size(), few = n > 3 ? 2 : n;
   std::vector<ExactPoint2> chosen;

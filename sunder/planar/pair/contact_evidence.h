@@ -3,7 +3,7 @@
 // polygon_polygon.h and polygon_polygon_distance.h.
 //
 // None throws, but for want of memory. Cost: exact arithmetic on a few vertices; overlapping_point that of
-// polygon_polygon_common_part besides.
+// polygon_polygon_intersection besides.
 #pragma once
 
 #include <sunder/certificate/pair_claims.h>

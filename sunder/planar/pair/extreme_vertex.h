@@ -1,4 +1,5 @@
 // Which vertices of a convex polygon are furthest to the left and to the right of an arrow?
+// Also called: support point, support mapping; extreme point query.
 //
 // Of two such vertices, the ends of an edge parallel to the arrow, it is the one further along the arrow. All methods
 // return the same vertices.

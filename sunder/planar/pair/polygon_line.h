@@ -1,4 +1,5 @@
 // What has a line in common with a placed convex polygon (IGL)? Nothing, a point, an edge, or a segment through it.
+// Also called: line clipping; stabbing line.
 //
 // The answer names features (polygon_cut.h); it is exactly right for the doubles given. The line is in the world.
 //   P1. The answer is that of the exact images of the vertices under the pose.

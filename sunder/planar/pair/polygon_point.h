@@ -1,4 +1,5 @@
 // Is a point outside a placed convex polygon, on its boundary (where?), or inside? And from outside: its two tangents.
+// Also called: point location in a convex polygon; point in polygon.
 //
 // Exactly right for the doubles given. The point is in the world; the polygon is closed. Segments and points are
 // polygons of two vertices and of one: all their points are on the boundary.

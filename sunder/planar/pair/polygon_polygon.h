@@ -2,6 +2,7 @@
 //
 // The objects are closed: touching is meeting. The answer is exactly right for the doubles given, and comes with its
 // certificate, in which the polygons are bodies in the plane z = 0 (certificate/pair.h).
+// Also called: convex polygon intersection test; collision detection; separating axis test.
 //   P1. The verdict is that of the exact images of the vertices under the poses.
 //   P2. Swapping the objects, and scaling or shifting both exactly, does not change the verdict.
 //   P3. The certificate passes the absolute check of certificate/check.h. It names four vertices at most where the

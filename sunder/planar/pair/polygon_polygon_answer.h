@@ -3,7 +3,7 @@
 #pragma once
 
 #include <sunder/certificate/pair_answer.h>
-#include <sunder/planar/pair/difference_search.h>
+#include <sunder/planar/pair/minkowski_difference_search.h>
 #include <sunder/planar/pair/proposal.h>
 
 namespace sunder::planar {
@@ -37,7 +37,7 @@ bool dispose(const A& a, const B& b, const Proposal& p, PairCertificate& certifi
   return false;
 }
 
-// Decides, whatever the polygons are. Cost: at most 4 (log2 n + log2 m) + 8 probes (difference_search.h).
+// Decides, whatever the polygons are. Cost: at most 4 (log2 n + log2 m) + 8 probes (minkowski_difference_search.h).
 template <class A, class B>
 void finish(const A& a, const B& b, PairCertificate& certificate, Cost& cost, StageTally& tally) {
   certificate = {};

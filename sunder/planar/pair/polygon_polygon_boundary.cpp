@@ -1,4 +1,4 @@
-#include <sunder/planar/pair/difference_search.h>
+#include <sunder/planar/pair/minkowski_difference_search.h>
 #include <sunder/planar/pair/polygon_polygon.h>
 #include <sunder/planar/pair/polygon_polygon_boundary.h>
 

@@ -6,8 +6,8 @@
 // argument, 8 (log2 n + log2 m) before a chain is short and 25 log2 of the other polygon's size then.
 #include <sunder/base/random.h>
 #include <sunder/certificate/check.h>
-#include <sunder/planar/pair/difference_search.h>
 #include <sunder/planar/pair/halving.h>
+#include <sunder/planar/pair/minkowski_difference_search.h>
 #include <sunder/planar/pair/polygon_polygon.h>
 #include <tests/support/planar_pairs.h>
 #include <tests/support/scale.h>

@@ -1,13 +1,13 @@
 // The search for the point x of D = A - B that is closest to the origin, which is not in D.
 //
-// Let n be the unit normal from x to the origin 0. The edge e* through which the ray of difference_search.h leaves D
-// has the origin strictly beyond it: D is in a half-plane n* . y < 0, with x = -|x| n in it, so n . n* > 0: n is within
-// a right angle of the normal of e*. For an edge e of D that is within a right angle of e*, let P(e) be: going along e
-// from its start s, one comes closer to the origin, e . (0 - s) > 0. If e comes before n (by its normal), P(e) is true,
-// else false: where the origin is beyond e, because the gap along a normal, -h(normal), grows up to n and falls from
-// there; where it is not, because then the support vertex v has normal . v >= 0 and n . v < 0, which leaves it on the
-// side of n from which the gap goes on falling.
-// So x is at the start V of the first edge for which P is false, or on the edge before it.
+// Let n be the unit normal from x to the origin 0. The edge e* through which the ray of minkowski_difference_search.h
+// leaves D has the origin strictly beyond it: D is in a half-plane n* . y < 0, with x = -|x| n in it, so n . n* > 0: n
+// is within a right angle of the normal of e*. For an edge e of D that is within a right angle of e*, let P(e) be:
+// going along e from its start s, one comes closer to the origin, e . (0 - s) > 0. If e comes before n (by its normal),
+// P(e) is true, else false: where the origin is beyond e, because the gap along a normal, -h(normal), grows up to n and
+// falls from there; where it is not, because then the support vertex v has normal . v >= 0 and n . v < 0, which leaves
+// it on the side of n from which the gap goes on falling. So x is at the start V of the first edge for which P is
+// false, or on the edge before it.
 //
 // The edges before e* and those after it, within a right angle, are searched alike. Again edges i of A and j of B in
 // the middle of what is left are compared by direction; w = b_j - a_i. Let i come first. The start of edge i is some
@@ -20,7 +20,7 @@
 // When one window is empty its vertex is known; the edges left of the other one are compared with the two edges beside
 // this vertex first.
 #include <sunder/base/contract.h>
-#include <sunder/planar/pair/difference_search.h>
+#include <sunder/planar/pair/minkowski_difference_search.h>
 #include <sunder/planar/pair/polygon_polygon.h>
 #include <sunder/planar/pair/polygon_polygon_distance.h>
 #include <sunder/predicate/stages.h>
@@ -151,7 +151,7 @@ PolygonDistance distance_between(const A& a, const B& b) {
   PolygonDistance out;
   StageTally tally;
   Cost& cost = out.answer.cost;
-  const difference_search::Found found = search_difference(a, 0, b, 0, out.answer.evidence, cost, tally);
+  const minkowski_difference_search::Found found = search_difference(a, 0, b, 0, out.answer.evidence, cost, tally);
   const auto finish = [&](std::uint32_t i, bool edge_of_a, std::uint32_t j, bool edge_of_b) {
     out.closest = features(a, i, edge_of_a, b, j, edge_of_b);
   };

@@ -1,5 +1,6 @@
 // How far apart are two placed convex polygons? The closest features, the distance as an exact number's enclosure, and
 // exact comparisons.
+// Also called: separation distance of convex polygons; closest points.
 //
 //   D1. The features are those of the exact images: the distance between them is the distance of the polygons. Where
 //       parallel edges are closest, an edge and a vertex of the other one that faces it are named.
@@ -7,7 +8,7 @@
 //   D3. compare_distance is exact for every finite radius.
 // None throws. Cost: that of polygon_polygon, and 5 (log2 n + log2 m) + c probes.
 // Source: the question and its bound are those of Edelsbrunner 1985. Here it is one more search over the difference
-// A - B (difference_search.h), which is argued in the .cpp.
+// A - B (minkowski_difference_search.h), which is argued in the .cpp.
 #pragma once
 
 #include <sunder/certificate/pair_answer.h>

@@ -1,4 +1,5 @@
 // What has a ray in common with a placed convex polygon? Nothing, a point, a part of an edge, or a segment through it.
+// Also called: ray shooting; ray casting.
 //
 // As polygon_line.h, of which it is the part from the ray's beginning on; that beginning, where it is in the polygon,
 // is an end of the answer. Where they have nothing in common, no vertex is named. Source: Chazelle & Dobkin 1987,

@@ -1,5 +1,6 @@
 // What has a closed segment in common with a placed convex polygon? Nothing, a point, a part of an edge, or a segment
 // through it.
+// Also called: segment clipping.
 //
 // As polygon_line.h, of which it is the part between the segment's ends; these, where they are in the polygon, are ends
 // of the answer. A segment of length zero is a point. Where they have nothing in common, no vertex is named: for a

@@ -1,4 +1,5 @@
 // How do two closed segments meet? Exact, for every finite double.
+// Also called: segment intersection test.
 //
 // This is the one place where the kinds of contact are told apart; every question about sets of segments asks here.
 #pragma once

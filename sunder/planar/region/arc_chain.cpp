@@ -13,7 +13,7 @@ void push(std::vector<ArcPiece>& out, std::size_t start, std::uint32_t disc, con
 }
 
 // Widens the box to an arc of the circle about `center`, from one point to another; both are in it already.
-void include_arc(Enclosure2& box, const Circle& circle, const Enclosure2& begin, const Enclosure2& end) {
+void include_arc(Enclosure2& box, const Disc& circle, const Enclosure2& begin, const Enclosure2& end) {
   const Interval x = circle.center.x, y = circle.center.y, radius = circle.radius;
   const Interval from_x = begin.x - x, from_y = begin.y - y, to_x = end.x - x, to_y = end.y - y;
   // Does it reach the circle's rightmost point? An arc of less than a half turn does not unless it begins below and
@@ -38,7 +38,7 @@ std::vector<std::uint32_t> discs_around(std::span<const ArcPiece> chain) {
 
 Enclosure2 ArcChains::box(std::span<const ArcPiece> chain) const {
   const std::vector<std::uint32_t> discs = discs_around(chain);
-  const Circle& first = circles_[discs[0]];
+  const Disc& first = circles_[discs[0]];
   if (discs.size() == 1) {
     const Interval x = first.center.x, y = first.center.y, radius = first.radius;
     return {{(x - radius).low, (x + radius).high}, {(y - radius).low, (y + radius).high}};
@@ -46,7 +46,7 @@ Enclosure2 ArcChains::box(std::span<const ArcPiece> chain) const {
   std::vector<Enclosure2> corners;  // corner m is where arc m ends
   for (std::size_t m = 0; m < discs.size(); ++m) {
     const std::uint32_t next = discs[m + 1 == discs.size() ? 0 : m + 1];
-    corners.push_back(enclosure(DiscCrossing{disc_of(circles_[discs[m]]), disc_of(circles_[next])}));
+    corners.push_back(enclosure(DiscCrossing{circles_[discs[m]], circles_[next]}));
   }
   Enclosure2 box = corners.front();
   for (std::size_t m = 0; m < discs.size(); ++m) {
@@ -76,7 +76,7 @@ void ArcChains::compare_in_sector(std::uint32_t a, std::uint32_t b, const Direct
                                   std::vector<ArcPiece>& out) {
   ++probes_;
   const std::size_t start = start_;
-  const Disc disc_a = disc_of(circles_[a]), disc_b = disc_of(circles_[b]);
+  const Disc disc_a = circles_[a], disc_b = circles_[b];
   if (a == b || !circles_cross(disc_a, disc_b, &tally_)) {  // one holds the other
     const bool a_less = disc_a.radius < disc_b.radius || (disc_a.radius == disc_b.radius && a < b);
     return push(out, start, a_less ? a : b, begin.bearing);

@@ -9,7 +9,7 @@
 #pragma once
 
 #include <sunder/base/cost.h>
-#include <sunder/planar/region/circles_deepest.h>
+#include <sunder/planar/region/discs_deepest.h>
 #include <sunder/predicate/disc_crossing.h>
 
 #include <cstdint>
@@ -32,7 +32,7 @@ std::vector<std::uint32_t> discs_around(std::span<const ArcPiece> chain);
 class ArcChains {
  public:
   // Keeps a reference to the circles. Requires that the viewpoint is inside of all discs that it is asked about.
-  ArcChains(std::span<const Circle> circles, Viewpoint from) : circles_(circles), from_(std::move(from)) {}
+  ArcChains(std::span<const Disc> circles, Viewpoint from) : circles_(circles), from_(std::move(from)) {}
 
   // The chain of the common part of these discs, one at least. Cost: O(n log n) probes.
   std::vector<ArcPiece> divide(std::span<const std::uint32_t> discs);
@@ -52,13 +52,13 @@ class ArcChains {
     std::uint32_t from, to;
     Bearing bearing;
   };
-  DiscCrossing crossing(const Direction& d) const { return {disc_of(circles_[d.from]), disc_of(circles_[d.to])}; }
+  DiscCrossing crossing(const Direction& d) const { return {circles_[d.from], circles_[d.to]}; }
   Direction toward(std::uint32_t from, std::uint32_t to);
   Sign compare(const Direction& a, const Direction& b);
   void compare_in_sector(std::uint32_t a, std::uint32_t b, const Direction& begin, const ArcPiece* end,
                          std::vector<ArcPiece>& out);
 
-  std::span<const Circle> circles_;
+  std::span<const Disc> circles_;
   Viewpoint from_;
   std::uint64_t probes_ = 0;
   std::size_t start_ = 0;  // where the chain that is being merged begins

@@ -1,4 +1,5 @@
 // From which points of a simple polygon are all of its points seen: its kernel?
+// Also called: kernel of a star-shaped polygon; visibility kernel.
 //
 // It is the common part of the half-planes of its edges: the answer is that region over them (region.h), its sides
 // numbered as the polygon's edges. Exactly right for the doubles given, with the same evidence.
@@ -12,22 +13,22 @@
 #pragma once
 
 #include <sunder/planar/object/polygon_sides.h>
-#include <sunder/planar/region/half_planes.h>
+#include <sunder/planar/region/half_plane_intersection.h>
 
 namespace sunder::planar {
 
 // The front door: the fastest method measured, half_planes.
 Region kernel(const PolygonSides& sides, const RegionOptions& options = {});
 
-// The paper's: half_planes_by_sort. O(N log N) comparisons.
-Region kernel_by_half_planes(const PolygonSides& sides, const RegionOptions& options = {});
+// The paper's: half_plane_intersection_by_sort. O(N log N) comparisons.
+Region kernel_by_half_plane_intersection(const PolygonSides& sides, const RegionOptions& options = {});
 
 // Edge after edge cuts what is left, near to where the one before did. Where that is or gets flat, and where the search
 // goes around too often (on spirals), half_planes decides, and iterations in the cost is 1, else 0. Cost: O(N) signs;
 // to make sure of every edge, O(N) where the sides' angles are spread evenly, O(N log N) at worst.
 Region kernel_by_lee_preparata(const PolygonSides& sides, const RegionOptions& options = {});
 
-// The oracle: half_planes_by_scan. O(N^2) signs; O(N^3) where the kernel is empty.
+// The oracle: half_plane_intersection_by_scan. O(N^2) signs; O(N^3) where the kernel is empty.
 Region kernel_by_scan(const PolygonSides& sides, const RegionOptions& options = {});
 
 }  // namespace sunder::planar

@@ -300,7 +300,7 @@ Region kernel_by_lee_preparata(const PolygonSides& sides, const RegionOptions& o
   Signs<PolygonSides> signs(sides);
   std::optional<Region> region = Search(signs).region();
   const bool accepted = region && (region->empty() || accept(signs, *region));
-  Region answer = accepted ? std::move(*region) : half_planes(sides, options);
+  Region answer = accepted ? std::move(*region) : half_plane_intersection(sides, options);
   if (!options.evidence) answer.cones.clear();
   signs.add_to(answer.cost);
   answer.cost.iterations = accepted ? 0 : 1;

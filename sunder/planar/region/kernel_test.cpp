@@ -25,7 +25,8 @@ Region by_all(const Polygon& polygon) {
   const PolygonSides sides(polygon);
   const Region scan = kernel_by_scan(sides, with_evidence);
   EXPECT_TRUE(check(sides, scan));
-  for (const auto method : {kernel, kernel_by_half_planes, kernel_by_lee_preparata, half_planes<PolygonSides>}) {
+  for (const auto method :
+       {kernel, kernel_by_half_plane_intersection, kernel_by_lee_preparata, half_plane_intersection<PolygonSides>}) {
     const Region region = method(sides, with_evidence);
     EXPECT_EQ(name_of(region.kind), name_of(scan.kind));
     if (!scan.empty()) {

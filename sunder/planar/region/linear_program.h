@@ -1,4 +1,5 @@
 // Which points of N half-planes are furthest in a direction (p, q): the linear program "maximize p x + q y"?
+// Also called: linear programming (LP) in two variables.
 //
 // The answer is exactly right for the doubles given, whatever the position, and comes with its evidence, which names
 // half-planes by number. Angles are those of normals, counter-clockwise; a half-plane's line runs counter-clockwise

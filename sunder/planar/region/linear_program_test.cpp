@@ -1,6 +1,6 @@
 // Each outcome, all methods against the oracle, the evidence, and how the number of signs grows.
+#include <sunder/planar/region/half_plane_intersection.h>
 #include <sunder/planar/region/half_plane_sets_test.h>
-#include <sunder/planar/region/half_planes.h>
 #include <sunder/planar/region/linear_program.h>
 #include <tests/support/scale.h>
 
@@ -54,7 +54,7 @@ template <class Given>
 LinearProgramAnswer by_all(const Given& given, const Objective& objective) {
   const LinearProgramAnswer scan = linear_program_by_scan(given, objective);
   EXPECT_TRUE(check(given, objective, scan)) << name_of(scan.outcome);
-  const Region region = half_planes(given);
+  const Region region = half_plane_intersection(given);
   const std::array answers{linear_program(given, objective), linear_program_by_seidel(given, objective),
                            linear_program_by_sampling(given, objective),
                            linear_program_by_region(given, region, objective),
@@ -149,7 +149,7 @@ TEST(LinearProgramTest, SamplingAgreesWithSeidelOnLargeSets) {
     ASSERT_TRUE(check(constraints, objective, seidel));
     ASSERT_TRUE(check(constraints, objective, sampling));
     expect_same(constraints, sampling, seidel);
-    const Region region = half_planes(constraints);
+    const Region region = half_plane_intersection(constraints);
     expect_same(constraints, linear_program_by_region(constraints, region, objective), seidel);
     ++outcomes[seidel.outcome];
   }
@@ -171,7 +171,7 @@ TEST(LinearProgramTest, TheTableFindsThePlace) {
       given.push_back({std::cos(angle), std::sin(angle), 1});
     }
     const Constraints constraints(given);
-    const Region region = half_planes(constraints);
+    const Region region = half_plane_intersection(constraints);
     const PreparedRegion prepared(constraints, region);
     double probes = 0;
     constexpr int times = 200;
@@ -205,7 +205,7 @@ TEST(LinearProgramTest, TheTableIsRounded) {
       given.push_back({a, b, std::hypot(a, b)});
     }
     const Constraints constraints(given);
-    const Region region = half_planes(constraints);
+    const Region region = half_plane_intersection(constraints);
     const PreparedRegion prepared(constraints, region);
     ASSERT_EQ(region.sides.size(), given.size());
     for (int n = 0; n < 2 * sides; n += 2) {
@@ -231,7 +231,7 @@ TEST(LinearProgramTest, SignsGrowAsNAndAsLogN) {
         given.push_back({std::cos(angle), std::sin(angle), c});
       }
       const Constraints constraints(given);
-      const Region region = half_planes(constraints);
+      const Region region = half_plane_intersection(constraints);
       const PreparedRegion prepared(constraints, region);
       const double n = constraints.size();
       double front = 0, seidel = 0, by_region = 0, by_table = 0;

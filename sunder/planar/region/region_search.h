@@ -13,7 +13,7 @@
 // in B as sides are dropped. So then the region is not empty.
 #pragma once
 
-#include <sunder/planar/region/half_planes.h>
+#include <sunder/planar/region/half_plane_intersection.h>
 
 #include <algorithm>
 #include <array>

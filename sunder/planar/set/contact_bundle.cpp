@@ -6,7 +6,7 @@
 
 namespace sunder::planar {
 
-ContactBundle::ContactBundle(const Segments& segments, const SetOptions& options, const ContactVisitor& visit,
+ContactBundle::ContactBundle(const Segments& segments, const SetOptions& options, const SegmentsVisitor& visit,
                              Cost& cost)
     : segments_(segments), options_(options), visit_(visit), cost_(cost), line_of_(segments.size()) {
   std::iota(line_of_.begin(), line_of_.end(), 0u);

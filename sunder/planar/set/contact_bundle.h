@@ -22,7 +22,7 @@ namespace sunder::planar {
 class ContactBundle {
  public:
   // Keeps references.
-  ContactBundle(const Segments& segments, const SetOptions& options, const ContactVisitor& visit, Cost& cost);
+  ContactBundle(const Segments& segments, const SetOptions& options, const SegmentsVisitor& visit, Cost& cost);
 
   // Those at a point p. Requires that it was called, and where need be add_aside, for each place before at which one of
   // these began that was not alone there. row: alive just before, from below to above; begins: those that begin;
@@ -72,7 +72,7 @@ class ContactBundle {
 
   const Segments& segments_;
   const SetOptions& options_;
-  const ContactVisitor& visit_;
+  const SegmentsVisitor& visit_;
   Cost& cost_;
   Point2 point_{};
   std::vector<Member> row_;      // as given

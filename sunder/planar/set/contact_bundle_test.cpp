@@ -79,7 +79,7 @@ TEST(ContactBundleTest, GivesThePairsThatCount) {
         ++kinds[kind];
       }
     }
-    const ContactVisitor visit = [&](const SegmentsContact& contact) {
+    const SegmentsVisitor visit = [&](const SegmentsContact& contact) {
       given.push_back(contact);
       return true;
     };
@@ -109,7 +109,7 @@ TEST(ContactBundleTest, GivesThePairsThatCount) {
     std::sort(truth.begin(), truth.end());
     ASSERT_EQ(given, truth) << turn;
     if (truth.empty()) continue;
-    const ContactVisitor stop = [](const SegmentsContact&) { return false; };
+    const SegmentsVisitor stop = [](const SegmentsContact&) { return false; };
     ContactBundle stopped(segments, options, stop, cost);
     begin_before(stopped, made);
     stopped.set(made.row, made.begins, made.points, &origin);
@@ -138,7 +138,7 @@ TEST(ContactBundleTest, PairsThatDoNotCountAreFree) {
   }
   const auto probes = [&](const std::vector<Segment>& given, const SetOptions& options, bool begin) {
     const Segments segments(given);
-    const ContactVisitor none = [](const SegmentsContact&) {
+    const SegmentsVisitor none = [](const SegmentsContact&) {
       ADD_FAILURE();
       return false;
     };

@@ -1,6 +1,6 @@
 #include <sunder/base/random.h>
 #include <sunder/near/contacts_in_order.h>
-#include <sunder/planar/set/circles_all.h>
+#include <sunder/planar/set/discs_all.h>
 #include <sunder/planar/set/segments_all.h>
 
 #include <gtest/gtest.h>
@@ -23,14 +23,14 @@ Segments some_segments(std::uint32_t count, double length, std::uint64_t seed) {
   return Segments(segments);
 }
 
-Circles some_circles(std::uint32_t count, double radius, std::uint64_t seed) {
+Discs some_circles(std::uint32_t count, double radius, std::uint64_t seed) {
   Random random(seed);
-  std::vector<Circle> circles;
+  std::vector<Disc> circles;
   for (std::uint32_t i = 0; i < count; ++i) {
     const Point2 center{random.unit(), random.unit()};
     circles.push_back({center, radius * random.unit()});
   }
-  return Circles(circles);
+  return Discs(circles);
 }
 
 std::vector<SegmentsContact> all_in_order(const Segments& segments) {
@@ -48,7 +48,7 @@ Contacts contacts_of(const Segments& segments, std::size_t most, Asked& asked) {
   return Contacts(segments.size(), most, [&](const Block& block, const Contacts::Take& take) {
     std::size_t count = 0;
     asked.blocks.push_back(block);
-    visit_contacts_of_block(segments, {}, block, visit_contacts, [&](const SegmentsContact& c) {
+    segments_visit_block(segments, {}, block, segments_visit, [&](const SegmentsContact& c) {
       EXPECT_TRUE(block.holds(c.i));
       ++count;
       take(c);
@@ -140,7 +140,7 @@ std::vector<Contact> in_order(const Visit& visit) {
 TEST(ContactsInOrder, NarrowAndWideBlocks) {
   constexpr std::uint32_t size = 9000;
   const Segments segments = some_segments(size, 0.02, 3);
-  const Circles circles = some_circles(size, 0.01, 4);
+  const Discs circles = some_circles(size, 0.01, 4);
   std::vector<std::uint32_t> groups;
   for (std::uint32_t i = 0; i < size; ++i) groups.push_back(i % 7);
   int narrow = 0, wide = 0;
@@ -148,23 +148,22 @@ TEST(ContactsInOrder, NarrowAndWideBlocks) {
                             Block{500, 8500}, Block{0, size}}) {
     ++(is_narrow(block, size) ? narrow : wide);
     const SetOptions of_segments{Allowed::shared_endpoint, groups};
-    const auto found = in_order<SegmentsContact>([&](const ContactVisitor& visit) {
-      visit_contacts_of_block(segments, of_segments, block, visit_contacts_by_grid, visit);
+    const auto found = in_order<SegmentsContact>([&](const SegmentsVisitor& visit) {
+      segments_visit_block(segments, of_segments, block, segments_all_by_grid, visit);
     });
     auto expected = in_order<SegmentsContact>(
-        [&](const ContactVisitor& visit) { visit_contacts_by_grid(segments, of_segments, visit); });
+        [&](const SegmentsVisitor& visit) { segments_all_by_grid(segments, of_segments, visit); });
     EXPECT_GT(expected.size(), 100u);
     std::erase_if(expected, [&](const SegmentsContact& c) { return !block.holds(c.i); });
     EXPECT_EQ(found, expected);
 
     const SetOptions of_circles{Allowed::touch, groups};
-    const auto found_discs = in_order<CirclesContact>([&](const CirclesContactVisitor& visit) {
-      visit_circle_contacts_of_block(circles, of_circles, block, visit_circle_contacts_by_grid, visit);
-    });
-    auto expected_discs = in_order<CirclesContact>(
-        [&](const CirclesContactVisitor& visit) { visit_circle_contacts_by_grid(circles, of_circles, visit); });
+    const auto found_discs = in_order<DiscsContact>(
+        [&](const DiscsVisitor& visit) { discs_visit_block(circles, of_circles, block, discs_all_by_grid, visit); });
+    auto expected_discs =
+        in_order<DiscsContact>([&](const DiscsVisitor& visit) { discs_all_by_grid(circles, of_circles, visit); });
     EXPECT_GT(expected_discs.size(), 100u);
-    std::erase_if(expected_discs, [&](const CirclesContact& c) { return !block.holds(c.i); });
+    std::erase_if(expected_discs, [&](const DiscsContact& c) { return !block.holds(c.i); });
     EXPECT_EQ(found_discs, expected_discs);
   }
   EXPECT_EQ(narrow, 4);

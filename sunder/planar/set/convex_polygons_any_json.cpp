@@ -109,7 +109,7 @@ SweepEvents events_of(std::span<const ConvexPolygon> polygons) {
       edges.push_back({polygon[k], polygon[k + 1 == polygon.size() ? 0 : k + 1]});
     }
   }
-  return *sweep_events(Segments(edges), std::numeric_limits<std::size_t>::max());
+  return *sweep_events(Segments(std::move(edges)), std::numeric_limits<std::size_t>::max());
 }
 
 }  // namespace

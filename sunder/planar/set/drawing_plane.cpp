@@ -66,7 +66,7 @@ DrawingAnswer drawing_plane(std::span<const Point2> vertices, std::span<const Dr
     alone.push_back(v);
     segments.push_back(points[v]);
   }
-  const SegmentsAnswer found = segments_any(Segments(segments), {Allowed::shared_endpoint});
+  const SegmentsAnswer found = segments_any(Segments(std::move(segments)), {Allowed::shared_endpoint});
   answer.cost.probes += found.cost.probes;
   if (!found.meet()) return answer;
   const auto [i, j, kind] = *found.found;

@@ -1,4 +1,5 @@
 // Is a straight-line drawing of a graph plane: do its edges meet at common vertices only?
+// Also called: plane straight-line graph (PSLG) test.
 //
 //   P1. plane() is true iff no two vertices have one place, no vertex lies on an edge that it is not an end of, and no
 //       two edges meet but in a common vertex.

@@ -78,7 +78,7 @@ std::optional<bool> take_contacts_of(std::span<const std::uint32_t> some, const 
   std::vector<Segment> chosen;
   chosen.reserve(some.size());
   for (const std::uint32_t e : some) chosen.push_back(edges.edges()[e]);
-  return take_by_grid(Segments(chosen), [&](std::uint32_t k) { return some[k]; }, wanted, taker);
+  return take_by_grid(Segments(std::move(chosen)), [&](std::uint32_t k) { return some[k]; }, wanted, taker);
 }
 
 }  // namespace sunder::planar

@@ -1,4 +1,5 @@
 // Do any two of N closed intervals on a line meet?
+// Also called: interval overlap detection.
 //
 //   P1. meet() is true iff some two have a contact whose kind counts: shared_endpoint (one common point, an end of
 //       both), touch (an interval of length zero inside of another), overlap (a common part of positive length).

@@ -22,7 +22,7 @@ Segments all_edges(const std::vector<const Polygon*>& polygons) {
       edges.push_back({v[last], v[begin]});
     }
   }
-  return Segments(edges);
+  return Segments(std::move(edges));
 }
 
 }  // namespace

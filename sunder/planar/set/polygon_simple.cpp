@@ -30,7 +30,7 @@ Segments edges_of(const Polygon& polygon) {
   std::vector<Segment> edges;
   edges.reserve(polygon.size());
   for (std::uint32_t k = 0; k < polygon.size(); ++k) edges.push_back(polygon.edge(k));
-  return Segments(edges);
+  return Segments(std::move(edges));
 }
 
 // A vertex is the end of two edges. Where three ends come together, two vertices are equal.

@@ -1,4 +1,5 @@
 // Is a polygon simple: do no two of its edges meet but where one follows the other?
+// Also called: simplicity test; self-intersection test.
 //
 // Edges that follow each other in a ring share an end, which does not count; any other contact does: a crossing, a
 // touch, an overlap (also of edges that follow each other: a spike), an end shared by edges that do not follow each

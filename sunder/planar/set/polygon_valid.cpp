@@ -147,7 +147,7 @@ class Check {
   void look_at_edges() {
     std::vector<Segment> all;
     for (std::uint32_t k = 0; k < rings_.size(); ++k) all.push_back(rings_.edge(k));
-    edges_ = Segments(all);
+    edges_ = Segments(std::move(all));
     const SegmentsAnswer any = segments_any(edges_, {Allowed::touch});
     answer_.cost.probes += any.cost.probes;
     if (!any.meet()) return;
@@ -158,7 +158,7 @@ class Check {
       answer_.defects.push_back(defect_of(*any.found));
       return;
     } else {
-      answer_.cost.probes += visit_contacts(edges_, {Allowed::touch}, [&](const SegmentsContact& c) {
+      answer_.cost.probes += segments_visit(edges_, {Allowed::touch}, [&](const SegmentsContact& c) {
                                answer_.defects.push_back(defect_of(c));
                                leave_out(rings_.ring_of(c.i), rings_.ring_of(c.j));
                                return !full();
@@ -173,7 +173,7 @@ class Check {
         edges_.size(), most_held(edges_.size()), [this](const Block& block, const auto& take) {
           const bool is_first = contacts_ == nullptr;
           const Cost cost =
-              visit_contacts_of_block(edges_, {Allowed::touch}, block, visit_contacts, [&](const SegmentsContact& c) {
+              segments_visit_block(edges_, {Allowed::touch}, block, segments_visit, [&](const SegmentsContact& c) {
                 if (is_first) leave_out(rings_of_edges_.ring_of(c.i), rings_of_edges_.ring_of(c.j));
                 take(c);
                 return true;
@@ -384,7 +384,7 @@ class Check {
   const ValidOptions& options_;
   bool is_visited_ = false;
   PolygonDefects answer_;
-  Segments edges_{std::span<const Segment>()};                  // of the rings that are not too short
+  Segments edges_{{}};                                          // of the rings that are not too short
   RingSet rings_of_edges_;                                      // those, where edges cross or overlap
   std::unique_ptr<ContactsInOrder<SegmentsContact>> contacts_;  // that are defects; null: they are in answer_
   std::vector<bool> keep_;                                      // of each ring

@@ -1,4 +1,5 @@
 // Is a polygon with holes, or a multipolygon, valid? What is wrong with it, and where?
+// Also called: validity as of OGC; isValid, ST_IsValid.
 //
 // Valid as by OGC 06-103r4 (Simple Features), as isValid of JTS and GEOS, decided exactly:
 //   - each ring has three different vertices at least, and its edges meet but where one follows the other nowhere;
@@ -97,7 +98,7 @@ struct ValidOptions {
 using PolygonRings = std::vector<std::vector<Point2>>;
 
 // The front doors: of the parts of a multipolygon, or of one polygon. Where `most` is 1 or nothing crosses or overlaps:
-// O(n log n) comparisons and O(n) memory for n edges; else also the cost of visit_contacts.
+// O(n log n) comparisons and O(n) memory for n edges; else also the cost of segments_visit.
 // Throws Error bad_value where a coordinate is not finite, bad_shape for 2^31 vertices and more.
 PolygonDefects polygon_defects(std::span<const PolygonRings> parts, const ValidOptions& options = {});
 PolygonDefects polygon_defects(std::span<const Polygon> parts, const ValidOptions& options = {});

@@ -193,7 +193,7 @@ std::vector<std::uint32_t> edges_at(const Numbered& all, std::uint32_t ring, con
 // ---- Rings that close a circle.
 
 // Rings and points, each the neighbour of the next, the last of the first.
-struct Circle {
+struct Disc {
   std::vector<std::uint32_t> rings;
   std::vector<Point2> points;
 };
@@ -204,7 +204,7 @@ class Touches {
   explicit Touches(std::uint32_t rings) : rings_(rings), joined_(rings) {}
 
   // The way between a ring and a point that were joined before; else joins them.
-  std::optional<Circle> join(std::uint32_t ring, const Point2& p) {
+  std::optional<Disc> join(std::uint32_t ring, const Point2& p) {
     const auto [found, is_new] = number_.try_emplace({p.x, p.y}, static_cast<std::uint32_t>(joined_.size()));
     const std::uint32_t point = found->second;
     if (is_new) {
@@ -213,14 +213,14 @@ class Touches {
     }
     const std::vector<std::uint32_t>& known = joined_[ring];
     if (std::find(known.begin(), known.end(), point) != known.end()) return std::nullopt;
-    std::optional<Circle> circle = way(ring, point);
+    std::optional<Disc> circle = way(ring, point);
     joined_[ring].push_back(point);
     joined_[point].push_back(ring);
     return circle;
   }
 
  private:
-  std::optional<Circle> way(std::uint32_t ring, std::uint32_t point) const {
+  std::optional<Disc> way(std::uint32_t ring, std::uint32_t point) const {
     std::vector<std::uint32_t> from(joined_.size(), none), next{point};
     from[point] = point;
     for (std::size_t k = 0; k < next.size() && from[ring] == none; ++k) {
@@ -231,7 +231,7 @@ class Touches {
       }
     }
     if (from[ring] == none) return std::nullopt;
-    Circle circle;
+    Disc circle;
     for (std::uint32_t at = ring;; at = from[at]) {
       if (at < rings_) {
         circle.rings.push_back(at);
@@ -250,7 +250,7 @@ class Touches {
 };
 
 // Of one part; of crossings nothing is looked at.
-std::optional<Circle> circle_in(const Numbered& all, std::uint32_t part) {
+std::optional<Disc> circle_in(const Numbered& all, std::uint32_t part) {
   std::vector<Segment> edges;
   std::vector<std::uint32_t> ring_of;
   for (std::size_t e = 0; e < all.edges.size(); ++e) {
@@ -259,11 +259,11 @@ std::optional<Circle> circle_in(const Numbered& all, std::uint32_t part) {
     ring_of.push_back(all.ring_of[e]);
   }
   Touches touches(static_cast<std::uint32_t>(all.part.size()));
-  std::optional<Circle> circle;
+  std::optional<Disc> circle;
   SetOptions options;
   options.groups = ring_of;
   const Segments segments(edges);
-  visit_contacts(segments, options, [&](const SegmentsContact& c) {
+  segments_visit(segments, options, [&](const SegmentsContact& c) {
     if (c.kind == ContactKind::crossing) return true;
     const Segment &s = segments[c.i], &t = segments[c.j];
     const auto holds = [](const Segment& e, const Point2& p) {
@@ -279,7 +279,7 @@ std::optional<Circle> circle_in(const Numbered& all, std::uint32_t part) {
 
 bool write_circle(ClaimsWriter& file, const Numbered& all, std::uint32_t first_part, PolygonRule rule,
                   std::uint32_t part) {
-  const std::optional<Circle> circle = circle_in(all, part);
+  const std::optional<Disc> circle = circle_in(all, part);
   if (!circle) return false;
   begin(file, all.first_ring.size(), first_part, rule, "circle");
   file.indices("rings", circle->rings);

@@ -1,6 +1,7 @@
 // Which pairs of N polygons with holes meet, and how? (What polygons are: polygons_any.h.)
 //
 //   P1. Each pair that has a contact that counts, and whose polygons are not of one group, is given once.
+// Also called: polygon intersection reporting; spatial join.
 //   P2. The pairs given, and whether they touch or overlap, do not depend on the method. Of a touching pair, kind is
 //       the greatest there is: shared_endpoint iff all common points are vertices of both; overlap iff they have a
 //       common border. Which edges show it may differ.

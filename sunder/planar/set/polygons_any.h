@@ -1,4 +1,5 @@
 // Do any two of N polygons with holes meet: touch, overlap, or lie one inside the other?
+// Also called: polygon intersection detection; the predicates intersects, touches, overlaps, contains.
 //
 // A polygon is the closed region that an odd number of its rings encloses (the even-odd rule): what is inside of the
 // outer ring and not in a hole, or on an island in a hole, with its boundary. Required of each: its rings neither

@@ -6,21 +6,21 @@
 
 namespace sunder::planar {
 
-Cost visit_contacts(const Segments& segments, const SetOptions& options, const ContactVisitor& visit) {
-  return visit_contacts_by_grid(segments, options, visit);
+Cost segments_visit(const Segments& segments, const SetOptions& options, const SegmentsVisitor& visit) {
+  return segments_all_by_grid(segments, options, visit);
 }
 
-Cost visit_contacts_of_block(const Segments& segments, const SetOptions& options, const Block& block, ContactMethod* by,
-                             const ContactVisitor& visit) {
+Cost segments_visit_block(const Segments& segments, const SetOptions& options, const Block& block, SegmentsMethod* by,
+                          const SegmentsVisitor& visit) {
   return visit_of_block(segments, std::mem_fn(&Segments::all), options, block, by, visit);
 }
 
 namespace {
 
-Cost visit_all(const Segments& segments, const SetOptions& options, const ContactVisitor& visit,
+Cost visit_all(const Segments& segments, const SetOptions& options, const SegmentsVisitor& visit,
                SweepEvents& transcript) {
-  return options.transcript ? visit_contacts_with_transcript(segments, options, visit, transcript)
-                            : visit_contacts(segments, options, visit);
+  return options.transcript ? segments_visit_with_transcript(segments, options, visit, transcript)
+                            : segments_visit(segments, options, visit);
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ Cost visit_all(const Segments& segments, const SetOptions& options, const Contac
 SegmentsAllAnswer segments_all(const Segments& segments, const SetOptions& options) {
   SegmentsAllAnswer answer;
   static_cast<AllAnswer<SegmentsContact>&>(answer) = all_of<SegmentsContact>(
-      [&](const ContactVisitor& visit) { return visit_all(segments, options, visit, answer.transcript); });
+      [&](const SegmentsVisitor& visit) { return visit_all(segments, options, visit, answer.transcript); });
   if (options.transcript) std::sort(answer.contacts.begin(), answer.contacts.end());
   return answer;
 }
@@ -36,7 +36,7 @@ SegmentsAllAnswer segments_all(const Segments& segments, const SetOptions& optio
 SegmentsCountAnswer segments_count(const Segments& segments, const SetOptions& options) {
   SegmentsCountAnswer answer;
   static_cast<CountAnswer&>(answer) = count_of<SegmentsContact>(
-      [&](const ContactVisitor& visit) { return visit_all(segments, options, visit, answer.transcript); });
+      [&](const SegmentsVisitor& visit) { return visit_all(segments, options, visit, answer.transcript); });
   return answer;
 }
 

@@ -1,4 +1,5 @@
 // Which pairs of N closed segments meet, and how many are they?
+// Also called: segment intersection reporting and counting; spatial self-join.
 //
 //   P1. Each pair that has a contact whose kind counts, and whose segments are not of one group, is given once.
 //   P2. The pairs given and their kinds do not depend on the method; their order does.
@@ -34,28 +35,28 @@ SegmentsCountAnswer segments_count(const Segments& segments, const SetOptions& o
 
 // Calls for each contact, in the order of the method, until the visitor returns false. `transcript` of the options is
 // not looked at.
-using ContactVisitor = std::function<bool(const SegmentsContact&)>;
-using ContactMethod = Cost(const Segments& segments, const SetOptions& options, const ContactVisitor& visit);
+using SegmentsVisitor = std::function<bool(const SegmentsContact&)>;
+using SegmentsMethod = Cost(const Segments& segments, const SetOptions& options, const SegmentsVisitor& visit);
 
-ContactMethod visit_contacts;  // the front door
+SegmentsMethod segments_visit;  // the front door
 
 // Those whose i the block holds, for ContactsInOrder: of all segments by the method, of a narrow block by boxes of its
 // members, else those of the method that the block holds.
-Cost visit_contacts_of_block(const Segments& segments, const SetOptions& options, const Block& block, ContactMethod* by,
-                             const ContactVisitor& visit);
+Cost segments_visit_block(const Segments& segments, const SetOptions& options, const Block& block, SegmentsMethod* by,
+                          const SegmentsVisitor& visit);
 
 // A grid over the segments' boxes; where it does not pay, or many crowd in a cell, by a sweep.
-ContactMethod visit_contacts_by_grid;
+SegmentsMethod segments_all_by_grid;
 
 // By Balaban where a sample of pairs tells that k is much larger than N, else by Bentley and Ottmann.
-ContactMethod visit_contacts_by_sweep;
+SegmentsMethod segments_all_by_sweep;
 
 // The sweep of Bentley and Ottmann: contacts in lexicographic order of their (first) common point.
 // O((N + k) log N) comparisons; O(N + k) memory.
-ContactMethod visit_contacts_by_bentley_ottmann;
+SegmentsMethod segments_all_by_bentley_ottmann;
 
 // The same, with its transcript.
-Cost visit_contacts_with_transcript(const Segments& segments, const SetOptions& options, const ContactVisitor& visit,
+Cost segments_visit_with_transcript(const Segments& segments, const SetOptions& options, const SegmentsVisitor& visit,
                                     SweepEvents& transcript);
 
 // The events alone: they tell all contacts. nullopt where they would have more than `most` entries. Cost: as above, k
@@ -63,9 +64,9 @@ Cost visit_contacts_with_transcript(const Segments& segments, const SetOptions& 
 std::optional<SweepEvents> sweep_events(const Segments& segments, std::size_t most);
 
 // Balaban's staircases: contacts in no particular order. O(N log N + k) comparisons; O(N) memory.
-ContactMethod visit_contacts_by_balaban;
+SegmentsMethod segments_all_by_balaban;
 
 // Every pair: the oracle, by i, then j. O(N^2) time.
-ContactMethod visit_contacts_by_scan;
+SegmentsMethod segments_all_by_scan;
 
 }  // namespace sunder::planar

@@ -14,8 +14,8 @@
 namespace sunder::planar {
 namespace {
 
-constexpr std::array methods{&visit_contacts_by_scan, &visit_contacts_by_bentley_ottmann, &visit_contacts_by_grid,
-                             &visit_contacts};
+constexpr std::array methods{&segments_all_by_scan, &segments_all_by_bentley_ottmann, &segments_all_by_grid,
+                             &segments_visit};
 
 using Kinds = std::map<ContactKind, std::size_t>;
 
@@ -232,10 +232,10 @@ TEST(SegmentsAllTest, ProgressIsTold) {
     for (const double part : told) EXPECT_TRUE(0 <= part && part <= 1);
     told.clear();
   };
-  const ContactVisitor go_on = [](const SegmentsContact&) { return true; };
-  visit_contacts_by_bentley_ottmann(edges, options, go_on);
+  const SegmentsVisitor go_on = [](const SegmentsContact&) { return true; };
+  segments_all_by_bentley_ottmann(edges, options, go_on);
   check(2);
-  visit_contacts_by_grid(edges, options, go_on);
+  segments_all_by_grid(edges, options, go_on);
   check(1);
   EXPECT_FALSE(segments_any_by_grid(edges, options).meet());
   check(1);
@@ -252,14 +252,14 @@ TEST(SegmentsAllTest, Comparisons) {
   const auto sweep = [](const std::vector<Segment>& given) {
     return segments_any_by_sweep(Segments(given)).cost.probes;
   };
-  const auto all = [](ContactMethod& method, const std::vector<Segment>& given) {
+  const auto all = [](SegmentsMethod& method, const std::vector<Segment>& given) {
     return method(Segments(given), {}, [](const SegmentsContact&) { return true; }).probes;
   };
   // Where it enters; whether they will meet, which ends the matter, or else what they do.
   EXPECT_EQ(sweep(parallel), 2u);
   EXPECT_EQ(sweep(cross), 3u);
-  EXPECT_EQ(all(visit_contacts_by_bentley_ottmann, parallel), 2u);
-  EXPECT_EQ(all(visit_contacts_by_bentley_ottmann, cross), 3u);
+  EXPECT_EQ(all(segments_all_by_bentley_ottmann, parallel), 2u);
+  EXPECT_EQ(all(segments_all_by_bentley_ottmann, cross), 3u);
   // The third one enters between two, with the one above a contact: nothing more.
   EXPECT_EQ(sweep(across_both), 2u + 2u + 1u + 2u);
   // The second one stands beside the first, above or below: nothing is searched, nothing left to look at.
@@ -267,8 +267,8 @@ TEST(SegmentsAllTest, Comparisons) {
     const Segments corner(std::vector<Segment>{{{0, 0}, {3, 0}}, {{0, 0}, {2, y}}});
     EXPECT_EQ(segments_any_by_sweep(corner, {Allowed::shared_endpoint}).cost.probes, 1u);
   }
-  EXPECT_EQ(all(visit_contacts_by_scan, across_both), 3u);
-  EXPECT_EQ(all(visit_contacts_by_grid, across_both), 3u + 1u);  // boxes, of which two meet
+  EXPECT_EQ(all(segments_all_by_scan, across_both), 3u);
+  EXPECT_EQ(all(segments_all_by_grid, across_both), 3u + 1u);  // boxes, of which two meet
 }
 
 // Complexity: (N + k) (log2 N + 3) comparisons, whatever the kinds of contacts are.
@@ -298,7 +298,7 @@ TEST(SegmentsAllTest, ComparisonsGrowAsNAndContactsTimesLogN) {
     for (const auto& [name, given] : families) {
       const Segments segments(given);
       std::size_t contacts = 0;
-      const Cost cost = visit_contacts_by_bentley_ottmann(segments, {}, [&](const SegmentsContact&) {
+      const Cost cost = segments_all_by_bentley_ottmann(segments, {}, [&](const SegmentsContact&) {
         ++contacts;
         return true;
       });
@@ -335,7 +335,7 @@ TEST(SegmentsAllTest, OverlapsAreNotComparedAgainAtEachEnd) {
     for (const auto& given : {stairs, across}) {
       const Segments segments(given);
       const double size = n, contacts = static_cast<double>(segments_count(segments).count);
-      for (const auto& method : {&visit_contacts_by_bentley_ottmann, &visit_contacts}) {
+      for (const auto& method : {&segments_all_by_bentley_ottmann, &segments_visit}) {
         const Cost cost = method(segments, {}, [](const SegmentsContact&) { return true; });
         EXPECT_LE(static_cast<double>(cost.probes), 1.5 * (size + contacts) * (std::log2(size) + 3)) << n;
       }
@@ -358,7 +358,7 @@ TEST(SegmentsAllTest, CrowdsThatShareSegments) {
   }
   const Segments segments(given);
   std::size_t contacts = 0;
-  const Cost cost = visit_contacts_by_grid(segments, {}, [&](const SegmentsContact&) { return ++contacts != 0; });
+  const Cost cost = segments_all_by_grid(segments, {}, [&](const SegmentsContact&) { return ++contacts != 0; });
   const double size = segments.size();
   EXPECT_LE(static_cast<double>(cost.probes), 1.5 * (size + static_cast<double>(contacts)) * (std::log2(size) + 3));
 }

@@ -1,4 +1,5 @@
 // Do any two of N closed segments meet?
+// Also called: segment intersection detection.
 //
 // The answer is exactly right for the doubles given, whatever the position: vertical, horizontal, collinear,
 // overlapping, zero-length, repeated segments, many through one point. It comes with its evidence: two segments that
@@ -29,14 +30,16 @@ struct [[nodiscard]] SegmentsAnswer : AnyAnswer<SegmentsContact> {  // probes: p
   SweepEvents transcript;                                           // empty unless asked for, and where some meet
 };
 
-inline ContactKind contact_kind(const Segment& s, const Segment& t) { return segment_segment(s, t); }
+inline ContactKind contact_kind(const Segments& segments, std::uint32_t i, std::uint32_t j) {
+  return segment_segment(segments[i], segments[j]);
+}
 
 // The front door: the fastest method measured.
 SegmentsAnswer segments_any(const Segments& segments, const SetOptions& options = {});
 
 // Algorithm 1: a line sweeps over the plane; segments are tested when they become neighbours on it.
 // Cost: O(N log N) comparisons; O(N) memory. Where there are groups, whose members may cross: by Bentley and Ottmann
-// with a transcript, else as visit_contacts_by_sweep (segments_all.h) up to the first contact that counts.
+// with a transcript, else as segments_all_by_sweep (segments_all.h) up to the first contact that counts.
 SegmentsAnswer segments_any_by_sweep(const Segments& segments, const SetOptions& options = {});
 
 // The same where the order of the ends (as by ends_in_order) is known. Requires that there are no groups.

@@ -4,7 +4,7 @@ namespace sunder::planar {
 
 SegmentsAnswer segments_any_by_scan(const Segments& segments, const SetOptions& options) {
   return {first_of<SegmentsContact>(
-              [&](const ContactVisitor& visit) { return visit_contacts_by_scan(segments, options, visit); }),
+              [&](const SegmentsVisitor& visit) { return segments_all_by_scan(segments, options, visit); }),
           {}};
 }
 

@@ -150,7 +150,7 @@ SegmentsAnswer segments_any_by_sweep(const Segments& segments, const SetOptions&
   if (options.transcript) return segments_any_by_bentley_ottmann(segments, options);
   if (!options.groups.empty()) {  // members of one may cross, many times: up to the first contact that counts
     return {first_of<SegmentsContact>(
-                [&](const ContactVisitor& visit) { return visit_contacts_by_sweep(segments, options, visit); }),
+                [&](const SegmentsVisitor& visit) { return segments_all_by_sweep(segments, options, visit); }),
             {}};
   }
   return segments_any_by_sweep_over(segments, ends_in_order(segments.all()), options);

@@ -1,4 +1,5 @@
 // The crossings that lie ahead of a sweep: those of segments that were neighbours on its line.
+// Also called: event queue of a sweep line.
 #pragma once
 
 #include <sunder/base/contract.h>

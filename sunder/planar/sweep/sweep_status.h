@@ -1,4 +1,5 @@
 // The segments that a sweep line cuts, from below to above: an ordered list as a B+ tree.
+// Also called: sweep-line status structure.
 //
 // Leaves hold numbers of items in order, inner nodes the keys that part their children: copies, so that a search reads
 // a few neighbouring cache lines a level. Whoever inserts knows the order: the list never compares by itself.

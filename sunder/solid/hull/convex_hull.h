@@ -1,4 +1,5 @@
 // The convex hull of any finite set of points of space, exactly, flat and degenerate sets too.
+// Also called: convex hull in three dimensions; quickhull.
 #pragma once
 
 #include <sunder/predicate/point.h>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace sunder::solid {
 
@@ -77,7 +78,7 @@ ConvexPolyhedron::ConvexPolyhedron(std::span<const Point3> points) {
   }
   data->facet_begin = hull.facet_begin;
   for (const std::uint32_t v : hull.facet_vertices) data->facet_vertices.push_back(place[v]);
-  data->graph = make_search_graph(vertices, begin, neighbours);
+  data->graph = make_search_graph(std::move(vertices), std::move(begin), std::move(neighbours));
   data_ = std::move(data);
 }
 

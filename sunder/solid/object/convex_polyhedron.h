@@ -11,7 +11,7 @@
 
 namespace sunder::solid {
 
-struct SearchGraph;  // what the searches of solid/pair walk on; see solid/object/search_graph.h
+struct SearchGraph;  // what the searches of solid/pair walk on; see solid/represent/search_graph.h
 
 // Immutable, and cheap to copy (copies share one block of memory); any number of threads may use one at once.
 //

@@ -1,4 +1,5 @@
 // The vertex of a placed convex polyhedron that is furthest along a direction, exactly.
+// Also called: support point, support mapping; hill climbing.
 #pragma once
 
 #include <sunder/base/cost.h>

@@ -1,4 +1,5 @@
 // Do two placed convex polyhedra meet?
+// Also called: collision detection; narrow phase; convex polyhedron intersection test.
 //
 // The objects are closed: touching is meeting. The answer is exactly right for the doubles given, and comes with its
 // certificate.

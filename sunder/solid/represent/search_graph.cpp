@@ -82,12 +82,13 @@ void fill_all(SearchGraph& graph) {
 
 }  // namespace
 
-SearchGraph make_search_graph(std::span<const Point3> vertices, std::span<const std::uint32_t> neighbour_begin,
-                              std::span<const std::uint32_t> neighbours) {
+SearchGraph make_search_graph(std::vector<Point3> given, std::vector<std::uint32_t> neighbour_begin,
+                              std::vector<std::uint32_t> neighbours) {
   SearchGraph graph;
-  graph.vertices.assign(vertices.begin(), vertices.end());
-  graph.begin.assign(neighbour_begin.begin(), neighbour_begin.end());
-  graph.neighbours.assign(neighbours.begin(), neighbours.end());
+  graph.vertices = std::move(given);
+  graph.begin = std::move(neighbour_begin);
+  graph.neighbours = std::move(neighbours);
+  const std::span<const Point3> vertices = graph.vertices;
   fill_blocks(graph);
   graph.sizes = size_range(vertices);
   graph.low = graph.high = vertices[0];

@@ -85,7 +85,8 @@ struct SearchGraph {
 };
 
 // Throws Error bad_shape where the blocks have 2^32 words or more: about 10^8 vertices.
-SearchGraph make_search_graph(std::span<const Point3> vertices, std::span<const std::uint32_t> neighbour_begin,
-                              std::span<const std::uint32_t> neighbours);
+// Neighbours: as in SearchGraph.
+SearchGraph make_search_graph(std::vector<Point3> vertices, std::vector<std::uint32_t> neighbour_begin,
+                              std::vector<std::uint32_t> neighbours);
 
 }  // namespace sunder::solid

@@ -1,0 +1,183 @@
+#include <sunder/planar/pair/line_search.h>
+#include <sunder/planar/pair/minkowski_difference_search.h>
+#include <sunder/planar/pair/polygon_polygon_intersection.h>
+#include <sunder/predicate/stages.h>
+
+#include <utility>
+
+namespace sunder::planar {
+
+namespace {
+
+// A piece of edge `edge` of P that is in Q.
+struct Piece {
+  std::uint32_t edge;
+  PolygonCut cut;
+};
+
+// P is the one whose edges are cut, Q the one that cuts. All features are positions.
+template <class P, class Q>
+class Cutter {
+ public:
+  Cutter(const P& p, const Q& q, bool p_is_a, CommonPart& out, StageTally& tally)
+      : p_(p), q_(q), p_is_a_(p_is_a), out_(out), tally_(tally) {}
+
+  // Where the interiors meet. Requires three vertices of each at least. No corner is straight: where edges overlap,
+  // both polygons are on their left, so that an end of one inside the other is a corner of the common part.
+  void overlapping() {
+    std::vector<Piece> pieces;
+    for (std::uint32_t i = 0; i < p_.size(); ++i) {
+      const PolygonCut cut = cut_of(i);
+      if (cut.kind == CutKind::along || cut.kind == CutKind::across) pieces.push_back({i, cut});
+    }
+    if (pieces.empty()) {  // Q is inside P
+      for (std::uint32_t k = 0; k < q_.size(); ++k) add_vertex_of_q(k);
+      return;
+    }
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      const Piece &piece = pieces[k], &next = pieces[k + 1 == pieces.size() ? 0 : k + 1];
+      add(piece, piece.cut.first);
+      const CutEnd &leaves = piece.cut.last, &enters = next.cut.first;
+      const bool goes_on = leaves.own == OwnEnd::b && enters.own == OwnEnd::a &&  //
+                           next.edge == position(p_, piece.edge + 1);
+      if (goes_on || is_same(leaves, enters)) continue;
+      add(piece, leaves);
+      walk(leaves, enters);
+    }
+  }
+
+  // Where they touch only, or one is a point or a segment: what the edges of P have in common with Q, a point or one
+  // piece. Requires that all common points are on the boundary of P.
+  void thin() {
+    if (p_.size() == 1) return add_vertex_of_p(0);
+    Piece point{};
+    bool has_point = false;
+    for (std::uint32_t i = 0; i < (p_.size() == 2 ? 1 : p_.size()); ++i) {
+      const Piece piece{i, cut_of(i)};
+      if (piece.cut.kind == CutKind::along || piece.cut.kind == CutKind::across) {
+        add(piece, piece.cut.first);
+        add(piece, piece.cut.last);
+        return;
+      }
+      if (!has_point && piece.cut.kind == CutKind::point) {
+        point = piece;
+        has_point = true;
+      }
+    }
+    if (has_point) add(point, point.cut.first);
+  }
+
+ private:
+  PolygonCut cut_of(std::uint32_t i) {
+    PolygonCut cut;
+    const auto from = p_[i];
+    const auto to = vertex_at(p_, i + 1);
+    const auto furthest_left = [this](const auto& u, const auto& v, Cost& cost, StageTally& tally) {
+      return extreme_vertex_by_bisection(q_, u, v, cost, tally);
+    };
+    cut_by_line(q_, from, to, furthest_left, cut, tally_);
+    clip(q_, from, to, true, cut, tally_);
+    out_.cost.probes += cut.cost.probes;
+    return cut;
+  }
+
+  void push(CommonCorner::Kind of_p, std::uint32_t in_p, std::uint32_t in_q) {
+    CommonCorner corner{of_p, in_p, in_q};
+    if (!p_is_a_) {
+      std::swap(corner.a, corner.b);
+      if (corner.kind != CommonCorner::Kind::crossing) {
+        corner.kind = corner.kind == CommonCorner::Kind::vertex_of_a ? CommonCorner::Kind::vertex_of_b
+                                                                     : CommonCorner::Kind::vertex_of_a;
+      }
+    }
+    out_.corners.push_back(corner);
+  }
+  void add_vertex_of_p(std::uint32_t k) { push(CommonCorner::Kind::vertex_of_a, p_.number(position(p_, k)), 0); }
+  void add_vertex_of_q(std::uint32_t k) { push(CommonCorner::Kind::vertex_of_b, 0, q_.number(position(q_, k))); }
+
+  void add(const Piece& piece, const CutEnd& end) {
+    if (end.own == OwnEnd::a) return add_vertex_of_p(piece.edge);
+    if (end.own == OwnEnd::b) return add_vertex_of_p(piece.edge + 1);
+    if (end.place == Place::vertex) return add_vertex_of_q(end.feature);
+    push(CommonCorner::Kind::crossing, edge_number(p_, piece.edge), edge_number(q_, end.feature));
+  }
+
+  // One point of Q's boundary: a vertex of it. (On one edge they differ: P goes on there, or comes back further along.)
+  static bool is_same(const CutEnd& leaves, const CutEnd& enters) {
+    return leaves.place == Place::vertex && enters.place == Place::vertex && leaves.feature == enters.feature;
+  }
+
+  // The vertices of Q between: where both are on one edge, none, because P comes back further along it.
+  void walk(const CutEnd& leaves, const CutEnd& enters) {
+    const std::uint32_t m = q_.size();
+    std::uint32_t k = position(q_, leaves.feature + 1);
+    const std::uint32_t end = enters.place == Place::edge ? position(q_, enters.feature + 1) : enters.feature;
+    for (std::uint32_t steps = 0; k != end && steps < m; ++steps) {
+      add_vertex_of_q(k);
+      k = position(q_, k + 1);
+    }
+  }
+
+  const P& p_;
+  const Q& q_;
+  bool p_is_a_;
+  CommonPart& out_;
+  StageTally& tally_;
+};
+
+template <class P, class Q>
+void cut_with(const P& p, const Q& q, bool p_is_a, bool overlap, CommonPart& out, StageTally& tally) {
+  Cutter<P, Q> cutter(p, q, p_is_a, out, tally);
+  if (overlap) {
+    cutter.overlapping();
+  } else {
+    cutter.thin();
+  }
+}
+
+}  // namespace
+
+CommonPart polygon_polygon_intersection(const ConvexPolygon& a, const Pose& pose_a,  //
+                                        const ConvexPolygon& b, const Pose& pose_b) {
+  return with_placed(a, pose_a, b, pose_b, [](const auto& in_a, const auto& in_b) {
+    CommonPart out;
+    StageTally tally;
+    const Contact contact = contact_by_difference(in_a, in_b);
+    if (contact != Contact::none) {
+      const bool overlap = contact == Contact::overlapping && in_a.size() > 2 && in_b.size() > 2;
+      if (in_a.size() <= in_b.size()) {
+        cut_with(in_a, in_b, true, overlap, out, tally);
+      } else {
+        cut_with(in_b, in_a, false, overlap, out, tally);
+      }
+    }
+    out.cost.exact += tally.exact;
+    return out;
+  });
+}
+
+ExactPoint2 exact_corner(const CommonCorner& corner, const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b,
+                         const Pose& pose_b) {
+  const auto image = [](const ConvexPolygon& polygon, const Pose& pose, std::uint32_t v) {
+    return lift<ExactStage>(Posed2{polygon[v == polygon.size() ? 0 : v], &pose.affine(), false});
+  };
+  if (corner.kind == CommonCorner::Kind::vertex_of_a) {
+    const auto p = image(a, pose_a, corner.a);
+    return {p.x, p.y, Dyadic(1)};
+  }
+  if (corner.kind == CommonCorner::Kind::vertex_of_b) {
+    const auto p = image(b, pose_b, corner.b);
+    return {p.x, p.y, Dyadic(1)};
+  }
+  const auto p = image(a, pose_a, corner.a), q = image(a, pose_a, corner.a + 1);
+  const auto r = image(b, pose_b, corner.b), s = image(b, pose_b, corner.b + 1);
+  const auto u = q - p, v = s - r;
+  Dyadic denominator = cross(u, v), t = cross(r - p, v);  // p + t / denominator u
+  if (denominator.sign() == Sign::negative) {
+    denominator = -denominator;
+    t = -t;
+  }
+  return {p.x * denominator + t * u.x, p.y * denominator + t * u.y, denominator};
+}
+
+}  // namespace sunder::planar

@@ -1,0 +1,46 @@
+#include <sunder/planar/region/convex_polygon_intersection.h>
+#include <sunder/predicate/arrows.h>
+
+#include <algorithm>
+
+namespace sunder::planar {
+
+std::string_view name_of(PolygonsPartKind kind) {
+  switch (kind) {
+    case PolygonsPartKind::empty: return "empty";
+    case PolygonsPartKind::point: return "point";
+    case PolygonsPartKind::segment: return "segment";
+    case PolygonsPartKind::polygon: return "polygon";
+    case PolygonsPartKind::plane: return "plane";
+  }
+  return "";
+}
+
+LinePoint corner_point(std::span<const ConvexPolygon> polygons, const PolygonsCorner& corner) {
+  const ConvexPolygon& p = polygons[corner.a.polygon];
+  if (corner.is_vertex) return line_point(p[corner.a.number]);
+  const ConvexPolygon& q = polygons[corner.b.polygon];
+  const auto end = [](const ConvexPolygon& of, std::uint32_t k) { return of[k + 1 == of.size() ? 0 : k + 1]; };
+  return line_point(Crossing{p[corner.a.number], end(p, corner.a.number), q[corner.b.number], end(q, corner.b.number)});
+}
+
+bool is_contradiction(std::span<const ConvexPolygon> polygons, std::span<const PolygonSupport> supports) {
+  std::vector<LeftOfMoved> half_planes;
+  for (const PolygonSupport& s : supports) {
+    if (s.vertex.polygon >= polygons.size() || s.from == s.to) return false;
+    const ConvexPolygon& p = polygons[s.vertex.polygon];
+    if (s.vertex.number >= p.size()) return false;
+    const Point2& at = p[s.vertex.number];
+    for (const Point2& v : p.vertices()) {
+      if (cross_2d(s.from, s.to, at, v) == Sign::negative) return false;
+    }
+    half_planes.push_back({at, s.from, s.to});
+  }
+  return have_no_common_point(half_planes);
+}
+
+PolygonsPart convex_polygon_intersection(std::span<const ConvexPolygon> polygons) {
+  return convex_polygon_intersection_by_batches(polygons);
+}
+
+}  // namespace sunder::planar

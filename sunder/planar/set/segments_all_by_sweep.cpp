@@ -1,0 +1,78 @@
+// A sweep: which one, a sample of pairs tells.
+//
+// Balaban's passes each crossing for itself: O(N log N + k). That of Bentley and Ottmann takes log N for each place,
+// but many that cross in one point are one place; where they are of one group, none of their crossings has to be given.
+#include <sunder/base/random.h>
+#include <sunder/planar/set/segments_all.h>
+#include <sunder/predicate/crossing.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunder::planar {
+
+namespace {
+
+constexpr std::uint32_t few = 128;      // of so many, all pairs are tested faster than any order is made
+constexpr std::uint32_t many = 16;      // hits among N pairs by chance: k is about N times half of that
+constexpr std::size_t enough = 128;     // crossings within groups
+constexpr std::uint32_t no_chance = 4;  // so many of these have a point in common, and it is not by chance
+
+// Of N pairs at most, always the same ones; those that only share an end, or overlap, are no hits: these no sweep
+// passes one by one.
+struct Sample {
+  double pairs = 0, hits = 0;
+  std::vector<Enclosure2> within_groups;  // of the hits, the crossings that need not be given
+
+  Sample(const Segments& segments, Groups groups) {
+    Random random(1);
+    for (; pairs < segments.size() && (groups.empty() ? hits < many : within_groups.size() < enough); ++pairs) {
+      const std::uint32_t i = static_cast<std::uint32_t>(random.below(segments.size()));
+      const std::uint32_t j = static_cast<std::uint32_t>(random.below(segments.size()));
+      const Segment &s = segments[i], &t = segments[j];
+      const ContactKind kind = i == j ? ContactKind::none : segment_segment(s, t);
+      if (kind == ContactKind::none || kind == ContactKind::shared_endpoint || kind == ContactKind::overlap) {
+        continue;
+      }
+      ++hits;
+      if (kind == ContactKind::crossing && may_meet(groups, i, j)) {
+        within_groups.push_back(enclosure({s.a, s.b, t.a, t.b}));
+      }
+    }
+  }
+
+  // How many pairs of these have a point in common, it seems?
+  double together() const {
+    const auto meet = [](const Interval& a, const Interval& b) { return a.low <= b.high && b.low <= a.high; };
+    double count = 0;
+    for (auto p = within_groups.begin(); p != within_groups.end(); ++p) {
+      count += static_cast<double>(std::count_if(
+          within_groups.begin(), p, [&](const Enclosure2& q) { return meet(p->x, q.x) && meet(p->y, q.y); }));
+    }
+    return count;
+  }
+
+  // Does Bentley and Ottmann's sweep take less? With u crossings within groups in d points, about sqrt(2 u d) segments
+  // pass through these; of a sample of c, c^2 / (2 d) pairs have a point in common.
+  bool is_for_bentley_ottmann(double n) const {
+    if (hits < many) return true;
+    const double pairs_together = together(), c = static_cast<double>(within_groups.size());
+    if (pairs_together < no_chance) return false;
+    const double all = hits / pairs * n * n / 2, within = c / hits * all, points = c * c / (2 * pairs_together);
+    return (all - within + std::sqrt(2 * within * points)) * std::log2(n) < all;
+  }
+};
+
+}  // namespace
+
+Cost segments_all_by_sweep(const Segments& segments, const SetOptions& options, const SegmentsVisitor& visit) {
+  if (segments.size() <= few) return segments_all_by_scan(segments, options, visit);
+  const Sample sample(segments, options.groups);
+  SegmentsMethod& method =
+      sample.is_for_bentley_ottmann(segments.size()) ? segments_all_by_bentley_ottmann : segments_all_by_balaban;
+  Cost cost = method(segments, options, visit);
+  cost.probes += static_cast<std::uint64_t>(sample.pairs);
+  return cost;
+}
+
+}  // namespace sunder::planar
