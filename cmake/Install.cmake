@@ -12,6 +12,10 @@ foreach(part core io)
   endif()
 endforeach()
 
+foreach(component library program)
+  install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT ${component})
+endforeach()
+
 configure_package_config_file(cmake/sunderConfig.cmake.in ${PROJECT_BINARY_DIR}/sunderConfig.cmake
   INSTALL_DESTINATION ${SUNDER_CMAKE_DIR})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/sunderConfigVersion.cmake COMPATIBILITY SameMinorVersion)

@@ -37,7 +37,10 @@ LAYERS = {
     "io": set(CORE),
     "cli": set(CORE) | {"io", "verifier"},
     "verifier": set(),
+    "sunder": set(CORE),
 }
+
+FRONT_DOORS = {"sunder/sunder.h", "sunder/version.h"}
 
 # layer: its folders from the lowest to the highest
 ORDER = {
@@ -90,7 +93,7 @@ def place_of(path):
     """(layer, folder within the layer) of a path from the root, (None, None) outside of the layers."""
     parts = path.split("/")
     if parts[0] == "sunder":
-        layer = parts[1] if len(parts) > 2 else None
+        layer = parts[1] if len(parts) > 2 else "sunder" if path in FRONT_DOORS else None
         return layer, parts[2] if len(parts) > 3 else None
     if parts[0] in ("cli", "verifier"):
         return parts[0], None

@@ -120,7 +120,7 @@ OutputFile::OutputFile(const fs::path& path) : path_(path) {
   if (path.empty()) fail_path("(no name)", "the name of the file is empty; give one");
   if (path == "-") {
     errno = 0;
-    file_.reset(fdopen(dup(STDOUT_FILENO), "wb"));
+    if (const int copy = dup(STDOUT_FILENO); copy >= 0) file_.reset(fdopen(copy, "wb"));
     if (!file_) fail_path(path, fmt::format("standard output cannot be written ({})", reason(errno)));
     return;
   }

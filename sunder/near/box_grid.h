@@ -22,7 +22,7 @@
 
 namespace sunder {
 
-inline const Box2& box_of(const Box2& box) { return box; }
+inline Box2 box_of(const Box2& box) { return box; }
 
 // Of some boxes: the box of all, and the sums of their widths and heights.
 struct BoxExtents {

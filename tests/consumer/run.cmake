@@ -29,6 +29,7 @@ endif()
 run(${CMAKE_COMMAND} --build ${work}/build)
 run(${work}/build/touching_cubes)
 run(${work}/build/hull_of_file)
+run(${work}/build/all_front_doors)
 
 run(${CMAKE_COMMAND} -S ${consumer} -B ${work}/subfolder ${options} -DSUNDER_FROM_SOURCE=${SOURCE_DIR})
 run(${CMAKE_COMMAND} --build ${work}/subfolder --target help)

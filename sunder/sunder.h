@@ -1,0 +1,75 @@
+// All front doors of the library: objects, questions about pairs, sets and regions, scenes, and certificates.
+#pragma once
+
+// Errors, and what a query cost.
+#include <sunder/base/cost.h>
+#include <sunder/base/error.h>
+#include <sunder/version.h>
+
+// Certificates.
+#include <sunder/certificate/check.h>
+#include <sunder/certificate/claims.h>
+#include <sunder/certificate/pair_answer.h>
+#include <sunder/certificate/pair_claims.h>
+
+// The plane: objects.
+#include <sunder/planar/object/constraints.h>
+#include <sunder/planar/object/convex_polygon.h>
+#include <sunder/planar/object/discs.h>
+#include <sunder/planar/object/line.h>
+#include <sunder/planar/object/polygon.h>
+#include <sunder/planar/object/polygon_sides.h>
+#include <sunder/planar/object/pose.h>
+#include <sunder/planar/object/segments.h>
+
+// The plane: two objects.
+#include <sunder/planar/pair/disc_disc.h>
+#include <sunder/planar/pair/extreme_vertex.h>
+#include <sunder/planar/pair/polygon_half_plane.h>
+#include <sunder/planar/pair/polygon_line.h>
+#include <sunder/planar/pair/polygon_point.h>
+#include <sunder/planar/pair/polygon_polygon.h>
+#include <sunder/planar/pair/polygon_polygon_boundary.h>
+#include <sunder/planar/pair/polygon_polygon_distance.h>
+#include <sunder/planar/pair/polygon_polygon_intersection.h>
+#include <sunder/planar/pair/polygon_ray.h>
+#include <sunder/planar/pair/polygon_segment.h>
+#include <sunder/planar/pair/segment_segment.h>
+
+// The plane: sets.
+#include <sunder/planar/set/convex_polygons_any.h>
+#include <sunder/planar/set/convex_polygons_any_json.h>
+#include <sunder/planar/set/discs_all.h>
+#include <sunder/planar/set/discs_any.h>
+#include <sunder/planar/set/discs_any_json.h>
+#include <sunder/planar/set/drawing_plane.h>
+#include <sunder/planar/set/intervals_any.h>
+#include <sunder/planar/set/polygon_simple.h>
+#include <sunder/planar/set/polygon_valid.h>
+#include <sunder/planar/set/polygon_valid_json.h>
+#include <sunder/planar/set/polygons_all.h>
+#include <sunder/planar/set/polygons_any.h>
+#include <sunder/planar/set/polygons_json.h>
+#include <sunder/planar/set/segments_all.h>
+#include <sunder/planar/set/segments_any.h>
+#include <sunder/planar/set/segments_json.h>
+
+// The plane: regions.
+#include <sunder/planar/region/convex_polygon_intersection.h>
+#include <sunder/planar/region/convex_polygon_intersection_json.h>
+#include <sunder/planar/region/disc_intersection.h>
+#include <sunder/planar/region/disc_intersection_json.h>
+#include <sunder/planar/region/half_plane_intersection.h>
+#include <sunder/planar/region/half_plane_intersection_json.h>
+#include <sunder/planar/region/kernel.h>
+#include <sunder/planar/region/kernel_json.h>
+#include <sunder/planar/region/linear_program.h>
+#include <sunder/planar/region/linear_program_json.h>
+
+// Space: bodies, two of them, and scenes of many.
+#include <sunder/scene/scene.h>
+#include <sunder/solid/hull/convex_hull.h>
+#include <sunder/solid/object/convex_polyhedron.h>
+#include <sunder/solid/object/hull_json.h>
+#include <sunder/solid/object/pose.h>
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
