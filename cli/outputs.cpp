@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 4> output_options{"--certificate", "--geojson", "--svg", "--out"};
+constexpr std::array<std::string_view, 5> output_options{"--certificate", "--csv", "--geojson", "--svg", "--out"};
 constexpr std::array<std::string_view, 2> words{"--title", "--method"};
 constexpr std::string_view standard_output = "/dev/stdout";
 

@@ -21,7 +21,7 @@ struct NamedFile {
 // spelling, a symbolic or a hard link. Devices and pipes are no files. Nothing is read or written.
 void require_apart(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
-// The same for the options of a verb, after they are parsed: outputs are --certificate, --geojson, --svg and --out,
+// The same for the options of a verb, after they are parsed: outputs are --certificate, --csv, --geojson, --svg and --out,
 // and standard output where it is a file; inputs are what stands without an option, and the values of other options,
 // but for those that are words (--title).
 void require_apart(const CLI::App& verb);

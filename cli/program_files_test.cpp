@@ -53,7 +53,7 @@ TEST_F(Program, ContactsOfPolygonsOnAMap) {
   EXPECT_EQ(map["features"][0]["geometry"]["type"], "Point");
   const json& properties = map["features"][0]["properties"];
   EXPECT_EQ(properties["number"], 1);
-  EXPECT_EQ(properties["contact"], "overlapping");
+  EXPECT_EQ(properties["kind"], "overlapping");
   EXPECT_EQ(properties["i"], 0);
   EXPECT_EQ(properties["j"], 2);
   EXPECT_EQ(properties["lines"], (json{1, 3}));
@@ -197,8 +197,8 @@ TEST_F(Program, TablesOfNamedColumns) {
   const std::string file = in_folder("table.csv");
   write_text(file, "width,x1,y1,x2,y2,\"street, or way\"\n1,0,0,4,4,\"High \"\"B\"\" St, West\"\n1,0,4,4,0,Low\n");
   const json wires = report("segments " + file, 1);
-  EXPECT_EQ(wires["contacts"][0]["features"], (json{"1", "1"}));
-  EXPECT_EQ(report("segments --name 'street, or way' " + file, 1)["contacts"][0]["features"],
+  EXPECT_EQ(wires["contacts"][0]["names"], (json{"1", "1"}));
+  EXPECT_EQ(report("segments --name 'street, or way' " + file, 1)["contacts"][0]["names"],
             (json{"High \"B\" St, West", "Low"}));
   write_text(file, "r,y,x,of\n1,0,0,a\n1,0,1,b\n");
   EXPECT_EQ(report("circles " + file, 1)["contacts"][0]["names"], (json{"a", "b"}));

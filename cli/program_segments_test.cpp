@@ -11,7 +11,7 @@ TEST_F(Program, SegmentsSomeMeet) {
   EXPECT_EQ(r["answer"], "some");
   ASSERT_EQ(r["contacts"].size(), 1u);
   EXPECT_EQ(r["contacts"][0]["kind"], "crossing");
-  EXPECT_EQ(r["contacts"][0]["features"], (json{"clock", "reset"}));
+  EXPECT_EQ(r["contacts"][0]["names"], (json{"clock", "reset"}));
   EXPECT_EQ(r["contacts"][0]["lines"], (json{3, 5}));
   EXPECT_NEAR(r["contacts"][0]["point"][0], 2.0, 1e-12);
   EXPECT_NEAR(r["contacts"][0]["point"][1], 1.5, 1e-12);

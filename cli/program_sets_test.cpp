@@ -1,6 +1,8 @@
 // The verbs circles and polygons.
 #include <tests/support/program.h>
 
+#include <algorithm>
+
 namespace sunder::tests {
 
 namespace {
@@ -97,7 +99,7 @@ TEST_F(Program, DiscsOfGroups) {
   }
   EXPECT_EQ(report("circles " + pads + " --count --group name", 1)["count"], 2);
   const Run text = run("circles " + pads + " --group net");
-  EXPECT_NE(text.out.find("2 groups; those of one net may meet\n"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find(", 2 groups"), std::string::npos) << text.out;
   EXPECT_NE(text.out.find("circle b of GND, line 3: "), std::string::npos) << text.out;
   expect_bad("circles " + pads + " --group layer", "no column 'layer' to group by; there are net, name");
   const std::string proof = in_folder("proof.json");
@@ -133,7 +135,7 @@ TEST_F(Program, PolygonsOfGroups) {
   EXPECT_EQ(by_layer["contacts"][0]["parts"], (json{1, 0}));
   EXPECT_EQ(by_layer["contacts"][0]["groups"], (json{"parcels", "zones"}));
   const Run text = run("polygons " + map + " --group layer");
-  EXPECT_NE(text.out.find("2 groups; those of one layer may meet\n"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find(", 2 groups"), std::string::npos) << text.out;
   EXPECT_NE(text.out.find(" of parcels, part 1 and "), std::string::npos) << text.out;
   expect_bad("polygons " + map + " --group colour", "has no property 'colour'; give it one\n");
   expect_bad("polygons " + map + " --group ring", "rings belong to polygons");
@@ -158,6 +160,32 @@ TEST_F(Program, PolygonsOfGroups) {
   write_text(proof, top.dump());
   EXPECT_EQ(run("verify " + proof).code, 1);
   EXPECT_FALSE(python_accepts(proof));
+}
+
+// Each list is a report, a map and a table too, of the same contacts.
+TEST_F(Program, ListsAsMapsAndTables) {
+  const std::string map = in_folder("map.geojson"), table = in_folder("table.csv");
+  for (const std::string& of : {"circles " + cases + "/circles/moon.csv", "polygons " + cases + "/tracts/tracts.wkt",
+                                "segments " + cases + "/outcomes/segments.csv"}) {
+    const json contacts = report(of + " --all --geojson " + map + " --csv " + table, 1)["contacts"];
+    const json features = json::parse(read_text(map))["features"];
+    const std::string rows = read_text(table);
+    ASSERT_GT(contacts.size(), 0u) << of;
+    ASSERT_EQ(features.size(), contacts.size()) << of;
+    EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), static_cast<std::ptrdiff_t>(contacts.size()) + 1) << of;
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      json properties = features[k]["properties"];
+      EXPECT_EQ(properties["number"], k + 1);
+      properties.erase("number");
+      json contact = contacts[k];
+      contact.erase("point");
+      EXPECT_EQ(properties, contact) << of;
+    }
+    const std::string first = "\r\n" + contacts[0]["i"].dump() + "," + contacts[0]["j"].dump() + "," +
+                              contacts[0]["kind"].get<std::string>() + ",";
+    EXPECT_NE(rows.find(first), std::string::npos) << of;
+  }
+  expect_bad("circles " + cases + "/circles/moon.csv --csv " + table + " --geojson " + table, "is the same file as");
 }
 
 }  // namespace

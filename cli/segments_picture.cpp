@@ -1,5 +1,4 @@
 #include <cli/common.h>
-#include <cli/contacts_geojson.h>
 #include <cli/segments_picture.h>
 #include <cli/svg_text.h>
 
@@ -576,6 +575,11 @@ class Picture {
 };
 
 }  // namespace
+
+planar::Segment common_part(const planar::Segment& s, const planar::Segment& t) {
+  // On one line, the lexicographic order is the order along it.
+  return {planar::lexicographically_less(s.a, t.a) ? t.a : s.a, planar::lexicographically_less(s.b, t.b) ? s.b : t.b};
+}
 
 std::string segments_svg(const SegmentsPicture& picture) { return Picture(picture).text(picture.title); }
 

@@ -10,6 +10,9 @@
 
 namespace sunder::cli {
 
+// The common part of two members of Segments that overlap. Exact: its ends are ends of theirs.
+planar::Segment common_part(const planar::Segment& s, const planar::Segment& t);
+
 struct SegmentsPicture {
   const io::LineFile& file;
   const planar::Segments& segments;                   // those of the file, in its order

@@ -1,25 +1,17 @@
 // sunder polygons FILE: do any two polygons meet? Which? How many?
-#include <cli/common.h>
 #include <cli/left_out.h>
-#include <cli/list_stream.h>
 #include <cli/polygons_input.h>
-#include <cli/polygons_report.h>
 #include <cli/progress.h>
+#include <cli/set_verb.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/file.h>
 #include <sunder/io/text.h>
+#include <sunder/planar/set/polygon_contacts_in_order.h>
 #include <sunder/planar/set/polygons_all.h>
 #include <sunder/planar/set/polygons_json.h>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/App.hpp>
-
-#include <algorithm>
-#include <array>
-#include <memory>
-#include <optional>
-#include <vector>
 
 namespace sunder::cli {
 
@@ -28,33 +20,21 @@ namespace {
 using planar::Polygon;
 using planar::PolygonsContact;
 
-using Call = PolygonsCall;
-using Result = PolygonsResult;
+struct Call : SetCall {
+  bool skip_invalid = false, mend = false, self_touch = false;
+};
 
 using AnyMethod = planar::PolygonsAnswer(std::span<const Polygon>, const SetOptions&);
-struct Methods {
-  std::string_view name;
-  AnyMethod* any;
-  planar::PolygonsFinder* find;
-};
-constexpr std::array<Methods, 5> methods{{{"automatic", planar::polygons_any, planar::find_contacts_by_boxes},
-                                          {"boxes", planar::polygons_any_by_boxes, planar::find_contacts_by_boxes},
-                                          {"grid", planar::polygons_any_by_grid, planar::find_contacts_by_grid},
-                                          {"sweep", planar::polygons_any_by_sweep, planar::find_contacts_by_sweep},
-                                          {"scan", planar::polygons_any_by_scan, planar::find_contacts_by_scan}}};
-
-const Methods& methods_by(const std::string& name) {
-  for (const Methods& m : methods) {
-    if (m.name == name) return m;
-  }
-  refuse_method(name, "automatic, boxes, grid, sweep, scan");
-}
-
-void require_provable(const Call& call) {
-  if (!call.certificate.empty() && call.method == "scan") {
-    throw Error(ErrorCode::bad_call, "scan writes no certificates; give automatic or sweep", "--method");
-  }
-}
+constexpr std::array<Named<AnyMethod>, 5> any_methods{{{"automatic", planar::polygons_any},
+                                                       {"boxes", planar::polygons_any_by_boxes},
+                                                       {"grid", planar::polygons_any_by_grid},
+                                                       {"sweep", planar::polygons_any_by_sweep},
+                                                       {"scan", planar::polygons_any_by_scan}}};
+constexpr std::array<Named<planar::PolygonsFinder>, 5> finders{{{"automatic", planar::find_contacts_by_boxes},
+                                                                {"boxes", planar::find_contacts_by_boxes},
+                                                                {"grid", planar::find_contacts_by_grid},
+                                                                {"sweep", planar::find_contacts_by_sweep},
+                                                                {"scan", planar::find_contacts_by_scan}}};
 
 constexpr std::uint64_t most_proved = 10'000'000;  // pairs, and numbers of a sweep
 
@@ -67,9 +47,9 @@ constexpr std::uint64_t most_proved = 10'000'000;  // pairs, and numbers of a sw
 }
 
 // The sweep that proves all answers but `some`.
-planar::SweepEvents sweep_of(const PolygonsInput& input, const Result& result) {
-  if (result.pairs() > most_proved) {
-    refuse_proof(input, fmt::format("{} pairs meet, more than {}", result.pairs(), most_proved), 2 * result.pairs());
+planar::SweepEvents sweep_of(const PolygonsInput& input, std::uint64_t pairs) {
+  if (pairs > most_proved) {
+    refuse_proof(input, fmt::format("{} pairs meet, more than {}", pairs, most_proved), 2 * pairs);
   }
   Progress progress("proving");
   const std::uint64_t most = std::max(most_proved, 8 * input.edges());  // six for an edge, where none cross
@@ -78,91 +58,41 @@ planar::SweepEvents sweep_of(const PolygonsInput& input, const Result& result) {
   return std::move(*events);
 }
 
-void prove(const Call& call, const PolygonsInput& input, const Result& result) {
-  const planar::PolygonsAsked asked{input.polygons, allowed_by(call.allow), input.groups};
-  const bool is_some = !call.lists() && !call.count && result.pairs() > 0;
-  const planar::SweepEvents events = is_some ? planar::SweepEvents() : sweep_of(input, result);
-  io::OutputFile out(call.certificate);
-  ClaimsWriter file([&](std::string_view text) { out.write(text); });
-  file.add_origin(input.origin());
-  if (is_some) {
-    write_some(file, asked, *result.found);
-  } else if (call.lists()) {
-    write_these(file, asked, events, [&](const auto& take) {
-      result.visit([&](const PolygonsContact& c) {
-        take(c.i, c.j);
-        return true;
-      });
-    });
-  } else if (call.count) {
-    write_count(file, asked, events, result.pairs());
-  } else {
-    write_none(file, asked, events);
-  }
-  file.end();
-  out.commit();
+// A point that shows the contact, and in words what it is.
+Point2 place_of(const PolygonsInput& input, const PolygonsContact& c) {
+  if (c.kind == planar::ContactKind::none)
+    return input.polygons[c.i_inside ? c.i : c.j].vertices()[c.i_inside ? c.of_i : c.of_j];
+  return planar::common_point_rounded(planar::sorted(input.polygons[c.i].edge(c.of_i)),
+                                      planar::sorted(input.polygons[c.j].edge(c.of_j)));
 }
 
-Result ask(const Call& call, const Methods& by, const PolygonsInput& input) {
-  Progress progress("comparing");
-  SetOptions options;
-  options.allowed = allowed_by(call.allow);
-  options.groups = input.groups;
-  options.progress = progress.reporter();
-  Result result;
-  if (call.count && !call.lists() && call.method == "automatic") {
-    const planar::PolygonsCountAnswer answer = planar::polygons_count(input.polygons, options);
-    result.touching = answer.touching;
-    result.overlapping = answer.overlapping;
-    result.cost = answer.cost;
-  } else if (call.lists() || call.count) {
-    result.contacts = std::make_unique<planar::PolygonContactsInOrder>(input.polygons, options, by.find);
-    result.touching = result.contacts->touching();
-    result.overlapping = result.contacts->overlapping();
-    result.cost = result.contacts->cost();
-  } else {
-    const planar::PolygonsAnswer answer = by.any(input.polygons, options);
-    result.found = answer.found;
-    result.touching = answer.meet() && answer.found->contact == Contact::touching ? 1 : 0;
-    result.overlapping = answer.meet() ? 1 - result.touching : 0;
-    result.cost = answer.cost;
-  }
-  return result;
-}
-
-constexpr std::size_t most_listed = 20;
-
-// Goes through the contacts once, and writes all that was asked for.
-void write(const Call& call, const PolygonsInput& input, const Result& result) {
-  std::optional<GeojsonFile> geojson;
-  if (!call.geojson.empty()) geojson.emplace(call.geojson);
-  std::optional<ListReport> json;
-  if (call.json) json.emplace(report(call, input, result), "contacts");
-  std::vector<PolygonsContact> listed, drawn;
-  const auto take = [&](const PolygonsContact& contact) {
-    if (json) json->add(to_line(to_json(call, input, contact)));
-    if (geojson) geojson->add(contact_feature(call, input, contact, geojson->count() + 1));
-    if (!call.svg.empty()) drawn.push_back(contact);
-    if (listed.size() < most_listed) listed.push_back(contact);
-    return json || geojson || !call.svg.empty() || listed.size() < most_listed;
-  };
-  if (!call.count || call.lists()) result.visit(take);
-  if (geojson) geojson->close();
-  if (!call.svg.empty()) io::write_file_atomically(call.svg, picture(call, input, result, drawn));
-  if (json) {
-    json->close();
-  } else {
-    print_for_people(human_text(call, input, result, listed));
+std::string shown_by(const PolygonsContact& c) {
+  if (c.kind == planar::ContactKind::none) return "a vertex inside";
+  switch (c.kind) {
+    case planar::ContactKind::shared_endpoint: return "a vertex of both";
+    case planar::ContactKind::touch: return "a vertex on an edge";
+    case planar::ContactKind::crossing: return "edges that cross";
+    default: return "a common border";
   }
 }
 
-int run(const Call& call) {
-  const Methods& by = methods_by(call.method);
-  allowed_by(call.allow);
-  if (call.files.size() > 2) {
-    throw Error(ErrorCode::bad_call, "three files or more; give one, or two to ask for pairs across them", "FILE");
-  }
-  require_provable(call);
+// The part of polygon i that the contact shows, counted from 0; null where it shows none: of the one that a vertex of
+// the other is inside of.
+Json part_of(const PolygonsInput& input, const PolygonsContact& c, bool of_i) {
+  if (c.kind == planar::ContactKind::none && c.i_inside != of_i) return nullptr;
+  const std::uint32_t polygon = of_i ? c.i : c.j;
+  const std::vector<std::uint32_t>& part = input.source[polygon].part_of_ring;
+  return part.empty() ? 0 : part[input.polygons[polygon].ring_of(of_i ? c.of_i : c.of_j)];
+}
+
+// Requires that a group was asked for.
+const std::string& group_of(const PolygonsInput& input, std::uint32_t polygon) {
+  return input.files.front().groups[input.groups[polygon]];
+}
+
+std::string about(const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); }
+
+PolygonsRequest request_of(const Call& call) {
   PolygonsRequest request;
   request.files = call.files;
   request.drop_z = call.drop_z;
@@ -172,50 +102,217 @@ int run(const Call& call) {
   request.rule = call.self_touch ? planar::PolygonRule::self_touch : planar::PolygonRule::valid;
   request.group = call.group;
   request.name = call.name;
-  request.tell_inputs = !call.certificate.empty();
-  const PolygonsInput input = read_polygons(request);
-  const auto require_drawable = [&](std::uint64_t contacts) {
-    if (!call.svg.empty()) cli::require_drawable(input.edges(), "edge", contacts, call.svg_limit);
-  };
-  require_drawable(0);
-  const Result result = ask(call, by, input);
-  require_drawable(result.pairs());
-  if (!call.certificate.empty()) prove(call, input, result);
-  write(call, input, result);
-  return result.pairs() == 0 ? exit_code::no : exit_code::yes;
+  request.tell_inputs = call.proves();
+  return request;
 }
+
+class PolygonsSet {
+ public:
+  using Call = cli::Call;
+  using Contact = PolygonsContact;
+  using Kind = sunder::Contact;
+  using Result = SetResult<PolygonsSet>;
+  static constexpr std::string_view verb = "polygons", noun = "polygon", drawn_noun = "edge";
+  static constexpr std::array kinds{sunder::Contact::overlapping, sunder::Contact::touching};
+
+  static void check(const Call& call) {
+    method_by(call.method, any_methods);
+    allowed_by(call.allow);
+    if (call.files.size() > 2) {
+      throw Error(ErrorCode::bad_call, "three files or more; give one, or two to ask for pairs across them", "FILE");
+    }
+    if (call.proves() && call.method == "scan") {
+      throw Error(ErrorCode::bad_call, "scan writes no certificates; give automatic or sweep", "--method");
+    }
+  }
+
+  explicit PolygonsSet(const Call& call) : call_(call), input_(read_polygons(request_of(call))) {
+    options_.allowed = allowed_by(call.allow);
+    options_.groups = input_.groups;
+  }
+
+  std::uint64_t drawn() const { return input_.edges(); }
+
+  void ask(Result& result) const {
+    Progress progress("comparing");
+    SetOptions options = options_;
+    options.progress = progress.reporter();
+    if (!call_.counts()) {
+      const planar::PolygonsAnswer answer = method_by(call_.method, any_methods)(input_.polygons, options);
+      result.cost = answer.cost;
+      return result.found(answer.found);
+    }
+    if (!call_.lists() && call_.method == "automatic") {
+      const planar::PolygonsCountAnswer answer = planar::polygons_count(input_.polygons, options);
+      result.count = {answer.overlapping, answer.touching};
+      result.cost = answer.cost;
+      return;
+    }
+    const auto contacts =
+        std::make_shared<planar::PolygonContactsInOrder>(input_.polygons, options, method_by(call_.method, finders));
+    result.count = {contacts->overlapping(), contacts->touching()};
+    result.cost = contacts->cost();
+    if (call_.lists()) result.visit = [contacts](const Result::Visitor& visitor) { contacts->visit(visitor); };
+  }
+
+  std::vector<Proof> proofs(const Result& result) const {
+    const bool is_some = !call_.counts() && result.some();
+    planar::SweepEvents events = is_some ? planar::SweepEvents() : sweep_of(input_, result.pairs());
+    const auto write = [this, &result, is_some,
+                        kept = std::make_shared<const planar::SweepEvents>(std::move(events))](ClaimsWriter& claims) {
+      const planar::PolygonsAsked asked{input_.polygons, options_.allowed, options_.groups};
+      const auto take_pairs = [&](const auto& take) {
+        result.visit([&](const PolygonsContact& c) {
+          take(c.i, c.j);
+          return true;
+        });
+      };
+      if (is_some) {
+        result.visit([&](const PolygonsContact& c) {
+          write_some(claims, asked, c);
+          return true;
+        });
+      } else if (call_.lists()) {
+        write_these(claims, asked, *kept, take_pairs);
+      } else if (call_.count) {
+        write_count(claims, asked, *kept, result.pairs());
+      } else {
+        write_none(claims, asked, *kept);
+      }
+    };
+    return {{call_.certificate, write}};
+  }
+  Origin origin() const { return input_.origin(); }
+
+  std::string head() const {
+    std::string text;
+    for (std::uint32_t f = 0; f < input_.files.size(); ++f) {
+      const auto [polygons, edges] = sizes(f);
+      text += fmt::format("{}: {}, {}, {}\n", io::one_line(input_.names[f]), count_of(polygons, "polygon"),
+                          count_of(edges, "edge"), input_.files[f].format);
+    }
+    if (!grouped()) return text;
+    text.pop_back();
+    return text + fmt::format(", {}\n", count_of(input_.files.front().groups.size(), "group"));
+  }
+  std::string said_of() const { return ""; }
+  std::vector<std::string> rules() const {
+    if (input_.files.size() > 1) return {"those of one file may meet"};
+    if (grouped()) return {fmt::format("those of one {} may meet", call_.group)};
+    return {};
+  }
+  std::string clause() const {
+    const std::string without = input_.left_out_words();
+    if (without.empty()) return "";
+    return fmt::format(", said of the {} only: {}", count_of(input_.polygons.size(), "feature"), without);
+  }
+  std::string text(const PolygonsContact& c) const {
+    return fmt::format("{}: {} and {}: {} at about {}\n", name_of(c.contact), polygon_text(c, true),
+                       polygon_text(c, false), shown_by(c), about(place_of(input_, c)));
+  }
+  std::string tail(const Result&) const { return input_.tell(); }
+
+  void add_head(Json& json) const {
+    json["objects"] = Json::array();
+    for (std::uint32_t f = 0; f < input_.files.size(); ++f) {
+      const auto [polygons, edges] = sizes(f);
+      json["objects"].push_back({{"file", io::one_line(input_.names[f])},
+                                 {"format", input_.files[f].format},
+                                 {"features", input_.files[f].features.size()},
+                                 {"polygons", polygons},
+                                 {"edges", edges}});
+    }
+  }
+  void add_tail(Json& json) const { input_.tell(json); }
+
+  static sunder::Contact kind_of(const PolygonsContact& c) { return c.contact; }
+
+  ContactRow row(const PolygonsContact& c) const {
+    const PolygonSource &i = input_.source[c.i], &j = input_.source[c.j];
+    ContactRow row{i.feature, j.feature, name_of(c.contact), place_of(input_, c)};
+    const auto add = [&](std::string_view key, const auto& of_i, const auto& of_j) {
+      row.properties.push_back({key, {fmt::format("{}", of_i), fmt::format("{}", of_j)}, false});
+    };
+    if (input_.files.size() > 1) add("files", i.file, j.file);
+    row.properties.push_back({"shown_by", {shown_by(c)}});
+    row.properties.push_back({"names", {input_.name(c.i), input_.name(c.j)}});
+    add("parts", part_of(input_, c, true).dump(), part_of(input_, c, false).dump());
+    if (i.line > 0) add("lines", i.line, j.line);
+    if (grouped()) row.properties.push_back({"groups", {group_of(input_, c.i), group_of(input_, c.j)}});
+    return row;
+  }
+
+  std::string picture(const Result& result, const std::vector<PolygonsContact>& contacts) const {
+    std::vector<Point2> seen;
+    for (const Polygon& polygon : input_.polygons) {
+      seen.insert(seen.end(), polygon.vertices().begin(), polygon.vertices().end());
+    }
+    const std::string without = input_.left_out_words();
+    return picture_of_members(
+        call_, result, contacts, seen, static_cast<std::uint32_t>(input_.polygons.size()),
+        without.empty() ? "" : "; " + without,
+        [this](PlanePicture& drawing, std::uint32_t i, Ink ink) { draw(drawing, input_.polygons[i], ink); },
+        [this](PlanePicture& drawing, const PolygonsContact& c) {
+          if (c.contact == sunder::Contact::overlapping) drawing.dot(place_of(input_, c), Ink::accent);
+        });
+  }
+
+ private:
+  bool grouped() const { return !call_.group.empty(); }
+
+  // Of a file: polygons, edges.
+  std::array<std::uint64_t, 2> sizes(std::uint32_t file) const {
+    std::array<std::uint64_t, 2> sum{};
+    for (std::size_t k = 0; k < input_.polygons.size(); ++k) {
+      if (input_.source[k].file != file) continue;
+      ++sum[0];
+      sum[1] += input_.polygons[k].size();
+    }
+    return sum;
+  }
+
+  // "Chad of farms, part 2 (a.wkt, line 7)"
+  std::string polygon_text(const PolygonsContact& c, bool of_i) const {
+    const std::uint32_t i = of_i ? c.i : c.j, line = input_.line(i);
+    std::string text = input_.name(i);
+    if (grouped()) text += fmt::format(" of {}", group_of(input_, i));
+    const Json part = part_of(input_, c, of_i);
+    if (!input_.source[i].part_of_ring.empty() && !part.is_null()) text += fmt::format(", part {}", part.dump());
+    std::vector<std::string> place;
+    if (input_.files.size() > 1) place.push_back(io::one_line(input_.names[input_.source[i].file]));
+    if (line > 0) place.push_back(fmt::format("line {}", line));
+    return place.empty() ? text : fmt::format("{} ({})", text, fmt::join(place, ", "));
+  }
+
+  static void draw(PlanePicture& drawing, const Polygon& polygon, Ink ink) {
+    std::vector<std::vector<Point2>> rings;
+    for (std::uint32_t r = 0; r < polygon.ring_count(); ++r) {
+      rings.emplace_back(polygon.vertices().begin() + polygon.ring_begin(r),
+                         polygon.vertices().begin() + polygon.ring_begin(r + 1));
+    }
+    drawing.polygon(rings, ink);
+  }
+
+  const Call& call_;
+  PolygonsInput input_;
+  SetOptions options_;
+};
 
 }  // namespace
 
 void add_polygons(CLI::App& program, int& code) {
   auto call = std::make_shared<Call>();
-  CLI::App* verb = program.add_subcommand(
-      "polygons", "Do any two polygons of a file, with their insides, meet? Which? Touching and overlapping apart.");
-  verb->add_option("FILE", call->files, "polygons, with holes and parts: WKT, GeoJSON; of two files, pairs across them")
-      ->required();
-  auto* any = verb->add_flag("--any", call->any, "does any pair meet? (unless told otherwise)");
-  auto* all = verb->add_flag("--all", call->all, "list all pairs that meet");
-  auto* count = verb->add_flag("--count", call->count, "count the pairs that meet");
-  any->excludes(all)->excludes(count);
-  all->excludes(count);
-  verb->add_option("--allow", call->allow, "what does not count: nothing, shared-endpoint, or touch")
-      ->type_name("KIND");
-  verb->add_option("--group", call->group, "features that are the same in this may meet: a property of the GeoJSON")
-      ->type_name("FIELD");
-  verb->add_option("--name", call->name, name_help)->type_name("FIELD");
+  CLI::App* verb = add_set_verb(
+      program, *call,
+      {"polygons", "Do any two polygons of a file, with their insides, meet? Which? Touching and overlapping apart.",
+       "polygons, with holes and parts: WKT, GeoJSON; of two files, pairs across them", "polygons",
+       "nothing, shared-endpoint, or touch", "features that are the same in this may meet: a property of the GeoJSON",
+       name_help, "automatic, boxes, grid, sweep, or scan", true});
+  add_file_options(*verb, *call);
   verb->add_flag("--skip-invalid", call->skip_invalid, skip_invalid_help);
   verb->add_flag("--self-touch", call->self_touch, "take rings that touch themselves in points");
   verb->add_flag("--mend", call->mend, mend_help);
-  verb->add_flag("--leave-out", call->leave_out, leave_out_help);
-  verb->add_option("--method", call->method, "automatic, boxes, grid, sweep, or scan")->type_name("NAME");
-  verb->add_option("--certificate", call->certificate, "write the proof here")->type_name("FILE");
-  verb->add_option("--geojson", call->geojson, "write all contacts here, to lay over a map")->type_name("FILE");
-  auto* svg = verb->add_option("--svg", call->svg, "draw the polygons and the pairs that meet here")->type_name("FILE");
-  verb->add_option("--title", call->title, "of the picture")->needs(svg);
-  add_svg_limit(*verb, call->svg_limit);
-  verb->add_flag("--drop-z", call->drop_z, "ignore third coordinates");
-  verb->add_flag("--json", call->json, "print a report in JSON");
-  verb->callback([call, &code] { code = run(*call); });
+  verb->callback([call, &code] { code = run_set<PolygonsSet>(*call); });
 }
 
 }  // namespace sunder::cli

@@ -115,7 +115,7 @@ class Arcs {
       : parts_(claim.parts),
         discs_(tables.circles),
         place_(std::move(place)),
-        bits_(4 * tables.circle_bits + 2 * bits(place_)) {}
+        bits_(4 * tables.circles.bits + 2 * bits(place_)) {}
 
   void require_bounded_by(const std::vector<std::size_t>& arcs) {
     chain_of(0, discs_.size(), &arcs);
@@ -218,7 +218,7 @@ class Arcs {
 
 void check_arcs(const Claim& claim, const Tables& tables, const Numbers& point, const std::vector<std::size_t>& arcs) {
   Numbers in_units = point;
-  for (Number& value : in_units) value.e -= tables.circle_exponent;
+  for (Number& value : in_units) value.e -= tables.circles.exponent;
   Arcs(claim, tables, projective(in_units)).require_bounded_by(arcs);
 }
 

@@ -215,21 +215,26 @@ void read_count(const Place& p, Said& said) {
   said.number = read_index(p.item["number"], most_number + 1, p.where + ".number");
 }
 
-void read_circle_groups(const Place& p, Said& said) {
-  if (p.item.contains("groups")) said.groups = read_groups(p.item, p.tables.circles.size(), p.where);
+// Of the members of a set: table is one of Tables.
+template <auto table>
+void read_member_groups(const Place& p, Said& said) {
+  if (p.item.contains("groups")) said.groups = read_groups(p.item, (p.tables.*table).size(), p.where);
 }
 
-bool is_disc_kind(const std::string& kind) { return kind == "touching" || kind == "overlapping" || kind == "inside"; }
+template <auto table>
+using MemberOf = typename std::decay_t<decltype(std::declval<Tables>().*table)>::value_type;
 
-void read_disc_contact(const Place& p, Said& said) {
-  said.contact.i = index_member(p.item, "i", p.tables.circles.size(), p.where);
-  said.contact.j = index_member(p.item, "j", p.tables.circles.size(), p.where);
+template <auto table>
+void read_member_contact(const Place& p, Said& said) {
+  said.contact.i = index_member(p.item, "i", (p.tables.*table).size(), p.where);
+  said.contact.j = index_member(p.item, "j", (p.tables.*table).size(), p.where);
   said.contact.kind = string_member(p.item, "kind", p.where);
-  if (!is_disc_kind(said.contact.kind)) refuse_form(p.where + ".kind is no kind of contact");
+  if (!is_kind_of<MemberOf<table>>(said.contact.kind)) refuse_form(p.where + ".kind is no kind of contact");
 }
 
-void read_disc_contacts(const Place& p, Said& said) {
-  said.contacts = contacts_of(p, p.tables.circles.size(), is_disc_kind);
+template <auto table>
+void read_member_contacts(const Place& p, Said& said) {
+  said.contacts = contacts_of(p, (p.tables.*table).size(), is_kind_of<MemberOf<table>>);
 }
 
 void read_ring(const Place& p, Said& said) {
@@ -431,9 +436,12 @@ std::size_t of_b(const Said& said, const Tables&) { return said.b->rows().size()
 std::size_t of_body(const Said& said, const Tables&) { return said.body->rows().size(); }
 std::size_t of_members(const Said& said, const Tables&) { return said.all_pairs.members.size(); }
 std::size_t of_segments(const Said&, const Tables& tables) { return tables.segments.size(); }
-std::size_t of_circles(const Said&, const Tables& tables) { return tables.circles.size(); }
 std::size_t of_parts(const Said& said, const Tables&) { return said.parts->polygons.edges.size(); }
 std::size_t of_edges(const Said&, const Tables& tables) { return tables.polygons.edges.size(); }
+template <auto table>
+std::size_t of_members(const Said&, const Tables& tables) {
+  return (tables.*table).size();
+}
 std::size_t of_half_planes(const Said&, const Tables& tables) { return tables.half_planes.size(); }
 
 const ClaimNeeded parted_a_b{
@@ -555,16 +563,19 @@ const ClaimNeeded contact{"contact", {}, of_segments, [](const Claim&, const Sai
                             check_contact(t.segments, t.segment_exponent, t.segment_bits, s.contact, s.point, s.groups,
                                           s.allowed);
                           }};
-const ClaimNeeded disc_contact{"contact", {}, of_circles, [](const Claim&, const Said& s, const Tables& t) {
-                                 check_disc_contact(t, s.contact, s.point, s.groups, s.allowed);
-                               }};
+template <auto table>
+const ClaimNeeded member_contact{"contact", {}, of_members<table>, [](const Claim&, const Said& s, const Tables& t) {
+                                   check_member_contact(t.*table, s.contact, s.point, s.groups, s.allowed);
+                                 }};
+template <auto table>
 const ClaimNeeded cover{
-    "cover", {{"order", read_order}}, of_circles, [](const Claim& c, const Said& s, const Tables& t) {
-      check_cover(c, t, s.groups, s.allowed, s.contacts);
+    "cover", {{"order", read_order}}, of_members<table>, [](const Claim& c, const Said& s, const Tables& t) {
+      check_cover(c, t.*table, s.groups, s.allowed, s.contacts);
     }};
+template <auto table>
 const ClaimNeeded cover_number{
-    "cover", {{"order", read_order}}, of_circles, [](const Claim& c, const Said& s, const Tables& t) {
-      check_cover_number(c, t, s.groups, s.allowed, s.number);
+    "cover", {{"order", read_order}}, of_members<table>, [](const Claim& c, const Said& s, const Tables& t) {
+      check_cover_number(c, t.*table, s.groups, s.allowed, s.number);
     }};
 const ClaimNeeded feasible{
     "feasible", {}, of_half_planes, [](const Claim&, const Said& s, const Tables& t) { check_feasible(t, s.point); }};
@@ -594,17 +605,22 @@ const ClaimNeeded cones{
       check_cones(c, given(s, t), s.verdict, s.sides);
     }};
 const ClaimNeeded no_entries{
-    "no_entries", {}, of_circles, [](const Claim&, const Said&, const Tables& t) { check_no_entries(t); }};
-const ClaimNeeded in_discs{"in_discs", {}, of_circles, [](const Claim&, const Said& s, const Tables& t) {
-                             check_in_discs(t, s.point, s.verdict == "region");
-                           }};
-const ClaimNeeded powers{
-    "powers", {{"weights", read_weights}}, of_circles, [](const Claim& c, const Said& s, const Tables& t) {
-      check_powers(c, t, s.verdict == "point");
+    "no_entries", {}, of_members<&Tables::circles>, [](const Claim&, const Said&, const Tables& t) {
+      check_no_entries(t);
     }};
-const ClaimNeeded arcs{"arcs", {{"parts", read_parts}}, of_circles, [](const Claim& c, const Said& s, const Tables& t) {
-                         check_arcs(c, t, s.point, s.arcs);
-                       }};
+const ClaimNeeded in_discs{
+    "in_discs", {}, of_members<&Tables::circles>, [](const Claim&, const Said& s, const Tables& t) {
+      check_in_discs(t, s.point, s.verdict == "region");
+    }};
+const ClaimNeeded powers{
+    "powers",
+    {{"weights", read_weights}},
+    of_members<&Tables::circles>,
+    [](const Claim& c, const Said& s, const Tables& t) { check_powers(c, t, s.verdict == "point"); }};
+const ClaimNeeded arcs{
+    "arcs", {{"parts", read_parts}}, of_members<&Tables::circles>, [](const Claim& c, const Said& s, const Tables& t) {
+      check_arcs(c, t, s.point, s.arcs);
+    }};
 const ClaimNeeded goes_on{
     "goes_on", {{"direction", read_direction}}, of_half_planes, [](const Claim& c, const Said& s, const Tables& t) {
       check_goes_on(c, t, s.objective);
@@ -636,6 +652,22 @@ std::vector<VerdictNeeds> regions() {
     result.push_back({kind, {{"sides", read_sides<given>}}, {&cones<given>}});
   }
   return result;
+}
+
+// Which members of a table have a contact that counts? By a cover.
+template <auto table>
+Question covered(const char* name) {
+  const ClaimNeeded* by_cover = &cover<table>;
+  return {name,
+          name,
+          {{"allowed", read_allowed}},
+          {{"groups", read_member_groups<table>}},
+          {{"some",
+            {{"i", read_member_contact<table>}, {"j", read_nothing}, {"kind", read_nothing}, point},
+            {&member_contact<table>}},
+           {"none", {}, {by_cover}},
+           {"these", {{"contacts", read_member_contacts<table>}}, {by_cover}},
+           {"count", {{"number", read_count}}, {&cover_number<table>}}}};
 }
 
 const std::vector<Question> questions{
@@ -679,14 +711,7 @@ const std::vector<Question> questions{
       {"none", {}, {&none_counts}},
       {"these", {{"contacts", read_segment_contacts}}, {&these_count}},
       {"count", {{"number", read_count}}, {&number_counts}}}},
-    {"circles",
-     "circles",
-     {{"allowed", read_allowed}},
-     {{"groups", read_circle_groups}},
-     {{"some", {{"i", read_disc_contact}, {"j", read_nothing}, {"kind", read_nothing}, point}, {&disc_contact}},
-      {"none", {}, {&cover}},
-      {"these", {{"contacts", read_disc_contacts}}, {&cover}},
-      {"count", {{"number", read_count}}, {&cover_number}}}},
+    covered<&Tables::circles>("circles"),
     {"half_planes", "half_planes", {}, {}, regions<half_planes_of>()},
     {"kernel", "rings", {{"ring", read_ring}}, {}, regions<ring_of>()},
     {"convex_polygons_common_part", "convex_polygons", {}, {}, regions<convex_polygons_of>()},

@@ -154,13 +154,18 @@ void check_in_discs(const Tables& tables, const Numbers& point, bool is_region);
 void check_powers(const Claim& claim, const Tables& tables, bool is_point);
 void check_arcs(const Claim& claim, const Tables& tables, const Numbers& point, const std::vector<std::size_t>& arcs);
 
-void check_disc_contact(const Tables& tables, const StatedContact& contact, const Numbers& point,
-                        const std::vector<std::int64_t>& groups, const AllowedContacts& allowed);
-
+// Of the members of a set (member_rules.cpp).
+template <class Member>
+bool is_kind_of(const std::string& kind);  // is it a kind of contact of two?
+template <class Member>
+void check_member_contact(const MemberTable<Member>& members, const StatedContact& contact, const Numbers& point,
+                          const std::vector<std::int64_t>& groups, const AllowedContacts& allowed);
 // The contacts that count are those listed, or are so many.
-void check_cover(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
+template <class Member>
+void check_cover(const Claim& claim, const MemberTable<Member>& members, const std::vector<std::int64_t>& groups,
                  const AllowedContacts& allowed, const std::vector<StatedContact>& listed);
-void check_cover_number(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
+template <class Member>
+void check_cover_number(const Claim& claim, const MemberTable<Member>& members, const std::vector<std::int64_t>& groups,
                         const AllowedContacts& allowed, std::uint64_t number);
 
 }  // namespace sunder_verifier

@@ -156,8 +156,8 @@ void read_segments(const Json& list, Tables& tables) {
 void read_circles(const Json& list, Tables& tables) {
   const Doubles doubles = read_lists(list, 3, "tables.circles");
   const Unit unit = unit_of(doubles);
-  tables.circle_exponent = unit.e;
-  tables.circle_bits = unit.bits;
+  tables.circles.exponent = unit.e;
+  tables.circles.bits = unit.bits;
   tables.circles.reserve(list.size());
   for (auto d = doubles.begin(); d != doubles.end(); d += 3) {
     if (d[2].n < 0) refuse_form("tables.circles[" + std::to_string(tables.circles.size()) + "] has a negative radius");

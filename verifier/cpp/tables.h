@@ -61,9 +61,20 @@ struct PlanarSegment {
   PlanarPoint first, last;
 };
 
+struct PlanarBox {
+  PlanarPoint low, high;
+};
+
 // Closed. r >= 0.
 struct PlanarDisc {
   Integer x, y, r;
+};
+
+// Members of a set, in units of 2^exponent.
+template <class Member>
+struct MemberTable : std::vector<Member> {
+  std::int64_t exponent = 0;
+  std::size_t bits = 0;  // of the longest number
 };
 
 // a x + b y <= c; each number in units of 2^e.
@@ -110,9 +121,7 @@ struct Tables {
   std::vector<PlanarSegment> segments;
   std::int64_t segment_exponent = 0;
   std::size_t segment_bits = 0;
-  std::vector<PlanarDisc> circles;
-  std::int64_t circle_exponent = 0;
-  std::size_t circle_bits = 0;
+  MemberTable<PlanarDisc> circles;
   Constraints half_planes;
   PolygonTable polygons;
   std::size_t half_plane_bits = 0;

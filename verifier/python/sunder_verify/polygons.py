@@ -5,7 +5,7 @@ import itertools
 
 from .arcs import Way
 from .reader import length, projective, require
-from .rules import before, contacts_of_discs, contacts_of_segments, ends_at, is_on, lines_of, side, sweep
+from .rules import before, contacts_by_cover, contacts_of_segments, ends_at, is_on, lines_of, side, sweep
 from .tables import Discs, Polygons, Segments, around
 
 
@@ -247,7 +247,7 @@ def rings_touch(steps, parts, rule, ring, other, point):
 
 # ---- Lists of what meets.
 
-CONTACTS = {Segments: contacts_of_segments, Discs: contacts_of_discs, Polygons: contacts_of_polygons}
+CONTACTS = {Segments: contacts_of_segments, Discs: contacts_by_cover, Polygons: contacts_of_polygons}
 
 
 def exactly(rule):

@@ -8,7 +8,6 @@ from functools import partial
 from . import arcs, hulls, polygons, rules
 from .reader import LIST, MOST_NUMBER, OBJECT, anything, double, form, index, list_of, members, number, numbers, row_of
 from .sentences import sentence
-from .tables import Discs
 
 MOST_WEIGHTS = 16  # of one combination; 4 are always enough
 ALLOWED = {  # which kinds of contact do not count
@@ -64,7 +63,8 @@ def choice(names):
 
 
 def kind(value, where, read):
-    return choice(rules.DISC_KINDS if isinstance(subject(read), Discs) else rules.KINDS)(value, where, read)
+    table = type(subject(read))
+    return choice(rules.MEETING[table][2] if table in rules.MEETING else rules.KINDS)(value, where, read)
 
 
 def contacts(value, where, read):

@@ -322,12 +322,12 @@ def powers(steps, weights, discs, verdict):
 
 # ---- Contacts of two entries of a table. Those of one group do not count, nor do kinds that are allowed.
 
-MEETING = {Segments: (is_on, kind_of), Discs: (is_in, kind_of_discs)}
+MEETING = {Segments: (is_on, kind_of, KINDS), Discs: (is_in, kind_of_discs, DISC_KINDS)}
 
 
 def contact(steps, table, i, j, kind, point, groups, allowed):
     """Two entries of different groups hold a point, and the kind of their contact counts."""
-    holds_point, kind_between = MEETING[type(table)]
+    holds_point, kind_between, _ = MEETING[type(table)]
     place = projective(point, table.exponent)
     steps.take(16, length(point), table.bits)
     require(groups[i] != groups[j], "contact", "%d and %d are of one group" % (i, j))
@@ -339,28 +339,28 @@ def contact(steps, table, i, j, kind, point, groups, allowed):
 
 
 class Node:
-    """Of the tree over an order of discs: a range of it, its box, its group where it is one, and its halves."""
+    """Of the tree over an order of a table: a range of it, its box, its group where it is one, and its halves."""
 
-    def __init__(self, order, discs, groups):
+    def __init__(self, order, table, groups):
         self.first, self.halves = order[0], None
         if len(order) > 1:
             half = len(order) // 2
-            self.halves = a, b = Node(order[:half], discs, groups), Node(order[half:], discs, groups)
+            self.halves = a, b = Node(order[:half], table, groups), Node(order[half:], table, groups)
             self.box = (*map(min, a.box[:2], b.box[:2]), *map(max, a.box[2:], b.box[2:]))
             self.group = a.group if a.group == b.group else None
         else:
-            x, y, r = discs[self.first]
-            self.box, self.group = (x - r, y - r, x + r, y + r), groups[self.first]
+            self.box, self.group = table.box(self.first), groups[self.first]
         self.length = max(self.box[2] - self.box[0], self.box[3] - self.box[1])
 
 
-def contacts_of_discs(steps, order, discs, groups, allowed):
-    """Gives (i, j, kind), i < j, once for each two discs of different groups whose contact counts."""
-    root = order and Node(order, discs, groups)
+def contacts_by_cover(steps, order, table, groups, allowed):
+    """Gives (i, j, kind), i < j, once for each two entries of different groups whose contact counts."""
+    kind_between = MEETING[type(table)][1]
+    root = order and Node(order, table, groups)
     left = order and [(root, root)]
     while left:
         a, b = left.pop()
-        steps.take(1, discs.bits, discs.bits)
+        steps.take(1, table.bits, table.bits)
         p, q = a.box, b.box
         if p[2] < q[0] or q[2] < p[0] or p[3] < q[1] or q[3] < p[1] or a.group == b.group is not None:
             continue
@@ -372,7 +372,7 @@ def contacts_of_discs(steps, order, discs, groups, allowed):
             left += [(a, half) for half in b.halves]
         else:
             i, j = sorted((a.first, b.first))
-            kind = kind_of_discs(discs[i], discs[j])
+            kind = kind_between(table[i], table[j])
             if kind and kind not in allowed:
                 yield i, j, kind
 

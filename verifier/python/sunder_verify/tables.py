@@ -171,6 +171,10 @@ class Discs(list):
         for i, (_, _, r) in enumerate(self):
             form(r >= 0, "%s[%d] has a negative radius" % (where, i))
 
+    def box(self, i):
+        x, y, r = self[i]
+        return x - r, y - r, x + r, y + r
+
 
 # ---- Half-planes a x + b y <= c as integers (a, b, c, exponent of all three).
 
