@@ -62,6 +62,7 @@ std::uint32_t extreme_vertex_by_bisection(const Sequence& p, const typename Sequ
                   }));
 }
 
+// Both vertices. Cost: at most 2 log2 n probes of an edge, one sign each.
 template <class Sequence>
 Extremes extreme_vertices_by_bisection(const Sequence& p, const typename Sequence::Vertex& from,
                                        const typename Sequence::Vertex& to, Cost& cost, StageTally& tally) {

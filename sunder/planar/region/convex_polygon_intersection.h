@@ -33,7 +33,7 @@ enum class PolygonsPartKind : std::uint8_t {
   plane,  // of no polygons
 };
 
-std::string_view name_of(PolygonsPartKind);
+std::string_view name_of(PolygonsPartKind);  // "segment"
 
 // Edge `number` of a polygon begins at its vertex `number`.
 struct PolygonFeature {

@@ -32,7 +32,7 @@ enum class DiscIntersectionKind : std::uint8_t {
   plane,  // of no discs
 };
 
-std::string_view name_of(DiscIntersectionKind);
+std::string_view name_of(DiscIntersectionKind);  // "region"
 
 struct [[nodiscard]] DiscIntersection {
   DiscIntersectionKind kind = DiscIntersectionKind::plane;

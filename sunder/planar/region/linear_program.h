@@ -32,7 +32,7 @@ enum class Optimum : std::uint8_t {
   infeasible,  // no common point
 };
 
-std::string_view name_of(Optimum);
+std::string_view name_of(Optimum);  // "infeasible"
 
 inline constexpr std::uint32_t no_half_plane = 0xffffffffu;
 

@@ -40,6 +40,7 @@ inline bool counts(DiscContact kind, Allowed allowed) {
 using DiscsContact = ContactOfTwo<DiscContact>;
 using DiscsAnswer = AnyAnswer<DiscsContact>;  // probes: pairs of discs that were compared
 
+// How the discs i and j meet, as disc_disc. Requires i and j below discs.size().
 inline DiscContact contact_kind(const Discs& discs, std::uint32_t i, std::uint32_t j) {
   return disc_disc(discs[i], discs[j]);
 }

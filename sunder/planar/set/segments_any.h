@@ -30,6 +30,7 @@ struct [[nodiscard]] SegmentsAnswer : AnyAnswer<SegmentsContact> {  // probes: p
   SweepEvents transcript;                                           // empty unless asked for, and where some meet
 };
 
+// How the segments i and j meet, as segment_segment. Requires i and j below segments.size().
 inline ContactKind contact_kind(const Segments& segments, std::uint32_t i, std::uint32_t j) {
   return segment_segment(segments[i], segments[j]);
 }
