@@ -5,7 +5,7 @@
 
 C1  Each function of a front door (a header that sunder/sunder.h includes) has words of its own: a comment above it, or
     above the group of lines that it stands in, or behind it.
-C2  A public header that speaks of throwing Error includes <sunder/base/error.h>: it can be caught with that header alone.
+C2  A public header that speaks of throwing Error includes <sunder/base/error.h>: with that header alone it is caught.
 
 Exit code 0: so it is. 1: not, one line for each finding. 2: no front door was found.
 """
