@@ -6,6 +6,7 @@
 // Templates over sequences of vertices (placed.h): strictly convex, counter-clockwise; one vertex and two are allowed.
 // What one might assume and does not hold: that vertices may repeat or be in line with their neighbours. The searches
 // would end, but the height of vertex k is then not bimodal in k.
+// Requires two different ends of the arrow. `cost` and `tally` are added to. None throws, but for want of memory.
 // Source: Chazelle & Dobkin 1987, section 2.2, Lemmas 1 and 2, and the conclusion for the search by bisection.
 #pragma once
 
