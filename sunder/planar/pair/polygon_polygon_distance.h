@@ -38,8 +38,8 @@ struct [[nodiscard]] PolygonDistance {
   Interval distance() const { return closest ? closest->distance : Interval{0, 0}; }
 };
 
-// The front door. Distances are in the world, in the units of its coordinates. Cost: as above; `squared` and `distance`
-// take exact numbers, of one pair of features.
+// The front door. Distances are in the world, in the unit of its coordinates. `squared` and `distance` take exact
+// numbers, of one pair of features.
 PolygonDistance polygon_polygon_distance(const ConvexPolygon& a, const Pose& pose_a,  //
                                          const ConvexPolygon& b, const Pose& pose_b);
 

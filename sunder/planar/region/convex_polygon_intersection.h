@@ -73,7 +73,8 @@ LinePoint corner_point(std::span<const ConvexPolygon> polygons, const PolygonsCo
 // polygon is left of it. Cost: exact arithmetic, and linear in the polygons' sizes.
 bool is_contradiction(std::span<const ConvexPolygon> polygons, std::span<const PolygonSupport> supports);
 
-// The front door: the fastest method measured, by batches. Cost: as there.
+// The front door: the fastest method measured, by batches. Cost: as
+// convex_polygon_intersection_by_batches.
 PolygonsPart convex_polygon_intersection(std::span<const ConvexPolygon> polygons);
 
 // Upper boundaries are merged as functions of x, pair by pair, and lower ones; then both are cut at each other. Of N

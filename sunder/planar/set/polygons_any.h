@@ -61,8 +61,8 @@ PolygonsAnswer polygons_contact(const Polygon& a, const Polygon& b);
 // O((n + m)^3 log (n + m)) time.
 PolygonsAnswer polygons_contact_by_scan(const Polygon& a, const Polygon& b);
 
-// The front door: the fastest method measured, by boxes. Cost: as there. Requires fewer than 2^31 edges in all, as all
-// methods.
+// The front door: the fastest method measured, by boxes. Cost: as polygons_any_by_boxes. Requires fewer than 2^31 edges
+// in all, as all methods.
 PolygonsAnswer polygons_any(std::span<const Polygon> polygons, const SetOptions& options = {});
 
 // A line sweeps over the edges, which know the polygons that fill what is above them, and passes contacts that do not

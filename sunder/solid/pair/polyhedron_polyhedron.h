@@ -21,7 +21,7 @@ namespace solid {
 using sunder::PairAnswer;
 
 // The front door: the fastest method measured, by GJK. A pose maps its body's frame to the world, where the two meet or
-// are apart, in whatever unit the coordinates have. Cost: as there.
+// are apart, in whatever unit the coordinates have. Cost: as polyhedron_polyhedron_by_gjk.
 PairAnswer polyhedron_polyhedron(const ConvexPolyhedron& a, const Pose& pose_a,  //
                                  const ConvexPolyhedron& b, const Pose& pose_b);
 
