@@ -16,7 +16,7 @@ import sys
 FRONT = "sunder/sunder.h"
 INCLUDE = re.compile(r"^#include <(sunder/[^>]+)>", re.MULTILINE)
 NO_FUNCTION = re.compile(r"[#/}\s]|$|(?:namespace|using|struct|class|enum|union|template|extern template|friend)\b")
-FUNCTION = re.compile(r"(?!.*=.*;)(?:[^(]*?[\w\])]\(|[\w:]+ \w+;)")  # also `Method name;`, by the name of its type
+FUNCTION = re.compile(r"[^(=]*?\w\(|[\w:]+ \w+;")  # also `Method name;`, by the name of its type
 THROWS = re.compile(r"\b[Tt]hrows?\b(?:[^.;]|\n)*?\bError\b")
 
 

@@ -29,6 +29,9 @@ inline int f(int x) {
   return f(x, 0);
 }
 
+// Of two.
+Found g(int a, const Options& options = {});
+
 using Method = int(int);
 
 // By scan.
@@ -42,9 +45,10 @@ TREE = {"sunder/sunder.h": FRONT, "sunder/a.h": GOOD, "sunder/b_internal.h": "//
 
 # name: (what is replaced in a.h, by what, the rule that refuses it, and at which lines)
 BAD = {
-    "no words": ("// By scan.\n", "", "C1", [23]),
-    "words of another group": ("// By scan.\n", "// By scan.\n\n", "C1", [25]),
+    "no words": ("// By scan.\n", "", "C1", [26]),
+    "words of another group": ("// By scan.\n", "// By scan.\n\n", "C1", [28]),
     "words within": ("// The answer. Throws\n// Error bad_value.\n", "", "C1", [13, 15]),
+    "none of one with a default": ("// Of two.\n", "", "C1", [21]),
     "none behind": ('  // "none"', "", "C1", [9]),
     "an error that cannot be caught": ("#include <sunder/base/error.h>\n", "", "C2", [11]),
 }
@@ -61,7 +65,7 @@ def findings_of(tree):
 
 class CheckContracts(unittest.TestCase):
     def test_accepts_good_headers(self):
-        self.assertEqual(findings_of(TREE), ([], 4))
+        self.assertEqual(findings_of(TREE), ([], 5))
 
     def test_refuses_each_bad_twin(self):
         for name, (old, new, rule, lines) in BAD.items():
