@@ -8,7 +8,7 @@
 #   check [PART...]     lint (of what has changed since scripts/lint.base), sanitizers, fuzzers, the Python verifier
 #                       (20 minutes); parts: format headers tidy sanitize fuzz verify
 #   soak [PART...]      hours: parts: differential[=FROM-TO] claims tsan clang fuzz coverage lint
-#   docs                check the pages, and list them
+#   docs                check the pages, and list them; the reference of all functions: build/docs/index.html
 #   help                this text
 #
 # CXX chooses the compiler (else g++ 12 or newer, else clang++ 16 or newer). Logs are in build/log.
@@ -100,7 +100,7 @@ has_package() {
     libclang-rt-*-dev) compgen -G "/usr/lib/llvm-${1//[^0-9]/}/lib/clang/*/lib/*/libclang_rt.fuzzer*" >/dev/null ;;
     clang-[0-9]*) has_command "clang++-${1#clang-}" ;;
     pkg-config) has_command pkg-config ;;
-    python3 | gcovr | clang-*) has_command "$1" ;;
+    python3 | gcovr | doxygen | clang-*) has_command "$1" ;;
     *) dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed' ;;
   esac
 }
@@ -515,9 +515,13 @@ part_verify() {
 
 command_docs() {
   local page result=0
-  need python3
+  need python3 doxygen
   python3 tests/check_links.py || result=1
   python3 tests/check_papers_table.py || result=1
+  python3 tests/check_contracts.py || result=1
+  rm -rf build/docs && mkdir -p build/docs
+  run docs "Doxygen $(doxygen --version)" doxygen scripts/Doxyfile && python3 scripts/api_pages.py || result=1
+  say "The reference: $root/build/docs/index.html"
   say
   find . -name '*.md' -not -path './build/*' -not -path './.git/*' -not -path './cases/*' | sort | while read -r page; do
     printf '%-40s %s\n' "${page#./}" "$(sed -n 's/^# *//p' "$page" | head -n 1)"

@@ -137,7 +137,7 @@ foreach(source ${sources})
 endforeach()
 
 # Scripts: what they say about this tree, and their own tests.
-foreach(name check_layers check_links)
+foreach(name check_layers check_links check_contracts)
   sunder_add_test(${name} COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/${name}.py ${PROJECT_SOURCE_DIR}
     TIMEOUT 60 LABELS script)
 endforeach()

@@ -19,7 +19,7 @@ enum class CheckResult : std::uint8_t {
   no_common_point,     // the vertices have no common point with unique positive weights
 };
 
-std::string_view name_of(CheckResult);
+std::string_view name_of(CheckResult);  // "not extreme in a"
 
 // The absolute check: exact, against every vertex of both tables; no hull is assumed. Linear for `apart`, constant for
 // `meet`. Whatever the certificate holds, this neither throws nor reads out of range.

@@ -1,5 +1,6 @@
 // The writer of certificate files (docs/claims.md): tables, then statements with the claims that prove them. Numbers
 // are exact. It writes as it goes, and keeps nothing but what it has not yet given away.
+// None throws, but for want of memory, or what the sink throws. Cost: linear in what is written.
 #pragma once
 
 #include <sunder/certificate/origin.h>

@@ -17,7 +17,7 @@ enum class DecidedBy : std::uint8_t {
   scan,       // an exact method that looks at everything
 };
 
-std::string_view name_of(DecidedBy);
+std::string_view name_of(DecidedBy);  // "finishing"
 
 // Where two objects that meet have their common points.
 enum class Contact : std::uint8_t {
@@ -26,7 +26,7 @@ enum class Contact : std::uint8_t {
   overlapping,  // their relative interiors meet
 };
 
-std::string_view name_of(Contact);
+std::string_view name_of(Contact);  // "touching"
 
 struct [[nodiscard]] PairAnswer {
   PairCertificate evidence;

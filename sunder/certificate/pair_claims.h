@@ -1,5 +1,6 @@
 // Writes what is said of pairs of convex bodies into a certificate file (docs/claims.md): the table `bodies`, then
 // statements `pair`, as they come.
+// None throws, but for want of memory, or what the writer's sink throws.
 #pragma once
 
 #include <sunder/certificate/claims.h>

@@ -1,6 +1,7 @@
 // Records of CSV text (RFC 4180), and columns by their names. For readers.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/io/text.h>
 
 #include <cstddef>

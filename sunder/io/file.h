@@ -1,6 +1,7 @@
 // Whole files, in and out.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
 
 #include <cstddef>

@@ -1,6 +1,8 @@
 // Files of formats that are not read, by their first bytes, with the way out. For readers.
 #pragma once
 
+#include <sunder/base/error.h>
+
 #include <string_view>
 
 namespace sunder::io {

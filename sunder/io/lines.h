@@ -1,6 +1,7 @@
 // Segments, and the rings of polygons, out of files: CSV, WKT, GeoJSON, KiCad boards (kicad.h).
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
 #include <sunder/io/left_out.h>
 #include <sunder/planar/object/segments.h>

@@ -1,6 +1,7 @@
 // Lines out of GeoJSON, and out of JSON that is a list of rings. What is read, and how, stands in lines.h.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/io/lines_builder.h>
 
 #include <string_view>

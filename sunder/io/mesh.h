@@ -2,6 +2,7 @@
 // allows, mesh_write.h for the way back, urdf.h for robots.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
 #include <sunder/io/left_out.h>
 #include <sunder/predicate/point.h>

@@ -1,6 +1,7 @@
 // Collects a mesh while a file is read, and keeps the properties M1 to M4 of mesh.h that need no knowledge of the file.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/io/mesh.h>
 
 #include <limits>

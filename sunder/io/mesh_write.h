@@ -1,6 +1,7 @@
 // The text of a mesh, as OBJ, OFF, PLY (ASCII) or STL (ASCII). Put it into a file with write_file_atomically (file.h).
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/io/mesh.h>
 
 #include <cstdint>

@@ -2,6 +2,7 @@
 // GeoJSON, CSV.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
 #include <sunder/io/left_out.h>
 #include <sunder/predicate/point.h>

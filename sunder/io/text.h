@@ -4,6 +4,8 @@
 // valid UTF-8 whatever the file holds.
 #pragma once
 
+#include <sunder/base/error.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>

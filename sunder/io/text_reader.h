@@ -1,6 +1,7 @@
 // Walks over text line by line and word by word, and knows where it is when something is wrong.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/predicate/point.h>
 
 #include <cstddef>

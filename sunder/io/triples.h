@@ -1,6 +1,7 @@
 // Objects of three numbers out of CSV: circles "x,y,r" and half-planes "a,b,c".
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
 
 #include <array>

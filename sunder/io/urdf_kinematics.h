@@ -1,6 +1,7 @@
 // Where a robot's links and shapes are.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/io/urdf.h>
 #include <sunder/solid/object/pose.h>
 

@@ -1,6 +1,7 @@
 // Half-planes of the plane, numbered: by linear constraints, or by arrows that have them on their left.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/planar/object/line.h>
 #include <sunder/predicate/constraints.h>
 

@@ -1,6 +1,7 @@
 // Convex polygons: arrays of vertices, counter-clockwise, ready for searches in logarithmic time.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/predicate/point.h>
 #include <sunder/predicate/posed.h>
 

@@ -1,6 +1,7 @@
 // Closed discs of the plane: circles with their insides. So nested ones have common points. Radius zero is a point.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/predicate/disc.h>
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 // A polygon with holes: closed rings of vertices, not necessarily simple.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/planar/object/edge_boxes.h>
 #include <sunder/planar/object/segments.h>
 

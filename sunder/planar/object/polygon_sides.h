@@ -1,6 +1,7 @@
 // The half-planes of the edges of a polygon with one ring: of each edge the side where the polygon is.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/planar/object/polygon.h>
 #include <sunder/predicate/constraints.h>
 

@@ -1,6 +1,7 @@
 // Where a planar object is: an affine map from the object's frame to the world's.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/predicate/point.h>
 #include <sunder/predicate/posed.h>
 

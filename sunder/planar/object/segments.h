@@ -1,6 +1,7 @@
 // Segments of the plane: closed, of any length, also zero.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/near/box_grid.h>
 #include <sunder/near/lanes_box.h>
 

@@ -4,6 +4,7 @@
 // This is the one place where the kinds of contact are told apart; every question about sets of circles asks here.
 // With d the distance of the centres, r and s the radii, the first that holds of: d > r + s: none; d = r + s: touching;
 // d > |r - s|: overlapping; else inside. No square roots: d^2 is compared with (r + s)^2 and (r - s)^2.
+// Requires finite numbers and radii that are not negative, as of members of Discs. None throws, but for want of memory.
 #pragma once
 
 #include <sunder/planar/object/discs.h>
@@ -24,11 +25,11 @@ enum class DiscContact : std::uint8_t {
 
 std::string_view name_of(DiscContact);  // "touching"
 
-// Symmetric. Cost: one sign, and one more where they meet in more than a touch.
+// How the two meet; the same with c and d exchanged. Cost: one sign, and one more where they meet in more than a touch.
 DiscContact disc_disc(const Disc& c, const Disc& d, StageTally* tally = nullptr);
 
-// A common point of two that meet, as fractions: of an inside contact the centre of the smaller one (of equals: c's);
-// else the point that parts the centres' segment as r to s, which is inside both where they overlap.
+// A common point of two that meet, which is required, as fractions: of an inside contact the centre of the smaller one
+// (of equals: c's); else the point that parts the centres' segment as r to s, which is inside both where they overlap.
 // P1. |p - c|^2 <= r^2 and |p - d|^2 <= s^2, exactly; both are equal iff they touch.
 ExactPoint2 common_point(const Disc& c, const Disc& d);
 

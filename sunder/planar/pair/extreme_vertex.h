@@ -6,6 +6,7 @@
 // Templates over sequences of vertices (placed.h): strictly convex, counter-clockwise; one vertex and two are allowed.
 // What one might assume and does not hold: that vertices may repeat or be in line with their neighbours. The searches
 // would end, but the height of vertex k is then not bimodal in k.
+// Requires two different ends of the arrow. `cost` and `tally` are added to. None throws, but for want of memory.
 // Source: Chazelle & Dobkin 1987, section 2.2, Lemmas 1 and 2, and the conclusion for the search by bisection.
 #pragma once
 
@@ -62,6 +63,7 @@ std::uint32_t extreme_vertex_by_bisection(const Sequence& p, const typename Sequ
                   }));
 }
 
+// Both vertices. Cost: at most 2 log2 n probes of an edge, one sign each.
 template <class Sequence>
 Extremes extreme_vertices_by_bisection(const Sequence& p, const typename Sequence::Vertex& from,
                                        const typename Sequence::Vertex& to, Cost& cost, StageTally& tally) {

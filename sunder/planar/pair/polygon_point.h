@@ -23,7 +23,7 @@ namespace sunder::planar {
 // Where a point is, seen from a polygon.
 enum class Place : std::uint8_t { outside, vertex, edge, inside };
 
-std::string_view name_of(Place);
+std::string_view name_of(Place);  // "inside"
 
 struct PolygonPoint {
   Place place = Place::outside;

@@ -22,7 +22,7 @@ enum class Boundaries : std::uint8_t {
   b_inside_a,
 };
 
-std::string_view name_of(Boundaries);
+std::string_view name_of(Boundaries);  // "boundaries meet", "A inside B"
 
 struct [[nodiscard]] BoundariesAnswer {
   Boundaries relation = Boundaries::apart;

@@ -6,7 +6,7 @@
 //       parallel edges are closest, an edge and a vertex of the other one that faces it are named.
 //   D2. `distance` encloses the exact distance, within 2^-49 of it but for results below 2^-500 or above 2^500.
 //   D3. compare_distance is exact for every finite radius.
-// None throws. Cost: that of polygon_polygon, and 5 (log2 n + log2 m) + c probes.
+// None throws, but for want of memory. Cost: that of polygon_polygon, and 5 (log2 n + log2 m) + c probes.
 // Source: the question and its bound are those of Edelsbrunner 1985. Here it is one more search over the difference
 // A - B (minkowski_difference_search.h), which is argued in the .cpp.
 #pragma once
@@ -38,6 +38,8 @@ struct [[nodiscard]] PolygonDistance {
   Interval distance() const { return closest ? closest->distance : Interval{0, 0}; }
 };
 
+// The front door. Distances are in the world, in the unit of its coordinates. `squared` and `distance` take exact
+// numbers, of one pair of features.
 PolygonDistance polygon_polygon_distance(const ConvexPolygon& a, const Pose& pose_a,  //
                                          const ConvexPolygon& b, const Pose& pose_b);
 

@@ -37,6 +37,8 @@ struct [[nodiscard]] CommonPart {
   Cost cost;
 };
 
+// The front door: the corners by name, none where the polygons are apart. Vertices and edges are numbered as in the
+// polygons; the order of the corners is that of the world, also where a pose reflects.
 CommonPart polygon_polygon_intersection(const ConvexPolygon& a, const Pose& pose_a,  //
                                         const ConvexPolygon& b, const Pose& pose_b);
 

@@ -4,7 +4,7 @@
 // As polygon_line.h, of which it is the part from the ray's beginning on; that beginning, where it is in the polygon,
 // is an end of the answer. Where they have nothing in common, no vertex is named. Source: Chazelle & Dobkin 1987,
 // section 2.3: "the extension to the case in which L is a line segment". A point on the line is compared with an end of
-// the common part by its side of the edge there, so no point is constructed.
+// the common part by its side of the edge there, so no point is constructed. None throws, but for want of memory.
 #pragma once
 
 #include <sunder/planar/object/line.h>

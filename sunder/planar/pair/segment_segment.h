@@ -2,6 +2,7 @@
 // Also called: segment intersection test.
 //
 // This is the one place where the kinds of contact are told apart; every question about sets of segments asks here.
+// Requires finite coordinates. None throws, but for want of memory.
 #pragma once
 
 #include <sunder/planar/object/segments.h>
@@ -23,10 +24,12 @@ enum class ContactKind : std::uint8_t {
 
 std::string_view name_of(ContactKind);  // "shared-endpoint"
 
-// For members of Segments (a lexicographically not after b). Symmetric. Cost: up to four orientations.
+// How the two meet; the same with s and t exchanged. Requires members of Segments (a lexicographically not after b), as
+// all here. Cost: up to four orientations.
 ContactKind segment_segment(const Segment& s, const Segment& t, StageTally* tally = nullptr);
 
-// A common point of two segments that meet: of an overlap, its lexicographically first end.
+// A common point of two segments that meet, which is required: of an overlap, its lexicographically first end. Cost:
+// exact arithmetic.
 ExactPoint2 common_point(const Segment& s, const Segment& t);
 
 // The same in doubles: each coordinate is the nearest one, ties to even.

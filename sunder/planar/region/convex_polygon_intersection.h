@@ -33,7 +33,7 @@ enum class PolygonsPartKind : std::uint8_t {
   plane,  // of no polygons
 };
 
-std::string_view name_of(PolygonsPartKind);
+std::string_view name_of(PolygonsPartKind);  // "segment"
 
 // Edge `number` of a polygon begins at its vertex `number`.
 struct PolygonFeature {
@@ -73,7 +73,8 @@ LinePoint corner_point(std::span<const ConvexPolygon> polygons, const PolygonsCo
 // polygon is left of it. Cost: exact arithmetic, and linear in the polygons' sizes.
 bool is_contradiction(std::span<const ConvexPolygon> polygons, std::span<const PolygonSupport> supports);
 
-// The front door: the fastest method measured.
+// The front door: the fastest method measured, by batches. Cost: as
+// convex_polygon_intersection_by_batches.
 PolygonsPart convex_polygon_intersection(std::span<const ConvexPolygon> polygons);
 
 // Upper boundaries are merged as functions of x, pair by pair, and lower ones; then both are cut at each other. Of N

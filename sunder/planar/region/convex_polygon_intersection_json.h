@@ -1,4 +1,6 @@
 // The certificate file of the common part of convex polygons (docs/claims.md, "convex_polygons_common_part").
+//
+// None throws, but for want of memory.
 #pragma once
 
 #include <sunder/certificate/origin.h>

@@ -1,5 +1,7 @@
 // The certificate file of the common part of discs (docs/claims.md, "circles_common_part"): whether it is empty, a
 // point, or a region, and which arcs bound it.
+//
+// None throws, but for want of memory. Cost: linear; of a region, as disc_intersection_by_division.
 #pragma once
 
 #include <sunder/certificate/origin.h>

@@ -1,4 +1,6 @@
 // The certificate file of the common part of half-planes (docs/claims.md, "half_planes").
+//
+// None throws, but for want of memory. Cost: linear.
 #pragma once
 
 #include <sunder/certificate/origin.h>

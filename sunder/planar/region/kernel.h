@@ -17,15 +17,15 @@
 
 namespace sunder::planar {
 
-// The front door: the fastest method measured, half_planes.
+// The front door: the fastest method measured, half_plane_intersection. Cost: O(N log N) signs at worst.
 Region kernel(const PolygonSides& sides, const RegionOptions& options = {});
 
 // The paper's: half_plane_intersection_by_sort. O(N log N) comparisons.
 Region kernel_by_half_plane_intersection(const PolygonSides& sides, const RegionOptions& options = {});
 
 // Edge after edge cuts what is left, near to where the one before did. Where that is or gets flat, and where the search
-// goes around too often (on spirals), half_planes decides, and iterations in the cost is 1, else 0. Cost: O(N) signs;
-// to make sure of every edge, O(N) where the sides' angles are spread evenly, O(N log N) at worst.
+// goes around too often (on spirals), half_plane_intersection decides, and iterations in the cost is 1, else 0.
+// Cost: O(N) signs; to make sure of every edge, O(N) where the sides' angles are spread evenly, O(N log N) at worst.
 Region kernel_by_lee_preparata(const PolygonSides& sides, const RegionOptions& options = {});
 
 // The oracle: half_plane_intersection_by_scan. O(N^2) signs; O(N^3) where the kernel is empty.

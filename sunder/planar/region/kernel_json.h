@@ -1,4 +1,6 @@
 // The certificate file of a kernel (docs/claims.md, "kernel").
+//
+// None throws, but for want of memory. Cost: linear.
 #pragma once
 
 #include <sunder/certificate/origin.h>

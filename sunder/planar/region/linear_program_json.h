@@ -1,4 +1,6 @@
 // The certificate file of a linear program (docs/claims.md, "linear_program").
+//
+// None throws, but for want of memory. Cost: linear, and a few exact numbers.
 #pragma once
 
 #include <sunder/certificate/origin.h>

@@ -8,6 +8,8 @@
 //   P2. The contact named counts; it need not be the leftmost, nor the same for all methods. `evidence` passes the
 //       absolute check of certificate/check.h, with polygon i as body A and polygon j as body B.
 //   P3. The answer does not depend on the compiler.
+// Requires a group for each polygon, or none at all.
+// None throws, but for want of memory, or what `progress` throws.
 // Source: Shamos & Hoey 1976, section IV, Theorem 6.
 #pragma once
 
@@ -29,7 +31,8 @@ struct ConvexPolygonsContact : ContactOfTwo<Contact> {
 // Probes: vertices looked at, and pairs of boxes or polygons compared.
 using ConvexPolygonsAnswer = AnyAnswer<ConvexPolygonsContact>;
 
-// The front door: the fastest method measured. Requires fewer than 2^31 polygons, as all of them.
+// The front door: the fastest method measured, by grid. Cost: that of the sweep at most, but for a constant; with
+// groups, as by grid. Requires fewer than 2^31 vertices in all, as all methods.
 ConvexPolygonsAnswer convex_polygons_any(std::span<const ConvexPolygon> polygons, const SetOptions& options = {});
 
 // Theorem 6: a line sweeps over the plane, and polygons are compared when they become neighbours on it.

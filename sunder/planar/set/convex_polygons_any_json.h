@@ -1,4 +1,7 @@
 // Certificates of answers about a set of convex polygons (docs/claims.md, "polygons": each is a ring, flat or not).
+//
+// Cost: where two meet, linear in all vertices, and as polygons_contact on these two where touching is allowed; else
+// O((n + k) log n) for n edges in all and k contacts of theirs. None throws, but for want of memory.
 #pragma once
 
 #include <sunder/planar/set/convex_polygons_any.h>

@@ -5,6 +5,8 @@
 //   P1. meet() is true iff some two discs, not of one group, have a contact whose kind counts under the rule.
 //   P2. The contact named counts; it need not be the leftmost, nor the same for all methods.
 //   P3. The answer does not depend on the compiler.
+// Requires a group for each disc, or none at all.
+// None throws, but for want of memory, or what `progress` throws.
 // Source: Shamos & Hoey 1976, section IV, Theorem 8: N log N is enough, and needed.
 // What proves each answer is made by its writer, whatever the method (discs_any_json.h).
 //
@@ -40,11 +42,13 @@ inline bool counts(DiscContact kind, Allowed allowed) {
 using DiscsContact = ContactOfTwo<DiscContact>;
 using DiscsAnswer = AnyAnswer<DiscsContact>;  // probes: pairs of discs that were compared
 
+// How the discs i and j meet, as disc_disc. Requires i and j below discs.size().
 inline DiscContact contact_kind(const Discs& discs, std::uint32_t i, std::uint32_t j) {
   return disc_disc(discs[i], discs[j]);
 }
 
-// The front door: the fastest method measured.
+// The front door: the fastest method measured, by grid. Cost: O(N log N) at most; about linear where discs are small.
+// With groups: that of the sweep at most, but for a constant.
 DiscsAnswer discs_any(const Discs& circles, const SetOptions& options = {});
 
 // Algorithm 1 with discs as units: discs are tested when they become neighbours on the line.

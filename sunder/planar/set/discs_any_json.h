@@ -1,4 +1,6 @@
 // Certificates of answers about a set of circles with their insides (docs/claims.md, "circles").
+//
+// None throws, but for want of memory, or what the writer's sink or `visit` throws.
 #pragma once
 
 #include <sunder/certificate/claims.h>

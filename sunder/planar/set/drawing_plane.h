@@ -8,6 +8,7 @@
 // Source: Shamos & Hoey 1976, section IV (a drawing with more than 3 N - 6 edges is not plane; else Algorithm 1).
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/near/set_question.h>
 #include <sunder/planar/pair/segment_segment.h>
 

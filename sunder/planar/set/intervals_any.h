@@ -8,6 +8,7 @@
 // Source: Shamos & Hoey 1976, section II: sorting is enough, and no fewer comparisons than N log N do.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/near/set_question.h>
 #include <sunder/planar/set/contact_rule.h>
 

@@ -8,6 +8,7 @@
 //   P2. The contact named counts; which one it is may differ from method to method.
 // Not asked here: whether holes lie inside of the outer ring, and which way rings are turned. What files hold is mostly
 // less than simple, and valid: polygon_valid.h.
+// None throws, but for want of memory.
 // Source: Shamos & Hoey 1976, section IV, Theorem 4.
 #pragma once
 
@@ -24,7 +25,7 @@ struct [[nodiscard]] PolygonSimpleAnswer : AnyAnswer<ContactOfTwo<ContactKind>> 
   bool simple() const noexcept { return !meet(); }
 };
 
-// The front door: the fastest method measured.
+// The front door: the fastest method measured, by grid. Cost: O(N log N) comparisons at most, O(N) memory.
 PolygonSimpleAnswer polygon_simple(const Polygon& polygon);
 
 // Equal vertices by sorting, then segments_any on the edges, where shared ends are allowed: all that are left are of
@@ -37,7 +38,7 @@ PolygonSimpleAnswer polygon_simple_by_grid(const Polygon& polygon);
 // Every pair of edges: the oracle. O(N^2) time.
 PolygonSimpleAnswer polygon_simple_by_scan(const Polygon& polygon);
 
-// How two different edges meet, where it counts; else none.
+// How two different edges meet, where it counts; else none. Requires i and j, not equal, below polygon.size().
 ContactKind counted_contact(const Polygon& polygon, std::uint32_t i, std::uint32_t j);
 
 }  // namespace sunder::planar

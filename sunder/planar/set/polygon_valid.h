@@ -21,6 +21,7 @@
 #pragma once
 
 #include <sunder/base/cost.h>
+#include <sunder/base/error.h>
 #include <sunder/planar/object/polygon.h>
 
 #include <cstddef>

@@ -1,4 +1,7 @@
 // Certificates that polygons are valid, or of what is wrong with them (docs/claims.md, "Valid polygons").
+//
+// Requires finite coordinates and fewer than 2^31 vertices. None throws, but for want of memory, or what the writer's
+// sink throws.
 #pragma once
 
 #include <sunder/certificate/claims.h>

@@ -6,6 +6,8 @@
 //       the greatest there is: shared_endpoint iff all common points are vertices of both; overlap iff they have a
 //       common border. Which edges show it may differ.
 //   P3. The pairs are in the order of i, then of j.
+// Requires what polygons_any.h does, of polygons and groups. None throws, but for want of memory, or what `progress`
+// throws.
 // Source: Shamos & Hoey 1976, sections IV (Theorem 7) and VI (listing).
 #pragma once
 
@@ -22,8 +24,8 @@ struct [[nodiscard]] PolygonsCountAnswer {
   Cost cost;
 };
 
-// The front doors: the fastest method measured. Counting keeps no contacts: where boxes give up, 16 bytes for each pair
-// that counts, at most.
+// The front doors: the fastest method measured, by boxes. Cost: as polygons_all_by_boxes. Counting keeps no
+// contacts: where boxes give up, 16 bytes for each pair that counts, at most.
 PolygonsAllAnswer polygons_all(std::span<const Polygon> polygons, const SetOptions& options = {});
 PolygonsCountAnswer polygons_count(std::span<const Polygon> polygons, const SetOptions& options = {});
 

@@ -12,6 +12,8 @@
 //   P3. The answer does not depend on the compiler.
 //   P4. Two polygons overlap iff their interiors have a common point; they touch iff they meet and do not overlap:
 //       parcels along a common border touch, however they share its vertices.
+// Requires a group for each polygon, or none at all.
+// None throws, but for want of memory, or what `progress` throws.
 // Source: Shamos & Hoey 1976, section IV, Theorems 5 and 7.
 #pragma once
 
@@ -59,7 +61,8 @@ PolygonsAnswer polygons_contact(const Polygon& a, const Polygon& b);
 // O((n + m)^3 log (n + m)) time.
 PolygonsAnswer polygons_contact_by_scan(const Polygon& a, const Polygon& b);
 
-// The front door: the fastest method measured. Requires fewer than 2^31 edges in all, as all methods.
+// The front door: the fastest method measured, by boxes. Cost: as polygons_any_by_boxes. Requires fewer than 2^31 edges
+// in all, as all methods.
 PolygonsAnswer polygons_any(std::span<const Polygon> polygons, const SetOptions& options = {});
 
 // A line sweeps over the edges, which know the polygons that fill what is above them, and passes contacts that do not

@@ -1,5 +1,7 @@
 // Certificates of answers about a set of polygons (docs/claims.md, "polygons"): a common point, or the sweep over all
 // edges.
+//
+// None throws, but for want of memory, or what the writer's sink or `visit` throws.
 #pragma once
 
 #include <sunder/certificate/claims.h>

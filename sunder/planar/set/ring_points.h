@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sunder/base/cost.h>
+#include <sunder/base/error.h>
 #include <sunder/planar/object/segments.h>
 
 #include <cstdint>

@@ -1,4 +1,7 @@
 // Certificates of answers about a set of segments (docs/claims.md, "segments").
+//
+// None throws, but for want of memory, or what the writer's sink throws.
+// Cost: linear in the segments, the list and the transcript; exact arithmetic for one common point.
 #pragma once
 
 #include <sunder/certificate/claims.h>

@@ -2,6 +2,7 @@
 // Also called: convex hull in three dimensions; quickhull.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/predicate/point.h>
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 // A convex polyhedron: the exact convex hull of any finite, non-empty set of points of space.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/predicate/point.h>
 #include <sunder/solid/hull/convex_hull.h>
 

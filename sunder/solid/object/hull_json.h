@@ -1,4 +1,6 @@
 // Certificates of convex hulls (docs/claims.md, "Hulls").
+//
+// None throws, but for want of memory, or what the writer's sink throws.
 #pragma once
 
 #include <sunder/certificate/claims.h>

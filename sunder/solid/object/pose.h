@@ -1,6 +1,7 @@
 // Where a body is: an affine map from the body's frame to the world's.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/predicate/point.h>
 #include <sunder/predicate/posed.h>
 

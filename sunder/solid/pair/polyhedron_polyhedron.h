@@ -20,12 +20,15 @@ namespace solid {
 
 using sunder::PairAnswer;
 
-// The front door: the fastest method measured.
+// The front door: the fastest method measured, by GJK. A pose maps its body's frame to the world, where the two meet or
+// are apart, in whatever unit the coordinates have. Cost: as polyhedron_polyhedron_by_gjk.
 PairAnswer polyhedron_polyhedron(const ConvexPolyhedron& a, const Pose& pose_a,  //
                                  const ConvexPolyhedron& b, const Pose& pose_b);
 
 // By a floating-point search over the vertex graph (Gilbert, Johnson, Keerthi 1988), which proposes evidence, and an
-// exact simplex method with the graph as its pricing for what the search could not certify.
+// exact simplex method with the graph as its pricing for what the search could not certify. Cost: at most 100 steps in
+// doubles and 100 in double-doubles, each a walk over both graphs; where neither decides, some five to
+// thirty exact pivots.
 PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& a, const Pose& pose_a,  //
                                         const ConvexPolyhedron& b, const Pose& pose_b);
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <sunder/base/contract.h>
+#include <sunder/base/error.h>
 #include <sunder/predicate/point.h>
 #include <sunder/predicate/posed.h>
 #include <sunder/solid/hull/convex_hull.h>
