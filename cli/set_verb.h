@@ -159,7 +159,7 @@ template <class Set>
 std::string verdict_text(const SetCall& call, const Set& set, const SetResult<Set>& result) {
   std::vector<std::string> rules = set.rules();
   if (call.allow != "nothing") rules.insert(rules.begin(), call.allow + " allowed");
-  std::string text = fmt::format("{} meet{}", result.some() ? "some" : "none", set.said_of());
+  std::string text = fmt::format("{}{} meet", result.some() ? "some" : "none", set.said_of());
   for (std::size_t k = 0; k < rules.size(); ++k) text += (k == 0 ? " (" : "; ") + rules[k];
   if (!rules.empty()) text += ')';
   if (result.some() && call.counts()) {

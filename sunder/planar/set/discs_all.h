@@ -22,8 +22,8 @@
 
 namespace sunder::planar {
 
-using DiscsAllAnswer = AllAnswer<DiscsContact>;  // probes: pairs that were compared, also those of boxes in a cell
-using CountAnswer = CountAnswer;                 // probes: the same
+// Probes, also of a CountAnswer: pairs that were compared, those of boxes in a cell too.
+using DiscsAllAnswer = AllAnswer<DiscsContact>;
 
 // The front doors: the fastest method measured, by grid. Cost: O((N + k) log N) at most; counting holds no contacts.
 DiscsAllAnswer discs_all(const Discs& circles, const SetOptions& options = {});

@@ -139,7 +139,7 @@ class DiscsTest(unittest.TestCase):
             steps = reader.Steps(0)
             table = tables.TABLES["circles"]([[hexadecimal(x) for x in disc] for disc in discs], "circles")
             most = steps.left
-            for _ in rules.contacts_of_discs(steps, order, table, groups, ()):
+            for _ in rules.contacts_by_cover(steps, order, table, groups, ()):
                 pass
             return (most - steps.left) // 17  # one look is 16 and 1 steps
         row, one_place, order = [(3 * k, 0, 1) for k in range(1024)], [(0, 0, 1)] * 1024, list(range(1024))

@@ -1,0 +1,166 @@
+// A set of members that are rows of a file, for set_verb.h. What is its own is a class, here Of:
+//   Of::Members, Of::Contact, Of::Kind  the set, a contact, its kinds; Of::verb, noun, kinds as of a set
+//   Of::Question                        what a certificate is about: members, allowed, groups
+//   Of::any_methods, Of::all_methods    by name
+//   read(call, inputs)                  MembersFile<Members>; throws Error
+//   allowed(name)                       what --allow names; throws Error
+//   visit_block(members, options, block, method, visit)
+//   about(member), place(a, b)          a member in words; a point of both, rounded
+//   box(member), draw(picture, member, ink)
+#pragma once
+
+#include <cli/progress.h>
+#include <cli/set_verb.h>
+
+#include <sunder/certificate/origin.h>
+#include <sunder/io/text.h>
+
+namespace sunder::cli {
+
+template <class Members>
+struct MembersFile {
+  Members members;
+  std::vector<std::string> names{};
+  std::vector<std::uint32_t> lines{};
+  std::vector<std::uint32_t> group{};  // empty, or of each member a position in groups
+  std::vector<std::string> groups{};
+};
+
+template <class Of>
+class MembersSet {
+ public:
+  using Call = SetCall;
+  using Contact = typename Of::Contact;
+  using Kind = typename Of::Kind;
+  using Result = SetResult<MembersSet>;
+  static constexpr std::string_view verb = Of::verb, noun = Of::noun, drawn_noun = Of::noun;
+  static constexpr auto kinds = Of::kinds;
+
+  static void check(const Call& call) {
+    Of::allowed(call.allow);
+    method_by(call.method, Of::any_methods);
+  }
+
+  explicit MembersSet(const Call& call)
+      : call_(call), file_(Of::read(call, call.proves() ? &origin_.inputs : nullptr)), members_(file_.members) {
+    options_.allowed = Of::allowed(call.allow);
+    options_.groups = file_.group;
+  }
+
+  std::uint64_t drawn() const { return members_.size(); }
+
+  void ask(Result& result) const {
+    const auto with_progress = [this](const auto& ask_it) {
+      Progress progress("comparing");
+      SetOptions options = options_;
+      options.progress = progress.reporter();
+      return ask_it(options);
+    };
+    if (!call_.counts()) {
+      const AnyAnswer<Contact> answer = with_progress([this](const SetOptions& options) {  //
+        return method_by(call_.method, Of::any_methods)(members_, options);
+      });
+      result.cost = answer.cost;
+      return result.found(answer.found);
+    }
+    result.count_and_list(size(), call_.lists(), [=, this](const Block& block, const auto& take) {
+      return with_progress([&](const SetOptions& options) {
+        return Of::visit_block(members_, options, block, method_by(call_.method, Of::all_methods),
+                               [&](const Contact& contact) {
+                                 take(contact);
+                                 return true;
+                               });
+      });
+    });
+  }
+
+  std::vector<Proof> proofs(const Result& result) const {
+    if (call_.lists()) require_provable(result.pairs());
+    return {{call_.certificate, [this, &result](ClaimsWriter& claims) { write_statements(claims, result); }}};
+  }
+  const Origin& origin() const { return origin_; }
+
+  std::string head() const {
+    std::string text = fmt::format("{}: {}", io::one_line(call_.files[0]), count_of(size(), noun));
+    if (!file_.groups.empty()) text += ", " + count_of(file_.groups.size(), "group");
+    return text + '\n';
+  }
+  std::string said_of() const { return ""; }
+  std::vector<std::string> rules() const {
+    if (call_.group.empty()) return {};
+    return {fmt::format("those of one {} may meet", call_.group)};
+  }
+  std::string clause() const { return ""; }
+  std::string text(const Contact& c) const {
+    const Point2 p = Of::place(members_[c.i], members_[c.j]);
+    std::string text = fmt::format("{}, with about ({:.10g}, {:.10g}) in common\n", name_of(c.kind), p.x, p.y);
+    for (const std::uint32_t i : {c.i, c.j}) {
+      const std::string group = file_.groups.empty() ? "" : " of " + file_.groups[file_.group[i]];
+      text += fmt::format("    {} {}{}, line {}: {}\n", noun, file_.names[i], group, file_.lines[i],
+                          Of::about(members_[i]));
+    }
+    return text;
+  }
+  std::string tail(const Result&) const { return ""; }
+
+  void add_head(Json& json) const {
+    json["objects"] = Json::array({{{"file", call_.files[0]}, {std::string(verb), size()}}});
+  }
+  void add_tail(Json&) const {}
+
+  static Kind kind_of(const Contact& contact) { return contact.kind; }
+
+  ContactRow row(const Contact& c) const {
+    ContactRow row{c.i, c.j, name_of(c.kind), Of::place(members_[c.i], members_[c.j])};
+    row.properties = {{"names", {file_.names[c.i], file_.names[c.j]}},
+                      {"lines", {std::to_string(file_.lines[c.i]), std::to_string(file_.lines[c.j])}, false}};
+    if (!file_.groups.empty()) {
+      row.properties.push_back({"groups", {file_.groups[file_.group[c.i]], file_.groups[file_.group[c.j]]}});
+    }
+    return row;
+  }
+
+  std::string picture(const Result& result, const std::vector<Contact>& contacts) const {
+    std::vector<Point2> seen;
+    for (std::uint32_t i = 0; i < size(); ++i) {
+      const Box2 box = Of::box(members_[i]);
+      seen.insert(seen.end(), {box.low, box.high});
+    }
+    return picture_of_members(
+        call_, result, contacts, seen, size(), "",
+        [this](PlanePicture& drawing, std::uint32_t i, Ink ink) { Of::draw(drawing, members_[i], ink); },
+        [](PlanePicture&, const Contact&) {});
+  }
+
+ private:
+  std::uint32_t size() const { return static_cast<std::uint32_t>(members_.size()); }
+
+  void write_statements(ClaimsWriter& claims, const Result& result) const {
+    const typename Of::Question question{members_, options_.allowed, options_.groups};
+    if (call_.lists()) {
+      write_list_statement(claims, question, [&](const std::function<void(const Contact&)>& take) {
+        result.visit([&](const Contact& contact) {
+          take(contact);
+          return true;
+        });
+      });
+    } else if (call_.count) {
+      write_count_statement(claims, question, result.pairs());
+    } else {
+      AnyAnswer<Contact> answer;
+      result.visit([&](const Contact& contact) {
+        answer.found = contact;
+        return false;
+      });
+      write_statement(claims, question, answer);
+    }
+  }
+
+  const Call& call_;
+  Origin origin_;
+  MembersFile<typename Of::Members> file_;
+  const typename Of::Members& members_;
+  SetOptions options_;
+};
+
+}  // namespace sunder::cli
