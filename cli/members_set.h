@@ -1,19 +1,21 @@
 // A set of members that are rows of a file, for set_verb.h. What is its own is a class, here Of:
-//   Of::Members, Of::Contact, Of::Kind  the set, a contact, its kinds; Of::verb, noun, kinds as of a set
-//   Of::Question                        what a certificate is about: members, allowed, groups
-//   Of::any_methods, Of::all_methods    by name
+//   Of::Members, Of::verb, Of::noun     the set, for cover_statement.h too; "circles", "circle"
+//   Of::kinds                           all kinds of contact but none, the strongest first
+//   Of::all_methods, Of::any_methods    by name; without the latter, the first contact of the former
 //   read(call, inputs)                  MembersFile<Members>; throws Error
-//   allowed(name)                       what --allow names; throws Error
-//   visit_block(members, options, block, method, visit)
 //   about(member), place(a, b)          a member in words; a point of both, rounded
-//   box(member), draw(picture, member, ink)
+//   draw(picture, member, ink)
+// Members are full: of their contacts all count, or all but touching ones.
 #pragma once
 
 #include <cli/progress.h>
 #include <cli/set_verb.h>
 
+#include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
 #include <sunder/io/text.h>
+#include <sunder/near/cover_statement.h>
+#include <sunder/near/set_methods.h>
 
 namespace sunder::cli {
 
@@ -30,20 +32,21 @@ template <class Of>
 class MembersSet {
  public:
   using Call = SetCall;
-  using Contact = typename Of::Contact;
-  using Kind = typename Of::Kind;
+  using Members = typename Of::Members;
+  using Contact = ContactIn<Members>;
+  using Kind = typename decltype(Of::kinds)::value_type;
   using Result = SetResult<MembersSet>;
   static constexpr std::string_view verb = Of::verb, noun = Of::noun, drawn_noun = Of::noun;
   static constexpr auto kinds = Of::kinds;
 
   static void check(const Call& call) {
-    Of::allowed(call.allow);
-    method_by(call.method, Of::any_methods);
+    allowed(call.allow);
+    method_by(call.method, Of::all_methods);
   }
 
   explicit MembersSet(const Call& call)
       : call_(call), file_(Of::read(call, call.proves() ? &origin_.inputs : nullptr)), members_(file_.members) {
-    options_.allowed = Of::allowed(call.allow);
+    options_.allowed = allowed(call.allow);
     options_.groups = file_.group;
   }
 
@@ -57,19 +60,19 @@ class MembersSet {
       return ask_it(options);
     };
     if (!call_.counts()) {
-      const AnyAnswer<Contact> answer = with_progress([this](const SetOptions& options) {  //
-        return method_by(call_.method, Of::any_methods)(members_, options);
-      });
+      const AnyAnswer<Contact> answer = with_progress([this](const SetOptions& options) { return any(options); });
       result.cost = answer.cost;
       return result.found(answer.found);
     }
     result.count_and_list(size(), call_.lists(), [=, this](const Block& block, const auto& take) {
       return with_progress([&](const SetOptions& options) {
-        return Of::visit_block(members_, options, block, method_by(call_.method, Of::all_methods),
-                               [&](const Contact& contact) {
-                                 take(contact);
-                                 return true;
-                               });
+        return visit_of_block(
+            members_, [](const Members& all) { return boxes_of(all); }, options, block,
+            method_by(call_.method, Of::all_methods),
+            [&](const Contact& contact) {
+              take(contact);
+              return true;
+            });
       });
     });
   }
@@ -122,10 +125,7 @@ class MembersSet {
 
   std::string picture(const Result& result, const std::vector<Contact>& contacts) const {
     std::vector<Point2> seen;
-    for (std::uint32_t i = 0; i < size(); ++i) {
-      const Box2 box = Of::box(members_[i]);
-      seen.insert(seen.end(), {box.low, box.high});
-    }
+    for (const Box2& box : boxes_of(members_)) seen.insert(seen.end(), {box.low, box.high});
     return picture_of_members(
         call_, result, contacts, seen, size(), "",
         [this](PlanePicture& drawing, std::uint32_t i, Ink ink) { Of::draw(drawing, members_[i], ink); },
@@ -133,10 +133,28 @@ class MembersSet {
   }
 
  private:
+  static Allowed allowed(const std::string& name) {
+    if (name == "nothing") return Allowed::nothing;
+    if (name == "touch") return Allowed::touch;
+    throw Error(ErrorCode::bad_call,
+                fmt::format("there is nothing named {} to allow; there are nothing, touch", io::quote(name)),
+                "--allow");
+  }
+
   std::uint32_t size() const { return static_cast<std::uint32_t>(members_.size()); }
 
+  AnyAnswer<Contact> any(const SetOptions& options) const {
+    if constexpr (requires { Of::any_methods; }) {
+      return method_by(call_.method, Of::any_methods)(members_, options);
+    } else {
+      return first_of<Contact>([&](const std::function<bool(const Contact&)>& visit) {
+        return method_by(call_.method, Of::all_methods)(members_, options, visit);
+      });
+    }
+  }
+
   void write_statements(ClaimsWriter& claims, const Result& result) const {
-    const typename Of::Question question{members_, options_.allowed, options_.groups};
+    const CoverQuestion<Members> question{members_, options_.allowed, options_.groups};
     if (call_.lists()) {
       write_list_statement(claims, question, [&](const std::function<void(const Contact&)>& take) {
         result.visit([&](const Contact& contact) {
@@ -158,8 +176,8 @@ class MembersSet {
 
   const Call& call_;
   Origin origin_;
-  MembersFile<typename Of::Members> file_;
-  const typename Of::Members& members_;
+  MembersFile<Members> file_;
+  const Members& members_;
   SetOptions options_;
 };
 

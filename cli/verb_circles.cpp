@@ -2,7 +2,6 @@
 #include <cli/circles_input.h>
 #include <cli/members_set.h>
 
-#include <sunder/base/error.h>
 #include <sunder/planar/set/discs_all.h>
 #include <sunder/planar/set/discs_any_json.h>
 
@@ -19,9 +18,6 @@ using AnyMethod = planar::DiscsAnswer(const Discs&, const SetOptions&);
 
 struct Circles {
   using Members = Discs;
-  using Contact = planar::DiscsContact;
-  using Kind = DiscContact;
-  using Question = planar::DiscsQuestion;
   static constexpr std::string_view verb = "circles", noun = "circle";
   static constexpr std::array kinds{DiscContact::overlapping, DiscContact::inside, DiscContact::touching};
   static constexpr std::array<Named<AnyMethod>, 4> any_methods{{{"automatic", planar::discs_any},
@@ -39,27 +35,10 @@ struct Circles {
             std::move(file.groups)};
   }
 
-  // Discs have no ends to share.
-  static Allowed allowed(const std::string& name) {
-    if (name == "nothing") return Allowed::nothing;
-    if (name == "touch") return Allowed::touch;
-    throw Error(ErrorCode::bad_call,
-                fmt::format("there is nothing named {} to allow; there are nothing, touch", io::quote(name)),
-                "--allow");
-  }
-
-  static Cost visit_block(const Discs& circles, const SetOptions& options, const Block& block,
-                          planar::DiscsMethod* method, const planar::DiscsVisitor& visit) {
-    return discs_visit_block(circles, options, block, method, visit);
-  }
-
   static std::string about(const Disc& c) {
     return fmt::format("centre ({:.10g}, {:.10g}), radius {:.10g}", c.center.x, c.center.y, c.radius);
   }
   static Point2 place(const Disc& c, const Disc& d) { return planar::common_point_rounded(c, d); }
-  static Box2 box(const Disc& c) {
-    return {{c.center.x - c.radius, c.center.y - c.radius}, {c.center.x + c.radius, c.center.y + c.radius}};
-  }
   static void draw(PlanePicture& picture, const Disc& c, Ink ink) { picture.circle(c, ink); }
 };
 

@@ -1,16 +1,17 @@
 // Certificates of which members of a set meet, proved by a cover (docs/claims.md, "Covers"): the table and a statement.
 //
-// A question says what is asked of which members, and keeps them by reference:
-//   Question::Contact, Question::table   a ContactOfTwo; the name of the table, and of the question
-//   allowed, groups                      what does not count
-//   write_rows(file), boxes()            the members, and their boxes, which may be rounded
-//   write_point(file, i, j)              the member "point": a point of both, exact
+// Of a set, besides what set_methods.h asks for:
+//   table_name(set)             of the table, and of the question: "circles"
+//   boxes_of(set)               the members' boxes, which may be rounded
+//   write_row(file, member)     in the table
+//   write_point(file, a, b)     the member "point" of a statement: a point of both, exact
 // Each function requires the true answer to the question, by whatever method: what proves it is made here. Cost:
 // O(N log N) time, that of cover_order(), O(N) memory, and the length of the list.
 #pragma once
 
 #include <sunder/certificate/claims.h>
 #include <sunder/near/cover_order.h>
+#include <sunder/near/set_methods.h>
 #include <sunder/near/set_question.h>
 
 #include <algorithm>
@@ -20,30 +21,39 @@
 
 namespace sunder {
 
-template <class Question>
-void begin_cover_statement(ClaimsWriter& file, const Question& question, std::string_view verdict) {
-  file.begin_table(Question::table);
-  question.write_rows(file);
+// What is asked of which members. Kept by reference.
+template <class Set>
+struct CoverQuestion {
+  using Contact = ContactIn<Set>;
+
+  const Set& members;
+  Allowed allowed = Allowed::nothing;
+  Groups groups{};
+};
+
+template <class Set>
+void begin_cover_statement(ClaimsWriter& file, const CoverQuestion<Set>& question, std::string_view verdict) {
+  file.begin_table(table_name(question.members));
+  for (std::uint32_t i = 0; i < question.members.size(); ++i) write_row(file, question.members[i]);
   file.end_table();
-  file.begin_statement(Question::table);
+  file.begin_statement(table_name(question.members));
   file.text("allowed", std::string(name_of(question.allowed)));
   if (!question.groups.empty()) file.indices("groups", question.groups);
   file.text("verdict", std::string(verdict));
 }
 
-template <class Question>
-void end_cover_statement(ClaimsWriter& file, const Question& question) {
+template <class Set>
+void end_cover_statement(ClaimsWriter& file, const CoverQuestion<Set>& question) {
   file.begin_claims();
   file.begin_claim("cover");
-  file.indices("order", cover_order(question.boxes(), question.groups));
+  file.indices("order", cover_order(boxes_of(question.members), question.groups));
   file.end_claim();
   file.end_statement();
 }
 
 // Two that meet, or that none do.
-template <class Question>
-void write_statement(ClaimsWriter& file, const Question& question,
-                     const AnyAnswer<typename Question::Contact>& answer) {
+template <class Set>
+void write_statement(ClaimsWriter& file, const CoverQuestion<Set>& question, const AnyAnswer<ContactIn<Set>>& answer) {
   if (!answer.meet()) {
     begin_cover_statement(file, question, "none");
     end_cover_statement(file, question);
@@ -54,7 +64,7 @@ void write_statement(ClaimsWriter& file, const Question& question,
   file.index("i", i);
   file.index("j", j);
   file.text("kind", std::string(name_of(kind)));
-  question.write_point(file, i, j);
+  write_point(file, question.members[i], question.members[j]);
   file.begin_claims();
   file.begin_claim("contact");
   file.end_claim();
@@ -62,40 +72,38 @@ void write_statement(ClaimsWriter& file, const Question& question,
 }
 
 // Exactly these meet. visit(take) calls take(contact) for each, by i, then j.
-template <class Question, class Visit>
-void write_list_statement(ClaimsWriter& file, const Question& question, const Visit& visit) {
+template <class Set, class Visit>
+void write_list_statement(ClaimsWriter& file, const CoverQuestion<Set>& question, const Visit& visit) {
   begin_cover_statement(file, question, "these");
   file.begin_list("contacts");
-  visit([&](const typename Question::Contact& contact) {
-    file.add_contact(contact.i, contact.j, name_of(contact.kind));
-  });
+  visit([&](const ContactIn<Set>& contact) { file.add_contact(contact.i, contact.j, name_of(contact.kind)); });
   file.end_list();
   end_cover_statement(file, question);
 }
 
 // So many meet.
-template <class Question>
-void write_count_statement(ClaimsWriter& file, const Question& question, std::uint64_t number) {
+template <class Set>
+void write_count_statement(ClaimsWriter& file, const CoverQuestion<Set>& question, std::uint64_t number) {
   begin_cover_statement(file, question, "count");
   file.number("number", number);
   end_cover_statement(file, question);
 }
 
-template <class Question>
-void write_statement(ClaimsWriter& file, const Question& question, AllAnswer<typename Question::Contact> answer) {
+template <class Set>
+void write_statement(ClaimsWriter& file, const CoverQuestion<Set>& question, AllAnswer<ContactIn<Set>> answer) {
   std::sort(answer.contacts.begin(), answer.contacts.end());
   write_list_statement(file, question,
                        [&](const auto& take) { std::for_each(answer.contacts.begin(), answer.contacts.end(), take); });
 }
 
-template <class Question>
-void write_statement(ClaimsWriter& file, const Question& question, const CountAnswer& answer) {
+template <class Set>
+void write_statement(ClaimsWriter& file, const CoverQuestion<Set>& question, const CountAnswer& answer) {
   write_count_statement(file, question, answer.count);
 }
 
 // The whole file, of any of these answers.
-template <class Question, class Answer>
-std::string cover_certificate_text(const Question& question, const Answer& answer) {
+template <class Set, class Answer>
+std::string cover_certificate_text(const CoverQuestion<Set>& question, const Answer& answer) {
   std::string text;
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
   write_statement(file, question, answer);

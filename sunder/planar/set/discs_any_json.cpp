@@ -1,19 +1,16 @@
-#include <sunder/planar/set/disc_boxes.h>
 #include <sunder/planar/set/discs_any_json.h>
 
 #include <array>
 
-namespace sunder::planar {
+namespace sunder {
 
-void DiscsQuestion::write_rows(ClaimsWriter& file) const {
-  for (const Disc& c : circles.all()) file.add_row(std::array{c.center.x, c.center.y, c.radius});
+void write_row(ClaimsWriter& file, const Disc& circle) {
+  file.add_row(std::array{circle.center.x, circle.center.y, circle.radius});
 }
 
-std::vector<Box2> DiscsQuestion::boxes() const { return rounded_boxes(circles); }
-
-void DiscsQuestion::write_point(ClaimsWriter& file, std::uint32_t i, std::uint32_t j) const {
-  const ExactPoint2 p = common_point(circles[i], circles[j]);
+void write_point(ClaimsWriter& file, const Disc& c, const Disc& d) {
+  const ExactPoint2 p = planar::common_point(c, d);
   file.fractions("point", std::array{p.x, p.y}, p.denominator);
 }
 
-}  // namespace sunder::planar
+}  // namespace sunder
