@@ -1,7 +1,8 @@
 // A set of members that are rows of a file, for set_verb.h. What is its own is a class, here Of:
 //   Of::Members, Of::verb, Of::noun     the set, for cover_statement.h too; "circles", "circle"
 //   Of::kinds                           all kinds of contact but none, the strongest first
-//   Of::all_methods, Of::any_methods    by name; without the latter, the first contact of the former
+//   Of::all_methods, Of::any_methods    by name; where there are none, set_answers.h
+//   Of::about_verb, Of::file_help       in a sentence each
 //   read(call, inputs)                  MembersFile<Members>; throws Error
 //   about(member), place(a, b)          a member in words; a point of both, rounded
 //   draw(picture, member, ink)
@@ -15,6 +16,7 @@
 #include <sunder/certificate/origin.h>
 #include <sunder/io/text.h>
 #include <sunder/near/cover_statement.h>
+#include <sunder/near/set_answers.h>
 #include <sunder/near/set_methods.h>
 
 namespace sunder::cli {
@@ -41,7 +43,7 @@ class MembersSet {
 
   static void check(const Call& call) {
     allowed(call.allow);
-    method_by(call.method, Of::all_methods);
+    method_by(call.method, methods());
   }
 
   explicit MembersSet(const Call& call)
@@ -68,7 +70,7 @@ class MembersSet {
       return with_progress([&](const SetOptions& options) {
         return visit_of_block(
             members_, [](const Members& all) { return boxes_of(all); }, options, block,
-            method_by(call_.method, Of::all_methods),
+            method_by(call_.method, methods()),
             [&](const Contact& contact) {
               take(contact);
               return true;
@@ -132,6 +134,16 @@ class MembersSet {
         [](PlanePicture&, const Contact&) {});
   }
 
+  static auto methods() {
+    if constexpr (requires { Of::all_methods; }) {
+      return Of::all_methods;
+    } else {
+      using Method = Cost(const Members&, const SetOptions&, const ContactVisitor<Members>&);
+      return std::array<Named<Method>, 2>{
+          {{"automatic", contacts_visit<Members>}, {"scan", contacts_visit_by_scan<Members>}}};
+    }
+  }
+
  private:
   static Allowed allowed(const std::string& name) {
     if (name == "nothing") return Allowed::nothing;
@@ -147,8 +159,8 @@ class MembersSet {
     if constexpr (requires { Of::any_methods; }) {
       return method_by(call_.method, Of::any_methods)(members_, options);
     } else {
-      return first_of<Contact>([&](const std::function<bool(const Contact&)>& visit) {
-        return method_by(call_.method, Of::all_methods)(members_, options, visit);
+      return first_of<Contact>([&](const ContactVisitor<Members>& visit) {
+        return method_by(call_.method, methods())(members_, options, visit);
       });
     }
   }
@@ -180,5 +192,20 @@ class MembersSet {
   const Members& members_;
   SetOptions options_;
 };
+
+template <class Of>
+void add_members_verb(CLI::App& program, int& code) {
+  auto call = std::make_shared<SetCall>();
+  std::string methods;
+  for (const auto& method : MembersSet<Of>::methods())
+    methods += fmt::format("{}{}", methods.empty() ? "" : ", ", method.name);
+  const std::string members(Of::verb),
+      group = members + " that are the same in this may meet: a column of the CSV",
+      name = fmt::format("the column that names {}; unless given, name, NAME, id", members);
+  add_set_verb(program, *call,
+               {members.c_str(), Of::about_verb, Of::file_help, members.c_str(), "nothing, or touch", group.c_str(),
+                name.c_str(), methods.c_str()},
+               [call, &code] { code = run_set<MembersSet<Of>>(*call); });
+}
 
 }  // namespace sunder::cli

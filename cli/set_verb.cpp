@@ -7,7 +7,7 @@
 
 namespace sunder::cli {
 
-CLI::App* add_set_verb(CLI::App& program, SetCall& call, const SetHelp& help) {
+CLI::App* add_set_verb(CLI::App& program, SetCall& call, const SetHelp& help, const std::function<void()>& run) {
   CLI::App* verb = program.add_subcommand(help.verb, help.about);
   auto* file = verb->add_option("FILE", call.files, help.file)->required();
   if (!help.two_files) file->expected(1);
@@ -28,6 +28,7 @@ CLI::App* add_set_verb(CLI::App& program, SetCall& call, const SetHelp& help) {
   verb->add_option("--title", call.title, "of the picture")->needs(svg);
   add_svg_limit(*verb, call.svg_limit);
   verb->add_flag("--json", call.json, "print a report in JSON");
+  verb->callback(run);
   return verb;
 }
 

@@ -64,7 +64,8 @@ struct SetHelp {
   const char *allow, *group, *name, *method;
   bool two_files = false;  // or one
 };
-CLI::App* add_set_verb(CLI::App& program, SetCall& call, const SetHelp& help);
+// run: when the verb is called. The texts of `help` are copied.
+CLI::App* add_set_verb(CLI::App& program, SetCall& call, const SetHelp& help, const std::function<void()>& run);
 void add_file_options(CLI::App& verb, SetCall& call);  // of files of features: --leave-out, --drop-z
 
 // A method by its name. Throws Error bad_call that lists all, and what they are for.

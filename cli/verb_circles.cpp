@@ -5,8 +5,6 @@
 #include <sunder/planar/set/discs_all.h>
 #include <sunder/planar/set/discs_any_json.h>
 
-#include <CLI/App.hpp>
-
 namespace sunder::cli {
 
 namespace {
@@ -19,6 +17,9 @@ using AnyMethod = planar::DiscsAnswer(const Discs&, const SetOptions&);
 struct Circles {
   using Members = Discs;
   static constexpr std::string_view verb = "circles", noun = "circle";
+  static constexpr const char* about_verb =
+      "Do any two circles of a file, with their insides, meet? Which, or a proof that none do.";
+  static constexpr const char* file_help = "circles: CSV (x,y,r, and a name if you like)";
   static constexpr std::array kinds{DiscContact::overlapping, DiscContact::inside, DiscContact::touching};
   static constexpr std::array<Named<AnyMethod>, 4> any_methods{{{"automatic", planar::discs_any},
                                                                 {"grid", planar::discs_any_by_grid},
@@ -44,15 +45,6 @@ struct Circles {
 
 }  // namespace
 
-void add_circles(CLI::App& program, int& code) {
-  auto call = std::make_shared<SetCall>();
-  CLI::App* verb = add_set_verb(
-      program, *call,
-      {"circles", "Do any two circles of a file, with their insides, meet? Which, or a proof that none do.",
-       "circles: CSV (x,y,r, and a name if you like)", "circles", "nothing, or touch",
-       "circles that are the same in this may meet: a column of the CSV",
-       "the column that names circles; unless given, name, NAME, id", "automatic, grid, sweep, or scan"});
-  verb->callback([call, &code] { code = run_set<MembersSet<Circles>>(*call); });
-}
+void add_circles(CLI::App& program, int& code) { add_members_verb<Circles>(program, code); }
 
 }  // namespace sunder::cli

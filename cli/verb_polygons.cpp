@@ -307,12 +307,12 @@ void add_polygons(CLI::App& program, int& code) {
       {"polygons", "Do any two polygons of a file, with their insides, meet? Which? Touching and overlapping apart.",
        "polygons, with holes and parts: WKT, GeoJSON; of two files, pairs across them", "polygons",
        "nothing, shared-endpoint, or touch", "features that are the same in this may meet: a property of the GeoJSON",
-       name_help, "automatic, boxes, grid, sweep, or scan", true});
+       name_help, "automatic, boxes, grid, sweep, or scan", true},
+      [call, &code] { code = run_set<PolygonsSet>(*call); });
   add_file_options(*verb, *call);
   verb->add_flag("--skip-invalid", call->skip_invalid, skip_invalid_help);
   verb->add_flag("--self-touch", call->self_touch, "take rings that touch themselves in points");
   verb->add_flag("--mend", call->mend, mend_help);
-  verb->callback([call, &code] { code = run_set<PolygonsSet>(*call); });
 }
 
 }  // namespace sunder::cli

@@ -414,7 +414,8 @@ void add_segments(CLI::App& program, int& code) {
        "segments that are the same in this may meet and cross: feature, ring, a column of the CSV, a property of the "
        "GeoJSON; of a board net (unless told otherwise) or layer",
        "the column or property that names features; unless given, name, NAME, id",
-       "automatic, grid, sweep (not for lists), bentley-ottmann, balaban (for lists), or scan"});
+       "automatic, grid, sweep (not for lists), bentley-ottmann, balaban (for lists), or scan"},
+      [call, &code] { code = run_set<SegmentsSet>(*call); });
   add_file_options(*verb, *call);
   auto* layer = verb->add_option("--layer", call->layer, "of a board, this layer only")->type_name("NAME");
   verb->add_flag("--across-layers", call->across_layers, "of a board, tracks of different layers may meet too")
@@ -422,7 +423,6 @@ void add_segments(CLI::App& program, int& code) {
   verb->add_flag(
       "--centre-lines", call->centre_lines,
       "of a board, ask about the tracks' centre lines: copper is not read, neither widths nor pads nor zones");
-  verb->callback([call, &code] { code = run_set<SegmentsSet>(*call); });
 }
 
 }  // namespace sunder::cli

@@ -138,8 +138,7 @@ std::string kind_of(const PlanarDisc& c, const PlanarDisc& d) {
   return distance > square(c.r - d.r) ? "overlapping" : "inside";
 }
 
-template <>
-bool is_kind_of<PlanarDisc>(const std::string& kind) {
+bool is_kind_of_full(const std::string& kind) {
   return kind == "touching" || kind == "overlapping" || kind == "inside";
 }
 

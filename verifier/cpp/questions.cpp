@@ -222,19 +222,16 @@ void read_member_groups(const Place& p, Said& said) {
 }
 
 template <auto table>
-using MemberOf = typename std::decay_t<decltype(std::declval<Tables>().*table)>::value_type;
-
-template <auto table>
 void read_member_contact(const Place& p, Said& said) {
   said.contact.i = index_member(p.item, "i", (p.tables.*table).size(), p.where);
   said.contact.j = index_member(p.item, "j", (p.tables.*table).size(), p.where);
   said.contact.kind = string_member(p.item, "kind", p.where);
-  if (!is_kind_of<MemberOf<table>>(said.contact.kind)) refuse_form(p.where + ".kind is no kind of contact");
+  if (!is_kind_of_full(said.contact.kind)) refuse_form(p.where + ".kind is no kind of contact");
 }
 
 template <auto table>
 void read_member_contacts(const Place& p, Said& said) {
-  said.contacts = contacts_of(p, (p.tables.*table).size(), is_kind_of<MemberOf<table>>);
+  said.contacts = contacts_of(p, (p.tables.*table).size(), is_kind_of_full);
 }
 
 void read_ring(const Place& p, Said& said) {

@@ -155,8 +155,7 @@ void check_powers(const Claim& claim, const Tables& tables, bool is_point);
 void check_arcs(const Claim& claim, const Tables& tables, const Numbers& point, const std::vector<std::size_t>& arcs);
 
 // Of the members of a set (member_rules.cpp).
-template <class Member>
-bool is_kind_of(const std::string& kind);  // is it a kind of contact of two?
+bool is_kind_of_full(const std::string& kind);  // is it a kind of contact of two full ones?
 template <class Member>
 void check_member_contact(const MemberTable<Member>& members, const StatedContact& contact, const Numbers& point,
                           const std::vector<std::int64_t>& groups, const AllowedContacts& allowed);

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 namespace sunder_verifier {
 namespace {
@@ -153,16 +154,29 @@ void read_segments(const Json& list, Tables& tables) {
   }
 }
 
-void read_circles(const Json& list, Tables& tables) {
-  const Doubles doubles = read_lists(list, 3, "tables.circles");
+// Members of so many numbers each. is_one: are these one? Else the reason.
+template <class Member, std::size_t columns, class IsOne>
+MemberTable<Member> read_members(const Json& list, const std::string& name, const IsOne& is_one,
+                                 const char* otherwise) {
+  const Doubles doubles = read_lists(list, columns, name);
   const Unit unit = unit_of(doubles);
-  tables.circles.exponent = unit.e;
-  tables.circles.bits = unit.bits;
-  tables.circles.reserve(list.size());
-  for (auto d = doubles.begin(); d != doubles.end(); d += 3) {
-    if (d[2].n < 0) refuse_form("tables.circles[" + std::to_string(tables.circles.size()) + "] has a negative radius");
-    tables.circles.push_back({unit.integer(d[0]), unit.integer(d[1]), unit.integer(d[2])});
+  MemberTable<Member> members;
+  members.exponent = unit.e;
+  members.bits = unit.bits;
+  members.reserve(list.size());
+  for (auto d = doubles.begin(); d != doubles.end(); d += columns) {
+    const Member member = [&]<std::size_t... k>(std::index_sequence<k...>) {
+      return Member{unit.integer(d[k])...};
+    }(std::make_index_sequence<columns>());
+    if (!is_one(member)) refuse_form(name + "[" + std::to_string(members.size()) + "] " + otherwise);
+    members.push_back(member);
   }
+  return members;
+}
+
+void read_circles(const Json& list, Tables& tables) {
+  tables.circles = read_members<PlanarDisc, 3>(
+      list, "tables.circles", [](const PlanarDisc& c) { return c.r >= 0; }, "has a negative radius");
 }
 
 // The coordinates of the vertices of all rings, in turn.

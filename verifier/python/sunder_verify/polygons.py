@@ -6,7 +6,7 @@ import itertools
 from .arcs import Way
 from .reader import length, projective, require
 from .rules import before, contacts_by_cover, contacts_of_segments, ends_at, is_on, lines_of, side, sweep
-from .tables import Discs, Polygons, Segments, around
+from .tables import Polygons, Segments, around
 
 
 # ---- Polygons: their edges, and what is above an odd number of them.
@@ -247,13 +247,13 @@ def rings_touch(steps, parts, rule, ring, other, point):
 
 # ---- Lists of what meets.
 
-CONTACTS = {Segments: contacts_of_segments, Discs: contacts_by_cover, Polygons: contacts_of_polygons}
+CONTACTS = {Segments: contacts_of_segments, Polygons: contacts_of_polygons}  # of others by a cover
 
 
 def exactly(rule):
     """The rule that the contacts that count are those wanted, which may be none, or are so many."""
     def check(steps, evidence, table, groups, allowed, wanted=()):
-        contacts = CONTACTS[type(table)](steps, evidence, table, groups, allowed)
+        contacts = CONTACTS.get(type(table), contacts_by_cover)(steps, evidence, table, groups, allowed)
         if type(wanted) is int:
             number = sum(1 for _ in contacts)
             require(number == wanted, rule, "%d contacts count" % number)

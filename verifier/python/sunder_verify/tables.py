@@ -161,15 +161,24 @@ def polygons(value, where, read=None):
     return Polygons([[[tuple(sorted(ends)) for ends in around(ring)] for ring in rings] for rings in placed], exponent)
 
 
-class Discs(list):
-    """Closed discs x, y, r, in units of 2^exponent."""
+class Members(list):
+    """Of so many numbers each, in units of 2^exponent."""
 
     def __init__(self, value, where, read=None):
-        rows, self.exponent = rows_of(value, 3, where)
+        rows, self.exponent = rows_of(value, self.columns, where)
         super().__init__(rows)
         self.bits = max(map(bits, rows), default=0)
-        for i, (_, _, r) in enumerate(self):
-            form(r >= 0, "%s[%d] has a negative radius" % (where, i))
+        for i, row in enumerate(self):
+            form(self.is_one(*row), "%s[%d] %s" % (where, i, self.otherwise))
+
+
+class Discs(Members):
+    """Closed discs x, y, r."""
+    columns, otherwise = 3, "has a negative radius"
+
+    @staticmethod
+    def is_one(x, y, r):
+        return r >= 0
 
     def box(self, i):
         x, y, r = self[i]
