@@ -8,7 +8,13 @@ namespace sunder_verifier {
 namespace {
 
 bool meet(const PlanarBox& a, const PlanarBox& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+  return a.low_x <= b.high_x && b.low_x <= a.high_x && a.low_y <= b.high_y && b.low_y <= a.high_y;
+}
+
+// The least box that holds both.
+PlanarBox hull(const PlanarBox& a, const PlanarBox& b) {
+  return {std::min(a.low_x, b.low_x), std::min(a.low_y, b.low_y), std::max(a.high_x, b.high_x),
+          std::max(a.high_y, b.high_y)};
 }
 
 bool counts(const std::string& kind, const AllowedContacts& allowed) {
@@ -86,14 +92,13 @@ class Cover {
       nodes_[number].upper = upper;
     }
     Node& node = nodes_[number];
-    const auto& [low, high] = node.box;
-    node.length = std::max<Integer>(high.x - low.x, high.y - low.y);
+    const PlanarBox& box = node.box;
+    node.length = std::max<Integer>(box.high_x - box.low_x, box.high_y - box.low_y);
     return number;
   }
 
   static void join(Node& node, const Node& a, const Node& b) {
-    node.box.low = {std::min(a.box.low.x, b.box.low.x), std::min(a.box.low.y, b.box.low.y)};
-    node.box.high = {std::max(a.box.high.x, b.box.high.x), std::max(a.box.high.y, b.box.high.y)};
+    node.box = hull(a.box, b.box);
     node.group = a.group;
     node.is_of_one_group = a.is_of_one_group && b.is_of_one_group && a.group == b.group;
   }
@@ -126,7 +131,7 @@ Integer power_of(const PlanarDisc& disc, const Integers& place) {
 }
 
 PlanarBox box_of(const PlanarDisc& disc) {
-  return {{disc.x - disc.r, disc.y - disc.r}, {disc.x + disc.r, disc.y + disc.r}};
+  return {disc.x - disc.r, disc.y - disc.r, disc.x + disc.r, disc.y + disc.r};
 }
 
 bool holds(const PlanarDisc& disc, const Integers& place) { return power_of(disc, place) <= 0; }

@@ -423,13 +423,15 @@ std::shared_ptr<const PartTable> Tables::parts_of(const std::vector<std::size_t>
 }
 
 Tables read_tables(const Json& item) {
-  static const std::map<std::string, void (*)(const Json&, Tables&)> readers{{"bodies", read_bodies},
-                                                                             {"segments", read_segments},
-                                                                             {"polygons", read_polygons},
-                                                                             {"circles", read_circles},
-                                                                             {"half_planes", read_half_planes},
-                                                                             {"rings", read_rings},
-                                                                             {"convex_polygons", read_convex_polygons}};
+  using Reader = void (*)(const Json&, Tables&);
+  std::map<std::string, Reader> readers;
+  readers["bodies"] = read_bodies;
+  readers["circles"] = read_circles;
+  readers["convex_polygons"] = read_convex_polygons;
+  readers["half_planes"] = read_half_planes;
+  readers["polygons"] = read_polygons;
+  readers["rings"] = read_rings;
+  readers["segments"] = read_segments;
   Tables tables;
   for (const auto& [name, reader] : readers) tables.names.push_back(name);
   require_members(item, {}, tables.names, "tables");

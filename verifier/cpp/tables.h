@@ -62,7 +62,8 @@ struct PlanarSegment {
 };
 
 struct PlanarBox {
-  PlanarPoint low, high;
+  Integer low_x, low_y, high_x, high_y;
+  friend bool operator==(const PlanarBox&, const PlanarBox&) = default;
 };
 
 // Closed. r >= 0.
