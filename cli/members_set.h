@@ -1,12 +1,11 @@
 // A set of members that are rows of a file, for set_verb.h. What is its own is a class, here Of:
 //   Of::Members, Of::verb, Of::noun     the set, for cover_statement.h too; "circles", "circle"
-//   Of::kinds                           all kinds of contact but none, the strongest first
 //   Of::all_methods, Of::any_methods    by name; where there are none, set_answers.h
 //   Of::about_verb, Of::file_help       in a sentence each
 //   read(call, inputs)                  MembersFile<Members>; throws Error
 //   about(member), place(a, b)          a member in words; a point of both, rounded
 //   draw(picture, member, ink)
-// Members are full: of their contacts all count, or all but touching ones.
+// Members are full, and meet as discs do: of their contacts all count, or all but touching ones.
 #pragma once
 
 #include <cli/progress.h>
@@ -14,11 +13,12 @@
 
 #include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
+#include <sunder/io/lines.h>
 #include <sunder/io/text.h>
 #include <sunder/near/cover_statement.h>
 #include <sunder/near/set_answers.h>
 #include <sunder/near/set_methods.h>
-
+#include <sunder/planar/pair/disc_disc.h>
 namespace sunder::cli {
 
 template <class Members>
@@ -30,16 +30,28 @@ struct MembersFile {
   std::vector<std::string> groups{};
 };
 
+// Members that are, or are made of, the segments of a file.
+template <class Members>
+MembersFile<Members> members_of(Members members, io::LineFile file) {
+  std::vector<std::string> names;
+  std::vector<std::uint32_t> lines;
+  for (const io::LineSource& source : file.source) {
+    names.push_back(file.features[source.feature]);
+    lines.push_back(source.line);
+  }
+  return {std::move(members), std::move(names), std::move(lines), std::move(file.group), std::move(file.groups)};
+}
+
 template <class Of>
 class MembersSet {
  public:
   using Call = SetCall;
   using Members = typename Of::Members;
   using Contact = ContactIn<Members>;
-  using Kind = typename decltype(Of::kinds)::value_type;
+  using Kind = planar::DiscContact;
   using Result = SetResult<MembersSet>;
   static constexpr std::string_view verb = Of::verb, noun = Of::noun, drawn_noun = Of::noun;
-  static constexpr auto kinds = Of::kinds;
+  static constexpr std::array kinds{Kind::overlapping, Kind::inside, Kind::touching};
 
   static void check(const Call& call) {
     allowed(call.allow);

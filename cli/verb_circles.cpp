@@ -9,7 +9,6 @@ namespace sunder::cli {
 
 namespace {
 
-using planar::DiscContact;
 using planar::Discs;
 
 using AnyMethod = planar::DiscsAnswer(const Discs&, const SetOptions&);
@@ -20,7 +19,6 @@ struct Circles {
   static constexpr const char* about_verb =
       "Do any two circles of a file, with their insides, meet? Which, or a proof that none do.";
   static constexpr const char* file_help = "circles: CSV (x,y,r, and a name if you like)";
-  static constexpr std::array kinds{DiscContact::overlapping, DiscContact::inside, DiscContact::touching};
   static constexpr std::array<Named<AnyMethod>, 4> any_methods{{{"automatic", planar::discs_any},
                                                                 {"grid", planar::discs_any_by_grid},
                                                                 {"sweep", planar::discs_any_by_sweep},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace sunder {
@@ -56,6 +57,15 @@ struct Box {
   Point<D> low, high;
   friend bool operator==(const Box&, const Box&) = default;
 };
+
+// Is each low end finite, and not above its high end, which is finite?
+template <std::size_t D>
+bool is_box(const Box<D>& box) {
+  for (std::size_t k = 0; k < D; ++k) {
+    if (!std::isfinite(box.low[k]) || !std::isfinite(box.high[k]) || box.low[k] > box.high[k]) return false;
+  }
+  return true;
+}
 
 using Box2 = Box<2>;
 using Box3 = Box<3>;

@@ -18,7 +18,7 @@ struct Sentence {
   const char* text;                // with members of the statement
 };
 
-constexpr std::array<Sentence, 39> sentences{{
+constexpr auto sentences = std::to_array<Sentence>({
     {"pair", "apart", "{a} and {b} are apart"},
     {"pair", "meet", "{a} and {b} meet at {point}"},
     {"pair", "touching", "{a} and {b} touch at {point}"},
@@ -59,7 +59,7 @@ constexpr std::array<Sentence, 39> sentences{{
     {"linear_program", "all", "{point} is as good as all others along {objective}"},
     {"linear_program", "unbounded", "there is no best point along {objective}"},
     {"linear_program", "infeasible", "no point is in all half-planes"},
-}};
+});
 
 constexpr std::array<std::array<const char*, 2>, 10> regions{{
     {"empty", "empty"},

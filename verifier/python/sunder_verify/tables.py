@@ -175,10 +175,7 @@ class Members(list):
 class Discs(Members):
     """Closed discs x, y, r."""
     columns, otherwise = 3, "has a negative radius"
-
-    @staticmethod
-    def is_one(x, y, r):
-        return r >= 0
+    is_one = staticmethod(lambda x, y, r: r >= 0)
 
     def box(self, i):
         x, y, r = self[i]
