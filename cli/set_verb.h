@@ -237,7 +237,7 @@ std::string picture_of_members(const SetCall& call, const SetResult<Set>& result
   }
   drawing.legend(Ink::calm,
                  call.allow == "nothing" && call.group.empty() ? "meets no other" : "no contact that counts");
-  return drawing.text(call.title.empty() ? fmt::format("Which of these {}s meet?", Set::noun) : call.title,
+  return drawing.text(call.title.empty() ? fmt::format("Which of these {} meet?", Set::verb) : call.title,
                       fmt::format("{}; {}{}", count_of(size, Set::noun),
                                   result.some() ? count_of(result.pairs(), "pair") + " meet" : "none meet", clause));
 }
