@@ -36,6 +36,7 @@ void add_verify(CLI::App& program, int& code);
 void add_segments(CLI::App& program, int& code);
 void add_simple(CLI::App& program, int& code);
 void add_circles(CLI::App& program, int& code);
+void add_boxes(CLI::App& program, int& code);
 void add_polygons(CLI::App& program, int& code);
 void add_region(CLI::App& program, int& code);
 void add_kernel(CLI::App& program, int& code);

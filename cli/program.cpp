@@ -30,8 +30,8 @@ namespace sunder::cli {
 
 namespace {
 
-constexpr std::array<AddVerb, 11> verbs{add_pair,   add_scene,  add_segments, add_simple, add_circles, add_polygons,
-                                        add_region, add_kernel, add_hull,     add_info,   add_verify};
+constexpr std::array<AddVerb, 12> verbs{add_pair,     add_scene,  add_segments, add_simple, add_circles, add_boxes,
+                                        add_polygons, add_region, add_kernel,   add_hull,   add_info,    add_verify};
 
 // Signals that end the program unless it does something about them.
 constexpr std::array ending_signals{SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU, SIGXFSZ};

@@ -37,6 +37,7 @@
 #include <sunder/planar/pair/segment_segment.h>
 
 // The plane: sets.
+#include <sunder/planar/set/boxes.h>
 #include <sunder/planar/set/convex_polygons_any.h>
 #include <sunder/planar/set/convex_polygons_any_json.h>
 #include <sunder/planar/set/discs_all.h>

@@ -143,6 +143,20 @@ std::string kind_of(const PlanarDisc& c, const PlanarDisc& d) {
   return distance > square(c.r - d.r) ? "overlapping" : "inside";
 }
 
+bool holds(const PlanarBox& box, const Integers& place) {
+  const Integer &x = place[0], &y = place[1], &w = place[2];
+  return box.low_x * w <= x && x <= box.high_x * w && box.low_y * w <= y && y <= box.high_y * w;
+}
+
+std::string kind_of(const PlanarBox& a, const PlanarBox& b) {
+  if (!meet(a, b)) return "";
+  const bool touch_in_x = (a.low_x == b.high_x) != (b.low_x == a.high_x);  // both, where they are one number
+  const bool touch_in_y = (a.low_y == b.high_y) != (b.low_y == a.high_y);
+  if (touch_in_x || touch_in_y) return "touching";
+  const PlanarBox all = hull(a, b);
+  return all == a || all == b ? "inside" : "overlapping";
+}
+
 bool is_kind_of_full(const std::string& kind) {
   return kind == "touching" || kind == "overlapping" || kind == "inside";
 }
@@ -182,6 +196,7 @@ void check_cover_number(const Claim& claim, const MemberTable<Member>& members, 
   template void check_cover_number(const Claim&, const MemberTable<Member>&, const std::vector<std::int64_t>&, \
                                    const AllowedContacts&, std::uint64_t);
 SUNDER_RULES_OF(PlanarDisc)
+SUNDER_RULES_OF(PlanarBox)
 #undef SUNDER_RULES_OF
 
 }  // namespace sunder_verifier

@@ -19,4 +19,8 @@ PlanarBox box_of(const PlanarDisc& disc);
 bool holds(const PlanarDisc& disc, const Integers& place);
 std::string kind_of(const PlanarDisc& c, const PlanarDisc& d);  // empty where they do not meet
 
+inline PlanarBox box_of(const PlanarBox& box) { return box; }
+bool holds(const PlanarBox& box, const Integers& place);
+std::string kind_of(const PlanarBox& a, const PlanarBox& b);
+
 }  // namespace sunder_verifier

@@ -709,6 +709,7 @@ const std::vector<Question> questions{
       {"these", {{"contacts", read_segment_contacts}}, {&these_count}},
       {"count", {{"number", read_count}}, {&number_counts}}}},
     covered<&Tables::circles>("circles"),
+    covered<&Tables::boxes>("boxes"),
     {"half_planes", "half_planes", {}, {}, regions<half_planes_of>()},
     {"kernel", "rings", {{"ring", read_ring}}, {}, regions<ring_of>()},
     {"convex_polygons_common_part", "convex_polygons", {}, {}, regions<convex_polygons_of>()},

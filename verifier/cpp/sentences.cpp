@@ -34,6 +34,8 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"segments", "none", "no two segments meet"},
     {"circles", "some", "circles {i} and {j} meet at {point}: {kind}"},
     {"circles", "none", "no two circles meet"},
+    {"boxes", "some", "boxes {i} and {j} meet at {point}: {kind}"},
+    {"boxes", "none", "no two boxes meet"},
     {"polygons", "some", "polygons {i} and {j} meet at {point}"},
     {"polygons", "none", "no two polygons meet"},
     {"half_planes", "", "the common part of the half-planes is {region}"},

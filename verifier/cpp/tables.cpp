@@ -179,6 +179,11 @@ void read_circles(const Json& list, Tables& tables) {
       list, "tables.circles", [](const PlanarDisc& c) { return c.r >= 0; }, "has a negative radius");
 }
 
+void read_boxes(const Json& list, Tables& tables) {
+  const auto is_one = [](const PlanarBox& b) { return b.low_x <= b.high_x && b.low_y <= b.high_y; };
+  tables.boxes = read_members<PlanarBox, 4>(list, "tables.boxes", is_one, "does not begin with its lowest corner");
+}
+
 // The coordinates of the vertices of all rings, in turn.
 Doubles read_vertices(const Json& list, PolygonTable& polygons) {
   Doubles doubles;
@@ -426,6 +431,7 @@ Tables read_tables(const Json& item) {
   using Reader = void (*)(const Json&, Tables&);
   std::map<std::string, Reader> readers;
   readers["bodies"] = read_bodies;
+  readers["boxes"] = read_boxes;
   readers["circles"] = read_circles;
   readers["convex_polygons"] = read_convex_polygons;
   readers["half_planes"] = read_half_planes;

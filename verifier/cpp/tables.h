@@ -123,6 +123,7 @@ struct Tables {
   std::int64_t segment_exponent = 0;
   std::size_t segment_bits = 0;
   MemberTable<PlanarDisc> circles;
+  MemberTable<PlanarBox> boxes;
   Constraints half_planes;
   PolygonTable polygons;
   std::size_t half_plane_bits = 0;

@@ -228,6 +228,7 @@ QUESTIONS = {
     "segments": meetings("segments", "contact segments i j kind point groups allowed",
                          "none_counts", "these_count", "number_counts"),
     "circles": meetings("circles", "contact circles i j kind point groups allowed", "cover", "cover", "cover"),
+    "boxes": meetings("boxes", "contact boxes i j kind point groups allowed", "cover", "cover", "cover"),
     "polygons": meetings("polygons", "common_point polygons i j point groups allowed",
                          "none_counts", "these_count", "number_counts"),
     "half_planes": ("half_planes", "", region("half_planes")),

@@ -7,7 +7,7 @@ claim brings, if anything, and what it is bound to.
 import itertools
 
 from .reader import Refused, bits, common, length, projective, require
-from .tables import Discs, Segments, dot, goes_round_once, turn
+from .tables import Boxes, Discs, Segments, dot, goes_round_once, turn
 
 
 def aligned(m, e, n, f):
@@ -320,9 +320,27 @@ def powers(steps, weights, discs, verdict):
     require(least > 0 or (least == 0 and verdict == "point"), "powers", "the mean of the powers is not as it must be")
 
 
+# ---- Boxes: lowest x and y, highest x and y.
+
+def is_in_box(box, point):
+    x, y, w = point
+    return box[0] * w <= x <= box[2] * w and box[1] * w <= y <= box[3] * w
+
+
+def kind_of_boxes(a, b, point=None):
+    """How two boxes meet, or None."""
+    if any(a[k] > b[k + 2] or b[k] > a[k + 2] for k in (0, 1)):
+        return None
+    if any((a[k] == b[k + 2]) != (b[k] == a[k + 2]) for k in (0, 1)):  # both, where they are one number
+        return "touching"
+    part = max(a[0], b[0]), max(a[1], b[1]), min(a[2], b[2]), min(a[3], b[3])
+    return "inside" if part in (tuple(a), tuple(b)) else "overlapping"
+
+
 # ---- Contacts of two entries of a table. Those of one group do not count, nor do kinds that are allowed.
 
-MEETING = {Segments: (is_on, kind_of, KINDS), Discs: (is_in, kind_of_discs, DISC_KINDS)}
+MEETING = {Segments: (is_on, kind_of, KINDS), Discs: (is_in, kind_of_discs, DISC_KINDS),
+           Boxes: (is_in_box, kind_of_boxes, DISC_KINDS)}
 
 
 def contact(steps, table, i, j, kind, point, groups, allowed):

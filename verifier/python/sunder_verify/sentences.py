@@ -15,6 +15,7 @@ SENTENCES = {  # of the members that a statement has
              "point": "the hull of {body} is a point"},
     "segments": {"some": "segments {i} and {j} meet at {point}: {kind}", "none": "no two segments meet"},
     "circles": {"some": "circles {i} and {j} meet at {point}: {kind}", "none": "no two circles meet"},
+    "boxes": {"some": "boxes {i} and {j} meet at {point}: {kind}", "none": "no two boxes meet"},
     "polygons": {"some": "polygons {i} and {j} meet at {point}", "none": "no two polygons meet"},
     "half_planes": "the common part of the half-planes is {region}",
     "kernel": "the kernel of ring {ring} is {region}",

@@ -182,6 +182,12 @@ class Discs(Members):
         return x - r, y - r, x + r, y + r
 
 
+class Boxes(Members):
+    """Closed boxes: lowest x and y, highest x and y."""
+    columns, otherwise, box = 4, "does not begin with its lowest corner", list.__getitem__
+    is_one = staticmethod(lambda x, y, u, v: x <= u and y <= v)
+
+
 # ---- Half-planes a x + b y <= c as integers (a, b, c, exponent of all three).
 
 def half_plane(a, b, e, c, f):
@@ -242,5 +248,5 @@ def convex_polygons(value, where, read=None):
     return [side for sides in list_of(sides_of_convex_polygon)(value, where, read) for side in sides]
 
 
-TABLES = {"bodies": bodies, "segments": segments, "polygons": polygons, "circles": Discs,
+TABLES = {"bodies": bodies, "segments": segments, "polygons": polygons, "circles": Discs, "boxes": Boxes,
           "half_planes": list_of(given_half_plane), "rings": list_of(sides_of_ring), "convex_polygons": convex_polygons}
