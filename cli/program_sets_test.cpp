@@ -162,11 +162,34 @@ TEST_F(Program, PolygonsOfGroups) {
   EXPECT_FALSE(python_accepts(proof));
 }
 
+TEST_F(Program, Boxes) {
+  const std::string rooms = cases + "/outcomes/boxes.csv", proof = in_folder("proof.json");
+  const json all = report("boxes " + rooms + " --all --certificate " + proof + " --svg " + in_folder("b.svg"), 1);
+  EXPECT_EQ(all["counts"], (json{{"overlapping", 1}, {"inside", 1}, {"touching", 1}}));
+  EXPECT_EQ(all["contacts"][0]["names"], (json{"hall", "porch"}));
+  EXPECT_EQ(run("verify " + proof + " --against " + rooms).code, 0);
+  EXPECT_TRUE(python_accepts(proof));
+  EXPECT_NE(read_text(in_folder("b.svg")).find("Which of these boxes meet?"), std::string::npos);
+  EXPECT_EQ(report("boxes " + rooms + " --all --method scan", 1)["contacts"], all["contacts"]);
+  EXPECT_EQ(report("boxes " + rooms + " --count --group owner", 1)["count"], 2);
+  json forged = json::parse(read_text(proof));
+  forged["statements"][0]["contacts"][0][2] = "inside";
+  write_text(proof, forged.dump());
+  EXPECT_EQ(run("verify " + proof).code, 1);
+  EXPECT_FALSE(python_accepts(proof));
+  const std::string turned = in_folder("turned.csv");
+  write_text(turned, "4,2,0,0\n4,0,6,2\n");  // any two opposite corners
+  EXPECT_EQ(report("boxes " + turned, 1)["contacts"][0]["kind"], "touching");
+  expect_bad("boxes " + cases + "/outcomes/square.wkt", "has no boxes; give CSV, x1,y1,x2,y2");
+  expect_bad("boxes " + rooms + " --allow shared-endpoint", "there is nothing named 'shared-endpoint' to allow");
+}
+
 // Each list is a report, a map and a table too, of the same contacts.
 TEST_F(Program, ListsAsMapsAndTables) {
   const std::string map = in_folder("map.geojson"), table = in_folder("table.csv");
-  for (const std::string& of : {"circles " + cases + "/circles/moon.csv", "polygons " + cases + "/tracts/tracts.wkt",
-                                "segments " + cases + "/outcomes/segments.csv"}) {
+  for (const std::string& of :
+       {"circles " + cases + "/circles/moon.csv", "boxes " + cases + "/outcomes/boxes.csv",
+        "polygons " + cases + "/tracts/tracts.wkt", "segments " + cases + "/outcomes/segments.csv"}) {
     const json contacts = report(of + " --all --geojson " + map + " --csv " + table, 1)["contacts"];
     const json features = json::parse(read_text(map))["features"];
     const std::string rows = read_text(table);

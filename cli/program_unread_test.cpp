@@ -233,6 +233,8 @@ TEST_F(Program, WhatCountsIsAsInTheGuide) {
   const std::string touch = file("touch.csv", "x1,y1,x2,y2,net\n0,0,2,0,a\n1,0,1,1,a\n");
   const std::string tangent = file("tangent.csv", "x,y,r,net\n0,0,1,a\n2,0,1,a\n");
   const std::string nested = file("nested.csv", "x,y,r,net\n0,0,2,a\n0,0,1,a\n");
+  const std::string beside_boxes = file("beside.csv", "x1,y1,x2,y2,net\n0,0,1,1,a\n1,0,2,1,a\n");
+  const std::string nested_boxes = file("nested_boxes.csv", "x1,y1,x2,y2,net\n0,0,3,3,a\n1,1,2,2,a\n");
   const std::string parts = "((0 0, 1 0, 1 1, 0 1, 0 0)), ((1 1, 2 1, 2 2, 1 2, 1 1))";
   const std::string of_one = file("parts.wkt", "MULTIPOLYGON (" + parts + ")\n");
   const std::string corners =
@@ -256,6 +258,8 @@ TEST_F(Program, WhatCountsIsAsInTheGuide) {
                               {"segments" + touch, {"touch"}},
                               {"circles" + tangent, {"touch"}},
                               {"circles" + nested, {}},
+                              {"boxes" + beside_boxes, {"touch"}},
+                              {"boxes" + nested_boxes, {}},
                               {"polygons" + corners, {"shared-endpoint", "touch"}},
                               {"polygons" + sides, {"touch"}},
                               {"polygons" + inside, {}}};
@@ -267,7 +271,8 @@ TEST_F(Program, WhatCountsIsAsInTheGuide) {
       EXPECT_EQ(code == 0, is_listed) << row.call << " --allow " << allowed << ": " << code;
     }
   }
-  for (const std::string& call : {"segments" + ends, "segments" + touch, "circles" + tangent, "circles" + nested}) {
+  for (const std::string& call : {"segments" + ends, "segments" + touch, "circles" + tangent, "circles" + nested,
+                                  "boxes" + beside_boxes, "boxes" + nested_boxes}) {
     EXPECT_EQ(run(call + " --group net").code, 0) << call;
   }
   EXPECT_EQ(run("polygons" + layer).code, 1);
