@@ -65,9 +65,9 @@ class BoxGrid {
  public:
   static constexpr double usual_covered = 8;
 
-  // A grid with about `cells` cells for each box, fewer where boxes are large; or nothing where it would not pay: boxes
-  // that cover more than `most_covered` cells each on average, ranges that overflow, fewer than two boxes, or 2^30.
-  // Cost: linear.
+  // A grid with about `cells` cells for each box, from 0 to 1, fewer where boxes are large; or nothing where it would
+  // not pay: boxes that cover more than `most_covered` cells each on average, ranges that overflow, fewer than two
+  // boxes, or 2^30 and more. Requires boxes: no end is NaN, and none below its low one. Cost: linear.
   template <class Member>
   static std::optional<BoxGrid> over(std::span<const Member> members, const BoxExtents& extents, double cells = 1,
                                      double most_covered = usual_covered);
@@ -181,9 +181,9 @@ std::vector<std::uint32_t> members_of_crowds(const BoxGrid& grid, std::size_t cr
 // How many pairs have a cell in common, counted for each cell?
 std::uint64_t pairs_in_cells(const BoxGrid& grid);
 
-// Would a sweep over all be the better way? Where more than half of the places are in crowds, or the other cells have
-// so many pairs of boxes to look at that few of them can be contacts. (A sweep takes as long for a comparison as a cell
-// for a dozen pairs of boxes.)
+// Would a sweep over all be the better way? Where the places in crowds are more than half as many as the members, or
+// the other cells have so many pairs of boxes to look at that few of them can be contacts. (A sweep takes as long for a
+// comparison as a cell for a dozen pairs of boxes.)
 bool is_too_much(const BoxGrid& grid, std::size_t crowd, std::size_t count);
 
 }  // namespace sunder

@@ -14,7 +14,9 @@
 #include <bit>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -121,8 +123,8 @@ class BoxPairsByHalving {
 };
 
 // Calls of_pair(i, j), i < j, once for each pair of boxes that meet, in no particular order, until it returns false.
-// Returns whether it never did. Adds to `looks`, where given, how often it looked at a box. Cost: O(N log N + k) for k
-// pairs.
+// Requires fewer than 2^31 boxes, no end NaN, none below its low one. Returns whether it never did. Adds to `looks`,
+// where given, how often it looked at a box. Cost: O(N log N + k) for k pairs.
 template <class OfPair>
 bool for_each_box_pair(std::span<const Box2> boxes, const OfPair& of_pair,
                        const std::function<void(double)>& progress = nullptr, std::uint64_t* looks = nullptr) {

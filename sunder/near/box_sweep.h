@@ -36,7 +36,7 @@ std::size_t widest_axis(std::span<const BoxLike> boxes) {
   return widest;
 }
 
-// All pairs {i, j}, i < j, of boxes that have a common point, in increasing order. Ends may be infinite.
+// All pairs {i, j}, i < j, of boxes that have a common point, in increasing order. Ends may be infinite, not NaN.
 // Sorts the boxes along the widest axis, and sweeps over it: any axis is right, a good one is fast.
 // BoxLike: a Box<D>, or what derives from one.
 // Cost: n log n, one comparison for each pair that meets along that axis, and the sorting of the result.

@@ -29,8 +29,13 @@ std::size_t widest(std::span<const Entry> boxes) {
     }
   }
   std::size_t best = 0;
-  for (std::size_t k = 1; k < 4; ++k) {
-    if (high[k] / 2 - low[k] / 2 > high[best] / 2 - low[best] / 2) best = k;
+  double most = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double spread = high[k] / 2 - low[k] / 2;  // not a number where all are infinite alike
+    if (spread > most) {
+      most = spread;
+      best = k;
+    }
   }
   return best;
 }
@@ -139,6 +144,7 @@ class CoverTree {
 }  // namespace
 
 std::vector<std::uint32_t> cover_order(std::span<const Box2> boxes, Groups groups) {
+  check_groups(groups, boxes.size());
   std::vector<Entry> sorted;
   sorted.reserve(boxes.size());
   for (std::uint32_t i = 0; i < boxes.size(); ++i) sorted.push_back(entry_of(boxes[i], i));

@@ -12,9 +12,10 @@
 
 namespace sunder {
 
-// Boxes may be rounded, and their ends infinite. The numbers of all, each once. Halves are made at the median of the
-// coordinate of the boxes, of all four, that differs most. Groups, where there are any, stand one after the other if a
-// checker then looks at fewer pairs. Cost: O(N log N) time, O(N) memory; with groups also that of a few checks.
+// Boxes may be rounded, and their ends infinite, but not NaN; fewer than 2^31. The numbers of all, each once. Halves
+// are made at the median of the coordinate of the boxes, of all four, that differs most. Groups, where there are any,
+// stand one after the other if a checker then looks at fewer pairs. Cost: O(N log N) time, O(N) memory; with groups
+// also that of a few checks.
 std::vector<std::uint32_t> cover_order(std::span<const Box2> boxes, Groups groups = {});
 
 // How many pairs of nodes a checker looks at that is told this order, were the boxes as rounded; at most `most`.

@@ -56,6 +56,18 @@ TEST(CoverOrderTest, OfARow) {
 }
 
 // Halves are made where the least or the greatest coordinates differ most: one long box does not part the others.
+// A coordinate that is infinite for all tells nothing; the order is by the other axis.
+TEST(CoverOrderTest, OfStrips) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  std::vector<Box2> strips, finite;
+  for (std::uint32_t i = 0; i < 1024; ++i) {
+    const double y = 2.0 * (i * 509 % 1024);
+    strips.push_back({{-inf, y}, {inf, y + 1}});
+    finite.push_back({{-1, y}, {1, y + 1}});
+  }
+  EXPECT_EQ(cover_order(strips), cover_order(finite));
+}
+
 TEST(CoverOrderTest, OfOneLongBox) {
   std::vector<Box2> boxes = row_of(1023, 2);
   boxes.push_back({{0, 0}, {1e6, 1}});

@@ -20,6 +20,7 @@ using ContactVisitor = std::function<bool(const ContactIn<Set>&)>;
 
 template <class Set>
 Cost contacts_visit(const Set& set, const SetOptions& options, const ContactVisitor<Set>& visit) {
+  check_groups(options.groups, set.size());
   Cost cost;
   std::uint64_t looks = 0;
   const auto& boxes = boxes_of(set);

@@ -10,6 +10,7 @@
 #include <sunder/near/set_question.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -56,6 +57,7 @@ auto pair_test(const Set& set, const SetOptions& options, Cost& cost, const Visi
 // Every pair, by i, then j: the oracle.
 template <class Set, class Visit>
 Cost visit_by_scan(const Set& set, const SetOptions& options, const Visit& visit) {
+  check_groups(options.groups, set.size());
   Cost cost;
   const auto test = pair_test(set, options, cost, visit);
   for (std::uint32_t i = 0; i < set.size(); ++i) {
@@ -71,6 +73,7 @@ Cost visit_by_scan(const Set& set, const SetOptions& options, const Visit& visit
 template <class Set, class Boxed, class Visit, class BySweep>
 Cost visit_by_grid(const Set& set, std::span<const Boxed> boxes, const std::optional<BoxGrid>& grid,
                    const SetOptions& options, const Visit& visit, const BySweep& by_sweep) {
+  check_groups(options.groups, set.size());
   constexpr std::size_t crowd = crowd_for_all;
   if (!grid || is_too_much(*grid, crowd, set.size())) return by_sweep(set, options, visit);
   Cost cost;
@@ -92,6 +95,7 @@ Cost visit_by_grid(const Set& set, std::span<const Boxed> boxes, const std::opti
 template <class Set, class Boxed, class BySweep>
 AnyAnswer<ContactIn<Set>> any_by_grid(const Set& set, std::span<const Boxed> boxes, const std::optional<BoxGrid>& grid,
                                       const SetOptions& options, const BySweep& by_sweep) {
+  check_groups(options.groups, set.size());
   constexpr std::size_t crowd = crowd_for_any;
   if (!grid || is_too_much(*grid, crowd, set.size())) return by_sweep(set, options);
   AnyAnswer<ContactIn<Set>> answer = first_of<ContactIn<Set>>([&](const auto& visit) {

@@ -1,4 +1,7 @@
+#include <sunder/base/error.h>
 #include <sunder/near/set_question.h>
+
+#include <string>
 
 namespace sunder {
 
@@ -9,6 +12,14 @@ std::string_view name_of(Allowed allowed) {
     case Allowed::touch: return "touch";
   }
   return "";
+}
+
+void check_groups(Groups groups, std::size_t members) {
+  if (groups.empty() || groups.size() == members) return;
+  throw Error(ErrorCode::bad_call,
+              std::to_string(groups.size()) + " groups of " + std::to_string(members) +
+                  " members; give a group for each, or none",
+              "groups");
 }
 
 }  // namespace sunder

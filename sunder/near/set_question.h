@@ -19,19 +19,22 @@ namespace sunder {
 enum class Allowed : std::uint8_t {
   nothing,
   shared_endpoint,  // one common point that is an end of both: roads at a junction, consecutive edges
-  touch,            // contacts of boundaries; of segments, in one point that is an end of one of them
+  touch,            // contacts in which no insides meet; of segments, in one point that is an end of one of them
 };
 
 std::string_view name_of(Allowed);  // "shared-endpoint"
 
-// Of full bodies: `shared_endpoint` allows nothing.
+// Of full bodies, where they have kinds of their own: `shared_endpoint` allows nothing.
 inline bool counts(Contact contact, Allowed allowed) {
   return contact == Contact::overlapping || (contact == Contact::touching && allowed != Allowed::touch);
 }
 
 // A group for each member, as numbers: the members of one (the same net, ring, road) may meet and cross one another.
-// Empty: there are none. Kept by reference.
+// Empty: there are none. Kept by reference. Every method throws Error bad_call where they are fewer or more than the
+// members.
 using Groups = std::span<const std::uint32_t>;
+
+void check_groups(Groups groups, std::size_t members);
 
 inline bool may_meet(Groups groups, std::uint32_t i, std::uint32_t j) {
   return !groups.empty() && groups[i] == groups[j];
@@ -40,7 +43,7 @@ inline bool may_meet(Groups groups, std::uint32_t i, std::uint32_t j) {
 struct SetOptions {
   Allowed allowed = Allowed::nothing;
   Groups groups{};                                 // members of one group may meet
-  std::function<void(double)> progress = nullptr;  // called now and then with the part that is done, 0 to 1
+  std::function<void(double)> progress = nullptr;  // called now and then, or never, with the part that is done, below 1
   bool transcript = false;                         // of segments: the answer comes with what proves it
 };
 

@@ -4,15 +4,15 @@
 // doubles given, whatever the position. It comes with its evidence: two polygons that meet in a way that counts, with
 // the certificate of this pair; convex_polygons_any_json.h writes proofs, also that there are none.
 // Also called: intersection detection among convex polygons.
-//   P1. meet() is true iff some two polygons have a contact that counts.
+//   P1. meet() is true iff some two polygons, not of one group, have a contact that counts.
 //   P2. The contact named counts; it need not be the leftmost, nor the same for all methods. `evidence` passes the
 //       absolute check of certificate/check.h, with polygon i as body A and polygon j as body B.
 //   P3. The answer does not depend on the compiler.
-// Requires a group for each polygon, or none at all.
-// None throws, but for want of memory, or what `progress` throws.
-// Source: Shamos & Hoey 1976, section IV, Theorem 6.
+// Throws Error bad_call where there are groups, and not one for each polygon; else none throws, but for want of memory,
+// or what `progress` throws. Source: Shamos & Hoey 1976, section IV, Theorem 6.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/certificate/pair_answer.h>
 #include <sunder/near/set_question.h>
 #include <sunder/planar/object/convex_polygon.h>
@@ -25,7 +25,8 @@
 namespace sunder::planar {
 
 struct ConvexPolygonsContact : ContactOfTwo<Contact> {
-  PairCertificate evidence;  // that they meet
+  PairCertificate evidence;                                                                     // that they meet
+  friend bool operator==(const ConvexPolygonsContact&, const ConvexPolygonsContact&) = delete;  // not of evidence
 };
 
 // Probes: vertices looked at, and pairs of boxes or polygons compared.

@@ -59,6 +59,7 @@ ConvexPolygonsAnswer any_across_groups(std::span<const ConvexPolygon> polygons, 
 }  // namespace
 
 ConvexPolygonsAnswer convex_polygons_any_by_grid(std::span<const ConvexPolygon> polygons, const SetOptions& options) {
+  check_groups(options.groups, polygons.size());
   if (!options.groups.empty()) return any_across_groups(polygons, options);
   ConvexPolygonsAnswer answer;
   const auto& [boxes, diagonals] = extents_of(polygons);

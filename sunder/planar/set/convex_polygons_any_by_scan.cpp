@@ -47,6 +47,7 @@ bool overlap(const ConvexPolygon& a, const ConvexPolygon& b) {
 }  // namespace
 
 ConvexPolygonsAnswer convex_polygons_any_by_scan(std::span<const ConvexPolygon> polygons, const SetOptions& options) {
+  check_groups(options.groups, polygons.size());
   ConvexPolygonsAnswer answer;
   for (std::uint32_t i = 0; i < polygons.size(); ++i) {
     for (std::uint32_t j = i + 1; j < polygons.size(); ++j) {

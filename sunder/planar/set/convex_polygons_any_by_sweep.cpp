@@ -138,6 +138,7 @@ class Sweep {
 }  // namespace
 
 ConvexPolygonsAnswer convex_polygons_any_by_sweep(std::span<const ConvexPolygon> polygons, const SetOptions& options) {
+  check_groups(options.groups, polygons.size());
   if (!options.groups.empty()) return convex_polygons_any_by_grid(polygons, options);
   return Sweep(polygons, options).run();
 }

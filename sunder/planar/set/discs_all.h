@@ -5,13 +5,14 @@
 //   P2. The pairs given and their kinds do not depend on the method; their order does.
 //   P3. The answer does not depend on the compiler.
 // k is the number of pairs whose boxes meet, also of those that do not count: all contacts are among them.
-// Requires a group for each disc, or none at all.
-// None throws, but for want of memory, or what `progress` or a visitor throws.
+// Throws Error bad_call where there are groups, and not one for each disc. Else none throws, but for want of
+// memory, or what `progress` or a visitor throws.
 // Source: Shamos & Hoey 1976, section VI (the question). That the list is complete is proved by an order
 // (discs_any_json.h).
 #pragma once
 
 #include <sunder/base/cost.h>
+#include <sunder/base/error.h>
 #include <sunder/near/contacts_in_order.h>
 #include <sunder/planar/object/discs.h>
 #include <sunder/planar/set/discs_any.h>

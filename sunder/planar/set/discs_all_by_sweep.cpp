@@ -45,6 +45,7 @@ struct RankedBoxes {
 }  // namespace
 
 Cost discs_all_by_sweep(const Discs& circles, const SetOptions& options, const DiscsVisitor& visit) {
+  check_groups(options.groups, circles.size());
   const RankedBoxes ranked(rounded_boxes(circles));
   const std::vector<Box2>& boxes = ranked.boxes;
   const std::vector<KeyedItem> begins = in_order(boxes, [](const Box2& box) { return box.low.x; });

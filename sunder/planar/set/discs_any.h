@@ -5,8 +5,8 @@
 //   P1. meet() is true iff some two discs, not of one group, have a contact whose kind counts under the rule.
 //   P2. The contact named counts; it need not be the leftmost, nor the same for all methods.
 //   P3. The answer does not depend on the compiler.
-// Requires a group for each disc, or none at all.
-// None throws, but for want of memory, or what `progress` throws.
+// Throws Error bad_call where there are groups, and not one for each disc. Else none throws, but for want of
+// memory, or what `progress` throws.
 // Source: Shamos & Hoey 1976, section IV, Theorem 8: N log N is enough, and needed.
 // What proves each answer is made by its writer, whatever the method (discs_any_json.h).
 //
@@ -25,6 +25,7 @@
 // nothing is computed to find it, and no contact disturbs it.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/near/set_question.h>
 #include <sunder/planar/object/discs.h>
 #include <sunder/planar/pair/disc_disc.h>

@@ -112,6 +112,7 @@ class Sweep {
 }  // namespace
 
 DiscsAnswer discs_any_by_sweep(const Discs& circles, const SetOptions& options) {
+  check_groups(options.groups, circles.size());
   if (options.groups.empty()) return Sweep(circles, options).run();
   return first_of<DiscsContact>([&](const DiscsVisitor& visit) { return discs_all_by_sweep(circles, options, visit); });
 }

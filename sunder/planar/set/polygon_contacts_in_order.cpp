@@ -47,6 +47,7 @@ PolygonContactsInOrder::PolygonContactsInOrder(std::span<const Polygon> polygons
                                                PolygonsFinder* find, std::size_t most)
     : polygons_(polygons), options_(options), find_(find), most_(most) {
   SUNDER_REQUIRE(most_ > 0);
+  check_groups(options.groups, polygons.size());
   const std::uint64_t size = polygons.size();
   for (std::uint64_t first = 0, width = size; first < size;) {
     Block block{static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(std::min(size, first + width))};

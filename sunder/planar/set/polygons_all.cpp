@@ -60,6 +60,7 @@ class PairCount {
 };
 
 PolygonsAllAnswer all_by(PolygonsFinder* find, std::span<const Polygon> polygons, const SetOptions& options) {
+  check_groups(options.groups, polygons.size());
   LowestContacts found(static_cast<std::uint32_t>(polygons.size()), std::numeric_limits<std::size_t>::max() / 2,
                        options.allowed);
   const Cost cost = find(polygons, options, found);
@@ -74,6 +75,7 @@ PolygonsAllAnswer polygons_all(std::span<const Polygon> polygons, const SetOptio
 
 // Nothing but the pairs is kept, and that only where boxes give up: then a pair may be found many times.
 PolygonsCountAnswer polygons_count(std::span<const Polygon> polygons, const SetOptions& options) {
+  check_groups(options.groups, polygons.size());
   PolygonsCountAnswer answer;
   Cost cost;
   const bool is_counted = for_each_meeting_pair(polygons, options, cost, [&](const PolygonsContact& c) {
@@ -98,6 +100,7 @@ PolygonsCountAnswer polygons_count(std::span<const Polygon> polygons, const SetO
 }
 
 PolygonsAllAnswer polygons_all_by_boxes(std::span<const Polygon> polygons, const SetOptions& options) {
+  check_groups(options.groups, polygons.size());
   PolygonsAllAnswer answer;
   const auto add = [&](const PolygonsContact& c) {
     if (counts(c, options.allowed)) answer.contacts.push_back(c);

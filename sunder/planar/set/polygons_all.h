@@ -1,13 +1,12 @@
 // Which pairs of N polygons with holes meet, and how? (What polygons are: polygons_any.h.)
+// Also called: polygon intersection reporting; spatial join.
 //
 //   P1. Each pair that has a contact that counts, and whose polygons are not of one group, is given once.
-// Also called: polygon intersection reporting; spatial join.
 //   P2. The pairs given, and whether they touch or overlap, do not depend on the method. Of a touching pair, kind is
 //       the greatest there is: shared_endpoint iff all common points are vertices of both; overlap iff they have a
 //       common border. Which edges show it may differ.
 //   P3. The pairs are in the order of i, then of j.
-// Requires what polygons_any.h does, of polygons and groups. None throws, but for want of memory, or what `progress`
-// throws.
+// Requires of polygons, and throws for groups, as polygons_any.h.
 // Source: Shamos & Hoey 1976, sections IV (Theorem 7) and VI (listing).
 #pragma once
 

@@ -7,16 +7,16 @@
 // that are valid are such, also those with rings that touch themselves (polygon_valid.h). What does not keep to that
 // is answered somehow. The answer is exactly right for the doubles given, and comes with
 // evidence: two edges that meet, or a vertex of one polygon inside of the other; polygons_json.h writes proofs.
-//   P1. meet() is true iff some two polygons have a contact that counts.
+//   P1. meet() is true iff some two polygons, not of one group, have a contact that counts.
 //   P2. The contact named counts; it need not be the leftmost, nor the same for all methods.
 //   P3. The answer does not depend on the compiler.
 //   P4. Two polygons overlap iff their interiors have a common point; they touch iff they meet and do not overlap:
 //       parcels along a common border touch, however they share its vertices.
-// Requires a group for each polygon, or none at all.
-// None throws, but for want of memory, or what `progress` throws.
-// Source: Shamos & Hoey 1976, section IV, Theorems 5 and 7.
+// Throws Error bad_call where there are groups, and not one for each polygon; else none throws, but for want of memory,
+// or what `progress` throws. Source: Shamos & Hoey 1976, section IV, Theorems 5 and 7.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/certificate/pair_answer.h>
 #include <sunder/near/set_question.h>
 #include <sunder/planar/object/polygon.h>

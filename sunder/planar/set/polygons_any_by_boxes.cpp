@@ -6,6 +6,7 @@
 namespace sunder::planar {
 
 PolygonsAnswer polygons_any_by_boxes(std::span<const Polygon> polygons, const SetOptions& options) {
+  check_groups(options.groups, polygons.size());
   PolygonsAnswer answer;
   Cost cost;
   if (for_each_meeting_pair(polygons, options, cost, first_that_counts(answer, options.allowed))) {

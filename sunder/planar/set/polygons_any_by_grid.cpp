@@ -5,6 +5,7 @@
 namespace sunder::planar {
 
 PolygonsAnswer polygons_any_by_grid(std::span<const Polygon> polygons, const SetOptions& options) {
+  check_groups(options.groups, polygons.size());
   PolygonEdges edges(pointers_to(polygons));
   PolygonsAnswer answer;
   PolygonMeetings meetings(edges, options.groups, first_that_counts(answer, options.allowed));

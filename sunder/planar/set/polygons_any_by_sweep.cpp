@@ -6,6 +6,7 @@
 namespace sunder::planar {
 
 PolygonsAnswer polygons_any_by_sweep(std::span<const Polygon> polygons, const SetOptions& options) {
+  check_groups(options.groups, polygons.size());
   PolygonEdges edges(pointers_to(polygons));
   PolygonsAnswer answer;
   PolygonSweep sweep(edges, options, first_that_counts(answer, options.allowed));

@@ -186,6 +186,7 @@ PolygonsAnswer polygons_contact_by_scan(const Polygon& a, const Polygon& b) {
 }
 
 PolygonsAllAnswer polygons_all_by_scan(std::span<const Polygon> polygons, const SetOptions& options) {
+  check_groups(options.groups, polygons.size());
   PolygonsAllAnswer answer;
   for (std::uint32_t i = 0; i < polygons.size(); ++i) {
     for (std::uint32_t j = i + 1; j < polygons.size(); ++j) {
@@ -208,6 +209,7 @@ Cost find_contacts_by_scan(std::span<const Polygon> polygons, const SetOptions& 
 }
 
 PolygonsAnswer polygons_any_by_scan(std::span<const Polygon> polygons, const SetOptions& options) {
+  check_groups(options.groups, polygons.size());
   PolygonsAnswer answer;
   const PolygonsAllAnswer all = polygons_all_by_scan(polygons, options);
   answer.cost = all.cost;

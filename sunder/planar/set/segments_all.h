@@ -5,12 +5,13 @@
 //   P2. The pairs given and their kinds do not depend on the method; their order does.
 //   P3. The answer does not depend on the compiler.
 // k is the number of all contacts, also of those that do not count.
-// Requires a group for each segment, or none at all.
-// None throws, but for want of memory, or what `progress` or a visitor throws.
-// Sources: Shamos & Hoey 1976, section VI (the question); Bentley & Ottmann 1979; Balaban 1995.
+// Throws Error bad_call where there are groups, and not one for each segment; else none throws, but for want of memory,
+// or what `progress` or a visitor throws. Sources: Shamos & Hoey 1976, section VI (the question); Bentley & Ottmann
+// 1979; Balaban 1995.
 #pragma once
 
 #include <sunder/base/cost.h>
+#include <sunder/base/error.h>
 #include <sunder/near/contacts_in_order.h>
 #include <sunder/planar/object/segments.h>
 #include <sunder/planar/set/segments_any.h>

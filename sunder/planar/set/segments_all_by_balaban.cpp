@@ -347,6 +347,7 @@ class Balaban {
 }  // namespace
 
 Cost segments_all_by_balaban(const Segments& segments, const SetOptions& options, const SegmentsVisitor& visit) {
+  check_groups(options.groups, segments.size());
   return Balaban(segments, options, visit).run();
 }
 

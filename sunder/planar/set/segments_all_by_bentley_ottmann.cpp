@@ -283,11 +283,13 @@ class BentleyOttmann {
 
 Cost segments_all_by_bentley_ottmann(const Segments& segments, const SetOptions& options,
                                      const SegmentsVisitor& visit) {
+  check_groups(options.groups, segments.size());
   return BentleyOttmann(segments, options, visit, nullptr).run();
 }
 
 Cost segments_visit_with_transcript(const Segments& segments, const SetOptions& options, const SegmentsVisitor& visit,
                                     SweepEvents& transcript) {
+  check_groups(options.groups, segments.size());
   return BentleyOttmann(segments, options, visit, &transcript).run();
 }
 
@@ -304,6 +306,7 @@ std::optional<SweepEvents> sweep_events(const Segments& segments, std::size_t mo
 }
 
 SegmentsAnswer segments_any_by_bentley_ottmann(const Segments& segments, const SetOptions& options) {
+  check_groups(options.groups, segments.size());
   SegmentsAnswer answer;
   const auto stop = [&](const SegmentsContact& contact) {
     answer.found = contact;

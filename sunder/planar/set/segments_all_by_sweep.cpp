@@ -66,6 +66,7 @@ struct Sample {
 }  // namespace
 
 Cost segments_all_by_sweep(const Segments& segments, const SetOptions& options, const SegmentsVisitor& visit) {
+  check_groups(options.groups, segments.size());
   if (segments.size() <= few) return segments_all_by_scan(segments, options, visit);
   const Sample sample(segments, options.groups);
   SegmentsMethod& method =

@@ -5,14 +5,14 @@
 // overlapping, zero-length, repeated segments, many through one point. It comes with its evidence: two segments that
 // meet in a way that counts, or a transcript of a sweep that proves that there are none (certificate format:
 // docs/claims.md).
-//   P1. meet() is true iff some two segments have a contact whose kind counts under the rule.
+//   P1. meet() is true iff some two segments, not of one group, have a contact whose kind counts.
 //   P2. The contact named counts; it need not be the leftmost, nor the same for all methods.
 //   P3. The answer does not depend on the compiler.
-// Requires a group for each segment, or none at all.
-// None throws, but for want of memory, or what `progress` throws.
-// Source: Shamos & Hoey 1976, section III, Algorithm 1 and Theorems 2 and 3.
+// Throws Error bad_call where there are groups, and not one for each segment; else none throws, but for want of memory,
+// or what `progress` throws. Source: Shamos & Hoey 1976, section III, Algorithm 1 and Theorems 2 and 3.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/near/set_question.h>
 #include <sunder/planar/object/segments.h>
 #include <sunder/planar/pair/segment_segment.h>

@@ -147,6 +147,7 @@ class Sweep {
 }  // namespace
 
 SegmentsAnswer segments_any_by_sweep(const Segments& segments, const SetOptions& options) {
+  check_groups(options.groups, segments.size());
   if (options.transcript) return segments_any_by_bentley_ottmann(segments, options);
   if (!options.groups.empty()) {  // members of one may cross, many times: up to the first contact that counts
     return {first_of<SegmentsContact>(
