@@ -30,6 +30,7 @@
 #include <tuple>
 #include <vector>
 
+#include "options.h"
 #include "polygon_contest.h"
 #include "polygon_scenarios.h"
 #include "report.h"
@@ -270,8 +271,7 @@ int run(const Options& options) {
   std::printf("\n");
   std::vector<std::string> failures = failures_of(cells);
   tell_growth(cells, failures);
-  for (const std::string& failure : failures) std::printf("FAILED: %s\n", failure.c_str());
-  if (failures.empty()) std::printf("All that is demanded holds.\n");
+  print_failures(failures);
   if (!options.json.empty()) write_json(options, cells, failures);
   return options.check && !failures.empty() ? 1 : 0;
 }
@@ -285,48 +285,15 @@ int usage(const std::string& problem) {
   return 2;
 }
 
-bool parse_number(const std::string& text, std::uint64_t least, std::uint64_t& out) {
-  char* end = nullptr;
-  out = std::strtoull(text.c_str(), &end, 10);
-  return !text.empty() && *end == '\0' && out >= least;
-}
-
 }  // namespace
 }  // namespace bench
 
 int main(int argc, char** argv) {
   bench::Options options;
   bool quick = false;
-  for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    if (argument == "--check" || argument == "--quick" || argument == "--ways") {
-      (argument == "--check" ? options.check : argument == "--quick" ? quick : options.ways) = true;
-      continue;
-    }
-    if (i + 1 == argc) return bench::usage("unknown option, or value missing: " + argument);
-    const std::string value = argv[++i];
-    std::uint64_t number = 0;
-    bool good = true;
-    if (argument == "--json") {
-      options.json = value;
-    } else if (argument == "--commit") {
-      options.commit = value;
-    } else if (argument == "--rounds") {
-      if ((good = bench::parse_number(value, 1, number))) options.rounds = number;
-    } else if (argument == "--seed") {
-      if ((good = bench::parse_number(value, 0, number))) options.seed = number;
-    } else if (argument == "--sizes") {
-      for (std::size_t from = 0; good && from <= value.size();) {
-        const std::size_t comma = std::min(value.find(',', from), value.size());
-        if ((good = bench::parse_number(value.substr(from, comma - from), 4, number))) options.sizes.push_back(number);
-        from = comma + 1;
-      }
-    } else {
-      return bench::usage("unknown option: " + argument);
-    }
-    if (!good) return bench::usage(argument + ": bad value: " + value);
-  }
-  if (quick) options.rounds = std::min<std::size_t>(options.rounds, 5);
+  const std::string problem =
+      bench::read_options(argc, argv, 4, options, quick, [](const std::string&, const std::string&) { return 1; });
+  if (!problem.empty()) return bench::usage(problem);
   if (options.sizes.empty()) {
     options.sizes = {4, 10, 30, 100, 1000, 10000, 100000};
     if (!quick) options.sizes.push_back(1000000);

@@ -83,6 +83,17 @@ double geometric_mean(const std::vector<double>& values) {
   return std::exp(sum / static_cast<double>(values.size()));
 }
 
+void print_failures(const std::vector<std::string>& failures) {
+  for (const std::string& failure : failures) std::printf("FAILED: %s\n", failure.c_str());
+  if (failures.empty()) std::printf("All that is demanded holds.\n");
+}
+
+bool parse_number(const std::string& text, std::uint64_t least, std::uint64_t& out) {
+  char* end = nullptr;
+  out = std::strtoull(text.c_str(), &end, 10);
+  return !text.empty() && *end == '\0' && out >= least;
+}
+
 ReportFile::ReportFile(std::string path) : path_(std::move(path)), temporary_(path_ + ".partial") {
   file_ = std::fopen(temporary_.c_str(), "w");
   if (file_ == nullptr) throw std::runtime_error("cannot write " + temporary_);

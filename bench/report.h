@@ -1,6 +1,7 @@
 // What every benchmark says about the run: machine, compiler, date, commit; and small statistics.
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -22,6 +23,12 @@ void print_text(std::FILE*, const Circumstances&);
 double median(std::vector<double> values);
 double lowest(const std::vector<double>& values);
 double geometric_mean(const std::vector<double>& values);
+
+// What is demanded and does not hold; or that all does.
+void print_failures(const std::vector<std::string>& failures);
+
+// Is the text a whole number, not less than that? Then it is in `out`.
+bool parse_number(const std::string& text, std::uint64_t least, std::uint64_t& out);
 
 // A file that appears under its name only once it is whole: written under another name, then renamed.
 class ReportFile {

@@ -11,10 +11,8 @@
 namespace bench {
 namespace {
 
-constexpr double kTurnSeconds = 3e-3;
 constexpr double kRoundsSeconds = 3;               // who takes longer for all rounds takes part in fewer
 constexpr double kSureSeconds = 2 * kMostSeconds;  // predicted, that is sure enough to be more than kMostSeconds
-constexpr double kColdSeconds = 0.05;              // calls shorter than this are made once before they count
 
 struct Contestant {
   std::string library, method;
@@ -24,24 +22,6 @@ struct Contestant {
   double look = 0;          // seconds for one call, at first sight
   std::vector<double> times{};
 };
-
-double take_turn(Contestant& contestant) {
-  std::uint64_t sum = 0;
-  const auto pass = [&] {
-    for (const Asked& ask : contestant.asks) sum += ask();
-  };
-  if (contestant.look * static_cast<double>(contestant.asks.size()) < kColdSeconds) pass();
-  const double start = thread_seconds();
-  double elapsed = 0;
-  std::size_t passes = 0;
-  do {
-    pass();
-    ++passes;
-    elapsed = thread_seconds() - start;
-  } while (elapsed < kTurnSeconds);
-  [[maybe_unused]] volatile const std::uint64_t used = sum;
-  return elapsed / static_cast<double>(passes * contestant.asks.size());
-}
 
 // Copying the endpoints is not timed.
 double take_sort_turn(const std::vector<std::vector<Xy>>& endpoints) {
@@ -95,16 +75,6 @@ bool peers_question(Question question, SegmentQuestion& out) {
     default: return false;
   }
 }
-
-struct Looks {
-  std::vector<Look> looks;
-  std::map<std::string, double> over;  // libraries of which some way is left out as too slow: the least such time
-
-  void leave_out(const std::string& library, double seconds) {
-    const auto [at, is_new] = over.emplace(library, seconds);
-    if (!is_new) at->second = std::min(at->second, seconds);
-  }
-};
 
 // Looks at all ways of all peers; keeps of each library those that may be its fastest.
 std::vector<Contestant> look_at_peers(const std::vector<SegmentInput>& inputs, SegmentFamily family, std::size_t n,
@@ -162,19 +132,6 @@ bool ContestOptions::asks(Question question) const {
   return questions.empty() || std::find(questions.begin(), questions.end(), question) != questions.end();
 }
 
-double History::predict(const std::string& key, double n) const {
-  const auto found = seen_.find(key);
-  if (found == seen_.end()) return 0;
-  const auto& seen = found->second;
-  const auto [last_n, last] = seen.back();
-  double power = 1;
-  if (seen.size() > 1) {
-    const auto [old_n, old] = seen[seen.size() - 2];
-    power = std::clamp(std::log(last / old) / std::log(last_n / old_n), 1.0, 2.5);
-  }
-  return last * std::pow(n / last_n, power);
-}
-
 std::vector<Row> measure(const Plan& plan, std::size_t n, bool look_only, const std::vector<Line>& map,
                          const ContestOptions& options, History& history) {
   const std::vector<SegmentInput> inputs = make_segment_inputs(plan.family, n, options.seed, map);
@@ -203,7 +160,8 @@ std::vector<Row> measure(const Plan& plan, std::size_t n, bool look_only, const 
       Contestant& contestant = contestants[(k + round) % contestants.size()];
       const double turn = contestant.look * static_cast<double>(contestant.asks.size());
       if (round >= 3 && static_cast<double>(round) * turn > kRoundsSeconds) continue;
-      contestant.times.push_back(contestant.asks.empty() ? take_sort_turn(endpoints) : take_turn(contestant));
+      contestant.times.push_back(contestant.asks.empty() ? take_sort_turn(endpoints)
+                                                         : take_turn(contestant.asks, contestant.look));
     }
   }
 

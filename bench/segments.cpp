@@ -28,6 +28,7 @@
 #include <utility>
 #include <vector>
 
+#include "options.h"
 #include "report.h"
 #include "segment_contest.h"
 #include "segment_scenarios.h"
@@ -255,8 +256,7 @@ int run(const Options& options) {
   }
   const std::vector<std::string> failures = failures_of(rows);
   std::printf("\n");
-  for (const std::string& failure : failures) std::printf("FAILED: %s\n", failure.c_str());
-  if (failures.empty()) std::printf("All that is demanded holds.\n");
+  print_failures(failures);
   if (!options.json.empty()) write_json(options, rows, failures);
   return options.check && !failures.empty() ? 1 : 0;
 }
@@ -271,12 +271,6 @@ int usage(const std::string& problem) {
   return 2;
 }
 
-bool parse_number(const std::string& text, std::uint64_t least, std::uint64_t& out) {
-  char* end = nullptr;
-  out = std::strtoull(text.c_str(), &end, 10);
-  return !text.empty() && *end == '\0' && out >= least;
-}
-
 }  // namespace
 }  // namespace bench
 
@@ -284,46 +278,21 @@ int main(int argc, char** argv) {
   using bench::Question;
   bench::Options options;
   bool quick = false;
-  for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
-    if (argument == "--check" || argument == "--quick" || argument == "--ways") {
-      (argument == "--check" ? options.check : argument == "--quick" ? quick : options.ways) = true;
-      continue;
-    }
-    if (i + 1 == argc) return bench::usage("unknown option, or value missing: " + argument);
-    const std::string value = argv[++i];
-    std::uint64_t number = 0;
-    bool good = true;
-    if (argument == "--json") {
-      options.json = value;
-    } else if (argument == "--commit") {
-      options.commit = value;
-    } else if (argument == "--map") {
+  const auto more = [&](const std::string& name, const std::string& value) {
+    if (name == "--map") {
       options.map = value;
-    } else if (argument == "--rounds") {
-      if ((good = bench::parse_number(value, 1, number))) options.rounds = number;
-    } else if (argument == "--seed") {
-      if ((good = bench::parse_number(value, 0, number))) options.seed = number;
-    } else if (argument == "--sizes") {
-      for (std::size_t from = 0; good && from <= value.size();) {
-        const std::size_t comma = std::min(value.find(',', from), value.size());
-        if ((good = bench::parse_number(value.substr(from, comma - from), 100, number)))
-          options.sizes.push_back(number);
-        from = comma + 1;
-      }
-    } else if (argument == "--only") {
-      std::vector<Question> add;
-      if (value == "any") add = {Question::make, Question::any, Question::transcript};
-      if (value == "simple") add = {Question::simple};
-      if (value == "all") add = {Question::all, Question::count};
-      good = !add.empty();
-      options.questions.insert(options.questions.end(), add.begin(), add.end());
-    } else {
-      return bench::usage("unknown option: " + argument);
+      return 0;
     }
-    if (!good) return bench::usage(argument + ": bad value: " + value);
-  }
-  if (quick) options.rounds = std::min<std::size_t>(options.rounds, 5);
+    if (name != "--only") return 1;
+    std::vector<Question> add;
+    if (value == "any") add = {Question::make, Question::any, Question::transcript};
+    if (value == "simple") add = {Question::simple};
+    if (value == "all") add = {Question::all, Question::count};
+    options.questions.insert(options.questions.end(), add.begin(), add.end());
+    return add.empty() ? 2 : 0;
+  };
+  const std::string problem = bench::read_options(argc, argv, 100, options, quick, more);
+  if (!problem.empty()) return bench::usage(problem);
   if (options.sizes.empty()) {
     options.sizes = {100, 1000, 10000, 100000};
     if (!quick) options.sizes.push_back(1000000);

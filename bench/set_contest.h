@@ -10,11 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "contest.h"
+
 namespace bench {
-
-using Asked = std::function<std::uint64_t()>;  // asks once
-
-constexpr double kMostSeconds = 3;  // for one call of a peer
 
 struct Entry {
   std::string library, method;
@@ -39,20 +37,6 @@ struct ContestOptions {
   std::uint64_t seed = 1;
 };
 
-struct Result {
-  enum class State : std::uint8_t { none, over, measured } state = State::none;
-  std::string library, method;
-  double median_s = 0, lowest_s = 0;  // over: what it took, or would take by its growth
-  std::size_t wrong = 0;
-};
-
-// The first look at a way: it counts the wrong answers, but its time is that of one call in the cold.
-struct Look {
-  std::string library, method;
-  double seconds = 0;
-  std::size_t wrong = 0;
-};
-
 struct Row {
   std::string input, question;
   std::size_t n = 0, inputs = 0;
@@ -61,17 +45,6 @@ struct Row {
   std::vector<Result> peers;  // one for each library
   std::vector<Look> looks;    // at all ways
   double sorts() const { return sunder.median_s / sort_s; }
-};
-
-// What one call took at smaller sizes, by input, question, library and method.
-class History {
- public:
-  void note(const std::string& key, double n, double seconds) { seen_[key].push_back({n, seconds}); }
-  // For one call of n objects: at least linear, else by the growth between the last two sizes.
-  double predict(const std::string& key, double n) const;
-
- private:
-  std::map<std::string, std::vector<std::pair<double, double>>> seen_;
 };
 
 // look_only: peers take their first look, for the history; the row is empty.

@@ -211,8 +211,7 @@ int run(const Program& program, const Options& options) {
     }
   }
   std::printf("\n");
-  for (const std::string& failure : failures) std::printf("FAILED: %s\n", failure.c_str());
-  if (failures.empty()) std::printf("All that is demanded holds.\n");
+  print_failures(failures);
   if (!options.json.empty()) write_json(program, options, rows, failures);
   return options.check && !failures.empty() ? 1 : 0;
 }
@@ -225,12 +224,6 @@ int usage(const Program& program, const std::string& problem) {
                "[--seed SEED] [--json FILE] [--commit ID]\n",
                program.name.c_str(), problem.c_str(), program.name.c_str(), only.c_str());
   return 2;
-}
-
-bool parse_number(const std::string& text, std::uint64_t least, std::uint64_t& out) {
-  char* end = nullptr;
-  out = std::strtoull(text.c_str(), &end, 10);
-  return !text.empty() && *end == '\0' && out >= least;
 }
 
 bool parse_sizes(const std::string& text, std::vector<std::size_t>& sizes) {

@@ -118,7 +118,7 @@ TEST_F(Program, TheManualPage) {
 
 TEST_F(Program, BadCalls) {
   expect_bad("",
-             "no verb is given; verbs are pair, scene, segments, simple, circles, polygons, region, kernel, hull, "
+             "no verb is given; verbs are pair, scene, segments, simple, circles, boxes, polygons, region, kernel, hull, "
              "info, verify");
   expect_bad("frob", "there is no verb 'frob'");
   expect_bad("--frob", "there is no option '--frob'");

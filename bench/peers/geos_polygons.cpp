@@ -1,35 +1,14 @@
 // GEOS, through its C interface.
-#include <geos_c.h>
-
 #include <memory>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "geos_context.h"
 #include "polygon_peer.h"
 
 namespace bench {
 namespace {
-
-struct Context {
-  GEOSContextHandle_t handle = GEOS_init_r();
-  Context() = default;
-  Context(const Context&) = delete;
-  Context& operator=(const Context&) = delete;
-  ~Context() { GEOS_finish_r(handle); }
-};
-
-GEOSContextHandle_t context() {
-  static const Context one;
-  return one.handle;
-}
-
-struct Destroy {
-  void operator()(GEOSGeometry* geometry) const { GEOSGeom_destroy_r(context(), geometry); }
-  void operator()(const GEOSPreparedGeometry* geometry) const { GEOSPreparedGeom_destroy_r(context(), geometry); }
-};
-using Geometry = std::unique_ptr<GEOSGeometry, Destroy>;
-using Prepared = std::unique_ptr<const GEOSPreparedGeometry, Destroy>;
 
 std::vector<Geometry> geometries(const PolygonScenario& scenario) {
   std::vector<Geometry> made;

@@ -1,38 +1,18 @@
 // GEOS: its C interface for polygons, and of its C++ classes the tree, which its C interface has without templates.
 #include <geos/geom/Envelope.h>
 #include <geos/index/strtree/TemplateSTRtree.h>
-#include <geos_c.h>
 
 #include <memory>
 #include <stdexcept>
 #include <vector>
 
+#include "geos_context.h"
 #include "set_peer.h"
 
 namespace bench {
 namespace {
 
 using geos::geom::Envelope;
-
-struct Context {
-  GEOSContextHandle_t handle = GEOS_init_r();
-  Context() = default;
-  Context(const Context&) = delete;
-  Context& operator=(const Context&) = delete;
-  ~Context() { GEOS_finish_r(handle); }
-};
-
-GEOSContextHandle_t context() {
-  static const Context one;
-  return one.handle;
-}
-
-struct Destroy {
-  void operator()(GEOSGeometry* geometry) const { GEOSGeom_destroy_r(context(), geometry); }
-  void operator()(const GEOSPreparedGeometry* geometry) const { GEOSPreparedGeom_destroy_r(context(), geometry); }
-};
-using Geometry = std::unique_ptr<GEOSGeometry, Destroy>;
-using Prepared = std::unique_ptr<const GEOSPreparedGeometry, Destroy>;
 
 Geometry polygon(const Ring& ring) {
   const auto size = static_cast<unsigned>(ring.size());

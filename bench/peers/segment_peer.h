@@ -17,6 +17,8 @@
 
 #include "../segment_scenarios.h"
 
+#include "../contest.h"
+
 namespace bench {
 
 enum class SegmentQuestion : std::uint8_t {
@@ -25,8 +27,6 @@ enum class SegmentQuestion : std::uint8_t {
   all,     // lists the pairs that meet in a way that counts, as indices, in memory; says how many
   count,   // says how many
 };
-
-using Asked = std::function<std::uint64_t()>;  // asks once
 
 struct SegmentWay {
   std::string_view library, method;

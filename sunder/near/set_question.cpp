@@ -1,4 +1,3 @@
-#include <sunder/base/error.h>
 #include <sunder/near/set_question.h>
 
 #include <string>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <sunder/base/cost.h>
+#include <sunder/base/error.h>
 #include <sunder/certificate/pair_answer.h>
 
 #include <algorithm>

@@ -2,44 +2,17 @@
 #include <sunder/base/random.h>
 #include <sunder/number/interval.h>
 
+#include <tests/support/exact.h>
 #include <tests/support/scale.h>
 
 #include <gtest/gtest.h>
-#include <boost/multiprecision/cpp_int.hpp>
 
 #include <array>
 
 namespace sunder {
 namespace {
 
-using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double largest = std::numeric_limits<double>::max();
-constexpr double least = std::numeric_limits<double>::denorm_min();
-
-// The oracle: n 2^e.
-struct Exact {
-  Whole n;
-  int e = 0;
-
-  Exact(double x) {
-    const double m = std::frexp(x, &e);
-    n = static_cast<std::int64_t>(std::ldexp(m, 53));
-    e -= 53;
-  }
-  Exact(Whole mantissa, int exponent) : n(std::move(mantissa)), e(exponent) {}
-
-  Whole at(int exponent) const { return n << static_cast<unsigned>(e - exponent); }
-};
-Exact operator+(const Exact& a, const Exact& b) {
-  const int e = std::min(a.e, b.e);
-  return {a.at(e) + b.at(e), e};
-}
-Exact operator-(const Exact& a) { return {-a.n, a.e}; }
-Exact operator-(const Exact& a, const Exact& b) { return a + (-b); }
-Exact operator*(const Exact& a, const Exact& b) { return {a.n * b.n, a.e + b.e}; }
-bool operator<=(const Exact& a, const Exact& b) { return (a - b).n <= 0; }
+using tests::Exact, tests::infinity, tests::largest, tests::least;
 
 bool encloses(const Interval& i, const Exact& x) {
   if (!(i.low <= i.high) || i.low == infinity || i.high == -infinity) return false;

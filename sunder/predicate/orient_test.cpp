@@ -3,10 +3,10 @@
 #include <sunder/predicate/orient.h>
 #include <sunder/predicate/stages.h>
 
+#include <tests/support/exact.h>
 #include <tests/support/scale.h>
 
 #include <gtest/gtest.h>
-#include <boost/multiprecision/cpp_int.hpp>
 
 #include <array>
 #include <utility>
@@ -14,33 +14,9 @@
 namespace sunder {
 namespace {
 
-using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+using tests::Exact, tests::infinity, tests::largest, tests::least;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double largest = std::numeric_limits<double>::max();
-constexpr double least = std::numeric_limits<double>::denorm_min();
-
-// The oracle's numbers: n 2^e.
-struct Exact {
-  Whole n;
-  int e = 0;
-
-  Exact(double x) {
-    const double m = std::frexp(x, &e);
-    n = static_cast<std::int64_t>(std::ldexp(m, 53));
-    e -= 53;
-  }
-  Exact(Whole mantissa, int exponent) : n(std::move(mantissa)), e(exponent) {}
-
-  Whole at(int exponent) const { return n << static_cast<unsigned>(e - exponent); }
-  Sign sign() const { return static_cast<Sign>(n.sign()); }
-};
-Exact operator+(const Exact& a, const Exact& b) {
-  const int e = std::min(a.e, b.e);
-  return {a.at(e) + b.at(e), e};
-}
-Exact operator-(const Exact& a, const Exact& b) { return a + Exact(-b.n, b.e); }
-Exact operator*(const Exact& a, const Exact& b) { return {a.n * b.n, a.e + b.e}; }
+Sign sign_of(const Exact& x) { return static_cast<Sign>(x.sign()); }
 
 using ExactPoint = std::array<Exact, 3>;
 
@@ -54,16 +30,15 @@ ExactPoint image(const Posed3& p) {
 
 // det(a - c, b - c) of the coordinates i, j; det(b - d, a - d, c - d): other forms than those of the library.
 Sign turn(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, std::size_t i, std::size_t j) {
-  return ((a[i] - c[i]) * (b[j] - c[j]) - (a[j] - c[j]) * (b[i] - c[i])).sign();
+  return sign_of((a[i] - c[i]) * (b[j] - c[j]) - (a[j] - c[j]) * (b[i] - c[i]));
 }
 Sign side(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
   std::array<std::array<Exact, 3>, 3> r{b, a, c};
   for (auto& row : r) {
     for (std::size_t i = 0; i < 3; ++i) row[i] = row[i] - d[i];
   }
-  return (r[0][0] * (r[1][1] * r[2][2] - r[2][1] * r[1][2]) - r[1][0] * (r[0][1] * r[2][2] - r[2][1] * r[0][2]) +
-          r[2][0] * (r[0][1] * r[1][2] - r[1][1] * r[0][2]))
-      .sign();
+  return sign_of(r[0][0] * (r[1][1] * r[2][2] - r[2][1] * r[1][2]) - r[1][0] * (r[0][1] * r[2][2] - r[2][1] * r[0][2]) +
+                 r[2][0] * (r[0][1] * r[1][2] - r[1][1] * r[0][2]));
 }
 
 // What the stages said over many instances.
@@ -324,7 +299,7 @@ TEST(OrientTest, EachStageOfPosedPoints) {
                  : axis == 1 ? difference_formula<1>(s, t)
                              : difference_formula<2>(s, t);
         },
-        [axis](const auto&... q) { return compare_coordinate(axis, q...); }, (image(d)[k] - image(b)[k]).sign(), b, d);
+        [axis](const auto&... q) { return compare_coordinate(axis, q...); }, sign_of(image(d)[k] - image(b)[k]), b, d);
     if (HasFatalFailure()) FAIL() << "instance " << i << ", kind " << kind << ", scales " << inner << " " << outer;
   }
   EXPECT_GT(untame, n / 8);

@@ -6,6 +6,7 @@
 // contacts_any(boxes). Certificates: cover_statement.h (docs/claims.md, "boxes").
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/near/cover_statement.h>
 #include <sunder/near/member_list.h>
 #include <sunder/near/set_answers.h>
@@ -23,13 +24,14 @@ class Boxes : public MemberList<Box2> {
                    [](const Box2& b) { return is_box(b) ? nullptr : "its ends are not finite, or not in order"; }) {}
 };
 
+// How it is called, where its members lie, how two of them meet.
 inline std::string_view table_name(const Boxes&) { return "boxes"; }
 inline std::span<const Box2> boxes_of(const Boxes& boxes) { return boxes.all(); }
-
+// Both comparisons of an axis hold where the two are one number there.
 inline DiscContact contact_kind(const Boxes& boxes, std::uint32_t i, std::uint32_t j) {
   const Box2 &a = boxes[i], &b = boxes[j];
   if (!meet(a, b)) return DiscContact::none;
-  for (std::size_t k = 0; k < 2; ++k) {  // both, where they are one number
+  for (std::size_t k = 0; k < 2; ++k) {
     if ((a.low[k] == b.high[k]) != (b.low[k] == a.high[k])) return DiscContact::touching;
   }
   return holds(a, b) || holds(b, a) ? DiscContact::inside : DiscContact::overlapping;
@@ -39,10 +41,10 @@ inline DiscContact contact_kind(const Boxes& boxes, std::uint32_t i, std::uint32
 
 namespace sunder {
 
+// For certificates: its row, and a point of two.
 inline void write_row(ClaimsWriter& file, const Box2& b) {
   file.add_row(std::array{b.low.x, b.low.y, b.high.x, b.high.y});
 }
-
 inline void write_point(ClaimsWriter& file, const Box2& a, const Box2& b) {
   const Point2 p = common_part(a, b).low;
   file.doubles("point", std::array{p.x, p.y});

@@ -26,6 +26,7 @@ std::string certificate_text(const Discs& circles, Allowed allowed, const Answer
 
 namespace sunder {
 
+// For cover_statement.h, too: its row, and a point of two.
 void write_row(ClaimsWriter& file, const Disc& circle);
 void write_point(ClaimsWriter& file, const Disc& c, const Disc& d);
 
