@@ -3,11 +3,11 @@
 #
 #   demo                what Sunder does, in five minutes: builds the program, decides about a robot arm, proves it
 #   test [--quick]      build everything and run all tests (15 minutes; --quick: 1 minute); the rest goes to ctest
-#   build [PRESET]      build everything: release (default), dev, clang, asan-ubsan, tsan, coverage, bench
+#   build [PRESET]      build everything: release (default), dev, clang, libcxx, asan-ubsan, tsan, coverage, bench
 #   bench [OPTIONS]     run the benchmarks against other libraries; --check: the ratios that are promised
 #   check [PART...]     lint (of what has changed since scripts/lint.base), sanitizers, fuzzers, the Python verifier
 #                       (20 minutes); parts: format headers tidy sanitize fuzz verify
-#   soak [PART...]      hours: parts: differential[=FROM-TO] claims tsan clang fuzz coverage lint
+#   soak [PART...]      hours: parts: differential[=FROM-TO] claims tsan clang libcxx fuzz coverage lint
 #   docs                check the pages, and list them; the reference of all functions: build/docs/index.html
 #   help                this text
 #
@@ -83,6 +83,7 @@ has_package() {
     libcli11-dev) has_header CLI/CLI.hpp ;;
     libfmt-dev) has_header fmt/format.h ;;
     libtinyxml2-dev) has_header tinyxml2.h ;;
+    libfast-float-dev) has_header fast_float/fast_float.h ;;
     nlohmann-json3-dev) has_header nlohmann/json.hpp ;;
     libgtest-dev) has_header gtest/gtest.h ;;
     librapidcheck-dev) has_header rapidcheck.h ;;
@@ -222,7 +223,7 @@ pick_clang() {
 }
 
 need_to_build_program() {
-  need cmake ninja-build ccache "$(compiler_package)" libboost-dev libcli11-dev libfmt-dev nlohmann-json3-dev libtinyxml2-dev "$@"
+  need cmake ninja-build ccache "$(compiler_package)" libboost-dev libcli11-dev libfmt-dev libfast-float-dev nlohmann-json3-dev libtinyxml2-dev "$@"
 }
 need_to_test() { need_to_build_program libgtest-dev librapidcheck-dev libgeos-dev python3 "$@"; }
 need_clang() {
@@ -314,6 +315,10 @@ command_build() {
   esac
   case $preset in
     clang | asan-ubsan) need_clang; compiler=clang++-$clang; say "Compiler: $compiler" ;;
+    libcxx)
+      need_clang
+      need "libc++-$clang-dev" "libc++abi-$clang-dev"
+      compiler=clang++-$clang; say "Compiler: $compiler" ;;
     *) pick_compiler; compiler=$CXX ;;
   esac
   if [ "$preset" = release ]; then set -- -DSUNDER_TESTS=ON; else set --; fi

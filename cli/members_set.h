@@ -141,7 +141,7 @@ class MembersSet {
     std::vector<Point2> seen;
     for (const Box2& box : boxes_of(members_)) seen.insert(seen.end(), {box.low, box.high});
     return picture_of_members(
-        call_, result, contacts, seen, size(), "",
+        call_, result, contacts, seen, size(), "", [this](std::uint32_t i) { return file_.names[i]; },
         [this](PlanePicture& drawing, std::uint32_t i, Ink ink) { Of::draw(drawing, members_[i], ink); },
         [](PlanePicture&, const Contact&) {});
   }

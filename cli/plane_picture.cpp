@@ -127,11 +127,52 @@ void PlanePicture::dot(const Point2& where, Ink ink, std::string_view label) {
                         left ? "end" : "start", escaped(io::one_line(label)));
 }
 
+void PlanePicture::named(std::string_view name, const std::function<void()>& draw) {
+  drawn_ += fmt::format("<g><title>{}</title>\n", escaped(io::one_line(name)));
+  draw();
+  drawn_ += "</g>\n";
+}
+
+void PlanePicture::label(const Point2& where, std::string_view text) {
+  const Point2 p = at(where);
+  drawn_ += fmt::format("<text x='{:.2f}' y='{:.2f}' text-anchor='middle' style='font-size:11px'>{}</text>\n", p.x,
+                        p.y + 4, escaped(io::one_line(text)));
+}
+
+// Lines at round numbers, some five for the larger extent; none where the numbers would be too long to tell apart.
+std::string PlanePicture::axes() const {
+  constexpr double some = 5, longest = 1e9;  // of a number, in steps
+  const double extent = std::ldexp(std::max(width_, height_) / per_unit_, exponent_);
+  if (!(extent > 0) || !std::isfinite(extent)) return "";
+  const double power = std::pow(10, std::floor(std::log10(extent / some))), rest = extent / some / power;
+  const double step = power * (rest < 2 ? 1 : rest < 5 ? 2 : 5);
+  const double left = std::ldexp(left_, exponent_), top = std::ldexp(top_, exponent_);
+  if (!(step > 0) || std::max(std::fabs(left), std::fabs(top)) / step > longest) return "";
+  std::string text;
+  for (double k = std::ceil(left / step); at({k * step, top}).x <= width_; ++k) {
+    const double x = at({k * step, top}).x;
+    text += fmt::format(
+        "<path class='x' d='M{0:.1f} 0 {0:.1f} {1:.1f}'/><text class='n' x='{0:.1f}' y='{2:.1f}' "
+        "text-anchor='middle'>{3:.10g}</text>\n",
+        x, height_, height_ + 12, k * step);
+  }
+  for (double k = std::floor(top / step); at({left, k * step}).y <= height_; --k) {
+    const double y = at({left, k * step}).y;
+    text += fmt::format(
+        "<path class='x' d='M0 {0:.1f} {1:.1f} {0:.1f}'/><text class='n' x='2' y='{2:.1f}'>{3:.10g}"
+        "</text>\n",
+        y, width_, y - 2, k * step);
+  }
+  return text;
+}
+
 std::string PlanePicture::text(std::string_view title, std::string_view summary) const {
   constexpr double head = 92;
   std::string rules = "text{font:13px Inter,'Helvetica Neue',Helvetica,Arial,sans-serif;fill:#1f2a3a}";
   for (const Look& look : looks) rules += fmt::format(".{}{{stroke:{};{}}}", look.letter, look.colour, look.style);
-  rules += "path,circle{fill-rule:evenodd;stroke-linejoin:round}.d{fill-opacity:1;stroke:#fff;stroke-width:1.5}";
+  rules +=
+      "path,circle{fill-rule:evenodd;stroke-linejoin:round}.d{fill-opacity:1;stroke:#fff;stroke-width:1.5}.x{stroke:#"
+      "e6eaf0}.n{font-size:10px;fill:#8a97a8}";
   const double least = 40 + 7.2 * static_cast<double>(std::max(title.size() + title.size() / 2, summary.size()));
   const double wide = std::max(width_ + 2 * border, std::min(least, size + 2 * border));
   const double high = height_ + head + 2 * border;
@@ -153,7 +194,7 @@ std::string PlanePicture::text(std::string_view title, std::string_view summary)
       fmt::format("<svg x='{:.1f}' y='{:.1f}' width='{:.1f}' height='{:.1f}' viewBox='{:.1f} {:.1f} {:.1f} {:.1f}'>\n",
                   (wide - width_) / 2 - border / 2, head + border / 2, width_ + border, height_ + border, -border / 2,
                   -border / 2, width_ + border, height_ + border);
-  return text + drawn_ + "</svg>\n</svg>\n";
+  return text + axes() + drawn_ + "</svg>\n</svg>\n";
 }
 
 }  // namespace sunder::cli

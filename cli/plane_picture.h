@@ -5,6 +5,7 @@
 #include <sunder/predicate/point.h>
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,7 +25,8 @@ enum class Ink : std::uint8_t {
 // Things are drawn in the order in which they are added; later ones lie over earlier ones.
 //   P1. For every finite input the text is well-formed XML, in UTF-8, of finite numbers; the same input gives the same
 //       text. Positions are rounded: a picture decides nothing.
-//   P2. x and y are to one scale, y upwards. Coordinates are hundredths of a pixel, 1000 pixels for the larger extent.
+//   P2. x and y are to one scale, y upwards; lines in grey tell their numbers. Coordinates are hundredths of a pixel,
+//   1000 pixels for the larger extent.
 class PlanePicture {
  public:
   // What must be seen: at least one point. What lies outside is cut off.
@@ -37,6 +39,11 @@ class PlanePicture {
   void segment(const Point2& from, const Point2& to, Ink ink);
   void dot(const Point2& at, Ink ink, std::string_view label = {});  // label: any text
   void legend(Ink ink, std::string_view text) { legend_.push_back({ink, std::string(text)}); }
+
+  // What draw() adds is of that name, which is shown where somebody points at it.
+  void named(std::string_view name, const std::function<void()>& draw);
+  // In small letters, around a point.
+  void label(const Point2& at, std::string_view text);
 
   // An arrow of this length along the direction, from a point.
   void arrow(const Point2& from, const Point2& direction, double pixels, Ink ink);
@@ -51,6 +58,7 @@ class PlanePicture {
 
   Point2 at(const Point2& p) const;  // in pixels
   void path(std::string_view data, Ink ink);
+  std::string axes() const;
 
   int exponent_ = 0;
   double left_ = 0, top_ = 0, per_unit_ = 1;  // of coordinates times 2^-exponent

@@ -28,6 +28,11 @@ std::array<Point2, 2> line_of(const Constraint& k, const Point2& around, double 
   return {foot, {foot.x - b * reach, foot.y + a * reach}};
 }
 
+Point2 inwards(const Constraint& k) {
+  const double size = std::max(std::fabs(k.a), std::fabs(k.b));
+  return {-k.a / size, -k.b / size};
+}
+
 struct View {
   Point2 low{}, high{};
   void include(const Point2& p) {
@@ -91,6 +96,7 @@ std::string region_svg(const RegionPicture& picture) {
   const auto draw_line = [&](std::uint32_t k, Ink ink) {
     const auto [p, q] = line_of(picture.constraints[k], view.middle(), view.extent());
     drawing.line(p, q, ink);
+    drawing.arrow(p, inwards(picture.constraints[k]), 18, ink);  // on which side it is
   };
   std::vector<bool> is_side(picture.constraints.size(), false);
   for (const std::uint32_t k : region.sides) is_side[k] = true;

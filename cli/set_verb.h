@@ -218,17 +218,20 @@ std::vector<std::size_t> strongest_kinds(const std::vector<typename Set::Contact
   return strongest;
 }
 
-// A picture of full members: seen, what must be on it; draw(drawing, i, ink); mark(drawing, contact), over all.
-template <class Set, class Draw, class Mark>
+// A picture of full members: seen, what must be on it; name(i); draw(drawing, i, ink); mark(drawing, contact), over
+// all.
+template <class Set, class Name, class Draw, class Mark>
 std::string picture_of_members(const SetCall& call, const SetResult<Set>& result,
                                const std::vector<typename Set::Contact>& contacts, std::span<const Point2> seen,
-                               std::uint32_t size, const std::string& clause, const Draw& draw, const Mark& mark) {
+                               std::uint32_t size, const std::string& clause, const Name& name, const Draw& draw,
+                               const Mark& mark) {
   constexpr std::array inks{Ink::accent, Ink::second, Ink::third, Ink::calm};
   PlanePicture drawing(seen);
   const std::vector<std::size_t> strongest = strongest_kinds<Set>(contacts, size);
   for (std::size_t kind = Set::kinds.size() + 1; kind-- > 0;) {
     for (std::uint32_t i = 0; i < size; ++i) {
-      if (strongest[i] == kind) draw(drawing, i, kind < Set::kinds.size() ? inks.at(kind) : Ink::calm);
+      if (strongest[i] != kind) continue;
+      drawing.named(name(i), [&] { draw(drawing, i, kind < Set::kinds.size() ? inks.at(kind) : Ink::calm); });
     }
   }
   for (const typename Set::Contact& c : contacts) mark(drawing, c);

@@ -1,10 +1,10 @@
 # The parts of ./do soak, which reads this file: hours of tests, with what ./do has to run them.
 command_soak() {
   local part
-  [ $# -gt 0 ] || set -- clang tsan coverage fuzz lint claims differential
+  [ $# -gt 0 ] || set -- clang libcxx tsan coverage fuzz lint claims differential
   for part in "$@"; do
     case $part in
-      differential | differential=[0-9]*-[0-9]* | claims | tsan | clang | fuzz | coverage | lint) ;;
+      differential | differential=[0-9]*-[0-9]* | claims | tsan | clang | libcxx | fuzz | coverage | lint) ;;
       *) wrong_call "soak has no part '$part'" ;;
     esac
   done
@@ -70,6 +70,15 @@ part_clang() {
       diff -rq -x verdicts build/certificates build/clang/certificates
   }
   run compare "$CXX and clang++-$clang write the same certificates" compare_compilers
+}
+
+# Library and program with the other standard library: the same answers, the same proofs.
+part_libcxx() {
+  need "libc++-$clang-dev" "libc++abi-$clang-dev"
+  configure libcxx "clang++-$clang" || return 1
+  build libcxx || return 1
+  run libcxx "What is proved, by the program with libc++" \
+    env SUNDER_PROGRAM="$root/build/libcxx/bin/sunder" python3 cli/proofs_page_test.py
 }
 
 part_coverage() {

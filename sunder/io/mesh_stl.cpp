@@ -64,11 +64,7 @@ class AsciiStlParser {
   // Any number, also NaN and infinite: programs write these for flat triangles.
   void normal_number() {
     const std::string_view word = next("a number of the normal");
-    double ignored = 0;
-    std::string_view number = word;
-    if (number.starts_with('+')) number.remove_prefix(1);
-    const auto result = std::from_chars(number.data(), number.data() + number.size(), ignored);
-    if (result.ec == std::errc::invalid_argument) {
+    if (!is_number(word)) {
       reader_.fail(fmt::format("expected a number of the normal, found {}; export the mesh again", quote(word)));
     }
   }

@@ -1,6 +1,7 @@
 #include <sunder/base/error.h>
 #include <sunder/io/text.h>
 
+#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,26 +40,6 @@ std::size_t printable(std::string_view text) {
 }
 
 bool is_digit(char c) { return '0' <= c && c <= '9'; }
-
-// For a well-formed decimal number that is no double: is it too large, rather than too small? It is, when its leading
-// digit stands before the decimal point once the exponent is applied.
-bool exceeds_one(std::string_view number) {
-  const std::size_t mark = std::min(number.find_first_of("eE"), number.size());
-  const std::string_view digits = number.substr(0, mark);
-  const std::size_t point = std::min(digits.find('.'), digits.size());
-  const std::size_t lead = digits.find_first_of("123456789");
-  if (lead == std::string_view::npos) return false;
-
-  std::int64_t exponent = 0;
-  if (mark < number.size()) {
-    std::string_view written = number.substr(mark + 1);
-    if (written.starts_with('+')) written.remove_prefix(1);
-    const auto result = std::from_chars(written.data(), written.data() + written.size(), exponent);
-    if (result.ec == std::errc::result_out_of_range) return !written.starts_with('-');
-  }
-  const auto place = static_cast<std::int64_t>(point) - static_cast<std::int64_t>(lead);
-  return exponent > -place;
-}
 
 }  // namespace
 
@@ -106,20 +87,24 @@ const char* parse_number(std::string_view word, double& value) {
   if (number.starts_with('+') && !number.substr(1).starts_with('-')) number.remove_prefix(1);
   const char* const end = number.data() + number.size();
   double parsed = 0;
-  const auto result = std::from_chars(number.data(), end, parsed);
+  const auto result = fast_float::from_chars(number.data(), end, parsed);  // beyond the doubles: infinite, or zero
+  const bool has_digits = std::any_of(word.begin(), word.end(), is_digit);
   if (result.ec == std::errc::invalid_argument || result.ptr != end) {
-    const bool comma = word.find(',') != std::string_view::npos && std::any_of(word.begin(), word.end(), is_digit);
+    const bool comma = word.find(',') != std::string_view::npos && has_digits;
     return comma ? "is not a number; write a decimal point, not a comma"
                  : "is not a number; write decimal numbers such as -1.5e3";
   }
-  if (result.ec == std::errc::result_out_of_range) {
-    if (exceeds_one(number)) return "is too large for a double; the largest is 1.7976931348623157e308";
-    parsed = 0;
-  }
   if (std::isnan(parsed)) return "is NaN; every number must be finite";
+  if (std::isinf(parsed) && has_digits) return "is too large for a double; the largest is 1.7976931348623157e308";
   if (std::isinf(parsed)) return "is infinite; every number must be finite";
   value = parsed;
   return nullptr;
+}
+
+bool is_number(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double ignored = 0;
+  return fast_float::from_chars(word.data(), word.data() + word.size(), ignored).ec != std::errc::invalid_argument;
 }
 
 bool parse_integer(std::string_view word, std::int64_t& value) {

@@ -36,6 +36,9 @@ std::string ending_of(std::string_view file);
 // ...", "is infinite; ...", "is too large for a double; ...", "is not a number; ...". Allocates nothing.
 const char* parse_number(std::string_view word, double& value);
 
+// Is it a decimal number, also one that is NaN, infinite or beyond the doubles, with anything behind it?
+bool is_number(std::string_view word);
+
 // Reads the whole word as a decimal integer, with an optional sign. False when it is none, or does not fit.
 bool parse_integer(std::string_view word, std::int64_t& value);
 
