@@ -12,6 +12,9 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <csignal>
@@ -52,6 +55,14 @@ void handle_signals() {
   }
 }
 
+// A stream that is closed would be the first file that is opened. Reading and writing fail as before.
+void hold_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    const bool is_closed = fcntl(stream, F_GETFD) == -1;
+    if (is_closed) static_cast<void>(open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+  }
+}
+
 std::string_view kind_of(ErrorCode code) {
   switch (code) {
     case ErrorCode::bad_value: return "bad-value";
@@ -66,9 +77,9 @@ std::string_view kind_of(ErrorCode code) {
 // One line on standard error; on standard output a report, where the call asks for JSON.
 int complain(const std::vector<std::string>& words, int code, const std::string& text,
              std::string_view kind = kind_of(ErrorCode::bad_call), const std::string& place = "") {
-  fmt::print(stderr, "sunder: {}\n", io::one_line(text));
+  print_error(text);
   const bool wants_json = std::find(words.begin(), words.end(), "--json") != words.end();
-  if (!wants_json || has_printed()) return code;
+  if (!wants_json || is_output_in_use() || prints_over_input(words)) return code;
   try {
     print(to_text(error_report(words[0], kind, place, text)));
   } catch (const Error&) {  // where standard output is what cannot be written
@@ -158,9 +169,10 @@ int run_checked(int argc, char** argv, const std::vector<std::string>& words) {
     verb->get_formatter()->column_width(28);
     verb->add_flag("--quiet", quiet, "print nothing but errors: the exit code is the answer");
     verb->parse_complete_callback([verb, &quiet] {
+      if (quiet) be_quiet();
       const bool is_taken = takes_standard_output(*verb);
       require_apart(*verb);
-      if (is_taken || quiet) be_quiet();
+      if (is_taken) leave_standard_output();
     });
   }
   if (!words.empty() && words[0] == "help") return help(program, words);
@@ -188,6 +200,7 @@ int run_checked(int argc, char** argv, const std::vector<std::string>& words) {
 
 int run(int argc, char** argv) {
   handle_signals();
+  hold_closed_streams();
   std::vector<std::string> words;
   try {
     words.assign(argv + 1, argv + argc);
