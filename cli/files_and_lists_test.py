@@ -141,6 +141,7 @@ class Outputs(InFolder):
 
     def test_nothing_is_printed_over_an_input(self):
         for words, part in (("segments x.csv --json >> x.csv", "is the same file as the input 'x.csv'"),
+                            ("segments x.csv --json --frob >> x.csv", "there is no option '--frob'"),
                             ("scene cube.obj@1,0,0 --json >> cube.obj", "is the same file as the input 'cube.obj'")):
             self.expect_refused(part, words)
 

@@ -1,6 +1,7 @@
 #include <cli/list_stream.h>
 
 #include <sunder/base/error.h>
+#include <sunder/io/text.h>
 
 #include <fmt/format.h>
 #include <CLI/App.hpp>
@@ -88,7 +89,16 @@ std::string pair_json(std::string_view first, std::string_view second) {
 }
 
 void add_svg_limit(CLI::App& verb, std::uint64_t& limit) {
-  verb.add_option("--svg-limit", limit, fmt::format("draw at most so many things, contacts included ({})", limit))
+  const auto set = [&limit](const std::string& text) {
+    std::int64_t number = 0;
+    if (!io::parse_integer(text, number) || number < 0) {
+      throw Error(ErrorCode::bad_call, io::quote(text) + " is no number of things; give one like 2000000",
+                  "--svg-limit");
+    }
+    limit = static_cast<std::uint64_t>(number);
+  };
+  verb.add_option_function<std::string>("--svg-limit", set,
+                                        fmt::format("draw at most so many things, contacts included ({})", limit))
       ->needs(verb.get_option("--svg"))
       ->type_name("N");
 }

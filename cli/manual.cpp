@@ -128,7 +128,7 @@ std::string man_of(const CLI::App& verb) {
     text += fmt::format(".TP\n\\fB{}\\fR{}\n{}\n", roff(is_file ? option->get_name(true) : name_of(*option)), value,
                         roff(option->get_description()));
   }
-  return text;
+  return text + ".PP\n" + roff(verb.get_footer()) + "\n";
 }
 
 }  // namespace
@@ -146,7 +146,8 @@ std::string man_page(const CLI::App& program, std::string_view version) {
   std::string text = fmt::format(
       ".TH SUNDER 1 \"\" \"sunder {}\" \"\"\n.SH NAME\nsunder \\- tells whether things meet, "
       "and proves it\n.SH SYNOPSIS\n\\fBsunder\\fR \\fIverb\\fR [\\fIfiles\\fR] "
-      "[\\fIoptions\\fR]\n.br\n\\fBsunder help\\fR [\\fIverb\\fR]\n.SH VERBS\n",
+      "[\\fIoptions\\fR]\n.br\n\\fBsunder help\\fR [\\fIverb\\fR]\n.br\n\\fBsunder \\-\\-completion\\fR "
+      "\\fIshell\\fR\n.br\n\\fBsunder \\-\\-man\\fR\n.br\n\\fBsunder \\-\\-version\\fR\n.SH VERBS\n",
       roff(std::string(version)));
   for (const CLI::App* verb : verbs_of(program)) text += man_of(*verb);
   return text + ".SH \"EXIT STATUS\"\n" + roff(program.get_footer()) + "\n";

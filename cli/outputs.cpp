@@ -78,7 +78,7 @@ bool reads_files(const CLI::Option& option) {
 }
 
 bool is_allowed_kind(const std::string& word) {
-  return word == "adjacent" || word == "touch" || (word.find(',') != std::string::npos && !fs::exists(word));
+  return word == "adjacent" || word == "touch" || (word.find(',') != std::string::npos && !found(word));
 }
 
 void require_one_reader(const std::vector<NamedFile>& inputs) {
@@ -123,7 +123,7 @@ void require_apart(const CLI::App& verb) {
       if (is_in(output_options, name)) {
         outputs.push_back({name, value});
       } else if (reads_files(*option) && !(option->get_type_name() == "WHAT" && is_allowed_kind(value))) {
-        const std::string file = name.empty() && !fs::exists(value) ? without_pose(value) : value;
+        const std::string file = name.empty() && !found(value) ? without_pose(value) : value;
         if (!file.empty()) inputs.push_back({name, file});
       }
     }

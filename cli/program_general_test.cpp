@@ -31,6 +31,45 @@ TEST_F(Program, WhatWasMeant) {
   expect_bad("help polgons", "did you mean polygons?");
   expect_bad("pair a b --jsno", "there is no option '--jsno'; did you mean --json?; see sunder pair --help");
   EXPECT_EQ(run("frob").err.find("did you mean"), std::string::npos);
+  expect_bad("helpp", "there is no verb 'helpp'; did you mean help?");
+  expect_bad("--vers", "there is no option '--vers'; did you mean --version?");
+  expect_bad("segments a --methd=scan", "there is no option '--methd'; did you mean --method?");
+  expect_bad("segments -dash.csv", "there is no option '-dash.csv'; a file of that name is './-dash.csv'");
+}
+
+TEST_F(Program, WhereWordsStand) {
+  expect_bad("--json pair a b", "the verb comes first, before '--json'");
+  expect_bad("-- pair a b", "the verb comes first, before '--'");
+  expect_bad("--completion", "--completion: name the shell: bash, zsh, or fish");
+  expect_bad("--completion bash --json", "--completion: nothing is expected at '--json'");
+  expect_bad("--completion zsh segments a", "--completion: nothing is expected at 'segments'");
+  expect_bad("--man pair", "--man: nothing is expected at 'pair'");
+  expect_bad("--version pair", "--version: nothing is expected at 'pair'");
+  EXPECT_EQ(run("--help pair").out, run("help pair").out);
+  EXPECT_EQ(run("--completion=fish").out, run("--completion fish").out);
+  EXPECT_EQ(json::parse(run("--json pair a b").out)["verb"], nullptr);
+}
+
+TEST_F(Program, ValuesOfOptions) {
+  expect_bad("segments a --svg b --svg c", "segments: --svg is given twice; leave one out; see sunder segments --help");
+  expect_bad("segments a --name", "segments: --name has no value; give FIELD");
+  expect_bad("hull a -o", "hull: -o has no value; give FILE");
+  expect_bad("pair a b --json=true", "pair: --json takes no value");
+  expect_bad("segments a b", "segments: one FILE is expected, and more are named");
+  for (const char* number : {"-1", "99999999999999999999", "many", "1e6"}) {
+    expect_bad("circles " + cases + "/circles/moon.csv --svg " + in_folder("m.svg") + " --svg-limit " + number,
+               "--svg-limit: '" + std::string(number) + "' is no number of things");
+  }
+  const std::string titled = "circles none.csv --svg " + in_folder("m.svg") + " --title --json";
+  EXPECT_EQ(run(titled).out, "");
+  EXPECT_EQ(run(titled).code, 2);
+  const std::string is_long(300, 'x');
+  for (const std::string& call :
+       {"segments a --" + is_long, "segments " + cube + " --method " + is_long, "pair a b " + is_long, is_long}) {
+    EXPECT_LT(run(call).err.size(), 250u) << call;
+  }
+  expect_bad("scene " + is_long, "cannot be opened");
+  expect_bad("scene " + cube + " --allow " + is_long, "is no file");
 }
 
 TEST_F(Program, QuietSaysNothing) {
@@ -114,6 +153,35 @@ TEST_F(Program, TheManualPage) {
                           line == ".PP" || line == ".TP" || line == ".br" || line.starts_with(".TH ");
     EXPECT_TRUE(is_known) << line;
   }
+}
+
+// Each verb says what its codes 0 and 1 are.
+TEST_F(Program, ExitCodesOfVerbs) {
+  for (const auto& [verb, codes] : {std::pair("pair", "0 apart, or with --clearance that far apart; 1 meet, or not"),
+                                    {"scene", "0 none meet; 1 some meet"},
+                                    {"segments", "0 none meet; 1 some meet"},
+                                    {"simple", "0 all are valid; 1 some are not"},
+                                    {"circles", "0 none meet; 1 some meet"},
+                                    {"boxes", "0 none meet; 1 some meet"},
+                                    {"polygons", "0 none meet; 1 some meet"},
+                                    {"region", "0 something is common to all; 1 nothing is"},
+                                    {"kernel", "0 each polygon has a kernel; 1 some have none"},
+                                    {"hull", "0; 2 bad"},
+                                    {"info", "0; 2 bad"},
+                                    {"verify", "0 all accepted; 1 some refused"}}) {
+    const std::string line = std::string("Exit code: ") + codes;
+    EXPECT_NE(run(std::string("help ") + verb).out.find(line), std::string::npos) << verb;
+    EXPECT_NE(read_text(source_folder() + "/docs/guide/program.md").find(std::string("| `") + verb + "` |"),
+              std::string::npos)
+        << verb;
+  }
+  std::istringstream lines(run("--help").out.substr(run("--help").out.find("Subcommands:")));
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("  ") || line[2] == ' ') continue;
+    const std::string verb = line.substr(2, line.find(' ', 2) - 2);
+    EXPECT_NE(run("help " + verb).out.find("Exit code: 0"), std::string::npos) << verb;
+  }
+  EXPECT_NE(run("--man").out.find("Exit code: 0 something is common to all"), std::string::npos);
 }
 
 TEST_F(Program, BadCalls) {
