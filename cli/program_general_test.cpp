@@ -120,6 +120,30 @@ TEST_F(Program, StandardInputAndOutput) {
   expect_bad(ask + "- --json", "--certificate: standard output is taken by --json");
 }
 
+// Also where there is no ending to tell the format.
+TEST_F(Program, KindsOfStandardInput) {
+  const std::string plate = cases + "/planar-pair/plate.wkt", paths = cases + "/planar-pair/paths.csv",
+                    wheel = cases + "/planar-pair/wheel.wkt";
+  for (const std::string& file : {plate, paths}) {
+    const std::string option = file == paths ? " --feature-a beam" : "";
+    EXPECT_EQ(run("pair - " + wheel + option + " --json < " + file).code,
+              run("pair " + file + " " + wheel + option).code);
+  }
+  EXPECT_EQ(run("pair " + plate + " - < " + wheel).code, 0);
+  EXPECT_EQ(run("pair - " + tetrahedron + " < " + cube).code, 1);
+  const std::string pairs = in_folder("pairs");
+  write_text(pairs, "cube tetrahedron\n");
+  EXPECT_EQ(run("scene " + cube + " " + tetrahedron + " --allow - < " + pairs).code, 0);
+  for (const std::string name :
+       {"segments/wires.csv", "segments/pond.geojson", "planar-pair/plate.wkt", "planar-pair/paths.csv",
+        "circles/moon.csv", "mesh/cube.obj", "mesh/cube_binary.stl", "mesh/arm.urdf", "mesh/tetrahedron.ply"}) {
+    const std::string file = cases + "/" + name;
+    const Run named = run("info " + file), read = run("info - < " + file);
+    EXPECT_EQ(named.code, 0) << named.err;
+    EXPECT_EQ(read.out, "-" + named.out.substr(file.size())) << read.err;
+  }
+}
+
 // As bash asks for it: the words of the call, the last one to be completed.
 TEST_F(Program, CompletionOfBash) {
   const std::string script = in_folder("sunder.bash");
@@ -132,12 +156,29 @@ TEST_F(Program, CompletionOfBash) {
     EXPECT_EQ(std::system(("bash " + ask + " > " + out).c_str()), 0);
     return read_text(out);
   };
+  fs::create_directory(folder_ / "circles");
+  EXPECT_EQ(completed("sunder circ", 1), "circles\n");
+  EXPECT_EQ(completed("sunder --completion ba", 2), "bash\n");
+  EXPECT_EQ(completed("sunder --completion bash ''", 3), "\n");
+  EXPECT_EQ(completed("sunder segments --method gr", 3), "grid\n");
+  EXPECT_EQ(completed("sunder pair --method fi", 3), "fibonacci\n");
+  EXPECT_EQ(completed("sunder segments --name sund", 3), "\n");
+  EXPECT_EQ(completed("sunder hull --certificate sund", 3), "sunder.bash\n");
+  EXPECT_EQ(completed("sunder hull -o", 2), "-o\n");
+  EXPECT_EQ(run("--completion bash").out.find("complete -o"), std::string::npos);
   EXPECT_EQ(completed("sunder p", 1), "pair polygons\n");
   EXPECT_EQ(completed("sunder help ker", 2), "kernel\n");
   EXPECT_EQ(completed("sunder verify --ag", 2), "--against\n");
   EXPECT_EQ(completed("sunder verify sund", 2), "sunder.bash\n");
-  EXPECT_NE(run("--completion zsh").out.find("'--against["), std::string::npos);
   EXPECT_NE(run("--completion fish").out.find("-l against -d "), std::string::npos);
+  for (const char* part :
+       {"'*--joints[", "'*--against[", "'-o[", "'--version:", "'--man:", "'--help:", "(automatic grid sweep "}) {
+    EXPECT_NE(run("--completion zsh").out.find(part), std::string::npos) << part;
+  }
+  for (const char* part :
+       {"-l version", "-l man", "-l completion", "-s h -l help", "-s o -l out", "-a 'bash zsh fish'"}) {
+    EXPECT_NE(run("--completion fish").out.find(part), std::string::npos) << part;
+  }
   expect_bad("--completion tcsh", "there is no completion for 'tcsh'; there are bash, zsh, fish");
 }
 
@@ -152,6 +193,27 @@ TEST_F(Program, TheManualPage) {
     const bool is_known = line.empty() || line[0] != '.' || line.starts_with(".SS ") || line.starts_with(".SH ") ||
                           line == ".PP" || line == ".TP" || line == ".br" || line.starts_with(".TH ");
     EXPECT_TRUE(is_known) << line;
+  }
+}
+
+// The page has a section for each verb, which names each of its options.
+TEST_F(Program, TheGuideNamesAllOptions) {
+  const std::string page = read_text(source_folder() + "/docs/guide/program.md");
+  for (const char* verb : {"pair", "scene", "segments", "simple", "circles", "boxes", "polygons", "region", "kernel",
+                           "hull", "info", "verify"}) {
+    EXPECT_NE(page.find(std::string("[") + verb + "](#sunder-" + verb + ")"), std::string::npos) << verb;
+    const std::size_t begin = page.find(std::string("\n## sunder ") + verb + "\n");
+    ASSERT_NE(begin, std::string::npos) << verb;
+    const std::string section = page.substr(begin, page.find("\n## ", begin + 1) - begin);
+    EXPECT_NE(section.find(std::string("\n    sunder ") + verb + " "), std::string::npos) << verb;
+    std::istringstream lines(run(std::string("help ") + verb).out);
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t name = line.starts_with("  -") ? line.find("--") : std::string::npos;
+      if (name == std::string::npos) continue;
+      const std::string option = line.substr(name, line.find_first_of(" ,", name) - name);
+      const bool is_of_all = option == "--help" || option == "--quiet";
+      EXPECT_TRUE(is_of_all || option == "--out" || section.find(option) != std::string::npos) << verb << " " << option;
+    }
   }
 }
 
@@ -186,8 +248,8 @@ TEST_F(Program, ExitCodesOfVerbs) {
 
 TEST_F(Program, BadCalls) {
   expect_bad("",
-             "no verb is given; verbs are pair, scene, segments, simple, circles, boxes, polygons, region, kernel, hull, "
-             "info, verify");
+             "no verb is given; verbs are pair, scene, segments, simple, circles, boxes, polygons, region, kernel, "
+             "hull, info, verify");
   expect_bad("frob", "there is no verb 'frob'");
   expect_bad("--frob", "there is no option '--frob'");
   expect_bad("pair", "A is required");
