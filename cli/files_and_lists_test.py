@@ -130,7 +130,8 @@ class Outputs(InFolder):
             self.expect_refused("is the same file as --certificate -",
                                 "segments x.csv --certificate - --geojson " + name)
             self.assertEqual(self.in_shell("segments x.csv --quiet --certificate %s" % name).returncode, 0)
-        self.assertEqual(self.in_shell("segments x.csv --certificate /dev/null --svg /dev/null >/dev/null").returncode, 0)
+        nowhere = "segments x.csv --certificate /dev/null --svg /dev/null > /dev/null"
+        self.assertEqual(self.in_shell(nowhere).returncode, 0)
         self.assertEqual(self.in_shell("segments x.csv --certificate - --svg y.svg").returncode, 0)
 
     def test_standard_input_is_an_input(self):
@@ -173,7 +174,8 @@ class Outputs(InFolder):
         with open(board, encoding="utf-8") as stream:
             self.write(taken, stream.read())
         self.expect_bad("is the same file as the input", "segments", taken, "--centre-lines", "--certificate", "p.json")
-        self.expect_bad("add --layer NAME or --across-layers", "segments", board, "--centre-lines", "--certificate", "-")
+        self.expect_bad("add --layer NAME or --across-layers", "segments", board, "--centre-lines", "--certificate",
+                        "-")
         for choice in (("--layer", layers[0]), ("--across-layers",)):
             done = self.run_here("segments", board, "--centre-lines", "--certificate", "-", *choice)
             self.assertEqual(json.loads(done.stdout)["sunder_certificate"], 2)
