@@ -30,7 +30,7 @@ constexpr std::size_t text_width = 120;
 // What has been said in this call, and whether anything is to be.
 struct Said {
   std::vector<std::string> notes;
-  bool is_quiet = false, has_printed = false;
+  bool is_quiet = false, leaves_output = false, has_printed = false;
 } said;
 
 bool is_flat(const Json& json) {
@@ -93,10 +93,11 @@ void print(std::string_view text) {
 
 void be_quiet() { said.is_quiet = true; }
 bool is_quiet() { return said.is_quiet; }
-bool has_printed() { return said.has_printed; }
+void leave_standard_output() { said.leaves_output = true; }
+bool is_output_in_use() { return said.leaves_output || said.has_printed; }
 
 void print_for_people(std::string_view text) {
-  if (said.is_quiet) return;
+  if (said.is_quiet || said.leaves_output) return;
   std::string shown;
   while (!text.empty()) {
     const std::size_t length = std::min(text.find('\n'), text.size());
@@ -107,9 +108,14 @@ void print_for_people(std::string_view text) {
   print(shown);
 }
 
+void print_error(std::string_view text) {
+  const std::string line = fmt::format("sunder: {}\n", io::one_line(text));
+  static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr));
+}
+
 void note(std::string_view text) {
   said.notes.push_back(io::one_line(text));
-  if (!said.is_quiet) fmt::print(stderr, "sunder: note: {}\n", said.notes.back());
+  if (!said.is_quiet) print_error("note: " + said.notes.back());
 }
 
 void refuse_method(std::string_view method, std::string_view known) {

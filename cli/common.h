@@ -48,15 +48,21 @@ void print(std::string_view text);
 // line feeds are made one line before: io::one_line.
 void print_for_people(std::string_view text);
 
-// One line on standard error, and in reports that are made after it: "sunder: note: ...".
+// One line on standard error: "sunder: ...". What cannot be written there is lost, and that is no error.
+void print_error(std::string_view text);
+
+// The same, and in reports that are made after it: "sunder: note: ...".
 void note(std::string_view text);
 
 // From now on nothing is printed but errors (--quiet).
 void be_quiet();
 bool is_quiet();
 
-// Has anything been printed, a part of a report perhaps?
-bool has_printed();
+// From now on nothing is printed for people: standard output has another use.
+void leave_standard_output();
+
+// Has standard output another use, or has anything been printed, a part of a report perhaps?
+bool is_output_in_use();
 
 // There is no such method: throws Error bad_call that lists the `known`.
 [[noreturn]] void refuse_method(std::string_view method, std::string_view known);

@@ -107,6 +107,60 @@ class Outputs(InFolder):
         self.assertEqual(done.stderr.count(b"\n"), 1)
         self.assertIn("is the same file as", json.loads(self.read("y.json"))["error"]["text"])
 
+    def in_shell(self, words):
+        return subprocess.run(["sh", "-c", '"$0" ' + words, PROGRAM], cwd=self.folder.name, capture_output=True)
+
+    def expect_refused(self, part, words):
+        """Nothing but one line on standard error, and with --json its report; the files stay."""
+        before = {name: self.read(name) for name in os.listdir(self.folder.name)}
+        done = self.in_shell(words)
+        self.assertEqual(done.returncode, 2, (words, done))
+        self.assertIn(part.encode(), done.stderr, words)
+        self.assertEqual(done.stderr.count(b"\n"), 1, (words, done))
+        if "--json" in words and done.stdout:
+            self.assertIn("error", json.loads(done.stdout))
+        else:
+            self.assertEqual(done.stdout, b"", words)
+        self.assertEqual({name: self.read(name) for name in os.listdir(self.folder.name)}, before, words)
+
+    def test_standard_output_has_one_writer_by_any_name(self):
+        for name in ("/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"):
+            for call in ("segments x.csv --certificate", "segments x.csv --json --svg", "segments x.csv --csv"):
+                self.expect_refused("is the same file as standard output", "%s %s" % (call, name))
+            self.expect_refused("is the same file as --certificate -",
+                                "segments x.csv --certificate - --geojson " + name)
+            self.assertEqual(self.in_shell("segments x.csv --quiet --certificate %s" % name).returncode, 0)
+        nowhere = "segments x.csv --certificate /dev/null --svg /dev/null > /dev/null"
+        self.assertEqual(self.in_shell(nowhere).returncode, 0)
+        self.assertEqual(self.in_shell("segments x.csv --certificate - --svg y.svg").returncode, 0)
+
+    def test_standard_input_is_an_input(self):
+        self.expect_refused("'x.csv' is the same file as the input -", "segments - --certificate x.csv < x.csv")
+        self.expect_refused("is the same file as the input -", "segments - --json < x.csv >> x.csv")
+        self.expect_refused("is the same file as the input -", "segments - --certificate - < x.csv >> x.csv")
+        self.assertEqual(self.in_shell("segments - --certificate y.json < x.csv").returncode, 0)
+
+    def test_nothing_is_printed_over_an_input(self):
+        for words, part in (("segments x.csv --json >> x.csv", "is the same file as the input 'x.csv'"),
+                            ("segments x.csv --json --frob >> x.csv", "there is no option '--frob'"),
+                            ("scene cube.obj@1,0,0 --json >> cube.obj", "is the same file as the input 'cube.obj'")):
+            self.expect_refused(part, words)
+
+    def test_standard_input_is_named_once(self):
+        for words in ("pair - -", "verify - -", "verify - --against -", "verify - /dev/stdin"):
+            self.expect_refused("standard input is named twice", words + " < cube.obj")
+
+    def test_words_are_no_files(self):
+        for words in ("segments x.csv --layer", "pair x.csv cube.obj --feature-a", "kernel x.csv --feature",
+                      "segments x.csv --group", "segments x.csv --name", "region x.csv --maximize",
+                      "scene cube.obj --allow adjacent --title"):
+            done = self.in_shell(words + " out1 --certificate out1")
+            self.assertNotIn(b"is the same file", done.stderr, words)
+        self.assertNotIn(b"is the same file", self.in_shell("scene cube.obj --allow touch --svg touch").stderr)
+        os.remove(self.path("touch"))
+        self.write("pairs", "cube cube\n")
+        self.expect_refused("is the same file as --allow 'pairs'", "scene cube.obj --allow pairs --svg pairs")
+
     def test_names_are_not_empty(self):
         for option in ("--certificate", "--svg", "--geojson"):
             self.expect_bad("the name of the file is empty", "segments", "x.csv", option, "")
@@ -120,6 +174,22 @@ class Outputs(InFolder):
         with open(board, encoding="utf-8") as stream:
             self.write(taken, stream.read())
         self.expect_bad("is the same file as the input", "segments", taken, "--centre-lines", "--certificate", "p.json")
+        self.expect_bad("add --layer NAME or --across-layers", "segments", board, "--centre-lines", "--certificate",
+                        "-")
+        for choice in (("--layer", layers[0]), ("--across-layers",)):
+            done = self.run_here("segments", board, "--centre-lines", "--certificate", "-", *choice)
+            self.assertEqual(json.loads(done.stdout)["sunder_certificate"], 2)
+        self.write("p.%s.json" % layers[-1], "")
+        self.expect_refused("is the same file as standard output",
+                            "segments '%s' --centre-lines --certificate p.json >> 'p.%s.json'" % (board, layers[-1]))
+
+    def test_names_of_layers_in_names_of_files(self):
+        board = os.path.join(CASES, "boards", "two_nets.kicad_pcb")
+        with open(board, encoding="utf-8") as stream:
+            self.write("slash.kicad_pcb", stream.read().replace("F.Cu", "../a:b").replace("B.Cu", "../a b"))
+        done = self.run_here("segments", "slash.kicad_pcb", "--centre-lines", "--certificate", "proof.json")
+        self.assertEqual(done.returncode, 0, done)
+        self.assertLess({"proof..._a_b.json", "proof..._a_b-2.json"}, set(os.listdir(self.folder.name)))
 
     def test_what_is_apart_is_written(self):
         done = self.run_here("segments", "x.csv", "--certificate", "proof.json")
@@ -128,6 +198,63 @@ class Outputs(InFolder):
         self.assertEqual(self.run_here("segments", "x.csv", "--certificate", "/dev/null").returncode, 0)
         self.assertEqual(self.run_here("segments", "x.csv", "--svg", "y.svg", "--title", "y.svg").returncode, 0)
         self.assertEqual(self.run_here("segments", "x.csv", "--svg", "y.svg", "--title", "y.svg").returncode, 0)
+
+
+class Streams(InFolder):
+    """Standard error and standard output, where they are closed, full, or have another use."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("x.csv", "0,0,1,1\n0,1,1,0\n")
+        self.write("bent.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nv 0.5 0.5 0.5\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 5\n"
+                   "f 3 4 5\nf 4 2 5\n")
+        self.run_here("segments", "x.csv", "--certificate", "proof.json")
+
+    def in_shell(self, words):
+        return subprocess.run(["sh", "-c", '"$0" ' + words, PROGRAM], cwd=self.folder.name, capture_output=True)
+
+    def test_standard_error_that_cannot_be_written(self):
+        for to in ("2>&-", "2>/dev/full"):
+            for words, code in (("nofile", 2), ("segments nofile", 2), ("segments nofile --json", 2),
+                                ("pair bent.obj bent.obj", 1), ("verify nofile proof.json", 2)):
+                done = self.in_shell(words + " " + to)
+                self.assertEqual(done.returncode, code, (words, to, done))
+        self.assertIn("error", json.loads(self.in_shell("segments nofile --json 2>&-").stdout))
+
+    def test_no_file_takes_the_place_of_a_closed_stream(self):
+        done = self.in_shell("pair bent.obj bent.obj --certificate bent.json 2>&-")
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(self.run_here("verify", "bent.json").returncode, 0)
+        done = self.in_shell("segments x.csv >&-")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(b"standard output: cannot be written", done.stderr)
+
+    def test_notes_stay_where_standard_output_is_a_proof(self):
+        done = self.run_here("pair", "bent.obj", "bent.obj", "--certificate", "-")
+        self.assertIn(b"bent.obj is not exactly convex", done.stderr)
+        self.assertEqual(json.loads(done.stdout)["sunder_certificate"], 2)
+        self.assertEqual(self.run_here("pair", "bent.obj", "bent.obj", "--certificate", "-", "--quiet").stderr, b"")
+
+    def test_verify_is_quiet(self):
+        done = self.run_here("verify", "--quiet", "proof.json")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, b"", b""))
+
+    def test_verify_reports_what_it_cannot_read(self):
+        self.write("empty", "")
+        self.write("words", "no JSON")
+        for name in ("missing", "empty", "words"):
+            done = self.run_here("verify", name, "--json")
+            report = json.loads(done.stdout)
+            self.assertEqual((done.returncode, report["answer"], report["error"]["kind"]), (2, None, "bad-file"))
+            self.assertEqual("sunder: %s\n" % report["error"]["text"], done.stderr.decode())
+            self.assertEqual([(entry["file"], entry["answer"]) for entry in report["objects"]], [(name, "not checked")])
+        report = json.loads(self.run_here("verify", "proof.json", "missing", "--json").stdout)
+        self.assertEqual(report["answer"], "not all checked")
+        self.assertNotIn("error", report)
+        report = json.loads(self.run_here("verify", "proof.json", "--against", "missing", "--json").stdout)
+        self.assertEqual([(entry["file"], entry["answer"]) for entry in report["objects"]],
+                         [("proof.json", "not checked")])
+        self.assertIn("missing", report["error"]["text"])
 
 
 class Terminal(InFolder):

@@ -134,13 +134,12 @@ bool is_of_the_plane(const std::string& file) {
   return io::is_planar(file) || std::find(foreign.begin(), foreign.end(), io::ending_of(file)) != foreign.end();
 }
 
-Info describe_planar(const std::string& file) {
-  const std::string text = io::read_file(file);
+Info describe_planar(const std::string& file, std::string_view text) {
   if (text.substr(0, 200).find("\"sunder_certificate\"") != std::string::npos) {
     io::fail_file(file, "this is a certificate; ask sunder verify");
   }
   io::refuse_foreign(text, file);
-  if (io::ending_of(file) != ".csv") return describe_lines(file, text);
+  if (io::lines_format(text, file) != io::LinesFormat::csv) return describe_lines(file, text);
   const Table table = table_of(text, file);
   if (table == Table::segments) return describe_lines(file, text);
   return table == Table::objects ? describe_objects(file, text) : describe_rows(file, text, table);

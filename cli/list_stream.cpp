@@ -1,6 +1,7 @@
 #include <cli/list_stream.h>
 
 #include <sunder/base/error.h>
+#include <sunder/io/text.h>
 
 #include <fmt/format.h>
 #include <CLI/App.hpp>
@@ -17,10 +18,29 @@ namespace {
 
 constexpr std::size_t piece = std::size_t{1} << 16;
 
-std::string opening_of(const Json& head, std::string_view key) {
-  std::string text = to_text(head);
+// The members of the report that stand before the list, or those behind it.
+Json part_of(const Json& report, std::string_view list, bool is_before) {
+  Json part = Json::object();
+  bool is_passed = false;
+  for (const auto& [key, value] : report.items()) {
+    if (key == list) {
+      is_passed = true;
+    } else if (is_passed != is_before) {
+      part[key] = value;
+    }
+  }
+  return part;
+}
+
+std::string opening_of(const Json& report, std::string_view list) {
+  std::string text = to_text(part_of(report, list, true));
   text.resize(text.size() - 3);  // "\n}\n"
-  return fmt::format("{},\n  {}: [", text, quoted_json(key));
+  return fmt::format("{},\n  {}: [", text, quoted_json(list));
+}
+
+std::string closing_of(const Json& report, std::string_view list) {
+  const Json part = part_of(report, list, false);
+  return part.empty() ? "\n}\n" : "," + to_text(part).substr(1);  // "{"
 }
 
 }  // namespace
@@ -47,7 +67,8 @@ void ListStream::close(std::string_view closing) {
   text_.clear();
 }
 
-ListReport::ListReport(const Json& head, std::string_view key) : list_(opening_of(head, key), "    ", print) {}
+ListReport::ListReport(const Json& report, std::string_view list)
+    : list_(opening_of(report, list), "    ", print), closing_(closing_of(report, list)) {}
 
 void ListReport::add_list(const Json& head, std::string_view key, const std::function<void(ListStream&)>& fill) {
   std::string opening = to_line(head);
@@ -58,7 +79,7 @@ void ListReport::add_list(const Json& head, std::string_view key, const std::fun
   items.close(items.count() == 0 ? "]}" : "\n    ]}");
 }
 
-void ListReport::close() { list_.close(list_.count() == 0 ? "]\n}\n" : "\n  ]\n}\n"); }
+void ListReport::close() { list_.close((list_.count() == 0 ? "]" : "\n  ]") + closing_); }
 
 GeojsonFile::GeojsonFile(const std::string& name)
     : file_(name),
@@ -88,7 +109,16 @@ std::string pair_json(std::string_view first, std::string_view second) {
 }
 
 void add_svg_limit(CLI::App& verb, std::uint64_t& limit) {
-  verb.add_option("--svg-limit", limit, fmt::format("draw at most so many things, contacts included ({})", limit))
+  const auto set = [&limit](const std::string& text) {
+    std::int64_t number = 0;
+    if (!io::parse_integer(text, number) || number < 0) {
+      throw Error(ErrorCode::bad_call, io::quote(text) + " is no number of things; give one like 2000000",
+                  "--svg-limit");
+    }
+    limit = static_cast<std::uint64_t>(number);
+  };
+  verb.add_option_function<std::string>("--svg-limit", set,
+                                        fmt::format("draw at most so many things, contacts included ({})", limit))
       ->needs(verb.get_option("--svg"))
       ->type_name("N");
 }

@@ -35,10 +35,11 @@ class ListStream {
   std::uint64_t count_ = 0;
 };
 
-// A report on standard output whose last member is a list. Nothing is printed before the first 64 KB, or close().
+// A report on standard output with a list: in the place of the member of that name, or else last. Nothing is printed
+// before the first 64 KB, or close().
 class ListReport {
  public:
-  ListReport(const Json& head, std::string_view key);
+  ListReport(const Json& report, std::string_view list);
   void add(std::string_view item) { list_.add(item); }
 
   // An item that ends with a list, which `fill` adds to.
@@ -47,6 +48,7 @@ class ListReport {
 
  private:
   ListStream list_;
+  std::string closing_;
 };
 
 // A file that is a GeoJSON FeatureCollection, one feature on each line; whole, or not there.

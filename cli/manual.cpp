@@ -4,8 +4,10 @@
 #include <sunder/io/text.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/App.hpp>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -21,8 +23,45 @@ std::vector<const CLI::Option*> options_of(const CLI::App& app) {
   return app.get_options([](const CLI::Option* option) { return !option->get_lnames().empty(); });
 }
 
-std::string name_of(const CLI::Option& option) { return "--" + option.get_lnames().front(); }
 bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
+bool may_repeat(const CLI::Option& option) { return option.get_items_expected_max() > 1; }
+bool takes_file(const CLI::Option& option) {
+  return option.get_type_name() == "FILE" || option.get_type_name() == "WHAT";
+}
+bool takes_text(const CLI::Option& option) { return takes_value(option) && !takes_file(option); }
+
+// "-o", "--out"
+std::vector<std::string> names_of(const CLI::Option& option) {
+  std::vector<std::string> names;
+  for (const std::string& name : option.get_snames()) names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+std::string words_of(const CLI::Option& option) { return fmt::format("{}", fmt::join(names_of(option), " ")); }
+
+constexpr const char* shells = "bash zsh fish";
+
+// "a, b (of lists), or c": the words, or nothing where the text is no such list.
+std::string words_listed(std::string_view text) {
+  std::string words;
+  while (!text.empty()) {
+    if (text.starts_with("or ")) text.remove_prefix(3);
+    const std::size_t size = std::min(text.find_first_not_of("abcdefghijklmnopqrstuvwxyz-"), text.size());
+    words += (words.empty() ? "" : " ") + std::string(text.substr(0, size));
+    text.remove_prefix(size);
+    if (text.starts_with(" (")) text.remove_prefix(std::min(text.find(')') + 1, text.size()));
+    if (size == 0 || (!text.empty() && !text.starts_with(", "))) return "";
+    text.remove_prefix(std::min<std::size_t>(2, text.size()));
+  }
+  return words;
+}
+
+// What may stand for the value of an option, where that is known.
+std::string values_of(const CLI::Option& option) {
+  if (option.check_lname("completion")) return shells;
+  return option.check_lname("method") ? words_listed(option.get_description()) : "";
+}
 
 // Every place of `what` is replaced.
 std::string replaced(std::string text, std::string_view what, std::string_view by) {
@@ -43,21 +82,38 @@ std::string names_of_verbs(const CLI::App& program) {
   return joined(verbs_of(program), [](const CLI::App& verb) { return verb.get_name(); });
 }
 
+std::string options_that(const CLI::App& app, bool (*is_wanted)(const CLI::Option&)) {
+  std::string names;
+  for (const CLI::Option* option : options_of(app)) {
+    if (is_wanted(*option)) names += (names.empty() ? "" : " ") + words_of(*option);
+  }
+  return names;
+}
+
+std::string methods_of(const CLI::App& verb) {
+  const CLI::Option* method = verb.get_option_no_throw("--method");
+  return method == nullptr ? "" : values_of(*method);
+}
+
 std::string bash(const CLI::App& program) {
   std::string text =
       "# Completion of sunder for bash: source it, or put it where bash-completion looks.\n_sunder() {\n";
-  text += fmt::format("  local word=${{COMP_WORDS[COMP_CWORD]}} verbs='{}' options=\n", names_of_verbs(program));
-  text += "  COMPREPLY=()\n  case ${COMP_WORDS[1]} in\n";
+  text += fmt::format("  local verbs='{}' options= methods= texts=\n", names_of_verbs(program));
+  text += "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} first=${COMP_WORDS[1]}\n";
+  text += "  case $first in\n";
   for (const CLI::App* verb : verbs_of(program)) {
-    text += fmt::format("    {}) options='{}' ;;\n", verb->get_name(), joined(options_of(*verb), name_of));
+    text += fmt::format("    {}) options='{}' methods='{}' texts='{}' ;;\n", verb->get_name(),
+                        joined(options_of(*verb), words_of), methods_of(*verb), options_that(*verb, takes_text));
   }
-  text += "    help) [ \"$COMP_CWORD\" -ne 2 ] || options=$verbs ;;\n  esac\n";
-  text +=
-      fmt::format("  [ \"$COMP_CWORD\" -ne 1 ] || options=\"$verbs help {}\"\n", joined(options_of(program), name_of));
-  text += "  mapfile -t COMPREPLY < <(compgen -W \"$options\" -- \"$word\")\n";
-  text += "  [[ $COMP_CWORD -eq 1 || $word == -* || ${COMP_WORDS[1]} == help ]] ||\n";
-  text += "    mapfile -t COMPREPLY < <(compgen -f -- \"$word\")\n}\ncomplete -o filenames -F _sunder sunder\n";
-  return text;
+  text += fmt::format("    help|--help) options=$verbs ;;\n    --completion) options='{}' ;;\n  esac\n", shells);
+  text += "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n";
+  text += fmt::format("    options=\"$verbs help {}\"\n", joined(options_of(program), words_of));
+  text += "  elif [[ $first == help || $first == -* ]]; then\n    [ \"$COMP_CWORD\" -eq 2 ] || options=\n";
+  text += "  elif [ \"$before\" = --method ]; then\n    options=$methods\n";
+  text += "  elif [[ \" $texts \" == *\" $before \"* ]]; then\n    options=\n";
+  text += "  elif [[ $word != -* ]]; then\n    compopt -o filenames 2> /dev/null\n";
+  text += "    mapfile -t COMPREPLY < <(compgen -f -- \"$word\")\n    return\n  fi\n";
+  return text + "  mapfile -t COMPREPLY < <(compgen -W \"$options\" -- \"$word\")\n}\ncomplete -F _sunder sunder\n";
 }
 
 // In single quotes of a shell, and free of what _arguments and _describe take for their own.
@@ -67,38 +123,68 @@ std::string zsh_words(const std::string& text) {
   return result;
 }
 
+// What _arguments is told of an option: of each of its names.
+std::string zsh_option(const CLI::Option& option) {
+  std::string text;
+  const std::string values = values_of(option);
+  const std::string action = takes_file(option) ? "_files" : values.empty() ? " " : "(" + values + ")";
+  for (const std::string& name : names_of(option)) {
+    text +=
+        fmt::format(" \\\n      '{}{}[{}]{}'", may_repeat(option) ? "*" : "", name, zsh_words(option.get_description()),
+                    takes_value(option) ? ":" + zsh_words(option.get_type_name()) + ":" + action : "");
+  }
+  return text;
+}
+
 std::string zsh(const CLI::App& program) {
   std::string text = "#compdef sunder\n# Completion of sunder for zsh: put it as _sunder into a folder of $fpath.\n";
   text += "local -a verbs=(\n";
   for (const CLI::App* verb : verbs_of(program)) {
     text += fmt::format("  '{}:{}'\n", verb->get_name(), zsh_words(verb->get_description()));
   }
-  text += "  'help:the options of a verb'\n)\n";
-  text += "if (( CURRENT == 2 )) || { (( CURRENT == 3 )) && [[ $words[2] == help ]]; }; then\n";
-  text += "  _describe verb verbs\n  return\nfi\ncase $words[2] in\n";
-  for (const CLI::App* verb : verbs_of(program)) {
-    text += fmt::format("  {})\n    _arguments", verb->get_name());
-    for (const CLI::Option* option : options_of(*verb)) {
-      text += fmt::format(" \\\n      '{}[{}]{}'", name_of(*option), zsh_words(option->get_description()),
-                          takes_value(*option) ? ":" + zsh_words(option->get_type_name()) + ":_files" : "");
+  text += "  'help:the options of a verb'\n)\nlocal -a options=(\n";
+  for (const CLI::Option* option : options_of(program)) {
+    for (const std::string& name : names_of(*option)) {
+      text += fmt::format("  '{}:{}'\n", name, zsh_words(option->get_description()));
     }
-    text += " \\\n      '*:file:_files' ;;\n";
   }
-  return text + "esac\n";
+  text += ")\nif (( CURRENT == 2 )); then\n  _describe verb verbs\n  _describe -o option options\n  return\nfi\n";
+  text += "if (( CURRENT == 3 )) && [[ $words[2] == help ]]; then\n  _describe verb verbs\n  return\nfi\n";
+  text += "case $words[2] in\n";
+  for (const CLI::App* verb : verbs_of(program)) {
+    text += fmt::format("  {})\n    _arguments{} \\\n      '*:file:_files' ;;\n", verb->get_name(),
+                        joined(options_of(*verb), zsh_option, ""));
+  }
+  return text + fmt::format("  --completion)\n    (( CURRENT == 3 )) && compadd {} ;;\nesac\n", shells);
+}
+
+std::string fish_quoted(const std::string& text) {
+  return "'" + replaced(replaced(text, "\\", "\\\\"), "'", "\\'") + "'";
+}
+
+// The words about an option behind `complete -c sunder -n CONDITION`.
+std::string fish_option(const CLI::Option& option) {
+  std::string text;
+  for (const std::string& name : option.get_snames()) text += " -s " + name;
+  for (const std::string& name : option.get_lnames()) text += " -l " + name;
+  text += " -d " + fish_quoted(option.get_description());
+  if (takes_file(option)) return text + " -r -F";
+  if (takes_value(option)) text += " -x";
+  const std::string values = values_of(option);
+  return values.empty() ? text : text + " -a " + fish_quoted(values);
 }
 
 std::string fish(const CLI::App& program) {
-  const auto quoted = [](const std::string& text) {
-    return "'" + replaced(replaced(text, "\\", "\\\\"), "'", "\\'") + "'";
-  };
   std::string text = "# Completion of sunder for fish: put it as sunder.fish into ~/.config/fish/completions.\n";
+  for (const CLI::Option* option : options_of(program)) {
+    text += fmt::format("complete -c sunder -f -n __fish_use_subcommand{}\n", fish_option(*option));
+  }
   for (const CLI::App* verb : verbs_of(program)) {
     text += fmt::format("complete -c sunder -f -n __fish_use_subcommand -a {} -d {}\n", verb->get_name(),
-                        quoted(verb->get_description()));
+                        fish_quoted(verb->get_description()));
     for (const CLI::Option* option : options_of(*verb)) {
-      text += fmt::format("complete -c sunder -n '__fish_seen_subcommand_from {}' -l {} -d {}{}\n", verb->get_name(),
-                          option->get_lnames().front(), quoted(option->get_description()),
-                          takes_value(*option) ? " -r" : "");
+      text += fmt::format("complete -c sunder -n '__fish_seen_subcommand_from {}'{}\n", verb->get_name(),
+                          fish_option(*option));
     }
   }
   text += "complete -c sunder -f -n __fish_use_subcommand -a help -d 'the options of a verb'\n";
@@ -125,10 +211,10 @@ std::string man_of(const CLI::App& verb) {
     const bool is_file = option->get_lnames().empty();
     const std::string value =
         takes_value(*option) && !is_file ? fmt::format(" \\fI{}\\fR", roff(option->get_type_name())) : "";
-    text += fmt::format(".TP\n\\fB{}\\fR{}\n{}\n", roff(is_file ? option->get_name(true) : name_of(*option)), value,
+    text += fmt::format(".TP\n\\fB{}\\fR{}\n{}\n", roff(is_file ? option->get_name(true) : words_of(*option)), value,
                         roff(option->get_description()));
   }
-  return text;
+  return text + ".PP\n" + roff(verb.get_footer()) + "\n";
 }
 
 }  // namespace
@@ -146,7 +232,8 @@ std::string man_page(const CLI::App& program, std::string_view version) {
   std::string text = fmt::format(
       ".TH SUNDER 1 \"\" \"sunder {}\" \"\"\n.SH NAME\nsunder \\- tells whether things meet, "
       "and proves it\n.SH SYNOPSIS\n\\fBsunder\\fR \\fIverb\\fR [\\fIfiles\\fR] "
-      "[\\fIoptions\\fR]\n.br\n\\fBsunder help\\fR [\\fIverb\\fR]\n.SH VERBS\n",
+      "[\\fIoptions\\fR]\n.br\n\\fBsunder help\\fR [\\fIverb\\fR]\n.br\n\\fBsunder \\-\\-completion\\fR "
+      "\\fIshell\\fR\n.br\n\\fBsunder \\-\\-man\\fR\n.br\n\\fBsunder \\-\\-version\\fR\n.SH VERBS\n",
       roff(std::string(version)));
   for (const CLI::App* verb : verbs_of(program)) text += man_of(*verb);
   return text + ".SH \"EXIT STATUS\"\n" + roff(program.get_footer()) + "\n";

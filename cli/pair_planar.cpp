@@ -183,7 +183,7 @@ std::string certificate_text(const PlanarPairCall& call, const PlanarBody& a, co
 
 int run_planar_pair(const PlanarPairCall& call) {
   for (const std::string& file : {call.file_a, call.file_b}) {
-    if (io::is_planar(file)) continue;
+    if (io::is_planar(file) || file == "-") continue;
     throw Error(ErrorCode::bad_call,
                 fmt::format("{} is not planar (WKT, GeoJSON, CSV), the other one is; give two of one kind",
                             io::quote(io::one_line(file))));

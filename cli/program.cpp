@@ -1,3 +1,4 @@
+#include <cli/call_words.h>
 #include <cli/common.h>
 #include <cli/manual.h>
 #include <cli/outputs.h>
@@ -12,12 +13,16 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -30,8 +35,34 @@ namespace sunder::cli {
 
 namespace {
 
-constexpr std::array<AddVerb, 12> verbs{add_pair,     add_scene,  add_segments, add_simple, add_circles, add_boxes,
-                                        add_polygons, add_region, add_kernel,   add_hull,   add_info,    add_verify};
+// A verb, and what its exit codes 0 and 1 say.
+struct Verb {
+  AddVerb add;
+  const char* codes;
+};
+
+constexpr const char *of_sets = "0 none meet; 1 some meet", *of_all = "0";
+constexpr auto verbs =
+    std::to_array<Verb>({{add_pair, "0 apart, or with --clearance that far apart; 1 meet, or not that far apart"},
+                         {add_scene, of_sets},
+                         {add_segments, of_sets},
+                         {add_simple, "0 all are valid; 1 some are not"},
+                         {add_circles, of_sets},
+                         {add_boxes, of_sets},
+                         {add_polygons, of_sets},
+                         {add_region, "0 something is common to all; 1 nothing is"},
+                         {add_kernel, "0 each polygon has a kernel; 1 some have none"},
+                         {add_hull, of_all},
+                         {add_info, of_all},
+                         {add_verify, "0 all accepted; 1 some refused"}});
+constexpr const char* other_codes = "2 bad input or call; 3 internal error.";
+
+// What is asked of the program, as far as it is known.
+struct Asked {
+  std::vector<std::string> words;
+  std::string verb;  // as it is given; empty: none
+  bool json = false;
+};
 
 // Signals that end the program unless it does something about them.
 constexpr std::array ending_signals{SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU, SIGXFSZ};
@@ -52,6 +83,14 @@ void handle_signals() {
   }
 }
 
+// A stream that is closed would be the first file that is opened. Reading and writing fail as before.
+void hold_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    const bool is_closed = fcntl(stream, F_GETFD) == -1;
+    if (is_closed) static_cast<void>(open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+  }
+}
+
 std::string_view kind_of(ErrorCode code) {
   switch (code) {
     case ErrorCode::bad_value: return "bad-value";
@@ -64,13 +103,14 @@ std::string_view kind_of(ErrorCode code) {
 }
 
 // One line on standard error; on standard output a report, where the call asks for JSON.
-int complain(const std::vector<std::string>& words, int code, const std::string& text,
+int complain(const Asked& asked, int code, const std::string& text,
              std::string_view kind = kind_of(ErrorCode::bad_call), const std::string& place = "") {
-  fmt::print(stderr, "sunder: {}\n", io::one_line(text));
-  const bool wants_json = std::find(words.begin(), words.end(), "--json") != words.end();
-  if (!wants_json || has_printed()) return code;
+  print_error(text);
+  if (!asked.json || is_output_in_use() || prints_over_input(asked.words)) return code;
+  Json report = error_report(asked.verb, kind, place, text);
+  if (asked.verb.empty()) report["verb"] = nullptr;
   try {
-    print(to_text(error_report(words[0], kind, place, text)));
+    print(to_text(report));
   } catch (const Error&) {  // where standard output is what cannot be written
   }
   return code;
@@ -90,119 +130,155 @@ std::vector<std::string> names_of_verbs(const CLI::App& program) {
   return names;
 }
 
-std::vector<std::string> names_of_options(const CLI::App& verb) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : verb.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  }
-  return names;
+bool is_in(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-int complain_of_verb(const CLI::App& program, const std::vector<std::string>& words, const std::string& what,
-                     const std::string& word) {
+int complain_of_verb(const CLI::App& program, const Asked& asked, const std::string& what, const std::string& word) {
   const std::vector<std::string> known = names_of_verbs(program);
+  std::vector<std::string> first = known;
+  first.emplace_back("help");
   return complain(
-      words, exit_code::bad,
-      fmt::format("{}{}; verbs are {}; see sunder --help", what, did_you_mean(word, known), fmt::join(known, ", ")));
+      asked, exit_code::bad,
+      fmt::format("{}{}; verbs are {}; see sunder --help", what, did_you_mean(word, first), fmt::join(known, ", ")));
+}
+
+int complain_of_word(const Asked& asked, const std::string& after, const std::string& word) {
+  return complain(asked, exit_code::bad,
+                  fmt::format("{}: nothing is expected at {}; see sunder --help", after, io::quote(word)));
 }
 
 // help, help VERB
-int help(const CLI::App& program, const std::vector<std::string>& words) {
-  if (words.size() > 2) return complain(words, exit_code::bad, "help: name one verb, or none; see sunder --help");
-  if (words.size() == 1) {
-    print(program.help());
-    return exit_code::no;
-  }
-  const std::vector<std::string> known = names_of_verbs(program);
-  if (std::find(known.begin(), known.end(), words[1]) == known.end())
-    return complain_of_verb(program, words, "there is no verb " + io::quote(words[1]), words[1]);
-  print(program.get_subcommand(words[1])->help("sunder"));
+int help(const CLI::App& program, const Asked& asked) {
+  const std::vector<std::string>& words = asked.words;
+  if (words.size() > 2) return complain(asked, exit_code::bad, "help: name one verb, or none; see sunder --help");
+  if (words.size() == 2 && !is_in(names_of_verbs(program), words[1]))
+    return complain_of_verb(program, asked, "there is no verb " + io::quote(words[1]), words[1]);
+  print(words.size() == 1 ? program.help() : program.get_subcommand(words[1])->help("sunder"));
   return exit_code::no;
 }
 
-// What CLI11 found wrong with the call, in one line with a remedy.
-int complain(const CLI::App& program, const CLI::ParseError& error, const std::vector<std::string>& words) {
-  const auto called = program.get_subcommands();
-  if (called.empty()) {
-    const auto word =
-        std::find_if(words.begin(), words.end(), [](const std::string& w) { return !w.starts_with('-'); });
-    const std::string what =
-        word != words.end() ? "there is no verb " + io::quote(*word) : "there is no option " + io::quote(words.front());
-    return complain_of_verb(program, words, what, word != words.end() ? *word : "");
-  }
-  const std::string verb = called.front()->get_name();
-  std::string what = error.what();
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
-    const std::vector<std::string> extra = called.front()->remaining();
-    const std::string word = extra.empty() ? "" : extra.front();
-    const bool is_option = word.starts_with('-');
-    what = (is_option ? "there is no option " : "nothing is expected at ") + io::quote(word) +
-           (is_option ? did_you_mean(word, names_of_options(*called.front())) : "");
-  }
-  return complain(words, exit_code::bad, fmt::format("{}: {}; see sunder {} --help", verb, what, verb));
+// A call whose first word is an option, and no verb.
+int complain_of_option(const CLI::App& program, const Asked& asked) {
+  const std::string word = asked.words[0].substr(0, asked.words[0].find('='));
+  const auto verbs_of_program = program.get_subcommands([](const CLI::App*) { return true; });
+  const bool is_of_verb =
+      word == "--" || std::any_of(verbs_of_program.begin(), verbs_of_program.end(),
+                                  [&](auto* verb) { return verb->get_option_no_throw(word) != nullptr; });
+  if (is_of_verb) return complain_of_verb(program, asked, "the verb comes first, before " + io::quote(word), "");
+  const std::string meant = did_you_mean(word, names_of_options(program));
+  return complain_of_verb(program, asked, "there is no option " + io::quote(word) + meant, "");
 }
 
-int run_checked(int argc, char** argv, const std::vector<std::string>& words) {
-  int code = exit_code::no;
-  CLI::App program("Sunder tells whether things meet, and proves it.", "sunder");
-  program.set_version_flag("--version", "sunder " SUNDER_VERSION);
-  program.require_subcommand(0, 1);
-  program.footer("Exit code: 0 apart, none, accepted; 1 meet, some, refused; 2 bad input or call; 3 internal error.");
-  for (const AddVerb add : verbs) add(program, code);
-  std::string shell;
-  bool man = false, quiet = false;
-  program.add_option("--completion", shell, "print a script that completes calls in bash, zsh or fish")
-      ->type_name("SHELL");
-  program.add_flag("--man", man, "print the manual page");
-  for (CLI::App* verb : program.get_subcommands([](const CLI::App*) { return true; })) {
+// --completion SHELL, --completion=SHELL
+int complete(const CLI::App& program, const Asked& asked) {
+  const std::string& first = asked.words[0];
+  const std::size_t end = first.find('=');
+  const std::size_t expected = end == std::string::npos ? 2 : 1;
+  if (asked.words.size() < expected) {
+    return complain(asked, exit_code::bad, "--completion: name the shell: bash, zsh, or fish; see sunder --help");
+  }
+  if (asked.words.size() > expected) return complain_of_word(asked, "--completion", asked.words[expected]);
+  print(completion(program, expected == 2 ? asked.words[1] : first.substr(end + 1)));
+  return exit_code::no;
+}
+
+// A call without a verb.
+int run_program(const CLI::App& program, const Asked& asked) {
+  if (asked.words.empty()) return complain_of_verb(program, asked, "no verb is given", "");
+  const std::string& first = asked.words[0];
+  if (first == "help" || first == "--help" || first == "-h") return help(program, asked);
+  if (first == "--completion" || first.starts_with("--completion=")) return complete(program, asked);
+  const bool is_version = first == "--version", is_manual = first == "--man";
+  if (!is_version && !is_manual) {
+    return first.starts_with('-') ? complain_of_option(program, asked)
+                                  : complain_of_verb(program, asked, "there is no verb " + io::quote(first), first);
+  }
+  if (asked.words.size() > 1) return complain_of_word(asked, first, asked.words[1]);
+  print(is_version ? "sunder " SUNDER_VERSION "\n" : man_page(program, SUNDER_VERSION));
+  return exit_code::no;
+}
+
+void add_verbs(CLI::App& program, int& code, bool& quiet) {
+  for (const auto& [add, codes] : verbs) {
+    add(program, code);
+    CLI::App* verb = program.get_subcommands([](const CLI::App*) { return true; }).back();
+    verb->footer(fmt::format("Exit code: {}; {}", codes, other_codes));
     verb->get_formatter()->column_width(28);
     verb->add_flag("--quiet", quiet, "print nothing but errors: the exit code is the answer");
     verb->parse_complete_callback([verb, &quiet] {
+      if (quiet) be_quiet();
       const bool is_taken = takes_standard_output(*verb);
       require_apart(*verb);
-      if (is_taken || quiet) be_quiet();
+      if (is_taken) leave_standard_output();
     });
   }
-  if (!words.empty() && words[0] == "help") return help(program, words);
-  try {
-    program.parse(argc, argv);
-    if (!shell.empty()) {
-      print(completion(program, shell));
-    } else if (man) {
-      print(man_page(program, SUNDER_VERSION));
-    } else if (program.get_subcommands().empty()) {
-      return complain_of_verb(program, words, "no verb is given", "");
-    }
-  } catch (const CLI::CallForHelp&) {
-    const auto called = program.get_subcommands();
-    print(called.empty() ? program.help() : called.front()->help("sunder"));
-  } catch (const CLI::CallForVersion& version) {
-    print(std::string(version.what()) + "\n");
-  } catch (const CLI::ParseError& error) {
-    return complain(program, error, words);
+}
+
+// For help and completion; run_program() obeys them.
+void add_options(CLI::App& program) {
+  program.set_version_flag("--version", "sunder " SUNDER_VERSION);
+  program.add_option("--completion", "print a script that completes calls in bash, zsh or fish")->type_name("SHELL");
+  program.add_flag("--man")->description("print the manual page");
+  program.footer(fmt::format("Exit code: 0 or 1, the answer: sunder help VERB tells which; {}", other_codes));
+}
+
+// What CLI11 finds wrong with the other words of the call.
+std::string problem_of(const CLI::App& verb, const CLI::ParseError& error) {
+  const std::string text = error.what();
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+    return fmt::format("one {} is expected, and more are named", text.substr(0, text.find(':')));
   }
-  return code;
+  const std::vector<std::string> extra = verb.remaining();
+  const bool is_extra = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !extra.empty();
+  return is_extra ? "nothing is expected at " + io::quote(extra.front()) : text;
+}
+
+int run_checked(int argc, char** argv, Asked& asked) {
+  int code = exit_code::no;
+  bool quiet = false;
+  CLI::App program("Sunder tells whether things meet, and proves it.", "sunder");
+  add_verbs(program, code, quiet);
+  add_options(program);
+  const std::vector<std::string>& words = asked.words;
+  if (!words.empty() && !words[0].starts_with('-')) asked.verb = words[0];
+  asked.json = is_in(words, "--json");
+  if (!is_in(names_of_verbs(program), asked.verb)) return run_program(program, asked);
+  const CLI::App& verb = *program.get_subcommand(asked.verb);
+  const std::span<const std::string> rest = std::span(words).subspan(1);
+  asked.json = asks_for_json(verb, rest);
+  std::string problem = option_problem(verb, rest);
+  try {
+    if (problem.empty()) program.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    print(verb.help("sunder"));
+  } catch (const CLI::ParseError& error) {
+    problem = problem_of(verb, error);
+  }
+  if (problem.empty()) return code;
+  return complain(asked, exit_code::bad, fmt::format("{0}: {1}; see sunder {0} --help", asked.verb, problem));
 }
 
 }  // namespace
 
 int run(int argc, char** argv) {
   handle_signals();
-  std::vector<std::string> words;
+  hold_closed_streams();
+  Asked asked;
   try {
-    words.assign(argv + 1, argv + argc);
-    return run_checked(argc, argv, words);
+    asked.words.assign(argv + 1, argv + argc);
+    return run_checked(argc, argv, asked);
   } catch (const Error& error) {
-    return complain(words, exit_code::bad, error.what(), kind_of(error.code()), error.place());
+    return complain(asked, exit_code::bad, error.what(), kind_of(error.code()), error.place());
   } catch (const std::bad_alloc&) {
     return complain_of_memory();
   } catch (const std::length_error&) {
     return complain_of_memory();
   } catch (const std::exception& error) {
-    return complain(words, exit_code::internal, std::string("internal error: ") + error.what() + "; please report it",
+    return complain(asked, exit_code::internal, std::string("internal error: ") + error.what() + "; please report it",
                     "internal");
   } catch (...) {
-    return complain(words, exit_code::internal, "internal error; please report it", "internal");
+    return complain(asked, exit_code::internal, "internal error; please report it", "internal");
   }
 }
 

@@ -77,6 +77,8 @@ TEST_F(Program, Kernels) {
   const Run both = run("kernel " + file + " --svg " + in_folder("two.svg"));
   EXPECT_EQ(both.code, 1) << both.err;
   EXPECT_NE(both.out.find("1 of 2 polygons have a kernel"), std::string::npos) << both.out;
+  EXPECT_NE(run("kernel " + cases + "/planar-pair/plate.wkt").out.find("1 of 1 polygon has a kernel"),
+            std::string::npos);
   for (const std::string method : {"automatic", "half-planes", "lee-preparata", "scan"}) {
     for (const std::string feature : {"1", "2"}) {
       const Run one =

@@ -26,6 +26,10 @@ TEST_F(Program, SimplePolygons) {
   EXPECT_EQ(r["objects"][1]["defects"][0]["kind"], "crossing");
   EXPECT_EQ(r["objects"][1]["defects"][0]["at"], json::parse("[[2.0, 2.0]]"));
   EXPECT_EQ(r["objects"][1]["rings"], 2);
+  std::string keys;  // those that all reports begin with, in their order
+  const auto ordered = nlohmann::ordered_json::parse(run("simple '" + file + "' --json").out);
+  for (const auto& [key, value] : ordered.items()) keys += key + " ";
+  EXPECT_EQ(keys, "sunder verb answer method decided_by cost objects notes rule ");
   const Run text = run("simple '" + file + "'");
   EXPECT_EQ(text.out,
             "feature 2, line 2: not valid\n  crossing        ring 0 crosses itself at about (2, 2): edges 0 and 2\n" +

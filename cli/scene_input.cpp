@@ -25,6 +25,11 @@ namespace fs = std::filesystem;
 
 bool is_urdf(const std::string& file) { return fs::path(file).extension() == ".urdf" || file.ends_with(".URDF"); }
 
+bool is_there(const std::string& file) {
+  std::error_code problem;  // a name that is too long, and the like
+  return file == "-" || fs::exists(file, problem);
+}
+
 // "name=value" or "name value".
 void add_joint(std::string_view text, const std::string& place, Placement& placement) {
   const std::size_t between = text.find_first_of("= \t");
@@ -88,7 +93,7 @@ SceneInput::SceneInput(const std::vector<std::string>& files, const std::vector<
     std::string file = word;
     solid::Pose pose;
     const std::size_t at = word.rfind('@');
-    if (at != std::string::npos && !fs::exists(word)) {
+    if (at != std::string::npos && !is_there(word)) {
       file = word.substr(0, at);
       pose = parse_pose(std::string_view(word).substr(at + 1), io::one_line(word));
     }
@@ -278,12 +283,12 @@ std::vector<std::array<std::uint32_t, 2>> SceneInput::adjacent() const {
 std::vector<std::array<std::uint32_t, 2>> SceneInput::allowed(const std::string& text) const {
   if (text == "adjacent") return adjacent();
   const std::size_t comma = text.find(',');
-  if (comma != std::string::npos && !fs::exists(text)) {
+  if (comma != std::string::npos && !is_there(text)) {
     const std::string place = "--allow";
     return {{body_named(std::string(io::trimmed(std::string_view(text).substr(0, comma))), place),
              body_named(std::string(io::trimmed(std::string_view(text).substr(comma + 1))), place)}};
   }
-  if (!fs::exists(text)) {
+  if (!is_there(text)) {
     fail_call("is no file; give adjacent, touch, NAME,NAME, or a file with two names a line",
               "--allow " + io::one_line(text));
   }

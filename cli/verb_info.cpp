@@ -53,18 +53,22 @@ const char* type_name(io::JointType type) {
   return "";
 }
 
-bool is_robot(const std::string& file) {
-  std::string ending = std::filesystem::path(file).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return ending == ".urdf";
+// By the ending; of standard input, by the content.
+bool is_robot(const std::string& file, std::string_view bytes) {
+  if (file != "-") return io::ending_of(file) == ".urdf";
+  const std::string_view head = bytes.substr(0, 4096);
+  return io::trimmed(head).starts_with('<') && head.find("<robot") != std::string_view::npos;
+}
+
+bool is_planar(const std::string& file, std::string_view bytes) {
+  return file == "-" ? !io::mesh_format_of_content(bytes) : is_of_the_plane(file);
 }
 
 // A finite limit as a number, another as null.
 Json limit(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
-Info describe_robot(const std::string& file) {
-  const io::Robot robot = io::read_urdf(file);
+Info describe_robot(const std::string& file, std::string_view bytes) {
+  const io::Robot robot = io::parse_urdf(bytes, file);
   Info info;
   const std::string shown = io::one_line(file);
   info.json = {{"file", shown}, {"format", "URDF"}, {"name", robot.name}, {"root", robot.links[robot.root].name}};
@@ -113,8 +117,8 @@ Info describe_robot(const std::string& file) {
   return info;
 }
 
-Info describe_mesh(const std::string& file) {
-  const io::Mesh mesh = io::read_mesh(file);
+Info describe_mesh(const std::string& file, std::string_view bytes) {
+  const io::Mesh mesh = io::parse_mesh(bytes, file, io::mesh_format(bytes, file));
   const Object object = make_object(mesh, file, false);
   const auto [low, high] = object.hull.box();
   LeftOutList left_out(true);
@@ -146,6 +150,12 @@ Info describe_mesh(const std::string& file) {
   return info;
 }
 
+Info describe(const std::string& file) {
+  const std::string bytes = io::read_file(file);
+  if (is_robot(file, bytes)) return describe_robot(file, bytes);
+  return is_planar(file, bytes) ? describe_planar(file, bytes) : describe_mesh(file, bytes);
+}
+
 int run(const Call& call) {
   if (call.files.empty() && !call.formats) {
     throw Error(ErrorCode::bad_call, "no file is named; name files, or ask for --formats", "info");
@@ -160,9 +170,7 @@ int run(const Call& call) {
     }
   }
   for (const std::string& file : call.files) {
-    Info info = is_robot(file)          ? describe_robot(file)
-                : is_of_the_plane(file) ? describe_planar(file)
-                                        : describe_mesh(file);
+    Info info = describe(file);
     json["objects"].push_back(std::move(info.json));
     text += info.text;
   }

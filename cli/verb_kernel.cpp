@@ -84,8 +84,9 @@ std::string human_text(const Call& call, const PolygonsInput& input, const std::
     }
   }
   const std::string without = input.left_out_words();
-  text += fmt::format("{}: {} of {} have a kernel{}\n", io::one_line(call.file), seen,
-                      count_of(results.size(), "polygon"), without.empty() ? "" : ", said of these only: " + without);
+  text +=
+      fmt::format("{}: {} of {} {} a kernel{}\n", io::one_line(call.file), seen, count_of(results.size(), "polygon"),
+                  results.size() == 1 ? "has" : "have", without.empty() ? "" : ", said of these only: " + without);
   text += input.tell();
   if (!call.certificate.empty()) text += fmt::format("  proof       {}\n", io::one_line(call.certificate));
   if (!call.svg.empty()) text += fmt::format("  picture     {}\n", io::one_line(call.svg));

@@ -96,6 +96,7 @@ Json report(const Call& call, const Placed& a, const Placed& b, const solid::Pai
   return json;
 }
 
+// Of standard input, the other one tells.
 int run(const Call& call) {
   if (io::is_planar(call.file_a) || io::is_planar(call.file_b)) {
     if (call.require_convex) {
@@ -150,9 +151,10 @@ void add_pair(CLI::App& program, int& code) {
                    std::string("where A is: ") + pose_forms + "; in the plane " + planar_pose_forms)
       ->type_name("POSE");
   verb->add_option("--pose-b", call->pose_b, "where B is")->type_name("POSE");
-  verb->add_option("--method", call->method,
-                   "automatic, gjk, or scan; in the plane also difference, halving, triangles; with a line automatic, "
-                   "fibonacci, scan; with a ray or half-plane automatic, scan")
+  verb->add_option(
+          "--method", call->method,
+          "automatic, scan, gjk (both bounded), difference, halving, triangles (both bounded, in the plane), or "
+          "fibonacci (with a line)")
       ->type_name("NAME");
   verb->add_flag("--classify", call->classify, "tell touching from overlapping");
   verb->add_flag("--require-convex", call->require_convex, "a mesh that is not exactly convex is an error");

@@ -285,8 +285,7 @@ void add_region(CLI::App& program, int& code) {
   verb->add_option("--of", call->of, "half-planes; circles: CSV x,y,r; or convex polygons: WKT, GeoJSON")
       ->type_name("KIND");
   verb->add_option("--maximize", call->maximize, "two numbers p,q: where is p x + q y greatest?")->type_name("P,Q");
-  verb->add_option("--method", call->method,
-                   "automatic, sort, division, or scan; circles: not sort; polygons: edges for sort")
+  verb->add_option("--method", call->method, "automatic, sort (of half-planes), edges (of polygons), division, or scan")
       ->type_name("NAME");
   verb->add_option("--certificate", call->certificate,
                    "write the proof here: of the region, or with --maximize of the best point")

@@ -37,7 +37,7 @@ struct Sheet {
   std::vector<std::uint32_t> members;  // segments of the file
   Segments segments;
   std::vector<std::uint32_t> groups;
-  std::string layer;  // its name, where it is one of several sheets
+  std::string layer;  // where it is one of several sheets, its name as it stands in those of files
 };
 
 constexpr std::uint64_t most_proved = 10'000'000;  // pairs that a proof tells of
@@ -56,6 +56,22 @@ constexpr std::array<Named<planar::SegmentsMethod>, 5> all_methods{
      {"scan", planar::segments_all_by_scan}}};
 planar::SegmentsMethod* contact_method(const std::string& name) {
   return method_by(name, all_methods, " (for lists and counts)");
+}
+
+// The name as a part of a file's name, other than those of the sheets: "F.Cu", "top_copper", "top_copper-2".
+std::string layer_in_files(const std::string& layer, const std::vector<Sheet>& sheets) {
+  std::string plain = layer;
+  for (char& c : plain) {
+    const bool is_kept = ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '.' ||
+                         c == '-' || static_cast<unsigned char>(c) > 127;
+    if (!is_kept) c = '_';
+  }
+  std::string name = plain;
+  const auto is_taken = [&](const Sheet& sheet) { return sheet.layer == name; };
+  for (int number = 2; std::any_of(sheets.begin(), sheets.end(), is_taken); ++number) {
+    name = fmt::format("{}-{}", plain, number);
+  }
+  return name;
 }
 
 // The layers that are asked about, each a sheet; or one sheet of all.
@@ -80,7 +96,8 @@ std::vector<Sheet> sheets_of(const Call& call, const io::LineFile& file) {
       segments.push_back(file.segments[i]);
       if (!file.group.empty()) groups.push_back(file.group[i]);
     }
-    const std::string layer = members.size() > 1 && call.layer.empty() ? file.layers[file.layer[m[0]]] : "";
+    const bool is_one_of_several = members.size() > 1 && call.layer.empty();
+    const std::string layer = is_one_of_several ? layer_in_files(file.layers[file.layer[m[0]]], sheets) : "";
     sheets.push_back({std::move(m), Segments(std::move(segments)), std::move(groups), layer});
   }
   if (sheets.empty()) {
@@ -126,6 +143,12 @@ std::filesystem::path certificate_of(const Call& call, const Sheet& sheet) {
 // The names of certificates are known by now.
 void require_apart(const Call& call, const std::vector<Sheet>& sheets) {
   std::vector<NamedFile> outputs;
+  if (call.certificate == "-" && !sheets[0].layer.empty()) {
+    throw Error(ErrorCode::bad_call,
+                "each layer has a proof of its own, and standard output takes one; add --layer NAME or --across-layers",
+                "--certificate");
+  }
+  if (!call.csv.empty()) outputs.push_back({"--csv", call.csv});
   if (!call.geojson.empty()) outputs.push_back({"--geojson", call.geojson});
   if (!call.svg.empty()) outputs.push_back({"--svg", call.svg});
   for (const Sheet& sheet : sheets) {

@@ -293,11 +293,10 @@ Json defect_json(const PolygonDefect& defect, bool has_parts) {
 
 Json point_json(const Point2& p) { return Json::array({p.x, p.y}); }
 
-// All but the features.
+// All but the features, which are its objects.
 Json report(const Call& call, const io::LineFile& file, const std::vector<Result>& results) {
   const Counts counts = counts_of(results);
   Json json = envelope("simple", call.answer(counts.valid == counts.asked), call.method);
-  json.erase("objects");
   json["cost"] = to_json(counts.cost);
   json["rule"] = call.strict ? "simple" : call.self_touch ? "self-touch" : "valid";
   if (!file.left_out.empty()) json["left_out"] = left_out_of(file).json();

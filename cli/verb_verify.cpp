@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -178,35 +179,63 @@ Json report(const File& file) {
   return json;
 }
 
-// Verdicts are told as they are known; what cannot be read is told in between, and does not end the call.
-int run(const Call& call) {
+// What is known of the files of a call.
+struct Outcome {
   int code = exit_code::no;
   Json objects = Json::array();
-  const InputFiles against = read_inputs(call.against);
+  std::size_t checked = 0;
+  std::optional<Error> error;  // the first
+};
+
+// Throws Error again, where it is about no file.
+void not_checked(const std::vector<std::string>& names, const Error& error, Outcome& outcome) {
+  if (error.code() != ErrorCode::bad_file) throw Error(error);
+  print_error(error.what());
+  outcome.code = exit_code::bad;
+  if (!outcome.error) outcome.error = error;
+  for (const std::string& name : names) {
+    outcome.objects.push_back(
+        {{"file", io::one_line(name)}, {"answer", "not checked"}, {"reason", io::one_line(error.what())}});
+  }
+}
+
+void check(const Call& call, const std::string& name, const InputFiles& against, Outcome& outcome) {
+  File file = verify(name, call.no_limit);
+  compare(against, file);
+  ++outcome.checked;
+  if (!file.holds()) outcome.code = std::max(outcome.code, exit_code::yes);
+  call.json ? outcome.objects.push_back(report(file)) : print_for_people(human_text(file));
+}
+
+Json report(Outcome outcome) {
+  Json json = outcome.checked == 0 ? error_report("verify", "bad-file", outcome.error->place(), outcome.error->what())
+                                   : envelope("verify", outcome.code == exit_code::no    ? "accepted"
+                                                        : outcome.code == exit_code::yes ? "refused"
+                                                                                         : "not all checked");
+  json["objects"] = std::move(outcome.objects);
+  return json;
+}
+
+// Verdicts are told as they are known; what cannot be read is told in between, and does not end the call.
+int run(const Call& call) {
+  Outcome outcome;
+  InputFiles against;
+  try {
+    against = read_inputs(call.against);
+  } catch (const Error& error) {
+    not_checked(call.files, error, outcome);
+  }
+  const bool is_ready = !outcome.error;
   for (const std::string& name : call.files) {
+    if (!is_ready) break;
     try {
-      File file = verify(name, call.no_limit);
-      compare(against, file);
-      if (!file.holds()) code = std::max(code, exit_code::yes);
-      if (call.json) {
-        objects.push_back(report(file));
-      } else {
-        print(human_text(file));
-      }
+      check(call, name, against, outcome);
     } catch (const Error& error) {
-      if (error.code() != ErrorCode::bad_file) throw;  // standard output
-      code = exit_code::bad;
-      fmt::print(stderr, "sunder: {}\n", io::one_line(error.what()));
-      objects.push_back({{"file", io::one_line(name)}, {"answer", "not checked"}, {"reason", error.what()}});
+      not_checked({name}, error, outcome);
     }
   }
-  if (call.json && std::any_of(objects.begin(), objects.end(), [](const Json& o) { return o.contains("refused"); })) {
-    Json json = envelope("verify", code == exit_code::no    ? "accepted"
-                                   : code == exit_code::yes ? "refused"
-                                                            : "not all checked");
-    json["objects"] = std::move(objects);
-    print(to_text(json));
-  }
+  const int code = outcome.code;
+  if (call.json) print(to_text(report(std::move(outcome))));
   return code;
 }
 

@@ -15,6 +15,12 @@
 
 namespace sunder::io {
 
+// The formats of text, boards aside.
+enum class LinesFormat : std::uint8_t { csv, wkt, geojson };
+
+// By the ending of the place (.csv, .wkt, .geojson, .json), else by the first letters of the text.
+LinesFormat lines_format(std::string_view text, std::string_view place);
+
 // What is asked of a reader.
 struct LineOptions {
   bool drop_z = false;  // ignore third coordinates; else they are refused

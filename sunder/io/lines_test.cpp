@@ -492,5 +492,18 @@ TEST(LinesTest, SurvivesTruncationAnywhere) {
   EXPECT_GT(refused, all / 2);
 }
 
+TEST(LinesTest, FormatsAreToldByEndingThenByFirstLetters) {
+  constexpr std::string_view table = "x1,y1,x2,y2 (m)\n", text = " LINESTRING (0 0, 1 1)\n", json = "\n{\"type\": 1}";
+  EXPECT_EQ(lines_format(table, "-"), LinesFormat::csv);
+  EXPECT_EQ(lines_format("0,0,1,1\n", "-"), LinesFormat::csv);
+  EXPECT_EQ(lines_format("", "-"), LinesFormat::csv);
+  EXPECT_EQ(lines_format(text, "-"), LinesFormat::wkt);
+  EXPECT_EQ(lines_format(json, "data.txt"), LinesFormat::geojson);
+  EXPECT_EQ(lines_format("[[0, 0]]", "-"), LinesFormat::geojson);
+  EXPECT_EQ(lines_format(json, "a.CSV"), LinesFormat::csv);
+  EXPECT_EQ(lines_format(json, "a.wkt"), LinesFormat::wkt);
+  EXPECT_EQ(lines_format(table, "a.json"), LinesFormat::geojson);
+}
+
 }  // namespace
 }  // namespace sunder::io

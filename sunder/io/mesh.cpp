@@ -38,22 +38,26 @@ bool is_any_of(std::string_view word, std::initializer_list<std::string_view> wo
 
 }  // namespace
 
-MeshFormat mesh_format(std::string_view bytes, std::string_view place) {
+std::optional<MeshFormat> mesh_format_of_content(std::string_view bytes) {
   if (is_binary_stl(bytes)) return MeshFormat::stl;
-
-  TextReader reader(bytes, place, {.comments = true, .continued = false});
+  TextReader reader(bytes, "", {.comments = true, .continued = false});
   const std::string_view word = reader.word_of_any_line();
   if (word == "ply") return MeshFormat::ply;
   if (is_off_header(word)) return MeshFormat::off;
   if (is_any_of(word, {"solid", "SOLID", "Solid"})) return MeshFormat::stl;
+  if (is_any_of(word, {"v", "vn", "vt", "o", "g", "s", "mtllib", "usemtl"})) return MeshFormat::obj;
+  return std::nullopt;
+}
 
+MeshFormat mesh_format(std::string_view bytes, std::string_view place) {
+  const std::optional<MeshFormat> by_content = mesh_format_of_content(bytes), by_name = format_of_ending(place);
+  if (by_content && !(by_name && by_content == MeshFormat::obj)) return *by_content;
   if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
   std::string_view other = foreign_format(bytes);
   if (bytes.starts_with('{')) other = "JSON (glTF is such)";
   if (bytes.starts_with('<')) other = "XML (COLLADA, X3D and URDF are such)";
   if (!other.empty()) fail_file(place, fmt::format("this is {}, which is not read; {}", other, remedy));
-  if (const auto by_name = format_of_ending(std::filesystem::path(place))) return *by_name;
-  if (is_any_of(word, {"v", "vn", "vt", "o", "g", "s", "mtllib", "usemtl"})) return MeshFormat::obj;
+  if (by_name) return *by_name;
   fail_file(place, fmt::format("no mesh by its first bytes or its ending; {}", remedy));
 }
 

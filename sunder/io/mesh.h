@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,6 +58,9 @@ Mesh read_mesh(const std::filesystem::path& path, InputFiles* inputs = nullptr);
 
 // As read_mesh, from memory. place: the file's name for messages.
 Mesh parse_mesh(std::string_view bytes, std::string_view place, MeshFormat format);
+
+// The format of these bytes, where they tell it.
+std::optional<MeshFormat> mesh_format_of_content(std::string_view bytes);
 
 // The format of these bytes; where they leave it open, by the ending of `place`.
 // Throws Error bad_file, naming what the file is instead where that shows (a PNG image, COLLADA, a zip archive, ...).

@@ -297,5 +297,16 @@ TEST(Mesh, ReadsTheLinksOfThePanda) {
   EXPECT_EQ(meshes, 10);
 }
 
+TEST(Mesh, FormatsAreToldByContent) {
+  EXPECT_EQ(mesh_format_of_content("ply\nformat ascii 1.0\n"), MeshFormat::ply);
+  EXPECT_EQ(mesh_format_of_content("OFF\n0 0 0\n"), MeshFormat::off);
+  EXPECT_EQ(mesh_format_of_content("solid cube\n"), MeshFormat::stl);
+  EXPECT_EQ(mesh_format_of_content("# a cube\nv 0 0 0\n"), MeshFormat::obj);
+  for (const char* other :
+       {"", "0,0,1,1\n", "POLYGON ((0 0, 1 0, 0 1, 0 0))\n", "{\"type\": \"Feature\"}", "<robot/>"}) {
+    EXPECT_EQ(mesh_format_of_content(other), std::nullopt) << other;
+  }
+}
+
 }  // namespace
 }  // namespace sunder::io

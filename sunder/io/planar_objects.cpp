@@ -257,9 +257,9 @@ PlanarFile parse_planar_objects(std::string_view text, std::string_view place, b
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
   refuse_foreign(text, place);
   PlanarFile file;
-  const std::string ending = ending_of(place);
-  if (ending == ".csv" && Csv(text, place, drop_z, file).parse()) return file;
-  if (ending != ".wkt") {
+  const LinesFormat format = lines_format(text, place);
+  if (format == LinesFormat::csv && Csv(text, place, drop_z, file).parse()) return file;
+  if (format != LinesFormat::wkt) {
     parse_bounded(text, place, drop_z, file);
     return file;
   }

@@ -52,7 +52,8 @@ bool is_planar(const std::filesystem::path& path);
 // inputs: as of read_file. Throws Error bad_file: "FILE:LINE: what; remedy". Cost: linear.
 PlanarFile read_planar_objects(const std::filesystem::path& path, bool drop_z = false, InputFiles* inputs = nullptr);
 
-// As read_planar_objects, from memory. place: the file's name, for its ending and for messages.
+// As read_planar_objects, from memory. place: the file's name, for its ending and for messages; where the ending is
+// none of these, the first letters tell the format.
 PlanarFile parse_planar_objects(std::string_view text, std::string_view place, bool drop_z = false);
 
 }  // namespace sunder::io
