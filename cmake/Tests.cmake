@@ -169,7 +169,8 @@ endforeach()
 # outside project finds the installed package. Not from instrumented builds, whose flags they would have to know.
 if(NOT SUNDER_SANITIZE AND NOT SUNDER_COVERAGE AND NOT SUNDER_FUZZ)
   sunder_add_test(python TIMEOUT 1200 LABELS python slow COMMAND Python3::Interpreter
-    ${PROJECT_SOURCE_DIR}/python/tests/run.py ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/python ${CMAKE_CXX_COMPILER})
+    ${PROJECT_SOURCE_DIR}/python/tests/run.py ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR} ${CMAKE_CXX_COMPILER}
+    ${SUNDER_WARNINGS_AS_ERRORS})
   set_tests_properties(python PROPERTIES PROCESSORS 2)
   sunder_add_test(consumer TIMEOUT 300 LABELS consumer slow COMMAND ${CMAKE_COMMAND}
     -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DBUILD_DIR=${PROJECT_BINARY_DIR} -DGENERATOR=${CMAKE_GENERATOR}

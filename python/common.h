@@ -3,8 +3,10 @@
 
 #include <sunder/base/cost.h>
 #include <sunder/base/error.h>
+#include <sunder/certificate/claims.h>
 #include <sunder/near/set_question.h>
 #include <sunder/number/dyadic.h>
+#include <sunder/planar/set/polygon_valid.h>
 #include <sunder/predicate/crossing.h>
 #include <sunder/predicate/point.h>
 
@@ -19,16 +21,9 @@
 #include <nanobind/stl/vector.h>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <initializer_list>
 #include <memory>
-#include <optional>
-#include <span>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 namespace sunder::python {
@@ -38,14 +33,14 @@ namespace nb = nanobind;
 // The chapters of the module.
 void bind_answers(nb::module_& module);
 void bind_planar(nb::module_& module, nb::module_& planar);
-void bind_many(nb::module_& module);
+void bind_polygons(nb::module_& planar);
 void bind_sets(nb::module_& planar);
 void bind_regions(nb::module_& planar);
 void bind_solid(nb::module_& module, nb::module_& solid);
-void bind_scene(nb::module_& scene);
 
 // C++ errors become sunder.Error of Python.
 void translate_errors();
+std::string text_of(const Error& error);  // without the place
 
 // --- Arrays given -------------------------------------------------------------------------------------------------
 
@@ -63,41 +58,44 @@ Doubles doubles_of(nb::handle given, const char* place, std::initializer_list<st
 
 template <std::size_t N>
 std::array<double, N> numbers_of(nb::handle given, const char* place, std::initializer_list<std::vector<int>> shapes) {
-  const Doubles numbers = doubles_of(given, place, shapes);
   std::array<double, N> result;
-  std::copy_n(numbers.data(), N, result.begin());
+  std::copy_n(doubles_of(given, place, shapes).data(), N, result.begin());
   return result;
 }
 
-// Rows of D numbers.
-template <std::size_t D>
-std::vector<Point<D>> points_of(nb::handle given, const char* place) {
-  const Doubles numbers = doubles_of(given, place, {{any_length, static_cast<int>(D)}});
-  std::vector<Point<D>> points(numbers.shape(0));
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    for (std::size_t k = 0; k < D; ++k) points[i][k] = numbers.data()[D * i + k];
-  }
-  return points;
+// Rows of W numbers as plain entries of as many.
+template <class Entry>
+std::vector<Entry> entries_of(const Doubles& rows) {
+  const auto* const first = reinterpret_cast<const Entry*>(rows.data());
+  return {first, first + rows.shape(0)};
+}
+template <class Entry>
+std::vector<Entry> entries_of(nb::handle given, const char* place) {
+  return entries_of<Entry>(doubles_of(given, place, {{any_length, sizeof(Entry) / sizeof(double)}}));
 }
 
 // Numbers of groups for so many members; empty for None.
 std::vector<std::uint32_t> groups_of(nb::handle given, std::size_t size);
 
-// Throws Error where the text names none of these, the names of which name_of tells.
-template <class Enum>
-Enum named(std::string_view text, std::initializer_list<Enum> known, const char* place) {
-  std::string names;
-  for (const Enum value : known) {
-    if (name_of(value) == text) return value;
-    names.append(names.empty() ? "" : ", ").append(name_of(value));
-  }
-  throw Error(ErrorCode::bad_call, "there is no '" + std::string(text) + "'; give one of " + names, place);
-}
+// A list of rings, each an array of points, or one ring.
+planar::PolygonRings one_polygon(nb::handle given, const char* place);
+
+// Throws Error bad_shape where it is not valid under the rule.
+planar::Polygon checked_polygon(const planar::PolygonRings& rings, planar::PolygonRule rule, const std::string& place);
+
+// Polygons that are valid, but that rings may touch themselves: what questions about sets of polygons require.
+struct Polygons {
+  std::vector<planar::Polygon> members;
+  std::size_t size() const { return members.size(); }
+};
 
 // --- Arrays returned ----------------------------------------------------------------------------------------------
 
 template <class T, class... Shape>
 using Returned = nb::ndarray<T, nb::numpy, nb::c_contig, Shape...>;
+
+// Properties that return arrays take this policy: an array owns its numbers, and not the object that it is asked of.
+inline constexpr auto owned = nb::rv_policy::automatic;
 
 // The numbers of plain entries, W each, as an array that owns them: (N, W), or (N,) where W is 1.
 template <class T, std::size_t W = 1, class Entry>
@@ -113,8 +111,15 @@ auto array_of(std::vector<Entry> entries) {
   }
 }
 template <class T, std::size_t W = 1, class Entry>
-auto array_of(std::span<const Entry> entries) {
-  return array_of<T, W>(std::vector<Entry>(entries.begin(), entries.end()));
+auto array_of(std::span<const Entry> given) {
+  return array_of<T, W>(std::vector<Entry>(given.begin(), given.end()));
+}
+
+template <std::size_t D>
+auto matrix_of(const std::array<double, D * D>& numbers) {
+  std::vector<std::array<double, D>> rows(D);
+  for (std::size_t k = 0; k < D * D; ++k) rows[k / D][k % D] = numbers[k];
+  return array_of<double, D>(std::move(rows));
 }
 
 // A pair of fractions.Fraction.
@@ -139,6 +144,16 @@ struct Answer {
 struct YesNo : Answer {
   bool yes = false;
 };
+
+// A whole certificate file, of what `write` writes.
+template <class Write>
+std::string file_of(const Write& write) {
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  write(file);
+  file.end();
+  return text;
+}
 
 // Runs without the interpreter's lock. `work` touches nothing of Python.
 template <class Work>

@@ -12,7 +12,7 @@ _PROGRAM = os.path.join(os.path.dirname(os.path.abspath(__file__)), "bin", "sund
 class Report(dict):
     """The report of a question, as `--json` of the program prints it. `proof`: the certificate, where asked for."""
 
-    proof = None
+    proof: "bytes | None" = None
 
 
 def _words(options):
@@ -41,12 +41,9 @@ def _run(words):
     return report
 
 
-def ask(verb, *files, certificate=False, **options):
+def ask(verb: str, *files: "str | os.PathLike", certificate: bool = False, **options: object) -> Report:
     """Asks a question of files: the verb, the files and the options of the program `sunder`, --some-option as
-    some_option=value. Returns the report; with certificate=True its `proof` is the certificate, as bytes.
-
-    ask("circles", "circles.csv", all=True, group="owner")["count"]
-    """
+    some_option=value. Returns the report; with certificate=True its `proof` is the certificate, as bytes."""
     if not isinstance(verb, str):
         raise Error("bad-call", "ask", "the verb is a text, such as \"circles\"")
     try:

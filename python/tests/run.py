@@ -1,25 +1,31 @@
 #!/usr/bin/env python3
 """Installs the package into an environment of its own, as `pip install .` does, and runs its tests there.
 
-    python/tests/run.py SOURCE WORK COMPILER [OPTION OF PYTEST...]
+    python/tests/run.py SOURCE BUILD COMPILER WARNINGS_AS_ERRORS [OPTION OF PYTEST...]
 
-WORK keeps the environment and what was compiled. Where the package cannot be built, this says what is missing and fails.
+The environment is BUILD/python, and is kept. What is compiled is in BUILD-python: as deep as BUILD, whose relative names
+the compiler cache knows. Where the package cannot be built, this says what is missing, and fails.
 """
 import os
 import subprocess
 import sys
 import sysconfig
 
-MISSING = {  # what it takes: (is it there, Debian's package)
-    "the modules venv and ensurepip": (lambda: __import__("venv") and __import__("ensurepip"), "python3-venv"),
-    "the header Python.h": (lambda: open(os.path.join(sysconfig.get_path("include"), "Python.h"), "rb").close(),
-                            "python3-dev"),
-    "Python 3.11 (its module tomllib)": (lambda: __import__("tomllib"), "python3"),
+
+def read_header():
+    with open(os.path.join(sysconfig.get_path("include"), "Python.h"), "rb"):
+        pass
+
+
+NEEDED = {  # what it takes: (how it is used, Debian's package)
+    "the modules venv and ensurepip": (lambda: [__import__("venv"), __import__("ensurepip")], "python3-venv"),
+    "the header Python.h": (read_header, "python3-dev"),
+    "the module tomllib of Python 3.11": (lambda: __import__("tomllib"), "python3"),
 }
 
 
 def look():
-    for what, (use, package) in MISSING.items():
+    for what, (use, package) in NEEDED.items():
         try:
             use()
         except (ImportError, OSError):
@@ -36,21 +42,23 @@ def run(*command, **environment):
 def requirements(source):
     import tomllib
     with open(os.path.join(source, "pyproject.toml"), "rb") as file:
-        project = tomllib.load(file)
-    return project["build-system"]["requires"] + project["project"]["dependencies"] + \
-        project["project"]["optional-dependencies"]["test"]
+        top = tomllib.load(file)
+    project = top["project"]
+    return top["build-system"]["requires"] + project["dependencies"] + project["optional-dependencies"]["test"]
 
 
-def main(source, work, compiler, *options):
+def main(source, build, compiler, warnings_as_errors, *options):
     look()
-    python = os.path.join(work, "venv", "bin", "python")
-    if subprocess.run([python, "-c", "import sys; sys.exit(sys.version_info[:2] != %r)" % (sys.version_info[:2],)],
-                      check=False, stderr=subprocess.DEVNULL).returncode if os.path.exists(python) else True:
-        run(sys.executable, "-m", "venv", "--clear", os.path.join(work, "venv"))
+    environment = os.path.join(build, "python")
+    python = os.path.join(environment, "bin", "python")
+    version = "import sys; sys.exit(sys.version_info[:3] != %r)" % (sys.version_info[:3],)
+    if not os.path.exists(python) or subprocess.run([python, "-c", version], check=False).returncode:
+        run(sys.executable, "-m", "venv", "--clear", environment)
     pip = [python, "-m", "pip", "--disable-pip-version-check", "--quiet", "install"]
     run(*pip, *requirements(source))
-    # Without isolation, so that what was compiled before is found again: pip's isolated folders have other names each time.
-    run(*pip, "--no-build-isolation", "--no-deps", "-C", "build-dir=" + os.path.join(work, "build"), source,
+    # Without isolation: pip's own environments have another name each time, and the compiler cache would know nothing.
+    run(*pip, "--no-build-isolation", "--no-deps", "-C", "build-dir=%s-python" % build,
+        "-C", "cmake.define.SUNDER_WARNINGS_AS_ERRORS=" + warnings_as_errors, source,
         CXX=compiler, CMAKE_BUILD_PARALLEL_LEVEL=os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", "2"))
     run(python, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-c", os.path.join(source, "pyproject.toml"),
         os.path.join(source, "python", "tests"), *options)

@@ -5,7 +5,7 @@ import threading
 import numpy as np
 import pytest
 import sunder
-from sunder import planar, scene, solid
+from sunder import planar, solid
 
 from helpers import proved, refused, statements
 
@@ -35,16 +35,6 @@ def test_one_pair_of_the_plane():
     assert not answer and planar.polygon_polygon_contact(SQUARE, planar.Pose(), SQUARE, flip) == "none"
     proved(answer.certificate())
     assert len(json.loads(answer.certificate())["tables"]["bodies"][0]["points"][0]) == 2
-    distance = planar.polygon_polygon_distance(SQUARE, planar.Pose(), SQUARE, flip)
-    assert distance.low <= 1 <= distance.high and not distance.meet
-    assert [distance.compare(x) for x in (0.5, 1, 1.5)] == [1, 0, -1]
-    assert {distance.closest[0], distance.closest[2]} <= {"edge", "vertex"}
-    proved(distance.certificate())
-    refused("bad-value", "radius", distance.compare, float("nan"))
-    refused("bad-value", "radius", distance.compare, -1)
-    half = planar.Pose.from_matrix(np.eye(2), [0.5, 0.5])
-    corners = planar.polygon_polygon_intersection(SQUARE, planar.Pose(), SQUARE, half)
-    assert sorted(map(tuple, corners)) == [(0.5, 0.5), (0.5, 1), (1, 0.5), (1, 1)]
 
 
 def test_poses():
@@ -104,11 +94,11 @@ def test_many_are_as_one_by_one(chapter, dimension, hull):
 def test_many_that_do_not_fit():
     poses = random_poses(5, 3, 3, 1)
     refused("bad-shape", "intersect_many", sunder.intersect_many, CUBE, poses, CUBE, poses[:4])
-    refused("bad-shape", "intersect_many", sunder.intersect_many, [CUBE] * 4, poses, CUBE, None)
-    refused("bad-value", "b[1]", sunder.intersect_many, CUBE, None, [CUBE, SQUARE], None)
-    refused("bad-value", "a[0]", sunder.intersect_many, [None], None, CUBE, None)
-    refused("bad-value", "a", sunder.intersect_many, "cube", None, CUBE, None)
-    refused("bad-value", "a", sunder.intersect_many, CUBE, None, SQUARE, None)
+    refused("bad-shape", "intersect_many", sunder.intersect_many, [CUBE] * 4, None, CUBE, poses)
+    refused("bad-shape", "poses_a", sunder.intersect_many, [CUBE] * 4, poses, CUBE, None)
+    for a, b in ((CUBE, [CUBE, SQUARE]), ([None], CUBE), ("cube", CUBE), (CUBE, SQUARE), (5, 5), ({}, [CUBE]),
+                 (np.zeros((3, 3)), CUBE)):
+        pytest.raises(TypeError, sunder.intersect_many, a, None, b, None)
     refused("bad-shape", "poses_a", sunder.intersect_many, CUBE, np.zeros((5, 2, 3)), CUBE, None)
     poses[3, :, :3] = 0
     refused("bad-pose", "poses_b[3]", sunder.intersect_many, CUBE, None, CUBE, poses)
@@ -120,7 +110,11 @@ def test_many_lets_others_run():
     body = solid.ConvexPolyhedron(np.random.default_rng(1).normal(size=(2000, 3)))
     poses = random_poses(20000, 3, 4, 3)
     done, results, ran = threading.Event(), [], 0
-    thread = threading.Thread(target=lambda: (results.append(sunder.intersect_many(body, poses, body, None)), done.set()))
+    def work():
+        results.append(sunder.intersect_many(body, poses, body, None))
+        done.set()
+
+    thread = threading.Thread(target=work)
     thread.start()
     while not done.wait(0.001):
         ran += 1
@@ -133,27 +127,5 @@ def test_polyhedra():
     body = solid.ConvexPolyhedron(points)
     assert (body.dimension, len(body), body.source.tolist()) == (3, 4, [0, 1, 2, 3])
     assert sorted(map(len, body.facets)) == [3, 3, 3, 3] and solid.ConvexPolyhedron(points[:1]).dimension == 0
-    assert statements(solid.hull_certificate(points, "corner")) and "corner" in proved(solid.hull_certificate(points, "corner"))[0]
+    assert "corner" in proved(solid.hull_certificate(points, "corner"))[0]
     refused("bad-value", "name", solid.hull_certificate, points, "")
-
-
-def cell(gap):
-    return [scene.Body("table", [scene.Part("top", CUBE, solid.Pose())]),
-            scene.Body("gripper", [scene.Part("palm", CUBE, at(0.25, 0.25, 2)), scene.Part("finger", CUBE, at(0.5, 0.5, 1 + gap))]),
-            scene.Body("fence", [scene.Part("post", CUBE, at(5, 0, 0))])]
-
-
-def test_scene():
-    bodies = cell(0)
-    answer = scene.meeting_pairs(bodies, contacts=True, every_pair=True)
-    assert answer and answer.meeting == 1 and len(answer.pairs) == 5
-    (pair,) = [pair for pair in answer.pairs if pair.meet]
-    assert (pair.body_a, pair.part_a, pair.body_b, pair.part_b, pair.contact, pair.counts) == (0, 0, 1, 1, "touching", True)
-    assert ("bodies", "these") in statements(answer.certificate()) and len(proved(answer.certificate())) == 6
-    assert not scene.meeting_pairs(cell(1e-15))
-    for options in ({"allowed": [(1, 0)]}, {"allowed": [(0, 1), (1, 0), (2, 2)]}, {"touching_allowed": True}):
-        allowed = scene.meeting_pairs(bodies, **options)
-        assert not allowed
-        proved(allowed.certificate())
-    refused("bad-value", "allowed[1]", scene.meeting_pairs, bodies, allowed=[(0, 1), (0, 3)])
-    assert bodies[1].parts[1].name == "finger" and bodies[1].name == "gripper"

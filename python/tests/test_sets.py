@@ -36,7 +36,8 @@ def test_any_all_count(members, questions, name, pairs, overlapping):
     found = ask_any(members)
     assert found and found.found[:2] in pairs and pairs[found.found[:2]] == found.found[2]
     every = ask_all(members)
-    assert dict(zip(map(tuple, every.pairs.tolist()), every.kinds)) == pairs and every.pairs.tolist() == sorted(every.pairs.tolist())
+    assert dict(zip(map(tuple, every.pairs.tolist()), every.kinds)) == pairs
+    assert every.pairs.tolist() == sorted(every.pairs.tolist())
     assert ask_count(members).count == len(pairs) == len(every)
     for answer, verdict in ((found, "some"), (every, "these"), (ask_count(members), "count")):
         assert statements(answer.certificate()) == [(name, verdict)]
@@ -91,7 +92,7 @@ def test_polygons_must_be_valid():
     assert "crossing" in refused("bad-shape", "polygons[1]", planar.Polygons, [SQUARE, hourglass])
     assert "polygon" in str(pytest.raises(sunder.Error, planar.Polygons, [[[0, 0], [1, 1]]]).value)
     assert refused("bad-value", "polygons[0]", planar.Polygons, [[[0, 0], [1, 1], [2, np.nan]]])
-    touching_itself = [[0, 0], [4, 0], [2, 2], [4, 4], [0, 4], [2, 2]]
+    touching_itself = [[0, 0], [6, 0], [6, 6], [3, 6], [4, 3], [2, 3], [3, 6], [0, 6]]
     assert len(planar.Polygons([touching_itself])) == 1
 
 
@@ -132,9 +133,9 @@ def test_linear_programs():
     third = planar.linear_program(planar.Constraints([[3, 0, 1], [0, 1, 0]]), (1, 1))
     assert third.exact_point() == (Fraction(1, 3), 0) and third.point == (1 / 3, 0)
     none = planar.linear_program(planar.Constraints([[1, 0, 0], [-1, 0, -1]]), (1, 1))
-    assert none.outcome == "infeasible" and none.point is None and none.exact_point() is None and none.side is None
+    assert none.outcome == "infeasible" and none.point is None and none.exact_point() is None
     far = planar.linear_program(planar.Constraints([[-1, 0, 0]]), (1, 0))
-    assert far.outcome == "unbounded" and {none.before, none.after} == {0, 1}
+    assert far.outcome == "unbounded" and far.point[0] >= 0
     for program in (none, far):
         proved(program.certificate())
 
@@ -149,5 +150,5 @@ def test_kernels_and_discs():
     for discs, kind in (([[0, 0, 2], [1, 0, 2]], "region"), ([[0, 0, 1], [2, 0, 1]], "point"),
                         ([[0, 0, 1], [3, 0, 1]], "empty")):
         part = planar.disc_intersection(planar.Discs(discs))
-        assert part.kind == kind and len(part.arcs) == (2 if kind == "region" else 0)
+        assert part.kind == kind and len(part.sides) == (2 if kind == "region" else 0)
         proved(part.certificate())
