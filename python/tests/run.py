@@ -7,6 +7,7 @@ The environment is BUILD/python, and is kept. What is compiled is in BUILD-pytho
 the compiler cache knows. Where the package cannot be built, this says what is missing, and fails.
 """
 import os
+import shutil
 import subprocess
 import sys
 import sysconfig
@@ -47,17 +48,29 @@ def requirements(source):
     return top["build-system"]["requires"] + project["dependencies"] + project["optional-dependencies"]["test"]
 
 
+def compiler_of(compiled):
+    """That a folder was compiled with; None where nothing was."""
+    try:
+        with open(os.path.join(compiled, "CMakeCache.txt"), encoding="utf-8") as file:
+            return next((line.split("=", 1)[1].strip() for line in file if line.startswith("CMAKE_CXX_COMPILER:")), None)
+    except OSError:
+        return None
+
+
 def main(source, build, compiler, warnings_as_errors, *options):
     look()
-    environment = os.path.join(build, "python")
+    environment, compiled = os.path.join(build, "python"), build + "-python"
     python = os.path.join(environment, "bin", "python")
     version = "import sys; sys.exit(sys.version_info[:3] != %r)" % (sys.version_info[:3],)
     if not os.path.exists(python) or subprocess.run([python, "-c", version], check=False).returncode:
         run(sys.executable, "-m", "venv", "--clear", environment)
+        shutil.rmtree(compiled, ignore_errors=True)
+    if compiler_of(compiled) not in (None, compiler):
+        shutil.rmtree(compiled)
     pip = [python, "-m", "pip", "--disable-pip-version-check", "--quiet", "install"]
     run(*pip, *requirements(source))
     # Without isolation: pip's own environments have another name each time, and the compiler cache would know nothing.
-    run(*pip, "--no-build-isolation", "--no-deps", "-C", "build-dir=%s-python" % build,
+    run(*pip, "--no-build-isolation", "--no-deps", "-C", "build-dir=" + compiled,
         "-C", "cmake.define.SUNDER_WARNINGS_AS_ERRORS=" + warnings_as_errors, source,
         CXX=compiler, CMAKE_BUILD_PARALLEL_LEVEL=os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", "2"))
     run(python, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-c", os.path.join(source, "pyproject.toml"),

@@ -73,12 +73,12 @@ int main(int argc, char** argv) {
   const double made_in_loop = nanoseconds(repeats, pairs.size(), [&] {
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       const Pair& p = pairs[k];
-      meet[k] = intersect(bodies[p.a], pose_of(p.pose_a), bodies[p.b], pose_of(p.pose_b)).meet();
+      meet[k] = sunder::intersect(bodies[p.a], pose_of(p.pose_a), bodies[p.b], pose_of(p.pose_b)).meet();
     }
   });
   const double made_before = nanoseconds(repeats, pairs.size(), [&] {
     for (std::size_t k = 0; k < pairs.size(); ++k) {
-      meet[k] = intersect(bodies[pairs[k].a], poses[k][0], bodies[pairs[k].b], poses[k][1]).meet();
+      meet[k] = sunder::intersect(bodies[pairs[k].a], poses[k][0], bodies[pairs[k].b], poses[k][1]).meet();
     }
   });
   std::cout << std::count(meet.begin(), meet.end(), 1) << ' ' << made_in_loop << ' ' << made_before << '\n';
