@@ -101,6 +101,8 @@ has_package() {
     libclang-rt-*-dev) compgen -G "/usr/lib/llvm-${1//[^0-9]/}/lib/clang/*/lib/*/libclang_rt.fuzzer*" >/dev/null ;;
     clang-[0-9]*) has_command "clang++-${1#clang-}" ;;
     pkg-config) has_command pkg-config ;;
+    python3-venv) python3 -c 'import ensurepip, venv' 2>/dev/null ;;
+    python3-dev) python3 -c 'import os, sysconfig; os.stat(sysconfig.get_path("include") + "/Python.h")' 2>/dev/null ;;
     python3 | gcovr | doxygen | clang-*) has_command "$1" ;;
     *) dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed' ;;
   esac
@@ -225,7 +227,9 @@ pick_clang() {
 need_to_build_program() {
   need cmake ninja-build ccache "$(compiler_package)" libboost-dev libcli11-dev libfmt-dev libfast-float-dev nlohmann-json3-dev libtinyxml2-dev "$@"
 }
-need_to_test() { need_to_build_program libgtest-dev librapidcheck-dev libgeos-dev python3 "$@"; }
+need_to_test() {
+  need_to_build_program libgtest-dev librapidcheck-dev libgeos-dev python3 python3-dev python3-venv "$@"
+}
 need_clang() {
   pick_clang
   need "clang-$clang" "clang-tidy-$clang" "clang-format-$clang" "libclang-rt-$clang-dev"
@@ -266,7 +270,8 @@ run_tests() {
   local folder log=$log_folder/$2.log
   folder=$(build_folder "$1")
   shift 2
-  ctest --test-dir "$folder" --output-on-failure --no-tests=error --parallel "$(job_count)" "$@" </dev/null 2>&1 | tee "$log"
+  CMAKE_BUILD_PARALLEL_LEVEL=$(job_count) \
+    ctest --test-dir "$folder" --output-on-failure --no-tests=error --parallel "$(job_count)" "$@" </dev/null 2>&1 | tee "$log"
 }
 
 # --- Commands -----------------------------------------------------------------------------------------------------
@@ -377,14 +382,14 @@ part_format() {
     say "Skipped: clang-format $clang sees some lines differently from 19, which is the rule."
     return 0
   fi
-  check_format() { sources sunder cli verifier tests fuzz bench examples | xargs -0 "clang-format-$clang" --dry-run -Werror; }
+  check_format() { sources sunder cli python verifier tests fuzz bench examples | xargs -0 "clang-format-$clang" --dry-run -Werror; }
   run format "clang-format-$clang (to mend: ./do format)" check_format
 }
 
 command_format() {
   need_clang
   [ "$clang" = 19 ] || refuse "clang-format-19 is the rule; here is $clang."
-  sources sunder cli verifier tests fuzz bench examples | xargs -0 "clang-format-$clang" -i
+  sources sunder cli python verifier tests fuzz bench examples | xargs -0 "clang-format-$clang" -i
 }
 
 part_headers() {

@@ -7,7 +7,8 @@
 #   tests/tools/x.cpp              an executable each, in <build>/tools
 #   examples/x.cpp                 an executable each, run: example_x                         label example
 #   verifier/, cli/, tests/ x_test.py   run by Python: x_test_py (test_x.py does too)          label script
-# The label slow (kind slow, and the consumer) is left out by ./do test --quick.
+#   python/tests/test_x.py         run by pytest, where the package is installed: python       labels python, slow
+# The label slow (kind slow, the consumer, and Python) is left out by ./do test --quick.
 # The environment: SUNDER_TEST_SCALE multiplies the numbers of random instances, SUNDER_TEST_SEED moves their seeds.
 find_package(GTest REQUIRED)
 find_package(rapidcheck REQUIRED)
@@ -164,8 +165,13 @@ foreach(source ${sources})
   sunder_add_test(${name}_py COMMAND Python3::Interpreter ${source} TIMEOUT 300 LABELS script)
 endforeach()
 
-# A tiny outside project finds the installed package. Not from instrumented builds, whose flags it would have to know.
+# The Python package, installed as users do; what this build has compiled comes from the compiler cache. And a tiny
+# outside project finds the installed package. Not from instrumented builds, whose flags they would have to know.
 if(NOT SUNDER_SANITIZE AND NOT SUNDER_COVERAGE AND NOT SUNDER_FUZZ)
+  sunder_add_test(python TIMEOUT 1200 LABELS python slow COMMAND Python3::Interpreter
+    ${PROJECT_SOURCE_DIR}/python/tests/run.py ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR} ${CMAKE_CXX_COMPILER}
+    ${SUNDER_WARNINGS_AS_ERRORS})
+  set_tests_properties(python PROPERTIES PROCESSORS 2)
   sunder_add_test(consumer TIMEOUT 300 LABELS consumer slow COMMAND ${CMAKE_COMMAND}
     -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DBUILD_DIR=${PROJECT_BINARY_DIR} -DGENERATOR=${CMAKE_GENERATOR}
     -DCXX=${CMAKE_CXX_COMPILER} -DBUILD_TYPE=${CMAKE_BUILD_TYPE} -P ${PROJECT_SOURCE_DIR}/tests/consumer/run.cmake)

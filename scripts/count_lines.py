@@ -17,6 +17,7 @@ CHECKER = "verifier/python/sunder_verify/"
 PARTS = {
     "the library": lambda name: name.startswith("sunder/"),
     "the program (cli, ask, picture)": lambda name: name.startswith(("cli/", "ask/", "picture/")),
+    "the Python package": lambda name: name.startswith("python/"),
     "the checker in C++": lambda name: name.startswith("verifier/cpp/"),
     "the checker in Python": lambda name: name.startswith(CHECKER),
     "of it, rules": lambda name: name.startswith(CHECKER) and name.endswith(RULES),

@@ -36,6 +36,7 @@ LAYERS = {
     "scene": UP_TO_NEAR | {"planar", "solid", "polytope"},
     "io": set(CORE),
     "cli": set(CORE) | {"io", "verifier"},
+    "python": set(CORE) | {"sunder"},
     "verifier": set(),
     "sunder": set(CORE),
 }
@@ -60,6 +61,7 @@ OUTSIDE = {
     "tinyxml2.h": {"io"},
     "nlohmann": IO_AND_UP,
     "CLI": {"cli"},
+    "nanobind": {"python"},
 }
 
 # The system's own headers that are no part of the C++ standard library but look like it (no folder, ending .h).
@@ -78,7 +80,7 @@ CORE_STATE_REFUSED = re.compile(
 CONTRACT = "sunder/base/contract.cpp"  # its one purpose is to say so and to end the process
 
 SOURCES = (".h", ".cpp", ".py", ".cmake", ".sh")
-FOLDERS = ["sunder", "cli", "verifier", "tests", "fuzz", "bench", "examples", "cmake"]
+FOLDERS = ["sunder", "cli", "python", "verifier", "tests", "fuzz", "bench", "examples", "cmake"]
 LONGEST = 600
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
@@ -95,7 +97,7 @@ def place_of(path):
     if parts[0] == "sunder":
         layer = parts[1] if len(parts) > 2 else "sunder" if path in FRONT_DOORS else None
         return layer, parts[2] if len(parts) > 3 else None
-    if parts[0] in ("cli", "verifier"):
+    if parts[0] in ("cli", "python", "verifier"):
         return parts[0], None
     return None, None
 
@@ -144,7 +146,7 @@ def check_include(path, test, bracket, header):
     if layer is None or test:
         return
     first = header.split("/")[0]
-    if first in ("verifier", "cli"):
+    if first in ("verifier", "cli", "python"):
         reason = may_include(path, header)
         if reason:
             yield "L1: <%s>: %s" % (header, reason)

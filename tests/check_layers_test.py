@@ -23,6 +23,7 @@ GOOD = {
     "sunder/io/file.cpp": "#include <sunder/solid/object/body.h>\n#include <fstream>\n#include <fmt/format.h>\n"
                           "#include <sys/stat.h>\n",
     "cli/pair.cpp": "#include \"verbs.h\"\n#include <sunder/io/file.h>\n#include <verifier/verify.h>\n#include <iostream>\n",
+    "python/bind.cpp": "#include \"common.h\"\n#include <sunder/solid/object/body.h>\n#include <nanobind/nanobind.h>\n",
     "verifier/verify.cpp": "#include \"verify.h\"\n#include <boost/multiprecision/cpp_int.hpp>\n",
     "tests/a_test.cpp": "#include <sunder/scene/scene.h>\n#include <gtest/gtest.h>\n",
     "sunder/solid/pair/table.cpp": "// long because: it is a table\n" + "int x;\n" * 700,
@@ -40,6 +41,9 @@ BAD = {
     "up from a test": ("sunder/number/sign_test.cpp", "#include <sunder/solid/object/body.h>\n", "L1"),
     "io from the core": ("sunder/scene/x.h", "#include <sunder/io/file.h>\n", "L1"),
     "the verifier from the core": ("sunder/certificate/x.cpp", "#include <verifier/verify.h>\n", "L1"),
+    "io from Python": ("python/x.cpp", "#include <sunder/io/file.h>\n", "L1"),
+    "Python from the program": ("cli/x.cpp", "#include <python/bind.h>\n", "L1"),
+    "nanobind in the core": ("sunder/scene/x.cpp", "#include <nanobind/nanobind.h>\n", "L3"),
     "the library from the verifier": ("verifier/x.cpp", "#include <sunder/base/error.h>\n", "L1"),
     "no layer": ("sunder/x.h", "\n", "L1"),
     "an unknown layer": ("sunder/other/x.h", "\n", "L1"),

@@ -1,0 +1,240 @@
+// Convex polygons and polyhedra with poses: one pair with its answer, many pairs in one call.
+#include <sunder/certificate/pair_claims.h>
+#include <sunder/planar/pair/polygon_polygon.h>
+#include <sunder/solid/object/hull_json.h>
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
+
+#include "common.h"
+
+#include <algorithm>
+
+namespace sunder::python {
+
+namespace {
+
+using planar::ConvexPolygon;
+using solid::ConvexPolyhedron;
+
+struct PythonPairAnswer : YesNo {
+  DecidedBy decided_by = DecidedBy::filter;
+};
+
+// What differs between the plane and space, where polygons have z = 0.
+struct Planar {
+  static constexpr std::size_t dimension = 2;
+  static constexpr PairClaims::Space space = PairClaims::Space::planar;
+  static constexpr auto contact = planar::polygon_polygon_contact;
+  using Object = ConvexPolygon;
+  using Pose = planar::Pose;
+  static std::vector<Point3> vertices(const Object& polygon) {
+    std::vector<Point3> vertices;
+    for (const Point2& p : polygon.vertices()) vertices.push_back({p.x, p.y, 0});
+    return vertices;
+  }
+  static Affine3 affine(const Pose& pose) { return planar::in_space(pose.affine()); }
+};
+
+struct Solid {
+  static constexpr std::size_t dimension = 3;
+  static constexpr PairClaims::Space space = PairClaims::Space::solid;
+  static constexpr auto contact = solid::polyhedron_polyhedron_contact;
+  using Object = ConvexPolyhedron;
+  using Pose = solid::Pose;
+  static std::span<const Point3> vertices(const Object& body) { return body.vertices(); }
+  static Affine3 affine(const Pose& pose) { return pose.affine(); }
+};
+
+// Two placed objects, kept for the certificate.
+template <class Kind>
+struct Placed {
+  std::shared_ptr<typename Kind::Object> a, b;
+  typename Kind::Pose pose_a, pose_b;
+};
+
+// The file that states and proves what the certificate says of A and B.
+template <class Kind>
+std::string proof_of(const Placed<Kind>& pair, const PairCertificate& certificate) {
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  PairClaims claims(file, Kind::space);
+  const auto a = Kind::vertices(*pair.a), b = Kind::vertices(*pair.b);
+  const std::uint32_t body_a = claims.add_body("A", a), body_b = claims.add_body("B", b);
+  const std::uint32_t placed_a = claims.add_placed("A", body_a, Kind::affine(pair.pose_a));
+  claims.add_pair(placed_a, claims.add_placed("B", body_b, Kind::affine(pair.pose_b)), certificate);
+  claims.end();
+  return text;
+}
+
+template <class Kind>
+PythonPairAnswer answer_of(const Placed<Kind>& pair) {
+  const PairAnswer answer = intersect(*pair.a, pair.pose_a, *pair.b, pair.pose_b);
+  const auto text = [pair, certificate = answer.certificate()] { return proof_of(pair, certificate); };
+  return {{{answer.cost, text}, answer.meet()}, answer.decided_by};
+}
+
+// Binds the class Pose, but for what only one dimension has.
+template <std::size_t D, class Pose>
+nb::class_<Pose> bind_pose(nb::module_& chapter) {
+  constexpr int d = D;
+  nb::class_<Pose> pose(chapter, "Pose",
+                        "x_world = linear x_object + translation: these doubles are the map, exactly.");
+  pose.def(nb::init<>(), "The identity.");
+  pose.def_static(
+      "from_matrix",
+      [](const ArrayLike& linear, const ArrayLike& translation) {
+        return Pose::from_matrix(numbers_of<D * D>(linear, "linear", {{d, d}, {d * d}}),
+                                 numbers_of<D>(translation, "translation", {{d}}));
+      },
+      nb::arg("linear"), nb::arg("translation"), "An invertible linear part, row by row.");
+  pose.def_prop_ro("linear", [](const Pose& p) { return matrix_of<D>(p.affine().linear); }, owned);
+  pose.def_prop_ro(
+      "translation", [](const Pose& p) { return array_of<double>(std::span<const double>(p.affine().translation)); },
+      owned);
+  return pose;
+}
+
+// The pose of D rows of D + 1 numbers, each a row of the linear part and a number of the translation. Throws Error
+// bad_pose that names it.
+template <class Kind>
+typename Kind::Pose pose_of_rows(const double* numbers, const char* place, std::size_t k) {
+  constexpr std::size_t D = Kind::dimension;
+  std::array<double, D * D> linear;
+  std::array<double, D> translation;
+  for (std::size_t i = 0; i < D; ++i) {
+    std::copy_n(numbers + (D + 1) * i, D, &linear[D * i]);
+    translation[i] = numbers[(D + 1) * i + D];
+  }
+  try {
+    return Kind::Pose::from_matrix(linear, translation);
+  } catch (const Error& error) {
+    throw Error(error.code(), text_of(error), place + ("[" + std::to_string(k) + "]"));
+  }
+}
+
+// Which pairs meet? For python/sunder/_many.py: objects and poses are one, or as many as pairs, and lists are its own.
+template <class Kind>
+auto meet_many(const std::vector<const typename Kind::Object*>& a, const Doubles& poses_a,
+               const std::vector<const typename Kind::Object*>& b, const Doubles& poses_b, std::size_t count) {
+  constexpr std::size_t numbers = Kind::dimension * (Kind::dimension + 1);
+  const auto fits = [count](std::size_t size) { return size == 1 || size == count; };
+  const bool are_objects = std::count(a.begin(), a.end(), nullptr) == 0 && std::count(b.begin(), b.end(), nullptr) == 0;
+  const std::size_t at_a = poses_a.size() / numbers, at_b = poses_b.size() / numbers;
+  if (!are_objects || !fits(a.size()) || !fits(b.size()) || !fits(at_a) || !fits(at_b)) {
+    throw nb::type_error("give objects, none of them None, and one of each or as many as pairs");
+  }
+  std::vector<std::uint8_t> meet(count);
+  unlocked([&] {
+    std::optional<typename Kind::Pose> one_a, one_b;
+    if (at_a == 1) one_a = pose_of_rows<Kind>(poses_a.data(), "poses_a", 0);
+    if (at_b == 1) one_b = pose_of_rows<Kind>(poses_b.data(), "poses_b", 0);
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto pose_a = one_a ? *one_a : pose_of_rows<Kind>(poses_a.data() + numbers * k, "poses_a", k);
+      const auto pose_b = one_b ? *one_b : pose_of_rows<Kind>(poses_b.data() + numbers * k, "poses_b", k);
+      meet[k] = intersect(*a[a.size() == 1 ? 0 : k], pose_a, *b[b.size() == 1 ? 0 : k], pose_b).meet();
+    }
+  });
+  return array_of<bool>(std::move(meet));
+}
+
+template <class Kind>
+void bind_pair(nb::module_& module, nb::module_& chapter, const char* name, const char* name_of_contact) {
+  using Object = typename Kind::Object;
+  using Shared = std::shared_ptr<Object>;
+  using Pose = typename Kind::Pose;
+  const auto placed = [](const Shared& a, const Pose& pose_a, const Shared& b, const Pose& pose_b) {
+    return answer_of<Kind>({a, b, pose_a, pose_b});
+  };
+  const auto as_they_are = [](const Shared& a, const Shared& b) { return answer_of<Kind>({a, b, Pose(), Pose()}); };
+  const auto contact = [](const Object& a, const Pose& pose_a, const Object& b, const Pose& pose_b) {
+    return name_of(Kind::contact(a, pose_a, b, pose_b));
+  };
+  constexpr const char* doc = "Do two convex objects meet, placed or as they are? Touching is meeting.";
+  const nb::arg a("a"), pose_a("pose_a"), b("b"), pose_b("pose_b");
+  chapter.def(name, placed, a, pose_a, b, pose_b, doc);
+  module.def("intersect", placed, a, pose_a, b, pose_b, doc);
+  module.def("intersect", as_they_are, a, b, doc);
+  chapter.def(name_of_contact, contact, a, pose_a, b, pose_b, "\"none\", \"touching\" or \"overlapping\".");
+  chapter.def("_meet", &meet_many<Kind>);
+}
+
+nb::bytes hull_certificate(const ArrayLike& given, const std::string& name) {
+  if (name.empty()) throw Error(ErrorCode::bad_value, "give a name that is not empty", "name");
+  const std::vector<Point3> points = entries_of<Point3>(given, "points");
+  const std::string text = unlocked([&] {
+    return file_of([&](ClaimsWriter& file) { solid::write_hull(file, name, points, ConvexPolyhedron(points)); });
+  });
+  return nb::bytes(text.data(), text.size());
+}
+
+std::vector<std::vector<std::uint32_t>> facets_of(const ConvexPolyhedron& body) {
+  std::vector<std::vector<std::uint32_t>> facets;
+  for (std::uint32_t f = 0; f < body.facet_count(); ++f)
+    facets.emplace_back(body.facet(f).begin(), body.facet(f).end());
+  return facets;
+}
+
+}  // namespace
+
+void bind_planar(nb::module_& module, nb::module_& planar) {
+  nb::class_<PythonPairAnswer, YesNo>(module, "PairAnswer", "Do two placed objects meet? True where they do.")
+      .def_prop_ro("decided_by", [](const PythonPairAnswer& answer) { return name_of(answer.decided_by); });
+  bind_pose<2, planar::Pose>(planar).def_static(
+      "from_angle",
+      [](double angle, const ArrayLike& translation) {
+        return planar::Pose::from_angle(angle, numbers_of<2>(translation, "translation", {{2}}));
+      },
+      nb::arg("angle"), nb::arg("translation"), "A rotation in radians, rounded to doubles; then the translation.");
+  const nb::arg vertices("vertices"), points("points");
+  nb::class_<ConvexPolygon>(planar, "ConvexPolygon", "A convex polygon, closed; segments and points are some too.")
+      .def_static(
+          "from_vertices",
+          [](const ArrayLike& given) { return ConvexPolygon::from_vertices(entries_of<Point2>(given, "vertices")); },
+          vertices, "Strictly convex vertices, counter-clockwise: checked exactly.")
+      .def_static(
+          "mended", [](const ArrayLike& given) { return ConvexPolygon::mended(entries_of<Point2>(given, "vertices")); },
+          vertices, "The same, without repeated and collinear vertices, and turned round if need be.")
+      .def_static(
+          "hull_of", [](const ArrayLike& given) { return ConvexPolygon::hull_of(entries_of<Point2>(given, "points")); },
+          points, "The exact convex hull of any points.")
+      .def("__len__", &ConvexPolygon::size)
+      .def_prop_ro(
+          "vertices", [](const ConvexPolygon& polygon) { return array_of<double, 2>(polygon.vertices()); }, owned);
+  bind_pair<Planar>(module, planar, "polygon_polygon", "polygon_polygon_contact");
+}
+
+void bind_solid(nb::module_& module, nb::module_& solid) {
+  bind_pose<3, solid::Pose>(solid)
+      .def_static(
+          "from_matrix4",
+          [](const ArrayLike& rows) { return solid::Pose::from_matrix4(numbers_of<16>(rows, "rows", {{4, 4}, {16}})); },
+          nb::arg("rows"), "A matrix whose last row is 0 0 0 1.")
+      .def_static(
+          "from_quaternion",
+          [](double w, double x, double y, double z, const ArrayLike& translation) {
+            return solid::Pose::from_quaternion(w, x, y, z, numbers_of<3>(translation, "translation", {{3}}));
+          },
+          nb::arg("w"), nb::arg("x"), nb::arg("y"), nb::arg("z"), nb::arg("translation"),
+          "The rotation of w + x i + y j + z k, of any length but zero, rounded to doubles; then the translation.");
+  solid.def("compose", &solid::compose, nb::arg("outer"), nb::arg("inner"), "First inner, then outer, rounded.");
+  nb::class_<ConvexPolyhedron>(solid, "ConvexPolyhedron", "The exact convex hull of any points of space, closed.")
+      .def(
+          "__init__",
+          [](ConvexPolyhedron* self, const ArrayLike& given) {
+            const std::vector<Point3> points = entries_of<Point3>(given, "points");
+            unlocked([&] { new (self) ConvexPolyhedron(points); });
+          },
+          nb::arg("points"))
+      .def_prop_ro("dimension", &ConvexPolyhedron::dimension, "0 a point, 1 a segment, 2 a flat polygon, 3 a body.")
+      .def_prop_ro(
+          "vertices", [](const ConvexPolyhedron& body) { return array_of<double, 3>(body.vertices()); }, owned)
+      .def_prop_ro(
+          "source", [](const ConvexPolyhedron& body) { return array_of<std::uint32_t>(body.source()); }, owned,
+          "For each vertex, its index among the points given.")
+      .def_prop_ro("facets", &facets_of, "The vertices of each facet, counter-clockwise from outside.")
+      .def("__len__", [](const ConvexPolyhedron& body) { return body.vertices().size(); });
+  bind_pair<Solid>(module, solid, "polyhedron_polyhedron", "polyhedron_polyhedron_contact");
+  solid.def("hull_certificate", &hull_certificate, nb::arg("points"), nb::arg("name") = "body",
+            "The certificate file of what the convex hull of these points is, facet by facet.");
+}
+
+}  // namespace sunder::python
