@@ -165,7 +165,7 @@ class Terminal(InFolder):
         self.assertEqual(done.stderr.count(b"\n"), 1)
         self.assertIn(b"missing", done.stderr)
         report = json.loads(self.run_here("verify", bad, "missing", good, "--json").stdout)
-        self.assertEqual([entry["answer"] for entry in report["objects"]], ["refused", "not checked", "accepted"])
+        self.assertEqual([entry["answer"] for entry in report["objects"]], ["refused", None, "accepted"])
 
 
 class Lists(InFolder):

@@ -63,6 +63,23 @@ std::string_view kind_of(ErrorCode code) {
   return "";
 }
 
+std::vector<std::string> names_of_verbs(const CLI::App& program) {
+  std::vector<std::string> names;
+  for (const CLI::App* verb : program.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(verb->get_name());
+  }
+  return names;
+}
+
+// The verb that is called, for a report; null where there is none of this name.
+Json verb_of(const std::vector<std::string>& words) {
+  CLI::App program;
+  int code = exit_code::no;
+  for (const AddVerb add : verbs) add(program, code);
+  const std::vector<std::string> known = names_of_verbs(program);
+  return std::find(known.begin(), known.end(), words[0]) == known.end() ? Json(nullptr) : Json(words[0]);
+}
+
 // One line on standard error; on standard output a report, where the call asks for JSON.
 int complain(const std::vector<std::string>& words, int code, const std::string& text,
              std::string_view kind = kind_of(ErrorCode::bad_call), const std::string& place = "") {
@@ -70,7 +87,7 @@ int complain(const std::vector<std::string>& words, int code, const std::string&
   const bool wants_json = std::find(words.begin(), words.end(), "--json") != words.end();
   if (!wants_json || has_printed()) return code;
   try {
-    print(to_text(error_report(words[0], kind, place, text)));
+    print(to_text(error_report(verb_of(words), kind, place, text)));
   } catch (const Error&) {  // where standard output is what cannot be written
   }
   return code;
@@ -80,14 +97,6 @@ int complain(const std::vector<std::string>& words, int code, const std::string&
 int complain_of_memory() {
   std::fputs("sunder: out of memory; give smaller files or more memory\n", stderr);
   return exit_code::internal;
-}
-
-std::vector<std::string> names_of_verbs(const CLI::App& program) {
-  std::vector<std::string> names;
-  for (const CLI::App* verb : program.get_subcommands([](const CLI::App*) { return true; })) {
-    names.push_back(verb->get_name());
-  }
-  return names;
 }
 
 std::vector<std::string> names_of_options(const CLI::App& verb) {

@@ -153,11 +153,12 @@ Json report(const File& file) {
   const sunder_verifier::FileResult& result = file.result;
   Json json{{"file", file.name},
             {"answer", file.holds() ? "accepted" : "refused"},
-            {file.is_set ? "statements" : "pairs", result.statements.size()}};
-  for (const auto& [verdict, count] : file.accepted) json[verdict] = count;
-  if (!result.left_out.empty()) json["left_out"] = result.left_out;
+            {"statements", result.statements.size()},
+            {"accepted", Json::object()}};
+  for (const auto& [verdict, count] : file.accepted) json["accepted"][verdict] = count;
+  if (!result.left_out.empty()) json["without"] = result.left_out;
   for (const sunder_verifier::FileInput& input : result.inputs) {
-    json["inputs"].push_back({{"name", input.name}, {"sha256", input.sha256}});
+    json["inputs"].push_back({{"file", input.name}, {"sha256", input.sha256}});
   }
   for (const InputFile& input : file.made_of) json["made_of"].push_back(input.name);
   for (const InputFile& input : file.not_made_of) json["not_made_of"].push_back(input.name);
@@ -168,7 +169,7 @@ Json report(const File& file) {
   if (!result.failed_form.empty()) json["refused"].push_back({{"check", "F"}, {"reason", result.failed_form}});
   for (const std::size_t i : file.refused) {
     const sunder_verifier::StatementResult& pair = result.statements[i];
-    json["refused"].push_back({{"pair", i},
+    json["refused"].push_back({{"statement", i},
                                {"a", pair.name_a},
                                {"b", pair.name_b},
                                {"verdict", pair.verdict},
@@ -181,7 +182,7 @@ Json report(const File& file) {
 // Verdicts are told as they are known; what cannot be read is told in between, and does not end the call.
 int run(const Call& call) {
   int code = exit_code::no;
-  Json objects = Json::array();
+  Json objects = Json::array(), first_error;
   const InputFiles against = read_inputs(call.against);
   for (const std::string& name : call.files) {
     try {
@@ -197,13 +198,17 @@ int run(const Call& call) {
       if (error.code() != ErrorCode::bad_file) throw;  // standard output
       code = exit_code::bad;
       fmt::print(stderr, "sunder: {}\n", io::one_line(error.what()));
-      objects.push_back({{"file", io::one_line(name)}, {"answer", "not checked"}, {"reason", error.what()}});
+      Json told = error_report("verify", "bad-file", error.place(), error.what())["error"];
+      objects.push_back({{"file", io::one_line(name)}, {"answer", nullptr}, {"error", told}});
+      if (first_error.is_null()) first_error = std::move(told);
     }
   }
-  if (call.json && std::any_of(objects.begin(), objects.end(), [](const Json& o) { return o.contains("refused"); })) {
-    Json json = envelope("verify", code == exit_code::no    ? "accepted"
-                                   : code == exit_code::yes ? "refused"
-                                                            : "not all checked");
+  if (call.json) {
+    Json json = envelope("verify", code == exit_code::yes ? "refused" : "accepted");
+    if (!first_error.is_null()) {
+      json["answer"] = nullptr;
+      json["error"] = std::move(first_error);
+    }
     json["objects"] = std::move(objects);
     print(to_text(json));
   }
