@@ -35,8 +35,8 @@ NEVER_SEEN = {
 
 # Keys that may be missing, by the object that holds them: "" is the report.
 OPTIONAL = {
-    "": "left_out skipped mended remarks contact said_of distance clearance group layer across_layers count counts best "
-        "contradiction formats",
+    "": "left_out skipped mended remarks contact said_of distance clearance group layer across_layers count counts "
+        "best contradiction formats",
     "objects[]": "why_hull departure groups layers left_out remarks box without inputs made_of not_made_of proved",
     "objects[].departure": "volume_missing_about volume_of_hull_about",
     "distance": "a b",
@@ -153,7 +153,7 @@ FILES = {
     "repeated.wkt": "POLYGON ((0 0, 1 0, 1 0, 1 1, 0 0))\n",
     "empty.wkt": "POLYGON EMPTY\nPOLYGON ((0 0, 1 0, 1 1, 0 0))\nPOLYGON ((0 0, 1 0, 0 1, 0 0))\n",
     "two_points.obj": "v 0 0 0\nv 1 0 0\n",
-    "pyramid.obj": "".join("v %r %r 0\n" % (math.cos(2 * math.pi * i / 4), math.sin(2 * math.pi * i / 4)) for i in range(4))
+    "pyramid.obj": "".join("v %r %r 0\n" % (math.cos(math.pi * i / 2), math.sin(math.pi * i / 2)) for i in range(4))
                    + "v 0 0 1\n",
     "mendable.geojson": json.dumps({"type": "FeatureCollection", "features": [
         {"type": "Feature", "properties": {"title": name}, "geometry": {"type": "Polygon", "coordinates": [ring]}}
@@ -381,7 +381,8 @@ def words_for(rule):
     """What a value is, in a few words."""
     name = target(rule)
     if name:
-        return name if name in SIMPLE else "[%s](#%s)" % (name, name) if name in SHARED else words_for(DEFINITIONS[name])
+        link = "[%s](#%s)" % (name, name)
+        return name if name in SIMPLE else link if name in SHARED else words_for(DEFINITIONS[name])
     if "const" in rule or "enum" in rule:
         return ", ".join("`%s`" % json.dumps(value) for value in rule.get("enum", [rule.get("const")]))
     for parts in (rule.get("oneOf", []), rule.get("allOf", [])):
@@ -424,8 +425,8 @@ def tables():
     text += ["| %s | %s |" % (name, DEFINITIONS[name]["description"]) for name in SIMPLE]
     text += ["", "## Verbs"]
     for name in VERBS:
-        told = {key for key, rule in DEFINITIONS[name]["properties"].items()
-                if key in SCHEMA["properties"] and (rule in ({"$ref": "#/$defs/cost"}, {"type": "null"}) or key == "verb")}
+        known = ({"const": name.split("_")[0]}, {"$ref": "#/$defs/cost"}, {"type": "null"})
+        told = {key for key, rule in DEFINITIONS[name]["properties"].items() if rule in known}
         text += table("### " + name.replace("_of_", ", of ").replace("_", "-"), DEFINITIONS[name], told)
     text += ["", "## What is in them"]
     for name in SHARED:
@@ -455,4 +456,7 @@ if __name__ == "__main__":
         with open(PAGE, "w", encoding="utf-8") as stream:
             stream.write(whole)
     else:
+        if not PROGRAM:
+            print("skipped: SUNDER_PROGRAM does not name the program")
+            sys.exit(0)
         unittest.main()

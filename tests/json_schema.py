@@ -1,18 +1,17 @@
-"""The part of JSON Schema (draft 2020-12) that docs/schema uses. A keyword that is not known is an error."""
+"""The part of JSON Schema (draft 2020-12) that docs/schema uses; but 1.0 is no integer here, and is not 1.
+
+A keyword that is not known is an error.
+"""
 import json
 import re
 
-NOTES = {"$schema", "$defs", "title", "description"}
 TYPES = {"object": dict, "array": list, "string": str, "boolean": bool, "null": type(None), "integer": int,
          "number": (int, float)}
+SAID_ELSEWHERE = {"$schema", "$defs", "title", "description", "then", "else", "unevaluatedProperties"}
 
 
 def is_of_type(value, name):
     return isinstance(value, TYPES[name]) and (name == "boolean" or not isinstance(value, bool))
-
-
-def same(a, b):
-    return type(a) is type(b) and a == b
 
 
 class Schema:
@@ -22,80 +21,102 @@ class Schema:
 
     def faults(self, value):
         """What is wrong with the value, in lines; nothing: it is valid."""
-        faults, _, seen = self._check(self.top, "#", value, "")
-        if not faults:
-            self.seen |= seen
-        return faults
+        result = Look(self.top, self.top, "#", value, "")
+        self.seen |= set() if result.faults else result.seen
+        return result.faults
 
-    def _check(self, rule, place, value, at):
-        """The faults, the keys of an object that were spoken of, and the places seen."""
+
+class Look:
+    """At a value by one rule: its faults, the keys that were spoken of, and the places of the schema that were used."""
+
+    def __init__(self, top, rule, place, value, at):
+        self.top, self.place, self.value, self.at = top, place, value, at
+        self.faults, self.keys, self.seen = [], set(), {place}
         if isinstance(rule, bool):
-            return ([] if rule else ["%s: nothing may be here" % at]), set(), {place}
-        faults, keys, seen = [], set(), {place}
+            self.expect(rule, "may not be here")
+            return
+        for word in rule.keys() - SAID_ELSEWHERE:
+            getattr(self, "see_" + word.strip("$"))(rule[word], rule)
+        if "unevaluatedProperties" in rule and isinstance(value, dict):
+            self.see_others(rule["unevaluatedProperties"], "unevaluatedProperties", self.keys)
 
-        def sub(inner, where, item=value, there=at):
-            found, spoken, places = self._check(inner, where, item, there)
-            faults.extend(found)
-            seen.update(places)
-            return spoken
+    def expect(self, is_right, text):
+        self.faults += [] if is_right else ["%s: %s" % (self.at, text)]
 
-        def tries(word):
-            results = [self._check(inner, "%s/%s/%d" % (place, word, k), value, at) for k, inner in enumerate(rule[word])]
-            right = [result for result in results if not result[0]]
-            if not right or (word == "oneOf" and len(right) > 1):
-                faults.extend(min(results, key=lambda r: len(r[0]))[0] or ["%s: fits more than one of %s" % (at, place)])
-            for _, spoken, places in right:
-                keys.update(spoken)
-                seen.update(places)
+    def look(self, rule, word, *step):
+        """The same by another rule: at this value, or at what is at the step of it."""
+        value, at = (self.value[step[0]], "%s/%s" % (self.at, step[0])) if step else (self.value, self.at)
+        return Look(self.top, rule, word if word[0] == "#" else "%s/%s" % (self.place, word), value, at)
 
-        for word, given in rule.items():
-            where = "%s/%s" % (place, word)
-            if word == "$ref":
-                target = self.top
-                for step in given.split("/")[1:]:
-                    target = target[step]
-                keys |= sub(target, given)
-            elif word == "type":
-                if not any(is_of_type(value, name) for name in ([given] if isinstance(given, str) else given)):
-                    faults.append("%s: %s is no %s" % (at, json.dumps(value)[:60], given))
-            elif word in ("enum", "const"):
-                if not any(same(value, one) for one in (given if word == "enum" else [given])):
-                    faults.append("%s: %s is not of %s" % (at, json.dumps(value)[:60], json.dumps(given)))
-                seen.add("%s=%s" % (place, json.dumps(value)))
-            elif word == "required":
-                faults += ["%s: %s is missing" % (at, key) for key in given if isinstance(value, dict) and key not in value]
-            elif word == "properties":
-                for key in given.keys() & value.keys() if isinstance(value, dict) else ():
-                    keys.add(key)
-                    sub(given[key], "%s/%s" % (where, key), value[key], "%s/%s" % (at, key))
-            elif word == "items":
-                for k, item in enumerate(value if isinstance(value, list) else ()):
-                    sub(given, where, item, "%s/%d" % (at, k))
-            elif word in ("minItems", "maxItems"):
-                if isinstance(value, list) and (len(value) < given if word == "minItems" else len(value) > given):
-                    faults.append("%s: %d items" % (at, len(value)))
-            elif word == "minimum":
-                if is_of_type(value, "number") and value < given:
-                    faults.append("%s: %s is less than %s" % (at, value, given))
-            elif word == "pattern":
-                if isinstance(value, str) and not re.search(given, value):
-                    faults.append("%s: %r is not like %s" % (at, value[:60], given))
-            elif word == "allOf":
-                for k, inner in enumerate(given):
-                    keys |= sub(inner, "%s/%d" % (where, k))
-            elif word in ("oneOf", "anyOf"):
-                tries(word)
-            elif word == "if":
-                found, spoken, places = self._check(given, where, value, at)
-                keys |= spoken if not found else set()
-                branch = "else" if found else "then"
-                keys |= sub(rule.get(branch, True), "%s/%s" % (place, branch))
-            elif word not in NOTES | {"then", "else", "additionalProperties", "unevaluatedProperties"}:
-                raise ValueError("%s: an unknown keyword" % where)
-        for word in ("additionalProperties", "unevaluatedProperties"):  # when it is known what was spoken of
-            if word in rule and isinstance(value, dict):
-                spoken = keys if word[0] == "u" else rule.get("properties", {}).keys()
-                for key in value.keys() - spoken:
-                    sub(rule[word], "%s/%s" % (place, word), value[key], "%s/%s" % (at, key))
-                    keys.add(key)
-        return faults, keys, seen
+    def take(self, other, keys=()):
+        self.faults += other.faults
+        self.seen |= other.seen
+        self.keys |= set(keys)
+
+    def see_ref(self, name, _):
+        rule = self.top
+        for step in name.split("/")[1:]:
+            rule = rule[step]
+        other = self.look(rule, name)
+        self.take(other, other.keys)
+
+    def see_type(self, names, _):
+        names = [names] if isinstance(names, str) else names
+        self.expect(any(is_of_type(self.value, name) for name in names), "is no %s" % " or ".join(names))
+
+    def see_enum(self, values, _):
+        is_one = any(type(self.value) is type(one) and self.value == one for one in values)
+        self.expect(is_one, "is none of %s" % values)
+        self.seen.add("%s=%s" % (self.place, json.dumps(self.value)))
+
+    def see_const(self, value, rule):
+        self.see_enum([value], rule)
+
+    def see_required(self, keys, _):
+        for key in keys if isinstance(self.value, dict) else ():
+            self.expect(key in self.value, key + " is missing")
+
+    def see_properties(self, rules, _):
+        for key in rules.keys() & self.value.keys() if isinstance(self.value, dict) else ():
+            self.take(self.look(rules[key], "properties/" + key, key), {key})
+
+    def see_others(self, rule, word, known):
+        for key in self.value.keys() - known if isinstance(self.value, dict) else ():
+            self.take(self.look(rule, word, key), {key})
+
+    def see_additionalProperties(self, rule, whole):
+        self.see_others(rule, "additionalProperties", whole.get("properties", {}).keys())
+
+    def see_items(self, rule, _):
+        for k in range(len(self.value) if isinstance(self.value, list) else 0):
+            self.take(self.look(rule, "items", k))
+
+    def see_minItems(self, least, _):
+        self.expect(not isinstance(self.value, list) or len(self.value) >= least, "has less than %d items" % least)
+
+    def see_maxItems(self, most, _):
+        self.expect(not isinstance(self.value, list) or len(self.value) <= most, "has more than %d items" % most)
+
+    def see_minimum(self, least, _):
+        self.expect(not is_of_type(self.value, "number") or self.value >= least, "is less than %s" % least)
+
+    def see_pattern(self, pattern, _):
+        self.expect(not isinstance(self.value, str) or re.search(pattern, self.value), "is not like " + pattern)
+
+    def see_allOf(self, rules, _):
+        for k, rule in enumerate(rules):
+            other = self.look(rule, "allOf/%d" % k)
+            self.take(other, other.keys)
+
+    def see_oneOf(self, rules, _):
+        others = [self.look(rule, "oneOf/%d" % k) for k, rule in enumerate(rules)]
+        right = [other for other in others if not other.faults]
+        self.expect(len(right) < 2, "fits more than one of " + self.place)
+        best = (right or sorted(others, key=lambda other: len(other.faults)))[0]  # which was meant, most likely
+        self.take(best, best.keys)
+
+    def see_if(self, rule, whole):
+        asked = self.look(rule, "if")
+        word = "else" if asked.faults else "then"
+        other = self.look(whole.get(word, True), word)
+        self.take(other, other.keys if asked.faults else other.keys | asked.keys)
