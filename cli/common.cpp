@@ -187,12 +187,12 @@ solid::Pose parse_pose(std::string_view text, const std::string& place) {
               place);
 }
 
-Json envelope(std::string_view verb, const Json& answer, const Json& method) {
+Json envelope(const Json& verb, const Json& answer, const Json& method) {
   return {{"sunder", 1},           {"verb", verb},    {"answer", answer},         {"method", method},
           {"decided_by", nullptr}, {"cost", nullptr}, {"objects", Json::array()}, {"notes", said.notes}};
 }
 
-Json error_report(std::string_view verb, std::string_view kind, std::string_view place, std::string_view text) {
+Json error_report(const Json& verb, std::string_view kind, std::string_view place, std::string_view text) {
   Json json = envelope(verb, nullptr);
   json["error"] = {{"kind", kind}, {"place", place}, {"text", io::one_line(text)}};
   return json;

@@ -89,10 +89,10 @@ solid::Pose parse_pose(std::string_view text, const std::string& place);
 using Json = nlohmann::ordered_json;
 
 // The keys that every verb's report begins with. What does not apply is null; `notes` are those so far.
-Json envelope(std::string_view verb, const Json& answer, const Json& method = nullptr);
+Json envelope(const Json& verb, const Json& answer, const Json& method = nullptr);
 
-// The report of a call that came to no answer: "error" has its kind, place and text.
-Json error_report(std::string_view verb, std::string_view kind, std::string_view place, std::string_view text);
+// The report of a call that came to no answer: "error" has its kind, place and text. No verb: null.
+Json error_report(const Json& verb, std::string_view kind, std::string_view place, std::string_view text);
 Json to_json(const Cost& cost);
 Json to_json(const Point3& point);
 

@@ -37,7 +37,7 @@ std::string evidence_text(const PairCertificate& c, const PlacedVertices& a, con
 Json evidence_json(const PairCertificate& c, const PlacedVertices& a, const PlacedVertices& b) {
   if (c.verdict == Verdict::meet) {
     const auto begin = c.vertices.begin(), middle = begin + c.count_a;
-    return {{"point_about", to_json(scene::rounded_common_point(c, a, b))},
+    return {{"point", to_json(scene::rounded_common_point(c, a, b))},
             {"vertices_a", std::vector<std::uint32_t>(begin, middle)},
             {"vertices_b", std::vector<std::uint32_t>(middle, middle + c.count_b)}};
   }

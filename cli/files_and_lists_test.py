@@ -247,13 +247,13 @@ class Streams(InFolder):
             report = json.loads(done.stdout)
             self.assertEqual((done.returncode, report["answer"], report["error"]["kind"]), (2, None, "bad-file"))
             self.assertEqual("sunder: %s\n" % report["error"]["text"], done.stderr.decode())
-            self.assertEqual([(entry["file"], entry["answer"]) for entry in report["objects"]], [(name, "not checked")])
+            self.assertEqual([(entry["file"], entry["answer"]) for entry in report["objects"]], [(name, None)])
         report = json.loads(self.run_here("verify", "proof.json", "missing", "--json").stdout)
-        self.assertEqual(report["answer"], "not all checked")
+        self.assertIsNone(report["answer"])
         self.assertNotIn("error", report)
         report = json.loads(self.run_here("verify", "proof.json", "--against", "missing", "--json").stdout)
         self.assertEqual([(entry["file"], entry["answer"]) for entry in report["objects"]],
-                         [("proof.json", "not checked")])
+                         [("proof.json", None)])
         self.assertIn("missing", report["error"]["text"])
 
 
@@ -292,7 +292,7 @@ class Terminal(InFolder):
         self.assertEqual(done.stderr.count(b"\n"), 1)
         self.assertIn(b"missing", done.stderr)
         report = json.loads(self.run_here("verify", bad, "missing", good, "--json").stdout)
-        self.assertEqual([entry["answer"] for entry in report["objects"]], ["refused", "not checked", "accepted"])
+        self.assertEqual([entry["answer"] for entry in report["objects"]], ["refused", None, "accepted"])
 
 
 class Lists(InFolder):

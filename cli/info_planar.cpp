@@ -67,7 +67,7 @@ Info describe_objects(const std::string& file, std::string_view text) {
   Info info = info_of(file, objects.format, count_of(objects.objects.size(), "object"), "sunder pair");
   info.json["objects"] = Json::array();
   for (const io::PlanarObject& object : objects.objects) {
-    info.json["objects"].push_back({{"name", object.name}, {"kind", name_of(object.kind)}});
+    info.json["objects"].push_back({{"name", object.name}, {"shape", name_of(object.kind)}});
   }
   return info;
 }
@@ -113,6 +113,7 @@ Info describe_lines(const std::string& file, std::string_view text) {
   info.json["segments"] = in_rings + others;
   info.json["points"] = points;
   if (!left_out.empty()) info.json["left_out"] = left_out.json();
+  if (!lines.remarks.empty()) info.json["remarks"] = lines.remarks;
   if (lines.segments.empty()) return info;
   std::array<double, 4> box{lines.segments[0].a.x, lines.segments[0].a.y, lines.segments[0].a.x, lines.segments[0].a.y};
   for (const planar::Segment& s : lines.segments) {

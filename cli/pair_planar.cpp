@@ -118,7 +118,7 @@ std::string human_text(const PlanarPairCall& call, const PlanarBody& a, const Pl
 
 Json evidence_json(const PairCertificate& c, const PlanarBody& a, const PlanarBody& b) {
   Json json = cli::evidence_json(c, a.in_space(), b.in_space());
-  for (const char* key : {"point_about", "direction_about"}) {
+  for (const char* key : {"point", "direction_about"}) {
     if (json.contains(key)) json[key].erase(2);  // z
   }
   return json;

@@ -210,7 +210,7 @@ std::string human_text(const Question& q, const PlanarInput& a, const PlanarInpu
 Json end_json(const Question& q, const CutEnd& end) {
   const planar::ExactEnd e = exact_end(q, end);
   const Point2 p = e.rounded();
-  Json json{{"point_about", {p.x, p.y}}, {"along_line", exact_text(e.along_line)}};
+  Json json{{"point", {p.x, p.y}}, {"along_line", exact_text(e.along_line)}};
   if (end.place == Place::inside) {
     json["inside"] = true;
   } else {

@@ -50,7 +50,7 @@ TEST_F(Program, PairReport) {
   EXPECT_EQ(j["objects"][0]["facets"], 6);
   EXPECT_EQ(j["objects"][1]["vertices"], 4);
   EXPECT_GT(j["cost"]["probes"].get<int>(), 0);
-  EXPECT_EQ(j["evidence"]["point_about"].size(), 3u);
+  EXPECT_EQ(j["evidence"]["point"].size(), 3u);
   EXPECT_EQ(report("pair " + cube + " " + tetrahedron + " --classify", 1)["contact"], "overlapping");
   EXPECT_EQ(report("pair " + cube + " " + tetrahedron + " --classify --pose-b 0.6,0,0", 0)["contact"], "none");
 }
@@ -204,12 +204,12 @@ TEST_F(Program, UnboundedPairs) {
   }
   const std::string pair = "pair " + plate + " " + paths + " --feature-b ";
   const json across = report(pair + "diagonal --method fibonacci", 1)["common"];
-  EXPECT_EQ(across["first"], json::parse(R"({"point_about": [1.0, 3.0], "along_line": "1/4", "edge": [2, 3],
+  EXPECT_EQ(across["first"], json::parse(R"({"point": [1.0, 3.0], "along_line": "1/4", "edge": [2, 3],
                                              "along_edge": "3/4"})"));
   EXPECT_EQ(across["last"]["along_line"], "5/8");
   EXPECT_EQ(report(pair + "above", 0)["common"]["nearest"], 3);
   EXPECT_EQ(report(pair + "beam", 1)["common"]["first"],
-            json::parse(R"({"point_about": [2.0, 1.0], "along_line": "0", "inside": true, "beginning": true})"));
+            json::parse(R"({"point": [2.0, 1.0], "along_line": "0", "inside": true, "beginning": true})"));
   EXPECT_EQ(report(pair + "hill", 0)["common"]["nearest"], 3);
   for (const auto& [feature, part] : std::vector<std::pair<std::string, std::string>>{
            {"diagonal", "a segment, from about (1, 3), edge 2-3 of A, t = 1/4\n"},
@@ -317,7 +317,7 @@ TEST_F(Program, HullWritesWhatInfoReads) {
     EXPECT_EQ(j["answer"], "body");
     EXPECT_EQ(j["objects"][0]["vertices"], 8);
     EXPECT_EQ(j["objects"][0]["facets"], 6);
-    EXPECT_EQ(j["edges"], 12);
+    EXPECT_EQ(j["objects"][0]["edges"], 12);
     const json info = report("info " + out, 0);
     EXPECT_EQ(info["objects"][0]["shape"], "convex") << ending;
     EXPECT_EQ(info["objects"][0]["facets"], 6) << ending;

@@ -31,8 +31,8 @@ TEST_F(Program, SceneOfTheArm) {
 
   const json verified = report("verify " + proofs, 0);
   EXPECT_EQ(verified["objects"][0]["statements"], j["pairs"].size() + 2);  // and one of all pairs, for each placement
-  EXPECT_EQ(verified["objects"][0]["meet"], 0);
-  EXPECT_EQ(verified["objects"][0]["overlapping"], 1);
+  EXPECT_EQ(verified["objects"][0]["accepted"]["meet"], 0);
+  EXPECT_EQ(verified["objects"][0]["accepted"]["overlapping"], 1);
 
   const std::string picture = read_text(svg);
   EXPECT_TRUE(picture.starts_with("<svg ") && picture.ends_with("</svg>\n"));
@@ -55,6 +55,10 @@ TEST_F(Program, SceneOfMeshes) {
   EXPECT_EQ(j["bodies"][0]["parts"].size(), 2u);
   EXPECT_EQ(j["counts"]["pairs"], 2);
   EXPECT_EQ(j["pairs"].size(), 0u);
+  const std::string loose = cases + "/mesh/points.off";
+  const json points = report("scene " + loose + " " + loose + "@0,0,1 --allow touch", 0);
+  EXPECT_EQ(points["bodies"].size(), 2u);
+  EXPECT_EQ(points["allowed"], "touch");
   const json far = report("scene " + cube + " " + cube + "@3,0,0 --certificate " + in_folder("c.json"), 0);
   ASSERT_EQ(far["pairs"].size(), 1u);
   EXPECT_EQ(far["pairs"][0]["decided_by"], "boxes");

@@ -69,7 +69,7 @@ TEST_F(Program, WhatIsLeftOutIsTold) {
   EXPECT_EQ(file["inputs"][0]["sha256"], io::sha256(read_text(robot)));
   EXPECT_TRUE(python_accepts(proof));
   EXPECT_NE(run("verify '" + proof + "'").out.find("\n  left out: 1 sphere of c\n"), std::string::npos);
-  EXPECT_EQ(report("verify '" + proof + "'", 0)["objects"][0]["left_out"], texts);
+  EXPECT_EQ(report("verify '" + proof + "'", 0)["objects"][0]["without"], texts);
   const json j = report("scene " + quoted + " --leave-out", 0);
   EXPECT_EQ(j["left_out"][0], (json{{"kind", "cylinder"}, {"count", 2}, {"of", {"b", "c"}}}));
   EXPECT_EQ(j["left_out"].size(), 3u);

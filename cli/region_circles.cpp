@@ -81,10 +81,11 @@ class Report {
     const bool empty = part_.kind == DiscIntersectionKind::empty;
     Json json = envelope("region", empty ? "infeasible" : "feasible", call_.method);
     json["cost"] = to_json(part_.cost);
-    json["objects"] = Json::array({{{"file", call_.file}, {"circles", circles_.size()}}});
+    json["objects"] =
+        Json::array({{{"file", io::one_line(call_.file)}, {"format", "CSV"}, {"circles", circles_.size()}}});
     json["region"] = {{"kind", name_of(part_.kind)}, {"arcs", part_.arcs}};
     json["region"]["corners"] = Json::array();
-    for (const Point2& p : corners()) json["region"]["corners"].push_back({p.x, p.y});
+    for (const Point2& p : corners()) json["region"]["corners"].push_back({{"point", {p.x, p.y}}});
     json["deepest"] = {{"point", {deepest_.x, deepest_.y}}, {"circles", Json::array()}};
     for (const std::uint32_t k : part_.deepest.basis()) json["deepest"]["circles"].push_back(k);
     return json;

@@ -116,7 +116,9 @@ class Report {
     const bool empty = part_.kind == PolygonsPartKind::empty;
     Json json = envelope("region", empty ? "infeasible" : "feasible", call_.method);
     json["cost"] = to_json(part_.cost);
-    json["objects"] = Json::array({{{"file", call_.file}, {"polygons", polygons_.size()}}});
+    json["objects"] = Json::array({{{"file", io::one_line(call_.file)},
+                                    {"format", input_.files.front().format},
+                                    {"polygons", polygons_.size()}}});
     json["region"] = {{"kind", name_of(part_.kind)}, {"corners", Json::array()}};
     for (std::size_t k = 0; k < corners_.size(); ++k) {
       const PolygonsCorner& c = part_.corners[k];

@@ -159,7 +159,7 @@ Json pair_json(const SceneReport& report, std::size_t p, const PartPair& pair) {
             {"answer", pair.answer.meet() ? "meet" : "apart"}};
   if (report.contacts) json["contact"] = name_of(pair.contact);
   json["said_of"] = report.meet_as_hulls(pair) ? "hulls" : "bodies";
-  json["counts"] = pair.counts;
+  json["counted"] = pair.counts;
   json["decided_by"] = pair.by_boxes ? "boxes" : std::string(name_of(pair.answer.decided_by));
   json["cost"] = to_json(pair.answer.cost);
   json["evidence"] =
@@ -238,7 +238,7 @@ Json scene_json(const SceneReport& report, const std::vector<const Object*>& obj
   json["decided_by"] = decided_by(report);
   for (const Object* object : objects) json["objects"].push_back(to_json(*object));
 
-  json["left_out"] = report.left_out->json();
+  if (!report.left_out->empty()) json["left_out"] = report.left_out->json();
 
   json["bodies"] = Json::array();
   const std::vector<scene::Body>& bodies = report.placements.front().bodies;
@@ -248,13 +248,15 @@ Json scene_json(const SceneReport& report, const std::vector<const Object*>& obj
     for (const scene::Part& part : body.parts) parts.push_back({{"name", part.name}, {"object", object++}});
     json["bodies"].push_back({{"name", body.name}, {"parts", parts}});
   }
-  json["allowed"] = Json::array();
-  for (const auto& [a, b] : report.allowed) json["allowed"].push_back({bodies[a].name, bodies[b].name});
+  json["allowed"] = report.touching_allowed ? "touch" : "nothing";
+  json["allowed_pairs"] = Json::array();
+  for (const auto& [a, b] : report.allowed) json["allowed_pairs"].push_back({bodies[a].name, bodies[b].name});
 
   json["placements"] = Json::array();
   json["pairs"] = Json::array();
   Cost cost;
   scene::Counts counts;
+  std::uint64_t counted = 0;
   for (std::size_t p = 0; p < report.placements.size(); ++p) {
     const Placed& placed = report.placements[p];
     json["placements"].push_back({{"name", placed.title},
@@ -265,12 +267,14 @@ Json scene_json(const SceneReport& report, const std::vector<const Object*>& obj
     add(placed.answer.counts, counts);
     for (const PartPair& pair : placed.answer.pairs) {
       json["pairs"].push_back(pair_json(report, p, pair));
+      if (pair.counts) ++counted;
       cost.probes += pair.answer.cost.probes;
       cost.iterations += pair.answer.cost.iterations;
       cost.exact += pair.answer.cost.exact;
     }
   }
   json["cost"] = to_json(cost);
+  json["count"] = counted;
   json["counts"] = to_json(counts);
   return json;
 }

@@ -14,6 +14,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace sunder::cli {
 
@@ -61,12 +62,13 @@ int run(const Call& call) {
 
   const auto [low, high] = hull.box();
   if (call.json) {
-    Json json = envelope("hull", dimension_name(hull.dimension()), "quickhull");
-    json["objects"] = Json::array({to_json(object)});
-    json["input"] = {{"vertices", object.mesh_vertices}, {"polygons", object.mesh_polygons}};
-    json["left_out"] = left_out.json();
-    json["edges"] = edge_count(hull);
-    json["box"] = Json::array({to_json(low), to_json(high)});
+    Json json = envelope("hull", dimension_name(hull.dimension()));
+    Json told = to_json(object);
+    told["edges"] = edge_count(hull);
+    told["mesh"] = {{"in_use", object.mesh_vertices}, {"polygons", object.mesh_polygons}};
+    told["box"] = Json::array({to_json(low), to_json(high)});
+    json["objects"].push_back(std::move(told));
+    if (!left_out.empty()) json["left_out"] = left_out.json();
     json["out"] = call.out.empty() ? Json(nullptr) : Json(call.out);
     print(to_text(json));
     return exit_code::no;

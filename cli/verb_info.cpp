@@ -76,7 +76,7 @@ Info describe_robot(const std::string& file, std::string_view bytes) {
   info.json["joints"] = Json::array();
   LeftOutList left_out(true);
   left_out.add(file, robot.left_out, "");
-  info.json["left_out"] = left_out.json();
+  if (!left_out.empty()) info.json["left_out"] = left_out.json();
   info.text = fmt::format("{}: URDF robot {} of {} and {}\n", shown, robot.name, count_of(robot.links.size(), "link"),
                           count_of(robot.joints.size(), "joint"));
   std::size_t width = 0;
@@ -125,12 +125,11 @@ Info describe_mesh(const std::string& file, std::string_view bytes) {
   left_out.add(file, mesh.left_out, "");
   Info info;
   info.json = to_json(object);
-  info.json["left_out"] = left_out.json();
+  if (!left_out.empty()) info.json["left_out"] = left_out.json();
   info.json["mesh"] = {{"vertices", mesh.vertices.size()},
                        {"in_use", object.mesh_vertices},
                        {"polygons", mesh.polygon_count()},
                        {"parts", mesh.parts.size()}};
-  info.json["why_hull"] = object.why_hull.empty() ? Json(nullptr) : Json(object.why_hull);
   info.json["box"] = Json::array({to_json(low), to_json(high)});
 
   info.text = fmt::format("{}: {}\n", object.file, object.format);

@@ -100,12 +100,15 @@ Json report(const Call& call, const PolygonsInput& input, const std::vector<Resu
   for (const Result& result : results) {
     cost.probes += result.kernel.cost.probes;
     cost.exact += result.kernel.cost.exact;
-    Json object = {{"file", call.file},
-                   {"feature", input.name(result.polygon)},
+    const PolygonSource& source = input.source[result.polygon];
+    Json object = {{"file", io::one_line(call.file)},
+                   {"feature", source.feature},
+                   {"name", input.name(result.polygon)},
+                   {"part", source.part},
                    {"kind", name_of(result.kernel.kind)},
-                   {"edges", result.kernel.sides}};
-    object["corners"] = Json::array();
-    for (const Point2& p : result.corners) object["corners"].push_back({p.x, p.y});
+                   {"sides", result.kernel.sides},
+                   {"corners", Json::array()}};
+    for (const Point2& p : result.corners) object["corners"].push_back({{"point", {p.x, p.y}}});
     json["objects"].push_back(object);
   }
   json["cost"] = to_json(cost);

@@ -90,7 +90,7 @@ Json report(const Call& call, const Placed& a, const Placed& b, const solid::Pai
   json["cost"] = to_json(answer.cost);
   json["objects"] = {to_json(a.object), to_json(b.object)};
   json["said_of"] = is_said_of_hulls(a, b, answer) ? "hulls" : "bodies";
-  json["left_out"] = left_out.json();
+  if (!left_out.empty()) json["left_out"] = left_out.json();
   if (call.classify) json["contact"] = name_of(contact);
   json["evidence"] = evidence_json(answer.certificate(), a.vertices(), b.vertices());
   return json;

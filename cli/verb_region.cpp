@@ -101,8 +101,10 @@ class Report {
   Json json() const {
     Json json = envelope("region", region_.empty() ? "infeasible" : "feasible", call_.method);
     json["cost"] = to_json(cost());
-    json["objects"] = Json::array({{{"file", call_.file}, {"half_planes", constraints_.size()}}});
-    json["region"] = {{"kind", name_of(region_.kind)}, {"sides", region_.sides}};
+    json["objects"] =
+        Json::array({{{"file", io::one_line(call_.file)}, {"format", "CSV"}, {"half_planes", constraints_.size()}}});
+    json["region"] = {
+        {"kind", name_of(region_.kind)}, {"sides", region_.sides}, {"names", Json::array()}, {"lines", Json::array()}};
     for (const std::uint32_t k : region_.sides) {
       json["region"]["names"].push_back(file_.name[k]);
       json["region"]["lines"].push_back(file_.line[k]);

@@ -301,24 +301,30 @@ Json report(const Call& call, const io::LineFile& file, const std::vector<Result
   json["rule"] = call.strict ? "simple" : call.self_touch ? "self-touch" : "valid";
   if (!file.left_out.empty()) json["left_out"] = left_out_of(file).json();
   for (const Result& result : results) {
-    if (result.skipped.empty()) continue;
-    json["skipped"].push_back(
-        {{"feature", result.feature}, {"name", file.features[result.feature]}, {"why", result.skipped}});
+    Json feature = {
+        {"file", io::one_line(call.file)}, {"feature", result.feature}, {"name", file.features[result.feature]}};
+    if (!result.skipped.empty()) {
+      feature["why"] = result.skipped;
+      json["skipped"].push_back(std::move(feature));
+    } else if (result.mended.all() > 0) {
+      feature.update(to_json(result.mended));
+      json["mended"].push_back(std::move(feature));
+    }
   }
+  if (!file.remarks.empty()) json["remarks"] = file.remarks;
   return json;
 }
 
 // A feature in the report, all but its defects.
 Json object_json(const Call& call, const io::LineFile& file, const Result& result) {
-  Json object = {{"file", call.file},
-                 {"feature", result.feature},
-                 {"name", file.features[result.feature]},
-                 {"parts", result.rings_of_part.size()},
-                 {"rings", std::accumulate(result.rings_of_part.begin(), result.rings_of_part.end(), 0u)},
-                 {"edges", result.edges},
-                 {"answer", call.answer(result.valid())}};
-  if (result.mended.all() > 0) object["mended"] = to_json(result.mended);
-  return object;
+  return {{"file", io::one_line(call.file)},
+          {"format", file.format},
+          {"feature", result.feature},
+          {"name", file.features[result.feature]},
+          {"parts", result.rings_of_part.size()},
+          {"rings", std::accumulate(result.rings_of_part.begin(), result.rings_of_part.end(), 0u)},
+          {"edges", result.edges},
+          {"answer", call.answer(result.valid())}};
 }
 
 // Prints the report, each feature and each defect as it comes.

@@ -154,11 +154,12 @@ Json report(const File& file) {
   const sunder_verifier::FileResult& result = file.result;
   Json json{{"file", file.name},
             {"answer", file.holds() ? "accepted" : "refused"},
-            {file.is_set ? "statements" : "pairs", result.statements.size()}};
-  for (const auto& [verdict, count] : file.accepted) json[verdict] = count;
-  if (!result.left_out.empty()) json["left_out"] = result.left_out;
+            {"statements", result.statements.size()},
+            {"accepted", Json::object()}};
+  for (const auto& [verdict, count] : file.accepted) json["accepted"][verdict] = count;
+  if (!result.left_out.empty()) json["without"] = result.left_out;
   for (const sunder_verifier::FileInput& input : result.inputs) {
-    json["inputs"].push_back({{"name", input.name}, {"sha256", input.sha256}});
+    json["inputs"].push_back({{"file", input.name}, {"sha256", input.sha256}});
   }
   for (const InputFile& input : file.made_of) json["made_of"].push_back(input.name);
   for (const InputFile& input : file.not_made_of) json["not_made_of"].push_back(input.name);
@@ -169,7 +170,7 @@ Json report(const File& file) {
   if (!result.failed_form.empty()) json["refused"].push_back({{"check", "F"}, {"reason", result.failed_form}});
   for (const std::size_t i : file.refused) {
     const sunder_verifier::StatementResult& pair = result.statements[i];
-    json["refused"].push_back({{"pair", i},
+    json["refused"].push_back({{"statement", i},
                                {"a", pair.name_a},
                                {"b", pair.name_b},
                                {"verdict", pair.verdict},
@@ -183,9 +184,11 @@ Json report(const File& file) {
 struct Outcome {
   int code = exit_code::no;
   Json objects = Json::array();
-  std::size_t checked = 0;
   std::optional<Error> error;  // the first
 };
+
+// As reports have it.
+Json told(const Error& error) { return error_report("verify", "bad-file", error.place(), error.what())["error"]; }
 
 // Throws Error again, where it is about no file.
 void not_checked(const std::vector<std::string>& names, const Error& error, Outcome& outcome) {
@@ -194,24 +197,23 @@ void not_checked(const std::vector<std::string>& names, const Error& error, Outc
   outcome.code = exit_code::bad;
   if (!outcome.error) outcome.error = error;
   for (const std::string& name : names) {
-    outcome.objects.push_back(
-        {{"file", io::one_line(name)}, {"answer", "not checked"}, {"reason", io::one_line(error.what())}});
+    outcome.objects.push_back({{"file", io::one_line(name)}, {"answer", nullptr}, {"error", told(error)}});
   }
 }
 
 void check(const Call& call, const std::string& name, const InputFiles& against, Outcome& outcome) {
   File file = verify(name, call.no_limit);
   compare(against, file);
-  ++outcome.checked;
   if (!file.holds()) outcome.code = std::max(outcome.code, exit_code::yes);
   call.json ? outcome.objects.push_back(report(file)) : print_for_people(human_text(file));
 }
 
 Json report(Outcome outcome) {
-  Json json = outcome.checked == 0 ? error_report("verify", "bad-file", outcome.error->place(), outcome.error->what())
-                                   : envelope("verify", outcome.code == exit_code::no    ? "accepted"
-                                                        : outcome.code == exit_code::yes ? "refused"
-                                                                                         : "not all checked");
+  Json json = envelope("verify", outcome.code == exit_code::no ? "accepted" : "refused");
+  if (outcome.error) {
+    json["answer"] = nullptr;
+    json["error"] = told(*outcome.error);
+  }
   json["objects"] = std::move(outcome.objects);
   return json;
 }

@@ -109,7 +109,8 @@ std::vector<Mesh> split_parts(const Mesh& mesh, std::vector<std::vector<std::uin
     if (!polygons) {
       part.vertices.assign(mesh.vertices.begin() + begin, mesh.vertices.begin() + end);
       if (used_by_part != nullptr) {
-        std::iota(used_by_part->emplace_back(end - begin).begin(), used_by_part->back().end(), begin);
+        std::vector<std::uint32_t>& used = used_by_part->emplace_back(end - begin);
+        std::iota(used.begin(), used.end(), begin);
       }
       continue;
     }
