@@ -250,7 +250,7 @@ class Streams(InFolder):
             self.assertEqual([(entry["file"], entry["answer"]) for entry in report["objects"]], [(name, None)])
         report = json.loads(self.run_here("verify", "proof.json", "missing", "--json").stdout)
         self.assertIsNone(report["answer"])
-        self.assertNotIn("error", report)
+        self.assertIn("missing", report["error"]["text"])
         report = json.loads(self.run_here("verify", "proof.json", "--against", "missing", "--json").stdout)
         self.assertEqual([(entry["file"], entry["answer"]) for entry in report["objects"]],
                          [("proof.json", None)])

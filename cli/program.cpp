@@ -60,7 +60,7 @@ constexpr const char* other_codes = "2 bad input or call; 3 internal error.";
 // What is asked of the program, as far as it is known.
 struct Asked {
   std::vector<std::string> words;
-  std::string verb;  // as it is given; empty: none
+  std::string verb;  // empty: none that there is
   bool json = false;
 };
 
@@ -241,9 +241,9 @@ int run_checked(int argc, char** argv, Asked& asked) {
   add_verbs(program, code, quiet);
   add_options(program);
   const std::vector<std::string>& words = asked.words;
-  if (!words.empty() && !words[0].starts_with('-')) asked.verb = words[0];
   asked.json = is_in(words, "--json");
-  if (!is_in(names_of_verbs(program), asked.verb)) return run_program(program, asked);
+  if (words.empty() || !is_in(names_of_verbs(program), words[0])) return run_program(program, asked);
+  asked.verb = words[0];
   const CLI::App& verb = *program.get_subcommand(asked.verb);
   const std::span<const std::string> rest = std::span(words).subspan(1);
   asked.json = asks_for_json(verb, rest);

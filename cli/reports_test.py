@@ -57,6 +57,7 @@ METHODS = {
     "segments cases/segments/wires.csv --all": "automatic grid bentley-ottmann balaban scan",
     "simple cases/valid-polygons/several.wkt": "automatic scan",
     "circles cases/outcomes/circles.csv": "automatic grid sweep scan",
+    "boxes cases/outcomes/boxes.csv": "automatic scan",
     "polygons cases/outcomes/polygons.wkt": "automatic boxes grid sweep scan",
     "region cases/outcomes/half_planes_bounded.csv": "automatic sort division scan",
     "region --of circles cases/outcomes/discs_region.csv": "automatic division scan",
@@ -100,6 +101,9 @@ simple cases/valid-polygons/pocket.wkt --self-touch --certificate OUT
 simple cases/valid-polygons/several.wkt --all --geojson OUT
 circles cases/outcomes/circles_named.csv --group owner --all --svg OUT
 circles cases/outcomes/circles_touching.csv --count --allow touch
+boxes cases/outcomes/boxes.csv --group owner --all --csv OUT
+boxes cases/outcomes/boxes_touching.csv --count --allow touch
+boxes cases/outcomes/square.wkt
 polygons empty.wkt
 polygons cases/outcomes/polygons.geojson --group owner --all --geojson OUT
 polygons cases/outcomes/square.wkt cases/outcomes/within.wkt --all --svg OUT
@@ -300,7 +304,8 @@ class Reports(unittest.TestCase):
         some, set_verb = {"feasible", "infeasible", "error"}, {"none", "some", "error"}
         self.assertEqual(told, {
             "pair": {"apart", "meet", "error"}, "scene": set_verb, "segments": set_verb, "circles": set_verb,
-            "polygons": set_verb, "simple": {"valid", "not valid", "simple", "not simple", "error"}, "region": some,
+            "boxes": set_verb, "polygons": set_verb,
+            "simple": {"valid", "not valid", "simple", "not simple", "error"}, "region": some,
             "kernel": some, "hull": {"point", "segment", "polygon", "body", "error"}, "info": {"read", "error"},
             "verify": {"accepted", "refused", "error"}, None: {"error"}})
         self.assertGreater(sum(self.count.values()), 4000)
