@@ -249,7 +249,7 @@ def test_files_are_asked_as_by_the_program(monkeypatch, tmp_path):
 
 
 def test_files_that_are_refused():
-    refused = 0
+    refused = placed = 0
     for folder, verb in (("broken", "hull"), ("broken-lines", "segments"), ("broken-planar", "pair")):
         with open(case(folder + "/EXPECTED.tsv"), encoding="utf-8") as file:
             expected = dict(line.rstrip("\n").split("\t")[:2] for line in file if line.strip() and line[0] != "#")
@@ -260,8 +260,11 @@ def test_files_that_are_refused():
             with pytest.raises(sunder.Error) as caught:
                 sunder.ask(verb, *([path, path] if verb == "pair" else [path]))
             assert part in str(caught.value) and caught.value.kind == "bad-file", (name, caught.value)
+            place, text = caught.value.place, caught.value.text
+            assert text and (not place or not text.startswith(place)), (name, place, text)
+            placed += bool(place)
             refused += 1
-    assert refused > 80
+    assert refused > 80 and placed > 80
 
 
 def test_wrong_calls():
