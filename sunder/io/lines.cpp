@@ -271,10 +271,11 @@ class Wkt {
 
 LinesFormat lines_format(std::string_view text, std::string_view place) {
   const std::string ending = ending_of(place);
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  if (ending == ".kicad_pcb" || text.starts_with("(kicad_")) return LinesFormat::kicad;
   if (ending == ".csv") return LinesFormat::csv;
   if (ending == ".wkt") return LinesFormat::wkt;
   if (ending == ".geojson" || ending == ".json") return LinesFormat::geojson;
-  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   if (text.starts_with('{') || text.starts_with('[')) return LinesFormat::geojson;
   const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
   const bool is_table = line.find(',') < line.find('(');  // names of columns
@@ -283,9 +284,10 @@ LinesFormat lines_format(std::string_view text, std::string_view place) {
 
 LineFile parse_lines(std::string_view text, std::string_view place, const LineOptions& options) {
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-  const std::size_t begin = text.find_first_not_of(" \t\r\n");
-  if (begin == std::string_view::npos) fail_file(place, "has nothing in it; give a file with lines");
-  if (ending_of(place) == ".kicad_pcb" || text.substr(begin).starts_with("(kicad_")) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+    fail_file(place, "has nothing in it; give a file with lines");
+  const LinesFormat format = lines_format(text, place);
+  if (format == LinesFormat::kicad) {
     if (!options.lines) fail_file(place, "is a board of tracks, without polygons; ask sunder segments");
     if (!options.name.empty()) {
       throw Error(ErrorCode::bad_call, "tracks are named by their nets; leave the name out", one_line(place));
@@ -294,7 +296,6 @@ LineFile parse_lines(std::string_view text, std::string_view place, const LineOp
   }
   refuse_foreign(text, place);
   LineBuilder builder(place, options);
-  const LinesFormat format = lines_format(text, place);
   if (format == LinesFormat::geojson) {
     builder.file.format = "GeoJSON";
     parse_geojson(text, builder);

@@ -16,9 +16,10 @@
 namespace sunder::io {
 
 // The formats of text, boards aside.
-enum class LinesFormat : std::uint8_t { csv, wkt, geojson };
+enum class LinesFormat : std::uint8_t { csv, wkt, geojson, kicad };
 
-// By the ending of the place (.csv, .wkt, .geojson, .json), else by the first letters of the text.
+// By the ending of the place (.csv, .wkt, .geojson, .json, .kicad_pcb) or "(kicad_" in the beginning, else by the first
+// letters of the text.
 LinesFormat lines_format(std::string_view text, std::string_view place);
 
 // What is asked of a reader.
