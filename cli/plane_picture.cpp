@@ -133,12 +133,6 @@ void PlanePicture::named(std::string_view name, const std::function<void()>& dra
   drawn_ += "</g>\n";
 }
 
-void PlanePicture::label(const Point2& where, std::string_view text) {
-  const Point2 p = at(where);
-  drawn_ += fmt::format("<text x='{:.2f}' y='{:.2f}' text-anchor='middle' style='font-size:11px'>{}</text>\n", p.x,
-                        p.y + 4, escaped(io::one_line(text)));
-}
-
 // Lines at round numbers, some five for the larger extent; none where the numbers would be too long to tell apart.
 std::string PlanePicture::axes() const {
   constexpr double some = 5, longest = 1e9;  // of a number, in steps

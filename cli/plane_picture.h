@@ -42,8 +42,6 @@ class PlanePicture {
 
   // What draw() adds is of that name, which is shown where somebody points at it.
   void named(std::string_view name, const std::function<void()>& draw);
-  // In small letters, around a point.
-  void label(const Point2& at, std::string_view text);
 
   // An arrow of this length along the direction, from a point.
   void arrow(const Point2& from, const Point2& direction, double pixels, Ink ink);
