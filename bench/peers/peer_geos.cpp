@@ -9,7 +9,6 @@
 #include <geos/noding/FastNodingValidator.h>
 #include <geos/noding/MCIndexNoder.h>
 #include <geos/noding/SegmentIntersector.h>
-#include <geos_c.h>
 
 #include <algorithm>
 #include <memory>
@@ -17,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "geos_context.h"
 #include "segment_peer.h"
 
 namespace bench {
@@ -45,19 +45,6 @@ bool counts(const SegmentInput& input, std::uint32_t i, std::uint32_t j) {
 }
 
 // --- The C interface: questions of a geometry ------------------------------------------------------------------------
-
-struct Context {
-  GEOSContextHandle_t handle = GEOS_init_r();
-  Context() = default;
-  Context(const Context&) = delete;
-  Context& operator=(const Context&) = delete;
-  ~Context() { GEOS_finish_r(handle); }
-};
-
-GEOSContextHandle_t context() {
-  static const Context one;
-  return one.handle;
-}
 
 GEOSGeometry* checked(GEOSGeometry* geometry) {
   if (geometry == nullptr) throw std::runtime_error("GEOS made no geometry");

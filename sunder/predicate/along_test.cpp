@@ -3,6 +3,7 @@
 #include <sunder/number/integer_internal.h>
 #include <sunder/predicate/along.h>
 
+#include <tests/support/exact.h>
 #include <tests/support/scale.h>
 
 #include <gtest/gtest.h>
@@ -12,35 +13,9 @@
 namespace sunder {
 namespace {
 
-using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+using tests::Exact, tests::largest, tests::least;
 
-constexpr double largest = std::numeric_limits<double>::max();
-constexpr double least = std::numeric_limits<double>::denorm_min();
-
-// The oracle's numbers: n 2^e.
-struct Exact {
-  Whole n;
-  int e = 0;
-
-  Exact(double x) {
-    const double m = std::frexp(x, &e);
-    n = static_cast<std::int64_t>(std::ldexp(m, 53));
-    e -= 53;
-  }
-  Exact(Whole mantissa, int exponent) : n(std::move(mantissa)), e(exponent) {}
-  explicit Exact(const Dyadic& x) : n(mantissa_of(x).str()), e(static_cast<int>(x.exponent())) {}
-
-  Whole at(int exponent) const { return n << static_cast<unsigned>(e - exponent); }
-  Sign sign() const { return static_cast<Sign>(n.sign()); }
-};
-Exact operator+(const Exact& a, const Exact& b) {
-  const int e = std::min(a.e, b.e);
-  return {a.at(e) + b.at(e), e};
-}
-Exact operator-(const Exact& a, const Exact& b) { return a + Exact(-b.n, b.e); }
-Exact operator*(const Exact& a, const Exact& b) { return {a.n * b.n, a.e + b.e}; }
-bool operator==(const Exact& a, const Exact& b) { return (a - b).n == 0; }
-bool operator<=(const Exact& a, const Exact& b) { return (a - b).n <= 0; }
+Sign sign_of(const Exact& x) { return static_cast<Sign>(x.sign()); }
 
 using ExactPoint = std::array<Exact, 3>;
 
@@ -56,7 +31,7 @@ ExactPoint exact(const WorldDirection& d) {
   return {Exact(v.x), Exact(v.y), Exact(v.z)};
 }
 Sign further(const ExactPoint& d, const ExactPoint& a, const ExactPoint& b) {
-  return (d[0] * b[0] + d[1] * b[1] + d[2] * b[2] - (d[0] * a[0] + d[1] * a[1] + d[2] * a[2])).sign();
+  return sign_of(d[0] * b[0] + d[1] * b[1] + d[2] * b[2] - (d[0] * a[0] + d[1] * a[1] + d[2] * a[2]));
 }
 
 double power_of_two(std::int64_t e) { return std::ldexp(1.0, static_cast<int>(e)); }

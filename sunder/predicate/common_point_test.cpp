@@ -4,6 +4,7 @@
 #include <sunder/number/integer_internal.h>
 #include <sunder/predicate/common_point.h>
 
+#include <tests/support/exact.h>
 #include <tests/support/scale.h>
 
 #include <gtest/gtest.h>
@@ -16,31 +17,7 @@
 namespace sunder {
 namespace {
 
-using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
-
-// The oracle's numbers: n 2^e.
-struct Exact {
-  Whole n;
-  int e = 0;
-
-  Exact(double x) {
-    const double m = std::frexp(x, &e);
-    n = static_cast<std::int64_t>(std::ldexp(m, 53));
-    e -= 53;
-  }
-  Exact(Whole mantissa, int exponent) : n(std::move(mantissa)), e(exponent) {}
-  explicit Exact(const Dyadic& x) : n(mantissa_of(x).str()), e(static_cast<int>(x.exponent())) {}
-
-  Whole at(int exponent) const { return n << static_cast<unsigned>(e - exponent); }
-  int sign() const { return n.sign(); }
-};
-Exact operator+(const Exact& a, const Exact& b) {
-  const int e = std::min(a.e, b.e);
-  return {a.at(e) + b.at(e), e};
-}
-Exact operator-(const Exact& a, const Exact& b) { return a + Exact(-b.n, b.e); }
-Exact operator*(const Exact& a, const Exact& b) { return {a.n * b.n, a.e + b.e}; }
-bool operator==(const Exact& a, const Exact& b) { return (a - b).n == 0; }
+using tests::Exact;
 
 using ExactPoint = std::array<Exact, 3>;
 

@@ -1,6 +1,8 @@
 // Numbers n 2^e, exactly, and the ends of the doubles: an oracle that shares no code with what it checks.
 #pragma once
 
+#include <sunder/number/integer_internal.h>
+
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
@@ -27,6 +29,7 @@ struct Exact {
     e -= 53;
   }
   Exact(Whole mantissa, int exponent) : n(std::move(mantissa)), e(exponent) {}
+  explicit Exact(const Dyadic& x) : n(mantissa_of(x).str()), e(static_cast<int>(x.exponent())) {}
 
   Whole at(int exponent) const { return n << static_cast<unsigned>(e - exponent); }
   int sign() const { return n.sign(); }
@@ -38,6 +41,7 @@ inline Exact operator+(const Exact& a, const Exact& b) {
 inline Exact operator-(const Exact& a) { return {-a.n, a.e}; }
 inline Exact operator-(const Exact& a, const Exact& b) { return a + (-b); }
 inline Exact operator*(const Exact& a, const Exact& b) { return {a.n * b.n, a.e + b.e}; }
+inline bool operator==(const Exact& a, const Exact& b) { return (a - b).sign() == 0; }
 inline bool operator<=(const Exact& a, const Exact& b) { return (a - b).sign() <= 0; }
 
 }  // namespace sunder::tests
