@@ -1,13 +1,15 @@
+#include <cli/call_files.h>
 #include <cli/call_words.h>
-#include <cli/common.h>
 #include <cli/manual.h>
-#include <cli/outputs.h>
 #include <cli/program.h>
 #include <cli/words.h>
 
+#include <sunder/ask/report.h>
+#include <sunder/ask/verb.h>
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
+#include <sunder/version.h>
 
 #include <fmt/format.h>
 #include <CLI/Config.hpp>
@@ -19,42 +21,23 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <variant>
 #include <vector>
-
-#ifndef SUNDER_VERSION
-#define SUNDER_VERSION "unknown"
-#endif
 
 namespace sunder::cli {
 
 namespace {
 
-// A verb, and what its exit codes 0 and 1 say.
-struct Verb {
-  AddVerb add;
-  const char* codes;
-};
+namespace exit_code = ask::exit_code;
+using ask::print;
 
-constexpr const char *of_sets = "0 none meet; 1 some meet", *of_all = "0";
-constexpr auto verbs =
-    std::to_array<Verb>({{add_pair, "0 apart, or with --clearance that far apart; 1 meet, or not that far apart"},
-                         {add_scene, of_sets},
-                         {add_segments, of_sets},
-                         {add_simple, "0 all are valid; 1 some are not"},
-                         {add_circles, of_sets},
-                         {add_boxes, of_sets},
-                         {add_polygons, of_sets},
-                         {add_region, "0 something is common to all; 1 nothing is"},
-                         {add_kernel, "0 each polygon has a kernel; 1 some have none"},
-                         {add_hull, of_all},
-                         {add_info, of_all},
-                         {add_verify, "0 all accepted; 1 some refused"}});
 constexpr const char* other_codes = "2 bad input or call; 3 internal error.";
 
 // What is asked of the program, as far as it is known.
@@ -105,12 +88,12 @@ std::string_view kind_of(ErrorCode code) {
 // One line on standard error; on standard output a report, where the call asks for JSON.
 int complain(const Asked& asked, int code, const std::string& text,
              std::string_view kind = kind_of(ErrorCode::bad_call), const std::string& place = "") {
-  print_error(text);
-  if (!asked.json || is_output_in_use() || prints_over_input(asked.words)) return code;
-  Json report = error_report(asked.verb, kind, place, text);
+  ask::print_error(text);
+  if (!asked.json || ask::is_output_in_use() || prints_over_input(asked.words)) return code;
+  ask::Json report = ask::error_report(asked.verb, kind, place, text);
   if (asked.verb.empty()) report["verb"] = nullptr;
   try {
-    print(to_text(report));
+    print(ask::to_text(report));
   } catch (const Error&) {  // where standard output is what cannot be written
   }
   return code;
@@ -195,29 +178,59 @@ int run_program(const CLI::App& program, const Asked& asked) {
                                   : complain_of_verb(program, asked, "there is no verb " + io::quote(first), first);
   }
   if (asked.words.size() > 1) return complain_of_word(asked, first, asked.words[1]);
-  print(is_version ? "sunder " SUNDER_VERSION "\n" : man_page(program, SUNDER_VERSION));
+  print(is_version ? fmt::format("sunder {}\n", version) : man_page(program, version));
   return exit_code::no;
 }
 
-void add_verbs(CLI::App& program, int& code, bool& quiet) {
-  for (const auto& [add, codes] : verbs) {
-    add(program, code);
-    CLI::App* verb = program.get_subcommands([](const CLI::App*) { return true; }).back();
-    verb->footer(fmt::format("Exit code: {}; {}", codes, other_codes));
-    verb->get_formatter()->column_width(28);
-    verb->add_flag("--quiet", quiet, "print nothing but errors: the exit code is the answer");
-    verb->parse_complete_callback([verb, &quiet] {
-      if (quiet) be_quiet();
-      const bool is_taken = takes_standard_output(*verb);
-      require_apart(*verb);
-      if (is_taken) leave_standard_output();
-    });
+CLI::Option* add_value(CLI::App& verb, const ask::Option& option) {
+  const auto add_limit = [&](std::uint64_t* value) {
+    const auto set = [value, name = option.name](const std::string& text) {
+      std::int64_t number = 0;
+      if (!io::parse_integer(text, number) || number < 0) {
+        throw Error(ErrorCode::bad_call, io::quote(text) + " is no number of things; give one like 2000000", name);
+      }
+      *value = static_cast<std::uint64_t>(number);
+    };
+    return verb.add_option_function<std::string>(option.name, set, option.help);
+  };
+  if (auto* const* flag = std::get_if<bool*>(&option.value)) return verb.add_flag(option.name, **flag, option.help);
+  if (auto* const* text = std::get_if<std::string*>(&option.value)) {
+    return verb.add_option(option.name, **text, option.help);
   }
+  if (auto* const* number = std::get_if<std::uint64_t*>(&option.value)) return add_limit(*number);
+  CLI::Option* list = verb.add_option(option.name, *std::get<std::vector<std::string>*>(option.value), option.help);
+  if (option.name.starts_with('-')) list->allow_extra_args(false);
+  if (option.most > 0) list->expected(1, option.most);
+  return list;
+}
+
+void add_verb(CLI::App& program, const ask::Verb& verb, int& code, bool& quiet) {
+  CLI::App* const app = program.add_subcommand(verb.name, verb.about);
+  for (const ask::Option& option : verb.options) {
+    CLI::Option* added = add_value(*app, option);
+    if (!std::holds_alternative<bool*>(option.value)) added->type_name(option.type);
+    added->required(option.required);
+  }
+  for (const ask::Option& option : verb.options) {
+    CLI::Option* added = app->get_option(option.name.substr(option.name.find(',') + 1));
+    if (!option.needs.empty()) added->needs(app->get_option(option.needs));
+    for (const std::string& other : option.excludes) added->excludes(app->get_option(other));
+  }
+  app->footer(fmt::format("Exit code: {}; {}", verb.codes, other_codes));
+  app->get_formatter()->column_width(28);
+  app->add_flag("--quiet", quiet, "print nothing but errors: the exit code is the answer");
+  app->parse_complete_callback([app, &quiet] {
+    if (quiet) ask::be_quiet();
+    const bool is_taken = takes_standard_output(*app);
+    require_apart(*app);
+    if (is_taken) ask::leave_standard_output();
+  });
+  app->callback([run = verb.run, &code] { code = run(); });
 }
 
 // For help and completion; run_program() obeys them.
 void add_options(CLI::App& program) {
-  program.set_version_flag("--version", "sunder " SUNDER_VERSION);
+  program.set_version_flag("--version", fmt::format("sunder {}", version));
   program.add_option("--completion", "print a script that completes calls in bash, zsh or fish")->type_name("SHELL");
   program.add_flag("--man")->description("print the manual page");
   program.footer(fmt::format("Exit code: 0 or 1, the answer: sunder help VERB tells which; {}", other_codes));
@@ -238,7 +251,7 @@ int run_checked(int argc, char** argv, Asked& asked) {
   int code = exit_code::no;
   bool quiet = false;
   CLI::App program("Sunder tells whether things meet, and proves it.", "sunder");
-  add_verbs(program, code, quiet);
+  for (const ask::Verb& verb : ask::verbs()) add_verb(program, verb, code, quiet);
   add_options(program);
   const std::vector<std::string>& words = asked.words;
   asked.json = is_in(words, "--json");

@@ -3,7 +3,7 @@
 
 namespace sunder::cli {
 
-// Runs the call and returns its exit code (see cli/common.h). Prints errors as one line on standard error; throws
+// Runs the call and returns its exit code (see sunder/ask/verb.h). Prints errors as one line on standard error; throws
 // nothing.
 int run(int argc, char** argv);
 

@@ -14,9 +14,10 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LONGEST = 120
 RULES = ("arcs.py", "hulls.py", "polygons.py", "rules.py")
 CHECKER = "verifier/python/sunder_verify/"
+PROGRAM = ("cli/", "sunder/ask/", "sunder/picture/")
 PARTS = {
-    "the library": lambda name: name.startswith("sunder/"),
-    "the program (cli, ask, picture)": lambda name: name.startswith(("cli/", "ask/", "picture/")),
+    "the library": lambda name: name.startswith("sunder/") and not name.startswith(PROGRAM),
+    "the program (cli, ask, picture)": lambda name: name.startswith(PROGRAM),
     "the Python package": lambda name: name.startswith("python/"),
     "the checker in C++": lambda name: name.startswith("verifier/cpp/"),
     "the checker in Python": lambda name: name.startswith(CHECKER),

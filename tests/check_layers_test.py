@@ -22,7 +22,9 @@ GOOD = {
                                             "#include <gtest/gtest.h>\n#include <fstream>\n#include <tests/support/a.h>\n",
     "sunder/io/file.cpp": "#include <sunder/solid/object/body.h>\n#include <fstream>\n#include <fmt/format.h>\n"
                           "#include <sys/stat.h>\n",
-    "cli/pair.cpp": "#include \"verbs.h\"\n#include <sunder/io/file.h>\n#include <verifier/verify.h>\n#include <iostream>\n",
+    "sunder/ask/verify.cpp": "#include <sunder/io/file.h>\n#include <sunder/picture/canvas.h>\n#include <verifier/verify.h>\n"
+                             "#include <iostream>\n",
+    "cli/program.cpp": "#include \"words.h\"\n#include <sunder/ask/verb.h>\n#include <CLI/App.hpp>\n",
     "python/bind.cpp": "#include \"common.h\"\n#include <sunder/solid/object/body.h>\n#include <nanobind/nanobind.h>\n",
     "verifier/verify.cpp": "#include \"verify.h\"\n#include <boost/multiprecision/cpp_int.hpp>\n",
     "tests/a_test.cpp": "#include <sunder/scene/scene.h>\n#include <gtest/gtest.h>\n",
@@ -41,6 +43,8 @@ BAD = {
     "up from a test": ("sunder/number/sign_test.cpp", "#include <sunder/solid/object/body.h>\n", "L1"),
     "io from the core": ("sunder/scene/x.h", "#include <sunder/io/file.h>\n", "L1"),
     "the verifier from the core": ("sunder/certificate/x.cpp", "#include <verifier/verify.h>\n", "L1"),
+    "questions from pictures": ("sunder/picture/x.cpp", "#include <sunder/ask/verb.h>\n", "L1"),
+    "CLI11 in questions": ("sunder/ask/x.cpp", "#include <CLI/App.hpp>\n", "L3"),
     "io from Python": ("python/x.cpp", "#include <sunder/io/file.h>\n", "L1"),
     "Python from the program": ("cli/x.cpp", "#include <python/bind.h>\n", "L1"),
     "nanobind in the core": ("sunder/scene/x.cpp", "#include <nanobind/nanobind.h>\n", "L3"),

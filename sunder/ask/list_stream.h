@@ -1,0 +1,85 @@
+// Long lists that are written as they come: text in pieces, and the text of numbers and names in JSON.
+#pragma once
+
+#include <sunder/ask/report.h>
+
+#include <sunder/io/file.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace sunder::ask {
+
+// A list whose items stand one on a line. Memory: about 64 KB, and the longest item.
+class ListStream {
+ public:
+  using Sink = std::function<void(std::string_view)>;  // takes the text, piece by piece; may throw
+
+  // What stands before the list, "[" included; `margin` before each item.
+  ListStream(std::string opening, std::string margin, Sink sink);
+
+  void add(std::string_view item);
+
+  // More of the last item.
+  void append(std::string_view more);
+  std::uint64_t count() const { return count_; }
+
+  // What stands behind the list, "]" included. Nothing is added after this.
+  void close(std::string_view closing);
+
+ private:
+  std::string text_, margin_;
+  Sink sink_;
+  std::uint64_t count_ = 0;
+};
+
+// A report on standard output with a list: in the place of the member of that name, or else last. Nothing is printed
+// before the first 64 KB, or close().
+class ListReport {
+ public:
+  ListReport(const Json& report, std::string_view list);
+  void add(std::string_view item) { list_.add(item); }
+
+  // An item that ends with a list, which `fill` adds to.
+  void add_list(const Json& head, std::string_view key, const std::function<void(ListStream&)>& fill);
+  void close();
+
+ private:
+  ListStream list_;
+  std::string closing_;
+};
+
+// A file that is a GeoJSON FeatureCollection, one feature on each line; whole, or not there.
+class GeojsonFile {
+ public:
+  explicit GeojsonFile(const std::string& name);
+  void add(std::string_view feature) { list_.add(feature); }
+  std::uint64_t count() const { return list_.count(); }
+  void close();
+
+ private:
+  io::OutputFile file_;
+  ListStream list_;
+};
+
+// As in JSON: in quotes; bytes that are no UTF-8 become U+FFFD.
+std::string quoted_json(std::string_view text);
+
+// As in reports: a number with a point or an exponent, the shortest that reads back the same.
+std::string number_json(double x);
+
+// Between ends [first, second].
+std::string pair_json(std::string_view first, std::string_view second);
+
+// Pictures: how many things are drawn, unless --svg-limit says another number.
+inline constexpr std::uint64_t most_drawn = 1'000'000;
+
+// Throws Error bad_call where so many things ("circle") and contacts are more than `most`: it names the option.
+void require_drawable(std::uint64_t things, std::string_view noun, std::uint64_t contacts, std::uint64_t most);
+
+// Proofs of lists are as long as the lists. Throws Error bad_call for more than 10^7 contacts: it names the option.
+void require_provable(std::uint64_t contacts);
+
+}  // namespace sunder::ask

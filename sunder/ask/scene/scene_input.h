@@ -1,0 +1,90 @@
+// The bodies of `sunder scene` out of files: meshes and one robot, where they are, and which pairs are allowed to meet.
+#pragma once
+
+#include <sunder/ask/objects.h>
+
+#include <sunder/io/urdf.h>
+#include <sunder/scene/scene.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sunder::ask {
+
+// Values of joints under a name: one placement of the robot.
+struct Placement {
+  std::string name;  // empty when the user gave none
+  std::map<std::string, double> joints;
+};
+
+// "name=value,..." or "LABEL:name=value,...". Throws Error bad_call.
+Placement parse_joints(const std::string& text);
+
+// A file with one joint a line, "name value" or "name=value"; '#' starts a comment. Its name is the placement's.
+// inputs: as of io::read_file.
+Placement read_joints(const std::string& file, InputFiles* inputs);
+
+class SceneInput {
+ public:
+  // Each name is a file, or FILE@POSE. poses: "NAME=POSE" each, NAME as shown by `names`. Where leave_out, shapes of
+  // a robot that are not read, also meshes, are left out. inputs: as of io::read_file. Throws Error, also where there
+  // is no body at all.
+  SceneInput(const std::vector<std::string>& files, const std::vector<std::string>& poses, bool require_convex,
+             bool leave_out, InputFiles* inputs);
+
+  // The bodies in the order of the files; links without shapes are none. Throws Error for joints that do not exist or
+  // are out of their limits.
+  std::vector<scene::Body> bodies(const Placement& placement) const;
+
+  // Pairs of bodies out of: "adjacent" (links joined by a joint, or by joints through links without shapes),
+  // "NAME,NAME", or a file with two names a line. Throws Error.
+  std::vector<std::array<std::uint32_t, 2>> allowed(const std::string& text) const;
+
+  std::vector<std::vector<bool>> are_hulls() const;          // of each part of each body: does it stand for a mesh?
+  std::vector<const Object*> objects() const;                // all parts in order
+  const LeftOutList& left_out() const { return left_out_; }  // what is not read: must be shown
+  const std::vector<std::filesystem::path>& robot_meshes() const { return robot_meshes_; }  // files that it names
+
+ private:
+  struct Part {
+    std::string name;
+    Object object;
+    solid::Pose pose;  // within the body
+  };
+  struct Body {
+    std::string name;
+    std::size_t input = 0;              // which of the files
+    std::optional<std::uint32_t> link;  // of the robot
+    std::vector<Part> parts;
+  };
+  struct Input {
+    std::string name;
+    solid::Pose pose;
+  };
+
+  void add_mesh(const std::string& file, bool require_convex, InputFiles* inputs);
+  void add_robot(const std::string& file, bool require_convex, InputFiles* inputs);
+  struct MeshReader {
+    bool require_convex;
+    InputFiles* inputs;
+    std::map<std::filesystem::path, std::vector<Object>> known{};  // a file may serve several links
+  };
+  const std::vector<Object>* mesh_of(const io::CollisionShape& shape, const std::string& link, MeshReader& reader);
+  void require_some_body() const;
+  std::string unused_name(const std::string& wish) const;
+  std::uint32_t body_named(const std::string& name, const std::string& place) const;
+  std::vector<std::array<std::uint32_t, 2>> adjacent() const;
+
+  std::vector<Input> inputs_;
+  std::vector<Body> bodies_;
+  std::optional<io::Robot> robot_;
+  LeftOutList left_out_;
+  std::vector<std::filesystem::path> robot_meshes_;
+};
+
+}  // namespace sunder::ask

@@ -1,0 +1,355 @@
+#include <sunder/ask/evidence.h>
+#include <sunder/ask/scene/scene_report.h>
+
+#include <sunder/certificate/pair_claims.h>
+#include <sunder/scene/rounded_evidence.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace sunder::ask {
+
+namespace {
+
+using scene::PartPair;
+
+constexpr std::size_t text_width = 100;
+constexpr std::size_t most_in_matrix = 24;  // bodies
+constexpr std::size_t most_listed = 20;     // pairs that meet, of one placement
+
+const scene::Part& part_a(const Placed& p, const PartPair& pair) { return p.bodies[pair.body_a].parts[pair.part_a]; }
+const scene::Part& part_b(const Placed& p, const PartPair& pair) { return p.bodies[pair.body_b].parts[pair.part_b]; }
+
+PlacedVertices vertices_of(const scene::Part& part) { return placed_vertices(part.shape, part.pose); }
+
+std::string name_a(const Placed& p, const PartPair& pair) { return part_name(p.bodies[pair.body_a], pair.part_a); }
+std::string name_b(const Placed& p, const PartPair& pair) { return part_name(p.bodies[pair.body_b], pair.part_b); }
+
+// What a cell of the matrix says about two bodies, from the weakest to the strongest.
+enum Cell : char { by_boxes = '.', by_method = 'o', touching = 't', meeting = 'X', allowed_cell = '-' };
+
+std::vector<std::vector<char>> cells_of(const SceneReport& report, const Placed& placed) {
+  std::vector<std::vector<char>> cells;
+  for (std::size_t b = 0; b < placed.bodies.size(); ++b) cells.emplace_back(b, by_boxes);
+  for (auto [a, b] : report.allowed) {
+    if (a != b) cells[std::max(a, b)][std::min(a, b)] = allowed_cell;
+  }
+  for (const PartPair& pair : placed.answer.pairs) {
+    char& cell = cells[pair.body_b][pair.body_a];
+    if (pair.counts)
+      cell = meeting;
+    else if (pair.answer.meet() && cell != meeting)
+      cell = touching;
+    else if (!pair.by_boxes && cell == by_boxes)
+      cell = by_method;
+  }
+  return cells;
+}
+
+std::string painted(const std::string& text, bool colour, const char* code) {
+  return colour ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : text;
+}
+
+std::string painted_cell(char cell, bool colour) {
+  const std::string text(1, cell);
+  if (cell == meeting) return painted(text, colour, "1;31");
+  return cell == by_method ? text : painted(text, colour, "2");
+}
+
+// Triangular tables of who meets whom, side by side as far as they fit.
+std::string matrix_text(const SceneReport& report) {
+  const std::vector<scene::Body>& bodies = report.placements.front().bodies;
+  std::size_t name_width = 0;
+  for (const scene::Body& body : bodies) name_width = std::max(name_width, body.name.size());
+  std::size_t cell_width = bodies.size() > 10 ? 3 : 2;
+  std::size_t block = cell_width * bodies.size() + 4;
+  for (const Placed& placed : report.placements) block = std::max(block, placed.title.size() + 4);
+  const std::size_t margin = name_width + 7;
+  const std::size_t at_once = std::max<std::size_t>(1, (text_width - std::min(margin, text_width)) / block);
+
+  std::string text;
+  for (std::size_t first = 0; first < report.placements.size(); first += at_once) {
+    const std::size_t last = std::min(first + at_once, report.placements.size());
+    std::vector<std::vector<std::vector<char>>> cells;
+    std::string titles(margin, ' '), numbers(margin, ' ');
+    for (std::size_t p = first; p < last; ++p) {
+      const Placed& placed = report.placements[p];
+      cells.push_back(cells_of(report, placed));
+      titles += fmt::format("{:<{}}", placed.title, block);
+      std::string row;
+      for (std::size_t b = 0; b < bodies.size(); ++b) row += fmt::format("{:>{}}", b, cell_width);
+      numbers += fmt::format("{:<{}}", row, block);
+    }
+    const auto without_blanks_at_end = [](std::string line) {
+      line.erase(line.find_last_not_of(' ') + 1);
+      return line + "\n";
+    };
+    if (report.placements.size() > 1) text += without_blanks_at_end(titles);
+    text += without_blanks_at_end(numbers);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      std::string line = fmt::format("  {:>2} {:<{}}", b, bodies[b].name, margin - 5);
+      for (std::size_t p = 0; p < cells.size(); ++p) {
+        for (std::size_t a = 0; a < b; ++a) {
+          line += std::string(cell_width - 1, ' ') + painted_cell(cells[p][b][a], report.colour);
+        }
+        line += std::string(block - cell_width * b, ' ');
+      }
+      text += without_blanks_at_end(line);
+    }
+  }
+  std::string key = "  X meet   o apart, by a direction   . apart, by boxes";
+  if (report.touching_allowed) key += "   t touching, allowed";
+  if (!report.allowed_because.empty()) {
+    std::string because;
+    for (const std::string& word : report.allowed_because) because += (because.empty() ? "" : ", ") + word;
+    key += "   - allowed: " + because;
+  }
+  return text + key + "\n";
+}
+
+std::string counts_text(const SceneReport& report) {
+  std::size_t width = 9;
+  for (const Placed& placed : report.placements) width = std::max(width, placed.title.size());
+  std::string text = fmt::format("{:<{}}  {:>14} {:>8} {:>9} {:>10} {:>8} {:>10}\n", "placement", width,
+                                 "pairs of parts", "allowed", "by boxes", "by method", "meeting", "time");
+  for (const Placed& placed : report.placements) {
+    const scene::Counts& c = placed.answer.counts;
+    text += fmt::format("{:<{}}  {:>14} {:>8} {:>9} {:>10} {:>8} {:>7.2f} ms\n", placed.title, width, c.pairs,
+                        c.allowed, c.by_boxes, c.by_method, c.meeting, 1e3 * placed.seconds);
+  }
+  return text;
+}
+
+std::string meeting_text(const SceneReport& report, const Placed& placed) {
+  const std::string prefix = report.placements.size() > 1 ? placed.title + ": " : "";
+  std::string text;
+  std::uint64_t listed = 0;
+  for (const PartPair& pair : placed.answer.pairs) {
+    if (!pair.answer.meet()) continue;
+    if (++listed > most_listed) continue;
+    const std::string contact =
+        report.contacts ? fmt::format(", {}{}", name_of(pair.contact), pair.counts ? "" : " (allowed)") : "";
+    text += prefix + name_a(placed, pair) + " and " + name_b(placed, pair) + " " +
+            painted(report.meet_as_hulls(pair) ? "meet as hulls" : "meet", report.colour && pair.counts, "1;31") +
+            contact + ", at about " + about(point_about(placed, pair)) + "\n";
+  }
+  if (listed > most_listed) text += fmt::format("{}and {} more\n", prefix, count_of(listed - most_listed, "pair"));
+  if (listed == 0) {
+    text += prefix + (report.left_out->empty() ? "none meet" : "none of the bodies read meet") +
+            report.left_out->clause() + "\n";
+  } else if (!report.left_out->empty()) {
+    text += fmt::format("{}this is of the bodies read{}\n", prefix, report.left_out->clause());
+  }
+  return text;
+}
+
+Json pair_json(const SceneReport& report, std::size_t p, const PartPair& pair) {
+  const Placed& placed = report.placements[p];
+  Json json{{"placement", p},
+            {"a", placed.bodies[pair.body_a].name},
+            {"b", placed.bodies[pair.body_b].name},
+            {"part_a", pair.part_a},
+            {"part_b", pair.part_b},
+            {"answer", pair.answer.meet() ? "meet" : "apart"}};
+  if (report.contacts) json["contact"] = name_of(pair.contact);
+  json["said_of"] = report.meet_as_hulls(pair) ? "hulls" : "bodies";
+  json["counted"] = pair.counts;
+  json["decided_by"] = pair.by_boxes ? "boxes" : std::string(name_of(pair.answer.decided_by));
+  json["cost"] = to_json(pair.answer.cost);
+  json["evidence"] =
+      evidence_json(pair.answer.certificate(), vertices_of(part_a(placed, pair)), vertices_of(part_b(placed, pair)));
+  return json;
+}
+
+Json to_json(const scene::Counts& c) {
+  return {{"parts", c.parts},
+          {"pairs", c.pairs},
+          {"allowed", c.allowed},
+          {"by_boxes", c.by_boxes},
+          {"by_method", c.by_method},
+          {"meeting", c.meeting},
+          {"touching_only", c.touching_only}};
+}
+
+void add(const scene::Counts& c, scene::Counts& sum) {
+  sum.parts += c.parts;
+  sum.pairs += c.pairs;
+  sum.allowed += c.allowed;
+  sum.by_boxes += c.by_boxes;
+  sum.by_method += c.by_method;
+  sum.meeting += c.meeting;
+  sum.touching_only += c.touching_only;
+}
+
+// The strongest means that any pair needed: "boxes", then as DecidedBy.
+std::string decided_by(const SceneReport& report) {
+  std::string strongest = "boxes";
+  int rank = 0;
+  for (const Placed& placed : report.placements) {
+    for (const PartPair& pair : placed.answer.pairs) {
+      const int r = pair.by_boxes ? 0 : 1 + static_cast<int>(pair.answer.decided_by);
+      if (r <= rank) continue;
+      rank = r;
+      strongest = name_of(pair.answer.decided_by);
+    }
+  }
+  return strongest;
+}
+
+}  // namespace
+
+bool SceneReport::some_meet() const {
+  return std::any_of(placements.begin(), placements.end(), [](const Placed& p) { return p.answer.some_meet(); });
+}
+
+bool SceneReport::meet_as_hulls(const PartPair& pair) const {
+  return pair.answer.meet() && (is_hull[pair.body_a][pair.part_a] || is_hull[pair.body_b][pair.part_b]);
+}
+
+std::string part_name(const scene::Body& body, std::uint32_t part) {
+  return body.parts.size() == 1 ? body.name : body.name + "/" + body.parts[part].name;
+}
+
+Point3 point_about(const Placed& placed, const PartPair& pair) {
+  return scene::rounded_common_point(pair.answer.certificate(), vertices_of(part_a(placed, pair)),
+                                     vertices_of(part_b(placed, pair)));
+}
+
+std::string scene_text(const SceneReport& report) {
+  const std::vector<scene::Body>& bodies = report.placements.front().bodies;
+  std::string text =
+      fmt::format("{} with {}{}\n", bodies.size() == 1 ? "1 body" : fmt::format("{} bodies", bodies.size()),
+                  count_of(report.placements.front().answer.counts.parts, "part"),
+                  report.placements.size() > 1 ? fmt::format(", {} placements", report.placements.size()) : "");
+  if (bodies.size() <= most_in_matrix && bodies.size() > 1) text += matrix_text(report);
+  text += counts_text(report);
+  for (const Placed& placed : report.placements) text += meeting_text(report, placed);
+  return text;
+}
+
+Json scene_json(const SceneReport& report, const std::vector<const Object*>& objects) {
+  Json json = envelope("scene", report.some_meet() ? "some" : "none", report.method);
+  json["decided_by"] = decided_by(report);
+  for (const Object* object : objects) json["objects"].push_back(to_json(*object));
+
+  if (!report.left_out->empty()) json["left_out"] = report.left_out->json();
+
+  json["bodies"] = Json::array();
+  const std::vector<scene::Body>& bodies = report.placements.front().bodies;
+  std::size_t object = 0;
+  for (const scene::Body& body : bodies) {
+    Json parts = Json::array();
+    for (const scene::Part& part : body.parts) parts.push_back({{"name", part.name}, {"object", object++}});
+    json["bodies"].push_back({{"name", body.name}, {"parts", parts}});
+  }
+  json["allowed"] = report.touching_allowed ? "touch" : "nothing";
+  json["allowed_pairs"] = Json::array();
+  for (const auto& [a, b] : report.allowed) json["allowed_pairs"].push_back({bodies[a].name, bodies[b].name});
+
+  json["placements"] = Json::array();
+  json["pairs"] = Json::array();
+  Cost cost;
+  scene::Counts counts;
+  std::uint64_t counted = 0;
+  for (std::size_t p = 0; p < report.placements.size(); ++p) {
+    const Placed& placed = report.placements[p];
+    json["placements"].push_back({{"name", placed.title},
+                                  {"answer", placed.answer.some_meet() ? "some" : "none"},
+                                  {"joints", placed.placement.joints},
+                                  {"counts", to_json(placed.answer.counts)},
+                                  {"seconds", placed.seconds}});
+    add(placed.answer.counts, counts);
+    for (const PartPair& pair : placed.answer.pairs) {
+      json["pairs"].push_back(pair_json(report, p, pair));
+      if (pair.counts) ++counted;
+      cost.probes += pair.answer.cost.probes;
+      cost.iterations += pair.answer.cost.iterations;
+      cost.exact += pair.answer.cost.exact;
+    }
+  }
+  json["cost"] = to_json(cost);
+  json["count"] = counted;
+  json["counts"] = to_json(counts);
+  return json;
+}
+
+namespace {
+
+// What was asked about, and what counts, by parts of bodies one after the other. index: of each part in the file.
+AllPairs all_pairs(const SceneReport& report, const Placed& placed,
+                   const std::vector<std::vector<std::uint32_t>>& index) {
+  AllPairs result;
+  std::vector<std::uint32_t> first;  // of each body, where its parts begin
+  for (std::uint32_t b = 0; b < index.size(); ++b) {
+    first.push_back(static_cast<std::uint32_t>(result.members.size()));
+    result.members.insert(result.members.end(), index[b].begin(), index[b].end());
+    result.groups.insert(result.groups.end(), index[b].size(), b);
+  }
+  result.touching_allowed = report.touching_allowed;
+  std::set<std::array<std::uint32_t, 2>> allowed;
+  for (const auto& [a, b] : report.allowed) {
+    if (a != b) allowed.insert({std::min(a, b), std::max(a, b)});
+  }
+  for (const auto& [a, b] : allowed) {
+    for (std::uint32_t i = 0; i < index[a].size(); ++i) {
+      for (std::uint32_t j = 0; j < index[b].size(); ++j) result.besides.push_back({first[a] + i, first[b] + j});
+    }
+  }
+  for (const PartPair& pair : placed.answer.pairs) {
+    if (pair.counts) result.contacts.push_back({first[pair.body_a] + pair.part_a, first[pair.body_b] + pair.part_b});
+  }
+  std::sort(result.besides.begin(), result.besides.end());
+  std::sort(result.contacts.begin(), result.contacts.end());
+  return result;
+}
+
+}  // namespace
+
+void write_scene_certificate(const SceneReport& report, const InputFiles& inputs, const TextSink& sink) {
+  ClaimsWriter file(sink);
+  const std::vector<scene::Body>& bodies = report.placements.front().bodies;
+  std::vector<std::string> left_out = report.left_out->texts();
+  for (const auto& [a, b] : report.allowed) {
+    left_out.push_back(fmt::format("{} and {}, which may meet", bodies[a].name, bodies[b].name));
+  }
+  file.add_origin({inputs, std::move(left_out)});
+  PairClaims pairs(file);
+  std::vector<std::vector<std::uint32_t>> tables;
+  for (const scene::Body& body : bodies) {
+    tables.emplace_back();
+    for (std::uint32_t i = 0; i < body.parts.size(); ++i) {
+      tables.back().push_back(pairs.add_body(part_name(body, i), body.parts[i].shape.vertices()));
+    }
+  }
+  std::vector<std::vector<std::vector<std::uint32_t>>> index;  // by placement, body and part
+  for (const Placed& placed : report.placements) {
+    const std::string prefix = report.placements.size() > 1 ? placed.title + ": " : "";
+    index.emplace_back();
+    for (std::size_t b = 0; b < placed.bodies.size(); ++b) {
+      index.back().emplace_back();
+      for (std::uint32_t i = 0; i < placed.bodies[b].parts.size(); ++i) {
+        index.back().back().push_back(pairs.add_placed(prefix + part_name(placed.bodies[b], i), tables[b][i],
+                                                       placed.bodies[b].parts[i].pose.affine()));
+      }
+    }
+  }
+  for (std::size_t p = 0; p < report.placements.size(); ++p) {
+    for (const PartPair& pair : report.placements[p].answer.pairs) {
+      const scene::Part &a = part_a(report.placements[p], pair), &b = part_b(report.placements[p], pair);
+      add_solid_pair(
+          pairs,
+          {index[p][pair.body_a][pair.part_a], index[p][pair.body_b][pair.part_b], a.shape, b.shape, a.pose, b.pose},
+          pair.answer.certificate(), pair.answer.meet() ? pair.contact : Contact::none);
+    }
+    pairs.add_all_pairs(all_pairs(report, report.placements[p], index[p]));
+  }
+  pairs.end();
+}
+
+}  // namespace sunder::ask

@@ -1,0 +1,221 @@
+// A set of members that are rows of a file, for set_verb.h. What is its own is a class, here Of:
+//   Of::Members, Of::verb, Of::noun     the set, for cover_statement.h too; "circles", "circle"
+//   Of::all_methods, Of::any_methods    by name; where there are none, set_answers.h
+//   Of::about_verb, Of::file_help       in a sentence each
+//   read(call, inputs)                  MembersFile<Members>; throws Error
+//   about(member), place(a, b)          a member in words; a point of both, rounded
+//   draw(picture, member, ink)
+// Members are full, and meet as discs do: of their contacts all count, or all but touching ones.
+#pragma once
+
+#include <sunder/ask/progress.h>
+#include <sunder/ask/set/set_verb.h>
+
+#include <sunder/base/error.h>
+#include <sunder/certificate/origin.h>
+#include <sunder/io/lines.h>
+#include <sunder/io/text.h>
+#include <sunder/near/cover_statement.h>
+#include <sunder/near/set_answers.h>
+#include <sunder/near/set_methods.h>
+#include <sunder/planar/pair/disc_disc.h>
+namespace sunder::ask {
+
+template <class Members>
+struct MembersFile {
+  Members members;
+  std::vector<std::string> names{};
+  std::vector<std::uint32_t> lines{};
+  std::vector<std::uint32_t> group{};  // empty, or of each member a position in groups
+  std::vector<std::string> groups{};
+};
+
+// Members that are, or are made of, the segments of a file.
+template <class Members>
+MembersFile<Members> members_of(Members members, io::LineFile file) {
+  std::vector<std::string> names;
+  std::vector<std::uint32_t> lines;
+  for (const io::LineSource& source : file.source) {
+    names.push_back(file.features[source.feature]);
+    lines.push_back(source.line);
+  }
+  return {std::move(members), std::move(names), std::move(lines), std::move(file.group), std::move(file.groups)};
+}
+
+template <class Of>
+class MembersSet {
+ public:
+  using Call = SetCall;
+  using Members = typename Of::Members;
+  using Contact = ContactIn<Members>;
+  using Kind = planar::DiscContact;
+  using Result = SetResult<MembersSet>;
+  static constexpr std::string_view verb = Of::verb, noun = Of::noun, drawn_noun = Of::noun;
+  static constexpr std::array kinds{Kind::overlapping, Kind::inside, Kind::touching};
+
+  static void check(const Call& call) {
+    allowed(call.allow);
+    method_by(call.method, methods());
+  }
+
+  explicit MembersSet(const Call& call)
+      : call_(call), file_(Of::read(call, call.proves() ? &origin_.inputs : nullptr)), members_(file_.members) {
+    options_.allowed = allowed(call.allow);
+    options_.groups = file_.group;
+  }
+
+  std::uint64_t drawn() const { return members_.size(); }
+
+  void ask(Result& result) const {
+    const auto with_progress = [this](const auto& ask_it) {
+      Progress progress("comparing");
+      SetOptions options = options_;
+      options.progress = progress.reporter();
+      return ask_it(options);
+    };
+    if (!call_.counts()) {
+      const AnyAnswer<Contact> answer = with_progress([this](const SetOptions& options) { return any(options); });
+      result.cost = answer.cost;
+      return result.found(answer.found);
+    }
+    result.count_and_list(size(), call_.lists(), [=, this](const Block& block, const auto& take) {
+      return with_progress([&](const SetOptions& options) {
+        return visit_of_block(
+            members_, [](const Members& all) { return boxes_of(all); }, options, block,
+            method_by(call_.method, methods()),
+            [&](const Contact& contact) {
+              take(contact);
+              return true;
+            });
+      });
+    });
+  }
+
+  std::vector<Proof> proofs(const Result& result) const {
+    if (call_.lists()) require_provable(result.pairs());
+    return {{call_.certificate, [this, &result](ClaimsWriter& claims) { write_statements(claims, result); }}};
+  }
+  const Origin& origin() const { return origin_; }
+
+  std::string head() const {
+    std::string text = fmt::format("{}: {}", io::one_line(call_.files[0]), count_of(size(), noun));
+    if (!file_.groups.empty()) text += ", " + count_of(file_.groups.size(), "group");
+    return text + '\n';
+  }
+  std::string said_of() const { return ""; }
+  std::vector<std::string> rules() const {
+    if (call_.group.empty()) return {};
+    return {fmt::format("those of one {} may meet", call_.group)};
+  }
+  std::string clause() const { return ""; }
+  std::string text(const Contact& c) const {
+    const Point2 p = Of::place(members_[c.i], members_[c.j]);
+    std::string text = fmt::format("{}, with about ({:.10g}, {:.10g}) in common\n", name_of(c.kind), p.x, p.y);
+    for (const std::uint32_t i : {c.i, c.j}) {
+      const std::string group = file_.groups.empty() ? "" : " of " + file_.groups[file_.group[i]];
+      text += fmt::format("    {} {}{}, line {}: {}\n", noun, file_.names[i], group, file_.lines[i],
+                          Of::about(members_[i]));
+    }
+    return text;
+  }
+  std::string tail(const Result&) const { return ""; }
+
+  void add_head(Json& json) const {
+    json["objects"] = Json::array({{{"file", call_.files[0]}, {std::string(verb), size()}}});
+  }
+  void add_tail(Json&) const {}
+
+  static Kind kind_of(const Contact& contact) { return contact.kind; }
+
+  ContactRow row(const Contact& c) const {
+    ContactRow row{c.i, c.j, name_of(c.kind), Of::place(members_[c.i], members_[c.j])};
+    row.properties = {{"names", {file_.names[c.i], file_.names[c.j]}},
+                      {"lines", {std::to_string(file_.lines[c.i]), std::to_string(file_.lines[c.j])}, false}};
+    if (!file_.groups.empty()) {
+      row.properties.push_back({"groups", {file_.groups[file_.group[c.i]], file_.groups[file_.group[c.j]]}});
+    }
+    return row;
+  }
+
+  std::string picture(const Result& result, const std::vector<Contact>& contacts) const {
+    std::vector<Point2> seen;
+    for (const Box2& box : boxes_of(members_)) seen.insert(seen.end(), {box.low, box.high});
+    return picture_of_members(
+        call_, result, contacts, seen, size(), "", [this](std::uint32_t i) { return file_.names[i]; },
+        [this](PlanePicture& drawing, std::uint32_t i, Ink ink) { Of::draw(drawing, members_[i], ink); },
+        [](PlanePicture&, const Contact&) {});
+  }
+
+  static auto methods() {
+    if constexpr (requires { Of::all_methods; }) {
+      return Of::all_methods;
+    } else {
+      using Method = Cost(const Members&, const SetOptions&, const ContactVisitor<Members>&);
+      return std::array<Named<Method>, 2>{
+          {{"automatic", contacts_visit<Members>}, {"scan", contacts_visit_by_scan<Members>}}};
+    }
+  }
+
+ private:
+  static Allowed allowed(const std::string& name) {
+    if (name == "nothing") return Allowed::nothing;
+    if (name == "touch") return Allowed::touch;
+    throw Error(ErrorCode::bad_call,
+                fmt::format("there is nothing named {} to allow; there are nothing, touch", io::quote(name)),
+                "--allow");
+  }
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(members_.size()); }
+
+  AnyAnswer<Contact> any(const SetOptions& options) const {
+    if constexpr (requires { Of::any_methods; }) {
+      return method_by(call_.method, Of::any_methods)(members_, options);
+    } else {
+      return first_of<Contact>([&](const ContactVisitor<Members>& visit) {
+        return method_by(call_.method, methods())(members_, options, visit);
+      });
+    }
+  }
+
+  void write_statements(ClaimsWriter& claims, const Result& result) const {
+    const CoverQuestion<Members> question{members_, options_.allowed, options_.groups};
+    if (call_.lists()) {
+      write_list_statement(claims, question, [&](const std::function<void(const Contact&)>& take) {
+        result.visit([&](const Contact& contact) {
+          take(contact);
+          return true;
+        });
+      });
+    } else if (call_.count) {
+      write_count_statement(claims, question, result.pairs());
+    } else {
+      AnyAnswer<Contact> answer;
+      result.visit([&](const Contact& contact) {
+        answer.found = contact;
+        return false;
+      });
+      write_statement(claims, question, answer);
+    }
+  }
+
+  const Call& call_;
+  Origin origin_;
+  MembersFile<Members> file_;
+  const Members& members_;
+  SetOptions options_;
+};
+
+template <class Of>
+Verb members_verb() {
+  std::string methods;
+  for (const auto& method : MembersSet<Of>::methods())
+    methods += fmt::format("{}{}", methods.empty() ? "" : ", ", method.name);
+  const std::string members(Of::verb);
+  return set_verb<MembersSet<Of>>(
+      std::make_shared<SetCall>(),
+      {members, Of::about_verb, Of::file_help, members, "nothing, or touch",
+       members + " that are the same in this may meet: a column of the CSV",
+       fmt::format("the column that names {}; unless given, name, NAME, id", members), methods});
+}
+
+}  // namespace sunder::ask

@@ -1,0 +1,307 @@
+// A question about the members of a set, as a verb: do any two meet, which do, how many? What is the same for all sets:
+// the call, its options, and the one pass over the contacts that feeds text, reports, maps, tables and pictures.
+//
+// What is a set's own is a class, here Set:
+//   Set::Call, Set::Contact, Set::Kind   SetCall or what derives from it; what a contact is; its kinds, an enum
+//   Set::verb, Set::noun, Set::kinds     "circles", "circle", all kinds but none, the strongest first
+//   static check(call)                   what can be told before a file is read; throws Error
+//   Set(call)                            reads; throws Error
+//   drawn(), drawn_noun                  how many things a picture shows
+//   ask(result)                          answers
+//   proofs(result)                       the certificates, where one is asked for
+//   origin()                             what these are made of
+//   head()                               for people: the lines before the verdict
+//   said_of(), rules(), clause()         within the verdict: " of the centre lines", what may meet, what it is not
+//   about text(contact), tail(result)          a contact, after its number; what stands after the contacts
+//   add_head(report), add_tail(report)   to a report in JSON
+//   kind_of(contact), row(contact)       to all lists
+//   picture(title, result, contacts)     an SVG
+#pragma once
+
+#include <sunder/ask/list_stream.h>
+#include <sunder/ask/report.h>
+#include <sunder/ask/set/contact_row.h>
+#include <sunder/ask/verb.h>
+#include <sunder/picture/plane_picture.h>
+
+#include <sunder/certificate/claims.h>
+#include <sunder/io/file.h>
+#include <sunder/near/contacts_in_order.h>
+#include <sunder/near/set_question.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace sunder::ask {
+
+using picture::Ink;
+using picture::PlanePicture;
+
+struct SetCall {
+  std::vector<std::string> files;
+  bool any = false, all = false, count = false;  // at most one; none: any
+  std::string allow = "nothing";
+  std::string method = "automatic";
+  std::string group, name, certificate, csv, geojson, svg, title;
+  std::uint64_t svg_limit = most_drawn;
+  bool leave_out = false, drop_z = false, json = false;
+
+  // A picture, a map and a table show all.
+  bool lists() const { return all || !csv.empty() || !geojson.empty() || !svg.empty(); }
+  bool counts() const { return lists() || count; }
+  bool proves() const { return !certificate.empty(); }
+};
+
+// Help of the options, where it differs.
+struct SetHelp {
+  std::string verb, about, file, noun;  // noun: "circles"
+  std::string allow, group, name, method;
+  int most_files = 1;
+};
+std::vector<Option> set_options(SetCall& call, const SetHelp& help);
+void add_file_options(Verb& verb, SetCall& call);  // of files of features: --leave-out, --drop-z
+
+// A method by its name. Throws Error bad_call that lists all, and what they are for.
+template <class Method>
+struct Named {
+  std::string_view name;
+  Method* method;
+};
+template <class Methods>
+auto* method_by(std::string_view name, const Methods& methods, std::string_view what_for = "") {
+  std::string known;
+  for (const auto& m : methods) {
+    if (m.name == name) return m.method;
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", m.name);
+  }
+  refuse_method(name, known.append(what_for));
+}
+
+// A certificate: the file's name, and what writes its statements.
+struct Proof {
+  std::string path;
+  std::function<void(ClaimsWriter&)> write;
+};
+void write_proof(const Proof& proof, const Origin& origin);
+
+template <class Set>
+struct SetResult {
+  using Contact = typename Set::Contact;
+  using Visitor = std::function<bool(const Contact&)>;
+  using Contacts = ContactsInOrder<Contact>;
+
+  std::function<void(const Visitor&)> visit = [](const Visitor&) {};  // by i, then j; with --any at most one
+  std::array<std::uint64_t, Set::kinds.size()> count{};               // of contacts, by kind
+  std::vector<std::string> proofs;                                    // files written
+  Cost cost;
+
+  void add(typename Set::Kind kind) {
+    ++count.at(static_cast<std::size_t>(std::find(Set::kinds.begin(), Set::kinds.end(), kind) - Set::kinds.begin()));
+  }
+  std::uint64_t pairs() const {
+    std::uint64_t sum = 0;
+    for (const std::uint64_t number : count) sum += number;
+    return sum;
+  }
+  bool some() const { return pairs() > 0; }
+
+  void hold(std::vector<Contact> contacts) { hold(std::make_shared<Contacts>(std::move(contacts))); }
+  void hold(std::shared_ptr<Contacts> contacts) {
+    visit = [contacts](const Visitor& visitor) { contacts->visit(visitor); };
+  }
+
+  // With --any.
+  void found(const std::optional<Contact>& contact) {
+    if (!contact) return;
+    add(Set::kind_of(*contact));
+    visit = [one = *contact](const Visitor& visitor) { visitor(one); };
+  }
+
+  // With --count, and where a list is wanted: it stays in memory, or is asked for again, block by block. Then what
+  // ask_block has by reference must stay. ask_block(block, take): Cost.
+  template <class AskBlock>
+  void count_and_list(std::uint32_t size, bool lists, const AskBlock& ask_block) {
+    const auto first = [this, ask_block](const Block& block, const typename Contacts::Take& take) {
+      cost = ask_block(block, [&](const Contact& c) {
+        add(Set::kind_of(c));
+        if (take) take(c);
+      });
+    };
+    if (!lists) return first({0, size}, nullptr);
+    auto is_first = std::make_shared<bool>(true);
+    hold(
+        std::make_shared<Contacts>(size, most_held(size), [=](const Block& block, const typename Contacts::Take& take) {
+          if (std::exchange(*is_first, false)) return first(block, take);
+          ask_block(block, take);
+        }));
+  }
+};
+
+// "74 overlapping, 12 inside"
+template <class Set>
+std::string counts_text(const SetResult<Set>& result) {
+  std::string text;
+  for (std::size_t k = 0; k < result.count.size(); ++k) {
+    if (result.count.at(k) == 0) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", result.count.at(k), name_of(Set::kinds.at(k)));
+  }
+  return text;
+}
+
+// "some meet (touch allowed): 2 pairs: 2 touching"
+template <class Set>
+std::string verdict_text(const SetCall& call, const Set& set, const SetResult<Set>& result) {
+  std::vector<std::string> rules = set.rules();
+  if (call.allow != "nothing") rules.insert(rules.begin(), call.allow + " allowed");
+  std::string text = fmt::format("{}{} meet", result.some() ? "some" : "none", set.said_of());
+  for (std::size_t k = 0; k < rules.size(); ++k) text += (k == 0 ? " (" : "; ") + rules[k];
+  if (!rules.empty()) text += ')';
+  if (result.some() && call.counts()) {
+    text += fmt::format(": {}: {}", count_of(result.pairs(), "pair"), counts_text(result));
+  }
+  return text + set.clause() + '\n';
+}
+
+// "  proof       proof.json", where there is such a file.
+std::string file_line(std::string_view what, const std::string& file);
+
+// listed: the first of the contacts.
+template <class Set>
+std::string human_text(const SetCall& call, const Set& set, const SetResult<Set>& result,
+                       const std::vector<typename Set::Contact>& listed) {
+  std::string text = set.head() + verdict_text(call, set, result);
+  for (std::size_t k = 0; k < listed.size(); ++k) {
+    text += fmt::format("{} {}", call.lists() ? fmt::format("  {}.", k + 1) : " ", set.text(listed[k]));
+  }
+  if (call.lists() && result.pairs() > listed.size()) {
+    text += fmt::format("  and {} more; --json, --csv, --geojson or --svg have all\n", result.pairs() - listed.size());
+  }
+  text += set.tail(result);
+  text += fmt::format("  cost        {}\n", count_of(result.cost.probes, "comparison"));
+  for (const std::string& proof : result.proofs) text += file_line("proof", proof);
+  return text + file_line("contacts", call.geojson) + file_line("table", call.csv) + file_line("picture", call.svg);
+}
+
+// All but the contacts.
+template <class Set>
+Json report(const SetCall& call, const Set& set, const SetResult<Set>& result) {
+  Json json = envelope(Set::verb, result.some() ? "some" : "none", call.method);
+  json["cost"] = to_json(result.cost);
+  set.add_head(json);
+  json["allowed"] = call.allow;
+  if (!call.group.empty()) json["group"] = call.group;
+  set.add_tail(json);
+  if (!call.counts()) return json;
+  json["count"] = result.pairs();
+  for (std::size_t k = 0; k < result.count.size(); ++k) {
+    json["counts"][std::string(name_of(Set::kinds.at(k)))] = result.count.at(k);
+  }
+  return json;
+}
+
+// In a picture a member has the colour of the strongest contact that it is in. Of each member a position in Set::kinds,
+// or their number: it is in none.
+template <class Set>
+std::vector<std::size_t> strongest_kinds(const std::vector<typename Set::Contact>& contacts, std::size_t size) {
+  std::vector<std::size_t> strongest(size, Set::kinds.size());
+  for (const typename Set::Contact& c : contacts) {
+    const auto kind = std::find(Set::kinds.begin(), Set::kinds.end(), Set::kind_of(c)) - Set::kinds.begin();
+    for (const std::uint32_t i : {c.i, c.j}) strongest[i] = std::min(strongest[i], static_cast<std::size_t>(kind));
+  }
+  return strongest;
+}
+
+// A picture of full members: seen, what must be on it; name(i); draw(drawing, i, ink); mark(drawing, contact), over
+// all.
+template <class Set, class Name, class Draw, class Mark>
+std::string picture_of_members(const SetCall& call, const SetResult<Set>& result,
+                               const std::vector<typename Set::Contact>& contacts, std::span<const Point2> seen,
+                               std::uint32_t size, const std::string& clause, const Name& name, const Draw& draw,
+                               const Mark& mark) {
+  constexpr std::array inks{Ink::accent, Ink::second, Ink::third, Ink::calm};
+  PlanePicture drawing(seen);
+  const std::vector<std::size_t> strongest = strongest_kinds<Set>(contacts, size);
+  for (std::size_t kind = Set::kinds.size() + 1; kind-- > 0;) {
+    for (std::uint32_t i = 0; i < size; ++i) {
+      if (strongest[i] != kind) continue;
+      drawing.named(name(i), [&] { draw(drawing, i, kind < Set::kinds.size() ? inks.at(kind) : Ink::calm); });
+    }
+  }
+  for (const typename Set::Contact& c : contacts) mark(drawing, c);
+  for (std::size_t k = 0; k < Set::kinds.size(); ++k) {
+    drawing.legend(inks.at(k), fmt::format("{} {}", name_of(Set::kinds.at(k)), result.count.at(k)));
+  }
+  drawing.legend(Ink::calm,
+                 call.allow == "nothing" && call.group.empty() ? "meets no other" : "no contact that counts");
+  return drawing.text(call.title.empty() ? fmt::format("Which of these {} meet?", Set::verb) : call.title,
+                      fmt::format("{}; {}{}", count_of(size, Set::noun),
+                                  result.some() ? count_of(result.pairs(), "pair") + " meet" : "none meet", clause));
+}
+
+// Goes through the contacts once, and writes all that was asked for.
+template <class Set>
+void write_set(const SetCall& call, const Set& set, const SetResult<Set>& result) {
+  constexpr std::size_t most_listed = 20;
+  std::optional<ContactTable> table;
+  if (!call.csv.empty()) table.emplace(call.csv);
+  std::optional<GeojsonFile> geojson;
+  if (!call.geojson.empty()) geojson.emplace(call.geojson);
+  std::optional<ListReport> json;
+  if (call.json) json.emplace(report(call, set, result), "contacts");
+  std::vector<typename Set::Contact> listed, drawn;
+  result.visit([&](const typename Set::Contact& contact) {
+    if (table || geojson || json) {
+      const ContactRow row = set.row(contact);
+      if (json) json->add(report_text(row));
+      if (geojson) geojson->add(geojson_text(row, geojson->count() + 1));
+      if (table) table->add(row);
+    }
+    if (!call.svg.empty()) drawn.push_back(contact);
+    if (listed.size() < most_listed) listed.push_back(contact);
+    return table || geojson || json || !call.svg.empty() || listed.size() < most_listed;
+  });
+  if (table) table->close();
+  if (geojson) geojson->close();
+  if (!call.svg.empty()) io::write_file_atomically(call.svg, set.picture(result, drawn));
+  json ? json->close() : print_for_people(human_text(call, set, result, listed));
+}
+
+// The verb: answers, proves, writes. Returns the exit code.
+template <class Set>
+int run_set(const typename Set::Call& call) {
+  Set::check(call);
+  Set set(call);
+  const auto require_drawable = [&](std::uint64_t contacts) {
+    if (!call.svg.empty()) ask::require_drawable(set.drawn(), Set::drawn_noun, contacts, call.svg_limit);
+  };
+  require_drawable(0);
+  SetResult<Set> result;
+  set.ask(result);
+  require_drawable(result.pairs());
+  if (call.proves()) {
+    for (const Proof& proof : set.proofs(result)) {
+      write_proof(proof, set.origin());
+      result.proofs.push_back(proof.path);
+    }
+  }
+  write_set(call, set, result);
+  return result.some() ? exit_code::yes : exit_code::no;
+}
+
+template <class Set>
+Verb set_verb(std::shared_ptr<typename Set::Call> call, const SetHelp& help) {
+  return {help.verb, help.about, codes_of_sets, set_options(*call, help), [call] { return run_set<Set>(*call); }};
+}
+
+}  // namespace sunder::ask

@@ -1,0 +1,38 @@
+// sunder boxes FILE: do any two boxes, whose sides are parallel to the axes, meet? Which? How many?
+#include <sunder/ask/set/members_set.h>
+
+#include <sunder/planar/set/boxes.h>
+
+namespace sunder::ask {
+
+namespace {
+
+struct Boxes {
+  using Members = planar::Boxes;
+  static constexpr std::string_view verb = "boxes", noun = "box";
+  static constexpr const char* about_verb =
+      "Do any two boxes of a file, whose sides are parallel to the axes, meet? Which, or a proof that none do.";
+  static constexpr const char* file_help = "boxes: CSV (x1,y1,x2,y2: opposite corners, and a name if you like)";
+
+  static MembersFile<Members> read(const SetCall& call, InputFiles* inputs) {
+    io::LineFile file = io::read_lines(call.files[0], {.group = call.group, .name = call.name, .inputs = inputs});
+    if (file.format != "CSV") io::fail_file(call.files[0], "has no boxes; give CSV, x1,y1,x2,y2");
+    std::vector<Box2> boxes;
+    for (const planar::Segment& s : file.segments) boxes.push_back(hull(Box2{s.a, s.a}, Box2{s.b, s.b}));
+    return members_of(Members(std::move(boxes)), std::move(file));
+  }
+
+  static std::string about(const Box2& b) {
+    return fmt::format("({:.10g}, {:.10g}) to ({:.10g}, {:.10g})", b.low.x, b.low.y, b.high.x, b.high.y);
+  }
+  static Point2 place(const Box2& a, const Box2& b) { return common_part(a, b).low; }
+  static void draw(PlanePicture& picture, const Box2& b, Ink ink) {
+    picture.polygon(std::array{b.low, Point2{b.high.x, b.low.y}, b.high, Point2{b.low.x, b.high.y}}, ink);
+  }
+};
+
+}  // namespace
+
+Verb boxes_verb() { return members_verb<Boxes>(); }
+
+}  // namespace sunder::ask

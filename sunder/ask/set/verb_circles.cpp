@@ -1,0 +1,48 @@
+// sunder circles FILE: do any two circles, with their insides, meet? Which? How many?
+#include <sunder/ask/set/circles_input.h>
+#include <sunder/ask/set/members_set.h>
+
+#include <sunder/planar/set/discs_all.h>
+#include <sunder/planar/set/discs_any_json.h>
+
+namespace sunder::ask {
+
+namespace {
+
+using planar::Discs;
+
+using AnyMethod = planar::DiscsAnswer(const Discs&, const SetOptions&);
+
+struct Circles {
+  using Members = Discs;
+  static constexpr std::string_view verb = "circles", noun = "circle";
+  static constexpr const char* about_verb =
+      "Do any two circles of a file, with their insides, meet? Which, or a proof that none do.";
+  static constexpr const char* file_help = "circles: CSV (x,y,r, and a name if you like)";
+  static constexpr std::array<Named<AnyMethod>, 4> any_methods{{{"automatic", planar::discs_any},
+                                                                {"grid", planar::discs_any_by_grid},
+                                                                {"sweep", planar::discs_any_by_sweep},
+                                                                {"scan", planar::discs_any_by_scan}}};
+  static constexpr std::array<Named<planar::DiscsMethod>, 4> all_methods{{{"automatic", planar::discs_visit},
+                                                                          {"grid", planar::discs_all_by_grid},
+                                                                          {"sweep", planar::discs_all_by_sweep},
+                                                                          {"scan", planar::discs_all_by_scan}}};
+
+  static MembersFile<Discs> read(const SetCall& call, InputFiles* inputs) {
+    auto [file, circles] = read_circles(call.files[0], call.group, call.name, inputs);
+    return {std::move(circles), std::move(file.name), std::move(file.line), std::move(file.group),
+            std::move(file.groups)};
+  }
+
+  static std::string about(const Disc& c) {
+    return fmt::format("centre ({:.10g}, {:.10g}), radius {:.10g}", c.center.x, c.center.y, c.radius);
+  }
+  static Point2 place(const Disc& c, const Disc& d) { return planar::common_point_rounded(c, d); }
+  static void draw(PlanePicture& picture, const Disc& c, Ink ink) { picture.circle(c, ink); }
+};
+
+}  // namespace
+
+Verb circles_verb() { return members_verb<Circles>(); }
+
+}  // namespace sunder::ask

@@ -1,0 +1,317 @@
+// sunder polygons FILE: do any two polygons meet? Which? How many?
+#include <sunder/ask/left_out.h>
+#include <sunder/ask/progress.h>
+#include <sunder/ask/set/polygons_input.h>
+#include <sunder/ask/set/set_verb.h>
+
+#include <sunder/base/error.h>
+#include <sunder/io/text.h>
+#include <sunder/planar/set/polygon_contacts_in_order.h>
+#include <sunder/planar/set/polygons_all.h>
+#include <sunder/planar/set/polygons_json.h>
+
+#include <fmt/ranges.h>
+
+namespace sunder::ask {
+
+namespace {
+
+using planar::Polygon;
+using planar::PolygonsContact;
+
+struct Call : SetCall {
+  bool skip_invalid = false, mend = false, self_touch = false;
+};
+
+using AnyMethod = planar::PolygonsAnswer(std::span<const Polygon>, const SetOptions&);
+constexpr std::array<Named<AnyMethod>, 5> any_methods{{{"automatic", planar::polygons_any},
+                                                       {"boxes", planar::polygons_any_by_boxes},
+                                                       {"grid", planar::polygons_any_by_grid},
+                                                       {"sweep", planar::polygons_any_by_sweep},
+                                                       {"scan", planar::polygons_any_by_scan}}};
+constexpr std::array<Named<planar::PolygonsFinder>, 5> finders{{{"automatic", planar::find_contacts_by_boxes},
+                                                                {"boxes", planar::find_contacts_by_boxes},
+                                                                {"grid", planar::find_contacts_by_grid},
+                                                                {"sweep", planar::find_contacts_by_sweep},
+                                                                {"scan", planar::find_contacts_by_scan}}};
+
+constexpr std::uint64_t most_proved = 10'000'000;  // pairs, and numbers of a sweep
+
+[[noreturn]] void refuse_proof(const PolygonsInput& input, const std::string& what, std::uint64_t numbers) {
+  const std::size_t digits = std::to_string(input.edges()).size();
+  throw Error(ErrorCode::bad_call,
+              fmt::format("{}, and the proof would have {:.1f} GB or more; leave it out, or ask about less", what,
+                          static_cast<double>(numbers * (digits + 1)) / 1e9),
+              "--certificate");
+}
+
+// The sweep that proves all answers but `some`.
+planar::SweepEvents sweep_of(const PolygonsInput& input, std::uint64_t pairs) {
+  if (pairs > most_proved) {
+    refuse_proof(input, fmt::format("{} pairs meet, more than {}", pairs, most_proved), 2 * pairs);
+  }
+  Progress progress("proving");
+  const std::uint64_t most = std::max(most_proved, 8 * input.edges());  // six for an edge, where none cross
+  std::optional<planar::SweepEvents> events = planar::polygon_events(input.polygons, most);
+  if (!events) refuse_proof(input, "edges cross, so that their sweep is long", most);
+  return std::move(*events);
+}
+
+// A point that shows the contact, and in words what it is.
+Point2 place_of(const PolygonsInput& input, const PolygonsContact& c) {
+  if (c.kind == planar::ContactKind::none)
+    return input.polygons[c.i_inside ? c.i : c.j].vertices()[c.i_inside ? c.of_i : c.of_j];
+  return planar::common_point_rounded(planar::sorted(input.polygons[c.i].edge(c.of_i)),
+                                      planar::sorted(input.polygons[c.j].edge(c.of_j)));
+}
+
+std::string shown_by(const PolygonsContact& c) {
+  if (c.kind == planar::ContactKind::none) return "a vertex inside";
+  switch (c.kind) {
+    case planar::ContactKind::shared_endpoint: return "a vertex of both";
+    case planar::ContactKind::touch: return "a vertex on an edge";
+    case planar::ContactKind::crossing: return "edges that cross";
+    default: return "a common border";
+  }
+}
+
+// The part of polygon i that the contact shows, counted from 0; null where it shows none: of the one that a vertex of
+// the other is inside of.
+Json part_of(const PolygonsInput& input, const PolygonsContact& c, bool of_i) {
+  if (c.kind == planar::ContactKind::none && c.i_inside != of_i) return nullptr;
+  const std::uint32_t polygon = of_i ? c.i : c.j;
+  const std::vector<std::uint32_t>& part = input.source[polygon].part_of_ring;
+  return part.empty() ? 0 : part[input.polygons[polygon].ring_of(of_i ? c.of_i : c.of_j)];
+}
+
+// Requires that a group was asked for.
+const std::string& group_of(const PolygonsInput& input, std::uint32_t polygon) {
+  return input.files.front().groups[input.groups[polygon]];
+}
+
+std::string about(const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); }
+
+PolygonsRequest request_of(const Call& call) {
+  PolygonsRequest request;
+  request.files = call.files;
+  request.drop_z = call.drop_z;
+  request.leave_out = call.leave_out;
+  request.skip_invalid = call.skip_invalid;
+  request.mend = call.mend;
+  request.rule = call.self_touch ? planar::PolygonRule::self_touch : planar::PolygonRule::valid;
+  request.group = call.group;
+  request.name = call.name;
+  request.tell_inputs = call.proves();
+  return request;
+}
+
+class PolygonsSet {
+ public:
+  using Call = ask::Call;
+  using Contact = PolygonsContact;
+  using Kind = sunder::Contact;
+  using Result = SetResult<PolygonsSet>;
+  static constexpr std::string_view verb = "polygons", noun = "polygon", drawn_noun = "edge";
+  static constexpr std::array kinds{sunder::Contact::overlapping, sunder::Contact::touching};
+
+  static void check(const Call& call) {
+    method_by(call.method, any_methods);
+    allowed_by(call.allow);
+    if (call.files.size() > 2) {
+      throw Error(ErrorCode::bad_call, "three files or more; give one, or two to ask for pairs across them", "FILE");
+    }
+    if (call.proves() && call.method == "scan") {
+      throw Error(ErrorCode::bad_call, "scan writes no certificates; give automatic or sweep", "--method");
+    }
+  }
+
+  explicit PolygonsSet(const Call& call) : call_(call), input_(read_polygons(request_of(call))) {
+    options_.allowed = allowed_by(call.allow);
+    options_.groups = input_.groups;
+  }
+
+  std::uint64_t drawn() const { return input_.edges(); }
+
+  void ask(Result& result) const {
+    Progress progress("comparing");
+    SetOptions options = options_;
+    options.progress = progress.reporter();
+    if (!call_.counts()) {
+      const planar::PolygonsAnswer answer = method_by(call_.method, any_methods)(input_.polygons, options);
+      result.cost = answer.cost;
+      return result.found(answer.found);
+    }
+    if (!call_.lists() && call_.method == "automatic") {
+      const planar::PolygonsCountAnswer answer = planar::polygons_count(input_.polygons, options);
+      result.count = {answer.overlapping, answer.touching};
+      result.cost = answer.cost;
+      return;
+    }
+    const auto contacts =
+        std::make_shared<planar::PolygonContactsInOrder>(input_.polygons, options, method_by(call_.method, finders));
+    result.count = {contacts->overlapping(), contacts->touching()};
+    result.cost = contacts->cost();
+    if (call_.lists()) result.visit = [contacts](const Result::Visitor& visitor) { contacts->visit(visitor); };
+  }
+
+  std::vector<Proof> proofs(const Result& result) const {
+    const bool is_some = !call_.counts() && result.some();
+    planar::SweepEvents events = is_some ? planar::SweepEvents() : sweep_of(input_, result.pairs());
+    const auto write = [this, &result, is_some,
+                        kept = std::make_shared<const planar::SweepEvents>(std::move(events))](ClaimsWriter& claims) {
+      const planar::PolygonsAsked asked{input_.polygons, options_.allowed, options_.groups};
+      const auto take_pairs = [&](const auto& take) {
+        result.visit([&](const PolygonsContact& c) {
+          take(c.i, c.j);
+          return true;
+        });
+      };
+      if (is_some) {
+        result.visit([&](const PolygonsContact& c) {
+          write_some(claims, asked, c);
+          return true;
+        });
+      } else if (call_.lists()) {
+        write_these(claims, asked, *kept, take_pairs);
+      } else if (call_.count) {
+        write_count(claims, asked, *kept, result.pairs());
+      } else {
+        write_none(claims, asked, *kept);
+      }
+    };
+    return {{call_.certificate, write}};
+  }
+  Origin origin() const { return input_.origin(); }
+
+  std::string head() const {
+    std::string text;
+    for (std::uint32_t f = 0; f < input_.files.size(); ++f) {
+      const auto [polygons, edges] = sizes(f);
+      text += fmt::format("{}: {}, {}, {}\n", io::one_line(input_.names[f]), count_of(polygons, "polygon"),
+                          count_of(edges, "edge"), input_.files[f].format);
+    }
+    if (!grouped()) return text;
+    text.pop_back();
+    return text + fmt::format(", {}\n", count_of(input_.files.front().groups.size(), "group"));
+  }
+  std::string said_of() const { return ""; }
+  std::vector<std::string> rules() const {
+    if (input_.files.size() > 1) return {"those of one file may meet"};
+    if (grouped()) return {fmt::format("those of one {} may meet", call_.group)};
+    return {};
+  }
+  std::string clause() const {
+    const std::string without = input_.left_out_words();
+    if (without.empty()) return "";
+    return fmt::format(", said of the {} only: {}", count_of(input_.polygons.size(), "feature"), without);
+  }
+  std::string text(const PolygonsContact& c) const {
+    return fmt::format("{}: {} and {}: {} at about {}\n", name_of(c.contact), polygon_text(c, true),
+                       polygon_text(c, false), shown_by(c), about(place_of(input_, c)));
+  }
+  std::string tail(const Result&) const { return input_.tell(); }
+
+  void add_head(Json& json) const {
+    json["objects"] = Json::array();
+    for (std::uint32_t f = 0; f < input_.files.size(); ++f) {
+      const auto [polygons, edges] = sizes(f);
+      json["objects"].push_back({{"file", io::one_line(input_.names[f])},
+                                 {"format", input_.files[f].format},
+                                 {"features", input_.files[f].features.size()},
+                                 {"polygons", polygons},
+                                 {"edges", edges}});
+    }
+  }
+  void add_tail(Json& json) const { input_.tell(json); }
+
+  static sunder::Contact kind_of(const PolygonsContact& c) { return c.contact; }
+
+  ContactRow row(const PolygonsContact& c) const {
+    const PolygonSource &i = input_.source[c.i], &j = input_.source[c.j];
+    ContactRow row{i.feature, j.feature, name_of(c.contact), place_of(input_, c)};
+    const auto add = [&](std::string_view key, const auto& of_i, const auto& of_j) {
+      row.properties.push_back({key, {fmt::format("{}", of_i), fmt::format("{}", of_j)}, false});
+    };
+    if (input_.files.size() > 1) add("files", i.file, j.file);
+    row.properties.push_back({"shown_by", {shown_by(c)}});
+    row.properties.push_back({"names", {input_.name(c.i), input_.name(c.j)}});
+    add("parts", part_of(input_, c, true).dump(), part_of(input_, c, false).dump());
+    if (i.line > 0) add("lines", i.line, j.line);
+    if (grouped()) row.properties.push_back({"groups", {group_of(input_, c.i), group_of(input_, c.j)}});
+    return row;
+  }
+
+  std::string picture(const Result& result, const std::vector<PolygonsContact>& contacts) const {
+    std::vector<Point2> seen;
+    for (const Polygon& polygon : input_.polygons) {
+      seen.insert(seen.end(), polygon.vertices().begin(), polygon.vertices().end());
+    }
+    const std::string without = input_.left_out_words();
+    return picture_of_members(
+        call_, result, contacts, seen, static_cast<std::uint32_t>(input_.polygons.size()),
+        without.empty() ? "" : "; " + without, [this](std::uint32_t i) { return input_.name(i); },
+        [this](PlanePicture& drawing, std::uint32_t i, Ink ink) { draw(drawing, input_.polygons[i], ink); },
+        [this](PlanePicture& drawing, const PolygonsContact& c) {
+          if (c.contact == sunder::Contact::overlapping) drawing.dot(place_of(input_, c), Ink::accent);
+        });
+  }
+
+ private:
+  bool grouped() const { return !call_.group.empty(); }
+
+  // Of a file: polygons, edges.
+  std::array<std::uint64_t, 2> sizes(std::uint32_t file) const {
+    std::array<std::uint64_t, 2> sum{};
+    for (std::size_t k = 0; k < input_.polygons.size(); ++k) {
+      if (input_.source[k].file != file) continue;
+      ++sum[0];
+      sum[1] += input_.polygons[k].size();
+    }
+    return sum;
+  }
+
+  // "Chad of farms, part 2 (a.wkt, line 7)"
+  std::string polygon_text(const PolygonsContact& c, bool of_i) const {
+    const std::uint32_t i = of_i ? c.i : c.j, line = input_.line(i);
+    std::string text = input_.name(i);
+    if (grouped()) text += fmt::format(" of {}", group_of(input_, i));
+    const Json part = part_of(input_, c, of_i);
+    if (!input_.source[i].part_of_ring.empty() && !part.is_null()) text += fmt::format(", part {}", part.dump());
+    std::vector<std::string> place;
+    if (input_.files.size() > 1) place.push_back(io::one_line(input_.names[input_.source[i].file]));
+    if (line > 0) place.push_back(fmt::format("line {}", line));
+    return place.empty() ? text : fmt::format("{} ({})", text, fmt::join(place, ", "));
+  }
+
+  static void draw(PlanePicture& drawing, const Polygon& polygon, Ink ink) {
+    std::vector<std::vector<Point2>> rings;
+    for (std::uint32_t r = 0; r < polygon.ring_count(); ++r) {
+      rings.emplace_back(polygon.vertices().begin() + polygon.ring_begin(r),
+                         polygon.vertices().begin() + polygon.ring_begin(r + 1));
+    }
+    drawing.polygon(rings, ink);
+  }
+
+  const Call& call_;
+  PolygonsInput input_;
+  SetOptions options_;
+};
+
+}  // namespace
+
+Verb polygons_verb() {
+  const auto call = std::make_shared<Call>();
+  Verb verb = set_verb<PolygonsSet>(
+      call,
+      {"polygons", "Do any two polygons of a file, with their insides, meet? Which? Touching and overlapping apart.",
+       "polygons, with holes and parts: WKT, GeoJSON; of two files, pairs across them", "polygons",
+       "nothing, shared-endpoint, or touch", "features that are the same in this may meet: a property of the GeoJSON",
+       name_help, "automatic, boxes, grid, sweep, or scan", 0});
+  add_file_options(verb, *call);
+  verb.options.push_back({"--skip-invalid", &call->skip_invalid, skip_invalid_help});
+  verb.options.push_back({"--self-touch", &call->self_touch, "take rings that touch themselves in points"});
+  verb.options.push_back({"--mend", &call->mend, mend_help});
+  return verb;
+}
+
+}  // namespace sunder::ask

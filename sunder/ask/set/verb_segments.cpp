@@ -1,0 +1,453 @@
+// sunder segments FILE: do any two segments meet? Which? How many?
+#include <sunder/ask/left_out.h>
+#include <sunder/ask/outputs.h>
+#include <sunder/ask/progress.h>
+#include <sunder/ask/set/set_verb.h>
+#include <sunder/picture/segments_picture.h>
+
+#include <sunder/base/error.h>
+#include <sunder/certificate/origin.h>
+#include <sunder/io/lines.h>
+#include <sunder/io/text.h>
+#include <sunder/planar/set/segments_all.h>
+#include <sunder/planar/set/segments_json.h>
+
+#include <fmt/ranges.h>
+
+#include <filesystem>
+
+namespace sunder::ask {
+
+namespace {
+
+using planar::ContactKind;
+using planar::Segment;
+using planar::Segments;
+using planar::SegmentsAnswer;
+using planar::SegmentsContact;
+
+struct Call : SetCall {
+  std::string layer;
+  bool across_layers = false, centre_lines = false;
+};
+
+// What is asked about together: all of a file, or one layer of it.
+struct Sheet {
+  std::vector<std::uint32_t> members;  // segments of the file
+  Segments segments;
+  std::vector<std::uint32_t> groups;
+  std::string layer;  // where it is one of several sheets, its name as it stands in those of files
+};
+
+constexpr std::uint64_t most_proved = 10'000'000;  // pairs that a proof tells of
+
+using AnyMethod = SegmentsAnswer(const Segments&, const SetOptions&);
+constexpr std::array<Named<AnyMethod>, 5> any_methods{{{"automatic", planar::segments_any},
+                                                       {"grid", planar::segments_any_by_grid},
+                                                       {"sweep", planar::segments_any_by_sweep},
+                                                       {"bentley-ottmann", planar::segments_any_by_bentley_ottmann},
+                                                       {"scan", planar::segments_any_by_scan}}};
+constexpr std::array<Named<planar::SegmentsMethod>, 5> all_methods{
+    {{"automatic", planar::segments_visit},
+     {"grid", planar::segments_all_by_grid},
+     {"bentley-ottmann", planar::segments_all_by_bentley_ottmann},
+     {"balaban", planar::segments_all_by_balaban},
+     {"scan", planar::segments_all_by_scan}}};
+planar::SegmentsMethod* contact_method(const std::string& name) {
+  return method_by(name, all_methods, " (for lists and counts)");
+}
+
+// The name as a part of a file's name, other than those of the sheets: "F.Cu", "top_copper", "top_copper-2".
+std::string layer_in_files(const std::string& layer, const std::vector<Sheet>& sheets) {
+  std::string plain = layer;
+  for (char& c : plain) {
+    const bool is_kept = ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '.' ||
+                         c == '-' || static_cast<unsigned char>(c) > 127;
+    if (!is_kept) c = '_';
+  }
+  std::string name = plain;
+  const auto is_taken = [&](const Sheet& sheet) { return sheet.layer == name; };
+  for (int number = 2; std::any_of(sheets.begin(), sheets.end(), is_taken); ++number) {
+    name = fmt::format("{}-{}", plain, number);
+  }
+  return name;
+}
+
+// The layers that are asked about, each a sheet; or one sheet of all.
+std::vector<Sheet> sheets_of(const Call& call, const io::LineFile& file) {
+  const bool has_layers = !file.layers.empty();
+  if (!has_layers && (!call.layer.empty() || call.across_layers)) {
+    throw Error(ErrorCode::bad_call, fmt::format("{} has no layers; leave it out", call.files[0]),
+                call.layer.empty() ? "--across-layers" : "--layer");
+  }
+  std::vector<std::vector<std::uint32_t>> members(has_layers && !call.across_layers ? file.layers.size() : 1);
+  for (std::uint32_t i = 0; i < file.segments.size(); ++i) {
+    if (!call.layer.empty() && file.layers[file.layer[i]] != call.layer) continue;
+    members[members.size() > 1 ? file.layer[i] : 0].push_back(i);
+  }
+  std::vector<Sheet> sheets;
+  for (std::vector<std::uint32_t>& m : members) {
+    if (m.empty()) continue;
+    std::vector<Segment> segments;
+    std::vector<std::uint32_t> groups;
+    segments.reserve(m.size());
+    for (const std::uint32_t i : m) {
+      segments.push_back(file.segments[i]);
+      if (!file.group.empty()) groups.push_back(file.group[i]);
+    }
+    const bool is_one_of_several = members.size() > 1 && call.layer.empty();
+    const std::string layer = is_one_of_several ? layer_in_files(file.layers[file.layer[m[0]]], sheets) : "";
+    sheets.push_back({std::move(m), Segments(std::move(segments)), std::move(groups), layer});
+  }
+  if (sheets.empty()) {
+    throw Error(
+        ErrorCode::bad_call,
+        fmt::format("no segment is on a layer {}; layers are {}", io::quote(call.layer), fmt::join(file.layers, ", ")),
+        "--layer");
+  }
+  return sheets;
+}
+
+bool is_board(const io::LineFile& file) { return file.format == "KiCad board"; }
+
+// Tracks are copper, and there is more copper than tracks: their lines are asked about by those who say so.
+void check_centre_lines(const Call& call, const io::LineFile& file) {
+  if (is_board(file) == call.centre_lines) return;
+  if (call.centre_lines) throw Error(ErrorCode::bad_call, "is for boards; leave it out", "--centre-lines");
+  io::fail_file(call.files[0], fmt::format("copper is not read ({}); to ask about the tracks' centre lines alone, say "
+                                           "--centre-lines",
+                                           fmt::join(file.remarks, "; ")));
+}
+
+LeftOutList left_out_of(const io::LineFile& file) {
+  LeftOutList list(true);  // the reader refuses what the caller does not let go
+  list.add("", file.left_out, "");
+  return list;
+}
+
+// What the certificate does not speak of.
+std::vector<std::string> left_out_texts(const io::LineFile& file) {
+  if (!is_board(file)) return left_out_of(file).texts();
+  return {fmt::format("copper, but for the centre lines of tracks: {}", fmt::join(file.remarks, "; "))};
+}
+
+// "proof.json", or of a layer among others "proof.F.Cu.json".
+std::filesystem::path certificate_of(const Call& call, const Sheet& sheet) {
+  std::filesystem::path path = call.certificate;
+  if (sheet.layer.empty()) return path;
+  const std::string ending = path.extension().string();
+  return path.replace_extension("." + sheet.layer + ending);
+}
+
+// The names of certificates are known by now.
+void require_apart(const Call& call, const std::vector<Sheet>& sheets) {
+  std::vector<NamedFile> outputs;
+  if (call.certificate == "-" && !sheets[0].layer.empty()) {
+    throw Error(ErrorCode::bad_call,
+                "each layer has a proof of its own, and standard output takes one; add --layer NAME or --across-layers",
+                "--certificate");
+  }
+  if (!call.csv.empty()) outputs.push_back({"--csv", call.csv});
+  if (!call.geojson.empty()) outputs.push_back({"--geojson", call.geojson});
+  if (!call.svg.empty()) outputs.push_back({"--svg", call.svg});
+  for (const Sheet& sheet : sheets) {
+    if (!call.certificate.empty()) outputs.push_back({"--certificate", certificate_of(call, sheet)});
+  }
+  ask::require_apart({{"", call.files[0]}}, outputs);
+}
+
+SegmentsContact in_file(const Sheet& sheet, const SegmentsContact& c) {
+  return {sheet.members[c.i], sheet.members[c.j], c.kind};  // members rise, so i < j stays
+}
+
+// The numbers in the sheet of those in the file.
+Block in_sheet(const Sheet& sheet, const Block& block) {
+  const auto number = [&](std::uint32_t i) {
+    return static_cast<std::uint32_t>(std::lower_bound(sheet.members.begin(), sheet.members.end(), i) -
+                                      sheet.members.begin());
+  };
+  return {number(block.first), number(block.last)};
+}
+
+// A proof of a list, or of its length, has an event for each place where some meet.
+void require_provable(const Sheet& sheet, SetOptions options) {
+  options.transcript = false;
+  const std::uint64_t count = planar::segments_count(sheet.segments, options).count;
+  if (count <= most_proved) return;
+  const std::size_t digits = std::to_string(sheet.segments.size()).size();
+  const double gigabytes = static_cast<double>(count) * static_cast<double>(5 * digits + 30) / 1e9;
+  throw Error(ErrorCode::bad_call,
+              fmt::format("{} pairs meet, and the proof would have about {:.1f} GB; of more than {} pairs none is "
+                          "written; leave it out, or ask about less",
+                          count, gigabytes, most_proved),
+              "--certificate");
+}
+
+Point2 place_of(const io::LineFile& file, const SegmentsContact& contact) {
+  return planar::common_point_rounded(planar::sorted(file.segments[contact.i]),
+                                      planar::sorted(file.segments[contact.j]));
+}
+
+std::string source_of(const io::LineFile& file, std::uint32_t i) {
+  const io::LineSource& source = file.source[i];
+  std::string place = fmt::format("feature {}", file.features[source.feature]);
+  if (!file.layers.empty()) place += fmt::format(", layer {}", file.layers[file.layer[i]]);
+  if (source.line > 0) place += fmt::format(", line {}", source.line);
+  return place;
+}
+
+io::LineFile read(const Call& call, InputFiles* inputs) {
+  Progress progress("reading");
+  io::LineOptions options;
+  options.drop_z = call.drop_z;
+  options.leave_out = call.leave_out;
+  options.group = call.group;
+  options.name = call.name;
+  options.progress = progress.reporter();
+  options.inputs = inputs;
+  return io::read_lines(call.files[0], options);
+}
+
+std::string about(const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); }
+
+class SegmentsSet {
+ public:
+  using Call = ask::Call;
+  using Contact = SegmentsContact;
+  using Kind = ContactKind;
+  using Result = SetResult<SegmentsSet>;
+  static constexpr std::string_view verb = "segments", noun = "segment", drawn_noun = noun;
+  static constexpr std::array kinds{ContactKind::overlap, ContactKind::crossing, ContactKind::touch,
+                                    ContactKind::shared_endpoint};
+
+  static void check(const Call& call) {
+    allowed_by(call.allow);
+    if (call.counts()) {
+      contact_method(call.method);
+    } else {
+      method_by(call.method, any_methods);
+    }
+    if (!call.proves()) return;
+    if (call.counts() && call.method != "automatic" && call.method != "bentley-ottmann") {
+      throw Error(ErrorCode::bad_call, call.method + " proves no lists; give automatic or bentley-ottmann", "--method");
+    }
+    if (call.method == "scan") {
+      throw Error(ErrorCode::bad_call, "scan writes no certificates; give automatic or sweep", "--method");
+    }
+  }
+
+  explicit SegmentsSet(const Call& call) : call_(call), file_(read(call, call.proves() ? &origin_.inputs : nullptr)) {
+    check_centre_lines(call, file_);
+    sheets_ = sheets_of(call, file_);
+    require_apart(call, sheets_);
+    options_.allowed = allowed_by(call.allow);
+    options_.transcript = call.proves();
+    origin_.left_out = left_out_texts(file_);
+  }
+
+  std::uint64_t drawn() const { return file_.segments.size(); }
+
+  void ask(Result& result) {
+    if (!call_.counts()) {
+      find_any(result);
+    } else if (call_.proves()) {
+      count_and_prove(result);
+    } else {
+      const auto ask_block = [this](const Block& block, const auto& take) { return visit(block, take); };
+      result.count_and_list(static_cast<std::uint32_t>(file_.segments.size()), call_.lists(), ask_block);
+    }
+  }
+
+  std::vector<Proof> proofs(const Result&) { return std::move(proofs_); }
+  const Origin& origin() const { return origin_; }
+
+  std::string head() const {
+    std::string text =
+        fmt::format("{}: {} of {}", io::one_line(call_.files[0]), count_of(file_.segments.size(), "segment"),
+                    count_of(file_.features.size(), "feature"));
+    if (!file_.layers.empty()) text += fmt::format(", {}", count_of(file_.layers.size(), "layer"));
+    if (!file_.groups.empty()) text += fmt::format(", {}", count_of(file_.groups.size(), "group"));
+    return text + fmt::format(", {}\n", file_.format);
+  }
+  std::string said_of() const { return is_board(file_) ? " of the tracks' centre lines" : ""; }
+  std::vector<std::string> rules() const {
+    std::vector<std::string> rules;
+    if (!file_.groups.empty()) rules.push_back(fmt::format("those of one {} may meet", group()));
+    if (!call_.layer.empty()) rules.push_back("layer " + call_.layer);
+    if (!file_.layers.empty() && call_.layer.empty())
+      rules.emplace_back(call_.across_layers ? "across layers" : "each layer by itself");
+    return rules;
+  }
+  std::string clause() const { return left_out_of(file_).clause(); }
+
+  std::string text(const SegmentsContact& contact) const {
+    std::string text = fmt::format("{} at about {}\n", name_of(contact.kind), about(place_of(file_, contact)));
+    for (const std::uint32_t i : {contact.i, contact.j}) {
+      text += fmt::format("    segment {}, {}: {} to {}\n", i, source_of(file_, i), about(file_.segments[i].a),
+                          about(file_.segments[i].b));
+    }
+    return text;
+  }
+  std::string tail(const Result& result) const {
+    std::string text;
+    if (result.some() && result.count.back() == result.pairs() && (call_.lists() || !call_.count)) {
+      text = "  edges that follow each other share an end: to pass over such contacts, give --allow shared-endpoint\n";
+    }
+    for (const std::string& remark : file_.remarks) text += fmt::format("  remark      {}\n", remark);
+    return text;
+  }
+
+  void add_head(Json& json) const {
+    Json object = {{"file", call_.files[0]},
+                   {"format", file_.format},
+                   {"segments", file_.segments.size()},
+                   {"features", file_.features.size()}};
+    if (!file_.groups.empty()) object["groups"] = file_.groups.size();
+    if (!file_.layers.empty()) object["layers"] = file_.layers;
+    json["objects"] = Json::array({object});
+    json["said_of"] = is_board(file_) ? "centre lines" : "segments";
+  }
+  void add_tail(Json& json) const {
+    if (!file_.groups.empty()) json["group"] = group();
+    if (!file_.layers.empty()) json["across_layers"] = call_.across_layers;
+    if (!call_.layer.empty()) json["layer"] = call_.layer;
+    if (!file_.remarks.empty()) json["remarks"] = file_.remarks;
+    if (!file_.left_out.empty()) json["left_out"] = left_out_of(file_).json();
+  }
+
+  static ContactKind kind_of(const SegmentsContact& contact) { return contact.kind; }
+
+  ContactRow row(const SegmentsContact& c) const {
+    ContactRow row{c.i, c.j, name_of(c.kind), place_of(file_, c)};
+    if (c.kind == ContactKind::overlap) {
+      const Segment part =
+          picture::common_part(planar::sorted(file_.segments[c.i]), planar::sorted(file_.segments[c.j]));
+      row.part = {part.a, part.b};
+    }
+    const auto add = [&](std::string_view key, bool is_text, const auto& of) {
+      row.properties.push_back({key, {of(c.i), of(c.j)}, is_text});
+    };
+    add("names", true, [&](std::uint32_t i) { return file_.features[file_.source[i].feature]; });
+    add("lines", false, [&](std::uint32_t i) {
+      return file_.source[i].line > 0 ? std::to_string(file_.source[i].line) : std::string("null");
+    });
+    if (!file_.groups.empty()) add("groups", true, [&](std::uint32_t i) { return file_.groups[file_.group[i]]; });
+    if (!file_.layers.empty()) add("layers", true, [&](std::uint32_t i) { return file_.layers[file_.layer[i]]; });
+    return row;
+  }
+
+  std::string picture(const Result&, const std::vector<SegmentsContact>& contacts) const {
+    return picture::segments_svg({file_, Segments(file_.segments), contacts, call_.title, is_board(file_)});
+  }
+
+ private:
+  std::string group() const { return call_.group.empty() ? "net" : call_.group; }
+
+  // ask(options): of a sheet, with a bar of progress.
+  template <class Ask>
+  auto of_sheet(const Sheet& sheet, const Ask& ask) const {
+    Progress progress("comparing");
+    SetOptions options = options_;
+    options.progress = progress.reporter();
+    options.groups = sheet.groups;
+    return ask(options);
+  }
+
+  // Calls take for each contact whose i, in the file, the block holds.
+  template <class Take>
+  Cost visit(const Block& block, const Take& take) const {
+    Cost sum;
+    for (const Sheet& sheet : sheets_) {
+      const Cost cost = of_sheet(sheet, [&](const SetOptions& options) {
+        return segments_visit_block(sheet.segments, options, in_sheet(sheet, block), contact_method(call_.method),
+                                    [&](const SegmentsContact& c) {
+                                      take(in_file(sheet, c));
+                                      return true;
+                                    });
+      });
+      sum.probes += cost.probes;
+    }
+    return sum;
+  }
+
+  // Keeps the answer until it is written.
+  template <class Answer>
+  void prove(const Sheet& sheet, Answer answer) {
+    proofs_.push_back({certificate_of(call_, sheet).string(),
+                       [this, &sheet, kept = std::make_shared<const Answer>(std::move(answer))](ClaimsWriter& claims) {
+                         planar::write_statement(claims, sheet.segments, options_.allowed, *kept, sheet.groups);
+                       }});
+  }
+
+  // Does any pair meet? Sheet by sheet, until one does.
+  void find_any(Result& result) {
+    for (const Sheet& sheet : sheets_) {
+      SegmentsAnswer answer = of_sheet(sheet, [&](const SetOptions& options) {
+        return method_by(call_.method, any_methods)(sheet.segments, options);
+      });
+      result.cost.probes += answer.cost.probes;
+      const bool some = answer.meet();
+      if (some) result.found(in_file(sheet, *answer.found));
+      if (call_.proves()) prove(sheet, std::move(answer));
+      if (some) return;
+    }
+  }
+
+  // With --count or --all, and a proof.
+  void count_and_prove(Result& result) {
+    std::vector<SegmentsContact> all;
+    for (const Sheet& sheet : sheets_) {
+      planar::SegmentsAllAnswer answer = of_sheet(sheet, [&](const SetOptions& options) {
+        require_provable(sheet, options);
+        return planar::segments_all(sheet.segments, options);
+      });
+      result.cost.probes += answer.cost.probes;
+      for (const SegmentsContact& c : answer.contacts) {
+        result.add(c.kind);
+        if (call_.lists()) all.push_back(in_file(sheet, c));
+      }
+      if (call_.lists()) {
+        prove(sheet, std::move(answer));
+      } else {
+        prove(sheet, planar::SegmentsCountAnswer{{answer.contacts.size(), answer.cost}, std::move(answer.transcript)});
+      }
+    }
+    if (!call_.lists()) return;
+    std::sort(all.begin(), all.end());
+    result.hold(std::move(all));
+  }
+
+  const Call& call_;
+  Origin origin_;
+  io::LineFile file_;
+  std::vector<Sheet> sheets_;
+  SetOptions options_;
+  std::vector<Proof> proofs_;
+};
+
+}  // namespace
+
+Verb segments_verb() {
+  const auto call = std::make_shared<Call>();
+  Verb verb = set_verb<SegmentsSet>(
+      call,
+      {"segments", "Do any two segments of a file meet? Which, or a proof that none do.",
+       "segments, lines or polygons: CSV (x1,y1,x2,y2), WKT, GeoJSON, KiCad board", "segments",
+       "nothing, shared-endpoint, or touch",
+       "segments that are the same in this may meet and cross: feature, ring, a column of the CSV, a property of the "
+       "GeoJSON; of a board net (unless told otherwise) or layer",
+       "the column or property that names features; unless given, name, NAME, id",
+       "automatic, grid, sweep (not for lists), bentley-ottmann, balaban (for lists), or scan"});
+  add_file_options(verb, *call);
+  verb.options.push_back({"--layer", &call->layer, "of a board, this layer only", "NAME"});
+  verb.options.push_back({.name = "--across-layers",
+                          .value = &call->across_layers,
+                          .help = "of a board, tracks of different layers may meet too",
+                          .excludes = {"--layer"}});
+  verb.options.push_back(
+      {"--centre-lines", &call->centre_lines,
+       "of a board, ask about the tracks' centre lines: copper is not read, neither widths nor pads nor zones"});
+  return verb;
+}
+
+}  // namespace sunder::ask

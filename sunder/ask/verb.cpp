@@ -1,0 +1,32 @@
+#include <sunder/ask/verb.h>
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace sunder::ask {
+
+Option svg_limit_option(std::uint64_t& limit) {
+  return {.name = "--svg-limit",
+          .value = &limit,
+          .help = fmt::format("draw at most so many things, contacts included ({})", limit),
+          .type = "N",
+          .needs = "--svg"};
+}
+
+Option json_option(bool& json) { return {"--json", &json, "print a report in JSON"}; }
+
+Option title_option(std::string& title) {
+  return {.name = "--title", .value = &title, .help = "of the picture", .needs = "--svg"};
+}
+
+Option certificate_option(std::string& file, std::string help) {
+  return {"--certificate", &file, std::move(help), "FILE"};
+}
+
+std::vector<Verb> verbs() {
+  return {pair_verb(),     scene_verb(),  segments_verb(), simple_verb(), circles_verb(), boxes_verb(),
+          polygons_verb(), region_verb(), kernel_verb(),   hull_verb(),   info_verb(),    verify_verb()};
+}
+
+}  // namespace sunder::ask

@@ -1,0 +1,59 @@
+// The verbs as data: what each asks, its files and options, and what answers. Whoever lets people call them (the
+// program, a language, a page) makes calls, help and completion from these tables.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace sunder::ask {
+
+// A list takes a value each time that its option is given; one that stands without an option takes all words.
+using OptionValue = std::variant<bool*, std::string*, std::uint64_t*, std::vector<std::string>*>;
+
+struct Option {
+  std::string name;   // "--svg", "-o,--out"; what stands without an option: "FILE"
+  OptionValue value;  // where it goes; what is there before holds unless the option is given
+  std::string help;
+  std::string type = "TEXT";  // of the value, for people: NAME; FILE, if it is the name of one
+  bool required = false;
+  std::string needs = "";                  // the option that must be given, too
+  std::vector<std::string> excludes = {};  // those that must not
+  int most = 0;                            // words of a list without an option; 0: any number
+};
+
+struct Verb {
+  std::string name, about, codes;  // codes: what the exit codes 0 and 1 say
+  std::vector<Option> options;     // those without an option in front, in their order, first
+  std::function<int()> run;        // answers the call that stands in the values: an exit code. Throws Error
+};
+
+inline constexpr const char *codes_of_sets = "0 none meet; 1 some meet", *codes_of_reports = "0";
+
+// "draw at most so many things"; after the option --svg.
+Option svg_limit_option(std::uint64_t& limit);
+
+// Options that most verbs have.
+Option json_option(bool& json);
+Option title_option(std::string& title);  // of the picture of --svg
+Option certificate_option(std::string& file, std::string help = "write the proof here");
+
+Verb pair_verb();
+Verb scene_verb();
+Verb segments_verb();
+Verb simple_verb();
+Verb circles_verb();
+Verb boxes_verb();
+Verb polygons_verb();
+Verb region_verb();
+Verb kernel_verb();
+Verb hull_verb();
+Verb info_verb();
+Verb verify_verb();
+
+// All, in this order. Each call makes verbs with values of their own.
+std::vector<Verb> verbs();
+
+}  // namespace sunder::ask

@@ -1,0 +1,105 @@
+// sunder hull FILE: the exact convex hull of a mesh or a set of points.
+#include <sunder/ask/objects.h>
+#include <sunder/ask/report.h>
+#include <sunder/ask/verb.h>
+
+#include <sunder/io/file.h>
+#include <sunder/io/mesh_write.h>
+#include <sunder/io/text.h>
+#include <sunder/solid/object/hull_json.h>
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace sunder::ask {
+
+namespace {
+
+struct Call {
+  std::string file, out, certificate;
+  bool leave_out = false;
+  bool json = false;
+};
+
+std::string mesh_text(const solid::ConvexPolyhedron& hull, io::MeshFormat format) {
+  std::vector<std::uint32_t> begin{0}, corners;
+  for (std::uint32_t f = 0; f < hull.facet_count(); ++f) {
+    corners.insert(corners.end(), hull.facet(f).begin(), hull.facet(f).end());
+    begin.push_back(static_cast<std::uint32_t>(corners.size()));
+  }
+  return io::to_text(format, hull.vertices(), begin, corners);
+}
+
+std::size_t edge_count(const solid::ConvexPolyhedron& hull) {
+  std::size_t ends = 0;
+  for (std::uint32_t v = 0; v < hull.vertices().size(); ++v) ends += hull.neighbours(v).size();
+  return ends / 2;
+}
+
+void prove(const Call& call, const Object& object, std::span<const Point3> points, const Origin& origin) {
+  io::OutputFile out(call.certificate);
+  ClaimsWriter claims([&](std::string_view text) { out.write(text); });
+  claims.add_origin(origin);
+  solid::write_hull(claims, object.name.empty() ? "unnamed" : object.name, points, object.hull);
+  claims.end();
+  out.commit();
+}
+
+int run(const Call& call) {
+  const io::MeshFormat format = call.out.empty() ? io::MeshFormat::obj : io::mesh_format_of_name(call.out);
+  LeftOutList left_out(call.leave_out);
+  InputFiles inputs;
+  const auto [object, points] =
+      read_object_of_points(call.file, left_out, call.certificate.empty() ? nullptr : &inputs);
+  const solid::ConvexPolyhedron& hull = object.hull;
+  if (!call.out.empty()) io::write_file_atomically(call.out, mesh_text(hull, format));
+  if (!call.certificate.empty()) prove(call, object, points, {inputs, left_out.texts()});
+
+  const auto [low, high] = hull.box();
+  if (call.json) {
+    Json json = envelope("hull", dimension_name(hull.dimension()));
+    Json told = to_json(object);
+    told["edges"] = edge_count(hull);
+    told["mesh"] = {{"in_use", object.mesh_vertices}, {"polygons", object.mesh_polygons}};
+    told["box"] = Json::array({to_json(low), to_json(high)});
+    json["objects"].push_back(std::move(told));
+    if (!left_out.empty()) json["left_out"] = left_out.json();
+    json["out"] = call.out.empty() ? Json(nullptr) : Json(call.out);
+    print(to_text(json));
+    return exit_code::no;
+  }
+  std::string text = fmt::format("{}: hull of dimension {}: a {}{}\n", object.file, hull.dimension(),
+                                 dimension_name(hull.dimension()), left_out.clause());
+  text += fmt::format("  vertices  {} of {}\n", hull.vertices().size(), object.mesh_vertices);
+  text += fmt::format("  edges     {}\n  facets    {}\n", edge_count(hull), hull.facet_count());
+  text += fmt::format("  box       {} to {}\n", about(low), about(high));
+  if (object.shape == Shape::convex) text += "  mesh      exactly convex: it bounds its hull\n";
+  if (object.shape == Shape::hull) text += fmt::format("  mesh      not exactly convex: {}\n", object.why_hull);
+  if (object.departure) text += fmt::format("            {}\n", departure_text(object));
+  if (!call.out.empty()) text += fmt::format("  written   {}\n", io::one_line(call.out));
+  if (!call.certificate.empty()) text += fmt::format("  proof     {}\n", io::one_line(call.certificate));
+  print_for_people(text);
+  return exit_code::no;
+}
+
+}  // namespace
+
+Verb hull_verb() {
+  const auto call = std::make_shared<Call>();
+  return {"hull",
+          "The exact convex hull of a mesh or a set of points.",
+          codes_of_reports,
+          {{"FILE", &call->file, "a mesh or a set of points: OBJ, STL, PLY, OFF", "", true},
+           {"-o,--out", &call->out, "write the hull here: .obj, .off, .ply or .stl", "FILE"},
+           certificate_option(call->certificate),
+           {"--leave-out", &call->leave_out, leave_out_help},
+           json_option(call->json)},
+          [call] { return run(*call); }};
+}
+
+}  // namespace sunder::ask
