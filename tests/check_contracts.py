@@ -55,7 +55,7 @@ def functions_of(lines):
 
 def public_headers(root):
     for here, folders, names in os.walk(os.path.join(root, "sunder")):
-        folders.sort()
+        folders[:] = sorted(set(folders) - {"ask", "picture"})  # of the program, not installed
         for name in sorted(names):
             if name.endswith(".h") and not name.endswith(("_internal.h", "_test.h")):
                 yield os.path.relpath(os.path.join(here, name), root).replace(os.sep, "/")

@@ -37,7 +37,7 @@ LAYERS = {
     "io": set(CORE),
     "picture": set(CORE) | {"io"},
     "ask": set(CORE) | {"io", "picture", "verifier"},
-    "cli": set(CORE) | {"io", "ask"},
+    "cli": set(CORE) | {"io", "picture", "ask", "verifier"},
     "python": set(CORE) | {"sunder"},
     "verifier": set(),
     "sunder": set(CORE),
@@ -49,6 +49,7 @@ FRONT_DOORS = {"sunder/sunder.h", "sunder/version.h"}
 ORDER = {
     "planar": ["object", "pair", "sweep", "set", "region"],
     "solid": ["hull", "represent", "object", "pair"],
+    "ask": ["set", "scene", "pair", "region"],
 }
 
 # The first part of a header of somebody else's: where it may be included (tests may include all).

@@ -81,6 +81,9 @@ std::string to_line(const Json& json);
 std::string about(double x);
 std::string about(const Point3& p);  // "(x, y, z)"
 
+// "(x, y)", ten digits.
+std::string place_text(const Point2& p);
+
 // "1 pair", "2 pairs".
 std::string count_of(std::uint64_t n, std::string_view noun);
 

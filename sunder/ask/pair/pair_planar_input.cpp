@@ -58,7 +58,7 @@ const PlanarObject& chosen(const io::PlanarFile& file, const std::string& path, 
               option);
 }
 
-ConvexPolygon shape_of(const PlanarObject& object, const std::string& path, const PlanarPairCall& call) {
+ConvexPolygon shape_of(const PlanarObject& object, const std::string& path, const PairCall& call) {
   try {
     if (call.hull) return ConvexPolygon::hull_of(object.vertices);
     if (call.mend) return ConvexPolygon::mended(object.vertices);
@@ -73,7 +73,7 @@ ConvexPolygon shape_of(const PlanarObject& object, const std::string& path, cons
 
 }  // namespace
 
-PlanarInput read_planar_input(const PlanarPairCall& call, bool is_a, LeftOutList& left_out, InputFiles* inputs) {
+PlanarInput read_planar_input(const PairCall& call, bool is_a, LeftOutList& left_out, InputFiles* inputs) {
   const std::string& path = is_a ? call.file_a : call.file_b;
   const io::PlanarFile file = io::read_planar_objects(path, call.drop_z, inputs);
   for (const std::string& remark : file.remarks) note(fmt::format("{}: {}", io::one_line(path), remark));
@@ -90,7 +90,7 @@ PlanarInput read_planar_input(const PlanarPairCall& call, bool is_a, LeftOutList
   return out;
 }
 
-PlanarBody planar_body(const PlanarInput& input, const PlanarPairCall& call) {
+PlanarBody planar_body(const PlanarInput& input, const PairCall& call) {
   PlanarBody out{input.file,
                  input.name,
                  input.format,
@@ -103,7 +103,7 @@ PlanarBody planar_body(const PlanarInput& input, const PlanarPairCall& call) {
   return out;
 }
 
-std::string text_of(const PlanarBody& body, const PlanarPairCall& call) {
+std::string text_of(const PlanarBody& body, const PairCall& call) {
   const std::uint32_t n = body.polygon.size();
   return fmt::format(
       "{}: {}, {}{}", body.name, body.shape(), n == 1 ? "1 vertex" : fmt::format("{} vertices", n),

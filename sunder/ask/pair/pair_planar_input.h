@@ -25,7 +25,7 @@ struct PlanarInput {
 
 // Reads A or B. What the file holds that is no object here goes into `left_out`, unless an object is named; inputs: as
 // of io::read_file. Throws Error for bad input, also where something is left out, and the list has no consent.
-PlanarInput read_planar_input(const PlanarPairCall& call, bool is_a, LeftOutList& left_out, InputFiles* inputs);
+PlanarInput read_planar_input(const PairCall& call, bool is_a, LeftOutList& left_out, InputFiles* inputs);
 
 // A bounded one, as a convex polygon.
 struct PlanarBody {
@@ -41,10 +41,10 @@ struct PlanarBody {
 };
 
 // Throws Error where the vertices are not those of a convex polygon. Requires a bounded object.
-PlanarBody planar_body(const PlanarInput& input, const PlanarPairCall& call);
+PlanarBody planar_body(const PlanarInput& input, const PairCall& call);
 
 // "name: polygon, 4 vertices".
-std::string text_of(const PlanarBody& body, const PlanarPairCall& call);
+std::string text_of(const PlanarBody& body, const PairCall& call);
 
 Json to_json(const PlanarBody& body);
 

@@ -4,7 +4,6 @@
 #include <sunder/picture/cut_picture.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/file.h>
 #include <sunder/io/text.h>
 #include <sunder/planar/pair/polygon_line.h>
 #include <sunder/planar/pair/polygon_ray.h>
@@ -60,7 +59,6 @@ struct Common {
 };
 
 struct Question {
-  const PlanarPairCall& call;
   const PlanarBody& body;
   const Unbounded& unbounded;
   bool body_is_a = true;
@@ -185,28 +183,6 @@ std::string text_of(const Unbounded& u) {
   return fmt::format(fmt::runtime(form), u.name, point(u.a), point(u.b));
 }
 
-std::string human_text(const Question& q, const PlanarInput& a, const PlanarInput& b, const Common& common,
-                       const LeftOutList& left_out) {
-  std::string text = fmt::format(
-      "{} and {}: {}{}{}\n", a.file, b.file, common.meet() ? "meet" : "apart",
-      common.meet() && q.call.classify ? fmt::format(" ({})", sunder::name_of(common.contact)) : std::string(),
-      left_out.clause());
-  const auto line = [&](const char* title, std::string value) {
-    if (const std::size_t end = value.find('\n'); end != std::string::npos) value.insert(end + 1, 14, ' ');
-    text += fmt::format("  {:<10}  {}\n", title, value);
-  };
-  for (const bool is_a : {true, false}) {
-    line(is_a ? "A" : "B", is_a == q.body_is_a ? text_of(q.body, q.call) : text_of(q.unbounded));
-  }
-  line("common", common_text(q, common));
-  line("decided by", common.decided_by == DecidedBy::filter ? "signs, by floating-point filters alone"
-                                                            : "signs, with the help of exact arithmetic");
-  line("cost", fmt::format("{}, {}, {} of exact arithmetic", count_of(common.cost.probes, "probe"),
-                           count_of(common.cost.iterations, "iteration"), count_of(common.cost.exact, "use")));
-  if (!q.call.certificate.empty()) line("proof", q.call.certificate);
-  return text;
-}
-
 Json end_json(const Question& q, const CutEnd& end) {
   const planar::ExactEnd e = exact_end(q, end);
   const Point2 p = e.rounded();
@@ -235,27 +211,6 @@ Json common_json(const Question& q, const Common& common) {
   return json;
 }
 
-Json report(const Question& q, const PlanarInput& a, const PlanarInput& b, const Common& common,
-            const LeftOutList& left_out) {
-  Json json = envelope("pair", common.meet() ? "meet" : "apart", q.call.method);
-  json["decided_by"] = sunder::name_of(common.decided_by);
-  json["cost"] = to_json(common.cost);
-  for (const PlanarInput* input : {&a, &b}) {
-    if (!input->object.unbounded()) {
-      json["objects"].push_back(to_json(q.body));
-      continue;
-    }
-    const Unbounded& u = q.unbounded;
-    Json object{{"file", input->file}, {"name", u.name}, {"format", input->format}, {"shape", io::name_of(u.kind)}};
-    object["points"] = {{u.a.x, u.a.y}, {u.b.x, u.b.y}};
-    json["objects"].push_back(std::move(object));
-  }
-  if (!left_out.empty()) json["left_out"] = left_out.json();
-  if (q.call.classify) json["contact"] = sunder::name_of(common.contact);
-  json["common"] = common_json(q, common);
-  return json;
-}
-
 // In the world, exactly.
 Unbounded placed(const PlanarInput& input, const char* option) {
   Unbounded out{input.object.kind, input.object.vertices[0], input.object.vertices[1], input.name};
@@ -276,20 +231,79 @@ Unbounded placed(const PlanarInput& input, const char* option) {
   return out;
 }
 
-std::string picture(const Question& q, const Common& common) {
-  picture::CutPicture picture{
-      {q.body.polygon, q.body.pose, q.body.name}, q.unbounded, q.body_is_a, {}, {}, q.call.title};
-  if (common.cut.meet() && common.kind != CommonKind::whole) {
-    picture.marks = {exact_end(q, common.cut.first).rounded(), exact_end(q, common.cut.last).rounded()};
+class UnboundedPair : public PairQuestion {
+ public:
+  UnboundedPair(const PairCall& asked, const PlanarInput& a, const PlanarInput& b, const LeftOutList& left_out,
+                Origin origin)
+      : PairQuestion(asked, left_out, std::move(origin)),
+        a_(a),
+        b_(b),
+        body_is_a_(!a.object.unbounded()),
+        method_(method_of(asked.method, other().object.kind)),
+        body_(planar_body(body_is_a_ ? a : b, asked)),
+        unbounded_(placed(other(), body_is_a_ ? "--pose-b" : "--pose-a")) {}
+
+  std::uint64_t drawn() const { return std::uint64_t{body_.given} + 2; }
+
+  void ask() {
+    common_ = common_of(body_, unbounded_, method_);
+    meet_ = common_.meet();
+    contact_ = common_.contact;
+    decided_by_ = common_.decided_by;
+    cost_ = common_.cost;
   }
-  picture.said = common_text(q, common);
-  return picture::cut_svg(picture);
-}
+  bool yes() const { return meet_; }
+
+  std::string certificate() const {
+    const bool is_ray = unbounded_.kind == Kind::ray;
+    const PolygonCut line = is_ray ? cut_by_line(body_, unbounded_, Method::automatic) : common_.cut;
+    return certificate_of_unbounded(body_, unbounded_,
+                                    {common_.contact, call.classify, common_.cut, line, common_.witness}, origin_);
+  }
+  std::string picture() const {
+    picture::CutPicture picture{{body_.polygon, body_.pose, body_.name}, unbounded_, body_is_a_, {}, {}, call.title};
+    if (common_.cut.meet() && common_.kind != CommonKind::whole) {
+      picture.marks = {exact_end(question(), common_.cut.first).rounded(),
+                       exact_end(question(), common_.cut.last).rounded()};
+    }
+    picture.said = common_text(question(), common_);
+    return picture::cut_svg(picture);
+  }
+
+  std::string text() const {
+    const std::string body = ask::text_of(body_, call), unbounded = text_of(unbounded_);
+    return head(a_.file, b_.file, answer()) + titled("A", body_is_a_ ? body : unbounded) +
+           titled("B", body_is_a_ ? unbounded : body) + titled("common", common_text(question(), common_)) +
+           titled("decided by", decided_by_ == DecidedBy::filter ? "signs, by floating-point filters alone"
+                                                                 : "signs, with the help of exact arithmetic");
+  }
+  void add_to(Json& json) const {
+    const Json body = to_json(body_),
+               unbounded{{"file", other().file},
+                         {"name", unbounded_.name},
+                         {"format", other().format},
+                         {"shape", io::name_of(unbounded_.kind)},
+                         {"points", {{unbounded_.a.x, unbounded_.a.y}, {unbounded_.b.x, unbounded_.b.y}}}};
+    add_head(json, body_is_a_ ? body : unbounded, body_is_a_ ? unbounded : body);
+    json["common"] = common_json(question(), common_);
+  }
+
+ private:
+  const PlanarInput& other() const { return body_is_a_ ? b_ : a_; }
+  Question question() const { return {body_, unbounded_, body_is_a_}; }
+
+  const PlanarInput &a_, &b_;
+  bool body_is_a_;
+  Method method_;
+  PlanarBody body_;
+  Unbounded unbounded_;
+  Common common_;
+};
 
 }  // namespace
 
-int run_unbounded_pair(const PlanarPairCall& call, const PlanarInput& a, const PlanarInput& b,
-                       const LeftOutList& left_out, const Origin& origin) {
+int run_unbounded_pair(const PairCall& call, const PlanarInput& a, const PlanarInput& b, const LeftOutList& left_out,
+                       Origin origin) {
   if (a.object.unbounded() && b.object.unbounded()) {
     throw Error(ErrorCode::bad_call,
                 fmt::format("A is a {} and B a {}; one of them must be bounded: give a point, a segment or a polygon",
@@ -299,22 +313,8 @@ int run_unbounded_pair(const PlanarPairCall& call, const PlanarInput& a, const P
     throw Error(ErrorCode::bad_call, "is for points, segments and polygons; leave it out, or give a segment",
                 call.distance ? "--distance" : "--clearance");
   }
-  const bool body_is_a = !a.object.unbounded();
-  const PlanarInput& other = body_is_a ? b : a;
-  const Method method = method_of(call.method, other.object.kind);
-  const PlanarBody body = planar_body(body_is_a ? a : b, call);
-  const Unbounded unbounded = placed(other, body_is_a ? "--pose-b" : "--pose-a");
-  const Question question{call, body, unbounded, body_is_a};
-  const Common common = common_of(body, unbounded, method);
-  if (!call.certificate.empty()) {
-    const PolygonCut line = unbounded.kind == Kind::ray ? cut_by_line(body, unbounded, Method::automatic) : common.cut;
-    const UnboundedAnswer answer{common.contact, call.classify, common.cut, line, common.witness};
-    io::write_file_atomically(call.certificate, certificate_of_unbounded(body, unbounded, answer, origin));
-  }
-  if (!call.svg.empty()) io::write_file_atomically(call.svg, picture(question, common));
-  call.json ? print(to_text(report(question, a, b, common, left_out)))
-            : print_for_people(human_text(question, a, b, common, left_out));
-  return common.meet() ? exit_code::yes : exit_code::no;
+  UnboundedPair question(call, a, b, left_out, std::move(origin));
+  return answer(question);
 }
 
 }  // namespace sunder::ask

@@ -1,13 +1,10 @@
 // sunder pair A B: do two convex objects meet?
-#include <sunder/ask/evidence.h>
 #include <sunder/ask/objects.h>
 #include <sunder/ask/pair/pair_planar.h>
 #include <sunder/ask/report.h>
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
-#include <sunder/certificate/pair_claims.h>
-#include <sunder/io/file.h>
 #include <sunder/io/planar_objects.h>
 
 #include <fmt/format.h>
@@ -18,86 +15,86 @@ namespace sunder::ask {
 
 namespace {
 
-// The options of both kinds of pairs.
-struct Call : PlanarPairCall {
-  bool require_convex = false;
-};
-
 struct Placed {
   Object object;
   solid::Pose pose;
 
   PlacedVertices vertices() const { return placed_vertices(object.hull, pose); }
+  bool is_hull() const { return object.shape == Shape::hull; }
 };
 
-Placed read(const std::string& file, const std::string& pose, const char* option, bool require_convex,
-            LeftOutList& left_out, InputFiles* inputs) {
-  return {read_object(file, require_convex, left_out, inputs), pose.empty() ? solid::Pose() : parse_pose(pose, option)};
-}
+class SolidPair : public PairQuestion {
+ public:
+  SolidPair(const PairCall& asked, PairMethod method, const Placed& a, const Placed& b, const LeftOutList& left_out,
+            Origin origin)
+      : PairQuestion(asked, left_out, std::move(origin)), method_(method), a_(a), b_(b) {}
 
-// Apart carries over from hulls to the meshes that they stand for; meet does not.
-bool is_said_of_hulls(const Placed& a, const Placed& b, const solid::PairAnswer& answer) {
-  return answer.meet() && (a.object.shape == Shape::hull || b.object.shape == Shape::hull);
-}
+  static std::uint64_t drawn() { return 0; }
+  static std::string picture() { return ""; }  // of planar pairs only
 
-std::string certificate_text(const Placed& a, const Placed& b, const PairCertificate& evidence, Contact contact,
-                             const Origin& origin) {
-  std::string text;
-  ClaimsWriter file([&](std::string_view piece) { text += piece; });
-  file.add_origin(origin);
-  PairClaims pairs(file);
-  const auto add = [&](const Placed& p) {
-    return pairs.add_placed(p.object.name, pairs.add_body(p.object.name, p.object.hull.vertices()), p.pose.affine());
-  };
-  const std::uint32_t index_a = add(a), index_b = add(b);
-  add_solid_pair(pairs, {index_a, index_b, a.object.hull, b.object.hull, a.pose, b.pose}, evidence, contact);
-  pairs.end();
-  return text;
-}
-
-std::string human_text(const Call& call, const Placed& a, const Placed& b, const solid::PairAnswer& answer,
-                       Contact contact, const LeftOutList& left_out) {
-  std::string answer_text = !answer.meet() ? "apart" : is_said_of_hulls(a, b, answer) ? "meet as hulls" : "meet";
-  if (call.classify && answer.meet()) answer_text += fmt::format(" ({})", name_of(contact));
-  std::string text = fmt::format("{} and {}: {}{}\n", a.object.file, b.object.file, answer_text, left_out.clause());
-  const auto line = [&](const char* title, std::string value) {
-    if (const std::size_t end = value.find('\n'); end != std::string::npos) value.insert(end + 1, 14, ' ');
-    text += fmt::format("  {:<10}  {}\n", title, value);
-  };
-  for (const Placed* p : {&a, &b}) {
-    const solid::ConvexPolyhedron& hull = p->object.hull;
-    const char* shape = p->object.shape == Shape::convex ? ""
-                        : p->object.shape == Shape::hull ? ", hull of the mesh"
-                                                         : ", hull of the points";
-    line(p == &a ? "A" : "B",
-         fmt::format("{}: {}, {}, {}{}", p->object.name, dimension_name(hull.dimension()),
-                     hull.vertices().size() == 1 ? "1 vertex" : fmt::format("{} vertices", hull.vertices().size()),
-                     count_of(hull.facet_count(), "facet"), shape));
-    if (const std::string departure = departure_text(p->object); !departure.empty()) line("", departure);
+  void ask() {
+    answer_ = method_(a_.object.hull, a_.pose, b_.object.hull, b_.pose);
+    meet_ = answer_.meet();
+    decided_by_ = answer_.decided_by;
+    cost_ = answer_.cost;
+    if (call.classify && meet_) {
+      contact_ = solid::polyhedron_polyhedron_contact(a_.object.hull, a_.pose, b_.object.hull, b_.pose);
+    }
   }
-  line("evidence", evidence_text(answer.certificate(), a.vertices(), b.vertices(), "A", "B"));
-  line("decided by", decided_text(answer.decided_by));
-  line("cost", fmt::format("{}, {}, {} of exact arithmetic", count_of(answer.cost.probes, "probe"),
-                           count_of(answer.cost.iterations, "iteration"), count_of(answer.cost.exact, "use")));
-  if (!call.certificate.empty()) line("proof", call.certificate);
-  return text;
-}
+  bool yes() const { return meet_; }
 
-Json report(const Call& call, const Placed& a, const Placed& b, const solid::PairAnswer& answer, Contact contact,
-            const LeftOutList& left_out) {
-  Json json = envelope("pair", answer.meet() ? "meet" : "apart", call.method);
-  json["decided_by"] = name_of(answer.decided_by);
-  json["cost"] = to_json(answer.cost);
-  json["objects"] = {to_json(a.object), to_json(b.object)};
-  json["said_of"] = is_said_of_hulls(a, b, answer) ? "hulls" : "bodies";
-  if (!left_out.empty()) json["left_out"] = left_out.json();
-  if (call.classify) json["contact"] = name_of(contact);
-  json["evidence"] = evidence_json(answer.certificate(), a.vertices(), b.vertices());
-  return json;
+  std::string certificate() const {
+    return certificate_of(PairClaims::Space::solid, [this](PairClaims& pairs) {
+      const auto add = [&](const Placed& p) {
+        return pairs.add_placed(p.object.name, pairs.add_body(p.object.name, p.object.hull.vertices()),
+                                p.pose.affine());
+      };
+      const std::uint32_t index_a = add(a_), index_b = add(b_);
+      add_solid_pair(pairs, {index_a, index_b, a_.object.hull, b_.object.hull, a_.pose, b_.pose}, answer_.certificate(),
+                     contact_);
+    });
+  }
+
+  std::string text() const {
+    return head(a_.object.file, b_.object.file, is_said_of_hulls() ? "meet as hulls" : answer()) +
+           titled("A", text_of(a_.object)) + titled("B", text_of(b_.object)) +
+           titled("evidence", evidence_text(answer_.certificate(), a_.vertices(), b_.vertices(), "A", "B")) +
+           titled("decided by", decided_text(decided_by_));
+  }
+  void add_to(Json& json) const {
+    add_head(json, to_json(a_.object), to_json(b_.object));
+    json["said_of"] = is_said_of_hulls() ? "hulls" : "bodies";
+    json["evidence"] = evidence_json(answer_.certificate(), a_.vertices(), b_.vertices());
+  }
+
+ private:
+  // Apart carries over from hulls to the meshes that they stand for; meet does not.
+  bool is_said_of_hulls() const { return meet_ && (a_.is_hull() || b_.is_hull()); }
+
+  static std::string text_of(const Object& object) {
+    const solid::ConvexPolyhedron& hull = object.hull;
+    const char* shape = object.shape == Shape::convex ? ""
+                        : object.shape == Shape::hull ? ", hull of the mesh"
+                                                      : ", hull of the points";
+    const std::string departure = departure_text(object);
+    return fmt::format("{}: {}, {}, {}{}{}{}", object.name, dimension_name(hull.dimension()),
+                       hull.vertices().size() == 1 ? "1 vertex" : fmt::format("{} vertices", hull.vertices().size()),
+                       count_of(hull.facet_count(), "facet"), shape, departure.empty() ? "" : "\n", departure);
+  }
+
+  PairMethod method_;
+  const Placed &a_, &b_;
+  solid::PairAnswer answer_;
+};
+
+Placed read(const PairCall& call, bool is_a, LeftOutList& left_out, InputFiles* inputs) {
+  const std::string& pose = is_a ? call.pose_a : call.pose_b;
+  return {read_object(is_a ? call.file_a : call.file_b, call.require_convex, left_out, inputs),
+          pose.empty() ? solid::Pose() : parse_pose(pose, is_a ? "--pose-a" : "--pose-b")};
 }
 
 // Of standard input, the other one tells.
-int run(const Call& call) {
+int run(const PairCall& call) {
   if (io::is_planar(call.file_a) || io::is_planar(call.file_b)) {
     if (call.require_convex) {
       throw Error(ErrorCode::bad_call, "polygons are always required to be convex; leave it out", "--require-convex");
@@ -116,29 +113,18 @@ int run(const Call& call) {
   }
   const PairMethod method = pair_method(call.method);
   LeftOutList left_out(call.leave_out);
-  InputFiles files;
-  InputFiles* const inputs = call.certificate.empty() ? nullptr : &files;
-  const Placed a = read(call.file_a, call.pose_a, "--pose-a", call.require_convex, left_out, inputs);
-  const Placed b = read(call.file_b, call.pose_b, "--pose-b", call.require_convex, left_out, inputs);
-
-  const solid::PairAnswer answer = method(a.object.hull, a.pose, b.object.hull, b.pose);
-  const Contact contact = call.classify && answer.meet()
-                              ? solid::polyhedron_polyhedron_contact(a.object.hull, a.pose, b.object.hull, b.pose)
-                              : Contact::none;
-  if (!call.certificate.empty()) {
-    io::write_file_atomically(call.certificate,
-                              certificate_text(a, b, answer.certificate(), contact, {files, left_out.texts()}));
-  }
+  Origin origin;
+  InputFiles* const inputs = call.proves() ? &origin.inputs : nullptr;
+  const Placed a = read(call, true, left_out, inputs), b = read(call, false, left_out, inputs);
   note_hulls({&a.object, &b.object});
-  call.json ? print(to_text(report(call, a, b, answer, contact, left_out)))
-            : print_for_people(human_text(call, a, b, answer, contact, left_out));
-  return answer.meet() ? exit_code::yes : exit_code::no;
+  SolidPair question(call, method, a, b, left_out, std::move(origin));
+  return answer(question);
 }
 
 }  // namespace
 
 Verb pair_verb() {
-  const auto call = std::make_shared<Call>();
+  const auto call = std::make_shared<PairCall>();
   return {
       "pair",
       "Do two convex objects meet? A common point, or what parts them.",

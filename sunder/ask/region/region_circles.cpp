@@ -30,14 +30,9 @@ using planar::DiscIntersectionKind;
 using planar::Discs;
 
 using PartMethod = DiscIntersection(const Discs&);
-PartMethod* part_method(const std::string& name) {
-  if (name == "automatic") return planar::disc_intersection;
-  if (name == "division") return planar::disc_intersection_by_division;
-  if (name == "scan") return planar::disc_intersection_by_scan;
-  refuse_method(name, "automatic, division, scan");
-}
-
-std::string about(const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); }
+constexpr std::array<Named<PartMethod>, 3> methods{{{"automatic", planar::disc_intersection},
+                                                    {"division", planar::disc_intersection_by_division},
+                                                    {"scan", planar::disc_intersection_by_scan}}};
 
 // The middle of what holds it.
 Point2 rounded(const DiscCrossing& crossing) {
@@ -45,53 +40,49 @@ Point2 rounded(const DiscCrossing& crossing) {
   return {in.x.low / 2 + in.x.high / 2, in.y.low / 2 + in.y.high / 2};
 }
 
-Point2 deepest_of(const Discs& circles, const DiscIntersection& part) {
-  const planar::DiscBasis basis = planar::discs_of(circles.all(), part.deepest.basis());
-  return nearest(deepest_point(basis));
-}
-
-class Report {
+class CirclesQuestion {
  public:
-  Report(const RegionCall& call, const io::TripleFile& file, const Discs& circles, const DiscIntersection& part)
-      : call_(call), file_(file), circles_(circles), part_(part), deepest_(deepest_of(circles, part)) {}
+  static constexpr const char *verb = "region", *drawn_noun = "circle";
+  const RegionCall& call;
 
-  std::string human() const {
-    std::string text = fmt::format("{}: {}\n", io::one_line(call_.file), count_of(circles_.size(), "circle"));
-    const auto basis = part_.deepest.basis();
-    switch (part_.kind) {
-      case DiscIntersectionKind::empty:
-        text += "empty: these have nothing in common\n";
-        for (const std::uint32_t k : basis) text += fmt::format("    circle {}\n", circle(k));
-        break;
-      case DiscIntersectionKind::point:
-        text += fmt::format("one point, about {}, common to\n", about(deepest_));
-        for (const std::uint32_t k : basis) text += fmt::format("    circle {}\n", circle(k));
-        break;
-      default:
-        text += fmt::format("a region bounded by {}; a point inside is about {}\n", count_of(part_.arcs.size(), "arc"),
-                            about(deepest_));
-        text += arcs_text();
+  explicit CirclesQuestion(const RegionCall& asked)
+      : call(asked), method_(method_by(asked.method, methods)), read_(read(asked, origin_)) {}
+
+  std::uint64_t drawn() const { return circles_.size(); }
+  void ask() {
+    part_ = method_(circles_);
+    deepest_ = nearest(deepest_point(planar::discs_of(circles_.all(), part_.deepest.basis())));
+  }
+  std::string certificate() const { return planar::certificate_text(circles_, part_, origin_); }
+
+  bool yes() const { return part_.kind == DiscIntersectionKind::empty; }
+  const char* answer() const { return yes() ? "infeasible" : "feasible"; }
+  const Cost& cost() const { return part_.cost; }
+  std::string cost_text() const { return count_of(part_.cost.probes, "comparison"); }
+  const char* proof_clause() const { return " (of what kind it is, not of the arcs)"; }
+
+  std::string text() const {
+    std::string text = fmt::format("{}: {}\n", io::one_line(call.file), count_of(circles_.size(), "circle"));
+    if (part_.kind == DiscIntersectionKind::region) {
+      return text +
+             fmt::format("a region bounded by {}; a point inside is about {}\n", count_of(part_.arcs.size(), "arc"),
+                         place_text(deepest_)) +
+             arcs_text();
     }
-    text += fmt::format("  cost        {}\n", count_of(part_.cost.probes, "comparison"));
-    if (!call_.certificate.empty()) {
-      text += fmt::format("  proof       {} (of what kind it is, not of the arcs)\n", io::one_line(call_.certificate));
-    }
-    if (!call_.svg.empty()) text += fmt::format("  picture     {}\n", io::one_line(call_.svg));
+    text += yes() ? "empty: these have nothing in common\n"
+                  : fmt::format("one point, about {}, common to\n", place_text(deepest_));
+    for (const std::uint32_t k : part_.deepest.basis()) text += fmt::format("    circle {}\n", circle(k));
     return text;
   }
 
-  Json json() const {
-    const bool empty = part_.kind == DiscIntersectionKind::empty;
-    Json json = envelope("region", empty ? "infeasible" : "feasible", call_.method);
-    json["cost"] = to_json(part_.cost);
+  void add_to(Json& json) const {
     json["objects"] =
-        Json::array({{{"file", io::one_line(call_.file)}, {"format", "CSV"}, {"circles", circles_.size()}}});
+        Json::array({{{"file", io::one_line(call.file)}, {"format", "CSV"}, {"circles", circles_.size()}}});
     json["region"] = {{"kind", name_of(part_.kind)}, {"arcs", part_.arcs}};
     json["region"]["corners"] = Json::array();
     for (const Point2& p : corners()) json["region"]["corners"].push_back({{"point", {p.x, p.y}}});
     json["deepest"] = {{"point", {deepest_.x, deepest_.y}}, {"circles", Json::array()}};
     for (const std::uint32_t k : part_.deepest.basis()) json["deepest"]["circles"].push_back(k);
-    return json;
   }
 
   std::string picture() const {
@@ -113,7 +104,7 @@ class Report {
     } else {
       drawing.legend(Ink::accent, "have nothing in common");
     }
-    return drawing.text(call_.title.empty() ? "What is common to these circles?" : call_.title,
+    return drawing.text(call.title_or("What is common to these circles?"),
                         fmt::format("{}: {}", count_of(circles_.size(), "circle"),
                                     part_.kind == DiscIntersectionKind::empty   ? "nothing is common to all"
                                     : part_.kind == DiscIntersectionKind::point ? "one point"
@@ -121,11 +112,14 @@ class Report {
   }
 
  private:
-  static constexpr std::size_t most_listed = 20;
+  static DiscsInput read(const RegionCall& call, Origin& origin) {
+    return read_circles(call.file, {}, {}, call.proves() ? &origin.inputs : nullptr);
+  }
+  const io::TripleFile& file() const { return read_.file; }
 
   std::string circle(std::uint32_t k) const {
     const Disc& c = circles_[k];
-    return fmt::format("{}, line {}: centre {}, radius {:.10g}", file_.name[k], file_.line[k], about(c.center),
+    return fmt::format("{}, line {}: centre {}, radius {:.10g}", file().name[k], file().line[k], place_text(c.center),
                        c.radius);
   }
 
@@ -139,13 +133,10 @@ class Report {
 
   std::string arcs_text() const {
     if (part_.arcs.size() == 1) return fmt::format("  all of circle {}\n", circle(part_.arcs[0]));
-    std::string text;
     const std::vector<Point2> ends = corners();
-    for (std::size_t m = 0; m < std::min(ends.size(), most_listed); ++m) {
-      text += fmt::format("  arc of {} up to about {}\n", file_.name[part_.arcs[m]], about(ends[m]));
-    }
-    if (ends.size() > most_listed) text += fmt::format("  and {} more; --json has all\n", ends.size() - most_listed);
-    return text;
+    return first_of(ends.size(), 20, [&](std::size_t m) {
+      return fmt::format("  arc of {} up to about {}\n", file().name[part_.arcs[m]], place_text(ends[m]));
+    });
   }
 
   // Points along the boundary, close to each other; for a picture.
@@ -187,27 +178,19 @@ class Report {
     return points;
   }
 
-  const RegionCall& call_;
-  const io::TripleFile& file_;
-  const Discs& circles_;
-  const DiscIntersection& part_;
+  PartMethod* method_;
+  Origin origin_;
+  DiscsInput read_;
+  const Discs& circles_ = read_.circles;
+  DiscIntersection part_;
   Point2 deepest_;
 };
 
 }  // namespace
 
 int run_region_circles(const RegionCall& call) {
-  PartMethod* const method = part_method(call.method);
-  Origin origin;
-  const auto [file, circles] = read_circles(call.file, {}, {}, call.certificate.empty() ? nullptr : &origin.inputs);
-  if (!call.svg.empty()) require_drawable(circles.size(), "circle", 0, call.svg_limit);
-  const DiscIntersection part = method(circles);
-  if (!call.certificate.empty())
-    io::write_file_atomically(call.certificate, planar::certificate_text(circles, part, origin));
-  const Report report(call, file, circles, part);
-  if (!call.svg.empty()) io::write_file_atomically(call.svg, report.picture());
-  call.json ? print(to_text(report.json())) : print_for_people(report.human());
-  return part.kind == DiscIntersectionKind::empty ? exit_code::yes : exit_code::no;
+  CirclesQuestion question(call);
+  return answer(question);
 }
 
 }  // namespace sunder::ask

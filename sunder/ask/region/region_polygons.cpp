@@ -29,13 +29,10 @@ using planar::PolygonsPart;
 using planar::PolygonsPartKind;
 
 using PartMethod = PolygonsPart(std::span<const ConvexPolygon>);
-PartMethod* part_method(const std::string& name) {
-  if (name == "automatic") return planar::convex_polygon_intersection;
-  if (name == "division") return planar::convex_polygon_intersection_by_division;
-  if (name == "edges") return planar::convex_polygon_intersection_by_edges;
-  if (name == "scan") return planar::convex_polygon_intersection_by_scan;
-  refuse_method(name, "automatic, division, edges, scan");
-}
+constexpr std::array<Named<PartMethod>, 4> methods{{{"automatic", planar::convex_polygon_intersection},
+                                                    {"division", planar::convex_polygon_intersection_by_division},
+                                                    {"edges", planar::convex_polygon_intersection_by_edges},
+                                                    {"scan", planar::convex_polygon_intersection_by_scan}}};
 
 ConvexPolygon convex(const planar::Polygon& polygon, bool mend) {
   if (polygon.ring_count() > 1) throw Error(ErrorCode::bad_shape, "has holes; give convex polygons");
@@ -72,14 +69,14 @@ std::vector<ConvexPolygon> convex_polygons(const RegionCall& call, PolygonsInput
     const PolygonSource& source = input.source[i];
     const std::string feature = input.feature_text(source.file, source.feature);
     try {
-      polygons.push_back(convex(input.polygons[i], call.mend));
+      polygons.push_back(convex(input.polygons[i], call.polygons.mend));
       const std::string change = change_text(polygons.back(), input.polygons[i].vertices());
       if (!change.empty())
         input.files.front().remarks.push_back(fmt::format("feature {}: mended: {}", feature, change));
       given.push_back(std::move(input.polygons[i]));
       kept.push_back(source);
     } catch (const Error& error) {
-      if (!call.skip_invalid) io::fail_file(call.file, fmt::format("feature {}: {}", feature, error.what()));
+      if (!call.polygons.skip_invalid) io::fail_file(call.file, fmt::format("feature {}: {}", feature, error.what()));
       input.skipped.push_back({source.file, source.feature, source.line, error.what()});
     }
   }
@@ -89,39 +86,45 @@ std::vector<ConvexPolygon> convex_polygons(const RegionCall& call, PolygonsInput
   return polygons;
 }
 
-std::string about(const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); }
-
-class Report {
+class PolygonsQuestion {
  public:
-  Report(const RegionCall& call, const PolygonsInput& input, std::span<const ConvexPolygon> polygons,
-         const PolygonsPart& part)
-      : call_(call), input_(input), polygons_(polygons), part_(part) {
-    for (const PolygonsCorner& c : part.corners) corners_.push_back(nearest(exact_point(corner_point(polygons, c))));
-  }
+  static constexpr const char *verb = "region", *drawn_noun = "edge";
+  const RegionCall& call;
 
-  std::string human() const {
-    std::string text = fmt::format("{}: {}, {}\n", call_.file, count_of(polygons_.size(), "convex polygon"),
+  explicit PolygonsQuestion(const RegionCall& asked)
+      : call(asked),
+        method_(method_by(asked.method, methods)),
+        input_(read_polygons(request_of(asked))),
+        polygons_(convex_polygons(asked, input_)) {}
+
+  std::uint64_t drawn() const { return input_.edges(); }
+  void ask() {
+    part_ = method_(polygons_);
+    for (const PolygonsCorner& c : part_.corners) corners_.push_back(nearest(exact_point(corner_point(polygons_, c))));
+  }
+  std::string certificate() const { return planar::certificate_text(polygons_, input_.origin()); }
+
+  bool yes() const { return part_.kind == PolygonsPartKind::empty; }
+  const char* answer() const { return yes() ? "infeasible" : "feasible"; }
+  const Cost& cost() const { return part_.cost; }
+  std::string cost_text() const { return count_of(part_.cost.probes, "sign"); }
+  const char* proof_clause() const { return ""; }
+
+  std::string text() const {
+    std::string text = fmt::format("{}: {}, {}\n", call.file, count_of(polygons_.size(), "convex polygon"),
                                    input_.files.front().format);
-    if (part_.kind == PolygonsPartKind::empty) {
+    if (yes()) {
       text += fmt::format("empty{}: these have nothing in common\n", without());
       for (const std::uint32_t i : named()) text += fmt::format("    {}\n", polygon(i));
     } else {
       text += fmt::format("{}{}\n", shape(), without()) + corners_text();
     }
-    text += input_.tell();
-    text += fmt::format("  cost        {}\n", count_of(part_.cost.probes, "sign"));
-    if (!call_.certificate.empty()) text += fmt::format("  proof       {}\n", io::one_line(call_.certificate));
-    if (!call_.svg.empty()) text += fmt::format("  picture     {}\n", io::one_line(call_.svg));
-    return text;
+    return text + input_.tell();
   }
 
-  Json json() const {
-    const bool empty = part_.kind == PolygonsPartKind::empty;
-    Json json = envelope("region", empty ? "infeasible" : "feasible", call_.method);
-    json["cost"] = to_json(part_.cost);
-    json["objects"] = Json::array({{{"file", io::one_line(call_.file)},
-                                    {"format", input_.files.front().format},
-                                    {"polygons", polygons_.size()}}});
+  void add_to(Json& json) const {
+    json["objects"] = Json::array(
+        {{{"file", io::one_line(call.file)}, {"format", input_.files.front().format}, {"polygons", polygons_.size()}}});
     json["region"] = {{"kind", name_of(part_.kind)}, {"corners", Json::array()}};
     for (std::size_t k = 0; k < corners_.size(); ++k) {
       const PolygonsCorner& c = part_.corners[k];
@@ -133,9 +136,8 @@ class Report {
       }
       json["region"]["corners"].push_back(corner);
     }
-    if (empty) json["contradiction"] = named();
+    if (yes()) json["contradiction"] = named();
     input_.tell(json);
-    return json;
   }
 
   std::string picture() const {
@@ -157,13 +159,19 @@ class Report {
       case PolygonsPartKind::point: drawing.dot(corners_[0], Ink::accent, "the only point"); break;
       default: drawing.legend(Ink::accent, "have nothing in common");
     }
-    return drawing.text(call_.title.empty() ? "What is common to these convex polygons?" : call_.title,
+    return drawing.text(call.title_or("What is common to these convex polygons?"),
                         fmt::format("{}: {}", count_of(polygons_.size(), "convex polygon"),
                                     part_.kind == PolygonsPartKind::empty ? "nothing is common to all" : shape()));
   }
 
  private:
-  static constexpr std::size_t most_listed = 20;
+  static PolygonsRequest request_of(const RegionCall& call) {
+    PolygonsRequest request = call.polygons;
+    request.files = {call.file};
+    request.by_part = true;
+    request.tell_inputs = call.proves();
+    return request;
+  }
 
   // Of what the verdict does not speak.
   std::string without() const {
@@ -194,51 +202,27 @@ class Report {
   }
 
   std::string corners_text() const {
-    std::string text;
-    for (std::size_t k = 0; k < std::min(corners_.size(), most_listed); ++k) {
+    return first_of(corners_.size(), 20, [&](std::size_t k) {
       const PolygonsCorner& c = part_.corners[k];
       const std::string of = c.is_vertex ? fmt::format("vertex {} of {}", c.a.number, polygon(c.a.polygon))
                                          : fmt::format("edge {} of {} and edge {} of {}", c.a.number,
                                                        polygon(c.a.polygon), c.b.number, polygon(c.b.polygon));
-      text += fmt::format("  corner at about {}: {}\n", about(corners_[k]), of);
-    }
-    if (corners_.size() > most_listed) {
-      text += fmt::format("  and {} more; --json has all\n", corners_.size() - most_listed);
-    }
-    return text;
+      return fmt::format("  corner at about {}: {}\n", place_text(corners_[k]), of);
+    });
   }
 
-  const RegionCall& call_;
-  const PolygonsInput& input_;
-  const std::span<const ConvexPolygon> polygons_;
-  const PolygonsPart& part_;
+  PartMethod* method_;
+  PolygonsInput input_;
+  std::vector<ConvexPolygon> polygons_;
+  PolygonsPart part_;
   std::vector<Point2> corners_;  // rounded
 };
 
 }  // namespace
 
 int run_region_polygons(const RegionCall& call) {
-  PartMethod* const method = part_method(call.method);
-  PolygonsRequest request;
-  request.files = {call.file};
-  request.drop_z = call.drop_z;
-  request.leave_out = call.leave_out;
-  request.skip_invalid = call.skip_invalid;
-  request.mend = call.mend;
-  request.by_part = true;
-  request.name = call.name;
-  request.tell_inputs = !call.certificate.empty();
-  PolygonsInput input = read_polygons(request);
-  const std::vector<ConvexPolygon> polygons = convex_polygons(call, input);
-  if (!call.svg.empty()) require_drawable(input.edges(), "edge", 0, call.svg_limit);
-  const PolygonsPart part = method(polygons);
-  if (!call.certificate.empty()) {
-    io::write_file_atomically(call.certificate, planar::certificate_text(polygons, input.origin()));
-  }
-  const Report report(call, input, polygons, part);
-  if (!call.svg.empty()) io::write_file_atomically(call.svg, report.picture());
-  call.json ? print(to_text(report.json())) : print_for_people(report.human());
-  return part.kind == PolygonsPartKind::empty ? exit_code::yes : exit_code::no;
+  PolygonsQuestion question(call);
+  return answer(question);
 }
 
 }  // namespace sunder::ask

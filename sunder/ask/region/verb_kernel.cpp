@@ -1,7 +1,6 @@
 // sunder kernel FILE: from which points of a polygon are all of its points seen?
 #include <sunder/ask/left_out.h>
-#include <sunder/ask/list_stream.h>
-#include <sunder/ask/report.h>
+#include <sunder/ask/question.h>
 #include <sunder/ask/set/polygons_input.h>
 #include <sunder/ask/verb.h>
 #include <sunder/picture/plane_picture.h>
@@ -16,8 +15,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
-#include <optional>
+#include <numeric>
 
 namespace sunder::ask {
 
@@ -30,23 +30,16 @@ using planar::PolygonSides;
 using planar::Region;
 using planar::RegionKind;
 
-struct Call {
-  std::string file, feature, name;
-  std::string method = "automatic";
-  std::string certificate, svg, title;
-  std::uint64_t svg_limit = most_drawn;  // edges
-  bool drop_z = false, leave_out = false, skip_invalid = false, mend = false;
-  bool json = false;
+struct Call : QuestionCall {
+  std::string file, feature;
+  PolygonsRequest polygons;
 };
 
 using KernelMethod = Region(const PolygonSides&, const planar::RegionOptions&);
-KernelMethod* kernel_method(const std::string& name) {
-  if (name == "automatic") return planar::kernel;
-  if (name == "half-planes") return planar::kernel_by_half_plane_intersection;
-  if (name == "lee-preparata") return planar::kernel_by_lee_preparata;
-  if (name == "scan") return planar::kernel_by_scan;
-  refuse_method(name, "automatic, half-planes, lee-preparata, scan");
-}
+constexpr std::array<Named<KernelMethod>, 4> methods{{{"automatic", planar::kernel},
+                                                      {"half-planes", planar::kernel_by_half_plane_intersection},
+                                                      {"lee-preparata", planar::kernel_by_lee_preparata},
+                                                      {"scan", planar::kernel_by_scan}}};
 
 struct Result {
   std::uint32_t polygon = 0;
@@ -54,145 +47,154 @@ struct Result {
   std::vector<Point2> corners;
 };
 
-std::string about(const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); }
-
 std::string edge_text(const planar::Polygon& polygon, std::uint32_t k) {
   const planar::Segment e = polygon.edge(k);
-  return fmt::format("edge {}: {} to {}", k, about(e.a), about(e.b));
+  return fmt::format("edge {}: {} to {}", k, place_text(e.a), place_text(e.b));
 }
 
-constexpr std::size_t most_listed = 12;
+class KernelQuestion {
+ public:
+  static constexpr const char *verb = "kernel", *drawn_noun = "edge";
+  const Call& call;
 
-std::string human_text(const Call& call, const PolygonsInput& input, const std::vector<Result>& results) {
-  std::string text;
-  std::size_t seen = 0;
-  for (const Result& result : results) {
-    const planar::Polygon& polygon = input.polygons[result.polygon];
-    text += fmt::format("feature {}: ", input.name(result.polygon));
-    if (result.kernel.empty()) {
-      text += "no kernel: no point sees the inner sides of these edges\n";
-      for (const std::uint32_t k : result.kernel.sides) text += "  " + edge_text(polygon, k) + "\n";
-      continue;
-    }
-    ++seen;
-    const char* const shape = result.kernel.kind == RegionKind::point     ? "one point"
-                              : result.kernel.kind == RegionKind::segment ? "a segment"
-                                                                          : "a convex polygon";
-    text += fmt::format("the kernel is {} of {}\n", shape, count_of(result.corners.size(), "corner"));
-    for (std::size_t k = 0; k < std::min(result.corners.size(), most_listed); ++k) {
-      text += fmt::format("  corner at about {}\n", about(result.corners[k]));
-    }
-    if (result.corners.size() > most_listed) {
-      text += fmt::format("  and {} more; --json has all\n", result.corners.size() - most_listed);
-    }
-  }
-  const std::string without = input.left_out_words();
-  text +=
-      fmt::format("{}: {} of {} {} a kernel{}\n", io::one_line(call.file), seen, count_of(results.size(), "polygon"),
-                  results.size() == 1 ? "has" : "have", without.empty() ? "" : ", said of these only: " + without);
-  text += input.tell();
-  if (!call.certificate.empty()) text += fmt::format("  proof       {}\n", io::one_line(call.certificate));
-  if (!call.svg.empty()) text += fmt::format("  picture     {}\n", io::one_line(call.svg));
-  return text;
-}
-
-Json report(const Call& call, const PolygonsInput& input, const std::vector<Result>& results, bool all) {
-  Json json = envelope("kernel", all ? "feasible" : "infeasible", call.method);
-  Cost cost;
-  json["objects"] = Json::array();
-  for (const Result& result : results) {
-    cost.probes += result.kernel.cost.probes;
-    cost.exact += result.kernel.cost.exact;
-    const PolygonSource& source = input.source[result.polygon];
-    Json object = {{"file", io::one_line(call.file)},
-                   {"feature", source.feature},
-                   {"name", input.name(result.polygon)},
-                   {"part", source.part},
-                   {"kind", name_of(result.kernel.kind)},
-                   {"sides", result.kernel.sides},
-                   {"corners", Json::array()}};
-    for (const Point2& p : result.corners) object["corners"].push_back({{"point", {p.x, p.y}}});
-    json["objects"].push_back(object);
-  }
-  json["cost"] = to_json(cost);
-  input.tell(json);
-  return json;
-}
-
-std::string picture(const Call& call, const PolygonsInput& input, const std::vector<Result>& results) {
-  std::vector<Point2> seen;
-  for (const Result& result : results) {
-    const auto& vertices = input.polygons[result.polygon].vertices();
-    seen.insert(seen.end(), vertices.begin(), vertices.end());
-  }
-  PlanePicture drawing(seen);
-  for (const Result& result : results) {
-    const planar::Polygon& polygon = input.polygons[result.polygon];
-    drawing.polygon(polygon.vertices(), Ink::calm);
-    if (result.kernel.empty()) {
-      for (const std::uint32_t k : result.kernel.sides) {
-        drawing.segment(polygon.edge(k).a, polygon.edge(k).b, Ink::accent);
+  explicit KernelQuestion(const Call& asked)
+      : call(asked), method_(method_by(asked.method, methods)), input_(read_polygons(request_of(asked))) {
+    for (std::uint32_t i = 0; i < input_.polygons.size(); ++i) {
+      if (!call.feature.empty() && input_.name(i) != call.feature) continue;
+      if (input_.polygons[i].ring_count() > 1) {
+        io::fail_file(call.file,
+                      fmt::format("feature {}: has holes, so no kernel; give its outer ring alone", input_.name(i)));
       }
-      continue;
+      results_.push_back({i, {}, {}});
     }
-    drawing.polygon(result.corners, Ink::bold);
-    for (const Point2& p : result.corners) drawing.dot(p, Ink::bold);
+    if (results_.empty()) {
+      throw Error(ErrorCode::bad_call, fmt::format("{} has no polygon named {}", call.file, io::quote(call.feature)),
+                  "--feature");
+    }
+    if (call.proves() && results_.size() > 1) {
+      throw Error(ErrorCode::bad_call, "a proof is about one polygon; name it by --feature", "--certificate");
+    }
   }
-  drawing.legend(Ink::bold, "sees all of the polygon");
-  drawing.legend(Ink::accent, "edges that no point sees together");
-  return drawing.text(call.title.empty() ? "From where is all of it seen?" : call.title,
-                      count_of(results.size(), "polygon"));
-}
 
-int run(const Call& call) {
-  KernelMethod* const method = kernel_method(call.method);
-  PolygonsRequest request;
-  request.files = {call.file};
-  request.drop_z = call.drop_z;
-  request.leave_out = call.leave_out;
-  request.skip_invalid = call.skip_invalid;
-  request.mend = call.mend;
-  request.by_part = true;
-  request.rule = planar::PolygonRule::simple;
-  request.name = call.name;
-  request.tell_inputs = !call.certificate.empty();
-  const PolygonsInput input = read_polygons(request);
-  std::vector<Result> results;
-  std::string certificate;
-  std::uint64_t edges = 0;  // of the polygons asked about
-  for (std::uint32_t i = 0; i < input.polygons.size(); ++i) {
-    if (!call.feature.empty() && input.name(i) != call.feature) continue;
-    if (input.polygons[i].ring_count() > 1) {
-      io::fail_file(call.file,
-                    fmt::format("feature {}: has holes, so no kernel; give its outer ring alone", input.name(i)));
-    }
-    edges += input.polygons[i].size();
-    const PolygonSides sides(input.polygons[i]);
-    results.push_back({i, method(sides, {!call.certificate.empty()}), {}});
-    Result& result = results.back();
-    if (!result.kernel.empty()) {
+  std::uint64_t drawn() const {
+    return std::accumulate(results_.begin(), results_.end(), std::uint64_t{0},
+                           [this](std::uint64_t sum, const Result& r) { return sum + polygon(r).size(); });
+  }
+  void ask() {
+    for (Result& result : results_) {
+      const PolygonSides sides(polygon(result));
+      result.kernel = method_(sides, {call.proves()});
+      cost_.probes += result.kernel.cost.probes;
+      cost_.exact += result.kernel.cost.exact;
+      if (result.kernel.empty()) continue;
       for (const auto& [j, k] : corners(result.kernel)) {
         result.corners.push_back(nearest(exact_corner(sides[j], sides[k])));
       }
     }
-    if (call.certificate.empty()) continue;
-    if (results.size() > 1) {
-      throw Error(ErrorCode::bad_call, "a proof is about one polygon; name it by --feature", "--certificate");
+  }
+  std::string certificate() const {
+    Origin origin = input_.origin();
+    if (input_.mended.empty()) origin.left_out.clear();  // a proof about one polygon speaks of no others
+    return planar::certificate_text(PolygonSides(polygon(results_[0])), results_[0].kernel, origin);
+  }
+
+  bool yes() const {
+    return std::any_of(results_.begin(), results_.end(), [](const Result& r) { return r.kernel.empty(); });
+  }
+  const char* answer() const { return yes() ? "infeasible" : "feasible"; }
+  const Cost& cost() const { return cost_; }
+  std::string cost_text() const { return count_of(cost_.probes, "sign"); }
+  const char* proof_clause() const { return ""; }
+
+  std::string text() const {
+    std::string text;
+    for (const Result& result : results_) {
+      text += fmt::format("feature {}: {}", input_.name(result.polygon), text_of(result));
     }
-    Origin origin = input.origin();
-    if (input.mended.empty()) origin.left_out.clear();  // a proof about one polygon speaks of no others
-    certificate = planar::certificate_text(sides, result.kernel, origin);
+    const auto seen =
+        std::count_if(results_.begin(), results_.end(), [](const Result& r) { return !r.kernel.empty(); });
+    const std::string without = input_.left_out_words();
+    text +=
+        fmt::format("{}: {} of {} {} a kernel{}\n", io::one_line(call.file), seen, count_of(results_.size(), "polygon"),
+                    results_.size() == 1 ? "has" : "have", without.empty() ? "" : ", said of these only: " + without);
+    return text + input_.tell();
   }
-  if (results.empty()) {
-    throw Error(ErrorCode::bad_call, fmt::format("{} has no polygon named {}", call.file, io::quote(call.feature)),
-                "--feature");
+
+  void add_to(Json& json) const {
+    for (const Result& result : results_) {
+      const PolygonSource& source = input_.source[result.polygon];
+      Json object = {{"file", io::one_line(call.file)},
+                     {"feature", source.feature},
+                     {"name", input_.name(result.polygon)},
+                     {"part", source.part},
+                     {"kind", name_of(result.kernel.kind)},
+                     {"sides", result.kernel.sides},
+                     {"corners", Json::array()}};
+      for (const Point2& p : result.corners) object["corners"].push_back({{"point", {p.x, p.y}}});
+      json["objects"].push_back(object);
+    }
+    input_.tell(json);
   }
-  if (!call.svg.empty()) require_drawable(edges, "edge", 0, call.svg_limit);
-  if (!call.certificate.empty()) io::write_file_atomically(call.certificate, certificate);
-  if (!call.svg.empty()) io::write_file_atomically(call.svg, picture(call, input, results));
-  const bool all = std::none_of(results.begin(), results.end(), [](const Result& r) { return r.kernel.empty(); });
-  call.json ? print(to_text(report(call, input, results, all))) : print_for_people(human_text(call, input, results));
-  return all ? exit_code::no : exit_code::yes;
+
+  std::string picture() const {
+    std::vector<Point2> seen;
+    for (const Result& result : results_) {
+      const auto& vertices = polygon(result).vertices();
+      seen.insert(seen.end(), vertices.begin(), vertices.end());
+    }
+    PlanePicture drawing(seen);
+    for (const Result& result : results_) {
+      drawing.polygon(polygon(result).vertices(), Ink::calm);
+      if (result.kernel.empty()) {
+        for (const std::uint32_t k : result.kernel.sides) {
+          drawing.segment(polygon(result).edge(k).a, polygon(result).edge(k).b, Ink::accent);
+        }
+        continue;
+      }
+      drawing.polygon(result.corners, Ink::bold);
+      for (const Point2& p : result.corners) drawing.dot(p, Ink::bold);
+    }
+    drawing.legend(Ink::bold, "sees all of the polygon");
+    drawing.legend(Ink::accent, "edges that no point sees together");
+    return drawing.text(call.title_or("From where is all of it seen?"), count_of(results_.size(), "polygon"));
+  }
+
+ private:
+  static PolygonsRequest request_of(const Call& call) {
+    PolygonsRequest request = call.polygons;
+    request.files = {call.file};
+    request.by_part = true;
+    request.rule = planar::PolygonRule::simple;
+    request.tell_inputs = call.proves();
+    return request;
+  }
+
+  const planar::Polygon& polygon(const Result& result) const { return input_.polygons[result.polygon]; }
+
+  std::string text_of(const Result& result) const {
+    if (result.kernel.empty()) {
+      std::string text = "no kernel: no point sees the inner sides of these edges\n";
+      for (const std::uint32_t k : result.kernel.sides) text += "  " + edge_text(polygon(result), k) + "\n";
+      return text;
+    }
+    const char* const shape = result.kernel.kind == RegionKind::point     ? "one point"
+                              : result.kernel.kind == RegionKind::segment ? "a segment"
+                                                                          : "a convex polygon";
+    return fmt::format("the kernel is {} of {}\n", shape, count_of(result.corners.size(), "corner")) +
+           first_of(result.corners.size(), 12, [&](std::size_t k) {
+             return fmt::format("  corner at about {}\n", place_text(result.corners[k]));
+           });
+  }
+
+  KernelMethod* method_;
+  PolygonsInput input_;
+  std::vector<Result> results_;
+  Cost cost_;
+};
+
+int run(const Call& call) {
+  KernelQuestion question(call);
+  return answer(question);
 }
 
 }  // namespace
@@ -204,16 +206,16 @@ Verb kernel_verb() {
           "0 each polygon has a kernel; 1 some have none",
           {{"FILE", &call->file, "simple polygons without holes: WKT, GeoJSON", "", true},
            {"--feature", &call->feature, "this polygon only", "NAME"},
-           {"--name", &call->name, name_help, "FIELD"},
-           {"--skip-invalid", &call->skip_invalid, skip_invalid_help},
-           {"--mend", &call->mend, mend_help},
-           {"--leave-out", &call->leave_out, leave_out_help},
+           {"--name", &call->polygons.name, name_help, "FIELD"},
+           {"--skip-invalid", &call->polygons.skip_invalid, skip_invalid_help},
+           {"--mend", &call->polygons.mend, mend_help},
+           {"--leave-out", &call->polygons.leave_out, leave_out_help},
            {"--method", &call->method, "automatic, half-planes, lee-preparata, or scan", "NAME"},
            certificate_option(call->certificate),
            {"--svg", &call->svg, "draw the polygons and their kernels here", "FILE"},
            title_option(call->title),
            svg_limit_option(call->svg_limit),
-           {"--drop-z", &call->drop_z, "ignore third coordinates"},
+           {"--drop-z", &call->polygons.drop_z, "ignore third coordinates"},
            json_option(call->json)},
           [call] { return run(*call); }};
 }

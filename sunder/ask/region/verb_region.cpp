@@ -37,13 +37,11 @@ using planar::RegionKind;
 using Call = RegionCall;
 
 using RegionMethod = Region(const Constraints&, const planar::RegionOptions&);
-RegionMethod* region_method(const std::string& name) {
-  if (name == "automatic") return planar::half_plane_intersection<Constraints>;
-  if (name == "sort") return planar::half_plane_intersection_by_sort<Constraints>;
-  if (name == "division") return planar::half_plane_intersection_by_division<Constraints>;
-  if (name == "scan") return planar::half_plane_intersection_by_scan<Constraints>;
-  refuse_method(name, "automatic, sort, division, scan");
-}
+constexpr std::array<Named<RegionMethod>, 4> methods{
+    {{"automatic", planar::half_plane_intersection<Constraints>},
+     {"sort", planar::half_plane_intersection_by_sort<Constraints>},
+     {"division", planar::half_plane_intersection_by_division<Constraints>},
+     {"scan", planar::half_plane_intersection_by_scan<Constraints>}}};
 
 Constraints constraints_of(const io::TripleFile& file, const std::string& name) {
   std::vector<Constraint> rows;
@@ -68,41 +66,57 @@ std::optional<Objective> objective_of(const std::string& text) {
   return Objective{numbers[0], numbers[1]};
 }
 
-std::string about(const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); }
-
 std::string about(const Constraint& k) {
   return fmt::format("{:.10g} x {} {:.10g} y <= {:.10g}", k.a, k.b < 0 ? "-" : "+", std::fabs(k.b), k.c);
 }
 
-// A program's question and its answer.
-class Report {
+class HalfPlanesQuestion {
  public:
-  Report(const Call& call, const io::TripleFile& file, const Constraints& constraints, const Region& region,
-         const std::optional<Objective>& objective)
-      : call_(call), file_(file), constraints_(constraints), region_(region), objective_(objective) {
+  static constexpr const char *verb = "region", *drawn_noun = "half-plane";
+  const Call& call;
+
+  explicit HalfPlanesQuestion(const Call& asked)
+      : call(asked),
+        method_(method_by(asked.method, methods)),
+        objective_(objective_of(asked.maximize)),
+        file_(read(asked, origin_)),
+        constraints_(constraints_of(file_, asked.file)) {}
+
+  std::uint64_t drawn() const { return constraints_.size(); }
+  void ask() {
+    region_ = method_(constraints_, {call.proves()});
     if (objective_) best_ = linear_program_by_region(constraints_, region_, *objective_);
   }
+  std::string certificate() const {
+    return objective_ ? planar::certificate_text(constraints_, *objective_, best_, origin_)
+                      : planar::certificate_text(constraints_, region_, origin_);
+  }
 
-  std::string human() const {
-    std::string text = fmt::format("{}: {}\n", io::one_line(call_.file), count_of(constraints_.size(), "half-plane"));
-    if (region_.empty()) {
+  bool yes() const { return region_.empty(); }
+  const char* answer() const { return yes() ? "infeasible" : "feasible"; }
+  Cost cost() const {
+    Cost sum = region_.cost;
+    sum.probes += best_.cost.probes;
+    sum.exact += best_.cost.exact;
+    return sum;
+  }
+  std::string cost_text() const { return count_of(cost().probes, "sign"); }
+  const char* proof_clause() const { return ""; }
+
+  std::string text() const {
+    std::string text = fmt::format("{}: {}\n", io::one_line(call.file), count_of(constraints_.size(), "half-plane"));
+    if (yes()) {
       text += "empty: these contradict each other\n" + contradiction();
     } else {
       text +=
           fmt::format("{}, bounded by {}\n", shape(), count_of(region_.sides.size(), "half-plane")) + corners_text();
     }
-    if (objective_) text += best_text();
-    text += fmt::format("  cost        {}\n", count_of(cost().probes, "sign"));
-    if (!call_.certificate.empty()) text += fmt::format("  proof       {}\n", io::one_line(call_.certificate));
-    if (!call_.svg.empty()) text += fmt::format("  picture     {}\n", io::one_line(call_.svg));
-    return text;
+    return objective_ ? text + best_text() : text;
   }
 
-  Json json() const {
-    Json json = envelope("region", region_.empty() ? "infeasible" : "feasible", call_.method);
-    json["cost"] = to_json(cost());
+  void add_to(Json& json) const {
     json["objects"] =
-        Json::array({{{"file", io::one_line(call_.file)}, {"format", "CSV"}, {"half_planes", constraints_.size()}}});
+        Json::array({{{"file", io::one_line(call.file)}, {"format", "CSV"}, {"half_planes", constraints_.size()}}});
     json["region"] = {
         {"kind", name_of(region_.kind)}, {"sides", region_.sides}, {"names", Json::array()}, {"lines", Json::array()}};
     for (const std::uint32_t k : region_.sides) {
@@ -126,7 +140,6 @@ class Report {
         json["best"]["point"] = {p.x, p.y};
       }
     }
-    return json;
   }
 
   std::string picture() const {
@@ -135,14 +148,18 @@ class Report {
       picture.best = best_point();
       picture.objective = {objective_->p, objective_->q};
     }
-    picture.title = call_.title.empty() ? "What is common to these half-planes?" : call_.title;
+    picture.title = call.title_or("What is common to these half-planes?");
     picture.summary = fmt::format("{}: {}", count_of(constraints_.size(), "half-plane"),
                                   region_.empty() ? "nothing is common to all" : shape());
     return picture::region_svg(picture);
   }
 
  private:
-  static constexpr std::size_t most_listed = 20;
+  static io::TripleFile read(const Call& call, Origin& origin) {
+    Progress progress("reading");
+    return io::read_triples(call.file, io::half_plane_rows, {}, progress.reporter(), {},
+                            call.proves() ? &origin.inputs : nullptr);
+  }
 
   std::string shape() const {
     switch (region_.kind) {
@@ -158,13 +175,6 @@ class Report {
       case RegionKind::plane: return "the whole plane";
     }
     return "";
-  }
-
-  Cost cost() const {
-    Cost sum = region_.cost;
-    sum.probes += best_.cost.probes;
-    sum.exact += best_.cost.exact;
-    return sum;
   }
 
   Point2 corner(std::uint32_t i, std::uint32_t j) const {
@@ -189,14 +199,12 @@ class Report {
   }
 
   std::string corners_text() const {
-    std::string text;
     const auto all = corners(region_);
-    for (std::size_t k = 0; k < std::min(all.size(), most_listed); ++k) {
+    return first_of(all.size(), 20, [&](std::size_t k) {
       const auto [i, j] = all[k];
-      text += fmt::format("  corner at about {}, of {} and {}\n", about(corner(i, j)), file_.name[i], file_.name[j]);
-    }
-    if (all.size() > most_listed) text += fmt::format("  and {} more; --json has all\n", all.size() - most_listed);
-    return text;
+      return fmt::format("  corner at about {}, of {} and {}\n", place_text(corner(i, j)), file_.name[i],
+                         file_.name[j]);
+    });
   }
 
   std::array<std::pair<const char*, std::uint32_t>, 3> tight() const {
@@ -212,48 +220,24 @@ class Report {
       return fmt::format("{} is zero everywhere: every common point is an optimum; they are {}\n", aim, shape());
     }
     const double value = best_value();
-    std::string text =
-        fmt::format("{} is greatest, {}, {} about {}\n", aim,
-                    std::isfinite(value) ? fmt::format("about {:.10g}", value) : "beyond the range of doubles",
-                    best_.outcome == Optimum::one ? "at" : "at more points than one, such as", about(best_point()));
+    std::string text = fmt::format(
+        "{} is greatest, {}, {} about {}\n", aim,
+        std::isfinite(value) ? fmt::format("about {:.10g}", value) : "beyond the range of doubles",
+        best_.outcome == Optimum::one ? "at" : "at more points than one, such as", place_text(best_point()));
     for (const auto& [key, k] : tight()) {
       if (k != planar::no_half_plane) text += fmt::format("    held by half-plane {}\n", half_plane(k));
     }
     return text;
   }
 
-  const Call& call_;
-  const io::TripleFile& file_;
-  const Constraints& constraints_;
-  const Region& region_;
+  RegionMethod* method_;
   std::optional<Objective> objective_;
+  Origin origin_;
+  io::TripleFile file_;
+  Constraints constraints_;
+  Region region_;
   LinearProgramAnswer best_;
 };
-
-int run_half_planes(const Call& call) {
-  const auto method = region_method(call.method);
-  const std::optional<Objective> objective = objective_of(call.maximize);
-  Origin origin;
-  const io::TripleFile file = [&] {
-    Progress progress("reading");
-    return io::read_triples(call.file, io::half_plane_rows, {}, progress.reporter(), {},
-                            call.certificate.empty() ? nullptr : &origin.inputs);
-  }();
-  const Constraints constraints = constraints_of(file, call.file);
-  if (!call.svg.empty()) require_drawable(constraints.size(), "half-plane", 0, call.svg_limit);
-  const Region region = method(constraints, {!call.certificate.empty()});
-  if (!call.certificate.empty()) {
-    io::write_file_atomically(
-        call.certificate,
-        objective ? planar::certificate_text(constraints, *objective,
-                                             linear_program_by_region(constraints, region, *objective), origin)
-                  : planar::certificate_text(constraints, region, origin));
-  }
-  const Report report(call, file, constraints, region, objective);
-  if (!call.svg.empty()) io::write_file_atomically(call.svg, report.picture());
-  call.json ? print(to_text(report.json())) : print_for_people(report.human());
-  return region.empty() ? exit_code::yes : exit_code::no;
-}
 
 int run(const Call& call) {
   const bool of_half_planes = call.of == "half-planes", of_circles = call.of == "circles";
@@ -268,12 +252,15 @@ int run(const Call& call) {
     throw Error(ErrorCode::bad_call, "only half-planes have a best point here; leave it out", "--maximize");
   }
   for (const auto& [given, option] :
-       {std::pair(call.mend, "--mend"), std::pair(call.drop_z, "--drop-z"), std::pair(call.leave_out, "--leave-out"),
-        std::pair(call.skip_invalid, "--skip-invalid"), std::pair(!call.name.empty(), "--name")}) {
+       {std::pair(call.polygons.mend, "--mend"), std::pair(call.polygons.drop_z, "--drop-z"),
+        std::pair(call.polygons.leave_out, "--leave-out"), std::pair(call.polygons.skip_invalid, "--skip-invalid"),
+        std::pair(!call.polygons.name.empty(), "--name")}) {
     if (given && !of_polygons) throw Error(ErrorCode::bad_call, "is for polygons; leave it out", option);
   }
-  if (of_half_planes) return run_half_planes(call);
-  return of_circles ? run_region_circles(call) : run_region_polygons(call);
+  if (of_circles) return run_region_circles(call);
+  if (of_polygons) return run_region_polygons(call);
+  HalfPlanesQuestion question(call);
+  return answer(question);
 }
 
 }  // namespace
@@ -294,11 +281,13 @@ Verb region_verb() {
        {"--svg", &call->svg, "draw the common part here", "FILE"},
        title_option(call->title),
        svg_limit_option(call->svg_limit),
-       {"--mend", &call->mend, "polygons: leave out repeated and collinear vertices, turn clockwise ones round"},
-       {"--skip-invalid", &call->skip_invalid, "polygons: answer for the convex ones, and list the others"},
-       {"--leave-out", &call->leave_out, "polygons: leave out points and lines, and say so"},
-       {"--name", &call->name, "polygons: the property that names them; unless given, name, NAME, id", "FIELD"},
-       {"--drop-z", &call->drop_z, "polygons: ignore third coordinates"},
+       {"--mend", &call->polygons.mend,
+        "polygons: leave out repeated and collinear vertices, turn clockwise ones round"},
+       {"--skip-invalid", &call->polygons.skip_invalid, "polygons: answer for the convex ones, and list the others"},
+       {"--leave-out", &call->polygons.leave_out, "polygons: leave out points and lines, and say so"},
+       {"--name", &call->polygons.name, "polygons: the property that names them; unless given, name, NAME, id",
+        "FIELD"},
+       {"--drop-z", &call->polygons.drop_z, "polygons: ignore third coordinates"},
        json_option(call->json)},
       [call] { return run(*call); }};
 }

@@ -1,3 +1,4 @@
+#include <sunder/ask/report.h>
 #include <sunder/ask/set/polygon_defect_text.h>
 
 #include <fmt/format.h>
@@ -9,8 +10,6 @@ namespace {
 using planar::PolygonDefect;
 using planar::RingPlace;
 using Kind = planar::PolygonDefectKind;
-
-std::string about(const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); }
 
 bool of_one_ring(const PolygonDefect& d) { return d.a.part == d.b.part && d.a.ring == d.b.ring; }
 
@@ -27,7 +26,7 @@ std::string edges_text(const PolygonDefect& d) {
 }  // namespace
 
 std::string text_of(const PolygonDefect& d, bool has_parts) {
-  const std::string a = ring_text(d.a, has_parts), b = ring_text(d.b, has_parts), at = about(d.place.a);
+  const std::string a = ring_text(d.a, has_parts), b = ring_text(d.b, has_parts), at = place_text(d.place.a);
   const std::string both = of_one_ring(d) ? a : a + " and " + b;
   const auto meet = [&](const char* itself, const char* other) {
     return fmt::format("{} {} at about {}: {}", both, of_one_ring(d) ? itself : other, at, edges_text(d));
@@ -37,7 +36,7 @@ std::string text_of(const PolygonDefect& d, bool has_parts) {
     case Kind::crossing: return meet("crosses itself", "cross");
     case Kind::overlap:
       return fmt::format("{} {} from about {} to {}: {}", both,
-                         of_one_ring(d) ? "runs along itself" : "have a piece in common", at, about(d.place.b),
+                         of_one_ring(d) ? "runs along itself" : "have a piece in common", at, place_text(d.place.b),
                          edges_text(d));
     case Kind::repeated_vertex:
       return fmt::format("{}: vertices {} and {} are the same, {}", a, d.a.edge, d.b.edge, at);

@@ -19,6 +19,7 @@
 #pragma once
 
 #include <sunder/ask/list_stream.h>
+#include <sunder/ask/method.h>
 #include <sunder/ask/report.h>
 #include <sunder/ask/set/contact_row.h>
 #include <sunder/ask/verb.h>
@@ -71,22 +72,6 @@ struct SetHelp {
 };
 std::vector<Option> set_options(SetCall& call, const SetHelp& help);
 void add_file_options(Verb& verb, SetCall& call);  // of files of features: --leave-out, --drop-z
-
-// A method by its name. Throws Error bad_call that lists all, and what they are for.
-template <class Method>
-struct Named {
-  std::string_view name;
-  Method* method;
-};
-template <class Methods>
-auto* method_by(std::string_view name, const Methods& methods, std::string_view what_for = "") {
-  std::string known;
-  for (const auto& m : methods) {
-    if (m.name == name) return m.method;
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", m.name);
-  }
-  refuse_method(name, known.append(what_for));
-}
 
 // A certificate: the file's name, and what writes its statements.
 struct Proof {

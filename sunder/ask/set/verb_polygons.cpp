@@ -89,8 +89,6 @@ const std::string& group_of(const PolygonsInput& input, std::uint32_t polygon) {
   return input.files.front().groups[input.groups[polygon]];
 }
 
-std::string about(const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); }
-
 PolygonsRequest request_of(const Call& call) {
   PolygonsRequest request;
   request.files = call.files;
@@ -207,7 +205,7 @@ class PolygonsSet {
   }
   std::string text(const PolygonsContact& c) const {
     return fmt::format("{}: {} and {}: {} at about {}\n", name_of(c.contact), polygon_text(c, true),
-                       polygon_text(c, false), shown_by(c), about(place_of(input_, c)));
+                       polygon_text(c, false), shown_by(c), place_text(place_of(input_, c)));
   }
   std::string tail(const Result&) const { return input_.tell(); }
 

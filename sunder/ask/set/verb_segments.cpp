@@ -208,8 +208,6 @@ io::LineFile read(const Call& call, InputFiles* inputs) {
   return io::read_lines(call.files[0], options);
 }
 
-std::string about(const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); }
-
 class SegmentsSet {
  public:
   using Call = ask::Call;
@@ -281,10 +279,10 @@ class SegmentsSet {
   std::string clause() const { return left_out_of(file_).clause(); }
 
   std::string text(const SegmentsContact& contact) const {
-    std::string text = fmt::format("{} at about {}\n", name_of(contact.kind), about(place_of(file_, contact)));
+    std::string text = fmt::format("{} at about {}\n", name_of(contact.kind), place_text(place_of(file_, contact)));
     for (const std::uint32_t i : {contact.i, contact.j}) {
-      text += fmt::format("    segment {}, {}: {} to {}\n", i, source_of(file_, i), about(file_.segments[i].a),
-                          about(file_.segments[i].b));
+      text += fmt::format("    segment {}, {}: {} to {}\n", i, source_of(file_, i), place_text(file_.segments[i].a),
+                          place_text(file_.segments[i].b));
     }
     return text;
   }
