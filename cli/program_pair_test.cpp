@@ -120,7 +120,7 @@ TEST_F(Program, PlanarPairs) {
            {pair + "--feature-b far --clearance 0", "'0' is not one number above zero"},
            {pair + "--feature-b far --clearance x", "'x' is not a number"},
            {pair + "--feature-b far --clearance 1,2", "'1,2' is not one number above zero"},
-           {pair + "--feature-b far --method gjkk", "there is no method 'gjkk' for planar objects"},
+           {pair + "--feature-b far --method gjkk", "there is no method 'gjkk'; choose one of automatic, difference"},
            {pair + "--feature-b far --pose-a 1", "a pose of 1 number"},
            {pair + "--feature-b far --pose-a 1,0,0,2,0,0", "singular"},
            {pair + "--feature-b far --hull --mend", "not both"}}) {

@@ -37,7 +37,7 @@ LAYERS = {
     "io": set(CORE),
     "picture": set(CORE) | {"io"},
     "ask": set(CORE) | {"io", "picture", "verifier"},
-    "cli": set(CORE) | {"io", "picture", "ask", "verifier"},
+    "cli": set(CORE) | {"io", "picture", "ask", "verifier", "sunder"},
     "python": set(CORE) | {"sunder"},
     "verifier": set(),
     "sunder": set(CORE),
