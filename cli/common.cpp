@@ -216,8 +216,4 @@ std::string about(double x) { return fmt::format("{:.4g}", x == 0 ? 0.0 : x); }
 
 std::string about(const Point3& p) { return fmt::format("({}, {}, {})", about(p.x), about(p.y), about(p.z)); }
 
-std::string count_of(std::uint64_t n, std::string_view noun) {
-  return fmt::format("{} {}{}", n, noun, n == 1 ? "" : noun.ends_with('x') ? "es" : "s");
-}
-
 }  // namespace sunder::cli

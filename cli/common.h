@@ -1,6 +1,7 @@
 // What the verbs share: exit codes, methods and rules by name, poses as text, the JSON envelope, and output.
 #pragma once
 
+#include <sunder/io/text.h>
 #include <sunder/planar/set/contact_rule.h>
 #include <sunder/solid/object/pose.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
@@ -106,7 +107,6 @@ std::string to_line(const Json& json);
 std::string about(double x);
 std::string about(const Point3& p);  // "(x, y, z)"
 
-// "1 pair", "2 pairs".
-std::string count_of(std::uint64_t n, std::string_view noun);
+using io::count_of;
 
 }  // namespace sunder::cli

@@ -1,5 +1,6 @@
 #include <cli/contact_row.h>
-#include <cli/segments_picture.h>
+
+#include <sunder/planar/pair/segment_segment.h>
 
 #include <tests/support/program.h>
 

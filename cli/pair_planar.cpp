@@ -1,6 +1,5 @@
 #include <cli/common.h>
 #include <cli/evidence.h>
-#include <cli/pair_picture.h>
 #include <cli/pair_planar.h>
 #include <cli/pair_planar_input.h>
 #include <cli/pair_unbounded.h>
@@ -9,6 +8,7 @@
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
+#include <sunder/picture/pair.h>
 #include <sunder/planar/pair/contact_evidence.h>
 #include <sunder/planar/pair/polygon_polygon.h>
 #include <sunder/planar/pair/polygon_polygon_distance.h>
@@ -215,7 +215,8 @@ int run_planar_pair(const PlanarPairCall& call) {
     io::write_file_atomically(call.certificate, certificate_text(call, a, b, answers, origin));
   }
   if (!call.svg.empty()) {
-    io::write_file_atomically(call.svg, pair_svg({a.polygon, a.pose, a.name}, {b.polygon, b.pose, b.name}, call.title));
+    io::write_file_atomically(call.svg, picture::pair_svg({a.polygon, a.pose, a.name}, {b.polygon, b.pose, b.name},
+                                                          answers.distance.closest, call.title));
   }
   call.json ? print(to_text(report(call, a, b, answers, left_out)))
             : print_for_people(human_text(call, a, b, answers, left_out));

@@ -1,11 +1,11 @@
 #include <cli/common.h>
-#include <cli/cut_picture.h>
 #include <cli/pair_unbounded.h>
 #include <cli/unbounded_certificate.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
+#include <sunder/picture/pair.h>
 #include <sunder/planar/pair/polygon_line.h>
 #include <sunder/planar/pair/polygon_ray.h>
 
@@ -277,12 +277,14 @@ Unbounded placed(const PlanarInput& input, const char* option) {
 }
 
 std::string picture(const Question& q, const Common& common) {
-  CutPicture picture{{q.body.polygon, q.body.pose, q.body.name}, q.unbounded, q.body_is_a, {}, {}, q.call.title};
+  const Unbounded& u = q.unbounded;
+  picture::CutPicture picture{
+      {q.body.polygon, q.body.pose, q.body.name}, u.kind, u.a, u.b, u.name, q.body_is_a, {}, {}, q.call.title};
   if (common.cut.meet() && common.kind != CommonKind::whole) {
     picture.marks = {exact_end(q, common.cut.first).rounded(), exact_end(q, common.cut.last).rounded()};
   }
   picture.said = common_text(q, common);
-  return cut_svg(picture);
+  return picture::cut_svg(picture);
 }
 
 }  // namespace

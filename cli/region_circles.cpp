@@ -1,12 +1,12 @@
 #include <cli/circles_input.h>
 #include <cli/common.h>
-#include <cli/plane_picture.h>
 #include <cli/progress.h>
 #include <cli/region_circles.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
+#include <sunder/picture/plane.h>
 #include <sunder/planar/region/disc_intersection.h>
 #include <sunder/planar/region/disc_intersection_json.h>
 #include <sunder/predicate/constraints.h>
@@ -22,6 +22,8 @@ namespace sunder::cli {
 
 namespace {
 
+using picture::Ink;
+using picture::PlanePicture;
 using planar::DiscIntersection;
 using planar::DiscIntersectionKind;
 using planar::Discs;

@@ -1,11 +1,11 @@
 #include <cli/common.h>
-#include <cli/plane_picture.h>
 #include <cli/polygons_input.h>
 #include <cli/region_polygons.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
+#include <sunder/picture/plane.h>
 #include <sunder/planar/region/convex_polygon_intersection.h>
 #include <sunder/planar/region/convex_polygon_intersection_json.h>
 
@@ -19,6 +19,8 @@ namespace sunder::cli {
 
 namespace {
 
+using picture::Ink;
+using picture::PlanePicture;
 using planar::ConvexPolygon;
 using planar::PolygonFeature;
 using planar::PolygonsCorner;

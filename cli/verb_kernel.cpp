@@ -2,12 +2,12 @@
 #include <cli/common.h>
 #include <cli/left_out.h>
 #include <cli/list_stream.h>
-#include <cli/plane_picture.h>
 #include <cli/polygons_input.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
+#include <sunder/picture/plane.h>
 #include <sunder/planar/region/kernel.h>
 #include <sunder/planar/region/kernel_json.h>
 #include <sunder/predicate/constraints.h>
@@ -23,6 +23,8 @@ namespace sunder::cli {
 
 namespace {
 
+using picture::Ink;
+using picture::PlanePicture;
 using planar::PolygonSides;
 using planar::Region;
 using planar::RegionKind;

@@ -2,13 +2,13 @@
 #include <cli/common.h>
 #include <cli/progress.h>
 #include <cli/region_circles.h>
-#include <cli/region_picture.h>
 #include <cli/region_polygons.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
 #include <sunder/io/triples.h>
+#include <sunder/picture/region.h>
 #include <sunder/planar/region/half_plane_intersection.h>
 #include <sunder/planar/region/half_plane_intersection_json.h>
 #include <sunder/planar/region/linear_program.h>
@@ -130,7 +130,7 @@ class Report {
   }
 
   std::string picture() const {
-    RegionPicture picture{constraints_, region_};
+    picture::RegionPicture picture{constraints_, region_, file_.name};
     if (objective_ && best_.feasible() && best_.outcome != Optimum::unbounded) {
       picture.best = best_point();
       picture.objective = {objective_->p, objective_->q};
@@ -138,7 +138,7 @@ class Report {
     picture.title = call_.title.empty() ? "What is common to these half-planes?" : call_.title;
     picture.summary = fmt::format("{}: {}", count_of(constraints_.size(), "half-plane"),
                                   region_.empty() ? "nothing is common to all" : shape());
-    return region_svg(picture);
+    return picture::region_svg(picture);
   }
 
  private:

@@ -2,13 +2,14 @@
 #include <cli/left_out.h>
 #include <cli/outputs.h>
 #include <cli/progress.h>
-#include <cli/segments_picture.h>
 #include <cli/set_verb.h>
 
 #include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
 #include <sunder/io/lines.h>
 #include <sunder/io/text.h>
+#include <sunder/picture/segments.h>
+#include <sunder/planar/pair/segment_segment.h>
 #include <sunder/planar/set/segments_all.h>
 #include <sunder/planar/set/segments_json.h>
 
@@ -337,7 +338,7 @@ class SegmentsSet {
   }
 
   std::string picture(const Result&, const std::vector<SegmentsContact>& contacts) const {
-    return segments_svg({file_, Segments(file_.segments), contacts, call_.title, is_board(file_)});
+    return picture::segments_svg({file_, Segments(file_.segments), contacts, call_.title, is_board(file_)});
   }
 
  private:

@@ -5,7 +5,6 @@
 #include <cli/polygon_defect_text.h>
 #include <cli/polygon_parts.h>
 #include <cli/polygons_input.h>
-#include <cli/segments_picture.h>
 
 #include <sunder/base/error.h>
 #include <sunder/certificate/claims.h>
@@ -13,6 +12,7 @@
 #include <sunder/io/file.h>
 #include <sunder/io/lines.h>
 #include <sunder/io/text.h>
+#include <sunder/picture/segments.h>
 #include <sunder/planar/set/polygon_valid.h>
 #include <sunder/planar/set/polygon_valid_json.h>
 
@@ -380,7 +380,7 @@ std::string picture(const Call& call, const io::LineFile& file, const std::vecto
     });
   });
   const std::string title = call.title.empty() ? "Are these polygons " + call.answer(true) + "?" : call.title;
-  return segments_svg({file, segments, contacts, title});
+  return picture::segments_svg({file, segments, contacts, title});
 }
 
 io::LineFile read(const Call& call, InputFiles& inputs) {

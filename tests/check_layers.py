@@ -35,7 +35,8 @@ LAYERS = {
     "polytope": UP_TO_NEAR,
     "scene": UP_TO_NEAR | {"planar", "solid", "polytope"},
     "io": set(CORE),
-    "cli": set(CORE) | {"io", "verifier"},
+    "picture": set(CORE) | {"io"},
+    "cli": set(CORE) | {"io", "picture", "verifier"},
     "python": set(CORE) | {"sunder"},
     "verifier": set(),
     "sunder": set(CORE),
@@ -51,7 +52,7 @@ ORDER = {
 
 # The first part of a header of somebody else's: where it may be included (tests may include all).
 CORE_AND_UP = set(LAYERS)
-IO_AND_UP = {"io", "cli"}
+IO_AND_UP = {"io", "picture", "cli"}
 OUTSIDE = {
     "boost": CORE_AND_UP,
     "hwy": set(CORE),

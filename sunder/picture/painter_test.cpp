@@ -1,4 +1,4 @@
-#include <cli/painter.h>
+#include <sunder/picture/painter.h>
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sunder::cli {
+namespace sunder::picture {
 namespace {
 
 // A rectangle between two corners; depth grows to the right from `left_depth` to `right_depth`.
@@ -101,4 +101,4 @@ TEST(Painter, LinesDotsAndNothing) {
 }
 
 }  // namespace
-}  // namespace sunder::cli
+}  // namespace sunder::picture

@@ -1,4 +1,4 @@
-#include <cli/segments_picture.h>
+#include <sunder/picture/segments.h>
 
 #include <gtest/gtest.h>
 #include <tinyxml2.h>
@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace sunder::cli {
+namespace sunder::picture {
 namespace {
 
 using planar::Segment;
@@ -498,4 +498,4 @@ TEST(SegmentsPicture, TheSameInputGivesTheSameText) {
 }
 
 }  // namespace
-}  // namespace sunder::cli
+}  // namespace sunder::picture
