@@ -240,13 +240,13 @@ std::string picture_of_members(const SetCall& call, const SetResult<Set>& result
       drawing.named(name(i), [&] { draw(drawing, i, kind < Set::kinds.size() ? inks.at(kind) : Ink::calm); });
     }
   }
-  picture::Rings rings = drawing.rings(ring_kinds);
+  std::vector<picture::RingContact> places;
   for (std::uint32_t k = 0; k < contacts.size(); ++k) {
     const auto kind = std::find(Set::kinds.begin(), Set::kinds.end(), Set::kind_of(contacts[k])) - Set::kinds.begin();
     const std::optional<Point2> at = mark(contacts[k]);
-    if (at) rings.add(drawing.at(*at), k, static_cast<std::size_t>(kind));
+    if (at) places.push_back({drawing.at(*at), k, static_cast<std::size_t>(kind)});
   }
-  drawing.add(rings, [&](std::uint32_t k) {
+  drawing.rings(places, ring_kinds, [&](std::uint32_t k) {
     const typename Set::Contact& c = contacts[k];
     return fmt::format("contact {}: {}: {} and {}", k + 1, name_of(Set::kind_of(c)), name(c.i), name(c.j));
   });

@@ -25,14 +25,14 @@ constexpr std::array<Look, 6> looks{{{'g', "#8a97a8", ".06;stroke-width:1", "non
                                      {'o', "#cc79a7", ".25", "none"},
                                      {'x', "#333", ".25", "none"}}};  // in the order of Ink
 
-// k: numbers of axes; g: their lines; m: a ring with its label; f: a filled shape; d: a dot; v: a hollow one;
+// k: numbers of axes; a: their lines; m: a ring with its label; f: a filled shape; d: a dot; v: a hollow one;
 // b, r: outlines of bodies.
 std::string rules() {
   std::string text =
       "text{font-family:Inter,'Helvetica Neue',Helvetica,Arial,sans-serif}.k{font-size:11px;fill:#55677f}"
-      ".g{stroke:#e9ecf1}.m text{font-size:12px;font-weight:600;fill:#1f2a3a}.m rect{fill:#fff;fill-opacity:.85}"
+      ".a{stroke:#e9ecf1}.m text{font-size:12px;font-weight:600;fill:#1f2a3a}.m rect{fill:#fff;fill-opacity:.85}"
       ".m circle{fill:#fff;fill-opacity:.35;stroke-width:2.5}.m:hover circle{stroke-width:5}"
-      ".f{fill-rule:evenodd;stroke-width:2;stroke-linejoin:round}.many .f{stroke-width:.7}"
+      ".f{fill-rule:evenodd;stroke-width:2;stroke-linejoin:round}"
       ".l{fill:none;stroke-width:2}.dashed{stroke-width:1.2;stroke-dasharray:6 4}.n{font-size:13px;fill:#1f2a3a}"
       ".b,.r{fill:none;stroke-width:10}.b{stroke:#46586f}.r{stroke:#7d2115}";
   for (const Look& look : looks) {
@@ -109,49 +109,57 @@ void PathData::step(char letter, const Tenths& p) {
   pen_ = p;
 }
 
-Canvas::Canvas(double width, std::string_view title, std::string_view summary) : width_(width) {
-  words(border, 46, 22, text_colour, shortened(title, static_cast<std::size_t>(width / 14)), "font-weight='600'");
-  legend_y_ = paragraph(74, 15, text_colour, summary) + 8;
-}
-
 void Canvas::legend(std::string_view sign, std::string_view text, bool grey) {
   const double size = 34 + 13 * letter_width * static_cast<double>(text.size());
   if (legend_x_ > border && legend_x_ + size > width_ - border) {
     legend_x_ = border;
     legend_y_ += 24;
   }
-  drawn_ += fmt::format("<g transform='translate({:.1f} {:.1f})'>{}</g>\n", legend_x_, legend_y_, sign);
-  words(legend_x_ + 27, legend_y_ + 4.5, 13, grey ? "#9aa6b5" : text_colour, text);
+  legend_ += fmt::format("<g transform='translate({:.1f} {:.1f})'>{}{}</g>\n", legend_x_, legend_y_, sign,
+                         words_text(27, 4.5, 13, grey ? "#9aa6b5" : text_colour, text));
   legend_x_ += size + 16;
 }
 
-double Canvas::head() const { return legend_x_ > border ? legend_y_ + 24 : legend_y_; }
-
-void Canvas::words(double x, double y, double size, const char* colour, std::string_view text,
-                   std::string_view attributes) {
-  drawn_ += fmt::format("<text x='{:.1f}' y='{:.1f}' font-size='{:.0f}' fill='{}' {}>{}</text>\n", x, y, size, colour,
-                        attributes, xml_text(text));
+void Canvas::legend(Ink ink, std::string_view text) {
+  legend(fmt::format("<circle class='f {}' cx='10' r='7'/>", class_of(ink)), text);
 }
 
-double Canvas::paragraph(double y, double size, const char* colour, std::string_view text) {
+std::string Canvas::words_text(double x, double y, double size, const char* colour, std::string_view text,
+                               std::string_view attributes) {
+  return fmt::format("<text x='{:.1f}' y='{:.1f}' font-size='{:.0f}' fill='{}' {}>{}</text>\n", x, y, size, colour,
+                     attributes, xml_text(text));
+}
+
+// Rows from y on, which moves to where the next one is.
+std::string Canvas::paragraph(double& y, double size, const char* colour, std::string_view text) const {
   const auto longest = static_cast<std::size_t>((width_ - 2 * border) / (letter_width * size));
+  std::string rows;
   while (!text.empty()) {
     std::size_t end = text.size() <= longest ? text.size() : text.rfind(' ', longest);
     if (end == 0 || end == std::string_view::npos) end = text.size();
-    words(border, y, size, colour, text.substr(0, end));
+    rows += words_text(border, y, size, colour, text.substr(0, end));
     text.remove_prefix(std::min(end + 1, text.size()));
-    y += size * 1.4;
+    y += size * 1.5;
   }
-  return y;
+  return rows;
 }
 
-std::string Canvas::finish(double bottom, std::span<const std::string> notes) {
-  for (const std::string& note : notes) bottom = paragraph(bottom + 19, 12, faint_colour, note) - 17;
+std::string Canvas::finish(std::string_view title, std::string_view summary, double height) const {
+  double y = 74;
+  std::string head = words_text(border, 46, 22, text_colour, shortened(title, static_cast<std::size_t>(width_ / 14)),
+                                "font-weight='600'");
+  head += paragraph(y, 15, text_colour, summary);
+  head += fmt::format("<g transform='translate(0 {:.1f})'>\n{}</g>\n", y + 6, legend_);
+  y += legend_.empty() ? 0 : legend_y_ + 30;
+  head += fmt::format("<g transform='translate(0 {:.1f})'>\n", y);
+  y += height + 19;
+  std::string foot = "</g>\n";
+  for (const std::string& note : notes_) foot += paragraph(y, 12, faint_colour, note);
   return fmt::format(
              "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {0:.0f} {1:.0f}' width='{0:.0f}' "
              "height='{1:.0f}'>\n<style>{2}</style>\n<rect width='100%' height='100%' fill='#fff'/>\n",
-             width_, bottom + 24, rules()) +
-         drawn_ + "</svg>\n";
+             width_, y + 5, rules()) +
+         head + drawn_ + foot + "</svg>\n";
 }
 
 }  // namespace sunder::picture

@@ -6,9 +6,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace sunder::picture {
 
@@ -60,27 +60,32 @@ class Canvas {
  public:
   static constexpr double border = 40;
 
-  Canvas(double width, std::string_view title, std::string_view summary);
+  explicit Canvas(double width) : width_(width) {}
 
-  // An entry of the legend, which is in as many rows as it needs; before what is drawn. sign: XML of at most 20 by 18
-  // pixels around (10, 0).
-  void legend(std::string_view sign, std::string_view text, bool grey = false);
-  double head() const;  // its lower end
-
+  // What is drawn: XML; its upper end is at 0, below the head.
   void add(std::string_view xml) { drawn_ += xml; }
   // attributes: more of them.
   void words(double x, double y, double size, const char* colour, std::string_view text,
-             std::string_view attributes = "");
+             std::string_view attributes = "") {
+    drawn_ += words_text(x, y, size, colour, text, attributes);
+  }
 
-  // The file. bottom: the lower end of what is drawn; notes are below it.
-  std::string finish(double bottom, std::span<const std::string> notes = {});
+  // An entry of the legend. sign: XML of at most 20 by 18 pixels around (10, 0); of an ink a filled circle.
+  void legend(std::string_view sign, std::string_view text, bool grey = false);
+  void legend(Ink ink, std::string_view text);
+  void note(std::string_view text) { notes_.emplace_back(text); }
+
+  // The file. height: of what is drawn. Where they are long, the title is cut, summary and notes are in several rows.
+  std::string finish(std::string_view title, std::string_view summary, double height) const;
 
  private:
-  // In as many rows as it needs; returns where the next one is.
-  double paragraph(double y, double size, const char* colour, std::string_view text);
+  static std::string words_text(double x, double y, double size, const char* colour, std::string_view text,
+                                std::string_view attributes = "");
+  std::string paragraph(double& y, double size, const char* colour, std::string_view text) const;
 
   double width_ = 0, legend_x_ = border, legend_y_ = 0;
-  std::string drawn_;
+  std::string legend_, drawn_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace sunder::picture

@@ -27,19 +27,18 @@ struct Plane {
 struct Item {
   Piece piece;
   Plane plane;
-  double left = 0, right = 0, top = 0, bottom = 0, middle = 0;
+  Box2 box;           // on the picture, less a margin: boxes that only touch do not hide each other
+  double middle = 0;  // its depth
 
-  explicit Item(Piece p) : piece(std::move(p)), plane(piece.corners) {
+  Item(Piece p, double margin) : piece(std::move(p)), plane(piece.corners) {
     const Seen& first = piece.corners.front();
-    left = right = first.x;
-    top = bottom = first.y;
+    box = {{first.x, first.y}, {first.x, first.y}};
     for (const Seen& c : piece.corners) {
-      left = std::min(left, c.x);
-      right = std::max(right, c.x);
-      top = std::min(top, c.y);
-      bottom = std::max(bottom, c.y);
+      box = {{std::min(box.low.x, c.x), std::min(box.low.y, c.y)},
+             {std::max(box.high.x, c.x), std::max(box.high.y, c.y)}};
       middle += c.z / static_cast<double>(piece.corners.size());
     }
+    box = {{box.low.x + margin, box.low.y + margin}, {box.high.x - margin, box.high.y - margin}};
   }
 
   bool is_line() const { return piece.corners.size() < 3; }
@@ -49,10 +48,15 @@ enum class Order { none, first_behind, second_behind, cross };
 
 class Painter {
  public:
-  explicit Painter(double tolerance) : tolerance_(tolerance) {}
+  // compares: else the order is that of the middles.
+  Painter(double tolerance, bool compares) : tolerance_(tolerance), compares_(compares) {}
 
   std::vector<Piece> order(std::vector<Piece> pieces) {
-    cut_where_crossing(std::move(pieces));
+    if (compares_) {
+      cut_where_crossing(std::move(pieces));
+    } else {
+      for (Piece& piece : pieces) items_.emplace_back(std::move(piece), 0);
+    }
     return sorted();
   }
 
@@ -60,7 +64,7 @@ class Painter {
   // Every piece is compared with those that are in order already, and cut by the plane of one that it crosses.
   void cut_where_crossing(std::vector<Piece> todo) {
     while (!todo.empty()) {
-      const Item item(std::move(todo.back()));
+      const Item item(std::move(todo.back()), tolerance_ / 2);
       todo.pop_back();
       const auto crossed = std::find_if(items_.begin(), items_.end(),
                                         [&](const Item& other) { return compare(item, other) == Order::cross; });
@@ -80,7 +84,7 @@ class Painter {
     std::vector<std::size_t> by_depth(n);
     for (std::size_t i = 0; i < n; ++i) {
       by_depth[i] = i;
-      for (std::size_t j = 0; j < i; ++j) {
+      for (std::size_t j = 0; j < i && compares_; ++j) {
         const Order order = compare(items_[i], items_[j]);
         if (order == Order::first_behind) behind[j].push_back(i);
         if (order == Order::second_behind) behind[i].push_back(j);
@@ -111,10 +115,7 @@ class Painter {
   }
 
   Order compare(const Item& a, const Item& b) const {
-    if (a.piece.part == b.piece.part || a.right < b.left + tolerance_ || b.right < a.left + tolerance_ ||
-        a.bottom < b.top + tolerance_ || b.bottom < a.top + tolerance_) {
-      return Order::none;
-    }
+    if (a.piece.part == b.piece.part || !meet(a.box, b.box)) return Order::none;
     if (parted(a.piece.corners, b.piece.corners) || parted(b.piece.corners, a.piece.corners)) return Order::none;
     if (a.is_line() || b.is_line()) return a.middle < b.middle ? Order::first_behind : Order::second_behind;
     if (is_on_side(a, b.plane, -1) || is_on_side(b, a.plane, 1)) return Order::first_behind;
@@ -174,6 +175,7 @@ class Painter {
   }
 
   double tolerance_;
+  bool compares_;
   std::vector<Item> items_;  // no two of them cross
 };
 
@@ -194,13 +196,8 @@ std::vector<Piece> in_painters_order(std::vector<Piece> pieces) {
   for (const Piece& piece : pieces) {
     for (const Seen& p : piece.corners) size = std::max({size, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
   }
-  if (pieces.size() <= too_many && std::isfinite(size)) return Painter(1e-6 * size).order(std::move(pieces));
-  std::vector<std::pair<double, std::size_t>> by_depth;
-  for (std::size_t i = 0; i < pieces.size(); ++i) by_depth.emplace_back(Item(pieces[i]).middle, i);
-  std::sort(by_depth.begin(), by_depth.end());
-  std::vector<Piece> sorted;
-  for (const auto& [depth, i] : by_depth) sorted.push_back(std::move(pieces[i]));
-  return sorted;
+  const bool compares = pieces.size() <= too_many && std::isfinite(size);
+  return Painter(1e-6 * size, compares).order(std::move(pieces));
 }
 
 }  // namespace sunder::picture

@@ -94,29 +94,6 @@ void draw_distance(PlanePicture& drawing, const PicturedPolygon& a, const Pictur
   drawing.legend("<path class='l x' d='M0 0h20'/>", fmt::format("the distance, about {:.12g}", closest.distance.high));
 }
 
-// Of length about one.
-Point2 way_of(const CutPicture& cut) {
-  const Point2 d{cut.b.x / 16 - cut.a.x / 16, cut.b.y / 16 - cut.a.y / 16};
-  const double greatest = std::max(std::fabs(d.x), std::fabs(d.y)), length = std::hypot(d.x / greatest, d.y / greatest);
-  return {d.x / greatest / length, d.y / greatest / length};
-}
-
-// The point of the line, or of the ray, next to p.
-Point2 foot(const CutPicture& cut, const Point2& d, const Point2& p) {
-  const double t = (p.x / 16 - cut.a.x / 16) * d.x + (p.y / 16 - cut.a.y / 16) * d.y;
-  const double along = cut.kind == Kind::ray ? std::max(t, 0.0) : t;
-  return {(cut.a.x / 16 + along * d.x) * 16, (cut.a.y / 16 + along * d.y) * 16};
-}
-
-void draw_unbounded(PlanePicture& drawing, const CutPicture& cut, const Point2& d, const Point2& near, Ink ink) {
-  constexpr double far = 2000;  // pixels: the sheet's diagonal is shorter
-  const Point2 p = drawing.at(cut.a), q = drawing.at(near);
-  const bool begins = cut.kind == Kind::ray && std::hypot(p.x - q.x, p.y - q.y) < far;
-  if (begins) drawing.dot(cut.a, ink);
-  if (cut.kind == Kind::half_plane) drawing.line(near, d, ink, PlanePicture::Extent::half_plane);
-  drawing.line(begins ? cut.a : near, d, ink, begins ? PlanePicture::Extent::ray : PlanePicture::Extent::line);
-}
-
 }  // namespace
 
 std::string pair_svg(const PicturedPolygon& a, const PicturedPolygon& b,
@@ -134,7 +111,7 @@ std::string pair_svg(const PicturedPolygon& a, const PicturedPolygon& b,
   PlanePicture drawing(all);
   for (std::size_t k = 0; k < 2; ++k) {
     drawing.polygon(points.at(k), inks.at(k));
-    for (const std::uint32_t v : seen.at(k)) drawing.hollow_dot(points.at(k)[v], inks.at(k));
+    for (const std::uint32_t v : seen.at(k)) drawing.dot(points.at(k)[v], inks.at(k), "", true);
     drawing.legend(inks.at(k), fmt::format("{}: {}, {} of {} looked at (circles)", k == 0 ? "A" : "B",
                                            bodies.at(k)->name, seen.at(k).size(), vertices(points.at(k).size())));
   }
@@ -144,17 +121,21 @@ std::string pair_svg(const PicturedPolygon& a, const PicturedPolygon& b,
 }
 
 std::string cut_svg(const CutPicture& cut) {
+  using Extent = PlanePicture::Extent;
   const std::vector<Point2> points = points_of(cut.body);
-  const auto [left, right] =
-      std::minmax_element(points.begin(), points.end(), [](const Point2& p, const Point2& q) { return p.x < q.x; });
-  const auto [low, high] =
-      std::minmax_element(points.begin(), points.end(), [](const Point2& p, const Point2& q) { return p.y < q.y; });
-  const Point2 d = way_of(cut), near = foot(cut, d, {left->x / 2 + right->x / 2, low->y / 2 + high->y / 2});
+  const Point2 way{cut.b.x / 16 - cut.a.x / 16, cut.b.y / 16 - cut.a.y / 16};
+  Point2 near = foot(cut.a, way, points[0]);
+  const bool is_ray = cut.kind == Kind::ray;
+  if (is_ray && (near.x / 16 - cut.a.x / 16) * way.x + (near.y / 16 - cut.a.y / 16) * way.y < 0) near = cut.a;
   std::vector<Point2> shown = points;
   shown.push_back(near);
   PlanePicture drawing(shown);
   const Ink of_body = inks.at(cut.body_is_a ? 0 : 1), of_other = inks.at(cut.body_is_a ? 1 : 0);
-  draw_unbounded(drawing, cut, d, near, of_other);
+  const Point2 p = drawing.at(cut.a), q = drawing.at(near);
+  const bool begins = is_ray && std::hypot(p.x - q.x, p.y - q.y) < 2000;  // pixels: the sheet's diagonal is shorter
+  if (begins) drawing.dot(cut.a, of_other);
+  if (cut.kind == Kind::half_plane) drawing.line(near, way, of_other, Extent::half_plane);
+  drawing.line(begins ? cut.a : near, way, of_other, begins ? Extent::ray : Extent::line);
   drawing.polygon(points, of_body);
   if (cut.marks.size() == 2) drawing.segment(cut.marks[0], cut.marks[1], Ink::dark);
   for (const Point2& mark : cut.marks) drawing.dot(mark, Ink::dark);

@@ -26,7 +26,21 @@ std::string data_of(std::initializer_list<Point2> pixels) {
   return data;
 }
 
+// Of length one; zero where there is none.
+Point2 unit(const Point2& direction) {
+  const double greatest = std::max(std::fabs(direction.x), std::fabs(direction.y));
+  if (!(greatest > 0) || !std::isfinite(greatest)) return {0, 0};
+  const double length = std::hypot(direction.x / greatest, direction.y / greatest);
+  return {direction.x / greatest / length, direction.y / greatest / length};
+}
+
 }  // namespace
+
+Point2 foot(const Point2& through, const Point2& direction, const Point2& p) {
+  const Point2 d = unit(direction);
+  const double along = (p.x / 16 - through.x / 16) * d.x + (p.y / 16 - through.y / 16) * d.y;
+  return {(through.x / 16 + along * d.x) * 16, (through.y / 16 + along * d.y) * 16};
+}
 
 void Axis::include(double value) {
   value = std::clamp(value, std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max());
@@ -86,12 +100,14 @@ std::vector<std::pair<double, std::string>> Axis::ticks() const {
   return round.size() < 2 ? extremes : round;
 }
 
-PlanePicture::PlanePicture(std::span<const Point2> seen, const Sheet& sheet) : sheet_(sheet) {
+PlanePicture::PlanePicture(std::span<const Point2> seen, const Sheet& sheet) : Canvas(sheet.width), sheet_(sheet) {
   for (const Point2& p : seen) {
     x_.include(p.x);
     y_.include(p.y);
   }
   fit();
+  add(fmt::format("<g transform='translate({:.1f} 0)'>\n", left_) + axes());
+  add(fmt::format("<svg width='{:.1f}' height='{:.1f}'>\n", width_, height_));
 }
 
 // Gives the axes their pixels.
@@ -103,18 +119,17 @@ void PlanePicture::fit() {
   std::size_t letters = 0;  // room for the numbers of y
   y_.place(0, sheet_.most_height);
   for (const auto& tick : y_.ticks()) letters = std::max(letters, tick.second.size());
-  left_ = std::max(Canvas::border, 20 + tick_letter_width * static_cast<double>(letters));
-  const double room = sheet_.width - left_ - Canvas::border;
+  left_ = std::max(border, 20 + tick_letter_width * static_cast<double>(letters));
+  const double room = sheet_.width - left_ - border;
   double ratio = fitted_side;
   if (!x_.is_flat() && !y_.is_flat()) {
     ratio = x_.ratio_to(y_);
-    is_one_scale_ = sheet_.one_scale || (ratio <= longest_side && ratio >= 1 / longest_side);
-    if (!is_one_scale_) {
+    if (!sheet_.one_scale && (ratio > longest_side || ratio < 1 / longest_side)) {
       ratio = ratio > 1 ? fitted_side : 1 / fitted_side;
-      notes_.emplace_back("Not to one scale: x and y are each fitted to the frame.");
+      note("Not to one scale: x and y are each fitted to the frame.");
     }
   }
-  if (sheet_.y_down) notes_.emplace_back("y grows downwards.");
+  if (sheet_.y_down) note("y grows downwards.");
   double x_length = std::min(room - 2 * padding, sheet_.most_height * ratio), y_length = x_length / ratio;
   if (x_.is_flat() && !y_.is_flat()) {
     x_length = 4 * least_height;
@@ -130,24 +145,16 @@ void PlanePicture::fit() {
 
 Point2 PlanePicture::at(const Point2& p) const { return {x_.at(p.x), y_.at(p.y)}; }
 
-Point2 PlanePicture::way(const Point2& direction) const {
-  const double greatest = std::max(std::fabs(direction.x), std::fabs(direction.y));
-  if (!(greatest > 0) || !std::isfinite(greatest)) return {0, 0};
-  const double x = direction.x / greatest, y = (sheet_.y_down ? 1 : -1) * direction.y / greatest;
-  const double length = std::hypot(x, y);
-  return {x / length, y / length};
-}
-
 void PlanePicture::path(std::string_view data, std::string_view classes, Ink ink) {
-  drawn_ += fmt::format("<path class='{} {}' d='{}'/>\n", classes, class_of(ink), data);
+  add(fmt::format("<path class='{} {}' d='{}'/>\n", classes, class_of(ink), data));
   ++shapes_;
 }
 
 void PlanePicture::circle(const Disc& circle, Ink ink) {
   const Point2 c = at(circle.center);
   const double edge = x_.at(circle.center.x / 2 + (circle.center.x / 2 + circle.radius));
-  drawn_ += fmt::format("<circle class='f {}' cx='{:.2f}' cy='{:.2f}' r='{:.2f}'/>\n", class_of(ink), c.x, c.y,
-                        std::max(edge - c.x, 0.5));
+  add(fmt::format("<circle class='f {}' cx='{:.2f}' cy='{:.2f}' r='{:.2f}'/>\n", class_of(ink), c.x, c.y,
+                  std::max(edge - c.x, 0.5)));
   ++shapes_;
 }
 
@@ -178,10 +185,10 @@ void PlanePicture::segment(const Point2& from, const Point2& to, Ink ink) {
 }
 
 void PlanePicture::line(const Point2& through, const Point2& direction, Ink ink, Extent extent, bool dashed) {
-  const Point2 p = at(through), u = way(direction);
+  const Point2 p = at(through), u = unit(direction);
   const double reach = 3 * (width_ + height_);
   const auto beside = [&](double along, double left) {
-    return Point2{p.x + along * u.x + left * u.y, p.y + along * u.y - left * u.x};
+    return Point2{p.x + along * u.x - left * u.y, p.y - along * u.y - left * u.x};
   };
   const Point2 from = beside(extent == Extent::ray ? 0 : -reach, 0), to = beside(reach, 0);
   if (extent == Extent::half_plane)
@@ -190,52 +197,43 @@ void PlanePicture::line(const Point2& through, const Point2& direction, Ink ink,
 }
 
 void PlanePicture::arrow(const Point2& from, const Point2& direction, double pixels, Ink ink) {
-  const Point2 p = at(from), w = way(direction), u{w.x * pixels, w.y * pixels}, q{p.x + u.x, p.y + u.y};
+  const Point2 p = at(from), w = unit(direction), u{w.x * pixels, -w.y * pixels}, q{p.x + u.x, p.y + u.y};
   const Point2 left{q.x - 0.2 * u.x + 0.1 * u.y, q.y - 0.2 * u.y - 0.1 * u.x};
   const Point2 right{q.x - 0.2 * u.x - 0.1 * u.y, q.y - 0.2 * u.y + 0.1 * u.x};
   path(data_of({p, q, left, q, right}), "l", ink);
 }
 
-void PlanePicture::dot(const Point2& where, Ink ink, std::string_view label_text) {
+void PlanePicture::dot(const Point2& where, Ink ink, std::string_view label_text, bool hollow) {
   const Point2 p = at(where);
-  drawn_ += fmt::format("<circle class='f {} d' cx='{:.2f}' cy='{:.2f}' r='4'/>\n", class_of(ink), p.x, p.y);
+  add(fmt::format("<circle class='f {} {}' cx='{:.2f}' cy='{:.2f}' r='{}'/>\n", class_of(ink), hollow ? 'v' : 'd', p.x,
+                  p.y, hollow ? 2.6 : 4));
   if (!label_text.empty()) label(where, label_text);
 }
 
-void PlanePicture::hollow_dot(const Point2& where, Ink ink) {
-  const Point2 p = at(where);
-  drawn_ += fmt::format("<circle class='f {} v' cx='{:.2f}' cy='{:.2f}' r='2.6'/>\n", class_of(ink), p.x, p.y);
-}
-
 void PlanePicture::label(const Point2& where, std::string_view text) {
-  const Point2 p = at(where);
+  Point2 p = at(where);
   const bool left = p.x > width_ - 90;
-  drawn_ += fmt::format("<text class='n' x='{:.2f}' y='{:.2f}' text-anchor='{}'>{}</text>\n", p.x + (left ? -8 : 8),
-                        p.y - 7, left ? "end" : "start", xml_text(text));
+  const double width = tick_letter_width * 1.2 * static_cast<double>(text.size());
+  const auto is_taken = [&](const Point2& other) {
+    return std::fabs(other.x - p.x) < width && std::fabs(other.y - p.y) < 14;
+  };
+  while (std::any_of(labels_.begin(), labels_.end(), is_taken)) p.y += 14;
+  labels_.push_back(p);
+  add(fmt::format("<text class='n' x='{:.2f}' y='{:.2f}' text-anchor='{}'>{}</text>\n", p.x + (left ? -8 : 8), p.y - 7,
+                  left ? "end" : "start", xml_text(text)));
 }
 
 void PlanePicture::named(std::string_view name, const std::function<void()>& draw) {
-  drawn_ += name.empty() ? "<g>\n" : fmt::format("<g><title>{}</title>\n", xml_text(name));
+  add(name.empty() ? "<g>\n" : fmt::format("<g><title>{}</title>\n", xml_text(name)));
   draw();
-  drawn_ += "</g>\n";
+  add("</g>\n");
 }
 
-Rings PlanePicture::rings(std::span<const RingKind> kinds) const {
-  return {kinds, sheet_.width - Canvas::border - left_};
-}
-
-void PlanePicture::add(const Rings& rings, const std::function<std::string(std::uint32_t)>& tell) {
-  over_ += rings.text(tell);
-  const std::vector<std::string> notes = rings.notes();
-  notes_.insert(notes_.end(), notes.begin(), notes.end());
-}
-
-void PlanePicture::legend(Ink ink, std::string_view text) {
-  legend(fmt::format("<circle class='f {}' cx='10' r='7'/>", class_of(ink)), text);
-}
-
-void PlanePicture::legend(std::string_view sign, std::string_view text, bool grey) {
-  legend_.push_back({std::string(sign), std::string(text), grey});
+void PlanePicture::rings(std::span<const RingContact> contacts, std::span<const RingKind> kinds,
+                         const std::function<std::string(std::uint32_t)>& tell) {
+  add("</svg>\n");
+  has_rings_ = true;
+  draw_rings(*this, contacts, kinds, sheet_.width - border - left_, tell);
 }
 
 std::string PlanePicture::axes() const {
@@ -256,22 +254,15 @@ std::string PlanePicture::axes() const {
     text += fmt::format("<text class='k' x='-7' y='{:.1f}' text-anchor='end'>{}</text>\n", y + 4, number);
   }
   return text +
-         fmt::format("<path class='g' d='{}'/>\n<rect width='{:.1f}' height='{:.1f}' fill='none' stroke='#c5ccd6'/>\n",
+         fmt::format("<path class='a' d='{}'/>\n<rect width='{:.1f}' height='{:.1f}' fill='none' stroke='#c5ccd6'/>\n",
                      grid, width_, height_);
 }
 
-std::string PlanePicture::text(std::string_view title, std::string_view summary) const {
-  Canvas canvas(sheet_.width, title, summary);
-  for (const Entry& entry : legend_) canvas.legend(entry.sign, entry.text, entry.grey);
-  const double top = canvas.head();
-  canvas.add(fmt::format("<g transform='translate({:.1f} {:.1f})'>\n", left_, top) + axes());
-  canvas.add(fmt::format("<svg width='{:.1f}' height='{:.1f}'{}>\n", width_, height_,
-                         shapes_ > many_shapes ? " class='many'" : ""));
-  canvas.add(drawn_);
-  canvas.add("</svg>\n");
-  canvas.add(over_);
-  canvas.add("</g>\n");
-  return canvas.finish(top + height_ + 24, notes_);
+std::string PlanePicture::text(std::string_view title, std::string_view summary) {
+  if (!has_rings_) add("</svg>\n");
+  if (shapes_ > many_shapes) add("<style>.f{stroke-width:.7}</style>\n");
+  add("</g>\n");
+  return finish(title, summary, height_ + 36);
 }
 
 }  // namespace sunder::picture

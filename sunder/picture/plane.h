@@ -45,6 +45,9 @@ class Axis {
   double start_ = 0, length_ = 0;
 };
 
+// The point next to p of the line through a point; rounded, without overflow.
+Point2 foot(const Point2& through, const Point2& direction, const Point2& p);
+
 struct Sheet {
   double width = 1100, most_height = 900;  // of the picture; of what is seen in it
   bool one_scale = true;  // else only where neither extent is more than 20 times the other; a note says where not
@@ -55,7 +58,7 @@ struct Sheet {
 //   P1. For every finite input the text is well-formed XML, in UTF-8, of finite numbers; the same input gives the same
 //       text. Positions are rounded: a picture decides nothing.
 //   P2. The frame has axes with round numbers. Coordinates are hundredths of a pixel.
-class PlanePicture {
+class PlanePicture : public Canvas {
  public:
   // What must be seen: at least one point. What lies outside is cut off.
   explicit PlanePicture(std::span<const Point2> seen, const Sheet& sheet = {});
@@ -68,50 +71,34 @@ class PlanePicture {
   void polygon(std::span<const std::vector<Point2>> rings, Ink ink);  // with holes
   void segment(const Point2& from, const Point2& to, Ink ink);
 
-  // A line through a point near to what is seen, to one scale; a ray from there; the half-plane to the left.
+  // A line through a point near to what is seen, to one scale, y up; a ray from there; the half-plane to the left.
   enum class Extent : std::uint8_t { line, ray, half_plane };
   void line(const Point2& through, const Point2& direction, Ink ink, Extent extent = Extent::line, bool dashed = false);
 
-  void dot(const Point2& at, Ink ink, std::string_view label = {});  // label: any text
-  void hollow_dot(const Point2& at, Ink ink);
+  void dot(const Point2& at, Ink ink, std::string_view label = {}, bool hollow = false);  // label: any text
   void arrow(const Point2& from, const Point2& direction, double pixels, Ink ink);
   void label(const Point2& at, std::string_view text);
 
   // What draw() adds is of that name, which is shown where somebody points at it.
   void named(std::string_view name, const std::function<void()>& draw);
 
-  // XML, in pixels of the frame.
-  void add(std::string_view xml) { drawn_ += xml; }
+  // Rings at contacts, over all; see rings.h. Once, as the last.
+  void rings(std::span<const RingContact> contacts, std::span<const RingKind> kinds,
+             const std::function<std::string(std::uint32_t)>& tell);
 
-  // Empty, for the contacts of this picture; and when they are there: with what is told of each, see rings.h.
-  Rings rings(std::span<const RingKind> kinds) const;
-  void add(const Rings& rings, const std::function<std::string(std::uint32_t)>& tell);
-
-  void note(std::string_view text) { notes_.emplace_back(text); }
-  void legend(Ink ink, std::string_view text);
-  void legend(std::string_view sign, std::string_view text, bool grey = false);  // sign: as in Canvas
-
-  std::string text(std::string_view title, std::string_view summary) const;
+  std::string text(std::string_view title, std::string_view summary);  // once
 
  private:
-  struct Entry {
-    std::string sign, text;
-    bool grey;
-  };
-
   void fit();
-  Point2 way(const Point2& direction) const;  // in pixels, of length one; zero where there is none
   void path(std::string_view data, std::string_view classes, Ink ink);
   std::string axes() const;
 
   Sheet sheet_;
   Axis x_, y_;
   double left_ = 0, width_ = 0, height_ = 0;  // of the frame, in pixels
-  bool is_one_scale_ = true;
-  std::vector<Entry> legend_;
-  std::vector<std::string> notes_;
   std::size_t shapes_ = 0;
-  std::string drawn_, over_;  // within the frame; over it
+  bool has_rings_ = false;
+  std::vector<Point2> labels_;  // where they are, so that none lies over another
 };
 
 }  // namespace sunder::picture

@@ -1,12 +1,16 @@
 #include <sunder/picture/plane.h>
 #include <sunder/picture/region.h>
 
+#include <sunder/planar/region/half_plane_intersection.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace sunder::picture {
@@ -14,19 +18,6 @@ namespace sunder::picture {
 namespace {
 
 constexpr std::size_t most_lines = 400, most_labels = 12;  // of half-planes that bound nothing; of those that do
-
-// How far p is outside of the half-plane, in units of its normal; scaled, so that nothing overflows.
-double outside(const Constraint& k, const Point2& p) {
-  const double scale = std::max({std::fabs(k.a), std::fabs(k.b), std::fabs(k.c), 1e-300});
-  return k.a / scale * p.x + k.b / scale * p.y - k.c / scale;
-}
-
-// The point of its line that is nearest to `around`.
-Point2 foot(const Constraint& k, const Point2& around) {
-  const double size = std::max(std::fabs(k.a), std::fabs(k.b)), a = k.a / size, b = k.b / size;
-  const double away = (a * around.x + b * around.y - k.c / size) / (a * a + b * b);
-  return {around.x - a * away, around.y - b * away};
-}
 
 // All corners, or a point, with room around them; of an empty region the corners of those that contradict.
 Box2 view_of(const RegionPicture& picture) {
@@ -52,26 +43,21 @@ Box2 view_of(const RegionPicture& picture) {
   const double size = std::max(std::fabs(view.low.x), std::fabs(view.low.y));
   const double extent = std::max(view.high.x - view.low.x, view.high.y - view.low.y);
   const double room = extent > 0 ? extent / 2 : size > 0 ? size / 2 : 1;
-  return {{view.low.x - room, view.low.y - room}, {view.high.x + room, view.high.y + room}};
+  const auto within = [](double x) {
+    return std::clamp(x, std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max());
+  };
+  return {{within(view.low.x - room), within(view.low.y - room)},
+          {within(view.high.x + room), within(view.high.y + room)}};
 }
 
 // The corners of the common part within a box, counter-clockwise, rounded.
-std::vector<Point2> clipped(const planar::Constraints& constraints, const std::vector<std::uint32_t>& sides,
-                            const Box2& box) {
-  const auto& [low, high] = box;
-  std::vector<Point2> shape{low, {high.x, low.y}, high, {low.x, high.y}}, cut;
-  for (const std::uint32_t k : sides) {
-    cut.clear();
-    for (std::size_t i = 0; i < shape.size(); ++i) {
-      const Point2 &p = shape[i], &q = shape[(i + 1) % shape.size()];
-      const double of_p = outside(constraints[k], p), of_q = outside(constraints[k], q);
-      if (of_p <= 0) cut.push_back(p);
-      if ((of_p < 0 && of_q > 0) || (of_p > 0 && of_q < 0)) {
-        const double t = of_p / (of_p - of_q);
-        cut.push_back({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)});
-      }
-    }
-    shape = cut;
+std::vector<Point2> clipped(const RegionPicture& picture, const Box2& box) {
+  std::vector<Constraint> rows{{1, 0, box.high.x}, {-1, 0, -box.low.x}, {0, 1, box.high.y}, {0, -1, -box.low.y}};
+  for (const std::uint32_t k : picture.region.sides) rows.push_back(picture.constraints[k]);
+  const planar::Constraints constraints(std::move(rows));
+  std::vector<Point2> shape;
+  for (const auto& [i, j] : corners(half_plane_intersection(constraints))) {
+    shape.push_back(nearest(exact_corner(constraints[i], constraints[j])));
   }
   return shape;
 }
@@ -85,10 +71,10 @@ std::string region_svg(const RegionPicture& picture) {
   PlanePicture drawing(std::array{view.low, view.high});
   const auto draw_line = [&](std::uint32_t k, Ink ink, bool labelled) {
     const Constraint& c = constraints[k];
-    const Point2 p = foot(c, middle);
+    const Point2 way{-c.b, c.a}, p = foot(nearest(exact_point_on(c)), way, middle);
     const std::string name = names.empty() ? "" : shortened(names[k], 40);
     drawing.named(name, [&] {
-      drawing.line(p, {-c.b, c.a}, ink);
+      drawing.line(p, way, ink);
       drawing.arrow(p, {-c.a, -c.b}, 18, ink);  // on which side it is
       if (labelled && !name.empty()) drawing.label(p, name);
     });
@@ -101,7 +87,7 @@ std::string region_svg(const RegionPicture& picture) {
     draw_line(k, Ink::calm, false);
     ++drawn;
   }
-  if (!region.empty()) drawing.polygon(clipped(constraints, region.sides, view), Ink::bold);
+  if (!region.empty()) drawing.polygon(clipped(picture, view), Ink::bold);
   for (const std::uint32_t k : region.sides) {
     draw_line(k, region.empty() ? Ink::accent : Ink::bold, region.sides.size() <= most_labels);
   }

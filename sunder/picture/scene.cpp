@@ -40,13 +40,18 @@ std::string shaded(const Colour& c, double light) {
   return fmt::format("#{:02x}{:02x}{:02x}", channel(c.red), channel(c.green), channel(c.blue));
 }
 
-// The world from one side, a little from above.
-Seen seen(const Point3& p) {
-  static const double azimuth = -0.30 * std::numbers::pi, elevation = 0.11 * std::numbers::pi;
-  static const double ca = std::cos(azimuth), sa = std::sin(azimuth), ce = std::cos(elevation),
-                      se = std::sin(elevation);
-  return {-sa * p.x + ca * p.y, se * (ca * p.x + sa * p.y) - ce * p.z, ce * (ca * p.x + sa * p.y) + se * p.z};
-}
+// From the world to pixels, from one side and a little from above; depths are in pixels too.
+struct View {
+  double scale = 1, x = 0, y = 0;
+
+  Seen operator()(const Point3& p) const {
+    static const double azimuth = -0.30 * std::numbers::pi, elevation = 0.11 * std::numbers::pi;
+    static const double ca = std::cos(azimuth), sa = std::sin(azimuth);
+    static const double ce = std::cos(elevation), se = std::sin(elevation);
+    const double away = ca * p.x + sa * p.y;
+    return {x + scale * (ca * p.y - sa * p.x), y + scale * (se * away - ce * p.z), scale * (ce * away + se * p.z)};
+  }
+};
 
 // 0 dark .. 1 full light, which comes from above the viewer's left shoulder.
 double light_on(const Seen& normal) {
@@ -69,9 +74,10 @@ std::vector<Point3> world_vertices(const scene::Part& part) {
 
 // What of a part is turned towards the viewer. Its facets run counter-clockwise seen from outside, clockwise where the
 // pose reflects.
-void add_pieces(std::uint32_t body, std::uint32_t number, const scene::Part& part, std::vector<Piece>& out) {
+void add_pieces(std::uint32_t body, std::uint32_t number, const scene::Part& part, const View& view,
+                std::vector<Piece>& out) {
   std::vector<Seen> points;
-  for (const Point3& p : world_vertices(part)) points.push_back(seen(p));
+  for (const Point3& p : world_vertices(part)) points.push_back(view(p));
   if (part.shape.dimension() < 2) {
     const std::vector<Edge> edges(points.size(), Edge::outline);
     out.push_back({body, number, 1, std::move(points), edges});
@@ -102,48 +108,41 @@ void add_pieces(std::uint32_t body, std::uint32_t number, const scene::Part& par
   }
 }
 
-// From the picture's plane to pixels.
-struct Frame {
-  double scale = 1, x = 0, y = 0;
+PathData::Tenths tenths(const Seen& p) { return PathData::tenths({p.x, p.y}); }
 
-  Point2 operator()(const Seen& p) const { return {x + scale * p.x, y + scale * p.y}; }
-  PathData::Tenths tenths(const Seen& p) const { return PathData::tenths((*this)(p)); }
-};
-
-std::string outline_of(const std::vector<Seen>& corners, const Frame& frame) {
+std::string outline_of(const std::vector<Seen>& corners) {
   PathData path;
-  path.move(frame.tenths(corners.front()));
-  for (std::size_t i = 1; i < corners.size(); ++i) path.line(frame.tenths(corners[i]));
+  path.move(tenths(corners.front()));
+  for (std::size_t i = 1; i < corners.size(); ++i) path.line(tenths(corners[i]));
   path.close();
   return path.text();
 }
 
-std::string edges_of(const Piece& piece, Edge kind, const Frame& frame) {
+std::string edges_of(const Piece& piece, Edge kind) {
   PathData path;
   for (std::size_t i = 0; i < piece.corners.size(); ++i) {
     if (piece.edges[i] != kind) continue;
-    path.move(frame.tenths(piece.corners[i]));
-    path.line(frame.tenths(piece.corners[(i + 1) % piece.corners.size()]));
+    path.move(tenths(piece.corners[i]));
+    path.line(tenths(piece.corners[(i + 1) % piece.corners.size()]));
   }
   return path.text();
 }
 
 class Drawing {
  public:
-  Drawing(std::span<const ScenePanel> panels, const std::string& title)
-      : panels_(panels), canvas_(panel_width * static_cast<double>(panels.size()), title, "") {
+  explicit Drawing(std::span<const ScenePanel> panels)
+      : panels_(panels), canvas_(panel_width * static_cast<double>(panels.size())) {
     each_vertex([&](const Point3& p) { floor_ = std::min(floor_, p.z); });
     legend();
-    top_ = canvas_.head();
     fit();
   }
 
-  std::string text() {
+  std::string text(std::string_view title) {
     double bottom = 0;
     for (std::size_t k = 0; k < panels_.size(); ++k) {
       bottom = std::max(bottom, panel(panels_[k], panel_width * static_cast<double>(k)));
     }
-    return canvas_.finish(bottom, notes_);
+    return canvas_.finish(title, "", bottom);
   }
 
  private:
@@ -162,20 +161,18 @@ class Drawing {
   void fit() {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Point2 low{infinity, infinity}, high{-infinity, -infinity};
-    const auto include = [&](const Seen& p) {
-      if (!std::isfinite(p.x) || !std::isfinite(p.y)) return;
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    };
-    each_vertex([&](const Point3& p) {
-      include(seen(p));
-      include(seen({p.x, p.y, floor_}));
+    each_vertex([&](const Point3& vertex) {
+      for (const Seen& p : {view_(vertex), view_({vertex.x, vertex.y, floor_})}) {
+        if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      }
     });
     const double scale =
         std::min((panel_width - 2 * margin) / (high.x - low.x), (panel_height - 2 * margin) / (high.y - low.y));
-    frame_.scale = std::isfinite(scale) ? scale : 1;
-    frame_.x = panel_width / 2 - frame_.scale * (low.x + high.x) / 2;
-    frame_.y = top_ + panel_height / 2 - frame_.scale * (low.y + high.y) / 2;
+    view_.scale = std::isfinite(scale) ? scale : 1;
+    view_.x = panel_width / 2 - view_.scale * (low.x + high.x) / 2;
+    view_.y = panel_height / 2 - view_.scale * (low.y + high.y) / 2;
   }
 
   void legend() {
@@ -193,8 +190,8 @@ class Drawing {
 
   // Returns its lower end.
   double panel(const ScenePanel& panel, double left) {
-    Frame frame = frame_;
-    frame.x += left;
+    View view = view_;
+    view.x += left;
     std::vector<const scene::PartPair*> contacts;
     std::set<std::uint32_t> alarmed;
     for (const scene::PartPair& pair : panel.answer.pairs) {
@@ -203,16 +200,16 @@ class Drawing {
       alarmed.insert({pair.body_a, pair.body_b});
     }
     canvas_.add("<g transform='scale(.1)' stroke-linejoin='round' stroke-linecap='round'>\n");
-    shadows(panel, frame);
+    shadows(panel, view);
     std::vector<Piece> pieces;
     std::uint32_t number = 0;
     for (std::uint32_t b = 0; b < panel.bodies.size(); ++b) {
-      for (const scene::Part& part : panel.bodies[b].parts) add_pieces(b, number++, part, pieces);
+      for (const scene::Part& part : panel.bodies[b].parts) add_pieces(b, number++, part, view, pieces);
     }
     canvas_.add("<g stroke-width='5'>\n");
     for (const Piece& piece : in_painters_order(std::move(pieces))) {
       const bool red = alarmed.contains(piece.body);
-      draw(piece, (red ? alarming : calm).at(piece.body % 2), red ? 'r' : 'b', frame);
+      draw(piece, (red ? alarming : calm).at(piece.body % 2), red ? 'r' : 'b');
     }
     canvas_.add("</g>\n</g>\n");
 
@@ -221,12 +218,15 @@ class Drawing {
       const scene::PartPair& pair = *contacts[k];
       return fmt::format("{} meets {}", name(pair.body_a, pair.part_a), name(pair.body_b, pair.part_b));
     };
-    Rings rings(meeting, left + panel_width);
-    for (std::uint32_t k = 0; k < contacts.size(); ++k) rings.add(frame(seen(common_point(panel, *contacts[k]))), k, 0);
-    canvas_.add(rings.text([&](std::uint32_t k) { return fmt::format("contact {}: {}", k + 1, told(k)); }));
-    if (notes_.empty()) notes_ = rings.notes();
+    std::vector<RingContact> places;
+    for (std::uint32_t k = 0; k < contacts.size(); ++k) {
+      const Seen at = view(common_point(panel, *contacts[k]));
+      places.push_back({{at.x, at.y}, k, 0});
+    }
+    draw_rings(canvas_, places, meeting, left + panel_width,
+               [&](std::uint32_t k) { return fmt::format("contact {}: {}", k + 1, told(k)); });
 
-    double y = top_ + panel_height + 18;
+    double y = panel_height + 18;
     const auto row = [&](double size, const char* colour, const std::string& text, const char* weight) {
       canvas_.words(left + margin, y, size, colour, text, weight);
       y += row_height;
@@ -252,7 +252,7 @@ class Drawing {
   }
 
   // Of each part, on the lowest plane, the light straight above.
-  void shadows(const ScenePanel& panel, const Frame& frame) {
+  void shadows(const ScenePanel& panel, const View& view) {
     canvas_.add("<g fill='#26374d' opacity='0.10'>\n");
     for (const scene::Body& body : panel.bodies) {
       for (const scene::Part& part : body.parts) {
@@ -261,42 +261,40 @@ class Drawing {
         const solid::ConvexPolyhedron shadow(points);
         if (shadow.dimension() < 2) continue;
         std::vector<Seen> corners;
-        for (const std::uint32_t v : shadow.facet(0)) corners.push_back(seen(shadow.vertices()[v]));
-        canvas_.add(fmt::format("<path d='{}'/>\n", outline_of(corners, frame)));
+        for (const std::uint32_t v : shadow.facet(0)) corners.push_back(view(shadow.vertices()[v]));
+        canvas_.add(fmt::format("<path d='{}'/>\n", outline_of(corners)));
       }
     }
     canvas_.add("</g>\n");
   }
 
-  void draw(const Piece& piece, const Colour& colour, char outline_class, const Frame& frame) {
+  void draw(const Piece& piece, const Colour& colour, char outline_class) {
     const std::string fill = shaded(colour, piece.light);
     if (piece.corners.size() < 3) {
-      canvas_.add(
-          fmt::format("<path d='{}' stroke='{}' stroke-width='40'/>\n", outline_of(piece.corners, frame), fill));
+      canvas_.add(fmt::format("<path d='{}' stroke='{}' stroke-width='40'/>\n", outline_of(piece.corners), fill));
       return;
     }
     // Strokes hide the seams between neighbours; a little lighter, they show the facets.
     const bool cut = std::find(piece.edges.begin(), piece.edges.end(), Edge::cut) != piece.edges.end();
     const std::string edge = shaded(colour, piece.light + 0.1);
-    canvas_.add(fmt::format("<path d='{}' fill='{}' stroke='{}'/>\n", outline_of(piece.corners, frame), fill,
-                            cut ? fill : edge));
-    const std::string inner = cut ? edges_of(piece, Edge::inner, frame) : "";
-    const std::string outline = edges_of(piece, Edge::outline, frame);
+    canvas_.add(
+        fmt::format("<path d='{}' fill='{}' stroke='{}'/>\n", outline_of(piece.corners), fill, cut ? fill : edge));
+    const std::string inner = cut ? edges_of(piece, Edge::inner) : "";
+    const std::string outline = edges_of(piece, Edge::outline);
     if (!inner.empty()) canvas_.add(fmt::format("<path d='{}' fill='none' stroke='{}'/>\n", inner, edge));
     if (!outline.empty()) canvas_.add(fmt::format("<path class='{}' d='{}'/>\n", outline_class, outline));
   }
 
   std::span<const ScenePanel> panels_;
   Canvas canvas_;
-  double floor_ = std::numeric_limits<double>::infinity(), top_ = 0;
-  Frame frame_;
-  std::vector<std::string> notes_;
+  double floor_ = std::numeric_limits<double>::infinity();
+  View view_;
 };
 
 }  // namespace
 
 std::string scene_svg(std::span<const ScenePanel> panels, const std::string& title) {
-  return Drawing(panels, title.empty() ? "Which of these bodies meet?" : title).text();
+  return Drawing(panels).text(title.empty() ? "Which of these bodies meet?" : title);
 }
 
 }  // namespace sunder::picture

@@ -199,13 +199,13 @@ class Drawing {
   void rings() {
     std::array<RingKind, kinds.size()> ring_kinds;
     for (std::size_t k = 0; k < kinds.size(); ++k) ring_kinds.at(k) = {inks.at(k), name_of(kinds.at(k))};
-    Rings rings = picture_.rings(ring_kinds);
+    std::vector<RingContact> places;
     for (std::uint32_t k = 0; k < contacts_.size(); ++k) {
       const Segment common = common_of(contacts_[k]);
       const Point2 a = picture_.at(common.a), b = picture_.at(common.b);
-      rings.add({(a.x + b.x) / 2, (a.y + b.y) / 2}, k, position_of(contacts_[k].kind));
+      places.push_back({{(a.x + b.x) / 2, (a.y + b.y) / 2}, k, position_of(contacts_[k].kind)});
     }
-    picture_.add(rings, [this](std::uint32_t k) { return sentence(k); });
+    picture_.rings(places, ring_kinds, [this](std::uint32_t k) { return sentence(k); });
     if (contacts_.size() > most_bold) {
       picture_.note(fmt::format("Bold: segments of the first {} contacts.", most_bold));
     }
