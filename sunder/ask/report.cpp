@@ -218,8 +218,4 @@ std::string about(const Point3& p) { return fmt::format("({}, {}, {})", about(p.
 
 std::string place_text(const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); }
 
-std::string count_of(std::uint64_t n, std::string_view noun) {
-  return fmt::format("{} {}{}", n, noun, n == 1 ? "" : noun.ends_with('x') ? "es" : "s");
-}
-
 }  // namespace sunder::ask

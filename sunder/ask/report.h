@@ -3,6 +3,7 @@
 
 #include <sunder/ask/exit_code.h>
 
+#include <sunder/io/text.h>
 #include <sunder/planar/set/contact_rule.h>
 #include <sunder/solid/object/pose.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
@@ -84,7 +85,6 @@ std::string about(const Point3& p);  // "(x, y, z)"
 // "(x, y)", ten digits.
 std::string place_text(const Point2& p);
 
-// "1 pair", "2 pairs".
-std::string count_of(std::uint64_t n, std::string_view noun);
+using io::count_of;
 
 }  // namespace sunder::ask

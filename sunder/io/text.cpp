@@ -66,6 +66,10 @@ std::string shorten(std::string_view text) {
 
 std::string quote(std::string_view text) { return "'" + shorten(text) + "'"; }
 
+std::string count_of(std::uint64_t n, std::string_view noun) {
+  return fmt::format("{} {}{}", n, noun, n == 1 ? "" : noun.ends_with('x') ? "es" : "s");
+}
+
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};

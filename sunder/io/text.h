@@ -20,6 +20,9 @@ std::string one_line(std::string_view text);
 std::string shorten(std::string_view text);
 std::string quote(std::string_view text);
 
+// "1 pair", "2 pairs", "2 boxes".
+std::string count_of(std::uint64_t n, std::string_view noun);
+
 // What parts words within a line, and the text without what of it stands at its ends.
 inline constexpr std::string_view blanks = " \t\r\f\v";
 std::string_view trimmed(std::string_view text);

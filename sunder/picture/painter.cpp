@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
+#include <iterator>
 #include <utility>
 
 namespace sunder::picture {
@@ -11,46 +11,34 @@ namespace {
 
 constexpr std::size_t too_many = 20000;
 
+// Its normal points towards the viewer. Zero for a line.
 struct Plane {
-  double x = 0, y = 0, depth = 0, offset = 0;
+  Seen normal;
+  double offset;
 
-  double height(const Seen& p) const { return x * p.x + y * p.y + depth * p.depth - offset; }
-};
-
-// The plane of a piece; its normal, of length one, points towards the viewer. Zero for a line.
-Plane plane_of(const std::vector<Seen>& c) {
-  Plane n;
-  for (std::size_t i = 1; i + 1 < c.size(); ++i) {
-    const Seen u{c[i].x - c[0].x, c[i].y - c[0].y, c[i].depth - c[0].depth};
-    const Seen v{c[i + 1].x - c[0].x, c[i + 1].y - c[0].y, c[i + 1].depth - c[0].depth};
-    n.x += u.y * v.depth - u.depth * v.y;
-    n.y += u.depth * v.x - u.x * v.depth;
-    n.depth += u.x * v.y - u.y * v.x;
+  explicit Plane(const std::vector<Seen>& corners) : normal(normal_of(corners)), offset(0) {
+    if (normal.z < 0) normal = {-normal.x, -normal.y, -normal.z};
+    offset = height(corners[0]);
   }
-  const double length = std::sqrt(n.x * n.x + n.y * n.y + n.depth * n.depth);
-  const double scale = length > 0 ? (n.depth < 0 ? -1 : 1) / length : 0;
-  n = {n.x * scale, n.y * scale, n.depth * scale, 0};
-  n.offset = n.height(c[0]);
-  return n;
-}
+  double height(const Seen& p) const { return dot(normal, p) - offset; }
+};
 
 // A piece, with what is asked of it again and again.
 struct Item {
   Piece piece;
   Plane plane;
-  double left = 0, right = 0, top = 0, bottom = 0, middle = 0;
+  Box2 box;           // on the picture, less a margin: boxes that only touch do not hide each other
+  double middle = 0;  // its depth
 
-  explicit Item(Piece p) : piece(std::move(p)), plane(plane_of(piece.corners)) {
+  Item(Piece p, double margin) : piece(std::move(p)), plane(piece.corners) {
     const Seen& first = piece.corners.front();
-    left = right = first.x;
-    top = bottom = first.y;
+    box = {{first.x, first.y}, {first.x, first.y}};
     for (const Seen& c : piece.corners) {
-      left = std::min(left, c.x);
-      right = std::max(right, c.x);
-      top = std::min(top, c.y);
-      bottom = std::max(bottom, c.y);
-      middle += c.depth / static_cast<double>(piece.corners.size());
+      box = {{std::min(box.low.x, c.x), std::min(box.low.y, c.y)},
+             {std::max(box.high.x, c.x), std::max(box.high.y, c.y)}};
+      middle += c.z / static_cast<double>(piece.corners.size());
     }
+    box = {{box.low.x + margin, box.low.y + margin}, {box.high.x - margin, box.high.y - margin}};
   }
 
   bool is_line() const { return piece.corners.size() < 3; }
@@ -60,10 +48,15 @@ enum class Order { none, first_behind, second_behind, cross };
 
 class Painter {
  public:
-  explicit Painter(double tolerance) : tolerance_(tolerance) {}
+  // compares: else the order is that of the middles.
+  Painter(double tolerance, bool compares) : tolerance_(tolerance), compares_(compares) {}
 
   std::vector<Piece> order(std::vector<Piece> pieces) {
-    cut_where_crossing(std::move(pieces));
+    if (compares_) {
+      cut_where_crossing(std::move(pieces));
+    } else {
+      for (Piece& piece : pieces) items_.emplace_back(std::move(piece), 0);
+    }
     return sorted();
   }
 
@@ -71,7 +64,7 @@ class Painter {
   // Every piece is compared with those that are in order already, and cut by the plane of one that it crosses.
   void cut_where_crossing(std::vector<Piece> todo) {
     while (!todo.empty()) {
-      const Item item(std::move(todo.back()));
+      const Item item(std::move(todo.back()), tolerance_ / 2);
       todo.pop_back();
       const auto crossed = std::find_if(items_.begin(), items_.end(),
                                         [&](const Item& other) { return compare(item, other) == Order::cross; });
@@ -87,52 +80,42 @@ class Painter {
   // Farther ones first where the order is free, or runs in a circle.
   std::vector<Piece> sorted() {
     const std::size_t n = items_.size();
-    std::vector<std::vector<std::size_t>> hidden_by(n);
-    std::vector<std::size_t> waiting_for(n, 0), by_depth(n);
+    std::vector<std::vector<std::size_t>> behind(n);  // of each, those that it hides
+    std::vector<std::size_t> by_depth(n);
     for (std::size_t i = 0; i < n; ++i) {
       by_depth[i] = i;
-      for (std::size_t j = 0; j < i; ++j) {
+      for (std::size_t j = 0; j < i && compares_; ++j) {
         const Order order = compare(items_[i], items_[j]);
-        if (order == Order::none) continue;
-        const bool i_behind = order == Order::first_behind;
-        hidden_by[i_behind ? i : j].push_back(i_behind ? j : i);
-        ++waiting_for[i_behind ? j : i];
+        if (order == Order::first_behind) behind[j].push_back(i);
+        if (order == Order::second_behind) behind[i].push_back(j);
       }
     }
-    const auto nearer = [&](std::size_t i, std::size_t j) {
-      return items_[i].middle != items_[j].middle ? items_[i].middle > items_[j].middle : i > j;
-    };
-    std::sort(by_depth.begin(), by_depth.end(), nearer);
-    std::priority_queue<std::size_t, std::vector<std::size_t>, decltype(nearer)> free(nearer);
-    for (std::size_t i = 0; i < n; ++i) {
-      if (waiting_for[i] == 0) free.push(i);
-    }
+    std::sort(by_depth.begin(), by_depth.end(), [&](std::size_t i, std::size_t j) {
+      return items_[i].middle != items_[j].middle ? items_[i].middle < items_[j].middle : i < j;
+    });
+    // Depth first: each after all that it hides.
     std::vector<Piece> out;
-    std::vector<bool> done(n, false);
-    while (out.size() < n) {
-      std::size_t next = 0;
-      if (!free.empty()) {
-        next = free.top();
-        free.pop();
-      } else {
-        while (done[by_depth.back()]) by_depth.pop_back();
-        next = by_depth.back();
+    std::vector<bool> begun(n, false), done(n, false);
+    std::vector<std::size_t> path;
+    for (const std::size_t first : by_depth) {
+      path.push_back(first);
+      while (!path.empty()) {
+        const std::size_t k = path.back();
+        if (!begun[k]) {
+          begun[k] = true;
+          std::copy_if(behind[k].begin(), behind[k].end(), std::back_inserter(path), [&](auto j) { return !begun[j]; });
+          continue;
+        }
+        path.pop_back();
+        if (!done[k]) out.push_back(std::move(items_[k].piece));
+        done[k] = true;
       }
-      if (done[next]) continue;
-      done[next] = true;
-      for (const std::size_t j : hidden_by[next]) {
-        if (--waiting_for[j] == 0) free.push(j);
-      }
-      out.push_back(std::move(items_[next].piece));
     }
     return out;
   }
 
   Order compare(const Item& a, const Item& b) const {
-    if (a.piece.part == b.piece.part || a.right < b.left + tolerance_ || b.right < a.left + tolerance_ ||
-        a.bottom < b.top + tolerance_ || b.bottom < a.top + tolerance_) {
-      return Order::none;
-    }
+    if (a.piece.part == b.piece.part || !meet(a.box, b.box)) return Order::none;
     if (parted(a.piece.corners, b.piece.corners) || parted(b.piece.corners, a.piece.corners)) return Order::none;
     if (a.is_line() || b.is_line()) return a.middle < b.middle ? Order::first_behind : Order::second_behind;
     if (is_on_side(a, b.plane, -1) || is_on_side(b, a.plane, 1)) return Order::first_behind;
@@ -175,7 +158,7 @@ class Painter {
       const Seen &p = piece.corners[i], &q = piece.corners[(i + 1) % n];
       const double hp = side * plane.height(p), hq = side * plane.height(q);
       const double t = hp / (hp - hq);
-      const Seen between{p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.depth + t * (q.depth - p.depth)};
+      const Seen between{p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.z + t * (q.z - p.z)};
       if (hp >= 0) {
         out.corners.push_back(p);
         out.edges.push_back(piece.edges[i]);
@@ -192,23 +175,29 @@ class Painter {
   }
 
   double tolerance_;
+  bool compares_;
   std::vector<Item> items_;  // no two of them cross
 };
 
 }  // namespace
 
+Seen normal_of(const std::vector<Seen>& corners) {
+  Seen sum{0, 0, 0};
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    const Seen n = cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+    sum = {sum.x + n.x, sum.y + n.y, sum.z + n.z};
+  }
+  const double length = std::sqrt(dot(sum, sum)), scale = length > 0 ? 1 / length : 0;
+  return {sum.x * scale, sum.y * scale, sum.z * scale};
+}
+
 std::vector<Piece> in_painters_order(std::vector<Piece> pieces) {
   double size = 0;
   for (const Piece& piece : pieces) {
-    for (const Seen& p : piece.corners) size = std::max({size, std::fabs(p.x), std::fabs(p.y), std::fabs(p.depth)});
+    for (const Seen& p : piece.corners) size = std::max({size, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
   }
-  if (pieces.size() <= too_many && std::isfinite(size)) return Painter(1e-6 * size).order(std::move(pieces));
-  std::vector<std::pair<double, std::size_t>> by_depth;
-  for (std::size_t i = 0; i < pieces.size(); ++i) by_depth.emplace_back(Item(pieces[i]).middle, i);
-  std::sort(by_depth.begin(), by_depth.end());
-  std::vector<Piece> sorted;
-  for (const auto& [depth, i] : by_depth) sorted.push_back(std::move(pieces[i]));
-  return sorted;
+  const bool compares = pieces.size() <= too_many && std::isfinite(size);
+  return Painter(1e-6 * size, compares).order(std::move(pieces));
 }
 
 }  // namespace sunder::picture

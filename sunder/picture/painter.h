@@ -1,15 +1,19 @@
 // The painter's algorithm: polygons of a picture in an order in which nearer ones come later, cut where they cross.
 #pragma once
 
+#include <sunder/predicate/stages.h>
+
 #include <cstdint>
 #include <vector>
 
 namespace sunder::picture {
 
-// A point on the picture's plane, in the world's unit: x to the right, y down, depth towards the viewer.
-struct Seen {
-  double x = 0, y = 0, depth = 0;
-};
+// A point on the picture's plane, in the world's unit: x to the right, y down, z towards the viewer.
+using Seen = Vector3<double>;
+
+// Of the plane of a convex polygon: of length one, towards the viewer where its corners run clockwise on the picture.
+// Zero for a line.
+Seen normal_of(const std::vector<Seen>& corners);
 
 // What an edge of a piece is.
 enum class Edge : std::uint8_t {

@@ -111,6 +111,11 @@ class Scene {
 
 }  // namespace
 
+std::string part_name(const Body& body, std::uint32_t part) {
+  SUNDER_REQUIRE(part < body.parts.size());
+  return body.parts.size() == 1 ? body.name : body.name + "/" + body.parts[part].name;
+}
+
 Answer meeting_pairs(std::span<const Body> bodies, const Question& question) {
   return Scene(bodies, question).answer();
 }

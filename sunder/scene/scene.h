@@ -33,6 +33,9 @@ struct Body {
   std::vector<Part> parts;  // may be empty: a body that meets nothing
 };
 
+// "hand", or "hand/2" where the body has several parts. Requires part < body.parts.size().
+std::string part_name(const Body& body, std::uint32_t part);
+
 using PairMethod = solid::PairAnswer (*)(const solid::ConvexPolyhedron&, const solid::Pose&,  //
                                          const solid::ConvexPolyhedron&, const solid::Pose&);
 

@@ -3,10 +3,10 @@
 #include <sunder/ask/pair/pair_planar_input.h>
 #include <sunder/ask/pair/pair_unbounded.h>
 #include <sunder/ask/report.h>
-#include <sunder/picture/pair_picture.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/text.h>
+#include <sunder/picture/pair.h>
 #include <sunder/planar/pair/contact_evidence.h>
 #include <sunder/planar/pair/polygon_polygon.h>
 #include <sunder/planar/pair/polygon_polygon_distance.h>
@@ -100,7 +100,8 @@ class BoundedPair : public PairQuestion {
     });
   }
   std::string picture() const {
-    return picture::pair_svg({a_.polygon, a_.pose, a_.name}, {b_.polygon, b_.pose, b_.name}, call.title);
+    return picture::pair_svg({a_.polygon, a_.pose, a_.name}, {b_.polygon, b_.pose, b_.name}, distance_.closest,
+                             call.title);
   }
 
   std::string text() const {

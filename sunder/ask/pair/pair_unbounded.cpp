@@ -1,10 +1,10 @@
 #include <sunder/ask/pair/pair_unbounded.h>
 #include <sunder/ask/pair/unbounded_certificate.h>
 #include <sunder/ask/report.h>
-#include <sunder/picture/cut_picture.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/text.h>
+#include <sunder/picture/pair.h>
 #include <sunder/planar/pair/polygon_line.h>
 #include <sunder/planar/pair/polygon_ray.h>
 
@@ -261,7 +261,9 @@ class UnboundedPair : public PairQuestion {
                                     {common_.contact, call.classify, common_.cut, line, common_.witness}, origin_);
   }
   std::string picture() const {
-    picture::CutPicture picture{{body_.polygon, body_.pose, body_.name}, unbounded_, body_is_a_, {}, {}, call.title};
+    const auto& [kind, a, b, name] = unbounded_;
+    picture::CutPicture picture{
+        {body_.polygon, body_.pose, body_.name}, kind, a, b, name, body_is_a_, {}, {}, call.title};
     if (common_.cut.meet() && common_.kind != CommonKind::whole) {
       picture.marks = {exact_end(question(), common_.cut.first).rounded(),
                        exact_end(question(), common_.cut.last).rounded()};

@@ -2,11 +2,11 @@
 #include <sunder/ask/region/region_circles.h>
 #include <sunder/ask/report.h>
 #include <sunder/ask/set/circles_input.h>
-#include <sunder/picture/plane_picture.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
+#include <sunder/picture/plane.h>
 #include <sunder/planar/region/disc_intersection.h>
 #include <sunder/planar/region/disc_intersection_json.h>
 #include <sunder/predicate/constraints.h>

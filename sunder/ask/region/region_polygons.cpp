@@ -1,11 +1,11 @@
 #include <sunder/ask/region/region_polygons.h>
 #include <sunder/ask/report.h>
 #include <sunder/ask/set/polygons_input.h>
-#include <sunder/picture/plane_picture.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
+#include <sunder/picture/plane.h>
 #include <sunder/planar/region/convex_polygon_intersection.h>
 #include <sunder/planar/region/convex_polygon_intersection_json.h>
 

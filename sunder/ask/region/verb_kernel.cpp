@@ -3,11 +3,11 @@
 #include <sunder/ask/question.h>
 #include <sunder/ask/set/polygons_input.h>
 #include <sunder/ask/verb.h>
-#include <sunder/picture/plane_picture.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
+#include <sunder/picture/plane.h>
 #include <sunder/planar/region/kernel.h>
 #include <sunder/planar/region/kernel_json.h>
 #include <sunder/predicate/constraints.h>

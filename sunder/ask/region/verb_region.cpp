@@ -4,12 +4,12 @@
 #include <sunder/ask/region/region_polygons.h>
 #include <sunder/ask/report.h>
 #include <sunder/ask/verb.h>
-#include <sunder/picture/region_picture.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
 #include <sunder/io/triples.h>
+#include <sunder/picture/region.h>
 #include <sunder/planar/region/half_plane_intersection.h>
 #include <sunder/planar/region/half_plane_intersection_json.h>
 #include <sunder/planar/region/linear_program.h>
@@ -143,7 +143,7 @@ class HalfPlanesQuestion {
   }
 
   std::string picture() const {
-    picture::RegionPicture picture{constraints_, region_};
+    picture::RegionPicture picture{constraints_, region_, file_.name};
     if (objective_ && best_.feasible() && best_.outcome != Optimum::unbounded) {
       picture.best = best_point();
       picture.objective = {objective_->p, objective_->q};

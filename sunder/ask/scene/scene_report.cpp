@@ -212,10 +212,6 @@ bool SceneReport::meet_as_hulls(const PartPair& pair) const {
   return pair.answer.meet() && (is_hull[pair.body_a][pair.part_a] || is_hull[pair.body_b][pair.part_b]);
 }
 
-std::string part_name(const scene::Body& body, std::uint32_t part) {
-  return body.parts.size() == 1 ? body.name : body.name + "/" + body.parts[part].name;
-}
-
 Point3 point_about(const Placed& placed, const PartPair& pair) {
   return scene::rounded_common_point(pair.answer.certificate(), vertices_of(part_a(placed, pair)),
                                      vertices_of(part_b(placed, pair)));

@@ -38,9 +38,6 @@ struct SceneReport {
   bool meet_as_hulls(const scene::PartPair& pair) const;
 };
 
-// "hand", or "hand/2" where the body has several parts.
-std::string part_name(const scene::Body& body, std::uint32_t part);
-
 // The common point of a pair that meets, rounded.
 Point3 point_about(const Placed& placed, const scene::PartPair& pair);
 

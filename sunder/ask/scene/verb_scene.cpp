@@ -5,11 +5,11 @@
 #include <sunder/ask/scene/scene_input.h>
 #include <sunder/ask/scene/scene_report.h>
 #include <sunder/ask/verb.h>
-#include <sunder/picture/scene_picture.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
+#include <sunder/picture/scene.h>
 
 #include <fmt/format.h>
 
@@ -77,6 +77,12 @@ void write_certificate(const std::string& name, const SceneReport& report, const
   file.commit();
 }
 
+std::vector<picture::ScenePanel> panels_of(const SceneReport& report) {
+  std::vector<picture::ScenePanel> panels;
+  for (const Placed& placed : report.placements) panels.push_back({placed.title, placed.bodies, placed.answer});
+  return panels;
+}
+
 int run(const Call& call) {
   scene::Question question;
   question.method = pair_method(call.method);
@@ -116,7 +122,7 @@ int run(const Call& call) {
   }
 
   if (!call.certificate.empty()) write_certificate(call.certificate, report, files);
-  if (!call.svg.empty()) io::write_file_atomically(call.svg, picture::scene_picture(report, call.title));
+  if (!call.svg.empty()) io::write_file_atomically(call.svg, picture::scene_svg(panels_of(report), call.title));
   note_hulls(input.objects());
   std::string text = call.json ? to_text(scene_json(report, input.objects())) : scene_text(report);
   if (!call.json && !call.certificate.empty()) {

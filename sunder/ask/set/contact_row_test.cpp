@@ -1,5 +1,6 @@
 #include <sunder/ask/set/contact_row.h>
-#include <sunder/picture/segments_picture.h>
+
+#include <sunder/planar/pair/segment_segment.h>
 
 #include <tests/support/program.h>
 
@@ -34,10 +35,10 @@ TEST(ContactRow, OnAMap) {
 
 TEST(ContactRow, AnOverlapIsItsCommonPart) {
   const Segments segments(std::vector{Segment{{0, 0}, {0, 3}}, Segment{{0, 5}, {0, 2}}, Segment{{0, 1}, {0, 2.5}}});
-  const Segment part = picture::common_part(segments[0], segments[1]);
+  const Segment part = common_part(segments[0], segments[1]);
   EXPECT_EQ(part, (Segment{{0, 2}, {0, 3}}));
-  EXPECT_EQ(picture::common_part(segments[1], segments[0]), part);
-  EXPECT_EQ(picture::common_part(segments[0], segments[2]), segments[2]);  // the one holds the other
+  EXPECT_EQ(common_part(segments[1], segments[0]), part);
+  EXPECT_EQ(common_part(segments[0], segments[2]), segments[2]);  // the one holds the other
   ContactRow row = crossing();
   row.part = {part.a, part.b};
   EXPECT_EQ(json::parse(geojson_text(row, 1))["geometry"],

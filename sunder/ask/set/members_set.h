@@ -143,7 +143,7 @@ class MembersSet {
     return picture_of_members(
         call_, result, contacts, seen, size(), "", [this](std::uint32_t i) { return file_.names[i]; },
         [this](PlanePicture& drawing, std::uint32_t i, Ink ink) { Of::draw(drawing, members_[i], ink); },
-        [](PlanePicture&, const Contact&) {});
+        [](const Contact&) { return std::optional<Point2>(); });
   }
 
   static auto methods() {

@@ -23,12 +23,12 @@
 #include <sunder/ask/report.h>
 #include <sunder/ask/set/contact_row.h>
 #include <sunder/ask/verb.h>
-#include <sunder/picture/plane_picture.h>
 
 #include <sunder/certificate/claims.h>
 #include <sunder/io/file.h>
 #include <sunder/near/contacts_in_order.h>
 #include <sunder/near/set_question.h>
+#include <sunder/picture/plane.h>
 
 #include <fmt/format.h>
 
@@ -207,14 +207,16 @@ std::vector<std::size_t> strongest_kinds(const std::vector<typename Set::Contact
   return strongest;
 }
 
-// A picture of full members: seen, what must be on it; name(i); draw(drawing, i, ink); mark(drawing, contact), over
-// all.
+// A picture of full members: seen, what must be on it; name(i); draw(drawing, i, ink); mark(contact): where it has a
+// ring over all, or nothing.
 template <class Set, class Name, class Draw, class Mark>
 std::string picture_of_members(const SetCall& call, const SetResult<Set>& result,
                                const std::vector<typename Set::Contact>& contacts, std::span<const Point2> seen,
                                std::uint32_t size, const std::string& clause, const Name& name, const Draw& draw,
                                const Mark& mark) {
   constexpr std::array inks{Ink::accent, Ink::second, Ink::third, Ink::calm};
+  std::array<picture::RingKind, Set::kinds.size()> ring_kinds;
+  for (std::size_t k = 0; k < Set::kinds.size(); ++k) ring_kinds.at(k) = {inks.at(k), name_of(Set::kinds.at(k))};
   PlanePicture drawing(seen);
   const std::vector<std::size_t> strongest = strongest_kinds<Set>(contacts, size);
   for (std::size_t kind = Set::kinds.size() + 1; kind-- > 0;) {
@@ -223,7 +225,16 @@ std::string picture_of_members(const SetCall& call, const SetResult<Set>& result
       drawing.named(name(i), [&] { draw(drawing, i, kind < Set::kinds.size() ? inks.at(kind) : Ink::calm); });
     }
   }
-  for (const typename Set::Contact& c : contacts) mark(drawing, c);
+  std::vector<picture::RingContact> places;
+  for (std::uint32_t k = 0; k < contacts.size(); ++k) {
+    const auto kind = std::find(Set::kinds.begin(), Set::kinds.end(), Set::kind_of(contacts[k])) - Set::kinds.begin();
+    const std::optional<Point2> at = mark(contacts[k]);
+    if (at) places.push_back({drawing.at(*at), k, static_cast<std::size_t>(kind)});
+  }
+  drawing.rings(places, ring_kinds, [&](std::uint32_t k) {
+    const typename Set::Contact& c = contacts[k];
+    return fmt::format("contact {}: {}: {} and {}", k + 1, name_of(Set::kind_of(c)), name(c.i), name(c.j));
+  });
   for (std::size_t k = 0; k < Set::kinds.size(); ++k) {
     drawing.legend(inks.at(k), fmt::format("{} {}", name_of(Set::kinds.at(k)), result.count.at(k)));
   }

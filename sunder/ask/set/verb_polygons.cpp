@@ -249,8 +249,8 @@ class PolygonsSet {
         call_, result, contacts, seen, static_cast<std::uint32_t>(input_.polygons.size()),
         without.empty() ? "" : "; " + without, [this](std::uint32_t i) { return input_.name(i); },
         [this](PlanePicture& drawing, std::uint32_t i, Ink ink) { draw(drawing, input_.polygons[i], ink); },
-        [this](PlanePicture& drawing, const PolygonsContact& c) {
-          if (c.contact == sunder::Contact::overlapping) drawing.dot(place_of(input_, c), Ink::accent);
+        [this](const PolygonsContact& c) {
+          return c.contact == sunder::Contact::overlapping ? std::optional(place_of(input_, c)) : std::nullopt;
         });
   }
 

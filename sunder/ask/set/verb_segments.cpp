@@ -3,12 +3,13 @@
 #include <sunder/ask/outputs.h>
 #include <sunder/ask/progress.h>
 #include <sunder/ask/set/set_verb.h>
-#include <sunder/picture/segments_picture.h>
 
 #include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
 #include <sunder/io/lines.h>
 #include <sunder/io/text.h>
+#include <sunder/picture/segments.h>
+#include <sunder/planar/pair/segment_segment.h>
 #include <sunder/planar/set/segments_all.h>
 #include <sunder/planar/set/segments_json.h>
 
@@ -318,8 +319,7 @@ class SegmentsSet {
   ContactRow row(const SegmentsContact& c) const {
     ContactRow row{c.i, c.j, name_of(c.kind), place_of(file_, c)};
     if (c.kind == ContactKind::overlap) {
-      const Segment part =
-          picture::common_part(planar::sorted(file_.segments[c.i]), planar::sorted(file_.segments[c.j]));
+      const Segment part = common_part(planar::sorted(file_.segments[c.i]), planar::sorted(file_.segments[c.j]));
       row.part = {part.a, part.b};
     }
     const auto add = [&](std::string_view key, bool is_text, const auto& of) {

@@ -6,7 +6,6 @@
 #include <sunder/ask/set/polygon_parts.h>
 #include <sunder/ask/set/polygons_input.h>
 #include <sunder/ask/verb.h>
-#include <sunder/picture/segments_picture.h>
 
 #include <sunder/base/error.h>
 #include <sunder/certificate/claims.h>
@@ -14,6 +13,7 @@
 #include <sunder/io/file.h>
 #include <sunder/io/lines.h>
 #include <sunder/io/text.h>
+#include <sunder/picture/segments.h>
 #include <sunder/planar/set/polygon_valid.h>
 #include <sunder/planar/set/polygon_valid_json.h>
 

@@ -80,4 +80,9 @@ Point2 common_point_rounded(const Segment& s, const Segment& t) {
   return {nearest_ratio(p.x, p.denominator), nearest_ratio(p.y, p.denominator)};
 }
 
+Segment common_part(const Segment& s, const Segment& t) {
+  // On one line, the lexicographic order is the order along it.
+  return {lexicographically_less(s.a, t.a) ? t.a : s.a, lexicographically_less(s.b, t.b) ? s.b : t.b};
+}
+
 }  // namespace sunder::planar

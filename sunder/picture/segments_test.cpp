@@ -1,4 +1,4 @@
-#include <sunder/picture/segments_picture.h>
+#include <sunder/picture/segments.h>
 
 #include <gtest/gtest.h>
 #include <tinyxml2.h>

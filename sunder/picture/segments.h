@@ -10,9 +10,6 @@
 
 namespace sunder::picture {
 
-// The common part of two members of Segments that overlap. Exact: its ends are ends of theirs.
-planar::Segment common_part(const planar::Segment& s, const planar::Segment& t);
-
 struct SegmentsPicture {
   const io::LineFile& file;
   const planar::Segments& segments;                   // those of the file, in its order
@@ -21,20 +18,17 @@ struct SegmentsPicture {
   bool y_down = false;                                // as boards have it
 };
 
-// All segments drawn thin, those that meet bold over them, and a ring with a number at each contact, in the colour of
-// its kind; 1600 pixels wide, without scripts. Pointing at a ring shows who meets there.
+// All segments drawn thin, those that meet bold over them, and a ring with a number at each contact (rings.h), in the
+// colour of its kind; 1600 pixels wide, without scripts. Pointing at a ring shows who meets there.
 //   S1. For every finite input the text is well-formed XML, in UTF-8, of finite numbers; the same input gives the same
 //       text.
 //   S2. Thin lines: one path for each layer; without layers, for each group, where there are at most 8; else one path.
 //       Segments that follow each other in the file and share an end are one line. Coordinates are tenths of a pixel.
 //       Bends less than 0.3 pixels away from the last one are left out, but no segment that is in a contact.
 //   S3. Bold, in the kind's colour: the segments of the first 5000 contacts; of an overlap, the common part as a band.
-//   S4. Every contact has a dot. Rings and numbers do not lie over each other: where they would, one ring around the
-//       first contact stands for all of them, with their numbers, "3, 8" or "12-37", or how many they are, with a
-//       multiplication sign.
-//   S5. x and y are to one scale unless one extent is more than 20 times the other; the picture says so.
+//   S4. x and y are to one scale unless one extent is more than 20 times the other; the picture says so.
 // What it does not do: decide. Positions are rounded. Size: about 5 bytes for a short segment of a line, 20 for one by
-// itself; a few hundred bytes for a ring, of which there is room for about 2000.
+// itself; a few hundred bytes for a ring.
 std::string segments_svg(const SegmentsPicture& picture);
 
 }  // namespace sunder::picture

@@ -1,0 +1,84 @@
+#include <sunder/picture/pair.h>
+#include <sunder/picture/plane.h>
+
+#include <gtest/gtest.h>
+#include <tinyxml2.h>
+
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace sunder::picture {
+namespace {
+
+void expect_well_formed(const std::string& svg) {
+  tinyxml2::XMLDocument document;
+  EXPECT_EQ(document.Parse(svg.data(), svg.size()), tinyxml2::XML_SUCCESS) << document.ErrorStr();
+  for (const char* text : {"='nan", "='-nan", "='inf", "='-inf", " nan", " inf", " -nan", " -inf", "Mnan", "Minf"}) {
+    EXPECT_EQ(svg.find(text), std::string::npos) << text;
+  }
+}
+
+TEST(PlanePicture, CoordinatesOfAnySize) {
+  const double huge = std::numeric_limits<double>::max(), tiny = 5e-324;
+  const std::vector<std::array<Point2, 2>> extents{{{{0, 0}, {0, 0}}},
+                                                   {{{-huge, -huge}, {huge, huge}}},
+                                                   {{{0, 0}, {tiny, tiny}}},
+                                                   {{{0, 0}, {huge, tiny}}},
+                                                   {{{tiny, -huge}, {tiny, 1}}},
+                                                   {{{3, 4}, {5, 4}}},
+                                                   {{{1e16, 1e16}, {1e16 + 2, 1e16}}},
+                                                   {{{-1, -2}, {3, 4}}}};
+  for (const auto& seen : extents) {
+    const auto& [p, q] = seen;
+    PlanePicture picture(seen);
+    picture.circle({p, q.x}, Ink::calm);
+    picture.circle({q, tiny}, Ink::bold);
+    picture.polygon(seen, Ink::second);
+    picture.polygon(std::array{p}, Ink::third);
+    picture.line(p, q, Ink::accent);
+    picture.line(q, {0, 0}, Ink::accent);
+    picture.line(p, {huge, -huge}, Ink::dark, PlanePicture::Extent::half_plane);
+    picture.line(q, {-tiny, tiny}, Ink::dark, PlanePicture::Extent::ray, true);
+    picture.arrow(p, q, 20, Ink::bold);
+    picture.dot({huge, -huge}, Ink::dark, "<far> & \xff");
+    picture.rings(std::vector<RingContact>{{picture.at(q), 0, 0}}, std::array{RingKind{Ink::accent, "crossing"}},
+                  [](std::uint32_t) { return "]]>"; });
+    expect_well_formed(picture.text("<title>", std::string(1000, '&')));
+  }
+}
+
+TEST(PlanePicture, LabelsDoNotLieOverEachOther) {
+  PlanePicture picture(std::array{Point2{0, 0}, Point2{1, 1}});
+  for (int k = 0; k < 3; ++k) picture.label({0.5, 0.5}, "here");
+  const std::string svg = picture.text("Labels", "");
+  tinyxml2::XMLDocument document;
+  ASSERT_EQ(document.Parse(svg.data(), svg.size()), tinyxml2::XML_SUCCESS);
+  std::vector<double> heights;
+  std::size_t at = 0;
+  while ((at = svg.find("class='n'", at)) != std::string::npos) {
+    at = svg.find(" y='", at) + 4;
+    heights.push_back(std::stod(svg.substr(at)));
+  }
+  ASSERT_EQ(heights.size(), 3u);
+  EXPECT_GE(heights[1] - heights[0], 13);
+  EXPECT_GE(heights[2] - heights[1], 13);
+}
+
+TEST(PairPicture, HasATitleAndTheDistance) {
+  const std::vector<Point2> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const auto a = planar::ConvexPolygon::from_vertices(square), b = a;
+  const planar::Pose here, there = planar::Pose::from_matrix({1, 0, 0, 1}, {4, 5});
+  const auto distance = planar::polygon_polygon_distance(a, here, b, there);
+  const std::string svg = pair_svg({a, here, "A<"}, {b, there, "B"}, distance.closest, "");
+  expect_well_formed(svg);
+  for (const char* text : {"Do A&lt; and B meet?", "the distance, about 5<", "two parallel lines", "of 4 vertices"}) {
+    EXPECT_NE(svg.find(text), std::string::npos) << text;
+  }
+  EXPECT_EQ(pair_svg({a, here, "A"}, {b, there, "B"}, {}, "Mine").find("distance"), std::string::npos);
+  EXPECT_NE(pair_svg({a, here, "A"}, {b, here, "B"}, {}, "Mine").find("a common point"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sunder::picture

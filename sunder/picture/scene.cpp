@@ -1,0 +1,300 @@
+#include <sunder/picture/painter.h>
+#include <sunder/picture/rings.h>
+#include <sunder/picture/scene.h>
+
+#include <sunder/certificate/direction.h>
+#include <sunder/scene/rounded_evidence.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace sunder::picture {
+
+namespace {
+
+// Sizes in pixels.
+constexpr double panel_width = 560, panel_height = 540, margin = 44, row_height = 19;
+constexpr std::size_t most_named = 6;  // contacts of a placement that are told in words
+constexpr std::array<RingKind, 1> meeting{{{Ink::dark, "meeting"}}};
+
+struct Colour {
+  double red, green, blue;
+};
+
+// Of bodies in turns.
+constexpr std::array<Colour, 2> calm{{{164, 186, 212}, {214, 222, 232}}};
+constexpr std::array<Colour, 2> alarming{{{226, 74, 58}, {244, 122, 88}}};
+
+std::string shaded(const Colour& c, double light) {
+  const double k = 0.58 + 0.46 * light;
+  const auto channel = [&](double x) { return static_cast<int>(std::min(255.0, x * k)); };
+  return fmt::format("#{:02x}{:02x}{:02x}", channel(c.red), channel(c.green), channel(c.blue));
+}
+
+// From the world to pixels, from one side and a little from above; depths are in pixels too.
+struct View {
+  double scale = 1, x = 0, y = 0;
+
+  Seen operator()(const Point3& p) const {
+    static const double azimuth = -0.30 * std::numbers::pi, elevation = 0.11 * std::numbers::pi;
+    static const double ca = std::cos(azimuth), sa = std::sin(azimuth);
+    static const double ce = std::cos(elevation), se = std::sin(elevation);
+    const double away = ca * p.x + sa * p.y;
+    return {x + scale * (ca * p.y - sa * p.x), y + scale * (se * away - ce * p.z), scale * (ce * away + se * p.z)};
+  }
+};
+
+// 0 dark .. 1 full light, which comes from above the viewer's left shoulder.
+double light_on(const Seen& normal) {
+  static const double length = std::hypot(0.5, 0.75, 0.55);
+  return std::max(0.0, dot(normal, Seen{-0.5, -0.75, 0.55}) / length);
+}
+
+PlacedVertices placed(const scene::Part& part) { return {part.shape.vertices(), part.pose.affine(), false}; }
+
+// The corners of a part in the world, rounded.
+std::vector<Point3> world_vertices(const scene::Part& part) {
+  const PlacedVertices vertices = placed(part);
+  std::vector<Point3> points;
+  for (std::uint32_t v = 0; v < part.shape.vertices().size(); ++v) {
+    const Vector3<double> p = rounded_image(vertices[v]);
+    points.push_back({p.x, p.y, p.z});
+  }
+  return points;
+}
+
+// What of a part is turned towards the viewer. Its facets run counter-clockwise seen from outside, clockwise where the
+// pose reflects.
+void add_pieces(std::uint32_t body, std::uint32_t number, const scene::Part& part, const View& view,
+                std::vector<Piece>& out) {
+  std::vector<Seen> points;
+  for (const Point3& p : world_vertices(part)) points.push_back(view(p));
+  if (part.shape.dimension() < 2) {
+    const std::vector<Edge> edges(points.size(), Edge::outline);
+    out.push_back({body, number, 1, std::move(points), edges});
+    return;
+  }
+  const auto& m = part.pose.affine().linear;
+  const double determinant = dot(Seen{m[0], m[1], m[2]}, cross(Seen{m[3], m[4], m[5]}, Seen{m[6], m[7], m[8]}));
+  const double outwards = determinant < 0 ? 1 : -1;  // y runs down
+  std::vector<std::pair<std::uint32_t, Piece>> seen_facets;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> seen_edges;  // as their facets run
+  for (std::uint32_t f = 0; f < part.shape.facet_count(); ++f) {
+    const auto facet = part.shape.facet(f);
+    Piece piece{body, number, 0, {}, {}};
+    for (const std::uint32_t v : facet) piece.corners.push_back(points[v]);
+    const Seen n = normal_of(piece.corners), normal{outwards * n.x, outwards * n.y, outwards * n.z};
+    if (!(normal.z > 0)) continue;
+    piece.light = light_on(normal);
+    for (std::size_t i = 0; i < facet.size(); ++i) seen_edges.insert({facet[i], facet[(i + 1) % facet.size()]});
+    seen_facets.emplace_back(f, std::move(piece));
+  }
+  for (auto& [f, piece] : seen_facets) {
+    const auto facet = part.shape.facet(f);
+    for (std::size_t i = 0; i < facet.size(); ++i) {
+      const bool is_inner = seen_edges.contains({facet[(i + 1) % facet.size()], facet[i]});
+      piece.edges.push_back(is_inner ? Edge::inner : Edge::outline);
+    }
+    out.push_back(std::move(piece));
+  }
+}
+
+PathData::Tenths tenths(const Seen& p) { return PathData::tenths({p.x, p.y}); }
+
+std::string outline_of(const std::vector<Seen>& corners) {
+  PathData path;
+  path.move(tenths(corners.front()));
+  for (std::size_t i = 1; i < corners.size(); ++i) path.line(tenths(corners[i]));
+  path.close();
+  return path.text();
+}
+
+std::string edges_of(const Piece& piece, Edge kind) {
+  PathData path;
+  for (std::size_t i = 0; i < piece.corners.size(); ++i) {
+    if (piece.edges[i] != kind) continue;
+    path.move(tenths(piece.corners[i]));
+    path.line(tenths(piece.corners[(i + 1) % piece.corners.size()]));
+  }
+  return path.text();
+}
+
+class Drawing {
+ public:
+  explicit Drawing(std::span<const ScenePanel> panels)
+      : panels_(panels), canvas_(panel_width * static_cast<double>(panels.size())) {
+    each_vertex([&](const Point3& p) { floor_ = std::min(floor_, p.z); });
+    legend();
+    fit();
+  }
+
+  std::string text(std::string_view title) {
+    double bottom = 0;
+    for (std::size_t k = 0; k < panels_.size(); ++k) {
+      bottom = std::max(bottom, panel(panels_[k], panel_width * static_cast<double>(k)));
+    }
+    return canvas_.finish(title, "", bottom);
+  }
+
+ private:
+  template <class Visit>
+  void each_vertex(const Visit& visit) const {
+    for (const ScenePanel& panel : panels_) {
+      for (const scene::Body& body : panel.bodies) {
+        for (const scene::Part& part : body.parts) {
+          for (const Point3& p : world_vertices(part)) visit(p);
+        }
+      }
+    }
+  }
+
+  // Puts all placements, with their shadows, into the same frame.
+  void fit() {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Point2 low{infinity, infinity}, high{-infinity, -infinity};
+    each_vertex([&](const Point3& vertex) {
+      for (const Seen& p : {view_(vertex), view_({vertex.x, vertex.y, floor_})}) {
+        if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      }
+    });
+    const double scale =
+        std::min((panel_width - 2 * margin) / (high.x - low.x), (panel_height - 2 * margin) / (high.y - low.y));
+    view_.scale = std::isfinite(scale) ? scale : 1;
+    view_.x = panel_width / 2 - view_.scale * (low.x + high.x) / 2;
+    view_.y = panel_height / 2 - view_.scale * (low.y + high.y) / 2;
+  }
+
+  void legend() {
+    const auto swatches = [](const std::array<Colour, 2>& colours) {
+      return fmt::format(
+          "<rect x='-8' y='-6' width='14' height='12' rx='3' fill='{}'/><rect x='8' y='-6' width='14' height='12' "
+          "rx='3' "
+          "fill='{}'/>",
+          shaded(colours[0], 0.8), shaded(colours[1], 0.8));
+    };
+    canvas_.legend(swatches(calm), "apart, or allowed to meet");
+    canvas_.legend(swatches(alarming), "meets another");
+    canvas_.legend("<g class='m x'><circle cx='10' r='9'/></g>", "a common point");
+  }
+
+  // Returns its lower end.
+  double panel(const ScenePanel& panel, double left) {
+    View view = view_;
+    view.x += left;
+    std::vector<const scene::PartPair*> contacts;
+    std::set<std::uint32_t> alarmed;
+    for (const scene::PartPair& pair : panel.answer.pairs) {
+      if (!pair.counts) continue;
+      contacts.push_back(&pair);
+      alarmed.insert({pair.body_a, pair.body_b});
+    }
+    canvas_.add("<g transform='scale(.1)' stroke-linejoin='round' stroke-linecap='round'>\n");
+    shadows(panel, view);
+    std::vector<Piece> pieces;
+    std::uint32_t number = 0;
+    for (std::uint32_t b = 0; b < panel.bodies.size(); ++b) {
+      for (const scene::Part& part : panel.bodies[b].parts) add_pieces(b, number++, part, view, pieces);
+    }
+    canvas_.add("<g stroke-width='5'>\n");
+    for (const Piece& piece : in_painters_order(std::move(pieces))) {
+      const bool red = alarmed.contains(piece.body);
+      draw(piece, (red ? alarming : calm).at(piece.body % 2), red ? 'r' : 'b');
+    }
+    canvas_.add("</g>\n</g>\n");
+
+    const auto name = [&](std::uint32_t body, std::uint32_t part) { return part_name(panel.bodies[body], part); };
+    const auto told = [&](std::size_t k) {
+      const scene::PartPair& pair = *contacts[k];
+      return fmt::format("{} meets {}", name(pair.body_a, pair.part_a), name(pair.body_b, pair.part_b));
+    };
+    std::vector<RingContact> places;
+    for (std::uint32_t k = 0; k < contacts.size(); ++k) {
+      const Seen at = view(common_point(panel, *contacts[k]));
+      places.push_back({{at.x, at.y}, k, 0});
+    }
+    draw_rings(canvas_, places, meeting, left + panel_width,
+               [&](std::uint32_t k) { return fmt::format("contact {}: {}", k + 1, told(k)); });
+
+    double y = panel_height + 18;
+    const auto row = [&](double size, const char* colour, const std::string& text, const char* weight) {
+      canvas_.words(left + margin, y, size, colour, text, weight);
+      y += row_height;
+    };
+    if (panels_.size() > 1) row(18, text_colour, std::string(panel.title), "font-weight='600'");
+    const scene::Counts& c = panel.answer.counts;
+    const std::uint64_t meet = c.meeting - c.touching_only, asked = c.pairs - c.allowed;
+    y += 4;
+    row(15, meet > 0 ? "#c23b22" : "#2f7d5b",
+        meet > 0 ? fmt::format("{} of {} pairs meet", meet, asked) : fmt::format("none of {} pairs meet", asked),
+        "font-weight='600'");
+    for (std::size_t k = 0; k < std::min(contacts.size(), most_named); ++k) {
+      row(13, text_colour, fmt::format("{}. {}", k + 1, shortened(told(k), 70)), "");
+    }
+    if (contacts.size() > most_named)
+      row(13, faint_colour, fmt::format("and {} more", contacts.size() - most_named), "");
+    return y;
+  }
+
+  static Point3 common_point(const ScenePanel& panel, const scene::PartPair& pair) {
+    return scene::rounded_common_point(pair.answer.certificate(), placed(panel.bodies[pair.body_a].parts[pair.part_a]),
+                                       placed(panel.bodies[pair.body_b].parts[pair.part_b]));
+  }
+
+  // Of each part, on the lowest plane, the light straight above.
+  void shadows(const ScenePanel& panel, const View& view) {
+    canvas_.add("<g fill='#26374d' opacity='0.10'>\n");
+    for (const scene::Body& body : panel.bodies) {
+      for (const scene::Part& part : body.parts) {
+        std::vector<Point3> points = world_vertices(part);
+        for (Point3& p : points) p.z = floor_;
+        const solid::ConvexPolyhedron shadow(points);
+        if (shadow.dimension() < 2) continue;
+        std::vector<Seen> corners;
+        for (const std::uint32_t v : shadow.facet(0)) corners.push_back(view(shadow.vertices()[v]));
+        canvas_.add(fmt::format("<path d='{}'/>\n", outline_of(corners)));
+      }
+    }
+    canvas_.add("</g>\n");
+  }
+
+  void draw(const Piece& piece, const Colour& colour, char outline_class) {
+    const std::string fill = shaded(colour, piece.light);
+    if (piece.corners.size() < 3) {
+      canvas_.add(fmt::format("<path d='{}' stroke='{}' stroke-width='40'/>\n", outline_of(piece.corners), fill));
+      return;
+    }
+    // Strokes hide the seams between neighbours; a little lighter, they show the facets.
+    const bool cut = std::find(piece.edges.begin(), piece.edges.end(), Edge::cut) != piece.edges.end();
+    const std::string edge = shaded(colour, piece.light + 0.1);
+    canvas_.add(
+        fmt::format("<path d='{}' fill='{}' stroke='{}'/>\n", outline_of(piece.corners), fill, cut ? fill : edge));
+    const std::string inner = cut ? edges_of(piece, Edge::inner) : "";
+    const std::string outline = edges_of(piece, Edge::outline);
+    if (!inner.empty()) canvas_.add(fmt::format("<path d='{}' fill='none' stroke='{}'/>\n", inner, edge));
+    if (!outline.empty()) canvas_.add(fmt::format("<path class='{}' d='{}'/>\n", outline_class, outline));
+  }
+
+  std::span<const ScenePanel> panels_;
+  Canvas canvas_;
+  double floor_ = std::numeric_limits<double>::infinity();
+  View view_;
+};
+
+}  // namespace
+
+std::string scene_svg(std::span<const ScenePanel> panels, const std::string& title) {
+  return Drawing(panels).text(title.empty() ? "Which of these bodies meet?" : title);
+}
+
+}  // namespace sunder::picture

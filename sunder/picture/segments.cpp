@@ -1,0 +1,245 @@
+#include <sunder/picture/plane.h>
+#include <sunder/picture/segments.h>
+
+#include <sunder/io/text.h>
+#include <sunder/planar/pair/segment_segment.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <set>
+#include <vector>
+
+namespace sunder::picture {
+
+namespace {
+
+using planar::ContactKind;
+using planar::Segment;
+using planar::SegmentsContact;
+using Tenths = PathData::Tenths;
+
+constexpr Sheet sheet{1600, 1200, false};
+constexpr long merged = 3;  // bends nearer than this many tenths are merged
+constexpr std::size_t most_classes = 8, most_bold = 5000, longest_name = 40;
+
+// The strongest first: it is drawn last, over the others.
+constexpr std::array<ContactKind, 4> kinds{ContactKind::crossing, ContactKind::overlap, ContactKind::touch,
+                                           ContactKind::shared_endpoint};
+constexpr std::array<Ink, 4> inks{Ink::accent, Ink::third, Ink::bold, Ink::second};
+
+std::size_t position_of(ContactKind kind) {
+  return static_cast<std::size_t>(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin());
+}
+
+// Of classes of thin lines, in turns.
+constexpr std::array<const char*, 6> calm{"#66758c", "#b8965a", "#86a65c", "#a48fc0", "#5fa3ad", "#ad7564"};
+
+// Path data of segments. Those that share an end with the one before become one line.
+class SegmentsPath {
+ public:
+  explicit SegmentsPath(const PlanePicture& picture) : picture_(picture) {}
+
+  // next: the segment that is added next, or null. whole: no end of this one is merged.
+  void add(const Segment& s, const Segment* next, bool whole) {
+    if (is_open_ && (s.a == end_ || s.b == end_)) return line(s.a == end_ ? s.b : s.a, whole);
+    finish();
+    const auto is_of_next = [&](const Point2& p) { return next != nullptr && (p == next->a || p == next->b); };
+    const bool backwards = is_of_next(s.a) && !is_of_next(s.b);
+    is_open_ = true;
+    is_written_ = false;
+    last_ = skipped_ = pixel(backwards ? s.b : s.a);
+    line(backwards ? s.a : s.b, whole);
+  }
+
+  // The data. A line that is all in one place is a dot; a second dot there is left out.
+  const std::string& finish() {
+    if (is_open_ && skipped_ != last_) step(skipped_);
+    if (is_open_ && !is_written_ && dots_.insert(last_).second) step(last_);
+    is_open_ = false;
+    return data_.text();
+  }
+
+ private:
+  Tenths pixel(const Point2& p) const { return PathData::tenths(picture_.at(p)); }
+
+  void line(const Point2& to, bool whole) {
+    end_ = to;
+    const Tenths p = pixel(to);
+    if (whole && skipped_ != last_) step(skipped_);
+    if (!whole && std::abs(p.x - last_.x) < merged && std::abs(p.y - last_.y) < merged) {
+      skipped_ = p;
+    } else {
+      step(p);
+    }
+  }
+
+  void step(const Tenths& p) {
+    if (!is_written_) data_.move(last_);
+    data_.line(p);
+    is_written_ = true;
+    last_ = skipped_ = p;
+  }
+
+  const PlanePicture& picture_;
+  PathData data_;
+  bool is_open_ = false, is_written_ = false;  // written: the line has a step
+  Point2 end_;                                 // of the last segment added
+  Tenths last_, skipped_;                      // last written; the end that was merged with it, if any
+  std::set<Tenths> dots_;
+};
+
+std::vector<Point2> ends_of(const planar::Segments& segments) {
+  std::vector<Point2> ends;
+  for (const Segment& s : segments.all()) ends.insert(ends.end(), {s.a, s.b});
+  return ends;
+}
+
+class Drawing {
+ public:
+  explicit Drawing(const SegmentsPicture& given)
+      : file_(given.file),
+        segments_(given.segments),
+        contacts_(given.contacts),
+        picture_(ends_of(segments_), {sheet.width, sheet.most_height, sheet.one_scale, given.y_down}) {
+    in_contact_.resize(segments_.size());
+    for (const SegmentsContact& contact : contacts_) {
+      in_contact_[contact.i] = in_contact_[contact.j] = true;
+      ++count_.at(position_of(contact.kind));
+    }
+  }
+
+  std::string text(const std::string& title) {
+    legend();
+    lines();
+    rings();
+    return picture_.text(title.empty() ? "Which of these segments meet?" : title, summary());
+  }
+
+ private:
+  std::string summary() const {
+    std::string text = fmt::format("{} of {}", io::count_of(file_.segments.size(), "segment"),
+                                   io::count_of(file_.features.size(), "feature"));
+    if (!file_.layers.empty()) text += ", " + io::count_of(file_.layers.size(), "layer");
+    if (!file_.groups.empty()) text += ", " + io::count_of(file_.groups.size(), "group");
+    if (contacts_.empty()) return text + "; none meet";
+    return text + "; " + io::count_of(contacts_.size(), "pair") + (contacts_.size() == 1 ? " meets" : " meet");
+  }
+
+  // Thin lines are in classes: their names, and that of each segment; both empty if all are of one.
+  using Classes = std::pair<std::span<const std::string>, std::span<const std::uint32_t>>;
+  Classes classes() const {
+    if (file_.layers.size() > 1) return {file_.layers, file_.layer};
+    const bool some = file_.layers.empty() && file_.groups.size() > 1 && file_.groups.size() <= most_classes;
+    return some ? Classes(file_.groups, file_.group) : Classes();
+  }
+
+  void legend() {
+    for (std::size_t k = 0; k < kinds.size() && !contacts_.empty(); ++k) {
+      picture_.legend(fmt::format("<g class='m {}'><circle cx='10' r='9'/></g>", class_of(inks.at(k))),
+                      fmt::format("{} {}", name_of(kinds.at(k)), count_.at(k)), count_.at(k) == 0);
+    }
+    const auto [names, of_segment] = classes();
+    for (std::size_t k = 0; k < std::min(names.size(), most_classes); ++k) {
+      picture_.legend(fmt::format("<path d='M0 0h20' stroke-width='3' stroke='{}'/>", calm.at(k % calm.size())),
+                      shortened(names[k], 24));
+    }
+    if (names.size() > most_classes) picture_.legend("", fmt::format("and {} more", names.size() - most_classes));
+  }
+
+  void path(const std::string& attributes, const std::string& data) {
+    if (!data.empty()) picture_.add(fmt::format("<path {} d='{}'/>\n", attributes, data));
+  }
+
+  std::string data_of(const std::vector<std::uint32_t>& members, bool bold) const {
+    SegmentsPath data(picture_);
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      const Segment* next = k + 1 < members.size() ? &segments_[members[k + 1]] : nullptr;
+      data.add(segments_[members[k]], next, bold || in_contact_[members[k]]);
+    }
+    return data.finish();
+  }
+
+  void lines() {
+    picture_.add("<g transform='scale(.1)' fill='none' stroke-linejoin='round' stroke-linecap='round'>\n");
+    const auto [names, of_segment] = classes();
+    std::vector<std::vector<std::uint32_t>> members(std::max(names.size(), std::size_t{1}));
+    for (std::uint32_t i = 0; i < segments_.size(); ++i) members[names.empty() ? 0 : of_segment[i]].push_back(i);
+    const int thin = segments_.size() <= 200 ? 16 : segments_.size() <= 5000 ? 11 : 8;
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      path(fmt::format("stroke='{}' stroke-width='{}'", calm.at(k % calm.size()), thin), data_of(members[k], false));
+    }
+    std::array<std::set<std::uint32_t>, kinds.size()> bold;
+    SegmentsPath bands(picture_);
+    for (const SegmentsContact& contact : contacts_.first(std::min(contacts_.size(), most_bold))) {
+      bold.at(position_of(contact.kind)).insert({contact.i, contact.j});
+      if (contact.kind == ContactKind::overlap) bands.add(common_of(contact), nullptr, true);
+    }
+    for (std::size_t k = kinds.size(); k-- > 0;) {
+      path(fmt::format("class='{}' stroke-width='22'", class_of(inks.at(k))),
+           data_of({bold.at(k).begin(), bold.at(k).end()}, true));
+    }
+    path(fmt::format("class='{}' stroke-width='70' stroke-opacity='.5'", class_of(Ink::third)), bands.finish());
+    picture_.add("</g>\n");
+  }
+
+  // The common point, twice, or part.
+  Segment common_of(const SegmentsContact& contact) const {
+    const Segment &s = segments_[contact.i], &t = segments_[contact.j];
+    if (contact.kind == ContactKind::overlap) return planar::common_part(s, t);
+    const Point2 point = planar::common_point_rounded(s, t);
+    return {point, point};
+  }
+
+  // Of an overlap, in the middle.
+  void rings() {
+    std::array<RingKind, kinds.size()> ring_kinds;
+    for (std::size_t k = 0; k < kinds.size(); ++k) ring_kinds.at(k) = {inks.at(k), name_of(kinds.at(k))};
+    std::vector<RingContact> places;
+    for (std::uint32_t k = 0; k < contacts_.size(); ++k) {
+      const Segment common = common_of(contacts_[k]);
+      const Point2 a = picture_.at(common.a), b = picture_.at(common.b);
+      places.push_back({{(a.x + b.x) / 2, (a.y + b.y) / 2}, k, position_of(contacts_[k].kind)});
+    }
+    picture_.rings(places, ring_kinds, [this](std::uint32_t k) { return sentence(k); });
+    if (contacts_.size() > most_bold) {
+      picture_.note(fmt::format("Bold: segments of the first {} contacts.", most_bold));
+    }
+  }
+
+  // "contact 3: crossing of segment 12 (feature A, line 4) and segment 77 (feature B, line 9) at (x, y)"
+  std::string sentence(std::uint32_t k) const {
+    const SegmentsContact& contact = contacts_[k];
+    const auto about = [](const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); };
+    const auto [a, b] = common_of(contact);
+    return fmt::format("contact {}: {} of {} and {} {}", k + 1, name_of(contact.kind), source_of(contact.i),
+                       source_of(contact.j), a == b ? "at " + about(a) : "from " + about(a) + " to " + about(b));
+  }
+
+  std::string source_of(std::uint32_t i) const {
+    const io::LineSource& source = file_.source[i];
+    std::string text =
+        fmt::format("segment {} (feature {}", i, shortened(file_.features[source.feature], longest_name));
+    if (!file_.groups.empty()) text += ", group " + shortened(file_.groups[file_.group[i]], longest_name);
+    if (!file_.layers.empty()) text += ", layer " + shortened(file_.layers[file_.layer[i]], longest_name);
+    if (source.line > 0) text += fmt::format(", line {}", source.line);
+    return text + ")";
+  }
+
+  const io::LineFile& file_;
+  const planar::Segments& segments_;
+  std::span<const SegmentsContact> contacts_;
+  PlanePicture picture_;
+  std::vector<bool> in_contact_;                   // by segment
+  std::array<std::size_t, kinds.size()> count_{};  // of contacts
+};
+
+}  // namespace
+
+std::string segments_svg(const SegmentsPicture& picture) { return Drawing(picture).text(picture.title); }
+
+}  // namespace sunder::picture
