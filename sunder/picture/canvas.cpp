@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
@@ -44,6 +45,14 @@ std::string rules() {
   return text + ".f.d{fill-opacity:1;stroke:#fff;stroke-width:1.5}.f.v{fill:#fff;fill-opacity:1;stroke-width:1}";
 }
 
+constexpr std::array<std::array<std::string_view, 2>, 7> in_xml{{{"&", "&amp;"},
+                                                                 {"<", "&lt;"},
+                                                                 {">", "&gt;"},
+                                                                 {"\"", "&quot;"},
+                                                                 {"'", "&apos;"},
+                                                                 {"\xef\xbf\xbe", "?"},
+                                                                 {"\xef\xbf\xbf", "?"}}};
+
 bool is_within_character(char byte) { return (static_cast<unsigned char>(byte) & 0xc0u) == 0x80; }
 
 }  // namespace
@@ -53,20 +62,12 @@ char class_of(Ink ink) { return looks.at(static_cast<std::size_t>(ink)).letter; 
 std::string xml_text(std::string_view text) {
   const std::string line = io::one_line(text);
   std::string out;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (const auto three = line.substr(i, 3); three == "\xef\xbf\xbe" || three == "\xef\xbf\xbf") {
-      out += '?';
-      i += 2;
-      continue;
-    }
-    switch (line[i]) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      case '\'': out += "&apos;"; break;
-      default: out += line[i];
-    }
+  for (std::size_t i = 0; i < line.size();) {
+    const auto rest = std::string_view(line).substr(i);
+    const auto found =
+        std::find_if(in_xml.begin(), in_xml.end(), [&](const auto& e) { return rest.starts_with(e[0]); });
+    out += found == in_xml.end() ? rest.substr(0, 1) : (*found)[1];
+    i += found == in_xml.end() ? 1 : (*found)[0].size();
   }
   return out;
 }
@@ -109,6 +110,12 @@ void PathData::step(char letter, const Tenths& p) {
   pen_ = p;
 }
 
+std::string words(double x, double y, double size, const char* colour, std::string_view text,
+                  std::string_view attributes) {
+  return fmt::format("<text x='{:.1f}' y='{:.1f}' font-size='{:.0f}' fill='{}' {}>{}</text>\n", x, y, size, colour,
+                     attributes, xml_text(text));
+}
+
 void Canvas::legend(std::string_view sign, std::string_view text, bool grey) {
   const double size = 34 + 13 * letter_width * static_cast<double>(text.size());
   if (legend_x_ > border && legend_x_ + size > width_ - border) {
@@ -116,18 +123,12 @@ void Canvas::legend(std::string_view sign, std::string_view text, bool grey) {
     legend_y_ += 24;
   }
   legend_ += fmt::format("<g transform='translate({:.1f} {:.1f})'>{}{}</g>\n", legend_x_, legend_y_, sign,
-                         words_text(27, 4.5, 13, grey ? "#9aa6b5" : text_colour, text));
+                         words(27, 4.5, 13, grey ? "#9aa6b5" : text_colour, text));
   legend_x_ += size + 16;
 }
 
 void Canvas::legend(Ink ink, std::string_view text) {
   legend(fmt::format("<circle class='f {}' cx='10' r='7'/>", class_of(ink)), text);
-}
-
-std::string Canvas::words_text(double x, double y, double size, const char* colour, std::string_view text,
-                               std::string_view attributes) {
-  return fmt::format("<text x='{:.1f}' y='{:.1f}' font-size='{:.0f}' fill='{}' {}>{}</text>\n", x, y, size, colour,
-                     attributes, xml_text(text));
 }
 
 // Rows from y on, which moves to where the next one is.
@@ -137,7 +138,7 @@ std::string Canvas::paragraph(double& y, double size, const char* colour, std::s
   while (!text.empty()) {
     std::size_t end = text.size() <= longest ? text.size() : text.rfind(' ', longest);
     if (end == 0 || end == std::string_view::npos) end = text.size();
-    rows += words_text(border, y, size, colour, text.substr(0, end));
+    rows += words(border, y, size, colour, text.substr(0, end));
     text.remove_prefix(std::min(end + 1, text.size()));
     y += size * 1.5;
   }
@@ -146,8 +147,8 @@ std::string Canvas::paragraph(double& y, double size, const char* colour, std::s
 
 std::string Canvas::finish(std::string_view title, std::string_view summary, double height) const {
   double y = 74;
-  std::string head = words_text(border, 46, 22, text_colour, shortened(title, static_cast<std::size_t>(width_ / 14)),
-                                "font-weight='600'");
+  std::string head =
+      words(border, 46, 22, text_colour, shortened(title, static_cast<std::size_t>(width_ / 14)), "font-weight='600'");
   head += paragraph(y, 15, text_colour, summary);
   head += fmt::format("<g transform='translate(0 {:.1f})'>\n{}</g>\n", y + 6, legend_);
   y += legend_.empty() ? 0 : legend_y_ + 30;

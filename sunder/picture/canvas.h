@@ -56,6 +56,10 @@ class PathData {
   std::size_t row_begin_ = 0;  // of the text's last row
 };
 
+// One line, at its left end; as XML. attributes: more of them.
+std::string words(double x, double y, double size, const char* colour, std::string_view text,
+                  std::string_view attributes = "");
+
 class Canvas {
  public:
   static constexpr double border = 40;
@@ -64,11 +68,6 @@ class Canvas {
 
   // What is drawn: XML; its upper end is at 0, below the head.
   void add(std::string_view xml) { drawn_ += xml; }
-  // attributes: more of them.
-  void words(double x, double y, double size, const char* colour, std::string_view text,
-             std::string_view attributes = "") {
-    drawn_ += words_text(x, y, size, colour, text, attributes);
-  }
 
   // An entry of the legend. sign: XML of at most 20 by 18 pixels around (10, 0); of an ink a filled circle.
   void legend(std::string_view sign, std::string_view text, bool grey = false);
@@ -79,8 +78,6 @@ class Canvas {
   std::string finish(std::string_view title, std::string_view summary, double height) const;
 
  private:
-  static std::string words_text(double x, double y, double size, const char* colour, std::string_view text,
-                                std::string_view attributes = "");
   std::string paragraph(double& y, double size, const char* colour, std::string_view text) const;
 
   double width_ = 0, legend_x_ = border, legend_y_ = 0;

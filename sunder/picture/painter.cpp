@@ -127,20 +127,14 @@ class Painter {
   bool parted(const std::vector<Seen>& a, const std::vector<Seen>& b) const {
     for (std::size_t i = 0; i < a.size(); ++i) {
       const Seen &p = a[i], &q = a[(i + 1) % a.size()];
-      const double nx = p.y - q.y, ny = q.x - p.x, length = std::sqrt(nx * nx + ny * ny);
+      const double length = std::hypot(p.y - q.y, q.x - p.x);
       if (length == 0) continue;
-      const auto range = [&](const std::vector<Seen>& corners) {
-        double low = 0, high = 0;
-        for (std::size_t k = 0; k < corners.size(); ++k) {
-          const double h = ((corners[k].x - p.x) * nx + (corners[k].y - p.y) * ny) / length;
-          low = k == 0 ? h : std::min(low, h);
-          high = k == 0 ? h : std::max(high, h);
-        }
-        return std::pair(low, high);
+      const auto along = [&](const Seen& r) {
+        return ((r.x - p.x) * (p.y - q.y) + (r.y - p.y) * (q.x - p.x)) / length;
       };
-      const auto [low_a, high_a] = range(a);
-      const auto [low_b, high_b] = range(b);
-      if (high_a < low_b + tolerance_ || high_b < low_a + tolerance_) return true;
+      const auto [low_a, high_a] = std::ranges::minmax(a, {}, along);
+      const auto [low_b, high_b] = std::ranges::minmax(b, {}, along);
+      if (along(high_a) < along(low_b) + tolerance_ || along(high_b) < along(low_a) + tolerance_) return true;
     }
     return false;
   }

@@ -5,6 +5,8 @@
 #include <tinyxml2.h>
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -68,7 +70,7 @@ TEST(PlanePicture, LabelsDoNotLieOverEachOther) {
 
 TEST(PairPicture, HasATitleAndTheDistance) {
   const std::vector<Point2> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  const auto a = planar::ConvexPolygon::from_vertices(square), b = a;
+  const auto a = planar::ConvexPolygon::from_vertices(square), &b = a;
   const planar::Pose here, there = planar::Pose::from_matrix({1, 0, 0, 1}, {4, 5});
   const auto distance = planar::polygon_polygon_distance(a, here, b, there);
   const std::string svg = pair_svg({a, here, "A<"}, {b, there, "B"}, distance.closest, "");

@@ -228,7 +228,7 @@ class Drawing {
 
     double y = panel_height + 18;
     const auto row = [&](double size, const char* colour, const std::string& text, const char* weight) {
-      canvas_.words(left + margin, y, size, colour, text, weight);
+      canvas_.add(words(left + margin, y, size, colour, text, weight));
       y += row_height;
     };
     if (panels_.size() > 1) row(18, text_colour, std::string(panel.title), "font-weight='600'");
