@@ -1,5 +1,7 @@
 #include <bench/inputs/polygon_scenarios.h>
 
+#include <tests/support/shapes.h>
+
 #include <sunder/base/random.h>
 
 #include <algorithm>
@@ -15,6 +17,7 @@ namespace {
 
 using sunder::Point2;
 using sunder::Random;
+namespace tests = sunder::tests;
 using sunder::planar::ConvexPolygon;
 
 constexpr double kPi = 3.141592653589793;
@@ -26,7 +29,7 @@ constexpr std::size_t kMostPairs = 4000;
 constexpr std::size_t kMostTries = 1000;  // for each that is found
 
 // Shapes and moves are rounded to multiples of 2^-47; scaled by 2^-5 at least, they are multiples of 2^-52.
-double snapped(double v) { return std::ldexp(std::nearbyint(std::ldexp(v, 47)), -47); }
+double snapped(double v) { return tests::snapped(v, 47); }
 Point2 snapped(const Point2& p) { return {snapped(p.x), snapped(p.y)}; }
 
 double dot(const Point2& u, const Point2& v) { return u.x * v.x + u.y * v.y; }

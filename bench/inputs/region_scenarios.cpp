@@ -1,6 +1,8 @@
 #include <bench/inputs/region_count.h>
 #include <bench/inputs/region_scenarios.h>
 
+#include <tests/support/shapes.h>
+
 #include <sunder/base/random.h>
 
 #include <algorithm>
@@ -14,28 +16,16 @@ namespace bench {
 namespace {
 
 using sunder::Random;
+using sunder::tests::jittered_angles;
+using sunder::tests::shuffle;
+namespace tests = sunder::tests;
 
 constexpr double kPi = 3.141592653589793;
 constexpr std::size_t kVertices = 16;   // of a polygon
 constexpr std::size_t kEnough = 20000;  // objects in all inputs of a family and size together
 constexpr std::size_t kMostInputs = 64;
 
-double snapped(double v, int bits = 40) { return std::ldexp(std::nearbyint(std::ldexp(v, bits)), -bits); }
-
-template <class Object>
-void shuffle(std::vector<Object>& objects, Random& random) {
-  for (std::size_t i = objects.size(); i > 1; --i) std::swap(objects[i - 1], objects[random.below(i)]);
-}
-
-// n angles, evenly spaced but for a jitter of up to `jitter` spaces to both sides.
-std::vector<double> angles(std::size_t n, double jitter, Random& random) {
-  const double space = 2 * kPi / static_cast<double>(n), start = random.uniform(0, 2 * kPi);
-  std::vector<double> list;
-  for (std::size_t k = 0; k < n; ++k) {
-    list.push_back(start + space * (static_cast<double>(k) + random.uniform(-jitter, jitter)));
-  }
-  return list;
-}
+double snapped(double v, int bits = 40) { return tests::snapped(v, bits); }
 
 Inequality half_plane(double angle, double distance) {
   return {snapped(std::cos(angle)), snapped(std::sin(angle)), snapped(distance)};
@@ -43,13 +33,14 @@ Inequality half_plane(double angle, double distance) {
 
 std::vector<Inequality> tangents(std::size_t n, Random& random) {
   std::vector<Inequality> list;
-  for (const double angle : angles(n, 0.2, random)) list.push_back(half_plane(angle, 1));
+  for (const double angle : jittered_angles(n, 0.2, random)) list.push_back(half_plane(angle, 1));
   return list;
 }
 
 std::vector<Inequality> random_half_planes(std::size_t n, Random& random) {
   std::vector<Inequality> list;
-  for (const double angle : angles(4, 0.2, random)) list.push_back(half_plane(angle, random.uniform(1, 2)));  // bounded
+  for (const double angle : jittered_angles(4, 0.2, random))
+    list.push_back(half_plane(angle, random.uniform(1, 2)));  // bounded
   while (list.size() < n) {
     const double angle = random.uniform(0, 2 * kPi);
     list.push_back(half_plane(angle, random.uniform(1, 2)));
@@ -73,7 +64,7 @@ Xy at_angle(double angle, double radius) {
 }
 
 Ring ring_around(Random& random) {
-  const std::vector<double> normals = angles(kVertices, 0.2, random);
+  const std::vector<double> normals = jittered_angles(kVertices, 0.2, random);
   Ring ring;
   for (std::size_t k = 0; k < kVertices; ++k) {
     const double wrap = k + 1 == kVertices ? 2 * kPi : 0, next = normals[(k + 1) % kVertices] + wrap;
@@ -87,7 +78,7 @@ Ring random_ring(Random& random) {
   const double direction = random.uniform(0, 2 * kPi), distance = random.uniform(0, 0.4);
   const Xy middle = at_angle(direction, distance);
   Ring ring;
-  for (const double angle : angles(kVertices, 0.2, random)) {
+  for (const double angle : jittered_angles(kVertices, 0.2, random)) {
     const Xy p = at_angle(angle, radius);
     ring.push_back({middle.x + p.x, middle.y + p.y});
   }
@@ -96,7 +87,7 @@ Ring random_ring(Random& random) {
 
 std::vector<Disc> discs_around(std::size_t n, Random& random) {
   std::vector<Disc> list;
-  for (const double angle : angles(n, 0.2, random)) {
+  for (const double angle : jittered_angles(n, 0.2, random)) {
     list.push_back({{snapped(std::cos(angle) / 2), snapped(std::sin(angle) / 2)}, 1});
   }
   return list;

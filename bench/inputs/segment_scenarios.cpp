@@ -1,6 +1,8 @@
 #include <bench/inputs/segment_count.h>
 #include <bench/inputs/segment_scenarios.h>
 
+#include <tests/support/shapes.h>
+
 #include <sunder/base/random.h>
 
 #include <algorithm>
@@ -12,6 +14,8 @@ namespace bench {
 namespace {
 
 using sunder::Random;
+using sunder::tests::shuffle;
+namespace tests = sunder::tests;
 
 constexpr double kPi = 3.141592653589793;
 constexpr double kJitter = 0.24;    // of a grid's vertex; below 1/4, edges meet at shared ends only
@@ -19,12 +23,8 @@ constexpr double kTipJitter = 4.9;  // of a tangled star's tip, in spaces betwee
 constexpr std::size_t kEnough = 20000;  // segments in all inputs of a family and size together
 constexpr std::size_t kMostInputs = 64;
 
-double snapped(double v) { return std::ldexp(std::nearbyint(std::ldexp(v, 40)), -40); }
+double snapped(double v) { return tests::snapped(v, 40); }
 Xy snapped(const Xy& p) { return {snapped(p.x), snapped(p.y)}; }
-
-void shuffle(std::vector<Line>& lines, Random& random) {
-  for (std::size_t i = lines.size(); i > 1; --i) std::swap(lines[i - 1], lines[random.below(i)]);
-}
 
 struct Grid {
   std::size_t columns, rows;

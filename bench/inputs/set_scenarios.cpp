@@ -1,6 +1,8 @@
 #include <bench/inputs/set_count.h>
 #include <bench/inputs/set_scenarios.h>
 
+#include <tests/support/shapes.h>
+
 #include <sunder/base/random.h>
 
 #include <algorithm>
@@ -14,6 +16,9 @@ namespace bench {
 namespace {
 
 using sunder::Random;
+using sunder::tests::jittered_angles;
+using sunder::tests::shuffle;
+namespace tests = sunder::tests;
 
 constexpr double kPi = 3.141592653589793;
 constexpr double kCell = 0.49;          // of a cell's side, from its middle: objects in neighbouring cells are apart
@@ -23,13 +28,8 @@ constexpr std::size_t kSmall = 100000;  // objects: up to here a single contact 
 constexpr int kLevels = 10;             // of the quadtree, below its roots
 constexpr double kLeavesOfRoot = 8.5;
 
-double snapped(double v) { return std::ldexp(std::nearbyint(std::ldexp(v, 40)), -40); }
+double snapped(double v) { return tests::snapped(v, 40); }
 Xy snapped(const Xy& p) { return {snapped(p.x), snapped(p.y)}; }
-
-template <class Object>
-void shuffle(std::vector<Object>& objects, Random& random) {
-  for (std::size_t i = objects.size(); i > 1; --i) std::swap(objects[i - 1], objects[random.below(i)]);
-}
 
 std::size_t root_of(std::size_t n) {  // rounded up
   std::size_t side = 1;
@@ -128,20 +128,10 @@ std::vector<Disc> crowded_discs(std::size_t n, Random& random) {
 constexpr std::size_t kCoinVertices = 16;
 constexpr double kLength = 4;  // of a needle, in widths
 
-// The angles of n vertices, evenly spaced but for a jitter.
-std::vector<double> angles(std::size_t n, Random& random) {
-  const double space = 2 * kPi / static_cast<double>(n), start = random.uniform(0, 2 * kPi);
-  std::vector<double> list;
-  for (std::size_t k = 0; k < n; ++k) {
-    list.push_back(start + space * (static_cast<double>(k) + random.uniform(-0.3, 0.3)));
-  }
-  return list;
-}
-
 // Vertices on an ellipse, turned by an eighth: convex.
 Ring coin(const Xy& middle, double half_length, double half_width, Random& random) {
   Ring ring;
-  for (const double angle : angles(kCoinVertices, random)) {
+  for (const double angle : jittered_angles(kCoinVertices, 0.3, random)) {
     const Xy p = turned({half_length * std::cos(angle), half_width * std::sin(angle)});
     ring.push_back(snapped({middle.x + p.x, middle.y + p.y}));
   }
@@ -173,7 +163,7 @@ std::vector<Ring> needles(std::size_t n, Random& random) {
 Ring star_in(const Disc& disc, Random& random) {
   const double inner = disc.radius * random.uniform(0.3, 0.6);
   Ring ring;
-  for (const double angle : angles(8 + 2 * random.below(29), random)) {
+  for (const double angle : jittered_angles(8 + 2 * random.below(29), 0.3, random)) {
     const double radius = ring.size() % 2 == 0 ? disc.radius * random.uniform(0.8, 1) : inner;
     ring.push_back(snapped({disc.center.x + radius * std::cos(angle), disc.center.y + radius * std::sin(angle)}));
   }

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sunder::planar {
+namespace sunder::tests {
 
 enum class HalfPlaneFamily : std::uint8_t {
   grid,        // small whole numbers: every degeneracy is common
@@ -65,15 +65,15 @@ class HalfPlaneSets {
   }
 
   // Arrows; of the families only those that make sense for points: grid, concurrent, last_bit, any_scale, tangents.
-  std::vector<HalfPlane> arrows() {
+  std::vector<planar::HalfPlane> arrows() {
     constexpr std::array families{HalfPlaneFamily::grid, HalfPlaneFamily::concurrent, HalfPlaneFamily::last_bit,
                                   HalfPlaneFamily::any_scale, HalfPlaneFamily::tangents};
     family_ = families[turn_of_arrows_++ % families.size()];
     const std::size_t count = random_.below(9) + random_.below(4);
     const Point2 p{whole(3), whole(3)};
-    std::vector<HalfPlane> all;
+    std::vector<planar::HalfPlane> all;
     while (all.size() < count) {
-      HalfPlane next{{whole(3), whole(3)}, {whole(3), whole(3)}};
+      planar::HalfPlane next{{whole(3), whole(3)}, {whole(3), whole(3)}};
       switch (family_) {
         case HalfPlaneFamily::concurrent: {
           const double t = whole(3), dx = whole(3), dy = whole(3);
@@ -151,4 +151,4 @@ class HalfPlaneSets {
   bool wide_ = false;  // few_ways: around the origin, so that strips are common
 };
 
-}  // namespace sunder::planar
+}  // namespace sunder::tests

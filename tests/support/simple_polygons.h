@@ -13,9 +13,9 @@
 #include <string_view>
 #include <vector>
 
-namespace sunder::planar {
+namespace sunder::tests {
 
-enum class PolygonFamily : std::uint8_t {
+enum class SimplePolygonFamily : std::uint8_t {
   grid,     // vertices on a small grid, in any order that is simple
   star,     // around a point of a small grid, by angle
   needles,  // long spikes around a small circle, of doubles
@@ -23,11 +23,11 @@ enum class PolygonFamily : std::uint8_t {
   spiral,   // turning one way several times, and back
   convex,   // and its like with dents
 };
-inline constexpr std::size_t polygon_family_count = 6;
+inline constexpr std::size_t simple_polygon_family_count = 6;
 
-inline std::string_view name_of(PolygonFamily family) {
-  constexpr std::array<std::string_view, polygon_family_count> names{"grid",    "star",   "needles",
-                                                                     "pinched", "spiral", "convex"};
+inline std::string_view name_of(SimplePolygonFamily family) {
+  constexpr std::array<std::string_view, simple_polygon_family_count> names{"grid",    "star",   "needles",
+                                                                            "pinched", "spiral", "convex"};
   return names[static_cast<std::size_t>(family)];
 }
 
@@ -35,25 +35,25 @@ class SimplePolygons {
  public:
   explicit SimplePolygons(std::uint64_t seed) : random_(seed) {}
 
-  PolygonFamily family() const { return family_; }  // of the one that was made last
+  SimplePolygonFamily family() const { return family_; }  // of the one that was made last
   Random& random() { return random_; }
 
   // Simple; turned either way, beginning anywhere.
-  Polygon next() {
-    family_ = static_cast<PolygonFamily>(turn_++ % polygon_family_count);
+  planar::Polygon next() {
+    family_ = static_cast<SimplePolygonFamily>(turn_++ % simple_polygon_family_count);
     for (;;) {
-      const Polygon polygon = candidate();
-      if (polygon_simple_by_scan(polygon).simple()) return polygon;
+      const planar::Polygon polygon = candidate();
+      if (planar::polygon_simple_by_scan(polygon).simple()) return polygon;
     }
   }
 
   // As above, simple or not.
-  Polygon candidate() {
+  planar::Polygon candidate() {
     std::vector<Point2> ring = ring_of_family();
     if (random_.below(2) == 0) std::reverse(ring.begin(), ring.end());
     std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(random_.below(ring.size())), ring.end());
     if (ring.size() < 3 || ring.front() == ring.back()) ring = {{0, 0}, {1, 0}, {0, 1}};
-    return Polygon(std::vector<std::vector<Point2>>{ring});
+    return planar::Polygon(std::vector<std::vector<Point2>>{ring});
   }
 
  private:
@@ -73,7 +73,8 @@ class SimplePolygons {
   // Turns round what is between two edges that cross, for as long as that may help.
   static void untangle(std::vector<Point2>& ring) {
     for (int n = 0; n < 40 && ring.size() >= 3; ++n) {
-      const PolygonSimpleAnswer answer = polygon_simple_by_scan(Polygon(std::vector<std::vector<Point2>>{ring}));
+      const planar::PolygonSimpleAnswer answer =
+          planar::polygon_simple_by_scan(planar::Polygon(std::vector<std::vector<Point2>>{ring}));
       if (answer.simple()) return;
       std::reverse(ring.begin() + answer.found->i + 1, ring.begin() + answer.found->j + 1);
     }
@@ -82,15 +83,15 @@ class SimplePolygons {
   std::vector<Point2> ring_of_family() {
     std::vector<Point2> ring;
     switch (family_) {
-      case PolygonFamily::grid:
+      case SimplePolygonFamily::grid:
         for (std::size_t n = 5 + random_.below(9); n > 0; --n) add_new(ring, {whole(3), whole(3)});
         untangle(ring);
         break;
-      case PolygonFamily::star:
+      case SimplePolygonFamily::star:
         for (std::size_t n = 3 + random_.below(14); n > 0; --n) add_new(ring, {whole(4), whole(4)});
         sort_around(ring);
         break;
-      case PolygonFamily::needles: {
+      case SimplePolygonFamily::needles: {
         const std::size_t n = 2 * (3 + random_.below(10));
         for (std::size_t k = 0; k < n; ++k) {
           const double t =
@@ -100,7 +101,7 @@ class SimplePolygons {
         }
         break;
       }
-      case PolygonFamily::pinched: {
+      case SimplePolygonFamily::pinched: {
         // Spokes on a few lines through the origin: edges that lie on them leave little of a kernel.
         const std::array<Point2, 4> ways{{{1, 0}, {0, 1}, {1, 1}, {2, -1}}};
         for (std::size_t n = 2 + random_.below(4); n > 0; --n) {
@@ -113,7 +114,7 @@ class SimplePolygons {
         untangle(ring);
         break;
       }
-      case PolygonFamily::spiral: {
+      case SimplePolygonFamily::spiral: {
         const std::size_t n = 4 + random_.below(20);
         std::vector<Point2> inner;
         const double wide = random_.uniform(0.1, 0.5), turns = random_.uniform(0.3, 3);
@@ -126,7 +127,7 @@ class SimplePolygons {
         ring.insert(ring.end(), inner.rbegin(), inner.rend());
         break;
       }
-      case PolygonFamily::convex: {
+      case SimplePolygonFamily::convex: {
         const std::size_t n = 3 + random_.below(12);
         for (std::size_t k = 0; k < n; ++k) {
           const double t = 6.283185307179586 * static_cast<double>(k) / static_cast<double>(n);
@@ -147,7 +148,7 @@ class SimplePolygons {
 
   Random random_;
   std::size_t turn_ = 0;
-  PolygonFamily family_ = PolygonFamily::grid;
+  SimplePolygonFamily family_ = SimplePolygonFamily::grid;
 };
 
-}  // namespace sunder::planar
+}  // namespace sunder::tests
