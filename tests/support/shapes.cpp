@@ -42,8 +42,8 @@ std::vector<Segment> mesh_edges(std::size_t n, Random& random) {
   const std::size_t side = static_cast<std::size_t>(std::sqrt(static_cast<double>(n) / 2)) + 1;
   std::vector<Point2> p;
   for (std::size_t k = 0; k < side * side; ++k) {
-    p.push_back(
-        {static_cast<double>(k / side) + 0.3 * random.unit(), static_cast<double>(k % side) + 0.3 * random.unit()});
+    const std::size_t column = k / side, row = k % side;
+    p.push_back({static_cast<double>(column) + 0.3 * random.unit(), static_cast<double>(row) + 0.3 * random.unit()});
   }
   std::vector<Segment> segments;
   for (std::size_t k = 0; k < side * side; ++k) {
@@ -55,8 +55,9 @@ std::vector<Segment> mesh_edges(std::size_t n, Random& random) {
 
 std::vector<Segment> hatch(std::size_t n) {
   std::vector<Segment> segments;
-  const double side = static_cast<double>(n / 2);
-  for (std::size_t k = 0; k < n / 2; ++k) {
+  const std::size_t half = n / 2;
+  const double side = static_cast<double>(half);
+  for (std::size_t k = 0; k < half; ++k) {
     const double at = static_cast<double>(k);
     segments.push_back({{-1, at}, {side, at}});
     segments.push_back({{at, -1}, {at, side}});
