@@ -31,9 +31,8 @@ Asked ask_any(const std::shared_ptr<const std::vector<Polygon>>& polygons, Allow
 
 // Of one input.
 Entry entry(const char* library, const char* method, const Asked& ask) {
-  return entry_by_input(library, method, 1, [=](std::size_t) {
-    return ask;
-  });  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): a std::function frees what it holds
+  // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): a std::function frees what it holds
+  return entry_by_input(library, method, 1, [=](std::size_t) { return ask; });
 }
 
 using sunder::planar::Segment;
