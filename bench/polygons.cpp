@@ -9,9 +9,8 @@
 //   - Peers are asked for a boolean only, by every way that they offer (see peers/polygon_peer.h). Of each library the
 //     fastest way that is right on all pairs asked counts. Where none is right the fastest wrong one is shown with "!",
 //     and does not count. Sunder's answer holds its certificate.
-//   - A way that by its time at the size before would take more than 1 s for a call is left out: "over". In the check
-//   it
-//     counts with the time that linear growth predicts.
+//   - A way that takes more than 1 s for a call, or by its growth would take twice that, is left out. In the check it
+//     counts with the time of that one call, or the one that its growth (linear at least) predicts.
 //   - Sizes to 1,000 rotate over 64 pairs (there) to 4,000, so that no branch predictor learns one by heart; from 10^4
 //     vertices on there are eight. Caches are warm: what searches look at in all pairs of a size fits the second level.
 //     How the time grows is told by eight pairs at every size ("few").
@@ -20,20 +19,18 @@
 //     mostly finds this out in logarithmic time as well.)
 //   - Peers know no poses: posed pairs are Sunder's alone.
 //   - Peers are as Debian built them, header-only ones compiled here with the flags of this build.
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <exception>
-#include <map>
-#include <string>
-#include <tuple>
-#include <vector>
+#include <bench/contest/program.h>
+#include <bench/inputs/polygon_scenarios.h>
+#include <bench/peers/polygon_peer.h>
+#include <bench/peers/sunder_polygons.h>
 
-#include "options.h"
-#include "polygon_contest.h"
-#include "polygon_scenarios.h"
-#include "report.h"
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace bench {
 namespace {
@@ -43,266 +40,142 @@ constexpr std::size_t kGrowthFrom = 1000, kGrowthTo = 1000000;
 constexpr double kMostMicroseconds = 4;  // at kGrowthTo, in general position; about 2 are meant
 constexpr double kMostFinishing = 1e-3;  // in general position
 
+constexpr std::size_t kCheckedSize = 10000;  // beyond, certificates are checked of the front door only, in place
+constexpr Pace kPace{.most = 1, .look = 0.15, .pass = 0.1, .rounds = 0.3, .once = 0.15};
+
+const std::vector<std::size_t> kSizes{4, 10, 30, 100, 1000, 10000, 100000, 1000000};
+
 // What `--check` demands: the time of any peer over Sunder's.
-double demanded_ratio(std::size_t n) { return n >= 1000000 ? 2000 : n >= 1000 ? 20 : 1; }
+const Steps kDemanded{{0, 1}, {1000, 20}, {1000000, 2000}};
 
 bool is_demanded(PolygonRegime regime) { return regime != PolygonRegime::boxes_apart; }
 bool is_general(PolygonRegime regime) { return regime != PolygonRegime::touching; }
 
-struct Options {
-  bool check = false;
-  bool ways = false;  // print the first look at every way
-  std::size_t rounds = 11;
-  std::uint64_t seed = 1;
-  std::vector<std::size_t> sizes;
-  std::string json, commit;
-};
+using Shapes = std::vector<sunder::planar::ConvexPolygon>;
 
-// The tallies of a method in a regime, over all sizes.
-using Totals = std::map<std::tuple<std::string, bool, PolygonRegime>, PolygonTally>;
-
-Totals totals_of(const std::vector<PolygonCell>& cells) {
-  Totals totals;
-  for (const PolygonCell& cell : cells) {
-    for (const MethodResult& m : cell.methods) totals[{m.name, m.posed, cell.regime}] += m.tally;
+// Subjects: of each method the one in place, then the one that is posed; last the front door with few pairs.
+Contest contest(std::shared_ptr<const PolygonScenario> scenario) {
+  Contest made;
+  made.pace = kPace;
+  for (const PolygonPair& pair : scenario->pairs) made.truths.push_back(pair.meet ? 1 : 0);
+  for (const PolygonMethod& method : polygon_methods()) {
+    for (const bool posed : {false, true}) {
+      const bool certificates = made.subjects.empty() || scenario->n <= kCheckedSize;
+      made.subjects.push_back({"sunder", std::string(method.name) + (posed ? ", posed" : ""),
+                               [=, &method] { return prepare_sunder(scenario, method, posed, certificates); }});
+    }
   }
-  return totals;
+  Entry few{"sunder", "few pairs",
+            [=] { return Ready{prepare_sunder(scenario, polygon_methods().front(), false, false).run}; }};
+  few.inputs.resize(std::min(kFewPairs, made.truths.size()));
+  std::iota(few.inputs.begin(), few.inputs.end(), 0);
+  made.subjects.push_back(std::move(few));
+  for (const auto& library : {boost_polygon_ways(), geos_polygon_ways(), cgal_polygon_ways()}) {
+    for (const PolygonWay& way : library) {
+      made.peers.push_back(
+          {std::string(way.library), std::string(way.method), [=] { return Ready{way.make(*scenario)}; }});
+    }
+  }
+  return made;
 }
+
+std::vector<Plan> plans(const Options&) {
+  static Kept<int, Shapes> shapes;
+  std::vector<Plan> list;
+  for (const PolygonRegime regime : kPolygonRegimes) {
+    const Demand demand = is_demanded(regime) ? Demand{"", kDemanded} : Demand{};
+    list.push_back({std::string(name_of(regime)), "meet", demand, kSizes, [=](std::size_t n, std::uint64_t seed) {
+                      const auto of_n = shapes.get(0, n, [&] { return make_shapes(n, seed); });
+                      return contest(
+                          std::make_shared<const PolygonScenario>(make_polygon_scenario(n, regime, *of_n, seed)));
+                    }});
+  }
+  return list;
+}
+
+// --- Telling, and what is demanded of the growth ---------------------------------------------------------------------
 
 double rate(std::uint64_t count, std::uint64_t of) { return static_cast<double>(count) / static_cast<double>(of); }
 
-const PolygonCell* find(const std::vector<PolygonCell>& cells, std::size_t n, PolygonRegime regime) {
-  for (const PolygonCell& cell : cells) {
-    if (cell.n == n && cell.regime == regime) return &cell;
-  }
-  return nullptr;
-}
+const Result& few(const Row& row) { return row.subjects.back(); }
 
-// --- Telling ---------------------------------------------------------------------------------------------------------
-
-void print_head() {
-  std::printf(
-      "Times in microseconds per call. \"sunder\": the front door; \"few\": with %zu pairs alone; \"posed\": under "
-      "poses. "
-      "The\npeers' columns: their time in Sunder's. \"wrong\": answers of Sunder, Boost, GEOS, CGAL; \"!\": no way was "
-      "right.\n\n",
-      kFewPairs);
-  std::printf("%8s %-12s %6s %9s %9s %9s %10s %10s %10s  %-15s %s\n", "n", "regime", "pairs", "sunder", "few", "posed",
-              "boost", "geos", "cgal", "wrong", "by which way");
-}
-
-void print(const PolygonCell& cell, bool ways) {
-  std::printf("%8zu %-12s %6zu %9.3f %9.3f %9.3f", cell.n, name_of(cell.regime).data(), cell.pairs, cell.sunder_us(),
-              cell.few_us, cell.methods[1].us);
-  std::string wrong = std::to_string(cell.methods[0].tally.wrong), methods;
-  for (const PolygonResult& peer : cell.peers) {
-    char text[64] = "-";
-    if (peer.state == PolygonResult::State::over) std::snprintf(text, sizeof text, "over");
-    if (peer.state == PolygonResult::State::measured) {
-      const char* mark = peer.wrong > 0 ? "!" : "";
-      std::snprintf(text, sizeof text, cell.ratio(peer) < 100 ? "%s%.2f" : "%s%.0f", mark, cell.ratio(peer));
-      methods += (methods.empty() ? "" : "; ") + peer.method;
-    }
-    wrong += peer.state == PolygonResult::State::measured ? "/" + std::to_string(peer.wrong) : "/-";
-    std::printf(" %10s", text);
-  }
-  std::printf("  %-15s %s\n", wrong.c_str(), methods.c_str());
-  for (const PolygonResult& look : cell.looks) {
-    if (!ways) break;
-    std::printf("%39s %14.3f  %s, %s; wrong: %zu of %zu\n", "at first sight", look.us, look.library.c_str(),
-                look.method.c_str(), look.wrong, look.asked);
-  }
-  std::fflush(stdout);
-}
-
-void print_methods(const std::vector<PolygonCell>& cells) {
-  std::printf("\nSunder's methods: microseconds per call in place and posed, mean probes in place.\n\n%8s %-12s", "n",
-              "regime");
+void print_methods(const std::vector<Row>& rows) {
+  std::printf("Sunder's methods: microseconds per call in place and posed, mean probes in place.\n\n%8s %-12s %8s", "N",
+              "regime", "few");
   for (const PolygonMethod& method : polygon_methods()) std::printf(" %22s", method.name.data());
   std::printf("\n");
-  for (const PolygonCell& cell : cells) {
-    std::printf("%8zu %-12s", cell.n, name_of(cell.regime).data());
-    for (std::size_t i = 0; i < cell.methods.size(); i += 2) {
-      const MethodResult &plain = cell.methods[i], &posed = cell.methods[i + 1];
-      std::printf("  %7.3f %7.3f %5.0f", plain.us, posed.us, rate(plain.tally.probes, plain.tally.pairs));
+  for (const Row& row : rows) {
+    std::printf("%8zu %-12s %8.3f", row.n, row.input.c_str(), 1e6 * few(row).median_s);
+    for (std::size_t i = 0; i + 2 < row.subjects.size(); i += 2) {
+      const Result &plain = row.subjects[i], &posed = row.subjects[i + 1];
+      std::printf("  %7.3f %7.3f %5.0f", 1e6 * plain.median_s, 1e6 * posed.median_s,
+                  rate(plain.tally.probes, plain.tally.asked));
     }
     std::printf("\n");
   }
-  std::printf("\nFinished by the exact method, over all sizes, in place and posed:\n\n%-12s", "");
-  for (const PolygonRegime regime : kPolygonRegimes) std::printf(" %18s", name_of(regime).data());
-  std::printf("\n");
-  const Totals totals = totals_of(cells);
-  for (const PolygonMethod& method : polygon_methods()) {
-    std::printf("%-12s", method.name.data());
+}
+
+// How often the exact method had to finish, over all sizes; too often is added to the failures.
+void tell_finishing(const std::vector<Row>& rows, std::vector<std::string>& failures) {
+  std::map<std::string, std::map<std::string, Tally>> totals;  // by method, then regime
+  for (const Row& row : rows) {
+    for (const Result& subject : row.subjects) {
+      if (subject.tally.asked > 0) totals[subject.method][row.input] += subject.tally;
+    }
+  }
+  std::printf("\nFinished by the exact method, over all sizes:\n\n%-20s", "");
+  for (const PolygonRegime regime : kPolygonRegimes) std::printf(" %12s", name_of(regime).data());
+  for (auto& [method, by_regime] : totals) {
+    std::printf("\n%-20s", method.c_str());
     for (const PolygonRegime regime : kPolygonRegimes) {
-      char text[64];
-      const PolygonTally plain = totals.at({std::string(method.name), false, regime}),
-                         posed = totals.at({std::string(method.name), true, regime});
-      std::snprintf(text, sizeof text, "%.3f %% %.3f %%", 100 * rate(plain.finishing, plain.pairs),
-                    100 * rate(posed.finishing, posed.pairs));
-      std::printf(" %18s", text);
-    }
-    std::printf("\n");
-  }
-}
-
-void print_json(std::FILE* out, const PolygonResult& r) {
-  if (r.state != PolygonResult::State::measured) {
-    std::fprintf(out, "{\"library\": \"%s\", \"left_out\": \"over %.0f s\", \"about_us\": %.0f}", r.library.c_str(),
-                 kMostPolygonSeconds, r.us);
-    return;
-  }
-  std::fprintf(out,
-               "{\"library\": \"%s\", \"method\": \"%s\", \"us\": %.4f, \"lowest_us\": %.4f, \"wrong\": %zu, "
-               "\"asked\": %zu}",
-               r.library.c_str(), r.method.c_str(), r.us, r.lowest_us, r.wrong, r.asked);
-}
-
-void print_json(std::FILE* out, const MethodResult& m) {
-  std::fprintf(out,
-               "{\"method\": \"%s\", \"posed\": %s, \"us\": %.4f, \"pairs\": %llu, \"finishing\": %llu, "
-               "\"probes\": %llu, \"exact\": %llu, \"wrong\": %llu}",
-               m.name.c_str(), m.posed ? "true" : "false", m.us, static_cast<unsigned long long>(m.tally.pairs),
-               static_cast<unsigned long long>(m.tally.finishing), static_cast<unsigned long long>(m.tally.probes),
-               static_cast<unsigned long long>(m.tally.exact), static_cast<unsigned long long>(m.tally.wrong));
-}
-
-template <class Item>
-void print_list(std::FILE* out, const char* name, const std::vector<Item>& items) {
-  std::fprintf(out, ",\n     \"%s\": [", name);
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    std::fprintf(out, "%s\n      ", i == 0 ? "" : ",");
-    print_json(out, items[i]);
-  }
-  std::fprintf(out, "]");
-}
-
-void write_json(const Options& options, const std::vector<PolygonCell>& cells,
-                const std::vector<std::string>& failures) {
-  ReportFile file(options.json);
-  std::FILE* out = file.get();
-  std::fprintf(out, "{\n  \"benchmark\": \"polygons\",\n");
-  print_json(out, circumstances(options.commit));
-  std::fprintf(out, "  \"rounds\": %zu,\n  \"seed\": %llu,\n  \"failures\": [", options.rounds,
-               static_cast<unsigned long long>(options.seed));
-  for (std::size_t i = 0; i < failures.size(); ++i) {
-    std::fprintf(out, "%s\"%s\"", i == 0 ? "" : ", ", failures[i].c_str());
-  }
-  std::fprintf(out, "],\n  \"cells\": [\n");
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const PolygonCell& cell = cells[i];
-    std::fprintf(out, "    {\"n\": %zu, \"regime\": \"%s\", \"pairs\": %zu, \"few_us\": %.4f", cell.n,
-                 name_of(cell.regime).data(), cell.pairs, cell.few_us);
-    print_list(out, "sunder", cell.methods);
-    print_list(out, "peers", cell.peers);
-    print_list(out, "first_looks", cell.looks);
-    std::fprintf(out, "}%s\n", i + 1 == cells.size() ? "" : ",");
-  }
-  std::fprintf(out, "  ]\n}\n");
-  file.commit();
-}
-
-// --- What is demanded ------------------------------------------------------------------------------------------------
-
-std::vector<std::string> failures_of(const std::vector<PolygonCell>& cells) {
-  std::vector<std::string> failures;
-  char line[200];
-  for (const PolygonCell& cell : cells) {
-    const std::string what = "n = " + std::to_string(cell.n) + ", " + std::string(name_of(cell.regime)) + ": ";
-    for (const MethodResult& m : cell.methods) {
-      if (m.tally.wrong == 0) continue;
-      failures.push_back(what + std::to_string(m.tally.wrong) + " of Sunder's answers are WRONG, by " + m.name +
-                         (m.posed ? ", posed" : ""));
-    }
-    if (!is_demanded(cell.regime)) continue;
-    for (const PolygonResult& peer : cell.peers) {
-      const bool counts =
-          peer.state == PolygonResult::State::over || (peer.state == PolygonResult::State::measured && peer.wrong == 0);
-      const double demanded = demanded_ratio(cell.n);
-      if (!counts || cell.ratio(peer) > demanded) continue;
-      std::snprintf(line, sizeof line, "%s takes %.2f times Sunder's time (demanded: %.0f)", peer.library.c_str(),
-                    cell.ratio(peer), demanded);
-      failures.push_back(what + line);
+      const Tally& tally = by_regime[std::string(name_of(regime))];
+      const double finished = rate(tally.finishing, std::max<std::uint64_t>(1, tally.asked));
+      std::printf(" %10.3f %%", 100 * finished);
+      if (!is_general(regime) || finished <= kMostFinishing) continue;
+      failures.push_back(std::string(name_of(regime)) + ", " + method + ": the exact method finished " +
+                         std::to_string(tally.finishing) + " of " + std::to_string(tally.asked) + " (allowed: 0.1 %)");
     }
   }
-  for (const auto& [key, tally] : totals_of(cells)) {
-    const auto& [method, posed, regime] = key;
-    if (!is_general(regime) || rate(tally.finishing, tally.pairs) <= kMostFinishing) continue;
-    std::snprintf(line, sizeof line, "%s, %s%s: the exact method finished %llu of %llu (allowed: 0.1 %%)",
-                  name_of(regime).data(), method.c_str(), posed ? ", posed" : "",
-                  static_cast<unsigned long long>(tally.finishing), static_cast<unsigned long long>(tally.pairs));
-    failures.emplace_back(line);
-  }
-  return failures;
+  std::printf("\n\n");
 }
 
 // How the time grows, and what it is at the largest size: printed, and what is too much added to the failures.
-void tell_growth(const std::vector<PolygonCell>& cells, std::vector<std::string>& failures) {
+void tell_growth(const std::vector<Row>& rows, std::vector<std::string>& failures) {
   char line[200];
   for (const PolygonRegime regime : kPolygonRegimes) {
-    const PolygonCell *from = find(cells, kGrowthFrom, regime), *to = find(cells, kGrowthTo, regime);
+    const std::string name(name_of(regime));
+    const Row *from = find(rows, name, kGrowthFrom), *to = find(rows, name, kGrowthTo);
     if (to == nullptr) continue;
+    const double us = 1e6 * few(*to).median_s;
     std::snprintf(line, sizeof line,
                   "%s: %.2f microseconds at 10^6 vertices (about 2 are meant, %.0f allowed in general position)",
-                  name_of(regime).data(), to->few_us, kMostMicroseconds);
+                  name.c_str(), us, kMostMicroseconds);
     std::printf("%s\n", line);
-    if (is_demanded(regime) && is_general(regime) && to->few_us > kMostMicroseconds) failures.emplace_back(line);
+    if (is_demanded(regime) && is_general(regime) && us > kMostMicroseconds) failures.emplace_back(line);
     if (from == nullptr) continue;
+    const double growth = few(*to).median_s / few(*from).median_s;
     std::snprintf(line, sizeof line, "%s: from 10^3 to 10^6 vertices the time grows %.2f times (allowed: below %.0f)",
-                  name_of(regime).data(), to->few_us / from->few_us, kMostGrowth);
+                  name.c_str(), growth, kMostGrowth);
     std::printf("%s\n", line);
-    if (is_demanded(regime) && !(to->few_us < kMostGrowth * from->few_us)) failures.emplace_back(line);
+    if (is_demanded(regime) && !(growth < kMostGrowth)) failures.emplace_back(line);
   }
 }
 
-int run(const Options& options) {
-  print_text(stdout, circumstances(options.commit));
-  print_head();
-  std::vector<PolygonCell> cells;
-  PolygonHistory history;
-  for (const std::size_t n : options.sizes) {
-    const auto shapes = make_shapes(n, options.seed);
-    for (const PolygonRegime regime : kPolygonRegimes) {
-      cells.push_back(measure(make_polygon_scenario(n, regime, shapes, options.seed), options.rounds, history));
-      print(cells.back(), options.ways);
-    }
-  }
-  print_methods(cells);
-  std::printf("\n");
-  std::vector<std::string> failures = failures_of(cells);
-  tell_growth(cells, failures);
-  print_failures(failures);
-  if (!options.json.empty()) write_json(options, cells, failures);
-  return options.check && !failures.empty() ? 1 : 0;
-}
-
-int usage(const std::string& problem) {
-  std::fprintf(stderr,
-               "bench_polygons: %s\n"
-               "usage: bench_polygons [--check] [--quick] [--ways] [--sizes N,N,...] [--rounds COUNT] [--seed SEED] "
-               "[--json FILE] [--commit ID]\n",
-               problem.c_str());
-  return 2;
+void conclude(const std::vector<Row>& rows, std::vector<std::string>& failures) {
+  print_methods(rows);
+  tell_finishing(rows, failures);
+  tell_growth(rows, failures);
 }
 
 }  // namespace
 }  // namespace bench
 
 int main(int argc, char** argv) {
-  bench::Options options;
-  bool quick = false;
-  const std::string problem =
-      bench::read_options(argc, argv, 4, options, quick, [](const std::string&, const std::string&) { return 1; });
-  if (!problem.empty()) return bench::usage(problem);
-  if (options.sizes.empty()) {
-    options.sizes = {4, 10, 30, 100, 1000, 10000, 100000};
-    if (!quick) options.sizes.push_back(1000000);
-  }
-  std::sort(options.sizes.begin(), options.sizes.end());
-  try {
-    return bench::run(options);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "bench_polygons: %s\n", error.what());
-    return 3;
-  }
+  bench::Program program;
+  program.name = "bench_polygons";
+  program.note = "N: vertices of a polygon. \"sunder\": the front door, in place.";
+  program.libraries = {"boost", "geos", "cgal"};
+  program.plans = bench::plans;
+  program.conclude = bench::conclude;
+  return bench::run(program, argc, argv);
 }

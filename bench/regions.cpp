@@ -7,7 +7,7 @@
 // Fairness:
 //   - All contestants answer the same inputs in one run, in rounds, and take turns in going first. The time of a
 //     contestant is the median over its rounds of its mean per call, in processor time of its thread, one thread each.
-//     Whoever takes long takes part in fewer rounds, at least three, and is timed on fewer of the inputs.
+//     Whoever takes long takes part in fewer rounds, at least three, and answers fewer of the inputs.
 //   - Each library may prepare objects of its own outside of the loop. For "next objective" Sunder prepares the region.
 //   - CGAL is asked by every way that it offers (see peers/region_peer.h); the fastest that is right on all inputs of
 //     the row counts. Where none is right the fastest wrong one is shown with "!", and does not count. CGAL cannot
@@ -18,6 +18,10 @@
 //   - Small sizes rotate over many inputs, and new objectives over 1,000, so that no branch predictor learns one by
 //     heart.
 //   - What is true of each input is counted apart, in integers, or known by construction (region_count.h).
+#include <bench/contest/program.h>
+#include <bench/inputs/region_scenarios.h>
+#include <bench/peers/sunder_regions.h>
+
 #include <sunder/base/random.h>
 
 #include <algorithm>
@@ -27,10 +31,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "region_scenarios.h"
-#include "region_subject.h"
-#include "set_program.h"
 
 namespace bench {
 namespace {
@@ -58,17 +58,19 @@ std::vector<double> angles_of(const RegionInput& input) {
 
 Contest common_part(const Inputs& inputs, bool evidence) {
   Contest made;
+  std::vector<std::vector<double>> angles;
   for (const RegionInput& input : *inputs) {
     made.truths.push_back(input.sides);
-    made.keys.push_back(angles_of(input));
+    angles.push_back(angles_of(input));
   }
-  made.subject = {"sunder", "front door", [=](std::size_t k) {
-                    return evidence ? ask_sunder_for_evidence((*inputs)[k]) : ask_sunder((*inputs)[k]);
-                  }};
+  made.yardstick = sort_with_indices(angles);
+  made.subjects = {entry_by_input("sunder", "front door", inputs->size(), [=](std::size_t k) {
+    return evidence ? ask_sunder_for_evidence((*inputs)[k]) : ask_sunder((*inputs)[k]);
+  })};
   if (evidence) return made;
   for (const RegionWay& way : cgal_region_ways()) {
-    made.peers.push_back(
-        {std::string(way.library), std::string(way.method), [=](std::size_t k) { return way.make((*inputs)[k]); }});
+    made.peers.push_back(entry_by_input(std::string(way.library), std::string(way.method), inputs->size(),
+                                        [=](std::size_t k) { return way.make((*inputs)[k]); }));
   }
   return made;
 }
@@ -110,53 +112,50 @@ std::vector<Objective> objectives(std::size_t count, std::uint64_t seed) {
   return list;
 }
 
-std::vector<double> numbers_of(const RegionInput& input) {
-  std::vector<double> numbers;
-  for (const Inequality& h : input.half_planes) numbers.insert(numbers.end(), {h.a, h.b});
-  return numbers;
+std::function<double()> sort_of_numbers(const std::vector<RegionInput>& inputs) {
+  std::vector<std::vector<double>> numbers;
+  for (const RegionInput& input : inputs) {
+    auto& of_input = numbers.emplace_back();
+    for (const Inequality& h : input.half_planes) of_input.insert(of_input.end(), {h.a, h.b});
+  }
+  return sort_of(std::move(numbers));
 }
 
 Contest linear_program(const Inputs& inputs, std::uint64_t seed) {
   Contest made;
-  made.with_indices = false;
+  made.yardstick = sort_of_numbers(*inputs);
   const std::vector<Objective> asked = objectives(inputs->size(), seed);
   for (std::size_t k = 0; k < inputs->size(); ++k) {
     const RegionInput& input = (*inputs)[k];
     made.truths.push_back(optimum(input, angles_of_sides(input), asked[k]));
-    made.keys.push_back(numbers_of(input));
   }
-  made.subject = {"sunder", "front door", [=](std::size_t k) { return ask_sunder((*inputs)[k], asked[k]); }};
-  made.peers.push_back(
-      {"cgal", "solve_linear_program", [=](std::size_t k) { return cgal_linear_program((*inputs)[k], asked[k]); }});
+  made.subjects = {entry_by_input("sunder", "front door", inputs->size(),
+                                  [=](std::size_t k) { return ask_sunder((*inputs)[k], asked[k]); })};
+  made.peers = {entry_by_input("cgal", "solve_linear_program", inputs->size(),
+                               [=](std::size_t k) { return cgal_linear_program((*inputs)[k], asked[k]); })};
   return made;
 }
 
 Contest next_objective(const Inputs& inputs, std::uint64_t seed) {
   Contest made;
-  made.with_indices = false;
+  made.yardstick = sort_of_numbers(*inputs);
   made.batch = kObjectives;
   const std::vector<Objective> asked = objectives(kObjectives, seed);
   for (const RegionInput& input : *inputs) {
     const std::vector<double> angles = angles_of_sides(input);
     std::uint64_t& sum = made.truths.emplace_back(0);
     for (const Objective& objective : asked) sum += optimum(input, angles, objective);
-    made.keys.push_back(numbers_of(input));
   }
-  made.subject = {"sunder", "by region", [=](std::size_t k) { return ask_sunder_by_region((*inputs)[k], asked); }};
+  made.subjects = {entry_by_input("sunder", "by region", inputs->size(),
+                                  [=](std::size_t k) { return ask_sunder_by_region((*inputs)[k], asked); })};
   return made;
 }
 
-std::vector<Plan> plans() {
+std::vector<Plan> plans(const Options&) {
   const std::vector<std::size_t> to_million{100, 1000, 10000, 100000, 1000000};
   const std::vector<std::size_t> to_hundred_thousand{100, 1000, 10000, 100000}, to_ten_thousand{100, 1000, 10000};
-  Demand sorting, half_sorting, ten_times, fast;
-  sorting.most_sorts = 4;
-  half_sorting.most_sorts = 0.5;
-  sorting.sorts_from = half_sorting.sorts_from = 1000000;
-  ten_times.library = "cgal";
-  ten_times.peers = 10;
-  ten_times.peers_from = 10000;
-  fast.most_ns = 200;
+  const Demand sorting{"", {}, {{1000000, 4}}}, half_sorting{"", {}, {{1000000, 0.5}}};
+  const Demand ten_times{"cgal", {{10000, 10}}}, fast{"", {}, {}, 200};
   using Family = RegionFamily;
   std::vector<Plan> list;
   const auto add_common_part = [&](const std::string& question, Family family, const std::vector<std::size_t>& sizes,
@@ -190,11 +189,12 @@ std::vector<Plan> plans() {
 }  // namespace bench
 
 int main(int argc, char** argv) {
-  const bench::Program program{
-      "bench_regions",
-      "The sort: of the angles of half-planes, edges or centres, with indices; for linear programs of 2 N doubles.",
-      {"cgal", "hull"},
-      {"half-planes", "convex polygons", "circles", "linear program", "next objective"},
-      bench::plans()};
+  bench::Program program;
+  program.name = "bench_regions";
+  program.note =
+      "The sort: of the angles of half-planes, edges or centres, with indices; for linear programs of 2 N doubles.";
+  program.libraries = {"cgal", "hull"};
+  program.questions = {"half-planes", "convex polygons", "circles", "linear program", "next objective"};
+  program.plans = bench::plans;
   return bench::run(program, argc, argv);
 }

@@ -17,22 +17,20 @@
 //     "-": the library does not answer that. No peer writes a transcript.
 //   - Small sizes rotate over many inputs, so that no branch predictor learns one by heart.
 //   - Peers are as Debian built them, header-only ones compiled here with the flags of this build.
+#include <bench/contest/program.h>
+#include <bench/inputs/segment_scenarios.h>
+#include <bench/peers/segment_peer.h>
+#include <bench/peers/sunder_segments.h>
+
 #include <sunder/io/lines.h>
 
-#include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "options.h"
-#include "report.h"
-#include "segment_contest.h"
-#include "segment_scenarios.h"
-#include "segment_subject.h"
 
 #ifndef SUNDER_BENCH_MAP
 #define SUNDER_BENCH_MAP "../shared/data/planar/natural-earth/ne_50m_coastline.json"
@@ -41,179 +39,76 @@
 namespace bench {
 namespace {
 
-constexpr std::size_t kDemandedFrom = 10000;  // segments, for ratios to the sort
+const std::vector<std::size_t> kSizes{100, 1000, 10000, 100000, 1000000};
+constexpr std::size_t kDemandedFrom = 10000, kMost = 1000000;  // segments, for ratios to the sort
 
-const std::vector<Plan> kPlans{
-    {SegmentFamily::mesh, {Question::make, Question::any, Question::transcript}},
-    {SegmentFamily::loose_mesh, {Question::make, Question::any, Question::transcript}},
-    {SegmentFamily::star, {Question::make, Question::any, Question::transcript, Question::simple}},
-    {SegmentFamily::loose_star, {Question::make, Question::any, Question::transcript}},
-    {SegmentFamily::map, {Question::make, Question::any, Question::transcript}},
-    {SegmentFamily::wires, {Question::make, Question::any, Question::transcript}},
-    {SegmentFamily::hidden_end, {Question::any}},
-    {SegmentFamily::hidden_random, {Question::any}},
-    {SegmentFamily::meander, {Question::simple}},
-    {SegmentFamily::crossed_mesh, {Question::all, Question::count}},
-    {SegmentFamily::random, {Question::all, Question::count}},
-    {SegmentFamily::tangled_star, {Question::all, Question::count}},
+using Family = SegmentFamily;
+using Inputs = std::vector<SegmentInput>;
+
+struct Asking {
+  std::vector<Family> families;
+  std::vector<Question> questions;
+};
+const std::vector<Asking> kAsked{
+    {{Family::mesh, Family::loose_mesh}, {Question::make, Question::any, Question::transcript}},
+    {{Family::star}, {Question::make, Question::any, Question::transcript, Question::simple}},
+    {{Family::loose_star, Family::map, Family::wires}, {Question::make, Question::any, Question::transcript}},
+    {{Family::hidden_end, Family::hidden_random}, {Question::any}},
+    {{Family::meander}, {Question::simple}},
+    {{Family::crossed_mesh, Family::random, Family::tangled_star}, {Question::all, Question::count}},
 };
 
-// What `--check` demands of Sunder: at most so many times the sort; 0: nothing.
-double allowed_sorts(SegmentFamily family, Question question, std::size_t n) {
-  const bool star = family == SegmentFamily::star || family == SegmentFamily::loose_star;
-  const bool local =
-      family == SegmentFamily::mesh || family == SegmentFamily::loose_mesh || family == SegmentFamily::map;
+// What `--check` demands of Sunder in sorts.
+Steps most_sorts(Family family, Question question) {
+  const bool star = family == Family::star || family == Family::loose_star;
+  const bool local = family == Family::mesh || family == Family::loose_mesh || family == Family::map;
   switch (question) {
-    case Question::any: return family == SegmentFamily::mesh && n >= 1000000 ? 0.7 : local ? 1.5 : star ? 4 : 0;
-    case Question::transcript: return local || star ? 6 : 0;
-    case Question::simple: return family == SegmentFamily::star && n >= 1000000 ? 2.5 : 3;
+    case Question::any:
+      if (family == Family::mesh) return {{kDemandedFrom, 1.5}, {kMost, 0.7}};
+      return local ? Steps{{kDemandedFrom, 1.5}} : star ? Steps{{kDemandedFrom, 4}} : Steps{};
+    case Question::transcript: return local || star ? Steps{{kDemandedFrom, 6}} : Steps{};
+    case Question::simple:
+      if (family == Family::star) return {{kDemandedFrom, 3}, {kMost, 2.5}};
+      return {{kDemandedFrom, 3}};
     case Question::all:
-      if (family == SegmentFamily::crossed_mesh) return 3;
-      return family == SegmentFamily::random ? 6 : 0;
-    default: return 0;
+      if (family == Family::crossed_mesh) return {{kDemandedFrom, 3}};
+      return family == Family::random ? Steps{{kDemandedFrom, 6}} : Steps{};
+    default: return {};
   }
 }
 
-struct Options : ContestOptions {
-  bool check = false;
-  bool ways = false;  // print the first look at every way
-  std::vector<std::size_t> sizes;
-  std::string json, commit, map = SUNDER_BENCH_MAP;
-};
-
-// --- Telling ---------------------------------------------------------------------------------------------------------
-
-void print_head() {
-  std::printf(
-      "Times in milliseconds per call. \"sorts\": Sunder's time in sorts of the endpoints. The peers' columns: their "
-      "time "
-      "in\nSunder's. \"wrong\": inputs with a wrong answer, of Sunder, CGAL, GEOS, Boost; \"!\": no way was "
-      "right.\n\n");
-  std::printf("%8s %-13s %-10s %11s %11s %7s %9s %9s %9s  %-9s %s\n", "N", "input", "question", "sort", "sunder",
-              "sorts", "cgal", "geos", "boost", "wrong", "by which way");
+// The question as peers know it.
+std::optional<SegmentQuestion> peers_question(Question question) {
+  switch (question) {
+    case Question::any: return SegmentQuestion::any;
+    case Question::simple: return SegmentQuestion::simple;
+    case Question::all: return SegmentQuestion::all;
+    case Question::count: return SegmentQuestion::count;
+    default: return {};
+  }
 }
 
-void print(const Row& row, bool ways) {
-  using State = Result::State;
-  const bool known = row.sunder.state == State::measured;
-  char text[64];
-  std::printf("%8.0f %-13s %-10s %11.4f", row.segments, name_of(row.family).data(), name_of(row.question).data(),
-              1e3 * row.sort_s);
-  if (known) {
-    std::printf(" %11.4f %7.2f", 1e3 * row.sunder.median_s, row.sorts());
-  } else {
-    std::printf(" %11s %7s", "-", "-");
+Contest contest(const std::shared_ptr<const Inputs>& inputs, Question question) {
+  Contest made;
+  std::vector<std::vector<Xy>> ends;
+  for (const SegmentInput& input : *inputs) {
+    made.truths.push_back(truth(input, question));
+    auto& of_input = ends.emplace_back();
+    for (const Line& l : input.lines) of_input.insert(of_input.end(), {l.a, l.b});
   }
-  std::string wrong = known ? std::to_string(row.sunder.wrong) : "-", methods;
-  for (const Result& peer : row.peers) {
-    std::string cell = "-";
-    if (peer.state == State::over) cell = "over 3 s";
-    if (peer.state == State::measured) {
-      if (known) {
-        std::snprintf(text, sizeof text, "%.2f", peer.median_s / row.sunder.median_s);
-      } else {
-        std::snprintf(text, sizeof text, "%.3g ms", 1e3 * peer.median_s);
-      }
-      cell = std::string(peer.wrong > 0 ? "!" : "") + text;
-      methods += (methods.empty() ? "" : "; ") + peer.method;
-    }
-    wrong += peer.state == State::measured ? "/" + std::to_string(peer.wrong) : "/-";
-    std::printf(" %9s", cell.c_str());
-  }
-  std::printf("  %-9s %s\n", wrong.c_str(), methods.c_str());
-  for (const Look& look : row.looks) {
-    if (!ways) break;
-    std::printf("%45s %11.4f  %s, %s; wrong: %zu of %zu\n", "at first sight", 1e3 * look.seconds, look.library.c_str(),
-                look.method.c_str(), look.wrong, row.inputs);
-  }
-  std::fflush(stdout);
-}
-
-void print_json(std::FILE* out, const Result& r) {
-  if (r.state != Result::State::measured) {
-    const bool over = r.state == Result::State::over;
-    if (over) {
-      std::fprintf(out, "{\"library\": \"%s\", \"left_out\": \"over 3 s\", \"about_ms\": %.0f}", r.library.c_str(),
-                   1e3 * r.median_s);
-    } else {
-      std::fprintf(out, "{\"library\": \"%s\", \"left_out\": \"does not answer\"}", r.library.c_str());
-    }
-    return;
-  }
-  std::fprintf(out,
-               "{\"library\": \"%s\", \"method\": \"%s\", \"median_ms\": %.6f, \"lowest_ms\": %.6f, \"wrong\": %zu}",
-               r.library.c_str(), r.method.c_str(), 1e3 * r.median_s, 1e3 * r.lowest_s, r.wrong);
-}
-
-void write_json(const Options& options, const std::vector<Row>& rows, const std::vector<std::string>& failures) {
-  ReportFile file(options.json);
-  std::FILE* out = file.get();
-  std::fprintf(out, "{\n  \"benchmark\": \"segments\",\n");
-  print_json(out, circumstances(options.commit));
-  std::fprintf(out, "  \"rounds\": %zu,\n  \"seed\": %llu,\n  \"failures\": [", options.rounds,
-               static_cast<unsigned long long>(options.seed));
-  for (std::size_t i = 0; i < failures.size(); ++i) {
-    std::fprintf(out, "%s\"%s\"", i == 0 ? "" : ", ", failures[i].c_str());
-  }
-  std::fprintf(out, "],\n  \"rows\": [\n");
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Row& row = rows[i];
-    std::fprintf(out,
-                 "    {\"n\": %zu, \"input\": \"%s\", \"question\": \"%s\", \"inputs\": %zu, \"segments\": %.1f, "
-                 "\"pairs\": %.1f, \"sort_ms\": %.6f",
-                 row.n, name_of(row.family).data(), name_of(row.question).data(), row.inputs, row.segments, row.pairs,
-                 1e3 * row.sort_s);
-    if (row.sunder.state == Result::State::measured) {
-      std::fprintf(out, ", \"sorts\": %.3f,\n     \"results\": [\n      ", row.sorts());
-      print_json(out, row.sunder);
-      std::fprintf(out, ",\n      ");
-    } else {
-      std::fprintf(out, ",\n     \"results\": [\n      ");
-    }
-    for (std::size_t k = 0; k < row.peers.size(); ++k) {
-      print_json(out, row.peers[k]);
-      std::fprintf(out, "%s", k + 1 == row.peers.size() ? "],\n     \"first_looks\": [" : ",\n      ");
-    }
-    for (std::size_t k = 0; k < row.looks.size(); ++k) {
-      const Look& look = row.looks[k];
-      std::fprintf(out, "%s\n      {\"library\": \"%s\", \"method\": \"%s\", \"ms\": %.6f, \"wrong\": %zu}",
-                   k == 0 ? "" : ",", look.library.c_str(), look.method.c_str(), 1e3 * look.seconds, look.wrong);
-    }
-    std::fprintf(out, "]}");
-    std::fprintf(out, "%s\n", i + 1 == rows.size() ? "" : ",");
-  }
-  std::fprintf(out, "  ]\n}\n");
-  file.commit();
-}
-
-std::vector<std::string> failures_of(const std::vector<Row>& rows) {
-  std::vector<std::string> failures;
-  for (const Row& row : rows) {
-    char line[200];
-    const std::string what = std::string(name_of(row.family)) + ", " + std::string(name_of(row.question)) + ", " +
-                             std::to_string(row.n) + " segments: ";
-    if (row.sunder.state != Result::State::measured) {
-      failures.push_back(what + "Sunder does not answer yet");
-      continue;
-    }
-    if (row.sunder.wrong > 0)
-      failures.push_back(what + std::to_string(row.sunder.wrong) + " of Sunder's answers are WRONG");
-    const double allowed = allowed_sorts(row.family, row.question, row.n);
-    if (allowed > 0 && row.n >= kDemandedFrom && row.sorts() > allowed) {
-      std::snprintf(line, sizeof line, "%.2f sorts (allowed: %.1f)", row.sorts(), allowed);
-      failures.push_back(what + line);
-    }
-    for (const Result& peer : row.peers) {
-      const bool counts =
-          peer.state == Result::State::over || (peer.state == Result::State::measured && peer.wrong == 0);
-      if (!counts || peer.median_s > row.sunder.median_s) continue;
-      std::snprintf(line, sizeof line, "%s takes %.2f of Sunder's time%s", peer.library.c_str(),
-                    peer.median_s / row.sunder.median_s,
-                    peer.state == Result::State::over ? ", by the growth of its times" : "");
-      failures.push_back(what + line);
+  made.yardstick =
+      sort_of(std::move(ends), [](const Xy& p, const Xy& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); });
+  made.subjects = {entry_by_input("sunder", "front door", inputs->size(),
+                                  [=](std::size_t k) { return ask_sunder((*inputs)[k], question); })};
+  const std::optional<SegmentQuestion> asked = peers_question(question);
+  if (!asked) return made;
+  for (const auto& library : {cgal_segment_ways(), geos_segment_ways(), boost_segment_ways()}) {
+    for (const SegmentWay& way : library) {
+      made.peers.push_back(entry_by_input(std::string(way.library), std::string(way.method), inputs->size(),
+                                          [=](std::size_t k) { return way.make((*inputs)[k], *asked); }));
     }
   }
-  return failures;
+  return made;
 }
 
 std::vector<Line> read_map(const std::string& path) {
@@ -228,79 +123,35 @@ std::vector<Line> read_map(const std::string& path) {
   return rounded(std::move(lines));
 }
 
-int run(const Options& options) {
-  print_text(stdout, circumstances(options.commit));
-  const std::vector<Line> map = read_map(options.map);
-  print_head();
-
-  // Sizes between, which nobody asked for, tell how fast the time of a peer grows.
-  std::vector<std::size_t> sizes = options.sizes;
-  for (std::size_t n = 100; n < *std::max_element(options.sizes.begin(), options.sizes.end()); n *= 10)
-    sizes.push_back(n);
-  std::sort(sizes.begin(), sizes.end());
-  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
-
-  std::vector<Row> rows;
-  for (const Plan& plan : kPlans) {
-    if (plan.family == SegmentFamily::map && map.empty()) continue;
-    if (std::none_of(plan.questions.begin(), plan.questions.end(), [&](Question q) { return options.asks(q); }))
-      continue;
-    History history;
-    for (const std::size_t n : sizes) {
-      const bool wanted = std::find(options.sizes.begin(), options.sizes.end(), n) != options.sizes.end();
-      for (const Row& row : measure(plan, n, !wanted, map, options, history)) {
-        print(row, options.ways);
-        rows.push_back(row);
+std::vector<Plan> plans(const Options& options) {
+  static Kept<Family, Inputs> kept;
+  const auto map = std::make_shared<const std::vector<Line>>(read_map(options.own.at("--map")));
+  std::vector<Plan> list;
+  for (const auto& [families, questions] : kAsked) {
+    for (const Family family : families) {
+      if (family == Family::map && map->empty()) continue;
+      for (const Question question : questions) {
+        const Demand demand{"", {{0, 1}}, most_sorts(family, question)};
+        const auto make = [=](std::size_t n, std::uint64_t seed) {
+          return contest(kept.get(family, n, [&] { return make_segment_inputs(family, n, seed, *map); }), question);
+        };
+        list.push_back({std::string(name_of(family)), std::string(name_of(question)), demand, kSizes, make});
       }
     }
   }
-  const std::vector<std::string> failures = failures_of(rows);
-  std::printf("\n");
-  print_failures(failures);
-  if (!options.json.empty()) write_json(options, rows, failures);
-  return options.check && !failures.empty() ? 1 : 0;
-}
-
-int usage(const std::string& problem) {
-  std::fprintf(stderr,
-               "bench_segments: %s\n"
-               "usage: bench_segments [--check] [--quick] [--ways] [--only any|simple|all]... [--sizes N,N,...] "
-               "[--rounds COUNT] "
-               "[--seed SEED] [--map FILE] [--json FILE] [--commit ID]\n",
-               problem.c_str());
-  return 2;
+  return list;
 }
 
 }  // namespace
 }  // namespace bench
 
 int main(int argc, char** argv) {
-  using bench::Question;
-  bench::Options options;
-  bool quick = false;
-  const auto more = [&](const std::string& name, const std::string& value) {
-    if (name == "--map") {
-      options.map = value;
-      return 0;
-    }
-    if (name != "--only") return 1;
-    std::vector<Question> add;
-    if (value == "any") add = {Question::make, Question::any, Question::transcript};
-    if (value == "simple") add = {Question::simple};
-    if (value == "all") add = {Question::all, Question::count};
-    options.questions.insert(options.questions.end(), add.begin(), add.end());
-    return add.empty() ? 2 : 0;
-  };
-  const std::string problem = bench::read_options(argc, argv, 100, options, quick, more);
-  if (!problem.empty()) return bench::usage(problem);
-  if (options.sizes.empty()) {
-    options.sizes = {100, 1000, 10000, 100000};
-    if (!quick) options.sizes.push_back(1000000);
-  }
-  try {
-    return bench::run(options);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "bench_segments: %s\n", error.what());
-    return 3;
-  }
+  bench::Program program;
+  program.name = "bench_segments";
+  program.note = "The sort: of the 2 N endpoints.";
+  program.libraries = {"cgal", "geos", "boost"};
+  program.questions = {"any", "simple", "all"};
+  program.plans = bench::plans;
+  program.own = {{"--map", SUNDER_BENCH_MAP}};
+  return bench::run(program, argc, argv);
 }

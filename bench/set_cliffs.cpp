@@ -1,4 +1,4 @@
-#include "set_cliffs.h"
+#include <bench/set_cliffs.h>
 
 #include <sunder/planar/set/polygons_all.h>
 #include <sunder/planar/set/polygons_any.h>
@@ -27,6 +27,12 @@ Asked ask_any(const std::shared_ptr<const std::vector<Polygon>>& polygons, Allow
   SetOptions options;
   options.allowed = allowed;
   return [=]() -> std::uint64_t { return polygons_any(*polygons, options).meet() ? 1 : 0; };
+}
+
+// Of one input.
+Entry entry(const char* library, const char* method, const Asked& ask) {
+  // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): a std::function frees what it holds
+  return entry_by_input(library, method, 1, [=](std::size_t) { return ask; });
 }
 
 using sunder::planar::Segment;
@@ -60,16 +66,12 @@ Contest net_contest(std::size_t n) {
   const std::vector<std::uint32_t> one_net(lines->size(), 0);
   const std::uint64_t crossings = std::uint64_t{n / 2} * (n / 2);
   Contest made;
-  made.keys.push_back(abscissas(*lines));
+  made.yardstick = sort_with_indices({abscissas(*lines)});
   made.truths = {crossings};
-  made.subject = {"sunder", "one net", [=](std::size_t) -> Asked {
-                    return [=]() -> std::uint64_t {
-                      return crossings + segments_count(*lines, {Allowed::nothing, one_net}).count;
-                    };
-                  }};
-  made.peers = {{"itself", "no nets", [=](std::size_t) -> Asked {
-                   return [=]() -> std::uint64_t { return segments_count(*lines).count; };
-                 }}};
+  made.subjects = {entry("sunder", "one net", [=]() -> std::uint64_t {
+    return crossings + segments_count(*lines, {Allowed::nothing, one_net}).count;
+  })};
+  made.peers = {entry("itself", "no nets", [=]() -> std::uint64_t { return segments_count(*lines).count; })};
   return made;
 }
 
@@ -81,42 +83,44 @@ Contest overlaps_contest(std::size_t n) {
   }
   const auto overlapping = shared(pieces), crossing = hatch(n / 2, n - 1);
   Contest made;
-  made.keys.push_back(abscissas(*overlapping));
+  made.yardstick = sort_with_indices({abscissas(*overlapping)});
   made.truths = {std::uint64_t{n} * (n - 1) / 2};
   const auto ask = [](const std::shared_ptr<const Segments>& segments) -> Asked {
     return [=]() -> std::uint64_t { return segments_count(*segments).count; };
   };
-  made.subject = {"sunder", "overlaps", [=](std::size_t) { return ask(overlapping); }};
-  made.peers = {{"itself", "crossings", [=](std::size_t) { return ask(crossing); }}};
+  made.subjects = {entry("sunder", "overlaps", ask(overlapping))};
+  made.peers = {entry("itself", "crossings", ask(crossing))};
   return made;
 }
 
 Contest frames_contest(std::size_t n) {
   auto polygons = std::make_shared<std::vector<Polygon>>();
   Contest made;
-  made.keys.emplace_back();
+  std::vector<double> ends;
   const auto square = [](double d) { return std::vector<Point2>{{-d, -d}, {d, -d}, {d, d}, {-d, d}}; };
   for (std::size_t k = 1; k <= n; ++k) {
     const double d = static_cast<double>(k);
     polygons->emplace_back(Rings{square(d), square(d - 0.5)});
-    made.keys[0].insert(made.keys[0].end(), {-d, d});
+    ends.insert(ends.end(), {-d, d});
   }
+  made.yardstick = sort_with_indices({ends});
   made.truths = {0};
-  made.subject = {"sunder", "touching allowed", [=](std::size_t) { return ask_any(polygons, Allowed::touch); }};
-  made.peers = {{"itself", "nothing allowed", [=](std::size_t) { return ask_any(polygons, Allowed::nothing); }}};
+  made.subjects = {entry("sunder", "touching allowed", ask_any(polygons, Allowed::touch))};
+  made.peers = {entry("itself", "nothing allowed", ask_any(polygons, Allowed::nothing))};
   return made;
 }
 
 Contest star_contest(std::size_t n) {
   auto polygons = std::make_shared<std::vector<Polygon>>();
   Contest made;
-  made.keys.emplace_back();
+  std::vector<double> abscissas_of_star;
   std::vector<Point2> star;
   const double vertices = static_cast<double>(4 * n), count = static_cast<double>(n);
   for (std::size_t k = 0; k < 4 * n; ++k) {
     star.push_back(on_circle(k % 2 == 0 ? 100 : 40, static_cast<double>(k) / vertices));
-    made.keys[0].push_back(star.back().x);
+    abscissas_of_star.push_back(star.back().x);
   }
+  made.yardstick = sort_with_indices({abscissas_of_star});
   polygons->emplace_back(Rings{star});
   constexpr double golden = 0.6180339887498949;  // of a turn: points of a sunflower
   const double size = 5 / std::sqrt(count);      // less than a sixth of their distance from each other
@@ -126,8 +130,7 @@ Contest star_contest(std::size_t n) {
     polygons->emplace_back(Rings{{p, {p.x + size, p.y}, {p.x, p.y + size}}});
   }
   made.truths = {n};
-  made.subject = {"sunder", "front door",
-                  [=](std::size_t) -> Asked { return [=] { return polygons_all(*polygons).contacts.size(); }; }};
+  made.subjects = {entry("sunder", "front door", [=] { return polygons_all(*polygons).contacts.size(); })};
   return made;
 }
 

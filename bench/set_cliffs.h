@@ -3,9 +3,9 @@
 // not chosen for these.
 #pragma once
 
-#include <cstddef>
+#include <bench/contest/contest.h>
 
-#include "set_contest.h"
+#include <cstddef>
 
 namespace bench {
 

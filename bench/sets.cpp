@@ -7,29 +7,28 @@
 // Fairness:
 //   - All contestants answer the same inputs in one run, in rounds, and take turns in going first. The time of a
 //     contestant is the median over its rounds of its mean per call, in processor time of its thread, one thread each.
-//     Whoever takes long takes part in fewer rounds, at least three, and is timed on fewer of the inputs.
+//     Whoever takes long takes part in fewer rounds, at least three, and answers fewer of the inputs.
 //   - Each library may prepare objects of its own outside of the loop: discs, polygons, edges, boxes. What is built
 //   over
 //     the set to answer (trees, sorted boxes) is timed.
 //   - Peers are asked by every way that they offer (see peers/set_peer.h). Of each library the fastest way that is
-//   right
-//     on all inputs of the row counts. Where none is right the fastest wrong one is shown with "!", and does not count.
+//     right on all inputs of the row counts. Where none is right the fastest wrong one is shown with "!", and does
+//     not count.
 //   - A way that takes more than 3 s for one call, or by its growth would take twice that, is left out. In the check it
 //     counts with the time of that one call, or the one that its growth (linear at least) predicts. So is a way that by
 //     its growth would take ten times as long as the fastest one of its library.
 //   - Small sizes rotate over many inputs, so that no branch predictor learns one by heart. A single contact is hidden
-//   at
-//     nine places at least, at two in 10^6 objects: how soon it is found is luck.
+//     at nine places at least, at two in 10^6 objects: how soon it is found is luck.
 //   - What is true of each input is counted apart, in integers (set_count.h).
 //   - Peers are as Debian built them, header-only ones compiled here with the flags of this build.
+#include <bench/contest/program.h>
+#include <bench/inputs/set_scenarios.h>
+#include <bench/peers/sunder_sets.h>
+#include <bench/set_cliffs.h>
+
 #include <memory>
 #include <string>
 #include <vector>
-
-#include "set_cliffs.h"
-#include "set_program.h"
-#include "set_scenarios.h"
-#include "set_subject.h"
 
 namespace bench {
 namespace {
@@ -49,28 +48,24 @@ std::vector<double> ends_of(const SetInput& input) {
   return ends;
 }
 
-std::vector<SetWay> all_ways() {
-  std::vector<SetWay> ways;
-  for (const auto& some : {cgal_set_ways(), geos_set_ways(), boost_set_ways()}) {
-    ways.insert(ways.end(), some.begin(), some.end());
-  }
-  return ways;
-}
-
 Contest contest(const Inputs& inputs, SetKind kind, SetQuestion question, bool transcript) {
   Contest made;
+  std::vector<std::vector<double>> ends;
   for (const SetInput& input : *inputs) {
     made.truths.push_back(question == SetQuestion::any ? std::uint64_t{input.pairs > 0} : input.pairs);
-    made.keys.push_back(ends_of(input));
+    ends.push_back(ends_of(input));
   }
-  made.subject = {"sunder", "front door", [=](std::size_t k) {
-                    const SetInput& input = (*inputs)[k];
-                    return transcript ? ask_sunder_for_transcript(input, kind) : ask_sunder(input, kind, question);
-                  }};
+  made.yardstick = sort_with_indices(ends);
+  made.subjects = {entry_by_input("sunder", "front door", inputs->size(), [=](std::size_t k) {
+    const SetInput& input = (*inputs)[k];
+    return transcript ? ask_sunder_for_transcript(input, kind) : ask_sunder(input, kind, question);
+  })};
   if (transcript) return made;
-  for (const SetWay& way : all_ways()) {
-    made.peers.push_back({std::string(way.library), std::string(way.method),
-                          [=](std::size_t k) { return way.make((*inputs)[k], question); }});
+  for (const auto& library : {cgal_set_ways(), geos_set_ways(), boost_set_ways()}) {
+    for (const SetWay& way : library) {
+      made.peers.push_back(entry_by_input(std::string(way.library), std::string(way.method), inputs->size(),
+                                          [=](std::size_t k) { return way.make((*inputs)[k], question); }));
+    }
   }
   return made;
 }
@@ -82,12 +77,11 @@ Plan plan(const std::string& question, SetFamily family, SetKind kind, SetQuesti
           }};
 }
 
-std::vector<Plan> plans() {
-  const Demand faster{.library = "", .peers = 1, .most_sorts = 0, .most_ns = 0, .peers_from = 0, .sorts_from = 0};
+std::vector<Plan> plans(const Options&) {
+  const Demand faster{"", {{0, 1}}};
   Demand sorting = faster, twice = faster;
-  sorting.most_sorts = 3;
-  sorting.sorts_from = kMost;
-  twice.peers = 2;
+  sorting.most_sorts = {{kMost, 3}};
+  twice.peers = {{0, 2}};
   std::vector<Plan> list;
   const auto any = SetQuestion::any, all = SetQuestion::all;
   for (const SetFamily family :
@@ -105,13 +99,8 @@ std::vector<Plan> plans() {
     list.push_back(plan("polygons any", family, SetKind::polygons, any, twice));
   }
   list.push_back(plan("polygons all", SetFamily::crowded_coins, SetKind::polygons, all, twice));
-  Demand a_third, a_half, a_quarter, star;
-  a_third.library = "itself";
-  a_third.peers = 1.0 / 3;
-  a_half.library = a_quarter.library = a_third.library;
-  a_half.peers = 1.0 / 2;
-  a_quarter.peers = 1.0 / 4;
-  star.most_sorts = 20;
+  const Demand a_third{"itself", {{0, 1.0 / 3}}}, a_half{"itself", {{0, 1.0 / 2}}}, a_quarter{"itself", {{0, 1.0 / 4}}};
+  const Demand star{"", {}, {{0, 20}}};
   list.push_back({"frames", "polygons any", a_third, {1000, 10000, 100000}, [](std::size_t n, std::uint64_t) {
                     return frames_contest(n);
                   }});
@@ -131,13 +120,14 @@ std::vector<Plan> plans() {
 }  // namespace bench
 
 int main(int argc, char** argv) {
-  const bench::Program program{
-      "bench_sets",
+  bench::Program program;
+  program.name = "bench_sets";
+  program.note =
       "The sort: of the 2 N ends of the objects in x, with indices; for many inside a star, of its 4 N "
       "vertices. \"itself\": Sunder with nothing allowed, where touching is; without nets; of as many crossings, where "
-      "these are overlaps.",
-      {"cgal", "geos", "boost", "itself"},
-      {"circles", "circles any", "circles all", "convex", "polygons", "segments"},
-      bench::plans()};
+      "these are overlaps.";
+  program.libraries = {"cgal", "geos", "boost", "itself"};
+  program.questions = {"circles", "circles any", "circles all", "convex", "polygons", "segments"};
+  program.plans = bench::plans;
   return bench::run(program, argc, argv);
 }

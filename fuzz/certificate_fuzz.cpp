@@ -1,5 +1,7 @@
 // Fuzzes the C++ verifier: any text gets a consistent result, without a throw, a crash or much memory.
 // Seeds: cases/certificates/accepted and cases/certificates/refused.
+#include <fuzz/require.h>
+
 #include <verifier/cpp/verify.h>
 
 #include <algorithm>
@@ -9,6 +11,7 @@
 #include <cstdlib>
 #include <string_view>
 
+using sunder::fuzz::require;
 namespace {
 
 // Of pairs, distances and clearances; of sets; of common parts; of linear programs; of valid polygons; of hulls.
@@ -18,10 +21,6 @@ constexpr std::array<std::string_view, 38> verdicts{
     "unbounded", "bounded",        "plane",      "region",      "one",       "many",   "all",      "infeasible",
     "valid",     "too_few_points", "edges_meet", "comes_twice", "misplaced", "circle", "repeated", "rings_touch",
     "kept",      "broken",         "crosses",    "falls_apart", "solid",     "flat"};
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 }  // namespace
 

@@ -1,5 +1,7 @@
 // Any bytes, read as CSV, WKT, GeoJSON and KiCad boards, with and without groups, then asked for contacts.
 // Seeds: cases/segments, cases/boards, cases/broken-lines.
+#include <fuzz/require.h>
+
 #include <sunder/base/error.h>
 #include <sunder/io/lines.h>
 #include <sunder/planar/set/segments_any.h>
@@ -11,11 +13,8 @@
 #include <string_view>
 #include <vector>
 
+using sunder::fuzz::require;
 namespace {
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 // L4: each segment has its entry, or there are no names; names come in the order of their first segments.
 void check_names(const std::vector<std::uint32_t>& of_segment, const std::vector<std::string>& names,

@@ -1,6 +1,8 @@
 // What every fuzzer of a mesh reader does.
 #pragma once
 
+#include <fuzz/require.h>
+
 #include <sunder/base/error.h>
 #include <sunder/io/mesh.h>
 #include <sunder/io/mesh_check_test.h>
@@ -14,12 +16,6 @@
 #include <string_view>
 
 namespace sunder::fuzz {
-
-inline void require(bool holds, const std::string& what) {
-  if (holds) return;
-  std::fprintf(stderr, "fault: %s\n", what.c_str());
-  std::abort();
-}
 
 // A message is one line of printable text, and names the file first.
 inline void check_message(const Error& error, std::string_view file) {

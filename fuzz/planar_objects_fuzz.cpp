@@ -1,5 +1,7 @@
 // Any bytes, read as planar objects of CSV, WKT and GeoJSON, then made convex polygons, lines, rays and half-planes, of
 // which those that meet are asked for. Seeds: cases/planar-pair, cases/broken-planar.
+#include <fuzz/require.h>
+
 #include <sunder/base/error.h>
 #include <sunder/io/planar_objects.h>
 #include <sunder/planar/object/convex_polygon.h>
@@ -13,14 +15,11 @@
 #include <string>
 #include <string_view>
 
+using sunder::fuzz::require;
 namespace {
 
 using sunder::io::PlanarObject;
 using Kind = PlanarObject::Kind;
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 void check_line(const std::string& text) {
   require(!text.empty());

@@ -1,5 +1,7 @@
 // Any bytes, read as circles (some by a group) and as half-planes, then asked: do any two meet, what is the common
 // part? Seeds: cases/circles, cases/half-planes.
+#include <fuzz/require.h>
+
 #include <sunder/base/error.h>
 #include <sunder/io/triples.h>
 #include <sunder/planar/region/half_plane_intersection.h>
@@ -12,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+using sunder::fuzz::require;
 namespace {
 
 using namespace std::string_view_literals;
@@ -21,10 +24,6 @@ using sunder::planar::Discs;
 using sunder::planar::Region;
 
 constexpr std::size_t most_rows = 40;  // for the oracles
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 void ask_circles(const sunder::io::TripleFile& file) {
   std::vector<Disc> circles;

@@ -1,6 +1,7 @@
 // How the work of the front doors for sets of discs grows, under every rule and with groups; and that for their common
 // part.
 #include <tests/support/growth.h>
+#include <tests/support/shapes.h>
 
 #include <sunder/base/random.h>
 #include <sunder/near/cover_order.h>
@@ -79,11 +80,7 @@ Set one_huge(std::size_t n, Random& random) {
 }
 
 Set somewhere(std::size_t n, Random& random) {
-  Set set{{}, 8 * number(n)};
-  for (std::size_t i = 0; i < n; ++i) {
-    set.circles.push_back({{random.unit(), random.unit()}, 2 / std::sqrt(number(n)) * random.unit()});
-  }
-  return set;
+  return {discs_in_square(n, {0, 0}, 1, 2 / std::sqrt(number(n)), random), 8 * number(n)};
 }
 
 // In clusters in clusters.
@@ -101,8 +98,7 @@ Set clusters(std::size_t n, Random&) {
 Set ring(std::size_t n, double radius) {
   Set set;
   for (std::size_t i = 0; i < n; ++i) {
-    const double angle = 2 * std::numbers::pi * number(i) / number(n);
-    set.circles.push_back({{std::cos(angle), std::sin(angle)}, radius});
+    set.circles.push_back({on_circle(number(i) / number(n)), radius});
   }
   return set;
 }

@@ -1,4 +1,6 @@
 // The common parts of circles and of convex polygons: the methods against the scans, on small and nasty sets.
+#include <tests/support/convex_polygon_sets.h>
+#include <tests/support/disc_sets.h>
 #include <tests/support/scale.h>
 
 #include <sunder/base/random.h>
@@ -25,102 +27,6 @@ using planar::DiscIntersectionKind;
 using planar::Discs;
 using planar::PolygonsPart;
 using planar::PolygonsPartKind;
-
-enum class DiscFamily : int {
-  grid,         // whole numbers: touching, nested, equal, concentric
-  concurrent,   // circles of whole numbers through a few points
-  last_bit,     // those, a unit in the last place off
-  generic,      // of about one size, some common part or nearly so
-  equal_radii,  // many arcs
-  any_scale,    // the same at 1e-300 to 1e300; or numbers of all sizes
-};
-constexpr int disc_family_count = 6;
-constexpr std::array<const char*, disc_family_count> disc_family_names{"grid",    "concurrent",  "last bit",
-                                                                       "generic", "equal radii", "any scale"};
-
-// Arrows of whole length: circles about whole points through one whole point.
-constexpr std::array<std::array<int, 3>, 9> whole_arrows{
-    {{3, 4, 5}, {5, 12, 13}, {8, 6, 10}, {0, 5, 5}, {4, 3, 5}, {1, 0, 1}, {7, 24, 25}, {15, 8, 17}, {0, 10, 10}}};
-
-class DiscSets {
- public:
-  explicit DiscSets(std::uint64_t seed) : random_(seed) {}
-
-  std::vector<Disc> next(DiscFamily family) {
-    std::vector<Disc> set;
-    switch (family) {
-      case DiscFamily::grid: {
-        const std::int64_t side = random_.between(1, 4);
-        for (std::int64_t n = random_.between(1, 7); n > 0; --n) {
-          set.push_back({{whole(-side, side), whole(-side, side)}, whole(random_.below(8) == 0 ? 0 : 1, 2 * side)});
-        }
-        break;
-      }
-      case DiscFamily::concurrent: {
-        const std::int64_t reach = random_.between(0, 1) * 5;
-        for (std::int64_t n = random_.between(1, 7); n > 0; --n) {
-          set.push_back(through({whole(0, 1) * static_cast<double>(reach), whole(0, 1) * static_cast<double>(reach)}));
-          if (random_.below(8) == 0) set.push_back(set[random_.below(set.size())]);
-          if (random_.below(12) == 0) set.push_back({set.back().center, whole(0, 12)});
-        }
-        break;
-      }
-      case DiscFamily::last_bit:
-        set = next(random_.below(2) ? DiscFamily::grid : DiscFamily::concurrent);
-        for (Disc& c : set) {
-          for (double* x : {&c.center.x, &c.center.y, &c.radius}) {
-            if (random_.below(3) == 0)
-              *x = std::nextafter(*x, random_.below(2) ? HUGE_VAL : x == &c.radius ? 0 : -HUGE_VAL);
-          }
-        }
-        break;
-      case DiscFamily::generic: {
-        const double size = random_.uniform(0.3, 1.5);
-        for (std::int64_t n = random_.between(1, 9); n > 0; --n) {
-          set.push_back({{random_.uniform(-1, 1), random_.uniform(-1, 1)}, size * random_.uniform(0.7, 1.5)});
-        }
-        break;
-      }
-      case DiscFamily::equal_radii: {
-        const double radius = random_.uniform(0.9, 3);
-        for (std::int64_t n = random_.between(2, 10); n > 0; --n) {
-          const double angle = random_.uniform(0, 7), far = random_.below(2) ? 1 : random_.unit();
-          set.push_back({{far * std::cos(angle), far * std::sin(angle)}, radius});
-        }
-        break;
-      }
-      case DiscFamily::any_scale: {
-        if (random_.below(2)) {
-          set = next(static_cast<DiscFamily>(random_.below(5)));
-          const int exponent =
-              static_cast<int>(random_.below(2) ? random_.between(900, 1015) : -random_.between(900, 1000));
-          for (Disc& c : set) {
-            c = {{std::ldexp(c.center.x, exponent), std::ldexp(c.center.y, exponent)}, std::ldexp(c.radius, exponent)};
-          }
-          break;
-        }
-        const auto any = [&] { return random_.log_uniform(1e-300, 1e300) * (random_.below(2) ? 1 : -1); };
-        for (std::int64_t n = random_.between(1, 4); n > 0; --n) {
-          const double x = any(), y = any();
-          set.push_back({{x, y}, std::fabs(random_.below(3) ? std::max(x, y) : any())});
-        }
-        break;
-      }
-    }
-    return set;
-  }
-
- private:
-  double whole(std::int64_t low, std::int64_t high) { return static_cast<double>(random_.between(low, high)); }
-
-  Disc through(const Point2& p) {
-    const auto& [a, b, r] = whole_arrows[random_.below(whole_arrows.size())];
-    const double x = random_.below(2) ? a : -a, y = random_.below(2) ? b : -b;
-    return {random_.below(2) ? Point2{p.x + x, p.y + y} : Point2{p.x + y, p.y + x}, static_cast<double>(r)};
-  }
-
-  Random random_;
-};
 
 // What the header says of the deepest point.
 void expect_deepest(const Discs& circles, const DiscIntersection& part) {
@@ -154,14 +60,15 @@ std::string text_of(const std::vector<Disc>& set) {
 
 TEST(CommonPartDifferential, DiscsAgreeWithTheScan) {
   const int count = scaled_count(20000);
-  DiscSets sets(chosen_seed(13));
-  std::map<DiscFamily, std::map<DiscIntersectionKind, int>> kinds;
+  CommonDiscSets sets(chosen_seed(13));
+  std::map<CommonDiscFamily, std::map<DiscIntersectionKind, int>> kinds;
   std::map<std::size_t, int> sizes;
   int repeated = 0;
   for (int i = 0; i < count; ++i) {
-    const auto family = static_cast<DiscFamily>(i % disc_family_count);
+    const auto family = static_cast<CommonDiscFamily>(i % common_disc_family_count);
     const std::vector<Disc> set = sets.next(family);
-    SCOPED_TRACE(std::to_string(i) + " " + disc_family_names[static_cast<std::size_t>(family)] + "\n" + text_of(set));
+    SCOPED_TRACE(std::to_string(i) + " " + common_disc_family_names[static_cast<std::size_t>(family)] + "\n" +
+                 text_of(set));
     const Discs circles(set);
     const DiscIntersection scan = disc_intersection_by_scan(circles);
     for (const auto method : {planar::disc_intersection, planar::disc_intersection_by_division}) {
@@ -178,21 +85,22 @@ TEST(CommonPartDifferential, DiscsAgreeWithTheScan) {
   }
   std::printf("%-12s %8s %8s %8s\n", "family", "empty", "point", "region");
   for (auto& [family, of] : kinds) {
-    std::printf("%-12s %8d %8d %8d\n", disc_family_names[static_cast<std::size_t>(family)],
+    std::printf("%-12s %8d %8d %8d\n", common_disc_family_names[static_cast<std::size_t>(family)],
                 of[DiscIntersectionKind::empty], of[DiscIntersectionKind::point], of[DiscIntersectionKind::region]);
   }
   std::printf("arcs:");
   for (const auto& [size, n] : sizes) std::printf(" %zu: %d", size, n);
   std::printf("; with one disc twice: %d\n", repeated);
   if (count < 2000) return;  // too few for the rates below
-  const int of_family = count / disc_family_count;
+  const int of_family = count / common_disc_family_count;
   for (auto& [family, of] : kinds) {
-    if (family != DiscFamily::equal_radii) {
+    if (family != CommonDiscFamily::equal_radii) {
       EXPECT_GT(of[DiscIntersectionKind::empty], of_family / 5);
     }
     EXPECT_GT(of[DiscIntersectionKind::region], of_family / 5);
   }
-  for (const DiscFamily family : {DiscFamily::grid, DiscFamily::concurrent, DiscFamily::any_scale}) {
+  for (const CommonDiscFamily family :
+       {CommonDiscFamily::grid, CommonDiscFamily::concurrent, CommonDiscFamily::any_scale}) {
     EXPECT_GT(kinds[family][DiscIntersectionKind::point], of_family / 100);
   }
   for (std::size_t size = 1; size <= 6; ++size) EXPECT_GT(sizes[size], count / 100) << size;
@@ -202,13 +110,14 @@ TEST(CommonPartDifferential, DiscsAgreeWithTheScan) {
 // With many others that hold one of them each, after them: the same part. So the batches have something to do.
 TEST(CommonPartDifferential, DiscsAmongLargerOnes) {
   const int count = scaled_count(6000);
-  DiscSets sets(chosen_seed(23));
+  CommonDiscSets sets(chosen_seed(23));
   Random random(chosen_seed(24));
   int regions = 0;
   for (int i = 0; i < count; ++i) {
-    const auto family = static_cast<DiscFamily>(i % (disc_family_count - 1));
+    const auto family = static_cast<CommonDiscFamily>(i % (common_disc_family_count - 1));
     std::vector<Disc> set = sets.next(family);
-    SCOPED_TRACE(std::to_string(i) + " " + disc_family_names[static_cast<std::size_t>(family)] + "\n" + text_of(set));
+    SCOPED_TRACE(std::to_string(i) + " " + common_disc_family_names[static_cast<std::size_t>(family)] + "\n" +
+                 text_of(set));
     const DiscIntersection expected = disc_intersection_by_division(Discs(set));
     const std::size_t given = set.size();
     for (std::int64_t n = random.between(10, 50); n > 0; --n) {
@@ -225,7 +134,7 @@ TEST(CommonPartDifferential, DiscsAmongLargerOnes) {
     ASSERT_EQ(part.kind, division.kind);
     ASSERT_EQ(part.arcs, division.arcs);
     ASSERT_NO_FATAL_FAILURE(expect_deepest(circles, part));
-    if (family != DiscFamily::grid && family != DiscFamily::concurrent) continue;  // else sums were rounded
+    if (family != CommonDiscFamily::grid && family != CommonDiscFamily::concurrent) continue;  // else sums were rounded
     ASSERT_EQ(part.kind, expected.kind);
     ASSERT_EQ(part.arcs, expected.arcs);
     regions += part.kind == DiscIntersectionKind::region;
@@ -233,120 +142,6 @@ TEST(CommonPartDifferential, DiscsAmongLargerOnes) {
   if (count < 2000) return;
   EXPECT_GT(regions, count / 8);
 }
-
-enum class PolygonFamily : int {
-  grid,      // hulls of whole points, points and segments among them
-  touching,  // the same on sides of one point
-  last_bit,  // those, a unit in the last place off
-  generic,   // about one place, some common part or nearly so
-  nested,    // large ones in which some edges matter
-  thin,      // on one vertical or slanted line, nearly
-  any_scale,
-};
-constexpr int polygon_family_count = 7;
-constexpr std::array<const char*, polygon_family_count> polygon_family_names{
-    "grid", "touching", "last bit", "generic", "nested", "thin", "any scale"};
-
-class PolygonSets {
- public:
-  explicit PolygonSets(std::uint64_t seed) : random_(seed) {}
-
-  std::vector<ConvexPolygon> next(PolygonFamily family) {
-    std::vector<ConvexPolygon> set;
-    for (const std::vector<Point2>& points : points_of(family)) set.push_back(ConvexPolygon::hull_of(points));
-    return set;
-  }
-
- private:
-  using Points = std::vector<std::vector<Point2>>;
-
-  double whole(std::int64_t low, std::int64_t high) { return static_cast<double>(random_.between(low, high)); }
-
-  Points points_of(PolygonFamily family) {
-    Points set;
-    const auto add = [&](std::int64_t count, const auto& point) {
-      set.emplace_back();
-      for (; count > 0; --count) set.back().push_back(point());
-    };
-    switch (family) {
-      case PolygonFamily::grid: {
-        const std::int64_t side = random_.between(2, 6);
-        for (std::int64_t n = random_.between(1, 4); n > 0; --n) {
-          add(random_.between(random_.below(4) == 0 ? 1 : 3, 5),
-              [&] { return Point2{whole(0, side), whole(0, side)}; });
-          if (random_.below(8) == 0) set.push_back(set[random_.below(set.size())]);
-        }
-        break;
-      }
-      case PolygonFamily::touching: {  // all hold the origin, or come to the line y = 0 or x = 0 near it
-        const bool turned = random_.below(2) != 0;
-        for (std::int64_t n = random_.between(2, 4); n > 0; --n) {
-          const double side = random_.below(2) ? 1 : -1, reach = whole(0, 3);
-          add(random_.between(1, 4), [&] {
-            const Point2 p{whole(-4, 4), side * whole(0, 4)};
-            return turned ? Point2{p.y, p.x} : p;
-          });
-          if (random_.below(3)) set.back().push_back({0, 0});
-          if (random_.below(2)) set.back().push_back(turned ? Point2{0, reach} : Point2{reach, 0});
-        }
-        break;
-      }
-      case PolygonFamily::last_bit:
-        set = points_of(static_cast<PolygonFamily>(random_.below(2)));
-        for (auto& points : set) {
-          for (Point2& p : points) {
-            for (double* x : {&p.x, &p.y}) {
-              if (random_.below(3) == 0) *x = std::nextafter(*x, random_.below(2) ? HUGE_VAL : -HUGE_VAL);
-            }
-          }
-        }
-        break;
-      case PolygonFamily::generic:
-        for (std::int64_t n = random_.between(1, 5); n > 0; --n) {
-          add(random_.between(3, 6), [&] { return Point2{random_.uniform(-1, 1), random_.uniform(-1, 1)}; });
-        }
-        break;
-      case PolygonFamily::nested:
-        for (std::int64_t n = random_.between(2, 5); n > 0; --n) {
-          const double size = random_.uniform(1, 1.3), x = random_.uniform(-0.2, 0.2), y = random_.uniform(-0.2, 0.2);
-          add(random_.between(4, 7), [&] {
-            const double angle = random_.uniform(0, 6.3);
-            return Point2{x + size * std::cos(angle), y + size * std::sin(angle)};
-          });
-        }
-        break;
-      case PolygonFamily::thin: {
-        const double slope = whole(0, 2), wide = random_.below(3) == 0 ? 1e-15 : 0;
-        const bool vertical = random_.below(2) != 0;
-        for (std::int64_t n = random_.between(1, 5); n > 0; --n) {
-          add(random_.between(1, 3), [&] {
-            const double t = whole(-5, 5), off = wide * whole(-1, 1);
-            return vertical ? Point2{off, t} : Point2{t, slope * t + off};
-          });
-          if (random_.below(2)) add(4, [&] { return Point2{whole(-6, 6), whole(-6, 6)}; });
-        }
-        break;
-      }
-      case PolygonFamily::any_scale: {
-        if (random_.below(2)) {
-          set = points_of(static_cast<PolygonFamily>(random_.below(6)));
-          const int exponent =
-              static_cast<int>(random_.below(2) ? random_.between(900, 1015) : -random_.between(900, 1000));
-          for (auto& points : set) {
-            for (Point2& p : points) p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
-          }
-          break;
-        }
-        const auto any = [&] { return random_.log_uniform(1e-300, 1e300) * (random_.below(2) ? 1 : -1); };
-        for (std::int64_t n = random_.between(1, 3); n > 0; --n) add(3, [&] { return Point2{any(), any()}; });
-        break;
-      }
-    }
-    return set;
-  }
-
-  Random random_;
-};
 
 std::string text_of(const std::vector<ConvexPolygon>& set) {
   std::string text;
@@ -382,12 +177,12 @@ void expect_same_part(const std::vector<ConvexPolygon>& set, const PolygonsPart&
 
 TEST(CommonPartDifferential, ConvexPolygonsAgreeWithTheScan) {
   const int count = scaled_count(20000);
-  PolygonSets sets(chosen_seed(14));
-  std::map<PolygonFamily, std::map<PolygonsPartKind, int>> kinds;
+  CommonConvexSets sets(chosen_seed(14));
+  std::map<CommonConvexFamily, std::map<PolygonsPartKind, int>> kinds;
   for (int i = 0; i < count; ++i) {
-    const auto family = static_cast<PolygonFamily>(i % polygon_family_count);
+    const auto family = static_cast<CommonConvexFamily>(i % common_convex_family_count);
     const std::vector<ConvexPolygon> set = sets.next(family);
-    SCOPED_TRACE(std::to_string(i) + " " + polygon_family_names[static_cast<std::size_t>(family)] + "\n" +
+    SCOPED_TRACE(std::to_string(i) + " " + common_convex_family_names[static_cast<std::size_t>(family)] + "\n" +
                  text_of(set));
     const PolygonsPart scan = convex_polygon_intersection_by_scan(set);
     ASSERT_EQ(scan.kind == PolygonsPartKind::empty, is_contradiction(set, scan.supports()));
@@ -402,16 +197,16 @@ TEST(CommonPartDifferential, ConvexPolygonsAgreeWithTheScan) {
   }
   std::printf("%-10s %8s %8s %8s %8s\n", "family", "empty", "point", "segment", "polygon");
   for (auto& [family, of] : kinds) {
-    std::printf("%-10s %8d %8d %8d %8d\n", polygon_family_names[static_cast<std::size_t>(family)],
+    std::printf("%-10s %8d %8d %8d %8d\n", common_convex_family_names[static_cast<std::size_t>(family)],
                 of[PolygonsPartKind::empty], of[PolygonsPartKind::point], of[PolygonsPartKind::segment],
                 of[PolygonsPartKind::polygon]);
   }
   if (count < 2000) return;  // too few for the rates below
-  const int of_family = count / polygon_family_count;
+  const int of_family = count / common_convex_family_count;
   for (auto& [family, of] : kinds) {
     EXPECT_GT(of[PolygonsPartKind::empty], of_family / 10);
     EXPECT_GT(of[PolygonsPartKind::polygon], of_family / 100);
-    if (family == PolygonFamily::generic || family == PolygonFamily::nested) continue;
+    if (family == CommonConvexFamily::generic || family == CommonConvexFamily::nested) continue;
     EXPECT_GT(of[PolygonsPartKind::point], of_family / 50);
     EXPECT_GT(of[PolygonsPartKind::segment], of_family / 50);
   }
@@ -420,13 +215,13 @@ TEST(CommonPartDifferential, ConvexPolygonsAgreeWithTheScan) {
 // With many others that hold one of them each, after them: the same part. So the batches have something to do.
 TEST(CommonPartDifferential, ConvexPolygonsAmongLargerOnes) {
   const int count = scaled_count(6000);
-  PolygonSets sets(chosen_seed(25));
+  CommonConvexSets sets(chosen_seed(25));
   Random random(chosen_seed(26));
   std::map<PolygonsPartKind, int> kinds;
   for (int i = 0; i < count; ++i) {
-    const auto family = static_cast<PolygonFamily>(i % polygon_family_count);
+    const auto family = static_cast<CommonConvexFamily>(i % common_convex_family_count);
     std::vector<ConvexPolygon> set = sets.next(family);
-    SCOPED_TRACE(std::to_string(i) + " " + polygon_family_names[static_cast<std::size_t>(family)] + "\n" +
+    SCOPED_TRACE(std::to_string(i) + " " + common_convex_family_names[static_cast<std::size_t>(family)] + "\n" +
                  text_of(set));
     const PolygonsPart expected = convex_polygon_intersection_by_division(set);
     const std::vector<ConvexPolygon> given = set;

@@ -1,6 +1,7 @@
 // Certificates of convex hulls of nasty sets of points, written by the library and checked without it. What the
 // verifier accepts is proved, so this also checks the hull itself.
 #include <tests/support/scale.h>
+#include <tests/support/shapes.h>
 
 #include <sunder/base/random.h>
 #include <sunder/solid/object/hull_json.h>
@@ -29,7 +30,7 @@ std::vector<Point3> some_points(std::size_t family, Random& random) {
   const auto whole = [&](int most) { return static_cast<double>(random.between(-most, most)); };
   const int scale = static_cast<int>(random.between(-1000, 1000));
   for (std::size_t k = 0; k < count; ++k) {
-    const Point3 p{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    const Point3 p = in_cube(random);
     const double length = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z), angle = random.uniform(0, 7);
     switch (family) {
       case 0: points.push_back({whole(2), whole(2), whole(2)}); break;
@@ -87,7 +88,7 @@ TEST(HullCertificatesDifferential, ABallOfManyPoints) {
   Random random(20261126);
   std::vector<Point3> points;
   for (int k = 0; k < scaled_count(20000); ++k) {
-    points.push_back({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+    points.push_back(in_cube(random));
     const Point3& p = points.back();
     if (p.x * p.x + p.y * p.y + p.z * p.z > 1) points.pop_back();
   }

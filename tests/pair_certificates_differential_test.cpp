@@ -3,6 +3,7 @@
 // checks polygon_polygon_contact, polygon_polygon_distance and polyhedron_polyhedron_contact.
 #include <tests/support/planar_pairs.h>
 #include <tests/support/scale.h>
+#include <tests/support/shapes.h>
 #include <tests/support/solid_pairs.h>
 
 #include <sunder/certificate/pair_claims.h>
@@ -26,12 +27,6 @@
 
 namespace sunder::tests {
 namespace {
-
-std::vector<Point3> in_space(const planar::ConvexPolygon& p) {
-  std::vector<Point3> out;
-  for (const Point2& v : p.vertices()) out.push_back({v.x, v.y, 0});
-  return out;
-}
 
 struct Written {
   std::string text, verdict;

@@ -1,6 +1,7 @@
 // polygon_polygon and its methods against polygon_polygon_by_scan, and every certificate against the absolute check.
 #include <tests/support/planar_pairs.h>
 #include <tests/support/scale.h>
+#include <tests/support/shapes.h>
 
 #include <sunder/certificate/check.h>
 #include <sunder/planar/pair/polygon_polygon.h>
@@ -28,12 +29,6 @@ constexpr std::array methods{NamedMethod{"front door", planar::polygon_polygon},
                              NamedMethod{"halving", planar::polygon_polygon_by_halving},
                              NamedMethod{"triangles", planar::polygon_polygon_by_triangles},
                              NamedMethod{"gjk", planar::polygon_polygon_by_gjk}};
-
-std::vector<Point3> in_space(const ConvexPolygon& p) {
-  std::vector<Point3> out;
-  for (const Point2& v : p.vertices()) out.push_back({v.x, v.y, 0});
-  return out;
-}
 
 CheckResult check(const PairAnswer& answer, const PlanarCase& c) {
   const auto a = in_space(c.a), b = in_space(c.b);

@@ -7,7 +7,9 @@
 #include <sunder/planar/set/polygons_all.h>
 #include <sunder/planar/set/polygons_any.h>
 
+#include <tests/support/polygon_sets.h>
 #include <tests/support/scale.h>
+#include <tests/support/shapes.h>
 
 #include <gtest/gtest.h>
 
@@ -37,14 +39,6 @@ struct Family {
   std::size_t most_listed = 65536;  // edges, where all that touch are listed
 };
 
-Ring box(double left, double bottom, double right, double top) {
-  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
-}
-Point2 on_circle(double radius, double part) {
-  const double angle = 2 * std::numbers::pi * part;
-  return {radius * std::cos(angle), radius * std::sin(angle)};
-}
-
 // One polygon of `edges` edges for each k from 1 to n / edges, of `count`.
 std::function<std::vector<Rings>(std::size_t)> each(std::size_t edges,
                                                     const std::function<Rings(double k, double count)>& make) {
@@ -56,7 +50,7 @@ std::function<std::vector<Rings>(std::size_t)> each(std::size_t edges,
   };
 }
 
-Rings annulus(double k, double) { return {box(-k, -k, k, k), box(0.5 - k, 0.5 - k, k - 0.5, k - 0.5)}; }
+Rings annulus(double k, double) { return {box_ring(-k, -k, k, k), box_ring(0.5 - k, 0.5 - k, k - 0.5, k - 0.5)}; }
 Rings l_shape(double k, double count) {
   const double end = count + 1;
   return {{{k, k}, {end, k}, {end, k + 0.5}, {k + 0.5, k + 0.5}, {k + 0.5, end}, {k, end}}};
@@ -72,30 +66,30 @@ Rings diagonal(double k, double count) {
 // angle that it has.
 Rings needle(double k, double count, double tip, double width) {
   const double at = k / count;
-  return {{on_circle(tip, at), on_circle(100, at), on_circle(100, (k + width) / count)}};
+  return {{on_circle(at, tip), on_circle(at, 100), on_circle((k + width) / count, 100)}};
 }
 // What is next to another one has a vertex in common with it.
 Rings slice(double k, double count) {
-  return {{{0, 0}, on_circle(100, k / count), on_circle(100, k < count ? (k + 1) / count : 1 / count)}};
+  return {{{0, 0}, on_circle(k / count, 100), on_circle(k < count ? (k + 1) / count : 1 / count, 100)}};
 }
-Rings filled(double k, double) { return {box(-k, -k, k, k)}; }
+Rings filled(double k, double) { return {box_ring(-k, -k, k, k)}; }
 Rings bar(double k, double count) {
   const double at = std::floor(k / 2), end = count + 1;
-  return static_cast<int>(k) % 2 == 0 ? Rings{box(at, -1, at + 0.5, end)} : Rings{box(-1, at, end, at + 0.5)};
+  return static_cast<int>(k) % 2 == 0 ? Rings{box_ring(at, -1, at + 0.5, end)} : Rings{box_ring(-1, at, end, at + 0.5)};
 }
 Rings cell(double k, double count) {
   const double side = std::ceil(std::sqrt(count)), x = std::fmod(k, side), y = std::floor(k / side);
-  return {box(x, y, x + 1, y + 1)};
+  return {box_ring(x, y, x + 1, y + 1)};
 }
 
 // A plate with holes, and a frame in each, and a square in that.
 std::vector<Rings> islands(std::size_t n) {
   const std::size_t count = n / 16;
   const double side = std::ceil(std::sqrt(static_cast<double>(count)));
-  std::vector<Rings> set{{box(0, 0, side, side)}};
+  std::vector<Rings> set{{box_ring(0, 0, side, side)}};
   for (std::size_t k = 0; k < count; ++k) {
     const double x = std::fmod(static_cast<double>(k), side), y = std::floor(static_cast<double>(k) / side);
-    const auto inset = [&](double d) { return box(x + d, y + d, x + 1 - d, y + 1 - d); };
+    const auto inset = [&](double d) { return box_ring(x + d, y + d, x + 1 - d, y + 1 - d); };
     set[0].push_back(inset(0.1));
     set.push_back({inset(0.2), inset(0.3)});
     set.push_back({inset(0.4)});
@@ -109,8 +103,8 @@ std::vector<Rings> deep_islands(std::size_t n) {
   std::vector<Rings> set{{}};
   for (std::size_t k = 1; k <= count; ++k) {
     const double d = 4 * static_cast<double>(k);
-    set[0].push_back(box(-d, -d, d, d));
-    set.push_back({box(d + 1, 0, d + 2, 1)});
+    set[0].push_back(box_ring(-d, -d, d, d));
+    set.push_back({box_ring(d + 1, 0, d + 2, 1)});
   }
   return set;
 }
@@ -120,13 +114,13 @@ std::vector<Rings> inside_star(std::size_t n) {
   const std::size_t vertices = 4 * n / 7, count = n / 7;
   Ring star;
   for (std::size_t k = 0; k < vertices; ++k) {
-    star.push_back(on_circle(k % 2 == 0 ? 100 : 40, static_cast<double>(k) / static_cast<double>(vertices)));
+    star.push_back(on_circle(static_cast<double>(k) / static_cast<double>(vertices), k % 2 == 0 ? 100 : 40));
   }
   std::vector<Rings> set{{star}};
   const double golden = 0.6180339887498949;
   for (std::size_t k = 0; k < count; ++k) {
     const double part = (static_cast<double>(k) + 0.5) / static_cast<double>(count);
-    const Point2 at = on_circle(30 * std::sqrt(part), static_cast<double>(k) * golden);
+    const Point2 at = on_circle(static_cast<double>(k) * golden, 30 * std::sqrt(part));
     const double size = 5 / std::sqrt(static_cast<double>(count));
     set.push_back({{at, {at.x + size, at.y}, {at.x, at.y + size}}});
   }
@@ -140,9 +134,9 @@ std::vector<Rings> at_star(std::size_t n) {
   std::vector<Rings> set;
   for (std::size_t k = 0; k < tips; ++k) {
     const double count = static_cast<double>(tips), at = static_cast<double>(k) / count;
-    star.push_back(on_circle(100, at));
-    star.push_back(on_circle(40, at + 0.5 / count));
-    set.push_back({{star[2 * k], on_circle(150, at), on_circle(150, at + 0.5 / count)}});
+    star.push_back(on_circle(at, 100));
+    star.push_back(on_circle(at + 0.5 / count, 40));
+    set.push_back({{star[2 * k], on_circle(at, 150), on_circle(at + 0.5 / count, 150)}});
   }
   set.push_back({star});
   return set;
@@ -172,12 +166,6 @@ std::vector<Family> families() {
   }
   list[9].contacts = [](double count) { return count; };
   return list;
-}
-
-std::vector<Polygon> made(const std::vector<Rings>& set) {
-  std::vector<Polygon> polygons;
-  for (const Rings& rings : set) polygons.emplace_back(rings);
-  return polygons;
 }
 
 bool are_convex(const std::vector<Rings>& set) {
@@ -233,7 +221,7 @@ TEST(PolygonSetsComplexity, EachFrontDoorUnderEachRule) {
   for (const Family& family : families()) {
     for (std::size_t n = 256; n <= most_edges(); n *= 4) {
       if (n > family.most_listed && family.most_listed < 4096) continue;
-      const std::vector<Polygon> polygons = made(family.make(n));
+      const std::vector<Polygon> polygons = polygons_of(family.make(n));
       std::size_t edges = 0;
       for (const Polygon& polygon : polygons) edges += polygon.size();
       const double hidden = family.contacts(static_cast<double>(polygons.size()));

@@ -1,12 +1,12 @@
 // half_planes, linear_program and kernel, and their methods, against the oracles; and what symmetries keep.
+#include <tests/support/half_plane_sets.h>
 #include <tests/support/scale.h>
+#include <tests/support/simple_polygons.h>
 
 #include <sunder/base/error.h>
 #include <sunder/planar/region/half_plane_intersection.h>
-#include <sunder/planar/region/half_plane_sets_test.h>
 #include <sunder/planar/region/kernel.h>
 #include <sunder/planar/region/linear_program.h>
-#include <sunder/planar/region/polygon_sets_test.h>
 
 #include <gtest/gtest.h>
 
@@ -22,17 +22,13 @@ namespace sunder::tests {
 namespace {
 
 using planar::Constraints;
-using planar::HalfPlaneFamily;
 using planar::HalfPlanes;
-using planar::HalfPlaneSets;
 using planar::LinearProgramAnswer;
 using planar::Objective;
 using planar::Optimum;
-using planar::PolygonFamily;
 using planar::PolygonSides;
 using planar::Region;
 using planar::RegionKind;
-using planar::SimplePolygons;
 
 constexpr planar::RegionOptions with_evidence{true};
 
@@ -94,7 +90,7 @@ TEST(RegionsDifferential, HalfPlanesAgreeWithTheScan) {
   print(kinds);
   print(kinds_of_arrows);
   if (count < 20000) return;
-  EXPECT_EQ(kinds.size(), planar::half_plane_family_count);
+  EXPECT_EQ(kinds.size(), half_plane_family_count);
   EXPECT_EQ(kinds_of_arrows.size(), 5u);
   for (int kind = 0; kind <= static_cast<int>(RegionKind::plane); ++kind) {
     EXPECT_GT(all[static_cast<RegionKind>(kind)], count / 500) << name_of(static_cast<RegionKind>(kind));
@@ -191,8 +187,8 @@ TEST(RegionsDifferential, KernelsAgreeWithTheScan) {
   const std::uint64_t seed = chosen_seed(20261223);
   SCOPED_TRACE("seed " + std::to_string(seed));
   SimplePolygons polygons(seed);
-  std::map<PolygonFamily, std::map<RegionKind, int>> kinds;
-  std::map<PolygonFamily, std::uint32_t> vertices;
+  std::map<SimplePolygonFamily, std::map<RegionKind, int>> kinds;
+  std::map<SimplePolygonFamily, std::uint32_t> vertices;
   std::map<RegionKind, int> all;
   for (int i = 0; i < count; ++i) {
     const planar::Polygon polygon = polygons.next();
@@ -209,11 +205,11 @@ TEST(RegionsDifferential, KernelsAgreeWithTheScan) {
   }
   print(kinds);
   if (count < 20000) return;
-  EXPECT_EQ(kinds.size(), planar::polygon_family_count);
+  EXPECT_EQ(kinds.size(), simple_polygon_family_count);
   for (const auto& [family, number] : vertices) {
     EXPECT_GT(6 * number, 5 * static_cast<std::uint32_t>(count)) << name_of(family);  // more than 5 each
   }
-  EXPECT_GT(kinds[PolygonFamily::grid][RegionKind::empty], count / 40);
+  EXPECT_GT(kinds[SimplePolygonFamily::grid][RegionKind::empty], count / 40);
   EXPECT_GT(all[RegionKind::empty], count / 10);
   EXPECT_GT(all[RegionKind::bounded], count / 3);
   EXPECT_GT(all[RegionKind::segment], count / 500);

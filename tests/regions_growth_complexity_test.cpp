@@ -1,5 +1,6 @@
 // How the work of the common part of half-planes, and of convex polygons, grows.
 #include <tests/support/growth.h>
+#include <tests/support/shapes.h>
 
 #include <sunder/base/random.h>
 #include <sunder/planar/object/constraints.h>
@@ -21,7 +22,8 @@ double number(std::size_t k) { return static_cast<double>(k); }
 
 // a x + b y <= c with (a, b) at this part of a turn.
 Constraint at(double turn, double c) {
-  return {std::cos(2 * std::numbers::pi * turn), std::sin(2 * std::numbers::pi * turn), c};
+  const Point2 normal = on_circle(turn);
+  return {normal.x, normal.y, c};
 }
 
 TEST(RegionsGrowth, OfHalfPlanes) {
@@ -60,13 +62,8 @@ TEST(RegionsGrowth, OfHalfPlanes) {
   growth.expect_no_growth();
 }
 
-ConvexPolygon regular(std::size_t vertices, double turn, double radius, const Point2& center) {
-  std::vector<Point2> points;
-  for (std::size_t k = 0; k < vertices; ++k) {
-    const double angle = 2 * std::numbers::pi * (turn + number(k) / number(vertices));
-    points.push_back({center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)});
-  }
-  return ConvexPolygon::hull_of(points);
+ConvexPolygon regular(std::uint32_t vertices, double turn, double radius, const Point2& center) {
+  return regular_polygon(vertices, radius, 2 * std::numbers::pi * turn, center);
 }
 
 // N is the number of all vertices.
@@ -81,16 +78,9 @@ TEST(RegionsGrowth, OfConvexPolygons) {
       Family{"turned", 4, [&](double i, double n, Random&) { return regular(4, i / n, 1, origin); }},
       Family{"nested", 4, [&](double i, double, Random&) { return regular(4, 0.1, 1 + i, origin); }},
       Family{"nested, large", 64, [&](double i, double, Random&) { return regular(64, 0.1, 1 + i, origin); }},
-      Family{"on a ring", 16,
-             [&](double i, double n, Random&) {
-               const double angle = 2 * std::numbers::pi * i / n;
-               return regular(16, 0, 1.5, {std::cos(angle), std::sin(angle)});
-             }},
+      Family{"on a ring", 16, [&](double i, double n, Random&) { return regular(16, 0, 1.5, on_circle(i / n)); }},
       Family{"on a ring, empty", 16,
-             [&](double i, double n, Random&) {
-               const double angle = 2 * std::numbers::pi * i / n;
-               return regular(16, 0, 0.5, {std::cos(angle), std::sin(angle)});
-             }},
+             [&](double i, double n, Random&) { return regular(16, 0, 0.5, on_circle(i / n)); }},
       Family{"through one point", 8, [&](double i, double, Random&) { return regular(8, 0, 1 + i, {-1 - i, 0}); }},
       Family{"anyhow", 8, [&](double, double, Random& random) {
                return regular(8, random.unit(), 2 + random.unit(), {random.unit(), random.unit()});

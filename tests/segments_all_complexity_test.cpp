@@ -4,6 +4,8 @@
 #include <sunder/base/random.h>
 #include <sunder/planar/set/segments_all.h>
 
+#include <tests/support/shapes.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,28 +24,9 @@ using planar::SegmentsContact;
 
 constexpr double most_probes = 14;  // over N log2 N + k
 
-// The edges of a jittered square mesh.
-std::vector<Segment> mesh(std::size_t n, Random& random) {
-  const std::size_t side = static_cast<std::size_t>(std::sqrt(static_cast<double>(n) / 2)) + 1;
-  std::vector<Point2> vertices;
-  for (std::size_t k = 0; k < side * side; ++k) {
-    vertices.push_back(
-        {static_cast<double>(k / side) + 0.3 * random.unit(), static_cast<double>(k % side) + 0.3 * random.unit()});
-  }
-  std::vector<Segment> segments;
-  for (std::size_t k = 0; k < side * side; ++k) {
-    if (k % side + 1 < side) segments.push_back({vertices[k], vertices[k + 1]});
-    if (k + side < side * side) segments.push_back({vertices[k], vertices[k + side]});
-  }
-  return segments;
-}
-
 // Long spikes around a small circle; each tip is so far off its place that it crosses some neighbours.
 std::vector<Segment> star(std::size_t n, Random& random) {
-  const auto at = [&](double turn, double radius) {
-    const double angle = 2 * std::numbers::pi * turn / static_cast<double>(n);
-    return Point2{radius * std::cos(angle), radius * std::sin(angle)};
-  };
+  const auto at = [&](double turn, double radius) { return on_circle(turn / static_cast<double>(n), radius); };
   std::vector<Point2> vertices;
   for (std::size_t k = 0; k < n; ++k) {
     const double turn = static_cast<double>(k);
@@ -51,18 +34,6 @@ std::vector<Segment> star(std::size_t n, Random& random) {
   }
   std::vector<Segment> segments;
   for (std::size_t k = 0; k < n; ++k) segments.push_back({vertices[k], vertices[(k + 1) % n]});
-  return segments;
-}
-
-// Half of them horizontal, half vertical; each crosses all of the others.
-std::vector<Segment> lattice(std::size_t n, Random&) {
-  std::vector<Segment> segments;
-  const double side = static_cast<double>(n / 2);
-  for (std::size_t k = 0; k < n / 2; ++k) {
-    const double at = static_cast<double>(k);
-    segments.push_back({{-1, at}, {side, at}});
-    segments.push_back({{at, -1}, {at, side}});
-  }
   return segments;
 }
 
@@ -131,9 +102,9 @@ struct Family {
 TEST(SegmentsAllComplexity, BalabanIsOptimal) {
   std::printf("%-12s %8s %10s %12s %8s\n", "family", "N", "k", "probes", "ratio");
   for (const Family& family :
-       {Family{"mesh", mesh, 16}, Family{"star", star, 16}, Family{"brush", brush, 16}, Family{"lattice", lattice, 12},
-        Family{"random long", random_long, 11}, Family{"overlaps", overlaps, 10}, Family{"bundle", bundle, 10},
-        Family{"doubled", doubled_lattice, 12}}) {
+       {Family{"mesh", mesh_edges, 16}, Family{"star", star, 16}, Family{"brush", brush, 16},
+        Family{"lattice", [](std::size_t n, Random&) { return hatch(n); }, 12}, Family{"random long", random_long, 11},
+        Family{"overlaps", overlaps, 10}, Family{"bundle", bundle, 10}, Family{"doubled", doubled_lattice, 12}}) {
     for (int power = 6; power <= family.last; ++power) {
       Random random(20261127);
       const Segments segments(family.make(std::size_t{1} << power, random));

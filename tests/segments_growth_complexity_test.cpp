@@ -1,6 +1,7 @@
 // How the work of the front doors for sets of segments grows, under every rule and with groups, on families that are
 // slow for one method or another.
 #include <tests/support/growth.h>
+#include <tests/support/shapes.h>
 
 #include <sunder/base/random.h>
 #include <sunder/planar/set/segments_all.h>
@@ -44,8 +45,7 @@ Set fans(std::size_t n, std::size_t blades) {
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t hub = k / blades;
     const double x = 10 * number(hub % columns), y = 10 * number(hub / columns);
-    const double angle = 2 * std::numbers::pi * number(k % blades) / number(blades);
-    set.segments.push_back({{x, y}, {x + 4 * std::cos(angle), y + 4 * std::sin(angle)}});
+    set.segments.push_back({{x, y}, on_circle(number(k % blades) / number(blades), 4, {x, y})});
   }
   return set;
 }
@@ -77,15 +77,7 @@ Set whole_pencils(std::size_t n, std::size_t lines) {
 Set whole_pencil(std::size_t n, Random&) { return whole_pencils(n, n); }
 Set pencils(std::size_t n, Random&) { return whole_pencils(n, static_cast<std::size_t>(2 * std::sqrt(number(n)))); }
 
-Set hatch(std::size_t n, Random&) {
-  const std::size_t half = n / 2;
-  Set set{{}, number(half) * number(half)};
-  for (std::size_t k = 0; k < half; ++k) {
-    set.segments.push_back({{-1, number(k)}, {number(half), number(k)}});
-    set.segments.push_back({{number(k), -1}, {number(k), number(half)}});
-  }
-  return set;
-}
+Set cross_hatch(std::size_t n, Random&) { return {hatch(n), number(n / 2) * number(n / 2)}; }
 
 // Hatches of 32 by 32, one over the other in part.
 Set hatches(std::size_t n, Random&) {
@@ -122,8 +114,7 @@ Set long_overlaps(std::size_t n, Random& random) { return on_one_line(n, n, rand
 Set needles(std::size_t n, Random&) {
   Set set;
   for (std::size_t k = 0; k < n; ++k) {
-    const double angle = 2 * std::numbers::pi * number(k) / number(n);
-    set.segments.push_back({{std::cos(angle), std::sin(angle)}, {1000 * std::cos(angle), 1000 * std::sin(angle)}});
+    set.segments.push_back({on_circle(number(k) / number(n)), on_circle(number(k) / number(n), 1000)});
   }
   return set;
 }
@@ -147,25 +138,12 @@ Set nested(std::size_t n, Random&) {
   return set;
 }
 
-std::vector<Segment> mesh(std::size_t n, Random& random) {
-  const std::size_t side = static_cast<std::size_t>(std::sqrt(number(n) / 2)) + 1;
-  std::vector<Point2> p;
-  for (std::size_t k = 0; k < side * side; ++k) {
-    p.push_back({number(k / side) + 0.3 * random.unit(), number(k % side) + 0.3 * random.unit()});
-  }
-  std::vector<Segment> segments;
-  for (std::size_t k = 0; k < side * side; ++k) {
-    if (k % side + 1 < side) segments.push_back({p[k], p[k + 1]});
-    if (k + side < side * side) segments.push_back({p[k], p[k + side]});
-  }
-  return segments;
-}
-Set jittered_mesh(std::size_t n, Random& random) { return {mesh(n, random), 2 * number(n)}; }
+Set jittered_mesh(std::size_t n, Random& random) { return {mesh_edges(n, random), 2 * number(n)}; }
 
 // A mesh, apart, and one that goes over it from corner to corner.
 Set one_huge(std::size_t n, Random& random) {
   Set set;
-  for (const Segment& s : mesh(n, random)) set.segments.push_back(shortened(s));
+  for (const Segment& s : mesh_edges(n, random)) set.segments.push_back(shortened(s));
   const double side = std::sqrt(number(n));
   set.segments.push_back({{-side, -side}, {2 * side, 2.1 * side}});
   set.k = 2 * side;
@@ -175,7 +153,7 @@ Set one_huge(std::size_t n, Random& random) {
 // Clusters in clusters: no grid parts them all.
 Set clusters(std::size_t n, Random& random) {
   Set set;
-  for (const Segment& s : mesh(n, random)) {
+  for (const Segment& s : mesh_edges(n, random)) {
     const double scale = std::ldexp(1, -static_cast<int>(2 * random.below(20)));
     const Segment t = shortened(s);
     set.segments.push_back({{scale * t.a.x, scale * t.a.y}, {scale * t.b.x, scale * t.b.y}});
@@ -185,12 +163,7 @@ Set clusters(std::size_t n, Random& random) {
 }
 
 Set random_short(std::size_t n, Random& random) {
-  Set set;
-  const double length = 10 / std::sqrt(number(n));
-  for (std::size_t k = 0; k < n; ++k) {
-    const Point2 p{random.unit(), random.unit()};
-    set.segments.push_back({p, {p.x + length * (random.unit() - 0.5), p.y + length * (random.unit() - 0.5)}});
-  }
+  Set set{short_segments(n, {0, 0}, 1, 5 / std::sqrt(number(n)), random)};
   set.k = number(segments_count(Segments(set.segments)).count);
   return set;
 }
@@ -198,10 +171,7 @@ Set random_short(std::size_t n, Random& random) {
 // The edges of a star.
 Set star(std::size_t n, Random&) {
   Set set{{}, number(n)};
-  const auto at = [&](std::size_t k) {
-    const double angle = 2 * std::numbers::pi * number(k % n) / number(n), radius = k % 2 == 0 ? 10 : 1000;
-    return Point2{radius * std::cos(angle), radius * std::sin(angle)};
-  };
+  const auto at = [&](std::size_t k) { return on_circle(number(k % n) / number(n), k % 2 == 0 ? 10 : 1000); };
   for (std::size_t k = 0; k < n; ++k) set.segments.push_back({at(k), at(k + 1)});
   return set;
 }
@@ -218,7 +188,7 @@ const std::array families{Family{"fan", fan},
                           Family{"pencil", pencil},
                           Family{"whole pencil", whole_pencil},
                           Family{"pencils", pencils},
-                          Family{"cross-hatch", hatch},
+                          Family{"cross-hatch", cross_hatch},
                           Family{"cross-hatches", hatches},
                           Family{"comb", comb},
                           Family{"overlaps", overlaps},

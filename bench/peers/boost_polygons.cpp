@@ -1,4 +1,6 @@
 // Boost.Geometry, header only, in doubles.
+#include <bench/peers/polygon_peer.h>
+
 #include <boost/geometry/algorithms/intersects.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
@@ -8,8 +10,6 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
-
-#include "polygon_peer.h"
 
 namespace bench {
 namespace {
@@ -22,7 +22,7 @@ using Polygon = bg::model::polygon<Point, false, true>;
 
 // Shape: Ring or Polygon.
 template <class Shape>
-std::unique_ptr<PolygonPeer> by_intersects(const PolygonScenario& scenario) {
+Run by_intersects(const PolygonScenario& scenario) {
   std::vector<Shape> shapes;
   for (const sunder::planar::ConvexPolygon& given : scenario.polygons) {
     Ring ring;
@@ -35,7 +35,7 @@ std::unique_ptr<PolygonPeer> by_intersects(const PolygonScenario& scenario) {
       shapes.emplace_back().outer() = std::move(ring);
     }
   }
-  return polygon_peer(scenario, [shapes = std::move(shapes)](const PolygonPair& pair) {
+  return run_over(scenario, [shapes = std::move(shapes)](const PolygonPair& pair) {
     return bg::intersects(shapes[pair.a], shapes[pair.b]);
   });
 }

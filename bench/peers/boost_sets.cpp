@@ -1,4 +1,6 @@
 // Boost.Geometry, header only, in doubles.
+#include <bench/peers/set_peer.h>
+
 #include <boost/geometry/algorithms/comparable_distance.hpp>
 #include <boost/geometry/algorithms/intersects.hpp>
 #include <boost/geometry/algorithms/is_valid.hpp>
@@ -14,8 +16,6 @@
 #include <memory>
 #include <utility>
 #include <vector>
-
-#include "set_peer.h"
 
 namespace bench {
 namespace {

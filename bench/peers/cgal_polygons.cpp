@@ -1,4 +1,6 @@
 // CGAL, header only: its Boolean operations on polygons, and its intersection of boxes.
+#include <bench/peers/polygon_peer.h>
+
 #include <CGAL/Boolean_set_operations_2.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -10,28 +12,26 @@
 #include <utility>
 #include <vector>
 
-#include "polygon_peer.h"
-
 namespace bench {
 namespace {
 
 using Constructing = CGAL::Exact_predicates_exact_constructions_kernel;
 using Deciding = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-std::unique_ptr<PolygonPeer> by_do_intersect(const PolygonScenario& scenario) {
+Run by_do_intersect(const PolygonScenario& scenario) {
   std::vector<CGAL::Polygon_2<Constructing>> shapes;
   for (const sunder::planar::ConvexPolygon& given : scenario.polygons) {
     CGAL::Polygon_2<Constructing>& shape = shapes.emplace_back();
     for (const sunder::Point2& p : given.vertices()) shape.push_back({p.x, p.y});
   }
-  return polygon_peer(scenario, [shapes = std::move(shapes)](const PolygonPair& pair) {
+  return run_over(scenario, [shapes = std::move(shapes)](const PolygonPair& pair) {
     return CGAL::do_intersect(shapes[pair.a], shapes[pair.b]);
   });
 }
 
 struct Found {};  // thrown through the library, which cannot be stopped otherwise
 
-std::unique_ptr<PolygonPeer> by_boxes(const PolygonScenario& scenario) {
+Run by_boxes(const PolygonScenario& scenario) {
   using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, std::uint32_t>;
   struct Prepared {
     std::vector<Deciding::Point_2> points;
@@ -50,7 +50,7 @@ std::unique_ptr<PolygonPeer> by_boxes(const PolygonScenario& scenario) {
   const auto holds = [](const Prepared& shape, const Deciding::Point_2& p) {
     return CGAL::bounded_side_2(shape.points.begin(), shape.points.end(), p, Deciding()) != CGAL::ON_UNBOUNDED_SIDE;
   };
-  return polygon_peer(scenario, [shapes = std::move(shapes), holds](const PolygonPair& pair) mutable {
+  return run_over(scenario, [shapes = std::move(shapes), holds](const PolygonPair& pair) mutable {
     Prepared &a = shapes[pair.a], &b = shapes[pair.b];
     try {
       CGAL::box_intersection_d(a.boxes.begin(), a.boxes.end(), b.boxes.begin(), b.boxes.end(),

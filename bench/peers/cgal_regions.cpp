@@ -1,4 +1,6 @@
 // CGAL, header only: its Boolean operations, its convex hulls, its linear programs.
+#include <bench/peers/region_peer.h>
+
 #include <CGAL/Boolean_set_operations_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -18,8 +20,6 @@
 #include <stdexcept>
 #include <utility>
 #include <vector>
-
-#include "region_peer.h"
 
 namespace bench {
 namespace {

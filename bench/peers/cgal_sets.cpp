@@ -1,4 +1,6 @@
 // CGAL, header only: its intersection of boxes, its sweep, its Boolean operations.
+#include <bench/peers/set_peer.h>
+
 #include <CGAL/Arr_circle_segment_traits_2.h>
 #include <CGAL/Arr_non_caching_segment_traits_2.h>
 #include <CGAL/Bbox_2.h>
@@ -18,8 +20,6 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
-
-#include "set_peer.h"
 
 namespace bench {
 namespace {

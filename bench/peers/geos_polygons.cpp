@@ -1,11 +1,11 @@
 // GEOS, through its C interface.
+#include <bench/peers/geos_context.h>
+#include <bench/peers/polygon_peer.h>
+
 #include <memory>
 #include <stdexcept>
 #include <utility>
 #include <vector>
-
-#include "geos_context.h"
-#include "polygon_peer.h"
 
 namespace bench {
 namespace {
@@ -30,13 +30,13 @@ bool yes(char answer) {  // 0: no, 1: yes, 2: an exception
   return answer == 1;
 }
 
-std::unique_ptr<PolygonPeer> by_intersects(const PolygonScenario& scenario) {
-  return polygon_peer(scenario, [shapes = geometries(scenario)](const PolygonPair& pair) {
+Run by_intersects(const PolygonScenario& scenario) {
+  return run_over(scenario, [shapes = geometries(scenario)](const PolygonPair& pair) {
     return yes(GEOSIntersects_r(context(), shapes[pair.a].get(), shapes[pair.b].get()));
   });
 }
 
-std::unique_ptr<PolygonPeer> by_prepared(const PolygonScenario& scenario) {
+Run by_prepared(const PolygonScenario& scenario) {
   std::vector<Geometry> shapes = geometries(scenario);
   std::vector<Prepared> prepared(shapes.size());
   for (const PolygonPair& pair : scenario.pairs) {
@@ -44,7 +44,7 @@ std::unique_ptr<PolygonPeer> by_prepared(const PolygonScenario& scenario) {
     // The index comes with the first question.
     static_cast<void>(GEOSPreparedIntersects_r(context(), prepared[pair.a].get(), shapes[pair.b].get()));
   }
-  return polygon_peer(scenario, [shapes = std::move(shapes), prepared = std::move(prepared)](const PolygonPair& pair) {
+  return run_over(scenario, [shapes = std::move(shapes), prepared = std::move(prepared)](const PolygonPair& pair) {
     return yes(GEOSPreparedIntersects_r(context(), prepared[pair.a].get(), shapes[pair.b].get()));
   });
 }

@@ -1,13 +1,13 @@
 // GEOS: its C interface for polygons, and of its C++ classes the tree, which its C interface has without templates.
+#include <bench/peers/geos_context.h>
+#include <bench/peers/set_peer.h>
+
 #include <geos/geom/Envelope.h>
 #include <geos/index/strtree/TemplateSTRtree.h>
 
 #include <memory>
 #include <stdexcept>
 #include <vector>
-
-#include "geos_context.h"
-#include "set_peer.h"
 
 namespace bench {
 namespace {

@@ -4,55 +4,34 @@
 // for a boolean only. Of each library the fastest way that is right counts.
 #pragma once
 
+#include <bench/contest/contest.h>
+#include <bench/inputs/polygon_scenarios.h>
+
 #include <cstdint>
 #include <exception>
-#include <memory>
-#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "../polygon_scenarios.h"
-
 namespace bench {
 
-inline constexpr std::uint8_t kNoAnswer = 2;  // it threw
-
-class PolygonPeer {
- public:
-  virtual ~PolygonPeer() = default;
-
-  // Answers the pairs from `first` on: answers[i] = 1 (they meet) or 0, or kNoAnswer.
-  // Requires first + answers.size() pairs.
-  virtual void run(std::size_t first, std::span<std::uint8_t> answers) = 0;
-};
+inline constexpr std::uint64_t kNoAnswer = 2;  // it threw
 
 // ask(pair) answers one pair, as bool.
 template <class Ask>
-std::unique_ptr<PolygonPeer> polygon_peer(const PolygonScenario& scenario, Ask ask) {
-  class Way final : public PolygonPeer {
-   public:
-    Way(const std::vector<PolygonPair>& pairs, Ask&& ask) : pairs_(pairs), ask_(std::move(ask)) {}
-    void run(std::size_t first, std::span<std::uint8_t> answers) override {
-      for (std::size_t i = 0; i < answers.size(); ++i) {
-        try {
-          answers[i] = ask_(pairs_[first + i]) ? 1 : 0;
-        } catch (const std::exception&) {
-          answers[i] = kNoAnswer;
-        }
-      }
+Run run_over(const PolygonScenario& scenario, Ask ask) {
+  return each([&pairs = scenario.pairs, ask = std::move(ask)](std::size_t k) mutable -> std::uint64_t {
+    try {
+      return ask(pairs[k]) ? 1 : 0;
+    } catch (const std::exception&) {
+      return kNoAnswer;
     }
-
-   private:
-    const std::vector<PolygonPair>& pairs_;
-    Ask ask_;
-  };
-  return std::make_unique<Way>(scenario.pairs, std::move(ask));
+  });
 }
 
 struct PolygonWay {
   std::string_view library, method;
-  std::unique_ptr<PolygonPeer> (*make)(const PolygonScenario&);  // the scenario outlives the peer
+  Run (*make)(const PolygonScenario&);  // the scenario outlives it
 };
 
 // Boost.Geometry (plain doubles): intersects, of rings and of polygons.

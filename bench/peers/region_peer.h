@@ -4,11 +4,11 @@
 // an input where it gives the number of sides that is known, or the half-planes that meet at the optimum.
 #pragma once
 
+#include <bench/inputs/region_scenarios.h>
+#include <bench/peers/segment_peer.h>
+
 #include <string_view>
 #include <vector>
-
-#include "../region_scenarios.h"
-#include "segment_peer.h"
 
 namespace bench {
 

@@ -9,15 +9,14 @@
 // that rule have no shared ends, and they are let in.
 #pragma once
 
+#include <bench/contest/contest.h>
+#include <bench/inputs/segment_scenarios.h>
+
 #include <cstdint>
 #include <functional>
 #include <string_view>
 #include <utility>
 #include <vector>
-
-#include "../segment_scenarios.h"
-
-#include "../contest.h"
 
 namespace bench {
 

@@ -7,11 +7,11 @@
 // compared in doubles, exactly only where these can be wrong.
 #pragma once
 
+#include <bench/inputs/set_scenarios.h>
+#include <bench/peers/segment_peer.h>
+
 #include <algorithm>
 #include <vector>
-
-#include "../set_scenarios.h"
-#include "segment_peer.h"
 
 namespace bench {
 

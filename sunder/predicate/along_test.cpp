@@ -5,6 +5,7 @@
 
 #include <tests/support/exact.h>
 #include <tests/support/scale.h>
+#include <tests/support/shapes.h>
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,8 @@
 
 namespace sunder {
 namespace {
+
+using tests::in_cube, tests::on_grid;
 
 using tests::Exact, tests::largest, tests::least;
 
@@ -35,11 +38,6 @@ Sign further(const ExactPoint& d, const ExactPoint& a, const ExactPoint& b) {
 }
 
 double power_of_two(std::int64_t e) { return std::ldexp(1.0, static_cast<int>(e)); }
-Point3 in_cube(Random& random) { return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}; }
-Point3 on_grid(Random& random, std::int64_t side) {
-  const auto one = [&] { return static_cast<double>(random.between(-side, side)); };
-  return {one(), one(), one()};
-}
 
 // What the stages said over many instances.
 struct Record {

@@ -6,6 +6,7 @@
 
 #include <tests/support/exact.h>
 #include <tests/support/scale.h>
+#include <tests/support/shapes.h>
 
 #include <gtest/gtest.h>
 
@@ -296,7 +297,7 @@ TEST(CommonPointTest, FivePointsOfAnySize) {
   std::array<Counts, kinds> counts{};
   std::array<StageTally, kinds> tallies{};
   int vanishing = 0;
-  const auto in_cube = [&] { return Point3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}; };
+  const auto in_cube = [&] { return tests::in_cube(random); };
   for (int i = 0; i < n; ++i) {
     const Kind kind = static_cast<Kind>(i % kinds);
     std::size_t count_a = 1 + random.below(4);

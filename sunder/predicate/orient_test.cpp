@@ -5,6 +5,7 @@
 
 #include <tests/support/exact.h>
 #include <tests/support/scale.h>
+#include <tests/support/shapes.h>
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,8 @@
 
 namespace sunder {
 namespace {
+
+using tests::in_cube, tests::on_grid;
 
 using tests::Exact, tests::infinity, tests::largest, tests::least;
 
@@ -104,11 +107,6 @@ double nasty(Random& random) {
 }
 
 Point3 operator*(double s, const Point3& p) { return {s * p.x, s * p.y, s * p.z}; }
-Point3 in_cube(Random& random) { return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}; }
-Point3 on_grid(Random& random, std::int64_t side) {
-  const auto one = [&] { return static_cast<double>(random.between(-side, side)); };
-  return {one(), one(), one()};
-}
 double nudged(double x, std::int64_t units) {
   for (; units > 0; --units) x = std::nextafter(x, infinity);
   for (; units < 0; ++units) x = std::nextafter(x, -infinity);

@@ -1,6 +1,8 @@
 #include <sunder/base/random.h>
 #include <sunder/scene/mesh_convexity.h>
 
+#include <tests/support/shapes.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -207,7 +209,7 @@ TEST(MeshConvexity, RandomHulls) {
     std::vector<Point3> points(4 + random.below(40));
     const bool lattice = random.below(2) == 0;
     for (Point3& p : points) {
-      p = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+      p = tests::in_cube(random);
       if (lattice) p = {std::round(3 * p.x), std::round(3 * p.y), std::round(3 * p.z)};
     }
     const ConvexPolyhedron hull(points);

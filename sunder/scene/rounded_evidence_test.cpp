@@ -2,6 +2,8 @@
 #include <sunder/scene/rounded_evidence.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 
+#include <tests/support/shapes.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +11,8 @@
 
 namespace sunder::scene {
 namespace {
+
+using tests::shift;
 
 using solid::ConvexPolyhedron;
 using solid::Pose;
@@ -22,17 +26,7 @@ struct Pair {
   PlacedVertices in_b() const { return {b.vertices(), pose_b.affine(), false}; }
 };
 
-ConvexPolyhedron box(double size) {
-  std::vector<Point3> corners;
-  for (const double x : {-size, size}) {
-    for (const double y : {-size, size}) {
-      for (const double z : {-size, size}) corners.push_back({x, y, z});
-    }
-  }
-  return ConvexPolyhedron(corners);
-}
-
-Pose shift(double x, double y, double z) { return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {x, y, z}); }
+ConvexPolyhedron box(double size) { return ConvexPolyhedron(tests::cube_corners(-size, size)); }
 
 TEST(RoundedEvidence, GapOfBoxes) {
   for (const int exponent : {-1000, -300, 0, 300, 1000}) {

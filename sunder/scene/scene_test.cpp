@@ -2,6 +2,8 @@
 #include <sunder/certificate/check.h>
 #include <sunder/scene/scene.h>
 
+#include <tests/support/shapes.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,34 +13,22 @@
 namespace sunder::scene {
 namespace {
 
+using tests::shift;
+
 using solid::ConvexPolyhedron;
 using solid::Pose;
-
-Pose shift(double x, double y, double z) { return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {x, y, z}); }
-
-ConvexPolyhedron cube() {
-  const std::vector<Point3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
-                                    {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
-  return ConvexPolyhedron(corners);
-}
-
-ConvexPolyhedron random_shape(Random& random) {
-  std::vector<Point3> points(1 + random.below(20));
-  for (Point3& p : points) p = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-  return ConvexPolyhedron(points);
-}
 
 // On a lattice: cubes that touch often. Else: anything, turned anyhow.
 std::vector<Body> random_bodies(Random& random, bool lattice) {
   std::vector<Body> bodies(2 + random.below(12));
-  const ConvexPolyhedron unit = cube();
+  const ConvexPolyhedron unit = ConvexPolyhedron(tests::cube_corners(0, 1));
   for (Body& body : bodies) {
     const std::uint64_t parts = random.below(4);
     for (std::uint64_t i = 0; i < parts; ++i) {
       const auto u = [&] { return random.uniform(-1, 1); };
       const auto n = [&] { return static_cast<double>(random.between(-2, 2)); };
       body.parts.push_back(lattice ? Part{"", unit, shift(n(), n(), n())}
-                                   : Part{"", random_shape(random),
+                                   : Part{"", ConvexPolyhedron(tests::points_in_cube(1 + random.below(20), random)),
                                           Pose::from_quaternion(u(), u(), u(), 1, {3 * u(), 3 * u(), 3 * u()})});
     }
   }
@@ -124,11 +114,12 @@ TEST(Scene, IsAllPairsInGeneralPosition) { compare_with_all_pairs(false, 200, 4)
 TEST(Scene, IsAllPairsOnALattice) { compare_with_all_pairs(true, 200, 5); }
 
 TEST(Scene, BoxesNeverHideWhatOnlyTouches) {
-  std::vector<Body> bodies{{"middle", {{"", cube(), Pose()}}}};
+  std::vector<Body> bodies{{"middle", {{"", ConvexPolyhedron(tests::cube_corners(0, 1)), Pose()}}}};
   for (int x = -1; x <= 1; ++x) {
     for (int y = -1; y <= 1; ++y) {
       for (int z = -1; z <= 1; ++z) {
-        if (x != 0 || y != 0 || z != 0) bodies.push_back({"", {{"", cube(), shift(x, y, z)}}});
+        if (x != 0 || y != 0 || z != 0)
+          bodies.push_back({"", {{"", ConvexPolyhedron(tests::cube_corners(0, 1)), shift(x, y, z)}}});
       }
     }
   }
@@ -142,8 +133,9 @@ TEST(Scene, BoxesNeverHideWhatOnlyTouches) {
 }
 
 TEST(Scene, TouchingMayBeAllowed) {
-  const std::vector<Body> bodies{
-      {"a", {{"", cube(), Pose()}}}, {"b", {{"", cube(), shift(1, 0, 0)}}}, {"c", {{"", cube(), shift(1.5, 0, 0)}}}};
+  const std::vector<Body> bodies{{"a", {{"", ConvexPolyhedron(tests::cube_corners(0, 1)), Pose()}}},
+                                 {"b", {{"", ConvexPolyhedron(tests::cube_corners(0, 1)), shift(1, 0, 0)}}},
+                                 {"c", {{"", ConvexPolyhedron(tests::cube_corners(0, 1)), shift(1.5, 0, 0)}}}};
   Question question;
   const Answer strict = meeting_pairs(bodies, question);
   question.touching_allowed = true;
@@ -161,7 +153,8 @@ TEST(Scene, TouchingMayBeAllowed) {
 
 TEST(Scene, FarPairsCostNothing) {
   std::vector<Body> bodies;
-  for (int i = 0; i < 2000; ++i) bodies.push_back({"", {{"", cube(), shift(0, 0, 3 * i)}}});
+  for (int i = 0; i < 2000; ++i)
+    bodies.push_back({"", {{"", ConvexPolyhedron(tests::cube_corners(0, 1)), shift(0, 0, 3 * i)}}});
   const Answer answer = meeting_pairs(bodies);
   EXPECT_TRUE(answer.pairs.empty());
   EXPECT_EQ(answer.counts.by_method, 0u);

@@ -1,19 +1,12 @@
 #include <sunder/planar/object/polygon.h>
 #include <sunder/planar/set/polygon_simple.h>
 #include <tests/support/gathered_polygons.h>
+#include <tests/support/shapes.h>
 
 #include <algorithm>
 #include <array>
 
 namespace sunder::tests {
-
-namespace {
-
-std::vector<Point2> box(double left, double bottom, double right, double top) {
-  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
-}
-
-}  // namespace
 
 GatheredPolygons::Ring GatheredPolygons::turned(Ring ring) {
   std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(random_.below(ring.size())), ring.end());
@@ -27,8 +20,8 @@ std::vector<GatheredPolygons::Rings> GatheredPolygons::annuli() {
   for (std::uint64_t k = 1; k <= count; ++k) {
     const double outer = 4 * static_cast<double>(k), x = one_in(12) ? 1 : 0;
     const double inner = std::max(1.0, outer - (one_in(12) ? 4 + at(2) : 2));
-    set.push_back({turned(box(x - outer, -outer, x + outer, outer))});
-    if (!one_in(16)) set.back().push_back(turned(box(x - inner, -inner, x + inner, inner)));
+    set.push_back({turned(box_ring(x - outer, -outer, x + outer, outer))});
+    if (!one_in(16)) set.back().push_back(turned(box_ring(x - inner, -inner, x + inner, inner)));
   }
   return set;
 }
@@ -53,12 +46,12 @@ std::vector<GatheredPolygons::Rings> GatheredPolygons::pie() {
         add(from, from + 1 + random_.below(11));
         break;
       }
-      case 1: set.push_back({turned(box(-8, -8, 0, -8 + 8 * at(2)))}); break;
+      case 1: set.push_back({turned(box_ring(-8, -8, 0, -8 + 8 * at(2)))}); break;
       case 2: set.push_back({turned({{-8, -4}, {8, 4}, {8, 9}})}); break;  // the point is on its side
       case 3: set.push_back({turned({{0, 0}, {9, 1}, {9, 3}}), turned({{5, 1}, {6, 1}, {6, 1.25}})}); break;
-      case 4: set.push_back({turned(box(-1, -1, 1, 1))}); break;
-      case 5: set.push_back({turned(box(-9, -9, 9, 9)), turned({{0, 0}, {8, 1}, {8, 2}})}); break;
-      default: set.push_back({turned(box(-12, -12, 12, 12)), turned(box(-9, -9, 9, 9))});
+      case 4: set.push_back({turned(box_ring(-1, -1, 1, 1))}); break;
+      case 5: set.push_back({turned(box_ring(-9, -9, 9, 9)), turned({{0, 0}, {8, 1}, {8, 2}})}); break;
+      default: set.push_back({turned(box_ring(-12, -12, 12, 12)), turned(box_ring(-9, -9, 9, 9))});
     }
   }
   std::erase_if(set,
@@ -67,18 +60,18 @@ std::vector<GatheredPolygons::Rings> GatheredPolygons::pie() {
 }
 
 std::vector<GatheredPolygons::Rings> GatheredPolygons::islands() {
-  std::vector<Rings> set{{turned(box(0, 0, 42, 20))}};
+  std::vector<Rings> set{{turned(box_ring(0, 0, 42, 20))}};
   for (const double x : {2.0, 12.0, 22.0, 32.0}) {
     if (one_in(5)) continue;
-    set[0].push_back(turned(box(x, 2, x + 8, 10)));
+    set[0].push_back(turned(box_ring(x, 2, x + 8, 10)));
     if (one_in(5)) continue;
     const double slack = one_in(5) ? 0 : 1, shift = one_in(9) ? 1 + at(3) : 0;
-    set.push_back({turned(box(x + slack, 3 - shift, x + 8 - slack, 9))});
-    if (one_in(2)) set.back().push_back(turned(box(x + 3, 4, x + 5, 8)));
-    if (one_in(2)) set.push_back({turned(box(x + 3.5, 5, x + (one_in(4) ? 5 : 4.5), 6))});
-    if (one_in(4)) set[0].push_back(turned(box(x + 3.75, 5.25, x + 4.25, 5.75)));  // an island of the plate
+    set.push_back({turned(box_ring(x + slack, 3 - shift, x + 8 - slack, 9))});
+    if (one_in(2)) set.back().push_back(turned(box_ring(x + 3, 4, x + 5, 8)));
+    if (one_in(2)) set.push_back({turned(box_ring(x + 3.5, 5, x + (one_in(4) ? 5 : 4.5), 6))});
+    if (one_in(4)) set[0].push_back(turned(box_ring(x + 3.75, 5.25, x + 4.25, 5.75)));  // an island of the plate
   }
-  if (one_in(3)) set.push_back({turned(box(1, 12, 41 + at(2), 18))});
+  if (one_in(3)) set.push_back({turned(box_ring(1, 12, 41 + at(2), 18))});
   return set;
 }
 
@@ -101,7 +94,7 @@ std::vector<GatheredPolygons::Rings> GatheredPolygons::many_inside() {
     set.push_back({turned({{x, y}, {x + 1, y}, {x, y + 1}})});
     if (!above && one_in(4)) set.push_back({turned({{x, y}, {x + 1, y}, {x + 1, y + 1}})});
   }
-  if (one_in(3)) set.push_back({turned(box(-1, -1, 80, 30)), turned(box((at(2) - 1) / 2, -0.5, 75, 29))});
+  if (one_in(3)) set.push_back({turned(box_ring(-1, -1, 80, 30)), turned(box_ring((at(2) - 1) / 2, -0.5, 75, 29))});
   return set;
 }
 

@@ -1,4 +1,5 @@
 #include <tests/support/nasty_polygons.h>
+#include <tests/support/shapes.h>
 
 #include <algorithm>
 #include <array>
@@ -34,14 +35,10 @@ NastyPolygons::Ring NastyPolygons::any_ring(std::uint64_t side) {
   return ring;
 }
 
-NastyPolygons::Ring NastyPolygons::box(double left, double bottom, double right, double top) const {
-  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
-}
-
 // A triangle or a box, mostly within 0 to 8.
 NastyPolygons::Ring NastyPolygons::small_ring() {
   const double x = at(8), y = at(8);
-  if (one_in(2)) return box(x, y, x + 1 + at(3), y + 1 + at(3));
+  if (one_in(2)) return box_ring(x, y, x + 1 + at(3), y + 1 + at(3));
   return {{x, y}, {x + 1 + at(3), y + at(3)}, {x + at(3), y + 1 + at(3)}};
 }
 
@@ -56,10 +53,10 @@ std::vector<NastyPolygons::Rings> NastyPolygons::few_places() {
 }
 
 std::vector<NastyPolygons::Rings> NastyPolygons::box_with_holes() {
-  Rings rings{box(0, 0, 8 + at(3), 8 + at(3))};
+  Rings rings{box_ring(0, 0, 8 + at(3), 8 + at(3))};
   if (one_in(3)) rings[0].insert(rings[0].begin() + 1, {at(8), at(3)});
-  if (one_in(3)) rings.push_back(box(0, 0, 5 + at(3), 5 + at(3)));
-  if (one_in(2)) rings.back() = box(1, 1, 6 + at(2), 7);
+  if (one_in(3)) rings.push_back(box_ring(0, 0, 5 + at(3), 5 + at(3)));
+  if (one_in(2)) rings.back() = box_ring(1, 1, 6 + at(2), 7);
   for (std::uint64_t k = 1 + random_.below(4); k > 0; --k) rings.push_back(small_ring());
   return {rings};
 }
@@ -68,13 +65,13 @@ std::vector<NastyPolygons::Rings> NastyPolygons::box_with_holes() {
 std::vector<NastyPolygons::Rings> NastyPolygons::lattice() {
   const std::uint64_t side = 2 + random_.below(3);
   const double size = 2 * static_cast<double>(side);
-  Rings rings{box(one_in(2) ? 0 : -2, 0, size, one_in(2) ? size : size + 2)};
+  Rings rings{box_ring(one_in(2) ? 0 : -2, 0, size, one_in(2) ? size : size + 2)};
   const std::uint64_t rate = 2 + random_.below(4);
   for (std::uint64_t i = 0; i < side; ++i) {
     for (std::uint64_t j = 0; j < side; ++j) {
       if (!one_in(rate)) continue;
       const double x = 2 * static_cast<double>(i), y = 2 * static_cast<double>(j);
-      const Ring cell = box(x, y, x + 2, y + 2);
+      const Ring cell = box_ring(x, y, x + 2, y + 2);
       const std::uint64_t from = random_.below(4);
       Ring triangle{cell[from], cell[(from + 1) % 4], {x + 1, y + 1}};
       if (one_in(2)) triangle = {cell[from], cell[(from + 2) % 4], {x + 1, y + (from % 2 == 0 ? 2.0 : 0.0)}};
@@ -143,7 +140,7 @@ std::vector<NastyPolygons::Rings> NastyPolygons::cells() {
       }
     }
   }
-  if (parts.empty()) parts.push_back({box(0, 0, 2, 2)});
+  if (parts.empty()) parts.push_back({box_ring(0, 0, 2, 2)});
   for (const Ring& hole : holes) {
     parts[one_in(6) ? random_.below(parts.size()) : parts.size() - 1].push_back(hole);
   }
@@ -156,10 +153,10 @@ std::vector<NastyPolygons::Rings> NastyPolygons::nested_parts() {
   const std::uint64_t count = 2 + random_.below(3);
   for (std::uint64_t k = 0; k < count; ++k) {
     const double d = 1 + at(6), x = one_in(2) ? 0 : 2 * at(4) - 3, y = one_in(2) ? 0 : 2 * at(4) - 3;
-    Rings rings{box(x - d, y - d, x + d, y + d)};
+    Rings rings{box_ring(x - d, y - d, x + d, y + d)};
     if (one_in(3)) rings[0] = {{x - d, y}, {x, y - d}, {x + d, y}, {x, y + d}};
     const double e = at(static_cast<std::uint64_t>(d));
-    if (e > 0 && !one_in(3)) rings.push_back(box(x - e, y - e, x + e, y + e));
+    if (e > 0 && !one_in(3)) rings.push_back(box_ring(x - e, y - e, x + e, y + e));
     if (rings.size() > 1 && one_in(3)) rings[1] = {{x - e, y}, {x, y - e}, {x + e, y}, {x, y + e}};
     parts.push_back(rings);
   }

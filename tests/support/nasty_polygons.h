@@ -39,7 +39,6 @@ class NastyPolygons {
   bool one_in(std::uint64_t n) { return random_.below(n) == 0; }
 
   Ring any_ring(std::uint64_t side);
-  Ring box(double left, double bottom, double right, double top) const;
   Ring small_ring();
   std::vector<Rings> few_places();
   std::vector<Rings> box_with_holes();

@@ -39,15 +39,6 @@ double ulps(double x, std::int64_t count) {
 
 }  // namespace
 
-ConvexPolygon regular_polygon(std::uint32_t n, double radius, double first_angle) {
-  std::vector<Point2> points;
-  for (std::uint32_t k = 0; k < n; ++k) {
-    const double angle = first_angle + full_turn * k / n;
-    points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-  }
-  return ConvexPolygon::hull_of(points);
-}
-
 PlanarPairs::PlanarPairs(std::uint64_t seed) : random_(seed) {
   for (const std::uint32_t n : {1000u, 3000u}) {
     large_.push_back(regular_polygon(n));

@@ -1,6 +1,8 @@
 // Pairs of placed convex polygons for differential tests: random and nasty, from a seed.
 #pragma once
 
+#include <tests/support/shapes.h>
+
 #include <sunder/base/random.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/pose.h>
@@ -53,8 +55,5 @@ class PlanarPairs {
   std::vector<planar::ConvexPolygon> large_;
   int turn_ = 0;
 };
-
-// n vertices on a circle about the origin, rounded to doubles; all of them are vertices for n up to 2^24 and radius 1.
-planar::ConvexPolygon regular_polygon(std::uint32_t n, double radius = 1, double first_angle = 0);
 
 }  // namespace sunder::tests

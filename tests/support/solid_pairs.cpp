@@ -1,3 +1,4 @@
+#include <tests/support/shapes.h>
 #include <tests/support/solid_pairs.h>
 
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
@@ -38,17 +39,8 @@ double moved_by_bits(double x, std::int64_t bits) {
 
 SolidPairs::SolidPairs(std::uint64_t seed) : random_(seed) {
   for (int i = 0; i < 60; ++i) pool_.push_back(some_body());
-  for (int i = 0; i < 4; ++i) large_.push_back(ConvexPolyhedron(sphere_points(1500 + 1000 * i)));
-}
-
-std::vector<Point3> SolidPairs::sphere_points(int n) {
-  std::vector<Point3> points;
-  while (static_cast<int>(points.size()) < n) {
-    const Point3 p{random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1)};
-    const double r2 = p.x * p.x + p.y * p.y + p.z * p.z;
-    if (r2 > 0.01 && r2 <= 1) points.push_back(times(p, 1 / std::sqrt(r2)));
-  }
-  return points;
+  for (int i = 0; i < 4; ++i)
+    large_.push_back(ConvexPolyhedron(points_on_sphere(static_cast<std::size_t>(1500 + 1000 * i), random_)));
 }
 
 std::vector<Point3> SolidPairs::grid_points(int n, int side) {
@@ -62,9 +54,9 @@ std::vector<Point3> SolidPairs::grid_points(int n, int side) {
 ConvexPolyhedron SolidPairs::some_body() {
   const int n = static_cast<int>(random_.between(4, 64));
   switch (random_.below(5)) {
-    case 0: return ConvexPolyhedron(sphere_points(n));
+    case 0: return ConvexPolyhedron(points_on_sphere(static_cast<std::size_t>(n), random_));
     case 1: {
-      auto points = sphere_points(n);
+      auto points = points_on_sphere(static_cast<std::size_t>(n), random_);
       for (Point3& p : points) p = times(p, random_.unit());
       return ConvexPolyhedron(points);
     }
@@ -113,7 +105,7 @@ ConvexPolyhedron SolidPairs::some_flat_body() {
 }
 
 Pose SolidPairs::some_pose(double distance) {
-  const Point3 d = times(sphere_points(1)[0], distance);
+  const Point3 d = times(points_on_sphere(static_cast<std::size_t>(1), random_)[0], distance);
   std::array<double, 4> q;
   for (double& x : q) x = random_.uniform(-1, 1);
   return Pose::from_quaternion(q[0], q[1], q[2], q[3], {d.x, d.y, d.z});

@@ -45,7 +45,6 @@ class SolidPairs {
   Random& random() { return random_; }
 
  private:
-  std::vector<Point3> sphere_points(int n);
   std::vector<Point3> grid_points(int n, int side);
   solid::ConvexPolyhedron some_body();
   solid::ConvexPolyhedron some_flat_body();

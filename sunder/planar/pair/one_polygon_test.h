@@ -5,6 +5,7 @@
 #include <sunder/base/random.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/pose.h>
+#include <tests/support/shapes.h>
 
 #include <tests/support/scale.h>
 
@@ -16,6 +17,8 @@
 #include <vector>
 
 namespace sunder::planar {
+
+using tests::regular_polygon;
 
 // Everything on an integer grid of a small side, all of it scaled by one power of two; under poses of small integers,
 // reflecting ones too. The points are integers of the grid and about it, halves and quarters.
@@ -105,15 +108,6 @@ inline Point2 wild_point(const NastyCase& c, Random& random) {
     case 2: return {p.x, q.y};
     default: return {wild_number(random), wild_number(random)};
   }
-}
-
-inline ConvexPolygon regular_polygon(std::uint32_t n, double radius = 1) {
-  std::vector<Point2> p(n);
-  for (std::uint32_t k = 0; k < n; ++k) {
-    const double angle = 2 * std::numbers::pi * k / n;
-    p[k] = {radius * std::cos(angle), radius * std::sin(angle)};
-  }
-  return ConvexPolygon::from_vertices(std::move(p));
 }
 
 // Points of a parabola: one half has all edges but one.

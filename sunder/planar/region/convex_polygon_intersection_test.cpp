@@ -1,6 +1,8 @@
 #include <sunder/base/random.h>
 #include <sunder/planar/region/convex_polygon_intersection.h>
 
+#include <tests/support/shapes.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +11,8 @@
 
 namespace sunder::planar {
 namespace {
+
+using tests::regular_polygon, tests::shuffle;
 
 using Kind = PolygonsPartKind;
 using Polygons = std::vector<ConvexPolygon>;
@@ -38,15 +42,6 @@ PolygonsPart common_part(const Polygons& set) {
 }
 Points points(const Polygons& set) { return rounded(set, common_part(set)); }
 Kind kind(const Polygons& set) { return common_part(set).kind; }
-
-ConvexPolygon regular(std::uint32_t k, double size, double angle, const Point2& center) {
-  Points out;
-  for (std::uint32_t j = 0; j < k; ++j) {
-    const double t = angle + 6.283185307179586 * j / k;
-    out.push_back({center.x + size * std::cos(t), center.y + size * std::sin(t)});
-  }
-  return ConvexPolygon::hull_of(out);
-}
 
 TEST(ConvexPolygonsTest, FewPolygons) {
   const ConvexPolygon square = polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}}),
@@ -209,11 +204,11 @@ TEST(ConvexPolygonsTest, ProbesGrowAsTheTheoremSays) {
     Polygons few, all, none;
     for (std::uint32_t i = 0; i < n; ++i) {
       const Point2 near{random.uniform(-1, 1), random.uniform(-1, 1)};
-      few.push_back(regular(k, random.uniform(1.7, 3), random.uniform(0, 7), near));
-      none.push_back(regular(k, random.uniform(1.2, 3), random.uniform(0, 7), near));
-      all.push_back(regular(k, 1, 6.283185307179586 / k * (i + 0.4 * random.unit()) / n, {0, 0}));
+      few.push_back(regular_polygon(k, random.uniform(1.7, 3), random.uniform(0, 7), near));
+      none.push_back(regular_polygon(k, random.uniform(1.2, 3), random.uniform(0, 7), near));
+      all.push_back(regular_polygon(k, 1, 6.283185307179586 / k * (i + 0.4 * random.unit()) / n, {0, 0}));
     }
-    for (std::size_t m = n; m > 1; --m) std::swap(all[m - 1], all[random.below(m)]);
+    shuffle(all, random);
     const double edges = k * n, bound = edges * (1.2 * std::log2(n) + 4);
     const PolygonsPart few_left = convex_polygon_intersection_by_division(few),
                        all_left = convex_polygon_intersection_by_division(all);

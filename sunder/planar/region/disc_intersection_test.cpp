@@ -3,6 +3,8 @@
 #include <sunder/planar/region/discs_prepared.h>
 #include <sunder/predicate/disc_powers.h>
 
+#include <tests/support/shapes.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -150,7 +152,7 @@ TEST(DiscsTest, ProbesGrowAsTheTheoremSays) {
       const double r = random.uniform(1, 1000);
       many_sizes.push_back({{r * std::cos(t), r * std::sin(t)}, r + 1});
     }
-    for (std::size_t k = n; k > 1; --k) std::swap(all[k - 1], all[random.below(k)]);
+    tests::shuffle(all, random);
     const double bound = 1.5 * n * std::log2(n) + 20 * n;
     const DiscIntersection few_left = disc_intersection_by_division(Discs(few)),
                            all_left = disc_intersection_by_division(Discs(all)),

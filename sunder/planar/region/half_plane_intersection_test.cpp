@@ -1,7 +1,7 @@
 // The kinds of regions, all methods against the oracle, the evidence, and how the number of signs grows.
 #include <sunder/base/error.h>
 #include <sunder/planar/region/half_plane_intersection.h>
-#include <sunder/planar/region/half_plane_sets_test.h>
+#include <tests/support/half_plane_sets.h>
 #include <tests/support/scale.h>
 
 #include <gtest/gtest.h>
@@ -17,6 +17,8 @@
 
 namespace sunder::planar {
 namespace {
+
+using tests::HalfPlaneSets;
 
 constexpr RegionOptions with_evidence{true};
 

@@ -1,8 +1,8 @@
 // Kernels of all kinds, all methods against the oracle, and how the number of signs grows.
 #include <sunder/base/error.h>
 #include <sunder/planar/region/kernel.h>
-#include <sunder/planar/region/polygon_sets_test.h>
 #include <tests/support/scale.h>
+#include <tests/support/simple_polygons.h>
 
 #include <gtest/gtest.h>
 
@@ -15,6 +15,8 @@
 
 namespace sunder::planar {
 namespace {
+
+using tests::SimplePolygons;
 
 constexpr RegionOptions with_evidence{true};
 

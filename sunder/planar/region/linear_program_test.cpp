@@ -1,7 +1,7 @@
 // Each outcome, all methods against the oracle, the evidence, and how the number of signs grows.
 #include <sunder/planar/region/half_plane_intersection.h>
-#include <sunder/planar/region/half_plane_sets_test.h>
 #include <sunder/planar/region/linear_program.h>
+#include <tests/support/half_plane_sets.h>
 #include <tests/support/scale.h>
 
 #include <gtest/gtest.h>
@@ -16,6 +16,8 @@
 
 namespace sunder::planar {
 namespace {
+
+using tests::HalfPlaneSets;
 
 bool same_point(const ExactPoint2& p, const ExactPoint2& q) {
   return p.x * q.denominator == q.x * p.denominator && p.y * q.denominator == q.y * p.denominator;

@@ -3,6 +3,8 @@
 #include <sunder/planar/set/discs_all.h>
 #include <sunder/planar/set/segments_all.h>
 
+#include <tests/support/shapes.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,22 +17,12 @@ using Contacts = ContactsInOrder<SegmentsContact>;
 
 Segments some_segments(std::uint32_t count, double length, std::uint64_t seed) {
   Random random(seed);
-  std::vector<Segment> segments;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const Point2 a{random.unit(), random.unit()};
-    segments.push_back({a, {a.x + length * (random.unit() - 0.5), a.y + length * (random.unit() - 0.5)}});
-  }
-  return Segments(segments);
+  return Segments(tests::short_segments(count, {0, 0}, 1, length / 2, random));
 }
 
 Discs some_circles(std::uint32_t count, double radius, std::uint64_t seed) {
   Random random(seed);
-  std::vector<Disc> circles;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const Point2 center{random.unit(), random.unit()};
-    circles.push_back({center, radius * random.unit()});
-  }
-  return Discs(circles);
+  return Discs(tests::discs_in_square(count, {0, 0}, 1, radius, random));
 }
 
 std::vector<SegmentsContact> all_in_order(const Segments& segments) {

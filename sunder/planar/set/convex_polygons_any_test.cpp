@@ -3,7 +3,9 @@
 #include <sunder/certificate/check.h>
 #include <sunder/planar/set/convex_chains.h>
 #include <sunder/planar/set/convex_polygons_any.h>
+#include <tests/support/convex_polygon_sets.h>
 #include <tests/support/scale.h>
+#include <tests/support/shapes.h>
 
 #include <gtest/gtest.h>
 
@@ -19,16 +21,11 @@ using Polygons = std::vector<ConvexPolygon>;
 
 ConvexPolygon hull(const std::vector<Point2>& points) { return ConvexPolygon::hull_of(points); }
 ConvexPolygon box(double left, double bottom, double right, double top) {
-  return ConvexPolygon::from_vertices({{left, bottom}, {right, bottom}, {right, top}, {left, top}});
+  return ConvexPolygon::from_vertices(tests::box_ring(left, bottom, right, top));
 }
 
 CheckResult check(const PairCertificate& certificate, const ConvexPolygon& a, const ConvexPolygon& b) {
-  const auto in_space = [](const ConvexPolygon& p) {
-    std::vector<Point3> vertices;
-    for (const Point2& v : p.vertices()) vertices.push_back({v.x, v.y, 0});
-    return vertices;
-  };
-  const std::vector<Point3> in_a = in_space(a), in_b = in_space(b);
+  const std::vector<Point3> in_a = tests::in_space(a), in_b = tests::in_space(b);
   const Affine3 in_place;
   return check_absolutely(certificate, {in_a, in_place, false}, {in_b, in_place, false});
 }
@@ -105,93 +102,14 @@ TEST(ConvexChains, HeightIsThatOfAllEdges) {
   for (const int count : seen) EXPECT_GT(count, 50);
 }
 
-// Small sets: of hulls on a grid, of triangles and squares of a tessellation, nested, slivers, of all scales.
-Polygons some_polygons(Random& random, int family) {
-  Polygons polygons;
-  const auto at = [&](std::uint64_t side) { return static_cast<double>(random.below(side)); };
-  const std::size_t count = 2 + random.below(7);
-  switch (family) {
-    case 0:
-      for (std::size_t k = 0; k < count; ++k) {  // small ones on a larger grid
-        const double x = at(12), y = at(12);
-        std::vector<Point2> points(1 + random.below(5));
-        for (Point2& p : points) p = {x + at(4), y + at(4)};
-        polygons.push_back(hull(points));
-      }
-      break;
-    case 1:  // parts of the plane that share sides and corners, and some more
-      for (double x = 0; x < 3; ++x) {
-        for (double y = 0; y < 3; ++y) {
-          const std::array<Point2, 4> corners{{{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}}};
-          const std::size_t first = random.below(2);
-          for (const std::size_t from : {first, first + 2}) {
-            if (random.below(3) == 0) continue;
-            polygons.push_back(hull({corners[from], corners[(from + 1) % 4], corners[(from + 2) % 4]}));
-          }
-          if (random.below(9) == 0) polygons.push_back(hull({corners[first], corners[first + 1]}));
-          if (random.below(9) == 0) polygons.push_back(hull({corners[first]}));
-        }
-      }
-      if (random.below(4) == 0) {
-        polygons.push_back(hull({{at(7) / 2, at(7) / 2}, {at(7) / 2, at(7) / 2}, {at(7) / 2, at(7) / 2}}));
-      }
-      break;
-    case 2:  // slivers through a small grid, nearly parallel
-      for (std::size_t k = 0; k < count; ++k) {
-        const double y = at(40);
-        polygons.push_back(hull({{at(3), y}, {20 + at(3), y + at(4)}, {10 + at(3), y + at(3)}}));
-      }
-      break;
-    case 3:  // one on or next to a vertex or edge of another one, to the last bit
-      for (std::size_t k = 0; k < 2 + count / 3; ++k) {
-        std::vector<Point2> points(1 + random.below(4));
-        for (Point2& p : points) p = {random.uniform(-3, 3), random.uniform(-3, 3)};
-        if (k > 0) {
-          const ConvexPolygon& other = polygons.back();
-          const Point2 p = other[static_cast<std::uint32_t>(random.below(other.size()))];
-          const double right = 4 * static_cast<double>(random.below(3)) - 4;
-          const Point2 on = random.below(2) == 0 ? p : Point2{std::nextafter(p.x, right), p.y};
-          for (Point2& q : points) q = {on.x + std::fabs(q.x), on.y + std::fabs(q.y)};
-          points.push_back(on);
-        }
-        polygons.push_back(hull(points));
-      }
-      break;
-    case 4:  // stacked: each inside of, above or touching the last one
-      for (std::size_t k = 0; k < count; ++k) {
-        const double x = at(4), y = 3 * static_cast<double>(k);
-        polygons.push_back(hull({{x, y}, {x + at(9), y + at(5)}, {x + at(9), y + at(4)}, {x + at(9), y}}));
-      }
-      break;
-    case 5:  // two long ones that may meet at their far ends, with short ones between their near ends
-      polygons.push_back(hull({{0, 0}, {1, -at(4)}, {30, 10 + at(3)}}));
-      polygons.push_back(hull({{0, 30}, {1, 30 + at(4)}, {30, 11 + at(3)}}));
-      for (std::size_t k = 0; k < count; ++k) {
-        const double x = at(6), y = 5 + 3 * static_cast<double>(k);
-        polygons.push_back(hull({{x, y}, {x + 1 + at(4), y + at(3)}, {x + 1, y + at(3)}}));
-      }
-      break;
-    default:  // some scale
-      polygons = some_polygons(random, static_cast<int>(random.below(6)));
-      const double scale = std::ldexp(1, static_cast<int>(random.between(-1000, 1000)));
-      for (ConvexPolygon& polygon : polygons) {
-        std::vector<Point2> points;
-        for (const Point2& p : polygon.vertices()) points.push_back({scale * p.x, scale * p.y});
-        polygon = hull(points);
-      }
-  }
-  return polygons;
-}
-constexpr int families = 7;
-
 TEST(ConvexPolygonsAny, MethodsAgreeWithTheScan) {
   const int count = tests::scaled_count(6000);
   Random random(tests::chosen_seed(20261122));
-  std::array<std::array<int, 2>, families> meet{};
+  std::array<std::array<int, 2>, tests::convex_family_count> meet{};
   std::array<int, 3> contacts{};
   for (int k = 0; k < count; ++k) {
-    const int family = k % families;
-    const Polygons polygons = some_polygons(random, family);
+    const int family = k % tests::convex_family_count;
+    const Polygons polygons = tests::some_convex_polygons(random, family);
     std::vector<std::uint32_t> groups;
     if (random.below(4) == 0) {
       for (std::size_t i = 0; i < polygons.size(); ++i) groups.push_back(static_cast<std::uint32_t>(random.below(3)));
@@ -218,11 +136,12 @@ TEST(ConvexPolygonsAny, MethodsAgreeWithTheScan) {
     }
   }
   std::printf("touching %d, overlapping %d\n", contacts[1], contacts[2]);
-  for (std::size_t f = 0; f < families; ++f) std::printf("family %zu: %d %d\n", f, meet[f][0], meet[f][1]);
+  for (std::size_t f = 0; f < tests::convex_family_count; ++f)
+    std::printf("family %zu: %d %d\n", f, meet[f][0], meet[f][1]);
   if (count < 2000) return;
   for (const std::size_t contact : {1u, 2u}) EXPECT_GT(contacts[contact], count / 10);
-  for (std::size_t f = 0; f < families; ++f) {
-    const int of_family = count / families * 3 / 4;
+  for (std::size_t f = 0; f < tests::convex_family_count; ++f) {
+    const int of_family = count / tests::convex_family_count * 3 / 4;
     EXPECT_GT(meet[f][1], of_family / 20) << f;
     EXPECT_LT(meet[f][1], of_family - of_family / 20) << f;
     if (f != 1) {

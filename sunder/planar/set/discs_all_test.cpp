@@ -2,6 +2,8 @@
 #include <sunder/base/random.h>
 #include <sunder/planar/set/discs_all.h>
 
+#include <tests/support/shapes.h>
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -12,6 +14,8 @@
 
 namespace sunder::planar {
 namespace {
+
+using tests::discs_in_square;
 
 constexpr std::array methods{&discs_all_by_scan, &discs_all_by_sweep, &discs_all_by_grid, &discs_visit};
 
@@ -87,34 +91,26 @@ TEST(DiscsAllTest, Groups) {
   EXPECT_EQ(kinds_of(discs, Allowed::nothing, own), (Kinds{{DiscContact::overlapping, 3}}));
 }
 
-std::vector<Disc> spread(std::size_t n, double x, double y, double size, double radius, Random& random) {
-  std::vector<Disc> discs;
-  for (std::size_t k = 0; k < n; ++k) {
-    discs.push_back({{x + size * random.unit(), y + size * random.unit()}, radius * random.unit()});
-  }
-  return discs;
-}
-
 // Many in one place, which the grid leaves to the sweep, with such as reach out of it, and all too large for a grid.
 TEST(DiscsAllTest, Crowds) {
   Random random(41);
-  std::vector<Disc> discs = spread(800, 0, 0, 1, 0.02, random);
-  for (const Disc& c : spread(300, 0.5, 0.5, 0.01, 0.002, random)) discs.push_back(c);
-  for (const Disc& c : spread(100, 0.47, 0.47, 0.06, 0.03, random)) discs.push_back(c);
+  std::vector<Disc> discs = discs_in_square(800, {0, 0}, 1, 0.02, random);
+  for (const Disc& c : discs_in_square(300, {0.5, 0.5}, 0.01, 0.002, random)) discs.push_back(c);
+  for (const Disc& c : discs_in_square(100, {0.47, 0.47}, 0.06, 0.03, random)) discs.push_back(c);
   const Kinds kinds = kinds_of(discs);
   EXPECT_GT(kinds.at(DiscContact::overlapping), 5000u);
   EXPECT_GT(kinds.at(DiscContact::inside), 500u);
   std::vector<std::uint32_t> groups;
   for (std::size_t k = 0; k < discs.size(); ++k) groups.push_back(static_cast<std::uint32_t>(k % 3));
   EXPECT_LT(kinds_of(discs, Allowed::nothing, groups).at(DiscContact::overlapping), kinds.at(DiscContact::overlapping));
-  EXPECT_GT(kinds_of(spread(500, 0, 0, 1, 1, random)).at(DiscContact::overlapping), 10000u);
+  EXPECT_GT(kinds_of(discs_in_square(500, {0, 0}, 1, 1, random)).at(DiscContact::overlapping), 10000u);
 }
 
 // After the visitor says so, it is not called again.
 TEST(DiscsAllTest, Stops) {
   Random random(42);
-  std::vector<Disc> discs = spread(800, 0, 0, 1, 0.02, random);
-  for (const Disc& c : spread(300, 0.5, 0.5, 0.01, 0.002, random)) discs.push_back(c);
+  std::vector<Disc> discs = discs_in_square(800, {0, 0}, 1, 0.02, random);
+  for (const Disc& c : discs_in_square(300, {0.5, 0.5}, 0.01, 0.002, random)) discs.push_back(c);
   const Discs circles(discs);
   const std::uint64_t count = discs_count(circles).count;
   for (const auto method : methods) {
@@ -128,7 +124,7 @@ TEST(DiscsAllTest, Stops) {
 
 TEST(DiscsAllTest, ProgressIsCalled) {
   Random random(43);
-  const Discs circles(spread(150000, 0, 0, 1, 0.0005, random));
+  const Discs circles(discs_in_square(150000, {0, 0}, 1, 0.0005, random));
   for (const auto method : {&discs_all_by_sweep, &discs_all_by_grid}) {
     double last = -1;
     int calls = 0;
@@ -148,7 +144,7 @@ TEST(DiscsAllTest, PairsGrowAsTheContacts) {
   Random random(44);
   for (std::size_t n = 8; n <= 1u << 17; n *= 4) {
     const double radius = 2 / std::sqrt(static_cast<double>(n));
-    const Discs circles(spread(n, 0, 0, 1, radius, random));
+    const Discs circles(discs_in_square(n, {0, 0}, 1, radius, random));
     std::uint64_t count = 0;
     const auto visit = [&](const DiscsContact&) { return ++count > 0; };
     const Cost sweep = discs_all_by_sweep(circles, {}, visit);

@@ -4,6 +4,8 @@
 #include <sunder/planar/set/intervals_any.h>
 #include <sunder/planar/set/segments_any.h>
 
+#include <tests/support/shapes.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,7 +61,7 @@ TEST(IntervalsAnyTest, ComparisonsGrowAsNLogN) {
   for (std::uint32_t n = 64; n <= 1u << 18; n *= 4) {
     std::vector<LineInterval> intervals;
     for (std::uint32_t i = 0; i < n; ++i) intervals.push_back({3.0 * i, 3.0 * i + 2});
-    for (std::uint32_t i = n; i-- > 1;) std::swap(intervals[i], intervals[random.below(i + 1)]);
+    tests::shuffle(intervals, random);
     const IntervalsAnswer answer = intervals_any(intervals);
     EXPECT_FALSE(answer.meet());
     EXPECT_LE(static_cast<double>(answer.cost.probes), 1.5 * n * std::log2(n)) << n;

@@ -2,6 +2,8 @@
 #include <sunder/base/error.h>
 #include <sunder/planar/set/polygon_valid.h>
 
+#include <tests/support/shapes.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,15 +15,13 @@
 namespace sunder::planar {
 namespace {
 
+using tests::box_ring;
+
 using Kind = PolygonDefectKind;
 using Ring = std::vector<Point2>;
 using Parts = std::vector<PolygonRings>;
 
 const Ring square{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
-
-Ring box(double left, double bottom, double right, double top) {
-  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
-}
 
 bool are_same(const PolygonDefect& c, const PolygonDefect& d) {
   return c.kind == d.kind && c.a == d.a && c.b == d.b && c.place.a == d.place.a && c.place.b == d.place.b;
@@ -56,7 +56,7 @@ using Kinds = std::vector<Kind>;
 
 TEST(PolygonValidTest, ValidOnes) {
   EXPECT_EQ(kinds({square}), Kinds{});
-  EXPECT_EQ(kinds({square, box(1, 1, 2, 2), box(3, 3, 4, 4)}), Kinds{});
+  EXPECT_EQ(kinds({square, box_ring(1, 1, 2, 2), box_ring(3, 3, 4, 4)}), Kinds{});
   EXPECT_EQ(kinds(Parts{}), Kinds{});
   EXPECT_EQ(kinds(Parts{{}, {square}}), Kinds{});  // an empty part
   // Vertices that are repeated, also where the ring is closed.
@@ -129,14 +129,14 @@ TEST(PolygonValidTest, RingsThatTouchThemselvesTwice) {
 }
 
 TEST(PolygonValidTest, WhereHolesLie) {
-  EXPECT_EQ(kinds({square, box(9, 0, 10, 1)}), Kinds{Kind::hole_outside});
-  EXPECT_EQ(kinds({square, box(8, 8, 9, 9)}), Kinds{Kind::hole_outside});    // it touches the shell
-  EXPECT_EQ(kinds({square, box(-1, -1, 9, 9)}), Kinds{Kind::hole_outside});  // it holds the shell
-  EXPECT_EQ(kinds({square, box(1, 1, 7, 7), box(2, 2, 3, 3)}), Kinds{Kind::nested_holes});
-  EXPECT_EQ(kinds({square, box(1, 1, 7, 7), {{1, 1}, {3, 2}, {2, 3}}}), Kinds{Kind::nested_holes});
-  EXPECT_EQ(kinds({square, box(1, 1, 7, 7), box(1, 1, 7, 7)}), Kinds(4, Kind::overlap));
-  EXPECT_EQ(kinds({square, box(8, 1, 9, 2)}), Kinds{Kind::overlap});
-  EXPECT_EQ(kinds({square, box(7, 1, 9, 2)}), Kinds(2, Kind::crossing));
+  EXPECT_EQ(kinds({square, box_ring(9, 0, 10, 1)}), Kinds{Kind::hole_outside});
+  EXPECT_EQ(kinds({square, box_ring(8, 8, 9, 9)}), Kinds{Kind::hole_outside});    // it touches the shell
+  EXPECT_EQ(kinds({square, box_ring(-1, -1, 9, 9)}), Kinds{Kind::hole_outside});  // it holds the shell
+  EXPECT_EQ(kinds({square, box_ring(1, 1, 7, 7), box_ring(2, 2, 3, 3)}), Kinds{Kind::nested_holes});
+  EXPECT_EQ(kinds({square, box_ring(1, 1, 7, 7), {{1, 1}, {3, 2}, {2, 3}}}), Kinds{Kind::nested_holes});
+  EXPECT_EQ(kinds({square, box_ring(1, 1, 7, 7), box_ring(1, 1, 7, 7)}), Kinds(4, Kind::overlap));
+  EXPECT_EQ(kinds({square, box_ring(8, 1, 9, 2)}), Kinds{Kind::overlap});
+  EXPECT_EQ(kinds({square, box_ring(7, 1, 9, 2)}), Kinds(2, Kind::crossing));
 }
 
 TEST(PolygonValidTest, TheInterior) {
@@ -148,19 +148,21 @@ TEST(PolygonValidTest, TheInterior) {
 }
 
 TEST(PolygonValidTest, Parts) {
-  EXPECT_EQ(kinds(Parts{{square}, {box(8, 8, 9, 9)}}), Kinds{});
-  EXPECT_EQ(kinds(Parts{{square}, {box(8, 4, 9, 9)}}), Kinds{Kind::overlap});
-  EXPECT_EQ(kinds(Parts{{square}, {box(1, 1, 2, 2)}}), Kinds{Kind::nested_parts});
-  EXPECT_EQ(kinds(Parts{{box(1, 1, 2, 2)}, {square}}), Kinds{Kind::nested_parts});
-  EXPECT_EQ(kinds(Parts{{square, box(1, 1, 5, 5)}, {{{1, 1}, {5, 3}, {3, 5}}}}), Kinds{});
-  EXPECT_EQ(kinds(Parts{{square, box(1, 1, 7, 7)}, {box(2, 2, 6, 6), box(3, 3, 5, 5)}, {box(4, 4, 4.5, 4.5)}}),
-            Kinds{});
-  EXPECT_EQ(kinds(Parts{{square}, {box(4, 4, 9, 9)}}), Kinds(2, Kind::crossing));
+  EXPECT_EQ(kinds(Parts{{square}, {box_ring(8, 8, 9, 9)}}), Kinds{});
+  EXPECT_EQ(kinds(Parts{{square}, {box_ring(8, 4, 9, 9)}}), Kinds{Kind::overlap});
+  EXPECT_EQ(kinds(Parts{{square}, {box_ring(1, 1, 2, 2)}}), Kinds{Kind::nested_parts});
+  EXPECT_EQ(kinds(Parts{{box_ring(1, 1, 2, 2)}, {square}}), Kinds{Kind::nested_parts});
+  EXPECT_EQ(kinds(Parts{{square, box_ring(1, 1, 5, 5)}, {{{1, 1}, {5, 3}, {3, 5}}}}), Kinds{});
+  EXPECT_EQ(
+      kinds(Parts{
+          {square, box_ring(1, 1, 7, 7)}, {box_ring(2, 2, 6, 6), box_ring(3, 3, 5, 5)}, {box_ring(4, 4, 4.5, 4.5)}}),
+      Kinds{});
+  EXPECT_EQ(kinds(Parts{{square}, {box_ring(4, 4, 9, 9)}}), Kinds(2, Kind::crossing));
 }
 
 TEST(PolygonValidTest, SeveralOfOnePolygonInTheirPlaces) {
   const PolygonRings rings{square,                                      // with a spike
-                           box(1, 1, 2, 2),                             //
+                           box_ring(1, 1, 2, 2),                        //
                            {{4, 4}, {6, 6}, {6, 4}, {4, 6}, {4, 4}},    // an hourglass
                            {{9, 1}, {9, 1}, {10, 1}, {10, 2}, {9, 1}},  // outside
                            {{7, 7}, {7.5, 7}, {7, 7}, {7, 7}}};
@@ -176,7 +178,7 @@ TEST(PolygonValidTest, SeveralOfOnePolygonInTheirPlaces) {
   EXPECT_EQ(answer.defects[2].a, (RingPlace{0, 3, 1}));  // the last of equal vertices
   EXPECT_EQ(polygon_defects(Parts{rings}, {PolygonRule::valid, 2}).defects.size(), 2u);
   // As an object the same.
-  const PolygonRings two{square, box(9, 1, 10, 2)};
+  const PolygonRings two{square, box_ring(9, 1, 10, 2)};
   EXPECT_EQ(polygon_defects(Polygon(two)).defects[0].kind, Kind::hole_outside);
 }
 
@@ -193,9 +195,10 @@ TEST(PolygonValidTest, BadCoordinates) {
 // At the ends of the doubles, where no filter decides.
 TEST(PolygonValidTest, AnyDoubles) {
   const double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
-  EXPECT_EQ(kinds({box(-most, -most, most, most), box(-least, -least, least, least)}), Kinds{});
-  EXPECT_EQ(kinds({box(-most, -most, most, most), {{0, -least}, {least, 0}, {0, most}}}), Kinds{});
-  EXPECT_EQ(kinds({box(-most, -most, most, most), {{0, -most}, {least, 0}, {0, most}}}), Kinds{Kind::disconnected});
+  EXPECT_EQ(kinds({box_ring(-most, -most, most, most), box_ring(-least, -least, least, least)}), Kinds{});
+  EXPECT_EQ(kinds({box_ring(-most, -most, most, most), {{0, -least}, {least, 0}, {0, most}}}), Kinds{});
+  EXPECT_EQ(kinds({box_ring(-most, -most, most, most), {{0, -most}, {least, 0}, {0, most}}}),
+            Kinds{Kind::disconnected});
 }
 
 // Many triangles in one point, also many holes on one edge: near-linear work.
@@ -260,7 +263,7 @@ TEST(PolygonValidTest, VisitedOfAllKinds) {
   parts[0].push_back({{60, 0}, {60, 0}, {60, 0}});              // too short
   parts.push_back({{{100, 1}, {103, 0}, {100, -1}, {99, 0}}});  // these two cross in vertices
   parts.push_back({{{100, 1}, {104, 0}, {100, -1}, {98, 0}}});
-  parts.push_back({square, box(20, 20, 21, 21)});  // a hole outside
+  parts.push_back({square, box_ring(20, 20, 21, 21)});  // a hole outside
   const std::vector<Kind> all = kinds(parts);
   for (const Kind kind : {Kind::too_few_points, Kind::crossing, Kind::overlap}) {
     EXPECT_NE(std::find(all.begin(), all.end(), kind), all.end()) << name_of(kind);

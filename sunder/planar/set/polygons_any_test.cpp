@@ -6,6 +6,8 @@
 #include <sunder/planar/set/polygons_any.h>
 #include <sunder/planar/set/ring_tests.h>
 
+#include <tests/support/shapes.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,12 +18,10 @@
 namespace sunder::planar {
 namespace {
 
+using tests::box_ring;
+
 using Ring = std::vector<Point2>;
 using Rings = std::vector<Ring>;
-
-Ring box(double left, double bottom, double right, double top) {
-  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
-}
 
 PolygonsContact contact_in(const PolygonsAnswer& answer) { return answer.found.value_or(PolygonsContact()); }
 
@@ -47,43 +47,45 @@ PolygonsContact contact(const Rings& a, const Rings& b) {
 }
 
 TEST(PolygonsContact, KnownCases) {
-  const Ring unit = box(0, 0, 4, 4);
-  EXPECT_EQ(contact({unit}, {box(5, 0, 9, 4)}).contact, Contact::none);
-  const PolygonsContact at_corner = contact({unit}, {box(4, 4, 9, 9)});
+  const Ring unit = box_ring(0, 0, 4, 4);
+  EXPECT_EQ(contact({unit}, {box_ring(5, 0, 9, 4)}).contact, Contact::none);
+  const PolygonsContact at_corner = contact({unit}, {box_ring(4, 4, 9, 9)});
   EXPECT_EQ(at_corner.contact, Contact::touching);
   EXPECT_EQ(at_corner.kind, ContactKind::shared_endpoint);
-  const PolygonsContact along = contact({unit}, {box(4, 1, 9, 3)});
+  const PolygonsContact along = contact({unit}, {box_ring(4, 1, 9, 3)});
   EXPECT_EQ(along.contact, Contact::touching);
   EXPECT_EQ(along.kind, ContactKind::overlap);
   EXPECT_EQ(contact({unit}, {{{4, 2}, {6, 1}, {6, 3}}}).kind, ContactKind::touch);
-  EXPECT_EQ(contact({unit}, {box(3, 3, 9, 9)}).contact, Contact::overlapping);
+  EXPECT_EQ(contact({unit}, {box_ring(3, 3, 9, 9)}).contact, Contact::overlapping);
   EXPECT_EQ(contact({unit}, {unit}).contact, Contact::overlapping);
   // Corners at corners only, and yet across: no two edges cross.
   EXPECT_EQ(contact({unit}, {{{0, 0}, {4, 4}, {4, 6}, {-1, 0}}}).contact, Contact::overlapping);
   // Inside, with nothing in common: a vertex shows it.
-  const PolygonsContact inside = contact({box(1, 1, 2, 2)}, {unit});
+  const PolygonsContact inside = contact({box_ring(1, 1, 2, 2)}, {unit});
   EXPECT_EQ(inside.contact, Contact::overlapping);
   EXPECT_EQ(inside.kind, ContactKind::none);
   EXPECT_TRUE(inside.i_inside);
 }
 
 TEST(PolygonsContact, HolesAndIslands) {
-  const Rings frame{box(0, 0, 20, 20), box(5, 5, 15, 15)};
-  EXPECT_EQ(contact(frame, {box(6, 6, 9, 9)}).contact, Contact::none);        // in the hole
-  EXPECT_EQ(contact(frame, {box(5, 5, 15, 15)}).contact, Contact::touching);  // fills it
-  EXPECT_EQ(contact(frame, {box(5, 5, 15, 16)}).contact, Contact::overlapping);
-  EXPECT_EQ(contact(frame, {box(1, 1, 2, 2)}).contact, Contact::overlapping);
-  EXPECT_EQ(contact(frame, {box(-9, -9, 29, 29)}).contact, Contact::overlapping);
-  EXPECT_EQ(contact(frame, {box(-9, -9, 29, 29), box(-1, -1, 21, 21)}).contact, Contact::none);  // around it
-  const Rings with_island{box(0, 0, 20, 20), box(5, 5, 15, 15), box(8, 8, 12, 12)};
-  EXPECT_EQ(contact(with_island, {box(9, 9, 10, 10)}).contact, Contact::overlapping);
-  EXPECT_EQ(contact(with_island, {box(5, 5, 15, 15), box(8, 8, 12, 12)}).contact, Contact::touching);
+  const Rings frame{box_ring(0, 0, 20, 20), box_ring(5, 5, 15, 15)};
+  EXPECT_EQ(contact(frame, {box_ring(6, 6, 9, 9)}).contact, Contact::none);        // in the hole
+  EXPECT_EQ(contact(frame, {box_ring(5, 5, 15, 15)}).contact, Contact::touching);  // fills it
+  EXPECT_EQ(contact(frame, {box_ring(5, 5, 15, 16)}).contact, Contact::overlapping);
+  EXPECT_EQ(contact(frame, {box_ring(1, 1, 2, 2)}).contact, Contact::overlapping);
+  EXPECT_EQ(contact(frame, {box_ring(-9, -9, 29, 29)}).contact, Contact::overlapping);
+  EXPECT_EQ(contact(frame, {box_ring(-9, -9, 29, 29), box_ring(-1, -1, 21, 21)}).contact, Contact::none);  // around it
+  const Rings with_island{box_ring(0, 0, 20, 20), box_ring(5, 5, 15, 15), box_ring(8, 8, 12, 12)};
+  EXPECT_EQ(contact(with_island, {box_ring(9, 9, 10, 10)}).contact, Contact::overlapping);
+  EXPECT_EQ(contact(with_island, {box_ring(5, 5, 15, 15), box_ring(8, 8, 12, 12)}).contact, Contact::touching);
   // One part inside, one far away.
-  EXPECT_EQ(contact({box(30, 0, 31, 1), box(1, 1, 2, 2)}, {box(0, 0, 9, 9)}).contact, Contact::overlapping);
+  EXPECT_EQ(contact({box_ring(30, 0, 31, 1), box_ring(1, 1, 2, 2)}, {box_ring(0, 0, 9, 9)}).contact,
+            Contact::overlapping);
   // A hole that touches the lower side from inside, above one whose upper side passes there.
-  EXPECT_EQ(contact({box(0, 0, 8, 8), {{4, 0}, {6, 4}, {2, 4}}}, {box(-1, -3, 9, 0)}).contact, Contact::touching);
+  EXPECT_EQ(contact({box_ring(0, 0, 8, 8), {{4, 0}, {6, 4}, {2, 4}}}, {box_ring(-1, -3, 9, 0)}).contact,
+            Contact::touching);
   // Of two parts each, one of which they have in common.
-  EXPECT_EQ(contact({box(0, 0, 1, 1), box(4, 0, 5, 1)}, {box(4, 0, 5, 1), box(8, 0, 9, 1)}).contact,
+  EXPECT_EQ(contact({box_ring(0, 0, 1, 1), box_ring(4, 0, 5, 1)}, {box_ring(4, 0, 5, 1), box_ring(8, 0, 9, 1)}).contact,
             Contact::overlapping);
 }
 
@@ -91,7 +93,7 @@ TEST(PolygonsContact, HolesAndIslands) {
 TEST(PolygonsAny, TractsMayTouchAndNotOverlap) {
   std::vector<Polygon> tracts;
   for (double x = 0; x < 5; ++x) {
-    for (double y = 0; y < 5; ++y) tracts.emplace_back(Rings{box(x, y, x + 1, y + 1)});
+    for (double y = 0; y < 5; ++y) tracts.emplace_back(Rings{box_ring(x, y, x + 1, y + 1)});
   }
   for (auto* method : {polygons_any_by_boxes, polygons_any_by_grid, polygons_any_by_sweep, polygons_any_by_scan}) {
     EXPECT_FALSE(method(tracts, {Allowed::touch, {}, nullptr}).meet());
@@ -99,7 +101,7 @@ TEST(PolygonsAny, TractsMayTouchAndNotOverlap) {
   }
   EXPECT_EQ(polygons_count(tracts).touching, 72u);
   EXPECT_EQ(polygons_count(tracts, {Allowed::shared_endpoint, {}, nullptr}).touching, 40u);
-  tracts[12] = Polygon(Rings{box(2, 2, std::nextafter(3.0, 4.0), 3)});
+  tracts[12] = Polygon(Rings{box_ring(2, 2, std::nextafter(3.0, 4.0), 3)});
   for (auto* method : {polygons_any_by_boxes, polygons_any_by_grid, polygons_any_by_sweep, polygons_any_by_scan}) {
     const PolygonsAnswer answer = method(tracts, {Allowed::touch, {}, nullptr});
     EXPECT_EQ(answer.found->contact, Contact::overlapping);
@@ -110,7 +112,7 @@ TEST(PolygonsAny, TractsMayTouchAndNotOverlap) {
 }
 
 TEST(RingTests, DirectionAndInside) {
-  const Polygon frame(Rings{box(0, 0, 9, 9), {{2, 2}, {2, 4}, {4, 4}, {4, 2}}, {{5, 5}, {6, 5}, {6, 6}}});
+  const Polygon frame(Rings{box_ring(0, 0, 9, 9), {{2, 2}, {2, 4}, {4, 4}, {4, 2}}, {{5, 5}, {6, 5}, {6, 6}}});
   EXPECT_TRUE(is_counter_clockwise(frame, 0));
   EXPECT_FALSE(is_counter_clockwise(frame, 1));
   EXPECT_EQ(where_in_ring(frame, 0, {2, 2}), Sign::positive);

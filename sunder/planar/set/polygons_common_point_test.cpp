@@ -1,6 +1,8 @@
 // Known cases of common_point of two polygons. (Small nasty sets: tests/polygons_differential_test.cpp.)
 #include <sunder/planar/set/polygons_common_point.h>
 
+#include <tests/support/shapes.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,12 +11,10 @@
 namespace sunder::planar {
 namespace {
 
+using tests::box_ring;
+
 using Ring = std::vector<Point2>;
 using Rings = std::vector<Ring>;
-
-Ring box(double left, double bottom, double right, double top) {
-  return {{left, bottom}, {right, bottom}, {right, top}, {left, top}};
-}
 
 // Strictly between, exactly.
 bool is_inside(const Ring& box, const ExactPoint2& p) {
@@ -38,16 +38,16 @@ void expect_inside_both(const Ring& a, const Ring& b) {
 }
 
 TEST(PolygonsCommonPoint, IsInsideOfBothWhereTheyOverlap) {
-  expect_inside_both(box(0, 0, 4, 4), box(3, 3, 9, 9));                           // across
-  expect_inside_both(box(0, 0, 4, 4), box(1, 1, 2, 2));                           // one in the other
-  expect_inside_both(box(0, 0, 4, 4), box(0, 0, 4, 4));                           // alike
-  expect_inside_both(box(0, 0, 4, 4), box(0, 1, 4, 3));                           // borders on borders
-  expect_inside_both(box(0, 0, 4, 4), box(std::nextafter(4, 3), 0, 8, 4));        // by one bit
-  expect_inside_both(box(0, 0, 0x1p-1074, 0x1p-1074), box(-1, -1, 1, 0x1p1000));  // of any scale
+  expect_inside_both(box_ring(0, 0, 4, 4), box_ring(3, 3, 9, 9));                           // across
+  expect_inside_both(box_ring(0, 0, 4, 4), box_ring(1, 1, 2, 2));                           // one in the other
+  expect_inside_both(box_ring(0, 0, 4, 4), box_ring(0, 0, 4, 4));                           // alike
+  expect_inside_both(box_ring(0, 0, 4, 4), box_ring(0, 1, 4, 3));                           // borders on borders
+  expect_inside_both(box_ring(0, 0, 4, 4), box_ring(std::nextafter(4, 3), 0, 8, 4));        // by one bit
+  expect_inside_both(box_ring(0, 0, 0x1p-1074, 0x1p-1074), box_ring(-1, -1, 1, 0x1p1000));  // of any scale
 }
 
 TEST(PolygonsCommonPoint, OfBordersInCommonIsTheMiddle) {
-  const Polygon a(Rings{box(0, 0, 4, 4)}), b(Rings{box(4, 1, 6, 2)});
+  const Polygon a(Rings{box_ring(0, 0, 4, 4)}), b(Rings{box_ring(4, 1, 6, 2)});
   const PolygonsContact found = polygons_contact(a, b).found.value();
   ASSERT_EQ(found.kind, ContactKind::overlap);
   const ExactPoint2 p = common_point(a, b, found);

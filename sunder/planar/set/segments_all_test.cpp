@@ -2,6 +2,8 @@
 #include <sunder/base/random.h>
 #include <sunder/planar/set/segments_all.h>
 
+#include <tests/support/shapes.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +15,8 @@
 
 namespace sunder::planar {
 namespace {
+
+using tests::on_circle, tests::short_segments;
 
 constexpr std::array methods{&segments_all_by_scan, &segments_all_by_bentley_ottmann, &segments_all_by_grid,
                              &segments_visit};
@@ -41,11 +45,6 @@ Kinds kinds_of(const std::vector<Segment>& given, const SetOptions& options = {}
   return first;
 }
 
-Point2 on_circle(double k, double n, double radius = 1) {
-  const double t = 6.283185307179586 * k / n;
-  return {radius * std::cos(t), radius * std::sin(t)};
-}
-
 TEST(SegmentsAllTest, NoneAndOne) {
   EXPECT_EQ(kinds_of({}), Kinds{});
   EXPECT_EQ(kinds_of({{{0, 0}, {1, 1}}}), Kinds{});
@@ -59,7 +58,7 @@ TEST(SegmentsAllTest, Fans) {
     const std::size_t pairs = n * (n - 1) / 2;
     std::vector<Segment> fan, touching, star;
     for (std::size_t k = 0; k < n; ++k) {
-      const Point2 tip = on_circle(static_cast<double>(k) + 0.25, static_cast<double>(n));
+      const Point2 tip = on_circle((static_cast<double>(k) + 0.25) / static_cast<double>(n));
       fan.push_back({{0, 0}, tip});
     }
     EXPECT_EQ(kinds_of(fan), (Kinds{{ContactKind::shared_endpoint, pairs}})) << n;
@@ -146,20 +145,12 @@ std::vector<Segment> mesh(std::uint32_t side, Random& random) {
   }
   return edges;
 }
-std::vector<Segment> short_ones(std::size_t n, double x, double y, double size, double length, Random& random) {
-  std::vector<Segment> all;
-  for (std::size_t k = 0; k < n; ++k) {
-    const Point2 p{x + size * random.unit(), y + size * random.unit()};
-    all.push_back({p, {p.x + length * random.uniform(-1, 1), p.y + length * random.uniform(-1, 1)}});
-  }
-  return all;
-}
 
 TEST(SegmentsAllTest, StopsWhenTold) {
   Random random(161);
-  std::vector<Segment> crowded = short_ones(1200, 0, 0, 30, 1, random), long_ones;
-  for (const Segment& s : short_ones(300, 10.25, 10.25, 0.01, 0.01, random)) crowded.push_back(s);
-  long_ones = short_ones(200, 0, 0, 1, 1, random);
+  std::vector<Segment> crowded = short_segments(1200, {0, 0}, 30, 1, random), long_ones;
+  for (const Segment& s : short_segments(300, {10.25, 10.25}, 0.01, 0.01, random)) crowded.push_back(s);
+  long_ones = short_segments(200, {0, 0}, 1, 1, random);
   for (const auto& given : {crowded, long_ones, mesh(12, random)}) {
     const Segments segments(given);
     const std::size_t all = segments_count(segments).count;
@@ -178,8 +169,8 @@ TEST(SegmentsAllTest, StopsWhenTold) {
 TEST(SegmentsAllTest, Crowds) {
   Random random(166);
   for (const double grain : {0x1p-7, 0x1p-40}) {  // coarse: touches and overlaps
-    std::vector<Segment> given = short_ones(1000, 0, 0, 30, 0.5, random);
-    for (Segment s : short_ones(270, 10.25, 10.25, 0.02, 0.05, random)) {
+    std::vector<Segment> given = short_segments(1000, {0, 0}, 30, 0.5, random);
+    for (Segment s : short_segments(270, {10.25, 10.25}, 0.02, 0.05, random)) {
       for (double* x : {&s.a.x, &s.a.y, &s.b.x, &s.b.y}) *x = std::round(*x / grain) * grain;
       given.push_back(s);
     }
@@ -194,7 +185,7 @@ TEST(SegmentsAllTest, Crowds) {
     }
   }
   // Two bundles whose members cross, all of one group but for one pair in either of them, or elsewhere.
-  std::vector<Segment> given = short_ones(1200, 0, 0, 30, 1e-6, random);
+  std::vector<Segment> given = short_segments(1200, {0, 0}, 30, 1e-6, random);
   for (const double at : {10.25, 20.25}) {
     for (int k = 0; k < 60; ++k) {
       const double y = 1e-4 * k;
@@ -221,7 +212,7 @@ TEST(SegmentsAllTest, Crowds) {
 // The whole, in parts that do not shrink.
 TEST(SegmentsAllTest, ProgressIsTold) {
   Random random(162);
-  const Segments edges(short_ones(40000, 0, 0, 1, 1e-5, random));  // apart, of 80000 ends
+  const Segments edges(short_segments(40000, {0, 0}, 1, 1e-5, random));  // apart, of 80000 ends
   SetOptions options;
   std::vector<double> told;
   options.progress = [&](double part) { told.push_back(part); };
@@ -277,9 +268,9 @@ TEST(SegmentsAllTest, ComparisonsGrowAsNAndContactsTimesLogN) {
   for (std::uint32_t n = 64; n <= 4096; n *= 4) {
     const double size = n;
     std::vector<std::pair<const char*, std::vector<Segment>>> families{
-        {"apart", short_ones(n, 0, 0, 1, 0.1 / size, random)},
-        {"some cross", short_ones(n, 0, 0, 1, 1 / std::sqrt(size), random)},
-        {"many cross", short_ones(n, 0, 0, 1, 4 / std::sqrt(size), random)},
+        {"apart", short_segments(n, {0, 0}, 1, 0.1 / size, random)},
+        {"some cross", short_segments(n, {0, 0}, 1, 1 / std::sqrt(size), random)},
+        {"many cross", short_segments(n, {0, 0}, 1, 4 / std::sqrt(size), random)},
         {"mesh", mesh(static_cast<std::uint32_t>(std::sqrt(size / 2)), random)},
         {"lines", {}},
         {"fans", {}},

@@ -6,6 +6,8 @@
 #include <sunder/predicate/orient.h>
 #include <sunder/solid/hull/brute_force_hull_test.h>
 
+#include <tests/support/shapes.h>
+
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -23,6 +25,8 @@
 
 namespace sunder::solid {
 namespace {
+
+using tests::points_on_sphere, tests::shuffle;
 
 using Points = std::vector<Point3>;
 using Cycle = std::vector<std::uint32_t>;
@@ -151,21 +155,6 @@ std::vector<Integer3> grid(std::int64_t k) {
     }
   }
   return result;
-}
-
-template <class T>
-void shuffle(std::vector<T>& v, Random& random) {
-  for (std::size_t i = v.size(); i > 1; --i) std::swap(v[i - 1], v[random.below(i)]);
-}
-
-Points on_sphere(std::size_t n, Random& random) {
-  Points points;
-  while (points.size() < n) {
-    const Point3 p{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-    const double length = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
-    if (length > 0.1 && length < 1) points.push_back({p.x / length, p.y / length, p.z / length});
-  }
-  return points;
 }
 
 // The corners of a regular k-gon, below and above.
@@ -512,7 +501,7 @@ TEST(ConvexHull, PermutationReflectionAndScaling) {
 
 TEST(ConvexHull, OfEqualPointsTheLowestIndexCounts) {
   Random random(41);
-  const Points distinct = on_sphere(50, random);
+  const Points distinct = points_on_sphere(50, random);
   Points points;
   for (int i = 0; i < 4000; ++i) points.push_back(distinct[random.below(distinct.size())]);
   std::set<std::uint32_t> first;
@@ -526,7 +515,7 @@ TEST(ConvexHull, OfEqualPointsTheLowestIndexCounts) {
 
 TEST(ConvexHull, ManyOnASphere) {
   Random random(50);
-  const Points points = on_sphere(20000, random);
+  const Points points = points_on_sphere(20000, random);
   const ConvexHull hull = convex_hull(points);
   EXPECT_EQ(hull.vertices.size(), points.size());
   expect_body(points, hull, 4999);
@@ -534,7 +523,7 @@ TEST(ConvexHull, ManyOnASphere) {
 
 TEST(ConvexHull, ManyInABall) {
   Random random(51);
-  Points points = on_sphere(3000, random);
+  Points points = points_on_sphere(3000, random);
   for (Point3& p : points) {
     const double radius = std::cbrt(random.unit());
     p = {p.x * radius, p.y * radius, p.z * radius};

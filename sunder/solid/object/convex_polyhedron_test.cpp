@@ -4,6 +4,8 @@
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/represent/search_graph.h>
 
+#include <tests/support/shapes.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -141,7 +143,7 @@ TEST(ConvexPolyhedronTest, CopiesShareOneBlock) {
 TEST(ConvexPolyhedronTest, IsReproducible) {
   Random random(5);
   std::vector<Point3> points;
-  for (int i = 0; i < 500; ++i) points.push_back({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+  for (int i = 0; i < 500; ++i) points.push_back(tests::in_cube(random));
   const ConvexPolyhedron a(points), b(points);
   EXPECT_TRUE(std::ranges::equal(a.source(), b.source()));
   EXPECT_TRUE(std::ranges::equal(a.search_graph().neighbours, b.search_graph().neighbours));

@@ -4,6 +4,8 @@
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/represent/search_graph.h>
 
+#include <tests/support/shapes.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,16 +21,9 @@ constexpr double largest = std::numeric_limits<double>::max();
 constexpr double least = std::numeric_limits<double>::denorm_min();
 
 // On a sphere, rounded to multiples of 2^-20: in convex position up to a few.
-std::vector<Point3> sphere(Random& random, int n) {
-  std::vector<Point3> points;
-  while (static_cast<int>(points.size()) < n) {
-    const Point3 p{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-    const double r2 = p.x * p.x + p.y * p.y + p.z * p.z;
-    if (r2 < 0.01 || r2 > 1) continue;
-    const double s = 1 / std::sqrt(r2);
-    const auto coordinate = [&](double x) { return std::round(x * s * 0x1p20) * 0x1p-20; };
-    points.push_back({coordinate(p.x), coordinate(p.y), coordinate(p.z)});
-  }
+std::vector<Point3> sphere(Random& random, std::size_t n) {
+  std::vector<Point3> points = tests::points_on_sphere(n, random);
+  for (Point3& p : points) p = {tests::snapped(p.x, 20), tests::snapped(p.y, 20), tests::snapped(p.z, 20)};
   return points;
 }
 
@@ -134,7 +129,7 @@ int count_wrong_entries(const ConvexPolyhedron& body) {
 
 TEST(SearchGraphTest, BodiesOfAllSizes) {
   Random random(29);
-  for (const int n : {4, 5, 7, 8, 31, 32, 33, 34, 60, 200, 1000}) {
+  for (const std::size_t n : {4u, 5u, 7u, 8u, 31u, 32u, 33u, 34u, 60u, 200u, 1000u}) {
     const ConvexPolyhedron body(sphere(random, n));
     ASSERT_NO_FATAL_FAILURE(expect_layout(body)) << n;
     // In doubles of such coordinates next to no ties are lost.

@@ -3,6 +3,8 @@
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/represent/search_graph_walk.h>
 
+#include <tests/support/shapes.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,26 +15,12 @@
 namespace sunder::solid {
 namespace {
 
+using tests::on_sphere, tests::points_on_sphere;
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr double least = std::numeric_limits<double>::denorm_min();
-
-Point3 on_sphere(Random& random) {
-  while (true) {
-    const Point3 p{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-    const double r2 = p.x * p.x + p.y * p.y + p.z * p.z;
-    if (r2 < 0.01 || r2 > 1) continue;
-    const double s = 1 / std::sqrt(r2);
-    return {p.x * s, p.y * s, p.z * s};
-  }
-}
-
-std::vector<Point3> sphere(Random& random, std::uint32_t n) {
-  std::vector<Point3> points;
-  for (std::uint32_t i = 0; i < n; ++i) points.push_back(on_sphere(random));
-  return points;
-}
 
 double value(const Point3& d, const Point3& p) { return d.x * p.x + d.y * p.y + d.z * p.z; }
 
@@ -63,7 +51,7 @@ TEST(SearchGraphWalkTest, FurthestAgainstReadingAll) {
   int asked = 0, exactly = 0;
   for (int i = 0; i < 60; ++i) {
     const std::uint32_t n = i < 50 ? static_cast<std::uint32_t>(4 + 2 * i) : static_cast<std::uint32_t>(300 * (i - 49));
-    std::vector<Point3> points = sphere(random, n);
+    std::vector<Point3> points = points_on_sphere(n, random);
     if (i % 3 == 1) {
       for (Point3& p : points) p = {p.x, p.y * 1e-3, p.z * 1e-6};
     }
@@ -106,7 +94,7 @@ TEST(SearchGraphWalkTest, OfEqualsTheFirst) {
 
 TEST(SearchGraphWalkTest, AWalkEndsWhereNoNeighbourIsBetter) {
   Random random(47);
-  const ConvexPolyhedron body(sphere(random, 700));
+  const ConvexPolyhedron body(points_on_sphere(700, random));
   const SearchGraph& graph = body.search_graph();
   for (int i = 0; i < 300; ++i) {
     const Point3 d = on_sphere(random);
@@ -128,7 +116,7 @@ TEST(SearchGraphWalkTest, AWalkEndsWhereNoNeighbourIsBetter) {
 // cell is wide.
 TEST(SearchGraphWalkTest, TheTableIsReadAtTheDirectionsOwnCell) {
   Random random(53);
-  const ConvexPolyhedron body(sphere(random, 2000));
+  const ConvexPolyhedron body(points_on_sphere(2000, random));
   const SearchGraph& graph = body.search_graph();
   for (std::uint32_t row = 0; row < graph.side; ++row) {
     for (std::uint32_t column = 0; column < graph.side; ++column) {
@@ -147,7 +135,7 @@ TEST(SearchGraphWalkTest, TheTableIsReadAtTheDirectionsOwnCell) {
 TEST(SearchGraphWalkTest, AnyDirectionWillDo) {
   Random random(59);
   for (const std::uint32_t n : {4u, 30u, 100u, 1000u}) {
-    const ConvexPolyhedron body(sphere(random, n));
+    const ConvexPolyhedron body(points_on_sphere(n, random));
     const SearchGraph& graph = body.search_graph();
     const std::vector<double> odd{0.0,  -0.0,    least,    -least,   1e-310,    1.0,
                                   -1.0, largest, -largest, infinity, -infinity, not_a_number};
@@ -165,7 +153,7 @@ TEST(SearchGraphWalkTest, AnyDirectionWillDo) {
 
 TEST(SearchGraphWalkTest, HugeAndTinyBodies) {
   Random random(61);
-  const std::vector<Point3> ball = sphere(random, 200);
+  const std::vector<Point3> ball = points_on_sphere(200, random);
   for (const double size : {least, 1e-310, 1e-300, 1e300, largest}) {
     std::vector<Point3> points;
     for (const Point3& p : ball) points.push_back({p.x * size, p.y * size, p.z * size});
@@ -187,7 +175,7 @@ TEST(SearchGraphWalkTest, HugeAndTinyBodies) {
 TEST(SearchGraphWalkTest, ProbesDoNotGrow) {
   Random random(67);
   for (std::uint32_t n = 32; n <= 1u << 14; n *= 2) {
-    const ConvexPolyhedron body(sphere(random, n));
+    const ConvexPolyhedron body(points_on_sphere(n, random));
     ASSERT_EQ(body.vertices().size(), n);
     double total = 0;
     std::uint64_t most = 0;

@@ -9,6 +9,7 @@
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 
 #include <tests/support/scale.h>
+#include <tests/support/shapes.h>
 #include <tests/support/solid_pairs.h>
 
 #include <gtest/gtest.h>
@@ -21,6 +22,8 @@
 
 namespace sunder::solid {
 namespace {
+
+using tests::shift;
 
 CheckResult check(const PairCertificate& c, const Placed& a, const Placed& b) {
   return check_absolutely(c, {a.graph.vertices, a.pose, false}, {b.graph.vertices, b.pose, false});
@@ -67,14 +70,6 @@ DifferenceSimplexOf<DoubleDouble> finer(const Placed& a, const Placed& b, const 
 }
 
 double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-std::vector<Point3> cube_points() {
-  std::vector<Point3> points;
-  for (int i = 0; i < 8; ++i) points.push_back({i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0});
-  return points;
-}
-
-Pose shifted(double x, double y, double z) { return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {x, y, z}); }
 
 std::uint32_t vertex_at(const ConvexPolyhedron& body, const Point3& p) {
   const auto v = body.vertices();
@@ -129,7 +124,7 @@ TEST_F(PolyhedronPolyhedronAnswerTest, CheckApartIsThePlainTruthFromAnyStart) {
   int accepted = 0, refused = 0, ties = 0;
   for (int i = 0; i < 5000; ++i) {
     const ConvexPolyhedron body_a = some_body(), body_b = some_body();
-    const Pose here, there = shifted(static_cast<double>(random_.between(0, 5)), 1, 0);
+    const Pose here, there = shift(static_cast<double>(random_.between(0, 5)), 1, 0);
     const Placed a(body_a, here), b(body_b, there);
     const auto coordinate = [&] { return static_cast<double>(random_.between(-2, 2)); };
     const Point3 d{coordinate() + 2, coordinate(), coordinate()};
@@ -161,7 +156,7 @@ TEST_F(PolyhedronPolyhedronAnswerTest, WhatIsAcceptedHolds) {
   for (int i = 0; i < 30000; ++i) {
     const ConvexPolyhedron body_a = some_body(), body_b = some_body();
     const Pose here = random_.below(2) ? Pose() : Pose::from_matrix({1, 0.5, 0, 0, 1, 0.25, 0.1, 0, -1}, {0.1, 0, 0});
-    const Pose there = shifted(static_cast<double>(random_.between(0, 5)), 0, 0);
+    const Pose there = shift(static_cast<double>(random_.between(0, 5)), 0, 0);
     const Placed a(body_a, here), b(body_b, there);
     std::vector<std::array<std::uint32_t, 2>> pairs;
     for (std::int64_t n = random_.between(1, 4); n > 0; --n) pairs.push_back({some_vertex(a), some_vertex(b)});
@@ -213,7 +208,7 @@ TEST_F(PolyhedronPolyhedronAnswerTest, WhatIsAcceptedHolds) {
 TEST_F(PolyhedronPolyhedronAnswerTest, FeaturesPartWhatDoublesCannot) {
   // Irregular numbers: the features' exact directions are no triples of doubles.
   const Pose pose = Pose::from_matrix({0.1, 0.7, -0.3, 0.4, 0.2, 0.9, -0.8, 0.3, 0.35}, {0.1, 0.2, 0.3});
-  const ConvexPolyhedron cube(cube_points());
+  const ConvexPolyhedron cube(tests::cube_corners(-1, 1));
   const Placed a(cube, pose);
   const auto apart = [&](const ConvexPolyhedron& other, const std::vector<std::array<Point3, 2>>& pairs,
                          const Point3& outward, PairCertificate& c) {
@@ -263,7 +258,7 @@ TEST_F(PolyhedronPolyhedronAnswerTest, FeaturesPartWhatDoublesCannot) {
 // The nearest parts of a vertex and an edge's inside, or of a vertex and a vertex, one unit in the last place apart.
 TEST_F(PolyhedronPolyhedronAnswerTest, ThePerpendicularPartsWhatDoublesCannot) {
   const Pose pose = Pose::from_matrix({0.1, 0.7, -0.3, 0.4, 0.2, 0.9, -0.8, 0.3, 0.35}, {0.1, 0.2, 0.3});
-  const ConvexPolyhedron cube(cube_points());
+  const ConvexPolyhedron cube(tests::cube_corners(-1, 1));
   const Placed a(cube, pose);
   for (const double gap : {0x1p-52, 0.0, -0x1p-52}) {
     // Beyond the edge x = y = 1, and beyond the corner.
@@ -341,8 +336,8 @@ TEST_F(PolyhedronPolyhedronAnswerTest, TetrahedraAroundTheOriginAreAccepted) {
 
 // Touching: the nearest face is a corner, an edge or a triangle that holds the origin, some weights are zero.
 TEST_F(PolyhedronPolyhedronAnswerTest, TouchingPairsAreAccepted) {
-  const ConvexPolyhedron cube(cube_points());
-  const Pose here, there = shifted(2, 0.5, -0.25);
+  const ConvexPolyhedron cube(tests::cube_corners(-1, 1));
+  const Pose here, there = shift(2, 0.5, -0.25);
   const Placed a(cube, here), b(cube, there);
   const auto v = [&](double x, double y, double z) { return vertex_at(cube, {x, y, z}); };
   PairCertificate c;
@@ -352,19 +347,19 @@ TEST_F(PolyhedronPolyhedronAnswerTest, TouchingPairsAreAccepted) {
   ASSERT_TRUE(check_meet(a, b, s, c, tally_));
   EXPECT_EQ(check(c, a, b), CheckResult::accepted);
 
-  const Pose corner = shifted(2, 2, 2);
+  const Pose corner = shift(2, 2, 2);
   const Placed at_corner(cube, corner);
   ASSERT_TRUE(check_meet(a, at_corner, simplex_of(a, at_corner, {{v(1, 1, 1), v(-1, -1, -1)}}), c, tally_));
   EXPECT_EQ(c.count_a + c.count_b, 2);
   EXPECT_EQ(check(c, a, at_corner), CheckResult::accepted);
 
-  const Pose off = shifted(2, 2, std::nextafter(2.0, 3.0));
+  const Pose off = shift(2, 2, std::nextafter(2.0, 3.0));
   const Placed off_corner(cube, off);
   EXPECT_FALSE(check_meet(a, off_corner, simplex_of(a, off_corner, {{v(1, 1, 1), v(-1, -1, -1)}}), c, tally_));
 }
 
 TEST_F(PolyhedronPolyhedronAnswerTest, AnEmptySimplexProposesNothing) {
-  const ConvexPolyhedron cube(cube_points());
+  const ConvexPolyhedron cube(tests::cube_corners(-1, 1));
   const Pose pose;
   const Placed a(cube, pose);
   PairCertificate c;
@@ -375,8 +370,8 @@ TEST_F(PolyhedronPolyhedronAnswerTest, AnEmptySimplexProposesNothing) {
 // Proposals about two cubes with a gap between them, right and wrong in each way.
 TEST_F(PolyhedronPolyhedronAnswerTest, WrongProposalsDoNotHold) {
   using Claim = Proposal::Claim;
-  const ConvexPolyhedron cube(cube_points());
-  const Pose here, there = shifted(3, 0, 0), close = shifted(1.5, 0, 0);
+  const ConvexPolyhedron cube(tests::cube_corners(-1, 1));
+  const Pose here, there = shift(3, 0, 0), close = shift(1.5, 0, 0);
   const Placed a(cube, here), b(cube, there), c(cube, close);
   const auto v = [&](double x, double y, double z) { return vertex_at(cube, {x, y, z}); };
   PairCertificate certificate;
@@ -530,7 +525,7 @@ TEST_F(PolyhedronPolyhedronAnswerTest, WalksOfChecksAreCounted) {
     points.push_back({x, y, 1});
   }
   const ConvexPolyhedron prism(points);
-  const Pose here, there = shifted(0, 0, 3);
+  const Pose here, there = shift(0, 0, 3);
   const Placed a(prism, here), b(prism, there);
   PairCertificate c;
   Cost cost;

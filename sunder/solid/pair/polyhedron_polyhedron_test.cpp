@@ -4,6 +4,7 @@
 #include <sunder/certificate/check.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <tests/support/scale.h>
+#include <tests/support/shapes.h>
 #include <tests/support/solid_pairs.h>
 
 #include <gtest/gtest.h>
@@ -71,12 +72,6 @@ struct Touch {
   Point3 outward;
 };
 
-Points cube() {
-  Points points;
-  for (int i = 0; i < 8; ++i) points.push_back({i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0});
-  return points;
-}
-
 Points moved(Points points, const Point3& by) {
   for (Point3& p : points) p = {p.x + by.x, p.y + by.y, p.z + by.z};
   return points;
@@ -84,27 +79,30 @@ Points moved(Points points, const Point3& by) {
 
 std::vector<Touch> touches() {
   return {
-      {"vertex, vertex", cube(), moved(cube(), {2, 2, 2}), {1, 1, 1}},
-      {"vertex, edge", cube(), {{1, 1, 0.25}, {3, 2, 1}, {2, 3, 0}, {3, 3, -1}}, {1, 1, 0}},
-      {"vertex, facet", cube(), {{1, 0.25, -0.5}, {2, 0, 0}, {3, 1, 0}, {2, 0, 1}}, {1, 0, 0}},
-      {"edge, edge crossing", cube(), {{2, 0, 0.25}, {0, 2, 0.25}, {3, 3, 1}, {3, 3, -1}}, {1, 1, 0}},
-      {"edge, edge along", cube(), {{1, 1, 0}, {1, 1, 5}, {3, 2, 1}, {2, 3, 1}}, {1, 1, 0}},
-      {"edge, edge the same", cube(), {{1, 1, -1}, {1, 1, 1}, {3, 2, 1}, {2, 3, 1}}, {1, 1, 0}},
-      {"edge, facet", cube(), {{1, 0.25, -0.5}, {1, 4, 0.5}, {2, 0, 0}, {3, 1, 1}}, {1, 0, 0}},
-      {"edge, facet across", cube(), {{1, -4, -0.5}, {1, 4, 0.5}, {2, 0, 0}, {3, 1, 1}}, {1, 0, 0}},
-      {"facet, facet", cube(), moved(cube(), {2, 0.5, 0.25}), {1, 0, 0}},
-      {"facet, facet the same", cube(), moved(cube(), {2, 0, 0}), {1, 0, 0}},
-      {"facet, facet inside", cube(), {{1, 0, 0}, {1, 0.5, 0}, {1, 0, 0.5}, {2, 0, 0}}, {1, 0, 0}},
-      {"point, facet", cube(), {{1, 0.25, -0.5}}, {1, 0, 0}},
-      {"point, edge", cube(), {{1, 1, -0.5}}, {1, 1, 0}},
-      {"point, vertex", cube(), {{1, 1, -1}}, {1, 1, -1}},
-      {"segment, facet", cube(), {{1, 0.25, -0.5}, {3, 0, 0}}, {1, 0, 0}},
-      {"segment in facet", cube(), {{1, 0.25, -0.5}, {1, -0.5, 0}}, {1, 0, 0}},
-      {"segment on edge", cube(), {{1, 1, -3}, {1, 1, 0}}, {1, 1, 0}},
-      {"segment, edge crossing", cube(), {{0, 2, 0}, {2, 0, 0}}, {1, 1, 0}},
-      {"polygon on facet", cube(), {{1, 0, 0}, {1, 5, 0}, {1, 0, 5}}, {1, 0, 0}},
-      {"polygon, edge", cube(), {{0, 2, 0}, {2, 0, 0}, {0, 2, 5}, {2, 0, 5}}, {1, 1, 0}},
-      {"polygon, vertex", cube(), {{3, 0, 0}, {0, 3, 0}, {0, 0, 3}}, {1, 1, 1}},
+      {"vertex, vertex", tests::cube_corners(-1, 1), moved(tests::cube_corners(-1, 1), {2, 2, 2}), {1, 1, 1}},
+      {"vertex, edge", tests::cube_corners(-1, 1), {{1, 1, 0.25}, {3, 2, 1}, {2, 3, 0}, {3, 3, -1}}, {1, 1, 0}},
+      {"vertex, facet", tests::cube_corners(-1, 1), {{1, 0.25, -0.5}, {2, 0, 0}, {3, 1, 0}, {2, 0, 1}}, {1, 0, 0}},
+      {"edge, edge crossing",
+       tests::cube_corners(-1, 1),
+       {{2, 0, 0.25}, {0, 2, 0.25}, {3, 3, 1}, {3, 3, -1}},
+       {1, 1, 0}},
+      {"edge, edge along", tests::cube_corners(-1, 1), {{1, 1, 0}, {1, 1, 5}, {3, 2, 1}, {2, 3, 1}}, {1, 1, 0}},
+      {"edge, edge the same", tests::cube_corners(-1, 1), {{1, 1, -1}, {1, 1, 1}, {3, 2, 1}, {2, 3, 1}}, {1, 1, 0}},
+      {"edge, facet", tests::cube_corners(-1, 1), {{1, 0.25, -0.5}, {1, 4, 0.5}, {2, 0, 0}, {3, 1, 1}}, {1, 0, 0}},
+      {"edge, facet across", tests::cube_corners(-1, 1), {{1, -4, -0.5}, {1, 4, 0.5}, {2, 0, 0}, {3, 1, 1}}, {1, 0, 0}},
+      {"facet, facet", tests::cube_corners(-1, 1), moved(tests::cube_corners(-1, 1), {2, 0.5, 0.25}), {1, 0, 0}},
+      {"facet, facet the same", tests::cube_corners(-1, 1), moved(tests::cube_corners(-1, 1), {2, 0, 0}), {1, 0, 0}},
+      {"facet, facet inside", tests::cube_corners(-1, 1), {{1, 0, 0}, {1, 0.5, 0}, {1, 0, 0.5}, {2, 0, 0}}, {1, 0, 0}},
+      {"point, facet", tests::cube_corners(-1, 1), {{1, 0.25, -0.5}}, {1, 0, 0}},
+      {"point, edge", tests::cube_corners(-1, 1), {{1, 1, -0.5}}, {1, 1, 0}},
+      {"point, vertex", tests::cube_corners(-1, 1), {{1, 1, -1}}, {1, 1, -1}},
+      {"segment, facet", tests::cube_corners(-1, 1), {{1, 0.25, -0.5}, {3, 0, 0}}, {1, 0, 0}},
+      {"segment in facet", tests::cube_corners(-1, 1), {{1, 0.25, -0.5}, {1, -0.5, 0}}, {1, 0, 0}},
+      {"segment on edge", tests::cube_corners(-1, 1), {{1, 1, -3}, {1, 1, 0}}, {1, 1, 0}},
+      {"segment, edge crossing", tests::cube_corners(-1, 1), {{0, 2, 0}, {2, 0, 0}}, {1, 1, 0}},
+      {"polygon on facet", tests::cube_corners(-1, 1), {{1, 0, 0}, {1, 5, 0}, {1, 0, 5}}, {1, 0, 0}},
+      {"polygon, edge", tests::cube_corners(-1, 1), {{0, 2, 0}, {2, 0, 0}, {0, 2, 5}, {2, 0, 5}}, {1, 1, 0}},
+      {"polygon, vertex", tests::cube_corners(-1, 1), {{3, 0, 0}, {0, 3, 0}, {0, 0, 3}}, {1, 1, 1}},
       {"segment, segment crossing", {{-1, 0, 0}, {1, 0, 0}}, {{0, -1, 0}, {0, 1, 0}}, {0, 0, 0}},
       {"segment, segment end to end", {{-1, 0, 0}, {1, 0, 0}}, {{1, 0, 0}, {2, 0, 0}}, {1, 0, 0}},
       {"triangle, triangle corner in", {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{1, 1, 0}, {1, 1, 3}, {2, 1, 3}}, {0, 0, 1}},
@@ -174,7 +172,8 @@ TEST(PolyhedronPolyhedronTest, P1_TheEndsOfTheRangeOfDoubles) {
   expect_contact(tiny, smaller, dot, smaller, Contact::touching, "tiny squares");
   expect_contact(tiny, smaller, dot, Pose(), Contact::none, "tiny squares, and the least double");
   // A body of 1e300 and one of 1e-300 in it, on it, beside it.
-  const ConvexPolyhedron large_cube = scaled(cube(), 0x1p1000), small_cube = scaled(cube(), 0x1p-1000);
+  const ConvexPolyhedron large_cube = scaled(tests::cube_corners(-1, 1), 0x1p1000),
+                         small_cube = scaled(tests::cube_corners(-1, 1), 0x1p-1000);
   for (const double sense : {1.0, -1.0}) {
     const auto at = [&](double y) { return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {sense * 0x1p1000, y, 0}); };
     expect_contact(large_cube, Pose(), small_cube, at(0), Contact::overlapping, "small on large");
@@ -188,7 +187,7 @@ TEST(PolyhedronPolyhedronTest, P1_TheEndsOfTheRangeOfDoubles) {
 }
 
 TEST(PolyhedronPolyhedronTest, P1_ContainmentAndCrossing) {
-  const ConvexPolyhedron box(cube()), point(Points{{0, 0, 0}});
+  const ConvexPolyhedron box(tests::cube_corners(-1, 1)), point(Points{{0, 0, 0}});
   const auto small = [](double s, const Point3& at) {
     return Pose::from_matrix({s, 0, 0, 0, s, 0, 0, 0, s}, {at.x, at.y, at.z});
   };
@@ -256,7 +255,7 @@ TEST(PolyhedronPolyhedronTest, P3_CertificatesAreAccepted) {
     const auto some_body = [&] {
       Points points;
       for (std::int64_t n = random.between(1, 12); n > 0; --n) {
-        points.push_back({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+        points.push_back(tests::in_cube(random));
       }
       return ConvexPolyhedron(points);
     };
@@ -320,8 +319,8 @@ TEST(PolyhedronPolyhedronTest, P4_AnswersAreReproducible) {
   for (int i = 0; i < 100; ++i) {
     Question q;
     for (int k = 0; k < 50; ++k) {
-      q.a.push_back({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
-      q.b.push_back({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+      q.a.push_back(tests::in_cube(random));
+      q.b.push_back(tests::in_cube(random));
     }
     q.pose_b = Pose::from_quaternion(0.3, random.uniform(-1, 1), 0.2, 0.1, {random.uniform(-3, 3), 0, 0});
     questions.push_back(q);
@@ -368,8 +367,7 @@ TEST(PolyhedronPolyhedronTest, FiltersDecideInGeneral) {
   std::vector<ConvexPolyhedron> pool;
   for (int i = 0; i < 30; ++i) {
     Points points;
-    for (int k = 0; k < 10 + 10 * i; ++k)
-      points.push_back({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+    for (int k = 0; k < 10 + 10 * i; ++k) points.push_back(tests::in_cube(random));
     pool.emplace_back(points);
   }
   for (int i = 0; i < count; ++i) {
@@ -403,8 +401,7 @@ TEST(PolyhedronPolyhedronTest, FiltersDecideAtEveryScale) {
   std::vector<ConvexPolyhedron> pool;
   for (int i = 0; i < 10; ++i) {
     Points points;
-    for (int k = 0; k < 30; ++k)
-      points.push_back({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+    for (int k = 0; k < 30; ++k) points.push_back(tests::in_cube(random));
     pool.emplace_back(points);
   }
   for (int e = -900; e <= 900; e += 15) {
@@ -457,7 +454,7 @@ TEST(PolyhedronPolyhedronTest, TheNoiseOfIrregularNumbers) {
   const int count = tests::scaled_count(4000);
   int meets = 0, finished = 0;
   for (int i = 0; i < count; ++i) {
-    const auto point = [&] { return Point3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}; };
+    const auto point = [&] { return tests::in_cube(random); };
     const std::array<Point3, 4> p{point(), point(), point(), point()};
     double s = random.unit(), t = random.unit();
     if (s + t > 1) s = 1 - s, t = 1 - t;
@@ -495,9 +492,9 @@ TEST(PolyhedronPolyhedronTest, NamesAreDifferent) {
 }
 
 TEST(PolyhedronPolyhedronTest, TheShortNameAnswersTheSame) {
-  const ConvexPolyhedron box(cube());
+  const ConvexPolyhedron box(tests::cube_corners(-1, 1));
   EXPECT_TRUE(intersect(box, box).meet());
-  EXPECT_FALSE(intersect(box, ConvexPolyhedron(moved(cube(), {3, 0, 0}))).meet());
+  EXPECT_FALSE(intersect(box, ConvexPolyhedron(moved(tests::cube_corners(-1, 1), {3, 0, 0}))).meet());
 }
 
 }  // namespace

@@ -1,0 +1,55 @@
+#include <bench/peers/sunder_bodies.h>
+#include <bench/peers/sunder_pairs.h>
+
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
+
+#include <memory>
+#include <vector>
+
+namespace bench {
+namespace {
+
+using sunder::solid::ConvexPolyhedron;
+using sunder::solid::Pose;
+
+struct Pair {
+  const ConvexPolyhedron* a;
+  const ConvexPolyhedron* b;
+  Pose pose_a, pose_b;
+};
+
+struct Bodies {
+  explicit Bodies(const Scenario& scenario) {
+    bodies.reserve(scenario.pool.size());  // pairs point into it
+    for (const Body& body : scenario.pool) {
+      std::vector<sunder::Point3> points;
+      for (const Vec& p : body.points) points.push_back({p[0], p[1], p[2]});
+      bodies.emplace_back(points);
+    }
+    for (const Query& query : scenario.queries) {
+      pairs.push_back({&bodies[query.a], &bodies[query.b],
+                       Pose::from_matrix(query.pose_a.linear, query.pose_a.translation),
+                       Pose::from_matrix(query.pose_b.linear, query.pose_b.translation)});
+    }
+  }
+  sunder::PairAnswer answer(std::size_t k) const {
+    const Pair& q = pairs[k];
+    return sunder::intersect(*q.a, q.pose_a, *q.b, q.pose_b);
+  }
+
+  std::vector<ConvexPolyhedron> bodies;
+  std::vector<Pair> pairs;
+};
+
+}  // namespace
+
+Ready prepare_sunder(const Scenario& scenario) {
+  const auto given = std::make_shared<const Bodies>(scenario);
+  return {run_pairs([given](std::size_t k) { return given->answer(k); }), [given] {
+            Tally sum;
+            for (std::size_t k = 0; k < given->pairs.size(); ++k) sum += tally_of(given->answer(k), false);
+            return sum;
+          }};
+}  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): a std::function frees what it holds
+
+}  // namespace bench
