@@ -10,9 +10,9 @@
 #include <sunder/io/text.h>
 #include <sunder/io/triples.h>
 #include <sunder/planar/region/half_plane_intersection.h>
-#include <sunder/planar/region/half_plane_intersection_json.h>
 #include <sunder/planar/region/linear_program.h>
 #include <sunder/planar/region/linear_program_json.h>
+#include <sunder/planar/region/regions_json.h>
 
 #include <fmt/format.h>
 #include <CLI/App.hpp>

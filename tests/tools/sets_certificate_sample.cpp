@@ -1,11 +1,10 @@
 // Writes a sample of certificate files about circles, half-planes, linear programs and polygons, for checkers other
 // than the library's: sets_certificate_sample FOLDER COUNT [SEED]. COUNT files in all, the questions in turn.
 #include <sunder/base/random.h>
-#include <sunder/planar/region/convex_polygon_intersection_json.h>
 #include <sunder/planar/region/disc_intersection_json.h>
 #include <sunder/planar/region/half_plane_intersection.h>
-#include <sunder/planar/region/half_plane_intersection_json.h>
 #include <sunder/planar/region/linear_program_json.h>
+#include <sunder/planar/region/regions_json.h>
 #include <sunder/planar/set/convex_polygons_any_json.h>
 #include <sunder/planar/set/discs_any_json.h>
 #include <sunder/planar/set/polygon_simple.h>
