@@ -1,7 +1,5 @@
 #include <sunder/base/random.h>
 #include <sunder/near/contacts_in_order.h>
-#include <sunder/near/set_methods.h>
-#include <sunder/planar/set/disc_boxes.h>
 #include <sunder/planar/set/discs_all.h>
 #include <sunder/planar/set/segments_all.h>
 
@@ -160,9 +158,8 @@ TEST(ContactsInOrder, NarrowAndWideBlocks) {
     EXPECT_EQ(found, expected);
 
     const SetOptions of_circles{Allowed::touch, groups};
-    const auto found_discs = in_order<DiscsContact>([&](const DiscsVisitor& visit) {
-      visit_of_block(circles, rounded_boxes, of_circles, block, discs_all_by_grid, visit);
-    });
+    const auto found_discs = in_order<DiscsContact>(
+        [&](const DiscsVisitor& visit) { discs_visit_block(circles, of_circles, block, discs_all_by_grid, visit); });
     auto expected_discs =
         in_order<DiscsContact>([&](const DiscsVisitor& visit) { discs_all_by_grid(circles, of_circles, visit); });
     EXPECT_GT(expected_discs.size(), 100u);

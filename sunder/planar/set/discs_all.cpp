@@ -9,6 +9,11 @@ Cost discs_visit(const Discs& circles, const SetOptions& options, const DiscsVis
   return discs_all_by_grid(circles, options, visit);
 }
 
+Cost discs_visit_block(const Discs& circles, const SetOptions& options, const Block& block, DiscsMethod* by,
+                       const DiscsVisitor& visit) {
+  return visit_of_block(circles, rounded_boxes, options, block, by, visit);
+}
+
 DiscsAllAnswer discs_all(const Discs& circles, const SetOptions& options) {
   return all_of<DiscsContact>([&](const DiscsVisitor& visit) { return discs_visit(circles, options, visit); });
 }

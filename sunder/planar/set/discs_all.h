@@ -13,10 +13,13 @@
 
 #include <sunder/base/cost.h>
 #include <sunder/base/error.h>
+#include <sunder/near/contacts_in_order.h>
 #include <sunder/planar/object/discs.h>
 #include <sunder/planar/set/discs_any.h>
 
+#include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace sunder::planar {
 
@@ -32,6 +35,10 @@ using DiscsVisitor = std::function<bool(const DiscsContact&)>;
 using DiscsMethod = Cost(const Discs& circles, const SetOptions& options, const DiscsVisitor& visit);
 
 DiscsMethod discs_visit;  // the front door
+
+// Those whose i the block holds, as segments_visit_block.
+Cost discs_visit_block(const Discs& circles, const SetOptions& options, const Block& block, DiscsMethod* by,
+                       const DiscsVisitor& visit);
 
 // A uniform grid over the discs' boxes; where it does not pay, or many crowd in a cell, by sweep.
 DiscsMethod discs_all_by_grid;
