@@ -57,15 +57,13 @@
 
 // The plane: regions.
 #include <sunder/planar/region/convex_polygon_intersection.h>
-#include <sunder/planar/region/convex_polygon_intersection_json.h>
 #include <sunder/planar/region/disc_intersection.h>
 #include <sunder/planar/region/disc_intersection_json.h>
 #include <sunder/planar/region/half_plane_intersection.h>
-#include <sunder/planar/region/half_plane_intersection_json.h>
 #include <sunder/planar/region/kernel.h>
-#include <sunder/planar/region/kernel_json.h>
 #include <sunder/planar/region/linear_program.h>
 #include <sunder/planar/region/linear_program_json.h>
+#include <sunder/planar/region/regions_json.h>
 
 // Space: bodies, two of them, and scenes of many.
 #include <sunder/scene/scene.h>

@@ -2,11 +2,10 @@
 // accepted, and what is accepted is true, also of a set that was changed a little.
 #include <sunder/base/random.h>
 #include <sunder/planar/region/convex_polygon_intersection.h>
-#include <sunder/planar/region/convex_polygon_intersection_json.h>
 #include <sunder/planar/region/disc_intersection_json.h>
 #include <sunder/planar/region/half_plane_intersection.h>
-#include <sunder/planar/region/half_plane_intersection_json.h>
 #include <sunder/planar/region/linear_program_json.h>
+#include <sunder/planar/region/regions_json.h>
 #include <sunder/planar/set/convex_polygons_any_json.h>
 #include <sunder/planar/set/discs_any_json.h>
 #include <sunder/planar/set/polygon_simple.h>

@@ -1,3 +1,4 @@
+#include <sunder/base/names.h>
 #include <sunder/certificate/check.h>
 #include <sunder/predicate/common_point.h>
 
@@ -63,15 +64,9 @@ CheckResult check_meet(const PairCertificate& c, const PlacedVertices& a, const 
 }  // namespace
 
 std::string_view name_of(CheckResult result) {
-  switch (result) {
-    case CheckResult::accepted: return "accepted";
-    case CheckResult::bad_index: return "bad index";
-    case CheckResult::not_extreme_in_a: return "not extreme in a";
-    case CheckResult::not_extreme_in_b: return "not extreme in b";
-    case CheckResult::not_strictly_apart: return "not strictly apart";
-    case CheckResult::no_common_point: return "no common point";
-  }
-  return "";
+  return name_in<CheckResult::no_common_point>(
+      {"accepted", "bad index", "not extreme in a", "not extreme in b", "not strictly apart", "no common point"},
+      result);
 }
 
 CheckResult check_absolutely(const PairCertificate& certificate, const PlacedVertices& a, const PlacedVertices& b) {

@@ -177,17 +177,30 @@ void ClaimsWriter::end_rows() { close("]"); }
 void ClaimsWriter::begin_statement(std::string_view question) {
   go_to(4);
   open("{", true);
-  text("question", std::string(question));
+  text("question", question);
 }
 
 void ClaimsWriter::begin_claims() { begin_list("claims"); }
 
 void ClaimsWriter::begin_claim(std::string_view kind) {
   open("{", true);
-  text("claim", std::string(kind));
+  text("claim", kind);
 }
 
 void ClaimsWriter::end_claim() { close("}"); }
+
+void ClaimsWriter::claim(std::string_view kind) {
+  begin_claim(kind);
+  end_claim();
+}
+
+void ClaimsWriter::weights_claim(std::string_view kind, std::span<const Weight> weights) {
+  begin_claim(kind);
+  begin_list("weights");
+  for (const auto& [entry, value] : weights) add_weight(entry, value);
+  end_list();
+  end_claim();
+}
 
 void ClaimsWriter::end_statement() { close("]}"); }
 
@@ -197,13 +210,22 @@ void ClaimsWriter::end() {
   flush(0);
 }
 
+std::string claims_text(const Origin& origin, const std::function<void(ClaimsWriter& file)>& write) {
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  file.add_origin(origin);
+  write(file);
+  file.end();
+  return text;
+}
+
 // ---- Members and entries.
 
 void ClaimsWriter::begin_entry() { open("{", true); }
 
 void ClaimsWriter::end_entry() { close("}"); }
 
-void ClaimsWriter::text(std::string_view name, const std::string& value) {
+void ClaimsWriter::text(std::string_view name, std::string_view value) {
   key(name);
   text_ += json_string(value);
 }

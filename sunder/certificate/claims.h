@@ -20,6 +20,11 @@ using TextSink = std::function<void(std::string_view)>;
 
 inline constexpr std::uint32_t no_entry = 0xffffffffu;  // -1 in the file
 
+struct Weight {
+  std::uint32_t entry;
+  Dyadic value;
+};
+
 // Calls follow the file: first what was left out, then tables, then statements, each with its members, then its claims.
 class ClaimsWriter {
  public:
@@ -42,6 +47,8 @@ class ClaimsWriter {
   void begin_claims();
   void begin_claim(std::string_view kind);
   void end_claim();
+  void claim(std::string_view kind);  // one without members
+  void weights_claim(std::string_view kind, std::span<const Weight> weights);
   void end_statement();
   // Ends the file.
   void end();
@@ -49,7 +56,7 @@ class ClaimsWriter {
   // Members of the object that is open: an entry of a table, a statement, a claim.
   void begin_entry();
   void end_entry();
-  void text(std::string_view key, const std::string& value);
+  void text(std::string_view key, std::string_view value);
   void index(std::string_view key, std::uint32_t value);
   void number(std::string_view key, std::uint64_t value);
   void indices(std::string_view key, std::span<const std::uint32_t> values);
@@ -85,6 +92,9 @@ class ClaimsWriter {
   bool is_first_ = true;  // of the object or list that is open
   int part_ = 0;          // 0: nothing yet, 1: inputs, 2: left out, 3: tables, 4: statements
 };
+
+// The file as one text: write(file) writes all but its end.
+std::string claims_text(const Origin& origin, const std::function<void(ClaimsWriter& file)>& write);
 
 // The text, or its beginning and "...": at most 4,000 characters, where a byte that is not UTF-8 counts as one.
 std::string cut_text(const std::string& text);

@@ -1,24 +1,14 @@
+#include <sunder/base/names.h>
 #include <sunder/certificate/pair_answer.h>
 
 namespace sunder {
 
 std::string_view name_of(DecidedBy decided_by) {
-  switch (decided_by) {
-    case DecidedBy::filter: return "filter";
-    case DecidedBy::evidence: return "evidence";
-    case DecidedBy::finishing: return "finishing";
-    case DecidedBy::scan: return "scan";
-  }
-  return "";
+  return name_in<DecidedBy::scan>({"filter", "evidence", "finishing", "scan"}, decided_by);
 }
 
 std::string_view name_of(Contact contact) {
-  switch (contact) {
-    case Contact::none: return "none";
-    case Contact::touching: return "touching";
-    case Contact::overlapping: return "overlapping";
-  }
-  return "";
+  return name_in<Contact::overlapping>({"none", "touching", "overlapping"}, contact);
 }
 
 }  // namespace sunder

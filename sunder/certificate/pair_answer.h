@@ -35,12 +35,13 @@ struct [[nodiscard]] PairAnswer {
 
   bool meet() const { return evidence.verdict == Verdict::meet; }
   const PairCertificate& certificate() const { return evidence; }
-
-  // Sets how the answer came about, from how many signs exact arithmetic decided.
-  void conclude(std::uint32_t exact_signs, bool finished) {
-    cost.exact = exact_signs;
-    decided_by = finished ? DecidedBy::finishing : exact_signs == 0 ? DecidedBy::filter : DecidedBy::evidence;
-  }
 };
+
+// Sets how the answer came about, from how many signs exact arithmetic decided.
+template <class Answer>
+void conclude(Answer& answer, std::uint32_t exact_signs, bool finished = false) {
+  answer.cost.exact = exact_signs;
+  answer.decided_by = finished ? DecidedBy::finishing : exact_signs == 0 ? DecidedBy::filter : DecidedBy::evidence;
+}
 
 }  // namespace sunder

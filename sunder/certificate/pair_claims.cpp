@@ -139,8 +139,7 @@ void PairClaims::add_all_pairs(const AllPairs& pairs) {
   for (const auto& pair : pairs.contacts) file_.add_list(pair);
   file_.end_list();
   file_.begin_claims();
-  file_.begin_claim("each_pair");
-  file_.end_claim();
+  file_.claim("each_pair");
   file_.end_statement();
 }
 
@@ -151,8 +150,7 @@ void PairClaims::add_points(const char* claim, const PointOf& from_a, const Poin
   file_.begin_claims();
   add_combination("holds", from_a.of_body);
   add_combination("holds", to_b.of_body);
-  file_.begin_claim(claim);
-  file_.end_claim();
+  file_.claim(claim);
   file_.end_statement();
 }
 

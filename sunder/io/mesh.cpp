@@ -2,10 +2,7 @@
 #include <sunder/io/file.h>
 #include <sunder/io/foreign.h>
 #include <sunder/io/mesh.h>
-#include <sunder/io/mesh_obj.h>
-#include <sunder/io/mesh_off.h>
-#include <sunder/io/mesh_ply.h>
-#include <sunder/io/mesh_stl.h>
+#include <sunder/io/mesh_formats.h>
 #include <sunder/io/text.h>
 #include <sunder/io/text_reader.h>
 
@@ -21,10 +18,7 @@ namespace {
 constexpr std::string_view remedy = "export the mesh as OBJ, STL, PLY or OFF";
 
 std::optional<MeshFormat> format_of_ending(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  for (char& c : ending) {
-    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
+  const std::string ending = ending_of(path.string());
   if (ending == ".obj") return MeshFormat::obj;
   if (ending == ".stl") return MeshFormat::stl;
   if (ending == ".ply") return MeshFormat::ply;

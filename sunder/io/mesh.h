@@ -1,5 +1,5 @@
-// Meshes and point sets out of files: OBJ, STL, PLY, OFF. See mesh_obj.h and its neighbours for what each format
-// allows, mesh_write.h for the way back, urdf.h for robots.
+// Meshes and point sets out of files: OBJ, STL, PLY, OFF. See mesh_formats.h for what each format allows, mesh_write.h
+// for the way back, urdf.h for robots.
 #pragma once
 
 #include <sunder/base/error.h>

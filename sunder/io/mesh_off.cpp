@@ -1,5 +1,5 @@
 #include <sunder/io/mesh_builder.h>
-#include <sunder/io/mesh_off.h>
+#include <sunder/io/mesh_formats.h>
 #include <sunder/io/text.h>
 #include <sunder/io/text_reader.h>
 

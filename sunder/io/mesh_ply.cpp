@@ -1,13 +1,12 @@
 #include <sunder/io/bytes.h>
 #include <sunder/io/mesh_builder.h>
-#include <sunder/io/mesh_ply.h>
+#include <sunder/io/mesh_formats.h>
 #include <sunder/io/text.h>
 #include <sunder/io/text_reader.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 

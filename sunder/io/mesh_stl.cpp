@@ -1,13 +1,12 @@
 #include <sunder/io/bytes.h>
 #include <sunder/io/mesh_builder.h>
-#include <sunder/io/mesh_stl.h>
+#include <sunder/io/mesh_formats.h>
 #include <sunder/io/text.h>
 #include <sunder/io/text_reader.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace sunder::io {

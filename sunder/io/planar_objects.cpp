@@ -1,3 +1,4 @@
+#include <sunder/base/names.h>
 #include <sunder/io/csv.h>
 #include <sunder/io/file.h>
 #include <sunder/io/foreign.h>
@@ -8,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <utility>
 
@@ -237,15 +237,7 @@ void parse_bounded(std::string_view text, std::string_view place, bool drop_z, P
 }  // namespace
 
 std::string_view name_of(PlanarObject::Kind kind) {
-  switch (kind) {
-    case Kind::point: return "point";
-    case Kind::segment: return "segment";
-    case Kind::polygon: return "polygon";
-    case Kind::line: return "line";
-    case Kind::ray: return "ray";
-    case Kind::half_plane: return "half-plane";
-  }
-  return "";
+  return name_in<Kind::half_plane>({"point", "segment", "polygon", "line", "ray", "half-plane"}, kind);
 }
 
 bool is_planar(const std::filesystem::path& path) {

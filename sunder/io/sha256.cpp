@@ -1,3 +1,4 @@
+#include <sunder/io/bytes.h>
 #include <sunder/io/sha256.h>
 #include <sunder/io/sha256_internal.h>
 
@@ -32,16 +33,10 @@ constexpr std::array<std::uint32_t, 64> constants{
     0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
     0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
 
-std::uint32_t word_at(const char* bytes) {
-  std::uint32_t word = 0;
-  for (int k = 0; k < 4; ++k) word = word << 8 | static_cast<unsigned char>(bytes[k]);
-  return word;
-}
-
 // Section 6.2.2.
 void take_block(const char* bytes, Words& hash) {
   std::array<std::uint32_t, 64> w;
-  for (std::size_t t = 0; t < 16; ++t) w[t] = word_at(bytes + 4 * t);
+  for (std::size_t t = 0; t < 16; ++t) w[t] = load<std::uint32_t>(bytes + 4 * t, ByteOrder::big_endian);
   for (std::size_t t = 16; t < 64; ++t) {
     const std::uint32_t s0 = std::rotr(w[t - 15], 7) ^ std::rotr(w[t - 15], 18) ^ (w[t - 15] >> 3);
     const std::uint32_t s1 = std::rotr(w[t - 2], 17) ^ std::rotr(w[t - 2], 19) ^ (w[t - 2] >> 10);

@@ -11,7 +11,6 @@
 #include <sunder/predicate/point.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <unordered_map>
-#include <utility>
 
 namespace sunder {
 

@@ -13,6 +13,7 @@
 #include <sunder/near/cover_order.h>
 #include <sunder/near/set_methods.h>
 #include <sunder/near/set_question.h>
+#include <sunder/near/set_statement.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -33,13 +34,7 @@ struct CoverQuestion {
 
 template <class Set>
 void begin_cover_statement(ClaimsWriter& file, const CoverQuestion<Set>& question, std::string_view verdict) {
-  file.begin_table(table_name(question.members));
-  for (std::uint32_t i = 0; i < question.members.size(); ++i) write_row(file, question.members[i]);
-  file.end_table();
-  file.begin_statement(table_name(question.members));
-  file.text("allowed", std::string(name_of(question.allowed)));
-  if (!question.groups.empty()) file.indices("groups", question.groups);
-  file.text("verdict", std::string(verdict));
+  begin_set_statement(file, table_name(question.members), question.members, question.allowed, question.groups, verdict);
 }
 
 template <class Set>
@@ -60,24 +55,14 @@ void write_statement(ClaimsWriter& file, const CoverQuestion<Set>& question, con
     return;
   }
   begin_cover_statement(file, question, "some");
-  const auto [i, j, kind] = *answer.found;
-  file.index("i", i);
-  file.index("j", j);
-  file.text("kind", std::string(name_of(kind)));
-  write_point(file, question.members[i], question.members[j]);
-  file.begin_claims();
-  file.begin_claim("contact");
-  file.end_claim();
-  file.end_statement();
+  end_some_statement(file, question.members, *answer.found);
 }
 
 // Exactly these meet. visit(take) calls take(contact) for each, by i, then j.
 template <class Set, class Visit>
 void write_list_statement(ClaimsWriter& file, const CoverQuestion<Set>& question, const Visit& visit) {
   begin_cover_statement(file, question, "these");
-  file.begin_list("contacts");
-  visit([&](const ContactIn<Set>& contact) { file.add_contact(contact.i, contact.j, name_of(contact.kind)); });
-  file.end_list();
+  write_contacts<ContactIn<Set>>(file, visit);
   end_cover_statement(file, question);
 }
 
@@ -104,11 +89,7 @@ void write_statement(ClaimsWriter& file, const CoverQuestion<Set>& question, con
 // The whole file, of any of these answers.
 template <class Set, class Answer>
 std::string cover_certificate_text(const CoverQuestion<Set>& question, const Answer& answer) {
-  std::string text;
-  ClaimsWriter file([&](std::string_view piece) { text += piece; });
-  write_statement(file, question, answer);
-  file.end();
-  return text;
+  return claims_text({}, [&](ClaimsWriter& file) { write_statement(file, question, answer); });
 }
 
 }  // namespace sunder

@@ -1,3 +1,4 @@
+#include <sunder/base/names.h>
 #include <sunder/near/set_question.h>
 
 #include <string>
@@ -5,12 +6,7 @@
 namespace sunder {
 
 std::string_view name_of(Allowed allowed) {
-  switch (allowed) {
-    case Allowed::nothing: return "nothing";
-    case Allowed::shared_endpoint: return "shared-endpoint";
-    case Allowed::touch: return "touch";
-  }
-  return "";
+  return name_in<Allowed::touch>({"nothing", "shared-endpoint", "touch"}, allowed);
 }
 
 void check_groups(Groups groups, std::size_t members) {

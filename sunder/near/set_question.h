@@ -48,6 +48,12 @@ struct SetOptions {
   bool transcript = false;                         // of segments: the answer comes with what proves it
 };
 
+// To be called at step k of so many; tells of the progress once in `every` steps, a power of two.
+template <std::size_t every = 65536>
+void tell_progress(const SetOptions& options, std::size_t k, std::size_t done, std::size_t all) {
+  if (options.progress && k % every == 0) options.progress(static_cast<double>(done) / static_cast<double>(all));
+}
+
 // Two members, and how they meet.
 template <class Kind>
 struct ContactOfTwo {

@@ -25,10 +25,7 @@ WorldDirection difference_direction(const Posed3& a, const Posed3& b) {
 Sign Along::compare_further(const Point3& from, const Point3& to, StageTally* tally) {
   if (!interval_) interval_ = pulled<IntervalStage>(direction_.enclosure());
   const Guess guess = sign(dot(*interval_, lift<IntervalStage>(to) - lift<IntervalStage>(from)));
-  if (is_sure(guess)) {
-    if (tally) ++tally->interval;
-    return to_sign(guess);
-  }
+  if (is_sure(guess)) return counted(&StageTally::interval, tally, to_sign(guess));
   if (tally) ++tally->exact;
   if (!exact_) exact_ = pulled<ExactStage>(direction_.exact());
   return dot(*exact_, lift<ExactStage>(to) - lift<ExactStage>(from)).sign();
@@ -36,12 +33,8 @@ Sign Along::compare_further(const Point3& from, const Point3& to, StageTally* ta
 
 Sign compare_along_further(const WorldDirection& direction, const Posed3& a, const Posed3& b, StageTally* tally) {
   const Guess guess = sign(dot(direction.enclosure(), lift<IntervalStage>(b) - lift<IntervalStage>(a)));
-  if (is_sure(guess)) {
-    if (tally) ++tally->interval;
-    return to_sign(guess);
-  }
-  if (tally) ++tally->exact;
-  return dot(direction.exact(), lift<ExactStage>(b) - lift<ExactStage>(a)).sign();
+  if (is_sure(guess)) return counted(&StageTally::interval, tally, to_sign(guess));
+  return counted(&StageTally::exact, tally, dot(direction.exact(), lift<ExactStage>(b) - lift<ExactStage>(a)).sign());
 }
 
 }  // namespace sunder

@@ -79,10 +79,7 @@ class Along {
   Sign compare(const Point3& from, const Point3& to, StageTally* tally = nullptr) {
     if (fast_) {
       const Guess guess = sign(dot(rounded_, lift<RoundedStage>(to) - lift<RoundedStage>(from)));
-      if (is_sure(guess)) {
-        if (tally) ++tally->rounded;
-        return to_sign(guess);
-      }
+      if (is_sure(guess)) return counted(&StageTally::rounded, tally, to_sign(guess));
     }
     return compare_further(from, to, tally);
   }
@@ -128,16 +125,11 @@ inline Sign compare_along(const WorldDirection& direction, const Posed3& a, cons
     const double value = dot(Vector3<double>{d.x, d.y, d.z}, rounded_image(b) - rounded_image(a));
     const double error =
         Rounded<12>::bound * ((std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z)) * (4 * (a.reach + b.reach)));
-    if (value > error || value < -error) {
-      if (tally) ++tally->rounded;
-      return value > 0 ? Sign::positive : Sign::negative;
-    }
+    if (value > error || value < -error)
+      return counted(&StageTally::rounded, tally, value > 0 ? Sign::positive : Sign::negative);
     const Guess guess =
         sign(dot(lift<RoundedStage>(direction.doubles()), lift<RoundedStage>(b) - lift<RoundedStage>(a)));
-    if (is_sure(guess)) {
-      if (tally) ++tally->rounded;
-      return to_sign(guess);
-    }
+    if (is_sure(guess)) return counted(&StageTally::rounded, tally, to_sign(guess));
   }
   return compare_along_further(direction, a, b, tally);
 }

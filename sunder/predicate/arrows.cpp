@@ -41,8 +41,7 @@ Guess sign_of_exact_differences(double a1, double a0, double b1, double b0, doub
 Sign cross_2d_further(const Point2& p, const Point2& q, const Point2& r, const Point2& s, StageTally* tally) {
   const Guess guess = sign_of_exact_differences(q.x, p.x, s.y, r.y, p.y, q.y, s.x, r.x);
   if (!is_sure(guess)) return decide(tally, cross_formula, p, q, r, s);
-  if (tally) ++tally->exact;
-  return to_sign(guess);
+  return counted(&StageTally::exact, tally, to_sign(guess));
 }
 Sign cross_2d_further(const Posed2& p, const Posed2& q, const Posed2& r, const Posed2& s, StageTally* tally) {
   return decide(tally, cross_formula, p, q, r, s);
@@ -50,8 +49,7 @@ Sign cross_2d_further(const Posed2& p, const Posed2& q, const Posed2& r, const P
 Sign dot_2d_further(const Point2& p, const Point2& q, const Point2& r, const Point2& s, StageTally* tally) {
   const Guess guess = sign_of_exact_differences(q.x, p.x, s.x, r.x, q.y, p.y, s.y, r.y);
   if (!is_sure(guess)) return decide(tally, dot_formula, p, q, r, s);
-  if (tally) ++tally->exact;
-  return to_sign(guess);
+  return counted(&StageTally::exact, tally, to_sign(guess));
 }
 Sign dot_2d_further(const Posed2& p, const Posed2& q, const Posed2& r, const Posed2& s, StageTally* tally) {
   return decide(tally, dot_formula, p, q, r, s);

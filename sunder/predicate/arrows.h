@@ -53,15 +53,13 @@ Guess sign_of_exact_differences(double a1, double a0, double b1, double b0, doub
 inline Sign cross_2d(const Point2& p, const Point2& q, const Point2& r, const Point2& s, StageTally* tally) {
   const Guess guess = sign_of_products(q.x - p.x, s.y - r.y, p.y - q.y, s.x - r.x);
   if (!is_sure(guess)) return cross_2d_further(p, q, r, s, tally);
-  if (tally) ++tally->rounded;
-  return to_sign(guess);
+  return counted(&StageTally::rounded, tally, to_sign(guess));
 }
 
 inline Sign dot_2d(const Point2& p, const Point2& q, const Point2& r, const Point2& s, StageTally* tally) {
   const Guess guess = sign_of_products(q.x - p.x, s.x - r.x, q.y - p.y, s.y - r.y);
   if (!is_sure(guess)) return dot_2d_further(p, q, r, s, tally);
-  if (tally) ++tally->rounded;
-  return to_sign(guess);
+  return counted(&StageTally::rounded, tally, to_sign(guess));
 }
 
 // The same for differences of rounded images, each off by at most e = twice the images' error before its own rounding:
@@ -83,16 +81,14 @@ inline Sign cross_2d(const Posed2& p, const Posed2& q, const Posed2& r, const Po
   const Point2 a = p.rounded_image(), b = q.rounded_image(), c = r.rounded_image(), d = s.rounded_image();
   const Guess guess = sign_of_image_products(b.x - a.x, d.y - c.y, a.y - b.y, d.x - c.x, greatest_error(p, q, r, s));
   if (!is_sure(guess)) return cross_2d_further(p, q, r, s, tally);
-  if (tally) ++tally->rounded;
-  return to_sign(guess);
+  return counted(&StageTally::rounded, tally, to_sign(guess));
 }
 
 inline Sign dot_2d(const Posed2& p, const Posed2& q, const Posed2& r, const Posed2& s, StageTally* tally) {
   const Point2 a = p.rounded_image(), b = q.rounded_image(), c = r.rounded_image(), d = s.rounded_image();
   const Guess guess = sign_of_image_products(b.x - a.x, d.x - c.x, b.y - a.y, d.y - c.y, greatest_error(p, q, r, s));
   if (!is_sure(guess)) return dot_2d_further(p, q, r, s, tally);
-  if (tally) ++tally->rounded;
-  return to_sign(guess);
+  return counted(&StageTally::rounded, tally, to_sign(guess));
 }
 
 }  // namespace sunder

@@ -40,10 +40,8 @@ inline Sign chord_order(const Point2& p, const Point2& q, std::uint32_t m, const
   const double error = Rounded<6>::bound * (std::fabs(x) * (std::fabs(left_y) + std::fabs(right_y)) +
                                             std::fabs(y) * (std::fabs(left_x) + std::fabs(right_x))) +
                        0x1p-1060;
-  if (value > error || value < -error) {
-    if (tally) ++tally->rounded;
-    return value > 0 ? Sign::positive : Sign::negative;
-  }
+  if (value > error || value < -error)
+    return counted(&StageTally::rounded, tally, value > 0 ? Sign::positive : Sign::negative);
   return chord_order_further(p, q, m, r, s, n, t, u, tally);
 }
 

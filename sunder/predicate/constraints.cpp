@@ -39,11 +39,6 @@ T corner_formula(const Half& i, const Half& j, const Half& k) {
   return corner_formula<T>(lifted<T>(i, k), lifted<T>(j, k), lifted<T>(k, k));
 }
 
-Sign counted(std::uint32_t StageTally::* stage, StageTally* tally, Sign sign) {
-  if (tally) ++(tally->*stage);
-  return sign;
-}
-
 // Intervals, then exact numbers, for formulas over T = Interval, Dyadic.
 template <class Formula>
 Sign decide_further(StageTally* tally, const Formula& formula) {
@@ -183,7 +178,5 @@ ExactPoint2 exact_point_on(const Constraint& i) {
   return {a * c, b * c, a * a + b * b};
 }
 ExactPoint2 exact_point_on(const LeftOf& i) { return {i.from.x, i.from.y, 1.0}; }
-
-Point2 nearest(const ExactPoint2& p) { return {nearest_ratio(p.x, p.denominator), nearest_ratio(p.y, p.denominator)}; }
 
 }  // namespace sunder

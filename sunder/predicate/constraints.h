@@ -92,9 +92,6 @@ struct ExactConstraint {
 ExactConstraint exact_constraint(const Constraint& i);
 ExactConstraint exact_constraint(const LeftOf& i);
 
-// The nearest doubles.
-Point2 nearest(const ExactPoint2& p);
-
 // What the first stages do not decide.
 Sign offsets_further(double c, double d, double e, double f, StageTally* tally);  // of c d + e f
 Sign corner_side_further(const Constraint& i, const Constraint& j, const Constraint& k, StageTally* tally);
@@ -105,8 +102,7 @@ namespace constraints_detail {
 inline Sign sign_of_two_products(double c, double d, double e, double f, StageTally* tally) {
   const Guess guess = sign_of_products(c, d, e, f);
   if (!is_sure(guess)) return offsets_further(c, d, e, f, tally);
-  if (tally) ++tally->rounded;
-  return to_sign(guess);
+  return counted(&StageTally::rounded, tally, to_sign(guess));
 }
 
 }  // namespace constraints_detail
@@ -160,10 +156,8 @@ inline Sign corner_side(const FixedCorner<Constraint>& corner, const Constraint&
   const double a = std::fabs(k.a), b = std::fabs(k.b), c = std::fabs(k.c);
   const double size = a * corner.size_x + b * corner.size_y + c * corner.size_d;
   const double error = Rounded<5>::bound * size + 0x1p-1020 * (a + b + c + 1);
-  if (value > error || value < -error) {
-    if (tally) ++tally->rounded;
-    return value > 0 ? Sign::positive : Sign::negative;
-  }
+  if (value > error || value < -error)
+    return counted(&StageTally::rounded, tally, value > 0 ? Sign::positive : Sign::negative);
   return corner_side_further(corner.i, corner.j, k, tally);
 }
 inline Sign corner_side(const FixedCorner<LeftOf>& corner, const LeftOf& k, StageTally* tally = nullptr) {
@@ -191,10 +185,8 @@ inline Sign corner_side(const LeftOf& i, const LeftOf& j, const LeftOf& k, Stage
       a * (size_i * std::fabs(bj) + size_j * std::fabs(bi)) + b * (std::fabs(ai) * size_j + std::fabs(aj) * size_i);
   const double others = (std::fabs(ai) + std::fabs(bi)) + (std::fabs(aj) + std::fabs(bj));
   const double error = Rounded<10>::bound * size + 0x1p-1020 * ((a + b) * (others + 1) + 1);
-  if (value > error || value < -error) {
-    if (tally) ++tally->rounded;
-    return value > 0 ? Sign::positive : Sign::negative;
-  }
+  if (value > error || value < -error)
+    return counted(&StageTally::rounded, tally, value > 0 ? Sign::positive : Sign::negative);
   return corner_side_further(i, j, k, tally);
 }
 

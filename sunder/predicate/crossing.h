@@ -5,8 +5,11 @@
 #include <sunder/number/dyadic.h>
 #include <sunder/number/interval.h>
 #include <sunder/number/sign.h>
+#include <sunder/number/vector.h>
 #include <sunder/predicate/point.h>
 #include <sunder/predicate/posed.h>
+
+#include <algorithm>
 
 namespace sunder {
 
@@ -20,12 +23,22 @@ struct ExactPoint2 {
   Dyadic x, y, denominator;
 };
 ExactPoint2 exact_point(const Crossing& p);
+ExactPoint2 exact_crossing(const Vector2<Dyadic>& a, const Vector2<Dyadic>& b,  // of the lines ab and cd
+                           const Vector2<Dyadic>& c, const Vector2<Dyadic>& d);
+inline ExactPoint2 exactly(const Point2& p) { return {p.x, p.y, 1.0}; }
+
+// The nearest doubles; infinite beyond the range.
+Point2 nearest(const ExactPoint2& p);
 
 // Hold its coordinates; the whole line where floating point can tell nothing.
 struct Enclosure2 {
   Interval x, y;
 };
 Enclosure2 enclosure(const Crossing& p);
+inline Enclosure2 hull(const Enclosure2& p, const Enclosure2& q) {
+  return {{std::min(p.x.low, q.x.low), std::max(p.x.high, q.x.high)},
+          {std::min(p.y.low, q.y.low), std::max(p.y.high, q.y.high)}};
+}
 
 // Lexicographically (by x, then by y): the sign of p - q. `p_in` and `q_in` are enclosures of the points.
 // Cost: two comparisons where enclosures are apart; else exact arithmetic.

@@ -14,11 +14,6 @@ namespace sunder {
 
 namespace {
 
-Sign count(std::uint32_t* counter, Sign sign) {
-  if (counter) ++*counter;
-  return sign;
-}
-
 constexpr auto side_of_disc_formula = [](const auto& a, const auto& b, const auto& k) {
   const auto d = center_from(a, b);
   const auto e = center_from(a, k);
@@ -158,8 +153,8 @@ Bearing bearing(const DiscCrossing& p, const Viewpoint& from, StageTally* tally)
 
 Sign compare_bearings(const DiscCrossing& p, const Bearing& p_in, const DiscCrossing& q, const Bearing& q_in,
                       const Viewpoint& from, StageTally* tally) {
-  if (p_in.low > q_in.high) return count(tally ? &tally->interval : nullptr, Sign::positive);
-  if (p_in.high < q_in.low) return count(tally ? &tally->interval : nullptr, Sign::negative);
+  if (p_in.low > q_in.high) return counted(&StageTally::interval, tally, Sign::positive);
+  if (p_in.high < q_in.low) return counted(&StageTally::interval, tally, Sign::negative);
   if (p.a == q.a && p.b == q.b) return Sign::zero;
   if (tally) ++tally->exact;
   const Seen v = seen(p, from), w = seen(q, from);

@@ -17,7 +17,6 @@
 #include <sunder/predicate/posed.h>
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <span>
 

@@ -99,18 +99,11 @@ Sign decide_discs(StageTally* tally, const Formula& formula, const Discs&... dis
   const bool moderate = (is_moderate(discs) && ...);
   if (moderate) {
     const Guess guess = formula(lift<FlooredStage>(discs)...);
-    if (is_sure(guess)) {
-      if (tally) ++tally->rounded;
-      return to_sign(guess);
-    }
+    if (is_sure(guess)) return counted(&StageTally::rounded, tally, to_sign(guess));
   }
   const Guess guess = moderate ? formula(lift<FineStage>(discs)...) : formula(lift<IntervalStage>(discs)...);
-  if (is_sure(guess)) {
-    if (tally) ++tally->interval;
-    return to_sign(guess);
-  }
-  if (tally) ++tally->exact;
-  return to_sign(formula(lift<ExactStage>(discs)...));
+  if (is_sure(guess)) return counted(&StageTally::interval, tally, to_sign(guess));
+  return counted(&StageTally::exact, tally, to_sign(formula(lift<ExactStage>(discs)...)));
 }
 
 // Seen from the centre of disc i: the centre of disc k.

@@ -29,8 +29,7 @@ Guess sign_by_exact_differences(const Point2& p, double r, const Point2& q, doub
 Sign distance_against_further(const Point2& p, double r, const Point2& q, double s, StageTally* tally) {
   const Guess guess = sign_by_exact_differences(p, r, q, s);
   if (!is_sure(guess)) return decide(tally, distance_formula, Point3{p.x, p.y, r}, Point3{q.x, q.y, s});
-  if (tally) ++tally->exact;
-  return to_sign(guess);
+  return counted(&StageTally::exact, tally, to_sign(guess));
 }
 
 Sign compare_sums_further(double a, double b, double c, double d, StageTally* tally) {

@@ -42,22 +42,19 @@ inline Guess rounded_distance_against(const Point2& p, const Point2& q, double r
 inline Sign distance_against_sum(const Point2& p, double r, const Point2& q, double s, StageTally* tally) {
   const Guess guess = rounded_distance_against(p, q, r + s);
   if (!is_sure(guess)) return distance_against_further(p, r, q, s, tally);
-  if (tally) ++tally->rounded;
-  return to_sign(guess);
+  return counted(&StageTally::rounded, tally, to_sign(guess));
 }
 
 inline Sign distance_against_difference(const Point2& p, double r, const Point2& q, double s, StageTally* tally) {
   const Guess guess = rounded_distance_against(p, q, r - s);
   if (!is_sure(guess)) return distance_against_further(p, r, q, -s, tally);
-  if (tally) ++tally->rounded;
-  return to_sign(guess);
+  return counted(&StageTally::rounded, tally, to_sign(guess));
 }
 
 inline Sign compare_sums(double a, double b, double c, double d, StageTally* tally) {
   const double left = a + b, right = c + d;
   if (left == right) return compare_sums_further(a, b, c, d, tally);
-  if (tally) ++tally->rounded;
-  return left > right ? Sign::positive : Sign::negative;
+  return counted(&StageTally::rounded, tally, left > right ? Sign::positive : Sign::negative);
 }
 
 }  // namespace sunder

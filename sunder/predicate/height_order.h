@@ -36,10 +36,8 @@ inline Sign height_order(const Point2& a, const Point2& b, const Point2& c, cons
   const double value = (apart + left) - right;
   const double error = Rounded<7>::bound * ((std::fabs(apart) + std::fabs(left)) + std::fabs(right)) +
                        0x1p-1020 * (1 + std::fabs(rise) + run + other_run);
-  if (value > error || value < -error) {
-    if (tally) ++tally->rounded;
-    return value > 0 ? Sign::positive : Sign::negative;
-  }
+  if (value > error || value < -error)
+    return counted(&StageTally::rounded, tally, value > 0 ? Sign::positive : Sign::negative);
   return height_order_further(a, b, c, d, x, tally);
 }
 

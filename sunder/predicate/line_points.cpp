@@ -6,11 +6,6 @@ namespace sunder {
 
 namespace {
 
-Sign count(std::uint32_t* counter, Sign sign) {
-  if (counter) ++*counter;
-  return sign;
-}
-
 bool is_same(const Crossing& p, const Crossing& q) { return p.a == q.a && p.b == q.b && p.c == q.c && p.d == q.d; }
 
 // A degree more than of the crossings: of points as x / denominator, the determinant of three.
@@ -46,12 +41,12 @@ ExactPoint2 exact_point(const LinePoint& p) {
 }
 
 Sign compare_x(const LinePoint& p, const LinePoint& q, StageTally* tally) {
-  if (p.in.x.low > q.in.x.high) return count(tally ? &tally->interval : nullptr, Sign::positive);
-  if (p.in.x.high < q.in.x.low) return count(tally ? &tally->interval : nullptr, Sign::negative);
+  if (p.in.x.low > q.in.x.high) return counted(&StageTally::interval, tally, Sign::positive);
+  if (p.in.x.high < q.in.x.low) return counted(&StageTally::interval, tally, Sign::negative);
   if (p.is_double() && q.is_double()) return sign_of(p.in.x.low - q.in.x.low);
   if (!p.is_double() && !q.is_double() && is_same(p.lines, q.lines)) return Sign::zero;
   const ExactPoint2 e = exact_point(p), f = exact_point(q);
-  return count(tally ? &tally->exact : nullptr, (e.x * f.denominator - f.x * e.denominator).sign());
+  return counted(&StageTally::exact, tally, (e.x * f.denominator - f.x * e.denominator).sign());
 }
 
 Sign orient_2d(const Point2& s, const Point2& t, const LinePoint& p, StageTally* tally) {
@@ -61,11 +56,11 @@ Sign orient_2d(const Point2& s, const Point2& t, const LinePoint& p, StageTally*
 
 Sign orient_2d(const LinePoint& p, const LinePoint& q, const LinePoint& r, StageTally* tally) {
   const Guess guess = sign((q.in.x - p.in.x) * (r.in.y - p.in.y) - (q.in.y - p.in.y) * (r.in.x - p.in.x));
-  if (is_sure(guess)) return count(tally ? &tally->interval : nullptr, to_sign(guess));
+  if (is_sure(guess)) return counted(&StageTally::interval, tally, to_sign(guess));
   const ExactPoint2 a = exact_point(p), b = exact_point(q), c = exact_point(r);
   const Dyadic sum = a.x * minor(b.y, b.denominator, c.y, c.denominator) -
                      a.y * minor(b.x, b.denominator, c.x, c.denominator) + a.denominator * minor(b.x, b.y, c.x, c.y);
-  return count(tally ? &tally->exact : nullptr, sum.sign());
+  return counted(&StageTally::exact, tally, sum.sign());
 }
 
 }  // namespace sunder

@@ -55,8 +55,7 @@ Sign orient_2d_further(const Point2& a, const Point2& b, const Point2& c, StageT
   const Lanes from = lanes_at(&a.x);
   const TwoExact u = exact_differences(lanes_at(&b.x), from), v = exact_differences(lanes_at(&c.x), from);
   if (are_exact(u) && are_exact(v)) {
-    if (tally) ++tally->rounded;
-    return compare_products(u.rounded, swapped(v.rounded));
+    return counted(&StageTally::rounded, tally, compare_products(u.rounded, swapped(v.rounded)));
   }
   const auto in_space = [](const Point2& p) { return Point3{p.x, p.y, 0}; };
   return decide(tally, orient_2d_formula<2>, in_space(a), in_space(b), in_space(c));

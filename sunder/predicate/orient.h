@@ -54,10 +54,10 @@ struct RoundedOrientation {
 inline Sign orient_2d(const Point2& a, const Point2& b, const Point2& c, StageTally* tally) {
   const RoundedOrientation rounded(a, b, c);
   if (rounded.is_sure() || a == c || b == c || a == b) {
-    if (tally) ++tally->rounded;
-    return rounded.value > rounded.error    ? Sign::positive
-           : rounded.value < -rounded.error ? Sign::negative
-                                            : Sign::zero;
+    return counted(&StageTally::rounded, tally,
+                   rounded.value > rounded.error    ? Sign::positive
+                   : rounded.value < -rounded.error ? Sign::negative
+                                                    : Sign::zero);
   }
   return orient_2d_further(a, b, c, tally);
 }

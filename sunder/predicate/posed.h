@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sunder/number/rounded.h>
+#include <sunder/number/sign.h>
 #include <sunder/predicate/point.h>
 
 #include <algorithm>
@@ -18,6 +19,12 @@ struct StageTally {
   std::uint32_t interval = 0;
   std::uint32_t exact = 0;
 };
+
+// The sign that a stage has decided on: counted(&StageTally::exact, tally, sign).
+inline Sign counted(std::uint32_t StageTally::* stage, StageTally* tally, Sign sign) {
+  if (tally) ++(tally->*stage);
+  return sign;
+}
 
 // The sizes of some numbers: the least and the greatest absolute value of those that are not zero.
 struct SizeRange {

@@ -5,49 +5,10 @@
 #include <sunder/number/interval.h>
 #include <sunder/number/rounded.h>
 #include <sunder/number/sign.h>
+#include <sunder/number/vector.h>
 #include <sunder/predicate/posed.h>
 
 namespace sunder {
-
-template <class T>
-struct Vector3 {
-  T x, y, z;
-};
-
-template <class T>
-struct Vector2 {
-  T x, y;
-};
-
-template <class T, class U>
-auto operator-(const Vector2<T>& a, const Vector2<U>& b) {
-  return Vector2<decltype(a.x - b.x)>{a.x - b.x, a.y - b.y};
-}
-
-template <class T, class U>
-auto cross(const Vector2<T>& a, const Vector2<U>& b) {
-  return a.x * b.y - a.y * b.x;
-}
-
-template <class T, class U>
-auto dot(const Vector2<T>& a, const Vector2<U>& b) {
-  return a.x * b.x + a.y * b.y;
-}
-
-template <class T, class U>
-auto operator-(const Vector3<T>& a, const Vector3<U>& b) {
-  return Vector3<decltype(a.x - b.x)>{a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-template <class T, class U>
-auto cross(const Vector3<T>& a, const Vector3<U>& b) {
-  return Vector3<decltype(a.y * b.z - a.z * b.y)>{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-template <class T, class U>
-auto dot(const Vector3<T>& a, const Vector3<U>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
 
 // The three number types: how each reads a double.
 struct RoundedStage {
@@ -115,18 +76,11 @@ template <class Formula, class... Points>
 Sign decide(StageTally* tally, const Formula& formula, const Points&... points) {
   if ((is_tame(points) && ...)) {
     const Guess guess = sign(formula(lift<RoundedStage>(points)...));
-    if (is_sure(guess)) {
-      if (tally) ++tally->rounded;
-      return to_sign(guess);
-    }
+    if (is_sure(guess)) return counted(&StageTally::rounded, tally, to_sign(guess));
   }
   const Guess guess = sign(formula(lift<IntervalStage>(points)...));
-  if (is_sure(guess)) {
-    if (tally) ++tally->interval;
-    return to_sign(guess);
-  }
-  if (tally) ++tally->exact;
-  return formula(lift<ExactStage>(points)...).sign();
+  if (is_sure(guess)) return counted(&StageTally::interval, tally, to_sign(guess));
+  return counted(&StageTally::exact, tally, formula(lift<ExactStage>(points)...).sign());
 }
 
 // The formulas.

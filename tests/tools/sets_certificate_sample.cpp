@@ -6,11 +6,10 @@
 #include <tests/support/polygon_sets.h>
 
 #include <sunder/base/random.h>
-#include <sunder/planar/region/convex_polygon_intersection_json.h>
 #include <sunder/planar/region/disc_intersection_json.h>
 #include <sunder/planar/region/half_plane_intersection.h>
-#include <sunder/planar/region/half_plane_intersection_json.h>
 #include <sunder/planar/region/linear_program_json.h>
+#include <sunder/planar/region/regions_json.h>
 #include <sunder/planar/set/convex_polygons_any_json.h>
 #include <sunder/planar/set/discs_any_json.h>
 #include <sunder/planar/set/polygons_json.h>

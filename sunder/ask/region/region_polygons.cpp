@@ -7,7 +7,7 @@
 #include <sunder/io/text.h>
 #include <sunder/picture/plane.h>
 #include <sunder/planar/region/convex_polygon_intersection.h>
-#include <sunder/planar/region/convex_polygon_intersection_json.h>
+#include <sunder/planar/region/regions_json.h>
 
 #include <fmt/format.h>
 

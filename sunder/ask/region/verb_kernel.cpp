@@ -9,7 +9,7 @@
 #include <sunder/io/text.h>
 #include <sunder/picture/plane.h>
 #include <sunder/planar/region/kernel.h>
-#include <sunder/planar/region/kernel_json.h>
+#include <sunder/planar/region/regions_json.h>
 #include <sunder/predicate/constraints.h>
 
 #include <fmt/format.h>

@@ -11,9 +11,9 @@
 #include <sunder/io/triples.h>
 #include <sunder/picture/region.h>
 #include <sunder/planar/region/half_plane_intersection.h>
-#include <sunder/planar/region/half_plane_intersection_json.h>
 #include <sunder/planar/region/linear_program.h>
 #include <sunder/planar/region/linear_program_json.h>
+#include <sunder/planar/region/regions_json.h>
 
 #include <fmt/format.h>
 

@@ -38,6 +38,10 @@ class ConvexPolygon {
   std::span<const Point2> vertices() const& { return vertices_; }
   std::span<const Point2> vertices() && = delete;  // they would be gone
 
+  // The vertex after v and before it. Edge v goes from v to next(v).
+  std::uint32_t next(std::uint32_t v) const { return v + 1 == size() ? 0 : v + 1; }
+  std::uint32_t previous(std::uint32_t v) const { return (v == 0 ? size() : v) - 1; }
+
   // The vertices that are lexicographically first and last. Edges from the first to the last one run to the right, or
   // vertically up; those back run to the left, or vertically down.
   std::uint32_t leftmost() const { return leftmost_; }

@@ -29,6 +29,9 @@ class Polygon {
 
   std::uint32_t ring_count() const { return static_cast<std::uint32_t>(begin_.size() - 1); }
   std::uint32_t ring_begin(std::uint32_t ring) const { return begin_[ring]; }  // also of ring ring_count(): the end
+  std::span<const Point2> ring(std::uint32_t r) const {
+    return std::span(vertices_).subspan(begin_[r], begin_[r + 1] - begin_[r]);
+  }
   std::uint32_t ring_of(std::uint32_t k) const { return ring_.empty() ? 0 : ring_[k]; }
 
   // The vertex, or edge, after and before k in its ring.

@@ -23,6 +23,12 @@ struct Segment {
 // From its lexicographically first end to its last.
 inline Segment sorted(const Segment& s) { return lexicographically_less(s.b, s.a) ? Segment{s.b, s.a} : s; }
 
+// Of two on one line that meet, each with its first end first: what they have in common. Where they do not meet, its
+// ends are the other way round.
+inline Segment common_piece(const Segment& s, const Segment& t) {
+  return {lexicographically_less(s.a, t.a) ? t.a : s.a, lexicographically_less(s.b, t.b) ? s.b : t.b};
+}
+
 // The box between its ends, which is its box. Requires s.a.x <= s.b.x.
 inline Box2 box_of(const Segment& s) { return {{s.a.x, std::min(s.a.y, s.b.y)}, {s.b.x, std::max(s.a.y, s.b.y)}}; }
 inline LanesBox lanes_box_of(const Segment& s) { return lanes_box_of(s.a, s.b); }  // in any order

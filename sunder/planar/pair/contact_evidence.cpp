@@ -1,7 +1,6 @@
 #include <sunder/planar/pair/contact_evidence.h>
 #include <sunder/planar/pair/polygon_point.h>
 #include <sunder/planar/pair/polygon_polygon_intersection.h>
-#include <sunder/predicate/stages.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,15 +15,6 @@ namespace {
 using Exact = Vector2<Dyadic>;
 
 Dyadic whole(std::uint32_t n) { return static_cast<double>(n); }
-
-std::uint32_t after(const ConvexPolygon& polygon, std::uint32_t v) { return v + 1 == polygon.size() ? 0 : v + 1; }
-std::uint32_t before(const ConvexPolygon& polygon, std::uint32_t v) { return (v == 0 ? polygon.size() : v) - 1; }
-
-Exact image(const ConvexPolygon& polygon, const Pose& pose, std::uint32_t v) {
-  return lift<ExactStage>(Posed2{polygon[v], &pose.affine(), false});
-}
-
-Exact minus(const Exact& d) { return {-d.x, -d.y}; }
 
 Exact normal(const ConvexPolygon& polygon, const Pose& pose, std::uint32_t v) {
   const auto [x, y] = outward_normal(polygon, pose, v);
@@ -51,7 +41,7 @@ struct Corner {
   // Beside the point: what tells of a direction whether the polygon ends there.
   std::vector<std::uint32_t> beside() const {
     std::vector<std::uint32_t> all;
-    for (const std::uint32_t v : at) all.insert(all.end(), {before(polygon, v), after(polygon, v)});
+    for (const std::uint32_t v : at) all.insert(all.end(), {polygon.previous(v), polygon.next(v)});
     return all;
   }
 
@@ -60,10 +50,10 @@ struct Corner {
     std::vector<Exact> all;
     if (polygon.size() == 1) return all;
     for (const std::uint32_t v : at) {
-      for (const std::uint32_t e : {before(polygon, v), v}) all.push_back(normal(polygon, pose, e));
+      for (const std::uint32_t e : {polygon.previous(v), v}) all.push_back(normal(polygon, pose, e));
     }
     // Of a segment these are both normals.
-    if (polygon.size() == 2 && at.size() == 1) all.push_back((*this)[at[0]] - (*this)[after(polygon, at[0])]);
+    if (polygon.size() == 2 && at.size() == 1) all.push_back((*this)[at[0]] - (*this)[polygon.next(at[0])]);
     return all;
   }
 };
@@ -122,7 +112,7 @@ PointOf vertex_point(const ConvexPolygon& polygon, const Pose& pose, std::uint32
 
 // The foot of the point q on the line of edge v.
 PointOf foot(const ConvexPolygon& polygon, const Pose& pose, std::uint32_t v, const Exact& q) {
-  const std::uint32_t w = after(polygon, v);
+  const std::uint32_t w = polygon.next(v);
   const Exact from = image(polygon, pose, v), edge = image(polygon, pose, w) - from;
   const Dyadic whole = dot(edge, edge), part = dot(edge, q - from);
   return {{from.x * whole + edge.x * part, from.y * whole + edge.y * part, 0.0},
@@ -143,11 +133,6 @@ ExactPoint2 mean(std::span<const ExactPoint2> points) {
 
 }  // namespace
 
-ExactPoint2 exact_vertex(const ConvexPolygon& polygon, const Pose& pose, std::uint32_t v) {
-  const Exact p = image(polygon, pose, v);
-  return {p.x, p.y, 1.0};
-}
-
 ExactPoint2 exact_middle(const ConvexPolygon& polygon, const Pose& pose) {
   std::vector<ExactPoint2> corners;
   for (const std::uint32_t v : spanning(polygon)) corners.push_back(exact_vertex(polygon, pose, v));
@@ -155,7 +140,7 @@ ExactPoint2 exact_middle(const ConvexPolygon& polygon, const Pose& pose) {
 }
 
 std::array<Dyadic, 2> outward_normal(const ConvexPolygon& polygon, const Pose& pose, std::uint32_t v) {
-  const Exact edge = image(polygon, pose, after(polygon, v)) - image(polygon, pose, v);
+  const Exact edge = image(polygon, pose, polygon.next(v)) - image(polygon, pose, v);
   if (pose.reflects()) return {-edge.y, edge.x};
   return {edge.y, -edge.x};
 }
@@ -165,9 +150,9 @@ std::array<Dyadic, 3> touching_direction(const ConvexPolygon& a, const Pose& pos
   const std::span<const std::uint32_t> all(meet.vertices);
   const Corner of_a{a, pose_a, all.first(meet.count_a)}, of_b{b, pose_b, all.subspan(meet.count_a, meet.count_b)};
   std::vector<Exact> candidates = of_a.outward();
-  for (const Exact& d : of_b.outward()) candidates.push_back(minus(d));
+  for (const Exact& d : of_b.outward()) candidates.push_back(-d);
   for (const Exact& d : candidates) {
-    const std::optional<bool> in_a = ends_along(of_a, d), in_b = ends_along(of_b, minus(d));
+    const std::optional<bool> in_a = ends_along(of_a, d), in_b = ends_along(of_b, -d);
     if (in_a && in_b && (*in_a || *in_b)) return {d.x, d.y, 0.0};
   }
   return {0.0, 0.0, 0.0};  // not where they touch
@@ -221,11 +206,11 @@ CommonPoint overlapping_point(const ConvexPolygon& a, const Pose& pose_a, const 
   }
   ExactPoint2 p = mean(chosen);
   if (a.size() > 2 && b.size() > 2) {
-    const Point2 rounded{nearest_ratio(p.x, p.denominator), nearest_ratio(p.y, p.denominator)};
+    const Point2 rounded = nearest(p);
     if (std::isfinite(rounded.x) && std::isfinite(rounded.y) &&
         polygon_point(a, pose_a, rounded).place == Place::inside &&
         polygon_point(b, pose_b, rounded).place == Place::inside) {
-      p = {rounded.x, rounded.y, 1.0};
+      p = exactly(rounded);
     }
   }
   return {{p.x, p.y, 0.0}, p.denominator, inner_combination(a, pose_a, p), inner_combination(b, pose_b, p)};

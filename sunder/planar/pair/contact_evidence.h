@@ -9,6 +9,7 @@
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/pose.h>
+#include <sunder/planar/pair/exact_image.h>
 #include <sunder/planar/pair/polygon_polygon_distance.h>
 #include <sunder/predicate/crossing.h>
 
@@ -43,8 +44,7 @@ ClosestPoints closest_points(const ConvexPolygon& a, const Pose& pose_a, const C
 // the polygon spans. Requires such a point, with a positive denominator.
 Combination inner_combination(const ConvexPolygon& polygon, const Pose& pose, const ExactPoint2& point);
 
-// The exact image of vertex v, and of the mean of up to three vertices that span all that the polygon spans.
-ExactPoint2 exact_vertex(const ConvexPolygon& polygon, const Pose& pose, std::uint32_t v);
+// The exact image of the mean of up to three vertices that span all that the polygon spans.
 ExactPoint2 exact_middle(const ConvexPolygon& polygon, const Pose& pose);
 
 // From vertex v to the next one: a quarter turn to the outside from there. Of a segment: to its right.

@@ -82,8 +82,7 @@ PolygonCut cut_by_scan(const ConvexPolygon& polygon, const Pose& pose, const Poi
     using Vertex = typename std::remove_cvref_t<decltype(p)>::Vertex;
     return line_by_scan(p, in_world<Vertex>(a), in_world<Vertex>(b), tally);
   });
-  cut.cost.exact = tally.exact;
-  cut.decided_by = tally.exact == 0 ? DecidedBy::filter : DecidedBy::evidence;
+  conclude(cut, tally.exact);
   if (cut.kind == CutKind::nothing || (!ends.a && !ends.b)) return cut;
   const ExactFraction first = exact_end(polygon, pose, a, b, cut.first).along_line,
                       last = exact_end(polygon, pose, a, b, cut.last).along_line;

@@ -9,7 +9,6 @@
 
 #include <array>
 #include <bit>
-#include <span>
 
 namespace sunder::planar {
 

@@ -34,7 +34,6 @@
 #include <sunder/planar/pair/extreme_vertex.h>
 #include <sunder/planar/pair/proposal.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 

@@ -145,8 +145,7 @@ PolygonCut conclude_cut(const Sequence& p, const Fill& fill) {
   StageTally tally;
   fill(answer, tally);
   renumber(p, answer);
-  answer.cost.exact = tally.exact;
-  answer.decided_by = tally.exact == 0 ? DecidedBy::filter : DecidedBy::evidence;
+  conclude(answer, tally.exact);
   return answer;
 }
 

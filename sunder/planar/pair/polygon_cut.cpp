@@ -1,3 +1,5 @@
+#include <sunder/base/names.h>
+#include <sunder/planar/pair/exact_image.h>
 #include <sunder/planar/pair/polygon_cut.h>
 
 #include <utility>
@@ -6,21 +8,7 @@ namespace sunder::planar {
 
 namespace {
 
-struct Exact {
-  Dyadic x, y;
-};
-
-Exact operator-(const Exact& p, const Exact& q) { return {p.x - q.x, p.y - q.y}; }
-Dyadic cross(const Exact& u, const Exact& v) { return u.x * v.y - u.y * v.x; }
-Dyadic dot(const Exact& u, const Exact& v) { return u.x * v.x + u.y * v.y; }
-
-Exact exact(const Point2& p) { return {p.x, p.y}; }
-
-Exact image(const Pose& pose, const Point2& p) {
-  const auto& [m, t] = pose.affine();
-  const Dyadic x = p.x, y = p.y;
-  return {Dyadic(m[0]) * x + Dyadic(m[1]) * y + Dyadic(t[0]), Dyadic(m[2]) * x + Dyadic(m[3]) * y + Dyadic(t[1])};
-}
+using Exact = Vector2<Dyadic>;
 
 ExactFraction fraction(Dyadic numerator, Dyadic denominator) {
   if (denominator.sign() == Sign::negative) return {-numerator, -denominator};
@@ -38,20 +26,14 @@ ExactFraction along(const Exact& from, const Exact& to, const Exact& p) {
 }  // namespace
 
 std::string_view name_of(CutKind kind) {
-  switch (kind) {
-    case CutKind::nothing: return "nothing";
-    case CutKind::point: return "point";
-    case CutKind::along: return "along";
-    case CutKind::across: return "across";
-  }
-  return "";
+  return name_in<CutKind::across>({"nothing", "point", "along", "across"}, kind);
 }
 
 ExactEnd exact_end(const ConvexPolygon& polygon, const Pose& pose, const Point2& a, const Point2& b,
                    const CutEnd& end) {
-  const Exact from = exact(a), to = exact(b);
-  const std::uint32_t v = end.place == Place::inside ? 0 : end.feature, w = v + 1 == polygon.size() ? 0 : v + 1;
-  const Exact start = image(pose, polygon[v]), stop = image(pose, polygon[w]);
+  const Exact from = lift<ExactStage>(a), to = lift<ExactStage>(b);
+  const std::uint32_t v = end.place == Place::inside ? 0 : end.feature, w = polygon.next(v);
+  const Exact start = image(polygon, pose, v), stop = image(polygon, pose, w);
   const auto at = [](const Exact& p) { return ExactPoint2{p.x, p.y, Dyadic(1.0)}; };
   if (end.own != OwnEnd::none) {
     const Exact& p = end.own == OwnEnd::a ? from : to;

@@ -61,9 +61,7 @@ struct ExactFraction {
 struct ExactEnd {
   // The point, in the world. Its rounded coordinates are the nearest doubles; infinite beyond the range.
   ExactPoint2 point;
-  Point2 rounded() const {
-    return {nearest_ratio(point.x, point.denominator), nearest_ratio(point.y, point.denominator)};
-  }
+  Point2 rounded() const { return nearest(point); }
 
   // The point is a + t (b - a). Zero where a and b are one point.
   ExactFraction along_line;

@@ -20,8 +20,7 @@ PolygonHalfPlane ask(const ConvexPolygon& polygon, const Pose& pose, const HalfP
     answer.meet = side != Sign::negative;
     answer.touching = side == Sign::zero;
     answer.witness = p.number(w);
-    answer.cost.exact = tally.exact;
-    answer.decided_by = tally.exact == 0 ? DecidedBy::filter : DecidedBy::evidence;
+    conclude(answer, tally.exact);
     return answer;
   });
 }

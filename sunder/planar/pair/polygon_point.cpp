@@ -1,19 +1,13 @@
 #include <sunder/base/contract.h>
+#include <sunder/base/names.h>
 #include <sunder/planar/pair/point_search.h>
 #include <sunder/planar/pair/polygon_point.h>
 
-#include <array>
 #include <cmath>
 
 namespace sunder::planar {
 
 namespace {
-
-template <class Answer>
-void conclude(Answer& answer, const StageTally& tally) {
-  answer.cost.exact = tally.exact;
-  answer.decided_by = tally.exact == 0 ? DecidedBy::filter : DecidedBy::evidence;
-}
 
 // Calls method(p, x, answer, tally) and returns the answer.
 template <class Answer, class Method>
@@ -23,7 +17,7 @@ Answer ask(const ConvexPolygon& polygon, const Pose& pose, const Point2& point, 
     StageTally tally;
     const auto x = in_world<typename std::remove_cvref_t<decltype(p)>::Vertex>(point);
     method(p, x, answer, tally);
-    conclude(answer, tally);
+    conclude(answer, tally.exact);
     return answer;
   });
 }
@@ -55,15 +49,7 @@ Located locate_by_scan(const Sequence& p, const typename Sequence::Vertex& x, Co
 
 }  // namespace
 
-std::string_view name_of(Place place) {
-  switch (place) {
-    case Place::outside: return "outside";
-    case Place::vertex: return "vertex";
-    case Place::edge: return "edge";
-    case Place::inside: return "inside";
-  }
-  return "";
-}
+std::string_view name_of(Place place) { return name_in<Place::inside>({"outside", "vertex", "edge", "inside"}, place); }
 
 PolygonPoint polygon_point(const ConvexPolygon& polygon, const Pose& pose, const Point2& point) {
   SUNDER_REQUIRE(std::isfinite(point.x) && std::isfinite(point.y));

@@ -50,7 +50,7 @@ PairAnswer answer_exactly(const A& a, const B& b) {
   PairAnswer answer;
   StageTally tally;
   finish(a, b, answer.evidence, answer.cost, tally);
-  answer.conclude(tally.exact, false);
+  conclude(answer, tally.exact, false);
   return answer;
 }
 
@@ -68,7 +68,7 @@ PairAnswer answer_by(const A& a, const B& b, const Propose& propose) {
   };
   const bool held = propose(holds, answer.cost, tally);
   if (!held) finish(a, b, answer.evidence, answer.cost, tally);
-  answer.conclude(tally.exact, !held);
+  conclude(answer, tally.exact, !held);
   return answer;
 }
 

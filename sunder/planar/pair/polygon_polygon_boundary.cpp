@@ -1,3 +1,4 @@
+#include <sunder/base/names.h>
 #include <sunder/planar/pair/minkowski_difference_search.h>
 #include <sunder/planar/pair/polygon_polygon.h>
 #include <sunder/planar/pair/polygon_polygon_boundary.h>
@@ -39,13 +40,7 @@ BoundariesAnswer answer_of(bool meet, bool a_inside, bool b_inside, Cost cost, c
 }  // namespace
 
 std::string_view name_of(Boundaries relation) {
-  switch (relation) {
-    case Boundaries::apart: return "apart";
-    case Boundaries::meet: return "boundaries meet";
-    case Boundaries::a_inside_b: return "A inside B";
-    case Boundaries::b_inside_a: return "B inside A";
-  }
-  return "";
+  return name_in<Boundaries::b_inside_a>({"apart", "boundaries meet", "A inside B", "B inside A"}, relation);
 }
 
 BoundariesAnswer polygon_polygon_boundary(const ConvexPolygon& a, const Pose& pose_a,  //

@@ -21,7 +21,6 @@
 #include <sunder/planar/pair/polygon_polygon_answer.h>
 
 #include <optional>
-#include <span>
 
 namespace sunder::planar {
 

@@ -210,8 +210,7 @@ PolygonDistance distance_between(const A& a, const B& b) {
       }
     }
   }
-  cost.exact = tally.exact;
-  out.answer.decided_by = tally.exact == 0 ? DecidedBy::filter : DecidedBy::evidence;
+  conclude(out.answer, tally.exact);
   return out;
 }
 

@@ -1,7 +1,7 @@
+#include <sunder/planar/pair/exact_image.h>
 #include <sunder/planar/pair/line_search.h>
 #include <sunder/planar/pair/minkowski_difference_search.h>
 #include <sunder/planar/pair/polygon_polygon_intersection.h>
-#include <sunder/predicate/stages.h>
 
 #include <utility>
 
@@ -158,26 +158,10 @@ CommonPart polygon_polygon_intersection(const ConvexPolygon& a, const Pose& pose
 
 ExactPoint2 exact_corner(const CommonCorner& corner, const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b,
                          const Pose& pose_b) {
-  const auto image = [](const ConvexPolygon& polygon, const Pose& pose, std::uint32_t v) {
-    return lift<ExactStage>(Posed2{polygon[v == polygon.size() ? 0 : v], &pose.affine(), false});
-  };
-  if (corner.kind == CommonCorner::Kind::vertex_of_a) {
-    const auto p = image(a, pose_a, corner.a);
-    return {p.x, p.y, Dyadic(1)};
-  }
-  if (corner.kind == CommonCorner::Kind::vertex_of_b) {
-    const auto p = image(b, pose_b, corner.b);
-    return {p.x, p.y, Dyadic(1)};
-  }
-  const auto p = image(a, pose_a, corner.a), q = image(a, pose_a, corner.a + 1);
-  const auto r = image(b, pose_b, corner.b), s = image(b, pose_b, corner.b + 1);
-  const auto u = q - p, v = s - r;
-  Dyadic denominator = cross(u, v), t = cross(r - p, v);  // p + t / denominator u
-  if (denominator.sign() == Sign::negative) {
-    denominator = -denominator;
-    t = -t;
-  }
-  return {p.x * denominator + t * u.x, p.y * denominator + t * u.y, denominator};
+  if (corner.kind == CommonCorner::Kind::vertex_of_a) return exact_vertex(a, pose_a, corner.a);
+  if (corner.kind == CommonCorner::Kind::vertex_of_b) return exact_vertex(b, pose_b, corner.b);
+  return exact_crossing(image(a, pose_a, corner.a), image(a, pose_a, a.next(corner.a)),  //
+                        image(b, pose_b, corner.b), image(b, pose_b, b.next(corner.b)));
 }
 
 }  // namespace sunder::planar

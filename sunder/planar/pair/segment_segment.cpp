@@ -1,7 +1,9 @@
+#include <sunder/base/names.h>
 #include <sunder/planar/pair/segment_segment.h>
 #include <sunder/predicate/orient.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace sunder::planar {
 
@@ -18,8 +20,7 @@ bool is_end_of(const Point2& p, const Segment& s) { return p == s.a || p == s.b;
 
 // Of two segments on one line, or points on it.
 ContactKind on_one_line(const Segment& s, const Segment& t) {
-  const Point2 first = lexicographically_less(s.a, t.a) ? t.a : s.a;
-  const Point2 last = lexicographically_less(s.b, t.b) ? s.b : t.b;
+  const auto [first, last] = common_piece(s, t);
   if (lexicographically_less(last, first)) return ContactKind::none;
   if (lexicographically_less(first, last)) return ContactKind::overlap;
   return is_end_of(first, s) && is_end_of(first, t) ? ContactKind::shared_endpoint : ContactKind::touch;
@@ -28,14 +29,7 @@ ContactKind on_one_line(const Segment& s, const Segment& t) {
 }  // namespace
 
 std::string_view name_of(ContactKind kind) {
-  switch (kind) {
-    case ContactKind::none: return "none";
-    case ContactKind::shared_endpoint: return "shared-endpoint";
-    case ContactKind::touch: return "touch";
-    case ContactKind::crossing: return "crossing";
-    case ContactKind::overlap: return "overlap";
-  }
-  return "";
+  return name_in<ContactKind::overlap>({"none", "shared-endpoint", "touch", "crossing", "overlap"}, kind);
 }
 
 ContactKind segment_segment(const Segment& s, const Segment& t, StageTally* tally) {
@@ -65,20 +59,14 @@ ContactKind segment_segment(const Segment& s, const Segment& t, StageTally* tall
 }
 
 ExactPoint2 common_point(const Segment& s, const Segment& t) {
-  const auto whole = [](const Point2& p) { return ExactPoint2{Dyadic(p.x), Dyadic(p.y), Dyadic(1)}; };
   // An end of one that the other holds; of an overlap, the first.
-  const Segment first_of_s{s.a, s.a}, first_of_t{t.a, t.a}, last_of_s{s.b, s.b}, last_of_t{t.b, t.b};
-  if (segment_segment(first_of_t, s) != ContactKind::none) return whole(t.a);
-  if (segment_segment(first_of_s, t) != ContactKind::none) return whole(s.a);
-  if (segment_segment(last_of_t, s) != ContactKind::none) return whole(t.b);
-  if (segment_segment(last_of_s, t) != ContactKind::none) return whole(s.b);
+  for (const auto& [end, other] : {std::pair(t.a, s), std::pair(s.a, t), std::pair(t.b, s), std::pair(s.b, t)}) {
+    if (segment_segment({end, end}, other) != ContactKind::none) return exactly(end);
+  }
   return exact_point({s.a, s.b, t.a, t.b});
 }
 
-Point2 common_point_rounded(const Segment& s, const Segment& t) {
-  const ExactPoint2 p = common_point(s, t);
-  return {nearest_ratio(p.x, p.denominator), nearest_ratio(p.y, p.denominator)};
-}
+Point2 common_point_rounded(const Segment& s, const Segment& t) { return nearest(common_point(s, t)); }
 
 Segment common_part(const Segment& s, const Segment& t) {
   // On one line, the lexicographic order is the order along it.

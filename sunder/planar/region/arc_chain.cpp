@@ -1,6 +1,8 @@
 #include <sunder/planar/region/arc_chain.h>
+#include <sunder/planar/region/merge_in_pairs.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace sunder::planar {
 
@@ -25,8 +27,6 @@ void include_arc(Enclosure2& box, const Disc& circle, const Enclosure2& begin, c
   if (any || (from_x.low <= 0 && to_x.high >= 0)) box.y.low = std::min(box.y.low, (y - radius).low);
 }
 
-void include(Interval& a, const Interval& b) { a = {std::min(a.low, b.low), std::max(a.high, b.high)}; }
-
 }  // namespace
 
 std::vector<std::uint32_t> discs_around(std::span<const ArcPiece> chain) {
@@ -50,8 +50,7 @@ Enclosure2 ArcChains::box(std::span<const ArcPiece> chain) const {
   }
   Enclosure2 box = corners.front();
   for (std::size_t m = 0; m < discs.size(); ++m) {
-    include(box.x, corners[m].x);
-    include(box.y, corners[m].y);
+    box = hull(box, corners[m]);
     include_arc(box, circles_[discs[m]], corners[m == 0 ? discs.size() - 1 : m - 1], corners[m]);
   }
   return box;
@@ -119,31 +118,14 @@ void ArcChains::merge(std::span<const ArcPiece> p, std::span<const ArcPiece> q, 
 }
 
 std::vector<ArcPiece> ArcChains::divide(std::span<const std::uint32_t> discs) {
-  std::vector<ArcPiece> chains, next;
-  std::vector<std::size_t> ends, next_ends;
+  std::vector<ArcPiece> chains;
+  std::vector<std::size_t> ends;
   for (const std::uint32_t disc : discs) {
     chains.push_back({no_disc, disc, {0, 0}});
     ends.push_back(chains.size());
   }
-  while (ends.size() > 1) {
-    next.clear();
-    next_ends.clear();
-    std::size_t begin = 0;
-    for (std::size_t k = 0; k < ends.size(); k += 2) {
-      const std::span<const ArcPiece> all(chains), first = all.subspan(begin, ends[k] - begin);
-      if (k + 1 == ends.size()) {
-        next.insert(next.end(), first.begin(), first.end());
-        begin = ends[k];
-      } else {
-        merge(first, all.subspan(ends[k], ends[k + 1] - ends[k]), next);
-        begin = ends[k + 1];
-      }
-      next_ends.push_back(next.size());
-    }
-    chains.swap(next);
-    ends.swap(next_ends);
-  }
-  return chains;
+  return merged_in_pairs(std::move(chains), std::move(ends),
+                         [this](const auto& p, const auto& q, auto& out) { merge(p, q, out); });
 }
 
 }  // namespace sunder::planar

@@ -1,27 +1,19 @@
+#include <sunder/base/names.h>
 #include <sunder/planar/region/convex_polygon_intersection.h>
 #include <sunder/predicate/arrows.h>
-
-#include <algorithm>
 
 namespace sunder::planar {
 
 std::string_view name_of(PolygonsPartKind kind) {
-  switch (kind) {
-    case PolygonsPartKind::empty: return "empty";
-    case PolygonsPartKind::point: return "point";
-    case PolygonsPartKind::segment: return "segment";
-    case PolygonsPartKind::polygon: return "polygon";
-    case PolygonsPartKind::plane: return "plane";
-  }
-  return "";
+  return name_in<PolygonsPartKind::plane>({"empty", "point", "segment", "polygon", "plane"}, kind);
 }
 
 LinePoint corner_point(std::span<const ConvexPolygon> polygons, const PolygonsCorner& corner) {
   const ConvexPolygon& p = polygons[corner.a.polygon];
   if (corner.is_vertex) return line_point(p[corner.a.number]);
   const ConvexPolygon& q = polygons[corner.b.polygon];
-  const auto end = [](const ConvexPolygon& of, std::uint32_t k) { return of[k + 1 == of.size() ? 0 : k + 1]; };
-  return line_point(Crossing{p[corner.a.number], end(p, corner.a.number), q[corner.b.number], end(q, corner.b.number)});
+  const std::uint32_t e = corner.a.number, f = corner.b.number;
+  return line_point(Crossing{p[e], p[p.next(e)], q[f], q[q.next(f)]});
 }
 
 bool is_contradiction(std::span<const ConvexPolygon> polygons, std::span<const PolygonSupport> supports) {

@@ -83,12 +83,7 @@ class Batches {
   Enclosure2 box_of_part() const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Enclosure2 box{{infinity, -infinity}, {infinity, -infinity}};
-    const auto include = [](Interval& a, const Interval& b) { a = {std::min(a.low, b.low), std::max(a.high, b.high)}; };
-    for (const PolygonsCorner& corner : part_.corners) {
-      const Enclosure2 in = corner_point(polygons_, corner).in;
-      include(box.x, in.x);
-      include(box.y, in.y);
-    }
+    for (const PolygonsCorner& corner : part_.corners) box = hull(box, corner_point(polygons_, corner).in);
     return box;
   }
 

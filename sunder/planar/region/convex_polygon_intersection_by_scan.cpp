@@ -33,7 +33,7 @@ class Scan {
     std::size_t rank;  // of those found, for ties
   };
 
-  Point2 end(const ConvexPolygon& p, std::uint32_t k) const { return p[k + 1 == p.size() ? 0 : k + 1]; }
+  Point2 end(const ConvexPolygon& p, std::uint32_t k) const { return p[p.next(k)]; }
 
   bool is_in(const LinePoint& q, const ConvexPolygon& p) {
     for (std::uint32_t k = 0; k < p.size() && p.size() > 1; ++k) {

@@ -15,17 +15,15 @@ constexpr std::uint32_t no_edge = 0xffffffffu;
 
 PolygonFeature edge_of(const EdgePiece& piece) { return {piece.polygon, piece.edge}; }
 
-std::uint32_t next_number(const ConvexPolygon& p, std::uint32_t k) { return k + 1 == p.size() ? 0 : k + 1; }
-
 // Where two edges that follow each other around the region meet.
 PolygonsCorner corner_of(std::span<const ConvexPolygon> polygons, const PolygonFeature& a, const PolygonFeature& b) {
-  const bool is_vertex = a.polygon == b.polygon && next_number(polygons[a.polygon], a.number) == b.number;
+  const bool is_vertex = a.polygon == b.polygon && polygons[a.polygon].next(a.number) == b.number;
   return is_vertex ? PolygonsCorner{true, b, {}} : PolygonsCorner{false, a, b};
 }
 
 PolygonSupport support_of_edge(std::span<const ConvexPolygon> polygons, const PolygonFeature& edge) {
   const ConvexPolygon& p = polygons[edge.polygon];
-  return {edge, p[edge.number], p[next_number(p, edge.number)]};
+  return {edge, p[edge.number], p[p.next(edge.number)]};
 }
 PolygonSupport right_of_first(std::span<const ConvexPolygon> polygons, std::uint32_t i) {
   return {{i, polygons[i].leftmost()}, {0, 1}, {0, 0}};
@@ -34,18 +32,17 @@ PolygonSupport left_of_last(std::span<const ConvexPolygon> polygons, std::uint32
   return {{i, polygons[i].rightmost()}, {0, 0}, {0, 1}};
 }
 
-// The vertical edge on the left, or right, side of a polygon, if there is one.
-std::optional<PolygonFeature> left_edge(std::span<const ConvexPolygon> polygons, std::uint32_t i) {
-  const ConvexPolygon& p = polygons[i];
-  const std::uint32_t v = p.leftmost(), before = (v == 0 ? p.size() : v) - 1;
+// The vertical edge on the left, or right, side of a polygon, if there is one: it ends at vertex v.
+std::optional<PolygonFeature> vertical_edge(const ConvexPolygon& p, std::uint32_t i, std::uint32_t v) {
+  const std::uint32_t before = p.previous(v);
   if (before == v || p[before].x != p[v].x) return std::nullopt;
   return PolygonFeature{i, before};
 }
+std::optional<PolygonFeature> left_edge(std::span<const ConvexPolygon> polygons, std::uint32_t i) {
+  return vertical_edge(polygons[i], i, polygons[i].leftmost());
+}
 std::optional<PolygonFeature> right_edge(std::span<const ConvexPolygon> polygons, std::uint32_t i) {
-  const ConvexPolygon& p = polygons[i];
-  const std::uint32_t v = p.rightmost(), before = (v == 0 ? p.size() : v) - 1;
-  if (before == v || p[before].x != p[v].x) return std::nullopt;
-  return PolygonFeature{i, before};
+  return vertical_edge(polygons[i], i, polygons[i].rightmost());
 }
 
 void contradict(PolygonsPart& out, std::initializer_list<PolygonSupport> supports) {
@@ -219,7 +216,7 @@ Level level_of(std::span<const ConvexPolygon> polygons, std::uint32_t i, double 
     return {{a, b, i, no_edge, {}}, v};
   }
   for (std::uint32_t v = p.leftmost();;) {
-    const std::uint32_t next = is_upper ? (v == 0 ? p.size() : v) - 1 : next_number(p, v);
+    const std::uint32_t next = is_upper ? p.previous(v) : p.next(v);
     if (p[v].x < p[next].x && p[next].x >= x) return {{p[v], p[next], i, is_upper ? next : v, {}}, 0};
     v = next;
   }

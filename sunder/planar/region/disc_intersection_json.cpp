@@ -5,27 +5,19 @@
 
 #include <array>
 #include <numeric>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 namespace sunder::planar {
 
 namespace {
 
-void write_claim(ClaimsWriter& file, std::string_view name) {
-  file.begin_claim(name);
-  file.end_claim();
-}
-
-void write_powers(ClaimsWriter& file, const DiscIntersection& part, const DeepestWeights& weights) {
-  file.begin_claim("powers");
-  file.begin_list("weights");
+void write_powers(ClaimsWriter& file, const DiscIntersection& part, const DiscBasis& basis) {
+  const DeepestWeights of_all = deepest_weights(basis);
+  std::vector<Weight> weights;
   for (std::uint32_t k = 0; k < part.deepest.count; ++k) {
-    file.add_weight(part.deepest.discs[k], weights.numerators[k]);
+    weights.push_back({part.deepest.discs[k], of_all.numerators[k]});
   }
-  file.end_list();
-  file.end_claim();
+  file.weights_claim("powers", weights);
 }
 
 // The chains of the ranges of more than eight discs and of their halves, but for that of all; each after those of its
@@ -60,7 +52,7 @@ void write_region(ClaimsWriter& file, const Discs& circles, const DiscIntersecti
   file.numbers("point", std::array{point.x, point.y});
   file.indices("arcs", part.arcs);
   file.begin_claims();
-  write_claim(file, "in_discs");
+  file.claim("in_discs");
   file.begin_claim("arcs");
   file.begin_list("parts");
   ArcChains chains(circles.all(), point);
@@ -74,36 +66,33 @@ void write_point(ClaimsWriter& file, const Discs& circles, const DiscIntersectio
   const ExactPoint2 point = deepest_point(basis);
   file.fractions("point", std::array{point.x, point.y}, point.denominator);
   file.begin_claims();
-  write_claim(file, "in_discs");
-  write_powers(file, part, deepest_weights(basis));
+  file.claim("in_discs");
+  write_powers(file, part, basis);
 }
 
 }  // namespace
 
 std::string certificate_text(const Discs& circles, const DiscIntersection& part, const Origin& origin) {
-  std::string text;
-  ClaimsWriter file([&](std::string_view piece) { text += piece; });
-  file.add_origin(origin);
-  file.begin_table("circles");
-  for (const Disc& c : circles.all()) file.add_row(std::array{c.center.x, c.center.y, c.radius});
-  file.end_table();
-  file.begin_statement("circles_common_part");
-  file.text("verdict", std::string(name_of(part.kind)));
-  switch (part.kind) {
-    case DiscIntersectionKind::region: write_region(file, circles, part); break;
-    case DiscIntersectionKind::point: write_point(file, circles, part); break;
-    case DiscIntersectionKind::empty:
+  return claims_text(origin, [&](ClaimsWriter& file) {
+    file.begin_table("circles");
+    for (const Disc& c : circles.all()) file.add_row(std::array{c.center.x, c.center.y, c.radius});
+    file.end_table();
+    file.begin_statement("circles_common_part");
+    file.text("verdict", name_of(part.kind));
+    if (part.kind == DiscIntersectionKind::region) {
+      write_region(file, circles, part);
+    } else if (part.kind == DiscIntersectionKind::point) {
+      write_point(file, circles, part);
+    } else {
       file.begin_claims();
-      write_powers(file, part, deepest_weights(discs_of(circles.all(), part.deepest.basis())));
-      break;
-    case DiscIntersectionKind::plane:
-      file.begin_claims();
-      write_claim(file, "no_entries");
-      break;
-  }
-  file.end_statement();
-  file.end();
-  return text;
+      if (part.kind == DiscIntersectionKind::plane) {
+        file.claim("no_entries");
+      } else {
+        write_powers(file, part, discs_of(circles.all(), part.deepest.basis()));
+      }
+    }
+    file.end_statement();
+  });
 }
 
 }  // namespace sunder::planar

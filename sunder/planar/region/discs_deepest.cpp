@@ -6,6 +6,7 @@
 #include <sunder/base/contract.h>
 #include <sunder/base/random.h>
 #include <sunder/number/double_double.h>
+#include <sunder/number/vector.h>
 #include <sunder/planar/region/discs_deepest.h>
 #include <sunder/predicate/disc_powers.h>
 
@@ -66,40 +67,23 @@ class InOrder {
   StageTally tally_;
 };
 
-template <class Number>
-struct Vector {
-  Number x = 0, y = 0;
-};
-template <class Number>
-Vector<Number> operator-(const Vector<Number>& p, const Vector<Number>& q) {
-  return {p.x - q.x, p.y - q.y};
-}
-template <class Number>
-Number dot(const Vector<Number>& p, const Vector<Number>& q) {
-  return p.x * q.x + p.y * q.y;
-}
-template <class Number>
-Number cross(const Vector<Number>& p, const Vector<Number>& q) {
-  return p.x * q.y - p.y * q.x;
-}
-
 // The proposal, in floating point: Number is double, or DoubleDouble where discs are nearly tied.
 template <class Number>
 struct Proposal {
   std::array<std::uint32_t, 3> discs{};
   std::uint32_t count = 0;
-  Vector<Number> point;
+  Vector2<Number> point{0, 0};
   Number power = 0;
 };
 
 template <class Number>
-Vector<Number> center_of(const Disc& c) {
+Vector2<Number> center_of(const Disc& c) {
   return {Number(c.center.x), Number(c.center.y)};
 }
 
 template <class Number>
-Number power(const Disc& c, const Vector<Number>& p) {
-  const Vector<Number> way = center_of<Number>(c) - p;
+Number power(const Disc& c, const Vector2<Number>& p) {
+  const Vector2<Number> way = center_of<Number>(c) - p;
   return dot(way, way) - Number(c.radius) * Number(c.radius);
 }
 
@@ -111,14 +95,14 @@ Number half_lead(const Disc& i, const Disc& k) {
 // Those with weights that are not negative; else with the power -infinity.
 template <class Number>
 Proposal<Number> proposal_of(std::span<const Disc> circles, std::uint32_t i) {
-  const Vector<Number> center = center_of<Number>(circles[i]);
+  const Vector2<Number> center = center_of<Number>(circles[i]);
   return {{i, 0, 0}, 1, center, power(circles[i], center)};
 }
 
 template <class Number>
 Proposal<Number> proposal_of(std::span<const Disc> circles, std::uint32_t i, std::uint32_t j) {
   Proposal<Number> out{{i, j, 0}, 2, center_of<Number>(circles[i]), -HUGE_VAL};
-  const Vector<Number> d = center_of<Number>(circles[j]) - out.point;
+  const Vector2<Number> d = center_of<Number>(circles[j]) - out.point;
   const Number t = half_lead<Number>(circles[i], circles[j]) / dot(d, d);
   if (!(t >= 0.0 && Number(1) >= t)) return out;
   out.point = {out.point.x + t * d.x, out.point.y + t * d.y};
@@ -129,10 +113,10 @@ Proposal<Number> proposal_of(std::span<const Disc> circles, std::uint32_t i, std
 template <class Number>
 Proposal<Number> proposal_of(std::span<const Disc> circles, std::uint32_t i, std::uint32_t j, std::uint32_t l) {
   Proposal<Number> out{{i, j, l}, 3, center_of<Number>(circles[i]), -HUGE_VAL};
-  const Vector<Number> d = center_of<Number>(circles[j]) - out.point, e = center_of<Number>(circles[l]) - out.point;
+  const Vector2<Number> d = center_of<Number>(circles[j]) - out.point, e = center_of<Number>(circles[l]) - out.point;
   const Number turn = cross(d, e);
   const Number of_j = half_lead<Number>(circles[i], circles[j]), of_l = half_lead<Number>(circles[i], circles[l]);
-  const Vector<Number> q{(of_j * e.y - of_l * d.y) / turn, (of_l * d.x - of_j * e.x) / turn};
+  const Vector2<Number> q{(of_j * e.y - of_l * d.y) / turn, (of_l * d.x - of_j * e.x) / turn};
   const Number w_j = cross(q, e) / turn, w_l = cross(d, q) / turn;
   if (!(w_j >= 0.0 && w_l >= 0.0 && Number(1) >= w_j + w_l)) return out;
   out.point = {out.point.x + q.x, out.point.y + q.y};
@@ -174,10 +158,10 @@ Proposal<Number> improved(std::span<const Disc> circles, Proposal<Number> best, 
     cost.probes += circles.size();
     std::uint32_t furthest = best.discs[0];
     Number most = best.power;
-    const Vector<double> near{nearest(best.point.x), nearest(best.point.y)};
+    const Vector2<double> near{nearest(best.point.x), nearest(best.point.y)};
     for (std::uint32_t k = 0; k < circles.size(); ++k) {
       const Disc& c = circles[k];
-      const Vector<double> way = center_of<double>(c) - near;
+      const Vector2<double> way = center_of<double>(c) - near;
       const double distance = dot(way, way), square = c.radius * c.radius;
       if (!(distance - square + (fine ? 0x1p-45 * (distance + square) : 0) > nearest(most))) continue;
       const Number here = power(c, best.point);

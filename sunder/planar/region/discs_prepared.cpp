@@ -31,8 +31,7 @@ std::vector<Disc> of_moderate_size(std::span<const Disc> circles) {
 
 Viewpoint inside_of_all(std::span<const Disc> circles, const DiscsDeepest& deepest, Cost& cost) {
   const DiscBasis basis = discs_of(circles, deepest.basis());
-  const ExactPoint2 exact = deepest_point(basis);
-  const Point2 p{nearest_ratio(exact.x, exact.denominator), nearest_ratio(exact.y, exact.denominator)};
+  const Point2 p = nearest(deepest_point(basis));
   const PowerBound bound{{p.x, p.y}, 0};
   StageTally tally;
   const auto holds = [&](const Disc& c) {
@@ -78,16 +77,6 @@ std::vector<std::uint32_t> arcs_of(std::span<const ArcPiece> chain) {
   std::vector<std::uint32_t> arcs = discs_around(chain);
   std::rotate(arcs.begin(), arcs.begin() + static_cast<std::ptrdiff_t>(least_rotation(arcs)), arcs.end());
   return arcs;
-}
-
-std::string_view name_of(DiscIntersectionKind kind) {
-  switch (kind) {
-    case DiscIntersectionKind::empty: return "empty";
-    case DiscIntersectionKind::point: return "point";
-    case DiscIntersectionKind::region: return "region";
-    case DiscIntersectionKind::plane: return "plane";
-  }
-  return "";
 }
 
 }  // namespace sunder::planar

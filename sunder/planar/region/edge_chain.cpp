@@ -1,5 +1,8 @@
 #include <sunder/planar/region/edge_chain.h>
+#include <sunder/planar/region/merge_in_pairs.h>
 #include <sunder/predicate/height_order.h>
+
+#include <utility>
 
 namespace sunder::planar {
 
@@ -24,7 +27,7 @@ void EdgeChains::append(std::uint32_t polygon, Boundary boundary, std::vector<Ed
   const std::size_t start = out.size();
   for (std::uint32_t v = p.leftmost(); v != p.rightmost();) {
     ++probes_;
-    const std::uint32_t next = is_upper ? (v == 0 ? p.size() : v) - 1 : v + 1 == p.size() ? 0 : v + 1;
+    const std::uint32_t next = is_upper ? p.previous(v) : p.next(v);
     Point2 a = p[v], b = p[next];
     const std::uint32_t edge = is_upper ? next : v;
     v = next;
@@ -73,28 +76,8 @@ void EdgeChains::merge(std::span<const EdgePiece> p, std::span<const EdgePiece> 
 }
 
 std::vector<EdgePiece> EdgeChains::merge_all(std::vector<EdgePiece> chains, std::vector<std::size_t> ends) {
-  std::vector<EdgePiece> next;
-  std::vector<std::size_t> next_ends;
-  while (ends.size() > 1) {
-    next.clear();
-    next_ends.clear();
-    const std::span<const EdgePiece> all(chains);
-    std::size_t begin = 0;
-    for (std::size_t k = 0; k < ends.size(); k += 2) {
-      const auto first = all.subspan(begin, ends[k] - begin);
-      begin = ends[k];
-      if (k + 1 == ends.size()) {
-        next.insert(next.end(), first.begin(), first.end());
-      } else {
-        merge(first, all.subspan(begin, ends[k + 1] - begin), next);
-        begin = ends[k + 1];
-      }
-      next_ends.push_back(next.size());
-    }
-    chains.swap(next);
-    ends.swap(next_ends);
-  }
-  return chains;
+  return merged_in_pairs(std::move(chains), std::move(ends),
+                         [this](const auto& p, const auto& q, auto& out) { merge(p, q, out); });
 }
 
 std::vector<EdgePiece> EdgeChains::divide(std::span<const std::uint32_t> polygons, Boundary boundary) {

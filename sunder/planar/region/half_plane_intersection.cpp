@@ -1,5 +1,6 @@
 // A search proposes: the region of a small random sample. Those that it implies, by a corner that they hold, are
-// dropped; of the rest, the same. Where a sample implies few, sorting decides.
+// dropped; of the rest, the same. Where a sample implies few, sorting decides: by angle, two chains, two joints
+// (region_search.h), which is also a method by itself.
 #include <sunder/base/random.h>
 #include <sunder/planar/object/polygon_sides.h>
 #include <sunder/planar/region/angle_order.h>
@@ -92,8 +93,18 @@ Region half_plane_intersection(const Given& given, const RegionOptions& options)
   return region_of(signs, Sampling(signs).chains(), options);
 }
 
+template <class Given>
+Region half_plane_intersection_by_sort(const Given& given, const RegionOptions& options) {
+  Signs<Given> signs(given);
+  const std::vector<std::uint32_t> sorted = tightest_by_angle(signs);
+  return region_of(signs, common_part_of_sorted(signs, std::span(sorted)), options);
+}
+
 template Region half_plane_intersection(const Constraints&, const RegionOptions&);
 template Region half_plane_intersection(const HalfPlanes&, const RegionOptions&);
 template Region half_plane_intersection(const PolygonSides&, const RegionOptions&);
+template Region half_plane_intersection_by_sort(const Constraints&, const RegionOptions&);
+template Region half_plane_intersection_by_sort(const HalfPlanes&, const RegionOptions&);
+template Region half_plane_intersection_by_sort(const PolygonSides&, const RegionOptions&);
 
 }  // namespace sunder::planar

@@ -1,17 +1,11 @@
 #include <sunder/base/contract.h>
+#include <sunder/base/names.h>
 #include <sunder/planar/region/linear_program.h>
 
 namespace sunder::planar {
 
 std::string_view name_of(Optimum outcome) {
-  switch (outcome) {
-    case Optimum::one: return "one";
-    case Optimum::many: return "many";
-    case Optimum::all: return "all";
-    case Optimum::unbounded: return "unbounded";
-    case Optimum::infeasible: return "infeasible";
-  }
-  return "";
+  return name_in<Optimum::infeasible>({"one", "many", "all", "unbounded", "infeasible"}, outcome);
 }
 
 template <class Given>

@@ -16,7 +16,6 @@
 #include <sunder/planar/region/region.h>
 #include <sunder/planar/region/side_table.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>

@@ -1,7 +1,6 @@
 // A binary search over the sides of a region, which are sorted by angle (SH76, section V: "a line of support").
 #include <sunder/planar/region/linear_program.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 

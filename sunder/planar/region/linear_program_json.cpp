@@ -1,6 +1,7 @@
 #include <sunder/certificate/claims.h>
 #include <sunder/planar/region/linear_program_json.h>
 #include <sunder/planar/region/regions_json.h>
+#include <sunder/predicate/stages.h>
 
 #include <array>
 #include <vector>
@@ -9,14 +10,12 @@ namespace sunder::planar {
 
 namespace {
 
-struct ExactVector {
-  Dyadic x, y;
-};
+using ExactVector = Vector2<Dyadic>;
 
 // The direction of the half-plane's line, which has it on its left.
 ExactVector along(const Constraint& h) { return {-h.b, h.a}; }
 
-ExactVector along(const LeftOf& h) { return {Dyadic(h.to.x) - Dyadic(h.from.x), Dyadic(h.to.y) - Dyadic(h.from.y)}; }
+ExactVector along(const LeftOf& h) { return lift<ExactStage>(h.to) - lift<ExactStage>(h.from); }
 
 // The normal, times a positive number that all three numbers of the half-plane may be multiplied by.
 ExactVector normal(const Constraint& h) { return {h.a, h.b}; }
@@ -26,21 +25,14 @@ ExactVector normal(const LeftOf& h) {
   return {d.y, -d.x};
 }
 
-Dyadic turn(const ExactVector& u, const ExactVector& v) { return u.x * v.y - u.y * v.x; }
-Dyadic dot(const ExactVector& u, const ExactVector& v) { return u.x * v.x + u.y * v.y; }
 Dyadic magnitude(const Dyadic& x) { return x.sign() == Sign::negative ? -x : x; }
 
 template <class Given>
 ExactVector direction_of(const Given& given, const Objective& objective, const LinearProgramAnswer& answer) {
   if (answer.side == no_half_plane) return {objective.p, objective.q};
   const ExactVector d = along(given[answer.side]);
-  return answer.backward ? ExactVector{-d.x, -d.y} : d;
+  return answer.backward ? -d : d;
 }
-
-struct Weight {
-  std::uint32_t side;
-  Dyadic value;
-};
 
 // Positive, with which the normals of two opposite half-planes, or of three that turn, sum to zero.
 template <class Given>
@@ -50,7 +42,7 @@ std::vector<Weight> contradiction(const Given& given, const LinearProgramAnswer&
     return {{answer.before, magnitude(w.x) + magnitude(w.y)}, {answer.after, magnitude(u.x) + magnitude(u.y)}};
   }
   const ExactVector v = normal(given[answer.side]);
-  return {{answer.before, turn(v, w)}, {answer.side, turn(w, u)}, {answer.after, turn(u, v)}};
+  return {{answer.before, cross(v, w)}, {answer.side, cross(w, u)}, {answer.after, cross(u, v)}};
 }
 
 // Positive, with which the normals at the point sum to a positive multiple of the objective.
@@ -60,21 +52,13 @@ std::vector<Weight> bound(const Given& given, const Objective& objective, const 
   const ExactVector u = normal(given[answer.before]), w = normal(given[answer.after]);
   if (answer.side == no_half_plane) {
     const ExactVector up{objective.p, objective.q};
-    return {{answer.before, turn(up, w)}, {answer.after, turn(u, up)}};
+    return {{answer.before, cross(up, w)}, {answer.after, cross(u, up)}};
   }
   // before and after sum to a multiple of the side's normal, which may be negative: the side makes up for it.
   const ExactVector v = normal(given[answer.side]);
-  const Dyadic square = dot(v, v), of_u = turn(v, w), of_w = turn(u, v);
+  const Dyadic square = dot(v, v), of_u = cross(v, w), of_w = cross(u, v);
   const Dyadic sum = of_u * dot(u, v) + of_w * dot(w, v);
   return {{answer.before, of_u * square}, {answer.side, magnitude(sum) + square}, {answer.after, of_w * square}};
-}
-
-void write_weights(ClaimsWriter& file, std::string_view claim, const std::vector<Weight>& weights) {
-  file.begin_claim(claim);
-  file.begin_list("weights");
-  for (const Weight& weight : weights) file.add_weight(weight.side, weight.value);
-  file.end_list();
-  file.end_claim();
 }
 
 template <class Given>
@@ -94,11 +78,6 @@ void write_ends(ClaimsWriter& file, const Given& given, const LinearProgramAnswe
   file.end_claim();
 }
 
-void write_empty(ClaimsWriter& file, std::string_view claim) {
-  file.begin_claim(claim);
-  file.end_claim();
-}
-
 }  // namespace
 
 template <class Given>
@@ -107,20 +86,20 @@ void write_statement(ClaimsWriter& file, const Given& given, const Objective& ob
   write_half_planes(file, given);
   file.begin_statement("linear_program");
   file.doubles("objective", std::array{objective.p, objective.q});
-  file.text("verdict", std::string(name_of(answer.outcome)));
+  file.text("verdict", name_of(answer.outcome));
   if (answer.feasible()) {
     const ExactPoint2 p = point_of(given, answer);
     file.fractions("point", std::array{p.x, p.y}, p.denominator);
   }
   file.begin_claims();
-  if (answer.feasible()) write_empty(file, "feasible");
+  if (answer.feasible()) file.claim("feasible");
   switch (answer.outcome) {
-    case Optimum::one: write_weights(file, "bounds_only", bound(given, objective, answer)); break;
+    case Optimum::one: file.weights_claim("bounds_only", bound(given, objective, answer)); break;
     case Optimum::many:
-      write_weights(file, "bounds", bound(given, objective, answer));
+      file.weights_claim("bounds", bound(given, objective, answer));
       write_ends(file, given, answer);
       break;
-    case Optimum::all: write_empty(file, "no_objective"); break;
+    case Optimum::all: file.claim("no_objective"); break;
     case Optimum::unbounded: {
       const ExactVector d = direction_of(given, objective, answer);
       file.begin_claim("goes_on");
@@ -128,7 +107,7 @@ void write_statement(ClaimsWriter& file, const Given& given, const Objective& ob
       file.end_claim();
       break;
     }
-    case Optimum::infeasible: write_weights(file, "contradict", contradiction(given, answer)); break;
+    case Optimum::infeasible: file.weights_claim("contradict", contradiction(given, answer)); break;
   }
   file.end_statement();
 }
@@ -136,12 +115,7 @@ void write_statement(ClaimsWriter& file, const Given& given, const Objective& ob
 template <class Given>
 std::string certificate_text(const Given& given, const Objective& objective, const LinearProgramAnswer& answer,
                              const Origin& origin) {
-  std::string text;
-  ClaimsWriter file([&](std::string_view piece) { text += piece; });
-  file.add_origin(origin);
-  write_statement(file, given, objective, answer);
-  file.end();
-  return text;
+  return claims_text(origin, [&](ClaimsWriter& file) { write_statement(file, given, objective, answer); });
 }
 
 template std::string certificate_text(const Constraints&, const Objective&, const LinearProgramAnswer&, const Origin&);

@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/base/names.h>
 #include <sunder/planar/object/polygon_sides.h>
 #include <sunder/planar/region/region.h>
 
@@ -7,19 +8,8 @@
 namespace sunder::planar {
 
 std::string_view name_of(RegionKind kind) {
-  switch (kind) {
-    case RegionKind::empty: return "empty";
-    case RegionKind::point: return "point";
-    case RegionKind::segment: return "segment";
-    case RegionKind::ray: return "ray";
-    case RegionKind::line: return "line";
-    case RegionKind::strip: return "strip";
-    case RegionKind::half_plane: return "half-plane";
-    case RegionKind::unbounded: return "unbounded";
-    case RegionKind::bounded: return "bounded";
-    case RegionKind::plane: return "plane";
-  }
-  return "";
+  return name_in<RegionKind::plane>(
+      {"empty", "point", "segment", "ray", "line", "strip", "half-plane", "unbounded", "bounded", "plane"}, kind);
 }
 
 // Of a segment's four sides two are its ends, the first and third or the others: between one end and the other lie two

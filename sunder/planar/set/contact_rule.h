@@ -6,6 +6,10 @@
 
 namespace sunder::planar {
 
-bool counts(ContactKind kind, Allowed allowed);
+inline bool counts(ContactKind kind, Allowed allowed) {
+  if (kind == ContactKind::shared_endpoint) return allowed == Allowed::nothing;
+  if (kind == ContactKind::touch) return allowed != Allowed::touch;
+  return kind != ContactKind::none;
+}
 
 }  // namespace sunder::planar

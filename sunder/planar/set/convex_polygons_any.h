@@ -18,8 +18,6 @@
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/set/contact_rule.h>
 
-#include <cstdint>
-#include <functional>
 #include <span>
 
 namespace sunder::planar {

@@ -53,9 +53,7 @@ class Sweep {
     const auto at = [&](std::uint32_t end) { return end_point(spans, end); };
     const auto is_point = [&](std::uint32_t end) { return polygons_[end / 2].size() == 1; };
     for (std::size_t k = 0; k < ends.size() && !answer_.meet(); ++k) {
-      if (options_.progress && k % 16384 == 0) {
-        options_.progress(static_cast<double>(k) / static_cast<double>(ends.size()));
-      }
+      tell_progress<16384>(options_, k, k, ends.size());
       const bool equal_counts =
           k + 1 < ends.size() && (options_.allowed != Allowed::touch || (is_point(ends[k]) && is_point(ends[k + 1])));
       if (equal_counts && ends[k] / 2 != ends[k + 1] / 2 && at(ends[k]) == at(ends[k + 1])) {

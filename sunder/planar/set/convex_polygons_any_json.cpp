@@ -1,7 +1,8 @@
-#include <sunder/certificate/claims.h>
+#include <sunder/near/set_statement.h>
 #include <sunder/planar/set/convex_polygons_any_json.h>
 #include <sunder/planar/set/polygons_any.h>
 #include <sunder/planar/set/polygons_common_point.h>
+#include <sunder/planar/set/polygons_json.h>
 #include <sunder/planar/set/segments_all.h>
 #include <sunder/planar/sweep/sweep_json.h>
 #include <sunder/predicate/common_point.h>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -35,16 +35,13 @@ ExactPoint2 common_point(const ConvexPolygon& a, const ConvexPolygon& b, const P
   return {w.point[0], w.point[1], w.denominator};
 }
 
-ExactPoint2 exactly(const Point2& p) { return {p.x, p.y, 1.0}; }
-
 bool is_same(const ExactPoint2& p, const ExactPoint2& q) {
   return p.x * q.denominator == q.x * p.denominator && p.y * q.denominator == q.y * p.denominator;
 }
 
 bool holds(const ConvexPolygon& polygon, const Point2& p) {
   for (std::uint32_t k = 0; k < polygon.size(); ++k) {
-    const Point2 &from = polygon[k], &to = polygon[k + 1 == polygon.size() ? 0 : k + 1];
-    if (orient_2d(from, to, p) == Sign::negative) return false;
+    if (orient_2d(polygon[k], polygon[polygon.next(k)], p) == Sign::negative) return false;
   }
   return true;
 }
@@ -57,11 +54,12 @@ ExactPoint2 point_within(const Segment& s, const ConvexPolygon& polygon) {
     if (found.empty() || (found.size() == 1 && !is_same(found[0], p))) found.push_back(p);
   };
   for (std::uint32_t k = 0; k < polygon.size(); ++k) {
-    const Segment t = sorted({polygon[k], polygon[k + 1 == polygon.size() ? 0 : k + 1]});
+    const Segment t = sorted({polygon[k], polygon[polygon.next(k)]});
     const ContactKind kind = segment_segment(s, t);
     if (kind == ContactKind::overlap) {
-      add(exactly(lexicographically_less(s.a, t.a) ? t.a : s.a));
-      add(exactly(lexicographically_less(s.b, t.b) ? s.b : t.b));
+      const auto [first, last] = common_piece(s, t);
+      add(exactly(first));
+      add(exactly(last));
     } else if (kind != ContactKind::none) {
       add(planar::common_point(s, t));
     }
@@ -90,23 +88,11 @@ ExactPoint2 point_within(const ConvexPolygon& a, const ConvexPolygon& b) {
   return common_point(i, j, polygons_contact(i, j).found.value());
 }
 
-void write_table(ClaimsWriter& file, std::span<const ConvexPolygon> polygons) {
-  file.begin_table("polygons");
-  for (const ConvexPolygon& polygon : polygons) {
-    file.begin_list();
-    file.begin_list();
-    for (const Point2& p : polygon.vertices()) file.add_numbers(std::array{p.x, p.y});
-    file.end_list();
-    file.end_list();
-  }
-  file.end_table();
-}
-
 SweepEvents events_of(std::span<const ConvexPolygon> polygons) {
   std::vector<Segment> edges;
   for (const ConvexPolygon& polygon : polygons) {
     for (std::uint32_t k = 0; k < polygon.size(); ++k) {
-      edges.push_back({polygon[k], polygon[k + 1 == polygon.size() ? 0 : k + 1]});
+      edges.push_back({polygon[k], polygon[polygon.next(k)]});
     }
   }
   return *sweep_events(Segments(std::move(edges)), std::numeric_limits<std::size_t>::max());
@@ -116,29 +102,23 @@ SweepEvents events_of(std::span<const ConvexPolygon> polygons) {
 
 std::string certificate_text(std::span<const ConvexPolygon> polygons, Allowed allowed,
                              const ConvexPolygonsAnswer& answer, Groups groups) {
-  std::string text;
-  ClaimsWriter file([&](std::string_view piece) { text += piece; });
-  write_table(file, polygons);
-  file.begin_statement("polygons");
-  file.text("allowed", allowed == Allowed::touch ? "touch" : "nothing");
-  if (!groups.empty()) file.indices("groups", groups);
-  file.text("verdict", answer.meet() ? "some" : "none");
-  if (answer.meet()) {
-    const ConvexPolygonsContact& found = *answer.found;
-    const ConvexPolygon &a = polygons[found.i], &b = polygons[found.j];
-    const ExactPoint2 p = allowed == Allowed::touch ? point_within(a, b) : common_point(a, b, found.evidence);
-    file.index("i", found.i);
-    file.index("j", found.j);
-    file.fractions("point", std::array{p.x, p.y}, p.denominator);
-    file.begin_claims();
-    file.begin_claim("common_point");
-    file.end_claim();
-  } else {
-    write_sweep(file, "none_counts", events_of(polygons));
-  }
-  file.end_statement();
-  file.end();
-  return text;
+  return claims_text({}, [&](ClaimsWriter& file) {
+    const Allowed rule = allowed == Allowed::touch ? allowed : Allowed::nothing;
+    begin_set_statement(file, "polygons", polygons, rule, groups, answer.meet() ? "some" : "none");
+    if (answer.meet()) {
+      const ConvexPolygonsContact& found = *answer.found;
+      const ConvexPolygon &a = polygons[found.i], &b = polygons[found.j];
+      const ExactPoint2 p = allowed == Allowed::touch ? point_within(a, b) : common_point(a, b, found.evidence);
+      file.index("i", found.i);
+      file.index("j", found.j);
+      file.fractions("point", std::array{p.x, p.y}, p.denominator);
+      file.begin_claims();
+      file.claim("common_point");
+    } else {
+      write_sweep(file, "none_counts", events_of(polygons));
+    }
+    file.end_statement();
+  });
 }
 
 }  // namespace sunder::planar

@@ -57,9 +57,7 @@ Cost discs_all_by_sweep(const Discs& circles, const SetOptions& options, const D
   std::size_t gone = 0;
   constexpr std::size_t ahead = 8;
   for (std::size_t k = 0; k < begins.size(); ++k) {
-    if (options.progress && k % 65536 == 0) {
-      options.progress(static_cast<double>(k) / static_cast<double>(begins.size()));
-    }
+    tell_progress(options, k, k, begins.size());
     if (k + ahead < begins.size()) prefetch(boxes[begins[k + ahead].item]);
     for (; ends[gone].key < begins[k].key; ++gone) line.set(ends[gone].item, MaxTree::nothing);
     const std::uint32_t rank = begins[k].item, i = ranked.number[rank];

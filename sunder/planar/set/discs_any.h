@@ -31,7 +31,6 @@
 #include <sunder/planar/pair/disc_disc.h>
 
 #include <cstdint>
-#include <functional>
 
 namespace sunder::planar {
 

@@ -60,9 +60,7 @@ class Sweep {
   DiscsAnswer run() {
     const std::vector<KeyedItem> ends = ends_from_left(discs_);
     for (std::size_t k = 0; k < ends.size() && !answer_.meet(); ++k) {
-      if (options_.progress && k % 65536 == 0) {
-        options_.progress(static_cast<double>(k) / static_cast<double>(ends.size()));
-      }
+      tell_progress(options_, k, k, ends.size());
       const std::uint32_t end = ends[k].item, disc = end / 2;
       const std::uint32_t below = line_.before(disc), above = line_.after(disc);
       if (end % 2 == 0) {

@@ -6,6 +6,7 @@
 #include <sunder/planar/set/discs_all.h>
 #include <sunder/planar/set/discs_any.h>
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,7 +28,12 @@ std::string certificate_text(const Discs& circles, Allowed allowed, const Answer
 namespace sunder {
 
 // For cover_statement.h, too: its row, and a point of two.
-void write_row(ClaimsWriter& file, const Disc& circle);
-void write_point(ClaimsWriter& file, const Disc& c, const Disc& d);
+inline void write_row(ClaimsWriter& file, const Disc& circle) {
+  file.add_row(std::array{circle.center.x, circle.center.y, circle.radius});
+}
+inline void write_point(ClaimsWriter& file, const Disc& c, const Disc& d) {
+  const ExactPoint2 p = planar::common_point(c, d);
+  file.fractions("point", std::array{p.x, p.y}, p.denominator);
+}
 
 }  // namespace sunder

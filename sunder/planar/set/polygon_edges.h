@@ -24,7 +24,6 @@ class PolygonEdges {
   const Polygon& polygon(std::uint32_t p) const { return *polygons_[p]; }
 
   const Segments& edges() const { return edges_; }
-  std::span<const std::uint32_t> polygons_of_edges() const { return polygon_of_; }
   std::uint32_t polygon_of(std::uint32_t e) const { return polygon_of_[e]; }
   std::uint32_t in_polygon(std::uint32_t e) const { return e - first_edge_[polygon_of_[e]]; }  // its number there
   std::uint32_t first_edge(std::uint32_t p) const { return first_edge_[p]; }

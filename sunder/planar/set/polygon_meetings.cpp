@@ -19,7 +19,8 @@ struct CommonEnds {
 };
 CommonEnds common_ends(const Segment& s, const Segment& t, ContactKind kind) {
   if (kind == ContactKind::overlap) {
-    return {{lexicographically_less(s.a, t.a) ? t.a : s.a, lexicographically_less(s.b, t.b) ? s.b : t.b}, 2};
+    const auto [first, last] = common_piece(s, t);
+    return {{first, last}, 2};
   }
   if (kind == ContactKind::shared_endpoint) return {{has_end_at(t, s.a) ? s.a : s.b, {}}, 1};
   // A touch: the end that the other one holds.

@@ -42,9 +42,7 @@ bool PolygonSweep::run() {
   const std::vector<std::uint32_t> ends = ends_in_order(all);
   std::size_t e = 0;
   for (std::size_t step = 0; !stopped_ && (e < ends.size() || !crossings_.empty()); ++step) {
-    if (options_.progress && step % 65536 == 0) {
-      options_.progress(static_cast<double>(e) / static_cast<double>(ends.size()));
-    }
+    tell_progress(options_, step, e, ends.size());
     Sign next = Sign::positive;
     if (!crossings_.empty()) {
       next = e == ends.size() ? Sign::negative : crossings_.next_minus(end_point(all, ends[e]));
@@ -122,17 +120,9 @@ void PolygonSweep::at_vertex(const Point2& p, std::uint32_t held) {
 // The row around one that holds the point, and what stands next to it.
 template <class Holds>
 void PolygonSweep::gather(std::uint32_t held, const Holds& holds) {
-  row_.clear();
-  for (below_ = status_.neighbours_of(held).below; below_ != none && holds(below_);) {
-    row_.push_back(below_);
-    below_ = status_.neighbours_of(below_).below;
-  }
-  std::reverse(row_.begin(), row_.end());
-  row_.push_back(held);
-  for (above_ = status_.neighbours_of(held).above; above_ != none && holds(above_);) {
-    row_.push_back(above_);
-    above_ = status_.neighbours_of(above_).above;
-  }
+  const auto around = status_.row_around(held, holds, row_);
+  below_ = around.below;
+  above_ = around.above;
 }
 
 // Of two that leave p to the right.

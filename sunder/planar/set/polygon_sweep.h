@@ -19,7 +19,6 @@
 #include <sunder/planar/sweep/sweep_status.h>
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace sunder::planar {

@@ -5,6 +5,7 @@
 // Why the graph tells whether the interior is connected: loops that do not cross, side by side within one, part the
 // plane into as many faces as they are, plus one, plus one for each cycle (Euler's formula: a loop that visits k points
 // has k edges). The faces besides the interior are the outside and the inside of each loop but the outermost one.
+#include <sunder/base/names.h>
 #include <sunder/planar/set/polygon_simple.h>
 #include <sunder/planar/set/polygon_valid.h>
 #include <sunder/planar/set/ring_loops.h>
@@ -189,9 +190,7 @@ class Check {
   PolygonDefect defect_of(const SegmentsContact& c) const {
     const Segment &s = edges_[c.i], &t = edges_[c.j];
     const Point2 at = c.kind == ContactKind::overlap ? Point2{} : common_point_rounded(s, t);
-    const Segment place = c.kind != ContactKind::overlap ? Segment{at, at}
-                                                         : Segment{lexicographically_less(s.a, t.a) ? t.a : s.a,  //
-                                                                   lexicographically_less(s.b, t.b) ? s.b : t.b};
+    const Segment place = c.kind != ContactKind::overlap ? Segment{at, at} : common_piece(s, t);
     return {kind_of(c), place_of(rings_of_edges_, c.i), place_of(rings_of_edges_, c.j), place};
   }
 
@@ -407,19 +406,9 @@ RingSet rings_of(std::span<const PolygonRings> parts) {
 }  // namespace
 
 std::string_view name_of(PolygonDefectKind kind) {
-  switch (kind) {
-    case Kind::too_few_points: return "too-few-points";
-    case Kind::crossing: return "crossing";
-    case Kind::overlap: return "overlap";
-    case Kind::repeated_vertex: return "repeated-vertex";
-    case Kind::self_touch: return "self-touch";
-    case Kind::rings_touch: return "rings-touch";
-    case Kind::hole_outside: return "hole-outside";
-    case Kind::nested_holes: return "nested-holes";
-    case Kind::disconnected: return "disconnected";
-    case Kind::nested_parts: return "nested-parts";
-  }
-  return "";
+  return name_in<Kind::nested_parts>({"too-few-points", "crossing", "overlap", "repeated-vertex", "self-touch",
+                                      "rings-touch", "hole-outside", "nested-holes", "disconnected", "nested-parts"},
+                                     kind);
 }
 
 PolygonDefects polygon_defects(std::span<const PolygonRings> parts, const ValidOptions& options) {

@@ -15,7 +15,6 @@
 #include <sunder/planar/set/polygon_valid.h>
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <optional>
 #include <tuple>

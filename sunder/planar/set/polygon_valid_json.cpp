@@ -1,9 +1,9 @@
 #include <sunder/planar/pair/segment_segment.h>
 #include <sunder/planar/set/polygon_valid_json.h>
+#include <sunder/planar/set/polygons_json.h>
 #include <sunder/planar/set/segments_all.h>
 #include <sunder/planar/sweep/sweep_json.h>
 #include <sunder/predicate/crossing.h>
-#include <sunder/predicate/orient.h>
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -55,7 +55,7 @@ struct Numbered {
   std::vector<Segment> edges;
 };
 
-std::string name_in_file(PolygonRule rule) {
+std::string_view name_in_file(PolygonRule rule) {
   switch (rule) {
     case PolygonRule::simple: return "simple";
     case PolygonRule::valid: return "valid";
@@ -64,28 +64,32 @@ std::string name_in_file(PolygonRule rule) {
   return "valid-with-self-touch";
 }
 
-void begin(ClaimsWriter& file, std::size_t count, std::uint32_t first_part, PolygonRule rule,
-           const std::string& verdict) {
-  std::vector<std::uint32_t> parts(count);
-  std::iota(parts.begin(), parts.end(), first_part);
-  file.begin_statement("valid");
-  file.indices("parts", parts);
-  file.text("rule", name_in_file(rule));
-  file.text("verdict", verdict);
-}
+// The statement about some parts, of which first_part is the first in the table.
+struct Statement {
+  ClaimsWriter& file;
+  const Numbered& all;
+  std::uint32_t first_part;
+  PolygonRule rule;
 
-void end(ClaimsWriter& file, std::string_view claim) {
-  file.begin_claims();
-  file.begin_claim(claim);
-  file.end_claim();
-  file.end_statement();
-}
-
-ExactPoint2 exactly(const Point2& p) { return {p.x, p.y, 1.0}; }
-
-void write_point(ClaimsWriter& file, const ExactPoint2& p) {
-  file.fractions("point", std::array{p.x, p.y}, p.denominator);
-}
+  void begin(std::string_view verdict) const {
+    std::vector<std::uint32_t> parts(all.first_ring.size());
+    std::iota(parts.begin(), parts.end(), first_part);
+    file.begin_statement("valid");
+    file.indices("parts", parts);
+    file.text("rule", name_in_file(rule));
+    file.text("verdict", verdict);
+  }
+  void point(const ExactPoint2& p) const { file.fractions("point", std::array{p.x, p.y}, p.denominator); }
+  void end(std::string_view claim) const {
+    file.begin_claims();
+    file.claim(claim);
+    file.end_statement();
+  }
+  void end(std::string_view claim, const SweepEvents& events) const {
+    write_sweep(file, claim, events);
+    file.end_statement();
+  }
+};
 
 // ---- Rings that do not fit at a point.
 
@@ -166,15 +170,14 @@ std::optional<ExactPoint2> misplaced_on(const Numbered& all, std::uint32_t edge)
   return std::nullopt;
 }
 
-bool write_misplaced(ClaimsWriter& file, const Numbered& all, std::uint32_t first_part, PolygonRule rule,
-                     const std::vector<std::uint32_t>& edges) {
+bool write_misplaced(const Statement& out, const std::vector<std::uint32_t>& edges) {
   for (const std::uint32_t edge : edges) {
-    const std::optional<ExactPoint2> point = misplaced_on(all, edge);
+    const std::optional<ExactPoint2> point = misplaced_on(out.all, edge);
     if (!point) continue;
-    begin(file, all.first_ring.size(), first_part, rule, "misplaced");
-    file.index("ring", all.ring_of[edge]);
-    write_point(file, *point);
-    end(file, "misplaced");
+    out.begin("misplaced");
+    out.file.index("ring", out.all.ring_of[edge]);
+    out.point(*point);
+    out.end("misplaced");
     return true;
   }
   return false;
@@ -277,16 +280,15 @@ std::optional<Disc> circle_in(const Numbered& all, std::uint32_t part) {
   return circle;
 }
 
-bool write_circle(ClaimsWriter& file, const Numbered& all, std::uint32_t first_part, PolygonRule rule,
-                  std::uint32_t part) {
-  const std::optional<Disc> circle = circle_in(all, part);
+bool write_circle(const Statement& out, std::uint32_t part) {
+  const std::optional<Disc> circle = circle_in(out.all, part);
   if (!circle) return false;
-  begin(file, all.first_ring.size(), first_part, rule, "circle");
-  file.indices("rings", circle->rings);
-  file.begin_list("points");
-  for (const Point2& p : circle->points) file.add_numbers(std::array{p.x, p.y});
-  file.end_list();
-  end(file, "circle");
+  out.begin("circle");
+  out.file.indices("rings", circle->rings);
+  out.file.begin_list("points");
+  for (const Point2& p : circle->points) out.file.add_numbers(std::array{p.x, p.y});
+  out.file.end_list();
+  out.end("circle");
   return true;
 }
 
@@ -395,38 +397,36 @@ class Faces {
   std::vector<std::size_t> pieces_;
 };
 
-bool write_falls_apart(ClaimsWriter& file, const Numbered& all, std::uint32_t first_part, PolygonRule rule) {
-  const auto events = sweep_events(Segments(all.edges), std::numeric_limits<std::size_t>::max());
-  if (!Faces(all).fall_apart(*events)) return false;
-  begin(file, all.first_ring.size(), first_part, rule, "falls_apart");
-  write_sweep(file, "falls_apart", *events);
-  file.end_statement();
+bool write_falls_apart(const Statement& out) {
+  const auto events = sweep_events(Segments(out.all.edges), std::numeric_limits<std::size_t>::max());
+  if (!Faces(out.all).fall_apart(*events)) return false;
+  out.begin("falls_apart");
+  out.end("falls_apart", *events);
   return true;
 }
 
 // ---- Others.
 
-void write_edges_meet(ClaimsWriter& file, const Numbered& all, std::uint32_t first_part, PolygonRule rule,
-                      std::uint32_t i, std::uint32_t j) {
-  const Segment &s = all.edges[i], &t = all.edges[j];
+bool write_edges_meet(const Statement& out, std::uint32_t i, std::uint32_t j) {
+  const Segment &s = out.all.edges[i], &t = out.all.edges[j];
   const ContactKind kind = segment_segment(s, t);
-  begin(file, all.first_ring.size(), first_part, rule, "edges_meet");
-  file.index("i", i);
-  file.index("j", j);
-  file.text("kind", std::string(name_of(kind)));
-  write_point(
-      file, kind == ContactKind::overlap ? exactly(lexicographically_less(s.a, t.a) ? t.a : s.a) : common_point(s, t));
-  end(file, "contact");
+  out.begin("edges_meet");
+  out.file.index("i", i);
+  out.file.index("j", j);
+  out.file.text("kind", name_of(kind));
+  out.point(kind == ContactKind::overlap ? exactly(common_piece(s, t).a) : common_point(s, t));
+  out.end("contact");
+  return true;
 }
 
-void write_at_ring(ClaimsWriter& file, const Numbered& all, std::uint32_t first_part, PolygonRule rule,
-                   const std::string& verdict, std::uint32_t ring, std::optional<std::uint32_t> other,
-                   const std::optional<Point2>& point) {
-  begin(file, all.first_ring.size(), first_part, rule, verdict);
-  file.index("ring", ring);
-  if (other) file.index("other", *other);
-  if (point) write_point(file, exactly(*point));
-  end(file, verdict);
+bool write_at_ring(const Statement& out, std::string_view verdict, std::uint32_t ring,
+                   std::optional<std::uint32_t> other, const std::optional<Point2>& point) {
+  out.begin(verdict);
+  out.file.index("ring", ring);
+  if (other) out.file.index("other", *other);
+  if (point) out.point(exactly(*point));
+  out.end(verdict);
+  return true;
 }
 
 }  // namespace
@@ -434,11 +434,7 @@ void write_at_ring(ClaimsWriter& file, const Numbered& all, std::uint32_t first_
 void write_parts(ClaimsWriter& file, std::span<const PolygonRings> parts) {
   for (const PolygonRings& part : parts) {
     file.begin_list();
-    for (const std::vector<Point2>& ring : part) {
-      file.begin_list();
-      for (const Point2& p : open(ring)) file.add_numbers(std::array{p.x, p.y});
-      file.end_list();
-    }
+    for (const std::vector<Point2>& ring : part) write_ring(file, open(ring));
     file.end_list();
   }
 }
@@ -446,56 +442,43 @@ void write_parts(ClaimsWriter& file, std::span<const PolygonRings> parts) {
 void write_valid(ClaimsWriter& file, std::span<const PolygonRings> parts, std::uint32_t first_part, PolygonRule rule) {
   const Numbered all(parts);
   const auto events = sweep_events(Segments(all.edges), std::numeric_limits<std::size_t>::max());
-  begin(file, parts.size(), first_part, rule, "valid");
-  write_sweep(file, "valid", *events);
-  file.end_statement();
+  const Statement out{file, all, first_part, rule};
+  out.begin("valid");
+  out.end("valid", *events);
 }
 
 bool write_defect(ClaimsWriter& file, std::span<const PolygonRings> parts, std::uint32_t first_part, PolygonRule rule,
                   const PolygonDefect& defect) {
   const Numbered all(parts);
+  const Statement out{file, all, first_part, rule};
   const std::uint32_t a = all.ring(defect.a), b = all.ring(defect.b);
+  const Point2& at = defect.place.a;
+  const auto comes_twice = [&] { return write_at_ring(out, "comes_twice", a, std::nullopt, at); };
   switch (defect.kind) {
-    case PolygonDefectKind::too_few_points:
-      write_at_ring(file, all, first_part, rule, "too_few_points", a, std::nullopt, std::nullopt);
-      return true;
+    case PolygonDefectKind::too_few_points: return write_at_ring(out, "too_few_points", a, std::nullopt, std::nullopt);
     case PolygonDefectKind::crossing: {
       const std::uint32_t i = all.edge(defect.a), j = all.edge(defect.b);
-      if (segment_segment(all.edges[i], all.edges[j]) == ContactKind::crossing) {
-        write_edges_meet(file, all, first_part, rule, i, j);
-        return true;
-      }
-      if (a == b) {
-        const std::string verdict = rule == PolygonRule::self_touch ? "crosses" : "comes_twice";
-        write_at_ring(file, all, first_part, rule, verdict, a, std::nullopt, defect.place.a);
-        return true;
-      }
-      std::vector<std::uint32_t> edges = edges_at(all, a, defect.place.a), more = edges_at(all, b, defect.place.a);
+      if (segment_segment(all.edges[i], all.edges[j]) == ContactKind::crossing) return write_edges_meet(out, i, j);
+      if (a == b && rule != PolygonRule::self_touch) return comes_twice();
+      if (a == b) return write_at_ring(out, "crosses", a, std::nullopt, at);
+      std::vector<std::uint32_t> edges = edges_at(all, a, at), more = edges_at(all, b, at);
       edges.insert(edges.end(), more.begin(), more.end());
-      return write_misplaced(file, all, first_part, rule, edges);
+      return write_misplaced(out, edges);
     }
-    case PolygonDefectKind::overlap:
-      write_edges_meet(file, all, first_part, rule, all.edge(defect.a), all.edge(defect.b));
-      return true;
+    case PolygonDefectKind::overlap: return write_edges_meet(out, all.edge(defect.a), all.edge(defect.b));
     case PolygonDefectKind::repeated_vertex:
-      begin(file, parts.size(), first_part, rule, "repeated");
+      out.begin("repeated");
       file.index("edge", all.edge(defect.a));
-      end(file, "repeated");
+      out.end("repeated");
       return true;
-    case PolygonDefectKind::self_touch:
-      write_at_ring(file, all, first_part, rule, "comes_twice", a, std::nullopt, defect.place.a);
-      return true;
-    case PolygonDefectKind::rings_touch:
-      write_at_ring(file, all, first_part, rule, "rings_touch", a, b, defect.place.a);
-      return true;
+    case PolygonDefectKind::self_touch: return comes_twice();
+    case PolygonDefectKind::rings_touch: return write_at_ring(out, "rings_touch", a, b, at);
     case PolygonDefectKind::hole_outside:
     case PolygonDefectKind::nested_holes:
-    case PolygonDefectKind::nested_parts: return write_misplaced(file, all, first_part, rule, {all.edge(defect.a)});
+    case PolygonDefectKind::nested_parts: return write_misplaced(out, {all.edge(defect.a)});
     case PolygonDefectKind::disconnected:
-      if (write_circle(file, all, first_part, rule, defect.a.part)) return true;
-      if (a != b || rule == PolygonRule::self_touch) return write_falls_apart(file, all, first_part, rule);
-      write_at_ring(file, all, first_part, rule, "comes_twice", a, std::nullopt, defect.place.a);
-      return true;
+      if (write_circle(out, defect.a.part)) return true;
+      return a != b || rule == PolygonRule::self_touch ? write_falls_apart(out) : comes_twice();
   }
   return false;
 }

@@ -12,8 +12,6 @@
 
 #include <sunder/planar/set/polygons_any.h>
 
-#include <vector>
-
 namespace sunder::planar {
 
 using PolygonsAllAnswer = AllAnswer<PolygonsContact>;

@@ -24,7 +24,6 @@
 #include <sunder/planar/set/contact_rule.h>
 
 #include <cstdint>
-#include <functional>
 #include <span>
 
 namespace sunder::planar {

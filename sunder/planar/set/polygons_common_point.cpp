@@ -1,5 +1,6 @@
 // Two polygons that overlap do so as near as one likes to the place that shows it. So some sector between the edges
 // there is inside of both; and of a ray within the sector, what comes before it meets another edge.
+#include <sunder/number/vector.h>
 #include <sunder/planar/set/polygons_common_point.h>
 
 #include <algorithm>
@@ -11,14 +12,9 @@ namespace sunder::planar {
 
 namespace {
 
-struct Vector {
-  Dyadic x, y;
-};
+using Vector = Vector2<Dyadic>;
 
-Vector operator+(const Vector& u, const Vector& v) { return {u.x + v.x, u.y + v.y}; }
-Sign cross_sign(const Vector& u, const Vector& v) { return (u.x * v.y - u.y * v.x).sign(); }
-Dyadic cross(const Vector& u, const Vector& v) { return u.x * v.y - u.y * v.x; }
-Dyadic dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y; }
+Sign cross_sign(const Vector& u, const Vector& v) { return cross(u, v).sign(); }
 bool is_zero(const Vector& u) { return u.x.sign() == Sign::zero && u.y.sign() == Sign::zero; }
 // Is u left, or straight below, of the origin?
 bool is_before(const Vector& u) {
@@ -52,7 +48,7 @@ std::vector<Edge> edges_from(const Polygon& polygon, const ExactPoint2& place) {
 bool is_inside(const std::vector<Edge>& edges, const Vector& v) {
   bool inside = false;
   for (const Edge& edge : edges) {
-    const Vector from_a{v.x - edge.a.x, v.y - edge.a.y}, from_b{v.x - edge.b.x, v.y - edge.b.y};
+    const Vector from_a = v - edge.a, from_b = v - edge.b;
     if (is_before(from_a) || !is_before(from_b)) continue;
     inside ^= cross_sign(from_a, from_b) == Sign::negative;
   }
@@ -126,8 +122,6 @@ std::optional<ExactPoint2> inside_both_near(const Polygon& a, const Polygon& b, 
   return std::nullopt;
 }
 
-ExactPoint2 exactly(const Point2& p) { return {p.x, p.y, 1.0}; }
-
 }  // namespace
 
 ExactPoint2 common_point(const Polygon& a, const Polygon& b, const PolygonsContact& found) {
@@ -136,8 +130,7 @@ ExactPoint2 common_point(const Polygon& a, const Polygon& b, const PolygonsConta
     return inside_both_near(a, b, vertex).value_or(vertex);
   }
   const Segment s = sorted(a.edge(found.of_i)), t = sorted(b.edge(found.of_j));
-  const Point2 first = lexicographically_less(s.a, t.a) ? t.a : s.a,
-               last = lexicographically_less(s.b, t.b) ? s.b : t.b;
+  const auto [first, last] = common_piece(s, t);
   const bool is_overlap = found.kind == ContactKind::overlap;
   ExactPoint2 common = is_overlap ? ExactPoint2{Dyadic(first.x) + Dyadic(last.x), Dyadic(first.y) + Dyadic(last.y), 2.0}
                                   : common_point(s, t);

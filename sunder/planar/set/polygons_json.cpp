@@ -1,3 +1,4 @@
+#include <sunder/near/set_statement.h>
 #include <sunder/planar/set/polygon_edges.h>
 #include <sunder/planar/set/polygons_common_point.h>
 #include <sunder/planar/set/polygons_json.h>
@@ -11,32 +12,29 @@ namespace sunder::planar {
 
 namespace {
 
-void write_table(ClaimsWriter& file, std::span<const Polygon> polygons) {
-  file.begin_table("polygons");
-  for (const Polygon& polygon : polygons) {
-    file.begin_list();
-    for (std::uint32_t r = 0; r < polygon.ring_count(); ++r) {
-      file.begin_list();
-      for (std::uint32_t k = polygon.ring_begin(r); k < polygon.ring_begin(r + 1); ++k) {
-        file.add_numbers(std::array{polygon.vertices()[k].x, polygon.vertices()[k].y});
-      }
-      file.end_list();
-    }
-    file.end_list();
-  }
-  file.end_table();
-}
-
-// The table, and the statement up to its verdict.
-void begin(ClaimsWriter& file, const PolygonsAsked& asked, const std::string& verdict) {
-  write_table(file, asked.polygons);
-  file.begin_statement("polygons");
-  file.text("allowed", std::string(name_of(asked.allowed)));
-  if (!asked.groups.empty()) file.indices("groups", asked.groups);
-  file.text("verdict", verdict);
+void begin(ClaimsWriter& file, const PolygonsAsked& asked, std::string_view verdict) {
+  begin_set_statement(file, "polygons", asked.polygons, asked.allowed, asked.groups, verdict);
 }
 
 }  // namespace
+
+void write_row(ClaimsWriter& file, const Polygon& polygon) {
+  file.begin_list();
+  for (std::uint32_t r = 0; r < polygon.ring_count(); ++r) write_ring(file, polygon.ring(r));
+  file.end_list();
+}
+
+void write_row(ClaimsWriter& file, const ConvexPolygon& polygon) {
+  file.begin_list();
+  write_ring(file, polygon.vertices());
+  file.end_list();
+}
+
+void write_ring(ClaimsWriter& file, std::span<const Point2> ring) {
+  file.begin_list();
+  for (const Point2& p : ring) file.add_numbers(std::array{p.x, p.y});
+  file.end_list();
+}
 
 std::optional<SweepEvents> polygon_events(std::span<const Polygon> polygons, std::size_t most) {
   return sweep_events(PolygonEdges(pointers_to(polygons)).edges(), most);
@@ -49,8 +47,7 @@ void write_some(ClaimsWriter& file, const PolygonsAsked& asked, const PolygonsCo
   const ExactPoint2 p = common_point(asked.polygons[found.i], asked.polygons[found.j], found);
   file.fractions("point", std::array{p.x, p.y}, p.denominator);
   file.begin_claims();
-  file.begin_claim("common_point");
-  file.end_claim();
+  file.claim("common_point");
   file.end_statement();
 }
 
@@ -78,16 +75,14 @@ void write_count(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEven
 
 std::string certificate_text(std::span<const Polygon> polygons, Allowed allowed, const PolygonsAnswer& answer,
                              Groups groups) {
-  std::string text;
-  ClaimsWriter file([&](std::string_view piece) { text += piece; });
-  const PolygonsAsked asked{polygons, allowed, groups};
-  if (answer.meet()) {
-    write_some(file, asked, *answer.found);
-  } else {
-    write_none(file, asked, *polygon_events(polygons));
-  }
-  file.end();
-  return text;
+  return claims_text({}, [&](ClaimsWriter& file) {
+    const PolygonsAsked asked{polygons, allowed, groups};
+    if (answer.meet()) {
+      write_some(file, asked, *answer.found);
+    } else {
+      write_none(file, asked, *polygon_events(polygons));
+    }
+  });
 }
 
 }  // namespace sunder::planar

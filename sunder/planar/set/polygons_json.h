@@ -5,6 +5,7 @@
 #pragma once
 
 #include <sunder/certificate/claims.h>
+#include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/set/polygons_any.h>
 #include <sunder/planar/sweep/sweep_events.h>
 
@@ -40,6 +41,11 @@ void write_none(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEvent
 using VisitPairs = std::function<void(const std::function<void(std::uint32_t i, std::uint32_t j)>& take)>;
 void write_these(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEvents& events, const VisitPairs& visit);
 void write_count(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEvents& events, std::uint64_t number);
+
+// An entry of the table, and of that a ring.
+void write_row(ClaimsWriter& file, const Polygon& polygon);
+void write_row(ClaimsWriter& file, const ConvexPolygon& polygon);
+void write_ring(ClaimsWriter& file, std::span<const Point2> ring);
 
 // The whole file, of some or none.
 std::string certificate_text(std::span<const Polygon> polygons, Allowed allowed, const PolygonsAnswer& answer,

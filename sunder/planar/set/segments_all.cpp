@@ -1,4 +1,6 @@
+// The front doors, and the methods that all sets share.
 #include <sunder/near/set_methods.h>
+#include <sunder/planar/set/segment_boxes.h>
 #include <sunder/planar/set/segments_all.h>
 
 #include <algorithm>
@@ -38,6 +40,14 @@ SegmentsCountAnswer segments_count(const Segments& segments, const SetOptions& o
   static_cast<CountAnswer&>(answer) = count_of<SegmentsContact>(
       [&](const SegmentsVisitor& visit) { return visit_all(segments, options, visit, answer.transcript); });
   return answer;
+}
+
+Cost segments_all_by_grid(const Segments& segments, const SetOptions& options, const SegmentsVisitor& visit) {
+  return visit_by_grid(segments, segments.all(), grid_over(segments), options, visit, segments_all_by_sweep);
+}
+
+Cost segments_all_by_scan(const Segments& segments, const SetOptions& options, const SegmentsVisitor& visit) {
+  return visit_by_scan(segments, options, visit);
 }
 
 }  // namespace sunder::planar

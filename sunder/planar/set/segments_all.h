@@ -16,10 +16,8 @@
 #include <sunder/planar/object/segments.h>
 #include <sunder/planar/set/segments_any.h>
 
-#include <cstdint>
 #include <functional>
 #include <optional>
-#include <vector>
 
 namespace sunder::planar {
 

@@ -207,8 +207,7 @@ class Balaban {
 
   // list_: just before the place; afterwards just after.
   void at_place(std::uint32_t place) {
-    if (options_.progress && place % 65536 == 0)
-      options_.progress(static_cast<double>(place) / static_cast<double>(place_count()));
+    tell_progress(options_, place, place, place_count());
     begin_.clear();
     points_.clear();
     const std::size_t past = place + 1 < place_count() ? places_[place + 1] : ends_.size();

@@ -13,6 +13,7 @@
 // The bundle of p is complete: just before p, those in the list that hold p have nothing else between them.
 #include <sunder/planar/set/contact_bundle.h>
 #include <sunder/planar/set/segments_all.h>
+#include <sunder/planar/sweep/crossing_queue.h>
 #include <sunder/planar/sweep/ends_in_order.h>
 #include <sunder/planar/sweep/sweep_status.h>
 #include <sunder/predicate/crossing.h>
@@ -38,16 +39,15 @@ class BentleyOttmann {
         record_(record),
         most_(most),
         status_(segments.all()),
-        ends_on_(segments.size()) {}
+        ends_on_(segments.size()),
+        crossings_(segments) {}
 
   Cost run() {
     const std::vector<std::uint32_t> ends = ends_in_order(segments_.all());
     std::size_t e = 0;
     for (std::size_t step = 0; !stopped_ && (e < ends.size() || !crossings_.empty()); ++step) {
-      if (options_.progress && step % 65536 == 0) {
-        options_.progress(static_cast<double>(e) / static_cast<double>(ends.size()));
-      }
-      if (!crossings_.empty() && (e == ends.size() || order(crossings_.front(), point(ends[e])) == Sign::negative)) {
+      tell_progress(options_, step, e, ends.size());
+      if (!crossings_.empty() && (e == ends.size() || crossings_.next_minus(point(ends[e])) == Sign::negative)) {
         at_crossing();
         continue;
       }
@@ -60,38 +60,13 @@ class BentleyOttmann {
   }
 
  private:
-  struct Event {  // a crossing of two that were neighbours
-    std::uint32_t lower, upper;
-    Interval x;  // holds its x
-  };
-
   const Point2& point(std::uint32_t end) const { return end_point(segments_.all(), end); }
-  Crossing crossing_of(const Event& e) const {
-    const Segment &s = segments_[e.lower], &t = segments_[e.upper];
-    return {s.a, s.b, t.a, t.b};
-  }
-  static Enclosure2 enclosure_of(const Event& e) { return {e.x, {}}; }  // compare() looks at x only
-
-  Sign order(const Event& e, const Point2& p) const { return compare(crossing_of(e), enclosure_of(e), p); }
-  Sign order(const Event& e, const Event& f) const {
-    if (e.lower == f.lower && e.upper == f.upper) return Sign::zero;
-    return compare(crossing_of(e), enclosure_of(e), crossing_of(f), enclosure_of(f));
-  }
-  bool is_later(const Event& e, const Event& f) const { return order(e, f) == Sign::positive; }
-
-  Event pop() {
-    std::pop_heap(crossings_.begin(), crossings_.end(), [&](const Event& e, const Event& f) { return is_later(e, f); });
-    const Event event = crossings_.back();
-    crossings_.pop_back();
-    return event;
-  }
 
   // --- At a crossing where no segment begins or ends ---
 
   void at_crossing() {
-    const Event event = pop();
-    while (!crossings_.empty() && order(crossings_.front(), event) == Sign::zero) pop();
-    const Crossing p = crossing_of(event);
+    const CrossingQueue::Event event = crossings_.pop();
+    const Crossing p = crossings_.crossing_of(event);
     const Enclosure2 in = enclosure(p);
     gather(event.lower, [&](std::uint32_t i) {
       if (bundle_.on_one_line(i, event.lower) || bundle_.on_one_line(i, event.upper)) return true;
@@ -108,11 +83,11 @@ class BentleyOttmann {
   // --- Where segments begin or end ---
 
   void at_end(const Point2& p, std::span<const std::uint32_t> ends) {
-    if (ends.size() == 1 && (crossings_.empty() || order(crossings_.front(), p) != Sign::zero)) {
+    if (ends.size() == 1 && (crossings_.empty() || crossings_.next_minus(p) != Sign::zero)) {
       if (ends[0] % 2 == 1 ? leave_alone(ends[0] / 2) : enter_alone(ends[0] / 2)) return;
     }
     std::uint32_t held = none;  // some segment in the list that holds p
-    while (!crossings_.empty() && order(crossings_.front(), p) == Sign::zero) held = pop().lower;
+    while (!crossings_.empty() && crossings_.next_minus(p) == Sign::zero) held = crossings_.pop_one().lower;
     for (const std::uint32_t end : ends) {
       if (end % 2 == 1 && status_.holds(end / 2)) held = end / 2;
     }
@@ -198,16 +173,9 @@ class BentleyOttmann {
   // The row around one that holds the place, from below to above, and what stands next to it.
   template <class Holds>
   void gather(std::uint32_t held, const Holds& holds) {
-    row_.clear();
-    const auto take = [&](std::uint32_t i) {
-      if (!holds(i)) return false;
-      row_.push_back(i);
-      return true;
-    };
-    below_ = status_.walk_down(held, take);
-    std::reverse(row_.begin(), row_.end());
-    row_.push_back(held);
-    above_ = status_.walk_up(held, take);
+    const auto around = status_.row_around(held, holds, row_);
+    below_ = around.below;
+    above_ = around.above;
   }
 
   // Reverses a row of the list, whose members pass through the place, and the row given.
@@ -245,9 +213,7 @@ class BentleyOttmann {
       ends_on_[s_ends_first ? lower : upper] = 1;
       return;
     }
-    crossings_.push_back({lower, upper, enclosure({s.a, s.b, t.a, t.b}).x});
-    std::push_heap(crossings_.begin(), crossings_.end(),
-                   [&](const Event& e, const Event& f) { return is_later(e, f); });
+    crossings_.push(lower, upper);
   }
 
   // Where p stands: positive above the segment, which is in the list.
@@ -271,7 +237,7 @@ class BentleyOttmann {
   const std::size_t most_;
   SweepStatus<Segment> status_;
   std::vector<std::uint8_t> ends_on_;  // of each segment: does it end on one that it was a neighbour of?
-  std::vector<Event> crossings_;       // a heap
+  CrossingQueue crossings_;
   std::vector<std::uint32_t> row_, passing_, begins_, points_;
   std::uint32_t below_ = none, above_ = none;  // next to the row
   bool begins_on_another_ = false, stopped_ = false;

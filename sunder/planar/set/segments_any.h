@@ -19,10 +19,7 @@
 #include <sunder/planar/set/contact_rule.h>
 #include <sunder/planar/sweep/sweep_events.h>
 
-#include <array>
 #include <cstdint>
-#include <functional>
-#include <vector>
 
 namespace sunder::planar {
 

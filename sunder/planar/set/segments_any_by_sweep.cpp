@@ -34,8 +34,6 @@
 #include <sunder/planar/sweep/sweep_status.h>
 #include <sunder/predicate/orient.h>
 
-#include <algorithm>
-
 namespace sunder::planar {
 
 namespace {
@@ -50,9 +48,7 @@ class Sweep {
   SegmentsAnswer run(std::span<const std::uint32_t> ends) {
     for (std::size_t k = 0; k < ends.size() && !answer_.meet(); ++k) {
       const std::uint32_t i = ends[k] / 2;
-      if (options_.progress && k % 65536 == 0) {
-        options_.progress(static_cast<double>(k) / static_cast<double>(ends.size()));
-      }
+      tell_progress(options_, k, k, ends.size());
       if (k + ahead < ends.size()) prefetch(segments_[ends[k + ahead] / 2]);
       if (options_.allowed == Allowed::nothing && k + 1 < ends.size()) test_equal_ends(ends[k], ends[k + 1]);
       const std::uint32_t next = k + 1 < ends.size() ? ends[k + 1] : none;

@@ -1,67 +1,40 @@
+#include <sunder/near/set_statement.h>
 #include <sunder/planar/set/segments_json.h>
 #include <sunder/planar/sweep/sweep_json.h>
 #include <sunder/predicate/crossing.h>
 
+#include <algorithm>
 #include <array>
-#include <string_view>
 
 namespace sunder::planar {
 
-namespace {
+void write_row(ClaimsWriter& file, const Segment& s) { file.add_row(std::array{s.a.x, s.a.y, s.b.x, s.b.y}); }
 
-void write_contact(ClaimsWriter& file, const Segments& segments, const SegmentsContact& found) {
-  file.text("verdict", "some");
-  file.index("i", found.i);
-  file.index("j", found.j);
-  file.text("kind", std::string(name_of(found.kind)));
-  const ExactPoint2 p = common_point(segments[found.i], segments[found.j]);
+void write_point(ClaimsWriter& file, const Segment& s, const Segment& t) {
+  const ExactPoint2 p = common_point(s, t);
   file.fractions("point", std::array{p.x, p.y}, p.denominator);
-  file.begin_claims();
-  file.begin_claim("contact");
-  file.end_claim();
 }
-
-// The table, and the statement up to its verdict.
-void begin_statement(ClaimsWriter& file, const Segments& segments, Allowed allowed, Groups groups) {
-  file.begin_table("segments");
-  for (std::uint32_t i = 0; i < segments.size(); ++i) {
-    file.add_row(std::array{segments[i].a.x, segments[i].a.y, segments[i].b.x, segments[i].b.y});
-  }
-  file.end_table();
-  file.begin_statement("segments");
-  file.text("allowed", std::string(name_of(allowed)));
-  if (!groups.empty()) file.indices("groups", groups);
-}
-
-}  // namespace
 
 void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allowed, const SegmentsAnswer& answer,
                      Groups groups) {
-  begin_statement(file, segments, allowed, groups);
-  if (answer.meet()) {
-    write_contact(file, segments, *answer.found);
-  } else {
-    file.text("verdict", "none");
-    write_sweep(file, "none_counts", answer.transcript);
-  }
+  begin_set_statement(file, "segments", segments, allowed, groups, answer.meet() ? "some" : "none");
+  if (answer.meet()) return end_some_statement(file, segments, *answer.found);
+  write_sweep(file, "none_counts", answer.transcript);
   file.end_statement();
 }
 
 void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allowed, const SegmentsAllAnswer& answer,
                      Groups groups) {
-  begin_statement(file, segments, allowed, groups);
-  file.text("verdict", "these");
-  file.begin_list("contacts");
-  for (const SegmentsContact& c : answer.contacts) file.add_contact(c.i, c.j, name_of(c.kind));
-  file.end_list();
+  begin_set_statement(file, "segments", segments, allowed, groups, "these");
+  write_contacts<SegmentsContact>(
+      file, [&](const auto& take) { std::for_each(answer.contacts.begin(), answer.contacts.end(), take); });
   write_sweep(file, "these_count", answer.transcript);
   file.end_statement();
 }
 
 void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allowed, const SegmentsCountAnswer& answer,
                      Groups groups) {
-  begin_statement(file, segments, allowed, groups);
-  file.text("verdict", "count");
+  begin_set_statement(file, "segments", segments, allowed, groups, "count");
   file.number("number", answer.count);
   write_sweep(file, "number_counts", answer.transcript);
   file.end_statement();

@@ -9,9 +9,12 @@
 #include <sunder/planar/set/segments_any.h>
 
 #include <string>
-#include <string_view>
 
 namespace sunder::planar {
+
+// An entry of the table, and for set_statement.h the common point of two.
+void write_row(ClaimsWriter& file, const Segment& s);
+void write_point(ClaimsWriter& file, const Segment& s, const Segment& t);
 
 // The table and the statement. Requires an answer about these segments under this rule and with these groups; one of
 // `none` with its transcript. The certificate must be true: the common point is computed here.
@@ -28,12 +31,7 @@ void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allow
 template <class Answer>
 std::string certificate_text(const Segments& segments, Allowed allowed, const Answer& answer, Groups groups = {},
                              const Origin& origin = {}) {
-  std::string text;
-  ClaimsWriter file([&](std::string_view piece) { text += piece; });
-  file.add_origin(origin);
-  write_statement(file, segments, allowed, answer, groups);
-  file.end();
-  return text;
+  return claims_text(origin, [&](ClaimsWriter& file) { write_statement(file, segments, allowed, answer, groups); });
 }
 
 }  // namespace sunder::planar

@@ -45,6 +45,14 @@ class CrossingQueue {
     return event;
   }
 
+  // Takes the next one out alone. Requires that there is one.
+  Event pop_one() {
+    std::pop_heap(events_.begin(), events_.end(), Later{this});
+    const Event event = events_.back();
+    events_.pop_back();
+    return event;
+  }
+
   Crossing crossing_of(const Event& e) const { return crossing(e.lower, e.upper); }
 
   std::uint64_t comparisons = 0;
@@ -65,12 +73,6 @@ class CrossingQueue {
     if (e.lower == f.lower && e.upper == f.upper) return Sign::zero;
     ++comparisons;
     return compare(crossing_of(e), enclosure_of(e), crossing_of(f), enclosure_of(f));
-  }
-  Event pop_one() {
-    std::pop_heap(events_.begin(), events_.end(), Later{this});
-    const Event event = events_.back();
-    events_.pop_back();
-    return event;
   }
 
   const Segments& segments_;

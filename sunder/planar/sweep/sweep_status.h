@@ -108,6 +108,24 @@ class SweepStatus {
     return neighbours(leaf, place_in(leaf, item));
   }
 
+  // The row of those around an item of the list of which holds(other) is true, which stand together with it, from below
+  // to above, and what stands next to it. Asks from near to far, first those below.
+  template <class Holds>
+  Neighbours row_around(std::uint32_t item, const Holds& holds, std::vector<std::uint32_t>& row) const {
+    row.clear();
+    const auto take = [&](std::uint32_t other) {
+      if (!holds(other)) return false;
+      row.push_back(other);
+      return true;
+    };
+    Neighbours around;
+    around.below = walk_down(item, take);
+    std::reverse(row.begin(), row.end());
+    row.push_back(item);
+    around.above = walk_up(item, take);
+    return around;
+  }
+
   // Asks take(other) of what stands below an item of the list, or above it, from near to far, until that is false.
   // Returns the item for which it was, or none.
   template <class Take>

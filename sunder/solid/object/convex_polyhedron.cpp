@@ -3,7 +3,6 @@
 #include <sunder/solid/represent/search_graph.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 

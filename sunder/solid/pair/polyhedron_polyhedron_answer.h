@@ -34,7 +34,7 @@ PairAnswer answer_by(const Placed& a, const Placed& b, const Propose& propose) {
   };
   const bool held = propose(holds, answer.cost);
   if (!held) finish(a, b, near_a, near_b, answer.evidence, answer.cost, tally);
-  answer.conclude(tally.exact, !held);
+  conclude(answer, tally.exact, !held);
   return answer;
 }
 

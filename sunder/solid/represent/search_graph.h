@@ -13,7 +13,6 @@
 
 #include <bit>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace sunder::solid {

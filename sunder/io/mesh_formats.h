@@ -1,0 +1,48 @@
+// What each format of meshes allows. Readers of any of them ask mesh.h. Errors: see read_mesh.
+#pragma once
+
+#include <sunder/io/mesh.h>
+
+namespace sunder::io {
+
+// Wavefront OBJ.
+// Read: "v x y z" (a weight, or a colour with or without its opacity, may follow and is left out), "f" with corners v,
+// v/vt, v//vn and v/vt/vn, numbered from 1, or from -1 backwards; "o NAME" begins a part. A corner may name a vertex
+// that comes later in the file. Comments, and lines continued by a backslash.
+// No part of a mesh, and not told: texture coordinates, normals, groups, materials. Told in left_out, where there are
+// faces: points, lines.
+// Refused: free-form curves and surfaces, any other statement, a face with fewer than 3 corners.
+// Errors: see read_mesh. Cost: linear.
+Mesh parse_obj(std::string_view bytes, std::string_view place);
+
+// STL, ASCII and binary.
+// True when the size is exactly that of the binary STL which the bytes 80 to 83 promise: 84 + 50 times the number of
+// triangles, which is not zero. It may begin with "solid" all the same.
+bool is_binary_stl(std::string_view bytes);
+
+// ASCII: any number of solids, each a part; keywords in any case, words parted by any blanks and line breaks; numbers
+// in full double precision. Binary: single precision, exactly as stored; the size must match the count.
+// Equal points become one vertex. Left out: normals (which may be NaN), and the attribute bytes of a binary triangle.
+// Errors: see read_mesh; a file without a triangle is refused. Cost: n log n.
+Mesh parse_stl(std::string_view bytes, std::string_view place);
+
+// PLY (Stanford polygon format), ASCII and binary of both byte orders.
+// Read: the properties x, y, z of the element "vertex", of any plain type; the list "vertex_indices" or "vertex_index"
+// of the element "face", of any integer type. Type names of both generations (float, float32, ...). No part of a mesh,
+// and not told: all other properties, plain or lists, comments, the elements "camera", "material", "texture". Other
+// elements are told in left_out. In ASCII files each row stands on its own line. Without faces the mesh is a set of
+// points. Refused: faces without that list, a face with fewer than 3 corners, anything after the last row. Errors: see
+// read_mesh. Cost: linear.
+Mesh parse_ply(std::string_view bytes, std::string_view place);
+
+// Is it the first word of OFF, the text format of Geomview: with any of the prefixes ST, C, N, 4, n, in this order?
+bool is_off_header(std::string_view word);
+
+// Read: the header, the counts of vertices, faces and (left out) edges on its line or the next, then one vertex and one
+// face per line. After x y z, normals, colours and texture coordinates may follow where the header announces them
+// (NOFF, COFF, STOFF); after a face, a colour. They are left out. Comments from '#'.
+// Refused: binary OFF, points of four or n dimensions, a face with fewer than 3 corners, lines beyond the counts.
+// Errors: see read_mesh. Cost: linear.
+Mesh parse_off(std::string_view bytes, std::string_view place);
+
+}  // namespace sunder::io
