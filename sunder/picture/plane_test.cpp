@@ -68,6 +68,31 @@ TEST(PlanePicture, LabelsDoNotLieOverEachOther) {
   EXPECT_GE(heights[2] - heights[1], 13);
 }
 
+std::size_t count_in(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+// R1 of rings.h: up to 10,000 contacts have rings; more, squares.
+TEST(PlanePicture, CrowdsOfContactsAreDark) {
+  for (const std::uint32_t size : {10'000u, 10'001u}) {
+    PlanePicture picture(std::array{Point2{0, 0}, Point2{3, 3}});
+    std::vector<RingContact> contacts{{picture.at({2, 2}), 0, 0}};
+    while (contacts.size() < size) {
+      contacts.push_back({picture.at({1, 1}), static_cast<std::uint32_t>(contacts.size()), 0});
+    }
+    picture.rings(contacts, std::array{RingKind{Ink::accent, "crossing"}}, [](std::uint32_t) { return "told"; });
+    const std::string svg = picture.text("Many", "");
+    expect_well_formed(svg);
+    const bool is_crowd = size > 10'000;
+    EXPECT_EQ(count_in(svg, "<g class='m "), is_crowd ? 0u : 2u);
+    EXPECT_EQ(count_in(svg, "opacity='0.90'/>"), is_crowd ? 1u : 0u);
+    EXPECT_EQ(count_in(svg, "opacity='0.15'/>"), is_crowd ? 1u : 0u);
+    EXPECT_EQ(count_in(svg, "up to 10000."), is_crowd ? 1u : 0u);
+  }
+}
+
 TEST(PairPicture, HasATitleAndTheDistance) {
   const std::vector<Point2> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const auto a = planar::ConvexPolygon::from_vertices(square), &b = a;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double radius = 9, label_height = 16, letter_width = 7.3, gap = 3;  // pixels
 constexpr double row_height = 2 * radius + gap;
-constexpr std::size_t most_letters = 9, most_told = 5;
+constexpr std::size_t most_letters = 9, most_told = 5, most_ringed = 10'000;
 constexpr double widest =
     2 * radius + 2 * gap + letter_width * (most_letters + 1);  // a ring with its label is no wider
 
@@ -120,11 +120,32 @@ std::string text_of(const Ring& ring, std::span<const RingKind> kinds,
       ring.at.y + 4.3, ring.label());
 }
 
+// Squares, the darker the more contacts they have.
+void draw_density(Canvas& canvas, std::span<const RingContact> contacts) {
+  constexpr double side = 6;  // pixels
+  std::map<std::pair<long, long>, std::size_t> squares;
+  std::size_t most = 1;
+  for (const auto& [at, number, kind] : contacts) {
+    const std::size_t here = ++squares[{std::lround(at.x / side), std::lround(at.y / side)}];
+    most = std::max(most, here);
+  }
+  canvas.add("<g fill='#1f2a3a'>\n");
+  for (const auto& [square, count] : squares) {
+    canvas.add(fmt::format("<rect x='{:.0f}' y='{:.0f}' width='{}' height='{}' opacity='{:.2f}'/>\n",
+                           (static_cast<double>(square.first) - 0.5) * side,
+                           (static_cast<double>(square.second) - 0.5) * side, side, side,
+                           0.15 + 0.75 * static_cast<double>(count) / static_cast<double>(most)));
+  }
+  canvas.add("</g>\n");
+  canvas.note(fmt::format("Too many contacts for rings: darker squares have more of them, up to {}.", most));
+}
+
 }  // namespace
 
 void draw_rings(Canvas& canvas, std::span<const RingContact> contacts, std::span<const RingKind> kinds, double right,
                 const std::function<std::string(std::uint32_t)>& tell) {
   if (contacts.empty()) return;
+  if (contacts.size() > most_ringed) return draw_density(canvas, contacts);
   std::set<std::pair<long, long>> dots;  // whole pixels
   Rings rings;
   for (const auto& [at, number, kind] : contacts) {
