@@ -182,12 +182,14 @@ int run_program(const CLI::App& program, const Asked& asked) {
   return exit_code::no;
 }
 
+// The option outlives the program.
 CLI::Option* add_value(CLI::App& verb, const ask::Option& option) {
   const auto add_limit = [&](std::uint64_t* value) {
-    const auto set = [value, name = option.name](const std::string& text) {
+    const auto set = [value, &option](const std::string& text) {
       std::int64_t number = 0;
       if (!io::parse_integer(text, number) || number < 0) {
-        throw Error(ErrorCode::bad_call, io::quote(text) + " is no number of things; give one like 2000000", name);
+        throw Error(ErrorCode::bad_call, io::quote(text) + " is no number of things; give one like 2000000",
+                    option.name);
       }
       *value = static_cast<std::uint64_t>(number);
     };
@@ -250,8 +252,9 @@ std::string problem_of(const CLI::App& verb, const CLI::ParseError& error) {
 int run_checked(int argc, char** argv, Asked& asked) {
   int code = exit_code::no;
   bool quiet = false;
+  const std::vector<ask::Verb> verbs = ask::verbs();
   CLI::App program("Sunder tells whether things meet, and proves it.", "sunder");
-  for (const ask::Verb& verb : ask::verbs()) add_verb(program, verb, code, quiet);
+  for (const ask::Verb& verb : verbs) add_verb(program, verb, code, quiet);
   add_options(program);
   const std::vector<std::string>& words = asked.words;
   asked.json = is_in(words, "--json");

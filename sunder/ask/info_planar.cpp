@@ -112,7 +112,7 @@ Info describe_lines(const std::string& file, std::string_view text) {
   info.json["rings"] = lines.rings.size();
   info.json["segments"] = in_rings + others;
   info.json["points"] = points;
-  if (!left_out.empty()) info.json["left_out"] = left_out.json();
+  if (!left_out.empty()) info.json["left_out"] = to_json(left_out);
   if (!lines.remarks.empty()) info.json["remarks"] = lines.remarks;
   if (lines.segments.empty()) return info;
   std::array<double, 4> box{lines.segments[0].a.x, lines.segments[0].a.y, lines.segments[0].a.x, lines.segments[0].a.y};

@@ -1,77 +1,15 @@
 #include <sunder/ask/left_out.h>
 
-#include <sunder/base/error.h>
-#include <sunder/io/text.h>
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <filesystem>
-
 namespace sunder::ask {
-
-namespace {
-
-constexpr std::size_t most_owners = 3;
-
-// "1 unused vertex", "2 unused vertices", "2 meshes", "2 cylinders".
-std::string counted(std::uint64_t count, std::string noun) {
-  if (count == 1) return "1 " + noun;
-  if (noun.ends_with("vertex")) {
-    noun.replace(noun.size() - 2, 2, "ices");
-  } else {
-    noun += noun.ends_with("sh") || noun.ends_with("x") ? "es" : "s";
-  }
-  return fmt::format("{} {}", count, noun);
-}
-
-}  // namespace
 
 const char* const leave_out_help = "ask without what is not read (shapes, lines, loose vertices), and say so";
 
-void LeftOutList::gather(const io::LeftOut& item, const std::string& owner, std::vector<Kind>& kinds) {
-  auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.name == item.kind; });
-  if (kind == kinds.end()) kind = kinds.insert(kinds.end(), {item.kind, 0, {}});
-  kind->count += item.count;
-  if (!owner.empty() && (kind->of.empty() || kind->of.back() != owner)) kind->of.push_back(owner);
-}
-
-void LeftOutList::add(const std::string& file, std::span<const io::LeftOut> left_out, const std::string& remedy) {
-  const std::string name = io::one_line(std::filesystem::path(file).filename().string());
-  std::vector<Kind> here;
-  for (const io::LeftOut& item : left_out) {
-    gather(item, item.of, here);  // the message begins with the file
-    gather(item, item.of.empty() ? name : item.of, kinds_);
+Json to_json(const LeftOutList& list) {
+  Json json = Json::array();
+  for (const LeftOutList::Kind& kind : list.kinds()) {
+    json.push_back({{"kind", kind.name}, {"count", kind.count}, {"of", kind.of}});
   }
-  if (here.empty() || consent_) return;
-  io::fail_file(file, fmt::format("not read: {}; {}, or ask without them: --leave-out", text_of(here), remedy));
-}
-
-std::string LeftOutList::text_of(std::span<const Kind> kinds) {
-  std::string text;
-  for (const Kind& kind : kinds) {
-    text += (text.empty() ? "" : "; ") + counted(kind.count, kind.name) + (kind.of.empty() ? "" : " of ");
-    const std::size_t shown = kind.of.size() > most_owners + 1 ? most_owners : kind.of.size();
-    for (std::size_t i = 0; i < shown; ++i) text += (i > 0 ? ", " : "") + kind.of[i];
-    if (shown < kind.of.size()) text += fmt::format(" and {} more", kind.of.size() - shown);
-  }
-  return text;
-}
-
-std::string LeftOutList::text() const { return text_of(kinds_); }
-
-std::string LeftOutList::clause() const { return empty() ? "" : "; left out: " + text(); }
-
-std::vector<std::string> LeftOutList::texts() const {
-  std::vector<std::string> texts;
-  for (const Kind& kind : kinds_) texts.push_back(text_of(std::span(&kind, 1)));
-  return texts;
-}
-
-Json LeftOutList::json() const {
-  Json list = Json::array();
-  for (const Kind& kind : kinds_) list.push_back({{"kind", kind.name}, {"count", kind.count}, {"of", kind.of}});
-  return list;
+  return json;
 }
 
 }  // namespace sunder::ask

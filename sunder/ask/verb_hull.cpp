@@ -41,7 +41,7 @@ std::size_t edge_count(const solid::ConvexPolyhedron& hull) {
   return ends / 2;
 }
 
-void prove(const Call& call, const Object& object, std::span<const Point3> points, const Origin& origin) {
+void prove(const Call& call, const MeshBody& object, std::span<const Point3> points, const Origin& origin) {
   io::OutputFile out(call.certificate);
   ClaimsWriter claims([&](std::string_view text) { out.write(text); });
   claims.add_origin(origin);
@@ -54,8 +54,7 @@ int run(const Call& call) {
   const io::MeshFormat format = call.out.empty() ? io::MeshFormat::obj : io::mesh_format_of_name(call.out);
   LeftOutList left_out(call.leave_out);
   InputFiles inputs;
-  const auto [object, points] =
-      read_object_of_points(call.file, left_out, call.certificate.empty() ? nullptr : &inputs);
+  const auto [object, points] = io::read_hull(call.file, left_out, call.certificate.empty() ? nullptr : &inputs);
   const solid::ConvexPolyhedron& hull = object.hull;
   if (!call.out.empty()) io::write_file_atomically(call.out, mesh_text(hull, format));
   if (!call.certificate.empty()) prove(call, object, points, {inputs, left_out.texts()});
@@ -68,7 +67,7 @@ int run(const Call& call) {
     told["mesh"] = {{"in_use", object.mesh_vertices}, {"polygons", object.mesh_polygons}};
     told["box"] = Json::array({to_json(low), to_json(high)});
     json["objects"].push_back(std::move(told));
-    if (!left_out.empty()) json["left_out"] = left_out.json();
+    if (!left_out.empty()) json["left_out"] = to_json(left_out);
     json["out"] = call.out.empty() ? Json(nullptr) : Json(call.out);
     print(to_text(json));
     return exit_code::no;
@@ -78,8 +77,8 @@ int run(const Call& call) {
   text += fmt::format("  vertices  {} of {}\n", hull.vertices().size(), object.mesh_vertices);
   text += fmt::format("  edges     {}\n  facets    {}\n", edge_count(hull), hull.facet_count());
   text += fmt::format("  box       {} to {}\n", about(low), about(high));
-  if (object.shape == Shape::convex) text += "  mesh      exactly convex: it bounds its hull\n";
-  if (object.shape == Shape::hull) text += fmt::format("  mesh      not exactly convex: {}\n", object.why_hull);
+  if (object.shape == io::BodyShape::convex) text += "  mesh      exactly convex: it bounds its hull\n";
+  if (object.shape == io::BodyShape::hull) text += fmt::format("  mesh      not exactly convex: {}\n", object.why_hull);
   if (object.departure) text += fmt::format("            {}\n", departure_text(object));
   if (!call.out.empty()) text += fmt::format("  written   {}\n", io::one_line(call.out));
   if (!call.certificate.empty()) text += fmt::format("  proof     {}\n", io::one_line(call.certificate));

@@ -76,7 +76,7 @@ Info describe_robot(const std::string& file, std::string_view bytes) {
   info.json["joints"] = Json::array();
   LeftOutList left_out(true);
   left_out.add(file, robot.left_out, "");
-  if (!left_out.empty()) info.json["left_out"] = left_out.json();
+  if (!left_out.empty()) info.json["left_out"] = to_json(left_out);
   info.text = fmt::format("{}: URDF robot {} of {} and {}\n", shown, robot.name, count_of(robot.links.size(), "link"),
                           count_of(robot.joints.size(), "joint"));
   std::size_t width = 0;
@@ -119,13 +119,13 @@ Info describe_robot(const std::string& file, std::string_view bytes) {
 
 Info describe_mesh(const std::string& file, std::string_view bytes) {
   const io::Mesh mesh = io::parse_mesh(bytes, file, io::mesh_format(bytes, file));
-  const Object object = make_object(mesh, file, false);
+  const MeshBody object = io::body_of_mesh(mesh, file, false);
   const auto [low, high] = object.hull.box();
   LeftOutList left_out(true);
   left_out.add(file, mesh.left_out, "");
   Info info;
   info.json = to_json(object);
-  if (!left_out.empty()) info.json["left_out"] = left_out.json();
+  if (!left_out.empty()) info.json["left_out"] = to_json(left_out);
   info.json["mesh"] = {{"vertices", mesh.vertices.size()},
                        {"in_use", object.mesh_vertices},
                        {"polygons", mesh.polygon_count()},
@@ -137,9 +137,9 @@ Info describe_mesh(const std::string& file, std::string_view bytes) {
       fmt::format("  holds   {} vertices{}, {}, {}\n", mesh.vertices.size(),
                   object.mesh_vertices < mesh.vertices.size() ? fmt::format(" ({} in use)", object.mesh_vertices) : "",
                   count_of(mesh.polygon_count(), "polygon"), count_of(mesh.parts.size(), "part"));
-  const std::string why = object.shape == Shape::convex ? "exactly convex"
-                          : object.shape == Shape::hull ? "not exactly convex: " + object.why_hull
-                                                        : "a set of points";
+  const std::string why = object.shape == io::BodyShape::convex ? "exactly convex"
+                          : object.shape == io::BodyShape::hull ? "not exactly convex: " + object.why_hull
+                                                                : "a set of points";
   info.text += fmt::format("  shape   {}\n", why);
   if (object.departure) info.text += fmt::format("          {}\n", departure_text(object));
   if (!left_out.empty()) info.text += fmt::format("          not read: {}\n", left_out.text());

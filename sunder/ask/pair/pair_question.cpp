@@ -17,7 +17,7 @@ std::string PairQuestion::head(const std::string& a, const std::string& b, std::
 void PairQuestion::add_head(Json& json, const Json& a, const Json& b) const {
   json["decided_by"] = name_of(decided_by_);
   json["objects"] = Json::array({a, b});
-  if (!left_out_.empty()) json["left_out"] = left_out_.json();
+  if (!left_out_.empty()) json["left_out"] = to_json(left_out_);
   if (call.classify) json["contact"] = name_of(contact_);
 }
 

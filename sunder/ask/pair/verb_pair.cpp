@@ -16,11 +16,11 @@ namespace sunder::ask {
 namespace {
 
 struct Placed {
-  Object object;
+  MeshBody object;
   solid::Pose pose;
 
   PlacedVertices vertices() const { return placed_vertices(object.hull, pose); }
-  bool is_hull() const { return object.shape == Shape::hull; }
+  bool is_hull() const { return object.shape == io::BodyShape::hull; }
 };
 
 class SolidPair : public PairQuestion {
@@ -71,11 +71,11 @@ class SolidPair : public PairQuestion {
   // Apart carries over from hulls to the meshes that they stand for; meet does not.
   bool is_said_of_hulls() const { return meet_ && (a_.is_hull() || b_.is_hull()); }
 
-  static std::string text_of(const Object& object) {
+  static std::string text_of(const MeshBody& object) {
     const solid::ConvexPolyhedron& hull = object.hull;
-    const char* shape = object.shape == Shape::convex ? ""
-                        : object.shape == Shape::hull ? ", hull of the mesh"
-                                                      : ", hull of the points";
+    const char* shape = object.shape == io::BodyShape::convex ? ""
+                        : object.shape == io::BodyShape::hull ? ", hull of the mesh"
+                                                              : ", hull of the points";
     const std::string departure = departure_text(object);
     return fmt::format("{}: {}, {}, {}{}{}{}", object.name, dimension_name(hull.dimension()),
                        hull.vertices().size() == 1 ? "1 vertex" : fmt::format("{} vertices", hull.vertices().size()),
@@ -89,7 +89,7 @@ class SolidPair : public PairQuestion {
 
 Placed read(const PairCall& call, bool is_a, LeftOutList& left_out, InputFiles* inputs) {
   const std::string& pose = is_a ? call.pose_a : call.pose_b;
-  return {read_object(is_a ? call.file_a : call.file_b, call.require_convex, left_out, inputs),
+  return {io::read_body(is_a ? call.file_a : call.file_b, call.require_convex, left_out, inputs),
           pose.empty() ? solid::Pose() : parse_pose(pose, is_a ? "--pose-a" : "--pose-b")};
 }
 

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
 #include <string_view>
 #include <utility>
 
@@ -144,63 +143,21 @@ void SceneInput::add_mesh(const std::string& file, bool require_convex, InputFil
   Body body;
   body.name = inputs_.back().name;
   body.input = inputs_.size() - 1;
-  for (Object& object : read_parts(file, require_convex, left_out_, inputs)) {
+  for (MeshBody& object : io::read_bodies(file, require_convex, left_out_, inputs)) {
     std::string name = object.name;
     body.parts.push_back({std::move(name), std::move(object), solid::Pose()});
   }
   bodies_.push_back(std::move(body));
 }
 
-// The parts of the mesh of a link; nothing where it cannot be read, and is left out.
-const std::vector<Object>* SceneInput::mesh_of(const io::CollisionShape& shape, const std::string& link,
-                                               MeshReader& reader) {
-  try {
-    const fs::path path = io::resolve_mesh(shape.mesh, robot_->folder);
-    auto found = reader.known.find(path);
-    if (found == reader.known.end()) {
-      robot_meshes_.push_back(path);
-      InputFiles read;  // not told of where it is left out
-      found = reader.known
-                  .emplace(path, read_parts(path, reader.require_convex, left_out_,
-                                            reader.inputs == nullptr ? nullptr : &read))
-                  .first;
-      if (reader.inputs != nullptr) reader.inputs->insert(reader.inputs->end(), read.begin(), read.end());
-    }
-    return &found->second;
-  } catch (const Error& error) {
-    if (error.code() != ErrorCode::bad_file || !left_out_.consent()) throw;
-    left_out_.add(shape.mesh, std::array{io::LeftOut{"mesh", link, 1}}, "");
-    return nullptr;
-  }
-}
-
 void SceneInput::add_robot(const std::string& file, bool require_convex, InputFiles* inputs) {
   if (robot_) fail_call("a second robot; give one URDF file in a call", io::one_line(file));
   robot_ = io::read_urdf(file, inputs);
-  left_out_.add(file, robot_->left_out, "give meshes in their stead");
-  MeshReader meshes{require_convex, inputs};
-  for (std::uint32_t l = 0; l < robot_->links.size(); ++l) {
-    const io::Link& link = robot_->links[l];
-    Body body;
-    body.name = unused_name(link.name);
-    body.input = inputs_.size() - 1;
-    body.link = l;
-    for (const io::CollisionShape& shape : link.shapes) {
-      const solid::Pose pose = io::shape_pose(shape);
-      const std::string number = shape.name.empty() ? std::to_string(body.parts.size()) : shape.name;
-      if (shape.mesh.empty()) {
-        const auto corners = io::box_corners(shape.size);
-        const solid::ConvexPolyhedron box(corners);
-        body.parts.push_back({number, {io::one_line(file), "box", "box", 8, 6, Shape::convex, "", {}, box}, pose});
-        continue;
-      }
-      const std::vector<Object>* objects = mesh_of(shape, link.name, meshes);
-      if (objects == nullptr) continue;
-      for (const Object& object : *objects) {
-        body.parts.push_back({objects->size() == 1 ? number : number + "." + object.name, object, pose});
-      }
-    }
-    if (!body.parts.empty()) bodies_.push_back(std::move(body));
+  robot_bodies_ = io::read_robot_bodies(*robot_, file, require_convex, left_out_, inputs);
+  first_of_robot_ = static_cast<std::uint32_t>(bodies_.size());
+  for (io::LinkBody& body : robot_bodies_.bodies) {
+    bodies_.push_back(
+        {unused_name(robot_->links[body.link].name), inputs_.size() - 1, body.link, std::move(body.parts)});
   }
 }
 
@@ -213,15 +170,12 @@ std::vector<scene::Body> SceneInput::bodies(const Placement& placement) const {
   }
   std::vector<scene::Body> placed;
   for (const Body& body : bodies_) {
-    scene::Body out{body.name, {}};
+    const solid::Pose& base = inputs_[body.input].pose;
     try {
-      const solid::Pose& base = inputs_[body.input].pose;
-      const solid::Pose at = body.link ? compose(base, links[*body.link]) : base;
-      for (const Part& part : body.parts) out.parts.push_back({part.name, part.object.hull, compose(at, part.pose)});
+      placed.push_back(io::placed_body(body.name, body.parts, body.link ? compose(base, links[*body.link]) : base));
     } catch (const Error& error) {
       throw Error(error.code(), error.what(), body.name);
     }
-    placed.push_back(std::move(out));
   }
   return placed;
 }
@@ -230,15 +184,15 @@ std::vector<std::vector<bool>> SceneInput::are_hulls() const {
   std::vector<std::vector<bool>> all;
   for (const Body& body : bodies_) {
     all.emplace_back();
-    for (const Part& part : body.parts) all.back().push_back(part.object.shape == Shape::hull);
+    for (const io::BodyPart& part : body.parts) all.back().push_back(part.body.shape == io::BodyShape::hull);
   }
   return all;
 }
 
-std::vector<const Object*> SceneInput::objects() const {
-  std::vector<const Object*> all;
+std::vector<const MeshBody*> SceneInput::objects() const {
+  std::vector<const MeshBody*> all;
   for (const Body& body : bodies_) {
-    for (const Part& part : body.parts) all.push_back(&part.object);
+    for (const io::BodyPart& part : body.parts) all.push_back(&part.body);
   }
   return all;
 }
@@ -253,29 +207,10 @@ std::uint32_t SceneInput::body_named(const std::string& name, const std::string&
 
 std::vector<std::array<std::uint32_t, 2>> SceneInput::adjacent() const {
   if (!robot_) fail_call("there is no robot whose links could be adjacent; name a URDF file", "--allow adjacent");
-  std::map<std::uint32_t, std::uint32_t> body_of_link;
-  for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
-    if (bodies_[b].link) body_of_link[*bodies_[b].link] = b;
-  }
-  std::vector<std::array<std::uint32_t, 2>> pairs;
-  for (const auto& [link, body] : body_of_link) {
-    std::set<std::uint32_t> seen{link};
-    std::vector<std::uint32_t> open{link};  // this link, and links without shapes
-    while (!open.empty()) {
-      const std::uint32_t at = open.back();
-      open.pop_back();
-      for (const io::Joint& joint : robot_->joints) {
-        if (joint.parent != at && joint.child != at) continue;
-        const std::uint32_t next = joint.parent == at ? joint.child : joint.parent;
-        if (!seen.insert(next).second) continue;
-        const auto neighbour = body_of_link.find(next);
-        if (neighbour == body_of_link.end()) {
-          open.push_back(next);
-        } else if (body < neighbour->second) {
-          pairs.push_back({body, neighbour->second});
-        }
-      }
-    }
+  auto pairs = io::adjacent_bodies(*robot_, robot_bodies_);
+  for (auto& [a, b] : pairs) {
+    a += first_of_robot_;
+    b += first_of_robot_;
   }
   return pairs;
 }

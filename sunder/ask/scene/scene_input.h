@@ -3,6 +3,7 @@
 
 #include <sunder/ask/objects.h>
 
+#include <sunder/io/robot_bodies.h>
 #include <sunder/io/urdf.h>
 #include <sunder/scene/scene.h>
 
@@ -46,21 +47,16 @@ class SceneInput {
   std::vector<std::array<std::uint32_t, 2>> allowed(const std::string& text) const;
 
   std::vector<std::vector<bool>> are_hulls() const;          // of each part of each body: does it stand for a mesh?
-  std::vector<const Object*> objects() const;                // all parts in order
+  std::vector<const MeshBody*> objects() const;              // all parts in order
   const LeftOutList& left_out() const { return left_out_; }  // what is not read: must be shown
-  const std::vector<std::filesystem::path>& robot_meshes() const { return robot_meshes_; }  // files that it names
+  const std::vector<std::filesystem::path>& robot_meshes() const { return robot_bodies_.meshes; }
 
  private:
-  struct Part {
-    std::string name;
-    Object object;
-    solid::Pose pose;  // within the body
-  };
   struct Body {
     std::string name;
     std::size_t input = 0;              // which of the files
     std::optional<std::uint32_t> link;  // of the robot
-    std::vector<Part> parts;
+    std::vector<io::BodyPart> parts;
   };
   struct Input {
     std::string name;
@@ -69,12 +65,6 @@ class SceneInput {
 
   void add_mesh(const std::string& file, bool require_convex, InputFiles* inputs);
   void add_robot(const std::string& file, bool require_convex, InputFiles* inputs);
-  struct MeshReader {
-    bool require_convex;
-    InputFiles* inputs;
-    std::map<std::filesystem::path, std::vector<Object>> known{};  // a file may serve several links
-  };
-  const std::vector<Object>* mesh_of(const io::CollisionShape& shape, const std::string& link, MeshReader& reader);
   void require_some_body() const;
   std::string unused_name(const std::string& wish) const;
   std::uint32_t body_named(const std::string& name, const std::string& place) const;
@@ -83,8 +73,9 @@ class SceneInput {
   std::vector<Input> inputs_;
   std::vector<Body> bodies_;
   std::optional<io::Robot> robot_;
+  io::RobotBodies robot_bodies_;      // without their parts, which are those of bodies_
+  std::uint32_t first_of_robot_ = 0;  // in bodies_
   LeftOutList left_out_;
-  std::vector<std::filesystem::path> robot_meshes_;
 };
 
 }  // namespace sunder::ask

@@ -229,12 +229,12 @@ std::string scene_text(const SceneReport& report) {
   return text;
 }
 
-Json scene_json(const SceneReport& report, const std::vector<const Object*>& objects) {
+Json scene_json(const SceneReport& report, const std::vector<const MeshBody*>& objects) {
   Json json = envelope("scene", report.some_meet() ? "some" : "none", report.method);
   json["decided_by"] = decided_by(report);
-  for (const Object* object : objects) json["objects"].push_back(to_json(*object));
+  for (const MeshBody* object : objects) json["objects"].push_back(to_json(*object));
 
-  if (!report.left_out->empty()) json["left_out"] = report.left_out->json();
+  if (!report.left_out->empty()) json["left_out"] = to_json(*report.left_out);
 
   json["bodies"] = Json::array();
   const std::vector<scene::Body>& bodies = report.placements.front().bodies;

@@ -42,7 +42,7 @@ struct SceneReport {
 Point3 point_about(const Placed& placed, const scene::PartPair& pair);
 
 std::string scene_text(const SceneReport& report);
-Json scene_json(const SceneReport& report, const std::vector<const Object*>& objects);
+Json scene_json(const SceneReport& report, const std::vector<const MeshBody*>& objects);
 
 // Of all pairs that are listed in the answers, of which there is one at least.
 void write_scene_certificate(const SceneReport& report, const InputFiles& inputs, const TextSink& sink);

@@ -95,7 +95,7 @@ int run(const Call& call) {
   require_apart(call, input);
   if (!call.svg.empty()) {
     std::uint64_t facets = 0;
-    for (const Object* object : input.objects()) facets += object->hull.facet_count();
+    for (const MeshBody* object : input.objects()) facets += object->hull.facet_count();
     require_drawable(facets * placements.size(), "facet", 0, call.svg_limit);
   }
 

@@ -235,7 +235,7 @@ void PolygonsInput::tell(Json& report) const {
     entry.update(to_json(m.changes));
     report["mended"].push_back(entry);
   }
-  if (!left_out.empty()) report["left_out"] = left_out.json();
+  if (!left_out.empty()) report["left_out"] = to_json(left_out);
   for (const io::LineFile& file : files) {
     for (const std::string& remark : file.remarks) report["remarks"].push_back(remark);
   }

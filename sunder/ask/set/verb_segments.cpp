@@ -311,7 +311,7 @@ class SegmentsSet {
     if (!file_.layers.empty()) json["across_layers"] = call_.across_layers;
     if (!call_.layer.empty()) json["layer"] = call_.layer;
     if (!file_.remarks.empty()) json["remarks"] = file_.remarks;
-    if (!file_.left_out.empty()) json["left_out"] = left_out_of(file_).json();
+    if (!file_.left_out.empty()) json["left_out"] = to_json(left_out_of(file_));
   }
 
   static ContactKind kind_of(const SegmentsContact& contact) { return contact.kind; }

@@ -299,7 +299,7 @@ Json report(const Call& call, const io::LineFile& file, const std::vector<Result
   Json json = envelope("simple", call.answer(counts.valid == counts.asked), call.method);
   json["cost"] = to_json(counts.cost);
   json["rule"] = call.strict ? "simple" : call.self_touch ? "self-touch" : "valid";
-  if (!file.left_out.empty()) json["left_out"] = left_out_of(file).json();
+  if (!file.left_out.empty()) json["left_out"] = to_json(left_out_of(file));
   for (const Result& result : results) {
     Json feature = {
         {"file", io::one_line(call.file)}, {"feature", result.feature}, {"name", file.features[result.feature]}};
