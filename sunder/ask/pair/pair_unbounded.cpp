@@ -152,15 +152,16 @@ std::string end_text(const Question& q, const CutEnd& end) {
 }
 
 std::string common_text(const Question& q, const Common& common) {
-  const auto& [kind, cut, witness, contact, decided_by, cost] = common;
+  const PolygonCut& cut = common.cut;
   const std::uint32_t n = q.body.polygon.size();
   const auto vertex = [&](std::uint32_t v) { return feature_text(q.body, q.letter(), v, false); };
   const auto ends = [&] { return fmt::format("from {}\nto {}", end_text(q, cut.first), end_text(q, cut.last)); };
-  switch (kind) {
+  switch (common.kind) {
     case CommonKind::nothing:
       return q.unbounded.kind == Kind::line ? fmt::format("nothing; {} is nearest to the line", vertex(cut.nearest))
-             : q.unbounded.kind == Kind::half_plane ? fmt::format("nothing; {} is nearest to it", vertex(witness))
-                                                    : "nothing";
+             : q.unbounded.kind == Kind::half_plane
+                 ? fmt::format("nothing; {} is nearest to it", vertex(common.witness))
+                 : "nothing";
     case CommonKind::point: return "one point, " + end_text(q, cut.first);
     case CommonKind::along: {
       const bool all = cut.first.place == Place::vertex && cut.last.place == Place::vertex;
@@ -168,9 +169,9 @@ std::string common_text(const Question& q, const Common& common) {
     }
     case CommonKind::across: return "a segment, " + ends();
     case CommonKind::part:
-      return n == 2 ? fmt::format("a part, from {}\nto {}", end_text(q, cut.first), vertex(witness))
+      return n == 2 ? fmt::format("a part, from {}\nto {}", end_text(q, cut.first), vertex(common.witness))
                     : fmt::format("a part, cut off {}", ends());
-    case CommonKind::whole: return fmt::format("all of {}; {} is furthest within", q.letter(), vertex(witness));
+    case CommonKind::whole: return fmt::format("all of {}; {} is furthest within", q.letter(), vertex(common.witness));
   }
   return "";
 }
