@@ -1,13 +1,8 @@
 #include <sunder/ask/list_stream.h>
 
-#include <sunder/base/error.h>
-#include <sunder/io/text.h>
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cstddef>
 #include <utility>
 
@@ -17,29 +12,12 @@ namespace {
 
 constexpr std::size_t piece = std::size_t{1} << 16;
 
-// The members of the report that stand before the list, or those behind it.
-Json part_of(const Json& report, std::string_view list, bool is_before) {
-  Json part = Json::object();
-  bool is_passed = false;
-  for (const auto& [key, value] : report.items()) {
-    if (key == list) {
-      is_passed = true;
-    } else if (is_passed != is_before) {
-      part[key] = value;
-    }
-  }
-  return part;
-}
-
-std::string opening_of(const Json& report, std::string_view list) {
-  std::string text = to_text(part_of(report, list, true));
-  text.resize(text.size() - 3);  // "\n}\n"
-  return fmt::format("{},\n  {}: [", text, quoted_json(list));
-}
-
-std::string closing_of(const Json& report, std::string_view list) {
-  const Json part = part_of(report, list, false);
-  return part.empty() ? "\n}\n" : "," + to_text(part).substr(1);  // "{"
+// The text of the report before and behind the items of the list.
+std::pair<std::string, std::string> around(Json report, std::string_view list) {
+  report[std::string(list)] = Json::array();
+  const std::string text = to_text(report), opening = fmt::format("\n  {}: [", quoted_json(list));
+  const std::size_t middle = text.find(opening) + opening.size();
+  return {text.substr(0, middle), text.substr(middle)};
 }
 
 }  // namespace
@@ -66,8 +44,10 @@ void ListStream::close(std::string_view closing) {
   text_.clear();
 }
 
-ListReport::ListReport(const Json& report, std::string_view list)
-    : list_(opening_of(report, list), "    ", print), closing_(closing_of(report, list)) {}
+ListReport::ListReport(std::pair<std::string, std::string> around)
+    : list_(std::move(around.first), "    ", print), closing_(std::move(around.second)) {}
+
+ListReport::ListReport(const Json& report, std::string_view list) : ListReport(around(report, list)) {}
 
 void ListReport::add_list(const Json& head, std::string_view key, const std::function<void(ListStream&)>& fill) {
   std::string opening = to_line(head);
@@ -78,7 +58,7 @@ void ListReport::add_list(const Json& head, std::string_view key, const std::fun
   items.close(items.count() == 0 ? "]}" : "\n    ]}");
 }
 
-void ListReport::close() { list_.close((list_.count() == 0 ? "]" : "\n  ]") + closing_); }
+void ListReport::close() { list_.close((list_.count() == 0 ? "" : "\n  ") + closing_); }
 
 GeojsonFile::GeojsonFile(const std::string& name)
     : file_(name),
@@ -94,35 +74,6 @@ std::string quoted_json(std::string_view text) {
       std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c < 127 && c != '"' && c != '\\'; });
   if (is_plain) return fmt::format("\"{}\"", text);
   return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-std::string number_json(double x) {
-  std::array<char, 32> digits{};
-  std::string text(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr);
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  return text;
-}
-
-std::string pair_json(std::string_view first, std::string_view second) {
-  return fmt::format("[{}, {}]", first, second);
-}
-
-void require_drawable(std::uint64_t things, std::string_view noun, std::uint64_t contacts, std::uint64_t most) {
-  if (things + contacts <= most) return;
-  throw Error(ErrorCode::bad_call,
-              fmt::format("{}{}: more than {}, a picture too large to look at; leave it out, or give --svg-limit {}",
-                          count_of(things, noun), contacts > 0 ? " and " + count_of(contacts, "contact") : "", most,
-                          things + contacts),
-              "--svg");
-}
-
-void require_provable(std::uint64_t contacts) {
-  constexpr std::uint64_t most = 10'000'000, bytes_each = 24;  // [1234567,1234567,"inside"],
-  if (contacts <= most) return;
-  throw Error(ErrorCode::bad_call,
-              fmt::format("the proof of a list is as long as the list: {} contacts, about {} MB; ask for --count",
-                          contacts, contacts * bytes_each / 1'000'000),
-              "--certificate");
 }
 
 }  // namespace sunder::ask

@@ -1,4 +1,4 @@
-// Long lists that are written as they come: text in pieces, and the text of numbers and names in JSON.
+// Long lists that are written as they come: text in pieces.
 #pragma once
 
 #include <sunder/ask/report.h>
@@ -9,6 +9,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace sunder::ask {
 
@@ -47,6 +48,8 @@ class ListReport {
   void close();
 
  private:
+  explicit ListReport(std::pair<std::string, std::string> around);
+
   ListStream list_;
   std::string closing_;
 };
@@ -66,20 +69,5 @@ class GeojsonFile {
 
 // As in JSON: in quotes; bytes that are no UTF-8 become U+FFFD.
 std::string quoted_json(std::string_view text);
-
-// As in reports: a number with a point or an exponent, the shortest that reads back the same.
-std::string number_json(double x);
-
-// Between ends [first, second].
-std::string pair_json(std::string_view first, std::string_view second);
-
-// Pictures: how many things are drawn, unless --svg-limit says another number.
-inline constexpr std::uint64_t most_drawn = 1'000'000;
-
-// Throws Error bad_call where so many things ("circle") and contacts are more than `most`: it names the option.
-void require_drawable(std::uint64_t things, std::string_view noun, std::uint64_t contacts, std::uint64_t most);
-
-// Proofs of lists are as long as the lists. Throws Error bad_call for more than 10^7 contacts: it names the option.
-void require_provable(std::uint64_t contacts);
 
 }  // namespace sunder::ask

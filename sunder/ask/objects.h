@@ -1,7 +1,6 @@
 // Bodies out of mesh files, in the words and reports of the verbs.
 #pragma once
 
-#include <sunder/ask/left_out.h>
 #include <sunder/ask/report.h>
 
 #include <sunder/io/mesh_body.h>

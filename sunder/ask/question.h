@@ -13,32 +13,16 @@
 //   add_to(report)              to the report in JSON
 #pragma once
 
-#include <sunder/ask/exit_code.h>
-#include <sunder/ask/list_stream.h>
-#include <sunder/ask/method.h>
 #include <sunder/ask/report.h>
+#include <sunder/ask/verb.h>
 
 #include <sunder/certificate/origin.h>
 #include <sunder/io/file.h>
 
-#include <cstdint>
+#include <cstddef>
 #include <string>
-#include <string_view>
 
 namespace sunder::ask {
-
-struct QuestionCall {
-  std::string method = "automatic";
-  std::string certificate, svg, title;
-  std::uint64_t svg_limit = most_drawn;
-  bool json = false;
-
-  bool proves() const { return !certificate.empty(); }
-  std::string title_or(const char* other) const { return title.empty() ? other : title; }
-};
-
-// "  title       value\n"; other lines of the value stand below it.
-std::string titled(std::string_view title, std::string value);
 
 // For people, the first of a list: text_of(k), each a line; then how many more JSON has.
 template <class TextOf>
@@ -48,9 +32,6 @@ std::string first_of(std::size_t size, std::size_t most, const TextOf& text_of) 
   if (size > most) text += "  and " + std::to_string(size - most) + " more; --json has all\n";
   return text;
 }
-
-// Proof and picture, where they were written.
-std::string outputs_text(const QuestionCall& call, std::string_view proof_clause);
 
 template <class Question>
 Json report_of(const Question& question) {
@@ -72,7 +53,7 @@ int answer(Question& question) {
     print(to_text(report_of(question)));
   } else {
     print_for_people(question.text() + titled("cost", question.cost_text()) +
-                     outputs_text(call, question.proof_clause()));
+                     file_line("proof", call.certificate, question.proof_clause()) + file_line("picture", call.svg));
   }
   return question.yes() ? exit_code::yes : exit_code::no;
 }

@@ -1,6 +1,7 @@
 #include <sunder/ask/report.h>
 
 #include <sunder/base/error.h>
+#include <sunder/io/file.h>
 #include <sunder/io/text.h>
 
 #include <fmt/format.h>
@@ -10,20 +11,17 @@
 #include <cerrno>
 #include <cstdio>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 
 namespace sunder::ask {
 
 namespace {
 
-struct NamedMethod {
-  std::string_view name;
-  PairMethod method;
-};
-
-constexpr std::array<NamedMethod, 3> pair_methods{{{"automatic", solid::polyhedron_polyhedron},
-                                                   {"gjk", solid::polyhedron_polyhedron_by_gjk},
-                                                   {"scan", solid::polyhedron_polyhedron_by_scan}}};
+constexpr std::array<Named<std::remove_pointer_t<PairMethod>>, 3> pair_methods{
+    {{"automatic", solid::polyhedron_polyhedron},
+     {"gjk", solid::polyhedron_polyhedron_by_gjk},
+     {"scan", solid::polyhedron_polyhedron_by_scan}}};
 
 constexpr std::size_t text_width = 120;
 
@@ -123,24 +121,17 @@ void refuse_method(std::string_view method, std::string_view known) {
               "--method");
 }
 
-Allowed allowed_by(std::string_view name) {
-  for (const Allowed allowed : {Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}) {
+Allowed allowed_by(std::string_view name, std::span<const Allowed> those) {
+  std::string known;
+  for (const Allowed allowed : those) {
     if (name == name_of(allowed)) return allowed;
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", name_of(allowed));
   }
-  throw Error(
-      ErrorCode::bad_call,
-      fmt::format("there is nothing named {} to allow; there are nothing, shared-endpoint, touch", io::quote(name)),
-      "--allow");
+  throw Error(ErrorCode::bad_call,
+              fmt::format("there is nothing named {} to allow; there are {}", io::quote(name), known), "--allow");
 }
 
-PairMethod pair_method(const std::string& name) {
-  std::string known;
-  for (const auto& [known_name, method] : pair_methods) {
-    if (known_name == name) return method;
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", known_name);
-  }
-  refuse_method(name, known);
-}
+PairMethod pair_method(const std::string& name) { return method_by(name, pair_methods); }
 
 std::vector<double> parse_numbers(std::string_view text, const std::string& place) {
   constexpr std::string_view blanks = " \t";
@@ -204,6 +195,14 @@ Json to_json(const Cost& cost) {
 
 Json to_json(const Point3& p) { return Json::array({p.x, p.y, p.z}); }
 
+Json to_json(const LeftOutList& list) {
+  Json json = Json::array();
+  for (const LeftOutList::Kind& kind : list.kinds()) {
+    json.push_back({{"kind", kind.name}, {"count", kind.count}, {"of", kind.of}});
+  }
+  return json;
+}
+
 std::string to_text(const Json& json) {
   std::string text;
   append(json, 0, text);
@@ -212,10 +211,28 @@ std::string to_text(const Json& json) {
 
 std::string to_line(const Json& json) { return on_one_line(json); }
 
+void write_proof(const std::string& file, const Origin& origin, const std::function<void(ClaimsWriter&)>& write) {
+  io::OutputFile out(file);
+  ClaimsWriter claims([&](std::string_view text) { out.write(text); });
+  claims.add_origin(origin);
+  write(claims);
+  claims.end();
+  out.commit();
+}
+
+std::string titled(std::string_view title, std::string value) {
+  for (std::size_t end = value.find('\n'); end != std::string::npos; end = value.find('\n', end + 1)) {
+    value.insert(end + 1, 14, ' ');
+  }
+  return fmt::format("  {:<10}  {}\n", title, value);
+}
+
+std::string file_line(std::string_view title, const std::string& file, std::string_view clause) {
+  return file.empty() ? "" : titled(title, io::one_line(file).append(clause));
+}
+
 std::string about(double x) { return fmt::format("{:.4g}", x == 0 ? 0.0 : x); }
 
 std::string about(const Point3& p) { return fmt::format("({}, {}, {})", about(p.x), about(p.y), about(p.z)); }
-
-std::string place_text(const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); }
 
 }  // namespace sunder::ask

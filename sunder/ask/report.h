@@ -1,8 +1,9 @@
 // What the verbs share: methods and rules by name, poses as text, the JSON envelope, and output.
 #pragma once
 
-#include <sunder/ask/exit_code.h>
-
+#include <sunder/certificate/claims.h>
+#include <sunder/certificate/origin.h>
+#include <sunder/io/left_out.h>
 #include <sunder/io/text.h>
 #include <sunder/planar/set/contact_rule.h>
 #include <sunder/solid/object/pose.h>
@@ -10,12 +11,27 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace sunder::ask {
+
+using io::count_of;
+using io::LeftOutList;
+using io::place_text;
+
+// What a question comes to, as a number.
+namespace exit_code {
+constexpr int no = 0;        // apart, none meet, accepted; also `hull` and `info`
+constexpr int yes = 1;       // meet, some meet, refused
+constexpr int bad = 2;       // bad input or call; one line on standard error
+constexpr int internal = 3;  // a fault of the program itself
+}  // namespace exit_code
 
 // Writes to standard output at once. Throws Error bad_call where that fails (a full disk).
 void print(std::string_view text);
@@ -43,8 +59,28 @@ bool is_output_in_use();
 // There is no such method: throws Error bad_call that lists the `known`.
 [[noreturn]] void refuse_method(std::string_view method, std::string_view known);
 
-// The contacts that --allow names: nothing, shared-endpoint, touch. Throws Error bad_call that lists them.
-Allowed allowed_by(std::string_view name);
+// Methods by name, as --method has them.
+template <class Method>
+struct Named {
+  std::string_view name;
+  Method* method;
+};
+
+// Throws Error bad_call that lists all names, and what they are for.
+template <class Methods>
+auto* method_by(std::string_view name, const Methods& methods, std::string_view what_for = "") {
+  std::string known;
+  for (const auto& m : methods) {
+    if (m.name == name) return m.method;
+    known += (known.empty() ? "" : ", ") + std::string(m.name);
+  }
+  refuse_method(name, known.append(what_for));
+}
+
+inline constexpr std::array all_allowed{Allowed::nothing, Allowed::shared_endpoint, Allowed::touch};
+
+// The contacts that --allow names. Throws Error bad_call that lists those that may be allowed.
+Allowed allowed_by(std::string_view name, std::span<const Allowed> those = all_allowed);
 
 // A method for pair questions by its name: automatic, gjk, scan. Throws Error bad_call that names all.
 using PairMethod = solid::PairAnswer (*)(const solid::ConvexPolyhedron&, const solid::Pose&,  //
@@ -71,6 +107,7 @@ Json envelope(const Json& verb, const Json& answer, const Json& method = nullptr
 Json error_report(const Json& verb, std::string_view kind, std::string_view place, std::string_view text);
 Json to_json(const Cost& cost);
 Json to_json(const Point3& point);
+Json to_json(const LeftOutList& list);  // [{"kind", "count", "of": [...]}], with all owners
 
 // The text of a report: indented, with short lists and objects on one line; ends with a line feed.
 std::string to_text(const Json& json);
@@ -78,13 +115,17 @@ std::string to_text(const Json& json);
 // On one line, with blanks: an entry of a list that is written as it comes.
 std::string to_line(const Json& json);
 
+// A certificate file: its origin, and the statements that `write` writes; whole, or not there.
+void write_proof(const std::string& file, const Origin& origin, const std::function<void(ClaimsWriter&)>& write);
+
+// "  title       value\n"; other lines of the value stand below it.
+std::string titled(std::string_view title, std::string value);
+
+// The same of a file that was written; empty where there is none. clause: what is said of it.
+std::string file_line(std::string_view title, const std::string& file, std::string_view clause = "");
+
 // "about" numbers for people: four digits.
 std::string about(double x);
 std::string about(const Point3& p);  // "(x, y, z)"
-
-// "(x, y)", ten digits.
-std::string place_text(const Point2& p);
-
-using io::count_of;
 
 }  // namespace sunder::ask

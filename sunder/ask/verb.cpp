@@ -1,10 +1,23 @@
 #include <sunder/ask/verb.h>
 
+#include <sunder/base/error.h>
+#include <sunder/io/text.h>
+
 #include <fmt/format.h>
 
 #include <utility>
 
 namespace sunder::ask {
+
+void require_drawable(std::uint64_t things, std::string_view noun, std::uint64_t contacts, std::uint64_t most) {
+  using io::count_of;
+  if (things + contacts <= most) return;
+  throw Error(ErrorCode::bad_call,
+              fmt::format("{}{}: more than {}, a picture too large to look at; leave it out, or give --svg-limit {}",
+                          count_of(things, noun), contacts > 0 ? " and " + count_of(contacts, "contact") : "", most,
+                          things + contacts),
+              "--svg");
+}
 
 Option svg_limit_option(std::uint64_t& limit) {
   return {.name = "--svg-limit",

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -30,12 +31,31 @@ struct Verb {
   std::function<int()> run;        // answers the call that stands in the values: an exit code. Throws Error
 };
 
+// Pictures: how many things are drawn, unless --svg-limit says another number.
+inline constexpr std::uint64_t most_drawn = 1'000'000;
+
+// Throws Error bad_call where so many things ("circle") and contacts are more than `most`: it names the option.
+void require_drawable(std::uint64_t things, std::string_view noun, std::uint64_t contacts, std::uint64_t most);
+
+// What most calls have.
+struct QuestionCall {
+  std::string method = "automatic";
+  std::string certificate, svg, title;
+  std::uint64_t svg_limit = most_drawn;
+  bool json = false;
+
+  bool proves() const { return !certificate.empty(); }
+  std::string title_or(std::string_view other) const { return title.empty() ? std::string(other) : title; }
+};
+
 inline constexpr const char *codes_of_sets = "0 none meet; 1 some meet", *codes_of_reports = "0";
 
 // "draw at most so many things"; after the option --svg.
 Option svg_limit_option(std::uint64_t& limit);
 
 // Options that most verbs have.
+inline constexpr const char* leave_out_help =
+    "ask without what is not read (shapes, lines, loose vertices), and say so";
 Option json_option(bool& json);
 Option title_option(std::string& title);  // of the picture of --svg
 Option certificate_option(std::string& file, std::string help = "write the proof here");

@@ -41,15 +41,6 @@ std::size_t edge_count(const solid::ConvexPolyhedron& hull) {
   return ends / 2;
 }
 
-void prove(const Call& call, const MeshBody& object, std::span<const Point3> points, const Origin& origin) {
-  io::OutputFile out(call.certificate);
-  ClaimsWriter claims([&](std::string_view text) { out.write(text); });
-  claims.add_origin(origin);
-  solid::write_hull(claims, object.name.empty() ? "unnamed" : object.name, points, object.hull);
-  claims.end();
-  out.commit();
-}
-
 int run(const Call& call) {
   const io::MeshFormat format = call.out.empty() ? io::MeshFormat::obj : io::mesh_format_of_name(call.out);
   LeftOutList left_out(call.leave_out);
@@ -57,7 +48,11 @@ int run(const Call& call) {
   const auto [object, points] = io::read_hull(call.file, left_out, call.certificate.empty() ? nullptr : &inputs);
   const solid::ConvexPolyhedron& hull = object.hull;
   if (!call.out.empty()) io::write_file_atomically(call.out, mesh_text(hull, format));
-  if (!call.certificate.empty()) prove(call, object, points, {inputs, left_out.texts()});
+  if (!call.certificate.empty()) {
+    write_proof(call.certificate, {inputs, left_out.texts()}, [&](ClaimsWriter& claims) {
+      solid::write_hull(claims, object.name.empty() ? "unnamed" : object.name, points, hull);
+    });
+  }
 
   const auto [low, high] = hull.box();
   if (call.json) {

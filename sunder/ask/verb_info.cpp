@@ -1,13 +1,17 @@
 // sunder info FILE...: what is in a file?
-#include <sunder/ask/info_planar.h>
 #include <sunder/ask/objects.h>
 #include <sunder/ask/report.h>
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
+#include <sunder/io/csv.h>
 #include <sunder/io/file.h>
+#include <sunder/io/foreign.h>
+#include <sunder/io/lines.h>
 #include <sunder/io/mesh.h>
+#include <sunder/io/planar_objects.h>
 #include <sunder/io/text.h>
+#include <sunder/io/triples.h>
 #include <sunder/io/urdf.h>
 
 #include <fmt/format.h>
@@ -16,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <span>
 
 namespace sunder::ask {
 
@@ -43,6 +48,14 @@ constexpr std::array<Format, 10> formats{
      {"KiCad board", ".kicad_pcb", "read", "tracks by layer and net; arcs as polylines"},
      {"certificate", ".json", "write, verify", "proofs: docs/claims.md"}}};
 
+// What is told of a file: for people and in JSON.
+struct Info {
+  std::string text;
+  Json json;
+
+  void add(std::string_view title, const std::string& words) { text += fmt::format("  {:<6}  {}\n", title, words); }
+};
+
 const char* type_name(io::JointType type) {
   switch (type) {
     case io::JointType::fixed: return "fixed";
@@ -60,12 +73,13 @@ bool is_robot(const std::string& file, std::string_view bytes) {
   return io::trimmed(head).starts_with('<') && head.find("<robot") != std::string_view::npos;
 }
 
+// Has the file an ending of a format of the plane, read or not? Of standard input, by the content.
 bool is_planar(const std::string& file, std::string_view bytes) {
-  return file == "-" ? !io::mesh_format_of_content(bytes) : is_of_the_plane(file);
+  if (file == "-") return !io::mesh_format_of_content(bytes);
+  constexpr std::array<std::string_view, 14> foreign{".kicad_pcb", ".shp", ".dbf", ".kml", ".kmz",  ".gml", ".gpx",
+                                                     ".dxf",       ".dwg", ".gds", ".oas", ".gpkg", ".fgb", ".gz"};
+  return io::is_planar(file) || std::find(foreign.begin(), foreign.end(), io::ending_of(file)) != foreign.end();
 }
-
-// A finite limit as a number, another as null.
-Json limit(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
 Info describe_robot(const std::string& file, std::string_view bytes) {
   const io::Robot robot = io::parse_urdf(bytes, file);
@@ -74,8 +88,7 @@ Info describe_robot(const std::string& file, std::string_view bytes) {
   info.json = {{"file", shown}, {"format", "URDF"}, {"name", robot.name}, {"root", robot.links[robot.root].name}};
   info.json["links"] = Json::array();
   info.json["joints"] = Json::array();
-  LeftOutList left_out(true);
-  left_out.add(file, robot.left_out, "");
+  const LeftOutList left_out(file, robot.left_out);
   if (!left_out.empty()) info.json["left_out"] = to_json(left_out);
   info.text = fmt::format("{}: URDF robot {} of {} and {}\n", shown, robot.name, count_of(robot.links.size(), "link"),
                           count_of(robot.joints.size(), "joint"));
@@ -102,8 +115,8 @@ Info describe_robot(const std::string& file, std::string_view bytes) {
          {"type", type_name(joint.type)},
          {"parent", parent},
          {"child", child},
-         {"lower", limit(joint.lower)},
-         {"upper", limit(joint.upper)},
+         {"lower", joint.lower},  // what is not finite is null
+         {"upper", joint.upper},
          {"mimic", joint.mimic ? Json(robot.joints[joint.mimic->joint].name) : Json(nullptr)}});
     std::string range;
     if (joint.mimic)
@@ -121,10 +134,8 @@ Info describe_mesh(const std::string& file, std::string_view bytes) {
   const io::Mesh mesh = io::parse_mesh(bytes, file, io::mesh_format(bytes, file));
   const MeshBody object = io::body_of_mesh(mesh, file, false);
   const auto [low, high] = object.hull.box();
-  LeftOutList left_out(true);
-  left_out.add(file, mesh.left_out, "");
-  Info info;
-  info.json = to_json(object);
+  const LeftOutList left_out(file, mesh.left_out);
+  Info info{fmt::format("{}: {}\n", object.file, object.format), to_json(object)};
   if (!left_out.empty()) info.json["left_out"] = to_json(left_out);
   info.json["mesh"] = {{"vertices", mesh.vertices.size()},
                        {"in_use", object.mesh_vertices},
@@ -132,21 +143,132 @@ Info describe_mesh(const std::string& file, std::string_view bytes) {
                        {"parts", mesh.parts.size()}};
   info.json["box"] = Json::array({to_json(low), to_json(high)});
 
-  info.text = fmt::format("{}: {}\n", object.file, object.format);
-  info.text +=
-      fmt::format("  holds   {} vertices{}, {}, {}\n", mesh.vertices.size(),
-                  object.mesh_vertices < mesh.vertices.size() ? fmt::format(" ({} in use)", object.mesh_vertices) : "",
-                  count_of(mesh.polygon_count(), "polygon"), count_of(mesh.parts.size(), "part"));
-  const std::string why = object.shape == io::BodyShape::convex ? "exactly convex"
-                          : object.shape == io::BodyShape::hull ? "not exactly convex: " + object.why_hull
-                                                                : "a set of points";
-  info.text += fmt::format("  shape   {}\n", why);
-  if (object.departure) info.text += fmt::format("          {}\n", departure_text(object));
-  if (!left_out.empty()) info.text += fmt::format("          not read: {}\n", left_out.text());
-  info.text += fmt::format("  hull    {}, {} vertices, {}\n", dimension_name(object.hull.dimension()),
-                           object.hull.vertices().size(), count_of(object.hull.facet_count(), "facet"));
-  info.text += fmt::format("  box     {} to {}\n", about(low), about(high));
+  const std::string in_use =
+      object.mesh_vertices < mesh.vertices.size() ? fmt::format(" ({} in use)", object.mesh_vertices) : "";
+  info.add("holds", fmt::format("{} vertices{}, {}, {}", mesh.vertices.size(), in_use,
+                                count_of(mesh.polygon_count(), "polygon"), count_of(mesh.parts.size(), "part")));
+  info.add("shape", object.shape == io::BodyShape::convex ? "exactly convex"
+                    : object.shape == io::BodyShape::hull ? "not exactly convex: " + object.why_hull
+                                                          : "a set of points");
+  if (object.departure) info.add("", departure_text(object));
+  if (!left_out.empty()) info.add("", "not read: " + left_out.text());
+  info.add("hull", fmt::format("{}, {} vertices, {}", dimension_name(object.hull.dimension()),
+                               object.hull.vertices().size(), count_of(object.hull.facet_count(), "facet")));
+  info.add("box", about(low) + " to " + about(high));
   return info;
+}
+
+// What the first record of a CSV file says that its rows are.
+enum class Table { segments, objects, circles, half_planes, triples };
+
+Table table_of(std::string_view text, const std::string& file) {
+  io::CsvReader reader(text, file);
+  if (!reader.next()) return Table::segments;
+  std::vector<std::string> names;
+  for (const std::string_view field : reader.fields()) names.push_back(io::in_small_letters(field));
+  const auto has = [&](std::initializer_list<const char*> needed) {
+    return std::all_of(needed.begin(), needed.end(),
+                       [&](const char* n) { return std::find(names.begin(), names.end(), n) != names.end(); });
+  };
+  if (has({"x", "y", "r"})) return Table::circles;
+  if (has({"a", "b", "c"})) return Table::half_planes;
+  if (has({"x1", "y1", "x2", "y2"}) && names[0] != "kind") return Table::segments;
+  double value = 0;
+  const bool numbers = io::parse_number(names[0], value) == nullptr;
+  if (numbers && names.size() == 3) return Table::triples;
+  return numbers && names.size() > 3 ? Table::segments : Table::objects;
+}
+
+Info info_of(const std::string& file, std::string_view format, const std::string& holds, const std::string& ask) {
+  const std::string shown = io::one_line(file);
+  Info info{fmt::format("{}: {}\n", shown, format), {{"file", shown}, {"format", format}}};
+  info.add("holds", holds);
+  info.add("ask", ask);
+  return info;
+}
+
+Info describe_rows(const std::string& file, std::string_view text, const io::TripleKind& kind, const char* what,
+                   const char* ask) {
+  const std::size_t rows = io::parse_triples(text, file, kind).rows.size();
+  Info info = info_of(file, "CSV", count_of(rows, "row") + " of " + what, ask);
+  info.json["rows"] = rows;
+  return info;
+}
+
+Info describe_objects(const std::string& file, std::string_view text) {
+  const io::PlanarFile objects = io::parse_planar_objects(text, file, true);
+  Info info = info_of(file, objects.format, count_of(objects.objects.size(), "object"), "sunder pair");
+  info.json["objects"] = Json::array();
+  for (const io::PlanarObject& object : objects.objects) {
+    info.json["objects"].push_back({{"name", object.name}, {"shape", name_of(object.kind)}});
+  }
+  return info;
+}
+
+Info describe_lines(const std::string& file, std::string_view text) {
+  const io::LineFile lines =
+      io::parse_lines(text, file, {.drop_z = true, .points = true, .leave_out = true, .keep_broken = true});
+  const auto count_points = [](std::span<const planar::Segment> segments) {
+    const auto is_point = [](const planar::Segment& s) { return s.a == s.b; };
+    return static_cast<std::size_t>(std::count_if(segments.begin(), segments.end(), is_point));
+  };
+  const std::span all(lines.segments);
+  std::size_t polygons = 0, in_rings = 0, points = count_points(all);
+  for (std::size_t r = 0; r < lines.rings.size(); ++r) {
+    polygons += r == 0 || lines.rings[r].polygon != lines.rings[r - 1].polygon;
+    in_rings += lines.rings[r].count;
+    points -= count_points(all.subspan(lines.rings[r].first, lines.rings[r].count));
+  }
+  const std::size_t others = lines.segments.size() - in_rings - points;
+  std::string holds = count_of(lines.features.size(), "feature");
+  const auto add = [&](std::size_t count, const std::string& what) {
+    if (count > 0) holds += (holds.find(':') == std::string::npos ? ": " : ", ") + what;
+  };
+  add(polygons, fmt::format("{} of {} and {}", count_of(polygons, "polygon"), count_of(lines.rings.size(), "ring"),
+                            count_of(in_rings, "edge")));
+  add(others, count_of(others, polygons > 0 ? "segment of lines" : "segment"));
+  add(points, count_of(points, "point"));
+  add(lines.broken.size(), count_of(lines.broken.size(), "ring") + " that are open or have no area");
+  const LeftOutList left_out(file, lines.left_out);
+  if (!left_out.empty()) holds += "; not read: " + left_out.text();
+  Info info = info_of(file, lines.format, holds,
+                      polygons > 0 ? "sunder polygons, simple, kernel, region, segments"
+                      : others > 0 ? "sunder segments"
+                                   : "sunder pair");
+  info.json["features"] = lines.features.size();
+  info.json["polygons"] = polygons;
+  info.json["rings"] = lines.rings.size();
+  info.json["segments"] = in_rings + others;
+  info.json["points"] = points;
+  if (!left_out.empty()) info.json["left_out"] = to_json(left_out);
+  if (!lines.remarks.empty()) info.json["remarks"] = lines.remarks;
+  if (lines.segments.empty()) return info;
+  Box2 box = box_of(planar::sorted(lines.segments[0]));
+  for (const planar::Segment& s : lines.segments) box = hull(box, box_of(planar::sorted(s)));
+  info.add("box", place_text(box.low) + " to " + place_text(box.high));
+  info.json["box"] = {{box.low.x, box.low.y}, {box.high.x, box.high.y}};
+  for (const std::string& remark : lines.remarks) info.add("remark", remark);
+  return info;
+}
+
+Info describe_planar(const std::string& file, std::string_view text) {
+  if (text.substr(0, 200).find("\"sunder_certificate\"") != std::string::npos) {
+    io::fail_file(file, "this is a certificate; ask sunder verify");
+  }
+  io::refuse_foreign(text, file);
+  const bool is_table = io::lines_format(text, file) == io::LinesFormat::csv;
+  switch (is_table ? table_of(text, file) : Table::segments) {
+    case Table::circles:
+      return describe_rows(file, text, io::circle_rows, "x,y,r: circles", "sunder circles, region --of circles");
+    case Table::half_planes:
+      return describe_rows(file, text, io::half_plane_rows, "a,b,c: half-planes", "sunder region");
+    case Table::triples:
+      return describe_rows(file, text, io::circle_rows, "three numbers: circles, or half-planes",
+                           "sunder circles, region");
+    case Table::objects: return describe_objects(file, text);
+    case Table::segments: break;
+  }
+  return describe_lines(file, text);
 }
 
 Info describe(const std::string& file) {

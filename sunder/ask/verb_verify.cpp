@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -28,27 +27,25 @@ struct Call {
   bool json = false;
 };
 
+using sunder_verifier::StatementResult;
+
 struct File {
   std::string name;
   sunder_verifier::FileResult result;
   bool is_set = false;
   std::vector<std::pair<std::string, std::uint64_t>> accepted;  // how many of each verdict; "apart" or "none" first
-  std::vector<std::size_t> refused;                             // numbers of pairs
+  std::vector<std::size_t> refused;                             // numbers of statements
   std::vector<InputFile> made_of, not_made_of;                  // of the files that it is held against
 
   bool holds() const { return result.accepted() && not_made_of.empty(); }
-
-  std::uint64_t accepted_pairs() const { return result.statements.size() - refused.size(); }
 };
 
-bool is_of_sets(const std::string& verdict) { return verdict == "none" || verdict == "some"; }
-
-bool is_pair(const sunder_verifier::StatementResult& result) {
+bool is_pair(const StatementResult& result) {
   return result.question.empty() ? result.verdict == "apart" || result.verdict == "meet" : result.question == "pair";
 }
 
-// Throws Error bad_file where it cannot be read.
-File verify(const std::string& name, bool no_limit) {
+// Throws Error bad_file where it cannot be read. against: is it made of these? Their names do not count.
+File verify(const std::string& name, const InputFiles& against, bool no_limit) {
   using sunder_verifier::Limit;
   File file;
   file.name = io::one_line(name);
@@ -59,12 +56,12 @@ File verify(const std::string& name, bool no_limit) {
     if (text.starts_with(file.name + ": ")) text = text.substr(file.name.size() + 2);
     io::fail_file(name, text);
   }
-  const std::vector<sunder_verifier::StatementResult>& statements = file.result.statements;
-  const bool of_sets = !statements.empty() && is_of_sets(statements[0].verdict);
+  const std::vector<StatementResult>& statements = file.result.statements;
   file.is_set = !std::all_of(statements.begin(), statements.end(), is_pair);
   // Both verdicts about pairs, and both about sets, are always told.
   if (std::any_of(statements.begin(), statements.end(), is_pair)) file.accepted = {{"apart", 0}, {"meet", 0}};
-  if (of_sets) file.accepted = {{"none", 0}, {"some", 0}};
+  const std::string first = statements.empty() ? "" : statements[0].verdict;
+  if (first == "none" || first == "some") file.accepted = {{"none", 0}, {"some", 0}};
   for (std::size_t i = 0; i < statements.size(); ++i) {
     if (!statements[i].accepted) {
       file.refused.push_back(i);
@@ -75,24 +72,13 @@ File verify(const std::string& name, bool no_limit) {
     if (known == file.accepted.end()) known = file.accepted.insert(known, {io::one_line(statements[i].verdict), 0});
     ++known->second;
   }
-  return file;
-}
-
-// The files that certificates are held against, by their bytes.
-InputFiles read_inputs(const std::vector<std::string>& names) {
-  InputFiles inputs;
-  for (const std::string& name : names) io::read_file(name, &inputs);
-  return inputs;
-}
-
-// Does the certificate say that it was made of them? Their names do not count.
-void compare(const InputFiles& against, File& file) {
+  const auto& named = file.result.inputs;
   for (const InputFile& input : against) {
-    const auto& named = file.result.inputs;
     const bool is_named =
         std::any_of(named.begin(), named.end(), [&](const auto& known) { return known.sha256 == input.sha256; });
     (is_named ? file.made_of : file.not_made_of).push_back(input);
   }
+  return file;
 }
 
 constexpr std::size_t most_told = 10;  // statements of a file; of more it is told how many there are of each verdict
@@ -101,12 +87,12 @@ constexpr std::size_t most_refused = 100;  // of a file, told one by one
 // "proved: exactly 2 pairs of segments meet: 0 1 crossing, 0 2 touch", line by line.
 std::string proved_text(const File& file) {
   std::string text;
-  const std::vector<sunder_verifier::StatementResult>& statements = file.result.statements;
+  const std::vector<StatementResult>& statements = file.result.statements;
   const bool tells_pairs = statements.size() <= most_told;  // else what is said of all of them, if that is not as long
   const auto count =
       statements.size() - static_cast<std::size_t>(std::count_if(statements.begin(), statements.end(), is_pair));
   if (!tells_pairs && count > most_told) return text;
-  for (const sunder_verifier::StatementResult& statement : statements) {
+  for (const StatementResult& statement : statements) {
     if (statement.accepted && (tells_pairs || !is_pair(statement))) {
       text += fmt::format("  proved: {}\n", statement.sentence);
     }
@@ -126,10 +112,10 @@ std::string human_text(const File& file) {
   const sunder_verifier::FileResult& result = file.result;
   if (!result.failed_form.empty())
     return fmt::format("{}: REFUSED: check F: {}\n", file.name, io::one_line(result.failed_form));
-  std::string text =
-      fmt::format("{}: {}: {} of {} accepted{}\n", file.name, file.holds() ? "accepted" : "REFUSED",
-                  file.accepted_pairs(), count_of(result.statements.size(), file.is_set ? "statement" : "pair"),
-                  file.is_set && result.statements.size() <= most_told ? "" : counts_text(file));
+  std::string text = fmt::format("{}: {}: {} of {} accepted{}\n", file.name, file.holds() ? "accepted" : "REFUSED",
+                                 result.statements.size() - file.refused.size(),
+                                 count_of(result.statements.size(), file.is_set ? "statement" : "pair"),
+                                 file.is_set && result.statements.size() <= most_told ? "" : counts_text(file));
   text += proved_text(file);
   for (const InputFile& input : file.made_of) text += fmt::format("  made of {}\n", io::one_line(input.name));
   for (const InputFile& input : file.not_made_of) {
@@ -142,7 +128,7 @@ std::string human_text(const File& file) {
   }
   const std::size_t told = std::min(file.refused.size(), most_refused);
   for (const std::size_t i : std::span(file.refused).first(told)) {
-    const sunder_verifier::StatementResult& pair = result.statements[i];
+    const StatementResult& pair = result.statements[i];
     text += fmt::format("  {} {}, said that {}: check {}: {}\n", file.is_set ? "statement" : "pair", i, pair.sentence,
                         pair.failed_check, io::one_line(pair.reason));
   }
@@ -163,13 +149,13 @@ Json report(const File& file) {
   }
   for (const InputFile& input : file.made_of) json["made_of"].push_back(input.name);
   for (const InputFile& input : file.not_made_of) json["not_made_of"].push_back(input.name);
-  for (const sunder_verifier::StatementResult& statement : result.statements) {
+  for (const StatementResult& statement : result.statements) {
     if (statement.accepted) json["proved"].push_back(statement.sentence);
   }
   json["refused"] = Json::array();
   if (!result.failed_form.empty()) json["refused"].push_back({{"check", "F"}, {"reason", result.failed_form}});
   for (const std::size_t i : file.refused) {
-    const sunder_verifier::StatementResult& pair = result.statements[i];
+    const StatementResult& pair = result.statements[i];
     json["refused"].push_back({{"statement", i},
                                {"a", pair.name_a},
                                {"b", pair.name_b},
@@ -184,38 +170,19 @@ Json report(const File& file) {
 struct Outcome {
   int code = exit_code::no;
   Json objects = Json::array();
-  std::optional<Error> error;  // the first
+  Json error;  // the report of the first
 };
-
-// As reports have it.
-Json told(const Error& error) { return error_report("verify", "bad-file", error.place(), error.what())["error"]; }
 
 // Throws Error again, where it is about no file.
 void not_checked(const std::vector<std::string>& names, const Error& error, Outcome& outcome) {
   if (error.code() != ErrorCode::bad_file) throw Error(error);
   print_error(error.what());
   outcome.code = exit_code::bad;
-  if (!outcome.error) outcome.error = error;
+  const Json report = error_report("verify", "bad-file", error.place(), error.what());
+  if (outcome.error.is_null()) outcome.error = report;
   for (const std::string& name : names) {
-    outcome.objects.push_back({{"file", io::one_line(name)}, {"answer", nullptr}, {"error", told(error)}});
+    outcome.objects.push_back({{"file", io::one_line(name)}, {"answer", nullptr}, {"error", report["error"]}});
   }
-}
-
-void check(const Call& call, const std::string& name, const InputFiles& against, Outcome& outcome) {
-  File file = verify(name, call.no_limit);
-  compare(against, file);
-  if (!file.holds()) outcome.code = std::max(outcome.code, exit_code::yes);
-  call.json ? outcome.objects.push_back(report(file)) : print_for_people(human_text(file));
-}
-
-Json report(Outcome outcome) {
-  Json json = envelope("verify", outcome.code == exit_code::no ? "accepted" : "refused");
-  if (outcome.error) {
-    json["answer"] = nullptr;
-    json["error"] = told(*outcome.error);
-  }
-  json["objects"] = std::move(outcome.objects);
-  return json;
 }
 
 // Verdicts are told as they are known; what cannot be read is told in between, and does not end the call.
@@ -223,22 +190,26 @@ int run(const Call& call) {
   Outcome outcome;
   InputFiles against;
   try {
-    against = read_inputs(call.against);
+    for (const std::string& name : call.against) io::read_file(name, &against);
   } catch (const Error& error) {
     not_checked(call.files, error, outcome);
   }
-  const bool is_ready = !outcome.error;
-  for (const std::string& name : call.files) {
-    if (!is_ready) break;
+  const bool is_ready = outcome.error.is_null();
+  for (const std::string& name : is_ready ? call.files : std::vector<std::string>()) {
     try {
-      check(call, name, against, outcome);
+      const File file = verify(name, against, call.no_limit);
+      if (!file.holds()) outcome.code = std::max(outcome.code, exit_code::yes);
+      call.json ? outcome.objects.push_back(report(file)) : print_for_people(human_text(file));
     } catch (const Error& error) {
       not_checked({name}, error, outcome);
     }
   }
-  const int code = outcome.code;
-  if (call.json) print(to_text(report(std::move(outcome))));
-  return code;
+  if (!call.json) return outcome.code;
+  Json json = outcome.error.is_null() ? envelope("verify", outcome.code == exit_code::no ? "accepted" : "refused")
+                                      : outcome.error;
+  json["objects"] = std::move(outcome.objects);
+  print(to_text(json));
+  return outcome.code;
 }
 
 }  // namespace

@@ -23,6 +23,9 @@ class LeftOutList {
   // consent: the caller lets it go (--leave-out).
   explicit LeftOutList(bool consent) : consent_(consent) {}
 
+  // What was left out of a file, with consent.
+  LeftOutList(const std::string& file, std::span<const LeftOut> left_out) : consent_(true) { add(file, left_out, ""); }
+
   // Takes what is left out of a file. Throws Error bad_file where there is something, and no consent: one line with the
   // numbers, the kinds, the first owners, and the remedy: "give ...", what to do instead.
   void add(const std::string& file, std::span<const LeftOut> left_out, const std::string& remedy);

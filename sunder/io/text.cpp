@@ -70,6 +70,8 @@ std::string count_of(std::uint64_t n, std::string_view noun) {
   return fmt::format("{} {}{}", n, noun, n == 1 ? "" : noun.ends_with('x') ? "es" : "s");
 }
 
+std::string place_text(const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); }
+
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};

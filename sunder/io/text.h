@@ -5,6 +5,7 @@
 #pragma once
 
 #include <sunder/base/error.h>
+#include <sunder/predicate/point.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -22,6 +23,9 @@ std::string quote(std::string_view text);
 
 // "1 pair", "2 pairs", "2 boxes".
 std::string count_of(std::uint64_t n, std::string_view noun);
+
+// "(x, y)", ten digits.
+std::string place_text(const Point2& p);
 
 // What parts words within a line, and the text without what of it stands at its ends.
 inline constexpr std::string_view blanks = " \t\r\f\v";

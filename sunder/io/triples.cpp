@@ -52,4 +52,17 @@ TripleFile read_triples(const std::filesystem::path& path, const TripleKind& kin
   return parse_triples(read_file(path, inputs), path.string(), kind, group, progress, name);
 }
 
+CirclesFile read_circles(const std::filesystem::path& path, const std::string& group,
+                         const std::function<void(double)>& progress, const std::string& name, InputFiles* inputs) {
+  TripleFile file = read_triples(path, circle_rows, group, progress, name, inputs);
+  std::vector<Disc> circles;
+  circles.reserve(file.rows.size());
+  for (std::size_t k = 0; k < file.rows.size(); ++k) {
+    const auto& [x, y, r] = file.rows[k];
+    if (r < 0) fail_line(path.string(), file.line[k], "has a negative radius; give x,y,r with r of at least 0");
+    circles.push_back({{x, y}, r});
+  }
+  return {std::move(file), planar::Discs(std::move(circles))};
+}
+
 }  // namespace sunder::io

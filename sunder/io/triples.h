@@ -3,6 +3,7 @@
 
 #include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
+#include <sunder/planar/object/discs.h>
 
 #include <array>
 #include <cstdint>
@@ -50,5 +51,14 @@ TripleFile read_triples(const std::filesystem::path& path, const TripleKind& kin
 TripleFile parse_triples(std::string_view text, std::string_view place, const TripleKind& kind,
                          const std::string& group = {}, const std::function<void(double)>& progress = nullptr,
                          const std::string& name = {});
+
+// Circles, with their insides. Parameters as of read_triples. Throws Error as that, and bad_file for a negative radius.
+struct CirclesFile {
+  TripleFile file;
+  planar::Discs circles;
+};
+CirclesFile read_circles(const std::filesystem::path& path, const std::string& group = {},
+                         const std::function<void(double)>& progress = nullptr, const std::string& name = {},
+                         InputFiles* inputs = nullptr);
 
 }  // namespace sunder::io

@@ -1,7 +1,6 @@
 // What sunder pair reads where A and B are planar.
 #pragma once
 
-#include <sunder/ask/left_out.h>
 #include <sunder/ask/pair/pair_planar.h>
 #include <sunder/ask/report.h>
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <sunder/ask/evidence.h>
-#include <sunder/ask/left_out.h>
 #include <sunder/ask/question.h>
 
 #include <sunder/certificate/pair_claims.h>

@@ -1,11 +1,11 @@
 #include <sunder/ask/progress.h>
 #include <sunder/ask/region/region_circles.h>
 #include <sunder/ask/report.h>
-#include <sunder/ask/set/circles_input.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
+#include <sunder/io/triples.h>
 #include <sunder/picture/plane.h>
 #include <sunder/planar/region/disc_intersection.h>
 #include <sunder/planar/region/disc_intersection_json.h>
@@ -112,8 +112,9 @@ class CirclesQuestion {
   }
 
  private:
-  static DiscsInput read(const RegionCall& call, Origin& origin) {
-    return read_circles(call.file, {}, {}, call.proves() ? &origin.inputs : nullptr);
+  static io::CirclesFile read(const RegionCall& call, Origin& origin) {
+    Progress progress("reading");
+    return io::read_circles(call.file, {}, progress.reporter(), {}, call.proves() ? &origin.inputs : nullptr);
   }
   const io::TripleFile& file() const { return read_.file; }
 
@@ -180,7 +181,7 @@ class CirclesQuestion {
 
   PartMethod* method_;
   Origin origin_;
-  DiscsInput read_;
+  io::CirclesFile read_;
   const Discs& circles_ = read_.circles;
   DiscIntersection part_;
   Point2 deepest_;

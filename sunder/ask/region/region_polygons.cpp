@@ -94,7 +94,7 @@ class PolygonsQuestion {
   explicit PolygonsQuestion(const RegionCall& asked)
       : call(asked),
         method_(method_by(asked.method, methods)),
-        input_(read_polygons(request_of(asked))),
+        input_(read_with_progress(request_of(asked))),
         polygons_(convex_polygons(asked, input_)) {}
 
   std::uint64_t drawn() const { return input_.edges(); }
@@ -119,7 +119,7 @@ class PolygonsQuestion {
     } else {
       text += fmt::format("{}{}\n", shape(), without()) + corners_text();
     }
-    return text + input_.tell();
+    return text + tell(input_);
   }
 
   void add_to(Json& json) const {
@@ -137,7 +137,7 @@ class PolygonsQuestion {
       json["region"]["corners"].push_back(corner);
     }
     if (yes()) json["contradiction"] = named();
-    input_.tell(json);
+    tell(input_, json);
   }
 
   std::string picture() const {

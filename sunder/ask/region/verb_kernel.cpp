@@ -1,5 +1,4 @@
 // sunder kernel FILE: from which points of a polygon are all of its points seen?
-#include <sunder/ask/left_out.h>
 #include <sunder/ask/question.h>
 #include <sunder/ask/set/polygons_input.h>
 #include <sunder/ask/verb.h>
@@ -58,7 +57,7 @@ class KernelQuestion {
   const Call& call;
 
   explicit KernelQuestion(const Call& asked)
-      : call(asked), method_(method_by(asked.method, methods)), input_(read_polygons(request_of(asked))) {
+      : call(asked), method_(method_by(asked.method, methods)), input_(read_with_progress(request_of(asked))) {
     for (std::uint32_t i = 0; i < input_.polygons.size(); ++i) {
       if (!call.feature.empty() && input_.name(i) != call.feature) continue;
       if (input_.polygons[i].ring_count() > 1) {
@@ -117,7 +116,7 @@ class KernelQuestion {
     text +=
         fmt::format("{}: {} of {} {} a kernel{}\n", io::one_line(call.file), seen, count_of(results_.size(), "polygon"),
                     results_.size() == 1 ? "has" : "have", without.empty() ? "" : ", said of these only: " + without);
-    return text + input_.tell();
+    return text + tell(input_);
   }
 
   void add_to(Json& json) const {
@@ -133,7 +132,7 @@ class KernelQuestion {
       for (const Point2& p : result.corners) object["corners"].push_back({{"point", {p.x, p.y}}});
       json["objects"].push_back(object);
     }
-    input_.tell(json);
+    tell(input_, json);
   }
 
   std::string picture() const {

@@ -2,11 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <utility>
 
 namespace sunder::ask {
 
 namespace {
+
+// As in reports: a number with a point or an exponent, the shortest that reads back the same.
+std::string number_json(double x) {
+  std::array<char, 32> digits{};
+  std::string text(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
 
 std::string value_text(const ContactProperty& property, std::size_t k) {
   return property.is_text ? quoted_json(property.values[k]) : property.values[k];
@@ -16,8 +25,8 @@ std::string properties_text(const ContactRow& row, const std::string& point) {
   std::string text = fmt::format(R"("i": {}, "j": {}, "kind": "{}"{})", row.i, row.j, row.kind, point);
   for (const ContactProperty& p : row.properties) {
     const bool is_one = p.values.size() == 1;
-    text +=
-        fmt::format(R"(, "{}": {})", p.key, is_one ? value_text(p, 0) : pair_json(value_text(p, 0), value_text(p, 1)));
+    text += fmt::format(R"(, "{}": {})", p.key,
+                        is_one ? value_text(p, 0) : fmt::format("[{}, {}]", value_text(p, 0), value_text(p, 1)));
   }
   return text;
 }
@@ -46,8 +55,7 @@ std::string_view one_of(std::string_view key) { return key.ends_with('s') ? key.
 }  // namespace
 
 std::string report_text(const ContactRow& row) {
-  const std::string point =
-      fmt::format(R"(, "point": {})", pair_json(number_json(row.point.x), number_json(row.point.y)));
+  const std::string point = fmt::format(R"(, "point": [{}, {}])", number_json(row.point.x), number_json(row.point.y));
   return fmt::format("{{{}}}", properties_text(row, point));
 }
 

@@ -13,12 +13,12 @@
 
 #include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
-#include <sunder/io/lines.h>
 #include <sunder/io/text.h>
 #include <sunder/near/cover_statement.h>
 #include <sunder/near/set_answers.h>
 #include <sunder/near/set_methods.h>
 #include <sunder/planar/pair/disc_disc.h>
+
 namespace sunder::ask {
 
 template <class Members>
@@ -30,18 +30,6 @@ struct MembersFile {
   std::vector<std::string> groups{};
 };
 
-// Members that are, or are made of, the segments of a file.
-template <class Members>
-MembersFile<Members> members_of(Members members, io::LineFile file) {
-  std::vector<std::string> names;
-  std::vector<std::uint32_t> lines;
-  for (const io::LineSource& source : file.source) {
-    names.push_back(file.features[source.feature]);
-    lines.push_back(source.line);
-  }
-  return {std::move(members), std::move(names), std::move(lines), std::move(file.group), std::move(file.groups)};
-}
-
 template <class Of>
 class MembersSet {
  public:
@@ -52,15 +40,16 @@ class MembersSet {
   using Result = SetResult<MembersSet>;
   static constexpr std::string_view verb = Of::verb, noun = Of::noun, drawn_noun = Of::noun;
   static constexpr std::array kinds{Kind::overlapping, Kind::inside, Kind::touching};
+  static constexpr std::array may_be_allowed{Allowed::nothing, Allowed::touch};
 
   static void check(const Call& call) {
-    allowed(call.allow);
+    allowed_by(call.allow, may_be_allowed);
     method_by(call.method, methods());
   }
 
   explicit MembersSet(const Call& call)
       : call_(call), file_(Of::read(call, call.proves() ? &origin_.inputs : nullptr)), members_(file_.members) {
-    options_.allowed = allowed(call.allow);
+    options_.allowed = allowed_by(call.allow, may_be_allowed);
     options_.groups = file_.group;
   }
 
@@ -109,8 +98,8 @@ class MembersSet {
   }
   std::string clause() const { return ""; }
   std::string text(const Contact& c) const {
-    const Point2 p = Of::place(members_[c.i], members_[c.j]);
-    std::string text = fmt::format("{}, with about ({:.10g}, {:.10g}) in common\n", name_of(c.kind), p.x, p.y);
+    std::string text = fmt::format("{}, with about {} in common\n", name_of(c.kind),
+                                   place_text(Of::place(members_[c.i], members_[c.j])));
     for (const std::uint32_t i : {c.i, c.j}) {
       const std::string group = file_.groups.empty() ? "" : " of " + file_.groups[file_.group[i]];
       text += fmt::format("    {} {}{}, line {}: {}\n", noun, file_.names[i], group, file_.lines[i],
@@ -157,14 +146,6 @@ class MembersSet {
   }
 
  private:
-  static Allowed allowed(const std::string& name) {
-    if (name == "nothing") return Allowed::nothing;
-    if (name == "touch") return Allowed::touch;
-    throw Error(ErrorCode::bad_call,
-                fmt::format("there is nothing named {} to allow; there are nothing, touch", io::quote(name)),
-                "--allow");
-  }
-
   std::uint32_t size() const { return static_cast<std::uint32_t>(members_.size()); }
 
   AnyAnswer<Contact> any(const SetOptions& options) const {
@@ -209,7 +190,7 @@ template <class Of>
 Verb members_verb() {
   std::string methods;
   for (const auto& method : MembersSet<Of>::methods())
-    methods += fmt::format("{}{}", methods.empty() ? "" : ", ", method.name);
+    methods += (methods.empty() ? "" : ", ") + std::string(method.name);
   const std::string members(Of::verb);
   return set_verb<MembersSet<Of>>(
       std::make_shared<SetCall>(),

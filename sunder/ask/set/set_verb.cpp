@@ -1,7 +1,6 @@
-#include <sunder/ask/left_out.h>
 #include <sunder/ask/set/set_verb.h>
 
-#include <sunder/io/text.h>
+#include <sunder/base/error.h>
 
 namespace sunder::ask {
 
@@ -33,17 +32,18 @@ void add_file_options(Verb& verb, SetCall& call) {
   verb.options.push_back({"--drop-z", &call.drop_z, "ignore third coordinates"});
 }
 
-void write_proof(const Proof& proof, const Origin& origin) {
-  io::OutputFile file(proof.path);
-  ClaimsWriter claims([&](std::string_view text) { file.write(text); });
-  claims.add_origin(origin);
-  proof.write(claims);
-  claims.end();
-  file.commit();
+void require_provable(std::uint64_t contacts) {
+  constexpr std::uint64_t most = 10'000'000, bytes_each = 24;  // [1234567,1234567,"inside"],
+  if (contacts <= most) return;
+  throw Error(ErrorCode::bad_call,
+              fmt::format("the proof of a list is as long as the list: {} contacts, about {} MB; ask for --count",
+                          contacts, contacts * bytes_each / 1'000'000),
+              "--certificate");
 }
 
-std::string file_line(std::string_view what, const std::string& file) {
-  return file.empty() ? "" : fmt::format("  {:<12}{}\n", what, io::one_line(file));
+void require_other_than_scan(const SetCall& call) {
+  if (!call.proves() || call.method != "scan") return;
+  throw Error(ErrorCode::bad_call, "scan writes no certificates; give automatic or sweep", "--method");
 }
 
 }  // namespace sunder::ask

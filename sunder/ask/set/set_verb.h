@@ -12,14 +12,13 @@
 //   origin()                             what these are made of
 //   head()                               for people: the lines before the verdict
 //   said_of(), rules(), clause()         within the verdict: " of the centre lines", what may meet, what it is not
-//   about text(contact), tail(result)          a contact, after its number; what stands after the contacts
+//   text(contact), tail(result)          a contact, after its number; what stands after the contacts
 //   add_head(report), add_tail(report)   to a report in JSON
 //   kind_of(contact), row(contact)       to all lists
 //   picture(title, result, contacts)     an SVG
 #pragma once
 
 #include <sunder/ask/list_stream.h>
-#include <sunder/ask/method.h>
 #include <sunder/ask/report.h>
 #include <sunder/ask/set/contact_row.h>
 #include <sunder/ask/verb.h>
@@ -37,6 +36,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
@@ -49,19 +49,16 @@ namespace sunder::ask {
 using picture::Ink;
 using picture::PlanePicture;
 
-struct SetCall {
+struct SetCall : QuestionCall {
   std::vector<std::string> files;
   bool any = false, all = false, count = false;  // at most one; none: any
   std::string allow = "nothing";
-  std::string method = "automatic";
-  std::string group, name, certificate, csv, geojson, svg, title;
-  std::uint64_t svg_limit = most_drawn;
-  bool leave_out = false, drop_z = false, json = false;
+  std::string group, name, csv, geojson;
+  bool leave_out = false, drop_z = false;
 
   // A picture, a map and a table show all.
   bool lists() const { return all || !csv.empty() || !geojson.empty() || !svg.empty(); }
   bool counts() const { return lists() || count; }
-  bool proves() const { return !certificate.empty(); }
 };
 
 // Help of the options, where it differs.
@@ -78,7 +75,12 @@ struct Proof {
   std::string path;
   std::function<void(ClaimsWriter&)> write;
 };
-void write_proof(const Proof& proof, const Origin& origin);
+
+// Proofs of lists are as long as the lists. Throws Error bad_call for more than 10^7 contacts: it names the option.
+void require_provable(std::uint64_t contacts);
+
+// Throws Error bad_call where a proof is asked of the method scan.
+void require_other_than_scan(const SetCall& call);
 
 template <class Set>
 struct SetResult {
@@ -91,14 +93,14 @@ struct SetResult {
   std::vector<std::string> proofs;                                    // files written
   Cost cost;
 
-  void add(typename Set::Kind kind) {
-    ++count.at(static_cast<std::size_t>(std::find(Set::kinds.begin(), Set::kinds.end(), kind) - Set::kinds.begin()));
+  // The position in Set::kinds.
+  static std::size_t kind_of(const Contact& contact) {
+    const auto kind = std::find(Set::kinds.begin(), Set::kinds.end(), Set::kind_of(contact));
+    return static_cast<std::size_t>(kind - Set::kinds.begin());
   }
-  std::uint64_t pairs() const {
-    std::uint64_t sum = 0;
-    for (const std::uint64_t number : count) sum += number;
-    return sum;
-  }
+
+  void add(const Contact& contact) { ++count.at(kind_of(contact)); }
+  std::uint64_t pairs() const { return std::accumulate(count.begin(), count.end(), std::uint64_t{0}); }
   bool some() const { return pairs() > 0; }
 
   void hold(std::vector<Contact> contacts) { hold(std::make_shared<Contacts>(std::move(contacts))); }
@@ -109,7 +111,7 @@ struct SetResult {
   // With --any.
   void found(const std::optional<Contact>& contact) {
     if (!contact) return;
-    add(Set::kind_of(*contact));
+    add(*contact);
     visit = [one = *contact](const Visitor& visitor) { visitor(one); };
   }
 
@@ -119,7 +121,7 @@ struct SetResult {
   void count_and_list(std::uint32_t size, bool lists, const AskBlock& ask_block) {
     const auto first = [this, ask_block](const Block& block, const typename Contacts::Take& take) {
       cost = ask_block(block, [&](const Contact& c) {
-        add(Set::kind_of(c));
+        add(c);
         if (take) take(c);
       });
     };
@@ -133,17 +135,6 @@ struct SetResult {
   }
 };
 
-// "74 overlapping, 12 inside"
-template <class Set>
-std::string counts_text(const SetResult<Set>& result) {
-  std::string text;
-  for (std::size_t k = 0; k < result.count.size(); ++k) {
-    if (result.count.at(k) == 0) continue;
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", result.count.at(k), name_of(Set::kinds.at(k)));
-  }
-  return text;
-}
-
 // "some meet (touch allowed): 2 pairs: 2 touching"
 template <class Set>
 std::string verdict_text(const SetCall& call, const Set& set, const SetResult<Set>& result) {
@@ -153,13 +144,15 @@ std::string verdict_text(const SetCall& call, const Set& set, const SetResult<Se
   for (std::size_t k = 0; k < rules.size(); ++k) text += (k == 0 ? " (" : "; ") + rules[k];
   if (!rules.empty()) text += ')';
   if (result.some() && call.counts()) {
-    text += fmt::format(": {}: {}", count_of(result.pairs(), "pair"), counts_text(result));
+    std::string counts;
+    for (std::size_t k = 0; k < result.count.size(); ++k) {
+      if (result.count.at(k) == 0) continue;
+      counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", result.count.at(k), name_of(Set::kinds.at(k)));
+    }
+    text += fmt::format(": {}: {}", count_of(result.pairs(), "pair"), counts);
   }
   return text + set.clause() + '\n';
 }
-
-// "  proof       proof.json", where there is such a file.
-std::string file_line(std::string_view what, const std::string& file);
 
 // listed: the first of the contacts.
 template <class Set>
@@ -172,8 +165,7 @@ std::string human_text(const SetCall& call, const Set& set, const SetResult<Set>
   if (call.lists() && result.pairs() > listed.size()) {
     text += fmt::format("  and {} more; --json, --csv, --geojson or --svg have all\n", result.pairs() - listed.size());
   }
-  text += set.tail(result);
-  text += fmt::format("  cost        {}\n", count_of(result.cost.probes, "comparison"));
+  text += set.tail(result) + titled("cost", count_of(result.cost.probes, "comparison"));
   for (const std::string& proof : result.proofs) text += file_line("proof", proof);
   return text + file_line("contacts", call.geojson) + file_line("table", call.csv) + file_line("picture", call.svg);
 }
@@ -201,8 +193,7 @@ template <class Set>
 std::vector<std::size_t> strongest_kinds(const std::vector<typename Set::Contact>& contacts, std::size_t size) {
   std::vector<std::size_t> strongest(size, Set::kinds.size());
   for (const typename Set::Contact& c : contacts) {
-    const auto kind = std::find(Set::kinds.begin(), Set::kinds.end(), Set::kind_of(c)) - Set::kinds.begin();
-    for (const std::uint32_t i : {c.i, c.j}) strongest[i] = std::min(strongest[i], static_cast<std::size_t>(kind));
+    for (const std::uint32_t i : {c.i, c.j}) strongest[i] = std::min(strongest[i], SetResult<Set>::kind_of(c));
   }
   return strongest;
 }
@@ -227,9 +218,8 @@ std::string picture_of_members(const SetCall& call, const SetResult<Set>& result
   }
   std::vector<picture::RingContact> places;
   for (std::uint32_t k = 0; k < contacts.size(); ++k) {
-    const auto kind = std::find(Set::kinds.begin(), Set::kinds.end(), Set::kind_of(contacts[k])) - Set::kinds.begin();
     const std::optional<Point2> at = mark(contacts[k]);
-    if (at) places.push_back({drawing.at(*at), k, static_cast<std::size_t>(kind)});
+    if (at) places.push_back({drawing.at(*at), k, result.kind_of(contacts[k])});
   }
   drawing.rings(places, ring_kinds, [&](std::uint32_t k) {
     const typename Set::Contact& c = contacts[k];
@@ -240,7 +230,7 @@ std::string picture_of_members(const SetCall& call, const SetResult<Set>& result
   }
   drawing.legend(Ink::calm,
                  call.allow == "nothing" && call.group.empty() ? "meets no other" : "no contact that counts");
-  return drawing.text(call.title.empty() ? fmt::format("Which of these {} meet?", Set::verb) : call.title,
+  return drawing.text(call.title_or(fmt::format("Which of these {} meet?", Set::verb)),
                       fmt::format("{}; {}{}", count_of(size, Set::noun),
                                   result.some() ? count_of(result.pairs(), "pair") + " meet" : "none meet", clause));
 }
@@ -287,7 +277,7 @@ int run_set(const typename Set::Call& call) {
   require_drawable(result.pairs());
   if (call.proves()) {
     for (const Proof& proof : set.proofs(result)) {
-      write_proof(proof, set.origin());
+      write_proof(proof.path, set.origin(), proof.write);
       result.proofs.push_back(proof.path);
     }
   }

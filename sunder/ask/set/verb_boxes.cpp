@@ -1,6 +1,7 @@
 // sunder boxes FILE: do any two boxes, whose sides are parallel to the axes, meet? Which? How many?
 #include <sunder/ask/set/members_set.h>
 
+#include <sunder/io/lines.h>
 #include <sunder/planar/set/boxes.h>
 
 namespace sunder::ask {
@@ -19,12 +20,17 @@ struct Boxes {
     if (file.format != "CSV") io::fail_file(call.files[0], "has no boxes; give CSV, x1,y1,x2,y2");
     std::vector<Box2> boxes;
     for (const planar::Segment& s : file.segments) boxes.push_back(hull(Box2{s.a, s.a}, Box2{s.b, s.b}));
-    return members_of(Members(std::move(boxes)), std::move(file));
+    std::vector<std::string> names;
+    std::vector<std::uint32_t> lines;
+    for (const io::LineSource& source : file.source) {
+      names.push_back(file.features[source.feature]);
+      lines.push_back(source.line);
+    }
+    return {Members(std::move(boxes)), std::move(names), std::move(lines), std::move(file.group),
+            std::move(file.groups)};
   }
 
-  static std::string about(const Box2& b) {
-    return fmt::format("({:.10g}, {:.10g}) to ({:.10g}, {:.10g})", b.low.x, b.low.y, b.high.x, b.high.y);
-  }
+  static std::string about(const Box2& b) { return place_text(b.low) + " to " + place_text(b.high); }
   static Point2 place(const Box2& a, const Box2& b) { return common_part(a, b).low; }
   static void draw(PlanePicture& picture, const Box2& b, Ink ink) {
     picture.polygon(std::array{b.low, Point2{b.high.x, b.low.y}, b.high, Point2{b.low.x, b.high.y}}, ink);

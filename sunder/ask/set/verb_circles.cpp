@@ -1,7 +1,7 @@
 // sunder circles FILE: do any two circles, with their insides, meet? Which? How many?
-#include <sunder/ask/set/circles_input.h>
 #include <sunder/ask/set/members_set.h>
 
+#include <sunder/io/triples.h>
 #include <sunder/planar/set/discs_all.h>
 #include <sunder/planar/set/discs_any_json.h>
 
@@ -29,13 +29,14 @@ struct Circles {
                                                                           {"scan", planar::discs_all_by_scan}}};
 
   static MembersFile<Discs> read(const SetCall& call, InputFiles* inputs) {
-    auto [file, circles] = read_circles(call.files[0], call.group, call.name, inputs);
+    Progress progress("reading");
+    auto [file, circles] = io::read_circles(call.files[0], call.group, progress.reporter(), call.name, inputs);
     return {std::move(circles), std::move(file.name), std::move(file.line), std::move(file.group),
             std::move(file.groups)};
   }
 
   static std::string about(const Disc& c) {
-    return fmt::format("centre ({:.10g}, {:.10g}), radius {:.10g}", c.center.x, c.center.y, c.radius);
+    return fmt::format("centre {}, radius {:.10g}", place_text(c.center), c.radius);
   }
   static Point2 place(const Disc& c, const Disc& d) { return planar::common_point_rounded(c, d); }
   static void draw(PlanePicture& picture, const Disc& c, Ink ink) { picture.circle(c, ink); }

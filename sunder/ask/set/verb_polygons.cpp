@@ -1,5 +1,4 @@
 // sunder polygons FILE: do any two polygons meet? Which? How many?
-#include <sunder/ask/left_out.h>
 #include <sunder/ask/progress.h>
 #include <sunder/ask/set/polygons_input.h>
 #include <sunder/ask/set/set_verb.h>
@@ -66,8 +65,8 @@ Point2 place_of(const PolygonsInput& input, const PolygonsContact& c) {
 }
 
 std::string shown_by(const PolygonsContact& c) {
-  if (c.kind == planar::ContactKind::none) return "a vertex inside";
   switch (c.kind) {
+    case planar::ContactKind::none: return "a vertex inside";
     case planar::ContactKind::shared_endpoint: return "a vertex of both";
     case planar::ContactKind::touch: return "a vertex on an edge";
     case planar::ContactKind::crossing: return "edges that cross";
@@ -90,17 +89,15 @@ const std::string& group_of(const PolygonsInput& input, std::uint32_t polygon) {
 }
 
 PolygonsRequest request_of(const Call& call) {
-  PolygonsRequest request;
-  request.files = call.files;
-  request.drop_z = call.drop_z;
-  request.leave_out = call.leave_out;
-  request.skip_invalid = call.skip_invalid;
-  request.mend = call.mend;
-  request.rule = call.self_touch ? planar::PolygonRule::self_touch : planar::PolygonRule::valid;
-  request.group = call.group;
-  request.name = call.name;
-  request.tell_inputs = call.proves();
-  return request;
+  return {.files = call.files,
+          .drop_z = call.drop_z,
+          .leave_out = call.leave_out,
+          .skip_invalid = call.skip_invalid,
+          .mend = call.mend,
+          .rule = call.self_touch ? planar::PolygonRule::self_touch : planar::PolygonRule::valid,
+          .group = call.group,
+          .name = call.name,
+          .tell_inputs = call.proves()};
 }
 
 class PolygonsSet {
@@ -118,12 +115,10 @@ class PolygonsSet {
     if (call.files.size() > 2) {
       throw Error(ErrorCode::bad_call, "three files or more; give one, or two to ask for pairs across them", "FILE");
     }
-    if (call.proves() && call.method == "scan") {
-      throw Error(ErrorCode::bad_call, "scan writes no certificates; give automatic or sweep", "--method");
-    }
+    require_other_than_scan(call);
   }
 
-  explicit PolygonsSet(const Call& call) : call_(call), input_(read_polygons(request_of(call))) {
+  explicit PolygonsSet(const Call& call) : call_(call), input_(read_with_progress(request_of(call))) {
     options_.allowed = allowed_by(call.allow);
     options_.groups = input_.groups;
   }
@@ -207,7 +202,7 @@ class PolygonsSet {
     return fmt::format("{}: {} and {}: {} at about {}\n", name_of(c.contact), polygon_text(c, true),
                        polygon_text(c, false), shown_by(c), place_text(place_of(input_, c)));
   }
-  std::string tail(const Result&) const { return input_.tell(); }
+  std::string tail(const Result&) const { return tell(input_); }
 
   void add_head(Json& json) const {
     json["objects"] = Json::array();
@@ -220,7 +215,7 @@ class PolygonsSet {
                                  {"edges", edges}});
     }
   }
-  void add_tail(Json& json) const { input_.tell(json); }
+  void add_tail(Json& json) const { tell(input_, json); }
 
   static sunder::Contact kind_of(const PolygonsContact& c) { return c.contact; }
 

@@ -1,5 +1,4 @@
 // sunder segments FILE: do any two segments meet? Which? How many?
-#include <sunder/ask/left_out.h>
 #include <sunder/ask/outputs.h>
 #include <sunder/ask/progress.h>
 #include <sunder/ask/set/set_verb.h>
@@ -120,17 +119,7 @@ void check_centre_lines(const Call& call, const io::LineFile& file) {
                                            fmt::join(file.remarks, "; ")));
 }
 
-LeftOutList left_out_of(const io::LineFile& file) {
-  LeftOutList list(true);  // the reader refuses what the caller does not let go
-  list.add("", file.left_out, "");
-  return list;
-}
-
-// What the certificate does not speak of.
-std::vector<std::string> left_out_texts(const io::LineFile& file) {
-  if (!is_board(file)) return left_out_of(file).texts();
-  return {fmt::format("copper, but for the centre lines of tracks: {}", fmt::join(file.remarks, "; "))};
-}
+LeftOutList left_out_of(const io::LineFile& file) { return {"", file.left_out}; }
 
 // "proof.json", or of a layer among others "proof.F.Cu.json".
 std::filesystem::path certificate_of(const Call& call, const Sheet& sheet) {
@@ -199,14 +188,12 @@ std::string source_of(const io::LineFile& file, std::uint32_t i) {
 
 io::LineFile read(const Call& call, InputFiles* inputs) {
   Progress progress("reading");
-  io::LineOptions options;
-  options.drop_z = call.drop_z;
-  options.leave_out = call.leave_out;
-  options.group = call.group;
-  options.name = call.name;
-  options.progress = progress.reporter();
-  options.inputs = inputs;
-  return io::read_lines(call.files[0], options);
+  return io::read_lines(call.files[0], {.drop_z = call.drop_z,
+                                        .group = call.group,
+                                        .progress = progress.reporter(),
+                                        .leave_out = call.leave_out,
+                                        .name = call.name,
+                                        .inputs = inputs});
 }
 
 class SegmentsSet {
@@ -226,13 +213,10 @@ class SegmentsSet {
     } else {
       method_by(call.method, any_methods);
     }
-    if (!call.proves()) return;
-    if (call.counts() && call.method != "automatic" && call.method != "bentley-ottmann") {
+    if (call.proves() && call.counts() && call.method != "automatic" && call.method != "bentley-ottmann") {
       throw Error(ErrorCode::bad_call, call.method + " proves no lists; give automatic or bentley-ottmann", "--method");
     }
-    if (call.method == "scan") {
-      throw Error(ErrorCode::bad_call, "scan writes no certificates; give automatic or sweep", "--method");
-    }
+    require_other_than_scan(call);
   }
 
   explicit SegmentsSet(const Call& call) : call_(call), file_(read(call, call.proves() ? &origin_.inputs : nullptr)) {
@@ -241,7 +225,12 @@ class SegmentsSet {
     require_apart(call, sheets_);
     options_.allowed = allowed_by(call.allow);
     options_.transcript = call.proves();
-    origin_.left_out = left_out_texts(file_);
+    if (is_board(file_)) {
+      origin_.left_out = {
+          fmt::format("copper, but for the centre lines of tracks: {}", fmt::join(file_.remarks, "; "))};
+    } else {
+      origin_.left_out = left_out_of(file_).texts();
+    }
   }
 
   std::uint64_t drawn() const { return file_.segments.size(); }
@@ -292,7 +281,7 @@ class SegmentsSet {
     if (result.some() && result.count.back() == result.pairs() && (call_.lists() || !call_.count)) {
       text = "  edges that follow each other share an end: to pass over such contacts, give --allow shared-endpoint\n";
     }
-    for (const std::string& remark : file_.remarks) text += fmt::format("  remark      {}\n", remark);
+    for (const std::string& remark : file_.remarks) text += titled("remark", remark);
     return text;
   }
 
@@ -401,7 +390,7 @@ class SegmentsSet {
       });
       result.cost.probes += answer.cost.probes;
       for (const SegmentsContact& c : answer.contacts) {
-        result.add(c.kind);
+        result.add(c);
         if (call_.lists()) all.push_back(in_file(sheet, c));
       }
       if (call_.lists()) {

@@ -1,18 +1,12 @@
 // sunder simple FILE: are the polygons of a file valid? If not, what is wrong, and where?
-#include <sunder/ask/left_out.h>
 #include <sunder/ask/list_stream.h>
 #include <sunder/ask/report.h>
-#include <sunder/ask/set/polygon_defect_text.h>
-#include <sunder/ask/set/polygon_parts.h>
 #include <sunder/ask/set/polygons_input.h>
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
-#include <sunder/certificate/claims.h>
-#include <sunder/certificate/origin.h>
 #include <sunder/io/file.h>
-#include <sunder/io/lines.h>
-#include <sunder/io/text.h>
+#include <sunder/io/polygon_parts.h>
 #include <sunder/picture/segments.h>
 #include <sunder/planar/set/polygon_valid.h>
 #include <sunder/planar/set/polygon_valid_json.h>
@@ -24,6 +18,7 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace sunder::ask {
@@ -31,20 +26,16 @@ namespace sunder::ask {
 namespace {
 
 using planar::PolygonDefect;
-using planar::PolygonDefects;
+using planar::PolygonDefectVisitor;
 using planar::PolygonRings;
 using planar::PolygonRule;
 using planar::RingPlace;
 
-struct Call {
-  std::string file, name;
-  std::string method = "automatic";
-  std::string certificate, geojson, svg, title;
-  std::uint64_t svg_limit = most_drawn;  // segments and defects
+struct Call : QuestionCall {  // svg_limit: of segments and defects
+  std::string file, name, geojson;
   bool strict = false, self_touch = false;
   bool all = false;
   bool drop_z = false, leave_out = false, skip_invalid = false, mend = false;
-  bool json = false;
 
   PolygonRule rule() const {
     return strict ? PolygonRule::simple : self_touch ? PolygonRule::self_touch : PolygonRule::valid;
@@ -59,229 +50,20 @@ struct Result {
   std::vector<std::uint32_t> rings_of_part;
   std::uint32_t first_ring = 0;  // of the file; they follow each other
   std::uint64_t edges = 0;
-  MendedRings mended;
-  std::string skipped;      // why
-  std::uint64_t count = 0;  // of defects
-  Cost cost;
+  planar::MendedRings mended;
+  bool skipped = false;
+  std::uint64_t count = 0;                         // of defects
   std::optional<std::vector<PolygonDefect>> held;  // the defects, unless they are too many: then they are found again
 
   bool has_parts() const { return rings_of_part.size() > 1; }
   bool valid() const { return count == 0; }
 };
 
-constexpr std::size_t most_held = 1 << 16;  // defects, of all features
-using VisitDefects = std::function<void(const planar::PolygonDefectVisitor&)>;
-
-Cost visit_by(const Call& call, std::span<const PolygonRings> parts, const planar::PolygonDefectVisitor& visit) {
-  planar::ValidOptions options{call.rule()};
-  if (call.method == "automatic" && call.lists()) return visit_polygon_defects(parts, options, visit);
-  if (!call.lists()) options.most = 1;
-  const PolygonDefects answer =
-      call.method == "scan" ? polygon_defects_by_scan(parts, options) : polygon_defects(parts, options);
-  static_cast<void>(std::all_of(answer.defects.begin(), answer.defects.end(), visit));
-  return answer.cost;
-}
-
-// The parts of the next feature, mended where that is wanted.
-Result next_of(const Call& call, PartsReader& reader, Parts& parts) {
-  Result result;
-  if (!reader.next(parts)) return result;
-  result.feature = parts.feature;
-  result.line = parts.line;
-  result.first_ring = parts.first_ring;
-  for (const PolygonRings& part : parts.rings) {
-    result.rings_of_part.push_back(static_cast<std::uint32_t>(part.size()));
-    for (const std::vector<Point2>& ring : part) result.edges += ring.size() - (ring.front() == ring.back() ? 1 : 0);
-  }
-  if (call.mend) result.mended = mend(parts);
-  result.skipped = parts.broken;
-  return result;
-}
-
-std::vector<Result> answers(const Call& call, const io::LineFile& file) {
-  std::vector<Result> results;
-  PartsReader reader(file);
-  std::size_t held = 0;
-  for (Parts parts;;) {
-    Result result = next_of(call, reader, parts);
-    if (result.rings_of_part.empty()) return results;
-    if (result.skipped.empty()) {
-      std::vector<PolygonDefect> defects;
-      result.cost = visit_by(call, parts.rings, [&](const PolygonDefect& defect) {
-        ++result.count;
-        if (held + result.count <= most_held) defects.push_back(defect);
-        return true;
-      });
-      if (defects.size() == result.count) {
-        held += defects.size();
-        result.held = std::move(defects);
-      }
-    }
-    results.push_back(std::move(result));
-  }
-}
-
-// Calls for each feature that was asked about, with what visits its defects, in their order, once.
-void for_each_feature(const Call& call, const io::LineFile& file, const std::vector<Result>& results,
-                      const std::function<void(const Result&, const VisitDefects&)>& of_feature) {
-  PartsReader reader(file);
-  Parts parts;
-  for (const Result& result : results) {
-    next_of(call, reader, parts);
-    if (!result.skipped.empty()) continue;
-    of_feature(result, [&](const planar::PolygonDefectVisitor& visit) {
-      if (result.held) {
-        static_cast<void>(std::all_of(result.held->begin(), result.held->end(), visit));
-      } else {
-        visit_by(call, parts.rings, visit);
-      }
-    });
-  }
-}
-
-// Calls for each feature that was asked about and has parts, with these.
-void for_each_parts(const Call& call, const io::LineFile& file, const std::vector<Result>& results,
-                    const std::function<void(const Result&, std::span<const PolygonRings>)>& of_feature) {
-  PartsReader reader(file);
-  Parts parts;
-  for (const Result& result : results) {
-    next_of(call, reader, parts);
-    if (result.skipped.empty() && !parts.rings.empty()) of_feature(result, parts.rings);
-  }
-}
-
-std::string feature_text(const io::LineFile& file, const Result& result) {
-  const std::string number = std::to_string(result.feature + 1), &name = file.features[result.feature];
-  return fmt::format("feature {}{}{}", number, name == number ? "" : fmt::format(" ({})", name),
-                     result.line > 0 ? fmt::format(", line {}", result.line) : "");
-}
-
-struct Counts {
-  std::uint64_t asked = 0, valid = 0, edges = 0, mended = 0, skipped = 0, defects = 0;
-  Cost cost;
-};
-
-Counts counts_of(const std::vector<Result>& results) {
-  Counts counts;
-  for (const Result& result : results) {
-    counts.edges += result.edges;
-    if (!result.skipped.empty()) {
-      ++counts.skipped;
-      continue;
-    }
-    ++counts.asked;
-    if (result.valid()) ++counts.valid;
-    if (result.mended.all() > 0) ++counts.mended;
-    counts.defects += result.count;
-    counts.cost.probes += result.cost.probes;
-  }
-  return counts;
-}
-
-LeftOutList left_out_of(const io::LineFile& file) {
-  LeftOutList list(true);  // the reader refuses what the caller does not let go
-  list.add("", file.left_out, "");
-  return list;
-}
-
-// What the certificate is of, what it does not speak of, and what was changed before.
-Origin origin_of(const Counts& counts, const LeftOutList& left_out, const InputFiles& inputs) {
-  Origin origin{inputs, {}};
-  if (counts.skipped > 0) {
-    origin.left_out.push_back(fmt::format("skipped: {}", count_of(counts.skipped, "invalid feature")));
-  }
-  for (const std::string& text : left_out.texts()) origin.left_out.push_back(text);
-  if (counts.mended > 0) origin.left_out.push_back(fmt::format("mended: {}", count_of(counts.mended, "feature")));
-  return origin;
-}
-
+constexpr std::size_t most_held = 1 << 16;         // defects, of all features
 constexpr std::uint64_t most_proved = 10'000'000;  // defects
+constexpr std::size_t most_listed = 20;            // of a feature, and features
 
-// Writes a statement for each feature that is valid, and for each defect that is listed.
-void prove(const Call& call, const io::LineFile& file, const std::vector<Result>& results, const InputFiles& inputs) {
-  const Counts counts = counts_of(results);
-  if (counts.defects > most_proved) {
-    throw Error(ErrorCode::bad_call,
-                fmt::format("{} defects, and their proofs would have about {:.1f} GB; leave out --all", counts.defects,
-                            static_cast<double>(counts.defects) * 150 / 1e9),
-                "--certificate");
-  }
-  io::OutputFile out(call.certificate);
-  ClaimsWriter claims([&](std::string_view text) { out.write(text); });
-  claims.add_origin(origin_of(counts, left_out_of(file), inputs));
-  claims.begin_table("polygons");
-  for_each_parts(call, file, results, [&](const Result&, const auto& parts) { planar::write_parts(claims, parts); });
-  claims.end_table();
-  std::uint32_t first = 0;
-  for_each_parts(call, file, results, [&](const Result& result, std::span<const PolygonRings> parts) {
-    const auto prove_defect = [&](const PolygonDefect& defect) {
-      if (!planar::write_defect(claims, parts, first, call.rule(), defect)) {
-        throw Error(ErrorCode::bad_call,
-                    fmt::format("{}: one of its defects, {}, has no proof here; leave it out",
-                                feature_text(file, result), text_of(defect, result.has_parts())),
-                    "--certificate");
-      }
-      return true;
-    };
-    if (result.valid()) {
-      planar::write_valid(claims, parts, first, call.rule());
-    } else if (result.held) {
-      static_cast<void>(std::all_of(result.held->begin(), result.held->end(), prove_defect));
-    } else {
-      visit_by(call, parts, prove_defect);
-    }
-    first += static_cast<std::uint32_t>(parts.size());
-  });
-  claims.end();
-  out.commit();
-}
-
-constexpr std::size_t most_listed = 20;  // of a feature, and features
-
-// The first defects of a feature.
-std::string defects_text(const Call& call, const io::LineFile& file, const Result& result, const VisitDefects& visit) {
-  std::string text = fmt::format("{}: {}\n", feature_text(file, result), call.answer(false));
-  std::size_t listed = 0;
-  visit([&](const PolygonDefect& defect) {
-    text += fmt::format("  {:16}{}\n", name_of(defect.kind), text_of(defect, result.has_parts()));
-    return ++listed < most_listed;
-  });
-  if (result.count > listed) {
-    text += fmt::format("  and {} more; --json or --geojson have all\n", result.count - listed);
-  }
-  return text;
-}
-
-std::string human_text(const Call& call, const io::LineFile& file, const std::vector<Result>& results) {
-  std::string text;
-  const Counts counts = counts_of(results);
-  std::uint64_t listed = 0, mended = 0, skipped = 0;
-  for_each_feature(call, file, results, [&](const Result& result, const VisitDefects& visit) {
-    if (result.mended.all() > 0 && ++mended <= most_listed) {
-      text += fmt::format("{}: mended: {}\n", feature_text(file, result), text_of(result.mended));
-    }
-    if (!result.valid() && ++listed <= most_listed) text += defects_text(call, file, result, visit);
-  });
-  if (listed > most_listed) {
-    text += fmt::format("and {} more; --json or --geojson have all\n", count_of(listed - most_listed, "feature"));
-  }
-  for (const Result& result : results) {
-    if (result.skipped.empty() || ++skipped > most_listed) continue;
-    text += fmt::format("{}: skipped: {}\n", feature_text(file, result), result.skipped);
-  }
-  if (skipped > most_listed) text += fmt::format("and {} more skipped; --json has all\n", skipped - most_listed);
-  text +=
-      fmt::format("{}: {} of {} {}, {}, {}\n", io::one_line(call.file), counts.valid, count_of(counts.asked, "feature"),
-                  call.answer(true), count_of(counts.edges, "edge"), file.format);
-  if (counts.valid < counts.asked && !call.lists()) text += "one defect of each is named; --all lists all\n";
-  if (counts.mended > 0) text += fmt::format("said of what was mended: {}\n", count_of(counts.mended, "feature"));
-  if (skipped > 0) text += fmt::format("said of these only; skipped: {}\n", count_of(skipped, "invalid feature"));
-  const LeftOutList left_out = left_out_of(file);
-  if (!left_out.empty()) text += fmt::format("left out: {}\n", left_out.text());
-  for (const std::string& remark : file.remarks) text += fmt::format("remark: {}\n", remark);
-  if (!call.certificate.empty()) text += fmt::format("proof: {}\n", io::one_line(call.certificate));
-  return text;
-}
+using VisitDefects = std::function<void(const PolygonDefectVisitor&)>;
 
 Json place_json(const RingPlace& place) { return {{"part", place.part}, {"ring", place.ring}, {"edge", place.edge}}; }
 
@@ -291,132 +73,272 @@ Json defect_json(const PolygonDefect& defect, bool has_parts) {
           {"places", {place_json(defect.a), place_json(defect.b)}}};
 }
 
-Json point_json(const Point2& p) { return Json::array({p.x, p.y}); }
+// A point, or the ends of the piece that is in common.
+Json at_json(const PolygonDefect& defect) {
+  const auto& [a, b] = defect.place;
+  Json at = Json::array();
+  at.push_back({a.x, a.y});
+  if (a != b) at.push_back({b.x, b.y});
+  return at;
+}
 
-// All but the features, which are its objects.
-Json report(const Call& call, const io::LineFile& file, const std::vector<Result>& results) {
-  const Counts counts = counts_of(results);
-  Json json = envelope("simple", call.answer(counts.valid == counts.asked), call.method);
-  json["cost"] = to_json(counts.cost);
-  json["rule"] = call.strict ? "simple" : call.self_touch ? "self-touch" : "valid";
-  if (!file.left_out.empty()) json["left_out"] = to_json(left_out_of(file));
-  for (const Result& result : results) {
-    Json feature = {
-        {"file", io::one_line(call.file)}, {"feature", result.feature}, {"name", file.features[result.feature]}};
-    if (!result.skipped.empty()) {
-      feature["why"] = result.skipped;
-      json["skipped"].push_back(std::move(feature));
-    } else if (result.mended.all() > 0) {
-      feature.update(to_json(result.mended));
-      json["mended"].push_back(std::move(feature));
+class ValidQuestion {
+ public:
+  explicit ValidQuestion(const Call& call) : call_(call) {
+    input_.read_file(call.file,
+                     {.drop_z = call.drop_z,
+                      .leave_out = call.leave_out,
+                      .keep_broken = call.mend || call.skip_invalid,
+                      .name = call.name},
+                     call.proves());
+    if (file().rings.empty() && file().broken.empty()) io::fail_file(call.file, "has no polygons");
+  }
+
+  // Answers, and writes all that was asked for. Returns the exit code.
+  int answer() {
+    require_drawable();
+    ask();
+    require_drawable();
+    if (asked_ == 0) io::fail_file(call_.file, "no polygon has all its rings, so nothing is left to ask about");
+    if (call_.proves()) prove();
+    if (!call_.geojson.empty()) write_geojson();
+    if (!call_.svg.empty()) io::write_file_atomically(call_.svg, picture());
+    call_.json ? print_report() : print_for_people(text());
+    return valid_ == asked_ ? exit_code::no : exit_code::yes;
+  }
+
+ private:
+  const io::LineFile& file() const { return input_.files.front(); }
+  const std::string& name(const Result& result) const { return file().features[result.feature]; }
+
+  void require_drawable() const {
+    if (!call_.svg.empty()) ask::require_drawable(file().segments.size(), "segment", defects_, call_.svg_limit);
+  }
+
+  Cost visit_by_method(std::span<const PolygonRings> parts, const PolygonDefectVisitor& visit) const {
+    planar::ValidOptions options{call_.rule()};
+    if (call_.method == "automatic" && call_.lists()) return visit_polygon_defects(parts, options, visit);
+    if (!call_.lists()) options.most = 1;
+    const planar::PolygonDefects answer =
+        call_.method == "scan" ? polygon_defects_by_scan(parts, options) : polygon_defects(parts, options);
+    static_cast<void>(std::all_of(answer.defects.begin(), answer.defects.end(), visit));
+    return answer.cost;
+  }
+
+  void ask() {
+    io::PolygonPartsReader reader(file());
+    std::size_t held = 0;
+    for (io::PolygonParts parts; reader.next(parts);) {
+      Result& result = results_.emplace_back();
+      result.feature = parts.feature;
+      result.line = parts.line;
+      result.first_ring = parts.first_ring;
+      for (const PolygonRings& part : parts.rings) {
+        result.rings_of_part.push_back(static_cast<std::uint32_t>(part.size()));
+        for (const std::vector<Point2>& ring : part)
+          result.edges += ring.size() - (ring.front() == ring.back() ? 1 : 0);
+      }
+      edges_ += result.edges;
+      if (call_.mend) result.mended = mend(parts);
+      if (result.mended.all() > 0) input_.mended.push_back({0, result.feature, result.line, result.mended});
+      result.skipped = !parts.broken.empty();
+      if (result.skipped) {
+        input_.skipped.push_back({0, result.feature, result.line, parts.broken});
+        continue;
+      }
+      std::vector<PolygonDefect> defects;
+      const Cost cost = visit_by_method(parts.rings, [&](const PolygonDefect& defect) {
+        ++result.count;
+        if (held + result.count <= most_held) defects.push_back(defect);
+        return true;
+      });
+      if (defects.size() == result.count) {
+        held += defects.size();
+        result.held = std::move(defects);
+      }
+      ++asked_;
+      valid_ += result.valid() ? 1u : 0u;
+      defects_ += result.count;
+      cost_.probes += cost.probes;
     }
   }
-  if (!file.remarks.empty()) json["remarks"] = file.remarks;
-  return json;
-}
 
-// A feature in the report, all but its defects.
-Json object_json(const Call& call, const io::LineFile& file, const Result& result) {
-  return {{"file", io::one_line(call.file)},
-          {"format", file.format},
-          {"feature", result.feature},
-          {"name", file.features[result.feature]},
-          {"parts", result.rings_of_part.size()},
-          {"rings", std::accumulate(result.rings_of_part.begin(), result.rings_of_part.end(), 0u)},
-          {"edges", result.edges},
-          {"answer", call.answer(result.valid())}};
-}
+  // Calls for each feature that was asked about, with its parts, and what visits its defects, in their order, once.
+  template <class OfFeature>
+  void for_each_feature(const OfFeature& of_feature) const {
+    io::PolygonPartsReader reader(file());
+    io::PolygonParts parts;
+    for (const Result& result : results_) {
+      reader.next(parts);
+      if (call_.mend) mend(parts);
+      if (result.skipped) continue;
+      of_feature(result, std::span<const PolygonRings>(parts.rings), [&](const PolygonDefectVisitor& visit) {
+        if (result.held) {
+          static_cast<void>(std::all_of(result.held->begin(), result.held->end(), visit));
+        } else {
+          visit_by_method(parts.rings, visit);
+        }
+      });
+    }
+  }
 
-// Prints the report, each feature and each defect as it comes.
-void print_report(const Call& call, const io::LineFile& file, const std::vector<Result>& results) {
-  ListReport objects(report(call, file, results), "objects");
-  for_each_feature(call, file, results, [&](const Result& result, const VisitDefects& visit) {
-    objects.add_list(object_json(call, file, result), "defects", [&](ListStream& defects) {
+  // A statement for each feature that is valid, and for each defect that is listed.
+  void prove() const {
+    if (defects_ > most_proved) {
+      throw Error(ErrorCode::bad_call,
+                  fmt::format("{} defects, and their proofs would have about {:.1f} GB; leave out --all", defects_,
+                              static_cast<double>(defects_) * 150 / 1e9),
+                  "--certificate");
+    }
+    write_proof(call_.certificate, input_.origin(), [this](ClaimsWriter& claims) {
+      claims.begin_table("polygons");
+      for_each_feature([&](const Result&, const auto& parts, const VisitDefects&) {
+        if (!parts.empty()) planar::write_parts(claims, parts);
+      });
+      claims.end_table();
+      std::uint32_t first = 0;
+      for_each_feature([&](const Result& result, const auto& parts, const VisitDefects& visit) {
+        if (parts.empty()) return;
+        if (result.valid()) planar::write_valid(claims, parts, first, call_.rule());
+        visit([&](const PolygonDefect& defect) {
+          if (planar::write_defect(claims, parts, first, call_.rule(), defect)) return true;
+          throw Error(ErrorCode::bad_call,
+                      fmt::format("{}: one of its defects, {}, has no proof here; leave it out", feature_text(result),
+                                  text_of(defect, result.has_parts())),
+                      "--certificate");
+        });
+        first += static_cast<std::uint32_t>(parts.size());
+      });
+    });
+  }
+
+  // Of a result, or of a skipped feature: "feature 7 (Antarctica), line 8".
+  std::string feature_text(const auto& f) const {
+    return fmt::format("feature {}{}", input_.feature_text(0, f.feature),
+                       f.line > 0 ? fmt::format(", line {}", f.line) : "");
+  }
+
+  // The first defects of a feature.
+  std::string defects_text(const Result& result, const VisitDefects& visit) const {
+    std::string text = fmt::format("{}: {}\n", feature_text(result), call_.answer(false));
+    std::size_t listed = 0;
+    visit([&](const PolygonDefect& defect) {
+      text += fmt::format("  {:16}{}\n", name_of(defect.kind), text_of(defect, result.has_parts()));
+      return ++listed < most_listed;
+    });
+    if (result.count > listed) {
+      text += fmt::format("  and {} more; --json or --geojson have all\n", result.count - listed);
+    }
+    return text;
+  }
+
+  std::string text() const {
+    std::string text;
+    std::uint64_t listed = 0, mended = 0;
+    for_each_feature([&](const Result& result, const auto&, const VisitDefects& visit) {
+      if (result.mended.all() > 0 && ++mended <= most_listed) {
+        text += fmt::format("{}: mended: {}\n", feature_text(result), text_of(result.mended));
+      }
+      if (!result.valid() && ++listed <= most_listed) text += defects_text(result, visit);
+    });
+    if (listed > most_listed) {
+      text += fmt::format("and {} more; --json or --geojson have all\n", count_of(listed - most_listed, "feature"));
+    }
+    const std::size_t skipped = input_.skipped.size();
+    for (std::size_t k = 0; k < skipped && k < most_listed; ++k) {
+      const io::SkippedFeature& f = input_.skipped[k];
+      text += fmt::format("{}: skipped: {}\n", feature_text(f), f.why);
+    }
+    if (skipped > most_listed) text += fmt::format("and {} more skipped; --json has all\n", skipped - most_listed);
+    text += fmt::format("{}: {} of {} {}, {}, {}\n", io::one_line(call_.file), valid_, count_of(asked_, "feature"),
+                        call_.answer(true), count_of(edges_, "edge"), file().format);
+    if (valid_ < asked_ && !call_.lists()) text += "one defect of each is named; --all lists all\n";
+    if (mended > 0) text += fmt::format("said of what was mended: {}\n", count_of(mended, "feature"));
+    if (skipped > 0) text += fmt::format("said of these only; skipped: {}\n", count_of(skipped, input_.skipped_kind));
+    if (!input_.left_out.empty()) text += fmt::format("left out: {}\n", input_.left_out.text());
+    for (const std::string& remark : file().remarks) text += fmt::format("remark: {}\n", remark);
+    if (call_.proves()) text += fmt::format("proof: {}\n", io::one_line(call_.certificate));
+    return text;
+  }
+
+  // Prints the report, each feature and each defect as it comes.
+  void print_report() const {
+    Json json = envelope("simple", call_.answer(valid_ == asked_), call_.method);
+    json["cost"] = to_json(cost_);
+    json["rule"] = call_.strict ? "simple" : call_.self_touch ? "self-touch" : "valid";
+    tell(input_, json);
+    ListReport objects(json, "objects");
+    for_each_feature([&](const Result& result, const auto&, const VisitDefects& visit) {
+      const auto& rings = result.rings_of_part;
+      const Json object = {{"file", io::one_line(call_.file)},
+                           {"format", file().format},
+                           {"feature", result.feature},
+                           {"name", name(result)},
+                           {"parts", rings.size()},
+                           {"rings", std::accumulate(rings.begin(), rings.end(), 0u)},
+                           {"edges", result.edges},
+                           {"answer", call_.answer(result.valid())}};
+      objects.add_list(object, "defects", [&](ListStream& defects) {
+        visit([&](const PolygonDefect& defect) {
+          Json entry = defect_json(defect, result.has_parts());
+          entry["at"] = at_json(defect);
+          defects.add(to_line(entry));
+          return true;
+        });
+      });
+    });
+    objects.close();
+  }
+
+  // Each defect as a point, or a line where a piece is in common; a line of the text for each.
+  void write_geojson() const {
+    GeojsonFile geojson(call_.geojson);
+    for_each_feature([&](const Result& result, const auto&, const VisitDefects& visit) {
       visit([&](const PolygonDefect& defect) {
-        Json entry = defect_json(defect, result.has_parts());
-        entry["at"] = Json::array({point_json(defect.place.a)});
-        if (defect.place.a != defect.place.b) entry["at"].push_back(point_json(defect.place.b));
-        defects.add(to_line(entry));
+        const Json at = at_json(defect);
+        Json geometry = {{"type", "Point"}, {"coordinates", at[0]}};
+        if (at.size() > 1) geometry = {{"type", "LineString"}, {"coordinates", at}};
+        Json properties = {{"feature", result.feature}, {"name", name(result)}};
+        properties.update(defect_json(defect, result.has_parts()));
+        const Json feature = {{"type", "Feature"}, {"geometry", geometry}, {"properties", properties}};
+        geojson.add(feature.dump(-1, ' ', false, Json::error_handler_t::replace));
         return true;
       });
     });
-  });
-  objects.close();
-}
+    geojson.close();
+  }
 
-// Each defect as a point, or a line where a piece is in common; a line of the text for each.
-void write_geojson(const Call& call, const io::LineFile& file, const std::vector<Result>& results) {
-  GeojsonFile geojson(call.geojson);
-  for_each_feature(call, file, results, [&](const Result& result, const VisitDefects& visit) {
-    visit([&](const PolygonDefect& defect) {
-      const auto& [a, b] = defect.place;
-      Json geometry = {{"type", "Point"}, {"coordinates", point_json(a)}};
-      if (a != b) geometry = {{"type", "LineString"}, {"coordinates", {point_json(a), point_json(b)}}};
-      Json properties = {{"feature", result.feature}, {"name", file.features[result.feature]}};
-      properties.update(defect_json(defect, result.has_parts()));
-      const Json feature = {{"type", "Feature"}, {"geometry", geometry}, {"properties", properties}};
-      geojson.add(feature.dump(-1, ' ', false, Json::error_handler_t::replace));
-      return true;
+  // Those defects that are two edges with a common point.
+  std::string picture() const {
+    const planar::Segments segments(file().segments);
+    std::vector<planar::SegmentsContact> contacts;
+    for_each_feature([&](const Result& result, const auto&, const VisitDefects& visit) {
+      const auto edge = [&](const RingPlace& place) {
+        const auto parts = result.rings_of_part.begin();
+        const std::uint32_t ring = std::accumulate(parts, parts + place.part, result.first_ring + place.ring);
+        return file().rings[ring].first + place.edge;
+      };
+      visit([&](const PolygonDefect& defect) {
+        const auto [i, j] = std::minmax({edge(defect.a), edge(defect.b)});
+        const planar::ContactKind kind = segment_segment(segments[i], segments[j]);
+        if (i != j && kind != planar::ContactKind::none) contacts.push_back({i, j, kind});
+        return true;
+      });
     });
-  });
-  geojson.close();
-}
+    const std::string title = call_.title_or("Are these polygons " + call_.answer(true) + "?");
+    return picture::segments_svg({file(), segments, contacts, title});
+  }
 
-// Those defects that are two edges with a common point.
-std::string picture(const Call& call, const io::LineFile& file, const std::vector<Result>& results) {
-  const planar::Segments segments(file.segments);
-  std::vector<planar::SegmentsContact> contacts;
-  for_each_feature(call, file, results, [&](const Result& result, const VisitDefects& visit) {
-    const auto edge = [&](const RingPlace& place) {
-      const auto parts = result.rings_of_part.begin();
-      const std::uint32_t ring = std::accumulate(parts, parts + place.part, result.first_ring + place.ring);
-      return file.rings[ring].first + place.edge;
-    };
-    visit([&](const PolygonDefect& defect) {
-      const std::uint32_t i = std::min(edge(defect.a), edge(defect.b)), j = std::max(edge(defect.a), edge(defect.b));
-      const planar::ContactKind kind = segment_segment(segments[i], segments[j]);
-      if (i != j && kind != planar::ContactKind::none) contacts.push_back({i, j, kind});
-      return true;
-    });
-  });
-  const std::string title = call.title.empty() ? "Are these polygons " + call.answer(true) + "?" : call.title;
-  return picture::segments_svg({file, segments, contacts, title});
-}
-
-io::LineFile read(const Call& call, InputFiles& inputs) {
-  io::LineOptions options;
-  if (!call.certificate.empty()) options.inputs = &inputs;
-  options.drop_z = call.drop_z;
-  options.leave_out = call.leave_out;
-  options.lines = false;
-  options.keep_broken = call.mend || call.skip_invalid;
-  options.name = call.name;
-  io::LineFile file = io::read_lines(call.file, options);
-  if (file.rings.empty() && file.broken.empty()) io::fail_file(call.file, "has no polygons");
-  return file;
-}
+  const Call& call_;
+  PolygonsInput input_;  // without the polygons themselves
+  std::vector<Result> results_;
+  std::uint64_t asked_ = 0, valid_ = 0, edges_ = 0, defects_ = 0;
+  Cost cost_;
+};
 
 int run(const Call& call) {
   if (call.method != "automatic" && call.method != "scan") refuse_method(call.method, "automatic, scan");
-  InputFiles inputs;
-  const io::LineFile file = read(call, inputs);
-  const auto require_drawable = [&](std::uint64_t defects) {
-    if (!call.svg.empty()) ask::require_drawable(file.segments.size(), "segment", defects, call.svg_limit);
-  };
-  require_drawable(0);
-  const std::vector<Result> results = answers(call, file);
-  const Counts counts = counts_of(results);
-  require_drawable(counts.defects);
-  if (counts.asked == 0) io::fail_file(call.file, "no polygon has all its rings, so nothing is left to ask about");
-  if (!call.certificate.empty()) prove(call, file, results, inputs);
-  if (!call.geojson.empty()) write_geojson(call, file, results);
-  if (!call.svg.empty()) io::write_file_atomically(call.svg, picture(call, file, results));
-  if (call.json) {
-    print_report(call, file, results);
-  } else {
-    print_for_people(human_text(call, file, results));
-  }
-  return counts.valid == counts.asked ? exit_code::no : exit_code::yes;
+  return ValidQuestion(call).answer();
 }
 
 }  // namespace

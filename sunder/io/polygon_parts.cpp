@@ -1,18 +1,18 @@
-#include <sunder/ask/set/polygon_parts.h>
+#include <sunder/io/polygon_parts.h>
 
 #include <algorithm>
 
-namespace sunder::ask {
+namespace sunder::io {
 
-MendedRings mend(Parts& parts) {
-  MendedRings changes;
-  for (Rings& rings : parts.rings) changes += mend(rings);
-  std::erase_if(parts.rings, [](const Rings& rings) { return rings.empty(); });
+planar::MendedRings mend(PolygonParts& parts) {
+  planar::MendedRings changes;
+  for (planar::PolygonRings& rings : parts.rings) changes += planar::mend(rings);
+  std::erase_if(parts.rings, [](const planar::PolygonRings& rings) { return rings.empty(); });
   parts.broken.clear();
   return changes;
 }
 
-bool PartsReader::next(Parts& parts) {
+bool PolygonPartsReader::next(PolygonParts& parts) {
   if (at_end()) return false;
   parts = {};
   parts.feature = feature();
@@ -24,7 +24,7 @@ bool PartsReader::next(Parts& parts) {
     if (first || number != polygon) parts.rings.emplace_back();
     polygon = number;
     if (broken) {
-      const io::BrokenRing& ring = file_.broken[broken_++];
+      const BrokenRing& ring = file_.broken[broken_++];
       if (parts.broken.empty()) parts.broken = ring.what;
       parts.rings.back().push_back(ring.points);
       parts.group = ring.group;
@@ -35,7 +35,7 @@ bool PartsReader::next(Parts& parts) {
   return true;
 }
 
-std::vector<Point2> PartsReader::points(const io::LineRing& ring, Parts& parts) const {
+std::vector<Point2> PolygonPartsReader::points(const LineRing& ring, PolygonParts& parts) const {
   std::vector<Point2> points;
   points.reserve(ring.count + 1);
   for (std::uint32_t k = 0; k < ring.count; ++k) points.push_back(file_.segments[ring.first + k].a);
@@ -45,4 +45,4 @@ std::vector<Point2> PartsReader::points(const io::LineRing& ring, Parts& parts) 
   return points;
 }
 
-}  // namespace sunder::ask
+}  // namespace sunder::io

@@ -1,35 +1,34 @@
 // The polygons of a file, feature by feature.
 #pragma once
 
-#include <sunder/ask/set/polygon_mend.h>
-
 #include <sunder/io/lines.h>
+#include <sunder/planar/set/polygon_mend.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-namespace sunder::ask {
+namespace sunder::io {
 
 // The parts of a feature.
-struct Parts {
+struct PolygonParts {
   std::uint32_t feature = 0, line = 0, group = 0;
   std::uint32_t first_ring = 0;  // position in the file's rings of the first that is not broken
-  std::vector<Rings> rings;
+  std::vector<planar::PolygonRings> rings;
   std::string broken;  // the first ring that is none
 };
 
 // Mends the rings of each part, also broken ones; parts without an area are left out.
-MendedRings mend(Parts& parts);
+planar::MendedRings mend(PolygonParts& parts);
 
 // Walks over the parts of a file, which is kept.
-class PartsReader {
+class PolygonPartsReader {
  public:
-  explicit PartsReader(const io::LineFile& file) : file_(file) {}
+  explicit PolygonPartsReader(const LineFile& file) : file_(file) {}
 
   // False at the end.
-  bool next(Parts& parts);
+  bool next(PolygonParts& parts);
 
  private:
   bool at_end() const { return ring_ == file_.rings.size() && broken_ == file_.broken.size(); }
@@ -37,10 +36,10 @@ class PartsReader {
   std::uint32_t feature() const {
     return is_broken() ? file_.broken[broken_].feature : file_.source[file_.rings[ring_].first].feature;
   }
-  std::vector<Point2> points(const io::LineRing& ring, Parts& parts) const;
+  std::vector<Point2> points(const LineRing& ring, PolygonParts& parts) const;
 
-  const io::LineFile& file_;
+  const LineFile& file_;
   std::size_t ring_ = 0, broken_ = 0;
 };
 
-}  // namespace sunder::ask
+}  // namespace sunder::io

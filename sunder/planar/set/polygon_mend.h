@@ -1,17 +1,12 @@
 // What may be mended of a polygon without changing what it is, but for lines without area.
 #pragma once
 
-#include <sunder/ask/report.h>
-
 #include <sunder/planar/set/polygon_valid.h>
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
-namespace sunder::ask {
-
-using Rings = planar::PolygonRings;
+namespace sunder::planar {
 
 struct MendedRings {
   std::uint64_t closed = 0;    // rings that did not end where they began
@@ -23,16 +18,12 @@ struct MendedRings {
   MendedRings& operator+=(const MendedRings& other);
 };
 
-// "2 repeated vertices left out, 1 spike cut off, 1 ring closed".
-std::string text_of(const MendedRings& mended);
-Json to_json(const MendedRings& mended);  // "repeated_vertices", "spikes", "closed_rings", "rings_left_out"
-
 // Mends the rings, in place: afterwards each has three corners at least, ends with its first vertex, repeats no vertex
 // that it just had, and nowhere turns back on itself. What else is wrong (edges that cross) stays. No rings are left
 // where the shell has no area. A turn back is found exactly. Cost: linear.
-MendedRings mend(Rings& rings);
+MendedRings mend(PolygonRings& rings);
 
-// The ring without vertices that repeat the one before, all around; nothing else is changed.
-std::uint64_t leave_out_repeated(std::vector<Point2>& ring);
+// Leaves out vertices that repeat the one before, all around; nothing else is changed.
+void leave_out_repeated(std::vector<Point2>& ring);
 
-}  // namespace sunder::ask
+}  // namespace sunder::planar

@@ -1,21 +1,18 @@
-#include <sunder/ask/set/polygon_mend.h>
+#include <sunder/planar/set/polygon_mend.h>
 
 #include <sunder/number/sign.h>
 #include <sunder/planar/object/segments.h>
 #include <sunder/predicate/orient.h>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
-namespace sunder::ask {
+namespace sunder::planar {
 
 namespace {
 
 // Does the way from a by b to c turn back at b? Requires that neighbours differ.
 bool turns_back(const Point2& a, const Point2& b, const Point2& c) {
-  return orient_2d(a, b, c) == Sign::zero &&
-         planar::lexicographically_less(a, b) == planar::lexicographically_less(c, b);
+  return orient_2d(a, b, c) == Sign::zero && lexicographically_less(a, b) == lexicographically_less(c, b);
 }
 
 // The last vertex, where it repeats the one before or is between two others that turn back there.
@@ -72,36 +69,15 @@ MendedRings& MendedRings::operator+=(const MendedRings& other) {
   return *this;
 }
 
-std::string text_of(const MendedRings& mended) {
-  std::string text;
-  const auto add = [&](std::uint64_t count, const char* one, const char* many, const char* done) {
-    if (count > 0) text += fmt::format("{}{} {} {}", text.empty() ? "" : ", ", count, count == 1 ? one : many, done);
-  };
-  add(mended.repeated, "repeated vertex", "repeated vertices", "left out");
-  add(mended.spikes, "spike", "spikes", "cut off");
-  add(mended.closed, "ring", "rings", "closed");
-  add(mended.left_out, "ring", "rings", "without area left out");
-  return text;
-}
-
-Json to_json(const MendedRings& mended) {
-  return {{"repeated_vertices", mended.repeated},
-          {"spikes", mended.spikes},
-          {"closed_rings", mended.closed},
-          {"rings_left_out", mended.left_out}};
-}
-
-std::uint64_t leave_out_repeated(std::vector<Point2>& ring) {
-  const std::size_t before = ring.size();
-  const bool closed = before > 1 && ring.front() == ring.back();
+void leave_out_repeated(std::vector<Point2>& ring) {
+  const bool closed = ring.size() > 1 && ring.front() == ring.back();
   ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
   while (!closed && ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
-  return before - ring.size();
 }
 
-MendedRings mend(Rings& rings) {
+MendedRings mend(PolygonRings& rings) {
   MendedRings mended;
-  Rings kept;
+  PolygonRings kept;
   for (std::vector<Point2>& ring : rings) {
     if (ring.size() > 1 && ring.front() == ring.back()) {
       ring.pop_back();
@@ -124,4 +100,4 @@ MendedRings mend(Rings& rings) {
   return mended;
 }
 
-}  // namespace sunder::ask
+}  // namespace sunder::planar
