@@ -45,6 +45,7 @@
 #include <sunder/planar/set/discs_any_json.h>
 #include <sunder/planar/set/drawing_plane.h>
 #include <sunder/planar/set/intervals_any.h>
+#include <sunder/planar/set/polygon_mend.h>
 #include <sunder/planar/set/polygon_simple.h>
 #include <sunder/planar/set/polygon_valid.h>
 #include <sunder/planar/set/polygon_valid_json.h>

@@ -80,23 +80,24 @@ class MembersSet {
     });
   }
 
-  std::vector<Proof> proofs(const Result& result) const {
+  std::vector<std::string> prove(const Result& result) const {
     if (call_.lists()) require_provable(result.pairs());
-    return {{call_.certificate, [this, &result](ClaimsWriter& claims) { write_statements(claims, result); }}};
+    write_proof(call_.certificate, origin_, [&](ClaimsWriter& claims) { write_statements(claims, result); });
+    return {call_.certificate};
   }
-  const Origin& origin() const { return origin_; }
 
-  std::string head() const {
-    std::string text = fmt::format("{}: {}", io::one_line(call_.files[0]), count_of(size(), noun));
-    if (!file_.groups.empty()) text += ", " + count_of(file_.groups.size(), "group");
-    return text + '\n';
+  SetFacts facts(const Result&) const {
+    SetFacts facts;
+    facts.head = fmt::format("{}: {}", io::one_line(call_.files[0]), count_of(size(), noun));
+    if (!file_.groups.empty()) {
+      facts.head += ", " + count_of(file_.groups.size(), "group");
+      facts.rules = {fmt::format("those of one {} may meet", call_.group)};
+    }
+    facts.head += '\n';
+    facts.first["objects"] = Json::array({{{"file", call_.files[0]}, {std::string(verb), size()}}});
+    return facts;
   }
-  std::string said_of() const { return ""; }
-  std::vector<std::string> rules() const {
-    if (call_.group.empty()) return {};
-    return {fmt::format("those of one {} may meet", call_.group)};
-  }
-  std::string clause() const { return ""; }
+
   std::string text(const Contact& c) const {
     std::string text = fmt::format("{}, with about {} in common\n", name_of(c.kind),
                                    place_text(Of::place(members_[c.i], members_[c.j])));
@@ -107,13 +108,6 @@ class MembersSet {
     }
     return text;
   }
-  std::string tail(const Result&) const { return ""; }
-
-  void add_head(Json& json) const {
-    json["objects"] = Json::array({{{"file", call_.files[0]}, {std::string(verb), size()}}});
-  }
-  void add_tail(Json&) const {}
-
   static Kind kind_of(const Contact& contact) { return contact.kind; }
 
   ContactRow row(const Contact& c) const {
@@ -161,20 +155,13 @@ class MembersSet {
   void write_statements(ClaimsWriter& claims, const Result& result) const {
     const CoverQuestion<Members> question{members_, options_.allowed, options_.groups};
     if (call_.lists()) {
-      write_list_statement(claims, question, [&](const std::function<void(const Contact&)>& take) {
-        result.visit([&](const Contact& contact) {
-          take(contact);
-          return true;
-        });
-      });
+      write_list_statement(claims, question,
+                           [&](const std::function<void(const Contact&)>& take) { result.for_each(take); });
     } else if (call_.count) {
       write_count_statement(claims, question, result.pairs());
     } else {
       AnyAnswer<Contact> answer;
-      result.visit([&](const Contact& contact) {
-        answer.found = contact;
-        return false;
-      });
+      result.for_each([&](const Contact& contact) { answer.found = contact; });
       write_statement(claims, question, answer);
     }
   }

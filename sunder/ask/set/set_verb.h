@@ -2,20 +2,17 @@
 // the call, its options, and the one pass over the contacts that feeds text, reports, maps, tables and pictures.
 //
 // What is a set's own is a class, here Set:
-//   Set::Call, Set::Contact, Set::Kind   SetCall or what derives from it; what a contact is; its kinds, an enum
+//   Set::Call, Set::Contact              SetCall or what derives from it; what a contact is
 //   Set::verb, Set::noun, Set::kinds     "circles", "circle", all kinds but none, the strongest first
 //   static check(call)                   what can be told before a file is read; throws Error
 //   Set(call)                            reads; throws Error
 //   drawn(), drawn_noun                  how many things a picture shows
 //   ask(result)                          answers
-//   proofs(result)                       the certificates, where one is asked for
-//   origin()                             what these are made of
-//   head()                               for people: the lines before the verdict
-//   said_of(), rules(), clause()         within the verdict: " of the centre lines", what may meet, what it is not
-//   text(contact), tail(result)          a contact, after its number; what stands after the contacts
-//   add_head(report), add_tail(report)   to a report in JSON
+//   prove(result)                        writes the certificates, where one is asked for; returns their names
+//   facts(result)                        what is told besides the contacts
 //   kind_of(contact), row(contact)       to all lists
-//   picture(title, result, contacts)     an SVG
+//   text(contact)                        for people, after its number
+//   picture(result, contacts)            an SVG
 #pragma once
 
 #include <sunder/ask/list_stream.h>
@@ -70,10 +67,12 @@ struct SetHelp {
 std::vector<Option> set_options(SetCall& call, const SetHelp& help);
 void add_file_options(Verb& verb, SetCall& call);  // of files of features: --leave-out, --drop-z
 
-// A certificate: the file's name, and what writes its statements.
-struct Proof {
-  std::string path;
-  std::function<void(ClaimsWriter&)> write;
+// What is told of a set and of the answer, besides the contacts: for people, and in JSON.
+struct SetFacts {
+  std::string head, tail;          // lines before the verdict, and after the contacts
+  std::string said_of, clause;     // within the verdict: " of the centre lines"; what it is not about
+  std::vector<std::string> rules;  // within the verdict: what may meet
+  Json first = Json::object(), last = Json::object();  // in a report, around what is allowed
 };
 
 // Proofs of lists are as long as the lists. Throws Error bad_call for more than 10^7 contacts: it names the option.
@@ -108,6 +107,14 @@ struct SetResult {
     visit = [contacts](const Visitor& visitor) { contacts->visit(visitor); };
   }
 
+  template <class Take>
+  void for_each(const Take& take) const {
+    visit([&](const Contact& contact) {
+      take(contact);
+      return true;
+    });
+  }
+
   // With --any.
   void found(const std::optional<Contact>& contact) {
     if (!contact) return;
@@ -137,10 +144,10 @@ struct SetResult {
 
 // "some meet (touch allowed): 2 pairs: 2 touching"
 template <class Set>
-std::string verdict_text(const SetCall& call, const Set& set, const SetResult<Set>& result) {
-  std::vector<std::string> rules = set.rules();
+std::string verdict_text(const SetCall& call, const SetFacts& facts, const SetResult<Set>& result) {
+  std::vector<std::string> rules = facts.rules;
   if (call.allow != "nothing") rules.insert(rules.begin(), call.allow + " allowed");
-  std::string text = fmt::format("{}{} meet", result.some() ? "some" : "none", set.said_of());
+  std::string text = fmt::format("{}{} meet", result.some() ? "some" : "none", facts.said_of);
   for (std::size_t k = 0; k < rules.size(); ++k) text += (k == 0 ? " (" : "; ") + rules[k];
   if (!rules.empty()) text += ')';
   if (result.some() && call.counts()) {
@@ -151,34 +158,34 @@ std::string verdict_text(const SetCall& call, const Set& set, const SetResult<Se
     }
     text += fmt::format(": {}: {}", count_of(result.pairs(), "pair"), counts);
   }
-  return text + set.clause() + '\n';
+  return text + facts.clause + '\n';
 }
 
 // listed: the first of the contacts.
 template <class Set>
-std::string human_text(const SetCall& call, const Set& set, const SetResult<Set>& result,
+std::string human_text(const SetCall& call, const Set& set, const SetFacts& facts, const SetResult<Set>& result,
                        const std::vector<typename Set::Contact>& listed) {
-  std::string text = set.head() + verdict_text(call, set, result);
+  std::string text = facts.head + verdict_text(call, facts, result);
   for (std::size_t k = 0; k < listed.size(); ++k) {
     text += fmt::format("{} {}", call.lists() ? fmt::format("  {}.", k + 1) : " ", set.text(listed[k]));
   }
   if (call.lists() && result.pairs() > listed.size()) {
     text += fmt::format("  and {} more; --json, --csv, --geojson or --svg have all\n", result.pairs() - listed.size());
   }
-  text += set.tail(result) + titled("cost", count_of(result.cost.probes, "comparison"));
+  text += facts.tail + titled("cost", count_of(result.cost.probes, "comparison"));
   for (const std::string& proof : result.proofs) text += file_line("proof", proof);
   return text + file_line("contacts", call.geojson) + file_line("table", call.csv) + file_line("picture", call.svg);
 }
 
 // All but the contacts.
 template <class Set>
-Json report(const SetCall& call, const Set& set, const SetResult<Set>& result) {
+Json report(const SetCall& call, const SetFacts& facts, const SetResult<Set>& result) {
   Json json = envelope(Set::verb, result.some() ? "some" : "none", call.method);
   json["cost"] = to_json(result.cost);
-  set.add_head(json);
+  json.update(facts.first);
   json["allowed"] = call.allow;
   if (!call.group.empty()) json["group"] = call.group;
-  set.add_tail(json);
+  json.update(facts.last);
   if (!call.counts()) return json;
   json["count"] = result.pairs();
   for (std::size_t k = 0; k < result.count.size(); ++k) {
@@ -239,12 +246,13 @@ std::string picture_of_members(const SetCall& call, const SetResult<Set>& result
 template <class Set>
 void write_set(const SetCall& call, const Set& set, const SetResult<Set>& result) {
   constexpr std::size_t most_listed = 20;
+  const SetFacts facts = set.facts(result);
   std::optional<ContactTable> table;
   if (!call.csv.empty()) table.emplace(call.csv);
   std::optional<GeojsonFile> geojson;
   if (!call.geojson.empty()) geojson.emplace(call.geojson);
   std::optional<ListReport> json;
-  if (call.json) json.emplace(report(call, set, result), "contacts");
+  if (call.json) json.emplace(report(call, facts, result), "contacts");
   std::vector<typename Set::Contact> listed, drawn;
   result.visit([&](const typename Set::Contact& contact) {
     if (table || geojson || json) {
@@ -260,7 +268,7 @@ void write_set(const SetCall& call, const Set& set, const SetResult<Set>& result
   if (table) table->close();
   if (geojson) geojson->close();
   if (!call.svg.empty()) io::write_file_atomically(call.svg, set.picture(result, drawn));
-  json ? json->close() : print_for_people(human_text(call, set, result, listed));
+  json ? json->close() : print_for_people(human_text(call, set, facts, result, listed));
 }
 
 // The verb: answers, proves, writes. Returns the exit code.
@@ -275,12 +283,7 @@ int run_set(const typename Set::Call& call) {
   SetResult<Set> result;
   set.ask(result);
   require_drawable(result.pairs());
-  if (call.proves()) {
-    for (const Proof& proof : set.proofs(result)) {
-      write_proof(proof.path, set.origin(), proof.write);
-      result.proofs.push_back(proof.path);
-    }
-  }
+  if (call.proves()) result.proofs = set.prove(result);
   write_set(call, set, result);
   return result.some() ? exit_code::yes : exit_code::no;
 }

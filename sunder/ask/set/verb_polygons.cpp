@@ -104,7 +104,6 @@ class PolygonsSet {
  public:
   using Call = ask::Call;
   using Contact = PolygonsContact;
-  using Kind = sunder::Contact;
   using Result = SetResult<PolygonsSet>;
   static constexpr std::string_view verb = "polygons", noun = "polygon", drawn_noun = "edge";
   static constexpr std::array kinds{sunder::Contact::overlapping, sunder::Contact::touching};
@@ -147,76 +146,55 @@ class PolygonsSet {
     if (call_.lists()) result.visit = [contacts](const Result::Visitor& visitor) { contacts->visit(visitor); };
   }
 
-  std::vector<Proof> proofs(const Result& result) const {
+  std::vector<std::string> prove(const Result& result) const {
+    const planar::PolygonsAsked asked{input_.polygons, options_.allowed, options_.groups};
     const bool is_some = !call_.counts() && result.some();
-    planar::SweepEvents events = is_some ? planar::SweepEvents() : sweep_of(input_, result.pairs());
-    const auto write = [this, &result, is_some,
-                        kept = std::make_shared<const planar::SweepEvents>(std::move(events))](ClaimsWriter& claims) {
-      const planar::PolygonsAsked asked{input_.polygons, options_.allowed, options_.groups};
-      const auto take_pairs = [&](const auto& take) {
-        result.visit([&](const PolygonsContact& c) {
-          take(c.i, c.j);
-          return true;
-        });
-      };
+    const planar::SweepEvents events = is_some ? planar::SweepEvents() : sweep_of(input_, result.pairs());
+    write_proof(call_.certificate, input_.origin(), [&](ClaimsWriter& claims) {
       if (is_some) {
-        result.visit([&](const PolygonsContact& c) {
-          write_some(claims, asked, c);
-          return true;
-        });
+        result.for_each([&](const PolygonsContact& c) { write_some(claims, asked, c); });
       } else if (call_.lists()) {
-        write_these(claims, asked, *kept, take_pairs);
+        write_these(claims, asked, events,
+                    [&](const auto& take) { result.for_each([&](const PolygonsContact& c) { take(c.i, c.j); }); });
       } else if (call_.count) {
-        write_count(claims, asked, *kept, result.pairs());
+        write_count(claims, asked, events, result.pairs());
       } else {
-        write_none(claims, asked, *kept);
+        write_none(claims, asked, events);
       }
-    };
-    return {{call_.certificate, write}};
+    });
+    return {call_.certificate};
   }
-  Origin origin() const { return input_.origin(); }
 
-  std::string head() const {
-    std::string text;
+  SetFacts facts(const Result&) const {
+    SetFacts facts;
     for (std::uint32_t f = 0; f < input_.files.size(); ++f) {
+      const std::string name = io::one_line(input_.names[f]);
+      const io::LineFile& file = input_.files[f];
       const auto [polygons, edges] = sizes(f);
-      text += fmt::format("{}: {}, {}, {}\n", io::one_line(input_.names[f]), count_of(polygons, "polygon"),
-                          count_of(edges, "edge"), input_.files[f].format);
+      const std::string groups = grouped() ? ", " + count_of(file.groups.size(), "group") : "";
+      facts.head += fmt::format("{}: {}, {}, {}{}\n", name, count_of(polygons, "polygon"), count_of(edges, "edge"),
+                                file.format, groups);
+      facts.first["objects"].push_back({{"file", name},
+                                        {"format", file.format},
+                                        {"features", file.features.size()},
+                                        {"polygons", polygons},
+                                        {"edges", edges}});
     }
-    if (!grouped()) return text;
-    text.pop_back();
-    return text + fmt::format(", {}\n", count_of(input_.files.front().groups.size(), "group"));
-  }
-  std::string said_of() const { return ""; }
-  std::vector<std::string> rules() const {
-    if (input_.files.size() > 1) return {"those of one file may meet"};
-    if (grouped()) return {fmt::format("those of one {} may meet", call_.group)};
-    return {};
-  }
-  std::string clause() const {
+    if (input_.files.size() > 1) facts.rules = {"those of one file may meet"};
+    if (grouped()) facts.rules = {fmt::format("those of one {} may meet", call_.group)};
     const std::string without = input_.left_out_words();
-    if (without.empty()) return "";
-    return fmt::format(", said of the {} only: {}", count_of(input_.polygons.size(), "feature"), without);
+    if (!without.empty()) {
+      facts.clause = fmt::format(", said of the {} only: {}", count_of(input_.polygons.size(), "feature"), without);
+    }
+    facts.tail = tell(input_);
+    tell(input_, facts.last);
+    return facts;
   }
+
   std::string text(const PolygonsContact& c) const {
     return fmt::format("{}: {} and {}: {} at about {}\n", name_of(c.contact), polygon_text(c, true),
                        polygon_text(c, false), shown_by(c), place_text(place_of(input_, c)));
   }
-  std::string tail(const Result&) const { return tell(input_); }
-
-  void add_head(Json& json) const {
-    json["objects"] = Json::array();
-    for (std::uint32_t f = 0; f < input_.files.size(); ++f) {
-      const auto [polygons, edges] = sizes(f);
-      json["objects"].push_back({{"file", io::one_line(input_.names[f])},
-                                 {"format", input_.files[f].format},
-                                 {"features", input_.files[f].features.size()},
-                                 {"polygons", polygons},
-                                 {"edges", edges}});
-    }
-  }
-  void add_tail(Json& json) const { tell(input_, json); }
-
   static sunder::Contact kind_of(const PolygonsContact& c) { return c.contact; }
 
   ContactRow row(const PolygonsContact& c) const {

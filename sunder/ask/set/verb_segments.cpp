@@ -200,7 +200,6 @@ class SegmentsSet {
  public:
   using Call = ask::Call;
   using Contact = SegmentsContact;
-  using Kind = ContactKind;
   using Result = SetResult<SegmentsSet>;
   static constexpr std::string_view verb = "segments", noun = "segment", drawn_noun = noun;
   static constexpr std::array kinds{ContactKind::overlap, ContactKind::crossing, ContactKind::touch,
@@ -246,27 +245,56 @@ class SegmentsSet {
     }
   }
 
-  std::vector<Proof> proofs(const Result&) { return std::move(proofs_); }
-  const Origin& origin() const { return origin_; }
+  std::vector<std::string> prove(const Result&) const {
+    std::vector<std::string> files;
+    for (const auto& [file, write] : proofs_) {
+      write_proof(file, origin_, write);
+      files.push_back(file);
+    }
+    return files;
+  }
 
-  std::string head() const {
-    std::string text =
-        fmt::format("{}: {} of {}", io::one_line(call_.files[0]), count_of(file_.segments.size(), "segment"),
-                    count_of(file_.features.size(), "feature"));
-    if (!file_.layers.empty()) text += fmt::format(", {}", count_of(file_.layers.size(), "layer"));
-    if (!file_.groups.empty()) text += fmt::format(", {}", count_of(file_.groups.size(), "group"));
-    return text + fmt::format(", {}\n", file_.format);
+  SetFacts facts(const Result& result) const {
+    SetFacts facts;
+    facts.head = fmt::format("{}: {} of {}", io::one_line(call_.files[0]), count_of(file_.segments.size(), "segment"),
+                             count_of(file_.features.size(), "feature"));
+    if (is_board(file_)) facts.said_of = " of the tracks' centre lines";
+    Json object = {{"file", call_.files[0]},
+                   {"format", file_.format},
+                   {"segments", file_.segments.size()},
+                   {"features", file_.features.size()}};
+    if (!file_.layers.empty()) facts.head += ", " + count_of(file_.layers.size(), "layer");
+    if (!file_.groups.empty()) {
+      const std::string group = call_.group.empty() ? "net" : call_.group;
+      facts.head += ", " + count_of(file_.groups.size(), "group");
+      facts.rules.push_back(fmt::format("those of one {} may meet", group));
+      object["groups"] = file_.groups.size();
+      facts.last["group"] = group;
+    }
+    if (!file_.layers.empty()) {
+      object["layers"] = file_.layers;
+      facts.last["across_layers"] = call_.across_layers;
+    }
+    if (!call_.layer.empty()) {
+      facts.rules.push_back("layer " + call_.layer);
+      facts.last["layer"] = call_.layer;
+    } else if (!file_.layers.empty()) {
+      facts.rules.emplace_back(call_.across_layers ? "across layers" : "each layer by itself");
+    }
+    facts.head += fmt::format(", {}\n", file_.format);
+    facts.first["objects"] = Json::array({object});
+    facts.first["said_of"] = is_board(file_) ? "centre lines" : "segments";
+    if (result.some() && result.count.back() == result.pairs() && (call_.lists() || !call_.count)) {
+      facts.tail =
+          "  edges that follow each other share an end: to pass over such contacts, give --allow shared-endpoint\n";
+    }
+    for (const std::string& remark : file_.remarks) facts.tail += titled("remark", remark);
+    if (!file_.remarks.empty()) facts.last["remarks"] = file_.remarks;
+    const LeftOutList left_out = left_out_of(file_);
+    facts.clause = left_out.clause();
+    if (!left_out.empty()) facts.last["left_out"] = to_json(left_out);
+    return facts;
   }
-  std::string said_of() const { return is_board(file_) ? " of the tracks' centre lines" : ""; }
-  std::vector<std::string> rules() const {
-    std::vector<std::string> rules;
-    if (!file_.groups.empty()) rules.push_back(fmt::format("those of one {} may meet", group()));
-    if (!call_.layer.empty()) rules.push_back("layer " + call_.layer);
-    if (!file_.layers.empty() && call_.layer.empty())
-      rules.emplace_back(call_.across_layers ? "across layers" : "each layer by itself");
-    return rules;
-  }
-  std::string clause() const { return left_out_of(file_).clause(); }
 
   std::string text(const SegmentsContact& contact) const {
     std::string text = fmt::format("{} at about {}\n", name_of(contact.kind), place_text(place_of(file_, contact)));
@@ -276,33 +304,6 @@ class SegmentsSet {
     }
     return text;
   }
-  std::string tail(const Result& result) const {
-    std::string text;
-    if (result.some() && result.count.back() == result.pairs() && (call_.lists() || !call_.count)) {
-      text = "  edges that follow each other share an end: to pass over such contacts, give --allow shared-endpoint\n";
-    }
-    for (const std::string& remark : file_.remarks) text += titled("remark", remark);
-    return text;
-  }
-
-  void add_head(Json& json) const {
-    Json object = {{"file", call_.files[0]},
-                   {"format", file_.format},
-                   {"segments", file_.segments.size()},
-                   {"features", file_.features.size()}};
-    if (!file_.groups.empty()) object["groups"] = file_.groups.size();
-    if (!file_.layers.empty()) object["layers"] = file_.layers;
-    json["objects"] = Json::array({object});
-    json["said_of"] = is_board(file_) ? "centre lines" : "segments";
-  }
-  void add_tail(Json& json) const {
-    if (!file_.groups.empty()) json["group"] = group();
-    if (!file_.layers.empty()) json["across_layers"] = call_.across_layers;
-    if (!call_.layer.empty()) json["layer"] = call_.layer;
-    if (!file_.remarks.empty()) json["remarks"] = file_.remarks;
-    if (!file_.left_out.empty()) json["left_out"] = to_json(left_out_of(file_));
-  }
-
   static ContactKind kind_of(const SegmentsContact& contact) { return contact.kind; }
 
   ContactRow row(const SegmentsContact& c) const {
@@ -328,8 +329,6 @@ class SegmentsSet {
   }
 
  private:
-  std::string group() const { return call_.group.empty() ? "net" : call_.group; }
-
   // ask(options): of a sheet, with a bar of progress.
   template <class Ask>
   auto of_sheet(const Sheet& sheet, const Ask& ask) const {
@@ -359,7 +358,7 @@ class SegmentsSet {
 
   // Keeps the answer until it is written.
   template <class Answer>
-  void prove(const Sheet& sheet, Answer answer) {
+  void hold_proof(const Sheet& sheet, Answer answer) {
     proofs_.push_back({certificate_of(call_, sheet).string(),
                        [this, &sheet, kept = std::make_shared<const Answer>(std::move(answer))](ClaimsWriter& claims) {
                          planar::write_statement(claims, sheet.segments, options_.allowed, *kept, sheet.groups);
@@ -375,7 +374,7 @@ class SegmentsSet {
       result.cost.probes += answer.cost.probes;
       const bool some = answer.meet();
       if (some) result.found(in_file(sheet, *answer.found));
-      if (call_.proves()) prove(sheet, std::move(answer));
+      if (call_.proves()) hold_proof(sheet, std::move(answer));
       if (some) return;
     }
   }
@@ -394,9 +393,10 @@ class SegmentsSet {
         if (call_.lists()) all.push_back(in_file(sheet, c));
       }
       if (call_.lists()) {
-        prove(sheet, std::move(answer));
+        hold_proof(sheet, std::move(answer));
       } else {
-        prove(sheet, planar::SegmentsCountAnswer{{answer.contacts.size(), answer.cost}, std::move(answer.transcript)});
+        hold_proof(sheet,
+                   planar::SegmentsCountAnswer{{answer.contacts.size(), answer.cost}, std::move(answer.transcript)});
       }
     }
     if (!call_.lists()) return;
@@ -409,7 +409,7 @@ class SegmentsSet {
   io::LineFile file_;
   std::vector<Sheet> sheets_;
   SetOptions options_;
-  std::vector<Proof> proofs_;
+  std::vector<std::pair<std::string, std::function<void(ClaimsWriter&)>>> proofs_;  // files, and what writes them
 };
 
 }  // namespace
