@@ -77,8 +77,6 @@ void append(const Json& json, std::size_t indent, std::string& text) {
 
 }  // namespace
 
-const char* const pose_forms = "tx,ty,tz; or qw,qx,qy,qz,tx,ty,tz; or 12 or 16 numbers of a matrix row by row";
-
 void print(std::string_view text) {
   said.has_printed = true;
   errno = 0;
@@ -132,51 +130,6 @@ Allowed allowed_by(std::string_view name, std::span<const Allowed> those) {
 }
 
 PairMethod pair_method(const std::string& name) { return method_by(name, pair_methods); }
-
-std::vector<double> parse_numbers(std::string_view text, const std::string& place) {
-  constexpr std::string_view blanks = " \t";
-  std::vector<double> numbers;
-  while (true) {
-    const std::size_t comma = std::min(text.find(','), text.size());
-    std::string_view field = text.substr(0, comma);
-    const std::size_t before = numbers.size();
-    while (true) {
-      field.remove_prefix(std::min(field.find_first_not_of(blanks), field.size()));
-      if (field.empty() && numbers.size() > before) break;
-      const std::string_view word = field.substr(0, std::min(field.find_first_of(blanks), field.size()));
-      double value = 0;
-      if (const char* problem = io::parse_number(word, value)) {
-        throw Error(ErrorCode::bad_call, io::quote(word) + " " + problem, place);
-      }
-      numbers.push_back(value);
-      field.remove_prefix(word.size());
-    }
-    if (comma == text.size()) return numbers;
-    text.remove_prefix(comma + 1);
-  }
-}
-
-solid::Pose parse_pose(std::string_view text, const std::string& place) {
-  const std::vector<double> n = parse_numbers(text, place);
-  try {
-    switch (n.size()) {
-      case 3: return solid::Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {n[0], n[1], n[2]});
-      case 7: return solid::Pose::from_quaternion(n[0], n[1], n[2], n[3], {n[4], n[5], n[6]});
-      case 12:
-        return solid::Pose::from_matrix({n[0], n[1], n[2], n[4], n[5], n[6], n[8], n[9], n[10]}, {n[3], n[7], n[11]});
-      case 16: {
-        std::array<double, 16> rows;
-        std::copy(n.begin(), n.end(), rows.begin());
-        return solid::Pose::from_matrix4(rows);
-      }
-      default: break;
-    }
-  } catch (const Error& error) {
-    throw Error(error.code(), error.what(), place);
-  }
-  throw Error(ErrorCode::bad_call, fmt::format("a pose of {}; give {}", count_of(n.size(), "number"), pose_forms),
-              place);
-}
 
 Json envelope(const Json& verb, const Json& answer, const Json& method) {
   return {{"sunder", 1},           {"verb", verb},    {"answer", answer},         {"method", method},

@@ -1,12 +1,12 @@
-// What the verbs share: methods and rules by name, poses as text, the JSON envelope, and output.
+// What the verbs share: methods and rules by name, the JSON envelope, and output.
 #pragma once
 
 #include <sunder/certificate/claims.h>
 #include <sunder/certificate/origin.h>
 #include <sunder/io/left_out.h>
+#include <sunder/io/pose_text.h>
 #include <sunder/io/text.h>
 #include <sunder/planar/set/contact_rule.h>
-#include <sunder/solid/object/pose.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 
 #include <nlohmann/json.hpp>
@@ -23,7 +23,10 @@ namespace sunder::ask {
 
 using io::count_of;
 using io::LeftOutList;
+using io::parse_numbers;
+using io::parse_pose;
 using io::place_text;
+using io::pose_forms;
 
 // What a question comes to, as a number.
 namespace exit_code {
@@ -86,16 +89,6 @@ Allowed allowed_by(std::string_view name, std::span<const Allowed> those = all_a
 using PairMethod = solid::PairAnswer (*)(const solid::ConvexPolyhedron&, const solid::Pose&,  //
                                          const solid::ConvexPolyhedron&, const solid::Pose&);
 PairMethod pair_method(const std::string& name);
-
-// Numbers between commas or blanks. Throws Error that names the one that is none; `place` says where the text is from.
-std::vector<double> parse_numbers(std::string_view text, const std::string& place);
-
-// What parse_pose reads, for help texts.
-extern const char* const pose_forms;
-
-// A pose as text: "tx,ty,tz", "qw,qx,qy,qz,tx,ty,tz", or the 12 or 16 numbers of a matrix row by row.
-// Throws Error bad_pose or bad_call, with `place`.
-solid::Pose parse_pose(std::string_view text, const std::string& place);
 
 // JSON. Objects keep the order in which they are made.
 using Json = nlohmann::ordered_json;

@@ -26,15 +26,6 @@ struct Call {
   bool json = false;
 };
 
-std::string mesh_text(const solid::ConvexPolyhedron& hull, io::MeshFormat format) {
-  std::vector<std::uint32_t> begin{0}, corners;
-  for (std::uint32_t f = 0; f < hull.facet_count(); ++f) {
-    corners.insert(corners.end(), hull.facet(f).begin(), hull.facet(f).end());
-    begin.push_back(static_cast<std::uint32_t>(corners.size()));
-  }
-  return io::to_text(format, hull.vertices(), begin, corners);
-}
-
 std::size_t edge_count(const solid::ConvexPolyhedron& hull) {
   std::size_t ends = 0;
   for (std::uint32_t v = 0; v < hull.vertices().size(); ++v) ends += hull.neighbours(v).size();
@@ -47,7 +38,7 @@ int run(const Call& call) {
   InputFiles inputs;
   const auto [object, points] = io::read_hull(call.file, left_out, call.certificate.empty() ? nullptr : &inputs);
   const solid::ConvexPolyhedron& hull = object.hull;
-  if (!call.out.empty()) io::write_file_atomically(call.out, mesh_text(hull, format));
+  if (!call.out.empty()) io::write_file_atomically(call.out, io::to_text(format, hull));
   if (!call.certificate.empty()) {
     write_proof(call.certificate, {inputs, left_out.texts()}, [&](ClaimsWriter& claims) {
       solid::write_hull(claims, object.name.empty() ? "unnamed" : object.name, points, hull);

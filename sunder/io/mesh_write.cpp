@@ -141,4 +141,13 @@ std::string to_text(MeshFormat format, Points vertices, Numbers polygon_begin, N
   throw Error(ErrorCode::bad_call, "unknown mesh format");
 }
 
+std::string to_text(MeshFormat format, const solid::ConvexPolyhedron& body) {
+  std::vector<std::uint32_t> begin{0}, corners;
+  for (std::uint32_t f = 0; f < body.facet_count(); ++f) {
+    corners.insert(corners.end(), body.facet(f).begin(), body.facet(f).end());
+    begin.push_back(static_cast<std::uint32_t>(corners.size()));
+  }
+  return to_text(format, body.vertices(), begin, corners);
+}
+
 }  // namespace sunder::io

@@ -3,6 +3,7 @@
 
 #include <sunder/base/error.h>
 #include <sunder/io/mesh.h>
+#include <sunder/solid/object/convex_polyhedron.h>
 
 #include <cstdint>
 #include <span>
@@ -30,5 +31,6 @@ std::string to_stl(std::span<const Point3> vertices, std::span<const std::uint32
 // One of the four.
 std::string to_text(MeshFormat format, std::span<const Point3> vertices, std::span<const std::uint32_t> polygon_begin,
                     std::span<const std::uint32_t> polygon_vertices);
+std::string to_text(MeshFormat format, const solid::ConvexPolyhedron& body);  // its vertices and facets
 
 }  // namespace sunder::io

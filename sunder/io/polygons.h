@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sunder/base/error.h>
+#include <sunder/certificate/origin.h>
 #include <sunder/io/left_out.h>
 #include <sunder/io/lines.h>
 #include <sunder/planar/object/polygon.h>
