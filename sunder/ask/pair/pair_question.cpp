@@ -78,7 +78,6 @@ std::string PairQuestion::certificate_of(PairClaims::Space space, const PairObje
     };
     const std::uint32_t a = add(first), b = add(second);
     write(pairs, a, b);
-    pairs.end();
   });
 }
 

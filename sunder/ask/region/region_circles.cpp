@@ -58,7 +58,7 @@ class CirclesQuestion final : public RegionQuestion {
     if (!is_region()) {
       verdict_ = is_empty_ ? "empty: these have nothing in common"
                            : fmt::format("one point, about {}, common to", place_text(deepest_));
-      for (const std::uint32_t k : part_.deepest.basis()) named_.push_back(circle(k));
+      named_.assign(part_.deepest.basis().begin(), part_.deepest.basis().end());
       return;
     }
     verdict_ = fmt::format("a region bounded by {}; a point inside is about {}", count_of(part_.arcs.size(), "arc"),
@@ -72,7 +72,7 @@ class CirclesQuestion final : public RegionQuestion {
 
   std::string text() const {
     const bool is_one_circle = is_region() && corners_.empty();
-    return RegionQuestion::text() + (is_one_circle ? fmt::format("  all of {}\n", circle(part_.arcs[0])) : "");
+    return RegionQuestion::text() + (is_one_circle ? fmt::format("  all of {}\n", thing_text(part_.arcs[0])) : "");
   }
 
   void add_to(Json& json) const {
@@ -82,14 +82,7 @@ class CirclesQuestion final : public RegionQuestion {
 
   std::string picture() const {
     PlanePicture drawing(seen());
-    std::vector<bool> named(circles_.size(), false);
-    for (const std::uint32_t k : part_.deepest.basis()) named[k] = !is_region();
-    for (std::uint32_t k = 0; k < circles_.size(); ++k) {
-      if (!named[k]) drawing.circle(circles_[k], Ink::calm);
-    }
-    for (std::uint32_t k = 0; k < circles_.size(); ++k) {
-      if (named[k]) drawing.circle(circles_[k], Ink::accent);
-    }
+    draw_things(circles_.size(), [&](std::uint32_t k, Ink ink) { drawing.circle(circles_[k], ink); });
     if (is_region()) {
       drawing.polygon(outline(), Ink::bold);
       for (const Point2& p : corners_) drawing.dot(p, Ink::bold);
@@ -109,7 +102,7 @@ class CirclesQuestion final : public RegionQuestion {
  private:
   bool is_region() const { return part_.kind == DiscIntersectionKind::region; }
   const std::string& name(std::uint32_t k) const { return read_.file.name[k]; }
-  std::string circle(std::uint32_t k) const {
+  std::string thing_text(std::uint32_t k) const override {
     const Disc& c = circles_[k];
     return fmt::format("circle {}, line {}: centre {}, radius {:.10g}", name(k), read_.file.line[k],
                        place_text(c.center), c.radius);
@@ -151,7 +144,7 @@ class CirclesQuestion final : public RegionQuestion {
       points.push_back({deepest_.x + 2 * room, deepest_.y + 2 * room});
       return points;
     }
-    for (const std::uint32_t k : part_.deepest.basis()) {
+    for (const std::uint32_t k : named_) {
       const Disc& c = circles_[k];
       points.push_back({c.center.x - c.radius, c.center.y - c.radius});
       points.push_back({c.center.x + c.radius, c.center.y + c.radius});

@@ -116,7 +116,7 @@ class HalfPlanesQuestion final : public RegionQuestion {
     }
     if (is_empty_) {
       verdict_ = "empty: these contradict each other";
-      for (const std::uint32_t k : sides) named_.push_back(half_plane(k));
+      named_ = sides;
       return;
     }
     verdict_ = fmt::format("{}, bounded by {}", shape_of(region_.kind), count_of(sides.size(), "half-plane"));
@@ -159,6 +159,10 @@ class HalfPlanesQuestion final : public RegionQuestion {
   }
 
  private:
+  std::string thing_text(std::uint32_t k) const override {
+    const auto& [a, b, c] = constraints_[k];
+    return fmt::format("half-plane {}, line {}: {} <= {:.10g}", file_.name[k], file_.line[k], form_text(a, b), c);
+  }
   Point2 corner(std::size_t k) const override {
     const auto& [i, j] = corners_[k];
     return nearest(exact_corner(constraints_[i], constraints_[j]));
@@ -175,11 +179,6 @@ class HalfPlanesQuestion final : public RegionQuestion {
     return nearest_ratio(Dyadic(objective_->p) * p.x + Dyadic(objective_->q) * p.y, p.denominator);
   }
   Point2 best_point() const { return nearest(point_of(constraints_, best_)); }
-
-  std::string half_plane(std::uint32_t k) const {
-    const auto& [a, b, c] = constraints_[k];
-    return fmt::format("half-plane {}, line {}: {} <= {:.10g}", file_.name[k], file_.line[k], form_text(a, b), c);
-  }
 
   std::array<std::pair<const char*, std::uint32_t>, 3> tight() const {
     return {{{"before", best_.before}, {"side", best_.side}, {"after", best_.after}}};
@@ -199,7 +198,7 @@ class HalfPlanesQuestion final : public RegionQuestion {
         std::isfinite(value) ? fmt::format("about {:.10g}", value) : "beyond the range of doubles",
         best_.outcome == Optimum::one ? "at" : "at more points than one, such as", place_text(best_point()));
     for (const auto& [key, k] : tight()) {
-      if (k != planar::no_half_plane) text += fmt::format("    held by {}\n", half_plane(k));
+      if (k != planar::no_half_plane) text += fmt::format("    held by {}\n", thing_text(k));
     }
     return text;
   }

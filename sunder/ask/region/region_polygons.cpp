@@ -106,8 +106,10 @@ class PolygonsQuestion final : public RegionQuestion {
     object_json_ = {{"format", format}, {"polygons", polygons_.size()}};
     region_json_ = {{"kind", name_of(part_.kind)}};
     verdict_ = is_empty_ ? fmt::format("empty{}: these have nothing in common", without()) : shape() + without();
-    contradicting_ = contradicting();
-    for (const std::uint32_t i : contradicting_) named_.push_back(polygon(i));
+    // The polygons of a contradiction, each once.
+    for (const planar::PolygonSupport& s : part_.supports()) named_.push_back(s.vertex.polygon);
+    std::sort(named_.begin(), named_.end());
+    named_.erase(std::unique(named_.begin(), named_.end()), named_.end());
   }
   std::string certificate() const { return planar::certificate_text(polygons_, input_.origin()); }
 
@@ -115,7 +117,7 @@ class PolygonsQuestion final : public RegionQuestion {
 
   void add_to(Json& json) const {
     RegionQuestion::add_to(json);
-    if (is_empty_) json["contradiction"] = contradicting_;
+    if (is_empty_) json["contradiction"] = named_;
     input_.tell(json);
   }
 
@@ -123,11 +125,7 @@ class PolygonsQuestion final : public RegionQuestion {
     std::vector<Point2> seen;
     for (const ConvexPolygon& p : polygons_) seen.insert(seen.end(), p.vertices().begin(), p.vertices().end());
     PlanePicture drawing(seen);
-    for (std::uint32_t i = 0; i < polygons_.size(); ++i) {
-      const bool contradicts = std::binary_search(contradicting_.begin(), contradicting_.end(), i);
-      if (!contradicts) drawing.polygon(polygons_[i].vertices(), Ink::calm);
-    }
-    for (const std::uint32_t i : contradicting_) drawing.polygon(polygons_[i].vertices(), Ink::accent);
+    draw_things(polygons_.size(), [&](std::uint32_t i, Ink ink) { drawing.polygon(polygons_[i].vertices(), ink); });
     switch (part_.kind) {
       case PolygonsPartKind::polygon:
         drawing.polygon(corners_, Ink::bold);
@@ -149,16 +147,7 @@ class PolygonsQuestion final : public RegionQuestion {
     return words.empty() ? "" : fmt::format(", of the {} read ({})", count_of(polygons_.size(), "polygon"), words);
   }
 
-  // The polygons of a contradiction, each once, in order.
-  std::vector<std::uint32_t> contradicting() const {
-    std::vector<std::uint32_t> all;
-    for (const planar::PolygonSupport& s : part_.supports()) all.push_back(s.vertex.polygon);
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
-  }
-
-  std::string polygon(std::uint32_t i) const {
+  std::string thing_text(std::uint32_t i) const override {
     const std::uint32_t line = input_.line(i);
     return fmt::format("{}{}", input_.name(i), line > 0 ? fmt::format(" (line {})", line) : "");
   }
@@ -174,10 +163,10 @@ class PolygonsQuestion final : public RegionQuestion {
   Point2 corner(std::size_t k) const override { return corners_[k]; }
   std::string corner_text(std::size_t k) const override {
     const auto& [is_vertex, a, b] = part_.corners[k];
-    const std::string of_a = fmt::format("{} of {}", a.number, polygon(a.polygon));
+    const std::string of_a = fmt::format("{} of {}", a.number, thing_text(a.polygon));
     return fmt::format(
         "  corner at about {}: {}\n", place_text(corners_[k]),
-        is_vertex ? "vertex " + of_a : fmt::format("edge {} and edge {} of {}", of_a, b.number, polygon(b.polygon)));
+        is_vertex ? "vertex " + of_a : fmt::format("edge {} and edge {} of {}", of_a, b.number, thing_text(b.polygon)));
   }
   Json corner_json(std::size_t k) const override {
     const auto& [is_vertex, a, b] = part_.corners[k];
@@ -190,7 +179,6 @@ class PolygonsQuestion final : public RegionQuestion {
   std::vector<ConvexPolygon> polygons_;
   PolygonsPart part_;
   std::vector<Point2> corners_;  // rounded
-  std::vector<std::uint32_t> contradicting_;
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ PolygonsRequest RegionCall::request() const {
 
 std::string RegionQuestion::text() const {
   std::string text = fmt::format("{}: {}\n{}\n", io::one_line(call.file), things_, verdict_);
-  for (const std::string& name : named_) text += fmt::format("    {}\n", name);
+  for (const std::uint32_t k : named_) text += fmt::format("    {}\n", thing_text(k));
   return text + first_of(corner_count_, 20, [&](std::size_t k) { return corner_text(k); });
 }
 

@@ -4,7 +4,10 @@
 #include <sunder/ask/question.h>
 #include <sunder/ask/set/polygons_input.h>
 
+#include <sunder/picture/plane.h>
+
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -51,6 +54,21 @@ class RegionQuestion : public FeasibilityQuestion {
  protected:
   ~RegionQuestion() = default;
 
+  // All of the `count` things by draw(number, ink), those that the answer names over the others.
+  template <class Draw>
+  void draw_things(std::size_t count, const Draw& draw) const {
+    std::vector<bool> is_named(count, false);
+    for (const std::uint32_t k : named_) is_named[k] = true;
+    for (const bool named : {false, true}) {
+      for (std::uint32_t k = 0; k < count; ++k) {
+        if (is_named[k] == named) draw(k, named ? picture::Ink::accent : picture::Ink::calm);
+      }
+    }
+  }
+
+  // A thing that the answer names, for people.
+  virtual std::string thing_text(std::uint32_t k) const = 0;
+
   // Of a corner: about where it is; a line for people; its members beside "point" in reports.
   virtual Point2 corner(std::size_t k) const = 0;
   virtual std::string corner_text(std::size_t k) const = 0;
@@ -60,9 +78,9 @@ class RegionQuestion : public FeasibilityQuestion {
   std::string things_;
   Json object_json_;
 
-  std::string verdict_;             // "empty: these have nothing in common"
-  std::vector<std::string> named_;  // below it, for people
-  Json region_json_;                // {"kind": ...}, without its corners
+  std::string verdict_;               // "empty: these have nothing in common"
+  std::vector<std::uint32_t> named_;  // the things that it speaks of, by number
+  Json region_json_;                  // {"kind": ...}, without its corners
   std::size_t corner_count_ = 0;
 };
 

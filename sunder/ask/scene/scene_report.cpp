@@ -250,7 +250,7 @@ Json scene_json(const SceneReport& report) {
   json["pairs"] = Json::array();
   Cost cost;
   scene::Counts counts;
-  std::uint64_t count = 0;
+  std::uint64_t meeting = 0;
   for (std::size_t p = 0; p < report.placements.size(); ++p) {
     const Placed& placed = report.placements[p];
     json["placements"].push_back({{"name", placed.title},
@@ -261,14 +261,14 @@ Json scene_json(const SceneReport& report) {
     for (const auto& [key, count] : counted) counts.*count += placed.answer.counts.*count;
     for (const PartPair& pair : placed.answer.pairs) {
       json["pairs"].push_back(pair_json(report, p, pair));
-      if (pair.counts) ++count;
+      if (pair.counts) ++meeting;
       cost.probes += pair.answer.cost.probes;
       cost.iterations += pair.answer.cost.iterations;
       cost.exact += pair.answer.cost.exact;
     }
   }
   json["cost"] = to_json(cost);
-  json["count"] = count;
+  json["count"] = meeting;
   json["counts"] = to_json(counts);
   return json;
 }

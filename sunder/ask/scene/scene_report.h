@@ -23,10 +23,10 @@ struct Placed {
 struct SceneReport {
   const SceneInput& input;
   std::string method;
-  scene::Question question;
-  std::vector<std::string> allowed_because;  // as the user wrote it
-  std::vector<Placed> placements;            // at least one, all with the same bodies
-  bool colour = false;                       // mark what meets by terminal colours
+  scene::Question question{};
+  std::vector<std::string> allowed_because{};  // as the user wrote it
+  std::vector<Placed> placements{};            // at least one, all with the same bodies
+  bool colour = false;                         // mark what meets by terminal colours
 
   bool some_meet() const;
 };
