@@ -32,7 +32,7 @@ struct PlanarInput {
 // where something is left out without consent.
 PlanarInput read_planar_input(const PairCall& call, const PairSide& side, PairFiles& files);
 
-// A bounded one, as a convex polygon.
+// A bounded one, as a convex polygon. It may be moved, and not copied: the object's vertices are those here.
 struct PlanarBody {
   planar::ConvexPolygon polygon;
   planar::Pose pose;

@@ -34,7 +34,7 @@ enum class CommonKind : std::uint8_t {
   whole,   // of a half-plane: all of the polygon
 };
 
-std::string_view name_of(CommonKind);
+std::string_view name_of(CommonKind);  // "across"
 
 struct [[nodiscard]] PolygonCommon {
   CommonKind kind = CommonKind::nothing;
