@@ -9,7 +9,6 @@
 //   answer(), yes()             the word in the report; is the exit code 1?
 //   text()                      for people: all but the lines below
 //   cost(), cost_text()         counted; in words
-//   proof_clause()              what the proof does not tell; or nothing
 //   add_to(report)              to the report in JSON
 #pragma once
 
@@ -53,7 +52,7 @@ int answer(Question& question) {
     print(to_text(report_of(question)));
   } else {
     print_for_people(question.text() + titled("cost", question.cost_text()) +
-                     file_line("proof", call.certificate, question.proof_clause()) + file_line("picture", call.svg));
+                     file_line("proof", call.certificate) + file_line("picture", call.svg));
   }
   return question.yes() ? exit_code::yes : exit_code::no;
 }

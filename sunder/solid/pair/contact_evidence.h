@@ -2,11 +2,13 @@
 // point as exact numbers, for certificate files. For the question itself see polyhedron_polyhedron_contact.
 #pragma once
 
+#include <sunder/certificate/pair_answer.h>
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
 
 #include <array>
+#include <cstdint>
 
 namespace sunder::solid {
 
@@ -23,5 +25,18 @@ struct Interiors {
 // Exact. Cost: that of the exact linear program which tells touching from overlapping (exact_simplex.h). Throws
 // nothing, but for want of memory.
 Interiors interiors(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b);
+
+// Two placed bodies, and which bodies of a certificate file they are.
+struct ClaimedPair {
+  std::uint32_t index_a, index_b;
+  const ConvexPolyhedron& a;
+  const Pose& pose_a;
+  const ConvexPolyhedron& b;
+  const Pose& pose_b;
+};
+
+// States what polyhedron_polyhedron's certificate says: that they are apart, or meet; where the contact is not none,
+// that they touch, or overlap.
+void add_claims(PairClaims& pairs, const ClaimedPair& pair, const PairCertificate& certificate, Contact contact);
 
 }  // namespace sunder::solid
