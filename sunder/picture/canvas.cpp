@@ -34,7 +34,8 @@ std::string rules() {
       ".a{stroke:#e9ecf1}.m text{font-size:12px;font-weight:600;fill:#1f2a3a}.m rect{fill:#fff;fill-opacity:.85}"
       ".m circle{fill:#fff;fill-opacity:.35;stroke-width:2.5}.m:hover circle{stroke-width:5}"
       ".f{fill-rule:evenodd;stroke-width:2;stroke-linejoin:round}"
-      ".l{fill:none;stroke-width:2}.dashed{stroke-width:1.2;stroke-dasharray:6 4}.n{font-size:13px;fill:#1f2a3a}"
+      ".l{fill:none;stroke-width:2}.dashed{stroke-width:1.2;stroke-dasharray:6 "
+      "4}.n{font-size:13px;fill:#1f2a3a}.h{text-anchor:middle;fill-opacity:.75;pointer-events:none}"
       ".b,.r{fill:none;stroke-width:10}.b{stroke:#46586f}.r{stroke:#7d2115}";
   for (const Look& look : looks) {
     text += fmt::format(

@@ -25,7 +25,7 @@ using Tenths = PathData::Tenths;
 
 constexpr Sheet sheet{1600, 1200, false};
 constexpr long merged = 3;  // bends nearer than this many tenths are merged
-constexpr std::size_t most_classes = 8, most_bold = 5000, longest_name = 40;
+constexpr std::size_t most_classes = 8, most_bold = 5000, longest_name = 40, most_data = 6'000'000;
 
 // The strongest first: it is drawn last, over the others.
 constexpr std::array<ContactKind, 4> kinds{ContactKind::crossing, ContactKind::overlap, ContactKind::touch,
@@ -165,13 +165,17 @@ class Drawing {
   }
 
   void lines() {
-    picture_.add("<g transform='scale(.1)' fill='none' stroke-linejoin='round' stroke-linecap='round'>\n");
     const auto [names, of_segment] = classes();
     std::vector<std::vector<std::uint32_t>> members(std::max(names.size(), std::size_t{1}));
     for (std::uint32_t i = 0; i < segments_.size(); ++i) members[names.empty() ? 0 : of_segment[i]].push_back(i);
+    std::vector<std::string> data;
+    std::size_t size = 0;
+    for (const auto& some : members) size += data.emplace_back(data_of(some, false)).size();
+    if (size > most_data) crowds(members);
+    picture_.add("<g transform='scale(.1)' fill='none' stroke-linejoin='round' stroke-linecap='round'>\n");
     const int thin = segments_.size() <= 200 ? 16 : segments_.size() <= 5000 ? 11 : 8;
-    for (std::size_t k = 0; k < members.size(); ++k) {
-      path(fmt::format("stroke='{}' stroke-width='{}'", calm.at(k % calm.size()), thin), data_of(members[k], false));
+    for (std::size_t k = 0; k < members.size() && size <= most_data; ++k) {
+      path(fmt::format("stroke='{}' stroke-width='{}'", calm.at(k % calm.size()), thin), data[k]);
     }
     std::array<std::set<std::uint32_t>, kinds.size()> bold;
     SegmentsPath bands(picture_);
@@ -185,6 +189,16 @@ class Drawing {
     }
     path(fmt::format("class='{}' stroke-width='70' stroke-opacity='.5'", class_of(Ink::third)), bands.finish());
     picture_.add("</g>\n");
+  }
+
+  // What is too much for viewers: of each class where its segments are.
+  void crowds(const std::vector<std::vector<std::uint32_t>>& members) {
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      Density crowd = picture_.density();
+      for (const std::uint32_t i : members[k]) crowd.add(picture_.at(segments_[i].a), picture_.at(segments_[i].b));
+      picture_.add(crowd.xml(fmt::format("stroke='{}'", calm.at(k % calm.size()))));
+    }
+    picture_.note("Too many segments for lines: squares are the darker the more of them pass there.");
   }
 
   // The common point, twice, or part.

@@ -342,6 +342,23 @@ TEST(SegmentsPicture, AMeshStaysSmall) {
   EXPECT_GT(polylines_of(Read(svg).thin.at(0)).size(), 90000u);
 }
 
+// S2: of so many that lines would be over 6 MB, the density.
+TEST(SegmentsPicture, VeryManyBecomeSquares) {
+  std::mt19937_64 random(5);
+  const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  std::vector<Segment> segments;
+  for (int k = 0; k < 600'000; ++k) {
+    const Point2 p{uniform(), uniform()};
+    segments.push_back({p, {p.x + 0.01 * uniform(), p.y + 0.01 * uniform()}});
+  }
+  const io::LineFile file = file_of(segments);
+  const std::string svg = segments_svg({file, Segments(segments), {}});
+  EXPECT_LT(svg.size(), 2'000'000u);
+  const Read picture(svg);
+  EXPECT_TRUE(picture.thin.empty());
+  EXPECT_TRUE(picture.says("Too many segments for lines"));
+}
+
 TEST(SegmentsPicture, SegmentsInContactAreNotMerged) {
   // A line with bends of nearly no length in the middle of a large frame; the third and a tiny one cross.
   const std::string bends =
