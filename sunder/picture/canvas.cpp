@@ -43,7 +43,8 @@ std::string rules() {
         "fill-opacity:{2}}}",
         look.letter, look.colour, look.fill, look.dashes);
   }
-  return text + ".f.d{fill-opacity:1;stroke:#fff;stroke-width:1.5}.f.v{fill:#fff;fill-opacity:1;stroke-width:1}";
+  return text + ".l.g{stroke-width:.8}.f.d{fill-opacity:1;stroke:#fff;stroke-width:1.5}" +
+         ".f.v{fill:#fff;fill-opacity:1;stroke-width:1}";
 }
 
 constexpr std::array<std::array<std::string_view, 2>, 7> in_xml{{{"&", "&amp;"},

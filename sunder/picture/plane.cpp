@@ -157,7 +157,6 @@ void PlanePicture::shape(const std::string& element, Ink ink, const Box2& box) {
   std::string xml = fmt::format("<{0} class='f {1}'>{2}</{3}>\n", element, class_of(ink), title_,
                                 element.substr(0, element.find(' ')));
   ++shapes_;
-  extent_ = extent_ ? hull(*extent_, box) : box;
   if (box.high.x - box.low.x < small && box.high.y - box.low.y < small) {
     small_.push_back({ink, box.low, std::move(xml)});
   } else {
@@ -170,6 +169,7 @@ void PlanePicture::circle(const Disc& circle, Ink ink) {
   const double r = std::max(x_.at(circle.center.x / 2 + (circle.center.x / 2 + circle.radius)) - c.x, 0.5);
   shape(fmt::format("circle cx='{:.2f}' cy='{:.2f}' r='{:.2f}'", c.x, c.y, r), ink,
         {{c.x - r, c.y - r}, {c.x + r, c.y + r}});
+  take_for_name({{c.x - r, c.y - r}, {c.x + r, c.y + r}});
 }
 
 void PlanePicture::polygon(std::span<const Point2> corners, Ink ink) {
@@ -182,16 +182,20 @@ void PlanePicture::polygon(std::span<const std::vector<Point2>> rings, Ink ink) 
   std::string data;
   std::optional<Box2> box;
   for (const std::vector<Point2>& ring : rings) {
+    if (ring.empty()) continue;
+    Box2 of_ring{at(ring[0]), at(ring[0])};
     Point2 last;
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const Point2 p = at(ring[k]);
       // Where there are many, bends nearer than a tenth of a pixel are left out.
       if (k > 0 && ring.size() > many_corners && std::hypot(p.x - last.x, p.y - last.y) < 0.1) continue;
       fmt::format_to(std::back_inserter(data), "{}{:.2f} {:.2f}", k == 0 ? "M" : " ", p.x, p.y);
-      box = box ? hull(*box, {p, p}) : Box2{p, p};
+      of_ring = hull(of_ring, {p, p});
       last = p;
     }
     data += 'Z';
+    take_for_name(of_ring);
+    box = box ? hull(*box, of_ring) : of_ring;
   }
   if (box) shape(fmt::format("path d='{}'", data), ink, *box);
 }
@@ -224,6 +228,11 @@ void PlanePicture::dot(const Point2& where, Ink ink, std::string_view label_text
   if (!label_text.empty()) label(where, label_text);
 }
 
+// A name stands on the widest ring.
+void PlanePicture::take_for_name(const Box2& box) {
+  if (!widest_ || box.high.x - box.low.x > widest_->high.x - widest_->low.x) widest_ = box;
+}
+
 bool PlanePicture::takes(const Point2& at, double width) {
   const Box2 box{{at.x, at.y - text_height + 1}, {at.x + width, at.y}};
   if (std::any_of(texts_.begin(), texts_.end(), [&](const Box2& other) { return meet(box, other); })) return false;
@@ -241,11 +250,11 @@ void PlanePicture::label(const Point2& where, std::string_view text) {
 
 void PlanePicture::named(std::string_view name, const std::function<void()>& draw) {
   title_ = name.empty() ? "" : fmt::format("<title>{}</title>", xml_text(name));
-  extent_.reset();
+  widest_.reset();
   draw();
   title_.clear();
-  if (!extent_ || name.empty()) return;
-  const auto& [low, high] = *extent_;
+  if (!widest_ || name.empty()) return;
+  const auto& [low, high] = *widest_;
   const double width = letter_width * static_cast<double>(name.size());
   if (high.x - low.x < width + 8 || high.y - low.y < text_height + 4) return;
   captions_.push_back({{(low.x + high.x) / 2, (low.y + high.y) / 2}, width, std::string(name)});

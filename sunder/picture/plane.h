@@ -108,8 +108,9 @@ class PlanePicture : public Canvas {
   std::string axes() const;
   void stroke(std::string_view data, Ink ink, std::string_view classes = "l");
   void shape(const std::string& element, Ink ink, const Box2& box);  // box: in pixels
-  bool takes(const Point2& at, double width);                        // room for a text of one line, if there is any
-  void close();                                                      // the frame: what is drawn last in it
+  void take_for_name(const Box2& box);
+  bool takes(const Point2& at, double width);  // room for a text of one line, if there is any
+  void close();                                // the frame: what is drawn last in it
 
   Sheet sheet_;
   Axis x_, y_;
@@ -117,7 +118,7 @@ class PlanePicture : public Canvas {
   std::size_t shapes_ = 0;
   bool is_closed_ = false;
   std::string title_;           // XML, of what is drawn
-  std::optional<Box2> extent_;  // of the shapes of that name, in pixels
+  std::optional<Box2> widest_;  // of the rings and circles of that name, in pixels
   std::vector<Small> small_;
   std::vector<Caption> captions_;
   std::vector<Box2> texts_;  // where they are, so that none lies over another

@@ -94,13 +94,13 @@ std::string region_svg(const RegionPicture& picture) {
   if (best) {
     drawing.arrow(*best, objective, 70, Ink::accent);
     drawing.dot(*best, Ink::accent);
-    drawing.legend(Ink::accent, "best, and the way that is better");
   }
   if (region.empty()) {
     drawing.legend(Ink::accent, "these contradict each other");
   } else {
     drawing.legend(Ink::bold, "common to all");
   }
+  if (best) drawing.legend(Ink::accent, "best, and the way that is better");
   if (drawn > 0) drawing.legend(Ink::calm, "other half-planes");
   if (is_side.size() > drawn + region.sides.size()) {
     drawing.note(fmt::format("Of those that bound nothing, the first {} are drawn.", drawn));

@@ -121,13 +121,17 @@ std::string text_of(const Ring& ring, std::span<const RingKind> kinds,
       ring.at.y + 4.3, ring.label());
 }
 
-void draw_density(Canvas& canvas, std::span<const RingContact> contacts) {
+void draw_density(Canvas& canvas, std::span<const RingContact> contacts, std::span<const RingKind> kinds) {
   Point2 size;
   for (const RingContact& c : contacts) size = {std::max(size.x, c.at.x), std::max(size.y, c.at.y)};
-  Density crowd(size.x, size.y);
-  for (const RingContact& c : contacts) crowd.add(c.at);
-  canvas.add(crowd.xml(fmt::format("stroke='{}'", text_colour)));
-  canvas.note(fmt::format("Too many contacts for rings: darker squares have more of them, up to {}.", crowd.most()));
+  std::vector<Density> crowds(kinds.size(), Density(size.x, size.y));
+  for (const RingContact& c : contacts) crowds[c.kind].add(c.at);
+  std::uint32_t most = 0;
+  for (std::size_t k = kinds.size(); k-- > 0;) {  // the first kind over the others
+    canvas.add(crowds[k].xml(fmt::format("class='{}'", class_of(kinds[k].ink))));
+    most = std::max(most, crowds[k].most());
+  }
+  canvas.note(fmt::format("Too many contacts for rings: darker squares have more of them, up to {}.", most));
 }
 
 }  // namespace
@@ -135,7 +139,7 @@ void draw_density(Canvas& canvas, std::span<const RingContact> contacts) {
 void draw_rings(Canvas& canvas, std::span<const RingContact> contacts, std::span<const RingKind> kinds, double right,
                 const std::function<std::string(std::uint32_t)>& tell) {
   if (contacts.empty()) return;
-  if (contacts.size() > most_ringed) return draw_density(canvas, contacts);
+  if (contacts.size() > most_ringed) return draw_density(canvas, contacts, kinds);
   std::set<std::pair<long, long>> dots;  // whole pixels
   Rings rings;
   for (const auto& [at, number, kind] : contacts) {

@@ -14,6 +14,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -153,9 +154,7 @@ class Drawing {
 
   std::string text(std::string_view title) {
     double bottom = 0;
-    for (std::size_t k = 0; k < panels_.size(); ++k) {
-      bottom = std::max(bottom, panel(k));
-    }
+    for (std::size_t k = 0; k < panels_.size(); ++k) bottom = std::max(bottom, panel(k));
     return canvas_.finish(title, "", bottom);
   }
 
@@ -168,15 +167,14 @@ class Drawing {
 
   // Puts all placements, with their shadows, into the same frame.
   void fit() {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Point2 low{infinity, infinity}, high{-infinity, -infinity};
+    std::optional<Box2> seen;
     each_vertex([&](const Point3& vertex) {
-      for (const Seen& p : {view_(vertex), view_({vertex.x, vertex.y, floor_})}) {
-        if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      for (const Seen& s : {view_(vertex), view_({vertex.x, vertex.y, floor_})}) {
+        const Point2 p{s.x, s.y};
+        if (std::isfinite(p.x) && std::isfinite(p.y)) seen = hull(seen.value_or(Box2{p, p}), {p, p});
       }
     });
+    const auto [low, high] = seen.value_or(Box2{});
     const double scale =
         std::min((panel_width - 2 * margin) / (high.x - low.x), (panel_height - 2 * margin) / (high.y - low.y));
     view_.scale = std::isfinite(scale) ? scale : 1;
@@ -187,9 +185,8 @@ class Drawing {
   void legend() {
     const auto swatches = [](const std::array<Colour, 2>& colours) {
       return fmt::format(
-          "<rect x='-8' y='-6' width='14' height='12' rx='3' fill='{}'/><rect x='8' y='-6' width='14' height='12' "
-          "rx='3' "
-          "fill='{}'/>",
+          "<rect x='-8' y='-6' width='14' height='12' rx='3' fill='{}'/>"
+          "<rect x='8' y='-6' width='14' height='12' rx='3' fill='{}'/>",
           shaded(colours[0], 0.8), shaded(colours[1], 0.8));
     };
     canvas_.legend(swatches(calm), "apart, or allowed to meet");
