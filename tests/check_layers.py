@@ -47,7 +47,7 @@ FRONT_DOORS = {"sunder/sunder.h", "sunder/version.h"}
 
 # layer: its folders from the lowest to the highest
 ORDER = {
-    "planar": ["object", "pair", "sweep", "set", "region"],
+    "planar": ["represent", "object", "pair", "sweep", "set", "region"],
     "solid": ["hull", "represent", "object", "pair"],
     "ask": ["set", "scene", "pair", "region"],
 }

@@ -58,6 +58,14 @@ void append_list(std::string& text, const Values& values, const Append& append) 
   text += ']';
 }
 
+void append_fraction(std::string& text, const Dyadic& x, const Dyadic& denominator) {
+  text += '"' + fraction_text(x, denominator) + '"';
+}
+
+void append_fractions(std::string& text, std::span<const Dyadic> values, const Dyadic& denominator) {
+  append_list(text, values, [&](std::string& to, const Dyadic& x) { append_fraction(to, x, denominator); });
+}
+
 }  // namespace
 
 std::string cut_text(const std::string& text) {
@@ -262,8 +270,7 @@ void ClaimsWriter::numbers(std::string_view name, std::span<const Dyadic> values
 
 void ClaimsWriter::fractions(std::string_view name, std::span<const Dyadic> values, const Dyadic& denominator) {
   key(name);
-  append_list(text_, values,
-              [&](std::string& text, const Dyadic& x) { text += '"' + fraction_text(x, denominator) + '"'; });
+  append_fractions(text_, values, denominator);
 }
 
 void ClaimsWriter::begin_list(std::string_view name) {
@@ -308,15 +315,16 @@ void ClaimsWriter::add_weight(std::uint32_t entry, const Dyadic& weight, const D
   next();
   text_ += '[';
   append_index(text_, entry);
-  text_ += ", \"" + fraction_text(weight, denominator) + "\"]";
+  text_ += ", ";
+  append_fraction(text_, weight, denominator);
+  text_ += ']';
 }
 
 void ClaimsWriter::add_fractions_and_index(std::span<const Dyadic> values, const Dyadic& denominator,
                                            std::uint32_t index) {
   next();
   text_ += '[';
-  append_list(text_, values,
-              [&](std::string& text, const Dyadic& x) { text += '"' + fraction_text(x, denominator) + '"'; });
+  append_fractions(text_, values, denominator);
   text_ += ", ";
   append_index(text_, index);
   text_ += ']';

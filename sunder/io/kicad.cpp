@@ -104,10 +104,6 @@ std::string shown(std::string_view text) {
   return one_line(plain);
 }
 
-std::string count_of(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 Point2 operator+(const Point2& p, const Point2& q) { return {p.x + q.x, p.y + q.y}; }
 Point2 operator-(const Point2& p, const Point2& q) { return {p.x - q.x, p.y - q.y}; }
 double cross(const Point2& p, const Point2& q) { return p.x * q.y - p.y * q.x; }
@@ -355,7 +351,7 @@ class Board {
       if (name == "start") track.start = point(head, atoms);
       if (name == "mid") track.mid = point(head, atoms);
       if (name == "end") track.end = point(head, atoms);
-      if (name == "width") add_width(numbers<1>(head, atoms)[0]);
+      if (name == "width") add_width(number(head, one_of(head, atoms)));
       if (name == "layer") track.layer = layer_of(head, atoms);
       if (name == "net") track.net = one_of(head, atoms);
     }
@@ -368,32 +364,28 @@ class Board {
     tracks_.push_back(track);
   }
 
-  template <std::size_t Count>
-  std::array<double, Count> numbers(const Token& head, const std::vector<Token>& atoms) const {
-    if (atoms.size() != Count) {
-      fail_line(
-          place_, head.line,
-          fmt::format("{} has {}, not {}; save the board again", head.text, count_of(atoms.size(), "value"), Count));
+  void require_count(const Token& head, const std::vector<Token>& atoms, std::size_t count) const {
+    if (atoms.size() == count) return;
+    fail_line(
+        place_, head.line,
+        fmt::format("{} has {}, not {}; save the board again", head.text, count_of(atoms.size(), "value"), count));
+  }
+
+  double number(const Token& head, const Token& atom) const {
+    double value = 0;
+    if (const char* problem = parse_number(atom.text, value)) {
+      fail_line(place_, atom.line, fmt::format("{} {} {}", head.text, quote(atom.text), problem));
     }
-    std::array<double, Count> values{};
-    for (std::size_t i = 0; i < Count; ++i) {
-      if (const char* problem = parse_number(atoms[i].text, values[i])) {
-        fail_line(place_, atoms[i].line, fmt::format("{} {} {}", head.text, quote(atoms[i].text), problem));
-      }
-    }
-    return values;
+    return value;
   }
 
   Point2 point(const Token& head, const std::vector<Token>& atoms) const {
-    const std::array<double, 2> values = numbers<2>(head, atoms);
-    return {values[0], values[1]};
+    require_count(head, atoms, 2);
+    return {number(head, atoms[0]), number(head, atoms[1])};
   }
 
   Token one_of(const Token& head, const std::vector<Token>& atoms) const {
-    if (atoms.size() != 1) {
-      fail_line(place_, head.line,
-                fmt::format("{} has {}, not 1; save the board again", head.text, count_of(atoms.size(), "value")));
-    }
+    require_count(head, atoms, 1);
     return atoms[0];
   }
 
@@ -489,31 +481,26 @@ class Board {
 
   void add_remarks() {
     std::vector<std::string>& remarks = file_.remarks;
-    if (arcs_ > 0) {
-      remarks.push_back(fmt::format("{} turned into polylines of chords of at most 5 degrees",
-                                    count_of(arcs_, "arc") + (arcs_ == 1 ? " was" : " were")));
-    }
-    if (vias_ == 1) remarks.emplace_back("1 via is a point of its net, not looked at");
-    if (vias_ > 1) remarks.push_back(fmt::format("{} vias are points of their nets, not looked at", vias_));
+    const auto tell = [&](std::size_t count, std::string_view noun, std::string_view what) {
+      if (count > 0) remarks.push_back(fmt::format("{} {}", count_of(count, noun), what));
+    };
+    tell(arcs_, "arc",
+         arcs_ == 1 ? "was turned into polylines of chords of at most 5 degrees"
+                    : "were turned into polylines of chords of at most 5 degrees");
+    tell(vias_, "via", vias_ == 1 ? "is a point of its net, not looked at" : "are points of their nets, not looked at");
     if (narrowest_ <= widest_) {
       const std::string all =
           narrowest_ < widest_ ? fmt::format("s from {} to {}", narrowest_, widest_) : fmt::format(" {}", widest_);
       remarks.push_back(fmt::format("track width{} mm; clearance is not checked: tracks are lines without width", all));
     }
-    if (without_net_ > 0) {
-      remarks.push_back(fmt::format("{} without a net: taken for one net", count_of(without_net_, "track")));
-    }
-    if (not_on_copper_ > 0) {
-      remarks.push_back(fmt::format("{} not on copper: not looked at", count_of(not_on_copper_, "track")));
-    }
+    tell(without_net_, "track", "without a net: taken for one net");
+    tell(not_on_copper_, "track", "not on copper: not looked at");
     const auto trackless = std::count_if(nets_.begin(), nets_.end(), [&](const auto& net) {
       return !net.second.empty() && !used_nets_.contains(net.second);
     });
-    if (trackless > 0) {
-      remarks.push_back(fmt::format("{} without tracks, of {} in the table: not looked at",
-                                    count_of(static_cast<std::size_t>(trackless), "net"), nets_.size()));
-    }
-    if (others_ > 0) remarks.push_back(fmt::format("{} of an unknown kind: not looked at", count_of(others_, "list")));
+    tell(static_cast<std::size_t>(trackless), "net",
+         fmt::format("without tracks, of {} in the table: not looked at", nets_.size()));
+    tell(others_, "list", "of an unknown kind: not looked at");
     if (zones_ + footprints_ + drawings_ > 0) {
       remarks.push_back(fmt::format("zones, pads and graphics are not looked at: {}, {}, {}", count_of(zones_, "zone"),
                                     count_of(footprints_, "footprint"), count_of(drawings_, "drawing")));

@@ -112,12 +112,8 @@ class GeoJson {
       named_ = named_ || !name.empty();
       return name;
     }
-    for (const char* key : {"name", "Name", "NAME"}) {
-      if (std::string name = property(key); !name.empty()) return name;
-    }
-    if (std::string name = own_id(); !name.empty()) return name;
-    for (const char* key : {"id", "ID", "Id"}) {
-      if (std::string name = property(key); !name.empty()) return name;
+    for (const std::string key : {"name", "Name", "NAME", "", "id", "ID", "Id"}) {
+      if (std::string name = key.empty() ? own_id() : property(key); !name.empty()) return name;
     }
     return {};
   }

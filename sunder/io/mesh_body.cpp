@@ -1,3 +1,4 @@
+#include <sunder/base/names.h>
 #include <sunder/io/mesh_body.h>
 #include <sunder/io/text.h>
 
@@ -98,14 +99,7 @@ Mesh read_whole(const std::filesystem::path& file, LeftOutList& left_out, InputF
 
 }  // namespace
 
-std::string_view name_of(BodyShape shape) {
-  switch (shape) {
-    case BodyShape::convex: return "convex";
-    case BodyShape::hull: return "hull";
-    case BodyShape::points: return "points";
-  }
-  return "";
-}
+std::string_view name_of(BodyShape shape) { return name_in<BodyShape::points>({"convex", "hull", "points"}, shape); }
 
 MeshBody body_of_mesh(Mesh mesh, const std::filesystem::path& file, bool require_convex) {
   const std::vector<std::uint32_t> used = used_vertices(mesh);

@@ -1,8 +1,8 @@
 #include <sunder/io/mesh_builder.h>
 #include <sunder/io/text.h>
+#include <sunder/scene/mesh_sides.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace sunder::io {
 
@@ -36,25 +36,9 @@ void MeshBuilder::leave_out(std::string_view kind, std::uint64_t count) {
 }
 
 void MeshBuilder::join_equal_vertices() {
-  // Sorted rather than hashed: no input is slow. Equal points stand together, the first one of the file in front.
   std::vector<Point3>& points = mesh_.vertices;
-  std::vector<std::uint32_t> order(points.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-    const Point3 &a = points[i], &b = points[j];
-    if (a.x != b.x) return a.x < b.x;
-    if (a.y != b.y) return a.y < b.y;
-    if (a.z != b.z) return a.z < b.z;
-    return i < j;
-  });
-
-  std::vector<std::uint32_t> first(points.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const bool repeats = k > 0 && points[order[k]] == points[order[k - 1]];
-    first[order[k]] = repeats ? first[order[k - 1]] : order[k];
-  }
-
-  std::vector<std::uint32_t>& joined = order;
+  const std::vector<std::uint32_t> first = scene::lowest_of_equals(points);
+  std::vector<std::uint32_t> joined(points.size());
   std::uint32_t count = 0;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     if (first[i] == i) {

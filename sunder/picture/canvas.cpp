@@ -34,7 +34,8 @@ std::string rules() {
       ".a{stroke:#e9ecf1}.m text{font-size:12px;font-weight:600;fill:#1f2a3a}.m rect{fill:#fff;fill-opacity:.85}"
       ".m circle{fill:#fff;fill-opacity:.35;stroke-width:2.5}.m:hover circle{stroke-width:5}"
       ".f{fill-rule:evenodd;stroke-width:2;stroke-linejoin:round}"
-      ".l{fill:none;stroke-width:2}.dashed{stroke-width:1.2;stroke-dasharray:6 4}.n{font-size:13px;fill:#1f2a3a}"
+      ".l{fill:none;stroke-width:2}.dashed{stroke-width:1.2;stroke-dasharray:6 "
+      "4}.n{font-size:13px;fill:#1f2a3a}.h{text-anchor:middle;fill-opacity:.75;pointer-events:none}"
       ".b,.r{fill:none;stroke-width:10}.b{stroke:#46586f}.r{stroke:#7d2115}";
   for (const Look& look : looks) {
     text += fmt::format(
@@ -42,7 +43,8 @@ std::string rules() {
         "fill-opacity:{2}}}",
         look.letter, look.colour, look.fill, look.dashes);
   }
-  return text + ".f.d{fill-opacity:1;stroke:#fff;stroke-width:1.5}.f.v{fill:#fff;fill-opacity:1;stroke-width:1}";
+  return text + ".l.g{stroke-width:.8}.f.d{fill-opacity:1;stroke:#fff;stroke-width:1.5}" +
+         ".f.v{fill:#fff;fill-opacity:1;stroke-width:1}";
 }
 
 constexpr std::array<std::array<std::string_view, 2>, 7> in_xml{{{"&", "&amp;"},

@@ -31,16 +31,15 @@ struct Item {
   double middle = 0;  // its depth
 
   Item(Piece p, double margin) : piece(std::move(p)), plane(piece.corners) {
-    const Seen& first = piece.corners.front();
-    box = {{first.x, first.y}, {first.x, first.y}};
+    box = at(piece.corners.front());
     for (const Seen& c : piece.corners) {
-      box = {{std::min(box.low.x, c.x), std::min(box.low.y, c.y)},
-             {std::max(box.high.x, c.x), std::max(box.high.y, c.y)}};
+      box = hull(box, at(c));
       middle += c.z / static_cast<double>(piece.corners.size());
     }
     box = {{box.low.x + margin, box.low.y + margin}, {box.high.x - margin, box.high.y - margin}};
   }
 
+  static Box2 at(const Seen& p) { return {{p.x, p.y}, {p.x, p.y}}; }
   bool is_line() const { return piece.corners.size() < 3; }
 };
 
@@ -98,17 +97,16 @@ class Painter {
     std::vector<bool> begun(n, false), done(n, false);
     std::vector<std::size_t> path;
     for (const std::size_t first : by_depth) {
-      path.push_back(first);
-      while (!path.empty()) {
+      for (path.push_back(first); !path.empty();) {
         const std::size_t k = path.back();
-        if (!begun[k]) {
-          begun[k] = true;
-          std::copy_if(behind[k].begin(), behind[k].end(), std::back_inserter(path), [&](auto j) { return !begun[j]; });
+        if (begun[k]) {
+          path.pop_back();
+          if (!done[k]) out.push_back(std::move(items_[k].piece));
+          done[k] = true;
           continue;
         }
-        path.pop_back();
-        if (!done[k]) out.push_back(std::move(items_[k].piece));
-        done[k] = true;
+        begun[k] = true;
+        std::copy_if(behind[k].begin(), behind[k].end(), std::back_inserter(path), [&](auto j) { return !begun[j]; });
       }
     }
     return out;
@@ -146,24 +144,19 @@ class Painter {
 
   // What is on one side (1: before, -1: behind) of a plane that the piece crosses.
   static Piece half(const Piece& piece, const Plane& plane, double side) {
-    Piece out{piece.body, piece.part, piece.light, {}, {}};
+    Piece out{piece.body, piece.part, piece.light, {}, {}, true};
+    const auto push = [&](const Seen& corner, bool outline) {
+      out.corners.push_back(corner);
+      out.outline.push_back(outline);
+    };
     const std::size_t n = piece.corners.size();
     for (std::size_t i = 0; i < n; ++i) {
       const Seen &p = piece.corners[i], &q = piece.corners[(i + 1) % n];
-      const double hp = side * plane.height(p), hq = side * plane.height(q);
-      const double t = hp / (hp - hq);
+      const double hp = side * plane.height(p), hq = side * plane.height(q), t = hp / (hp - hq);
       const Seen between{p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.z + t * (q.z - p.z)};
-      if (hp >= 0) {
-        out.corners.push_back(p);
-        out.edges.push_back(piece.edges[i]);
-        if (hq < 0) {
-          out.corners.push_back(between);
-          out.edges.push_back(Edge::cut);
-        }
-      } else if (hq > 0) {
-        out.corners.push_back(between);
-        out.edges.push_back(piece.edges[i]);
-      }
+      if (hp >= 0) push(p, piece.outline[i]);
+      if (hp >= 0 && hq < 0) push(between, false);
+      if (hp < 0 && hq > 0) push(between, piece.outline[i]);
     }
     return out;
   }

@@ -15,19 +15,13 @@ using Seen = Vector3<double>;
 // Zero for a line.
 Seen normal_of(const std::vector<Seen>& corners);
 
-// What an edge of a piece is.
-enum class Edge : std::uint8_t {
-  cut,      // made by the painter: not to be drawn
-  inner,    // between two facets that are both seen
-  outline,  // behind it the body ends
-};
-
 // A piece of a facet that is turned towards the viewer; of two corners: a line; of one: a dot.
 struct Piece {
   std::uint32_t body = 0, part = 0;  // part: any number that differs between parts; they are convex
   double light = 0;                  // 0 .. 1
   std::vector<Seen> corners;         // a convex polygon
-  std::vector<Edge> edges;           // from each corner to the next
+  std::vector<bool> outline;         // of the edge from each corner to the next: does the body end behind it?
+  bool is_cut = false;               // by the painter
 };
 
 // The same pieces, farthest first, cut where two cross: no piece is hidden by an earlier one (but where three or more

@@ -18,7 +18,7 @@ Piece rectangle(std::uint32_t part, double left, double top, double right, doubl
       part,
       1,
       {{left, top, left_depth}, {right, top, right_depth}, {right, bottom, right_depth}, {left, bottom, left_depth}},
-      std::vector<Edge>(4, Edge::outline)};
+      std::vector<bool>(4, true)};
 }
 
 std::vector<std::uint32_t> parts_of(const std::vector<Piece>& pieces) {
@@ -47,7 +47,8 @@ TEST(Painter, CrossingPiecesAreCut) {
   EXPECT_EQ(order[0].part, order[2].part);
   for (const Piece& half : {order[0], order[2]}) {
     ASSERT_EQ(half.corners.size(), 4u);
-    EXPECT_EQ(std::count(half.edges.begin(), half.edges.end(), Edge::cut), 1);
+    EXPECT_TRUE(half.is_cut);
+    EXPECT_EQ(std::count(half.outline.begin(), half.outline.end(), false), 1);
     double low = 4, high = 0;
     for (const Seen& p : half.corners) {
       low = std::min(low, p.x);
@@ -78,7 +79,7 @@ TEST(Painter, NothingIsLost) {
                  part,
                  1,
                  {{x0, y0, d0}, {x1, y1, d1}, {x1 + 0.3, y1 + 0.4, d1}, {x0 + 0.3, y0 + 0.4, d0}},
-                 std::vector<Edge>(4, Edge::inner)};
+                 std::vector<bool>(4, false)};
   };
   const std::vector<Piece> bars{bar(0, 0, 0, 0, 4, 0, 2), bar(1, 4, -1, 0, 2, 4, 2), bar(2, 2, 4, 0, 0, -1, 2)};
   const std::vector<Piece> order = in_painters_order(bars);
@@ -92,8 +93,8 @@ TEST(Painter, NothingIsLost) {
 
 TEST(Painter, LinesDotsAndNothing) {
   EXPECT_TRUE(in_painters_order({}).empty());
-  const Piece line{0, 0, 1, {{0, 0, 5}, {4, 4, 5}}, {Edge::outline, Edge::outline}};
-  const Piece dot{1, 1, 1, {{1, 1, 9}}, {Edge::outline}};
+  const Piece line{0, 0, 1, {{0, 0, 5}, {4, 4, 5}}, {true, true}};
+  const Piece dot{1, 1, 1, {{1, 1, 9}}, {true}};
   const Piece wall = rectangle(2, 0, 0, 4, 4, 7, 7);
   const std::vector<std::uint32_t> order = parts_of(in_painters_order({dot, wall, line}));
   EXPECT_EQ(order.front(), 0u);

@@ -88,9 +88,7 @@ void draw_distance(PlanePicture& drawing, const PicturedPolygon& a, const Pictur
     return Point2{nearest_ratio(p.coordinates[0], p.denominator), nearest_ratio(p.coordinates[1], p.denominator)};
   };
   const auto points = planar::closest_points(a.polygon, a.pose, b.polygon, b.pose, closest);
-  const Point2 p = rounded(points.of_a), q = rounded(points.of_b);
-  drawing.segment(p, q, Ink::dark);
-  drawing.label({p.x / 2 + q.x / 2, p.y / 2 + q.y / 2}, fmt::format("{:.4g}", closest.distance.high));
+  drawing.segment(rounded(points.of_a), rounded(points.of_b), Ink::dark);
   drawing.legend("<path class='l x' d='M0 0h20'/>", fmt::format("the distance, about {:.12g}", closest.distance.high));
 }
 

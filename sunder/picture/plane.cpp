@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <utility>
 
 namespace sunder::picture {
 
@@ -16,7 +18,9 @@ constexpr double padding = 28, least_height = 72, tick_distance = 110, tick_lett
 constexpr double most_away = 1e5;                     // what is further away is drawn no further
 constexpr double longest_side = 20, fitted_side = 4;  // against the other: beyond the first, fitted to the second
 constexpr double least_width_part = 0.25, least_height_part = 0.1;  // of the other side, to one scale
-constexpr std::size_t many_shapes = 2000, many_corners = 50;
+constexpr double letter_width = 7.4, text_height = 15;              // of names
+constexpr double small = 6;  // most_small circles and polygons are drawn as such, if they are no larger than this
+constexpr std::size_t many_shapes = 2000, many_corners = 50, most_small = 5000;
 
 double within(double x) { return std::isnan(x) ? 0 : std::clamp(x, -most_away, most_away); }
 
@@ -145,17 +149,27 @@ void PlanePicture::fit() {
 
 Point2 PlanePicture::at(const Point2& p) const { return {x_.at(p.x), y_.at(p.y)}; }
 
-void PlanePicture::path(std::string_view data, std::string_view classes, Ink ink) {
-  add(fmt::format("<path class='{} {}' d='{}'/>\n", classes, class_of(ink), data));
+void PlanePicture::stroke(std::string_view data, Ink ink, std::string_view classes) {
+  add(fmt::format("<path class='{} {}' d='{}'>{}</path>\n", classes, class_of(ink), data, title_));
+}
+
+void PlanePicture::shape(const std::string& element, Ink ink, const Box2& box) {
+  std::string xml = fmt::format("<{0} class='f {1}'>{2}</{3}>\n", element, class_of(ink), title_,
+                                element.substr(0, element.find(' ')));
   ++shapes_;
+  if (box.high.x - box.low.x < small && box.high.y - box.low.y < small) {
+    small_.push_back({ink, box.low, std::move(xml)});
+  } else {
+    add(xml);
+  }
 }
 
 void PlanePicture::circle(const Disc& circle, Ink ink) {
   const Point2 c = at(circle.center);
-  const double edge = x_.at(circle.center.x / 2 + (circle.center.x / 2 + circle.radius));
-  add(fmt::format("<circle class='f {}' cx='{:.2f}' cy='{:.2f}' r='{:.2f}'/>\n", class_of(ink), c.x, c.y,
-                  std::max(edge - c.x, 0.5)));
-  ++shapes_;
+  const double r = std::max(x_.at(circle.center.x / 2 + (circle.center.x / 2 + circle.radius)) - c.x, 0.5);
+  shape(fmt::format("circle cx='{:.2f}' cy='{:.2f}' r='{:.2f}'", c.x, c.y, r), ink,
+        {{c.x - r, c.y - r}, {c.x + r, c.y + r}});
+  take_for_name({{c.x - r, c.y - r}, {c.x + r, c.y + r}});
 }
 
 void PlanePicture::polygon(std::span<const Point2> corners, Ink ink) {
@@ -166,23 +180,27 @@ void PlanePicture::polygon(std::span<const Point2> corners, Ink ink) {
 
 void PlanePicture::polygon(std::span<const std::vector<Point2>> rings, Ink ink) {
   std::string data;
+  std::optional<Box2> box;
   for (const std::vector<Point2>& ring : rings) {
+    if (ring.empty()) continue;
+    Box2 of_ring{at(ring[0]), at(ring[0])};
     Point2 last;
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const Point2 p = at(ring[k]);
       // Where there are many, bends nearer than a tenth of a pixel are left out.
       if (k > 0 && ring.size() > many_corners && std::hypot(p.x - last.x, p.y - last.y) < 0.1) continue;
       fmt::format_to(std::back_inserter(data), "{}{:.2f} {:.2f}", k == 0 ? "M" : " ", p.x, p.y);
+      of_ring = hull(of_ring, {p, p});
       last = p;
     }
     data += 'Z';
+    take_for_name(of_ring);
+    box = box ? hull(*box, of_ring) : of_ring;
   }
-  path(data, "f", ink);
+  if (box) shape(fmt::format("path d='{}'", data), ink, *box);
 }
 
-void PlanePicture::segment(const Point2& from, const Point2& to, Ink ink) {
-  path(data_of({at(from), at(to)}), "l", ink);
-}
+void PlanePicture::segment(const Point2& from, const Point2& to, Ink ink) { stroke(data_of({at(from), at(to)}), ink); }
 
 void PlanePicture::line(const Point2& through, const Point2& direction, Ink ink, Extent extent, bool dashed) {
   const Point2 p = at(through), u = unit(direction);
@@ -192,15 +210,15 @@ void PlanePicture::line(const Point2& through, const Point2& direction, Ink ink,
   };
   const Point2 from = beside(extent == Extent::ray ? 0 : -reach, 0), to = beside(reach, 0);
   if (extent == Extent::half_plane)
-    return path(data_of({from, to, beside(reach, reach), beside(-reach, reach)}), "f", ink);
-  path(data_of({from, to}), dashed ? "l dashed" : "l", ink);
+    return stroke(data_of({from, to, beside(reach, reach), beside(-reach, reach)}), ink, "f");
+  stroke(data_of({from, to}), ink, dashed ? "l dashed" : "l");
 }
 
 void PlanePicture::arrow(const Point2& from, const Point2& direction, double pixels, Ink ink) {
   const Point2 p = at(from), w = unit(direction), u{w.x * pixels, -w.y * pixels}, q{p.x + u.x, p.y + u.y};
   const Point2 left{q.x - 0.2 * u.x + 0.1 * u.y, q.y - 0.2 * u.y - 0.1 * u.x};
   const Point2 right{q.x - 0.2 * u.x - 0.1 * u.y, q.y - 0.2 * u.y + 0.1 * u.x};
-  path(data_of({p, q, left, q, right}), "l", ink);
+  stroke(data_of({p, q, left, q, right}), ink);
 }
 
 void PlanePicture::dot(const Point2& where, Ink ink, std::string_view label_text, bool hollow) {
@@ -210,29 +228,61 @@ void PlanePicture::dot(const Point2& where, Ink ink, std::string_view label_text
   if (!label_text.empty()) label(where, label_text);
 }
 
+// A name stands on the widest ring.
+void PlanePicture::take_for_name(const Box2& box) {
+  if (!widest_ || box.high.x - box.low.x > widest_->high.x - widest_->low.x) widest_ = box;
+}
+
+bool PlanePicture::takes(const Point2& at, double width) {
+  const Box2 box{{at.x, at.y - text_height + 1}, {at.x + width, at.y}};
+  if (std::any_of(texts_.begin(), texts_.end(), [&](const Box2& other) { return meet(box, other); })) return false;
+  texts_.push_back(box);
+  return true;
+}
+
 void PlanePicture::label(const Point2& where, std::string_view text) {
+  const double width = letter_width * static_cast<double>(text.size());
   Point2 p = at(where);
-  const bool left = p.x > width_ - 90;
-  const double width = tick_letter_width * 1.2 * static_cast<double>(text.size());
-  const auto is_taken = [&](const Point2& other) {
-    return std::fabs(other.x - p.x) < width && std::fabs(other.y - p.y) < 14;
-  };
-  while (std::any_of(labels_.begin(), labels_.end(), is_taken)) p.y += 14;
-  labels_.push_back(p);
-  add(fmt::format("<text class='n' x='{:.2f}' y='{:.2f}' text-anchor='{}'>{}</text>\n", p.x + (left ? -8 : 8), p.y - 7,
-                  left ? "end" : "start", xml_text(text)));
+  p.x += p.x + 8 + width > width_ ? -8 - width : 8;
+  for (p.y -= 7; !takes(p, width);) p.y += text_height;
+  add(fmt::format("<text class='n' x='{:.2f}' y='{:.2f}'>{}</text>\n", p.x, p.y, xml_text(text)));
 }
 
 void PlanePicture::named(std::string_view name, const std::function<void()>& draw) {
-  add(name.empty() ? "<g>\n" : fmt::format("<g><title>{}</title>\n", xml_text(name)));
+  title_ = name.empty() ? "" : fmt::format("<title>{}</title>", xml_text(name));
+  widest_.reset();
   draw();
-  add("</g>\n");
+  title_.clear();
+  if (!widest_ || name.empty()) return;
+  const auto& [low, high] = *widest_;
+  const double width = letter_width * static_cast<double>(name.size());
+  if (high.x - low.x < width + 8 || high.y - low.y < text_height + 4) return;
+  captions_.push_back({{(low.x + high.x) / 2, (low.y + high.y) / 2}, width, std::string(name)});
+}
+
+// Small things, then names.
+void PlanePicture::close() {
+  if (std::exchange(is_closed_, true)) return;
+  if (small_.size() > most_small) {
+    std::map<Ink, Density> crowds;
+    for (const Small& s : small_) crowds.try_emplace(s.ink, density()).first->second.add(s.at);
+    for (const auto& [ink, crowd] : crowds) add(crowd.xml(fmt::format("class='{}'", class_of(ink))));
+    note(fmt::format("What is smaller than {:.0f} pixels is drawn as squares, the darker the more of it is there.",
+                     small));
+  } else {
+    for (const Small& s : small_) add(s.xml);
+  }
+  for (const auto& [middle, width, name] : captions_) {
+    if (!takes({middle.x - width / 2, middle.y + 4.5}, width)) continue;
+    add(fmt::format("<text class='n h' x='{:.1f}' y='{:.1f}'>{}</text>\n", middle.x, middle.y + 4.5, xml_text(name)));
+  }
+  add("</svg>\n");
+  if (shapes_ > many_shapes) add("<style>.f{stroke-width:.7}</style>\n");
 }
 
 void PlanePicture::rings(std::span<const RingContact> contacts, std::span<const RingKind> kinds,
                          const std::function<std::string(std::uint32_t)>& tell) {
-  add("</svg>\n");
-  has_rings_ = true;
+  close();
   draw_rings(*this, contacts, kinds, sheet_.width - border - left_, tell);
 }
 
@@ -259,8 +309,7 @@ std::string PlanePicture::axes() const {
 }
 
 std::string PlanePicture::text(std::string_view title, std::string_view summary) {
-  if (!has_rings_) add("</svg>\n");
-  if (shapes_ > many_shapes) add("<style>.f{stroke-width:.7}</style>\n");
+  close();
   add("</g>\n");
   return finish(title, summary, height_ + 36);
 }

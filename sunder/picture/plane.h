@@ -1,13 +1,14 @@
 // A picture of objects of the plane: circles, polygons, lines and dots in a frame with axes.
 #pragma once
 
+#include <sunder/picture/density.h>
 #include <sunder/picture/rings.h>
 #include <sunder/planar/object/discs.h>
 
 #include <cstdint>
 #include <functional>
-#include <initializer_list>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -58,6 +59,7 @@ struct Sheet {
 //   P1. For every finite input the text is well-formed XML, in UTF-8, of finite numbers; the same input gives the same
 //       text. Positions are rounded: a picture decides nothing.
 //   P2. The frame has axes with round numbers. Coordinates are hundredths of a pixel.
+//   P3. Of circles and polygons of a few pixels, where there are very many, the density is drawn (density.h).
 class PlanePicture : public Canvas {
  public:
   // What must be seen: at least one point. What lies outside is cut off.
@@ -65,6 +67,7 @@ class PlanePicture : public Canvas {
 
   // In pixels of the frame; what is very far away is drawn less far.
   Point2 at(const Point2& p) const;
+  Density density() const { return {width_, height_}; }  // of nothing yet, of all of the frame
 
   void circle(const Disc& circle, Ink ink);                           // to one scale
   void polygon(std::span<const Point2> corners, Ink ink);             // closed; of one corner a dot
@@ -79,7 +82,8 @@ class PlanePicture : public Canvas {
   void arrow(const Point2& from, const Point2& direction, double pixels, Ink ink);
   void label(const Point2& at, std::string_view text);
 
-  // What draw() adds is of that name, which is shown where somebody points at it.
+  // What draw() adds is of that name, which is shown where somebody points at it, and on circles and polygons where
+  // there is room.
   void named(std::string_view name, const std::function<void()>& draw);
 
   // Rings at contacts, over all; see rings.h. Once, as the last.
@@ -89,16 +93,35 @@ class PlanePicture : public Canvas {
   std::string text(std::string_view title, std::string_view summary);  // once
 
  private:
+  struct Small {
+    Ink ink;
+    Point2 at;  // in pixels
+    std::string xml;
+  };
+  struct Caption {
+    Point2 at;  // its middle, in pixels
+    double width;
+    std::string name;
+  };
+
   void fit();
-  void path(std::string_view data, std::string_view classes, Ink ink);
   std::string axes() const;
+  void stroke(std::string_view data, Ink ink, std::string_view classes = "l");
+  void shape(const std::string& element, Ink ink, const Box2& box);  // box: in pixels
+  void take_for_name(const Box2& box);
+  bool takes(const Point2& at, double width);  // room for a text of one line, if there is any
+  void close();                                // the frame: what is drawn last in it
 
   Sheet sheet_;
   Axis x_, y_;
   double left_ = 0, width_ = 0, height_ = 0;  // of the frame, in pixels
   std::size_t shapes_ = 0;
-  bool has_rings_ = false;
-  std::vector<Point2> labels_;  // where they are, so that none lies over another
+  bool is_closed_ = false;
+  std::string title_;           // XML, of what is drawn
+  std::optional<Box2> widest_;  // of the rings and circles of that name, in pixels
+  std::vector<Small> small_;
+  std::vector<Caption> captions_;
+  std::vector<Box2> texts_;  // where they are, so that none lies over another
 };
 
 }  // namespace sunder::picture

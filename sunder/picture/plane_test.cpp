@@ -87,10 +87,53 @@ TEST(PlanePicture, CrowdsOfContactsAreDark) {
     expect_well_formed(svg);
     const bool is_crowd = size > 10'000;
     EXPECT_EQ(count_in(svg, "<g class='m "), is_crowd ? 0u : 2u);
-    EXPECT_EQ(count_in(svg, "opacity='0.90'/>"), is_crowd ? 1u : 0u);
-    EXPECT_EQ(count_in(svg, "opacity='0.15'/>"), is_crowd ? 1u : 0u);
+    EXPECT_EQ(count_in(svg, "stroke-opacity='0.9'"), is_crowd ? 1u : 0u);
+    EXPECT_EQ(count_in(svg, "stroke-opacity='0.2'"), is_crowd ? 1u : 0u);
     EXPECT_EQ(count_in(svg, "up to 10000."), is_crowd ? 1u : 0u);
   }
+}
+
+TEST(PlanePicture, NamesStandWhereThereIsRoom) {
+  PlanePicture picture(std::array{Point2{0, 0}, Point2{9, 9}});
+  const std::vector<Point2> large{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, tiny{{1, 1}, {1.1, 1}, {1.1, 1.1}};
+  picture.named("a <large> one", [&] { picture.polygon(large, Ink::calm); });
+  picture.named("another", [&] { picture.polygon(large, Ink::calm); });  // no room beside the first one's
+  picture.named("a tiny one", [&] { picture.polygon(tiny, Ink::calm); });
+  picture.named("a line", [&] { picture.line({2, 2}, {1, 1}, Ink::bold); });
+  const std::string svg = picture.text("Names", "");
+  expect_well_formed(svg);
+  EXPECT_EQ(count_in(svg, ">a &lt;large&gt; one</text>"), 1u);
+  EXPECT_EQ(count_in(svg, "class='n h'"), 1u);
+  for (const char* name : {"a &lt;large&gt; one", "another", "a tiny one", "a line"}) {
+    EXPECT_EQ(count_in(svg, std::string("<title>") + name + "</title>"), 1u) << name;
+  }
+}
+
+// P3 of plane.h: of many small things the density.
+TEST(PlanePicture, ManySmallThingsAreSquares) {
+  for (const int count : {5000, 5001}) {
+    PlanePicture picture(std::array{Point2{0, 0}, Point2{100, 100}});
+    for (int k = 0; k < count; ++k) picture.circle({{k % 70 + 0.5, k / 70 + 0.5}, 0.01}, Ink::accent);
+    picture.circle({{50, 50}, 40}, Ink::bold);
+    const std::string svg = picture.text("Many", "");
+    expect_well_formed(svg);
+    EXPECT_EQ(count_in(svg, "<circle cx="), count > 5000 ? 1u : 5001u);
+    EXPECT_EQ(count_in(svg, "drawn as squares"), count > 5000 ? 1u : 0u);
+    EXPECT_EQ(count_in(svg, "<path class='c' fill='none' stroke-width='5'") > 0, count > 5000);
+  }
+}
+
+TEST(Density, CountsWhatIsWithin) {
+  Density crowd(20, 20);
+  for (const Point2& p : {Point2{-1, 5}, Point2{5, -1}, Point2{31, 5}, Point2{5, 1e300}}) crowd.add(p);
+  EXPECT_EQ(crowd.most(), 0u);
+  EXPECT_EQ(crowd.xml(""), "");
+  crowd.add({0, 1}, {20, 1});  // once in each of four squares
+  EXPECT_EQ(crowd.most(), 1u);
+  EXPECT_EQ(count_in(crowd.xml(""), "h5"), 4u);
+  crowd.add({7, 2});
+  EXPECT_EQ(crowd.most(), 2u);
+  EXPECT_EQ(count_in(crowd.xml("stroke='red'"), "<path stroke='red' "), 2u);
 }
 
 TEST(PairPicture, HasATitleAndTheDistance) {

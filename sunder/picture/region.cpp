@@ -36,10 +36,7 @@ Box2 view_of(const RegionPicture& picture) {
   if (picture.best) points.push_back(*picture.best);
   if (points.empty()) points.push_back({0, 0});
   Box2 view{points[0], points[0]};
-  for (const Point2& p : points) {
-    view.low = {std::min(view.low.x, p.x), std::min(view.low.y, p.y)};
-    view.high = {std::max(view.high.x, p.x), std::max(view.high.y, p.y)};
-  }
+  for (const Point2& p : points) view = hull(view, {p, p});
   const double size = std::max(std::fabs(view.low.x), std::fabs(view.low.y));
   const double extent = std::max(view.high.x - view.low.x, view.high.y - view.low.y);
   const double room = extent > 0 ? extent / 2 : size > 0 ? size / 2 : 1;
@@ -96,13 +93,14 @@ std::string region_svg(const RegionPicture& picture) {
   }
   if (best) {
     drawing.arrow(*best, objective, 70, Ink::accent);
-    drawing.dot(*best, Ink::accent, "best");
+    drawing.dot(*best, Ink::accent);
   }
   if (region.empty()) {
     drawing.legend(Ink::accent, "these contradict each other");
   } else {
     drawing.legend(Ink::bold, "common to all");
   }
+  if (best) drawing.legend(Ink::accent, "best, and the way that is better");
   if (drawn > 0) drawing.legend(Ink::calm, "other half-planes");
   if (is_side.size() > drawn + region.sides.size()) {
     drawing.note(fmt::format("Of those that bound nothing, the first {} are drawn.", drawn));

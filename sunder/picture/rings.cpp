@@ -1,3 +1,4 @@
+#include <sunder/picture/density.h>
 #include <sunder/picture/rings.h>
 
 #include <fmt/format.h>
@@ -120,23 +121,16 @@ std::string text_of(const Ring& ring, std::span<const RingKind> kinds,
       ring.at.y + 4.3, ring.label());
 }
 
-// Squares, the darker the more contacts they have.
-void draw_density(Canvas& canvas, std::span<const RingContact> contacts) {
-  constexpr double side = 6;  // pixels
-  std::map<std::pair<long, long>, std::size_t> squares;
-  std::size_t most = 1;
-  for (const auto& [at, number, kind] : contacts) {
-    const std::size_t here = ++squares[{std::lround(at.x / side), std::lround(at.y / side)}];
-    most = std::max(most, here);
+void draw_density(Canvas& canvas, std::span<const RingContact> contacts, std::span<const RingKind> kinds) {
+  Point2 size;
+  for (const RingContact& c : contacts) size = {std::max(size.x, c.at.x), std::max(size.y, c.at.y)};
+  std::vector<Density> crowds(kinds.size(), Density(size.x, size.y));
+  for (const RingContact& c : contacts) crowds[c.kind].add(c.at);
+  std::uint32_t most = 0;
+  for (std::size_t k = kinds.size(); k-- > 0;) {  // the first kind over the others
+    canvas.add(crowds[k].xml(fmt::format("class='{}'", class_of(kinds[k].ink))));
+    most = std::max(most, crowds[k].most());
   }
-  canvas.add("<g fill='#1f2a3a'>\n");
-  for (const auto& [square, count] : squares) {
-    canvas.add(fmt::format("<rect x='{:.0f}' y='{:.0f}' width='{}' height='{}' opacity='{:.2f}'/>\n",
-                           (static_cast<double>(square.first) - 0.5) * side,
-                           (static_cast<double>(square.second) - 0.5) * side, side, side,
-                           0.15 + 0.75 * static_cast<double>(count) / static_cast<double>(most)));
-  }
-  canvas.add("</g>\n");
   canvas.note(fmt::format("Too many contacts for rings: darker squares have more of them, up to {}.", most));
 }
 
@@ -145,7 +139,7 @@ void draw_density(Canvas& canvas, std::span<const RingContact> contacts) {
 void draw_rings(Canvas& canvas, std::span<const RingContact> contacts, std::span<const RingKind> kinds, double right,
                 const std::function<std::string(std::uint32_t)>& tell) {
   if (contacts.empty()) return;
-  if (contacts.size() > most_ringed) return draw_density(canvas, contacts);
+  if (contacts.size() > most_ringed) return draw_density(canvas, contacts, kinds);
   std::set<std::pair<long, long>> dots;  // whole pixels
   Rings rings;
   for (const auto& [at, number, kind] : contacts) {

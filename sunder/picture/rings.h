@@ -29,7 +29,7 @@ struct RingContact {
 //   R1. Every contact has a dot. Where rings, or their labels, would lie over each other, one ring around the first
 //       contact stands for all of them, with their numbers, "3, 8" or "12-37", or how many they are, with a
 //       multiplication sign. A ring that stands for several kinds is dark.
-//       Of more than 10,000 contacts there are no rings: where more of them are, the picture is darker.
+//       Of more than 10,000 contacts there are no rings: squares in the colours of their kinds, the darker the more.
 //   R2. The same contacts in the same order give the same text. Cost: n log n for n contacts; there is room for about
 //       2000 rings.
 void draw_rings(Canvas& canvas, std::span<const RingContact> contacts, std::span<const RingKind> kinds, double right,

@@ -11,8 +11,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -61,50 +63,62 @@ double light_on(const Seen& normal) {
 
 PlacedVertices placed(const scene::Part& part) { return {part.shape.vertices(), part.pose.affine(), false}; }
 
-// The corners of a part in the world, rounded.
-std::vector<Point3> world_vertices(const scene::Part& part) {
-  const PlacedVertices vertices = placed(part);
+// A part, with its corners in the world, rounded.
+struct Placed {
+  std::uint32_t body;
+  const scene::Part* part;
   std::vector<Point3> points;
-  for (std::uint32_t v = 0; v < part.shape.vertices().size(); ++v) {
-    const Vector3<double> p = rounded_image(vertices[v]);
-    points.push_back({p.x, p.y, p.z});
+};
+
+std::vector<Placed> placed_parts(const ScenePanel& panel) {
+  std::vector<Placed> parts;
+  for (std::uint32_t b = 0; b < panel.bodies.size(); ++b) {
+    for (const scene::Part& part : panel.bodies[b].parts) {
+      parts.push_back({b, &part, {}});
+      const PlacedVertices vertices = placed(part);
+      for (std::uint32_t v = 0; v < part.shape.vertices().size(); ++v) {
+        const Vector3<double> p = rounded_image(vertices[v]);
+        parts.back().points.push_back({p.x, p.y, p.z});
+      }
+    }
   }
-  return points;
+  return parts;
 }
 
 // What of a part is turned towards the viewer. Its facets run counter-clockwise seen from outside, clockwise where the
 // pose reflects.
-void add_pieces(std::uint32_t body, std::uint32_t number, const scene::Part& part, const View& view,
-                std::vector<Piece>& out) {
+void add_pieces(const Placed& placed, std::uint32_t number, const View& view, std::vector<Piece>& out) {
+  const solid::ConvexPolyhedron& shape = placed.part->shape;
   std::vector<Seen> points;
-  for (const Point3& p : world_vertices(part)) points.push_back(view(p));
-  if (part.shape.dimension() < 2) {
-    const std::vector<Edge> edges(points.size(), Edge::outline);
-    out.push_back({body, number, 1, std::move(points), edges});
+  for (const Point3& p : placed.points) points.push_back(view(p));
+  if (shape.dimension() < 2) {
+    const std::vector<bool> outline(points.size(), true);
+    out.push_back({placed.body, number, 1, std::move(points), outline});
     return;
   }
-  const auto& m = part.pose.affine().linear;
+  const auto& m = placed.part->pose.affine().linear;
   const double determinant = dot(Seen{m[0], m[1], m[2]}, cross(Seen{m[3], m[4], m[5]}, Seen{m[6], m[7], m[8]}));
-  const double outwards = determinant < 0 ? 1 : -1;  // y runs down
-  std::vector<std::pair<std::uint32_t, Piece>> seen_facets;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> seen_edges;  // as their facets run
-  for (std::uint32_t f = 0; f < part.shape.facet_count(); ++f) {
-    const auto facet = part.shape.facet(f);
-    Piece piece{body, number, 0, {}, {}};
-    for (const std::uint32_t v : facet) piece.corners.push_back(points[v]);
+  const double outwards = determinant < 0 ? 1 : -1;         // y runs down
+  std::vector<std::uint32_t> facets;                        // those that are seen
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;  // of these, as they run
+  const auto each_edge = [&](std::uint32_t f, const auto& visit) {
+    const auto facet = shape.facet(f);
+    for (std::size_t i = 0; i < facet.size(); ++i) visit(facet[i], facet[(i + 1) % facet.size()]);
+  };
+  for (std::uint32_t f = 0; f < shape.facet_count(); ++f) {
+    Piece piece{placed.body, number, 0, {}, {}};
+    for (const std::uint32_t v : shape.facet(f)) piece.corners.push_back(points[v]);
     const Seen n = normal_of(piece.corners), normal{outwards * n.x, outwards * n.y, outwards * n.z};
     if (!(normal.z > 0)) continue;
     piece.light = light_on(normal);
-    for (std::size_t i = 0; i < facet.size(); ++i) seen_edges.insert({facet[i], facet[(i + 1) % facet.size()]});
-    seen_facets.emplace_back(f, std::move(piece));
-  }
-  for (auto& [f, piece] : seen_facets) {
-    const auto facet = part.shape.facet(f);
-    for (std::size_t i = 0; i < facet.size(); ++i) {
-      const bool is_inner = seen_edges.contains({facet[(i + 1) % facet.size()], facet[i]});
-      piece.edges.push_back(is_inner ? Edge::inner : Edge::outline);
-    }
+    each_edge(f, [&](std::uint32_t from, std::uint32_t to) { edges.insert({from, to}); });
+    facets.push_back(f);
     out.push_back(std::move(piece));
+  }
+  auto piece = out.end() - static_cast<std::ptrdiff_t>(facets.size());
+  for (const std::uint32_t f : facets) {
+    each_edge(f, [&](std::uint32_t from, std::uint32_t to) { piece->outline.push_back(!edges.contains({to, from})); });
+    ++piece;
   }
 }
 
@@ -118,10 +132,10 @@ std::string outline_of(const std::vector<Seen>& corners) {
   return path.text();
 }
 
-std::string edges_of(const Piece& piece, Edge kind) {
+std::string outline_edges(const Piece& piece) {
   PathData path;
   for (std::size_t i = 0; i < piece.corners.size(); ++i) {
-    if (piece.edges[i] != kind) continue;
+    if (!piece.outline[i]) continue;
     path.move(tenths(piece.corners[i]));
     path.line(tenths(piece.corners[(i + 1) % piece.corners.size()]));
   }
@@ -132,6 +146,7 @@ class Drawing {
  public:
   explicit Drawing(std::span<const ScenePanel> panels)
       : panels_(panels), canvas_(panel_width * static_cast<double>(panels.size())) {
+    for (const ScenePanel& panel : panels) parts_.push_back(placed_parts(panel));
     each_vertex([&](const Point3& p) { floor_ = std::min(floor_, p.z); });
     legend();
     fit();
@@ -139,35 +154,27 @@ class Drawing {
 
   std::string text(std::string_view title) {
     double bottom = 0;
-    for (std::size_t k = 0; k < panels_.size(); ++k) {
-      bottom = std::max(bottom, panel(panels_[k], panel_width * static_cast<double>(k)));
-    }
+    for (std::size_t k = 0; k < panels_.size(); ++k) bottom = std::max(bottom, panel(k));
     return canvas_.finish(title, "", bottom);
   }
 
  private:
-  template <class Visit>
-  void each_vertex(const Visit& visit) const {
-    for (const ScenePanel& panel : panels_) {
-      for (const scene::Body& body : panel.bodies) {
-        for (const scene::Part& part : body.parts) {
-          for (const Point3& p : world_vertices(part)) visit(p);
-        }
-      }
+  void each_vertex(const std::function<void(const Point3&)>& visit) const {
+    for (const std::vector<Placed>& parts : parts_) {
+      for (const Placed& part : parts) std::for_each(part.points.begin(), part.points.end(), visit);
     }
   }
 
   // Puts all placements, with their shadows, into the same frame.
   void fit() {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Point2 low{infinity, infinity}, high{-infinity, -infinity};
+    std::optional<Box2> seen;
     each_vertex([&](const Point3& vertex) {
-      for (const Seen& p : {view_(vertex), view_({vertex.x, vertex.y, floor_})}) {
-        if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      for (const Seen& s : {view_(vertex), view_({vertex.x, vertex.y, floor_})}) {
+        const Point2 p{s.x, s.y};
+        if (std::isfinite(p.x) && std::isfinite(p.y)) seen = hull(seen.value_or(Box2{p, p}), {p, p});
       }
     });
+    const auto [low, high] = seen.value_or(Box2{});
     const double scale =
         std::min((panel_width - 2 * margin) / (high.x - low.x), (panel_height - 2 * margin) / (high.y - low.y));
     view_.scale = std::isfinite(scale) ? scale : 1;
@@ -178,9 +185,8 @@ class Drawing {
   void legend() {
     const auto swatches = [](const std::array<Colour, 2>& colours) {
       return fmt::format(
-          "<rect x='-8' y='-6' width='14' height='12' rx='3' fill='{}'/><rect x='8' y='-6' width='14' height='12' "
-          "rx='3' "
-          "fill='{}'/>",
+          "<rect x='-8' y='-6' width='14' height='12' rx='3' fill='{}'/>"
+          "<rect x='8' y='-6' width='14' height='12' rx='3' fill='{}'/>",
           shaded(colours[0], 0.8), shaded(colours[1], 0.8));
     };
     canvas_.legend(swatches(calm), "apart, or allowed to meet");
@@ -189,7 +195,10 @@ class Drawing {
   }
 
   // Returns its lower end.
-  double panel(const ScenePanel& panel, double left) {
+  double panel(std::size_t number_of_panel) {
+    const ScenePanel& panel = panels_[number_of_panel];
+    const std::vector<Placed>& parts = parts_[number_of_panel];
+    const double left = panel_width * static_cast<double>(number_of_panel);
     View view = view_;
     view.x += left;
     std::vector<const scene::PartPair*> contacts;
@@ -200,12 +209,9 @@ class Drawing {
       alarmed.insert({pair.body_a, pair.body_b});
     }
     canvas_.add("<g transform='scale(.1)' stroke-linejoin='round' stroke-linecap='round'>\n");
-    shadows(panel, view);
+    shadows(parts, view);
     std::vector<Piece> pieces;
-    std::uint32_t number = 0;
-    for (std::uint32_t b = 0; b < panel.bodies.size(); ++b) {
-      for (const scene::Part& part : panel.bodies[b].parts) add_pieces(b, number++, part, view, pieces);
-    }
+    for (std::uint32_t k = 0; k < parts.size(); ++k) add_pieces(parts[k], k, view, pieces);
     canvas_.add("<g stroke-width='5'>\n");
     for (const Piece& piece : in_painters_order(std::move(pieces))) {
       const bool red = alarmed.contains(piece.body);
@@ -252,40 +258,35 @@ class Drawing {
   }
 
   // Of each part, on the lowest plane, the light straight above.
-  void shadows(const ScenePanel& panel, const View& view) {
+  void shadows(const std::vector<Placed>& parts, const View& view) {
     canvas_.add("<g fill='#26374d' opacity='0.10'>\n");
-    for (const scene::Body& body : panel.bodies) {
-      for (const scene::Part& part : body.parts) {
-        std::vector<Point3> points = world_vertices(part);
-        for (Point3& p : points) p.z = floor_;
-        const solid::ConvexPolyhedron shadow(points);
-        if (shadow.dimension() < 2) continue;
-        std::vector<Seen> corners;
-        for (const std::uint32_t v : shadow.facet(0)) corners.push_back(view(shadow.vertices()[v]));
-        canvas_.add(fmt::format("<path d='{}'/>\n", outline_of(corners)));
-      }
+    for (const Placed& part : parts) {
+      std::vector<Point3> points = part.points;
+      for (Point3& p : points) p.z = floor_;
+      const solid::ConvexPolyhedron shadow(points);
+      if (shadow.dimension() < 2) continue;
+      std::vector<Seen> corners;
+      for (const std::uint32_t v : shadow.facet(0)) corners.push_back(view(shadow.vertices()[v]));
+      canvas_.add(fmt::format("<path d='{}'/>\n", outline_of(corners)));
     }
     canvas_.add("</g>\n");
   }
 
   void draw(const Piece& piece, const Colour& colour, char outline_class) {
-    const std::string fill = shaded(colour, piece.light);
+    const std::string fill = shaded(colour, piece.light), data = outline_of(piece.corners);
     if (piece.corners.size() < 3) {
-      canvas_.add(fmt::format("<path d='{}' stroke='{}' stroke-width='40'/>\n", outline_of(piece.corners), fill));
+      canvas_.add(fmt::format("<path d='{}' stroke='{}' stroke-width='40'/>\n", data, fill));
       return;
     }
     // Strokes hide the seams between neighbours; a little lighter, they show the facets.
-    const bool cut = std::find(piece.edges.begin(), piece.edges.end(), Edge::cut) != piece.edges.end();
-    const std::string edge = shaded(colour, piece.light + 0.1);
-    canvas_.add(
-        fmt::format("<path d='{}' fill='{}' stroke='{}'/>\n", outline_of(piece.corners), fill, cut ? fill : edge));
-    const std::string inner = cut ? edges_of(piece, Edge::inner) : "";
-    const std::string outline = edges_of(piece, Edge::outline);
-    if (!inner.empty()) canvas_.add(fmt::format("<path d='{}' fill='none' stroke='{}'/>\n", inner, edge));
+    const std::string edge = piece.is_cut ? fill : shaded(colour, piece.light + 0.1);
+    canvas_.add(fmt::format("<path d='{}' fill='{}' stroke='{}'/>\n", data, fill, edge));
+    const std::string outline = outline_edges(piece);
     if (!outline.empty()) canvas_.add(fmt::format("<path class='{}' d='{}'/>\n", outline_class, outline));
   }
 
   std::span<const ScenePanel> panels_;
+  std::vector<std::vector<Placed>> parts_;  // of each panel
   Canvas canvas_;
   double floor_ = std::numeric_limits<double>::infinity();
   View view_;

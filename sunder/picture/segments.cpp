@@ -10,7 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <set>
 #include <vector>
 
@@ -21,11 +20,9 @@ namespace {
 using planar::ContactKind;
 using planar::Segment;
 using planar::SegmentsContact;
-using Tenths = PathData::Tenths;
 
 constexpr Sheet sheet{1600, 1200, false};
-constexpr long merged = 3;  // bends nearer than this many tenths are merged
-constexpr std::size_t most_classes = 8, most_bold = 5000, longest_name = 40;
+constexpr std::size_t most_classes = 8, most_bold = 5000, longest_name = 40, most_data = 6'000'000;
 
 // The strongest first: it is drawn last, over the others.
 constexpr std::array<ContactKind, 4> kinds{ContactKind::crossing, ContactKind::overlap, ContactKind::touch,
@@ -44,53 +41,30 @@ class SegmentsPath {
  public:
   explicit SegmentsPath(const PlanePicture& picture) : picture_(picture) {}
 
-  // next: the segment that is added next, or null. whole: no end of this one is merged.
-  void add(const Segment& s, const Segment* next, bool whole) {
-    if (is_open_ && (s.a == end_ || s.b == end_)) return line(s.a == end_ ? s.b : s.a, whole);
-    finish();
+  // next: the segment that is added next, or null.
+  void add(const Segment& s, const Segment* next) {
+    if (is_open_ && (s.a == end_ || s.b == end_)) return line(s.a == end_ ? s.b : s.a);
     const auto is_of_next = [&](const Point2& p) { return next != nullptr && (p == next->a || p == next->b); };
     const bool backwards = is_of_next(s.a) && !is_of_next(s.b);
+    data_.move(pixel(backwards ? s.b : s.a));
     is_open_ = true;
-    is_written_ = false;
-    last_ = skipped_ = pixel(backwards ? s.b : s.a);
-    line(backwards ? s.a : s.b, whole);
+    line(backwards ? s.a : s.b);
   }
 
-  // The data. A line that is all in one place is a dot; a second dot there is left out.
-  const std::string& finish() {
-    if (is_open_ && skipped_ != last_) step(skipped_);
-    if (is_open_ && !is_written_ && dots_.insert(last_).second) step(last_);
-    is_open_ = false;
-    return data_.text();
-  }
+  const std::string& text() const { return data_.text(); }
 
  private:
-  Tenths pixel(const Point2& p) const { return PathData::tenths(picture_.at(p)); }
+  PathData::Tenths pixel(const Point2& p) const { return PathData::tenths(picture_.at(p)); }
 
-  void line(const Point2& to, bool whole) {
+  void line(const Point2& to) {
     end_ = to;
-    const Tenths p = pixel(to);
-    if (whole && skipped_ != last_) step(skipped_);
-    if (!whole && std::abs(p.x - last_.x) < merged && std::abs(p.y - last_.y) < merged) {
-      skipped_ = p;
-    } else {
-      step(p);
-    }
-  }
-
-  void step(const Tenths& p) {
-    if (!is_written_) data_.move(last_);
-    data_.line(p);
-    is_written_ = true;
-    last_ = skipped_ = p;
+    data_.line(pixel(to));
   }
 
   const PlanePicture& picture_;
   PathData data_;
-  bool is_open_ = false, is_written_ = false;  // written: the line has a step
-  Point2 end_;                                 // of the last segment added
-  Tenths last_, skipped_;                      // last written; the end that was merged with it, if any
-  std::set<Tenths> dots_;
+  bool is_open_ = false;
+  Point2 end_;  // of the last segment added
 };
 
 std::vector<Point2> ends_of(const planar::Segments& segments) {
@@ -106,11 +80,7 @@ class Drawing {
         segments_(given.segments),
         contacts_(given.contacts),
         picture_(ends_of(segments_), {sheet.width, sheet.most_height, sheet.one_scale, given.y_down}) {
-    in_contact_.resize(segments_.size());
-    for (const SegmentsContact& contact : contacts_) {
-      in_contact_[contact.i] = in_contact_[contact.j] = true;
-      ++count_.at(position_of(contact.kind));
-    }
+    for (const SegmentsContact& contact : contacts_) ++count_.at(position_of(contact.kind));
   }
 
   std::string text(const std::string& title) {
@@ -155,36 +125,49 @@ class Drawing {
     if (!data.empty()) picture_.add(fmt::format("<path {} d='{}'/>\n", attributes, data));
   }
 
-  std::string data_of(const std::vector<std::uint32_t>& members, bool bold) const {
+  std::string data_of(const std::vector<std::uint32_t>& members) const {
     SegmentsPath data(picture_);
     for (std::size_t k = 0; k < members.size(); ++k) {
-      const Segment* next = k + 1 < members.size() ? &segments_[members[k + 1]] : nullptr;
-      data.add(segments_[members[k]], next, bold || in_contact_[members[k]]);
+      data.add(segments_[members[k]], k + 1 < members.size() ? &segments_[members[k + 1]] : nullptr);
     }
-    return data.finish();
+    return data.text();
   }
 
   void lines() {
-    picture_.add("<g transform='scale(.1)' fill='none' stroke-linejoin='round' stroke-linecap='round'>\n");
     const auto [names, of_segment] = classes();
     std::vector<std::vector<std::uint32_t>> members(std::max(names.size(), std::size_t{1}));
     for (std::uint32_t i = 0; i < segments_.size(); ++i) members[names.empty() ? 0 : of_segment[i]].push_back(i);
+    std::vector<std::string> data;
+    std::size_t size = 0;
+    for (const auto& some : members) size += data.emplace_back(data_of(some)).size();
+    if (size > most_data) crowds(members);
+    picture_.add("<g transform='scale(.1)' fill='none' stroke-linejoin='round' stroke-linecap='round'>\n");
     const int thin = segments_.size() <= 200 ? 16 : segments_.size() <= 5000 ? 11 : 8;
-    for (std::size_t k = 0; k < members.size(); ++k) {
-      path(fmt::format("stroke='{}' stroke-width='{}'", calm.at(k % calm.size()), thin), data_of(members[k], false));
+    for (std::size_t k = 0; k < members.size() && size <= most_data; ++k) {
+      path(fmt::format("stroke='{}' stroke-width='{}'", calm.at(k % calm.size()), thin), data[k]);
     }
     std::array<std::set<std::uint32_t>, kinds.size()> bold;
     SegmentsPath bands(picture_);
     for (const SegmentsContact& contact : contacts_.first(std::min(contacts_.size(), most_bold))) {
       bold.at(position_of(contact.kind)).insert({contact.i, contact.j});
-      if (contact.kind == ContactKind::overlap) bands.add(common_of(contact), nullptr, true);
+      if (contact.kind == ContactKind::overlap) bands.add(common_of(contact), nullptr);
     }
     for (std::size_t k = kinds.size(); k-- > 0;) {
       path(fmt::format("class='{}' stroke-width='22'", class_of(inks.at(k))),
-           data_of({bold.at(k).begin(), bold.at(k).end()}, true));
+           data_of({bold.at(k).begin(), bold.at(k).end()}));
     }
-    path(fmt::format("class='{}' stroke-width='70' stroke-opacity='.5'", class_of(Ink::third)), bands.finish());
+    path(fmt::format("class='{}' stroke-width='70' stroke-opacity='.5'", class_of(Ink::third)), bands.text());
     picture_.add("</g>\n");
+  }
+
+  // What is too much for viewers: of each class where its segments are.
+  void crowds(const std::vector<std::vector<std::uint32_t>>& members) {
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      Density crowd = picture_.density();
+      for (const std::uint32_t i : members[k]) crowd.add(picture_.at(segments_[i].a), picture_.at(segments_[i].b));
+      picture_.add(crowd.xml(fmt::format("stroke='{}'", calm.at(k % calm.size()))));
+    }
+    picture_.note("Too many segments for lines: squares are the darker the more of them pass there.");
   }
 
   // The common point, twice, or part.
@@ -234,7 +217,6 @@ class Drawing {
   const planar::Segments& segments_;
   std::span<const SegmentsContact> contacts_;
   PlanePicture picture_;
-  std::vector<bool> in_contact_;                   // by segment
   std::array<std::size_t, kinds.size()> count_{};  // of contacts
 };
 

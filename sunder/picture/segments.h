@@ -24,7 +24,7 @@ struct SegmentsPicture {
 //       text.
 //   S2. Thin lines: one path for each layer; without layers, for each group, where there are at most 8; else one path.
 //       Segments that follow each other in the file and share an end are one line. Coordinates are tenths of a pixel.
-//       Bends less than 0.3 pixels away from the last one are left out, but no segment that is in a contact.
+//       Where that is over 6 MB: the density of segments instead (density.h).
 //   S3. Bold, in the kind's colour: the segments of the first 5000 contacts; of an overlap, the common part as a band.
 //   S4. x and y are to one scale unless one extent is more than 20 times the other; the picture says so.
 // What it does not do: decide. Positions are rounded. Size: about 5 bytes for a short segment of a line, 20 for one by

@@ -1,6 +1,7 @@
 #include <sunder/number/double_double.h>
 #include <sunder/number/dyadic.h>
 #include <sunder/predicate/orient.h>
+#include <sunder/predicate/stages.h>
 #include <sunder/scene/mesh_departure.h>
 #include <sunder/scene/mesh_sides.h>
 
@@ -33,26 +34,23 @@ struct Plane {
   double scaled = 1;  // the length of the exact normal, divided by longest
 };
 
-std::array<Dyadic, 3> exact_difference(const Point3& p, const Point3& q) {
-  return {Dyadic(p.x) - Dyadic(q.x), Dyadic(p.y) - Dyadic(q.y), Dyadic(p.z) - Dyadic(q.z)};
-}
+Vector3<Dyadic> exact_difference(const Point3& p, const Point3& q) { return lift<ExactStage>(p) - lift<ExactStage>(q); }
 
-std::array<Dyadic, 3> exact_normal(const std::array<Point3, 3>& c) {
-  const auto u = exact_difference(c[1], c[0]), v = exact_difference(c[2], c[0]);
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+Vector3<Dyadic> exact_normal(const std::array<Point3, 3>& c) {
+  return cross(exact_difference(c[1], c[0]), exact_difference(c[2], c[0]));
 }
 
 Plane plane_of(const ConvexPolyhedron& hull, std::uint32_t facet) {
   const auto cycle = hull.facet(facet);
   Plane plane;
   for (std::size_t i = 0; i < 3; ++i) plane.corners[i] = hull.vertices()[cycle[i]];
-  const std::array<Dyadic, 3> normal = exact_normal(plane.corners);
-  for (const Dyadic& entry : normal) {
-    const Dyadic size = entry.sign() == Sign::negative ? -entry : entry;
+  const Vector3<Dyadic> normal = exact_normal(plane.corners);
+  for (const Dyadic* entry : {&normal.x, &normal.y, &normal.z}) {
+    const Dyadic size = entry->sign() == Sign::negative ? -*entry : *entry;
     if ((size - plane.longest).sign() == Sign::positive) plane.longest = size;
   }
-  const auto scaled = [&](std::size_t i) { return nearest_ratio(normal[i], plane.longest); };
-  plane.unit = {scaled(0), scaled(1), scaled(2)};
+  const auto scaled = [&](const Dyadic& entry) { return nearest_ratio(entry, plane.longest); };
+  plane.unit = {scaled(normal.x), scaled(normal.y), scaled(normal.z)};
   plane.scaled = std::sqrt(plane.unit.x * plane.unit.x + plane.unit.y * plane.unit.y + plane.unit.z * plane.unit.z);
   for (double Point3::* axis : {&Point3::x, &Point3::y, &Point3::z}) plane.unit.*axis /= plane.scaled;
   return plane;
@@ -75,8 +73,7 @@ Height rough_height(const Plane& plane, const Point3& p) {
 double height(const Plane& plane, const Point3& p) {
   const Height rough = rough_height(plane, p);
   if (rough.is_accurate()) return rough.value;
-  const std::array<Dyadic, 3> normal = exact_normal(plane.corners), way = exact_difference(plane.corners[0], p);
-  const Dyadic product = normal[0] * way[0] + normal[1] * way[1] + normal[2] * way[2];
+  const Dyadic product = dot(exact_normal(plane.corners), exact_difference(plane.corners[0], p));
   return nearest_ratio(product, plane.longest) / plane.scaled;
 }
 
@@ -230,7 +227,7 @@ class Depth {
 
 // ---- Volumes, six times, in units of scale^3, relative to a point.
 
-using Vector = std::array<DoubleDouble, 3>;
+using Vector = Vector3<DoubleDouble>;
 
 class Volumes {
  public:
@@ -246,11 +243,7 @@ class Volumes {
   DoubleDouble under(std::size_t count, const At& at) const {
     DoubleDouble sum;
     const Vector first = vector(at(0));
-    for (std::size_t i = 1; i + 1 < count; ++i) {
-      const Vector u = vector(at(i)), v = vector(at(i + 1));
-      sum += first[0] * (u[1] * v[2] - u[2] * v[1]) + first[1] * (u[2] * v[0] - u[0] * v[2]) +
-             first[2] * (u[0] * v[1] - u[1] * v[0]);
-    }
+    for (std::size_t i = 1; i + 1 < count; ++i) sum += dot(first, cross(vector(at(i)), vector(at(i + 1))));
     return sum;
   }
 

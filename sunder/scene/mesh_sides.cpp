@@ -6,8 +6,6 @@
 
 namespace sunder::scene {
 
-namespace {
-
 std::vector<std::uint32_t> lowest_of_equals(std::span<const Point3> points) {
   std::vector<std::uint32_t> order(points.size()), lowest(points.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -20,8 +18,6 @@ std::vector<std::uint32_t> lowest_of_equals(std::span<const Point3> points) {
   }
   return lowest;
 }
-
-}  // namespace
 
 MeshSides::MeshSides(const MeshView& mesh) : lowest(lowest_of_equals(mesh.vertices)), corner_begin{0} {
   for (std::uint32_t f = 0; f < mesh.polygon_count(); ++f) {

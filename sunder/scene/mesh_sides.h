@@ -12,6 +12,9 @@
 
 namespace sunder::scene {
 
+// For each point the lowest number of an equal one. Cost: n log n; sorted rather than hashed, so no input is slow.
+std::vector<std::uint32_t> lowest_of_equals(std::span<const Point3> points);
+
 struct MeshSides {
   // An edge of a polygon, from a corner to the next.
   struct Side {

@@ -2,6 +2,7 @@
 #include <sunder/ask/progress.h>
 #include <sunder/ask/region/region_question.h>
 
+#include <sunder/io/triples.h>
 #include <sunder/picture/plane.h>
 #include <sunder/planar/region/disc_intersection.h>
 #include <sunder/planar/region/disc_intersection_json.h>

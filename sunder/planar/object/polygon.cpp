@@ -25,12 +25,12 @@ Polygon::Polygon(std::span<const std::vector<Point2>> rings) {
     if (rings.size() > 1) ring_.resize(vertices_.size(), static_cast<std::uint32_t>(r));
     begin_.push_back(static_cast<std::uint32_t>(vertices_.size()));
   }
-  std::vector<Segment> edges;
-  edges.reserve(size());
-  for (std::uint32_t k = 0; k < size(); ++k) edges.push_back(edge(k));
-  edge_boxes_ = EdgeBoxes(edges);
-  LanesBox all = lanes_box_of(edges[0].a, edges[0].b);
-  for (const Segment& e : edges) all = hull(all, lanes_box_of(e.a, e.b));
+  std::vector<LanesBox> boxes;
+  boxes.reserve(size());
+  for (std::uint32_t k = 0; k < size(); ++k) boxes.push_back(lanes_box_of(vertices_[k], vertices_[next(k)]));
+  edge_boxes_ = EdgeBoxes(boxes);
+  LanesBox all = boxes[0];
+  for (const LanesBox& box : boxes) all = hull(all, box);
   box_ = {{all.low[0], all.low[1]}, {all.high[0], all.high[1]}};
 }
 

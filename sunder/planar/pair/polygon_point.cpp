@@ -1,13 +1,126 @@
 #include <sunder/base/contract.h>
 #include <sunder/base/names.h>
-#include <sunder/planar/pair/point_search.h>
+#include <sunder/planar/pair/evidence.h>
+#include <sunder/planar/pair/extreme_vertex.h>
+#include <sunder/planar/pair/in_world.h>
 #include <sunder/planar/pair/polygon_point.h>
 
+#include <array>
 #include <cmath>
 
 namespace sunder::planar {
 
 namespace {
+
+struct Located {
+  Place place = Place::outside;
+  // The position of the vertex, or that at which the edge begins; outside, that of an edge that has the point strictly
+  // to its right, or, where `in_line`, of the vertex next to the point. Inside, the point is in the triangle of
+  // vertices 0, at, at + 1, and not on its last edge, nor where the other two are edges of the polygon.
+  std::uint32_t at = 0;
+  bool in_line = false;  // outside a point, or outside a segment and in its line
+};
+
+// Cost: at most log2 n + 4 probes, one sign each.
+template <class Sequence>
+Located locate(const Sequence& p, const typename Sequence::Vertex& x, Cost& cost, StageTally& tally) {
+  const std::uint32_t n = p.size();
+  const auto side = [&](std::uint32_t i, std::uint32_t j) {  // of the line from i to j
+    ++cost.probes;
+    return cross_2d(p[i], p[j], p[i], x, &tally);
+  };
+  if (n == 1) {
+    ++cost.probes;
+    if (evidence::equal(p[0], x, tally)) return {Place::vertex, 0};
+    return {Place::outside, 0, true};
+  }
+  const Sign of_first = side(0, 1);
+  if (n == 2) {
+    if (of_first != Sign::zero) return {Place::outside, of_first == Sign::negative ? 0u : 1u};
+    const Sign beyond = dot_2d(p[0], x, p[1], x, &tally);
+    if (beyond == Sign::negative) return {Place::edge, 0};
+    const std::uint32_t near = dot_2d(p[0], p[1], p[0], x, &tally) == Sign::positive ? 1 : 0;
+    if (beyond == Sign::zero) return {Place::vertex, near};
+    return {Place::outside, near, true};
+  }
+  // Not in the cone of vertex 0, or its apex?
+  if (of_first == Sign::negative) return {Place::outside, 0};
+  const Sign of_last = side(0, n - 1);
+  if (of_last == Sign::positive) return {Place::outside, n - 1};
+  if (of_first == Sign::zero && of_last == Sign::zero) return {Place::vertex, 0};
+  // Between which two of the lines from vertex 0?
+  const std::uint32_t i = first_where(2, n - 1,
+                                      [&](std::uint32_t k) {
+                                        ++cost.iterations;
+                                        return side(0, k) == Sign::negative;
+                                      }) -
+                          1;
+  const Sign of_edge = side(i, i + 1);
+  if (of_edge == Sign::negative) return {Place::outside, i};
+  if (of_edge == Sign::zero) {
+    for (const std::uint32_t k : {i, i + 1}) {
+      if (evidence::equal(p[k], x, tally)) return {Place::vertex, k};
+    }
+    return {Place::edge, i};
+  }
+  if (of_first == Sign::zero) return {Place::edge, 0};
+  if (of_last == Sign::zero) return {Place::edge, n - 1};
+  return {Place::inside, i};
+}
+
+// The feature, and the evidence: see PolygonPoint.
+template <class Sequence>
+void explain(const Sequence& p, const typename Sequence::Vertex& x, const Located& found, PolygonPoint& answer,
+             StageTally& tally) {
+  const OnePoint<typename Sequence::Vertex> point(x);
+  const std::array<std::uint32_t, 1> only{0};
+  const std::uint32_t at = found.at, next = position(p, at + 1);
+  answer.place = found.place;
+  switch (found.place) {
+    case Place::outside:
+      if (!found.in_line) {
+        fill_apart_by_edge_of_a(p, at, point, 0, answer.evidence);
+      } else {
+        answer.evidence.verdict = Verdict::apart;
+        answer.evidence.direction = {.kind = Direction::Kind::difference, .index = {p.number(at), 0}};
+        answer.evidence.extreme_a = p.number(at);
+        answer.evidence.extreme_b = 0;
+      }
+      return;
+    case Place::vertex:
+      answer.feature = p.number(at);
+      check_meet(p, std::array{at}, point, only, answer.evidence, tally);
+      return;
+    case Place::edge:
+      answer.feature = edge_number(p, at);
+      check_meet(p, std::array{at, next}, point, only, answer.evidence, tally);
+      return;
+    case Place::inside: check_meet(p, std::array{0u, at, next}, point, only, answer.evidence, tally); return;
+  }
+}
+
+// The tangents from x, outside p, as positions: .left and .right as in Tangents.
+template <class Sequence>
+Extremes find_tangents(const Sequence& p, const typename Sequence::Vertex& x, const Located& found, Cost& cost,
+                       StageTally& tally) {
+  const std::uint32_t n = p.size();
+  if (found.in_line) return {found.at, found.at};
+  const std::uint32_t near = found.at;
+  if (n == 2) return {near, 1 - near};
+  // The edges that have x strictly to their right stand together, and `near` is one of them. Of the two at the vertex
+  // furthest from its line, one at least has not: x, to the right of both, would be on that vertex's far side.
+  const auto sees = [&](std::uint32_t k) {
+    ++cost.probes;
+    ++cost.iterations;
+    return cross_2d(vertex_at(p, k), vertex_at(p, position(p, k) + 1), vertex_at(p, k), x, &tally) == Sign::negative;
+  };
+  const std::uint32_t top = extreme_vertex_by_bisection(p, p[near], vertex_at(p, near + 1), cost, tally);
+  std::uint32_t hidden = sees(top) ? position(p, top + n - 1) : top;
+  if (hidden < near) hidden += n;
+  const std::uint32_t end = first_where(near + 1, hidden, [&](std::uint32_t k) { return !sees(k); });
+  const std::uint32_t begin = first_where(hidden + 1, near + n, sees);
+  return {begin % n, end % n};
+}
 
 // Calls method(p, x, answer, tally) and returns the answer.
 template <class Answer, class Method>

@@ -128,11 +128,7 @@ class Cutter {
 template <class P, class Q>
 void cut_with(const P& p, const Q& q, bool p_is_a, bool overlap, CommonPart& out, StageTally& tally) {
   Cutter<P, Q> cutter(p, q, p_is_a, out, tally);
-  if (overlap) {
-    cutter.overlapping();
-  } else {
-    cutter.thin();
-  }
+  overlap ? cutter.overlapping() : cutter.thin();
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // A binary search over the sides of a region, which are sorted by angle (SH76, section V: "a line of support").
+#include <sunder/planar/pair/edge_runs.h>
 #include <sunder/planar/region/linear_program.h>
 
 #include <cstddef>
@@ -32,10 +33,16 @@ class Support {
   }
 
  private:
+  std::uint32_t size() const { return static_cast<std::uint32_t>(region_.sides.size()); }
   std::uint32_t number(std::size_t p) const { return prepared_ ? prepared_->sides()[p].number : region_.sides[p]; }
   Half side(std::size_t p) const { return prepared_ ? prepared_->sides()[p].half : given_[region_.sides[p]]; }
   Sign turn_to_up(std::size_t p) { return ++probes_, turn(side(p), up_, &tally_); }
   bool is_up(std::size_t p) { return turn_to_up(p) == Sign::zero && facing(side(p), up_, &tally_) == Sign::positive; }
+
+  // Of the positions from one to another: the first one after the objective.
+  std::uint32_t first_after_up(std::uint32_t low, std::uint32_t high) {
+    return first_where(low, high, [&](std::uint32_t p) { return turn_to_up(p) == Sign::negative; });
+  }
 
   LinearProgramAnswer answer_of_kind() {
     switch (region_.kind) {
@@ -90,12 +97,8 @@ class Support {
   // one is. Both are asked, since the table is rounded.
   std::optional<std::size_t> position_by_table() {
     if (!prepared_) return std::nullopt;
-    auto [first, last] = prepared_->around(up_);
-    while (first < last) {
-      const std::uint32_t middle = first + (last - first) / 2;
-      const bool is_after = turn_to_up(middle) == Sign::negative;
-      (is_after ? last : first) = is_after ? middle : middle + 1;
-    }
+    const auto [begin, end] = prepared_->around(up_);
+    const std::size_t first = first_after_up(begin, end);
     const std::size_t n = region_.sides.size(), p = (first == 0 ? n : first) - 1, next = first == n ? 0 : first;
     const bool is_between = turn_to_up(p) != Sign::negative && turn_to_up(next) == Sign::negative;
     return is_between ? std::optional(p) : std::nullopt;
@@ -105,15 +108,13 @@ class Support {
   LinearProgramAnswer closed() {
     if (const std::optional<std::size_t> p = position_by_table()) return at(*p);
     const bool down = points_down(up_);
-    std::size_t first = 0, last = region_.sides.size();  // those before first are not after the objective
-    while (first < last) {
-      const std::size_t middle = first + (last - first) / 2;
-      const Half half = side(middle);
+    const std::uint32_t n = size();
+    const std::uint32_t first = first_where(0, n, [&](std::uint32_t p) {
+      const Half half = side(p);
       const bool half_down = points_down(half);
-      const bool is_after = half_down != down ? half_down : (++probes_, turn(up_, half, &tally_) == Sign::positive);
-      (is_after ? last : first) = is_after ? middle : middle + 1;
-    }
-    return at((first == 0 ? region_.sides.size() : first) - 1);
+      return half_down != down ? half_down : (++probes_, turn(up_, half, &tally_) == Sign::positive);
+    });
+    return at((first == 0 ? n : first) - 1);
   }
 
   // Sides lie within a half turn, and where the objective is not between them, it is in the gap.
@@ -125,13 +126,7 @@ class Support {
     const LinearProgramAnswer far{Optimum::unbounded, number(0), number(forward ? n - 1 : 0), number(1), !forward, {}};
     if (forward || backward) return far;
     if (const std::optional<std::size_t> p = position_by_table()) return at(*p);
-    std::size_t first = 1, last = n - 1;  // the first side that is after the objective
-    while (first < last) {
-      const std::size_t middle = first + (last - first) / 2;
-      const bool is_after = turn_to_up(middle) == Sign::negative;
-      (is_after ? last : first) = is_after ? middle : middle + 1;
-    }
-    return at(first - 1);
+    return at(first_after_up(1, size() - 1) - 1);
   }
 
   const Given& given_;

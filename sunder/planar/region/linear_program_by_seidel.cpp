@@ -1,11 +1,237 @@
-// Seidel's method for all, or for samples (linear_program_search.h).
-#include <sunder/planar/region/linear_program_search.h>
+// Seidel's method for all, or for samples.
+//
+// Ties are broken by turning the objective a little counter-clockwise: less than any two directions given differ. Then
+// an optimum that exists is one corner, of two half-planes, `before` and `after`, whose normals have the turned
+// objective strictly between them. It exists, unless there are contradictions, iff the last normal clockwise of the
+// objective (or in its direction) and the first one counter-clockwise are less than a half turn apart. Where they are
+// not, all normals lie within a half turn; then one line, of an outermost normal, tells whether there is a common
+// point.
+#include <sunder/base/contract.h>
+#include <sunder/base/random.h>
+#include <sunder/planar/region/linear_program.h>
 
 #include <cmath>
+#include <cstdint>
+#include <ranges>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace sunder::planar {
 
 namespace {
+
+template <class Given>
+class ProgramSearch {
+ public:
+  using Half = typename Given::Half;
+
+  // Requires that p and q are not both zero.
+  ProgramSearch(const Given& given, const Objective& objective)
+      : given_(given), up_(through_origin<Half>(objective.p, objective.q)), size_(given.size()) {
+    SUNDER_REQUIRE(objective.p != 0 || objective.q != 0);
+  }
+
+  // The nearest normals: of `before` clockwise of the objective or in its direction, of `after` counter-clockwise or
+  // opposite; of equal ones the tightest.
+  struct Nearest {
+    std::uint32_t before = no_half_plane, after = no_half_plane;
+  };
+  Nearest nearest() {
+    Nearest found;
+    for (std::uint32_t k = 0; k < size_; ++k) {
+      const Half half = given_[k];
+      if (is_after(half)) {
+        if (found.after == no_half_plane || is_nearer(half, given_[found.after], Sign::positive)) found.after = k;
+      } else {
+        if (found.before == no_half_plane || is_nearer(half, given_[found.before], Sign::negative)) found.before = k;
+      }
+    }
+    return found;
+  }
+
+  bool has_corner(const Nearest& nearest) {
+    return nearest.before != no_half_plane && nearest.after != no_half_plane &&
+           turn_of(given_[nearest.before], given_[nearest.after]) == Sign::positive;
+  }
+
+  // The optimum of two half-planes, or a contradiction.
+  struct Basis {
+    std::uint32_t before, after;
+    std::uint32_t third = no_half_plane;  // set: the three contradict each other, third coming between
+    bool contradicts = false;             // so do they, or the two, where it is not set
+  };
+
+  static Basis basis_of(std::uint32_t before, std::uint32_t after) { return {before, after, no_half_plane, false}; }
+
+  // Of the half-planes in `order`, that of the first two being the one of `basis`. Cost: O(n) signs, expected over the
+  // orders of the others.
+  Basis optimum(Basis basis, std::span<const std::uint32_t> order) {
+    for (std::size_t n = 2; n < order.size();) {
+      const FixedCorner<Half> corner{given_[basis.before], given_[basis.after]};
+      while (n < order.size() && corner_side(corner, given_[order[n]], &tally_) != Sign::positive) ++n, ++probes_;
+      if (n == order.size()) break;
+      ++probes_;
+      basis = optimum_on_line(order[n], order.first(n));
+      if (basis.contradicts) break;
+      ++n;
+    }
+    return basis;
+  }
+
+  // Appends those that do not hold the corner of the basis.
+  void append_outside(const Basis& basis, std::vector<std::uint32_t>& numbers) {
+    const FixedCorner<Half> corner{given_[basis.before], given_[basis.after]};
+    for (std::uint32_t k = 0; k < size_; ++k) {
+      if (corner_side(corner, given_[k], &tally_) == Sign::positive) numbers.push_back(k);
+    }
+    probes_ += size_;
+  }
+
+  // What others leave of a line: between its corners with from and to, where these are set.
+  struct Left {
+    std::uint32_t from = no_half_plane, to = no_half_plane;
+    std::uint32_t opposite = no_half_plane;  // set: one that is a half turn from the line's and has no point with it
+  };
+
+  // Requires that none is a tighter one in the same direction. Of several through one point the one that turns most.
+  template <class Numbers>
+  Left left_of_line(std::uint32_t line, const Numbers& others) {
+    const Half on = given_[line];
+    Left left;
+    for (const std::uint32_t k : others) {
+      const Half half = given_[k];
+      const Sign turn = turn_of(on, half);
+      if (turn == Sign::positive) {
+        if (left.to == no_half_plane || cuts_before(on, given_[left.to], half)) left.to = k;
+      } else if (turn == Sign::negative) {
+        if (left.from == no_half_plane || cuts_after(on, given_[left.from], half)) left.from = k;
+      } else if (facing(on, half, &tally_) == Sign::negative && gap(on, half, &tally_) == Sign::negative) {
+        left.opposite = k;
+        return left;
+      }
+    }
+    return left;
+  }
+
+  Left left_of_line(std::uint32_t line) { return left_of_line(line, std::views::iota(std::uint32_t{0}, size_)); }
+
+  // The answer from the optimum of all. Cost: constant; O(N) signs where a normal is in the objective's direction.
+  LinearProgramAnswer answer_of(const Basis& basis) {
+    LinearProgramAnswer answer;
+    answer.before = basis.before;
+    answer.after = basis.after;
+    if (basis.contradicts) {
+      answer.side = basis.third;
+    } else if (turn_of(given_[basis.before], up_) != Sign::zero) {
+      answer.outcome = Optimum::one;
+    } else {
+      answer = edge_of(basis.before);
+    }
+    return with_cost(answer);
+  }
+
+  // The answer where has_corner(nearest) is false.
+  LinearProgramAnswer answer_without_corner(const Nearest& nearest) {
+    const auto [before, after] = nearest;
+    if (before == no_half_plane && after == no_half_plane)
+      return with_cost({Optimum::unbounded, no_half_plane, no_half_plane, no_half_plane, false, {}});
+    if (before == no_half_plane) {
+      const Left left = left_of_line(after);
+      const bool is_opposite = turn_of(given_[after], up_) == Sign::zero;
+      return with_cost({Optimum::unbounded, after, is_opposite ? no_half_plane : after, left.to, !is_opposite, {}});
+    }
+    const Left left = left_of_line(before);
+    if (left.opposite != no_half_plane) {
+      return with_cost({Optimum::infeasible, before, no_half_plane, left.opposite, false, {}});
+    }
+    if (turn_of(given_[before], up_) == Sign::zero) return with_cost(edge_of(before));
+    return with_cost({Optimum::unbounded, before, before, left.from, false, {}});
+  }
+
+ private:
+  Sign turn_of(const Half& i, const Half& j) { return ++probes_, turn(i, j, &tally_); }
+  Sign corner_of(const Half& i, const Half& j, const Half& k) { return ++probes_, corner_side(i, j, k, &tally_); }
+
+  // Is the normal counter-clockwise of the objective by a half turn or less?
+  bool is_after(const Half& half) {
+    const Sign turn = turn_of(up_, half);
+    return turn == Sign::positive || (turn == Sign::zero && facing(up_, half, &tally_) == Sign::negative);
+  }
+
+  bool is_nearer(const Half& half, const Half& than, Sign turn_to_nearest) {
+    const Sign turn = turn_of(half, than);
+    return turn == turn_to_nearest || (turn == Sign::zero && tighter(half, than, &tally_) == Sign::positive);
+  }
+
+  bool cuts_before(const Half& line, const Half& to, const Half& half) {
+    const Sign side = corner_of(line, to, half);
+    return side == Sign::positive || (side == Sign::zero && turn_of(to, half) == Sign::positive);
+  }
+  bool cuts_after(const Half& line, const Half& from, const Half& half) {
+    const Sign side = corner_of(from, line, half);
+    return side == Sign::positive || (side == Sign::zero && turn_of(half, from) == Sign::positive);
+  }
+
+  // Of `line` and others that have an optimum outside of it.
+  Basis optimum_on_line(std::uint32_t line, std::span<const std::uint32_t> others) {
+    const Left left = left_of_line(line, others);
+    if (left.opposite != no_half_plane) return {line, left.opposite, no_half_plane, true};
+    const bool has_both = left.from != no_half_plane && left.to != no_half_plane;
+    if (has_both && corner_of(given_[left.from], given_[line], given_[left.to]) == Sign::positive) {
+      return {left.from, left.to, line, true};
+    }
+    // The objective, turned a little: does it lead forward on the line?
+    const Half half = given_[line];
+    const Sign turn = turn_of(half, up_);
+    const bool forward = turn == Sign::positive || (turn == Sign::zero && facing(half, up_, &tally_) == Sign::positive);
+    return forward ? basis_of(line, left.to) : basis_of(left.from, line);
+  }
+
+  // The optimal points, on a line with common points whose normal is in the direction of the objective.
+  LinearProgramAnswer edge_of(std::uint32_t line) {
+    const Left left = left_of_line(line);
+    LinearProgramAnswer answer{Optimum::many, left.from, line, left.to, false, {}};
+    const bool has_both = left.from != no_half_plane && left.to != no_half_plane;
+    if (has_both && corner_of(given_[left.from], given_[line], given_[left.to]) == Sign::zero) {
+      answer.outcome = Optimum::one;
+    }
+    return answer;
+  }
+
+  LinearProgramAnswer with_cost(LinearProgramAnswer answer) const {
+    answer.cost = {probes_, 0, tally_.exact};
+    return answer;
+  }
+
+  const Given& given_;
+  Half up_;
+  std::uint32_t size_;
+  StageTally tally_;
+  std::uint64_t probes_ = 0;
+};
+
+// All but the first `fixed`, in random order.
+void shuffle(std::vector<std::uint32_t>& order, std::size_t fixed, Random& random) {
+  for (std::size_t n = order.size(); n > fixed + 1; --n)
+    std::swap(order[n - 1], order[fixed + random.below(n - fixed)]);
+}
+
+// For the objective zero: the answer for any other one, as a common point.
+LinearProgramAnswer any_common_point(LinearProgramAnswer answer) {
+  if (!answer.feasible()) return answer;
+  const auto set = [](std::uint32_t i) { return i != no_half_plane; };
+  if (answer.outcome != Optimum::unbounded && set(answer.side)) {
+    // A corner of the optimal line, or the line itself.
+    const std::uint32_t other = set(answer.before) ? answer.before : answer.after;
+    answer.before = set(other) ? other : answer.side;
+    answer.after = set(other) ? answer.side : no_half_plane;
+  }
+  answer.outcome = Optimum::all;
+  answer.side = no_half_plane;
+  answer.backward = false;
+  return answer;
+}
 
 constexpr std::uint64_t seed = 20261201;
 

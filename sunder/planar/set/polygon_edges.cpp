@@ -15,12 +15,7 @@ Segments all_edges(const std::vector<const Polygon*>& polygons) {
   for (const Polygon* polygon : polygons) count += polygon->size();
   edges.reserve(count);
   for (const Polygon* polygon : polygons) {
-    const std::vector<Point2>& v = polygon->vertices();
-    for (std::uint32_t ring = 0; ring < polygon->ring_count(); ++ring) {
-      const std::uint32_t begin = polygon->ring_begin(ring), last = polygon->ring_begin(ring + 1) - 1;
-      for (std::uint32_t k = begin; k < last; ++k) edges.push_back({v[k], v[k + 1]});
-      edges.push_back({v[last], v[begin]});
-    }
+    for (std::uint32_t k = 0; k < polygon->size(); ++k) edges.push_back(polygon->edge(k));
   }
   return Segments(std::move(edges));
 }
@@ -28,12 +23,9 @@ Segments all_edges(const std::vector<const Polygon*>& polygons) {
 }  // namespace
 
 Box2 box_of_ring(const Polygon& polygon, std::uint32_t ring) {
-  const std::vector<Point2>& v = polygon.vertices();
-  const std::uint32_t begin = polygon.ring_begin(ring), end = polygon.ring_begin(ring + 1);
-  Box2 box{v[begin], v[begin]};
-  for (std::uint32_t k = begin + 1; k < end; ++k) {
-    box = hull(box, {v[k], v[k]});
-  }
+  const std::span<const Point2> vertices = polygon.ring(ring);
+  Box2 box{vertices[0], vertices[0]};
+  for (const Point2& p : vertices) box = hull(box, {p, p});
   return box;
 }
 

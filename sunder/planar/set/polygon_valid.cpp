@@ -424,11 +424,7 @@ Cost visit_polygon_defects(std::span<const PolygonRings> parts, const ValidOptio
 PolygonDefects polygon_defects(std::span<const Polygon> parts, const ValidOptions& options) {
   RingSet rings;
   for (std::uint32_t p = 0; p < parts.size(); ++p) {
-    const std::span<const Point2> all(parts[p].vertices());
-    for (std::uint32_t r = 0; r < parts[p].ring_count(); ++r) {
-      const std::uint32_t begin = parts[p].ring_begin(r);
-      rings.add(p, r, all.subspan(begin, parts[p].ring_begin(r + 1) - begin));
-    }
+    for (std::uint32_t r = 0; r < parts[p].ring_count(); ++r) rings.add(p, r, parts[p].ring(r));
   }
   return Check(std::move(rings), options).run();
 }

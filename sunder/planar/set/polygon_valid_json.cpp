@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -151,17 +150,11 @@ ExactPoint2 between(const Point2& p, const Point2& q, const Dyadic& part) {
   return {Dyadic(p.x) + (Dyadic(q.x) - Dyadic(p.x)) * part, Dyadic(p.y) + (Dyadic(q.y) - Dyadic(p.y)) * part, 1.0};
 }
 
-Dyadic power_of_two(int exponent) {
-  Dyadic result(1.0);
-  for (; exponent < -1000; exponent += 1000) result = result * Dyadic(std::ldexp(1.0, -1000));
-  return result * Dyadic(std::ldexp(1.0, exponent));
-}
-
 // On an edge, from its middle to near its ends.
 std::optional<ExactPoint2> misplaced_on(const Numbered& all, std::uint32_t edge) {
   const Segment& e = all.edges[edge];
   for (int k = 1; k < 4000; k += k < 64 ? 1 : k) {
-    const Dyadic part = power_of_two(-k);
+    const Dyadic part = Dyadic::power_of_two(-k);
     for (const auto& [p, q] : {std::pair(e.a, e.b), std::pair(e.b, e.a)}) {
       ExactPoint2 point = between(p, q, part);
       if (is_misplaced(all, all.ring_of[edge], point)) return point;

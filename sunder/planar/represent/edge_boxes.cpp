@@ -1,4 +1,4 @@
-#include <sunder/planar/object/edge_boxes.h>
+#include <sunder/planar/represent/edge_boxes.h>
 
 #include <cmath>
 #include <limits>
@@ -23,14 +23,12 @@ CoarseBox coarse(const LanesBox& box) {
   return {rounded_down(box.low[0]), rounded_up(box.high[0]), rounded_down(box.low[1]), rounded_up(box.high[1])};
 }
 
-EdgeBoxes::EdgeBoxes(std::span<const Segment> edges) {
+EdgeBoxes::EdgeBoxes(std::span<const LanesBox> edges) {
   constexpr float nothing = std::numeric_limits<float>::quiet_NaN();  // compares as false: such a box meets none
   std::vector<CoarseBox> runs;
   for (std::size_t k = 0; k < edges.size(); k += fan) {
-    LanesBox run = lanes_box_of(edges[k].a, edges[k].b);
-    for (std::size_t l = k + 1; l < std::min(k + fan, edges.size()); ++l) {
-      run = hull(run, lanes_box_of(edges[l].a, edges[l].b));
-    }
+    LanesBox run = edges[k];
+    for (std::size_t l = k + 1; l < std::min(k + fan, edges.size()); ++l) run = hull(run, edges[l]);
     runs.push_back(coarse(run));
   }
   fours_ = fours_of(static_cast<std::uint32_t>(runs.size()));

@@ -7,7 +7,6 @@
 
 #include <sunder/base/lanes.h>
 #include <sunder/near/lanes_box.h>
-#include <sunder/planar/object/segments.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -62,8 +61,8 @@ class EdgeBoxes {
   static constexpr std::uint32_t most = 16;  // runs of the top level
 
   EdgeBoxes() = default;
-  // Cost: linear.
-  explicit EdgeBoxes(std::span<const Segment> edges);
+  // Of the boxes of the edges, in turn. Cost: linear.
+  explicit EdgeBoxes(std::span<const LanesBox> edges);
 
   const CoarseBox& whole() const { return whole_; }  // of all edges
   std::uint32_t top() const { return top_; }         // the level; the lowest one, of runs of edges, is 0

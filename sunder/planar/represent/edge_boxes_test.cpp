@@ -1,5 +1,5 @@
 #include <sunder/base/random.h>
-#include <sunder/planar/object/edge_boxes.h>
+#include <sunder/planar/represent/edge_boxes.h>
 
 #include <gtest/gtest.h>
 
@@ -46,16 +46,17 @@ TEST(EdgeBoxesTest, RunsHoldTheirEdges) {
   const float infinite = std::numeric_limits<float>::infinity();
   const FourBoxes everything = FourBoxes::all({-infinite, infinite, -infinite, infinite});
   for (std::uint32_t size = 1; size < 300; size = size < 80 ? size + 1 : size + 37) {
-    std::vector<Segment> edges;
+    std::vector<LanesBox> edges;
     for (std::uint32_t k = 0; k < size; ++k) {
-      edges.push_back({{coordinate(random), coordinate(random)}, Point2{coordinate(random), coordinate(random)}});
+      edges.push_back(
+          lanes_box_of(Point2{coordinate(random), coordinate(random)}, Point2{coordinate(random), coordinate(random)}));
     }
     const EdgeBoxes boxes(edges);
     std::uint32_t members = size;
     for (std::uint32_t l = 0; l <= boxes.top(); ++l) {
       const std::uint32_t runs = (members + EdgeBoxes::fan - 1) / EdgeBoxes::fan;
       for (std::uint32_t k = 0; k < members; ++k) {
-        const LanesBox member = l == 0 ? lanes_box_of(edges[k].a, edges[k].b) : boxes.box(l - 1, k).in_doubles();
+        const LanesBox member = l == 0 ? edges[k] : boxes.box(l - 1, k).in_doubles();
         EXPECT_TRUE(holds(boxes.box(l, k / EdgeBoxes::fan).in_doubles(), member));
       }
       std::uint32_t counted = 0;
