@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 
 namespace sunder::io {
@@ -14,7 +15,9 @@ class Polygons : public testing::Test {
  protected:
   void TearDown() override { std::filesystem::remove(file_); }
 
-  PolygonsRequest request(const std::string& text) const {
+  PolygonsRequest request(std::initializer_list<const char*> lines) const {
+    std::string text;
+    for (const char* const line : lines) text += line;
     write_file_atomically(file_, text);
     PolygonsRequest request;
     request.files = {file_};
@@ -39,7 +42,7 @@ std::string refusal(const PolygonsRequest& request) {
 }
 
 TEST_F(Polygons, AFeatureIsOneOrEachPartIs) {
-  PolygonsRequest asked = request(std::string(triangle) + two_parts);
+  PolygonsRequest asked = request({triangle, two_parts});
   const PolygonsInput input = read_polygons(asked);
   ASSERT_EQ(input.polygons.size(), 2u);
   EXPECT_EQ(input.source[1].feature, 1u);
@@ -51,7 +54,7 @@ TEST_F(Polygons, AFeatureIsOneOrEachPartIs) {
 }
 
 TEST_F(Polygons, WhatIsNotValidIsRefusedOrSkipped) {
-  PolygonsRequest asked = request(std::string(hourglass) + triangle);
+  PolygonsRequest asked = request({hourglass, triangle});
   EXPECT_NE(refusal(asked).find("feature 1: is not valid: ring 0 crosses itself at about (2, 2): edges 0 and 2; mend"),
             std::string::npos)
       << refusal(asked);
@@ -62,12 +65,12 @@ TEST_F(Polygons, WhatIsNotValidIsRefusedOrSkipped) {
   EXPECT_EQ(input.skipped[0].line, 1u);
   EXPECT_EQ(input.left_out_words(), "skipped: 1 invalid feature");
   EXPECT_EQ(input.origin().left_out, std::vector<std::string>{"skipped: 1 invalid feature"});
-  asked.files = {request(hourglass).files[0]};
+  asked.files = {request({hourglass}).files[0]};
   EXPECT_NE(refusal(asked).find("no polygon is valid"), std::string::npos) << refusal(asked);
 }
 
 TEST_F(Polygons, WhatIsMendedIsTold) {
-  PolygonsRequest asked = request(std::string(triangle) + open);
+  PolygonsRequest asked = request({triangle, open});
   EXPECT_NE(refusal(asked).find("feature 2: is not valid"), std::string::npos) << refusal(asked);
   asked.mend = true;
   const PolygonsInput input = read_polygons(asked);

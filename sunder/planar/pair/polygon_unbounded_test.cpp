@@ -83,7 +83,9 @@ TEST(PolygonUnbounded, Random) {
     ASSERT_EQ(answer.kind, scanned.kind);
     ASSERT_EQ(answer.contact, scanned.contact);
     ASSERT_EQ(answer.meet(), answer.kind != CommonKind::nothing);
-    if (kind == 0) ASSERT_EQ(polygon_unbounded_by_fibonacci(polygon, pose, u).kind, scanned.kind);
+    if (kind == 0) {
+      ASSERT_EQ(polygon_unbounded_by_fibonacci(polygon, pose, u).kind, scanned.kind);
+    }
     if (kind == 1 && !answer.meet() && polygon_line(polygon, pose, {p, q}).meet()) ++behind;
     const std::string text = certificate_of(polygon, pose, u, answer, tells_contact);
     const auto verified = sunder_verifier::verify_text(text, "certificate");
