@@ -56,6 +56,13 @@ class Along {
     return Vector3<decltype(column(0))>{column(0), column(1), column(2)};
   }
 
+  template <class D, class V>
+  static auto turn_formula(const D& direction, const V& v, const V& p, const V& q, const V& a, const V& b) {
+    const auto m = cross(p - v, q - v);
+    const auto to_a = a - v, to_b = b - v;
+    return dot(direction, to_a) * dot(m, to_b) - dot(direction, to_b) * dot(m, to_a);
+  }
+
  public:
   // images_tame: as decided by images_are_tame for the body. Keeps references to both arguments.
   Along(const WorldDirection& direction, const Affine3& pose, bool images_tame)
@@ -84,7 +91,29 @@ class Along {
     return compare_further(from, to, tally);
   }
 
+  // The sign of the determinant of three directions: the normal (p - v) x (q - v), the normal (a - v) x (b - v), and
+  // this one. Formula: (direction . (a - v)) m_b - (direction . (b - v)) m_a, with m the first normal's products.
+  // turns_tame: as decided by turns_are_tame for the body; false is always allowed, and costs time only.
+  Sign turn(const Point3& v, const Point3& p, const Point3& q, const Point3& a, const Point3& b, bool turns_tame,
+            StageTally* tally = nullptr) {
+    if (fast_ && turns_tame) {
+      const Guess guess = sign(turn_formula(rounded_, lift<RoundedStage>(v), lift<RoundedStage>(p),
+                                            lift<RoundedStage>(q), lift<RoundedStage>(a), lift<RoundedStage>(b)));
+      if (is_sure(guess)) return counted(&StageTally::rounded, tally, to_sign(guess));
+    }
+    return turn_further(v, p, q, a, b, tally);
+  }
+
  private:
+  const Vector3<Interval>& interval() {
+    if (!interval_) interval_ = pulled<IntervalStage>(direction_.enclosure());
+    return *interval_;
+  }
+  const Vector3<Dyadic>& exact() {
+    if (!exact_) exact_ = pulled<ExactStage>(direction_.exact());
+    return *exact_;
+  }
+
   // The formula of compare() is a Rounded<7>: its magnitude is at most that of the pulled direction times the greatest
   // difference of coordinates, at most 2 reach; another Rounded step pays for the rounding of this product.
   template <int Side>
@@ -102,6 +131,8 @@ class Along {
   }
 
   Sign compare_further(const Point3& from, const Point3& to, StageTally* tally);
+  Sign turn_further(const Point3& v, const Point3& p, const Point3& q, const Point3& a, const Point3& b,
+                    StageTally* tally);
 
   const WorldDirection& direction_;
   const Affine3& pose_;

@@ -1,13 +1,34 @@
 #include <sunder/solid/pair/extreme_vertex.h>
+#include <sunder/solid/represent/hierarchy_walk.h>
+#include <sunder/solid/represent/search_graph_walk.h>
 
 namespace sunder::solid {
+
+namespace {
+
+std::uint32_t extreme_vertex_by_hierarchy(const Placed& body, Along& along, End end, Cost& cost, StageTally& tally) {
+  const Hierarchy& hierarchy = body.body.hierarchy();
+  const std::vector<Point3>& points = hierarchy.points;
+  const bool turns_tame = body.turns_tame();
+  const auto at_end = [end](Sign sign) { return end == End::greatest ? sign : -sign; };
+  const auto compare = [&](std::uint32_t i, std::uint32_t j) {
+    return at_end(along.compare(points[i], points[j], &tally));
+  };
+  const auto turn = [&](std::uint32_t v, std::uint32_t i, std::uint32_t j) {
+    const auto& [p, q] = hierarchy.middle[v];
+    return at_end(along.turn(points[v], points[p], points[q], points[i], points[j], turns_tame, &tally));
+  };
+  return hierarchy.vertex[HierarchyWalk(hierarchy, compare, turn, cost.probes).run()];
+}
+
+}  // namespace
 
 std::uint32_t extreme_vertex_from(const Placed& body, Along& along, End end, std::uint32_t start, Cost& cost,
                                   StageTally& tally) {
   const SearchGraph& graph = body.graph;
   const Sign further = static_cast<Sign>(end);
   VertexBlock block = graph.block(graph.place[start]);
-  while (true) {
+  for (std::uint32_t step = 0; block.count() <= most_around && step <= most_steps; ++step) {
     const std::uint32_t count = block.count();
     cost.probes += count;
     const double *x = block.x(), *y = block.y(), *z = block.z();
@@ -25,6 +46,7 @@ std::uint32_t extreme_vertex_from(const Placed& body, Along& along, End end, std
     if (j == count) return block.vertex();
     block = graph.block(block.place(j));
   }
+  return extreme_vertex_by_hierarchy(body, along, end, cost, tally);
 }
 
 }  // namespace sunder::solid

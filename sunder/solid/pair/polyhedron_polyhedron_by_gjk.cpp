@@ -3,7 +3,7 @@
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
 #include <sunder/solid/pair/simplex_proposals.h>
-#include <sunder/solid/represent/search_graph_walk.h>
+#include <sunder/solid/pair/support.h>
 
 #include <cmath>
 
@@ -22,28 +22,6 @@ bool normalize(Point3& d) {
   };
   d = {component(d.x), component(d.y), component(d.z)};
   return true;
-}
-
-// From a vertex that doubles find furthest along the direction to one that DoubleDouble finds furthest. Ends, because a
-// vertex has one value, counted from where the climb began, and it grows strictly.
-std::uint32_t climb(const Placed& body, const Vector3<DoubleDouble>& direction, std::uint32_t from, Cost& cost) {
-  VertexBlock block = body.graph.block(body.graph.place[from]);
-  const Point3 origin = block.at();
-  DoubleDouble greatest = 0;
-  while (true) {
-    std::uint32_t best = block.count();
-    for (std::uint32_t j = 0; j < block.count(); ++j) {
-      const DoubleDouble value = direction.x * exact_sum(block.x()[j], -origin.x) +
-                                 direction.y * exact_sum(block.y()[j], -origin.y) +
-                                 direction.z * exact_sum(block.z()[j], -origin.z);
-      if (!(value > greatest)) continue;
-      greatest = value;
-      best = j;
-    }
-    cost.probes += block.count();
-    if (best == block.count()) return block.vertex();
-    block = body.graph.block(block.place(best));
-  }
 }
 
 // The search: the state of Gilbert, Johnson and Keerthi's method on two placed bodies.
@@ -75,11 +53,11 @@ class Search {
     const Vector e = a_.pulled(direction), f = negated(b_.pulled(direction));
     const Point3 g = rounded(e), h = rounded(f);
     const std::uint32_t start_a = search_start(a_.graph, g), start_b = search_start(b_.graph, h);
-    w.a = furthest_from(a_.graph, g, start_a, cost.probes);
-    w.b = furthest_from(b_.graph, h, start_b, cost.probes);
+    w.a = support_from(a_.body, g, start_a, cost.probes);
+    w.b = support_from(b_.body, h, start_b, cost.probes);
     if constexpr (!std::is_same_v<Real, double>) {
-      w.a = climb(a_, e, w.a, cost);
-      w.b = climb(b_, f, w.b, cost);
+      w.a = support_in_double_doubles(a_.body, e, w.a, cost.probes);
+      w.b = support_in_double_doubles(b_.body, f, w.b, cost.probes);
     }
     const Vector p = a_.turned<Real>(w.a, simplex.scale), q = b_.turned<Real>(w.b, simplex.scale);
     w.at = {(p.x - q.x) - shift_.x, (p.y - q.y) - shift_.y, (p.z - q.z) - shift_.z};

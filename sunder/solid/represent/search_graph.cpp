@@ -27,7 +27,7 @@ void fill_table(SearchGraph& graph) {
       const std::uint32_t column = row % 2 == 0 ? step : side - 1 - step;  // to and fro: cells in turn are adjacent
       const Point3 direction = folded((2.0 * column + 1) / side - 1, (2.0 * row + 1) / side - 1);
       std::uint64_t probes = 0;
-      last = walk(graph, direction, last, probes);
+      last = walk(graph, direction, last, probes).place;
       graph.table[row * side + column] = last;
     }
   }

@@ -1,0 +1,377 @@
+#include <sunder/base/contract.h>
+#include <sunder/predicate/orient.h>
+#include <sunder/solid/represent/hierarchy.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+// A vertex w is taken away with its star, whose rim is a cycle of at most most_degree vertices, and the hull of the
+// others has a patch over the rim. No two that go at once are adjacent, so their patches have no triangle in common.
+//
+// P1. The patch has the rim's vertices and no others: what it covers of the old surface is the star, where no other
+//     vertex is, and all vertices are extreme.
+// P2. The triangle of the patch at an edge is the one that no other vertex of the rim is above. It is found by going
+//     through them, as around the edge they lie within half a turn.
+// P3. The four vertices of the tetrahedron stay, so there is always an inside, and one of them is strictly below any
+//     plane that supports the hull.
+
+namespace sunder::solid {
+
+namespace {
+
+constexpr std::uint32_t none = Hierarchy::none;
+
+constexpr std::uint32_t after(std::uint32_t place) { return place == 2 ? 0 : place + 1; }
+constexpr std::uint32_t before(std::uint32_t place) { return place == 0 ? 2 : place - 1; }
+
+struct Face {
+  std::array<std::uint32_t, 3> corner;    // counter-clockwise from outside
+  std::array<std::uint32_t, 3> adjacent;  // beyond the edge from corner[i] to corner[i + 1]
+  std::uint32_t beyond = none;            // the vertex whose going made it
+
+  std::uint32_t place_of(std::uint32_t v) const { return corner[0] == v ? 0 : corner[1] == v ? 1 : 2; }
+};
+
+class Builder {
+ public:
+  Builder(std::span<const Point3> points, std::span<const std::uint32_t> facet_begin,
+          std::span<const std::uint32_t> facet_vertices)
+      : points_(points), face_of_(points.size(), none), degree_(points.size(), 0), blocked_(points.size(), 0) {
+    triangulate(facet_begin, facet_vertices);
+    choose_tetrahedron();
+  }
+
+  Hierarchy run() {
+    const std::uint32_t n = static_cast<std::uint32_t>(points_.size());
+    for (std::uint32_t v = 0; v < n; ++v) {
+      const Face& face = faces_[face_of_[v]];
+      const std::uint32_t place = face.place_of(v);
+      middle_.push_back({face.corner[after(place)], face.corner[before(place)]});
+    }
+    std::vector<std::uint32_t> here(n);
+    std::iota(here.begin(), here.end(), 0u);
+    std::vector<std::uint32_t> level_end;
+    while (here.size() > 4) {
+      level_end.push_back(static_cast<std::uint32_t>(here.size()));
+      here = take_away(here);
+    }
+    level_end.push_back(4);
+    std::reverse(level_end.begin(), level_end.end());
+    return history(here, std::move(level_end));
+  }
+
+ private:
+  // The fan from the lowest vertex of each facet.
+  void triangulate(std::span<const std::uint32_t> facet_begin, std::span<const std::uint32_t> facet_vertices) {
+    faces_.reserve(2 * points_.size());
+    for (std::size_t f = 0; f + 1 < facet_begin.size(); ++f) {
+      const auto cycle = facet_vertices.subspan(facet_begin[f], facet_begin[f + 1] - facet_begin[f]);
+      const std::size_t lowest = static_cast<std::size_t>(std::min_element(cycle.begin(), cycle.end()) - cycle.begin());
+      const auto at = [&](std::size_t k) { return cycle[(lowest + k) % cycle.size()]; };
+      for (std::size_t k = 1; k + 1 < cycle.size(); ++k) {
+        const std::uint32_t t = static_cast<std::uint32_t>(faces_.size());
+        faces_.push_back({{at(0), at(k), at(k + 1)}, {k > 1 ? t - 1 : none, none, k + 2 < cycle.size() ? t + 1 : none}});
+        enter(t);
+      }
+    }
+    link_facets();
+  }
+
+  // A face that is new, with its corners.
+  void enter(std::uint32_t t) {
+    for (const std::uint32_t v : faces_[t].corner) {
+      face_of_[v] = t;
+      ++degree_[v];
+    }
+  }
+
+  // Each edge between two facets is there once from each: they are brought together at its lower end.
+  void link_facets() {
+    struct Edge {
+      std::uint32_t to, face, place;
+    };
+    const auto for_each_edge = [&](const auto& take) {
+      for (std::uint32_t t = 0; t < faces_.size(); ++t) {
+        for (const std::uint32_t place : {0u, 1u, 2u}) {
+          if (faces_[t].adjacent[place] != none) continue;
+          const auto [from, to] = std::minmax(faces_[t].corner[place], faces_[t].corner[after(place)]);
+          take(from, Edge{to, t, place});
+        }
+      }
+    };
+    std::vector<std::uint32_t> begin(points_.size() + 1, 0);
+    for_each_edge([&](std::uint32_t from, const Edge&) { ++begin[from + 1]; });
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<Edge> edges(begin.back());
+    std::vector<std::uint32_t> end(begin.begin(), begin.end() - 1);
+    for_each_edge([&](std::uint32_t from, const Edge& edge) { edges[end[from]++] = edge; });
+    for (std::size_t v = 0; v < points_.size(); ++v) {
+      const auto first = edges.begin() + begin[v], last = edges.begin() + begin[v + 1];
+      std::sort(first, last, [](const Edge& a, const Edge& b) { return a.to < b.to; });
+      for (auto edge = first; edge != last; edge += 2) {
+        faces_[edge[0].face].adjacent[edge[0].place] = edge[1].face;
+        faces_[edge[1].face].adjacent[edge[1].place] = edge[0].face;
+      }
+    }
+  }
+
+  // Four vertices that span space, far from each other as far as doubles tell.
+  void choose_tetrahedron() {
+    const std::uint32_t n = static_cast<std::uint32_t>(points_.size());
+    const auto furthest = [&](const auto& distance) {
+      std::uint32_t best = 0;
+      for (std::uint32_t v = 1; v < n; ++v) {
+        if (distance(points_[v]) > distance(points_[best])) best = v;
+      }
+      return best;
+    };
+    const auto from = [](const Point3& a, const Point3& b) { return Point3{b.x - a.x, b.y - a.y, b.z - a.z}; };
+    const auto length = [](const Point3& a) { return a.x * a.x + a.y * a.y + a.z * a.z; };
+    const auto normal = [](const Point3& a, const Point3& b) {
+      return Point3{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    };
+    const std::uint32_t a = furthest([](const Point3& p) { return -p.x; });
+    const std::uint32_t b = furthest([&](const Point3& p) { return length(from(points_[a], p)); });
+    const Point3 ab = from(points_[a], points_[b]);
+    const std::uint32_t c = furthest([&](const Point3& p) { return length(normal(ab, from(points_[a], p))); });
+    const Point3 abc = normal(ab, from(points_[a], points_[c]));
+    const std::uint32_t d = furthest([&](const Point3& p) {
+      const Point3 q = from(points_[a], p);
+      return std::fabs(abc.x * q.x + abc.y * q.y + abc.z * q.z);
+    });
+    tetrahedron_ = {a, b, c, d};
+    if (orient_3d(points_[a], points_[b], points_[c], points_[d]) != Sign::zero) return;
+    // The first facet, and the first vertex outside of its plane.
+    const auto& [i, j, k] = faces_[0].corner;
+    for (std::uint32_t v = 0; v < n; ++v) {
+      if (orient_3d(points_[i], points_[j], points_[k], points_[v]) != Sign::zero) {
+        tetrahedron_ = {i, j, k, v};
+        return;
+      }
+    }
+    SUNDER_REQUIRE(false);  // no interior
+  }
+
+  // Takes an independent set of low degrees away; returns those that stay.
+  std::vector<std::uint32_t> take_away(const std::vector<std::uint32_t>& here) {
+    std::array<std::vector<std::uint32_t>, Hierarchy::most_degree + 1> by_degree;
+    for (const std::uint32_t v : here) {
+      if (degree_[v] <= Hierarchy::most_degree && !is_in_tetrahedron(v)) by_degree[degree_[v]].push_back(v);
+    }
+    ++round_;
+    gone_.clear();
+    for (const std::vector<std::uint32_t>& some : by_degree) {
+      for (const std::uint32_t v : some) {
+        if (blocked_[v] == round_) continue;
+        gone_.push_back(v);
+        blocked_[v] = round_;
+        for_each_around(v, [&](std::uint32_t t, std::uint32_t place) {
+          blocked_[faces_[t].corner[after(place)]] = round_;
+        });
+      }
+    }
+    for (const std::uint32_t v : gone_) take_away(v);
+    std::vector<std::uint32_t> stay;
+    for (const std::uint32_t v : here) {
+      if (face_of_[v] != none) stay.push_back(v);
+    }
+    return stay;
+  }
+
+  // Calls take(face, place of v in it) counter-clockwise about v.
+  template <class Take>
+  void for_each_around(std::uint32_t v, const Take& take) const {
+    std::uint32_t t = face_of_[v];
+    do {
+      const std::uint32_t place = faces_[t].place_of(v);
+      take(t, place);
+      t = faces_[t].adjacent[before(place)];
+    } while (t != face_of_[v]);
+  }
+
+  void take_away(std::uint32_t w) {
+    rim_.clear();
+    beyond_rim_.clear();
+    free_.clear();
+    for_each_around(w, [&](std::uint32_t t, std::uint32_t place) {
+      const Face& face = faces_[t];
+      rim_.push_back(face.corner[after(place)]);
+      beyond_rim_.push_back(face.adjacent[after(place)]);
+      free_.push_back(t);
+      triangles_.push_back({face.corner[after(place)], face.corner[before(place)], face.beyond});
+    });
+    taken_.push_back(w);
+    end_.push_back(static_cast<std::uint32_t>(triangles_.size()));
+    face_of_[w] = none;
+    for (const std::uint32_t v : rim_) degree_[v] -= 2;
+    const std::uint32_t last = static_cast<std::uint32_t>(rim_.size() - 1);
+    link_beyond(last, fill(w, 0, last, beyond_rim_[last]));
+  }
+
+  // Edge i of the rim, from rim_[i] to the next, has this triangle inside.
+  void link_beyond(std::uint32_t i, std::uint32_t inside) {
+    Face& beyond = faces_[beyond_rim_[i]];
+    beyond.adjacent[beyond.place_of(rim_[i + 1 < rim_.size() ? i + 1 : 0])] = inside;
+  }
+
+  // Fills the polygon rim_[i], ..., rim_[j], whose last edge, from rim_[j] to rim_[i], has `outer` beyond it. Returns
+  // the triangle inside that edge, or what is beyond an edge of the rim.
+  std::uint32_t fill(std::uint32_t w, std::uint32_t i, std::uint32_t j, std::uint32_t outer) {
+    if (j == i + 1) {
+      link_beyond(i, outer);
+      return beyond_rim_[i];
+    }
+    std::uint32_t apex = i + 1;
+    for (std::uint32_t k = i + 2; k < j; ++k) {
+      if (is_above(rim_[j], rim_[i], rim_[apex], rim_[k])) apex = k;
+    }
+    const std::uint32_t t = free_.back();
+    free_.pop_back();
+    faces_[t] = {{rim_[j], rim_[i], rim_[apex]}, {outer, none, none}, w};
+    enter(t);
+    faces_[t].adjacent[1] = fill(w, i, apex, t);
+    faces_[t].adjacent[2] = fill(w, apex, j, t);
+    return t;
+  }
+
+  // Is x above the plane of a, b, c, that is, on the side from which they are counter-clockwise, when coplanar vertices
+  // are pulled? Moving p away from a point o inside changes the determinant by minus that with o in p's place; so of
+  // four in a plane that supports the hull the lowest decides, and the side of o is that of any vertex below the plane.
+  bool is_above(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t x) const {
+    const Sign side = orient_3d(points_[a], points_[b], points_[c], points_[x]);
+    if (side != Sign::zero) return side == Sign::positive;
+    std::array<std::uint32_t, 4> four{a, b, c, x};
+    std::uint32_t* const lowest = std::min_element(four.begin(), four.end());
+    for (const std::uint32_t v : tetrahedron_) {
+      const std::uint32_t kept = std::exchange(*lowest, v);
+      const Sign moved = orient_3d(points_[four[0]], points_[four[1]], points_[four[2]], points_[four[3]]);
+      if (moved != Sign::zero) return moved == Sign::negative;
+      *lowest = kept;
+    }
+    return false;
+  }
+
+  bool is_in_tetrahedron(std::uint32_t v) const {
+    return std::find(tetrahedron_.begin(), tetrahedron_.end(), v) != tetrahedron_.end();
+  }
+
+  // Ranks in place of vertex numbers, the last that went first.
+  Hierarchy history(const std::vector<std::uint32_t>& last, std::vector<std::uint32_t> level_end) const {
+    Hierarchy made;
+    made.level_end = std::move(level_end);
+    made.vertex.assign(last.begin(), last.end());
+    made.vertex.insert(made.vertex.end(), taken_.rbegin(), taken_.rend());
+    std::vector<std::uint32_t> rank(points_.size());
+    for (std::uint32_t k = 0; k < made.vertex.size(); ++k) rank[made.vertex[k]] = k;
+    const auto rank_of = [&](std::uint32_t v) { return v == none ? none : rank[v]; };
+    made.points.reserve(points_.size());
+    made.middle.reserve(points_.size());
+    for (const std::uint32_t v : made.vertex) {
+      made.points.push_back(points_[v]);
+      made.middle.push_back({rank[middle_[v][0]], rank[middle_[v][1]]});
+    }
+    made.triangles.reserve(triangles_.size() + 4);
+    made.begin.assign(3, 0);
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t beyond) {
+      made.triangles.push_back({rank_of(a), rank_of(b), rank_of(beyond)});
+    };
+    // Of the tetrahedron: the triangle without its last vertex, and those about that one.
+    const std::uint32_t top = last[3];
+    const Face& base = faces_[faces_[face_of_[top]].adjacent[after(faces_[face_of_[top]].place_of(top))]];
+    const std::uint32_t place = base.place_of(last[2]);
+    add(base.corner[after(place)], base.corner[before(place)], base.beyond);
+    made.begin.push_back(1);
+    for_each_around(top, [&](std::uint32_t t, std::uint32_t at) {
+      add(faces_[t].corner[after(at)], faces_[t].corner[before(at)], faces_[t].beyond);
+    });
+    made.begin.push_back(4);
+    for (std::size_t k = taken_.size(); k-- > 0;) {
+      for (std::uint32_t t = k == 0 ? 0 : end_[k - 1]; t < end_[k]; ++t) {
+        add(triangles_[t].a, triangles_[t].b, triangles_[t].beyond);
+      }
+      made.begin.push_back(static_cast<std::uint32_t>(made.triangles.size()));
+    }
+    return made;
+  }
+
+  std::span<const Point3> points_;
+  std::vector<Face> faces_;
+  std::vector<std::uint32_t> face_of_;  // a face at each vertex; none where it went
+  std::vector<std::uint32_t> degree_;
+  std::vector<std::array<std::uint32_t, 2>> middle_;
+  std::array<std::uint32_t, 4> tetrahedron_{};
+
+  std::vector<std::uint32_t> blocked_;  // the round in which a vertex or a neighbour of it went
+  std::uint32_t round_ = 0;
+  std::vector<std::uint32_t> gone_, rim_, beyond_rim_, free_;
+
+  std::vector<std::uint32_t> taken_;              // in the order in which they went
+  std::vector<std::uint32_t> end_;                // of the star of each
+  std::vector<Hierarchy::Triangle> triangles_{};  // of the stars, with vertex numbers
+};
+
+// Of a polygon: every second vertex goes. The star of a vertex: the edges from the vertex before and to the one after.
+Hierarchy flat_history(std::span<const Point3> points, std::span<const std::uint32_t> cycle) {
+  struct Corner {
+    std::uint32_t vertex, beyond;  // of the edge to the next
+  };
+  std::vector<Corner> here;
+  for (const std::uint32_t v : cycle) here.push_back({v, none});
+  std::vector<std::uint32_t> taken, level_end;
+  std::vector<Hierarchy::Triangle> edges;
+  while (here.size() > 3) {
+    level_end.push_back(static_cast<std::uint32_t>(here.size()));
+    std::vector<Corner> stay;
+    const std::size_t going = std::min(here.size() / 2, here.size() - 3);
+    for (std::size_t k = 0; k < here.size(); ++k) {
+      if (k % 2 == 0 || k / 2 >= going) {
+        stay.push_back(here[k]);
+        continue;
+      }
+      edges.push_back({here[k - 1].vertex, none, here[k - 1].beyond});
+      edges.push_back({here[k + 1 < here.size() ? k + 1 : 0].vertex, none, here[k].beyond});
+      taken.push_back(here[k].vertex);
+      stay.back().beyond = here[k].vertex;
+    }
+    here = std::move(stay);
+  }
+  level_end.push_back(3);
+  Hierarchy made;
+  made.level_end.assign(level_end.rbegin(), level_end.rend());
+  for (const Corner& corner : here) made.vertex.push_back(corner.vertex);
+  made.vertex.insert(made.vertex.end(), taken.rbegin(), taken.rend());
+  std::vector<std::uint32_t> rank(points.size());
+  for (std::uint32_t k = 0; k < made.vertex.size(); ++k) rank[made.vertex[k]] = k;
+  const auto rank_of = [&](std::uint32_t v) { return v == none ? none : rank[v]; };
+  for (const std::uint32_t v : made.vertex) made.points.push_back(points[v]);
+  // Of the triangle: each vertex has both of its edges.
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    made.triangles.push_back({k == 0 ? 2 : k - 1, none, rank_of(here[k == 0 ? 2 : k - 1].beyond)});
+    made.triangles.push_back({k == 2 ? 0 : k + 1, none, rank_of(here[k].beyond)});
+    made.begin.push_back(static_cast<std::uint32_t>(made.triangles.size()));
+  }
+  for (std::size_t k = taken.size(); k-- > 0;) {
+    for (const Hierarchy::Triangle& edge : {edges[2 * k], edges[2 * k + 1]}) {
+      made.triangles.push_back({rank_of(edge.a), none, rank_of(edge.beyond)});
+    }
+    made.begin.push_back(static_cast<std::uint32_t>(made.triangles.size()));
+  }
+  return made;
+}
+
+}  // namespace
+
+std::size_t Hierarchy::memory() const {
+  const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
+  return of(points) + of(vertex) + of(begin) + of(triangles) + of(middle) + of(level_end);
+}
+
+Hierarchy make_hierarchy(std::span<const Point3> vertices, std::span<const std::uint32_t> facet_begin,
+                         std::span<const std::uint32_t> facet_vertices) {
+  if (facet_begin.size() == 3) return flat_history(vertices, facet_vertices.first(facet_begin[1]));
+  return Builder(vertices, facet_begin, facet_vertices).run();
+}
+
+}  // namespace sunder::solid
