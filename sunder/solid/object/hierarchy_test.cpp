@@ -36,7 +36,7 @@ using Surface = std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>
 Surface surface(const Hierarchy& h, std::uint32_t m) {
   Surface edges;
   for (std::uint32_t w = 0; w < m; ++w) {
-    for (const Hierarchy::Triangle& t : h.star(w)) {
+    for (const Hierarchy::Triangle& t : h.nodes[w].star()) {
       if (t.beyond < m) continue;
       EXPECT_TRUE(edges.insert({{w, t.a}, t.b}).second);
       EXPECT_TRUE(edges.insert({{t.a, t.b}, w}).second);
@@ -56,7 +56,7 @@ void check_level(const Hierarchy& h, std::uint32_t m) {
     ASSERT_NE(twin, edges.end());
     ASSERT_LT(apex, m);
     seen[apex] = true;
-    ASSERT_NE(orient_3d(h.points[edge.first], h.points[edge.second], h.points[apex], h.points[twin->second]),
+    ASSERT_NE(orient_3d(h.nodes[edge.first].at, h.nodes[edge.second].at, h.nodes[apex].at, h.nodes[twin->second].at),
               Sign::positive);
   }
   ASSERT_TRUE(std::all_of(seen.begin(), seen.end(), [](bool is) { return is; }));
@@ -67,26 +67,33 @@ void check_structure(const ConvexPolyhedron& body, const Hierarchy& h, bool all_
   // A1, A2 and A3: levels are prefixes of one list of all vertices, from a tetrahedron on.
   ASSERT_EQ(h.level_end.front(), 4u);
   ASSERT_EQ(h.level_end.back(), n);
-  std::vector<std::uint32_t> all = h.vertex;
+  std::vector<std::uint32_t> all;
+  for (const Hierarchy::Node& node : h.nodes) all.push_back(node.vertex);
   std::sort(all.begin(), all.end());
   for (std::uint32_t v = 0; v < n; ++v) ASSERT_EQ(all[v], v);
-  ASSERT_NE(orient_3d(h.points[0], h.points[1], h.points[2], h.points[3]), Sign::zero);
+  ASSERT_NE(orient_3d(h.nodes[0].at, h.nodes[1].at, h.nodes[2].at, h.nodes[3].at), Sign::zero);
   // A4: those of a level have stars of low degree, of vertices of the level above.
   for (std::size_t i = 1; i < h.level_end.size(); ++i) {
     ASSERT_LT(h.level_end[i - 1], h.level_end[i]);
     for (std::uint32_t w = h.level_end[i - 1]; w < h.level_end[i]; ++w) {
-      ASSERT_EQ(h.points[w], body.vertices()[h.vertex[w]]);
-      ASSERT_GE(h.star(w).size(), 3u);
-      ASSERT_LE(h.star(w).size(), Hierarchy::most_degree);
-      for (std::size_t k = 0; k < h.star(w).size(); ++k) {
-        ASSERT_LT(h.star(w)[k].a, h.level_end[i - 1]);
-        ASSERT_EQ(h.star(w)[k].b, h.star(w)[(k + 1) % h.star(w).size()].a);
+      ASSERT_EQ(h.nodes[w].at, body.vertices()[h.nodes[w].vertex]);
+      ASSERT_GE(h.nodes[w].star().size(), 3u);
+      ASSERT_LE(h.nodes[w].star().size(), Hierarchy::most_degree);
+      for (std::size_t k = 0; k < h.nodes[w].star().size(); ++k) {
+        ASSERT_LT(h.nodes[w].star()[k].a, h.level_end[i - 1]);
+        ASSERT_EQ(h.nodes[w].star()[k].b, h.nodes[w].star()[(k + 1) % h.nodes[w].star().size()].a);
       }
     }
   }
   if (all_levels) {
     for (const std::uint32_t m : h.level_end) ASSERT_NO_FATAL_FAILURE(check_level(h, m));
   }
+}
+
+std::size_t triangle_count(const Hierarchy& h) {
+  std::size_t count = 0;
+  for (const Hierarchy::Node& node : h.nodes) count += node.size;
+  return count;
 }
 
 TEST(HierarchyTest, StructureOfEveryFamily) {
@@ -102,11 +109,12 @@ TEST(HierarchyTest, StructureOfEveryFamily) {
       const Hierarchy& h = body.hierarchy();
       ASSERT_NO_FATAL_FAILURE(check_structure(body, h, n <= 1000)) << n;
       levels = std::max(levels, static_cast<double>(h.level_end.size()) / std::log2(size));
-      triangles = std::max(triangles, static_cast<double>(h.triangles.size()) / size);
+      const double made = static_cast<double>(triangle_count(h));
+      triangles = std::max(triangles, made / size);
       if (n == 131072) {
         std::printf("%-14.*s %7.0f vertices, %3zu levels, %5.2f triangles and %4.0f bytes a vertex\n",
                     static_cast<int>(shape.name.size()), shape.name.data(), size, h.level_end.size(),
-                    static_cast<double>(h.triangles.size()) / size, static_cast<double>(h.memory()) / size);
+                    made / size, static_cast<double>(h.memory()) / size);
       }
     }
     std::printf("n = %zu: at most %.2f log2 n levels, %.2f n triangles\n", n, levels, triangles);
@@ -125,13 +133,14 @@ Asked extreme(const ConvexPolyhedron& body, const Point3& d) {
   const WorldDirection direction(d);
   const Affine3 identity;
   Along along(direction, identity, false);
-  const auto compare = [&](std::uint32_t i, std::uint32_t j) { return along.compare(h.points[i], h.points[j]); };
+  const auto at = [&](std::uint32_t rank) { return h.nodes[rank].at; };
+  const auto compare = [&](std::uint32_t i, std::uint32_t j) { return along.compare(at(i), at(j)); };
   const auto turn = [&](std::uint32_t v, std::uint32_t i, std::uint32_t j) {
-    const auto& [p, q] = h.middle[v];
-    return along.turn(h.points[v], h.points[p], h.points[q], h.points[i], h.points[j], false);
+    const auto& [p, q] = h.nodes[v].middle;
+    return along.turn(at(v), at(p), at(q), at(i), at(j), false);
   };
   Asked asked;
-  asked.vertex = h.vertex[HierarchyWalk(h, compare, turn, asked.probes).run()];
+  asked.vertex = h.nodes[HierarchyWalk(h, compare, turn, asked.probes).run()].vertex;
   return asked;
 }
 

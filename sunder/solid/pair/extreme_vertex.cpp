@@ -8,17 +8,17 @@ namespace {
 
 std::uint32_t extreme_vertex_by_hierarchy(const Placed& body, Along& along, End end, Cost& cost, StageTally& tally) {
   const Hierarchy& hierarchy = body.body.hierarchy();
-  const std::vector<Point3>& points = hierarchy.points;
+  const auto at = [&](std::uint32_t rank) -> const Point3& { return hierarchy.nodes[rank].at; };
   const bool turns_tame = body.turns_tame();
   const auto at_end = [end](Sign sign) { return end == End::greatest ? sign : -sign; };
   const auto compare = [&](std::uint32_t i, std::uint32_t j) {
-    return at_end(along.compare(points[i], points[j], &tally));
+    return at_end(along.compare(at(i), at(j), &tally));
   };
   const auto turn = [&](std::uint32_t v, std::uint32_t i, std::uint32_t j) {
-    const auto& [p, q] = hierarchy.middle[v];
-    return at_end(along.turn(points[v], points[p], points[q], points[i], points[j], turns_tame, &tally));
+    const auto& [p, q] = hierarchy.nodes[v].middle;
+    return at_end(along.turn(at(v), at(p), at(q), at(i), at(j), turns_tame, &tally));
   };
-  return hierarchy.vertex[HierarchyWalk(hierarchy, compare, turn, cost.probes).run()];
+  return hierarchy.nodes[HierarchyWalk(hierarchy, compare, turn, cost.probes).run()].vertex;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <sunder/solid/represent/search_graph.h>
 
 #include <cstdint>
+#include <limits>
 
 namespace sunder::solid {
 
@@ -25,6 +26,10 @@ struct Placed {
         pose(at.affine()),
         tame(images_are_tame(at.linear_range(), at.translation_range(), graph.sizes)),
         size(std::max(at.linear_range().greatest * graph.sizes.greatest, at.translation_range().greatest)) {}
+
+  // The same body elsewhere, for searches: nothing is said of what floating point can tell there.
+  Placed(const Placed& of, const Affine3& at)
+      : body(of.body), graph(of.graph), pose(at), tame(false), size(std::numeric_limits<double>::infinity()) {}
 
   Posed3 operator[](std::uint32_t v) const { return {graph.vertices[v], &pose, tame, size}; }
 

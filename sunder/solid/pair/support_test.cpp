@@ -149,7 +149,7 @@ TEST(SupportTest, AnyDirectionWillDo) {
       for (const double y : odd) {
         for (const double z : odd) {
           std::uint64_t probes = 0;
-          ASSERT_LT(furthest(graph, {x, y, z}, probes), body.vertices().size());
+          ASSERT_LT(support(body, {x, y, z}, probes), body.vertices().size());
           ASSERT_LE(probes, 50 * body.vertices().size());
         }
       }

@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/number/vector.h>
 #include <sunder/predicate/orient.h>
 #include <sunder/solid/represent/hierarchy.h>
 
@@ -32,6 +33,41 @@ struct Face {
   std::uint32_t beyond = none;            // the vertex whose going made it
 
   std::uint32_t place_of(std::uint32_t v) const { return corner[0] == v ? 0 : corner[1] == v ? 1 : 2; }
+};
+
+// A hierarchy in the making: takes vertex numbers, and holds ranks, the last that went first.
+struct History {
+  Hierarchy hierarchy;
+  std::vector<std::uint32_t> rank;  // of a vertex
+
+  History(std::span<const Point3> points, std::span<const std::uint32_t> last, std::span<const std::uint32_t> taken,
+          std::vector<std::uint32_t> level_end)
+      : rank(points.size()) {
+    hierarchy.level_end = std::move(level_end);
+    hierarchy.nodes.resize(points.size());
+    for (std::uint32_t k = 0; k < points.size(); ++k) {
+      Hierarchy::Node& node = hierarchy.nodes[k];
+      node.vertex = k < last.size() ? last[k] : taken[points.size() - 1 - k];
+      node.at = points[node.vertex];
+      rank[node.vertex] = k;
+    }
+  }
+
+  void add(std::uint32_t to_star_of, const Hierarchy::Triangle& t) {
+    Hierarchy::Node& node = hierarchy.nodes[rank[to_star_of]];
+    node.around[node.size++] = {rank[t.a], t.b == none ? none : rank[t.b], t.beyond == none ? none : rank[t.beyond]};
+  }
+
+  void set_middle(std::uint32_t v, const std::array<std::uint32_t, 2>& with) {
+    Hierarchy::Node& node = hierarchy.nodes[rank[v]];
+    node.middle = {rank[with[0]], rank[with[1]]};
+    const auto edge = [&](std::uint32_t to) {
+      const Point3& p = hierarchy.nodes[to].at;
+      return Vector3<double>{p.x - node.at.x, p.y - node.at.y, p.z - node.at.z};
+    };
+    const Vector3<double> normal = cross(edge(node.middle[0]), edge(node.middle[1]));
+    node.rounded_middle = {normal.x, normal.y, normal.z};
+  }
 };
 
 class Builder {
@@ -257,43 +293,22 @@ class Builder {
     return std::find(tetrahedron_.begin(), tetrahedron_.end(), v) != tetrahedron_.end();
   }
 
-  // Ranks in place of vertex numbers, the last that went first.
   Hierarchy history(const std::vector<std::uint32_t>& last, std::vector<std::uint32_t> level_end) const {
-    Hierarchy made;
-    made.level_end = std::move(level_end);
-    made.vertex.assign(last.begin(), last.end());
-    made.vertex.insert(made.vertex.end(), taken_.rbegin(), taken_.rend());
-    std::vector<std::uint32_t> rank(points_.size());
-    for (std::uint32_t k = 0; k < made.vertex.size(); ++k) rank[made.vertex[k]] = k;
-    const auto rank_of = [&](std::uint32_t v) { return v == none ? none : rank[v]; };
-    made.points.reserve(points_.size());
-    made.middle.reserve(points_.size());
-    for (const std::uint32_t v : made.vertex) {
-      made.points.push_back(points_[v]);
-      made.middle.push_back({rank[middle_[v][0]], rank[middle_[v][1]]});
-    }
-    made.triangles.reserve(triangles_.size() + 4);
-    made.begin.assign(3, 0);
-    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t beyond) {
-      made.triangles.push_back({rank_of(a), rank_of(b), rank_of(beyond)});
-    };
+    History made(points_, last, taken_, std::move(level_end));
+    for (std::uint32_t v = 0; v < points_.size(); ++v) made.set_middle(v, middle_[v]);
     // Of the tetrahedron: the triangle without its last vertex, and those about that one.
     const std::uint32_t top = last[3];
     const Face& base = faces_[faces_[face_of_[top]].adjacent[after(faces_[face_of_[top]].place_of(top))]];
     const std::uint32_t place = base.place_of(last[2]);
-    add(base.corner[after(place)], base.corner[before(place)], base.beyond);
-    made.begin.push_back(1);
+    made.add(last[2], {base.corner[after(place)], base.corner[before(place)], base.beyond});
     for_each_around(top, [&](std::uint32_t t, std::uint32_t at) {
-      add(faces_[t].corner[after(at)], faces_[t].corner[before(at)], faces_[t].beyond);
+      made.add(top, {faces_[t].corner[after(at)], faces_[t].corner[before(at)], faces_[t].beyond});
     });
-    made.begin.push_back(4);
-    for (std::size_t k = taken_.size(); k-- > 0;) {
-      for (std::uint32_t t = k == 0 ? 0 : end_[k - 1]; t < end_[k]; ++t) {
-        add(triangles_[t].a, triangles_[t].b, triangles_[t].beyond);
-      }
-      made.begin.push_back(static_cast<std::uint32_t>(made.triangles.size()));
+    std::uint32_t t = 0;
+    for (std::size_t k = 0; k < taken_.size(); ++k) {
+      for (; t < end_[k]; ++t) made.add(taken_[k], triangles_[t]);
     }
-    return made;
+    return std::move(made.hierarchy);
   }
 
   std::span<const Point3> points_;
@@ -338,34 +353,23 @@ Hierarchy flat_history(std::span<const Point3> points, std::span<const std::uint
     here = std::move(stay);
   }
   level_end.push_back(3);
-  Hierarchy made;
-  made.level_end.assign(level_end.rbegin(), level_end.rend());
-  for (const Corner& corner : here) made.vertex.push_back(corner.vertex);
-  made.vertex.insert(made.vertex.end(), taken.rbegin(), taken.rend());
-  std::vector<std::uint32_t> rank(points.size());
-  for (std::uint32_t k = 0; k < made.vertex.size(); ++k) rank[made.vertex[k]] = k;
-  const auto rank_of = [&](std::uint32_t v) { return v == none ? none : rank[v]; };
-  for (const std::uint32_t v : made.vertex) made.points.push_back(points[v]);
-  // Of the triangle: each vertex has both of its edges.
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    made.triangles.push_back({k == 0 ? 2 : k - 1, none, rank_of(here[k == 0 ? 2 : k - 1].beyond)});
-    made.triangles.push_back({k == 2 ? 0 : k + 1, none, rank_of(here[k].beyond)});
-    made.begin.push_back(static_cast<std::uint32_t>(made.triangles.size()));
+  std::reverse(level_end.begin(), level_end.end());
+  std::vector<std::uint32_t> last;
+  for (const Corner& corner : here) last.push_back(corner.vertex);
+  History made(points, last, taken, std::move(level_end));
+  for (const std::size_t k : {0u, 1u, 2u}) {  // each vertex of the triangle has both of its edges
+    const Corner &previous = here[(k + 2) % 3], &next = here[(k + 1) % 3];
+    made.add(here[k].vertex, {previous.vertex, none, previous.beyond});
+    made.add(here[k].vertex, {next.vertex, none, here[k].beyond});
   }
-  for (std::size_t k = taken.size(); k-- > 0;) {
-    for (const Hierarchy::Triangle& edge : {edges[2 * k], edges[2 * k + 1]}) {
-      made.triangles.push_back({rank_of(edge.a), none, rank_of(edge.beyond)});
-    }
-    made.begin.push_back(static_cast<std::uint32_t>(made.triangles.size()));
-  }
-  return made;
+  for (std::size_t k = 0; k < edges.size(); ++k) made.add(taken[k / 2], edges[k]);
+  return std::move(made.hierarchy);
 }
 
 }  // namespace
 
 std::size_t Hierarchy::memory() const {
-  const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-  return of(points) + of(vertex) + of(begin) + of(triangles) + of(middle) + of(level_end);
+  return nodes.capacity() * sizeof(Node) + level_end.capacity() * sizeof(level_end[0]);
 }
 
 Hierarchy make_hierarchy(std::span<const Point3> vertices, std::span<const std::uint32_t> facet_begin,

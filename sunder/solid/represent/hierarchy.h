@@ -44,26 +44,27 @@ struct Hierarchy {
     std::uint32_t beyond;  // the vertex that comes beyond it, and takes it away; or none
   };
 
-  std::vector<Point3> points;         // by rank
-  std::vector<std::uint32_t> vertex;  // by rank: its number in the polyhedron
+  struct Node {
+    Point3 at;
+    // A direction along which the vertex is extreme at every level that has it, about which a search tells the sides of
+    // its normal cone apart: the normal of the triangle that it has with the vertices of these ranks on P's surface,
+    // counter-clockwise from outside in this order; and what doubles make of it. Of a polygon: meaningless.
+    std::array<std::uint32_t, 2> middle;
+    std::uint32_t vertex;  // its number in the polyhedron
+    std::uint32_t size = 0;
+    Point3 rounded_middle;
+    std::array<Triangle, most_degree> around;  // the first `size`: the star
+    // Counter-clockwise about it, b of one a of the next. Of the tetrahedron: all triangles of rank 3, and one of rank
+    // 2, with ranks 0 and 1. Of a polygon: the edge from the vertex before, then that to the vertex after; each vertex
+    // of the last triangle has both.
+    std::span<const Triangle> star() const { return {around.data(), size}; }
+  };
 
-  // The star of rank k: triangles[begin[k] .. begin[k + 1]), counter-clockwise about it, b of one a of the next. The
-  // tetrahedron: three of rank 3, and one of rank 2, with ranks 0 and 1. Of a polygon: the edge from the vertex before,
-  // then that to the vertex after; each vertex of the last triangle has both.
-  std::vector<std::uint32_t> begin{0};
-  std::vector<Triangle> triangles;
-
-  // By rank: with it, in this order, a triangle of P's surface. Its normal is a direction along which the vertex is
-  // extreme at every level that has it: the middle about which a search tells the sides of its normal cone apart. Of a
-  // polygon: empty.
-  std::vector<std::array<std::uint32_t, 2>> middle;
+  std::vector<Node> nodes;  // by rank
 
   // P_k has the first level_end[0] ranks, which is 4, P_{k-1} the first level_end[1], ..., P_1 all.
   std::vector<std::uint32_t> level_end;
 
-  std::span<const Triangle> star(std::uint32_t rank) const {
-    return {triangles.data() + begin[rank], triangles.data() + begin[rank + 1]};
-  }
   bool is_flat() const { return level_end.front() == 3; }
   std::size_t memory() const;  // bytes
 };

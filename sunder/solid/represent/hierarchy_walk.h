@@ -58,6 +58,7 @@ class HierarchyWalk {
   using Triangle = Hierarchy::Triangle;
   static constexpr std::uint32_t none = Hierarchy::none;
 
+  std::span<const Triangle> star_of(std::uint32_t rank) const { return hierarchy_.nodes[rank].star(); }
   static bool is_positive(Sign sign) { return sign == Sign::positive; }
   static bool is_negative(Sign sign) { return sign == Sign::negative; }
 
@@ -68,7 +69,7 @@ class HierarchyWalk {
     }
     probes_ += corners;
     if (hierarchy_.is_flat()) {
-      enter(hierarchy_.star(at_)[0], hierarchy_.star(at_)[1]);
+      enter(star_of(at_)[0], star_of(at_)[1]);
     } else {
       start_sector();
     }
@@ -78,11 +79,12 @@ class HierarchyWalk {
   void start_sector() {
     std::array<Triangle, 3> around;
     std::size_t count = 0;
-    for (std::uint32_t t = 0; t < 4; ++t) {
-      const Triangle& triangle = hierarchy_.triangles[t];
-      const std::array<std::uint32_t, 3> corner{t == 0 ? 2u : 3u, triangle.a, triangle.b};
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (corner[k] == at_) around[count++] = {corner[(k + 1) % 3], corner[(k + 2) % 3], triangle.beyond};
+    for (const std::uint32_t of : {2u, 3u}) {
+      for (const Triangle& triangle : star_of(of)) {
+        const std::array<std::uint32_t, 3> corner{of, triangle.a, triangle.b};
+        for (std::size_t k = 0; k < 3; ++k) {
+          if (corner[k] == at_) around[count++] = {corner[(k + 1) % 3], corner[(k + 2) % 3], triangle.beyond};
+        }
       }
     }
     if (around[1].a != around[0].b) std::swap(around[1], around[2]);
@@ -107,12 +109,12 @@ class HierarchyWalk {
 
   void go_to(std::uint32_t w) {
     at_ = w;
-    choose_sector(hierarchy_.star(w));
+    choose_sector(star_of(w));
   }
 
   // W3.
   void pass(std::uint32_t w) {
-    const std::span<const Triangle> star = hierarchy_.star(w);
+    const std::span<const Triangle> star = star_of(w);
     if (left_ == right_) {
       const std::size_t f = find(star, [&](const Triangle& t) { return t.b == at_; });
       to_ = w;
@@ -137,7 +139,7 @@ class HierarchyWalk {
 
   // Of a polygon: left_ is the edge from the vertex before, right_ that to the vertex after.
   void pass_edge(std::uint32_t w, bool is_further) {
-    const std::span<const Triangle> star = hierarchy_.star(w);
+    const std::span<const Triangle> star = star_of(w);
     if (is_further) {
       at_ = w;
       enter(star[0], star[1]);
