@@ -136,8 +136,10 @@ Asked extreme(const ConvexPolyhedron& body, const Point3& d) {
   const auto at = [&](std::uint32_t rank) { return h.nodes[rank].at; };
   const auto compare = [&](std::uint32_t i, std::uint32_t j) { return along.compare(at(i), at(j)); };
   const auto turn = [&](std::uint32_t v, std::uint32_t i, std::uint32_t j) {
-    const auto& [p, q] = h.nodes[v].middle;
-    return along.turn(at(v), at(p), at(q), at(i), at(j), false);
+    const Hierarchy::Node& node = h.nodes[v];
+    if (node.has_middle_in_doubles()) return along.turn(node.middle, node.at, at(i), at(j), false);
+    const auto& [p, q] = node.middle_triangle;
+    return along.turn_about_normal(at(p), at(q), node.at, at(i), at(j));
   };
   Asked asked;
   asked.vertex = h.nodes[HierarchyWalk(h, compare, turn, asked.probes).run()].vertex;

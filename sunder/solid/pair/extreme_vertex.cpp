@@ -15,8 +15,12 @@ std::uint32_t extreme_vertex_by_hierarchy(const Placed& body, Along& along, End 
     return at_end(along.compare(at(i), at(j), &tally));
   };
   const auto turn = [&](std::uint32_t v, std::uint32_t i, std::uint32_t j) {
-    const auto& [p, q] = hierarchy.nodes[v].middle;
-    return at_end(along.turn(at(v), at(p), at(q), at(i), at(j), turns_tame, &tally));
+    const Hierarchy::Node& node = hierarchy.nodes[v];
+    if (node.has_middle_in_doubles()) {
+      return at_end(along.turn(node.middle, node.at, at(i), at(j), turns_tame, &tally));
+    }
+    const auto& [p, q] = node.middle_triangle;
+    return at_end(along.turn_about_normal(at(p), at(q), node.at, at(i), at(j), &tally));
   };
   return hierarchy.nodes[HierarchyWalk(hierarchy, compare, turn, cost.probes).run()].vertex;
 }

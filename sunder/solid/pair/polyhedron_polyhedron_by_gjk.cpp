@@ -1,4 +1,5 @@
 // The search that proposes. See docs/design/solid-pair.md.
+#include <sunder/predicate/along.h>
 #include <sunder/solid/pair/closest_simplex.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
@@ -13,19 +14,6 @@
 namespace sunder::solid {
 
 namespace {
-
-// Scales the direction so that its largest component has size about 1, and drops components that are negligible then;
-// so it is tame (predicate/along.h). Returns false for zero and for what is not finite.
-bool normalize(Point3& d) {
-  const double largest = std::max(std::fabs(d.x), std::max(std::fabs(d.y), std::fabs(d.z)));
-  if (!(largest > 0) || !std::isfinite(d.x) || !std::isfinite(d.y) || !std::isfinite(d.z)) return false;
-  const auto component = [&](double x) {
-    const double part = x / largest;
-    return std::fabs(part) < 0x1p-60 ? 0.0 : part;
-  };
-  d = {component(d.x), component(d.y), component(d.z)};
-  return true;
-}
 
 // The search: the state of Gilbert, Johnson and Keerthi's method on two placed bodies.
 template <class Real>
@@ -120,7 +108,7 @@ class Search {
 // vertices. `w` is what the direction found; it becomes the vertex that is now furthest. Returns false for a direction
 // that is zero or not finite.
 bool settle(const DifferenceSimplex& simplex, Point3& d, DifferenceVertex& w) {
-  if (!normalize(d)) return false;
+  if (!make_tame(d)) return false;
   const std::size_t n = static_cast<std::size_t>(simplex.count);
   if (n < 2) return true;
   Point3 centroid;
@@ -150,7 +138,7 @@ bool settle(const DifferenceSimplex& simplex, Point3& d, DifferenceVertex& w) {
   }
   const double amount = std::min(0x1p-7 / std::sqrt(length2), 0.25 * gap / std::fabs(dot(e, w.at)));
   d = {d.x + amount * e.x, d.y + amount * e.y, d.z + amount * e.z};
-  return normalize(d);
+  return make_tame(d);
 }
 
 constexpr int most_iterations = 100;

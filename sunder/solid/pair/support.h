@@ -22,17 +22,15 @@ std::uint32_t support_by_hierarchy(const ConvexPolyhedron& body, const VectorOf<
     const Point3 &p = hierarchy.nodes[i].at, &q = hierarchy.nodes[j].at;
     return {difference<Real>(q.x, p.x), difference<Real>(q.y, p.y), difference<Real>(q.z, p.z)};
   };
-  const auto middle_of = [&](std::uint32_t v) -> VectorOf<Real> {
-    const Hierarchy::Node& node = hierarchy.nodes[v];
-    if constexpr (std::is_same_v<Real, double>) return node.rounded_middle;
-    else return cross(from_to(v, node.middle[0]), from_to(v, node.middle[1]));
+  const auto middle_of = [&](const Hierarchy::Node& node) -> VectorOf<Real> {
+    return {node.middle.x, node.middle.y, node.middle.z};
   };
   const auto sign_of = [](const Real& x) {
     return x > Real(0) ? Sign::positive : Real(0) > x ? Sign::negative : Sign::zero;
   };
   const auto compare = [&](std::uint32_t i, std::uint32_t j) { return sign_of(dot(direction, from_to(i, j))); };
   const auto turn = [&](std::uint32_t v, std::uint32_t i, std::uint32_t j) {
-    const VectorOf<Real> middle = middle_of(v), a = from_to(v, i), b = from_to(v, j);
+    const VectorOf<Real> middle = middle_of(hierarchy.nodes[v]), a = from_to(v, i), b = from_to(v, j);
     return sign_of(dot(direction, a) * dot(middle, b) - dot(direction, b) * dot(middle, a));
   };
   return hierarchy.nodes[HierarchyWalk(hierarchy, compare, turn, probes).run()].vertex;

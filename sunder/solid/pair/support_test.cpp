@@ -93,7 +93,7 @@ TEST(SupportTest, OfEqualsTheFirst) {
 }
 
 std::uint32_t whole_walk(const SearchGraph& graph, const Point3& d, std::uint32_t start, std::uint64_t& probes) {
-  Walk end{start, false};
+  Walk end{start, false, 0};
   while (!end.has_ended) end = walk(graph, d, end.place, probes);
   return end.place;
 }

@@ -1,6 +1,8 @@
 #include <sunder/base/contract.h>
 #include <sunder/number/vector.h>
+#include <sunder/predicate/along.h>
 #include <sunder/predicate/orient.h>
+#include <sunder/predicate/posed.h>
 #include <sunder/solid/represent/hierarchy.h>
 
 #include <algorithm>
@@ -57,17 +59,6 @@ struct History {
     Hierarchy::Node& node = hierarchy.nodes[rank[to_star_of]];
     node.around[node.size++] = {rank[t.a], t.b == none ? none : rank[t.b], t.beyond == none ? none : rank[t.beyond]};
   }
-
-  void set_middle(std::uint32_t v, const std::array<std::uint32_t, 2>& with) {
-    Hierarchy::Node& node = hierarchy.nodes[rank[v]];
-    node.middle = {rank[with[0]], rank[with[1]]};
-    const auto edge = [&](std::uint32_t to) {
-      const Point3& p = hierarchy.nodes[to].at;
-      return Vector3<double>{p.x - node.at.x, p.y - node.at.y, p.z - node.at.z};
-    };
-    const Vector3<double> normal = cross(edge(node.middle[0]), edge(node.middle[1]));
-    node.rounded_middle = {normal.x, normal.y, normal.z};
-  }
 };
 
 class Builder {
@@ -75,17 +66,15 @@ class Builder {
   Builder(std::span<const Point3> points, std::span<const std::uint32_t> facet_begin,
           std::span<const std::uint32_t> facet_vertices)
       : points_(points), face_of_(points.size(), none), degree_(points.size(), 0), blocked_(points.size(), 0) {
+    const SizeRange of_identity{1, 1};
+    images_are_tame_ = images_are_tame(of_identity, {}, size_range(points));
     triangulate(facet_begin, facet_vertices);
     choose_tetrahedron();
   }
 
   Hierarchy run() {
     const std::uint32_t n = static_cast<std::uint32_t>(points_.size());
-    for (std::uint32_t v = 0; v < n; ++v) {
-      const Face& face = faces_[face_of_[v]];
-      const std::uint32_t place = face.place_of(v);
-      middle_.push_back({face.corner[after(place)], face.corner[before(place)]});
-    }
+    for (std::uint32_t v = 0; v < n; ++v) middle_.push_back(middle_of(v));
     std::vector<std::uint32_t> here(n);
     std::iota(here.begin(), here.end(), 0u);
     std::vector<std::uint32_t> level_end;
@@ -188,6 +177,47 @@ class Builder {
       }
     }
     SUNDER_REQUIRE(false);  // no interior
+  }
+
+  struct Middle {
+    Point3 direction;
+    std::uint32_t face = none;  // none: it is the direction
+    std::array<std::uint32_t, 2> with{};
+  };
+
+  Vector3<double> normal_of(std::uint32_t t) const {
+    const auto& [i, j, k] = faces_[t].corner;
+    return cross(edge(i, j), edge(i, k));
+  }
+  Vector3<double> edge(std::uint32_t from, std::uint32_t to) const {
+    const Point3 &p = points_[from], &q = points_[to];
+    return {q.x - p.x, q.y - p.y, q.z - p.z};
+  }
+
+  // The mean of the normals about v, if all of its neighbours are less far along it.
+  Middle middle_of(std::uint32_t v) const {
+    Vector3<double> sum{0, 0, 0};
+    for_each_around(v, [&](std::uint32_t t, std::uint32_t) {
+      const Vector3<double> n = normal_of(t);
+      const double scale = 1 / std::sqrt(dot(n, n));
+      sum = {sum.x + n.x * scale, sum.y + n.y * scale, sum.z + n.z * scale};
+    });
+    Middle middle{{sum.x, sum.y, sum.z}};
+    if (make_tame(middle.direction)) {
+      const WorldDirection along_sum(middle.direction);
+      const Affine3 identity;
+      Along along(along_sum, identity, images_are_tame_);
+      bool is_furthest = true;
+      for_each_around(v, [&](std::uint32_t t, std::uint32_t place) {
+        const Point3& neighbour = points_[faces_[t].corner[after(place)]];
+        is_furthest = is_furthest && along.compare(points_[v], neighbour) == Sign::negative;
+      });
+      if (is_furthest) return middle;
+    }
+    const Face& face = faces_[face_of_[v]];
+    const std::uint32_t place = face.place_of(v);
+    const Vector3<double> n = normal_of(face_of_[v]);
+    return {{n.x, n.y, n.z}, face_of_[v], {face.corner[after(place)], face.corner[before(place)]}};
   }
 
   // Takes an independent set of low degrees away; returns those that stay.
@@ -295,7 +325,12 @@ class Builder {
 
   Hierarchy history(const std::vector<std::uint32_t>& last, std::vector<std::uint32_t> level_end) const {
     History made(points_, last, taken_, std::move(level_end));
-    for (std::uint32_t v = 0; v < points_.size(); ++v) made.set_middle(v, middle_[v]);
+    for (Hierarchy::Node& node : made.hierarchy.nodes) {
+      const Middle& middle = middle_[node.vertex];
+      node.middle = middle.direction;
+      if (middle.face == none) continue;
+      node.middle_triangle = {made.rank[middle.with[0]], made.rank[middle.with[1]]};
+    }
     // Of the tetrahedron: the triangle without its last vertex, and those about that one.
     const std::uint32_t top = last[3];
     const Face& base = faces_[faces_[face_of_[top]].adjacent[after(faces_[face_of_[top]].place_of(top))]];
@@ -315,7 +350,8 @@ class Builder {
   std::vector<Face> faces_;
   std::vector<std::uint32_t> face_of_;  // a face at each vertex; none where it went
   std::vector<std::uint32_t> degree_;
-  std::vector<std::array<std::uint32_t, 2>> middle_;
+  std::vector<Middle> middle_;
+  bool images_are_tame_;
   std::array<std::uint32_t, 4> tetrahedron_{};
 
   std::vector<std::uint32_t> blocked_;  // the round in which a vertex or a neighbour of it went

@@ -47,12 +47,16 @@ struct Hierarchy {
   struct Node {
     Point3 at;
     // A direction along which the vertex is extreme at every level that has it, about which a search tells the sides of
-    // its normal cone apart: the normal of the triangle that it has with the vertices of these ranks on P's surface,
-    // counter-clockwise from outside in this order; and what doubles make of it. Of a polygon: meaningless.
-    std::array<std::uint32_t, 2> middle;
+    // its normal cone apart. These doubles, where the vertex is further along them than all of its neighbours; else
+    // (in needles, and where facets are nearly coplanar) the normal of the triangle of P's surface that it has with the
+    // vertices of these ranks, counter-clockwise from outside, and the doubles are that normal, rounded. Of a polygon:
+    // meaningless.
+    Point3 middle;
+    std::array<std::uint32_t, 2> middle_triangle{none, none};
+    bool has_middle_in_doubles() const { return middle_triangle[0] == none; }
+
     std::uint32_t vertex;  // its number in the polyhedron
     std::uint32_t size = 0;
-    Point3 rounded_middle;
     std::array<Triangle, most_degree> around;  // the first `size`: the star
     // Counter-clockwise about it, b of one a of the next. Of the tetrahedron: all triangles of rank 3, and one of rank
     // 2, with ranks 0 and 1. Of a polygon: the edge from the vertex before, then that to the vertex after; each vertex

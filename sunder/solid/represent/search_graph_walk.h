@@ -36,36 +36,39 @@ inline std::uint32_t first_with_value(const Point3& direction, const double* x, 
 }
 
 // What a walk may cost: beyond that a hierarchy is faster (hierarchy_walk.h).
-inline constexpr std::uint32_t most_steps = 5;    // from block to block
+inline constexpr std::uint32_t most_steps = 8;    // from block to block
 inline constexpr std::uint32_t most_around = 32;   // neighbours of a vertex that are looked at
 
 struct Walk {
   std::uint32_t place;  // of the last block
   bool has_ended;       // none of its neighbours is better in floating point; else the walk cost too much
+  std::uint64_t steps;
 };
 
 // Goes from the block at `start` to ever better neighbours until none is better in floating point: the best neighbour
-// each time, of equals the first. Adds the vertices it looks at to `probes`.
-inline Walk walk(const SearchGraph& graph, const Point3& direction, std::uint32_t start, std::uint64_t& probes) {
+// each time, of equals the first. Adds the vertices it looks at to `probes`. most: steps.
+inline Walk walk(const SearchGraph& graph, const Point3& direction, std::uint32_t start, std::uint64_t& probes,
+                 std::uint64_t most = most_steps) {
   std::uint32_t at = start;
   VertexBlock block = graph.block(at);
   const Point3 p = block.at();
   double best = direction.x * p.x + direction.y * p.y + direction.z * p.z;
   ++probes;
-  for (std::uint32_t step = 0; block.count() <= most_around; ++step) {
-    if (block.count() == 0) return {at, true};
+  std::uint64_t step = 0;
+  for (; block.count() <= most_around; ++step) {
+    if (block.count() == 0) return {at, true, step};
     const double *x = block.x(), *y = block.y(), *z = block.z();
     probes += block.count();
     const double greatest = greatest_along(direction, x, y, z, block.padded());
-    if (!(greatest > best)) return {at, true};
-    if (step == most_steps) break;
+    if (!(greatest > best)) return {at, true, step};
+    if (step == most) break;
     const std::uint32_t j = first_with_value(direction, x, y, z, block.count(), greatest);
-    if (j == block.count()) return {at, true};  // only if lanes and single doubles were compiled to differ
+    if (j == block.count()) return {at, true, step};  // only if lanes and single doubles were compiled to differ
     best = greatest;
     at = block.place(j);
     block = graph.block(at);
   }
-  return {at, false};
+  return {at, false, step};
 }
 
 // The cell of the direction table: the place of a vertex extreme along a direction nearby. Requires a table. Any
