@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace sunder::solid {
 
@@ -22,7 +23,8 @@ class Search {
   using Vector = VectorOf<Real>;
   using Vertex = DifferenceVertexOf<Real>;
 
-  Search(const Placed& a, const Placed& b) : a_(a), b_(b) {
+  Search(const Placed& a, const Placed& b)
+      : a_(a), b_(b), ranks_(a.graph.is_slow || b.graph.is_slow ? top_ranks : Hierarchy::none) {
     const auto& s = a.pose.translation;
     const auto& t = b.pose.translation;
     const double scale = simplex.scale = scale_of(std::max(a.size, b.size));
@@ -44,8 +46,8 @@ class Search {
     const Vector e = a_.pulled(direction), f = negated(b_.pulled(direction));
     const Point3 g = rounded(e), h = rounded(f);
     const std::uint32_t start_a = search_start(a_.graph, g), start_b = search_start(b_.graph, h);
-    w.a = support_from(a_.body, g, start_a, cost.probes);
-    w.b = support_from(b_.body, h, start_b, cost.probes);
+    w.a = support(a_.body, g, start_a, cost);
+    w.b = support(b_.body, h, start_b, cost);
     if constexpr (!std::is_same_v<Real, double>) {
       w.a = support_in_double_doubles(a_.body, e, w.a, cost.probes);
       w.b = support_in_double_doubles(b_.body, f, w.b, cost.probes);
@@ -54,6 +56,10 @@ class Search {
     w.at = {(p.x - q.x) - shift_.x, (p.y - q.y) - shift_.y, (p.z - q.z) - shift_.z};
     return w;
   }
+
+  // Where walks go down hierarchies, the search begins with the vertices at their top, which stay in the memory caches.
+  // True where that goes on: from now on it is about the whole bodies.
+  bool refine() { return std::exchange(ranks_, Hierarchy::none) != Hierarchy::none; }
 
   // Is w further along the direction than the face, by more than the noise of floating point?
   bool gains_by(const Vertex& w) const {
@@ -88,6 +94,11 @@ class Search {
   // What rounding leaves of a difference of two images, as part of their size: some roundings.
   static constexpr double noise = std::is_same_v<Real, double> ? 0x1p-46 : 0x1p-98;
 
+  std::uint32_t support(const ConvexPolyhedron& body, const Point3& along, std::uint32_t start, Cost& cost) const {
+    return body.search_graph().is_slow ? support_by_hierarchy<double>(body, along, cost.probes, ranks_)
+                                       : support_from(body, along, start, cost.probes);
+  }
+
   // A power of two that brings differences of images near 1 where sixth powers of them could overflow or vanish, as
   // they occur in closest_simplex.cpp; else 1.
   static double scale_of(double size) {
@@ -96,9 +107,12 @@ class Search {
     return std::ldexp(1.0, std::clamp(-std::ilogb(size), -1022, 1022));
   }
 
+  static constexpr std::uint32_t top_ranks = 1024;
+
   const Placed& a_;
   const Placed& b_;
   Vector shift_;
+  std::uint32_t ranks_;
 };
 
 // The direction as a certificate can hold it: tame, and with one vertex of the difference clearly furthest.
@@ -151,13 +165,18 @@ bool propose_in_doubles(const Placed& a, const Placed& b, Search<double>& search
     ++cost.iterations;
     const DifferenceVertex w = search.probe(cost);
     if (dot(search.direction, w.at) < 0) {
+      if (search.refine()) continue;
       DifferenceVertex furthest = w;
       Point3 direction = search.direction;
       if (settle(search.simplex, direction, furthest) && holds(apart_along(direction, furthest.a, furthest.b))) {
         return true;
       }
     }
-    if (!search.gains_by(w) || !search.step_to(w)) break;
+    if (!search.gains_by(w)) {
+      if (search.refine()) continue;
+      break;
+    }
+    if (!search.step_to(w)) break;
   }
   return propose_meet(a, b, search.simplex, holds) ||
          propose_apart_along_features(search.simplex, search.direction, holds);
@@ -169,6 +188,7 @@ template <class Holds>
 bool propose_in_double_doubles(const Placed& a, const Placed& b, const Point3& direction, const Holds& holds,
                                Cost& cost) {
   Search<DoubleDouble> search(a, b);
+  search.refine();
   search.direction = {direction.x, direction.y, direction.z};
   for (int i = 0; i < most_iterations; ++i) {
     ++cost.iterations;

@@ -13,10 +13,10 @@
 
 namespace sunder::solid {
 
-// Down the hierarchy. Requires three vertices or more. Cost: O(log n) probes.
+// Down the hierarchy, to the furthest of the first `end` ranks. Requires three vertices or more. Cost: O(log n) probes.
 template <class Real>
-std::uint32_t support_by_hierarchy(const ConvexPolyhedron& body, const VectorOf<Real>& direction,
-                                   std::uint64_t& probes) {
+std::uint32_t support_by_hierarchy(const ConvexPolyhedron& body, const VectorOf<Real>& direction, std::uint64_t& probes,
+                                   std::uint32_t end = Hierarchy::none) {
   const Hierarchy& hierarchy = body.hierarchy();
   const auto from_to = [&](std::uint32_t i, std::uint32_t j) -> VectorOf<Real> {
     const Point3 &p = hierarchy.nodes[i].at, &q = hierarchy.nodes[j].at;
@@ -33,7 +33,7 @@ std::uint32_t support_by_hierarchy(const ConvexPolyhedron& body, const VectorOf<
     const VectorOf<Real> middle = middle_of(hierarchy.nodes[v]), a = from_to(v, i), b = from_to(v, j);
     return sign_of(dot(direction, a) * dot(middle, b) - dot(direction, b) * dot(middle, a));
   };
-  return hierarchy.nodes[HierarchyWalk(hierarchy, compare, turn, probes).run()].vertex;
+  return hierarchy.nodes[HierarchyWalk(hierarchy, compare, turn, probes, end).run()].vertex;
 }
 
 // `start` is search_start() of the body's graph. Cost: O(log n) probes, fewer where a walk from the table ends soon.
@@ -41,6 +41,7 @@ inline std::uint32_t support_from(const ConvexPolyhedron& body, const Point3& di
                                   std::uint64_t& probes) {
   const SearchGraph& graph = body.search_graph();
   if (graph.padded != 0) return furthest_of_few(graph, direction, probes);
+  if (graph.is_slow) return support_by_hierarchy<double>(body, direction, probes);
   const Walk end = walk(graph, direction, start, probes);
   return end.has_ended ? graph.block(end.place).vertex() : support_by_hierarchy<double>(body, direction, probes);
 }

@@ -44,7 +44,7 @@ struct Hierarchy {
     std::uint32_t beyond;  // the vertex that comes beyond it, and takes it away; or none
   };
 
-  struct Node {
+  struct alignas(64) Node {  // what a walk reads of most vertices is in its first line of the memory cache
     Point3 at;
     // A direction along which the vertex is extreme at every level that has it, about which a search tells the sides of
     // its normal cone apart. These doubles, where the vertex is further along them than all of its neighbours; else

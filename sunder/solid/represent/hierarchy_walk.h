@@ -34,13 +34,17 @@ namespace sunder::solid {
 template <class Compare, class Turn>
 class HierarchyWalk {
  public:
-  HierarchyWalk(const Hierarchy& hierarchy, const Compare& compare, const Turn& turn, std::uint64_t& probes)
-      : hierarchy_(hierarchy), compare_(compare), turn_(turn), probes_(probes) {}
+  // end: of the ranks that there are, for a level of the hierarchy and what is between two.
+  HierarchyWalk(const Hierarchy& hierarchy, const Compare& compare, const Turn& turn, std::uint64_t& probes,
+                std::uint32_t end = none)
+      : hierarchy_(hierarchy), compare_(compare), turn_(turn), probes_(probes), end_(end) {}
 
   // The rank of the extreme vertex.
   std::uint32_t run() {
     start();
-    for (std::uint32_t w = std::min(left_, right_); w != none; w = std::min(left_, right_)) {
+    for (std::uint32_t w = std::min(left_, right_); w < end_; w = std::min(left_, right_)) {
+      __builtin_prefetch(&hierarchy_.nodes[w].around[0]);
+      __builtin_prefetch(&hierarchy_.nodes[w].around[5]);
       const bool is_further = is_positive(compare_(at_, w));
       ++probes_;
       if (hierarchy_.is_flat()) {
@@ -166,6 +170,7 @@ class HierarchyWalk {
   const Compare& compare_;
   const Turn& turn_;
   std::uint64_t& probes_;
+  std::uint32_t end_;
   std::uint32_t at_ = 0;                      // the extreme one so far
   std::uint32_t to_ = 0;                      // the neighbour of the sector
   std::uint32_t left_ = none, right_ = none;  // what comes beyond the triangles left and right of the edge to it

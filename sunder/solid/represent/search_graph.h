@@ -76,6 +76,9 @@ struct SearchGraph {
   std::uint32_t side = 0;
   std::vector<std::uint32_t> table;
 
+  // Are walks from the table often long, or at vertices of many neighbours? Then a hierarchy is faster.
+  bool is_slow = false;
+
   // Empty with many vertices. Else x of all, then y, then z, padded with the first vertex to a multiple of four.
   std::uint32_t padded = 0;
   std::vector<double> all;

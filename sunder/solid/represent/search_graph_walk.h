@@ -111,7 +111,7 @@ inline std::uint32_t furthest_of_few(const SearchGraph& graph, const Point3& dir
 
 // Where a search along the direction begins; asks for the memory that it will read.
 inline std::uint32_t search_start(const SearchGraph& graph, const Point3& direction) {
-  if (graph.padded != 0) return 0;
+  if (graph.padded != 0 || graph.is_slow) return 0;
   const std::uint32_t start = table_start(graph, direction);
   const double* words = graph.blocks.data() + start;
   __builtin_prefetch(words);
