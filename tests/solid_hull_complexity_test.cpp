@@ -37,7 +37,7 @@ std::vector<Point3> filled_cone(std::size_t n, Random& random) {
 
 // k is 0: the answer is of size n.
 TEST(SolidHullGrowth, OfTheShapes) {
-  Growth growth(1.7);
+  Growth growth(6.2);
   const int greatest_power = scaled_count(17, 12) >= 17 ? 17 : 12;
   for (int power = least_growth_power; power <= greatest_power; ++power) {
     const std::size_t n = std::size_t{1} << power;

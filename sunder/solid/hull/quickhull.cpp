@@ -132,6 +132,7 @@ class Quickhull {
   // which is one of them. Returns an edge of the rim, as seen from the hole.
   Edge remove_visible(const Point3& p, std::uint32_t t) {
     Edge rim{t, 0};
+    std::uint64_t tests = 0;
     visible_.assign(1, t);
     triangles_[t].removed = true;
     for (std::size_t i = 0; i < visible_.size(); ++i) {
@@ -139,15 +140,16 @@ class Quickhull {
       for (const std::uint32_t e : {0u, 1u, 2u}) {
         const std::uint32_t beyond = triangles_[v].adjacent[e];
         if (triangles_[beyond].removed) continue;
-        ++side_tests_;
         if (triangles_[beyond].side(points_, p) == Sign::positive) {
           triangles_[beyond].removed = true;
           visible_.push_back(beyond);
         } else {
           rim = {v, e};
         }
+        ++tests;
       }
     }
+    side_tests_ += tests;
     return rim;
   }
 
@@ -188,39 +190,32 @@ class Quickhull {
 
   // Puts point q on the conflict list of a fresh triangle that it is strictly above, if any.
   void place(std::uint32_t q) {
-    if (fresh_.size() > wide_fan) {
-      const std::uint32_t k = fan_place(points_[q]);
-      if (is_above(k, q)) append(fresh_[k], q);
+    const bool wide = fresh_.size() > wide_fan;
+    const std::size_t first = wide ? fan_place(points_[q]) : 0, end = wide ? first + 1 : fresh_.size();
+    for (std::size_t k = first; k < end; ++k) {
+      Fresh& fresh = fresh_[k];
+      Triangle& triangle = triangles_[fresh.triangle];
+      if (triangle.side(points_, points_[q]) != Sign::positive) continue;
+      const std::uint32_t farthest = triangle.outside;
+      if (farthest == none || is_farther(triangle, q, farthest)) {
+        next_outside_[q] = farthest;
+        triangle.outside = q;
+      } else {
+        next_outside_[q] = next_outside_[farthest];
+        next_outside_[farthest] = q;
+      }
+      ++fresh.outside_count;
+      side_tests_ += k + 1 - first;
       return;
     }
-    for (std::uint32_t k = 0; k < fresh_.size(); ++k) {
-      if (is_above(k, q)) return append(fresh_[k], q);
-    }
-  }
-
-  bool is_above(std::uint32_t k, std::uint32_t q) {
-    ++side_tests_;
-    return triangles_[fresh_[k].triangle].side(points_, points_[q]) == Sign::positive;
-  }
-
-  void append(Fresh& fresh, std::uint32_t q) {
-    Triangle& triangle = triangles_[fresh.triangle];
-    const std::uint32_t farthest = triangle.outside;
-    if (farthest == none || is_farther(triangle, q, farthest)) {
-      next_outside_[q] = farthest;
-      triangle.outside = q;
-    } else {
-      next_outside_[q] = next_outside_[farthest];
-      next_outside_[farthest] = q;
-    }
-    ++fresh.outside_count;
+    side_tests_ += end - first;
   }
 
   // Fans of more triangles are searched by halving. The limit is uncritical.
-  static constexpr std::uint32_t wide_fan = 16;
+  static constexpr std::uint32_t wide_fan = 64;
 
   // The number of the fresh triangle that q is strictly above if it is strictly above any; see Q7.
-  std::uint32_t fan_place(const Point3& q) {
+  [[gnu::noinline]] std::uint32_t fan_place(const Point3& q) {
     const auto last = static_cast<std::uint32_t>(fresh_.size()) - 1;
     const Sign to_first = fan_side(1, q), to_last = fan_side(last, q);
     if (to_first == Sign::positive) return 0;    // the plane of the first triangle
