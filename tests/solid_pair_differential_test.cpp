@@ -60,7 +60,7 @@ TEST(SolidPairDifferential, MethodsAgreeWithTheScan) {
     }
     if (c.touches_exactly) {
       ASSERT_TRUE(gjk.meet()) << i;
-      if (i % 8 == 2) {
+      if (tallies[c.family].cases % 4 == 0) {
         ASSERT_EQ(polyhedron_polyhedron_contact(c.a, c.pose_a, c.b, c.pose_b), Contact::touching) << i;
       }
     }
@@ -72,16 +72,16 @@ TEST(SolidPairDifferential, MethodsAgreeWithTheScan) {
     t.evidence += gjk.decided_by == DecidedBy::evidence;
     t.finishing += gjk.decided_by == DecidedBy::finishing;
   }
-  std::printf("%-14s %8s %8s %8s %8s %8s %9s\n", "family", "cases", "meet", "touch", "filter", "evidence", "finishing");
+  std::printf("%-15s %8s %8s %8s %8s %8s %9s\n", "family", "cases", "meet", "touch", "filter", "evidence", "finishing");
   for (const auto& [family, t] : tallies) {
-    std::printf("%-14s %8d %8d %8d %8d %8d %9d\n", std::string(name_of(family)).c_str(), t.cases, t.meets, t.touches,
+    std::printf("%-15s %8d %8d %8d %8d %8d %9d\n", std::string(name_of(family)).c_str(), t.cases, t.meets, t.touches,
                 t.filter, t.evidence, t.finishing);
   }
   if (count < 2000) return;  // too few for the rates below
   // The test tested something: both verdicts are common in each family that can have both.
   for (const auto& [family, t] : tallies) {
     EXPECT_GE(t.cases, count / family_count);
-    if (family == Family::touching) {
+    if (family == Family::touching || family == Family::shapes_touching) {
       EXPECT_EQ(t.meets, t.cases);
     } else if (family == Family::contained) {  // but where the shrunk copy left a body without the origin
       EXPECT_GT(t.meets, t.cases - t.cases / 20);
@@ -96,7 +96,11 @@ TEST(SolidPairDifferential, MethodsAgreeWithTheScan) {
   // So is nearly everything else, because the search in double-double precision sees the last bits; but not where the
   // bodies' sizes are further apart than even its numbers reach.
   for (const auto& [family, t] : tallies) {
-    EXPECT_LE(t.finishing, family == Family::tiny_or_huge ? t.cases / 10 : t.cases / 200) << name_of(family);
+    if (family == Family::stretched) {
+      EXPECT_GT(t.finishing, 0);  // no search in floating point reaches across 600 decimal digits
+    } else {
+      EXPECT_LE(t.finishing, family == Family::tiny_or_huge ? t.cases / 10 : t.cases / 200) << name_of(family);
+    }
   }
   // And the hard families do reach the exact methods.
   EXPECT_GT(tallies[Family::touching].evidence + tallies[Family::touching].finishing,
@@ -126,7 +130,7 @@ TEST(SolidPairDifferential, SymmetriesKeepTheVerdict) {
     };
     ASSERT_EQ(polyhedron_polyhedron(c.a, reposed(c.pose_a, reflect), c.b, reposed(c.pose_b, reflect)).meet(), meet)
         << "reflected " << i;
-    if (c.family != Family::tiny_or_huge) {
+    if (c.family != Family::tiny_or_huge && c.family != Family::stretched) {
       for (const double s : {0x1p-40, 0x1p300, 0x1p-300}) {
         const auto scale = [&](Affine3& m) {
           for (double& x : m.linear) x *= s;
