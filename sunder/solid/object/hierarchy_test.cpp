@@ -98,7 +98,7 @@ std::size_t triangle_count(const Hierarchy& h) {
 
 TEST(HierarchyTest, StructureOfEveryFamily) {
   Random random(tests::chosen_seed(71));
-  for (const std::size_t n : {12, 100, 1000, 20000, 131072}) {
+  for (const std::size_t n : {12u, 100u, 1000u, 20000u, 131072u}) {
     double levels = 0, triangles = 0;
     for (const tests::SolidShape& shape : tests::all_solid_shapes()) {
       if (shape.name == "flat") continue;
@@ -167,7 +167,7 @@ TEST(HierarchyTest, TheWalkEndsAtAnExtremeVertex) {
   Random random(tests::chosen_seed(73));
   for (const tests::SolidShape& shape : tests::all_solid_shapes()) {
     SCOPED_TRACE(shape.name);
-    for (const std::size_t n : {8, 20, 100, 1000}) {
+    for (const std::size_t n : {8u, 20u, 100u, 1000u}) {
       const ConvexPolyhedron body(shape.make(n, random));
       if (body.dimension() < 2) continue;
       const int times = tests::scaled_count(n < 1000 ? 150 : 60);
@@ -208,7 +208,7 @@ TEST(HierarchyTest, OfWholeNumbers) {
 TEST(HierarchyTest, ProbesGrowAsTheLogarithm) {
   Random random(tests::chosen_seed(83));
   constexpr double most_probes = 4.2;  // times log2 n: 1.5 times the greatest at n = 1,000
-  for (const std::size_t n : {1000, 16384, 131072}) {
+  for (const std::size_t n : {1000u, 16384u, 131072u}) {
     double worst = 0;
     for (const tests::SolidShape& shape : tests::all_solid_shapes()) {
       const ConvexPolyhedron body(shape.make(n, random));

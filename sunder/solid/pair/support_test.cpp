@@ -142,7 +142,6 @@ TEST(SupportTest, AnyDirectionWillDo) {
   Random random(59);
   for (const std::uint32_t n : {4u, 30u, 100u, 1000u}) {
     const ConvexPolyhedron body(points_on_sphere(n, random));
-    const SearchGraph& graph = body.search_graph();
     const std::vector<double> odd{0.0,  -0.0,    least,    -least,   1e-310,    1.0,
                                   -1.0, largest, -largest, infinity, -infinity, not_a_number};
     for (const double x : odd) {
