@@ -32,10 +32,9 @@ Sign Along::turn_further(const Point3& m, const Point3& v, const Point3& a, cons
   const Guess guess = sign(turn_formula(interval(), lift<IntervalStage>(m), lift<IntervalStage>(v),
                                         lift<IntervalStage>(a), lift<IntervalStage>(b)));
   if (is_sure(guess)) return counted(&StageTally::interval, tally, to_sign(guess));
-  return counted(&StageTally::exact, tally,
-                 turn_formula(exact(), lift<ExactStage>(m), lift<ExactStage>(v), lift<ExactStage>(a),
-                              lift<ExactStage>(b))
-                     .sign());
+  return counted(
+      &StageTally::exact, tally,
+      turn_formula(exact(), lift<ExactStage>(m), lift<ExactStage>(v), lift<ExactStage>(a), lift<ExactStage>(b)).sign());
 }
 
 Sign Along::turn_about_normal(const Point3& p, const Point3& q, const Point3& v, const Point3& a, const Point3& b,

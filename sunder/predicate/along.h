@@ -42,8 +42,8 @@ class WorldDirection {
   std::optional<Vector3<Dyadic>> exact_;  // set unless is_doubles_
 };
 
-// Scales the direction so that its greatest component has size 1, and drops components that are negligible then: so it is
-// tame. For searches, which may choose. False for zero and for what is not finite.
+// Scales the direction so that its greatest component has size 1, and drops components that are negligible then: so it
+// is tame. For searches, which may choose. False for zero and for what is not finite.
 inline bool make_tame(Point3& d) {
   const double largest = std::max(std::fabs(d.x), std::max(std::fabs(d.y), std::fabs(d.z)));
   if (!(largest > 0) || !std::isfinite(d.x) || !std::isfinite(d.y) || !std::isfinite(d.z)) return false;

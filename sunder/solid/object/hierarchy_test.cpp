@@ -27,7 +27,7 @@ namespace {
 using tests::on_sphere;
 
 // At most 1.5 times the greatest that was measured at n = 1,000.
-constexpr double most_levels = 3;      // times log2 n
+constexpr double most_levels = 3;       // times log2 n
 constexpr double most_triangles = 7.5;  // times n
 
 using Surface = std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>;  // of each edge, what is on its left
@@ -113,8 +113,8 @@ TEST(HierarchyTest, StructureOfEveryFamily) {
       triangles = std::max(triangles, made / size);
       if (n == 131072) {
         std::printf("%-14.*s %7.0f vertices, %3zu levels, %5.2f triangles and %4.0f bytes a vertex\n",
-                    static_cast<int>(shape.name.size()), shape.name.data(), size, h.level_end.size(),
-                    made / size, static_cast<double>(h.memory()) / size);
+                    static_cast<int>(shape.name.size()), shape.name.data(), size, h.level_end.size(), made / size,
+                    static_cast<double>(h.memory()) / size);
       }
     }
     std::printf("n = %zu: at most %.2f log2 n levels, %.2f n triangles\n", n, levels, triangles);
@@ -198,7 +198,8 @@ TEST(HierarchyTest, OfWholeNumbers) {
       const Point3 &a = body.vertices()[facet[0]], &b = body.vertices()[facet[1]], &c = body.vertices()[facet[2]];
       const Point3 p{b.x - a.x, b.y - a.y, b.z - a.z}, q{c.x - a.x, c.y - a.y, c.z - a.z};
       const Point3 normal{p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
-      for (const Point3& d : {normal, Point3{-normal.x, -normal.y, -normal.z}, Point3{b.x - a.x, b.y - a.y, b.z - a.z}}) {
+      for (const Point3& d :
+           {normal, Point3{-normal.x, -normal.y, -normal.z}, Point3{b.x - a.x, b.y - a.y, b.z - a.z}}) {
         ASSERT_TRUE(is_extreme(body, d, extreme(body, d).vertex)) << i;
       }
     }

@@ -11,9 +11,7 @@ std::uint32_t extreme_vertex_by_hierarchy(const Placed& body, Along& along, End 
   const auto at = [&](std::uint32_t rank) -> const Point3& { return hierarchy.nodes[rank].at; };
   const bool turns_tame = body.turns_tame();
   const auto at_end = [end](Sign sign) { return end == End::greatest ? sign : -sign; };
-  const auto compare = [&](std::uint32_t i, std::uint32_t j) {
-    return at_end(along.compare(at(i), at(j), &tally));
-  };
+  const auto compare = [&](std::uint32_t i, std::uint32_t j) { return at_end(along.compare(at(i), at(j), &tally)); };
   const auto turn = [&](std::uint32_t v, std::uint32_t i, std::uint32_t j) {
     const Hierarchy::Node& node = hierarchy.nodes[v];
     if (node.has_middle_in_doubles()) {

@@ -17,7 +17,7 @@ struct Placed {
   const ConvexPolyhedron& body;
   const SearchGraph& graph;
   const Affine3& pose;
-  bool tame;        // images_are_tame (predicate/posed.h)
+  bool tame;    // images_are_tame (predicate/posed.h)
   double size;  // the reach of all its points (predicate/posed.h); infinite where it overflows
 
   Placed(const ConvexPolyhedron& of, const Pose& at)

@@ -208,8 +208,8 @@ bool propose(const Placed& a, const Placed& b, const Holds& holds, Cost& cost) {
          propose_in_double_doubles(a, b, search.direction, holds, cost);
 }
 
-// The axes of the world stretched, each by a power of two, so that two bodies have about the same size along all. Needles
-// are searched so; whatever is lost, the exact checks are about the bodies as they are.
+// The axes of the world stretched, each by a power of two, so that two bodies have about the same size along all.
+// Needles are searched so; whatever is lost, the exact checks are about the bodies as they are.
 class Stretched {
  public:
   Stretched(const Placed& a, const Placed& b) {

@@ -167,8 +167,7 @@ TEST(SupportTest, HugeAndTinyBodies) {
       const Point3 d = on_sphere(random);
       for (const double length : {least, 1.0, largest}) {
         std::uint64_t probes = 0;
-        ASSERT_LT(support(body, {d.x * length, d.y * length, d.z * length}, probes),
-                  body.vertices().size());
+        ASSERT_LT(support(body, {d.x * length, d.y * length, d.z * length}, probes), body.vertices().size());
       }
     }
   }

@@ -97,7 +97,8 @@ class Builder {
       const auto at = [&](std::size_t k) { return cycle[(lowest + k) % cycle.size()]; };
       for (std::size_t k = 1; k + 1 < cycle.size(); ++k) {
         const std::uint32_t t = static_cast<std::uint32_t>(faces_.size());
-        faces_.push_back({{at(0), at(k), at(k + 1)}, {k > 1 ? t - 1 : none, none, k + 2 < cycle.size() ? t + 1 : none}});
+        faces_.push_back(
+            {{at(0), at(k), at(k + 1)}, {k > 1 ? t - 1 : none, none, k + 2 < cycle.size() ? t + 1 : none}});
         enter(t);
       }
     }
@@ -233,9 +234,8 @@ class Builder {
         if (blocked_[v] == round_) continue;
         gone_.push_back(v);
         blocked_[v] = round_;
-        for_each_around(v, [&](std::uint32_t t, std::uint32_t place) {
-          blocked_[faces_[t].corner[after(place)]] = round_;
-        });
+        for_each_around(
+            v, [&](std::uint32_t t, std::uint32_t place) { blocked_[faces_[t].corner[after(place)]] = round_; });
       }
     }
     for (const std::uint32_t v : gone_) take_away(v);

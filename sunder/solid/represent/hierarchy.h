@@ -73,9 +73,9 @@ struct Hierarchy {
   std::size_t memory() const;  // bytes
 };
 
-// The facets of a convex polyhedron with an interior, or the two of a flat polygon, each a cycle of vertex numbers, counter-clockwise from outside:
-// facet_vertices[facet_begin[f] .. facet_begin[f + 1]). Any three of a facet's vertices turn strictly.
-// Cost: O(n). Every sign is exact.
+// The facets of a convex polyhedron with an interior, or the two of a flat polygon, each a cycle of vertex numbers,
+// counter-clockwise from outside: facet_vertices[facet_begin[f] .. facet_begin[f + 1]). Any three of a facet's vertices
+// turn strictly. Cost: O(n). Every sign is exact.
 Hierarchy make_hierarchy(std::span<const Point3> vertices, std::span<const std::uint32_t> facet_begin,
                          std::span<const std::uint32_t> facet_vertices);
 

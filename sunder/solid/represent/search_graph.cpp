@@ -37,7 +37,10 @@ void fill_table(SearchGraph& graph) {
       graph.table[row * side + column] = last;
     }
   }
-  graph.is_slow = slow > graph.table.size() / 4;
+  if (slow <= graph.table.size() / 4) return;
+  graph.is_slow = true;
+  graph.side = 0;
+  graph.table = {};
 }
 
 // A word of two halves, as VertexBlock reads it.

@@ -37,7 +37,7 @@ inline std::uint32_t first_with_value(const Point3& direction, const double* x, 
 
 // What a walk may cost: beyond that a hierarchy is faster (hierarchy_walk.h).
 inline constexpr std::uint32_t most_steps = 8;    // from block to block
-inline constexpr std::uint32_t most_around = 32;   // neighbours of a vertex that are looked at
+inline constexpr std::uint32_t most_around = 32;  // neighbours of a vertex that are looked at
 
 struct Walk {
   std::uint32_t place;  // of the last block
