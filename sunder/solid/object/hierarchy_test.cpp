@@ -62,6 +62,20 @@ void check_level(const Hierarchy& h, std::uint32_t m) {
   ASSERT_TRUE(std::all_of(seen.begin(), seen.end(), [](bool is) { return is; }));
 }
 
+// Is the vertex further than all others along its middle; or are all in or below the plane of the triangle named?
+bool is_middle(const Hierarchy& h, std::uint32_t v) {
+  const Hierarchy::Node& node = h.nodes[v];
+  const WorldDirection direction(node.middle);
+  const Affine3 identity;
+  Along along(direction, identity, false);
+  return std::all_of(h.nodes.begin(), h.nodes.end(), [&](const Hierarchy::Node& other) {
+    if (other.at == node.at) return true;
+    if (node.has_middle_in_doubles()) return along.compare(other.at, node.at) == Sign::positive;
+    const auto& [p, q] = node.middle_triangle;
+    return orient_3d(node.at, h.nodes[p].at, h.nodes[q].at, other.at) != Sign::positive;
+  });
+}
+
 void check_structure(const ConvexPolyhedron& body, const Hierarchy& h, bool all_levels) {
   const std::uint32_t n = static_cast<std::uint32_t>(body.vertices().size());
   // A1, A2 and A3: levels are prefixes of one list of all vertices, from a tetrahedron on.
@@ -86,6 +100,7 @@ void check_structure(const ConvexPolyhedron& body, const Hierarchy& h, bool all_
     }
   }
   if (all_levels) {
+    for (std::uint32_t v = 0; v < n; ++v) ASSERT_TRUE(is_middle(h, v)) << v;
     for (const std::uint32_t m : h.level_end) ASSERT_NO_FATAL_FAILURE(check_level(h, m));
   }
 }
@@ -203,7 +218,53 @@ TEST(HierarchyTest, OfWholeNumbers) {
         ASSERT_TRUE(is_extreme(body, d, extreme(body, d).vertex)) << i;
       }
     }
+    for (int k = 0; k < 30; ++k) {
+      const Point3 d = some_direction(random, 1);
+      ASSERT_TRUE(is_extreme(body, d, extreme(body, d).vertex)) << i << ' ' << d.x << ' ' << d.y << ' ' << d.z;
+    }
   }
+}
+
+// All permutations of three numbers, with all signs: middles of cones lie in planes of symmetry, and so do directions,
+// so that signs vanish together.
+TEST(HierarchyTest, OfSymmetricBodies) {
+  Random random(tests::chosen_seed(89));
+  for (int i = 0; i < 60; ++i) {
+    std::vector<Point3> points;
+    for (std::uint64_t k = 1 + random.below(4); k > 0; --k) {
+      std::array<double, 3> c;
+      for (double& x : c) x = static_cast<double>(random.below(6));
+      std::sort(c.begin(), c.end());
+      do {
+        for (int signs = 0; signs < 8; ++signs) {
+          points.push_back({signs & 1 ? -c[0] : c[0], signs & 2 ? -c[1] : c[1], signs & 4 ? -c[2] : c[2]});
+        }
+      } while (std::next_permutation(c.begin(), c.end()));
+    }
+    const ConvexPolyhedron body(points);
+    if (body.dimension() < 3) continue;
+    ASSERT_NO_FATAL_FAILURE(check_structure(body, body.hierarchy(), true));
+    for (int x = -3; x <= 3; ++x) {
+      for (int y = -3; y <= 3; ++y) {
+        for (int z = -3; z <= 3; ++z) {
+          const Point3 d{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+          ASSERT_TRUE(is_extreme(body, d, extreme(body, d).vertex)) << i << ' ' << x << ' ' << y << ' ' << z;
+        }
+      }
+    }
+  }
+}
+
+// Normals here are so far apart that no mean of them in doubles is one of the cone.
+TEST(HierarchyTest, MiddlesOfNeedles) {
+  Random random(tests::chosen_seed(97));
+  std::vector<Point3> points = tests::points_on_sphere(200, random);
+  for (Point3& p : points) p = {p.x * 0x1p80, p.y, p.z * 0x1p-80};
+  const ConvexPolyhedron body(points);
+  const Hierarchy& h = body.hierarchy();
+  ASSERT_NO_FATAL_FAILURE(check_structure(body, h, true));
+  EXPECT_FALSE(std::all_of(h.nodes.begin(), h.nodes.end(),
+                           [](const Hierarchy::Node& node) { return node.has_middle_in_doubles(); }));
 }
 
 TEST(HierarchyTest, ProbesGrowAsTheLogarithm) {

@@ -15,10 +15,12 @@
 //
 // P1. The patch has the rim's vertices and no others: what it covers of the old surface is the star, where no other
 //     vertex is, and all vertices are extreme.
-// P2. The triangle of the patch at an edge is the one that no other vertex of the rim is above. It is found by going
-//     through them, as around the edge they lie within half a turn.
-// P3. The four vertices of the tetrahedron stay, so there is always an inside, and one of them is strictly below any
-//     plane that supports the hull.
+// P2. A triangle of the patch at an edge is one that no other vertex of the rim is above. It is found by going through
+//     them, as around the edge they lie within half a turn.
+// P3. Where several are in its plane, any of them will do: those of the rim in one plane are the corners of one convex
+//     polygon, all of it in the patch. For the facet in that plane had w as a corner before, and the star's part of it
+//     without w is convex; or there was no facet in that plane.
+// P4. The four vertices of the tetrahedron stay, so there is always an inside.
 
 namespace sunder::solid {
 
@@ -88,17 +90,15 @@ class Builder {
   }
 
  private:
-  // The fan from the lowest vertex of each facet.
+  // The fan from the first vertex of each facet.
   void triangulate(std::span<const std::uint32_t> facet_begin, std::span<const std::uint32_t> facet_vertices) {
     faces_.reserve(2 * points_.size());
     for (std::size_t f = 0; f + 1 < facet_begin.size(); ++f) {
       const auto cycle = facet_vertices.subspan(facet_begin[f], facet_begin[f + 1] - facet_begin[f]);
-      const std::size_t lowest = static_cast<std::size_t>(std::min_element(cycle.begin(), cycle.end()) - cycle.begin());
-      const auto at = [&](std::size_t k) { return cycle[(lowest + k) % cycle.size()]; };
       for (std::size_t k = 1; k + 1 < cycle.size(); ++k) {
         const std::uint32_t t = static_cast<std::uint32_t>(faces_.size());
         faces_.push_back(
-            {{at(0), at(k), at(k + 1)}, {k > 1 ? t - 1 : none, none, k + 2 < cycle.size() ? t + 1 : none}});
+            {{cycle[0], cycle[k], cycle[k + 1]}, {k > 1 ? t - 1 : none, none, k + 2 < cycle.size() ? t + 1 : none}});
         enter(t);
       }
     }
@@ -302,21 +302,9 @@ class Builder {
     return t;
   }
 
-  // Is x above the plane of a, b, c, that is, on the side from which they are counter-clockwise, when coplanar vertices
-  // are pulled? Moving p away from a point o inside changes the determinant by minus that with o in p's place; so of
-  // four in a plane that supports the hull the lowest decides, and the side of o is that of any vertex below the plane.
+  // Is x above the plane of a, b, c: on the side from which they are counter-clockwise?
   bool is_above(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t x) const {
-    const Sign side = orient_3d(points_[a], points_[b], points_[c], points_[x]);
-    if (side != Sign::zero) return side == Sign::positive;
-    std::array<std::uint32_t, 4> four{a, b, c, x};
-    std::uint32_t* const lowest = std::min_element(four.begin(), four.end());
-    for (const std::uint32_t v : tetrahedron_) {
-      const std::uint32_t kept = std::exchange(*lowest, v);
-      const Sign moved = orient_3d(points_[four[0]], points_[four[1]], points_[four[2]], points_[four[3]]);
-      if (moved != Sign::zero) return moved == Sign::negative;
-      *lowest = kept;
-    }
-    return false;
+    return orient_3d(points_[a], points_[b], points_[c], points_[x]) == Sign::positive;
   }
 
   bool is_in_tetrahedron(std::uint32_t v) const {

@@ -8,9 +8,7 @@
 //   A4. The vertices that P_i has and P_{i+1} has not are an independent set of P_i's surface, each of degree at most
 //       most_degree there.
 //   A5. k is at most a constant times log2 n, and all facets that there ever are, at most a constant times n.
-// Surfaces are triangulated, so degrees are those of the triangulated ones: coplanar vertices are taken as if each were
-// pulled away from a point inside, the one with the lower number by far the further. Then no four are coplanar, and
-// each level has one surface.
+// Surfaces are triangulated, facets of many vertices somehow, and degrees are those of the triangulated ones.
 //
 // It is held as a history: vertices have ranks, in the order in which they come when the tetrahedron grows to the whole
 // again; each comes with its star, the triangles that it has at first; a triangle is there until a vertex comes beyond
