@@ -1,9 +1,8 @@
 // The search that proposes. See docs/design/solid-pair.md.
-#include <sunder/solid/pair/closest_simplex.h>
+#include <sunder/solid/pair/gjk_search.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
 #include <sunder/solid/pair/simplex_proposals.h>
-#include <sunder/solid/represent/search_graph_walk.h>
 
 #include <cmath>
 
@@ -23,114 +22,6 @@ bool normalize(Point3& d) {
   d = {component(d.x), component(d.y), component(d.z)};
   return true;
 }
-
-// From a vertex that doubles find furthest along the direction to one that DoubleDouble finds furthest. Ends, because a
-// vertex has one value, counted from where the climb began, and it grows strictly.
-std::uint32_t climb(const Placed& body, const Vector3<DoubleDouble>& direction, std::uint32_t from, Cost& cost) {
-  VertexBlock block = body.graph.block(body.graph.place[from]);
-  const Point3 origin = block.at();
-  DoubleDouble greatest = 0;
-  while (true) {
-    std::uint32_t best = block.count();
-    for (std::uint32_t j = 0; j < block.count(); ++j) {
-      const DoubleDouble value = direction.x * exact_sum(block.x()[j], -origin.x) +
-                                 direction.y * exact_sum(block.y()[j], -origin.y) +
-                                 direction.z * exact_sum(block.z()[j], -origin.z);
-      if (!(value > greatest)) continue;
-      greatest = value;
-      best = j;
-    }
-    cost.probes += block.count();
-    if (best == block.count()) return block.vertex();
-    block = body.graph.block(block.place(best));
-  }
-}
-
-// The search: the state of Gilbert, Johnson and Keerthi's method on two placed bodies.
-template <class Real>
-class Search {
- public:
-  using Vector = VectorOf<Real>;
-  using Vertex = DifferenceVertexOf<Real>;
-
-  Search(const Placed& a, const Placed& b) : a_(a), b_(b) {
-    const auto& s = a.pose.translation;
-    const auto& t = b.pose.translation;
-    const double scale = simplex.scale = scale_of(std::max(a.size, b.size));
-    const auto shift = [&](std::size_t i) -> Real { return difference<Real>(t[i], s[i]) * Real(scale); };
-    shift_ = {shift(0), shift(1), shift(2)};
-  }
-
-  // Between the middles of the bodies.
-  Vector first_direction() const {
-    const Vector p = a_.turned<Real>(a_.graph.middle, simplex.scale),
-                 q = b_.turned<Real>(b_.graph.middle, simplex.scale);
-    const Vector d{(q.x - p.x) + shift_.x, (q.y - p.y) + shift_.y, (q.z - p.z) + shift_.z};
-    return dot(d, d) > 0 ? d : Vector{1, 0, 0};
-  }
-
-  // The two vertices furthest towards each other along `direction`, and their difference.
-  Vertex probe(Cost& cost) const {
-    Vertex w;
-    const Vector e = a_.pulled(direction), f = negated(b_.pulled(direction));
-    const Point3 g = rounded(e), h = rounded(f);
-    const std::uint32_t start_a = search_start(a_.graph, g), start_b = search_start(b_.graph, h);
-    w.a = furthest_from(a_.graph, g, start_a, cost.probes);
-    w.b = furthest_from(b_.graph, h, start_b, cost.probes);
-    if constexpr (!std::is_same_v<Real, double>) {
-      w.a = climb(a_, e, w.a, cost);
-      w.b = climb(b_, f, w.b, cost);
-    }
-    const Vector p = a_.turned<Real>(w.a, simplex.scale), q = b_.turned<Real>(w.b, simplex.scale);
-    w.at = {(p.x - q.x) - shift_.x, (p.y - q.y) - shift_.y, (p.z - q.z) - shift_.z};
-    return w;
-  }
-
-  // Is w further along the direction than the face, by more than the noise of floating point?
-  bool gains_by(const Vertex& w) const {
-    if (simplex.count == 0) return true;
-    bool is_there = false;  // without branches: how many vertices there are is hard to predict
-    for (int i = 0; i < 4; ++i) {
-      const Vertex& v = simplex.vertex[static_cast<std::size_t>(i)];
-      is_there |= (i < simplex.count) & (v.a == w.a) & (v.b == w.b);
-    }
-    if (is_there) return false;
-    const Vector& d = direction;
-    const Real gain = dot(d, minus(w.at, simplex.vertex[0].at));
-    return gain > 4 * noise * (magnitude(d.x * w.at.x) + magnitude(d.y * w.at.y) + magnitude(d.z * w.at.z));
-  }
-
-  // One step: w joins the simplex, which becomes its face nearest to the origin. False where that is no use: the origin
-  // is inside, or as near as floating point can tell.
-  bool step_to(const Vertex& w) {
-    simplex.vertex[static_cast<std::size_t>(simplex.count++)] = w;
-    Real distance2 = 0;
-    if (!reduce_to_closest_face(simplex, direction, distance2)) return false;
-    if (simplex.count != 1) return distance2 > 0;
-    const Vector p = a_.turned<Real>(simplex.vertex[0].a, simplex.scale),
-                 q = b_.turned<Real>(simplex.vertex[0].b, simplex.scale);
-    return distance2 > noise * noise * (dot(p, p) + dot(q, q));
-  }
-
-  Vector direction;                   // of the world, from A towards B
-  DifferenceSimplexOf<Real> simplex;  // the face nearest to the origin, or the tetrahedron around it
-
- private:
-  // What rounding leaves of a difference of two images, as part of their size: some roundings.
-  static constexpr double noise = std::is_same_v<Real, double> ? 0x1p-46 : 0x1p-98;
-
-  // A power of two that brings differences of images near 1 where sixth powers of them could overflow or vanish, as
-  // they occur in closest_simplex.cpp; else 1.
-  static double scale_of(double size) {
-    if (size >= 0x1p-100 && size <= 0x1p100) return 1;
-    if (!(size > 0 && size <= std::numeric_limits<double>::max())) return 1;
-    return std::ldexp(1.0, std::clamp(-std::ilogb(size), -1022, 1022));
-  }
-
-  const Placed& a_;
-  const Placed& b_;
-  Vector shift_;
-};
 
 // The direction as a certificate can hold it: tame, and with one vertex of the difference clearly furthest.
 //
@@ -172,13 +63,11 @@ bool settle(const DifferenceSimplex& simplex, Point3& d, DifferenceVertex& w) {
   return normalize(d);
 }
 
-constexpr int most_iterations = 100;
-
 // In doubles, with directions in doubles for bodies that are apart.
 template <class Holds>
-bool propose_in_doubles(const Placed& a, const Placed& b, Search<double>& search, const Holds& holds, Cost& cost) {
+bool propose_in_doubles(const Placed& a, const Placed& b, GjkSearch<double>& search, const Holds& holds, Cost& cost) {
   search.direction = search.first_direction();
-  for (int i = 0; i < most_iterations; ++i) {
+  for (int i = 0; i < search.most_iterations; ++i) {
     ++cost.iterations;
     const DifferenceVertex w = search.probe(cost);
     if (dot(search.direction, w.at) < 0) {
@@ -199,9 +88,9 @@ bool propose_in_doubles(const Placed& a, const Placed& b, Search<double>& search
 template <class Holds>
 bool propose_in_double_doubles(const Placed& a, const Placed& b, const Point3& direction, const Holds& holds,
                                Cost& cost) {
-  Search<DoubleDouble> search(a, b);
+  GjkSearch<DoubleDouble> search(a, b);
   search.direction = {direction.x, direction.y, direction.z};
-  for (int i = 0; i < most_iterations; ++i) {
+  for (int i = 0; i < search.most_iterations; ++i) {
     ++cost.iterations;
     const DifferenceVertexOf<DoubleDouble> w = search.probe(cost);
     if (dot(search.direction, w.at) < 0 && propose_apart_along_perpendicular(search.simplex, w.a, w.b, holds)) {
@@ -218,7 +107,7 @@ PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& body_a, const Po
                                         const ConvexPolyhedron& body_b, const Pose& pose_b) {
   const Placed a(body_a, pose_a), b(body_b, pose_b);
   return answer_by(a, b, [&](const auto& holds, Cost& cost) {
-    Search<double> search(a, b);
+    GjkSearch<double> search(a, b);
     return propose_in_doubles(a, b, search, holds, cost) ||
            propose_in_double_doubles(a, b, search.direction, holds, cost);
   });

@@ -1,0 +1,140 @@
+// polyhedron_polyhedron_distance, of all families of pairs: against polyhedron_polyhedron_distance_by_scan where that
+// is not too slow; by certificates, which both say how far apart the bodies are and that so far is kept; and against
+// itself under symmetries.
+#include <tests/support/solid_pairs.h>
+
+#include <sunder/certificate/pair_claims.h>
+#include <sunder/solid/pair/contact_evidence.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
+
+#include <verifier/cpp/verify.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <string>
+
+namespace sunder::tests {
+namespace {
+
+using solid::ConvexPolyhedron;
+using solid::PolyhedronDistance;
+using solid::Pose;
+
+using Fraction = std::array<Dyadic, 2>;
+
+// x times `factor` against y.
+Sign compare(const Fraction& x, const Dyadic& factor, const Fraction& y) {
+  return (factor * x[0] * y[1] - y[0] * x[1]).sign();
+}
+
+// What the library says of the pair: parted, how far, and of clearances that are kept barely, and not quite.
+std::string certificate(const PairCase& c, const PolyhedronDistance& distance) {
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  PairClaims pairs(file);
+  const auto a = pairs.add_placed("a", pairs.add_body("a", c.a.vertices()), c.pose_a.affine());
+  const auto b = pairs.add_placed("b", pairs.add_body("b", c.b.vertices()), c.pose_b.affine());
+  pairs.add_pair(a, b, distance.answer.certificate());
+  const auto [of_a, of_b] = solid::closest_points(*distance.closest);
+  pairs.add_distance(a, b, of_a, of_b);
+  const auto [low, high] = distance.distance();
+  for (const double least : {low, high, std::nextafter(high, HUGE_VAL)}) {
+    if (!(least > 0) || !std::isfinite(least)) continue;
+    if (compare_distance(distance, least) == Sign::negative) {
+      pairs.add_clearance_broken(a, b, least, of_a, of_b);
+    } else {
+      pairs.add_clearance(a, b, least, way_between(of_a, of_b));
+    }
+  }
+  pairs.end();
+  return text;
+}
+
+// D2: low^2 <= numerator / denominator <= high^2, and the two are neighbours, or equal where a double is the distance.
+void expect_narrow(const PolyhedronDistance& d) {
+  const auto [numerator, denominator] = d.closest->squared();
+  const auto compared = [&](double x) { return (Dyadic(x) * Dyadic(x) * denominator - numerator).sign(); };
+  const auto [low, high] = d.distance();
+  ASSERT_NE(compared(low), Sign::positive);
+  ASSERT_EQ(low == high, compared(low) == Sign::zero);
+  if (low == high) return;
+  ASSERT_EQ(high, std::nextafter(low, HUGE_VAL));
+  if (std::isfinite(high)) {
+    ASSERT_EQ(compared(high), Sign::positive);
+  }
+}
+
+struct Tally {
+  int cases = 0, apart = 0, scanned = 0, filter = 0, evidence = 0, finishing = 0, proved = 0;
+  std::array<std::array<int, 4>, 4> features{};
+};
+
+TEST(SolidDistanceDifferential, AgreesWithTheScanAndIsProved) {
+  const int count = scaled_count(20000);
+  const std::uint64_t seed = chosen_seed(20261201);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  SolidPairs pairs(seed);
+  std::map<Family, Tally> tallies;
+  std::array<std::array<int, 4>, 4> features{};
+  for (int i = 0; i < count; ++i) {
+    const PairCase c = pairs.next();
+    const PolyhedronDistance d = polyhedron_polyhedron_distance(c.a, c.pose_a, c.b, c.pose_b);
+    Tally& t = tallies[c.family];
+    ++t.cases;
+    ASSERT_EQ(d.meet(), !d.closest) << i;
+    if (c.touches_exactly) {
+      ASSERT_TRUE(d.meet()) << i;
+    }
+    const bool small = c.a.vertices().size() + c.b.vertices().size() <= 24;
+    if (small && i % 4 < 2) {
+      const PolyhedronDistance scan = polyhedron_polyhedron_distance_by_scan(c.a, c.pose_a, c.b, c.pose_b);
+      ASSERT_EQ(d.meet(), scan.meet()) << i << " " << name_of(c.family);
+      if (!d.meet()) {
+        ++t.scanned;
+        ASSERT_EQ(compare(d.closest->squared(), 1.0, scan.closest->squared()), Sign::zero)
+            << i << " " << name_of(c.family) << " " << d.distance().low << " " << scan.distance().low;
+      }
+    }
+    if (d.meet()) {
+      ASSERT_EQ(d.distance().high, 0);
+      continue;
+    }
+    ++t.apart;
+    t.filter += d.answer.decided_by == DecidedBy::filter;
+    t.evidence += d.answer.decided_by == DecidedBy::evidence;
+    t.finishing += d.answer.decided_by == DecidedBy::finishing;
+    const solid::FeatureVertices& f = d.closest->features();
+    ASSERT_TRUE(f.count_a >= 1 && f.count_b >= 1 && f.count_a + f.count_b <= 4) << i;
+    ++features[f.count_a][f.count_b];
+    const auto way = d.closest->way();
+    for (std::size_t k = 0; k < std::size_t{f.count_a} + f.count_b; ++k) {
+      ASSERT_EQ(way.weight[k].sign(), Sign::positive) << i;
+    }
+    ASSERT_NO_FATAL_FAILURE(expect_narrow(d)) << i << " " << name_of(c.family);
+    if (i % 8 < 2 || !small) {
+      ++t.proved;
+      const std::string text = certificate(c, d);
+      const auto result = sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none);
+      ASSERT_TRUE(result.accepted()) << i << " " << name_of(c.family) << result.failed_form << result.error << "\n"
+                                     << text.substr(0, 5000);
+      ASSERT_GE(result.statements.size(), 3u);
+    }
+  }
+  std::printf("%-14s %8s %8s %8s %8s %8s %9s %8s\n", "family", "cases", "apart", "scanned", "filter", "evidence",
+              "finishing", "proved");
+  for (const auto& [family, t] : tallies) {
+    std::printf("%-14s %8d %8d %8d %8d %8d %9d %8d\n", std::string(name_of(family)).c_str(), t.cases, t.apart,
+                t.scanned, t.filter, t.evidence, t.finishing, t.proved);
+  }
+  for (std::size_t p = 1; p < 4; ++p) {
+    for (std::size_t q = 1; p + q <= 4; ++q) std::printf("%zu of A, %zu of B: %d\n", p, q, features[p][q]);
+  }
+}
+
+}  // namespace
+}  // namespace sunder::tests
