@@ -17,6 +17,7 @@
 #include <cstdio>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace sunder::tests {
 namespace {
@@ -111,9 +112,9 @@ TEST(SolidDistanceDifferential, AgreesWithTheScanAndIsProved) {
     const solid::FeatureVertices& f = d.closest->features();
     ASSERT_TRUE(f.count_a >= 1 && f.count_b >= 1 && f.count_a + f.count_b <= 4) << i;
     ++features[f.count_a][f.count_b];
-    const auto way = d.closest->way();
+    const ExactWay exact = d.closest->way();
     for (std::size_t k = 0; k < std::size_t{f.count_a} + f.count_b; ++k) {
-      ASSERT_EQ(way.weight[k].sign(), Sign::positive) << i;
+      ASSERT_EQ(exact.weight[k].sign(), Sign::positive) << i;
     }
     ASSERT_NO_FATAL_FAILURE(expect_narrow(d)) << i << " " << name_of(c.family);
     if (i % 8 < 2 || !small) {
@@ -131,9 +132,88 @@ TEST(SolidDistanceDifferential, AgreesWithTheScanAndIsProved) {
     std::printf("%-14s %8d %8d %8d %8d %8d %9d %8d\n", std::string(name_of(family)).c_str(), t.cases, t.apart,
                 t.scanned, t.filter, t.evidence, t.finishing, t.proved);
   }
+  int apart = 0;
   for (std::size_t p = 1; p < 4; ++p) {
-    for (std::size_t q = 1; p + q <= 4; ++q) std::printf("%zu of A, %zu of B: %d\n", p, q, features[p][q]);
+    for (std::size_t q = 1; p + q <= 4; ++q) {
+      std::printf("%zu of A, %zu of B: %d\n", p, q, features[p][q]);
+      apart += features[p][q];
+    }
   }
+  if (count < 2000) return;  // too few for the rates below
+  // The test tested something: all kinds of features are common, and so are the families, but those that meet.
+  for (std::size_t p = 1; p < 4; ++p) {
+    for (std::size_t q = 1; p + q <= 4; ++q) EXPECT_GT(features[p][q], apart / 40) << p << " " << q;
+  }
+  for (const auto& [family, t] : tallies) {
+    if (family == Family::touching || family == Family::contained) continue;
+    EXPECT_GT(t.apart, t.cases / 5) << name_of(family);
+    EXPECT_GE(t.proved, t.apart / 5) << name_of(family);
+    if (family != Family::large) {
+      EXPECT_GT(t.scanned, t.apart / 20) << name_of(family);
+    }
+    // The proposals hold, but where the bodies' sizes are further apart than the numbers of the search reach.
+    EXPECT_LE(t.finishing, family == Family::tiny_or_huge ? t.apart / 8 : t.apart / 200) << name_of(family);
+  }
+  // In general position filters see it.
+  EXPECT_GT(tallies[Family::general].filter, tallies[Family::general].apart * 3 / 4);
+}
+
+// D4, and what else leaves distances as they are: swapping, reflecting, shifting exactly, permuting the input.
+TEST(SolidDistanceDifferential, SymmetriesKeepTheDistance) {
+  const int count = scaled_count(3000);
+  SolidPairs pairs(chosen_seed(23));
+  int apart = 0, shifted = 0, scaled = 0;
+  for (int i = 0; i < count; ++i) {
+    const PairCase c = pairs.next();
+    const PolyhedronDistance d = polyhedron_polyhedron_distance(c.a, c.pose_a, c.b, c.pose_b);
+    const auto same = [&](const PolyhedronDistance& other, double factor) {
+      if (d.meet() || other.meet()) return d.meet() == other.meet();
+      return compare(d.closest->squared(), Dyadic(factor) * Dyadic(factor), other.closest->squared()) == Sign::zero;
+    };
+    apart += !d.meet();
+    ASSERT_TRUE(same(polyhedron_polyhedron_distance(c.b, c.pose_b, c.a, c.pose_a), 1)) << "swapped " << i;
+    const auto changed = [&](auto change) {
+      Affine3 m = c.pose_a.affine(), n = c.pose_b.affine();
+      change(m);
+      change(n);
+      return polyhedron_polyhedron_distance(c.a, Pose::from_matrix(m.linear, m.translation), c.b,
+                                            Pose::from_matrix(n.linear, n.translation));
+    };
+    const auto reflect = [](Affine3& m) {
+      for (std::size_t k = 0; k < 3; ++k) m.linear[k] = -m.linear[k];
+      m.translation[0] = -m.translation[0];
+    };
+    ASSERT_TRUE(same(changed(reflect), 1)) << "reflected " << i;
+    if (c.family != Family::tiny_or_huge) {
+      for (const double s : {0x1p-40, 0x1p300, 0x1p-300}) {
+        const auto scale = [&](Affine3& m) {
+          for (double& x : m.linear) x *= s;
+          for (double& x : m.translation) x *= s;
+        };
+        ++scaled;
+        ASSERT_TRUE(same(changed(scale), s)) << "scaled " << i << " by " << s;
+      }
+    }
+    if (c.family == Family::grid) {
+      const double far = static_cast<double>(pairs.random().between(-1000, 1000));
+      const auto shift = [&](Affine3& m) {
+        m.translation[0] += far;
+        m.translation[2] -= far;
+      };
+      ++shifted;
+      ASSERT_TRUE(same(changed(shift), 1)) << "shifted " << i;
+    }
+    if (c.a.vertices().size() < 100) {
+      std::vector<Point3> points(c.a.vertices().begin(), c.a.vertices().end());
+      for (std::size_t k = points.size(); k > 1; --k) std::swap(points[k - 1], points[pairs.random().below(k)]);
+      ASSERT_TRUE(same(polyhedron_polyhedron_distance(ConvexPolyhedron(points), c.pose_a, c.b, c.pose_b), 1))
+          << "permuted " << i;
+    }
+  }
+  if (count < 1000) return;
+  EXPECT_GT(apart, count / 5);
+  EXPECT_GT(shifted, count / 20);
+  EXPECT_GT(scaled, count / 2);
 }
 
 }  // namespace

@@ -2,25 +2,30 @@
 
 namespace sunder {
 
-std::optional<ShortestWay<Dyadic>> exact_way(std::span<const Posed3> a, std::span<const Posed3> b) {
-  ShortestWay<Dyadic> found = shortest_way_of<ExactStage>(a, b);
-  const Sign side = found.reach.sign();
+std::optional<ExactWay> exact_way(std::span<const Posed3> a, std::span<const Posed3> b) {
+  const FlatArrows<Dyadic> arrows = flat_arrows<ExactStage>(a, b);
+  ExactWay found{shortest_way(arrows), {}};
+  ShortestWay<Dyadic>& way = found.way;
+  const Sign side = way.reach.sign();
   if (side == Sign::zero) return std::nullopt;
+  found.weight = weights_of(arrows, way);
   for (const Dyadic& weight : found.weight) {
     if (weight.sign() == Sign::negative) return std::nullopt;
   }
   if (side == Sign::negative) {
-    found.way = {-found.way.x, -found.way.y, -found.way.z};
-    found.reach = -found.reach;
+    way.way = {-way.way.x, -way.way.y, -way.way.z};
+    way.reach = -way.reach;
   }
   return found;
 }
 
 EnclosedWay enclosed_way(std::span<const Posed3> a, std::span<const Posed3> b) {
-  const ShortestWay<Interval> found = shortest_way_of<IntervalStage>(a, b);
+  const FlatArrows<Interval> arrows = flat_arrows<IntervalStage>(a, b);
+  const ShortestWay<Interval> found = shortest_way(arrows);
+  const std::array<Interval, 4> weights = weights_of(arrows, found);
   bool is_sure = true;
   for (std::size_t k = 0; k < a.size() + b.size(); ++k) {
-    const Guess weight = sign(found.weight[k]);
+    const Guess weight = sign(weights[k]);
     if (weight == Guess::negative) return {Guess::negative, {}};
     is_sure &= weight == Guess::positive;
   }

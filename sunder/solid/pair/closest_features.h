@@ -48,14 +48,18 @@ inline bool is_positive(double x, double size) { return x > 0x1p-88 * size; }
 inline bool is_positive(const DoubleDouble& x, const DoubleDouble& size) { return x > 0x1p-192 * size; }
 inline bool is_positive(const Dyadic& x, const Dyadic&) { return x.sign() == Sign::positive; }
 
-// Of fractions with positive denominators.
+// Is the one shorter than the other? In floating point by the way's own length: `reach` of a short one is a sum of long
+// numbers that cancel.
 template <class T>
-bool is_less(const T& n, const T& d, const T& m, const T& e) {
-  return n / d < m / e;
+bool is_shorter(const ShortestWay<T>& x, const ShortestWay<T>& y) {
+  const auto square = [](const ShortestWay<T>& w) {
+    return w.edges == 2 ? w.reach * w.reach / w.denominator : dot(w.way, w.way) / (w.denominator * w.denominator);
+  };
+  return square(x) < square(y);
 }
 template <>
-inline bool is_less(const Dyadic& n, const Dyadic& d, const Dyadic& m, const Dyadic& e) {
-  return (n * e - m * d).sign() == Sign::negative;
+inline bool is_shorter(const ShortestWay<Dyadic>& x, const ShortestWay<Dyadic>& y) {
+  return (x.squared() * y.denominator - y.squared() * x.denominator).sign() == Sign::negative;
 }
 
 // The vertices of the subsets, bit by bit, where the shortest way between their flats has positive weights.
@@ -63,35 +67,34 @@ template <class T>
 std::optional<ShortestWay<T>> way_between(const VertexSet<T>& a, unsigned of_a, const VertexSet<T>& b, unsigned of_b,
                                           FeatureVertices& named) {
   named = {};
-  std::array<Vector3<T>, 2> e;
-  std::size_t n = 0, edges = 0;
-  const Vector3<T>*first_a = nullptr, *first_b = nullptr;
-  for (std::size_t k = 0; k < a.count; ++k) {
-    if ((of_a >> k & 1) == 0) continue;
-    named.vertices[n++] = a.vertex[k];
-    if (first_a == nullptr) {
-      first_a = &a.at[k];
-    } else {
-      e[edges++] = a.at[k] - *first_a;
+  FlatArrows<T> arrows;
+  std::size_t n = 0;
+  const auto each = [&](const VertexSet<T>& set, unsigned subset, auto edge) {
+    const Vector3<T>* first = nullptr;
+    for (std::size_t k = 0; k < set.count; ++k) {
+      if ((subset >> k & 1) == 0) continue;
+      named.vertices[n++] = set.vertex[k];
+      if (first == nullptr) {
+        first = &set.at[k];
+      } else {
+        arrows.e[arrows.edges++] = edge(*first, set.at[k]);
+      }
     }
-  }
+    return first;
+  };
+  const Vector3<T>* first_a = each(a, of_a, [](const auto& from, const auto& to) { return to - from; });
   named.count_a = static_cast<std::uint8_t>(n);
-  for (std::size_t k = 0; k < b.count; ++k) {
-    if ((of_b >> k & 1) == 0) continue;
-    named.vertices[n++] = b.vertex[k];
-    if (first_b == nullptr) {
-      first_b = &b.at[k];
-    } else {
-      e[edges++] = *first_b - b.at[k];
-    }
-  }
+  arrows.edges_of_a = arrows.edges;
+  const Vector3<T>* first_b = each(b, of_b, [](const auto& to, const auto& from) { return to - from; });
   named.count_b = static_cast<std::uint8_t>(n - named.count_a);
-  const auto way = shortest_way(Vector3<T>(*first_b - *first_a), e, static_cast<std::uint8_t>(named.count_a - 1),
-                                static_cast<std::uint8_t>(edges));
-  const T size = edges == 2 ? dot(e[0], e[0]) * dot(e[1], e[1]) : way.denominator;
+  arrows.r = *first_b - *first_a;
+  const ShortestWay<T> way = shortest_way(arrows);
+  const auto& e = arrows.e;
+  const T size = arrows.edges == 2 ? dot(e[0], e[0]) * dot(e[1], e[1]) : way.denominator;
   if (!is_positive(way.denominator, size)) return std::nullopt;
+  const std::array<T, 4> weights = weights_of(arrows, way);
   for (std::size_t k = 0; k < n; ++k) {
-    if (!is_positive(way.weight[k], T(0.0))) return std::nullopt;
+    if (!is_positive(weights[k], T(0.0))) return std::nullopt;
   }
   return way;
 }
@@ -116,7 +119,7 @@ FeatureVertices closest_features(const VertexSet<T>& a, const VertexSet<T>& b) {
       if (std::popcount(of_a) + std::popcount(of_b) > 4) continue;
       const std::optional<ShortestWay<T>> way = way_between(a, of_a, b, of_b, named);
       if (!way) continue;
-      if (least && !is_less(way->squared(), way->denominator, least->squared(), least->denominator)) continue;
+      if (least && !is_shorter(*way, *least)) continue;
       least = way;
       best = named;
     }

@@ -59,11 +59,11 @@ class Closest {
       }
     }
     ++tally_.exact;
-    const std::optional<ShortestWay<Dyadic>> way = exact_way(posed.a(), posed.b());
-    if (!way) return false;
-    const auto [of_a, of_b] = extreme_vertices(*way);
+    const std::optional<ExactWay> found = exact_way(posed.a(), posed.b());
+    if (!found) return false;
+    const auto [of_a, of_b] = extreme_vertices(found->way);
     if (of_a != proposal.of_a(0) || of_b != proposal.of_b(0)) return false;
-    leave_out_zeros(*way);
+    leave_out_zeros(found->weight);
     return true;
   }
 
@@ -78,10 +78,10 @@ class Closest {
       ++cost_.iterations;
       features = closest_features(of_a, of_b);
       const PosedFeatures posed(a_, b_, features);
-      const std::optional<ShortestWay<Dyadic>> way = exact_way(posed.a(), posed.b());
+      const std::optional<ExactWay> found = exact_way(posed.a(), posed.b());
       ++tally_.exact;
-      SUNDER_REQUIRE(way.has_value());  // the bodies are apart
-      const auto [next_a, next_b] = extreme_vertices(*way);
+      SUNDER_REQUIRE(found.has_value());  // the bodies are apart
+      const auto [next_a, next_b] = extreme_vertices(found->way);
       if (next_a == features.of_a(0) && next_b == features.of_b(0)) return;
       keep(of_a, {features.vertices.data(), features.count_a});
       keep(of_b, {features.vertices.data() + features.count_a, features.count_b});
@@ -116,12 +116,12 @@ class Closest {
     return true;
   }
 
-  void leave_out_zeros(const ShortestWay<Dyadic>& way) {
+  void leave_out_zeros(const std::array<Dyadic, 4>& weight) {
     const FeatureVertices all = features;
     features = {};
     std::size_t n = 0;
     for (std::size_t k = 0; k < std::size_t{all.count_a} + all.count_b; ++k) {
-      if (way.weight[k].sign() == Sign::zero) continue;
+      if (weight[k].sign() == Sign::zero) continue;
       features.vertices[n++] = all.vertices[k];
       ++(k < all.count_a ? features.count_a : features.count_b);
     }
@@ -191,14 +191,17 @@ std::array<Posed3, 4> ClosestFeatures::images() const {
   return posed;
 }
 
-ShortestWay<Dyadic> ClosestFeatures::way() const {
+ExactWay ClosestFeatures::way() const {
   const std::array<Posed3, 4> posed = images();
   const std::span<const Posed3> all(posed);
   return *exact_way(all.first(features_.count_a), all.subspan(features_.count_a, features_.count_b));
 }
 
 std::array<Dyadic, 2> ClosestFeatures::squared() const {
-  const ShortestWay<Dyadic> found = way();
+  const std::array<Posed3, 4> posed = images();
+  const std::span<const Posed3> all(posed);
+  const ShortestWay<Dyadic> found = shortest_way(
+      flat_arrows<ExactStage>(all.first(features_.count_a), all.subspan(features_.count_a, features_.count_b)));
   return {found.squared(), found.denominator};
 }
 
@@ -227,13 +230,13 @@ PolyhedronDistance polyhedron_polyhedron_distance(const ConvexPolyhedron& body_a
 
 ClosestPoints closest_points(const ClosestFeatures& closest) {
   const FeatureVertices& f = closest.features();
-  const ShortestWay<Dyadic> way = closest.way();
+  const auto [way, weights] = closest.way();
   const std::array<Posed3, 4> images = closest.images();
   const auto point = [&](std::size_t begin, std::size_t end) {
     PointOf made{{}, way.denominator, {{}, way.denominator}};
     for (std::size_t k = begin; k < end; ++k) {
       const auto [x, y, z] = lift<ExactStage>(images[k]);
-      const Dyadic& weight = way.weight[k];
+      const Dyadic& weight = weights[k];
       made.coordinates = {made.coordinates[0] + x * weight, made.coordinates[1] + y * weight,
                           made.coordinates[2] + z * weight};
       made.of_body.parts.push_back({f.vertices[k], weight});

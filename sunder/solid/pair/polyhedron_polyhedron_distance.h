@@ -37,7 +37,7 @@ class ClosestFeatures {
   // Exact numbers of at most four vertices, made when asked for.
   Interval distance() const;
   std::array<Dyadic, 2> squared() const;  // of the distance: numerator over denominator; both are positive
-  ShortestWay<Dyadic> way() const;        // from A to B, and the weights of the vertices
+  ExactWay way() const;                   // from A to B, and the weights of the vertices
 
   // The images of the vertices named.
   std::array<Posed3, 4> images() const;
