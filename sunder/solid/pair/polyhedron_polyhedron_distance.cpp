@@ -169,9 +169,17 @@ Interval root(const Dyadic& numerator, const Dyadic& denominator) {
     const Dyadic exact(x);
     return (exact * exact * denominator - numerator).sign();
   };
-  while (compared(low) == Sign::positive) low = std::nextafter(low, 0.0);
-  while (low < largest && compared(std::nextafter(low, infinity)) != Sign::positive) low = std::nextafter(low, infinity);
-  return {low, compared(low) == Sign::zero ? low : std::nextafter(low, infinity)};
+  Sign side = compared(low);
+  const bool is_above = side == Sign::positive;
+  while (side == Sign::positive) side = compared(low = std::nextafter(low, 0.0));
+  while (!is_above && side == Sign::negative && low < largest) {
+    const double next = std::nextafter(low, infinity);
+    const Sign beyond = compared(next);
+    if (beyond == Sign::positive) break;
+    low = next;
+    side = beyond;
+  }
+  return {low, side == Sign::zero ? low : std::nextafter(low, infinity)};
 }
 
 }  // namespace
