@@ -62,8 +62,8 @@ ShortestWay<T> shortest_way(const FlatArrows<T>& of) {
   return found;
 }
 
-// The weights of the points of A, then of B, that make the ends of the way, over its denominator; those of each body sum
-// to it.
+// The weights of the points of A, then of B, that make the ends of the way, over its denominator; those of each body
+// sum to it.
 template <class T>
 std::array<T, 4> weights_of(const FlatArrows<T>& of, const ShortestWay<T>& found) {
   const auto& [r, e, edges, edges_of_a] = of;

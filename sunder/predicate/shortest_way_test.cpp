@@ -59,10 +59,10 @@ TEST(ShortestWayTest, NoneWhereTheFootIsOutsideOrNothingIsSpanned) {
   const Placed beside{{{3, 1, 0}, {3, 3, 0}}, {}};
   EXPECT_FALSE(way(origin, beside));
   EXPECT_EQ(guess(origin, beside), Guess::negative);
-  EXPECT_FALSE(way(origin, {{{3, 1, 0}, {3, 1, 0}}, {}}));                // no edge
-  EXPECT_FALSE(way(origin, {{{1, 1, 1}, {2, 1, 1}, {4, 1, 1}}, {}}));     // no triangle
+  EXPECT_FALSE(way(origin, {{{3, 1, 0}, {3, 1, 0}}, {}}));                        // no edge
+  EXPECT_FALSE(way(origin, {{{1, 1, 1}, {2, 1, 1}, {4, 1, 1}}, {}}));             // no triangle
   EXPECT_FALSE(way({{{0, 0, 0}, {1, 0, 0}}, {}}, {{{0, 1, 0}, {1, 1, 0}}, {}}));  // parallel
-  EXPECT_FALSE(way(origin, {{{-1, -1, 0}, {3, -1, 0}, {-1, 3, 0}}, {}}));  // they meet
+  EXPECT_FALSE(way(origin, {{{-1, -1, 0}, {3, -1, 0}, {-1, 3, 0}}, {}}));         // they meet
   EXPECT_FALSE(way(origin, origin));
   // A foot at an end is allowed, but intervals are not sure of it.
   const Placed at_end{{{3, 0, 0}, {3, 3, 0}}, {}};
@@ -95,7 +95,8 @@ TEST(ShortestWayTest, TheStagesAgree) {
         };
         some.points.push_back({coordinate(), coordinate(), coordinate()});
       }
-      for (double& x : some.pose.linear) x = i % 2 == 0 ? static_cast<double>(random.between(-2, 2)) : random.uniform(-1, 1);
+      for (double& x : some.pose.linear)
+        x = i % 2 == 0 ? static_cast<double>(random.between(-2, 2)) : random.uniform(-1, 1);
       for (double& x : some.pose.translation) x = static_cast<double>(random.between(-5, 5));
       return some;
     };
@@ -113,7 +114,8 @@ TEST(ShortestWayTest, TheStagesAgree) {
       ++sure;
       ASSERT_TRUE(found) << i;
       const auto& w = found->way.way;
-      for (const auto& [exact, interval] : {std::pair(&w.x, enclosed.way.x), {&w.y, enclosed.way.y}, {&w.z, enclosed.way.z}}) {
+      for (const auto& [exact, interval] :
+           {std::pair(&w.x, enclosed.way.x), {&w.y, enclosed.way.y}, {&w.z, enclosed.way.z}}) {
         EXPECT_NE((*exact - Dyadic(interval.low)).sign(), Sign::negative) << i;
         EXPECT_NE((*exact - Dyadic(interval.high)).sign(), Sign::positive) << i;
       }

@@ -84,8 +84,8 @@ class GjkSearch {
     return {{(p.x - q.x) - shift_.x, (p.y - q.y) - shift_.y, (p.z - q.z) - shift_.z}, a, b};
   }
 
-  // The vertices of A in the simplex, and those of B, each once, with images from which differences are made. Requires a
-  // vertex.
+  // The vertices of A in the simplex, and those of B, each once, with images from which differences are made. Requires
+  // a vertex.
   VertexSet<Real> vertices_of_a() const {
     VertexSet<Real> set;
     for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.count); ++i) {

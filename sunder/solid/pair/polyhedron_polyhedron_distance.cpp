@@ -133,7 +133,8 @@ class Closest {
   static void keep(VertexSet<Dyadic>& set, std::span<const std::uint32_t> vertices) {
     VertexSet<Dyadic> kept;
     for (std::size_t k = 0; k < set.count; ++k) {
-      if (std::find(vertices.begin(), vertices.end(), set.vertex[k]) != vertices.end()) kept.add(set.vertex[k], set.at[k]);
+      if (std::find(vertices.begin(), vertices.end(), set.vertex[k]) != vertices.end())
+        kept.add(set.vertex[k], set.at[k]);
     }
     set = kept;
   }
@@ -195,7 +196,8 @@ ClosestFeatures::ClosestFeatures(const ConvexPolyhedron& a, const Pose& pose_a, 
 
 std::array<Posed3, 4> ClosestFeatures::images() const {
   std::array<Posed3, 4> posed;
-  for (std::size_t k = 0; k < posed.size(); ++k) posed[k] = {points_[k], k < features_.count_a ? &pose_a_ : &pose_b_, false};
+  for (std::size_t k = 0; k < posed.size(); ++k)
+    posed[k] = {points_[k], k < features_.count_a ? &pose_a_ : &pose_b_, false};
   return posed;
 }
 
@@ -227,9 +229,9 @@ PolyhedronDistance polyhedron_polyhedron_distance(const ConvexPolyhedron& body_a
   StageTally tally;
   Closest closest(a, b, answer.cost, tally);
   const PairCertificate& apart = answer.evidence;
-  const bool held = propose<double>(a, b, apart.extreme_a, apart.extreme_b, closest, answer.cost) ||
-                    propose<DoubleDouble>(a, b, closest.features.of_a(0), closest.features.of_b(0), closest,
-                                          answer.cost);
+  const bool held =
+      propose<double>(a, b, apart.extreme_a, apart.extreme_b, closest, answer.cost) ||
+      propose<DoubleDouble>(a, b, closest.features.of_a(0), closest.features.of_b(0), closest, answer.cost);
   if (!held) closest.descend();
   conclude(answer, answer.cost.exact + tally.exact, !held || answer.decided_by == DecidedBy::finishing);
   out.closest.emplace(body_a, pose_a, body_b, pose_b, closest.features);

@@ -6,9 +6,9 @@
 //       is between them. Beyond the range of doubles: the largest and infinity, zero and the least one.
 //   D3. compare_distance is exact for every finite radius.
 //   D4. The distance is the same for bodies that are swapped; scaled by a power of two, it is that much larger.
-// What one might assume and does not hold: where facets or edges are parallel, the nearest points are not the only ones,
-// nor are the features; swapped bodies may get others.
-// None throws, but for want of memory. Allocates nothing while filters decide.
+// What one might assume and does not hold: where facets or edges are parallel, the nearest points are not the only
+// ones, nor are the features; swapped bodies may get others. None throws, but for want of memory. Allocates nothing
+// while filters decide.
 #pragma once
 
 #include <sunder/certificate/pair_answer.h>
@@ -60,10 +60,10 @@ struct [[nodiscard]] PolyhedronDistance {
 // Asks first whether they meet. Where they do not, the search of polyhedron_polyhedron_by_gjk goes on to the nearest
 // features, in doubles, then in double-doubles; what it proposes is accepted only if, exactly, the shortest way between
 // the features ends inside them, and no vertex of A is further along it, none of B less far. Where nothing holds, an
-// exact descent decides: from features to vertices that are further along the way, and to the nearest features of these.
-// Cost: that of polyhedron_polyhedron, and again at most 100 steps of search in each precision; the descent gets nearer
-// with each step, of which there are some one to ten, each with a walk over both graphs and up to 132 exact ways.
-// Sources: Gilbert, Johnson, Keerthi 1988; the descent is the same in exact numbers, as in Wolfe 1976.
+// exact descent decides: from features to vertices that are further along the way, and to the nearest features of
+// these. Cost: that of polyhedron_polyhedron, and again at most 100 steps of search in each precision; the descent gets
+// nearer with each step, of which there are some one to ten, each with a walk over both graphs and up to 132 exact
+// ways. Sources: Gilbert, Johnson, Keerthi 1988; the descent is the same in exact numbers, as in Wolfe 1976.
 PolyhedronDistance polyhedron_polyhedron_distance(const ConvexPolyhedron& a, const Pose& pose_a,  //
                                                   const ConvexPolyhedron& b, const Pose& pose_b);
 

@@ -69,10 +69,10 @@ TEST(PolyhedronPolyhedronDistanceTest, Features) {
 }
 
 TEST(PolyhedronPolyhedronDistanceTest, ParallelFeatures) {
-  expect_exactly(distance(cube, box({5, 0.5, 0.5}, {6, 1.5, 1.5})), 3);          // facets
-  expect_exactly(distance(cube, box({5, 1, 1}, {6, 7, 7})), 3);                  // facets that overlap in part
-  expect_exactly(distance(cube, box({5, 6, 1}, {6, 7, 7})), 5);                  // edges
-  expect_exactly(distance(cube, box({5, 2, 2}, {6, 7, 7})), 3);                  // an edge above an edge
+  expect_exactly(distance(cube, box({5, 0.5, 0.5}, {6, 1.5, 1.5})), 3);  // facets
+  expect_exactly(distance(cube, box({5, 1, 1}, {6, 7, 7})), 3);          // facets that overlap in part
+  expect_exactly(distance(cube, box({5, 6, 1}, {6, 7, 7})), 5);          // edges
+  expect_exactly(distance(cube, box({5, 2, 2}, {6, 7, 7})), 3);          // an edge above an edge
   expect_exactly(distance(body({{0, 0, 0}, {0, 0, 9}}), body({{3, 4, 2}, {3, 4, 5}})), 5);
   expect_exactly(distance(body({{0, 0, 0}, {0, 0, 9}}), body({{3, 0, 13}, {3, 0, 20}})), 5);
 }
@@ -108,9 +108,8 @@ TEST(PolyhedronPolyhedronDistanceTest, FarBeyondTheRangeOfSquares) {
   const PolyhedronDistance tiny = distance(body({{0, 0, 0}}), body({{5e-324, 5e-324, 5e-324}}));
   EXPECT_EQ(tiny.distance().low, 5e-324);
   EXPECT_EQ(tiny.distance().high, 1e-323);
-  const PolyhedronDistance less =
-      polyhedron_polyhedron_distance(body({{0, 0, 0}}), Pose(), body({{5e-324, 0, 0}}),
-                                     Pose::from_matrix({0.25, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}));
+  const PolyhedronDistance less = polyhedron_polyhedron_distance(
+      body({{0, 0, 0}}), Pose(), body({{5e-324, 0, 0}}), Pose::from_matrix({0.25, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}));
   EXPECT_EQ(less.distance().low, 0);
   EXPECT_EQ(less.distance().high, 5e-324);
   EXPECT_EQ(compare_distance(less, 0), Sign::positive);
