@@ -40,17 +40,12 @@ std::string certificate(const PairCase& c, const PolyhedronDistance& distance) {
   PairClaims pairs(file);
   const auto a = pairs.add_placed("a", pairs.add_body("a", c.a.vertices()), c.pose_a.affine());
   const auto b = pairs.add_placed("b", pairs.add_body("b", c.b.vertices()), c.pose_b.affine());
-  pairs.add_pair(a, b, distance.answer.certificate());
-  const auto [of_a, of_b] = solid::closest_points(*distance.closest);
-  pairs.add_distance(a, b, of_a, of_b);
+  const solid::ClaimedPair pair{a, b, c.a, c.pose_a, c.b, c.pose_b};
+  add_claims(pairs, pair, distance.answer.certificate(), Contact::none);
+  add_distance(pairs, pair, distance);
   const auto [low, high] = distance.distance();
   for (const double least : {low, high, std::nextafter(high, HUGE_VAL)}) {
-    if (!(least > 0) || !std::isfinite(least)) continue;
-    if (compare_distance(distance, least) == Sign::negative) {
-      pairs.add_clearance_broken(a, b, least, of_a, of_b);
-    } else {
-      pairs.add_clearance(a, b, least, way_between(of_a, of_b));
-    }
+    if (least > 0 && std::isfinite(least)) add_clearance(pairs, pair, distance, least);
   }
   pairs.end();
   return text;

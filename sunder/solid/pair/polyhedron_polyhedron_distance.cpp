@@ -4,7 +4,6 @@
 // As no vertex of A is further along d than those of the feature, all of which are as far as p, and no vertex of B less
 // far than q, for all x of A and y of B d (y - x) >= d (q - p) = |d|^2: so none are nearer to each other.
 #include <sunder/base/contract.h>
-#include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/extreme_vertex.h>
 #include <sunder/solid/pair/gjk_search.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
@@ -236,24 +235,6 @@ PolyhedronDistance polyhedron_polyhedron_distance(const ConvexPolyhedron& body_a
   conclude(answer, answer.cost.exact + tally.exact, !held || answer.decided_by == DecidedBy::finishing);
   out.closest.emplace(body_a, pose_a, body_b, pose_b, closest.features);
   return out;
-}
-
-ClosestPoints closest_points(const ClosestFeatures& closest) {
-  const FeatureVertices& f = closest.features();
-  const auto [way, weights] = closest.way();
-  const std::array<Posed3, 4> images = closest.images();
-  const auto point = [&](std::size_t begin, std::size_t end) {
-    PointOf made{{}, way.denominator, {{}, way.denominator}};
-    for (std::size_t k = begin; k < end; ++k) {
-      const auto [x, y, z] = lift<ExactStage>(images[k]);
-      const Dyadic& weight = weights[k];
-      made.coordinates = {made.coordinates[0] + x * weight, made.coordinates[1] + y * weight,
-                          made.coordinates[2] + z * weight};
-      made.of_body.parts.push_back({f.vertices[k], weight});
-    }
-    return made;
-  };
-  return {point(0, f.count_a), point(f.count_a, std::size_t{f.count_a} + f.count_b)};
 }
 
 Sign compare_distance(const PolyhedronDistance& distance, double radius) {
