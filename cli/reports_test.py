@@ -69,6 +69,8 @@ METHODS = {
 MORE = """
 pair cases/mesh/cube.obj cases/mesh/cube.obj --pose-b 2,0,0 --classify --certificate OUT
 pair cases/mesh/cube.obj cases/panda/meshes/collision/link3.stl
+pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,4,5 --distance --clearance 1 --certificate OUT
+pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,0.25,0.125 --distance
 pair cases/planar-pair/plate.wkt cases/planar-pair/wheel.wkt --distance --clearance 0.1 --classify --svg OUT
 pair cases/planar-pair/plate.wkt cases/planar-pair/wheel.wkt --clearance 1 --certificate OUT
 pair cases/planar-pair/plate.wkt cases/planar-pair/plate.wkt --distance --clearance 1
