@@ -370,7 +370,7 @@ class Reports(unittest.TestCase):
 
 SIMPLE = ["count", "position", "line", "text", "about", "point2", "point3", "fraction"]
 SHARED = ["cost", "error", "left_out", "skipped", "mended", "feature", "body", "planar_body", "unbounded", "mesh",
-          "evidence", "vertex_or_edge", "end", "pairs_of_parts", "info_of_mesh", "info_of_robot", "info_of_lines",
+          "evidence", "closest", "vertex_or_edge", "end", "pairs_of_parts", "info_of_mesh", "info_of_robot", "info_of_lines",
           "info_of_rows", "info_of_objects", "certificate_file"]
 VERBS = [one["$ref"].split("/")[-1] for one in SCHEMA["else"]["oneOf"]]
 
