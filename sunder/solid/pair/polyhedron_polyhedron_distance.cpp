@@ -31,6 +31,7 @@ class PosedFeatures {
   std::array<Posed3, 4> points_;
 };
 
+// The closest features of bodies that are apart.
 class Closest {
  public:
   Closest(const Placed& a, const Placed& b, Cost& cost, StageTally& tally) : a_(a), b_(b), cost_(cost), tally_(tally) {}
