@@ -147,10 +147,10 @@ TEST(SolidDistanceDifferential, AgreesWithTheScanAndIsProved) {
       EXPECT_GT(t.scanned, t.apart / 20) << name_of(family);
     }
     // The proposals hold, but where the bodies' sizes are further apart than the numbers of the search reach.
-    EXPECT_LE(t.finishing, family == Family::tiny_or_huge ? t.apart / 8 : t.apart / 200) << name_of(family);
+    EXPECT_LE(t.finishing, family == Family::tiny_or_huge ? t.apart / 6 : t.apart / 200) << name_of(family);
   }
-  // In general position filters see it.
-  EXPECT_GT(tallies[Family::general].filter, tallies[Family::general].apart * 3 / 4);
+  // In general position filters see it, but for facets of more than three vertices.
+  EXPECT_GT(tallies[Family::general].filter, tallies[Family::general].apart / 2);
 }
 
 // D4, and what else leaves distances as they are: swapping, reflecting, shifting exactly, permuting the input.
