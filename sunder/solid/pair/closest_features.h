@@ -106,17 +106,23 @@ std::optional<ShortestWay<T>> way_between(const VertexSet<T>& a, unsigned of_a, 
 // Why: the nearest points of the hulls are convex combinations of vertices; those of least number are affinely
 // independent, and their flats' nearest points are these. With d the way, what of A is furthest along it and what of B
 // is least far lie in two parallel planes; the weights satisfy two equations there and one sum each, so four do.
-// Cost: at most 132 shortest ways; one, where the first try is all vertices and does it.
+// Cost: at most 132 shortest ways, which are added to `ways`; one, where the first try is all vertices and does it.
 template <class T>
-FeatureVertices closest_features(const VertexSet<T>& a, const VertexSet<T>& b) {
+FeatureVertices closest_features(const VertexSet<T>& a, const VertexSet<T>& b, std::uint32_t* ways = nullptr) {
   using namespace closest_features_detail;
+  std::uint32_t uncounted = 0;
+  std::uint32_t& count = ways == nullptr ? uncounted : *ways;
   FeatureVertices best{1, 1, {a.vertex[0], b.vertex[0]}}, named;
   const unsigned all_a = (1U << a.count) - 1, all_b = (1U << b.count) - 1;
-  if (a.count + b.count <= 4 && way_between(a, all_a, b, all_b, named)) return named;
+  if (a.count + b.count <= 4) {
+    ++count;
+    if (way_between(a, all_a, b, all_b, named)) return named;
+  }
   std::optional<ShortestWay<T>> least;
   for (unsigned of_a = 1; of_a <= all_a; ++of_a) {
     for (unsigned of_b = 1; of_b <= all_b; ++of_b) {
       if (std::popcount(of_a) + std::popcount(of_b) > 4) continue;
+      ++count;
       const std::optional<ShortestWay<T>> way = way_between(a, of_a, b, of_b, named);
       if (!way) continue;
       if (least && !is_shorter(*way, *least)) continue;

@@ -46,15 +46,10 @@ class Closest {
     const EnclosedWay enclosed = enclosed_way(posed.a(), posed.b());
     if (enclosed.weights == Guess::negative) return false;
     if (enclosed.weights == Guess::positive) {
-      const auto before = [](const EnclosedAlong& along, const Point3& p, const Point3& q) {
-        return along.surely_less_far(p, q);
-      };
-      const auto beyond = [](const EnclosedAlong& along, const Point3& p, const Point3& q) {
-        return along.surely_further(p, q);
-      };
-      const std::span<const std::uint32_t> all(proposal.vertices);
-      if (surely_all(a_, enclosed.way, all.first(proposal.count_a), before) &&
-          surely_all(b_, enclosed.way, all.subspan(proposal.count_a, proposal.count_b), beyond)) {
+      const std::span<const std::uint32_t> all(proposal.vertices),
+          of_a = all.first(proposal.count_a), of_b = all.subspan(proposal.count_a, proposal.count_b);
+      if (surely_all(a_, of_a, EnclosedAlong(enclosed.way, a_.pose), &EnclosedAlong::surely_less_far) &&
+          surely_all(b_, of_b, EnclosedAlong(enclosed.way, b_.pose), &EnclosedAlong::surely_further)) {
         return true;
       }
     }
@@ -76,7 +71,7 @@ class Closest {
     for (std::size_t k = 0; k < features.count_b; ++k) add(of_b, b_, features.of_b(k));
     while (true) {
       ++cost_.iterations;
-      features = closest_features(of_a, of_b);
+      features = closest_features(of_a, of_b, &tally_.exact);
       const PosedFeatures posed(a_, b_, features);
       const std::optional<ExactWay> found = exact_way(posed.a(), posed.b());
       ++tally_.exact;
@@ -100,16 +95,14 @@ class Closest {
   }
 
   // Are all neighbours of the first of the vertices, but for the others, which are as far, surely behind it?
-  template <class Behind>
-  bool surely_all(const Placed& body, const Vector3<Interval>& way, std::span<const std::uint32_t> of,
-                  const Behind& behind) {
-    const EnclosedAlong along(way, body.pose);
+  using Behind = bool (EnclosedAlong::*)(const Point3& from, const Point3& to) const;
+  bool surely_all(const Placed& body, std::span<const std::uint32_t> of, const EnclosedAlong& along, Behind behind) {
     const VertexBlock block = body.graph.block(body.graph.place[of[0]]);
     const std::uint32_t count = block.count();
     const Point3 at = block.at();
     cost_.probes += count;
     for (std::uint32_t j = 0; j < count; ++j) {
-      if (behind(along, at, {block.x()[j], block.y()[j], block.z()[j]})) continue;
+      if ((along.*behind)(at, {block.x()[j], block.y()[j], block.z()[j]})) continue;
       if (std::find(of.begin(), of.end(), body.graph.block(block.place(j)).vertex()) == of.end()) return false;
     }
     tally_.interval += count;
@@ -145,7 +138,7 @@ class Closest {
   StageTally& tally_;
 };
 
-// From the difference of these vertices on. Nothing is proposed where the origin seems to be inside.
+// From the difference of these vertices on.
 template <class Real>
 bool propose(const Placed& a, const Placed& b, std::uint32_t from_a, std::uint32_t from_b, Closest& closest,
              Cost& cost) {
