@@ -31,7 +31,7 @@ namespace {
 constexpr double kCliff = 25;  // exact touching against a generic query, at kCliffSize vertices
 constexpr std::size_t kCliffSize = 1000;
 
-constexpr double kDistance = 3;  // the closest features against whether they meet, near contact, from 100 vertices on
+constexpr double kDistance = 3;  // how far apart, against whether they meet, near contact, from 100 vertices on
 constexpr std::size_t kDistanceSize = 100;
 const char* const kFeatures = "closest features";
 const char* const kNumber = "distance, to the last bit";
@@ -138,8 +138,7 @@ void conclude(const std::vector<Row>& rows, std::vector<std::string>& failures) 
   for (const Row& row : rows) {
     for (const Result& subject : row.subjects) {
       if (subject.method != kFeatures && subject.method != kNumber) continue;
-      const bool is_demanded =
-          subject.method == kFeatures && row.input == name_of(Regime::near) && row.n >= kDistanceSize;
+      const bool is_demanded = row.input == name_of(Regime::near) && row.n >= kDistanceSize;
       const double ratio = subject.median_s / row.sunder().median_s;
       const std::string allowed = is_demanded ? " (allowed: " + std::to_string(static_cast<int>(kDistance)) + ")" : "";
       std::snprintf(line, sizeof line, "n = %zu, %s, %s: %.2f times whether they meet%s", row.n, row.input.c_str(),

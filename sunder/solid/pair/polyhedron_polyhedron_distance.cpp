@@ -4,6 +4,7 @@
 // As no vertex of A is further along d than those of the feature, all of which are as far as p, and no vertex of B less
 // far than q, for all x of A and y of B d (y - x) >= d (q - p) = |d|^2: so none are nearer to each other.
 #include <sunder/base/contract.h>
+#include <sunder/number/estimate.h>
 #include <sunder/solid/pair/extreme_vertex.h>
 #include <sunder/solid/pair/gjk_search.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
@@ -152,6 +153,10 @@ bool propose(const Placed& a, const Placed& b, std::uint32_t from_a, std::uint32
   return closest.dispose(closest_features(search.vertices_of_a(), search.vertices_of_b()));
 }
 
+struct EstimateStage {
+  static Estimate read(double x) { return x; }
+};
+
 // The doubles next to the root of numerator / denominator, both positive.
 Interval root(const Dyadic& numerator, const Dyadic& denominator) {
   std::int64_t shift = numerator.top() - denominator.top();
@@ -163,17 +168,26 @@ Interval root(const Dyadic& numerator, const Dyadic& denominator) {
     const Dyadic exact(x);
     return (exact * exact * denominator - numerator).sign();
   };
-  Sign side = compared(low);
-  const bool is_above = side == Sign::positive;
-  while (side == Sign::positive) side = compared(low = std::nextafter(low, 0.0));
-  while (!is_above && side == Sign::negative && low < largest) {
-    const double next = std::nextafter(low, infinity);
-    const Sign beyond = compared(next);
-    if (beyond == Sign::positive) break;
-    low = next;
-    side = beyond;
+  while (compared(low) == Sign::positive) low = std::nextafter(low, 0.0);
+  while (low < largest && compared(std::nextafter(low, infinity)) != Sign::positive)
+    low = std::nextafter(low, infinity);
+  return {low, compared(low) == Sign::zero ? low : std::nextafter(low, infinity)};
+}
+
+// The same of estimates, where they are sure. Never of a root that is a double.
+std::optional<Interval> sure_root(const Estimate& numerator, const Estimate& denominator) {
+  const double root = std::sqrt(numerator.value.high / denominator.value.high);
+  if (!(root > 0 && root < 0x1p1000)) return std::nullopt;
+  const auto compared = [&](double x) { return sign(Estimate(x) * Estimate(x) * denominator - numerator); };
+  double low = root, high = root;
+  switch (compared(root)) {
+    case Guess::negative: high = std::nextafter(root, HUGE_VAL); break;
+    case Guess::positive: low = std::nextafter(root, 0.0); break;
+    default: return std::nullopt;
   }
-  return {low, side == Sign::zero ? low : std::nextafter(low, infinity)};
+  // Is it between them?
+  if (compared(low) != Guess::negative || compared(high) != Guess::positive) return std::nullopt;
+  return Interval{low, high};
 }
 
 }  // namespace
@@ -200,15 +214,22 @@ ExactWay ClosestFeatures::way() const {
   return *exact_way(all.first(features_.count_a), all.subspan(features_.count_a, features_.count_b));
 }
 
-std::array<Dyadic, 2> ClosestFeatures::squared() const {
+template <class Stage>
+auto ClosestFeatures::way_in() const {
   const std::array<Posed3, 4> posed = images();
   const std::span<const Posed3> all(posed);
-  const ShortestWay<Dyadic> found = shortest_way(
-      flat_arrows<ExactStage>(all.first(features_.count_a), all.subspan(features_.count_a, features_.count_b)));
+  return shortest_way(
+      flat_arrows<Stage>(all.first(features_.count_a), all.subspan(features_.count_a, features_.count_b)));
+}
+
+std::array<Dyadic, 2> ClosestFeatures::squared() const {
+  const ShortestWay<Dyadic> found = way_in<ExactStage>();
   return {found.squared(), found.denominator};
 }
 
 Interval ClosestFeatures::distance() const {
+  const ShortestWay<Estimate> estimate = way_in<EstimateStage>();
+  if (const auto sure = sure_root(estimate.squared(), estimate.denominator)) return *sure;
   const auto [numerator, denominator] = squared();
   return root(numerator, denominator);
 }
@@ -234,6 +255,9 @@ PolyhedronDistance polyhedron_polyhedron_distance(const ConvexPolyhedron& body_a
 Sign compare_distance(const PolyhedronDistance& distance, double radius) {
   SUNDER_REQUIRE(std::isfinite(radius) && radius >= 0);
   if (!distance.closest) return radius > 0 ? Sign::negative : Sign::zero;
+  const auto [low, high] = distance.distance();
+  if (radius < low) return Sign::positive;
+  if (radius > high) return Sign::negative;
   const auto [numerator, denominator] = distance.closest->squared();
   const Dyadic r(radius);
   return (numerator - r * r * denominator).sign();
