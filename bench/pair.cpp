@@ -1,4 +1,5 @@
 // bench_pair: how long does it take to tell whether two convex bodies meet? Against FCL (libccd) and Bullet (double).
+// And how far apart they are, as a multiple of that.
 //
 // Fairness:
 //   - All contestants answer the same queries in one run, in rounds, and take turns in going first, so that a change
@@ -21,6 +22,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bench {
@@ -28,6 +30,11 @@ namespace {
 
 constexpr double kCliff = 25;  // exact touching against a generic query, at kCliffSize vertices
 constexpr std::size_t kCliffSize = 1000;
+
+constexpr double kDistance = 3;  // how far apart, against whether they meet, near contact, from 100 vertices on
+constexpr std::size_t kDistanceSize = 100;
+const char* const kFeatures = "closest features";
+const char* const kNumber = "distance, to the last bit";
 
 const std::vector<std::size_t> kSizes{8, 12, 20, 30, 100, 1000, 10000};
 constexpr Regime kGeneric[] = {Regime::far, Regime::near, Regime::deep};
@@ -62,6 +69,11 @@ Contest contest(std::size_t n, Regime regime, std::uint64_t seed) {
   made.wrong_peers_count = true;
   made.pace.rounds = HUGE_VAL;
   made.subjects.push_back({"sunder", "front door", [=] { return prepare_sunder(*scenario); }});
+  if (regime == Regime::far || regime == Regime::near) {
+    for (const auto& [method, as] : {std::pair(kFeatures, DistanceAs::features), {kNumber, DistanceAs::number}}) {
+      made.subjects.push_back({"sunder", method, [=] { return prepare_sunder_distance(*scenario, as); }});
+    }
+  }
   for (const Regime cliff : kCliffs) {
     for (std::size_t family = 0; regime == cliff && family < kFamilies.size(); ++family) {
       Entry entry = family_entry(scenario, family);
@@ -122,6 +134,17 @@ void conclude(const std::vector<Row>& rows, std::vector<std::string>& failures) 
     std::snprintf(line, sizeof line, "n = %zu: %.2f times the rate of the fastest peer (demanded: %.0f)", far.n, ratio,
                   demanded);
     tell(true, ratio >= demanded);
+  }
+  for (const Row& row : rows) {
+    for (const Result& subject : row.subjects) {
+      if (subject.method != kFeatures && subject.method != kNumber) continue;
+      const bool is_demanded = row.input == name_of(Regime::near) && row.n >= kDistanceSize;
+      const double ratio = subject.median_s / row.sunder().median_s;
+      const std::string allowed = is_demanded ? " (allowed: " + std::to_string(static_cast<int>(kDistance)) + ")" : "";
+      std::snprintf(line, sizeof line, "n = %zu, %s, %s: %.2f times whether they meet%s", row.n, row.input.c_str(),
+                    subject.method.c_str(), ratio, allowed.c_str());
+      tell(true, !is_demanded || ratio <= kDistance);
+    }
   }
   double generic = 0;
   for (const Row* row : generic_rows(rows, kCliffSize)) generic += row->sunder().median_s / 3;

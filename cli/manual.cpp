@@ -1,3 +1,4 @@
+#include <cli/call.h>
 #include <cli/manual.h>
 
 #include <sunder/base/error.h>
@@ -15,15 +16,10 @@ namespace sunder::cli {
 
 namespace {
 
-std::vector<const CLI::App*> verbs_of(const CLI::App& program) {
-  return program.get_subcommands([](const CLI::App*) { return true; });
-}
-
 std::vector<const CLI::Option*> options_of(const CLI::App& app) {
   return app.get_options([](const CLI::Option* option) { return !option->get_lnames().empty(); });
 }
 
-bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
 bool may_repeat(const CLI::Option& option) { return option.get_items_expected_max() > 1; }
 bool takes_file(const CLI::Option& option) {
   return option.get_type_name() == "FILE" || option.get_type_name() == "WHAT";

@@ -1,5 +1,4 @@
-#include <cli/call_files.h>
-#include <cli/call_words.h>
+#include <cli/call.h>
 #include <cli/manual.h>
 #include <cli/program.h>
 #include <cli/words.h>
@@ -107,9 +106,7 @@ int complain_of_memory() {
 
 std::vector<std::string> names_of_verbs(const CLI::App& program) {
   std::vector<std::string> names;
-  for (const CLI::App* verb : program.get_subcommands([](const CLI::App*) { return true; })) {
-    names.push_back(verb->get_name());
-  }
+  for (const CLI::App* verb : verbs_of(program)) names.push_back(verb->get_name());
   return names;
 }
 
@@ -144,10 +141,10 @@ int help(const CLI::App& program, const Asked& asked) {
 // A call whose first word is an option, and no verb.
 int complain_of_option(const CLI::App& program, const Asked& asked) {
   const std::string word = asked.words[0].substr(0, asked.words[0].find('='));
-  const auto verbs_of_program = program.get_subcommands([](const CLI::App*) { return true; });
-  const bool is_of_verb =
-      word == "--" || std::any_of(verbs_of_program.begin(), verbs_of_program.end(),
-                                  [&](auto* verb) { return verb->get_option_no_throw(word) != nullptr; });
+  const std::vector<const CLI::App*> verbs = verbs_of(program);
+  const bool is_of_verb = word == "--" || std::any_of(verbs.begin(), verbs.end(), [&](auto* verb) {
+                            return verb->get_option_no_throw(word) != nullptr;
+                          });
   if (is_of_verb) return complain_of_verb(program, asked, "the verb comes first, before " + io::quote(word), "");
   const std::string meant = did_you_mean(word, names_of_options(program));
   return complain_of_verb(program, asked, "there is no option " + io::quote(word) + meant, "");

@@ -34,6 +34,7 @@
 #include <sunder/planar/pair/polygon_polygon_intersection.h>
 #include <sunder/planar/pair/polygon_ray.h>
 #include <sunder/planar/pair/polygon_segment.h>
+#include <sunder/planar/pair/polygon_unbounded.h>
 #include <sunder/planar/pair/segment_segment.h>
 
 // The plane: sets.
@@ -67,8 +68,10 @@
 
 // Space: bodies, two of them, and scenes of many.
 #include <sunder/scene/scene.h>
+#include <sunder/scene/scene_json.h>
 #include <sunder/solid/hull/convex_hull.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/hull_json.h>
 #include <sunder/solid/object/pose.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_distance.h>

@@ -35,19 +35,14 @@ struct Written {
 };
 
 // What the distance says of clearances that it keeps barely, and not quite.
-void add_clearances(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const planar::PolygonDistance& distance,
-                    const PointOf& of_a, const PointOf& of_b, Written& out) {
+void add_clearances(PairClaims& pairs, const planar::ClaimedPair& pair, const planar::PolygonDistance& distance,
+                    const PairCertificate& certificate, Written& out) {
   const auto [low, high] = distance.distance();
   for (const double least : {low, high, std::nextafter(high, HUGE_VAL)}) {
     if (!(least > 0) || !std::isfinite(least)) continue;
     ++out.statements;
-    if (planar::compare_distance(distance, least) == Sign::negative) {
-      pairs.add_clearance_broken(a, b, least, of_a, of_b);
-      ++out.broken;
-    } else {
-      pairs.add_clearance(a, b, least, way_between(of_a, of_b));
-      ++out.kept;
-    }
+    planar::add_clearance(pairs, pair, certificate, distance, least);
+    ++(planar::compare_distance(distance, least) == Sign::negative ? out.broken : out.kept);
   }
 }
 
@@ -61,20 +56,15 @@ Written write(const PlanarCase& c) {
   const PairAnswer answer = planar::polygon_polygon(c.a, c.pose_a, c.b, c.pose_b);
   const Contact contact = planar::polygon_polygon_contact(c.a, c.pose_a, c.b, c.pose_b);
   out.verdict = contact == Contact::none ? "apart" : std::string(name_of(contact));
+  const planar::ClaimedPair pair{a, b, c.a, c.pose_a, c.b, c.pose_b};
+  planar::add_claims(pairs, pair, answer.certificate(), contact);
   if (contact == Contact::none) {
-    pairs.add_pair(a, b, answer.certificate());
     const planar::PolygonDistance distance = planar::polygon_polygon_distance(c.a, c.pose_a, c.b, c.pose_b);
     EXPECT_TRUE(distance.closest);
     if (!distance.closest) return out;
-    const auto [of_a, of_b] = planar::closest_points(c.a, c.pose_a, c.b, c.pose_b, *distance.closest);
-    pairs.add_distance(a, b, of_a, of_b);
+    planar::add_distance(pairs, pair, distance);
     ++out.statements;
-    add_clearances(pairs, a, b, distance, of_a, of_b, out);
-  } else if (contact == Contact::touching) {
-    pairs.add_touching(a, b, pairs.common_point(a, b, answer.certificate()),
-                       planar::touching_direction(c.a, c.pose_a, c.b, c.pose_b, answer.certificate()));
-  } else {
-    pairs.add_overlapping(a, b, planar::overlapping_point(c.a, c.pose_a, c.b, c.pose_b));
+    add_clearances(pairs, pair, distance, answer.certificate(), out);
   }
   pairs.end();
   return out;
@@ -89,17 +79,7 @@ Written write(const PairCase& c) {
   const PairAnswer answer = solid::polyhedron_polyhedron(c.a, c.pose_a, c.b, c.pose_b);
   const Contact contact = solid::polyhedron_polyhedron_contact(c.a, c.pose_a, c.b, c.pose_b);
   out.verdict = contact == Contact::none ? "apart" : std::string(name_of(contact));
-  if (contact == Contact::none) {
-    pairs.add_pair(a, b, answer.certificate());
-  } else {
-    const solid::Interiors interiors = solid::interiors(c.a, c.pose_a, c.b, c.pose_b);
-    EXPECT_EQ(interiors.meet, contact == Contact::overlapping);
-    if (interiors.meet) {
-      pairs.add_overlapping(a, b, interiors.point);
-    } else {
-      pairs.add_touching(a, b, pairs.common_point(a, b, answer.certificate()), interiors.direction);
-    }
-  }
+  solid::add_claims(pairs, {a, b, c.a, c.pose_a, c.b, c.pose_b}, answer.certificate(), contact);
   pairs.end();
   return out;
 }

@@ -13,9 +13,9 @@ std::string titled(std::string_view title, std::string value) {
   return fmt::format("  {:<10}  {}\n", title, value);
 }
 
-std::string outputs_text(const QuestionCall& call, std::string_view proof_clause) {
+std::string outputs_text(const QuestionCall& call) {
   std::string text;
-  if (call.proves()) text += titled("proof", io::one_line(call.certificate) + std::string(proof_clause));
+  if (call.proves()) text += titled("proof", io::one_line(call.certificate));
   if (!call.svg.empty()) text += titled("picture", io::one_line(call.svg));
   return text;
 }

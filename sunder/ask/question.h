@@ -9,7 +9,6 @@
 //   answer(), yes()             the word in the report; is the exit code 1?
 //   text()                      for people: all but the lines below
 //   cost(), cost_text()         counted; in words
-//   proof_clause()              what the proof does not tell; or nothing
 //   add_to(report)              to the report in JSON
 #pragma once
 
@@ -50,7 +49,7 @@ std::string first_of(std::size_t size, std::size_t most, const TextOf& text_of) 
 }
 
 // Proof and picture, where they were written.
-std::string outputs_text(const QuestionCall& call, std::string_view proof_clause);
+std::string outputs_text(const QuestionCall& call);
 
 template <class Question>
 Json report_of(const Question& question) {
@@ -71,8 +70,7 @@ int answer(Question& question) {
   if (call.json) {
     print(to_text(report_of(question)));
   } else {
-    print_for_people(question.text() + titled("cost", question.cost_text()) +
-                     outputs_text(call, question.proof_clause()));
+    print_for_people(question.text() + titled("cost", question.cost_text()) + outputs_text(call));
   }
   return question.yes() ? exit_code::yes : exit_code::no;
 }

@@ -36,12 +36,8 @@ std::vector<Point3> in_space(const planar::ConvexPolygon& polygon) {
 // Every other one that meets tells how.
 void add_answer(PairClaims& written, const Case& c, const PairCertificate& evidence, bool tells_contact) {
   const auto& [family, a, b, pose_a, pose_b, touches] = c.planar;
-  if (evidence.verdict == Verdict::apart || !tells_contact) return written.add_pair(c.a, c.b, evidence);
-  if (planar::polygon_polygon_contact(a, pose_a, b, pose_b) == Contact::touching) {
-    return written.add_touching(c.a, c.b, written.common_point(c.a, c.b, evidence),
-                                planar::touching_direction(a, pose_a, b, pose_b, evidence));
-  }
-  written.add_overlapping(c.a, c.b, planar::overlapping_point(a, pose_a, b, pose_b));
+  const Contact contact = tells_contact ? planar::polygon_polygon_contact(a, pose_a, b, pose_b) : Contact::none;
+  planar::add_claims(written, {c.a, c.b, a, pose_a, b, pose_b}, evidence, contact);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include <sunder/ask/pair/pair_planar_input.h>
+#include <sunder/ask/pair/pair_planar.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/text.h>
@@ -41,21 +41,22 @@ Pose parse_planar_pose(const std::string& text, const std::string& place) {
               fmt::format("a pose of {}; give {}", count_of(n.size(), "number"), planar_pose_forms), place);
 }
 
-const PlanarObject& chosen(const io::PlanarFile& file, const std::string& path, const std::string& feature,
-                           const char* option, LeftOutList& left_out) {
-  if (feature.empty()) {
-    left_out.add(path, file.left_out, fmt::format("name the object that is asked about by {}", option));
+const PlanarObject& chosen(const io::PlanarFile& file, const PairSide& side, LeftOutList& left_out) {
+  const std::string option = side.option("feature");
+  const std::string first = io::quote(file.objects.front().name);
+  if (side.feature.empty()) {
+    left_out.add(side.file, file.left_out, fmt::format("name the object that is asked about by {}", option));
     if (file.objects.size() == 1) return file.objects.front();
-    io::fail_file(path, fmt::format("has {} objects, {} first; name one by {}", file.objects.size(),
-                                    io::quote(file.objects.front().name), option));
+    io::fail_file(side.file,
+                  fmt::format("has {} objects, {} first; name one by {}", file.objects.size(), first, option));
   }
-  const auto found =
-      std::find_if(file.objects.begin(), file.objects.end(), [&](const PlanarObject& o) { return o.name == feature; });
+  const auto found = std::find_if(file.objects.begin(), file.objects.end(),
+                                  [&](const PlanarObject& object) { return object.name == side.feature; });
   if (found != file.objects.end()) return *found;
-  throw Error(ErrorCode::bad_call,
-              fmt::format("{} has no feature {}; the first one is {}", io::one_line(path), io::quote(feature),
-                          io::quote(file.objects.front().name)),
-              option);
+  throw Error(
+      ErrorCode::bad_call,
+      fmt::format("{} has no feature {}; the first one is {}", io::one_line(side.file), io::quote(side.feature), first),
+      option);
 }
 
 ConvexPolygon shape_of(const PlanarObject& object, const std::string& path, const PairCall& call) {
@@ -73,61 +74,48 @@ ConvexPolygon shape_of(const PlanarObject& object, const std::string& path, cons
 
 }  // namespace
 
-PlanarInput read_planar_input(const PairCall& call, bool is_a, LeftOutList& left_out, InputFiles* inputs) {
-  const std::string& path = is_a ? call.file_a : call.file_b;
-  const io::PlanarFile file = io::read_planar_objects(path, call.drop_z, inputs);
-  for (const std::string& remark : file.remarks) note(fmt::format("{}: {}", io::one_line(path), remark));
-  PlanarInput out;
-  out.path = path;
-  out.file = io::one_line(path);
-  out.format = file.format;
-  out.object =
-      chosen(file, path, is_a ? call.feature_a : call.feature_b, is_a ? "--feature-a" : "--feature-b", left_out);
+PlanarInput read_planar_input(const PairCall& call, const PairSide& side, PairFiles& files) {
+  const io::PlanarFile file = io::read_planar_objects(side.file, call.drop_z, files.inputs());
+  const std::string shown = io::one_line(side.file);
+  for (const std::string& remark : file.remarks) note(fmt::format("{}: {}", shown, remark));
+  const PlanarObject& object = chosen(file, side, files.left_out);
   // What the file does not name is called as the file is.
-  const bool unnamed = file.objects.size() == 1 && out.object.name == "1";
-  out.name = unnamed ? io::one_line(std::filesystem::path(path).stem().string()) : out.object.name;
-  out.pose = parse_planar_pose(is_a ? call.pose_a : call.pose_b, is_a ? "--pose-a" : "--pose-b");
-  return out;
+  const bool unnamed = file.objects.size() == 1 && object.name == "1";
+  const std::string name = unnamed ? io::one_line(std::filesystem::path(side.file).stem().string()) : object.name;
+  return {side.file, shown, name, file.format, object, parse_planar_pose(side.pose, side.option("pose"))};
 }
 
 PlanarBody planar_body(const PlanarInput& input, const PairCall& call) {
-  PlanarBody out{input.file,
-                 input.name,
-                 input.format,
-                 static_cast<std::uint32_t>(input.object.vertices.size()),
-                 shape_of(input.object, input.path, call),
-                 input.pose,
-                 {},
-                 planar::in_space(input.pose.affine())};
-  for (const Point2& p : out.polygon.vertices()) out.vertices.push_back({p.x, p.y, 0});
-  return out;
-}
-
-std::string text_of(const PlanarBody& body, const PairCall& call) {
+  PlanarBody body{shape_of(input.object, input.path, call),
+                  input.pose,
+                  static_cast<std::uint32_t>(input.object.vertices.size()),
+                  {}};
+  for (const Point2& p : body.polygon.vertices()) body.vertices.push_back({p.x, p.y, 0});
   const std::uint32_t n = body.polygon.size();
-  return fmt::format(
-      "{}: {}, {}{}", body.name, body.shape(), n == 1 ? "1 vertex" : fmt::format("{} vertices", n),
-      n == body.given ? "" : fmt::format(" of {} given ({})", body.given, call.hull ? "hull" : "mended"));
+  const char* const shape = n == 1 ? "point" : n == 2 ? "segment" : "polygon";
+  body.object = {
+      .file = input.file,
+      .name = input.name,
+      .text = fmt::format(
+          "{}: {}, {}{}", input.name, shape, n == 1 ? "1 vertex" : fmt::format("{} vertices", n),
+          n == body.given ? "" : fmt::format(" of {} given ({})", body.given, call.hull ? "hull" : "mended")),
+      .json = {{"file", input.file},
+               {"name", input.name},
+               {"format", input.format},
+               {"shape", shape},
+               {"vertices", n},
+               {"given_vertices", body.given}},
+      .vertices = body.vertices,
+      .pose = planar::in_space(input.pose.affine())};
+  return body;
 }
 
-Json to_json(const PlanarBody& body) {
-  return {{"file", body.file},
-          {"name", body.name},
-          {"format", body.format},
-          {"shape", body.shape()},
-          {"vertices", body.polygon.size()},
-          {"given_vertices", body.given}};
+std::string PlanarBody::feature_text(const char* letter, std::uint32_t v, bool edge) const {
+  return edge ? fmt::format("edge {}-{} of {}", v, polygon.next(v), letter) : fmt::format("vertex {} of {}", v, letter);
 }
 
-std::string about(const Point2& p) { return fmt::format("({}, {})", about(p.x), about(p.y)); }
-
-std::string feature_text(const PlanarBody& body, const char* letter, std::uint32_t v, bool edge) {
-  return edge ? fmt::format("edge {}-{} of {}", v, (v + 1) % body.polygon.size(), letter)
-              : fmt::format("vertex {} of {}", v, letter);
-}
-
-Json feature_json(const PlanarBody& body, std::uint32_t v, bool edge) {
-  return edge ? Json{{"edge", {v, (v + 1) % body.polygon.size()}}} : Json{{"vertex", v}};
+Json PlanarBody::feature_json(std::uint32_t v, bool edge) const {
+  return edge ? Json{{"edge", {v, polygon.next(v)}}} : Json{{"vertex", v}};
 }
 
 }  // namespace sunder::ask

@@ -1,34 +1,101 @@
+#include <sunder/ask/evidence.h>
 #include <sunder/ask/pair/pair_question.h>
+
+#include <sunder/scene/rounded_evidence.h>
 
 #include <fmt/format.h>
 
 namespace sunder::ask {
+
+namespace {
+
+// One sentence in one or two lines.
+std::string evidence_text(const PairCertificate& c, const PlacedVertices& a, const PlacedVertices& b, bool is_planar) {
+  const auto told = [&](const Point3& p) { return is_planar ? about(Point2{p.x, p.y}) : about(p); };
+  if (c.verdict == Verdict::meet) {
+    return fmt::format("a common point at about {}, made of {} of A and {} of B",
+                       told(scene::rounded_common_point(c, a, b)),
+                       c.count_a == 1 ? "1 vertex" : fmt::format("{} vertices", c.count_a), c.count_b);
+  }
+  const scene::RoundedGap gap = scene::rounded_gap(c, a, b);
+  return fmt::format(
+      "an empty {} about {} wide across the direction of about {},\nfrom vertex {} of A to vertex {} of B",
+      is_planar ? "strip" : "slab", about(gap.width), told(gap.direction), c.extreme_a, c.extreme_b);
+}
+
+}  // namespace
+
+double least_clearance(const PairCall& call) {
+  if (call.clearance.empty()) return 0;
+  const std::vector<double> numbers = parse_numbers(call.clearance, "--clearance");
+  if (numbers.size() != 1 || !(numbers[0] > 0)) {
+    throw Error(ErrorCode::bad_call, fmt::format("{} is not one number above zero", io::quote(call.clearance)),
+                "--clearance");
+  }
+  return numbers[0];
+}
+
+std::string decided_text(DecidedBy decided_by) {
+  switch (decided_by) {
+    case DecidedBy::filter: return "the search's evidence, checked by floating-point filters alone";
+    case DecidedBy::evidence: return "the search's evidence, checked with the help of exact arithmetic";
+    case DecidedBy::finishing: return "exact finishing, because the search's evidence did not hold";
+    case DecidedBy::scan: return "exact arithmetic, by looking at everything";
+  }
+  return "";
+}
+
+std::string about(const Point2& p) { return fmt::format("({}, {})", about(p.x), about(p.y)); }
 
 std::string PairQuestion::cost_text() const {
   return fmt::format("{}, {}, {} of exact arithmetic", count_of(cost_.probes, "probe"),
                      count_of(cost_.iterations, "iteration"), count_of(cost_.exact, "use"));
 }
 
-std::string PairQuestion::head(const std::string& a, const std::string& b, std::string_view verdict) const {
+std::string PairQuestion::text() const {
   const std::string contact = call.classify && meet_ ? fmt::format(" ({})", name_of(contact_)) : "";
-  return fmt::format("{} and {}: {}{}{}\n", a, b, verdict, contact, left_out_.clause());
+  std::string text = fmt::format("{} and {}: {}{}{}\n", a_.file, b_.file, verdict_, contact, files_.left_out.clause());
+  text += titled("A", a_.text) + titled("B", b_.text);
+  for (const Fact& fact : facts_) {
+    if (!fact.text.empty()) text += titled(fact.key, fact.text);
+  }
+  return text + titled("decided by", decided_text_);
 }
 
-void PairQuestion::add_head(Json& json, const Json& a, const Json& b) const {
+void PairQuestion::add_to(Json& json) const {
   json["decided_by"] = name_of(decided_by_);
-  json["objects"] = Json::array({a, b});
-  if (!left_out_.empty()) json["left_out"] = to_json(left_out_);
+  json["objects"] = Json::array({a_.json, b_.json});
+  if (!files_.left_out.empty()) json["left_out"] = to_json(files_.left_out);
   if (call.classify) json["contact"] = name_of(contact_);
+  for (const Fact& fact : facts_) json[fact.key] = fact.json;
 }
 
-std::string PairQuestion::certificate_of(PairClaims::Space space, const std::function<void(PairClaims&)>& write) const {
-  std::string text;
-  ClaimsWriter file([&](std::string_view piece) { text += piece; });
-  file.add_origin(origin_);
-  PairClaims pairs(file, space);
-  write(pairs);
-  pairs.end();
-  return text;
+PairQuestion::Fact PairQuestion::evidence(const PairCertificate& certificate, int dimension) const {
+  const PlacedVertices a = a_.in_space(), b = b_.in_space();
+  Json json = evidence_json(certificate, a, b);
+  for (const char* key : {"point", "direction_about"}) {
+    if (dimension == 2 && json.contains(key)) json[key].erase(2);  // z
+  }
+  return {"evidence", std::move(json), evidence_text(certificate, a, b, dimension == 2)};
+}
+
+PairQuestion::Fact PairQuestion::clearance(double least, bool is_kept, double distance) {
+  return {"clearance",
+          {{"least", least}, {"kept", is_kept}},
+          fmt::format("{}: {}; {}", least, is_kept ? "kept" : "not kept",
+                      distance > 0 ? fmt::format("about {:.12g} apart", distance) : "they meet")};
+}
+
+std::string PairQuestion::certificate_of(PairClaims::Space space, const PairObject& first, const PairObject& second,
+                                         const Write& write) const {
+  return claims_text({files_.read, files_.left_out.texts()}, [&](ClaimsWriter& file) {
+    PairClaims pairs(file, space);
+    const auto add = [&](const PairObject& object) {
+      return pairs.add_placed(object.name, pairs.add_body(object.name, object.vertices, object.ways), object.pose);
+    };
+    const std::uint32_t a = add(first), b = add(second);
+    write(pairs, a, b);
+  });
 }
 
 }  // namespace sunder::ask

@@ -1,24 +1,33 @@
-// What sunder pair tells of two objects of any kind.
+// What sunder pair is asked about two objects of any kind, and tells of them.
 #pragma once
 
-#include <sunder/ask/evidence.h>
 #include <sunder/ask/left_out.h>
 #include <sunder/ask/question.h>
 
+#include <sunder/base/error.h>
+#include <sunder/certificate/direction.h>
 #include <sunder/certificate/pair_claims.h>
-#include <sunder/planar/set/contact_rule.h>
 
+#include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
-#include <string_view>
+#include <vector>
 
 namespace sunder::ask {
 
+// What is given of A, or of B.
+struct PairSide {
+  std::string letter;  // "a"
+  std::string file, pose;
+  std::string feature;  // planar; empty: the only one
+
+  std::string option(const char* name) const { return std::string("--") + name + "-" + letter; }
+};
+
 // The options for pairs of all kinds.
 struct PairCall : QuestionCall {
-  std::string file_a, file_b;
-  std::string feature_a, feature_b;  // planar; empty: the only one
-  std::string pose_a, pose_b;
+  PairSide a{"a", {}, {}, {}}, b{"b", {}, {}, {}};
   bool classify = false;
   bool distance = false;
   std::string clearance;            // a number: is one that far from the other? Empty: it is not asked
@@ -28,36 +37,90 @@ struct PairCall : QuestionCall {
   bool require_convex = false;
 };
 
-// What questions (question.h) about pairs share. Each kind asks, and fills in what is protected here.
+// What the files are, and what of them is left out.
+struct PairFiles {
+  explicit PairFiles(const PairCall& call) : left_out(call.leave_out), tells_inputs(call.proves()) {}
+
+  LeftOutList left_out;
+  bool tells_inputs;
+  InputFiles read;
+  InputFiles* inputs() { return tells_inputs ? &read : nullptr; }  // as of io::read_file
+};
+
+// A or B, as the answer tells of it.
+struct PairObject {
+  std::string file, name;
+  std::string text;  // for people
+  Json json;
+
+  // As a body of certificates: in the plane z = 0, where it is planar. Ways: of an unbounded one.
+  std::span<const Point3> vertices;
+  Affine3 pose{};
+  std::span<const Way3> ways{};
+
+  PlacedVertices in_space() const { return {vertices, pose, false}; }
+};
+
+// What questions (question.h) about pairs share. ask() of each kind fills in what is protected here.
 class PairQuestion {
  public:
   static constexpr const char *verb = "pair", *drawn_noun = "point";
   const PairCall& call;
 
-  PairQuestion(const PairCall& asked, const LeftOutList& left_out, Origin origin)
-      : call(asked), left_out_(left_out), origin_(std::move(origin)) {
-    origin_.left_out = left_out.texts();
-  }
+  PairQuestion(const PairCall& asked, PairObject a, PairObject b, const PairFiles& files)
+      : call(asked), a_(std::move(a)), b_(std::move(b)), files_(files) {}
 
   const char* answer() const { return meet_ ? "meet" : "apart"; }
+  bool yes() const { return meet_; }
   const Cost& cost() const { return cost_; }
   std::string cost_text() const;
-  const char* proof_clause() const { return ""; }
+  std::string text() const;
+  void add_to(Json& json) const;
 
  protected:
-  // "a.obj and b.obj: meet (touching)". verdict: "meet"
-  std::string head(const std::string& a, const std::string& b, std::string_view verdict) const;
-  void add_head(Json& json, const Json& a, const Json& b) const;
+  // What is told of the pair: to people under a title, in a report under a key. Without a text only there.
+  struct Fact {
+    const char* key;
+    Json json;
+    std::string text;
+  };
 
-  // A certificate of two bodies: write adds the statements.
-  std::string certificate_of(PairClaims::Space space, const std::function<void(PairClaims&)>& write) const;
+  template <class Answer>
+  void take(const Answer& answer, std::string decided_text) {
+    meet_ = answer.meet();
+    verdict_ = this->answer();
+    decided_by_ = answer.decided_by;
+    decided_text_ = std::move(decided_text);
+    cost_ = answer.cost;
+  }
 
-  const LeftOutList& left_out_;
-  Origin origin_;
+  // A point, or a direction and a gap, in two dimensions or three.
+  Fact evidence(const PairCertificate& certificate, int dimension) const;
+
+  // Is it kept, and how far are they apart, about? 0: they meet.
+  static Fact clearance(double least, bool is_kept, double distance);
+
+  // A certificate about two bodies: write adds the statements about those of these numbers.
+  using Write = std::function<void(PairClaims&, std::uint32_t first, std::uint32_t second)>;
+  std::string certificate_of(PairClaims::Space space, const PairObject& first, const PairObject& second,
+                             const Write& write) const;
+
+  PairObject a_, b_;
+  const PairFiles& files_;
   bool meet_ = false;
+  std::string verdict_, decided_text_;  // for people
   Contact contact_ = Contact::none;
   DecidedBy decided_by_ = DecidedBy::filter;
   Cost cost_;
+  std::vector<Fact> facts_;
 };
+
+// The clearance that is asked about; 0: none. Throws Error bad_call for what is no number above zero.
+double least_clearance(const PairCall& call);
+
+// Who decided, in words.
+std::string decided_text(DecidedBy decided_by);
+
+std::string about(const Point2& p);  // "(x, y)", four digits
 
 }  // namespace sunder::ask

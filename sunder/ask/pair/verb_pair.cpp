@@ -1,123 +1,171 @@
 // sunder pair A B: do two convex objects meet?
 #include <sunder/ask/objects.h>
 #include <sunder/ask/pair/pair_planar.h>
-#include <sunder/ask/report.h>
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/planar_objects.h>
+#include <sunder/solid/pair/contact_evidence.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace sunder::ask {
 
 namespace {
 
 struct Placed {
-  MeshBody object;
+  MeshBody mesh;
   solid::Pose pose;
 
-  PlacedVertices vertices() const { return placed_vertices(object.hull, pose); }
-  bool is_hull() const { return object.shape == io::BodyShape::hull; }
+  bool is_hull() const { return mesh.shape == io::BodyShape::hull; }
+};
+
+Placed read(const PairCall& call, const PairSide& side, PairFiles& files) {
+  return {io::read_body(side.file, call.require_convex, files.left_out, files.inputs()),
+          side.pose.empty() ? solid::Pose() : parse_pose(side.pose, side.option("pose"))};
+}
+
+PairObject object_of(const Placed& placed) {
+  const auto& [mesh, pose] = placed;
+  const char* shape = mesh.shape == io::BodyShape::convex ? ""
+                      : placed.is_hull()                  ? ", hull of the mesh"
+                                                          : ", hull of the points";
+  const std::size_t n = mesh.hull.vertices().size();
+  const std::string departure = departure_text(mesh);
+  return {
+      .file = mesh.file,
+      .name = mesh.name,
+      .text = fmt::format("{}: {}, {}, {}{}{}{}", mesh.name, dimension_name(mesh.hull.dimension()),
+                          n == 1 ? "1 vertex" : fmt::format("{} vertices", n),
+                          count_of(mesh.hull.facet_count(), "facet"), shape, departure.empty() ? "" : "\n", departure),
+      .json = to_json(mesh),
+      .vertices = mesh.hull.vertices(),
+      .pose = pose.affine()};
+}
+
+// Few vertices of a body that span a part of its surface: a vertex, an edge, or a part of a facet.
+struct SurfacePart {
+  const solid::ConvexPolyhedron& body;
+  std::span<const std::uint32_t> vertices;
+
+  const char* kind() const {
+    if (vertices.size() == 1) return "vertex";
+    if (vertices.size() > 2) return "facet";
+    const auto beside = body.neighbours(vertices[0]);
+    return std::find(beside.begin(), beside.end(), vertices[1]) == beside.end() ? "facet" : "edge";
+  }
+  Json json() const {
+    if (vertices.size() == 1) return {{"vertex", vertices[0]}};
+    return {{kind(), Json(std::vector<std::uint32_t>(vertices.begin(), vertices.end()))}};
+  }
+  std::string text(const char* letter) const {
+    return fmt::format("{} {} of {}", kind(), fmt::join(vertices, "-"), letter);
+  }
 };
 
 class SolidPair : public PairQuestion {
  public:
-  SolidPair(const PairCall& asked, PairMethod method, const Placed& a, const Placed& b, const LeftOutList& left_out,
-            Origin origin)
-      : PairQuestion(asked, left_out, std::move(origin)), method_(method), a_(a), b_(b) {}
+  SolidPair(const PairCall& asked, PairMethod method, const Placed& a, const Placed& b, const PairFiles& files)
+      : PairQuestion(asked, object_of(a), object_of(b), files),
+        method_(method),
+        of_a_(a),
+        of_b_(b),
+        least_(least_clearance(asked)) {}
 
   static std::uint64_t drawn() { return 0; }
   static std::string picture() { return ""; }  // of planar pairs only
 
   void ask() {
-    answer_ = method_(a_.object.hull, a_.pose, b_.object.hull, b_.pose);
-    meet_ = answer_.meet();
-    decided_by_ = answer_.decided_by;
-    cost_ = answer_.cost;
-    if (call.classify && meet_) {
-      contact_ = solid::polyhedron_polyhedron_contact(a_.object.hull, a_.pose, b_.object.hull, b_.pose);
+    const solid::ConvexPolyhedron &a = of_a_.mesh.hull, &b = of_b_.mesh.hull;
+    answer_ = method_(a, of_a_.pose, b, of_b_.pose);
+    take(answer_, decided_text(answer_.decided_by));
+    if (call.classify && meet_) contact_ = solid::polyhedron_polyhedron_contact(a, of_a_.pose, b, of_b_.pose);
+    if (call.distance || least_ > 0) {
+      distance_ = solid::polyhedron_polyhedron_distance(a, of_a_.pose, b, of_b_.pose);
+      if (least_ > 0) is_kept_ = compare_distance(distance_, least_) != Sign::negative;
     }
+    // That they are apart, and so far, carries over from hulls to the meshes that they stand for; that they meet, or
+    // are no further apart, does not.
+    const bool is_hull = of_a_.is_hull() || of_b_.is_hull();
+    const bool is_said_of_hulls = is_hull && (meet_ || call.distance || (least_ > 0 && !is_kept_));
+    if (meet_ && is_hull) verdict_ = "meet as hulls";
+    facts_ = {{"said_of", is_said_of_hulls ? "hulls" : "bodies", ""}, evidence(answer_.certificate(), 3)};
+    const char* of_hulls = is_hull && !meet_ ? " (of the hulls)" : "";
+    if (call.distance) facts_.push_back({"distance", distance_json(), distance_text() + of_hulls});
+    if (least_ == 0) return;
+    facts_.push_back(clearance(least_, is_kept_, distance_.distance().high));
+    if (!is_kept_) facts_.back().text += of_hulls;
   }
-  bool yes() const { return meet_; }
+  bool yes() const { return least_ > 0 ? !is_kept_ : meet_; }
 
   std::string certificate() const {
-    return certificate_of(PairClaims::Space::solid, [this](PairClaims& pairs) {
-      const auto add = [&](const Placed& p) {
-        return pairs.add_placed(p.object.name, pairs.add_body(p.object.name, p.object.hull.vertices()),
-                                p.pose.affine());
-      };
-      const std::uint32_t index_a = add(a_), index_b = add(b_);
-      add_solid_pair(pairs, {index_a, index_b, a_.object.hull, b_.object.hull, a_.pose, b_.pose}, answer_.certificate(),
-                     contact_);
-    });
-  }
-
-  std::string text() const {
-    return head(a_.object.file, b_.object.file, is_said_of_hulls() ? "meet as hulls" : answer()) +
-           titled("A", text_of(a_.object)) + titled("B", text_of(b_.object)) +
-           titled("evidence", evidence_text(answer_.certificate(), a_.vertices(), b_.vertices(), "A", "B")) +
-           titled("decided by", decided_text(decided_by_));
-  }
-  void add_to(Json& json) const {
-    add_head(json, to_json(a_.object), to_json(b_.object));
-    json["said_of"] = is_said_of_hulls() ? "hulls" : "bodies";
-    json["evidence"] = evidence_json(answer_.certificate(), a_.vertices(), b_.vertices());
+    return certificate_of(
+        PairClaims::Space::solid, a_, b_, [this](PairClaims& pairs, std::uint32_t a, std::uint32_t b) {
+          const solid::ClaimedPair pair{a, b, of_a_.mesh.hull, of_a_.pose, of_b_.mesh.hull, of_b_.pose};
+          add_claims(pairs, pair, answer_.certificate(), contact_);
+          if (call.distance) add_distance(pairs, pair, distance_);
+          if (least_ > 0) add_clearance(pairs, pair, distance_, least_);
+        });
   }
 
  private:
-  // Apart carries over from hulls to the meshes that they stand for; meet does not.
-  bool is_said_of_hulls() const { return meet_ && (a_.is_hull() || b_.is_hull()); }
-
-  static std::string text_of(const MeshBody& object) {
-    const solid::ConvexPolyhedron& hull = object.hull;
-    const char* shape = object.shape == io::BodyShape::convex ? ""
-                        : object.shape == io::BodyShape::hull ? ", hull of the mesh"
-                                                              : ", hull of the points";
-    const std::string departure = departure_text(object);
-    return fmt::format("{}: {}, {}, {}{}{}{}", object.name, dimension_name(hull.dimension()),
-                       hull.vertices().size() == 1 ? "1 vertex" : fmt::format("{} vertices", hull.vertices().size()),
-                       count_of(hull.facet_count(), "facet"), shape, departure.empty() ? "" : "\n", departure);
+  std::array<SurfacePart, 2> closest() const {
+    const solid::FeatureVertices& f = distance_.closest->features();
+    const std::span<const std::uint32_t> all(f.vertices);
+    return {SurfacePart{of_a_.mesh.hull, all.first(f.count_a)},
+            SurfacePart{of_b_.mesh.hull, all.subspan(f.count_a, f.count_b)}};
+  }
+  std::string distance_text() const {
+    if (meet_) return "0";
+    const auto [a, b] = closest();
+    return fmt::format("about {:.12g}, from {} to {}", distance_.distance().high, a.text("A"), b.text("B"));
+  }
+  Json distance_json() const {
+    const Interval distance = distance_.distance();
+    Json json{{"low", distance.low}, {"high", distance.high}};
+    if (meet_) return json;
+    const auto [a, b] = closest();
+    json["a"] = a.json();
+    json["b"] = b.json();
+    return json;
   }
 
   PairMethod method_;
-  const Placed &a_, &b_;
+  const Placed &of_a_, &of_b_;
+  double least_;  // the clearance that is asked about; 0: none
   solid::PairAnswer answer_;
+  solid::PolyhedronDistance distance_;
+  bool is_kept_ = false;
 };
-
-Placed read(const PairCall& call, bool is_a, LeftOutList& left_out, InputFiles* inputs) {
-  const std::string& pose = is_a ? call.pose_a : call.pose_b;
-  return {io::read_body(is_a ? call.file_a : call.file_b, call.require_convex, left_out, inputs),
-          pose.empty() ? solid::Pose() : parse_pose(pose, is_a ? "--pose-a" : "--pose-b")};
-}
 
 // Of standard input, the other one tells.
 int run(const PairCall& call) {
-  if (io::is_planar(call.file_a) || io::is_planar(call.file_b)) {
+  if (io::is_planar(call.a.file) || io::is_planar(call.b.file)) {
     if (call.require_convex) {
       throw Error(ErrorCode::bad_call, "polygons are always required to be convex; leave it out", "--require-convex");
     }
     return run_planar_pair(call);
   }
   for (const auto& [is_given, option] : {std::pair(!call.svg.empty(), "--svg"),
-                                         {call.distance, "--distance"},
-                                         {!call.clearance.empty(), "--clearance"},
                                          {call.mend, "--mend"},
                                          {call.hull, "--hull"},
                                          {call.drop_z, "--drop-z"},
-                                         {!call.feature_a.empty(), "--feature-a"},
-                                         {!call.feature_b.empty(), "--feature-b"}}) {
+                                         {!call.a.feature.empty(), "--feature-a"},
+                                         {!call.b.feature.empty(), "--feature-b"}}) {
     if (is_given) throw Error(ErrorCode::bad_call, "is for planar objects only; leave it out", option);
   }
   const PairMethod method = pair_method(call.method);
-  LeftOutList left_out(call.leave_out);
-  Origin origin;
-  InputFiles* const inputs = call.proves() ? &origin.inputs : nullptr;
-  const Placed a = read(call, true, left_out, inputs), b = read(call, false, left_out, inputs);
-  note_hulls({&a.object, &b.object});
-  SolidPair question(call, method, a, b, left_out, std::move(origin));
+  PairFiles files(call);
+  const Placed a = read(call, call.a, files), b = read(call, call.b, files);
+  note_hulls({&a.mesh, &b.mesh});
+  SolidPair question(call, method, a, b, files);
   return answer(question);
 }
 
@@ -129,14 +177,14 @@ Verb pair_verb() {
       "pair",
       "Do two convex objects meet? A common point, or what parts them.",
       "0 apart, or with --clearance that far apart; 1 meet, or not that far apart",
-      {{"A", &call->file_a,
+      {{"A", &call->a.file,
         "a mesh or a set of points: OBJ, STL, PLY, OFF; or a planar object: WKT, GeoJSON, CSV. Lines, rays, "
         "half-planes: in CSV line,x1,y1,x2,y2 (ray, half-plane), in WKT LINE (x1 y1, x2 y2) (RAY, HALFPLANE)",
         "", true},
-       {"B", &call->file_b, "the other, of the same kind; in the plane, one of the two is bounded", "", true},
-       {"--pose-a", &call->pose_a, fmt::format("where A is: {}; in the plane {}", pose_forms, planar_pose_forms),
+       {"B", &call->b.file, "the other, of the same kind; in the plane, one of the two is bounded", "", true},
+       {"--pose-a", &call->a.pose, fmt::format("where A is: {}; in the plane {}", pose_forms, planar_pose_forms),
         "POSE"},
-       {"--pose-b", &call->pose_b, "where B is", "POSE"},
+       {"--pose-b", &call->b.pose, "where B is", "POSE"},
        {"--method", &call->method,
         "automatic, scan, gjk (both bounded), difference, halving, triangles (both bounded, in the plane), or "
         "fibonacci (with a line)",
@@ -146,11 +194,11 @@ Verb pair_verb() {
        {"--leave-out", &call->leave_out, leave_out_help},
        certificate_option(call->certificate),
        json_option(call->json),
-       {"--distance", &call->distance, "planar, both bounded: tell how far apart they are, and the closest features"},
-       {"--clearance", &call->clearance,
-        "planar, both bounded: are they so far apart, or further? If not, the exit code is 1", "NUMBER"},
-       {"--feature-a", &call->feature_a, "planar: which object of the file A is", "NAME"},
-       {"--feature-b", &call->feature_b, "planar: which object of the file B is", "NAME"},
+       {"--distance", &call->distance, "both bounded: tell exactly how far apart they are, and the closest features"},
+       {"--clearance", &call->clearance, "both bounded: are they so far apart, or further? If not, the exit code is 1",
+        "NUMBER"},
+       {"--feature-a", &call->a.feature, "planar: which object of the file A is", "NAME"},
+       {"--feature-b", &call->b.feature, "planar: which object of the file B is", "NAME"},
        {"--mend", &call->mend, "planar: leave out repeated and collinear vertices, turn clockwise ones round"},
        {"--hull", &call->hull, "planar: take the convex hull"},
        {"--drop-z", &call->drop_z, "planar: ignore third coordinates"},

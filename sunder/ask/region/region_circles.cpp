@@ -1,11 +1,7 @@
-#include <sunder/ask/progress.h>
-#include <sunder/ask/region/region_circles.h>
-#include <sunder/ask/report.h>
+// sunder region --of circles: with their insides.
+#include <sunder/ask/region/region_question.h>
 #include <sunder/ask/set/circles_input.h>
 
-#include <sunder/base/error.h>
-#include <sunder/io/file.h>
-#include <sunder/io/text.h>
 #include <sunder/picture/plane.h>
 #include <sunder/planar/region/disc_intersection.h>
 #include <sunder/planar/region/disc_intersection_json.h>
@@ -29,10 +25,10 @@ using planar::DiscIntersection;
 using planar::DiscIntersectionKind;
 using planar::Discs;
 
-using PartMethod = DiscIntersection(const Discs&);
-constexpr std::array<Named<PartMethod>, 3> methods{{{"automatic", planar::disc_intersection},
-                                                    {"division", planar::disc_intersection_by_division},
-                                                    {"scan", planar::disc_intersection_by_scan}}};
+using Method = DiscIntersection(const Discs&);
+constexpr std::array<Named<Method>, 3> methods{{{"automatic", planar::disc_intersection},
+                                                {"division", planar::disc_intersection_by_division},
+                                                {"scan", planar::disc_intersection_by_scan}}};
 
 // The middle of what holds it.
 Point2 rounded(const DiscCrossing& crossing) {
@@ -40,64 +36,56 @@ Point2 rounded(const DiscCrossing& crossing) {
   return {in.x.low / 2 + in.x.high / 2, in.y.low / 2 + in.y.high / 2};
 }
 
-class CirclesQuestion {
+class CirclesQuestion final : public RegionQuestion {
  public:
-  static constexpr const char *verb = "region", *drawn_noun = "circle";
-  const RegionCall& call;
+  static constexpr const char* drawn_noun = "circle";
 
   explicit CirclesQuestion(const RegionCall& asked)
-      : call(asked), method_(method_by(asked.method, methods)), read_(read(asked, origin_)) {}
+      : RegionQuestion(asked),
+        method_(method_by(asked.method, methods)),
+        read_(read_circles(asked.file, {}, {}, asked.proves() ? &origin_.inputs : nullptr)) {}
 
   std::uint64_t drawn() const { return circles_.size(); }
   void ask() {
     part_ = method_(circles_);
     deepest_ = nearest(deepest_point(planar::discs_of(circles_.all(), part_.deepest.basis())));
+    is_empty_ = part_.kind == DiscIntersectionKind::empty;
+    cost_ = part_.cost;
+    counted_ = "comparison";
+    things_ = count_of(circles_.size(), "circle");
+    object_json_ = {{"format", "CSV"}, {"circles", circles_.size()}};
+    region_json_ = {{"kind", name_of(part_.kind)}, {"arcs", part_.arcs}};
+    if (!is_region()) {
+      verdict_ = is_empty_ ? "empty: these have nothing in common"
+                           : fmt::format("one point, about {}, common to", place_text(deepest_));
+      named_.assign(part_.deepest.basis().begin(), part_.deepest.basis().end());
+      return;
+    }
+    verdict_ = fmt::format("a region bounded by {}; a point inside is about {}", count_of(part_.arcs.size(), "arc"),
+                           place_text(deepest_));
+    for (std::size_t m = 0; part_.arcs.size() > 1 && m < part_.arcs.size(); ++m) {
+      corners_.push_back(rounded(planar::corner(circles_, part_, m)));
+    }
+    corner_count_ = corners_.size();
   }
   std::string certificate() const { return planar::certificate_text(circles_, part_, origin_); }
 
-  bool yes() const { return part_.kind == DiscIntersectionKind::empty; }
-  const char* answer() const { return yes() ? "infeasible" : "feasible"; }
-  const Cost& cost() const { return part_.cost; }
-  std::string cost_text() const { return count_of(part_.cost.probes, "comparison"); }
-  const char* proof_clause() const { return " (of what kind it is, not of the arcs)"; }
-
   std::string text() const {
-    std::string text = fmt::format("{}: {}\n", io::one_line(call.file), count_of(circles_.size(), "circle"));
-    if (part_.kind == DiscIntersectionKind::region) {
-      return text +
-             fmt::format("a region bounded by {}; a point inside is about {}\n", count_of(part_.arcs.size(), "arc"),
-                         place_text(deepest_)) +
-             arcs_text();
-    }
-    text += yes() ? "empty: these have nothing in common\n"
-                  : fmt::format("one point, about {}, common to\n", place_text(deepest_));
-    for (const std::uint32_t k : part_.deepest.basis()) text += fmt::format("    circle {}\n", circle(k));
-    return text;
+    const bool is_one_circle = is_region() && corners_.empty();
+    return RegionQuestion::text() + (is_one_circle ? fmt::format("  all of {}\n", thing_text(part_.arcs[0])) : "");
   }
 
   void add_to(Json& json) const {
-    json["objects"] =
-        Json::array({{{"file", io::one_line(call.file)}, {"format", "CSV"}, {"circles", circles_.size()}}});
-    json["region"] = {{"kind", name_of(part_.kind)}, {"arcs", part_.arcs}};
-    json["region"]["corners"] = Json::array();
-    for (const Point2& p : corners()) json["region"]["corners"].push_back({{"point", {p.x, p.y}}});
-    json["deepest"] = {{"point", {deepest_.x, deepest_.y}}, {"circles", Json::array()}};
-    for (const std::uint32_t k : part_.deepest.basis()) json["deepest"]["circles"].push_back(k);
+    RegionQuestion::add_to(json);
+    json["deepest"] = {{"point", {deepest_.x, deepest_.y}}, {"circles", part_.deepest.basis()}};
   }
 
   std::string picture() const {
     PlanePicture drawing(seen());
-    std::vector<bool> named(circles_.size(), false);
-    for (const std::uint32_t k : part_.deepest.basis()) named[k] = part_.kind != DiscIntersectionKind::region;
-    for (std::uint32_t k = 0; k < circles_.size(); ++k) {
-      if (!named[k]) drawing.circle(circles_[k], Ink::calm);
-    }
-    for (std::uint32_t k = 0; k < circles_.size(); ++k) {
-      if (named[k]) drawing.circle(circles_[k], Ink::accent);
-    }
-    if (part_.kind == DiscIntersectionKind::region) {
+    draw_things(circles_.size(), [&](std::uint32_t k, Ink ink) { drawing.circle(circles_[k], ink); });
+    if (is_region()) {
       drawing.polygon(outline(), Ink::bold);
-      for (const Point2& p : corners()) drawing.dot(p, Ink::bold);
+      for (const Point2& p : corners_) drawing.dot(p, Ink::bold);
       drawing.legend(Ink::bold, "common to all");
     } else if (part_.kind == DiscIntersectionKind::point) {
       drawing.dot(deepest_, Ink::accent, "the only point");
@@ -105,44 +93,30 @@ class CirclesQuestion {
       drawing.legend(Ink::accent, "have nothing in common");
     }
     return drawing.text(call.title_or("What is common to these circles?"),
-                        fmt::format("{}: {}", count_of(circles_.size(), "circle"),
-                                    part_.kind == DiscIntersectionKind::empty   ? "nothing is common to all"
-                                    : part_.kind == DiscIntersectionKind::point ? "one point"
-                                                                                : count_of(part_.arcs.size(), "arc")));
+                        fmt::format("{}: {}", things_,
+                                    is_empty_      ? "nothing is common to all"
+                                    : !is_region() ? "one point"
+                                                   : count_of(part_.arcs.size(), "arc")));
   }
 
  private:
-  static DiscsInput read(const RegionCall& call, Origin& origin) {
-    return read_circles(call.file, {}, {}, call.proves() ? &origin.inputs : nullptr);
-  }
-  const io::TripleFile& file() const { return read_.file; }
-
-  std::string circle(std::uint32_t k) const {
+  bool is_region() const { return part_.kind == DiscIntersectionKind::region; }
+  const std::string& name(std::uint32_t k) const { return read_.file.name[k]; }
+  std::string thing_text(std::uint32_t k) const override {
     const Disc& c = circles_[k];
-    return fmt::format("{}, line {}: centre {}, radius {:.10g}", file().name[k], file().line[k], place_text(c.center),
-                       c.radius);
+    return fmt::format("circle {}, line {}: centre {}, radius {:.10g}", name(k), read_.file.line[k],
+                       place_text(c.center), c.radius);
   }
 
-  std::vector<Point2> corners() const {
-    std::vector<Point2> all;
-    for (std::size_t m = 0; part_.arcs.size() > 1 && m < part_.arcs.size(); ++m) {
-      all.push_back(rounded(corner(circles_, part_, m)));
-    }
-    return all;
-  }
-
-  std::string arcs_text() const {
-    if (part_.arcs.size() == 1) return fmt::format("  all of circle {}\n", circle(part_.arcs[0]));
-    const std::vector<Point2> ends = corners();
-    return first_of(ends.size(), 20, [&](std::size_t m) {
-      return fmt::format("  arc of {} up to about {}\n", file().name[part_.arcs[m]], place_text(ends[m]));
-    });
+  Point2 corner(std::size_t k) const override { return corners_[k]; }
+  std::string corner_text(std::size_t k) const override {
+    return fmt::format("  arc of {} up to about {}\n", name(part_.arcs[k]), place_text(corners_[k]));
   }
 
   // Points along the boundary, close to each other; for a picture.
   std::vector<Point2> outline() const {
     constexpr double step = std::numbers::pi / 180;
-    const std::vector<Point2> ends = corners();
+    const std::vector<Point2>& ends = corners_;
     std::vector<Point2> points;
     for (std::size_t m = 0; m < part_.arcs.size(); ++m) {
       const Disc& c = circles_[part_.arcs[m]];
@@ -162,7 +136,7 @@ class CirclesQuestion {
   // The common part with as much again around it; without a region the circles that are named.
   std::vector<Point2> seen() const {
     std::vector<Point2> points;
-    if (part_.kind == DiscIntersectionKind::region) {
+    if (is_region()) {
       points = outline();
       double room = 0;
       for (const Point2& p : points) room = std::max({room, std::fabs(p.x - deepest_.x), std::fabs(p.y - deepest_.y)});
@@ -170,7 +144,7 @@ class CirclesQuestion {
       points.push_back({deepest_.x + 2 * room, deepest_.y + 2 * room});
       return points;
     }
-    for (const std::uint32_t k : part_.deepest.basis()) {
+    for (const std::uint32_t k : named_) {
       const Disc& c = circles_[k];
       points.push_back({c.center.x - c.radius, c.center.y - c.radius});
       points.push_back({c.center.x + c.radius, c.center.y + c.radius});
@@ -178,12 +152,13 @@ class CirclesQuestion {
     return points;
   }
 
-  PartMethod* method_;
+  Method* method_;
   Origin origin_;
   DiscsInput read_;
   const Discs& circles_ = read_.circles;
   DiscIntersection part_;
   Point2 deepest_;
+  std::vector<Point2> corners_;  // rounded: where each arc ends
 };
 
 }  // namespace

@@ -1,9 +1,7 @@
-#include <sunder/ask/region/region_polygons.h>
-#include <sunder/ask/report.h>
-#include <sunder/ask/set/polygons_input.h>
+// sunder region --of polygons: convex ones.
+#include <sunder/ask/region/region_question.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/file.h>
 #include <sunder/io/text.h>
 #include <sunder/picture/plane.h>
 #include <sunder/planar/region/convex_polygon_intersection.h>
@@ -28,11 +26,11 @@ using planar::PolygonsCorner;
 using planar::PolygonsPart;
 using planar::PolygonsPartKind;
 
-using PartMethod = PolygonsPart(std::span<const ConvexPolygon>);
-constexpr std::array<Named<PartMethod>, 4> methods{{{"automatic", planar::convex_polygon_intersection},
-                                                    {"division", planar::convex_polygon_intersection_by_division},
-                                                    {"edges", planar::convex_polygon_intersection_by_edges},
-                                                    {"scan", planar::convex_polygon_intersection_by_scan}}};
+using Method = PolygonsPart(std::span<const ConvexPolygon>);
+constexpr std::array<Named<Method>, 4> methods{{{"automatic", planar::convex_polygon_intersection},
+                                                {"division", planar::convex_polygon_intersection_by_division},
+                                                {"edges", planar::convex_polygon_intersection_by_edges},
+                                                {"scan", planar::convex_polygon_intersection_by_scan}}};
 
 ConvexPolygon convex(const planar::Polygon& polygon, bool mend) {
   if (polygon.ring_count() > 1) throw Error(ErrorCode::bad_shape, "has holes; give convex polygons");
@@ -86,57 +84,40 @@ std::vector<ConvexPolygon> convex_polygons(const RegionCall& call, PolygonsInput
   return polygons;
 }
 
-class PolygonsQuestion {
+class PolygonsQuestion final : public RegionQuestion {
  public:
-  static constexpr const char *verb = "region", *drawn_noun = "edge";
-  const RegionCall& call;
+  static constexpr const char* drawn_noun = "edge";
 
   explicit PolygonsQuestion(const RegionCall& asked)
-      : call(asked),
+      : RegionQuestion(asked),
         method_(method_by(asked.method, methods)),
-        input_(read_polygons(request_of(asked))),
+        input_(read_polygons(asked.request())),
         polygons_(convex_polygons(asked, input_)) {}
 
   std::uint64_t drawn() const { return input_.edges(); }
   void ask() {
     part_ = method_(polygons_);
     for (const PolygonsCorner& c : part_.corners) corners_.push_back(nearest(exact_point(corner_point(polygons_, c))));
+    corner_count_ = corners_.size();
+    is_empty_ = part_.kind == PolygonsPartKind::empty;
+    cost_ = part_.cost;
+    const std::string& format = input_.files.front().format;
+    things_ = fmt::format("{}, {}", count_of(polygons_.size(), "convex polygon"), format);
+    object_json_ = {{"format", format}, {"polygons", polygons_.size()}};
+    region_json_ = {{"kind", name_of(part_.kind)}};
+    verdict_ = is_empty_ ? fmt::format("empty{}: these have nothing in common", without()) : shape() + without();
+    // The polygons of a contradiction, each once.
+    for (const planar::PolygonSupport& s : part_.supports()) named_.push_back(s.vertex.polygon);
+    std::sort(named_.begin(), named_.end());
+    named_.erase(std::unique(named_.begin(), named_.end()), named_.end());
   }
   std::string certificate() const { return planar::certificate_text(polygons_, input_.origin()); }
 
-  bool yes() const { return part_.kind == PolygonsPartKind::empty; }
-  const char* answer() const { return yes() ? "infeasible" : "feasible"; }
-  const Cost& cost() const { return part_.cost; }
-  std::string cost_text() const { return count_of(part_.cost.probes, "sign"); }
-  const char* proof_clause() const { return ""; }
-
-  std::string text() const {
-    std::string text = fmt::format("{}: {}, {}\n", call.file, count_of(polygons_.size(), "convex polygon"),
-                                   input_.files.front().format);
-    if (yes()) {
-      text += fmt::format("empty{}: these have nothing in common\n", without());
-      for (const std::uint32_t i : named()) text += fmt::format("    {}\n", polygon(i));
-    } else {
-      text += fmt::format("{}{}\n", shape(), without()) + corners_text();
-    }
-    return text + input_.tell();
-  }
+  std::string text() const { return RegionQuestion::text() + input_.tell(); }
 
   void add_to(Json& json) const {
-    json["objects"] = Json::array(
-        {{{"file", io::one_line(call.file)}, {"format", input_.files.front().format}, {"polygons", polygons_.size()}}});
-    json["region"] = {{"kind", name_of(part_.kind)}, {"corners", Json::array()}};
-    for (std::size_t k = 0; k < corners_.size(); ++k) {
-      const PolygonsCorner& c = part_.corners[k];
-      Json corner = {{"point", {corners_[k].x, corners_[k].y}}};
-      if (c.is_vertex) {
-        corner["vertex"] = {c.a.polygon, c.a.number};
-      } else {
-        corner["edges"] = {{c.a.polygon, c.a.number}, {c.b.polygon, c.b.number}};
-      }
-      json["region"]["corners"].push_back(corner);
-    }
-    if (yes()) json["contradiction"] = named();
+    RegionQuestion::add_to(json);
+    if (is_empty_) json["contradiction"] = named_;
     input_.tell(json);
   }
 
@@ -144,12 +125,7 @@ class PolygonsQuestion {
     std::vector<Point2> seen;
     for (const ConvexPolygon& p : polygons_) seen.insert(seen.end(), p.vertices().begin(), p.vertices().end());
     PlanePicture drawing(seen);
-    const std::vector<std::uint32_t> guilty = named();
-    const auto is_guilty = [&](std::uint32_t i) { return std::find(guilty.begin(), guilty.end(), i) != guilty.end(); };
-    for (std::uint32_t i = 0; i < polygons_.size(); ++i) {
-      if (!is_guilty(i)) drawing.polygon(polygons_[i].vertices(), Ink::calm);
-    }
-    for (const std::uint32_t i : guilty) drawing.polygon(polygons_[i].vertices(), Ink::accent);
+    draw_things(polygons_.size(), [&](std::uint32_t i, Ink ink) { drawing.polygon(polygons_[i].vertices(), ink); });
     switch (part_.kind) {
       case PolygonsPartKind::polygon:
         drawing.polygon(corners_, Ink::bold);
@@ -161,34 +137,17 @@ class PolygonsQuestion {
     }
     return drawing.text(call.title_or("What is common to these convex polygons?"),
                         fmt::format("{}: {}", count_of(polygons_.size(), "convex polygon"),
-                                    part_.kind == PolygonsPartKind::empty ? "nothing is common to all" : shape()));
+                                    is_empty_ ? "nothing is common to all" : shape()));
   }
 
  private:
-  static PolygonsRequest request_of(const RegionCall& call) {
-    PolygonsRequest request = call.polygons;
-    request.files = {call.file};
-    request.by_part = true;
-    request.tell_inputs = call.proves();
-    return request;
-  }
-
   // Of what the verdict does not speak.
   std::string without() const {
     const std::string words = input_.left_out_words();
     return words.empty() ? "" : fmt::format(", of the {} read ({})", count_of(polygons_.size(), "polygon"), words);
   }
 
-  // The polygons of a contradiction, each once.
-  std::vector<std::uint32_t> named() const {
-    std::vector<std::uint32_t> all;
-    for (const planar::PolygonSupport& s : part_.supports()) all.push_back(s.vertex.polygon);
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
-  }
-
-  std::string polygon(std::uint32_t i) const {
+  std::string thing_text(std::uint32_t i) const override {
     const std::uint32_t line = input_.line(i);
     return fmt::format("{}{}", input_.name(i), line > 0 ? fmt::format(" (line {})", line) : "");
   }
@@ -201,17 +160,21 @@ class PolygonsQuestion {
     }
   }
 
-  std::string corners_text() const {
-    return first_of(corners_.size(), 20, [&](std::size_t k) {
-      const PolygonsCorner& c = part_.corners[k];
-      const std::string of = c.is_vertex ? fmt::format("vertex {} of {}", c.a.number, polygon(c.a.polygon))
-                                         : fmt::format("edge {} of {} and edge {} of {}", c.a.number,
-                                                       polygon(c.a.polygon), c.b.number, polygon(c.b.polygon));
-      return fmt::format("  corner at about {}: {}\n", place_text(corners_[k]), of);
-    });
+  Point2 corner(std::size_t k) const override { return corners_[k]; }
+  std::string corner_text(std::size_t k) const override {
+    const auto& [is_vertex, a, b] = part_.corners[k];
+    const std::string of_a = fmt::format("{} of {}", a.number, thing_text(a.polygon));
+    return fmt::format(
+        "  corner at about {}: {}\n", place_text(corners_[k]),
+        is_vertex ? "vertex " + of_a : fmt::format("edge {} and edge {} of {}", of_a, b.number, thing_text(b.polygon)));
+  }
+  Json corner_json(std::size_t k) const override {
+    const auto& [is_vertex, a, b] = part_.corners[k];
+    if (is_vertex) return {{"vertex", {a.polygon, a.number}}};
+    return {{"edges", {{a.polygon, a.number}, {b.polygon, b.number}}}};
   }
 
-  PartMethod* method_;
+  Method* method_;
   PolygonsInput input_;
   std::vector<ConvexPolygon> polygons_;
   PolygonsPart part_;

@@ -1,7 +1,5 @@
 // sunder kernel FILE: from which points of a polygon are all of its points seen?
-#include <sunder/ask/left_out.h>
-#include <sunder/ask/question.h>
-#include <sunder/ask/set/polygons_input.h>
+#include <sunder/ask/region/region_question.h>
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
@@ -30,11 +28,6 @@ using planar::PolygonSides;
 using planar::Region;
 using planar::RegionKind;
 
-struct Call : QuestionCall {
-  std::string file, feature;
-  PolygonsRequest polygons;
-};
-
 using KernelMethod = Region(const PolygonSides&, const planar::RegionOptions&);
 constexpr std::array<Named<KernelMethod>, 4> methods{{{"automatic", planar::kernel},
                                                       {"half-planes", planar::kernel_by_half_plane_intersection},
@@ -52,13 +45,14 @@ std::string edge_text(const planar::Polygon& polygon, std::uint32_t k) {
   return fmt::format("edge {}: {} to {}", k, place_text(e.a), place_text(e.b));
 }
 
-class KernelQuestion {
+class KernelQuestion : public FeasibilityQuestion {
  public:
   static constexpr const char *verb = "kernel", *drawn_noun = "edge";
-  const Call& call;
 
-  explicit KernelQuestion(const Call& asked)
-      : call(asked), method_(method_by(asked.method, methods)), input_(read_polygons(request_of(asked))) {
+  explicit KernelQuestion(const RegionCall& asked)
+      : FeasibilityQuestion(asked),
+        method_(method_by(asked.method, methods)),
+        input_(read_polygons(request_of(asked))) {
     for (std::uint32_t i = 0; i < input_.polygons.size(); ++i) {
       if (!call.feature.empty() && input_.name(i) != call.feature) continue;
       if (input_.polygons[i].ring_count() > 1) {
@@ -86,7 +80,10 @@ class KernelQuestion {
       result.kernel = method_(sides, {call.proves()});
       cost_.probes += result.kernel.cost.probes;
       cost_.exact += result.kernel.cost.exact;
-      if (result.kernel.empty()) continue;
+      if (result.kernel.empty()) {
+        is_empty_ = true;
+        continue;
+      }
       for (const auto& [j, k] : corners(result.kernel)) {
         result.corners.push_back(nearest(exact_corner(sides[j], sides[k])));
       }
@@ -97,14 +94,6 @@ class KernelQuestion {
     if (input_.mended.empty()) origin.left_out.clear();  // a proof about one polygon speaks of no others
     return planar::certificate_text(PolygonSides(polygon(results_[0])), results_[0].kernel, origin);
   }
-
-  bool yes() const {
-    return std::any_of(results_.begin(), results_.end(), [](const Result& r) { return r.kernel.empty(); });
-  }
-  const char* answer() const { return yes() ? "infeasible" : "feasible"; }
-  const Cost& cost() const { return cost_; }
-  std::string cost_text() const { return count_of(cost_.probes, "sign"); }
-  const char* proof_clause() const { return ""; }
 
   std::string text() const {
     std::string text;
@@ -160,12 +149,9 @@ class KernelQuestion {
   }
 
  private:
-  static PolygonsRequest request_of(const Call& call) {
-    PolygonsRequest request = call.polygons;
-    request.files = {call.file};
-    request.by_part = true;
+  static PolygonsRequest request_of(const RegionCall& call) {
+    PolygonsRequest request = call.request();
     request.rule = planar::PolygonRule::simple;
-    request.tell_inputs = call.proves();
     return request;
   }
 
@@ -189,10 +175,9 @@ class KernelQuestion {
   KernelMethod* method_;
   PolygonsInput input_;
   std::vector<Result> results_;
-  Cost cost_;
 };
 
-int run(const Call& call) {
+int run(const RegionCall& call) {
   KernelQuestion question(call);
   return answer(question);
 }
@@ -200,7 +185,7 @@ int run(const Call& call) {
 }  // namespace
 
 Verb kernel_verb() {
-  const auto call = std::make_shared<Call>();
+  const auto call = std::make_shared<RegionCall>();
   return {"kernel",
           "From which points of a simple polygon are all of its points seen?",
           "0 each polygon has a kernel; 1 some have none",

@@ -1,7 +1,7 @@
 #include <sunder/ask/scene/scene_input.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/file.h>
+#include <sunder/io/joint_values.h>
 #include <sunder/io/text.h>
 #include <sunder/io/urdf_kinematics.h>
 
@@ -29,61 +29,19 @@ bool is_there(const std::string& file) {
   return file == "-" || fs::exists(file, problem);
 }
 
-// "name=value" or "name value".
-void add_joint(std::string_view text, const std::string& place, Placement& placement) {
-  const std::size_t between = text.find_first_of("= \t");
-  if (between == std::string_view::npos || between == 0) {
-    fail_call(io::quote(text) + " is no joint with a value; write name=value", place);
-  }
-  const std::string name(text.substr(0, between));
-  std::string_view word = io::trimmed(text.substr(between));
-  if (word.starts_with('=')) word = io::trimmed(word.substr(1));
-  double value = 0;
-  if (const char* problem = io::parse_number(word, value)) {
-    fail_call("joint " + io::quote(name) + ": " + io::quote(word) + " " + problem, place);
-  }
-  if (!placement.joints.emplace(name, value).second) fail_call("joint " + io::quote(name) + " comes twice", place);
+template <class Named>  // std::vector of what has a name
+std::string names_of(const Named& all) {
+  std::string names;
+  for (const auto& each : all) names += (names.empty() ? "" : ", ") + each.name;
+  return names;
 }
 
-// The lines of a text without comments and blanks around them, with their numbers; empty ones left out.
-std::vector<std::pair<std::size_t, std::string>> lines_of(std::string_view text) {
-  std::vector<std::pair<std::size_t, std::string>> lines;
-  for (std::size_t number = 1; !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    line = io::trimmed(line.substr(0, line.find('#')));
-    if (!line.empty()) lines.emplace_back(number, line);
-  }
-  return lines;
+template <class Named>
+auto named(const std::string& name, Named& all) {
+  return std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.name == name; });
 }
 
 }  // namespace
-
-Placement parse_joints(const std::string& text) {
-  Placement placement;
-  std::string_view rest = text;
-  const std::size_t colon = rest.find(':');
-  if (colon < rest.find('=')) {
-    placement.name = io::one_line(io::trimmed(rest.substr(0, colon)));
-    rest.remove_prefix(colon + 1);
-  }
-  while (!io::trimmed(rest).empty()) {
-    const std::size_t comma = std::min(rest.find(','), rest.size());
-    add_joint(io::trimmed(rest.substr(0, comma)), "--joints", placement);
-    rest.remove_prefix(std::min(comma + 1, rest.size()));
-  }
-  return placement;
-}
-
-Placement read_joints(const std::string& file, InputFiles* inputs) {
-  Placement placement;
-  placement.name = io::one_line(fs::path(file).stem().string());
-  for (const auto& [number, line] : lines_of(io::read_file(file, inputs))) {
-    add_joint(line, fmt::format("{}:{}", io::one_line(file), number), placement);
-  }
-  return placement;
-}
 
 SceneInput::SceneInput(const std::vector<std::string>& files, const std::vector<std::string>& poses,
                        bool require_convex, bool leave_out, InputFiles* inputs)
@@ -108,11 +66,9 @@ SceneInput::SceneInput(const std::vector<std::string>& files, const std::vector<
     const std::size_t equals = text.rfind('=');
     if (equals == std::string::npos) fail_call(io::quote(text) + " is not of the form NAME=POSE", "--pose");
     const std::string name = text.substr(0, equals);
-    const auto input = std::find_if(inputs_.begin(), inputs_.end(), [&](const Input& i) { return i.name == name; });
+    const auto input = named(name, inputs_);
     if (input == inputs_.end()) {
-      std::string known;
-      for (const Input& i : inputs_) known += (known.empty() ? "" : ", ") + i.name;
-      fail_call("nothing is named " + io::quote(name) + "; names are " + known, "--pose");
+      fail_call("nothing is named " + io::quote(name) + "; names are " + names_of(inputs_), "--pose");
     }
     input->pose = parse_pose(std::string_view(text).substr(equals + 1), "--pose " + io::one_line(name));
   }
@@ -131,10 +87,7 @@ void SceneInput::require_some_body() const {
 // `wish`, or wish#2, wish#3, ...: no input or body has it.
 std::string SceneInput::unused_name(const std::string& wish) const {
   std::string name = wish;
-  const auto taken = [&] {
-    return std::any_of(inputs_.begin(), inputs_.end(), [&](const Input& i) { return i.name == name; }) ||
-           std::any_of(bodies_.begin(), bodies_.end(), [&](const Body& b) { return b.name == name; });
-  };
+  const auto taken = [&] { return named(name, inputs_) != inputs_.end() || named(name, bodies_) != bodies_.end(); };
   for (int number = 2; taken(); ++number) name = fmt::format("{}#{}", wish, number);
   return name;
 }
@@ -161,11 +114,11 @@ void SceneInput::add_robot(const std::string& file, bool require_convex, InputFi
   }
 }
 
-std::vector<scene::Body> SceneInput::bodies(const Placement& placement) const {
+std::vector<scene::Body> SceneInput::bodies(const std::map<std::string, double>& joints) const {
   std::vector<solid::Pose> links;
   if (robot_) {
-    links = io::link_poses(*robot_, placement.joints);
-  } else if (!placement.joints.empty()) {
+    links = io::link_poses(*robot_, joints);
+  } else if (!joints.empty()) {
     fail_call("there is no robot to move; name a URDF file", "--joints");
   }
   std::vector<scene::Body> placed;
@@ -180,13 +133,8 @@ std::vector<scene::Body> SceneInput::bodies(const Placement& placement) const {
   return placed;
 }
 
-std::vector<std::vector<bool>> SceneInput::are_hulls() const {
-  std::vector<std::vector<bool>> all;
-  for (const Body& body : bodies_) {
-    all.emplace_back();
-    for (const io::BodyPart& part : body.parts) all.back().push_back(part.body.shape == io::BodyShape::hull);
-  }
-  return all;
+bool SceneInput::is_hull(std::uint32_t body, std::uint32_t part) const {
+  return bodies_[body].parts[part].body.shape == io::BodyShape::hull;
 }
 
 std::vector<const MeshBody*> SceneInput::objects() const {
@@ -198,11 +146,9 @@ std::vector<const MeshBody*> SceneInput::objects() const {
 }
 
 std::uint32_t SceneInput::body_named(const std::string& name, const std::string& place) const {
-  const auto found = std::find_if(bodies_.begin(), bodies_.end(), [&](const Body& b) { return b.name == name; });
+  const auto found = named(name, bodies_);
   if (found != bodies_.end()) return static_cast<std::uint32_t>(found - bodies_.begin());
-  std::string known;
-  for (const Body& body : bodies_) known += (known.empty() ? "" : ", ") + body.name;
-  fail_call("no body is named " + io::quote(name) + "; bodies are " + known, place);
+  fail_call("no body is named " + io::quote(name) + "; bodies are " + names_of(bodies_), place);
 }
 
 std::vector<std::array<std::uint32_t, 2>> SceneInput::adjacent() const {
@@ -228,14 +174,8 @@ std::vector<std::array<std::uint32_t, 2>> SceneInput::allowed(const std::string&
               "--allow " + io::one_line(text));
   }
   std::vector<std::array<std::uint32_t, 2>> pairs;
-  for (const auto& [number, line] : lines_of(io::read_file(text))) {
-    const std::string place = fmt::format("{}:{}", io::one_line(text), number);
-    const std::size_t between = line.find_first_of(" \t,");
-    const std::string first = line.substr(0, between);
-    const std::string second =
-        between == std::string::npos ? "" : line.substr(std::min(line.find_first_not_of(" \t,", between), line.size()));
-    if (second.empty()) fail_call("expected two names of bodies, found one", place);
-    pairs.push_back({body_named(first, place), body_named(second, place)});
+  for (const auto& [place, names] : io::read_name_pairs(text)) {
+    pairs.push_back({body_named(names[0], place), body_named(names[1], place)});
   }
   return pairs;
 }

@@ -17,19 +17,6 @@
 
 namespace sunder::ask {
 
-// Values of joints under a name: one placement of the robot.
-struct Placement {
-  std::string name;  // empty when the user gave none
-  std::map<std::string, double> joints;
-};
-
-// "name=value,..." or "LABEL:name=value,...". Throws Error bad_call.
-Placement parse_joints(const std::string& text);
-
-// A file with one joint a line, "name value" or "name=value"; '#' starts a comment. Its name is the placement's.
-// inputs: as of io::read_file.
-Placement read_joints(const std::string& file, InputFiles* inputs);
-
 class SceneInput {
  public:
   // Each name is a file, or FILE@POSE. poses: "NAME=POSE" each, NAME as shown by `names`. Where leave_out, shapes of
@@ -40,15 +27,15 @@ class SceneInput {
 
   // The bodies in the order of the files; links without shapes are none. Throws Error for joints that do not exist or
   // are out of their limits.
-  std::vector<scene::Body> bodies(const Placement& placement) const;
+  std::vector<scene::Body> bodies(const std::map<std::string, double>& joints) const;
 
   // Pairs of bodies out of: "adjacent" (links joined by a joint, or by joints through links without shapes),
   // "NAME,NAME", or a file with two names a line. Throws Error.
   std::vector<std::array<std::uint32_t, 2>> allowed(const std::string& text) const;
 
-  std::vector<std::vector<bool>> are_hulls() const;          // of each part of each body: does it stand for a mesh?
-  std::vector<const MeshBody*> objects() const;              // all parts in order
-  const LeftOutList& left_out() const { return left_out_; }  // what is not read: must be shown
+  bool is_hull(std::uint32_t body, std::uint32_t part) const;  // does it stand for a mesh?
+  std::vector<const MeshBody*> objects() const;                // all parts in order
+  const LeftOutList& left_out() const { return left_out_; }    // what is not read: must be shown
   const std::vector<std::filesystem::path>& robot_meshes() const { return robot_bodies_.meshes; }
 
  private:

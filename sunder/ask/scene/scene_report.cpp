@@ -1,7 +1,6 @@
 #include <sunder/ask/evidence.h>
 #include <sunder/ask/scene/scene_report.h>
 
-#include <sunder/certificate/pair_claims.h>
 #include <sunder/scene/rounded_evidence.h>
 
 #include <fmt/format.h>
@@ -9,8 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sunder::ask {
@@ -31,13 +30,25 @@ PlacedVertices vertices_of(const scene::Part& part) { return placed_vertices(par
 std::string name_a(const Placed& p, const PartPair& pair) { return part_name(p.bodies[pair.body_a], pair.part_a); }
 std::string name_b(const Placed& p, const PartPair& pair) { return part_name(p.bodies[pair.body_b], pair.part_b); }
 
+// Do the parts meet, and is this said of hulls in the stead of meshes?
+bool meet_as_hulls(const SceneReport& report, const PartPair& pair) {
+  return pair.answer.meet() &&
+         (report.input.is_hull(pair.body_a, pair.part_a) || report.input.is_hull(pair.body_b, pair.part_b));
+}
+
+// Of a pair that meets, rounded.
+Point3 common_point(const Placed& placed, const PartPair& pair) {
+  return scene::rounded_common_point(pair.answer.certificate(), vertices_of(part_a(placed, pair)),
+                                     vertices_of(part_b(placed, pair)));
+}
+
 // What a cell of the matrix says about two bodies, from the weakest to the strongest.
 enum Cell : char { by_boxes = '.', by_method = 'o', touching = 't', meeting = 'X', allowed_cell = '-' };
 
 std::vector<std::vector<char>> cells_of(const SceneReport& report, const Placed& placed) {
   std::vector<std::vector<char>> cells;
   for (std::size_t b = 0; b < placed.bodies.size(); ++b) cells.emplace_back(b, by_boxes);
-  for (auto [a, b] : report.allowed) {
+  for (auto [a, b] : report.question.allowed) {
     if (a != b) cells[std::max(a, b)][std::min(a, b)] = allowed_cell;
   }
   for (const PartPair& pair : placed.answer.pairs) {
@@ -104,7 +115,7 @@ std::string matrix_text(const SceneReport& report) {
     }
   }
   std::string key = "  X meet   o apart, by a direction   . apart, by boxes";
-  if (report.touching_allowed) key += "   t touching, allowed";
+  if (report.question.touching_allowed) key += "   t touching, allowed";
   if (!report.allowed_because.empty()) {
     std::string because;
     for (const std::string& word : report.allowed_because) because += (because.empty() ? "" : ", ") + word;
@@ -128,23 +139,23 @@ std::string counts_text(const SceneReport& report) {
 
 std::string meeting_text(const SceneReport& report, const Placed& placed) {
   const std::string prefix = report.placements.size() > 1 ? placed.title + ": " : "";
+  const LeftOutList& left_out = report.input.left_out();
   std::string text;
   std::uint64_t listed = 0;
   for (const PartPair& pair : placed.answer.pairs) {
     if (!pair.answer.meet()) continue;
     if (++listed > most_listed) continue;
     const std::string contact =
-        report.contacts ? fmt::format(", {}{}", name_of(pair.contact), pair.counts ? "" : " (allowed)") : "";
+        report.question.contacts ? fmt::format(", {}{}", name_of(pair.contact), pair.counts ? "" : " (allowed)") : "";
     text += prefix + name_a(placed, pair) + " and " + name_b(placed, pair) + " " +
-            painted(report.meet_as_hulls(pair) ? "meet as hulls" : "meet", report.colour && pair.counts, "1;31") +
-            contact + ", at about " + about(point_about(placed, pair)) + "\n";
+            painted(meet_as_hulls(report, pair) ? "meet as hulls" : "meet", report.colour && pair.counts, "1;31") +
+            contact + ", at about " + about(common_point(placed, pair)) + "\n";
   }
   if (listed > most_listed) text += fmt::format("{}and {} more\n", prefix, count_of(listed - most_listed, "pair"));
   if (listed == 0) {
-    text += prefix + (report.left_out->empty() ? "none meet" : "none of the bodies read meet") +
-            report.left_out->clause() + "\n";
-  } else if (!report.left_out->empty()) {
-    text += fmt::format("{}this is of the bodies read{}\n", prefix, report.left_out->clause());
+    text += prefix + (left_out.empty() ? "none meet" : "none of the bodies read meet") + left_out.clause() + "\n";
+  } else if (!left_out.empty()) {
+    text += fmt::format("{}this is of the bodies read{}\n", prefix, left_out.clause());
   }
   return text;
 }
@@ -157,8 +168,8 @@ Json pair_json(const SceneReport& report, std::size_t p, const PartPair& pair) {
             {"part_a", pair.part_a},
             {"part_b", pair.part_b},
             {"answer", pair.answer.meet() ? "meet" : "apart"}};
-  if (report.contacts) json["contact"] = name_of(pair.contact);
-  json["said_of"] = report.meet_as_hulls(pair) ? "hulls" : "bodies";
+  if (report.question.contacts) json["contact"] = name_of(pair.contact);
+  json["said_of"] = meet_as_hulls(report, pair) ? "hulls" : "bodies";
   json["counted"] = pair.counts;
   json["decided_by"] = pair.by_boxes ? "boxes" : std::string(name_of(pair.answer.decided_by));
   json["cost"] = to_json(pair.answer.cost);
@@ -167,24 +178,20 @@ Json pair_json(const SceneReport& report, std::size_t p, const PartPair& pair) {
   return json;
 }
 
-Json to_json(const scene::Counts& c) {
-  return {{"parts", c.parts},
-          {"pairs", c.pairs},
-          {"allowed", c.allowed},
-          {"by_boxes", c.by_boxes},
-          {"by_method", c.by_method},
-          {"meeting", c.meeting},
-          {"touching_only", c.touching_only}};
-}
+// What is counted, in the order of reports.
+constexpr std::array<std::pair<const char*, std::uint64_t scene::Counts::*>, 7> counted{
+    {{"parts", &scene::Counts::parts},
+     {"pairs", &scene::Counts::pairs},
+     {"allowed", &scene::Counts::allowed},
+     {"by_boxes", &scene::Counts::by_boxes},
+     {"by_method", &scene::Counts::by_method},
+     {"meeting", &scene::Counts::meeting},
+     {"touching_only", &scene::Counts::touching_only}}};
 
-void add(const scene::Counts& c, scene::Counts& sum) {
-  sum.parts += c.parts;
-  sum.pairs += c.pairs;
-  sum.allowed += c.allowed;
-  sum.by_boxes += c.by_boxes;
-  sum.by_method += c.by_method;
-  sum.meeting += c.meeting;
-  sum.touching_only += c.touching_only;
+Json to_json(const scene::Counts& counts) {
+  Json json;
+  for (const auto& [key, count] : counted) json[key] = counts.*count;
+  return json;
 }
 
 // The strongest means that any pair needed: "boxes", then as DecidedBy.
@@ -208,15 +215,6 @@ bool SceneReport::some_meet() const {
   return std::any_of(placements.begin(), placements.end(), [](const Placed& p) { return p.answer.some_meet(); });
 }
 
-bool SceneReport::meet_as_hulls(const PartPair& pair) const {
-  return pair.answer.meet() && (is_hull[pair.body_a][pair.part_a] || is_hull[pair.body_b][pair.part_b]);
-}
-
-Point3 point_about(const Placed& placed, const PartPair& pair) {
-  return scene::rounded_common_point(pair.answer.certificate(), vertices_of(part_a(placed, pair)),
-                                     vertices_of(part_b(placed, pair)));
-}
-
 std::string scene_text(const SceneReport& report) {
   const std::vector<scene::Body>& bodies = report.placements.front().bodies;
   std::string text =
@@ -229,12 +227,12 @@ std::string scene_text(const SceneReport& report) {
   return text;
 }
 
-Json scene_json(const SceneReport& report, const std::vector<const MeshBody*>& objects) {
+Json scene_json(const SceneReport& report) {
   Json json = envelope("scene", report.some_meet() ? "some" : "none", report.method);
   json["decided_by"] = decided_by(report);
-  for (const MeshBody* object : objects) json["objects"].push_back(to_json(*object));
+  for (const MeshBody* object : report.input.objects()) json["objects"].push_back(to_json(*object));
 
-  if (!report.left_out->empty()) json["left_out"] = to_json(*report.left_out);
+  if (!report.input.left_out().empty()) json["left_out"] = to_json(report.input.left_out());
 
   json["bodies"] = Json::array();
   const std::vector<scene::Body>& bodies = report.placements.front().bodies;
@@ -244,108 +242,35 @@ Json scene_json(const SceneReport& report, const std::vector<const MeshBody*>& o
     for (const scene::Part& part : body.parts) parts.push_back({{"name", part.name}, {"object", object++}});
     json["bodies"].push_back({{"name", body.name}, {"parts", parts}});
   }
-  json["allowed"] = report.touching_allowed ? "touch" : "nothing";
+  json["allowed"] = report.question.touching_allowed ? "touch" : "nothing";
   json["allowed_pairs"] = Json::array();
-  for (const auto& [a, b] : report.allowed) json["allowed_pairs"].push_back({bodies[a].name, bodies[b].name});
+  for (const auto& [a, b] : report.question.allowed) json["allowed_pairs"].push_back({bodies[a].name, bodies[b].name});
 
   json["placements"] = Json::array();
   json["pairs"] = Json::array();
   Cost cost;
   scene::Counts counts;
-  std::uint64_t counted = 0;
+  std::uint64_t meeting = 0;
   for (std::size_t p = 0; p < report.placements.size(); ++p) {
     const Placed& placed = report.placements[p];
     json["placements"].push_back({{"name", placed.title},
                                   {"answer", placed.answer.some_meet() ? "some" : "none"},
-                                  {"joints", placed.placement.joints},
+                                  {"joints", placed.joints},
                                   {"counts", to_json(placed.answer.counts)},
                                   {"seconds", placed.seconds}});
-    add(placed.answer.counts, counts);
+    for (const auto& [key, count] : counted) counts.*count += placed.answer.counts.*count;
     for (const PartPair& pair : placed.answer.pairs) {
       json["pairs"].push_back(pair_json(report, p, pair));
-      if (pair.counts) ++counted;
+      if (pair.counts) ++meeting;
       cost.probes += pair.answer.cost.probes;
       cost.iterations += pair.answer.cost.iterations;
       cost.exact += pair.answer.cost.exact;
     }
   }
   json["cost"] = to_json(cost);
-  json["count"] = counted;
+  json["count"] = meeting;
   json["counts"] = to_json(counts);
   return json;
-}
-
-namespace {
-
-// What was asked about, and what counts, by parts of bodies one after the other. index: of each part in the file.
-AllPairs all_pairs(const SceneReport& report, const Placed& placed,
-                   const std::vector<std::vector<std::uint32_t>>& index) {
-  AllPairs result;
-  std::vector<std::uint32_t> first;  // of each body, where its parts begin
-  for (std::uint32_t b = 0; b < index.size(); ++b) {
-    first.push_back(static_cast<std::uint32_t>(result.members.size()));
-    result.members.insert(result.members.end(), index[b].begin(), index[b].end());
-    result.groups.insert(result.groups.end(), index[b].size(), b);
-  }
-  result.touching_allowed = report.touching_allowed;
-  std::set<std::array<std::uint32_t, 2>> allowed;
-  for (const auto& [a, b] : report.allowed) {
-    if (a != b) allowed.insert({std::min(a, b), std::max(a, b)});
-  }
-  for (const auto& [a, b] : allowed) {
-    for (std::uint32_t i = 0; i < index[a].size(); ++i) {
-      for (std::uint32_t j = 0; j < index[b].size(); ++j) result.besides.push_back({first[a] + i, first[b] + j});
-    }
-  }
-  for (const PartPair& pair : placed.answer.pairs) {
-    if (pair.counts) result.contacts.push_back({first[pair.body_a] + pair.part_a, first[pair.body_b] + pair.part_b});
-  }
-  std::sort(result.besides.begin(), result.besides.end());
-  std::sort(result.contacts.begin(), result.contacts.end());
-  return result;
-}
-
-}  // namespace
-
-void write_scene_certificate(const SceneReport& report, const InputFiles& inputs, const TextSink& sink) {
-  ClaimsWriter file(sink);
-  const std::vector<scene::Body>& bodies = report.placements.front().bodies;
-  std::vector<std::string> left_out = report.left_out->texts();
-  for (const auto& [a, b] : report.allowed) {
-    left_out.push_back(fmt::format("{} and {}, which may meet", bodies[a].name, bodies[b].name));
-  }
-  file.add_origin({inputs, std::move(left_out)});
-  PairClaims pairs(file);
-  std::vector<std::vector<std::uint32_t>> tables;
-  for (const scene::Body& body : bodies) {
-    tables.emplace_back();
-    for (std::uint32_t i = 0; i < body.parts.size(); ++i) {
-      tables.back().push_back(pairs.add_body(part_name(body, i), body.parts[i].shape.vertices()));
-    }
-  }
-  std::vector<std::vector<std::vector<std::uint32_t>>> index;  // by placement, body and part
-  for (const Placed& placed : report.placements) {
-    const std::string prefix = report.placements.size() > 1 ? placed.title + ": " : "";
-    index.emplace_back();
-    for (std::size_t b = 0; b < placed.bodies.size(); ++b) {
-      index.back().emplace_back();
-      for (std::uint32_t i = 0; i < placed.bodies[b].parts.size(); ++i) {
-        index.back().back().push_back(pairs.add_placed(prefix + part_name(placed.bodies[b], i), tables[b][i],
-                                                       placed.bodies[b].parts[i].pose.affine()));
-      }
-    }
-  }
-  for (std::size_t p = 0; p < report.placements.size(); ++p) {
-    for (const PartPair& pair : report.placements[p].answer.pairs) {
-      const scene::Part &a = part_a(report.placements[p], pair), &b = part_b(report.placements[p], pair);
-      add_solid_pair(
-          pairs,
-          {index[p][pair.body_a][pair.part_a], index[p][pair.body_b][pair.part_b], a.shape, b.shape, a.pose, b.pose},
-          pair.answer.certificate(), pair.answer.meet() ? pair.contact : Contact::none);
-    }
-    pairs.add_all_pairs(all_pairs(report, report.placements[p], index[p]));
-  }
-  pairs.end();
 }
 
 }  // namespace sunder::ask

@@ -1,13 +1,11 @@
-// What `sunder scene` tells: text, JSON, and the certificate file.
+// What `sunder scene` tells: text and JSON.
 #pragma once
 
 #include <sunder/ask/scene/scene_input.h>
 
-#include <sunder/certificate/claims.h>
 #include <sunder/scene/scene.h>
 
-#include <array>
-#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,7 +13,7 @@ namespace sunder::ask {
 
 // One placement and its answer.
 struct Placed {
-  Placement placement;
+  std::map<std::string, double> joints;
   std::string title;  // for people: the placement's name, or its number
   std::vector<scene::Body> bodies;
   scene::Answer answer;
@@ -23,28 +21,17 @@ struct Placed {
 };
 
 struct SceneReport {
-  std::vector<Placed> placements;  // at least one, all with the same bodies
-  std::vector<std::array<std::uint32_t, 2>> allowed;
-  std::vector<std::string> allowed_because;  // as the user wrote it
+  const SceneInput& input;
   std::string method;
-  const LeftOutList* left_out = nullptr;   // set
-  std::vector<std::vector<bool>> is_hull;  // of each part of each body: does a hull stand for a mesh?
-  bool contacts = false;
-  bool touching_allowed = false;
-  bool colour = false;  // mark what meets by terminal colours
+  scene::Question question{};
+  std::vector<std::string> allowed_because{};  // as the user wrote it
+  std::vector<Placed> placements{};            // at least one, all with the same bodies
+  bool colour = false;                         // mark what meets by terminal colours
 
   bool some_meet() const;
-  // Do the parts meet, and is this said of hulls in the stead of meshes?
-  bool meet_as_hulls(const scene::PartPair& pair) const;
 };
 
-// The common point of a pair that meets, rounded.
-Point3 point_about(const Placed& placed, const scene::PartPair& pair);
-
 std::string scene_text(const SceneReport& report);
-Json scene_json(const SceneReport& report, const std::vector<const MeshBody*>& objects);
-
-// Of all pairs that are listed in the answers, of which there is one at least.
-void write_scene_certificate(const SceneReport& report, const InputFiles& inputs, const TextSink& sink);
+Json scene_json(const SceneReport& report);
 
 }  // namespace sunder::ask

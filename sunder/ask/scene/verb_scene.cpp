@@ -1,21 +1,20 @@
 // sunder scene FILE...: which of these bodies meet?
-#include <sunder/ask/list_stream.h>
 #include <sunder/ask/outputs.h>
-#include <sunder/ask/report.h>
-#include <sunder/ask/scene/scene_input.h>
+#include <sunder/ask/question.h>
 #include <sunder/ask/scene/scene_report.h>
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
+#include <sunder/io/joint_values.h>
 #include <sunder/io/text.h>
 #include <sunder/picture/scene.h>
+#include <sunder/scene/scene_json.h>
 
 #include <fmt/format.h>
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <memory>
@@ -25,31 +24,26 @@ namespace sunder::ask {
 
 namespace {
 
-struct Call {
+struct Call : QuestionCall {
+  Call() { svg_limit = 200'000; }  // facets
+
   std::vector<std::string> files, poses, joints, joints_files, allow;
-  std::string method = "automatic";
-  std::string certificate, svg, title;
-  std::uint64_t svg_limit = 200'000;  // facets
   bool classify = false;
   bool require_convex = false;
   bool leave_out = false;
-  bool json = false;
 };
 
-std::vector<Placement> placements_of(const Call& call, InputFiles* inputs) {
-  std::vector<Placement> placements;
-  for (const std::string& file : call.joints_files) placements.push_back(read_joints(file, inputs));
-  for (const std::string& text : call.joints) placements.push_back(parse_joints(text));
-  if (placements.empty()) placements.emplace_back();
-  return placements;
+std::vector<io::JointValues> joints_of(const Call& call, InputFiles* inputs) {
+  std::vector<io::JointValues> all;
+  for (const std::string& file : call.joints_files) all.push_back(io::read_joint_values(file, inputs));
+  for (const std::string& text : call.joints) all.push_back(io::parse_joint_values(text, "--joints"));
+  if (all.empty()) all.emplace_back();
+  return all;
 }
 
-Placed ask(const SceneInput& input, const Placement& placement, const std::string& title,
+Placed ask(const SceneInput& input, const io::JointValues& joints, const std::string& number,
            const scene::Question& question) {
-  Placed placed;
-  placed.placement = placement;
-  placed.title = title;
-  placed.bodies = input.bodies(placement);
+  Placed placed{joints.values, joints.name.empty() ? number : joints.name, input.bodies(joints.values), {}};
   const auto start = std::chrono::steady_clock::now();
   placed.answer = scene::meeting_pairs(placed.bodies, question);
   placed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -65,43 +59,52 @@ void require_apart(const Call& call, const SceneInput& input) {
   ask::require_apart(meshes, outputs);
 }
 
-// Throws Error bad_call where no pair was asked about: such a file would state nothing.
-void write_certificate(const std::string& name, const SceneReport& report, const InputFiles& inputs) {
-  const auto states_nothing = [](const Placed& placed) { return placed.answer.pairs.empty(); };
-  if (std::all_of(report.placements.begin(), report.placements.end(), states_nothing)) {
+void require_drawable(const Call& call, const SceneInput& input, std::size_t placements) {
+  std::uint64_t facets = 0;
+  for (const MeshBody* object : input.objects()) facets += object->hull.facet_count();
+  ask::require_drawable(facets * placements, "facet", 0, call.svg_limit);
+}
+
+// Of all pairs but the allowed; returns how many. Throws Error bad_call where there is none: such a file would state
+// nothing.
+std::size_t write_certificate(const std::string& name, const SceneReport& report, const InputFiles& inputs) {
+  std::vector<scene::Placement> placements;
+  std::size_t pairs = 0;
+  for (const Placed& placed : report.placements) {
+    placements.push_back({placed.title, placed.bodies, placed.answer});
+    pairs += placed.answer.pairs.size();
+  }
+  if (pairs == 0) {
     throw Error(ErrorCode::bad_call,
                 "no pair is asked about, so there is nothing to prove; leave it out, or allow less", "--certificate");
   }
   io::OutputFile file(name);
-  write_scene_certificate(report, inputs, [&](std::string_view text) { file.write(text); });
+  scene::write_certificate(placements, report.question, {inputs, report.input.left_out().texts()},
+                           [&](std::string_view text) { file.write(text); });
   file.commit();
+  return pairs;
 }
 
-std::vector<picture::ScenePanel> panels_of(const SceneReport& report) {
+void draw(const Call& call, const SceneReport& report) {
   std::vector<picture::ScenePanel> panels;
   for (const Placed& placed : report.placements) panels.push_back({placed.title, placed.bodies, placed.answer});
-  return panels;
+  io::write_file_atomically(call.svg, picture::scene_svg(panels, call.title));
 }
 
 int run(const Call& call) {
-  scene::Question question;
-  question.method = pair_method(call.method);
-  question.every_pair = !call.certificate.empty();
-  question.contacts = call.classify;
+  const PairMethod method = pair_method(call.method);
   InputFiles files;
-  InputFiles* const inputs = call.certificate.empty() ? nullptr : &files;
-  const std::vector<Placement> placements = placements_of(call, inputs);
+  InputFiles* const inputs = call.proves() ? &files : nullptr;
+  const std::vector<io::JointValues> placements = joints_of(call, inputs);
   const SceneInput input(call.files, call.poses, call.require_convex, call.leave_out, inputs);
   require_apart(call, input);
-  if (!call.svg.empty()) {
-    std::uint64_t facets = 0;
-    for (const MeshBody* object : input.objects()) facets += object->hull.facet_count();
-    require_drawable(facets * placements.size(), "facet", 0, call.svg_limit);
-  }
+  if (!call.svg.empty()) require_drawable(call, input, placements.size());
 
-  SceneReport report;
-  report.method = call.method;
-  report.left_out = &input.left_out();
+  SceneReport report{input, call.method};
+  scene::Question& question = report.question;
+  question.method = method;
+  question.every_pair = call.proves();
+  question.contacts = call.classify;
   for (const std::string& word : call.allow) {
     if (word == "touch") {
       question.touching_allowed = question.contacts = true;
@@ -111,28 +114,26 @@ int run(const Call& call) {
       report.allowed_because.push_back(word);
     }
   }
-  report.allowed = question.allowed;
-  report.contacts = question.contacts;
-  report.touching_allowed = question.touching_allowed;
   report.colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
-  report.is_hull = input.are_hulls();
-  for (const Placement& placement : placements) {
+  for (const io::JointValues& joints : placements) {
     const std::string number = placements.size() == 1 ? "as given" : std::to_string(report.placements.size() + 1);
-    report.placements.push_back(ask(input, placement, placement.name.empty() ? number : placement.name, question));
+    report.placements.push_back(ask(input, joints, number, question));
   }
 
-  if (!call.certificate.empty()) write_certificate(call.certificate, report, files);
-  if (!call.svg.empty()) io::write_file_atomically(call.svg, picture::scene_svg(panels_of(report), call.title));
+  const std::size_t proved = call.proves() ? write_certificate(call.certificate, report, files) : 0;
+  if (!call.svg.empty()) draw(call, report);
   note_hulls(input.objects());
-  std::string text = call.json ? to_text(scene_json(report, input.objects())) : scene_text(report);
-  if (!call.json && !call.certificate.empty()) {
-    std::size_t pairs = 0;
-    for (const Placed& placed : report.placements) pairs += placed.answer.pairs.size();
-    text +=
-        fmt::format("proofs of {}, all but the allowed: {}\n", count_of(pairs, "pair"), io::one_line(call.certificate));
+  if (call.json) {
+    print(to_text(scene_json(report)));
+  } else {
+    std::string text = scene_text(report);
+    if (call.proves()) {
+      text += fmt::format("proofs of {}, all but the allowed: {}\n", count_of(proved, "pair"),
+                          io::one_line(call.certificate));
+    }
+    if (!call.svg.empty()) text += fmt::format("picture: {}\n", io::one_line(call.svg));
+    report.colour ? print(text) : print_for_people(text);  // colours are control bytes
   }
-  if (!call.json && !call.svg.empty()) text += fmt::format("picture: {}\n", io::one_line(call.svg));
-  call.json || report.colour ? print(text) : print_for_people(text);  // colours are control bytes
   return report.some_meet() ? exit_code::yes : exit_code::no;
 }
 

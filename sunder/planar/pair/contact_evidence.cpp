@@ -145,6 +145,37 @@ std::array<Dyadic, 2> outward_normal(const ConvexPolygon& polygon, const Pose& p
   return {edge.y, -edge.x};
 }
 
+void add_claims(PairClaims& pairs, const ClaimedPair& pair, const PairCertificate& certificate, Contact contact) {
+  const auto& [index_a, index_b, a, pose_a, b, pose_b] = pair;
+  if (contact == Contact::none) return pairs.add_pair(index_a, index_b, certificate);
+  if (contact == Contact::overlapping) {
+    return pairs.add_overlapping(index_a, index_b, overlapping_point(a, pose_a, b, pose_b));
+  }
+  pairs.add_touching(index_a, index_b, pairs.common_point(index_a, index_b, certificate),
+                     touching_direction(a, pose_a, b, pose_b, certificate));
+}
+
+void add_distance(PairClaims& pairs, const ClaimedPair& pair, const PolygonDistance& distance) {
+  if (!distance.closest) return;
+  const auto [of_a, of_b] = closest_points(pair.a, pair.pose_a, pair.b, pair.pose_b, *distance.closest);
+  pairs.add_distance(pair.index_a, pair.index_b, of_a, of_b);
+}
+
+void add_clearance(PairClaims& pairs, const ClaimedPair& pair, const PairCertificate& certificate,
+                   const PolygonDistance& distance, double least) {
+  const auto& [index_a, index_b, a, pose_a, b, pose_b] = pair;
+  if (!distance.closest) {
+    const auto& [coordinates, denominator, of_a, of_b] = pairs.common_point(index_a, index_b, certificate);
+    const PointOf point_a{coordinates, denominator, of_a}, point_b{coordinates, denominator, of_b};
+    return pairs.add_clearance_broken(index_a, index_b, least, point_a, point_b);
+  }
+  const auto [of_a, of_b] = closest_points(a, pose_a, b, pose_b, *distance.closest);
+  if (compare_distance(distance, least) == Sign::negative) {
+    return pairs.add_clearance_broken(index_a, index_b, least, of_a, of_b);
+  }
+  pairs.add_clearance(index_a, index_b, least, way_between(of_a, of_b));
+}
+
 std::array<Dyadic, 3> touching_direction(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b,
                                          const Pose& pose_b, const PairCertificate& meet) {
   const std::span<const std::uint32_t> all(meet.vertices);

@@ -6,6 +6,7 @@
 // polygon_polygon_intersection besides.
 #pragma once
 
+#include <sunder/certificate/pair_answer.h>
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/pose.h>
@@ -17,6 +18,27 @@
 #include <cstdint>
 
 namespace sunder::planar {
+
+// Two placed polygons, and which bodies of a certificate file they are.
+struct ClaimedPair {
+  std::uint32_t index_a, index_b;
+  const ConvexPolygon& a;
+  const Pose& pose_a;
+  const ConvexPolygon& b;
+  const Pose& pose_b;
+};
+
+// States what polygon_polygon's certificate says: that they are apart, or meet; where the contact is not none, that
+// they touch, or overlap.
+void add_claims(PairClaims& pairs, const ClaimedPair& pair, const PairCertificate& certificate, Contact contact);
+
+// States how far apart they are; of polygons that meet, nothing.
+void add_distance(PairClaims& pairs, const ClaimedPair& pair, const PolygonDistance& distance);
+
+// States that they are `least` apart, or more; or else that they are nearer. certificate: polygon_polygon's. Requires a
+// positive finite `least`.
+void add_clearance(PairClaims& pairs, const ClaimedPair& pair, const PairCertificate& certificate,
+                   const PolygonDistance& distance, double least);
 
 // A direction along which no point of A is further than any of B, and not all of both are as far: so the relative
 // interiors have no common point. Requires polygon_polygon_contact to be touching, and `meet` a certificate of

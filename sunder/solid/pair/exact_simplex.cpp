@@ -283,4 +283,12 @@ Interiors interiors(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexP
   return {false, {}, simplex.parting()};
 }
 
+void add_claims(PairClaims& pairs, const ClaimedPair& pair, const PairCertificate& certificate, Contact contact) {
+  if (contact == Contact::none) return pairs.add_pair(pair.index_a, pair.index_b, certificate);
+  const Interiors found = interiors(pair.a, pair.pose_a, pair.b, pair.pose_b);
+  if (found.meet) return pairs.add_overlapping(pair.index_a, pair.index_b, found.point);
+  pairs.add_touching(pair.index_a, pair.index_b, pairs.common_point(pair.index_a, pair.index_b, certificate),
+                     found.direction);
+}
+
 }  // namespace sunder::solid

@@ -1,119 +1,18 @@
 // The search that proposes. See docs/design/solid-pair.md.
 #include <sunder/predicate/along.h>
-#include <sunder/solid/pair/closest_simplex.h>
+#include <sunder/solid/pair/gjk_search.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
 #include <sunder/solid/pair/simplex_proposals.h>
-#include <sunder/solid/pair/support.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace sunder::solid {
 
 namespace {
-
-// The search: the state of Gilbert, Johnson and Keerthi's method on two placed bodies.
-template <class Real>
-class Search {
- public:
-  using Vector = VectorOf<Real>;
-  using Vertex = DifferenceVertexOf<Real>;
-
-  Search(const Placed& a, const Placed& b)
-      : a_(a), b_(b), ranks_(a.graph.is_slow || b.graph.is_slow ? top_ranks : Hierarchy::none) {
-    const auto& s = a.pose.translation;
-    const auto& t = b.pose.translation;
-    const double scale = simplex.scale = scale_of(std::max(a.size, b.size));
-    const auto shift = [&](std::size_t i) -> Real { return difference<Real>(t[i], s[i]) * Real(scale); };
-    shift_ = {shift(0), shift(1), shift(2)};
-  }
-
-  // Between the middles of the bodies.
-  Vector first_direction() const {
-    const Vector p = a_.turned<Real>(a_.graph.middle, simplex.scale),
-                 q = b_.turned<Real>(b_.graph.middle, simplex.scale);
-    const Vector d{(q.x - p.x) + shift_.x, (q.y - p.y) + shift_.y, (q.z - p.z) + shift_.z};
-    return dot(d, d) > 0 ? d : Vector{1, 0, 0};
-  }
-
-  // The two vertices furthest towards each other along `direction`, and their difference.
-  Vertex probe(Cost& cost) const {
-    Vertex w;
-    const Vector e = a_.pulled(direction), f = negated(b_.pulled(direction));
-    const Point3 g = rounded(e), h = rounded(f);
-    const std::uint32_t start_a = search_start(a_.graph, g), start_b = search_start(b_.graph, h);
-    w.a = support(a_.body, g, start_a, cost);
-    w.b = support(b_.body, h, start_b, cost);
-    if constexpr (!std::is_same_v<Real, double>) {
-      w.a = support_in_double_doubles(a_.body, e, w.a, cost.probes);
-      w.b = support_in_double_doubles(b_.body, f, w.b, cost.probes);
-    }
-    const Vector p = a_.turned<Real>(w.a, simplex.scale), q = b_.turned<Real>(w.b, simplex.scale);
-    w.at = {(p.x - q.x) - shift_.x, (p.y - q.y) - shift_.y, (p.z - q.z) - shift_.z};
-    return w;
-  }
-
-  // Where walks go down hierarchies, the search begins with the vertices at their top, which stay in the memory caches.
-  // True where that goes on: from now on it is about the whole bodies.
-  bool refine() { return std::exchange(ranks_, Hierarchy::none) != Hierarchy::none; }
-
-  // Is w further along the direction than the face, by more than the noise of floating point?
-  bool gains_by(const Vertex& w) const {
-    if (simplex.count == 0) return true;
-    bool is_there = false;  // without branches: how many vertices there are is hard to predict
-    for (int i = 0; i < 4; ++i) {
-      const Vertex& v = simplex.vertex[static_cast<std::size_t>(i)];
-      is_there |= (i < simplex.count) & (v.a == w.a) & (v.b == w.b);
-    }
-    if (is_there) return false;
-    const Vector& d = direction;
-    const Real gain = dot(d, minus(w.at, simplex.vertex[0].at));
-    return gain > 4 * noise * (magnitude(d.x * w.at.x) + magnitude(d.y * w.at.y) + magnitude(d.z * w.at.z));
-  }
-
-  // One step: w joins the simplex, which becomes its face nearest to the origin. False where that is no use: the origin
-  // is inside, or as near as floating point can tell.
-  bool step_to(const Vertex& w) {
-    simplex.vertex[static_cast<std::size_t>(simplex.count++)] = w;
-    Real distance2 = 0;
-    if (!reduce_to_closest_face(simplex, direction, distance2)) return false;
-    if (simplex.count != 1) return distance2 > 0;
-    const Vector p = a_.turned<Real>(simplex.vertex[0].a, simplex.scale),
-                 q = b_.turned<Real>(simplex.vertex[0].b, simplex.scale);
-    return distance2 > noise * noise * (dot(p, p) + dot(q, q));
-  }
-
-  Vector direction;                   // of the world, from A towards B
-  DifferenceSimplexOf<Real> simplex;  // the face nearest to the origin, or the tetrahedron around it
-
- private:
-  // What rounding leaves of a difference of two images, as part of their size: some roundings.
-  static constexpr double noise = std::is_same_v<Real, double> ? 0x1p-46 : 0x1p-98;
-
-  std::uint32_t support(const ConvexPolyhedron& body, const Point3& along, std::uint32_t start, Cost& cost) const {
-    return body.search_graph().is_slow ? support_by_hierarchy<double>(body, along, cost.probes, ranks_)
-                                       : support_from(body, along, start, cost.probes);
-  }
-
-  // A power of two that brings differences of images near 1 where sixth powers of them could overflow or vanish, as
-  // they occur in closest_simplex.cpp; else 1.
-  static double scale_of(double size) {
-    if (size >= 0x1p-100 && size <= 0x1p100) return 1;
-    if (!(size > 0 && size <= std::numeric_limits<double>::max())) return 1;
-    return std::ldexp(1.0, std::clamp(-std::ilogb(size), -1022, 1022));
-  }
-
-  static constexpr std::uint32_t top_ranks = 1024;
-
-  const Placed& a_;
-  const Placed& b_;
-  Vector shift_;
-  std::uint32_t ranks_;
-};
 
 // The direction as a certificate can hold it: tame, and with one vertex of the difference clearly furthest.
 //
@@ -155,13 +54,11 @@ bool settle(const DifferenceSimplex& simplex, Point3& d, DifferenceVertex& w) {
   return make_tame(d);
 }
 
-constexpr int most_iterations = 100;
-
 // In doubles, with directions in doubles for bodies that are apart.
 template <class Holds>
-bool propose_in_doubles(const Placed& a, const Placed& b, Search<double>& search, const Holds& holds, Cost& cost) {
+bool propose_in_doubles(const Placed& a, const Placed& b, GjkSearch<double>& search, const Holds& holds, Cost& cost) {
   search.direction = search.first_direction();
-  for (int i = 0; i < most_iterations; ++i) {
+  for (int i = 0; i < search.most_iterations; ++i) {
     ++cost.iterations;
     const DifferenceVertex w = search.probe(cost);
     if (dot(search.direction, w.at) < 0) {
@@ -187,10 +84,9 @@ bool propose_in_doubles(const Placed& a, const Placed& b, Search<double>& search
 template <class Holds>
 bool propose_in_double_doubles(const Placed& a, const Placed& b, const Point3& direction, const Holds& holds,
                                Cost& cost) {
-  Search<DoubleDouble> search(a, b);
-  search.refine();
+  GjkSearch<DoubleDouble> search(a, b);
   search.direction = {direction.x, direction.y, direction.z};
-  for (int i = 0; i < most_iterations; ++i) {
+  for (int i = 0; i < search.most_iterations; ++i) {
     ++cost.iterations;
     const DifferenceVertexOf<DoubleDouble> w = search.probe(cost);
     if (dot(search.direction, w.at) < 0 && propose_apart_along_perpendicular(search.simplex, w.a, w.b, holds)) {
@@ -203,7 +99,8 @@ bool propose_in_double_doubles(const Placed& a, const Placed& b, const Point3& d
 
 template <class Holds>
 bool propose(const Placed& a, const Placed& b, const Holds& holds, Cost& cost) {
-  Search<double> search(a, b);
+  GjkSearch<double> search(a, b);
+  search.begin_at_the_top();
   return propose_in_doubles(a, b, search, holds, cost) ||
          propose_in_double_doubles(a, b, search.direction, holds, cost);
 }

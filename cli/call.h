@@ -1,14 +1,30 @@
-// The files that a call names, by the options of its verb.
+// A call of a verb: what is wrong with its words, before they are parsed, in our own words; and the files that it
+// names.
 #pragma once
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): of CLI11
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace sunder::cli {
+
+std::vector<const CLI::App*> verbs_of(const CLI::App& program);
+bool takes_value(const CLI::Option& option);
+
+// All long names of options, with their dashes.
+std::vector<std::string> names_of_options(const CLI::App& app);
+
+// The first option that the verb does not have (with the one that was meant), that lacks its value, has one and takes
+// none, or is given twice and may be once. Empty: none; or help is asked for.
+std::string option_problem(const CLI::App& verb, std::span<const std::string> words);
+
+// Is a report in JSON asked for? What is the value of another option asks for nothing.
+bool asks_for_json(const CLI::App& verb, std::span<const std::string> words);
 
 // ask::require_apart for the options of a verb, after they are parsed: outputs are --certificate, --csv, --geojson,
 // --svg and --out; inputs are what stands without an option, the values of other options that take a FILE, and those of

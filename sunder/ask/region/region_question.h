@@ -1,0 +1,93 @@
+// What sunder region and sunder kernel tell of what is common to many things.
+#pragma once
+
+#include <sunder/ask/question.h>
+#include <sunder/ask/set/polygons_input.h>
+
+#include <sunder/picture/plane.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sunder::ask {
+
+struct RegionCall : QuestionCall {
+  std::string file;
+  std::string of = "half-planes", maximize;  // region
+  std::string feature;                       // kernel: empty: all
+  PolygonsRequest polygons;                  // how they are read
+
+  // Of the parts of this file's features.
+  PolygonsRequest request() const;
+};
+
+// What questions (question.h) about common parts share. ask() fills in what is protected here.
+class FeasibilityQuestion {
+ public:
+  const RegionCall& call;
+
+  explicit FeasibilityQuestion(const RegionCall& asked) : call(asked) {}
+
+  bool yes() const { return is_empty_; }
+  const char* answer() const { return is_empty_ ? "infeasible" : "feasible"; }
+  const Cost& cost() const { return cost_; }
+  std::string cost_text() const { return count_of(cost_.probes, counted_); }
+
+ protected:
+  bool is_empty_ = false;
+  Cost cost_;
+  const char* counted_ = "sign";
+};
+
+// The same where the common part is that of one file.
+class RegionQuestion : public FeasibilityQuestion {
+ public:
+  static constexpr const char* verb = "region";
+
+  using FeasibilityQuestion::FeasibilityQuestion;
+
+  std::string text() const;
+  void add_to(Json& json) const;
+
+ protected:
+  ~RegionQuestion() = default;
+
+  // All of the `count` things by draw(number, ink), those that the answer names over the others.
+  template <class Draw>
+  void draw_things(std::size_t count, const Draw& draw) const {
+    std::vector<bool> is_named(count, false);
+    for (const std::uint32_t k : named_) is_named[k] = true;
+    for (const bool named : {false, true}) {
+      for (std::uint32_t k = 0; k < count; ++k) {
+        if (is_named[k] == named) draw(k, named ? picture::Ink::accent : picture::Ink::calm);
+      }
+    }
+  }
+
+  // A thing that the answer names, for people.
+  virtual std::string thing_text(std::uint32_t k) const = 0;
+
+  // Of a corner: about where it is; a line for people; its members beside "point" in reports.
+  virtual Point2 corner(std::size_t k) const = 0;
+  virtual std::string corner_text(std::size_t k) const = 0;
+  virtual Json corner_json(std::size_t) const { return Json::object(); }
+
+  // The file: "3 circles"; {"format": "CSV", "circles": 3}.
+  std::string things_;
+  Json object_json_;
+
+  std::string verdict_;               // "empty: these have nothing in common"
+  std::vector<std::uint32_t> named_;  // the things that it speaks of, by number
+  Json region_json_;                  // {"kind": ...}, without its corners
+  std::size_t corner_count_ = 0;
+};
+
+// Each answers about a kind of things; returns the exit code. Throws Error for bad input, also where a polygon is not
+// convex.
+int run_region_half_planes(const RegionCall& call);
+int run_region_circles(const RegionCall& call);
+int run_region_polygons(const RegionCall& call);
+
+}  // namespace sunder::ask

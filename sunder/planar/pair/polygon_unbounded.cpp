@@ -1,0 +1,230 @@
+#include <sunder/base/names.h>
+#include <sunder/planar/pair/contact_evidence.h>
+#include <sunder/planar/pair/polygon_half_plane.h>
+#include <sunder/planar/pair/polygon_line.h>
+#include <sunder/planar/pair/polygon_ray.h>
+#include <sunder/planar/pair/polygon_unbounded.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace sunder::planar {
+
+namespace {
+
+using Exact = Vector2<Dyadic>;
+
+// Of a body and what a line or ray has in common with it.
+Contact contact_of(const PolygonCut& cut, std::uint32_t vertices) {
+  if (!cut.meet()) return Contact::none;
+  const bool inner_of_body = vertices == 1 ||
+                             (vertices == 2 && (cut.kind == CutKind::along || cut.first.place == Place::edge)) ||
+                             cut.kind == CutKind::across;
+  const bool inner_of_ray = cut.kind != CutKind::point || cut.first.own == OwnEnd::none;
+  return inner_of_body && inner_of_ray ? Contact::overlapping : Contact::touching;
+}
+
+CommonKind kind_of(const PolygonHalfPlane& half, const PolygonCut& by_line) {
+  if (!half.meet) return CommonKind::nothing;
+  if (half.touching) return by_line.kind == CutKind::along ? CommonKind::along : CommonKind::point;
+  // The line goes through the body's inside, where it is not all on one side.
+  const bool cuts_off = by_line.kind == CutKind::across || (by_line.meet() && by_line.first.place == Place::edge);
+  return cuts_off ? CommonKind::part : CommonKind::whole;
+}
+
+// The first four are the same.
+static_assert(static_cast<int>(CommonKind::across) == static_cast<int>(CutKind::across));
+
+PolygonCommon common_of(const ConvexPolygon& polygon, const PolygonCut& cut) {
+  return {static_cast<CommonKind>(cut.kind), cut, 0, contact_of(cut, polygon.size()), cut.decided_by, cut.cost};
+}
+
+PolygonCommon common_of(const PolygonHalfPlane& half, const PolygonCut& by_line) {
+  const Contact contact = !half.meet ? Contact::none : half.touching ? Contact::touching : Contact::overlapping;
+  Cost cost = by_line.cost;
+  cost.probes += half.cost.probes;
+  cost.iterations += half.cost.iterations;
+  cost.exact += half.cost.exact;
+  return {kind_of(half, by_line), by_line, half.witness, contact, std::max(half.decided_by, by_line.decided_by), cost};
+}
+
+// ---- Directions: no point of the polygon is further along than any of the other.
+
+Exact along(const Unbounded& other) {
+  const Line line = line_of(other);
+  return lift<ExactStage>(line.b) - lift<ExactStage>(line.a);
+}
+
+Exact left_of(const Exact& d) { return {-d.y, d.x}; }
+
+// From the point a to p, times p's denominator.
+Exact way_to(const ExactPoint2& p, const Unbounded& other) {
+  const Exact a = lift<ExactStage>(line_of(other).a);
+  return Exact{p.x, p.y} - Exact{a.x * p.denominator, a.y * p.denominator};
+}
+
+// The polygon is on one side of the line, and not all on it: which side, a vertex tells that is not on the line.
+Exact across_line(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other, const PolygonCut& by_line) {
+  const std::uint32_t v = by_line.kind == CutKind::nothing ? by_line.nearest
+                          : by_line.kind == CutKind::along ? polygon.next(polygon.next(by_line.edge))
+                                                           : polygon.next(by_line.first.feature);
+  const Exact left = left_of(along(other));
+  const bool is_left = dot(left, way_to(exact_vertex(polygon, pose, v), other)).sign() == Sign::positive;
+  return is_left ? -left : left;
+}
+
+// Where the line leaves the polygon, seen along it: across an edge that it passes to the outside, and of its two edges
+// at a vertex it passes one. A segment that the line runs along, and a point, it leaves along itself.
+Exact out_of_polygon(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other, const CutEnd& last) {
+  const std::uint32_t n = polygon.size(), v = last.feature;
+  const Exact way = along(other);
+  for (const std::uint32_t e : {v, polygon.previous(v)}) {
+    if (n == 1 || (last.place == Place::edge && e != v)) continue;
+    const auto [x, y] = outward_normal(polygon, pose, e);
+    const Sign further = dot(Exact{x, y}, way).sign();
+    if (further == Sign::positive) return {x, y};
+    if (n == 2 && further == Sign::negative) return {-x, -y};
+  }
+  return way;
+}
+
+// Requires that they are apart, or touch. A ray is parted from the polygon as its line is; where the line has a point
+// in the polygon's relative interior, or meets it and the ray does not, the polygon is behind the ray's beginning.
+std::array<Dyadic, 3> parting(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other,
+                              const PolygonCommon& common) {
+  const auto in_space = [](const Exact& d) { return std::array<Dyadic, 3>{d.x, d.y, Dyadic()}; };
+  if (std::holds_alternative<HalfPlane>(other)) return in_space(left_of(along(other)));
+  const bool is_ray = std::holds_alternative<Ray>(other);
+  const PolygonCut by_line = is_ray ? polygon_line(polygon, pose, line_of(other)) : common.cut;
+  const Contact of_line = contact_of(by_line, polygon.size());
+  const bool is_behind = common.meet() ? of_line == Contact::overlapping : of_line != Contact::none;
+  return in_space(is_behind ? out_of_polygon(polygon, pose, other, by_line.last)
+                            : across_line(polygon, pose, other, by_line));
+}
+
+// ---- Points.
+
+// How the unbounded object makes a point of it. Its rows: a; the way to b; the way back (not of a ray); the way to the
+// left (of a half-plane). Inside: with weights that span all of it.
+Combination combination_of(const Unbounded& other, const ExactPoint2& p, bool is_inside) {
+  const bool is_ray = std::holds_alternative<Ray>(other);
+  const Exact way = along(other), d = way_to(p, other);
+  const Dyadic whole = dot(way, way) * p.denominator, forth = dot(way, d), zero;
+  const Dyadic both = is_inside && !is_ray ? whole : zero;
+  const bool is_back = forth.sign() == Sign::negative;
+  Combination sum{{{0, whole}}, whole};
+  const auto add = [&](std::uint32_t entry, const Dyadic& weight) {
+    if (weight.sign() != Sign::zero) sum.parts.push_back({entry, weight});
+  };
+  add(1, is_back ? both : both + forth);
+  if (!is_ray) add(2, is_back ? both - forth : both);
+  if (std::holds_alternative<HalfPlane>(other)) add(3, cross(way, d));
+  return sum;
+}
+
+ExactPoint2 between(const ExactPoint2& p, const ExactPoint2& q) {
+  return {p.x * q.denominator + q.x * p.denominator, p.y * q.denominator + q.y * p.denominator,
+          Dyadic(2.0) * p.denominator * q.denominator};
+}
+
+// Strictly inside the half-plane, as the witness is, and inside the polygon: on the way from there to its middle.
+ExactPoint2 inside_half_plane(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other,
+                              std::uint32_t witness) {
+  const ExactPoint2 start = exact_vertex(polygon, pose, witness);
+  const Exact way = along(other);
+  ExactPoint2 p = exact_middle(polygon, pose);
+  while (cross(way, way_to(p, other)).sign() != Sign::positive) p = between(start, p);
+  return p;
+}
+
+// Of both relative interiors.
+CommonPoint overlapping_point(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other,
+                              const PolygonCommon& common) {
+  const Line line = line_of(other);
+  const auto end = [&](const CutEnd& e) { return exact_end(polygon, pose, line.a, line.b, e).point; };
+  const PolygonCut& cut = common.cut;
+  const ExactPoint2 p = std::holds_alternative<HalfPlane>(other)
+                            ? inside_half_plane(polygon, pose, other, common.witness)
+                        : cut.kind == CutKind::point ? end(cut.last)
+                                                     : between(end(cut.first), end(cut.last));
+  return {{p.x, p.y, Dyadic()}, p.denominator, inner_combination(polygon, pose, p), combination_of(other, p, true)};
+}
+
+// A vertex, or a point of an edge: the last one along the line is never the beginning of a ray inside the polygon.
+CommonPoint some_point(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other,
+                       const PolygonCommon& common) {
+  CutEnd at = common.cut.last;
+  if (std::holds_alternative<HalfPlane>(other)) at = {Place::vertex, common.witness};
+  const Line line = line_of(other);
+  const ExactEnd end = exact_end(polygon, pose, line.a, line.b, at);
+  Combination of_polygon{{{at.feature, 1.0}}, 1.0};
+  if (at.place == Place::edge) {
+    const auto& [part, whole] = end.along_edge;
+    of_polygon = {{{at.feature, whole - part}, {polygon.next(at.feature), part}}, whole};
+  }
+  const ExactPoint2& p = end.point;
+  return {{p.x, p.y, Dyadic()}, p.denominator, std::move(of_polygon), combination_of(other, p, false)};
+}
+
+}  // namespace
+
+Line line_of(const Unbounded& other) {
+  return std::visit([](const auto& u) { return Line{u.a, u.b}; }, other);
+}
+
+std::string_view name_of(CommonKind kind) {
+  return name_in<CommonKind::whole>({"nothing", "point", "along", "across", "part", "whole"}, kind);
+}
+
+PolygonCommon polygon_unbounded(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other) {
+  if (const auto* ray = std::get_if<Ray>(&other)) return common_of(polygon, polygon_ray(polygon, pose, *ray));
+  const PolygonCut by_line = polygon_line(polygon, pose, line_of(other));
+  const auto* half_plane = std::get_if<HalfPlane>(&other);
+  return half_plane != nullptr ? common_of(polygon_half_plane(polygon, pose, *half_plane), by_line)
+                               : common_of(polygon, by_line);
+}
+
+PolygonCommon polygon_unbounded_by_fibonacci(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other) {
+  return common_of(polygon, polygon_line_by_fibonacci(polygon, pose, std::get<Line>(other)));
+}
+
+PolygonCommon polygon_unbounded_by_scan(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other) {
+  if (const auto* ray = std::get_if<Ray>(&other)) return common_of(polygon, polygon_ray_by_scan(polygon, pose, *ray));
+  const PolygonCut by_line = polygon_line_by_scan(polygon, pose, line_of(other));
+  const auto* half_plane = std::get_if<HalfPlane>(&other);
+  return half_plane != nullptr ? common_of(polygon_half_plane_by_scan(polygon, pose, *half_plane), by_line)
+                               : common_of(polygon, by_line);
+}
+
+UnboundedBody body_of(const Unbounded& other) {
+  const Line line = line_of(other);
+  const Point3 a{line.a.x, line.a.y, 0}, b{line.b.x, line.b.y, 0};
+  UnboundedBody body{{a}, {{a, b}}};
+  if (!std::holds_alternative<Ray>(other)) body.ways.push_back({b, a});
+  if (std::holds_alternative<HalfPlane>(other)) body.ways.push_back({{-a.y, a.x, 0}, {-b.y, b.x, 0}});
+  return body;
+}
+
+void add_claims(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolygon& polygon, const Pose& pose,
+                const Unbounded& other, const PolygonCommon& common, bool tells_contact) {
+  if (common.contact == Contact::none) {
+    pairs.add_apart(a, b, parting(polygon, pose, other, common));
+  } else if (!tells_contact) {
+    pairs.add_meet(a, b, some_point(polygon, pose, other, common));
+  } else if (common.contact == Contact::touching) {
+    pairs.add_touching(a, b, some_point(polygon, pose, other, common), parting(polygon, pose, other, common));
+  } else {
+    pairs.add_overlapping(a, b, overlapping_point(polygon, pose, other, common));
+  }
+}
+
+std::optional<Point2> exact_image(const Pose& pose, const Point2& p) {
+  const Exact exact = lift<ExactStage>(Posed2{p, &pose.affine(), false});
+  const Point2 image{exact.x.nearest(), exact.y.nearest()};
+  if (!std::isfinite(image.x) || !std::isfinite(image.y)) return std::nullopt;
+  if (!(Dyadic(image.x) == exact.x) || !(Dyadic(image.y) == exact.y)) return std::nullopt;
+  return image;
+}
+
+}  // namespace sunder::planar
