@@ -140,13 +140,15 @@ TEST(SolidDistanceDifferential, AgreesWithTheScanAndIsProved) {
     for (std::size_t q = 1; p + q <= 4; ++q) EXPECT_GT(features[p][q], apart / 40) << p << " " << q;
   }
   for (const auto& [family, t] : tallies) {
-    if (family == Family::touching || family == Family::contained) continue;
+    if (family == Family::touching || family == Family::shapes_touching || family == Family::contained) continue;
     EXPECT_GT(t.apart, t.cases / 5) << name_of(family);
     EXPECT_GE(t.proved, t.apart / 5) << name_of(family);
     if (family != Family::large) {
-      EXPECT_GT(t.scanned, t.apart / 20) << name_of(family);
+      EXPECT_GT(t.scanned, t.apart / (family == Family::shapes ? 50 : 20)) << name_of(family);
     }
-    // The proposals hold, but where the bodies' sizes are further apart than the numbers of the search reach.
+    // The proposals hold, but where the bodies' sizes are further apart than the numbers of the search reach. Lengths
+    // of such needles mix all three sizes: no stretching of axes keeps them, and each is finished exactly.
+    if (is_stretched(family)) continue;
     EXPECT_LE(t.finishing, family == Family::tiny_or_huge ? t.apart / 6 : t.apart / 200) << name_of(family);
   }
   // In general position filters see it, but for facets of more than three vertices.
@@ -179,7 +181,7 @@ TEST(SolidDistanceDifferential, SymmetriesKeepTheDistance) {
       m.translation[0] = -m.translation[0];
     };
     ASSERT_TRUE(same(changed(reflect), 1)) << "reflected " << i;
-    if (c.family != Family::tiny_or_huge) {
+    if (c.family != Family::tiny_or_huge && !is_stretched(c.family)) {
       for (const double s : {0x1p-40, 0x1p300, 0x1p-300}) {
         const auto scale = [&](Affine3& m) {
           for (double& x : m.linear) x *= s;
