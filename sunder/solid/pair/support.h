@@ -13,27 +13,41 @@
 
 namespace sunder::solid {
 
+// What a walk down a hierarchy asks about a direction, in floating point.
+template <class Real>
+struct CompareAlong {
+  const Hierarchy& hierarchy;
+  const VectorOf<Real>& direction;
+
+  static Sign sign_of(const Real& x) {
+    return x > Real(0) ? Sign::positive : Real(0) > x ? Sign::negative : Sign::zero;
+  }
+  VectorOf<Real> from_to(std::uint32_t i, std::uint32_t j) const {
+    const Point3 &p = hierarchy.nodes[i].at, &q = hierarchy.nodes[j].at;
+    return {difference<Real>(q.x, p.x), difference<Real>(q.y, p.y), difference<Real>(q.z, p.z)};
+  }
+  Sign operator()(std::uint32_t i, std::uint32_t j) const { return sign_of(dot(direction, from_to(i, j))); }
+};
+template <class Real>
+struct TurnAlong {
+  const CompareAlong<Real>& compare;
+
+  Sign operator()(std::uint32_t v, std::uint32_t i, std::uint32_t j) const {
+    const Point3& m = compare.hierarchy.nodes[v].middle;
+    const VectorOf<Real> middle{m.x, m.y, m.z}, a = compare.from_to(v, i), b = compare.from_to(v, j);
+    const VectorOf<Real>& d = compare.direction;
+    return CompareAlong<Real>::sign_of(dot(d, a) * dot(middle, b) - dot(d, b) * dot(middle, a));
+  }
+};
+
 // Down the hierarchy, to the furthest of the first `end` ranks. Requires three vertices or more. Cost: O(log n) probes.
 template <class Real>
 std::uint32_t support_by_hierarchy(const ConvexPolyhedron& body, const VectorOf<Real>& direction, std::uint64_t& probes,
                                    std::uint32_t end = Hierarchy::none) {
   const Hierarchy& hierarchy = body.hierarchy();
-  const auto from_to = [&](std::uint32_t i, std::uint32_t j) -> VectorOf<Real> {
-    const Point3 &p = hierarchy.nodes[i].at, &q = hierarchy.nodes[j].at;
-    return {difference<Real>(q.x, p.x), difference<Real>(q.y, p.y), difference<Real>(q.z, p.z)};
-  };
-  const auto middle_of = [&](const Hierarchy::Node& node) -> VectorOf<Real> {
-    return {node.middle.x, node.middle.y, node.middle.z};
-  };
-  const auto sign_of = [](const Real& x) {
-    return x > Real(0) ? Sign::positive : Real(0) > x ? Sign::negative : Sign::zero;
-  };
-  const auto compare = [&](std::uint32_t i, std::uint32_t j) { return sign_of(dot(direction, from_to(i, j))); };
-  const auto turn = [&](std::uint32_t v, std::uint32_t i, std::uint32_t j) {
-    const VectorOf<Real> middle = middle_of(hierarchy.nodes[v]), a = from_to(v, i), b = from_to(v, j);
-    return sign_of(dot(direction, a) * dot(middle, b) - dot(direction, b) * dot(middle, a));
-  };
-  return hierarchy.nodes[HierarchyWalk(hierarchy, compare, turn, probes, end).run()].vertex;
+  const CompareAlong<Real> compare{hierarchy, direction};
+  const TurnAlong<Real> turn{compare};
+  return hierarchy.nodes[HierarchyWalk(hierarchy, compare, turn, probes).run(end)].vertex;
 }
 
 // `start` is search_start() of the body's graph. Cost: O(log n) probes, fewer where a walk from the table ends soon.
