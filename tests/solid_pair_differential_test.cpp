@@ -101,16 +101,19 @@ TEST(SolidPairDifferential, MethodsAgreeWithTheScan) {
   // So is nearly everything else, because the search in double-double precision sees the last bits; but not where the
   // bodies' sizes are further apart than even its numbers reach.
   for (const auto& [family, t] : tallies) {
-    if (family == Family::stretched) {
+    if (family == Family::stretched_turned) {
       EXPECT_GT(t.finishing, 0);  // no search in floating point reaches across 600 decimal digits
     } else {
       EXPECT_LE(t.finishing, family == Family::tiny_or_huge ? t.cases / 10 : t.cases / 200) << name_of(family);
     }
   }
-  // Of the descents through hierarchies their own proposals hold as often in general position, and elsewhere of at
-  // least 90 %.
+  // So of the way down hierarchies: its own proposals hold of 99.9 % in general position, and of 90 % elsewhere, but
+  // for needles that are turned.
   EXPECT_LE(tallies[Family::general].finishing_by_hierarchy, general.cases / 1000);
-  for (const auto& [family, t] : tallies) EXPECT_LE(t.finishing_by_hierarchy, t.cases / 10) << name_of(family);
+  for (const auto& [family, t] : tallies) {
+    if (family == Family::stretched_turned) continue;
+    EXPECT_LE(t.finishing_by_hierarchy, t.cases / 10) << name_of(family);
+  }
   // And the hard families do reach the exact methods.
   EXPECT_GT(tallies[Family::touching].evidence + tallies[Family::touching].finishing,
             tallies[Family::touching].cases / 2);
@@ -139,7 +142,7 @@ TEST(SolidPairDifferential, SymmetriesKeepTheVerdict) {
     };
     ASSERT_EQ(polyhedron_polyhedron(c.a, reposed(c.pose_a, reflect), c.b, reposed(c.pose_b, reflect)).meet(), meet)
         << "reflected " << i;
-    if (c.family != Family::tiny_or_huge && c.family != Family::stretched) {
+    if (c.family != Family::tiny_or_huge && c.family != Family::stretched && c.family != Family::stretched_turned) {
       for (const double s : {0x1p-40, 0x1p300, 0x1p-300}) {
         const auto scale = [&](Affine3& m) {
           for (double& x : m.linear) x *= s;

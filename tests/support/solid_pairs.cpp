@@ -14,8 +14,9 @@ using solid::Pose;
 
 std::string_view name_of(Family family) {
   constexpr std::array<std::string_view, family_count> names{
-      "general",   "near contact", "touching", "last bit",        "grid",      "flat", "needle", "tiny or huge",
-      "contained", "large",        "shapes",   "shapes touching", "stretched", "caps"};
+      "general", "near contact",    "touching",     "last bit",         "grid",
+      "flat",    "needle",          "tiny or huge", "contained",        "large",
+      "shapes",  "shapes touching", "stretched",    "stretched turned", "caps"};
   return names[static_cast<std::size_t>(family)];
 }
 
@@ -151,12 +152,12 @@ PairCase SolidPairs::near_contact_case(Family family, const ConvexPolyhedron& a,
 }
 
 // Stretched as the needles are, two spheres in the distance of a general case; in one of four the second is turned.
-PairCase SolidPairs::stretched_case() {
+PairCase SolidPairs::stretched_case(Family family) {
   const auto& a = needles_[random_.below(needles_.size())];
   const auto& b = needles_[random_.below(needles_.size())];
   const Point3 d = times(on_sphere(random_), random_.uniform(0, 2.2));
-  const auto linear = random_.below(4) ? Pose().affine().linear : some_pose(0).affine().linear;
-  return {Family::stretched, a, b, Pose(), Pose::from_matrix(linear, {d.x * 1e300, d.y, d.z * 1e-300})};
+  const auto linear = family == Family::stretched ? Pose().affine().linear : some_pose(0).affine().linear;
+  return {family, a, b, Pose(), Pose::from_matrix(linear, {d.x * 1e300, d.y, d.z * 1e-300})};
 }
 
 // A prism on a prism, turned about its axis and shifted along the caps. Prisms are 1 high, from -1/2 to 1/2.
@@ -231,7 +232,8 @@ PairCase SolidPairs::next(Family family) {
     case Family::shapes:
       return near_contact_case(family, shapes_[random_.below(shapes_.size())], shapes_[random_.below(shapes_.size())]);
     case Family::shapes_touching: return touching_case(family, shapes_[random_.below(shapes_.size())]);
-    case Family::stretched: return stretched_case();
+    case Family::stretched:
+    case Family::stretched_turned: return stretched_case(family);
     case Family::caps: return caps_case();
     case Family::grid: {
       const int side = static_cast<int>(random_.between(1, 4));

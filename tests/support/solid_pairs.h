@@ -25,12 +25,13 @@ enum class Family : int {
   contained,     // one well inside the other, or sharing vertices with it
   large,         // some thousand vertices
   // Of tests/support/solid_shapes.h, mostly of 8 to 200 vertices, some of 2000; needles of 8 to 24:
-  shapes,           // as near_contact, for all but the needles
-  shapes_touching,  // as touching, in a vertex where rounding would spoil the shape
-  stretched,        // the needles: 1e300 : 1 : 1e-300, mostly along the axes
-  caps,             // two prisms cap on cap: coplanar, or apart or overlapping by one unit in the last place
+  shapes,            // as near_contact, for all but the needles
+  shapes_touching,   // as touching, in a vertex where rounding would spoil the shape
+  stretched,         // the needles: 1e300 : 1 : 1e-300, along the axes
+  stretched_turned,  // one of them turned: what decides lies hundreds of digits below the coordinates of the images
+  caps,              // two prisms cap on cap: coplanar, or apart or overlapping by one unit in the last place
 };
-inline constexpr int family_count = 14;
+inline constexpr int family_count = 15;
 std::string_view name_of(Family);
 
 struct PairCase {
@@ -57,7 +58,7 @@ class SolidPairs {
   solid::Pose some_affine_pose();
   PairCase near_contact_case(Family family, const solid::ConvexPolyhedron& a, const solid::ConvexPolyhedron& b);
   PairCase touching_case(Family family, const solid::ConvexPolyhedron& body);
-  PairCase stretched_case();
+  PairCase stretched_case(Family family);
   PairCase caps_case();
 
   Random random_;

@@ -1,23 +1,22 @@
-// The state of Gilbert, Johnson and Keerthi's method on two placed bodies, whichever vertices it is given, and what
-// becomes of it. Nothing here decides anything.
+// The search of Gilbert, Johnson and Keerthi on two placed bodies, in double or in double-double precision: one vertex
+// of their difference after another, each further towards the origin. What it leaves is for proposals; nothing here
+// decides anything.
+// Source: Gilbert, Johnson, Keerthi 1988.
 #pragma once
 
-#include <sunder/predicate/along.h>
+#include <sunder/base/cost.h>
 #include <sunder/solid/pair/closest_simplex.h>
 #include <sunder/solid/pair/placed.h>
-#include <sunder/solid/pair/proposal.h>
+#include <sunder/solid/pair/support.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <type_traits>
+#include <utility>
 
 namespace sunder::solid {
 
-inline constexpr int most_iterations = 100;
-
+// The state of Gilbert, Johnson and Keerthi's method on two placed bodies.
 template <class Real>
 class GjkSearch {
  public:
@@ -27,7 +26,7 @@ class GjkSearch {
   GjkSearch(const Placed& a, const Placed& b) : a_(a), b_(b) {
     const auto& s = a.pose.translation;
     const auto& t = b.pose.translation;
-    const double scale = simplex.scale = scale_of(std::max(a.size, b.size));
+    const double scale = simplex.scale = scale_to_one(std::max(a.size, b.size));
     const auto shift = [&](std::size_t i) -> Real { return difference<Real>(t[i], s[i]) * Real(scale); };
     shift_ = {shift(0), shift(1), shift(2)};
   }
@@ -40,11 +39,33 @@ class GjkSearch {
     return dot(d, d) > 0 ? d : Vector{1, 0, 0};
   }
 
-  // Of a vertex of A and one of B.
-  Vertex difference_of(std::uint32_t a, std::uint32_t b) const {
+  // The two vertices furthest towards each other along `direction`, and their difference.
+  Vertex probe(Cost& cost) const {
+    Vertex w;
+    const Vector e = a_.pulled(direction), f = negated(b_.pulled(direction));
+    const Point3 g = rounded(e), h = rounded(f);
+    const std::uint32_t start_a = search_start(a_.graph, g), start_b = search_start(b_.graph, h);
+    w.a = support(a_.body, g, start_a, cost);
+    w.b = support(b_.body, h, start_b, cost);
+    if constexpr (!std::is_same_v<Real, double>) {
+      w.a = support_in_double_doubles(a_.body, e, w.a, cost.probes);
+      w.b = support_in_double_doubles(b_.body, f, w.b, cost.probes);
+    }
+    return of_vertices(w.a, w.b);
+  }
+
+  // The difference of vertex a of A and vertex b of B.
+  Vertex of_vertices(std::uint32_t a, std::uint32_t b) const {
     const Vector p = a_.turned<Real>(a, simplex.scale), q = b_.turned<Real>(b, simplex.scale);
     return {{(p.x - q.x) - shift_.x, (p.y - q.y) - shift_.y, (p.z - q.z) - shift_.z}, a, b};
   }
+
+  // Where walks go down hierarchies, vertices are looked for at their top only, which stays in the memory caches, until
+  // refine(). True where that changes anything: from then on the search is about the whole bodies.
+  void begin_at_the_top() {
+    if (a_.graph.is_slow || b_.graph.is_slow) ranks_ = top_ranks;
+  }
+  bool refine() { return std::exchange(ranks_, Hierarchy::none) != Hierarchy::none; }
 
   // Is w further along the direction than the face, by more than the noise of floating point?
   bool gains_by(const Vertex& w) const {
@@ -72,120 +93,25 @@ class GjkSearch {
     return distance2 > noise * noise * (dot(p, p) + dot(q, q));
   }
 
+  // What rounding leaves of a difference of two images, as part of their size: some roundings.
+  static constexpr double noise = std::is_same_v<Real, double> ? 0x1p-46 : 0x1p-98;
+  static constexpr int most_iterations = 100;
+
   Vector direction;                   // of the world, from A towards B
   DifferenceSimplexOf<Real> simplex;  // the face nearest to the origin, or the tetrahedron around it
 
- protected:
+ private:
+  static constexpr std::uint32_t top_ranks = 1024;
+
+  std::uint32_t support(const ConvexPolyhedron& body, const Point3& along, std::uint32_t start, Cost& cost) const {
+    return body.search_graph().is_slow ? support_by_hierarchy<double>(body, along, cost.probes, ranks_)
+                                       : support_from(body, along, start, cost.probes);
+  }
+
   const Placed& a_;
   const Placed& b_;
-
- private:
-  // What rounding leaves of a difference of two images, as part of their size: some roundings.
-  static constexpr double noise = std::is_same_v<Real, double> ? 0x1p-46 : 0x1p-98;
-
-  // A power of two that brings differences of images near 1 where sixth powers of them could overflow or vanish, as
-  // they occur in closest_simplex.cpp; else 1.
-  static double scale_of(double size) {
-    if (size >= 0x1p-100 && size <= 0x1p100) return 1;
-    if (!(size > 0 && size <= std::numeric_limits<double>::max())) return 1;
-    return std::ldexp(1.0, std::clamp(-std::ilogb(size), -1022, 1022));
-  }
-
   Vector shift_;
-};
-
-// The direction as a certificate can hold it: tame, and with one vertex of the difference clearly furthest.
-//
-// Near contact the direction is perpendicular to a face of the difference, whose vertices then tie. So it is turned a
-// little towards one of them, at the cost of at most a quarter of the gap, and floating point can tell the extreme
-// vertices. `w` is what the direction found; it becomes the vertex that is now furthest. Returns false for a direction
-// that is zero or not finite.
-inline bool settle(const DifferenceSimplex& simplex, Point3& d, DifferenceVertex& w) {
-  if (!make_tame(d)) return false;
-  const std::size_t n = static_cast<std::size_t>(simplex.count);
-  if (n < 2) return true;
-  Point3 centroid;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Point3& p = simplex.vertex[i].at;
-    centroid = {centroid.x + p.x, centroid.y + p.y, centroid.z + p.z};
-  }
-  const double part = 1.0 / simplex.count;
-  centroid = {centroid.x * part, centroid.y * part, centroid.z * part};
-  const auto from_centroid = [&](const Point3& p) {
-    return Point3{p.x - centroid.x, p.y - centroid.y, p.z - centroid.z};
-  };
-  // A vertex clearly beyond the face is furthest anyway.
-  const double gap = -dot(d, w.at);
-  const Point3 beyond = from_centroid(w.at);
-  const double height = dot(d, beyond);
-  if (height * height > 0x1p-40 * dot(beyond, beyond)) return true;
-  // Else the vertex of the face that is furthest from the centroid.
-  Point3 e;
-  double length2 = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Point3 f = from_centroid(simplex.vertex[i].at);
-    if (dot(f, f) <= length2) continue;
-    length2 = dot(f, f);
-    e = f;
-    w = simplex.vertex[i];
-  }
-  const double amount = std::min(0x1p-7 / std::sqrt(length2), 0.25 * gap / std::fabs(dot(e, w.at)));
-  d = {d.x + amount * e.x, d.y + amount * e.y, d.z + amount * e.z};
-  return make_tame(d);
-}
-
-// The axes of the world stretched, each by a power of two, so that two bodies have about the same size along all. Needles
-// are searched so; whatever is lost, the exact checks are about the bodies as they are.
-class Stretched {
- public:
-  Stretched(const Placed& a, const Placed& b) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double size = std::max(size_along(a, i), size_along(b, i));
-      if (!(size > 0 && size <= std::numeric_limits<double>::max())) continue;
-      size_[i] = size;
-      least_ = std::min(least_, size);
-      greatest_ = std::max(greatest_, size);
-    }
-  }
-
-  // Would floating point not see along one axis what there is, for what there is along another?
-  bool is_wanted() const { return greatest_ > least_ * 0x1p40; }
-
-  // propose(a, b, holds): of the stretched bodies.
-  template <class Holds, class Propose>
-  bool propose(const Placed& a, const Placed& b, const Holds& holds, const Propose& propose) const {
-    std::array<double, 3> by;
-    for (std::size_t i = 0; i < 3; ++i) by[i] = std::ldexp(1.0, std::clamp(-std::ilogb(size_[i]), -1020, 1020));
-    const auto stretched = [&](Affine3 pose) {
-      for (std::size_t i = 0; i < 9; ++i) pose.linear[i] *= by[i / 3];
-      for (std::size_t i = 0; i < 3; ++i) pose.translation[i] *= by[i];
-      return pose;
-    };
-    const Affine3 pose_a = stretched(a.pose), pose_b = stretched(b.pose);
-    // A direction is a linear form: d . (S x) is (S d) . x. Beside a form n of the world it only tells a sense.
-    const auto of_world = [&](Proposal p) {
-      Point3& d = p.direction;
-      if (p.claim == Proposal::Claim::apart_along) {
-        d = {d.x * by[0], d.y * by[1], d.z * by[2]};
-      } else {
-        d = {d.x / by[0], d.y / by[1], d.z / by[2]};
-      }
-      return holds(p);
-    };
-    return propose(Placed(a, pose_a), Placed(b, pose_b), of_world);
-  }
-
- private:
-  static double size_along(const Placed& body, std::size_t axis) {
-    const Point3 &low = body.graph.low, &high = body.graph.high;
-    const auto part = [&](std::size_t j, double from, double to) {
-      return std::fabs(body.pose.linear[3 * axis + j]) * std::max(std::fabs(from), std::fabs(to));
-    };
-    return part(0, low.x, high.x) + part(1, low.y, high.y) + part(2, low.z, high.z);
-  }
-
-  std::array<double, 3> size_{1, 1, 1};
-  double least_ = std::numeric_limits<double>::infinity(), greatest_ = 0;
+  std::uint32_t ranks_ = Hierarchy::none;
 };
 
 }  // namespace sunder::solid

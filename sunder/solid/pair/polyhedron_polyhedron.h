@@ -26,9 +26,9 @@ PairAnswer polyhedron_polyhedron(const ConvexPolyhedron& a, const Pose& pose_a, 
                                  const ConvexPolyhedron& b, const Pose& pose_b);
 
 // By a floating-point search over the vertex graph (Gilbert, Johnson, Keerthi 1988), which proposes evidence, and an
-// exact simplex method with the graph as its pricing for what the search could not certify. Cost: at most 100 steps in
-// doubles and 100 in double-doubles, each a walk over both graphs; where neither decides, some five to
-// thirty exact pivots.
+// exact simplex method for what the search could not certify. Cost: at most 100 steps in doubles and 100 in
+// double-doubles, each of O(log n + log m) probes on every body; where neither decides, some five to thirty exact
+// pivots of O(log n + log m) probes.
 PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& a, const Pose& pose_a,  //
                                         const ConvexPolyhedron& b, const Pose& pose_b);
 

@@ -11,7 +11,9 @@
 #include <sunder/solid/pair/gjk_search.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
+#include <sunder/solid/pair/settle.h>
 #include <sunder/solid/pair/simplex_proposals.h>
+#include <sunder/solid/pair/stretched.h>
 #include <sunder/solid/pair/support.h>
 
 #include <algorithm>
@@ -35,26 +37,29 @@ class LevelWalk {
 
   LevelWalk(const ConvexPolyhedron& body, std::uint64_t& probes) : vertices_(body.vertices()), probes_(probes) {
     if (vertices_.size() < 3) return;
-    hierarchy_ = &body.hierarchy();
-    compare_.emplace(*hierarchy_, direction_);
+    compare_.emplace(body);
     turn_.emplace(*compare_);
-    walk_.emplace(*hierarchy_, *compare_, *turn_, probes);
+    walk_.emplace(hierarchy(), *compare_, *turn_, probes);
   }
   LevelWalk(const LevelWalk&) = delete;
   LevelWalk& operator=(const LevelWalk&) = delete;
 
-  std::size_t level_count() const { return walk_ ? hierarchy_->level_end.size() : 1; }
+  std::size_t level_count() const { return walk_ ? hierarchy().level_end.size() : 1; }
 
   void turn_to(const Vector& direction) {
-    direction_ = direction;
-    if (walk_) walk_->start();
+    if (walk_) {
+      compare_->turn_to(direction);
+      walk_->start();
+    } else {
+      direction_ = direction;
+    }
   }
 
   // Requires a level not above that of the last call since the direction turned.
   std::uint32_t furthest(std::size_t level) {
     if (walk_) {
-      const std::uint32_t end = hierarchy_->level_end[std::min(level, level_count() - 1)];
-      return hierarchy_->nodes[walk_->go_on(end)].vertex;
+      const std::uint32_t end = hierarchy().level_end[std::min(level, level_count() - 1)];
+      return hierarchy().nodes[walk_->go_on(end)].vertex;
     }
     probes_ += vertices_.size();
     const Point3 &p = vertices_.front(), &q = vertices_.back();
@@ -66,50 +71,62 @@ class LevelWalk {
   using Compare = CompareAlong<Real>;
   using Turn = TurnAlong<Real>;
 
+  const Hierarchy& hierarchy() const { return compare_->hierarchy(); }
+
   std::span<const Point3> vertices_;
   std::uint64_t& probes_;
-  const Hierarchy* hierarchy_ = nullptr;
-  Vector direction_{};
+  Vector direction_{};  // of a body without a hierarchy
   std::optional<Compare> compare_;
   std::optional<Turn> turn_;
   std::optional<HierarchyWalk<Compare, Turn>> walk_;
 };
 
 template <class Real>
-class Descent : public GjkSearch<Real> {
+class Descent {
  public:
   using Vector = VectorOf<Real>;
   using Vertex = DifferenceVertexOf<Real>;
 
   Descent(const Placed& a, const Placed& b, Cost& cost)
-      : GjkSearch<Real>(a, b), of_a_(a.body, cost.probes), of_b_(b.body, cost.probes), cost_(cost) {}
-
-  void turn_to(const Vector& towards) {
-    this->direction = towards;
-    of_a_.turn_to(this->a_.pulled(towards));
-    of_b_.turn_to(negated(this->b_.pulled(towards)));
-  }
+      : search(a, b), a_(a), b_(b), of_a_(a.body, cost.probes), of_b_(b.body, cost.probes), cost_(cost) {}
 
   // True where a proposal held. propose_apart(w): at the bottom, where the direction seems to part the bodies.
   template <class Holds, class ProposeApart>
-  bool run(const Holds& holds, const ProposeApart& propose_apart) {
+  bool run(const Vector& first_direction, const Holds& holds, const ProposeApart& propose_apart) {
+    search.direction = first_direction;
+    turn();
     const std::size_t levels = std::max(of_a_.level_count(), of_b_.level_count());
-    bool goes_on = true;
-    for (std::size_t level = 0; level < levels && goes_on; ++level) {
+    for (std::size_t level = 0; level < levels; ++level) {
       const bool is_last = level + 1 == levels;
-      for (int i = is_last ? most_iterations : most_steps_on_a_level; i > 0 && goes_on; --i) {
+      for (int i = is_last ? search.most_iterations : most_steps_on_a_level; i > 0; --i) {
         ++cost_.iterations;
-        const Vertex w = this->difference_of(of_a_.furthest(level), of_b_.furthest(level));
-        if (is_last && dot(this->direction, w.at) < Real(0) && propose_apart(w)) return true;
-        if (!this->gains_by(w)) break;
-        goes_on = this->step_to(w);
-        if (goes_on) turn_to(this->direction);
+        const Vertex w = search.of_vertices(of_a_.furthest(level), of_b_.furthest(level));
+        if (is_last && dot(search.direction, w.at) < Real(0) && propose_apart(w)) return true;
+        if (!search.gains_by(w)) break;
+        if (search.step_to(w)) {
+          turn();
+          continue;
+        }
+        if (propose_meet(a_, b_, search.simplex, holds)) return true;
+        if (is_last) return false;
+        search.simplex.count = 0;  // the polyhedra may meet in another way, more clearly
+        turn();
+        break;
       }
     }
-    return propose_meet(this->a_, this->b_, this->simplex, holds);
+    return propose_meet(a_, b_, search.simplex, holds);
   }
 
+  GjkSearch<Real> search;
+
  private:
+  void turn() {
+    of_a_.turn_to(a_.pulled(search.direction));
+    of_b_.turn_to(negated(b_.pulled(search.direction)));
+  }
+
+  const Placed& a_;
+  const Placed& b_;
   LevelWalk<Real> of_a_, of_b_;
   Cost& cost_;
 };
@@ -118,19 +135,20 @@ class Descent : public GjkSearch<Real> {
 // precision, with directions perpendicular to the simplex.
 template <class Holds>
 bool propose(const Placed& a, const Placed& b, const Holds& holds, Cost& cost) {
-  Descent<double> search(a, b, cost);
-  search.turn_to(search.first_direction());
+  Descent<double> descent(a, b, cost);
+  const GjkSearch<double>& found = descent.search;
   const auto along_direction = [&](DifferenceVertex w) {
-    Point3 direction = search.direction;
-    return settle(search.simplex, direction, w) && holds(apart_along(direction, w.a, w.b));
+    Point3 direction = found.direction;
+    return settle(found.simplex, direction, w) && holds(apart_along(direction, w.a, w.b));
   };
-  if (search.run(holds, along_direction) || propose_apart_along_features(search.simplex, search.direction, holds)) {
+  if (descent.run(found.first_direction(), holds, along_direction) ||
+      propose_apart_along_features(found.simplex, found.direction, holds)) {
     return true;
   }
   Descent<DoubleDouble> finer(a, b, cost);
-  finer.turn_to({search.direction.x, search.direction.y, search.direction.z});
-  return finer.run(holds, [&](const DifferenceVertexOf<DoubleDouble>& w) {
-    return propose_apart_along_perpendicular(finer.simplex, w.a, w.b, holds);
+  const Point3& d = found.direction;
+  return finer.run({d.x, d.y, d.z}, holds, [&](const DifferenceVertexOf<DoubleDouble>& w) {
+    return propose_apart_along_perpendicular(finer.search.simplex, w.a, w.b, holds);
   });
 }
 
@@ -141,8 +159,7 @@ PairAnswer polyhedron_polyhedron_by_hierarchy(const ConvexPolyhedron& body_a, co
   const Placed a(body_a, pose_a), b(body_b, pose_b);
   return answer_by(a, b, [&](const auto& holds, Cost& cost) {
     const auto propose_of = [&](const Placed& p, const Placed& q, const auto& of) { return propose(p, q, of, cost); };
-    const Stretched stretched(a, b);
-    return stretched.is_wanted() ? stretched.propose(a, b, holds, propose_of) : propose(a, b, holds, cost);
+    return propose_stretched_where_wanted(a, b, holds, propose_of);
   });
 }
 
