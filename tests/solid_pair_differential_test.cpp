@@ -142,7 +142,7 @@ TEST(SolidPairDifferential, SymmetriesKeepTheVerdict) {
     };
     ASSERT_EQ(polyhedron_polyhedron(c.a, reposed(c.pose_a, reflect), c.b, reposed(c.pose_b, reflect)).meet(), meet)
         << "reflected " << i;
-    if (c.family != Family::tiny_or_huge && c.family != Family::stretched && c.family != Family::stretched_turned) {
+    if (c.family != Family::tiny_or_huge && !is_stretched(c.family)) {
       for (const double s : {0x1p-40, 0x1p300, 0x1p-300}) {
         const auto scale = [&](Affine3& m) {
           for (double& x : m.linear) x *= s;

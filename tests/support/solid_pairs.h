@@ -34,6 +34,9 @@ enum class Family : int {
 inline constexpr int family_count = 15;
 std::string_view name_of(Family);
 
+// Are sizes of a body hundreds of orders of magnitude apart, so that scaling may lose bits?
+inline bool is_stretched(Family family) { return family == Family::stretched || family == Family::stretched_turned; }
+
 struct PairCase {
   Family family;
   solid::ConvexPolyhedron a, b;

@@ -85,7 +85,6 @@ class GjkSearch {
   // is inside, or as near as floating point can tell.
   bool step_to(const Vertex& w) {
     simplex.vertex[static_cast<std::size_t>(simplex.count++)] = w;
-    Real distance2 = 0;
     if (!reduce_to_closest_face(simplex, direction, distance2)) return false;
     if (simplex.count != 1) return distance2 > 0;
     const Vector p = a_.turned<Real>(simplex.vertex[0].a, simplex.scale),
@@ -99,6 +98,7 @@ class GjkSearch {
 
   Vector direction;                   // of the world, from A towards B
   DifferenceSimplexOf<Real> simplex;  // the face nearest to the origin, or the tetrahedron around it
+  Real distance2 = 0;                 // of that face, squared, after a step
 
  private:
   static constexpr std::uint32_t top_ranks = 1024;

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -96,6 +97,7 @@ class Descent {
     search.direction = first_direction;
     turn();
     const std::size_t levels = std::max(of_a_.level_count(), of_b_.level_count());
+    Real nearest = std::numeric_limits<double>::infinity();
     for (std::size_t level = 0; level < levels; ++level) {
       const bool is_last = level + 1 == levels;
       for (int i = is_last ? search.most_iterations : most_steps_on_a_level; i > 0; --i) {
@@ -105,11 +107,14 @@ class Descent {
         if (!search.gains_by(w)) break;
         if (search.step_to(w)) {
           turn();
+          if (!(search.distance2 < nearest)) break;  // floating point goes in circles
+          nearest = search.distance2;
           continue;
         }
         if (propose_meet(a_, b_, search.simplex, holds)) return true;
         if (is_last) return false;
         search.simplex.count = 0;  // the polyhedra may meet in another way, more clearly
+        nearest = std::numeric_limits<double>::infinity();
         turn();
         break;
       }
