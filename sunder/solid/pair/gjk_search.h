@@ -29,7 +29,7 @@ class GjkSearch {
   GjkSearch(const Placed& a, const Placed& b) : a_(a), b_(b) {
     const auto& s = a.pose.translation;
     const auto& t = b.pose.translation;
-    const double scale = simplex.scale = scale_of(std::max(a.size, b.size));
+    const double scale = simplex.scale = scale_to_one(std::max(a.size, b.size));
     const auto shift = [&](std::size_t i) -> Real { return difference<Real>(t[i], s[i]) * Real(scale); };
     shift_ = {shift(0), shift(1), shift(2)};
   }
@@ -111,7 +111,6 @@ class GjkSearch {
   // is inside, or as near as floating point can tell.
   bool step_to(const Vertex& w) {
     simplex.vertex[static_cast<std::size_t>(simplex.count++)] = w;
-    Real distance2 = 0;
     if (!reduce_to_closest_face(simplex, direction, distance2)) return false;
     if (simplex.count != 1) return distance2 > 0;
     const Vector p = a_.turned<Real>(simplex.vertex[0].a, simplex.scale),
@@ -125,6 +124,7 @@ class GjkSearch {
 
   Vector direction;                   // of the world, from A towards B
   DifferenceSimplexOf<Real> simplex;  // the face nearest to the origin, or the tetrahedron around it
+  Real distance2 = 0;                 // of that face, squared, after a step
 
  private:
   static constexpr std::uint32_t top_ranks = 1024;
@@ -132,14 +132,6 @@ class GjkSearch {
   std::uint32_t support(const ConvexPolyhedron& body, const Point3& along, std::uint32_t start, Cost& cost) const {
     return body.search_graph().is_slow ? support_by_hierarchy<double>(body, along, cost.probes, ranks_)
                                        : support_from(body, along, start, cost.probes);
-  }
-
-  // A power of two that brings differences of images near 1 where sixth powers of them could overflow or vanish, as
-  // they occur in closest_simplex.cpp; else 1.
-  static double scale_of(double size) {
-    if (size >= 0x1p-100 && size <= 0x1p100) return 1;
-    if (!(size > 0 && size <= std::numeric_limits<double>::max())) return 1;
-    return std::ldexp(1.0, std::clamp(-std::ilogb(size), -1022, 1022));
   }
 
   const Placed& a_;

@@ -8,32 +8,77 @@
 #include <sunder/solid/represent/hierarchy_walk.h>
 #include <sunder/solid/represent/search_graph_walk.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <type_traits>
 
 namespace sunder::solid {
 
+// What a walk down a hierarchy asks about a direction, in floating point. Directions of any length and bodies of any
+// size, along each axis, are brought near 1 where products of a walk could overflow or vanish.
+template <class Real>
+class CompareAlong {
+ public:
+  using Vector = VectorOf<Real>;
+
+  explicit CompareAlong(const ConvexPolyhedron& body) : hierarchy_(body.hierarchy()) {
+    const Point3 &low = body.search_graph().low, &high = body.search_graph().high;
+    to_one_ = {scale_to_one(high.x - low.x), scale_to_one(high.y - low.y), scale_to_one(high.z - low.z)};
+  }
+
+  void turn_to(const Vector& direction) { direction_ = form(direction); }
+
+  // Is rank j further along than rank i?
+  Sign operator()(std::uint32_t i, std::uint32_t j) const { return sign_of(dot(direction_, from_to(i, j))); }
+
+  // As HierarchyWalk's turn.
+  Sign turn(std::uint32_t v, std::uint32_t i, std::uint32_t j) const {
+    const Point3& m = hierarchy_.nodes[v].middle;
+    const Vector middle = form({m.x, m.y, m.z}), a = from_to(v, i), b = from_to(v, j);
+    return sign_of(dot(direction_, a) * dot(middle, b) - dot(direction_, b) * dot(middle, a));
+  }
+
+  const Hierarchy& hierarchy() const { return hierarchy_; }
+
+ private:
+  static Sign sign_of(const Real& x) {
+    return x > Real(0) ? Sign::positive : Real(0) > x ? Sign::negative : Sign::zero;
+  }
+  // Beside a vector that is scaled.
+  Vector form(const Vector& d) const {
+    const Vector f{d.x * Real(1 / to_one_.x), d.y * Real(1 / to_one_.y), d.z * Real(1 / to_one_.z)};
+    const Point3 size = rounded(f);
+    const Real by(scale_to_one(std::max({std::fabs(size.x), std::fabs(size.y), std::fabs(size.z)})));
+    return {f.x * by, f.y * by, f.z * by};
+  }
+  Vector from_to(std::uint32_t i, std::uint32_t j) const {
+    const Point3 &p = hierarchy_.nodes[i].at, &q = hierarchy_.nodes[j].at;
+    return {difference<Real>(q.x, p.x) * Real(to_one_.x), difference<Real>(q.y, p.y) * Real(to_one_.y),
+            difference<Real>(q.z, p.z) * Real(to_one_.z)};
+  }
+
+  const Hierarchy& hierarchy_;
+  Point3 to_one_;
+  Vector direction_{};
+};
+
+template <class Real>
+struct TurnAlong {
+  const CompareAlong<Real>& compare;
+
+  Sign operator()(std::uint32_t v, std::uint32_t i, std::uint32_t j) const { return compare.turn(v, i, j); }
+};
+
 // Down the hierarchy, to the furthest of the first `end` ranks. Requires three vertices or more. Cost: O(log n) probes.
 template <class Real>
 std::uint32_t support_by_hierarchy(const ConvexPolyhedron& body, const VectorOf<Real>& direction, std::uint64_t& probes,
                                    std::uint32_t end = Hierarchy::none) {
-  const Hierarchy& hierarchy = body.hierarchy();
-  const auto from_to = [&](std::uint32_t i, std::uint32_t j) -> VectorOf<Real> {
-    const Point3 &p = hierarchy.nodes[i].at, &q = hierarchy.nodes[j].at;
-    return {difference<Real>(q.x, p.x), difference<Real>(q.y, p.y), difference<Real>(q.z, p.z)};
-  };
-  const auto middle_of = [&](const Hierarchy::Node& node) -> VectorOf<Real> {
-    return {node.middle.x, node.middle.y, node.middle.z};
-  };
-  const auto sign_of = [](const Real& x) {
-    return x > Real(0) ? Sign::positive : Real(0) > x ? Sign::negative : Sign::zero;
-  };
-  const auto compare = [&](std::uint32_t i, std::uint32_t j) { return sign_of(dot(direction, from_to(i, j))); };
-  const auto turn = [&](std::uint32_t v, std::uint32_t i, std::uint32_t j) {
-    const VectorOf<Real> middle = middle_of(hierarchy.nodes[v]), a = from_to(v, i), b = from_to(v, j);
-    return sign_of(dot(direction, a) * dot(middle, b) - dot(direction, b) * dot(middle, a));
-  };
-  return hierarchy.nodes[HierarchyWalk(hierarchy, compare, turn, probes, end).run()].vertex;
+  CompareAlong<Real> compare(body);
+  compare.turn_to(direction);
+  const TurnAlong<Real> turn{compare};
+  const Hierarchy& hierarchy = compare.hierarchy();
+  return hierarchy.nodes[HierarchyWalk(hierarchy, compare, turn, probes).run(end)].vertex;
 }
 
 // `start` is search_start() of the body's graph. Cost: O(log n) probes, fewer where a walk from the table ends soon.

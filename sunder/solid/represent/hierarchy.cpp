@@ -70,6 +70,7 @@ class Builder {
       : points_(points), face_of_(points.size(), none), degree_(points.size(), 0), blocked_(points.size(), 0) {
     const SizeRange of_identity{1, 1};
     images_are_tame_ = images_are_tame(of_identity, {}, size_range(points));
+    stretch_ = {stretch_along(&Point3::x), stretch_along(&Point3::y), stretch_along(&Point3::z)};
     triangulate(facet_begin, facet_vertices);
     choose_tetrahedron();
   }
@@ -180,19 +181,31 @@ class Builder {
     SUNDER_REQUIRE(false);  // no interior
   }
 
+  // A power of two.
+  double stretch_along(double Point3::* axis) const {
+    const auto [low, high] = std::minmax_element(points_.begin(), points_.end(),
+                                                 [&](const Point3& p, const Point3& q) { return p.*axis < q.*axis; });
+    const double size = (*high).*axis - (*low).*axis;
+    return size > 0 && std::isfinite(size) ? std::ldexp(1.0, std::clamp(-std::ilogb(size), -1022, 1022)) : 1;
+  }
+
   struct Middle {
     Point3 direction;
     std::uint32_t face = none;  // none: it is the direction
     std::array<std::uint32_t, 2> with{};
   };
 
+  // Of the polyhedron with its axes stretched, so that it is about 1 long along each.
   Vector3<double> normal_of(std::uint32_t t) const {
     const auto& [i, j, k] = faces_[t].corner;
     return cross(edge(i, j), edge(i, k));
   }
   Vector3<double> edge(std::uint32_t from, std::uint32_t to) const {
     const Point3 &p = points_[from], &q = points_[to];
-    return {q.x - p.x, q.y - p.y, q.z - p.z};
+    return {(q.x - p.x) * stretch_.x, (q.y - p.y) * stretch_.y, (q.z - p.z) * stretch_.z};
+  }
+  Point3 of_polyhedron(const Vector3<double>& normal) const {
+    return {normal.x * stretch_.x, normal.y * stretch_.y, normal.z * stretch_.z};
   }
 
   // The mean of the normals about v, if all of its neighbours are less far along it.
@@ -203,7 +216,7 @@ class Builder {
       const double scale = 1 / std::sqrt(dot(n, n));
       sum = {sum.x + n.x * scale, sum.y + n.y * scale, sum.z + n.z * scale};
     });
-    Middle middle{{sum.x, sum.y, sum.z}};
+    Middle middle{of_polyhedron(sum)};
     if (make_tame(middle.direction)) {
       const WorldDirection along_sum(middle.direction);
       const Affine3 identity;
@@ -218,7 +231,7 @@ class Builder {
     const Face& face = faces_[face_of_[v]];
     const std::uint32_t place = face.place_of(v);
     const Vector3<double> n = normal_of(face_of_[v]);
-    return {{n.x, n.y, n.z}, face_of_[v], {face.corner[after(place)], face.corner[before(place)]}};
+    return {of_polyhedron(n), face_of_[v], {face.corner[after(place)], face.corner[before(place)]}};
   }
 
   // Takes an independent set of low degrees away; returns those that stay.
@@ -340,6 +353,7 @@ class Builder {
   std::vector<std::uint32_t> degree_;
   std::vector<Middle> middle_;
   bool images_are_tame_;
+  Point3 stretch_;
   std::array<std::uint32_t, 4> tetrahedron_{};
 
   std::vector<std::uint32_t> blocked_;  // the round in which a vertex or a neighbour of it went

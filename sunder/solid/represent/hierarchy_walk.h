@@ -34,15 +34,33 @@ namespace sunder::solid {
 template <class Compare, class Turn>
 class HierarchyWalk {
  public:
-  // end: of the ranks that there are, for a level of the hierarchy and what is between two.
-  HierarchyWalk(const Hierarchy& hierarchy, const Compare& compare, const Turn& turn, std::uint64_t& probes,
-                std::uint32_t end = none)
-      : hierarchy_(hierarchy), compare_(compare), turn_(turn), probes_(probes), end_(end) {}
+  HierarchyWalk(const Hierarchy& hierarchy, const Compare& compare, const Turn& turn, std::uint64_t& probes)
+      : hierarchy_(hierarchy), compare_(compare), turn_(turn), probes_(probes) {}
 
-  // The rank of the extreme vertex.
-  std::uint32_t run() {
+  // The rank of the extreme vertex of the first `end` ranks, which are a level of the hierarchy, or between two; of
+  // the polyhedron.
+  std::uint32_t run(std::uint32_t end = none) {
     start();
-    for (std::uint32_t w = std::min(left_, right_); w < end_; w = std::min(left_, right_)) {
+    return go_on(end);
+  }
+
+  // In pieces: from the top, along what may be another direction than before, and then on to ever more ranks. All
+  // pieces together cost as much as a run.
+  void start() {
+    at_ = 0;
+    const std::uint32_t corners = hierarchy_.level_end.front();
+    for (std::uint32_t k = 1; k < corners; ++k) {
+      if (is_positive(compare_(at_, k))) at_ = k;
+    }
+    probes_ += corners;
+    if (hierarchy_.is_flat()) {
+      enter(star_of(at_)[0], star_of(at_)[1]);
+    } else {
+      start_sector();
+    }
+  }
+  std::uint32_t go_on(std::uint32_t end) {
+    for (std::uint32_t w = std::min(left_, right_); w < end; w = std::min(left_, right_)) {
       __builtin_prefetch(&hierarchy_.nodes[w].around[0]);
       __builtin_prefetch(&hierarchy_.nodes[w].around[5]);
       const bool is_further = is_positive(compare_(at_, w));
@@ -65,19 +83,6 @@ class HierarchyWalk {
   std::span<const Triangle> star_of(std::uint32_t rank) const { return hierarchy_.nodes[rank].star(); }
   static bool is_positive(Sign sign) { return sign == Sign::positive; }
   static bool is_negative(Sign sign) { return sign == Sign::negative; }
-
-  void start() {
-    const std::uint32_t corners = hierarchy_.level_end.front();
-    for (std::uint32_t k = 1; k < corners; ++k) {
-      if (is_positive(compare_(at_, k))) at_ = k;
-    }
-    probes_ += corners;
-    if (hierarchy_.is_flat()) {
-      enter(star_of(at_)[0], star_of(at_)[1]);
-    } else {
-      start_sector();
-    }
-  }
 
   // Of a vertex of the tetrahedron, whose triangles are in the stars of ranks 2 and 3.
   void start_sector() {
@@ -170,7 +175,6 @@ class HierarchyWalk {
   const Compare& compare_;
   const Turn& turn_;
   std::uint64_t& probes_;
-  std::uint32_t end_;
   std::uint32_t at_ = 0;                      // the extreme one so far
   std::uint32_t to_ = 0;                      // the neighbour of the sector
   std::uint32_t left_ = none, right_ = none;  // what comes beyond the triangles left and right of the edge to it
