@@ -28,8 +28,8 @@ using solid::ConvexPolyhedron;
 using solid::Hierarchy;
 using solid::Pose;
 
-// Times log2 n log2 m, for bodies of 8 vertices or more: less than 1.5 times the greatest at n of about 1,000.
-constexpr double most_probes = 0;
+// Times log2 n log2 m, for bodies of 8 vertices or more: less than 1.5 times the greatest up to n of about 1,000.
+constexpr double most_probes = 30;
 
 class Ratios {
  public:
@@ -37,7 +37,7 @@ class Ratios {
            const Pose& pose_b) {
     const PairAnswer answer = polyhedron_polyhedron_by_hierarchy(a, pose_a, b, pose_b);
     const double n = static_cast<double>(a.vertices().size()), m = static_cast<double>(b.vertices().size());
-    const double ratio = answer.cost.probes / (std::log2(n) * std::log2(m));
+    const double ratio = static_cast<double>(answer.cost.probes) / (std::log2(n) * std::log2(m));
     EXPECT_LE(ratio, most_probes) << what << ", n = " << n << ", m = " << m;
     ++(answer.meet() ? meet_ : apart_);
     if (std::max(n, m) <= 1100) at_a_thousand_ = std::max(at_a_thousand_, ratio);
@@ -102,7 +102,7 @@ TEST(SolidHierarchyComplexity, ProbesGrowAsTheProductOfLogarithms) {
     for (const std::size_t m : {std::size_t{8}, std::size_t{100}, n}) {
       others.emplace_back(solid_shapes::sphere(m, random));
     }
-    const int times = power < 11 ? 40 : 10;
+    const int times = power < 11 ? 150 : 10;  // the greatest of the small ones is what the bound is made of
     for (const SolidShape& shape : all_solid_shapes()) {
       const ConvexPolyhedron body(shape.make(n, random));
       const bool is_needle = shape.name == "needle";

@@ -1,13 +1,12 @@
 // The closest points of two polyhedra, kept while going down their hierarchies.
 //
 // The direction between the closest points of two levels supports both there. Below, at most one vertex of each level
-// lies beyond either plane (BL15 Lemma 4.2), a new one, which the walks down both hierarchies find where they stand; it
-// joins the simplex that holds the closest points. So the simplex is the same on most levels, and where it is not, some
-// steps of Gilbert, Johnson and Keerthi's method find the next: each turns the direction, and begins the walks anew.
-// Where the origin is in the simplex, levels meet, and so do the polyhedra.
+// lies beyond either plane (BL15 Lemma 4.2), a new one, which the walks down both hierarchies find where they stand. It
+// joins the simplex of the closest points by a step of Gilbert, Johnson and Keerthi's method, which turns the direction,
+// and the walks begin anew. Where the simplex holds the origin, levels meet, and so do the polyhedra.
 //
-// Departure: DK90 looks at all neighbours of the extreme vertex, whose degree nothing bounds; the walks here are by
-// sectors of its normal cone (hierarchy_walk.h).
+// Departures: DK90 looks at all neighbours of the extreme vertex, whose degree nothing bounds; the walks here are by
+// sectors of its normal cone (hierarchy_walk.h). Above the bottom the points are nearly the closest: one step a level.
 #include <sunder/solid/pair/gjk_search.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
@@ -27,8 +26,9 @@ namespace sunder::solid {
 
 namespace {
 
-// On a level but the last. What it leaves undone is done on the next.
-constexpr int most_steps_on_a_level = 8;
+// On a level but the last; the next goes on from there. Closest points on each level, by as many steps as it takes, are
+// twice the probes in all: what is far from the closest points at the bottom is soon undone.
+constexpr int most_steps_on_a_level = 1;
 
 // The furthest vertices of the levels of one body. A point and a segment have one level.
 template <class Real>
