@@ -1,4 +1,5 @@
 // bench_pair: how long does it take to tell whether two convex bodies meet? Against FCL (libccd) and Bullet (double).
+// And how far apart they are, as a multiple of that.
 //
 // Fairness:
 //   - All contestants answer the same queries in one run, in rounds, and take turns in going first, so that a change
@@ -16,11 +17,15 @@
 #include <bench/peers/body_peer.h>
 #include <bench/peers/sunder_bodies.h>
 
+#include <tests/support/solid_shapes.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace bench {
@@ -28,6 +33,21 @@ namespace {
 
 constexpr double kCliff = 25;  // exact touching against a generic query, at kCliffSize vertices
 constexpr std::size_t kCliffSize = 1000;
+
+constexpr double kDistance = 3;  // how far apart, against whether they meet, near contact, from 100 vertices on
+constexpr std::size_t kDistanceSize = 100;
+const char* const kFeatures = "closest features";
+const char* const kNumber = "distance, to the last bit";
+
+// Near contact, of so many vertices: at most 10 microseconds, or so many times a near query of few vertices; and so
+// many times FCL's rate.
+struct HardShape {
+  std::string_view name;
+  double times_fcl;
+};
+constexpr HardShape kHardShapes[] = {{"bipyramid", 1000}, {"prism", 200}, {"stacked", 1}};
+constexpr std::size_t kHardSize = 100000, kFewSize = 30;
+constexpr double kHardSeconds = 10e-6, kHardTimes = 20;
 
 const std::vector<std::size_t> kSizes{8, 12, 20, 30, 100, 1000, 10000};
 constexpr Regime kGeneric[] = {Regime::far, Regime::near, Regime::deep};
@@ -51,10 +71,8 @@ Entry family_entry(const Queries& scenario, std::size_t family) {
   return entry;
 }
 
-Contest contest(std::size_t n, Regime regime, std::uint64_t seed) {
-  const std::size_t bodies = n >= 10000 ? 16 : 32;
-  const std::size_t queries = n >= 10000 ? 256 : n >= 100 ? 1024 : 2048;
-  const Queries scenario = std::make_shared<const Scenario>(make_scenario(n, regime, bodies, queries, seed));
+Contest contest_of(const Queries& scenario) {
+  const Regime regime = scenario->regime;
   Contest made;
   for (const Query& query : scenario->queries) {
     made.truths.push_back(query.expected == Expected::unknown ? kUnknown : query.expected == Expected::meet ? 1 : 0);
@@ -62,6 +80,11 @@ Contest contest(std::size_t n, Regime regime, std::uint64_t seed) {
   made.wrong_peers_count = true;
   made.pace.rounds = HUGE_VAL;
   made.subjects.push_back({"sunder", "front door", [=] { return prepare_sunder(*scenario); }});
+  if (regime == Regime::far || regime == Regime::near) {
+    for (const auto& [method, as] : {std::pair(kFeatures, DistanceAs::features), {kNumber, DistanceAs::number}}) {
+      made.subjects.push_back({"sunder", method, [=] { return prepare_sunder_distance(*scenario, as); }});
+    }
+  }
   for (const Regime cliff : kCliffs) {
     for (std::size_t family = 0; regime == cliff && family < kFamilies.size(); ++family) {
       Entry entry = family_entry(scenario, family);
@@ -77,6 +100,24 @@ Contest contest(std::size_t n, Regime regime, std::uint64_t seed) {
   return made;
 }
 
+Contest contest(std::size_t n, Regime regime, std::uint64_t seed) {
+  const std::size_t bodies = n >= 10000 ? 16 : 32;
+  const std::size_t queries = n >= 10000 ? 256 : n >= 100 ? 1024 : 2048;
+  return contest_of(std::make_shared<const Scenario>(make_scenario(n, regime, bodies, queries, seed)));
+}
+
+// Bodies that are hard for a walk over vertices, near contact.
+Contest contest_of_shape(const std::string& name, std::size_t n, std::uint64_t seed) {
+  const auto shapes = sunder::tests::all_solid_shapes();
+  const auto shape = std::find_if(shapes.begin(), shapes.end(), [&](const auto& s) { return s.name == name; });
+  sunder::Random random(seed);
+  std::vector<Body> pool(2);
+  for (Body& body : pool) {
+    for (const sunder::Point3& p : shape->make(n, random)) body.points.push_back({p.x, p.y, p.z});
+  }
+  return contest_of(std::make_shared<const Scenario>(make_near_scenario(std::move(pool), 64, seed)));
+}
+
 std::vector<Plan> plans(const Options&) {
   std::vector<Plan> list;
   const auto add = [&](Regime regime, const std::vector<std::size_t>& sizes) {
@@ -86,6 +127,15 @@ std::vector<Plan> plans(const Options&) {
   };
   for (const Regime regime : kGeneric) add(regime, kSizes);
   for (const Regime regime : kCliffs) add(regime, {kCliffSize});
+  for (const HardShape& shape : kHardShapes) {
+    list.push_back({"near, " + std::string(shape.name),
+                    "meet",
+                    {},
+                    {kHardSize},
+                    [name = std::string(shape.name)](std::size_t n, std::uint64_t seed) {
+                      return contest_of_shape(name, n, seed);
+                    }});
+  }
   return list;
 }
 
@@ -122,6 +172,34 @@ void conclude(const std::vector<Row>& rows, std::vector<std::string>& failures) 
     std::snprintf(line, sizeof line, "n = %zu: %.2f times the rate of the fastest peer (demanded: %.0f)", far.n, ratio,
                   demanded);
     tell(true, ratio >= demanded);
+  }
+  for (const Row& row : rows) {
+    for (const Result& subject : row.subjects) {
+      if (subject.method != kFeatures && subject.method != kNumber) continue;
+      const bool is_demanded = row.input == name_of(Regime::near) && row.n >= kDistanceSize;
+      const double ratio = subject.median_s / row.sunder().median_s;
+      const std::string allowed = is_demanded ? " (allowed: " + std::to_string(static_cast<int>(kDistance)) + ")" : "";
+      std::snprintf(line, sizeof line, "n = %zu, %s, %s: %.2f times whether they meet%s", row.n, row.input.c_str(),
+                    subject.method.c_str(), ratio, allowed.c_str());
+      tell(true, !is_demanded || ratio <= kDistance);
+    }
+  }
+  const Row* few = find(rows, std::string(name_of(Regime::near)), kFewSize);
+  for (const HardShape& shape : kHardShapes) {
+    const Row* row = find(rows, "near, " + std::string(shape.name), kHardSize);
+    if (row == nullptr || few == nullptr) continue;
+    const double time = row->sunder().median_s, times = time / few->sunder().median_s;
+    std::snprintf(line, sizeof line, "n = %zu, %s: %.1f us, %.1f times a near query at %zu (allowed: 10 us, or %.0f)",
+                  row->n, row->input.c_str(), 1e6 * time, times, kFewSize, kHardTimes);
+    tell(true, time <= kHardSeconds || times <= kHardTimes);
+    double fcl = HUGE_VAL;
+    for (const Result& peer : row->peers) {
+      if (peer.library == "fcl") fcl = std::min(fcl, row->ratio(peer));
+    }
+    if (fcl == HUGE_VAL) continue;
+    std::snprintf(line, sizeof line, "n = %zu, %s: %.0f times the rate of FCL (demanded: %.0f)", row->n,
+                  row->input.c_str(), fcl, shape.times_fcl);
+    tell(true, fcl >= shape.times_fcl);
   }
   double generic = 0;
   for (const Row* row : generic_rows(rows, kCliffSize)) generic += row->sunder().median_s / 3;

@@ -2,6 +2,7 @@
 #include <tests/support/program.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace sunder::tests {
@@ -53,6 +54,44 @@ TEST_F(Program, PairReport) {
   EXPECT_EQ(j["evidence"]["point"].size(), 3u);
   EXPECT_EQ(report("pair " + cube + " " + tetrahedron + " --classify", 1)["contact"], "overlapping");
   EXPECT_EQ(report("pair " + cube + " " + tetrahedron + " --classify --pose-b 0.6,0,0", 0)["contact"], "none");
+}
+
+TEST_F(Program, DistancesOfBodies) {
+  const std::string pair = "pair " + cube + " " + cube + " --pose-b ", proof = in_folder("bodies.json");
+  const std::string and_proof = " --distance --certificate '" + proof + "'";
+  // The cube is [-1/2, 1/2]^3: a corner to a corner, an edge to an edge across, a facet to a facet.
+  const json corners = report(pair + "3,4,7" + and_proof, 0);
+  EXPECT_EQ(corners["distance"]["low"], 7);
+  EXPECT_EQ(corners["distance"]["high"], 7);
+  EXPECT_EQ(corners["distance"]["a"]["vertex"], 7);
+  EXPECT_EQ(corners["distance"]["b"]["vertex"], 0);
+  EXPECT_TRUE(python_accepts(proof));
+  const json facets = report(pair + "3,0.25,0.25" + and_proof, 0);
+  EXPECT_EQ(facets["distance"]["low"], 2);
+  EXPECT_EQ(facets["distance"]["high"], 2);
+  EXPECT_TRUE(python_accepts(proof));
+  const json root = report(pair + "2,2,0.5" + and_proof, 0);
+  EXPECT_EQ(std::nextafter(root["distance"]["low"].get<double>(), 2), root["distance"]["high"].get<double>());
+  EXPECT_NEAR(root["distance"]["low"].get<double>(), std::sqrt(2), 1e-15);
+  EXPECT_TRUE(python_accepts(proof));
+  const json facet = report("pair " + tetrahedron + " " + cube + " --pose-a -3,0,0" + and_proof, 0);
+  EXPECT_EQ(facet["distance"]["low"], 1.5);
+  EXPECT_EQ(facet["distance"]["a"]["vertex"], 1);
+  EXPECT_GE(facet["distance"]["b"]["facet"].size(), 2u);
+  EXPECT_TRUE(python_accepts(proof));
+  EXPECT_EQ(report(pair + "0.5,0,0 --distance", 1)["distance"], json::parse(R"({"low": 0.0, "high": 0.0})"));
+  // So far, and not a bit further; of objects that meet, nothing.
+  for (const auto& [least, code] : {std::pair("7", 0), {"7.000000000000001", 1}, {"0.001", 0}, {"1e300", 1}}) {
+    const json r = report(pair + "3,4,7 --clearance " + least + " --certificate '" + proof + "'", code);
+    EXPECT_EQ(r["answer"], "apart");
+    EXPECT_EQ(r["clearance"]["kept"], code == 0);
+    EXPECT_TRUE(python_accepts(proof)) << least;
+    EXPECT_EQ(run("verify '" + proof + "'").code, 0) << least;
+  }
+  const json none = report(pair + "0.5,0,0 --clearance 1e-300 --certificate '" + proof + "'", 1);
+  EXPECT_EQ(none["answer"], "meet");
+  EXPECT_FALSE(none["clearance"]["kept"]);
+  EXPECT_TRUE(python_accepts(proof));
 }
 
 TEST_F(Program, PlanarPairs) {
@@ -115,8 +154,8 @@ TEST_F(Program, PlanarPairs) {
            {pair, "has 3 objects, 'far' first; name one by --feature-b"},
            {pair + "--feature-b none", "has no feature 'none'"},
            {"pair '" + square + "' " + cube, "is not planar"},
-           {"pair " + cube + " " + cube + " --distance", "is for planar objects only"},
-           {"pair " + cube + " " + cube + " --clearance 1", "is for planar objects only"},
+           {"pair " + cube + " " + cube + " --mend", "is for planar objects only"},
+           {"pair " + cube + " " + cube + " --clearance 0", "'0' is not one number above zero"},
            {pair + "--feature-b far --clearance 0", "'0' is not one number above zero"},
            {pair + "--feature-b far --clearance x", "'x' is not a number"},
            {pair + "--feature-b far --clearance 1,2", "'1,2' is not one number above zero"},
@@ -274,6 +313,13 @@ TEST_F(Program, MeshesThatAreNotConvex) {
   ASSERT_EQ(j["notes"].size(), 1u);
   EXPECT_EQ("sunder: note: " + std::string(j["notes"][0]) + "\n", r.err);
   EXPECT_EQ(run("pair " + cube + " " + file + " --quiet").err, "");
+  // Of hulls are distances, and that a clearance is not kept; that it is, holds of what they stand for.
+  const std::string away = "pair " + cube + " " + file + " --pose-b 0,0,-3";
+  EXPECT_EQ(report(away, 0)["said_of"], "bodies");
+  EXPECT_EQ(report(away + " --distance", 0)["said_of"], "hulls");
+  EXPECT_EQ(report(away + " --clearance 1.5", 0)["said_of"], "bodies");
+  EXPECT_EQ(report(away + " --clearance 1.6", 1)["said_of"], "hulls");
+  EXPECT_NE(run(away + " --distance").out.find(" (of the hulls)\n"), std::string::npos);
   for (const std::string& call : {"pair " + cube + " " + file, "scene " + file}) {
     expect_bad(call + " --require-convex",
                "not exactly convex: it bends inwards at the reflex edge from vertex 4 (0, 0, 1)");

@@ -69,6 +69,8 @@ METHODS = {
 MORE = """
 pair cases/mesh/cube.obj cases/mesh/cube.obj --pose-b 2,0,0 --classify --certificate OUT
 pair cases/mesh/cube.obj cases/panda/meshes/collision/link3.stl
+pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,4,5 --distance --clearance 1 --certificate OUT
+pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,0.25,0.125 --distance
 pair cases/planar-pair/plate.wkt cases/planar-pair/wheel.wkt --distance --clearance 0.1 --classify --svg OUT
 pair cases/planar-pair/plate.wkt cases/planar-pair/wheel.wkt --clearance 1 --certificate OUT
 pair cases/planar-pair/plate.wkt cases/planar-pair/plate.wkt --distance --clearance 1
@@ -368,7 +370,7 @@ class Reports(unittest.TestCase):
 
 SIMPLE = ["count", "position", "line", "text", "about", "point2", "point3", "fraction"]
 SHARED = ["cost", "error", "left_out", "skipped", "mended", "feature", "body", "planar_body", "unbounded", "mesh",
-          "evidence", "vertex_or_edge", "end", "pairs_of_parts", "info_of_mesh", "info_of_robot", "info_of_lines",
+          "evidence", "closest", "vertex_or_edge", "end", "pairs_of_parts", "info_of_mesh", "info_of_robot", "info_of_lines",
           "info_of_rows", "info_of_objects", "certificate_file"]
 VERBS = [one["$ref"].split("/")[-1] for one in SCHEMA["else"]["oneOf"]]
 

@@ -75,3 +75,4 @@
 #include <sunder/solid/object/hull_json.h>
 #include <sunder/solid/object/pose.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_distance.h>

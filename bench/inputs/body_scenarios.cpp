@@ -382,4 +382,16 @@ Scenario make_scenario(std::size_t n, Regime regime, std::size_t bodies, std::si
   return scenario;
 }
 
+Scenario make_near_scenario(std::vector<Body> pool, std::size_t queries, std::uint64_t seed) {
+  Scenario scenario;
+  scenario.n = pool.front().points.size();
+  scenario.regime = Regime::near;
+  scenario.pool = std::move(pool);
+  Random random(seed);
+  for (std::size_t i = 0; i < queries; ++i) {
+    scenario.queries.push_back(general_query(scenario.pool, Regime::near, i % 2 == 0, random));
+  }
+  return scenario;
+}
+
 }  // namespace bench

@@ -69,6 +69,9 @@ struct Scenario {
 // The result depends on the arguments only.
 Scenario make_scenario(std::size_t n, Regime regime, std::size_t bodies, std::size_t queries, std::uint64_t seed);
 
+// The same in the regime near, of these bodies; the greatest of a body's coordinates is about 1.
+Scenario make_near_scenario(std::vector<Body> pool, std::size_t queries, std::uint64_t seed);
+
 // n random points on the unit sphere.
 std::vector<Vec> sphere_points(std::size_t n, std::uint64_t seed);
 

@@ -2,6 +2,7 @@
 #include <bench/peers/sunder_pairs.h>
 
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 
 #include <memory>
 #include <vector>
@@ -37,6 +38,11 @@ struct Bodies {
     return sunder::intersect(*q.a, q.pose_a, *q.b, q.pose_b);
   }
 
+  sunder::solid::PolyhedronDistance distance(std::size_t k) const {
+    const Pair& q = pairs[k];
+    return polyhedron_polyhedron_distance(*q.a, q.pose_a, *q.b, q.pose_b);
+  }
+
   std::vector<ConvexPolyhedron> bodies;
   std::vector<Pair> pairs;
 };
@@ -51,5 +57,20 @@ Ready prepare_sunder(const Scenario& scenario) {
             return sum;
           }};
 }  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): a std::function frees what it holds
+
+Ready prepare_sunder_distance(const Scenario& scenario, DistanceAs as) {
+  const auto given = std::make_shared<const Bodies>(scenario);
+  const auto ask = [given, as](std::size_t k) {
+    const sunder::solid::PolyhedronDistance answer = given->distance(k);
+    consume(answer.answer);
+    if (as == DistanceAs::features) return answer.meet();
+    return answer.distance().high == 0;
+  };
+  return {each(ask), [given] {
+            Tally sum;
+            for (std::size_t k = 0; k < given->pairs.size(); ++k) sum += tally_of(given->distance(k).answer, false);
+            return sum;
+          }};
+}  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): likewise
 
 }  // namespace bench

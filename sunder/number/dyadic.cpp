@@ -97,7 +97,7 @@ Dyadic::Dyadic(double x) : Dyadic() {
   const int zeros = std::countr_zero(fraction);
   Integer& mantissa = DyadicParts::mantissa(*this);
   mantissa = fraction >> zeros;
-  if (bits >> 63) mantissa = -mantissa;
+  if (bits >> 63) mantissa.backend().negate();
   exponent_ = std::max<std::int64_t>(field, 1) - 1075 + zeros;
 }
 
@@ -149,24 +149,47 @@ std::string Dyadic::hexadecimal() const {
   return text + std::to_string(std::abs(exponent));
 }
 
-Dyadic operator-(const Dyadic& a) { return dyadic_of(-mantissa_of(a), a.exponent()); }
+// Each is made in place: a number is larger than many of the numbers that it is made of.
+Dyadic operator-(const Dyadic& a) {
+  Dyadic negated = a;
+  DyadicParts::mantissa(negated).backend().negate();
+  return negated;
+}
 
 Dyadic operator+(const Dyadic& a, const Dyadic& b) {
   if (mantissa_of(a).is_zero()) return b;
   if (mantissa_of(b).is_zero()) return a;
-  if (a.exponent() == b.exponent()) return dyadic_of(mantissa_of(a) + mantissa_of(b), a.exponent());
   const bool a_higher = a.exponent() > b.exponent();
-  const Dyadic& high = a_higher ? a : b;
   const Dyadic& low = a_higher ? b : a;
-  Integer shifted = mantissa_of(high) << static_cast<unsigned long>(high.exponent() - low.exponent());
-  shifted += mantissa_of(low);
-  return dyadic_of(std::move(shifted), low.exponent());
+  Dyadic sum = a_higher ? a : b;
+  Integer& mantissa = DyadicParts::mantissa(sum);
+  if (sum.exponent() != low.exponent()) mantissa <<= static_cast<unsigned long>(sum.exponent() - low.exponent());
+  mantissa += mantissa_of(low);
+  DyadicParts::exponent(sum) = low.exponent();
+  return sum;
 }
 
-Dyadic operator-(const Dyadic& a, const Dyadic& b) { return a + (-b); }
+Dyadic operator-(const Dyadic& a, const Dyadic& b) {
+  if (mantissa_of(a).is_zero()) return -b;
+  if (mantissa_of(b).is_zero()) return a;
+  const bool a_higher = a.exponent() > b.exponent();
+  const Dyadic& low = a_higher ? b : a;
+  Dyadic difference = a_higher ? a : b;
+  Integer& mantissa = DyadicParts::mantissa(difference);
+  if (difference.exponent() != low.exponent()) {
+    mantissa <<= static_cast<unsigned long>(difference.exponent() - low.exponent());
+  }
+  mantissa -= mantissa_of(low);
+  if (!a_higher) mantissa.backend().negate();
+  DyadicParts::exponent(difference) = low.exponent();
+  return difference;
+}
 
 Dyadic operator*(const Dyadic& a, const Dyadic& b) {
-  return dyadic_of(mantissa_of(a) * mantissa_of(b), a.exponent() + b.exponent());
+  Dyadic product;
+  boost::multiprecision::multiply(DyadicParts::mantissa(product), mantissa_of(a), mantissa_of(b));
+  DyadicParts::exponent(product) = a.exponent() + b.exponent();
+  return product;
 }
 
 double nearest_ratio(const Dyadic& numerator, const Dyadic& denominator) {

@@ -23,12 +23,31 @@ WorldDirection difference_direction(const Posed3& a, const Posed3& b) {
 }
 
 Sign Along::compare_further(const Point3& from, const Point3& to, StageTally* tally) {
-  if (!interval_) interval_ = pulled<IntervalStage>(direction_.enclosure());
-  const Guess guess = sign(dot(*interval_, lift<IntervalStage>(to) - lift<IntervalStage>(from)));
+  const Guess guess = sign(dot(interval(), lift<IntervalStage>(to) - lift<IntervalStage>(from)));
   if (is_sure(guess)) return counted(&StageTally::interval, tally, to_sign(guess));
-  if (tally) ++tally->exact;
-  if (!exact_) exact_ = pulled<ExactStage>(direction_.exact());
-  return dot(*exact_, lift<ExactStage>(to) - lift<ExactStage>(from)).sign();
+  return counted(&StageTally::exact, tally, dot(exact(), lift<ExactStage>(to) - lift<ExactStage>(from)).sign());
+}
+
+Sign Along::turn_further(const Point3& m, const Point3& v, const Point3& a, const Point3& b, StageTally* tally) {
+  const Guess guess = sign(turn_formula(interval(), lift<IntervalStage>(m), lift<IntervalStage>(v),
+                                        lift<IntervalStage>(a), lift<IntervalStage>(b)));
+  if (is_sure(guess)) return counted(&StageTally::interval, tally, to_sign(guess));
+  return counted(
+      &StageTally::exact, tally,
+      turn_formula(exact(), lift<ExactStage>(m), lift<ExactStage>(v), lift<ExactStage>(a), lift<ExactStage>(b)).sign());
+}
+
+Sign Along::turn_about_normal(const Point3& p, const Point3& q, const Point3& v, const Point3& a, const Point3& b,
+                              StageTally* tally) {
+  const auto formula = [](const auto& direction, const auto& i, const auto& j, const auto& at, const auto& k,
+                          const auto& l) { return turn_formula(direction, cross(i - at, j - at), at, k, l); };
+  const Guess guess = sign(formula(interval(), lift<IntervalStage>(p), lift<IntervalStage>(q), lift<IntervalStage>(v),
+                                   lift<IntervalStage>(a), lift<IntervalStage>(b)));
+  if (is_sure(guess)) return counted(&StageTally::interval, tally, to_sign(guess));
+  return counted(&StageTally::exact, tally,
+                 formula(exact(), lift<ExactStage>(p), lift<ExactStage>(q), lift<ExactStage>(v), lift<ExactStage>(a),
+                         lift<ExactStage>(b))
+                     .sign());
 }
 
 Sign compare_along_further(const WorldDirection& direction, const Posed3& a, const Posed3& b, StageTally* tally) {

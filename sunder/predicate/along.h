@@ -5,6 +5,8 @@
 #include <sunder/predicate/posed.h>
 #include <sunder/predicate/stages.h>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace sunder {
@@ -21,7 +23,8 @@ class WorldDirection {
   bool is_doubles() const { return is_doubles_; }
   const Point3& doubles() const { return doubles_; }  // meaningless unless is_doubles()
 
-  // True for doubles with which floating point does not underflow: components zero or in [2^-60, 1].
+  // True for doubles with which floating point does not underflow: components zero or in [least_tame, 1].
+  static constexpr double least_tame = 0x1p-60;
   bool is_tame() const { return is_tame_; }
 
   Vector3<Interval> enclosure() const;  // up to a power of two
@@ -30,7 +33,7 @@ class WorldDirection {
  private:
   static bool tame(double x) {
     const double size = std::fabs(x);
-    return size == 0 || (size >= 0x1p-60 && size <= 1);
+    return size == 0 || (size >= least_tame && size <= 1);
   }
 
   Point3 doubles_;
@@ -38,6 +41,19 @@ class WorldDirection {
   bool is_tame_ = false;
   std::optional<Vector3<Dyadic>> exact_;  // set unless is_doubles_
 };
+
+// Scales the direction so that its greatest component has size 1, and drops components that are negligible then: so it
+// is tame. For searches, which may choose. False for zero and for what is not finite.
+inline bool make_tame(Point3& d) {
+  const double largest = std::max(std::fabs(d.x), std::max(std::fabs(d.y), std::fabs(d.z)));
+  if (!(largest > 0) || !std::isfinite(d.x) || !std::isfinite(d.y) || !std::isfinite(d.z)) return false;
+  const auto component = [&](double x) {
+    const double part = x / largest;
+    return std::fabs(part) < WorldDirection::least_tame ? 0.0 : part;
+  };
+  d = {component(d.x), component(d.y), component(d.z)};
+  return true;
+}
 
 // The exact direction (b - a) x (d - c), and b - a, from posed points.
 WorldDirection cross_direction(const Posed3& a, const Posed3& b, const Posed3& c, const Posed3& d);
@@ -54,6 +70,12 @@ class Along {
       return Stage::read(m[j]) * d.x + Stage::read(m[3 + j]) * d.y + Stage::read(m[6 + j]) * d.z;
     };
     return Vector3<decltype(column(0))>{column(0), column(1), column(2)};
+  }
+
+  template <class D, class M, class V>
+  static auto turn_formula(const D& direction, const M& m, const V& v, const V& a, const V& b) {
+    const auto to_a = a - v, to_b = b - v;
+    return dot(direction, to_a) * dot(m, to_b) - dot(direction, to_b) * dot(m, to_a);
   }
 
  public:
@@ -84,7 +106,33 @@ class Along {
     return compare_further(from, to, tally);
   }
 
+  // The sign of the determinant of three directions: m, the normal (a - v) x (b - v), and this one. m is tame, as
+  // WorldDirection says. Formula: (direction . (a - v)) (m . (b - v)) - (direction . (b - v)) (m . (a - v)).
+  // turns_tame: as decided by turns_are_tame for the body; false is always allowed, and costs time only.
+  Sign turn(const Point3& m, const Point3& v, const Point3& a, const Point3& b, bool turns_tame,
+            StageTally* tally = nullptr) {
+    if (fast_ && turns_tame) {
+      const Guess guess = sign(turn_formula(rounded_, lift<RoundedStage>(m), lift<RoundedStage>(v),
+                                            lift<RoundedStage>(a), lift<RoundedStage>(b)));
+      if (is_sure(guess)) return counted(&StageTally::rounded, tally, to_sign(guess));
+    }
+    return turn_further(m, v, a, b, tally);
+  }
+
+  // The same with the normal (p - v) x (q - v) as m.
+  Sign turn_about_normal(const Point3& p, const Point3& q, const Point3& v, const Point3& a, const Point3& b,
+                         StageTally* tally = nullptr);
+
  private:
+  const Vector3<Interval>& interval() {
+    if (!interval_) interval_ = pulled<IntervalStage>(direction_.enclosure());
+    return *interval_;
+  }
+  const Vector3<Dyadic>& exact() {
+    if (!exact_) exact_ = pulled<ExactStage>(direction_.exact());
+    return *exact_;
+  }
+
   // The formula of compare() is a Rounded<7>: its magnitude is at most that of the pulled direction times the greatest
   // difference of coordinates, at most 2 reach; another Rounded step pays for the rounding of this product.
   template <int Side>
@@ -102,6 +150,7 @@ class Along {
   }
 
   Sign compare_further(const Point3& from, const Point3& to, StageTally* tally);
+  Sign turn_further(const Point3& m, const Point3& v, const Point3& a, const Point3& b, StageTally* tally);
 
   const WorldDirection& direction_;
   const Affine3& pose_;

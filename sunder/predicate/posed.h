@@ -70,6 +70,17 @@ inline bool images_are_tame(const SizeRange& linear, const SizeRange& translatio
          translation.least >= 0x1p-250 && translation.greatest <= 0x1p250;
 }
 
+// True when Along::turn (predicate/along.h) neither overflows nor underflows for such points, where images are tame.
+// Let all numbers be zero or in [2^-80, 2^80]. Entries times components of a tame direction are multiples of 2^-244,
+// and differences of coordinates of 2^-132: so a product of direction and difference is a multiple of 2^-376 below
+// 2^165, one of a tame m and a difference of 2^-244 below 2^85, and all stays a multiple of 2^-620.
+inline bool turns_are_tame(const SizeRange& linear, const SizeRange& points) {
+  const auto is_ordinary = [](const SizeRange& range) {
+    return range.greatest == 0 || (range.least >= 0x1p-80 && range.greatest <= 0x1p80);
+  };
+  return is_ordinary(linear) && is_ordinary(points);
+}
+
 // The image of `point` under `pose`. tame: as decided by images_are_tame for these numbers (false is always allowed,
 // and costs time only).
 template <std::size_t D>

@@ -1,5 +1,6 @@
 #include <tests/support/shapes.h>
 #include <tests/support/solid_pairs.h>
+#include <tests/support/solid_shapes.h>
 
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 
@@ -12,9 +13,10 @@ using solid::ConvexPolyhedron;
 using solid::Pose;
 
 std::string_view name_of(Family family) {
-  constexpr std::array<std::string_view, family_count> names{"general",   "near contact", "touching", "last bit",
-                                                             "grid",      "flat",         "needle",   "tiny or huge",
-                                                             "contained", "large"};
+  constexpr std::array<std::string_view, family_count> names{
+      "general", "near contact",    "touching",     "last bit",         "grid",
+      "flat",    "needle",          "tiny or huge", "contained",        "large",
+      "shapes",  "shapes touching", "stretched",    "stretched turned", "caps"};
   return names[static_cast<std::size_t>(family)];
 }
 
@@ -41,6 +43,16 @@ SolidPairs::SolidPairs(std::uint64_t seed) : random_(seed) {
   for (int i = 0; i < 60; ++i) pool_.push_back(some_body());
   for (int i = 0; i < 4; ++i)
     large_.push_back(ConvexPolyhedron(points_on_sphere(static_cast<std::size_t>(1500 + 1000 * i), random_)));
+  for (const SolidShape& shape : all_solid_shapes()) {
+    auto& bodies = shape.name == "needle" ? needles_ : shape.name == "prism" ? prisms_ : shapes_;
+    const int count = &bodies == &shapes_ ? 5 : 12;
+    for (int i = 0; i < count; ++i) {
+      // Needles are few: each of their signs takes exact numbers.
+      const double n = &bodies == &needles_ ? random_.log_uniform(8, 25) : i == 0 ? 2000 : random_.log_uniform(8, 201);
+      bodies.emplace_back(shape.make(static_cast<std::size_t>(n), random_));
+    }
+  }
+  shapes_.insert(shapes_.end(), prisms_.begin(), prisms_.begin() + 5);
 }
 
 std::vector<Point3> SolidPairs::grid_points(int n, int side) {
@@ -123,19 +135,60 @@ Pose SolidPairs::some_affine_pose() {
   return Pose::from_matrix(m, rotation.affine().translation);
 }
 
+// Bisection for the distance of contact along a direction, then a gap or an overlap of log-uniform size.
+PairCase SolidPairs::near_contact_case(Family family, const ConvexPolyhedron& a, const ConvexPolyhedron& b) {
+  const Pose here = some_pose(0), there = some_pose(1);
+  const auto at = [&](double distance) {
+    const auto& t = there.affine().translation;
+    return Pose::from_matrix(there.affine().linear, {t[0] * distance, t[1] * distance, t[2] * distance});
+  };
+  double meeting = 0, parted = 8;
+  for (int i = 0; i < 54 && meeting < parted; ++i) {
+    const double middle = (meeting + parted) / 2;
+    (polyhedron_polyhedron_by_gjk(a, here, b, at(middle)).meet() ? meeting : parted) = middle;
+  }
+  const double gap = random_.log_uniform(0x1p-53, 0.1) * (random_.below(2) ? 1 : -1);
+  return {family, a, b, here, at(meeting + gap)};
+}
+
+// Stretched as the needles are, two spheres in the distance of a general case; in one of four the second is turned.
+PairCase SolidPairs::stretched_case(Family family) {
+  const auto& a = needles_[random_.below(needles_.size())];
+  const auto& b = needles_[random_.below(needles_.size())];
+  const Point3 d = times(on_sphere(random_), random_.uniform(0, 2.2));
+  const auto linear = family == Family::stretched ? Pose().affine().linear : some_pose(0).affine().linear;
+  return {family, a, b, Pose(), Pose::from_matrix(linear, {d.x * 1e300, d.y, d.z * 1e-300})};
+}
+
+// A prism on a prism, turned about its axis and shifted along the caps. Prisms are 1 high, from -1/2 to 1/2.
+PairCase SolidPairs::caps_case() {
+  const auto& a = prisms_[random_.below(prisms_.size())];
+  const auto& b = prisms_[random_.below(prisms_.size())];
+  const double angle = random_.uniform(0, 6.3), distance = random_.below(4) ? random_.uniform(0, 2.2) : 0;
+  const double c = random_.below(2) ? std::cos(angle) : 1, s = c == 1 ? 0 : std::sin(angle);
+  const Point2 d = on_circle(random_.unit(), distance);
+  const double height = moved_by_bits(1, random_.between(-1, 1));
+  PairCase result{Family::caps, a, b, Pose(), Pose::from_matrix({c, -s, 0, s, c, 0, 0, 0, 1}, {d.x, d.y, height})};
+  result.touches_exactly = height == 1 && distance < 1.4;  // the caps hold discs of radius 0.707
+  if (random_.below(2)) {
+    std::swap(result.a, result.b);
+    std::swap(result.pose_a, result.pose_b);
+  }
+  return result;
+}
+
 // P, and P mirrored in a point x of its surface: 2 x - P lies on the other side of any supporting plane at x, and x is
 // in both. Coordinates are multiples of 2^-20 below 4 and x is a dyadic combination of a facet's vertices, so 2 x - p
-// is a double. One affine map for both keeps the touch exact.
-PairCase SolidPairs::touching_case(Family family) {
-  const auto& body = pool_[random_.below(pool_.size())];
-  const auto rounded = mapped(body.vertices(), [](const Point3& p) {
-    return Point3{std::round(p.x * 0x1p20) * 0x1p-20, std::round(p.y * 0x1p20) * 0x1p-20,
-                  std::round(p.z * 0x1p20) * 0x1p-20};
-  });
-  const ConvexPolyhedron a(rounded);
+// is a double. One affine map for both keeps the touch exact. Where the origin is a vertex, nothing need be rounded.
+PairCase SolidPairs::touching_case(Family family, const ConvexPolyhedron& body) {
+  const auto given = body.vertices();
+  const bool at_origin = std::find(given.begin(), given.end(), Point3{}) != given.end();
+  const ConvexPolyhedron a = at_origin ? body : ConvexPolyhedron(mapped(given, [](const Point3& p) {
+    return Point3{snapped(p.x, 20), snapped(p.y, 20), snapped(p.z, 20)};
+  }));
   const auto v = a.vertices();
-  Point3 x = v[0];
-  if (a.facet_count() > 0) {
+  Point3 x = at_origin ? Point3{} : v[0];
+  if (a.facet_count() > 0 && !at_origin) {
     const auto facet = a.facet(static_cast<std::uint32_t>(random_.below(a.facet_count())));
     const std::size_t n = facet.size(), i = random_.below(n);
     const Point3 &p = v[facet[i]], &q = v[facet[(i + 1) % n]], &r = v[facet[(i + 2) % n]];
@@ -173,23 +226,15 @@ PairCase SolidPairs::next(Family family) {
   const auto& q = pool_[random_.below(pool_.size())];
   switch (family) {
     case Family::general: return {family, p, q, some_pose(0), some_pose(random_.uniform(0, 2.2))};
-    case Family::near_contact: {
-      // Bisection for the distance of contact along a direction, then a gap or an overlap of log-uniform size.
-      const Pose here = some_pose(0), there = some_pose(1);
-      const auto at = [&](double distance) {
-        const auto& t = there.affine().translation;
-        return Pose::from_matrix(there.affine().linear, {t[0] * distance, t[1] * distance, t[2] * distance});
-      };
-      double meeting = 0, parted = 8;
-      for (int i = 0; i < 54 && meeting < parted; ++i) {
-        const double middle = (meeting + parted) / 2;
-        (polyhedron_polyhedron_by_gjk(p, here, q, at(middle)).meet() ? meeting : parted) = middle;
-      }
-      const double gap = random_.log_uniform(0x1p-53, 0.1) * (random_.below(2) ? 1 : -1);
-      return {family, p, q, here, at(meeting + gap)};
-    }
+    case Family::near_contact: return near_contact_case(family, p, q);
     case Family::touching:
-    case Family::last_bit: return touching_case(family);
+    case Family::last_bit: return touching_case(family, p);
+    case Family::shapes:
+      return near_contact_case(family, shapes_[random_.below(shapes_.size())], shapes_[random_.below(shapes_.size())]);
+    case Family::shapes_touching: return touching_case(family, shapes_[random_.below(shapes_.size())]);
+    case Family::stretched:
+    case Family::stretched_turned: return stretched_case(family);
+    case Family::caps: return caps_case();
     case Family::grid: {
       const int side = static_cast<int>(random_.between(1, 4));
       const auto shift = [&] { return static_cast<double>(random_.between(-side, side)); };

@@ -24,9 +24,18 @@ enum class Family : int {
   tiny_or_huge,  // scales from 1e-300 to 1e300, also mixed with ordinary ones
   contained,     // one well inside the other, or sharing vertices with it
   large,         // some thousand vertices
+  // Of tests/support/solid_shapes.h, mostly of 8 to 200 vertices, some of 2000; needles of 8 to 24:
+  shapes,            // as near_contact, for all but the needles
+  shapes_touching,   // as touching, in a vertex where rounding would spoil the shape
+  stretched,         // the needles: 1e300 : 1 : 1e-300, along the axes
+  stretched_turned,  // one of them turned: what decides lies hundreds of digits below the coordinates of the images
+  caps,              // two prisms cap on cap: coplanar, or apart or overlapping by one unit in the last place
 };
-inline constexpr int family_count = 10;
+inline constexpr int family_count = 15;
 std::string_view name_of(Family);
+
+// Are sizes of a body hundreds of orders of magnitude apart, so that scaling may lose bits?
+inline bool is_stretched(Family family) { return family == Family::stretched || family == Family::stretched_turned; }
 
 struct PairCase {
   Family family;
@@ -50,11 +59,15 @@ class SolidPairs {
   solid::ConvexPolyhedron some_flat_body();
   solid::Pose some_pose(double distance);
   solid::Pose some_affine_pose();
-  PairCase touching_case(Family family);
+  PairCase near_contact_case(Family family, const solid::ConvexPolyhedron& a, const solid::ConvexPolyhedron& b);
+  PairCase touching_case(Family family, const solid::ConvexPolyhedron& body);
+  PairCase stretched_case(Family family);
+  PairCase caps_case();
 
   Random random_;
   std::vector<solid::ConvexPolyhedron> pool_;
   std::vector<solid::ConvexPolyhedron> large_;
+  std::vector<solid::ConvexPolyhedron> shapes_, needles_, prisms_;
   int turn_ = 0;
 };
 

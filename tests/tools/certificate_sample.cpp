@@ -1,8 +1,10 @@
 // Writes a sample of certificate files, for checkers other than the library's: certificate_sample FOLDER COUNT [SEED].
 //
-// Every family of tests/support/solid_pairs.h in turn, fifty pairs a file. The last line printed says how many.
+// Every family of tests/support/solid_pairs.h in turn, fifty pairs a file: whether they meet, and how far apart they
+// are. The last line printed says how many.
 #include <sunder/certificate/pair_claims.h>
-#include <sunder/solid/pair/polyhedron_polyhedron.h>
+#include <sunder/solid/pair/contact_evidence.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 #include <tests/support/solid_pairs.h>
 
 #include <cstdio>
@@ -42,9 +44,15 @@ int main(int argc, char** argv) {
     }
     for (std::size_t k = 0; k < cases.size(); ++k) {
       const tests::PairCase& c = cases[k];
-      const auto answer = solid::polyhedron_polyhedron(c.a, c.pose_a, c.b, c.pose_b);
-      written.add_pair(placed[k].a, placed[k].b, answer.certificate());
-      meets += answer.meet();
+      const auto [a, b] = placed[k];
+      const auto distance = solid::polyhedron_polyhedron_distance(c.a, c.pose_a, c.b, c.pose_b);
+      written.add_pair(a, b, distance.answer.certificate());
+      meets += distance.meet();
+      if (distance.meet()) continue;
+      const auto [of_a, of_b] = solid::closest_points(*distance.closest);
+      written.add_distance(a, b, of_a, of_b);
+      const double least = distance.distance().low;
+      if (least > 0) written.add_clearance(a, b, least, way_between(of_a, of_b));
     }
     written.end();
     if (!file.flush()) {

@@ -29,15 +29,6 @@ constexpr std::array<Named<Method>, 6> methods{{{"automatic", planar::polygon_po
                                                 {"gjk", planar::polygon_polygon_by_gjk},
                                                 {"scan", planar::polygon_polygon_by_scan}}};
 
-double least_of(const std::string& text) {
-  if (text.empty()) return 0;
-  const std::vector<double> numbers = parse_numbers(text, "--clearance");
-  if (numbers.size() != 1 || !(numbers[0] > 0)) {
-    throw Error(ErrorCode::bad_call, fmt::format("{} is not one number above zero", io::quote(text)), "--clearance");
-  }
-  return numbers[0];
-}
-
 class BoundedPair : public PairQuestion {
  public:
   BoundedPair(const PairCall& asked, Method* method, const PlanarBody& a, const PlanarBody& b, double least,
@@ -57,7 +48,8 @@ class BoundedPair : public PairQuestion {
     if (call.distance) facts_.push_back({"distance", distance_json(), distance_text()});
     if (least_ == 0) return;
     is_kept_ = compare_distance(distance_, least_) != Sign::negative;
-    facts_.push_back({"clearance", {{"least", least_}, {"kept", is_kept_}}, clearance_text()});
+    const auto& closest = distance_.closest;
+    facts_.push_back(clearance(least_, is_kept_, closest ? closest->distance.high : 0));
   }
   bool yes() const { return least_ > 0 ? !is_kept_ : meet_; }
 
@@ -91,12 +83,6 @@ class BoundedPair : public PairQuestion {
     }
     return json;
   }
-  std::string clearance_text() const {
-    const auto& closest = distance_.closest;
-    return fmt::format("{}: {}; {}", least_, is_kept_ ? "kept" : "not kept",
-                       closest ? fmt::format("about {:.12g} apart", closest->distance.high) : "they meet");
-  }
-
   Method* method_;
   const PlanarBody &of_a_, &of_b_;
   double least_;  // the clearance that is asked about; 0: none
@@ -120,7 +106,7 @@ int run_planar_pair(const PairCall& call) {
   if (read_a.object.unbounded() || read_b.object.unbounded()) return run_unbounded_pair(call, read_a, read_b, files);
   Method* const method = method_by(call.method, methods, " (for planar objects)");
   const PlanarBody a = planar_body(read_a, call), b = planar_body(read_b, call);
-  BoundedPair question(call, method, a, b, least_of(call.clearance), files);
+  BoundedPair question(call, method, a, b, least_clearance(call), files);
   return answer(question);
 }
 

@@ -25,6 +25,16 @@ std::string evidence_text(const PairCertificate& c, const PlacedVertices& a, con
 
 }  // namespace
 
+double least_clearance(const PairCall& call) {
+  if (call.clearance.empty()) return 0;
+  const std::vector<double> numbers = parse_numbers(call.clearance, "--clearance");
+  if (numbers.size() != 1 || !(numbers[0] > 0)) {
+    throw Error(ErrorCode::bad_call, fmt::format("{} is not one number above zero", io::quote(call.clearance)),
+                "--clearance");
+  }
+  return numbers[0];
+}
+
 std::string decided_text(DecidedBy decided_by) {
   switch (decided_by) {
     case DecidedBy::filter: return "the search's evidence, checked by floating-point filters alone";
@@ -67,6 +77,13 @@ PairQuestion::Fact PairQuestion::evidence(const PairCertificate& certificate, in
     if (dimension == 2 && json.contains(key)) json[key].erase(2);  // z
   }
   return {"evidence", std::move(json), evidence_text(certificate, a, b, dimension == 2)};
+}
+
+PairQuestion::Fact PairQuestion::clearance(double least, bool is_kept, double distance) {
+  return {"clearance",
+          {{"least", least}, {"kept", is_kept}},
+          fmt::format("{}: {}; {}", least, is_kept ? "kept" : "not kept",
+                      distance > 0 ? fmt::format("about {:.12g} apart", distance) : "they meet")};
 }
 
 std::string PairQuestion::certificate_of(PairClaims::Space space, const PairObject& first, const PairObject& second,

@@ -3,6 +3,7 @@
 
 #include <sunder/ask/question.h>
 
+#include <sunder/base/error.h>
 #include <sunder/certificate/direction.h>
 #include <sunder/certificate/pair_claims.h>
 
@@ -95,6 +96,9 @@ class PairQuestion {
   // A point, or a direction and a gap, in two dimensions or three.
   Fact evidence(const PairCertificate& certificate, int dimension) const;
 
+  // Is it kept, and how far are they apart, about? 0: they meet.
+  static Fact clearance(double least, bool is_kept, double distance);
+
   // A certificate about two bodies: write adds the statements about those of these numbers.
   using Write = std::function<void(PairClaims&, std::uint32_t first, std::uint32_t second)>;
   std::string certificate_of(PairClaims::Space space, const PairObject& first, const PairObject& second,
@@ -109,6 +113,9 @@ class PairQuestion {
   Cost cost_;
   std::vector<Fact> facts_;
 };
+
+// The clearance that is asked about; 0: none. Throws Error bad_call for what is no number above zero.
+double least_clearance(const PairCall& call);
 
 // Who decided, in words.
 std::string decided_text(DecidedBy decided_by);

@@ -7,8 +7,14 @@
 #include <sunder/solid/pair/contact_evidence.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace sunder::ask {
 
@@ -44,10 +50,34 @@ PairObject object_of(const Placed& placed) {
       .pose = pose.affine()};
 }
 
+// Few vertices of a body that span a part of its surface: a vertex, an edge, or a part of a facet.
+struct SurfacePart {
+  const solid::ConvexPolyhedron& body;
+  std::span<const std::uint32_t> vertices;
+
+  const char* kind() const {
+    if (vertices.size() == 1) return "vertex";
+    if (vertices.size() > 2) return "facet";
+    const auto beside = body.neighbours(vertices[0]);
+    return std::find(beside.begin(), beside.end(), vertices[1]) == beside.end() ? "facet" : "edge";
+  }
+  Json json() const {
+    if (vertices.size() == 1) return {{"vertex", vertices[0]}};
+    return {{kind(), Json(std::vector<std::uint32_t>(vertices.begin(), vertices.end()))}};
+  }
+  std::string text(const char* letter) const {
+    return fmt::format("{} {} of {}", kind(), fmt::join(vertices, "-"), letter);
+  }
+};
+
 class SolidPair : public PairQuestion {
  public:
   SolidPair(const PairCall& asked, PairMethod method, const Placed& a, const Placed& b, const PairFiles& files)
-      : PairQuestion(asked, object_of(a), object_of(b), files), method_(method), of_a_(a), of_b_(b) {}
+      : PairQuestion(asked, object_of(a), object_of(b), files),
+        method_(method),
+        of_a_(a),
+        of_b_(b),
+        least_(least_clearance(asked)) {}
 
   static std::uint64_t drawn() { return 0; }
   static std::string picture() { return ""; }  // of planar pairs only
@@ -57,24 +87,62 @@ class SolidPair : public PairQuestion {
     answer_ = method_(a, of_a_.pose, b, of_b_.pose);
     take(answer_, decided_text(answer_.decided_by));
     if (call.classify && meet_) contact_ = solid::polyhedron_polyhedron_contact(a, of_a_.pose, b, of_b_.pose);
-    // Apart carries over from hulls to the meshes that they stand for; meet does not.
-    const bool is_said_of_hulls = meet_ && (of_a_.is_hull() || of_b_.is_hull());
-    if (is_said_of_hulls) verdict_ = "meet as hulls";
+    if (call.distance || least_ > 0) {
+      distance_ = solid::polyhedron_polyhedron_distance(a, of_a_.pose, b, of_b_.pose);
+      if (least_ > 0) is_kept_ = compare_distance(distance_, least_) != Sign::negative;
+    }
+    // That they are apart, and so far, carries over from hulls to the meshes that they stand for; that they meet, or
+    // are no further apart, does not.
+    const bool is_hull = of_a_.is_hull() || of_b_.is_hull();
+    const bool is_said_of_hulls = is_hull && (meet_ || call.distance || (least_ > 0 && !is_kept_));
+    if (meet_ && is_hull) verdict_ = "meet as hulls";
     facts_ = {{"said_of", is_said_of_hulls ? "hulls" : "bodies", ""}, evidence(answer_.certificate(), 3)};
+    const char* of_hulls = is_hull && !meet_ ? " (of the hulls)" : "";
+    if (call.distance) facts_.push_back({"distance", distance_json(), distance_text() + of_hulls});
+    if (least_ == 0) return;
+    facts_.push_back(clearance(least_, is_kept_, distance_.distance().high));
+    if (!is_kept_) facts_.back().text += of_hulls;
   }
+  bool yes() const { return least_ > 0 ? !is_kept_ : meet_; }
 
   std::string certificate() const {
-    return certificate_of(PairClaims::Space::solid, a_, b_,
-                          [this](PairClaims& pairs, std::uint32_t a, std::uint32_t b) {
-                            solid::add_claims(pairs, {a, b, of_a_.mesh.hull, of_a_.pose, of_b_.mesh.hull, of_b_.pose},
-                                              answer_.certificate(), contact_);
-                          });
+    return certificate_of(
+        PairClaims::Space::solid, a_, b_, [this](PairClaims& pairs, std::uint32_t a, std::uint32_t b) {
+          const solid::ClaimedPair pair{a, b, of_a_.mesh.hull, of_a_.pose, of_b_.mesh.hull, of_b_.pose};
+          add_claims(pairs, pair, answer_.certificate(), contact_);
+          if (call.distance) add_distance(pairs, pair, distance_);
+          if (least_ > 0) add_clearance(pairs, pair, distance_, least_);
+        });
   }
 
  private:
+  std::array<SurfacePart, 2> closest() const {
+    const solid::FeatureVertices& f = distance_.closest->features();
+    const std::span<const std::uint32_t> all(f.vertices);
+    return {SurfacePart{of_a_.mesh.hull, all.first(f.count_a)},
+            SurfacePart{of_b_.mesh.hull, all.subspan(f.count_a, f.count_b)}};
+  }
+  std::string distance_text() const {
+    if (meet_) return "0";
+    const auto [a, b] = closest();
+    return fmt::format("about {:.12g}, from {} to {}", distance_.distance().high, a.text("A"), b.text("B"));
+  }
+  Json distance_json() const {
+    const Interval distance = distance_.distance();
+    Json json{{"low", distance.low}, {"high", distance.high}};
+    if (meet_) return json;
+    const auto [a, b] = closest();
+    json["a"] = a.json();
+    json["b"] = b.json();
+    return json;
+  }
+
   PairMethod method_;
   const Placed &of_a_, &of_b_;
+  double least_;  // the clearance that is asked about; 0: none
   solid::PairAnswer answer_;
+  solid::PolyhedronDistance distance_;
+  bool is_kept_ = false;
 };
 
 // Of standard input, the other one tells.
@@ -86,8 +154,6 @@ int run(const PairCall& call) {
     return run_planar_pair(call);
   }
   for (const auto& [is_given, option] : {std::pair(!call.svg.empty(), "--svg"),
-                                         {call.distance, "--distance"},
-                                         {!call.clearance.empty(), "--clearance"},
                                          {call.mend, "--mend"},
                                          {call.hull, "--hull"},
                                          {call.drop_z, "--drop-z"},
@@ -128,9 +194,9 @@ Verb pair_verb() {
        {"--leave-out", &call->leave_out, leave_out_help},
        certificate_option(call->certificate),
        json_option(call->json),
-       {"--distance", &call->distance, "planar, both bounded: tell how far apart they are, and the closest features"},
-       {"--clearance", &call->clearance,
-        "planar, both bounded: are they so far apart, or further? If not, the exit code is 1", "NUMBER"},
+       {"--distance", &call->distance, "both bounded: tell exactly how far apart they are, and the closest features"},
+       {"--clearance", &call->clearance, "both bounded: are they so far apart, or further? If not, the exit code is 1",
+        "NUMBER"},
        {"--feature-a", &call->a.feature, "planar: which object of the file A is", "NAME"},
        {"--feature-b", &call->b.feature, "planar: which object of the file B is", "NAME"},
        {"--mend", &call->mend, "planar: leave out repeated and collinear vertices, turn clockwise ones round"},

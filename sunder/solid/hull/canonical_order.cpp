@@ -54,6 +54,7 @@ ConvexHull in_canonical_order(const ConvexHull& hull, std::size_t point_count) {
 
   ConvexHull result;
   result.dimension = hull.dimension;
+  result.side_tests = hull.side_tests;
   std::vector<std::uint32_t> number(hull.vertices.size());
   for (const std::uint32_t v : vertex_at) {
     if (v == none) continue;

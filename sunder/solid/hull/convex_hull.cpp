@@ -50,8 +50,12 @@ ConvexHull hull_of(std::span<const Point3> points) {
     case 1: return point_hull(basis[0]);
     case 2: return segment_hull(basis[0], basis[1]);
     case 3: return polygon_hull(points, *projection_axis(points[basis[0]], points[basis[1]], points[basis[2]]));
-    default: return merge_coplanar(points, quickhull(points, {basis[0], basis[1], basis[2], basis[3]}));
+    default: break;
   }
+  const Triangulation made = quickhull(points, {basis[0], basis[1], basis[2], basis[3]});
+  ConvexHull hull = merge_coplanar(points, made.triangles);
+  hull.side_tests = made.side_tests;
+  return hull;
 }
 
 }  // namespace

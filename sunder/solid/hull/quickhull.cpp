@@ -26,6 +26,14 @@
 // Q6. Equal points are always in the same list, because where a point goes depends on its coordinates only. The first
 //     of a list is the farthest, at equal heights the one with the lowest index. Only first ones are inserted, so a
 //     corner has the lowest index among the points equal to it.
+// Q7. Which of many new triangles is q strictly above? They are the sides of a convex cone with apex p, so this is
+//     whether a point lies in a convex polygon, by halving. Let r(0), r(1), ... be the rim; the axis is the line from p
+//     to r(0), and h(k) the half-plane from the axis through r(k). These turn about the axis by less than half a turn,
+//     from the first triangle to the last. If q is above neither of these two, it lies in a half-plane h from the axis
+//     between them. If h lies from h(k) to h(k + 1), not on the axis only, its part in the cone is an angle of less
+//     than half a turn between the axis and triangle k; so q is in the cone or above triangle k. The first and the last
+//     triangle, and those coplanar with them, are no such side: where h is in their plane, the side is the one after
+//     or before them. A point of the axis is in every half-plane, and any such side tells.
 // All this needs the exact sign for "strictly above". "Farthest" may be as wrong as floating point makes it, as long as
 // it orders the points and equal points have equal heights.
 //
@@ -54,13 +62,13 @@ class Quickhull {
   explicit Quickhull(std::span<const Point3> points)
       : points_(points), extent_(extent_of(points)), next_outside_(points.size()) {}
 
-  std::vector<Triangle> run(std::array<std::uint32_t, 4> simplex) {
+  Triangulation run(std::array<std::uint32_t, 4> simplex) {
     start(simplex);
     while (!urgent_.empty() || !waiting_.empty()) {
       const std::uint32_t t = take_next();
       if (!triangles_[t].removed && triangles_[t].outside != none) insert(triangles_[t].outside, t);
     }
-    return std::move(triangles_);
+    return {std::move(triangles_), side_tests_};
   }
 
  private:
@@ -124,6 +132,7 @@ class Quickhull {
   // which is one of them. Returns an edge of the rim, as seen from the hole.
   Edge remove_visible(const Point3& p, std::uint32_t t) {
     Edge rim{t, 0};
+    std::uint64_t tests = 0;
     visible_.assign(1, t);
     triangles_[t].removed = true;
     for (std::size_t i = 0; i < visible_.size(); ++i) {
@@ -137,8 +146,10 @@ class Quickhull {
         } else {
           rim = {v, e};
         }
+        ++tests;
       }
     }
+    side_tests_ += tests;
     return rim;
   }
 
@@ -177,9 +188,12 @@ class Quickhull {
     }
   }
 
-  // Puts point q on the conflict list of the first fresh triangle that it is strictly above, if any.
+  // Puts point q on the conflict list of a fresh triangle that it is strictly above, if any.
   void place(std::uint32_t q) {
-    for (Fresh& fresh : fresh_) {
+    const bool wide = fresh_.size() > wide_fan;
+    const std::size_t first = wide ? fan_place(points_[q]) : 0, end = wide ? first + 1 : fresh_.size();
+    for (std::size_t k = first; k < end; ++k) {
+      Fresh& fresh = fresh_[k];
       Triangle& triangle = triangles_[fresh.triangle];
       if (triangle.side(points_, points_[q]) != Sign::positive) continue;
       const std::uint32_t farthest = triangle.outside;
@@ -191,8 +205,46 @@ class Quickhull {
         next_outside_[farthest] = q;
       }
       ++fresh.outside_count;
+      side_tests_ += k + 1 - first;
       return;
     }
+    side_tests_ += end - first;
+  }
+
+  // Fans of more triangles are searched by halving. The limit is uncritical.
+  static constexpr std::uint32_t wide_fan = 64;
+
+  // The number of the fresh triangle that q is strictly above if it is strictly above any; see Q7.
+  [[gnu::noinline]] std::uint32_t fan_place(const Point3& q) {
+    const auto last = static_cast<std::uint32_t>(fresh_.size()) - 1;
+    const Sign to_first = fan_side(1, q), to_last = fan_side(last, q);
+    if (to_first == Sign::positive) return 0;    // the plane of the first triangle
+    if (to_last == Sign::negative) return last;  // that of the last one, seen from its other side
+    if (to_last == Sign::zero && to_first != Sign::zero) {
+      return halved(0, last, [&](std::uint32_t k) { return fan_side(k, q) == Sign::negative; });
+    }
+    const Point3& witness = to_last == Sign::zero ? points_[rim_corner(1)] : q;  // zero twice: q is on the axis
+    return halved(1, last, [&](std::uint32_t k) { return fan_side(k, witness) != Sign::positive; });
+  }
+
+  // The greatest k in [low, high) with a property that holds at low, and from there on up to some k.
+  template <class Holds>
+  static std::uint32_t halved(std::uint32_t low, std::uint32_t high, const Holds& holds) {
+    while (high - low > 1) {
+      const std::uint32_t middle = low + (high - low) / 2;
+      (holds(middle) ? low : high) = middle;
+    }
+    return low;
+  }
+
+  // The corner of the rim at which fresh triangle k begins.
+  std::uint32_t rim_corner(std::uint32_t k) const { return triangles_[fresh_[k].triangle].corner[1]; }
+
+  // On which side of the plane through the axis and corner k of the rim q is: negative towards higher numbers.
+  Sign fan_side(std::uint32_t k, const Point3& q) {
+    ++side_tests_;
+    return orient_3d(points_[triangles_[fresh_[0].triangle].corner[0]], points_[rim_corner(0)], points_[rim_corner(k)],
+                     q);
   }
 
   bool is_farther(const Triangle& triangle, std::uint32_t q, std::uint32_t r) const {
@@ -240,11 +292,12 @@ class Quickhull {
   std::queue<std::uint32_t> waiting_;
   std::vector<std::uint32_t> visible_;  // of the latest insertion: the triangles removed,
   std::vector<Fresh> fresh_;            // and the triangles made
+  std::uint64_t side_tests_ = 0;
 };
 
 }  // namespace
 
-std::vector<Triangle> quickhull(std::span<const Point3> points, std::array<std::uint32_t, 4> simplex) {
+Triangulation quickhull(std::span<const Point3> points, std::array<std::uint32_t, 4> simplex) {
   return Quickhull(points).run(simplex);
 }
 

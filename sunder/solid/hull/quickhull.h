@@ -33,11 +33,16 @@ struct Triangle {
 constexpr std::uint32_t next(std::uint32_t place) { return place == 2 ? 0 : place + 1; }
 constexpr std::uint32_t previous(std::uint32_t place) { return place == 0 ? 2 : place - 1; }
 
+struct Triangulation {
+  std::vector<Triangle> triangles;
+  std::uint64_t side_tests = 0;  // how many times the side of a point to a plane was asked for
+};
+
 // Triangles none of which is degenerate, that together with their adjacency cover the boundary of the hull exactly
 // once, among removed ones. Several may be coplanar, so corners may lie inside facets or edges of the hull, but every
 // extreme point is a corner: of equal points the one with the lowest index.
 // Requires four affinely independent points, of equal points the lowest index each.
 // Cost: as convex_hull.
-std::vector<Triangle> quickhull(std::span<const Point3> points, std::array<std::uint32_t, 4> simplex);
+Triangulation quickhull(std::span<const Point3> points, std::array<std::uint32_t, 4> simplex);
 
 }  // namespace sunder::solid

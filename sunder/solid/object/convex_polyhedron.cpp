@@ -1,8 +1,10 @@
 #include <sunder/base/contract.h>
 #include <sunder/solid/object/convex_polyhedron.h>
+#include <sunder/solid/represent/hierarchy.h>
 #include <sunder/solid/represent/search_graph.h>
 
 #include <algorithm>
+#include <mutex>
 #include <numeric>
 #include <utility>
 
@@ -14,6 +16,8 @@ struct ConvexPolyhedron::Data {
   std::vector<std::uint32_t> source;
   std::vector<std::uint32_t> facet_begin;
   std::vector<std::uint32_t> facet_vertices;
+  mutable std::once_flag made_hierarchy;
+  mutable Hierarchy hierarchy;
 };
 
 namespace {
@@ -105,5 +109,13 @@ std::span<const std::uint32_t> ConvexPolyhedron::facet(std::uint32_t f) const {
 std::array<Point3, 2> ConvexPolyhedron::box() const { return {data_->graph.low, data_->graph.high}; }
 
 const SearchGraph& ConvexPolyhedron::search_graph() const { return data_->graph; }
+
+const Hierarchy& ConvexPolyhedron::hierarchy() const {
+  SUNDER_REQUIRE(vertices().size() >= 3);
+  std::call_once(data_->made_hierarchy, [this] {
+    data_->hierarchy = make_hierarchy(data_->graph.vertices, data_->facet_begin, data_->facet_vertices);
+  });
+  return data_->hierarchy;
+}
 
 }  // namespace sunder::solid

@@ -13,6 +13,7 @@
 namespace sunder::solid {
 
 struct SearchGraph;  // what the searches of solid/pair walk on; see solid/represent/search_graph.h
+struct Hierarchy;    // where the search graph is slow; see solid/represent/hierarchy.h
 
 // Immutable, and cheap to copy (copies share one block of memory); any number of threads may use one at once.
 //
@@ -45,6 +46,9 @@ class ConvexPolyhedron {
   std::array<Point3, 2> box() const;
 
   const SearchGraph& search_graph() const;
+
+  // Made on first use, in O(n), and then shared. Requires three vertices or more.
+  const Hierarchy& hierarchy() const;
 
  private:
   struct Data;

@@ -1,11 +1,13 @@
-// What proves that two placed convex polyhedra touch, or that they overlap (docs/claims.md, "pair"): a direction or a
-// point as exact numbers, for certificate files. For the question itself see polyhedron_polyhedron_contact.
+// What proves that two placed convex polyhedra touch, that they overlap, and how far apart they are (docs/claims.md,
+// "pair", "distance"): directions and points as exact numbers, for certificate files. For the questions themselves see
+// polyhedron_polyhedron_contact and polyhedron_polyhedron_distance.
 #pragma once
 
 #include <sunder/certificate/pair_answer.h>
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 
 #include <array>
 #include <cstdint>
@@ -26,6 +28,12 @@ struct Interiors {
 // nothing, but for want of memory.
 Interiors interiors(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b);
 
+// Two points that are nearest to each other, with positive denominators. Throws nothing, but for want of memory.
+struct ClosestPoints {
+  PointOf of_a, of_b;
+};
+ClosestPoints closest_points(const ClosestFeatures& closest);
+
 // Two placed bodies, and which bodies of a certificate file they are.
 struct ClaimedPair {
   std::uint32_t index_a, index_b;
@@ -38,5 +46,11 @@ struct ClaimedPair {
 // States what polyhedron_polyhedron's certificate says: that they are apart, or meet; where the contact is not none,
 // that they touch, or overlap.
 void add_claims(PairClaims& pairs, const ClaimedPair& pair, const PairCertificate& certificate, Contact contact);
+
+// States how far apart they are; of bodies that meet, nothing.
+void add_distance(PairClaims& pairs, const ClaimedPair& pair, const PolyhedronDistance& distance);
+
+// States that they are `least` apart, or more; or else that they are nearer. Requires a positive finite `least`.
+void add_clearance(PairClaims& pairs, const ClaimedPair& pair, const PolyhedronDistance& distance, double least);
 
 }  // namespace sunder::solid

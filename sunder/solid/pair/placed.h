@@ -8,23 +8,32 @@
 #include <sunder/solid/represent/search_graph.h>
 
 #include <cstdint>
+#include <limits>
 
 namespace sunder::solid {
 
 // A body and its pose, made ready for exact predicates.
 struct Placed {
+  const ConvexPolyhedron& body;
   const SearchGraph& graph;
   const Affine3& pose;
-  bool tame;
+  bool tame;    // images_are_tame (predicate/posed.h)
   double size;  // the reach of all its points (predicate/posed.h); infinite where it overflows
 
-  Placed(const ConvexPolyhedron& body, const Pose& at)
-      : graph(body.search_graph()),
+  Placed(const ConvexPolyhedron& of, const Pose& at)
+      : body(of),
+        graph(of.search_graph()),
         pose(at.affine()),
         tame(images_are_tame(at.linear_range(), at.translation_range(), graph.sizes)),
         size(std::max(at.linear_range().greatest * graph.sizes.greatest, at.translation_range().greatest)) {}
 
+  // The same body elsewhere, for searches: nothing is said of what floating point can tell there.
+  Placed(const Placed& of, const Affine3& at)
+      : body(of.body), graph(of.graph), pose(at), tame(false), size(std::numeric_limits<double>::infinity()) {}
+
   Posed3 operator[](std::uint32_t v) const { return {graph.vertices[v], &pose, tame, size}; }
+
+  bool turns_tame() const { return turns_are_tame(size_range(std::span<const double>(pose.linear)), graph.sizes); }
 
   // The image of a point of the body without the translation, times the scale, a power of two. Rounded: for searches.
   template <class Real = double>

@@ -26,11 +26,20 @@ PairAnswer polyhedron_polyhedron(const ConvexPolyhedron& a, const Pose& pose_a, 
                                  const ConvexPolyhedron& b, const Pose& pose_b);
 
 // By a floating-point search over the vertex graph (Gilbert, Johnson, Keerthi 1988), which proposes evidence, and an
-// exact simplex method with the graph as its pricing for what the search could not certify. Cost: at most 100 steps in
-// doubles and 100 in double-doubles, each a walk over both graphs; where neither decides, some five to
-// thirty exact pivots.
+// exact simplex method for what the search could not certify. Cost: at most 100 steps in doubles and 100 in
+// double-doubles, each of O(log n + log m) probes on every body; where neither decides, some five to thirty exact
+// pivots of O(log n + log m) probes.
 PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& a, const Pose& pose_a,  //
                                         const ConvexPolyhedron& b, const Pose& pose_b);
+
+// By the closest points of the levels of both bodies' hierarchies, from the top down (Dobkin and Kirkpatrick 1990), in
+// doubles and then in double-doubles, and the same exact method as above where neither decides. Slower than the front
+// door, with a bound that holds for every shape. The first question about a body makes its hierarchy, in O(n).
+// Cost: O(log^2(n + m)) probes, of which tests bound the constant; exact pivots as above.
+// Source: BL15 section 4 (Lemma 4.2). Departures: vertices beyond a plane by walks over sectors of normal cones, so
+// that degrees need no bound (represent/hierarchy_walk.h); both hierarchies are gone down in step.
+PairAnswer polyhedron_polyhedron_by_hierarchy(const ConvexPolyhedron& a, const Pose& pose_a,  //
+                                              const ConvexPolyhedron& b, const Pose& pose_b);
 
 // By one exact linear program over all vertices: slow and obvious, the oracle of the others. O(n) memory.
 PairAnswer polyhedron_polyhedron_by_scan(const ConvexPolyhedron& a, const Pose& pose_a,  //

@@ -3,6 +3,7 @@
 #include <sunder/solid/pair/exact_simplex.h>
 #include <sunder/solid/pair/extreme_vertex.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
+#include <sunder/solid/represent/search_graph_walk.h>
 
 #include <algorithm>
 #include <cmath>
@@ -110,8 +111,8 @@ class Disposal {
       const auto edge = [&](const Point3& to) { return body.turned(Point3{to.x - p.x, to.y - p.y, to.z - p.z}, 1); };
       const Point3 inward = edge(body.graph.middle);
       const std::uint32_t count = block.count();
+      if (count < 3 || count > most_around) continue;
       cost_.probes += count;
-      if (count < 3) continue;
       for (std::uint32_t j = 0; j < count; ++j) {
         const std::uint32_t next = j + 1 < count ? j + 1 : 0;
         Point3 n = cross(edge({block.x()[j], block.y()[j], block.z()[j]}),

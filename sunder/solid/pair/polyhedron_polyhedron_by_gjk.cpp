@@ -1,194 +1,35 @@
 // The search that proposes. See docs/design/solid-pair.md.
-#include <sunder/solid/pair/closest_simplex.h>
+#include <sunder/solid/pair/gjk_search.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
+#include <sunder/solid/pair/settle.h>
 #include <sunder/solid/pair/simplex_proposals.h>
-#include <sunder/solid/represent/search_graph_walk.h>
-
-#include <cmath>
+#include <sunder/solid/pair/stretched.h>
 
 namespace sunder::solid {
 
 namespace {
 
-// Scales the direction so that its largest component has size about 1, and drops components that are negligible then;
-// so it is tame (predicate/along.h). Returns false for zero and for what is not finite.
-bool normalize(Point3& d) {
-  const double largest = std::max(std::fabs(d.x), std::max(std::fabs(d.y), std::fabs(d.z)));
-  if (!(largest > 0) || !std::isfinite(d.x) || !std::isfinite(d.y) || !std::isfinite(d.z)) return false;
-  const auto component = [&](double x) {
-    const double part = x / largest;
-    return std::fabs(part) < 0x1p-60 ? 0.0 : part;
-  };
-  d = {component(d.x), component(d.y), component(d.z)};
-  return true;
-}
-
-// From a vertex that doubles find furthest along the direction to one that DoubleDouble finds furthest. Ends, because a
-// vertex has one value, counted from where the climb began, and it grows strictly.
-std::uint32_t climb(const Placed& body, const Vector3<DoubleDouble>& direction, std::uint32_t from, Cost& cost) {
-  VertexBlock block = body.graph.block(body.graph.place[from]);
-  const Point3 origin = block.at();
-  DoubleDouble greatest = 0;
-  while (true) {
-    std::uint32_t best = block.count();
-    for (std::uint32_t j = 0; j < block.count(); ++j) {
-      const DoubleDouble value = direction.x * exact_sum(block.x()[j], -origin.x) +
-                                 direction.y * exact_sum(block.y()[j], -origin.y) +
-                                 direction.z * exact_sum(block.z()[j], -origin.z);
-      if (!(value > greatest)) continue;
-      greatest = value;
-      best = j;
-    }
-    cost.probes += block.count();
-    if (best == block.count()) return block.vertex();
-    block = body.graph.block(block.place(best));
-  }
-}
-
-// The search: the state of Gilbert, Johnson and Keerthi's method on two placed bodies.
-template <class Real>
-class Search {
- public:
-  using Vector = VectorOf<Real>;
-  using Vertex = DifferenceVertexOf<Real>;
-
-  Search(const Placed& a, const Placed& b) : a_(a), b_(b) {
-    const auto& s = a.pose.translation;
-    const auto& t = b.pose.translation;
-    const double scale = simplex.scale = scale_of(std::max(a.size, b.size));
-    const auto shift = [&](std::size_t i) -> Real { return difference<Real>(t[i], s[i]) * Real(scale); };
-    shift_ = {shift(0), shift(1), shift(2)};
-  }
-
-  // Between the middles of the bodies.
-  Vector first_direction() const {
-    const Vector p = a_.turned<Real>(a_.graph.middle, simplex.scale),
-                 q = b_.turned<Real>(b_.graph.middle, simplex.scale);
-    const Vector d{(q.x - p.x) + shift_.x, (q.y - p.y) + shift_.y, (q.z - p.z) + shift_.z};
-    return dot(d, d) > 0 ? d : Vector{1, 0, 0};
-  }
-
-  // The two vertices furthest towards each other along `direction`, and their difference.
-  Vertex probe(Cost& cost) const {
-    Vertex w;
-    const Vector e = a_.pulled(direction), f = negated(b_.pulled(direction));
-    const Point3 g = rounded(e), h = rounded(f);
-    const std::uint32_t start_a = search_start(a_.graph, g), start_b = search_start(b_.graph, h);
-    w.a = furthest_from(a_.graph, g, start_a, cost.probes);
-    w.b = furthest_from(b_.graph, h, start_b, cost.probes);
-    if constexpr (!std::is_same_v<Real, double>) {
-      w.a = climb(a_, e, w.a, cost);
-      w.b = climb(b_, f, w.b, cost);
-    }
-    const Vector p = a_.turned<Real>(w.a, simplex.scale), q = b_.turned<Real>(w.b, simplex.scale);
-    w.at = {(p.x - q.x) - shift_.x, (p.y - q.y) - shift_.y, (p.z - q.z) - shift_.z};
-    return w;
-  }
-
-  // Is w further along the direction than the face, by more than the noise of floating point?
-  bool gains_by(const Vertex& w) const {
-    if (simplex.count == 0) return true;
-    bool is_there = false;  // without branches: how many vertices there are is hard to predict
-    for (int i = 0; i < 4; ++i) {
-      const Vertex& v = simplex.vertex[static_cast<std::size_t>(i)];
-      is_there |= (i < simplex.count) & (v.a == w.a) & (v.b == w.b);
-    }
-    if (is_there) return false;
-    const Vector& d = direction;
-    const Real gain = dot(d, minus(w.at, simplex.vertex[0].at));
-    return gain > 4 * noise * (magnitude(d.x * w.at.x) + magnitude(d.y * w.at.y) + magnitude(d.z * w.at.z));
-  }
-
-  // One step: w joins the simplex, which becomes its face nearest to the origin. False where that is no use: the origin
-  // is inside, or as near as floating point can tell.
-  bool step_to(const Vertex& w) {
-    simplex.vertex[static_cast<std::size_t>(simplex.count++)] = w;
-    Real distance2 = 0;
-    if (!reduce_to_closest_face(simplex, direction, distance2)) return false;
-    if (simplex.count != 1) return distance2 > 0;
-    const Vector p = a_.turned<Real>(simplex.vertex[0].a, simplex.scale),
-                 q = b_.turned<Real>(simplex.vertex[0].b, simplex.scale);
-    return distance2 > noise * noise * (dot(p, p) + dot(q, q));
-  }
-
-  Vector direction;                   // of the world, from A towards B
-  DifferenceSimplexOf<Real> simplex;  // the face nearest to the origin, or the tetrahedron around it
-
- private:
-  // What rounding leaves of a difference of two images, as part of their size: some roundings.
-  static constexpr double noise = std::is_same_v<Real, double> ? 0x1p-46 : 0x1p-98;
-
-  // A power of two that brings differences of images near 1 where sixth powers of them could overflow or vanish, as
-  // they occur in closest_simplex.cpp; else 1.
-  static double scale_of(double size) {
-    if (size >= 0x1p-100 && size <= 0x1p100) return 1;
-    if (!(size > 0 && size <= std::numeric_limits<double>::max())) return 1;
-    return std::ldexp(1.0, std::clamp(-std::ilogb(size), -1022, 1022));
-  }
-
-  const Placed& a_;
-  const Placed& b_;
-  Vector shift_;
-};
-
-// The direction as a certificate can hold it: tame, and with one vertex of the difference clearly furthest.
-//
-// Near contact the direction is perpendicular to a face of the difference, whose vertices then tie. So it is turned a
-// little towards one of them, at the cost of at most a quarter of the gap, and floating point can tell the extreme
-// vertices. `w` is what the direction found; it becomes the vertex that is now furthest. Returns false for a direction
-// that is zero or not finite.
-bool settle(const DifferenceSimplex& simplex, Point3& d, DifferenceVertex& w) {
-  if (!normalize(d)) return false;
-  const std::size_t n = static_cast<std::size_t>(simplex.count);
-  if (n < 2) return true;
-  Point3 centroid;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Point3& p = simplex.vertex[i].at;
-    centroid = {centroid.x + p.x, centroid.y + p.y, centroid.z + p.z};
-  }
-  const double part = 1.0 / simplex.count;
-  centroid = {centroid.x * part, centroid.y * part, centroid.z * part};
-  const auto from_centroid = [&](const Point3& p) {
-    return Point3{p.x - centroid.x, p.y - centroid.y, p.z - centroid.z};
-  };
-  // A vertex clearly beyond the face is furthest anyway.
-  const double gap = -dot(d, w.at);
-  const Point3 beyond = from_centroid(w.at);
-  const double height = dot(d, beyond);
-  if (height * height > 0x1p-40 * dot(beyond, beyond)) return true;
-  // Else the vertex of the face that is furthest from the centroid.
-  Point3 e;
-  double length2 = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const Point3 f = from_centroid(simplex.vertex[i].at);
-    if (dot(f, f) <= length2) continue;
-    length2 = dot(f, f);
-    e = f;
-    w = simplex.vertex[i];
-  }
-  const double amount = std::min(0x1p-7 / std::sqrt(length2), 0.25 * gap / std::fabs(dot(e, w.at)));
-  d = {d.x + amount * e.x, d.y + amount * e.y, d.z + amount * e.z};
-  return normalize(d);
-}
-
-constexpr int most_iterations = 100;
-
 // In doubles, with directions in doubles for bodies that are apart.
 template <class Holds>
-bool propose_in_doubles(const Placed& a, const Placed& b, Search<double>& search, const Holds& holds, Cost& cost) {
+bool propose_in_doubles(const Placed& a, const Placed& b, GjkSearch<double>& search, const Holds& holds, Cost& cost) {
   search.direction = search.first_direction();
-  for (int i = 0; i < most_iterations; ++i) {
+  for (int i = 0; i < search.most_iterations; ++i) {
     ++cost.iterations;
     const DifferenceVertex w = search.probe(cost);
     if (dot(search.direction, w.at) < 0) {
+      if (search.refine()) continue;
       DifferenceVertex furthest = w;
       Point3 direction = search.direction;
       if (settle(search.simplex, direction, furthest) && holds(apart_along(direction, furthest.a, furthest.b))) {
         return true;
       }
     }
-    if (!search.gains_by(w) || !search.step_to(w)) break;
+    if (!search.gains_by(w)) {
+      if (search.refine()) continue;
+      break;
+    }
+    if (!search.step_to(w)) break;
   }
   return propose_meet(a, b, search.simplex, holds) ||
          propose_apart_along_features(search.simplex, search.direction, holds);
@@ -199,9 +40,9 @@ bool propose_in_doubles(const Placed& a, const Placed& b, Search<double>& search
 template <class Holds>
 bool propose_in_double_doubles(const Placed& a, const Placed& b, const Point3& direction, const Holds& holds,
                                Cost& cost) {
-  Search<DoubleDouble> search(a, b);
+  GjkSearch<DoubleDouble> search(a, b);
   search.direction = {direction.x, direction.y, direction.z};
-  for (int i = 0; i < most_iterations; ++i) {
+  for (int i = 0; i < search.most_iterations; ++i) {
     ++cost.iterations;
     const DifferenceVertexOf<DoubleDouble> w = search.probe(cost);
     if (dot(search.direction, w.at) < 0 && propose_apart_along_perpendicular(search.simplex, w.a, w.b, holds)) {
@@ -212,15 +53,22 @@ bool propose_in_double_doubles(const Placed& a, const Placed& b, const Point3& d
   return propose_meet(a, b, search.simplex, holds);
 }
 
+template <class Holds>
+bool propose(const Placed& a, const Placed& b, const Holds& holds, Cost& cost) {
+  GjkSearch<double> search(a, b);
+  search.begin_at_the_top();
+  return propose_in_doubles(a, b, search, holds, cost) ||
+         propose_in_double_doubles(a, b, search.direction, holds, cost);
+}
+
 }  // namespace
 
 PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& body_a, const Pose& pose_a,  //
                                         const ConvexPolyhedron& body_b, const Pose& pose_b) {
   const Placed a(body_a, pose_a), b(body_b, pose_b);
   return answer_by(a, b, [&](const auto& holds, Cost& cost) {
-    Search<double> search(a, b);
-    return propose_in_doubles(a, b, search, holds, cost) ||
-           propose_in_double_doubles(a, b, search.direction, holds, cost);
+    const auto propose_of = [&](const Placed& p, const Placed& q, const auto& of) { return propose(p, q, of, cost); };
+    return propose_stretched_where_wanted(a, b, holds, propose_of);
   });
 }
 

@@ -6,6 +6,9 @@
 #include <sunder/predicate/point.h>
 #include <sunder/predicate/stages.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <type_traits>
 
 namespace sunder::solid {
@@ -27,6 +30,14 @@ V negated(const V& a) {
 inline double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Point3 cross(const Point3& a, const Point3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+// A power of two that brings a size near 1 where sixth powers of it could overflow or vanish, as they occur in
+// closest_simplex.cpp; else 1.
+inline double scale_to_one(double size) {
+  if (size >= 0x1p-100 && size <= 0x1p100) return 1;
+  if (!(size > 0 && size <= std::numeric_limits<double>::max())) return 1;
+  return std::ldexp(1.0, std::clamp(-std::ilogb(size), -1022, 1022));
 }
 
 // In doubles.

@@ -2,6 +2,7 @@
 #include <sunder/solid/represent/search_graph.h>
 #include <sunder/solid/represent/search_graph_walk.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -22,15 +23,24 @@ void fill_table(SearchGraph& graph) {
   graph.side = side;
   graph.table.assign(std::size_t{side} * side, 0);
   std::uint32_t last = graph.place[0];
+  std::uint64_t steps_left = 8 * graph.table.size();  // of all walks: some are long where one facet has many vertices
+  std::size_t slow = 0;
   for (std::uint32_t row = 0; row < side; ++row) {
     for (std::uint32_t step = 0; step < side; ++step) {                    // side^2 is about 8 n, and n < 2^28
       const std::uint32_t column = row % 2 == 0 ? step : side - 1 - step;  // to and fro: cells in turn are adjacent
       const Point3 direction = folded((2.0 * column + 1) / side - 1, (2.0 * row + 1) / side - 1);
       std::uint64_t probes = 0;
-      last = walk(graph, direction, last, probes);
+      const Walk end = walk(graph, direction, last, probes, most_steps + steps_left);
+      steps_left -= std::min(steps_left, end.steps);
+      slow += !end.has_ended || end.steps > most_steps;
+      last = end.place;
       graph.table[row * side + column] = last;
     }
   }
+  if (slow <= graph.table.size() / 4) return;
+  graph.is_slow = true;
+  graph.side = 0;
+  graph.table = {};
 }
 
 // A word of two halves, as VertexBlock reads it.

@@ -67,13 +67,18 @@ struct SearchGraph {
 
   VertexBlock block(std::uint32_t at) const { return VertexBlock(blocks.data() + at); }
 
-  // Empty with few vertices. Else the octahedron of directions, |x| + |y| + |z| = 1, unfolded into the square [-1, 1]^2
-  // and cut into side x side cells row by row: the upper half, z >= 0, is seen from above; the four faces of the lower
-  // half are turned outwards about their upper edges. The entry is the place of a vertex that is extreme, as far as
-  // doubles tell, along the direction to the middle of the cell.
-  // Source of the map: Engelhardt and Dachsbacher 2008, octahedron environment maps.
+  // Empty with few vertices, and where is_slow. Else the octahedron of directions, |x| + |y| + |z| = 1, unfolded into
+  // the square [-1, 1]^2 and cut into side x side cells row by row: the upper half, z >= 0, is seen from above; the
+  // four faces of the lower half are turned outwards about their upper edges. The entry is the place of a vertex that
+  // is extreme, as far as doubles tell, along the direction to the middle of the cell; or of one near it, where a walk
+  // from the cell before would cost too much (search_graph_walk.h). Source of the map: Engelhardt and Dachsbacher 2008,
+  // octahedron environment maps.
   std::uint32_t side = 0;
   std::vector<std::uint32_t> table;
+
+  // Would walks from a table often be long, or at vertices of many neighbours? Then there is none: a search goes down
+  // the hierarchy.
+  bool is_slow = false;
 
   // Empty with many vertices. Else x of all, then y, then z, padded with the first vertex to a multiple of four.
   std::uint32_t padded = 0;

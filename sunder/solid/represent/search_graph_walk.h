@@ -35,28 +35,40 @@ inline std::uint32_t first_with_value(const Point3& direction, const double* x, 
   return j;
 }
 
+// What a walk may cost: beyond that a hierarchy is faster (hierarchy_walk.h).
+inline constexpr std::uint32_t most_steps = 8;    // from block to block
+inline constexpr std::uint32_t most_around = 32;  // neighbours of a vertex that are looked at
+
+struct Walk {
+  std::uint32_t place;  // of the last block
+  bool has_ended;       // none of its neighbours is better in floating point; else the walk cost too much
+  std::uint64_t steps;
+};
+
 // Goes from the block at `start` to ever better neighbours until none is better in floating point: the best neighbour
-// each time, of equals the first. Returns the place of the last block. Adds the vertices it looks at to `probes`. Ends,
-// because the value grows strictly.
-inline std::uint32_t walk(const SearchGraph& graph, const Point3& direction, std::uint32_t start,
-                          std::uint64_t& probes) {
+// each time, of equals the first. Adds the vertices it looks at to `probes`. most: steps.
+inline Walk walk(const SearchGraph& graph, const Point3& direction, std::uint32_t start, std::uint64_t& probes,
+                 std::uint64_t most = most_steps) {
   std::uint32_t at = start;
   VertexBlock block = graph.block(at);
   const Point3 p = block.at();
   double best = direction.x * p.x + direction.y * p.y + direction.z * p.z;
   ++probes;
-  while (block.count() > 0) {
+  std::uint64_t step = 0;
+  for (; block.count() <= most_around; ++step) {
+    if (block.count() == 0) return {at, true, step};
     const double *x = block.x(), *y = block.y(), *z = block.z();
     probes += block.count();
     const double greatest = greatest_along(direction, x, y, z, block.padded());
-    if (!(greatest > best)) break;
+    if (!(greatest > best)) return {at, true, step};
+    if (step == most) break;
     const std::uint32_t j = first_with_value(direction, x, y, z, block.count(), greatest);
-    if (j == block.count()) break;  // only if lanes and single doubles were compiled to differ
+    if (j == block.count()) return {at, true, step};  // only if lanes and single doubles were compiled to differ
     best = greatest;
     at = block.place(j);
     block = graph.block(at);
   }
-  return at;
+  return {at, false, step};
 }
 
 // The cell of the direction table: the place of a vertex extreme along a direction nearby. Requires a table. Any
@@ -97,9 +109,9 @@ inline std::uint32_t furthest_of_few(const SearchGraph& graph, const Point3& dir
   return first < graph.vertices.size() ? first : 0;  // past the end where values are not numbers
 }
 
-// Where a search along the direction begins, for furthest_from; asks for the memory that it will read.
+// Where a search along the direction begins; asks for the memory that it will read.
 inline std::uint32_t search_start(const SearchGraph& graph, const Point3& direction) {
-  if (graph.padded != 0) return 0;
+  if (graph.padded != 0 || graph.is_slow) return 0;
   const std::uint32_t start = table_start(graph, direction);
   const double* words = graph.blocks.data() + start;
   __builtin_prefetch(words);
@@ -107,17 +119,6 @@ inline std::uint32_t search_start(const SearchGraph& graph, const Point3& direct
   __builtin_prefetch(words + 16);
   __builtin_prefetch(words + 24);
   return start;
-}
-
-// A vertex that is furthest along the direction as far as floating point can tell. `start` is search_start().
-inline std::uint32_t furthest_from(const SearchGraph& graph, const Point3& direction, std::uint32_t start,
-                                   std::uint64_t& probes) {
-  if (graph.padded != 0) return furthest_of_few(graph, direction, probes);
-  return graph.block(walk(graph, direction, start, probes)).vertex();
-}
-
-inline std::uint32_t furthest(const SearchGraph& graph, const Point3& direction, std::uint64_t& probes) {
-  return furthest_from(graph, direction, search_start(graph, direction), probes);
 }
 
 }  // namespace sunder::solid

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Tests of statements about pairs against an exact simplex method: python3 verifier/python/tests/test_pairs.py."""
+import itertools
 import json
 import math
 import unittest
@@ -136,22 +137,40 @@ def could_be(verdict, truth):
 
 
 def place(points, weights):
-    return [sum(w * points[k][axis] for k, w in weights) for axis in range(2)]
+    return [sum(w * points[k][axis] for k, w in weights) for axis in range(len(points[0]))]
 
 
 def square_between(p, q):
     return sum((x - y) ** 2 for x, y in zip(p, q))
 
 
-def feet(points, others):
-    """Of each point, as weights, with the nearest point of each segment between two of the others."""
-    for i, p in enumerate(points):
-        for j, q in enumerate(others):
-            for k, r in enumerate(others[:j + 1]):
-                square = square_between(q, r)
-                t = Fraction(sum((x - z) * (y - z) for x, y, z in zip(p, q, r)), square) if square else Fraction(1)
-                t = min(max(t, Fraction(0)), Fraction(1))
-                yield [(i, Fraction(1))], [(j, t), (k, 1 - t)] if j != k else [(j, Fraction(1))]
+def product(p, q):
+    return sum(x * y for x, y in zip(p, q))
+
+
+def along(edges, way):
+    """How often each edge goes into the part of the way that they span; None where they span less than they are."""
+    gram = [[product(e, f) for f in edges] for e in edges]
+    wanted = [product(e, way) for e in edges]
+    if len(edges) < 2:
+        return None if gram == [[0]] else [Fraction(w, gram[0][0]) for w in wanted]
+    (a, b), (_, c) = gram
+    whole = a * c - b * b
+    return None if whole == 0 else [Fraction(c * wanted[0] - b * wanted[1], whole), Fraction(a * wanted[1] - b * wanted[0], whole)]
+
+
+def facing(points, others):
+    """Of few points and few others, four in all, as weights, the two points in which their flats are nearest to each
+    other, if the hulls hold these: so those of all points and all others are among them, if these do not meet."""
+    def minus(p, q):
+        return [x - y for x, y in zip(p, q)]
+    for n, m in ((n, m) for n in (1, 2, 3) for m in range(1, 5 - n)):
+        for p, q in itertools.product(itertools.combinations(range(len(points)), n), itertools.combinations(range(len(others)), m)):
+            first, last = points[p[0]], others[q[0]]
+            parts = along([minus(points[k], first) for k in p[1:]] + [minus(last, others[k]) for k in q[1:]], minus(last, first))
+            if parts is None or any(part < 0 for part in parts) or sum(parts[:n - 1]) > 1 or sum(parts[n - 1:]) > 1:
+                continue
+            yield tuple(list(zip(named, [1 - sum(some, Fraction(0)), *some])) for named, some in ((p, parts[:n - 1]), (q, parts[n - 1:])))
 
 
 def distance_file(bodies, p, q):
@@ -270,8 +289,9 @@ class PairsTest(unittest.TestCase):
         """Accepted where the two points are as near to each other as any of the two bodies, and only there."""
         dice, twins, nearest, count = dice_of(15), Twins(self), 0, 0
         while lacking(FORCED, "distance") or lacking(MUTANT, "distance"):
-            bodies = [Body(dice, 2) for _ in range(2)]
-            shift = [dice.randint(-4, 4) for _ in range(2)]
+            dimension = dice.choice([2, 3])
+            bodies = [Body(dice, dimension) for _ in range(2)]
+            shift = [dice.randint(-4, 4) for _ in range(dimension)]
             for body, sign in zip(bodies, (0, 1)):
                 body.ways = []
                 body.points = [[x + sign * y for x, y in zip(point, shift)] for point in body.points]
@@ -279,7 +299,7 @@ class PairsTest(unittest.TestCase):
             if honest(bodies, 0, 1)["verdict"] == "meet":
                 continue
             count += 1
-            pairs = list(feet(a.points, b.points)) + [(q, p) for p, q in feet(b.points, a.points)]
+            pairs = list(facing(a.points, b.points))
             best = min(square_between(place(a.points, p), place(b.points, q)) for p, q in pairs)
             for p, q in pairs:
                 top = distance_file(bodies, p, q)
@@ -304,13 +324,14 @@ class PairsTest(unittest.TestCase):
         """Bodies are so far apart, or they are not: what is accepted is true, and one of both can be proved."""
         dice, twins, exactly_so = dice_of(16), Twins(self), 0
         while lacking(FORCED, "clearance") or lacking(MUTANT, "clearance"):
-            bodies = [Body(dice, 2) for _ in range(2)]
-            shift = [dice.randint(-5, 5) for _ in range(2)]
+            dimension = dice.choice([2, 3])
+            bodies = [Body(dice, dimension) for _ in range(2)]
+            shift = [dice.randint(-5, 5) for _ in range(dimension)]
             bodies[0].ways, bodies[1].ways = [], []
             bodies[1].points = [[x + y for x, y in zip(point, shift)] for point in bodies[1].points]
             a, b = bodies
             known = honest(bodies, 0, 1)
-            pairs = list(feet(a.points, b.points)) + [(p, q) for q, p in feet(b.points, a.points)]
+            pairs = list(facing(a.points, b.points))
             pairs.sort(key=lambda pair: square_between(place(a.points, pair[0]), place(b.points, pair[1])))
             best = square_between(place(a.points, pairs[0][0]), place(b.points, pairs[0][1]))
             best = Fraction(0) if known["verdict"] == "meet" else best

@@ -1,7 +1,7 @@
 // The floating-point searches against reading every vertex, and what they look at against a bound.
 #include <sunder/base/random.h>
 #include <sunder/solid/object/convex_polyhedron.h>
-#include <sunder/solid/represent/search_graph_walk.h>
+#include <sunder/solid/pair/support.h>
 
 #include <tests/support/shapes.h>
 
@@ -46,7 +46,7 @@ std::vector<Point3> directions_for(const ConvexPolyhedron& body, Random& random,
 }
 
 // A walk may stop early where values tie by rounding; then it is short of the greatest by no more than some roundings.
-TEST(SearchGraphWalkTest, FurthestAgainstReadingAll) {
+TEST(SupportTest, FurthestAgainstReadingAll) {
   Random random(43);
   int asked = 0, exactly = 0;
   for (int i = 0; i < 60; ++i) {
@@ -62,7 +62,7 @@ TEST(SearchGraphWalkTest, FurthestAgainstReadingAll) {
     const SearchGraph& graph = body.search_graph();
     for (const Point3& d : directions_for(body, random, 100)) {
       std::uint64_t probes = 0;
-      const std::uint32_t found = furthest(graph, d, probes);
+      const std::uint32_t found = support(body, d, probes);
       ASSERT_LT(found, body.vertices().size());
       ASSERT_GT(probes, 0u);
       const double best = greatest_value(graph, d), here = value(d, graph.vertices[found]);
@@ -75,7 +75,7 @@ TEST(SearchGraphWalkTest, FurthestAgainstReadingAll) {
   EXPECT_GT(exactly, asked - asked / 100);
 }
 
-TEST(SearchGraphWalkTest, OfEqualsTheFirst) {
+TEST(SupportTest, OfEqualsTheFirst) {
   std::vector<Point3> points;
   for (int i = 0; i < 8; ++i) points.push_back({i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0});
   const ConvexPolyhedron cube(points);
@@ -92,7 +92,13 @@ TEST(SearchGraphWalkTest, OfEqualsTheFirst) {
   }
 }
 
-TEST(SearchGraphWalkTest, AWalkEndsWhereNoNeighbourIsBetter) {
+std::uint32_t whole_walk(const SearchGraph& graph, const Point3& d, std::uint32_t start, std::uint64_t& probes) {
+  Walk end{start, false, 0};
+  while (!end.has_ended) end = walk(graph, d, end.place, probes);
+  return end.place;
+}
+
+TEST(SupportTest, AWalkEndsWhereNoNeighbourIsBetter) {
   Random random(47);
   const ConvexPolyhedron body(points_on_sphere(700, random));
   const SearchGraph& graph = body.search_graph();
@@ -100,21 +106,21 @@ TEST(SearchGraphWalkTest, AWalkEndsWhereNoNeighbourIsBetter) {
     const Point3 d = on_sphere(random);
     std::uint64_t probes = 0;
     const std::uint32_t start = graph.place[random.below(graph.place.size())];
-    const VertexBlock end = graph.block(walk(graph, d, start, probes));
+    const VertexBlock end = graph.block(whole_walk(graph, d, start, probes));
     for (std::uint32_t j = 0; j < end.count(); ++j) {
       ASSERT_LE(value(d, {end.x()[j], end.y()[j], end.z()[j]}), value(d, end.at()));
     }
     ASSERT_EQ(value(d, end.at()), greatest_value(graph, d));
     // From where it ends it goes nowhere, and looks at that vertex and its neighbours.
     probes = 0;
-    ASSERT_EQ(graph.block(walk(graph, d, graph.place[end.vertex()], probes)).vertex(), end.vertex());
+    ASSERT_EQ(graph.block(walk(graph, d, graph.place[end.vertex()], probes).place).vertex(), end.vertex());
     ASSERT_EQ(probes, 1 + end.count());
   }
 }
 
 // The cell of a direction is the one it unfolds into: its entry is extreme along a direction not further away than a
 // cell is wide.
-TEST(SearchGraphWalkTest, TheTableIsReadAtTheDirectionsOwnCell) {
+TEST(SupportTest, TheTableIsReadAtTheDirectionsOwnCell) {
   Random random(53);
   const ConvexPolyhedron body(points_on_sphere(2000, random));
   const SearchGraph& graph = body.search_graph();
@@ -132,18 +138,17 @@ TEST(SearchGraphWalkTest, TheTableIsReadAtTheDirectionsOwnCell) {
   }
 }
 
-TEST(SearchGraphWalkTest, AnyDirectionWillDo) {
+TEST(SupportTest, AnyDirectionWillDo) {
   Random random(59);
   for (const std::uint32_t n : {4u, 30u, 100u, 1000u}) {
     const ConvexPolyhedron body(points_on_sphere(n, random));
-    const SearchGraph& graph = body.search_graph();
     const std::vector<double> odd{0.0,  -0.0,    least,    -least,   1e-310,    1.0,
                                   -1.0, largest, -largest, infinity, -infinity, not_a_number};
     for (const double x : odd) {
       for (const double y : odd) {
         for (const double z : odd) {
           std::uint64_t probes = 0;
-          ASSERT_LT(furthest(graph, {x, y, z}, probes), body.vertices().size());
+          ASSERT_LT(support(body, {x, y, z}, probes), body.vertices().size());
           ASSERT_LE(probes, 50 * body.vertices().size());
         }
       }
@@ -151,7 +156,7 @@ TEST(SearchGraphWalkTest, AnyDirectionWillDo) {
   }
 }
 
-TEST(SearchGraphWalkTest, HugeAndTinyBodies) {
+TEST(SupportTest, HugeAndTinyBodies) {
   Random random(61);
   const std::vector<Point3> ball = points_on_sphere(200, random);
   for (const double size : {least, 1e-310, 1e-300, 1e300, largest}) {
@@ -162,8 +167,7 @@ TEST(SearchGraphWalkTest, HugeAndTinyBodies) {
       const Point3 d = on_sphere(random);
       for (const double length : {least, 1.0, largest}) {
         std::uint64_t probes = 0;
-        ASSERT_LT(furthest(body.search_graph(), {d.x * length, d.y * length, d.z * length}, probes),
-                  body.vertices().size());
+        ASSERT_LT(support(body, {d.x * length, d.y * length, d.z * length}, probes), body.vertices().size());
       }
     }
   }
@@ -172,7 +176,7 @@ TEST(SearchGraphWalkTest, HugeAndTinyBodies) {
 // Complexity: on a sphere a table with about a cell a vertex leaves a constant number of steps of about six neighbours
 // each, whatever n. Stated bound: 16 probes on average from 64 to 16384 vertices, never more than 64. Bodies of up to
 // `few` vertices are read whole.
-TEST(SearchGraphWalkTest, ProbesDoNotGrow) {
+TEST(SupportTest, ProbesDoNotGrow) {
   Random random(67);
   for (std::uint32_t n = 32; n <= 1u << 14; n *= 2) {
     const ConvexPolyhedron body(points_on_sphere(n, random));
@@ -182,7 +186,7 @@ TEST(SearchGraphWalkTest, ProbesDoNotGrow) {
     constexpr int directions = 2000;
     for (int i = 0; i < directions; ++i) {
       std::uint64_t probes = 0;
-      furthest(body.search_graph(), on_sphere(random), probes);
+      support(body, on_sphere(random), probes);
       total += static_cast<double>(probes);
       most = std::max(most, probes);
     }

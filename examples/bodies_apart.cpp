@@ -1,0 +1,30 @@
+// Two placed bodies: how far apart are they, between which features, and at which points? The comparison is exact; what
+// is printed is rounded.
+#include <sunder/solid/pair/contact_evidence.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
+
+#include <iostream>
+#include <vector>
+
+int main() {
+  using sunder::solid::ConvexPolyhedron;
+  const ConvexPolyhedron block(std::vector<sunder::Point3>{
+      {0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}, {0, 0, 2}, {4, 0, 2}, {0, 4, 2}, {4, 4, 2}});
+  const ConvexPolyhedron drill(std::vector<sunder::Point3>{{0, 0, 0}, {1, 1, 3}, {-1, 1, 3}, {0, -1, 3}});
+  const sunder::solid::Pose here, there = sunder::solid::Pose::from_quaternion(1, 0, 0, 0, {1, 2, 2.5});
+
+  const auto answer = polyhedron_polyhedron_distance(block, here, drill, there);
+  std::cout << "between " << answer.distance().low << " and " << answer.distance().high << '\n';
+  if (answer.closest) {
+    const auto& features = answer.closest->features();
+    std::cout << int{features.count_a} << " vertices of the block, " << int{features.count_b} << " of the drill\n";
+    const auto [of_block, of_drill] = closest_points(*answer.closest);
+    for (const auto& point : {of_block, of_drill}) {
+      for (const auto& x : point.coordinates) std::cout << nearest_ratio(x, point.denominator) << ' ';
+      std::cout << '\n';
+    }
+  }
+  const bool is_half = compare_distance(answer, 0.5) == sunder::Sign::zero;
+  std::cout << (is_half ? "exactly a half\n" : "not a half\n");
+  return is_half ? 0 : 1;
+}

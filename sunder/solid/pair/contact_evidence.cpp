@@ -1,0 +1,43 @@
+#include <sunder/solid/pair/contact_evidence.h>
+
+namespace sunder::solid {
+
+ClosestPoints closest_points(const ClosestFeatures& closest) {
+  const FeatureVertices& f = closest.features();
+  const auto [way, weights] = closest.way();
+  const std::array<Posed3, 4> images = closest.images();
+  const auto point = [&](std::size_t begin, std::size_t end) {
+    PointOf made{{}, way.denominator, {{}, way.denominator}};
+    for (std::size_t k = begin; k < end; ++k) {
+      const auto [x, y, z] = lift<ExactStage>(images[k]);
+      const Dyadic& weight = weights[k];
+      made.coordinates = {made.coordinates[0] + x * weight, made.coordinates[1] + y * weight,
+                          made.coordinates[2] + z * weight};
+      made.of_body.parts.push_back({f.vertices[k], weight});
+    }
+    return made;
+  };
+  return {point(0, f.count_a), point(f.count_a, std::size_t{f.count_a} + f.count_b)};
+}
+
+void add_distance(PairClaims& pairs, const ClaimedPair& pair, const PolyhedronDistance& distance) {
+  if (!distance.closest) return;
+  const auto [of_a, of_b] = closest_points(*distance.closest);
+  pairs.add_distance(pair.index_a, pair.index_b, of_a, of_b);
+}
+
+void add_clearance(PairClaims& pairs, const ClaimedPair& pair, const PolyhedronDistance& distance, double least) {
+  const std::uint32_t a = pair.index_a, b = pair.index_b;
+  if (!distance.closest) {
+    const CommonPoint common = pairs.common_point(a, b, distance.answer.certificate());
+    return pairs.add_clearance_broken(a, b, least, {common.coordinates, common.denominator, common.of_a},
+                                      {common.coordinates, common.denominator, common.of_b});
+  }
+  const auto [of_a, of_b] = closest_points(*distance.closest);
+  if (compare_distance(distance, least) == Sign::negative) {
+    return pairs.add_clearance_broken(a, b, least, of_a, of_b);
+  }
+  pairs.add_clearance(a, b, least, way_between(of_a, of_b));
+}
+
+}  // namespace sunder::solid

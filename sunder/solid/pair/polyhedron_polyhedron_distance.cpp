@@ -1,0 +1,266 @@
+// The search proposes features, which are checked exactly; where none hold, the descent decides.
+//
+// Why what is checked is enough: let p and q be the ends of the shortest way d between the features, in their hulls.
+// As no vertex of A is further along d than those of the feature, all of which are as far as p, and no vertex of B less
+// far than q, for all x of A and y of B d (y - x) >= d (q - p) = |d|^2: so none are nearer to each other.
+#include <sunder/base/contract.h>
+#include <sunder/number/estimate.h>
+#include <sunder/solid/pair/extreme_vertex.h>
+#include <sunder/solid/pair/gjk_search.h>
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
+
+#include <cmath>
+#include <limits>
+
+namespace sunder::solid {
+
+namespace {
+
+// The images of the vertices, as the predicates of shortest_way.h take them.
+class PosedFeatures {
+ public:
+  PosedFeatures(const Placed& a, const Placed& b, const FeatureVertices& f) : count_a_(f.count_a), count_b_(f.count_b) {
+    for (std::size_t k = 0; k < count_a_; ++k) points_[k] = a[f.of_a(k)];
+    for (std::size_t k = 0; k < count_b_; ++k) points_[count_a_ + k] = b[f.of_b(k)];
+  }
+  std::span<const Posed3> a() const { return {points_.data(), count_a_}; }
+  std::span<const Posed3> b() const { return {points_.data() + count_a_, count_b_}; }
+
+ private:
+  std::size_t count_a_, count_b_;
+  std::array<Posed3, 4> points_;
+};
+
+// The closest features of bodies that are apart.
+class Closest {
+ public:
+  Closest(const Placed& a, const Placed& b, Cost& cost, StageTally& tally) : a_(a), b_(b), cost_(cost), tally_(tally) {}
+
+  FeatureVertices features;
+
+  // Are these the closest features? Vertices of weight zero are left out.
+  bool dispose(const FeatureVertices& proposal) {
+    ++cost_.proposals;
+    features = proposal;
+    const PosedFeatures posed(a_, b_, proposal);
+    const EnclosedWay enclosed = enclosed_way(posed.a(), posed.b());
+    if (enclosed.weights == Guess::negative) return false;
+    if (enclosed.weights == Guess::positive) {
+      const std::span<const std::uint32_t> all(proposal.vertices),
+          of_a = all.first(proposal.count_a), of_b = all.subspan(proposal.count_a, proposal.count_b);
+      if (surely_all(a_, of_a, EnclosedAlong(enclosed.way, a_.pose), &EnclosedAlong::surely_less_far) &&
+          surely_all(b_, of_b, EnclosedAlong(enclosed.way, b_.pose), &EnclosedAlong::surely_further)) {
+        return true;
+      }
+    }
+    ++tally_.exact;
+    const std::optional<ExactWay> found = exact_way(posed.a(), posed.b());
+    if (!found) return false;
+    const auto [of_a, of_b] = extreme_vertices(found->way);
+    if (of_a != proposal.of_a(0) || of_b != proposal.of_b(0)) return false;
+    leave_out_zeros(found->weight);
+    return true;
+  }
+
+  // From the features, which need not be the closest ones of their own hulls. Each step comes strictly nearer: where a
+  // vertex is further along the way d than the features are, the segment from their end of d to it has points that are
+  // nearer to the other end. So no features come twice, and there are only so many of them.
+  void descend() {
+    VertexSet<Dyadic> of_a, of_b;
+    for (std::size_t k = 0; k < features.count_a; ++k) add(of_a, a_, features.of_a(k));
+    for (std::size_t k = 0; k < features.count_b; ++k) add(of_b, b_, features.of_b(k));
+    while (true) {
+      ++cost_.iterations;
+      features = closest_features(of_a, of_b, &tally_.exact);
+      const PosedFeatures posed(a_, b_, features);
+      const std::optional<ExactWay> found = exact_way(posed.a(), posed.b());
+      ++tally_.exact;
+      SUNDER_REQUIRE(found.has_value());  // the bodies are apart
+      const auto [next_a, next_b] = extreme_vertices(found->way);
+      if (next_a == features.of_a(0) && next_b == features.of_b(0)) return;
+      keep(of_a, {features.vertices.data(), features.count_a});
+      keep(of_b, {features.vertices.data() + features.count_a, features.count_b});
+      add(of_a, a_, next_a);
+      add(of_b, b_, next_b);
+    }
+  }
+
+ private:
+  // Of A furthest, of B least far, from the features' first vertices on: these, where nothing is beyond them.
+  std::array<std::uint32_t, 2> extreme_vertices(const ShortestWay<Dyadic>& way) {
+    const WorldDirection direction(way.way);
+    Along along_a(direction, a_.pose, a_.tame), along_b(direction, b_.pose, b_.tame);
+    return {extreme_vertex_from(a_, along_a, End::greatest, features.of_a(0), cost_, tally_),
+            extreme_vertex_from(b_, along_b, End::least, features.of_b(0), cost_, tally_)};
+  }
+
+  // Are all neighbours of the first of the vertices, but for the others, which are as far, surely behind it?
+  using Behind = bool (EnclosedAlong::*)(const Point3& from, const Point3& to) const;
+  bool surely_all(const Placed& body, std::span<const std::uint32_t> of, const EnclosedAlong& along, Behind behind) {
+    const VertexBlock block = body.graph.block(body.graph.place[of[0]]);
+    const std::uint32_t count = block.count();
+    const Point3 at = block.at();
+    cost_.probes += count;
+    for (std::uint32_t j = 0; j < count; ++j) {
+      if ((along.*behind)(at, {block.x()[j], block.y()[j], block.z()[j]})) continue;
+      if (std::find(of.begin(), of.end(), body.graph.block(block.place(j)).vertex()) == of.end()) return false;
+    }
+    tally_.interval += count;
+    return true;
+  }
+
+  void leave_out_zeros(const std::array<Dyadic, 4>& weight) {
+    const FeatureVertices all = features;
+    features = {};
+    std::size_t n = 0;
+    for (std::size_t k = 0; k < std::size_t{all.count_a} + all.count_b; ++k) {
+      if (weight[k].sign() == Sign::zero) continue;
+      features.vertices[n++] = all.vertices[k];
+      ++(k < all.count_a ? features.count_a : features.count_b);
+    }
+  }
+
+  static void add(VertexSet<Dyadic>& set, const Placed& body, std::uint32_t v) {
+    if (!set.has(v)) set.add(v, lift<ExactStage>(body[v]));
+  }
+  static void keep(VertexSet<Dyadic>& set, std::span<const std::uint32_t> vertices) {
+    VertexSet<Dyadic> kept;
+    for (std::size_t k = 0; k < set.count; ++k) {
+      if (std::find(vertices.begin(), vertices.end(), set.vertex[k]) != vertices.end())
+        kept.add(set.vertex[k], set.at[k]);
+    }
+    set = kept;
+  }
+
+  const Placed& a_;
+  const Placed& b_;
+  Cost& cost_;
+  StageTally& tally_;
+};
+
+// From the difference of these vertices on.
+template <class Real>
+bool propose(const Placed& a, const Placed& b, std::uint32_t from_a, std::uint32_t from_b, Closest& closest,
+             Cost& cost) {
+  GjkSearch<Real> search(a, b);
+  bool goes_on = search.step_to(search.of_vertices(from_a, from_b));
+  for (int i = 0; goes_on && i < search.most_iterations; ++i) {
+    ++cost.iterations;
+    const DifferenceVertexOf<Real> w = search.probe(cost);
+    goes_on = search.gains_by(w) && search.step_to(w);
+  }
+  return closest.dispose(closest_features(search.vertices_of_a(), search.vertices_of_b()));
+}
+
+struct EstimateStage {
+  static Estimate read(double x) { return x; }
+};
+
+// The doubles next to the root of numerator / denominator, both positive.
+Interval root(const Dyadic& numerator, const Dyadic& denominator) {
+  std::int64_t shift = numerator.top() - denominator.top();
+  shift -= shift & 1;
+  constexpr double largest = std::numeric_limits<double>::max(), infinity = std::numeric_limits<double>::infinity();
+  const int power = static_cast<int>(std::clamp<std::int64_t>(shift / 2, -2000, 2000));
+  double low = std::min(std::ldexp(std::sqrt(nearest_ratio(numerator.scaled(-shift), denominator)), power), largest);
+  const auto compared = [&](double x) {
+    const Dyadic exact(x);
+    return (exact * exact * denominator - numerator).sign();
+  };
+  while (compared(low) == Sign::positive) low = std::nextafter(low, 0.0);
+  while (low < largest && compared(std::nextafter(low, infinity)) != Sign::positive)
+    low = std::nextafter(low, infinity);
+  return {low, compared(low) == Sign::zero ? low : std::nextafter(low, infinity)};
+}
+
+// The same of estimates, where they are sure. Never of a root that is a double.
+std::optional<Interval> sure_root(const Estimate& numerator, const Estimate& denominator) {
+  const double root = std::sqrt(numerator.value.high / denominator.value.high);
+  if (!(root > 0 && root < 0x1p1000)) return std::nullopt;
+  const auto compared = [&](double x) { return sign(Estimate(x) * Estimate(x) * denominator - numerator); };
+  double low = root, high = root;
+  switch (compared(root)) {
+    case Guess::negative: high = std::nextafter(root, HUGE_VAL); break;
+    case Guess::positive: low = std::nextafter(root, 0.0); break;
+    default: return std::nullopt;
+  }
+  // Is it between them?
+  if (compared(low) != Guess::negative || compared(high) != Guess::positive) return std::nullopt;
+  return Interval{low, high};
+}
+
+}  // namespace
+
+ClosestFeatures::ClosestFeatures(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b,
+                                 const Pose& pose_b, const FeatureVertices& features)
+    : features_(features), pose_a_(pose_a.affine()), pose_b_(pose_b.affine()) {
+  for (std::size_t k = 0; k < features.count_a; ++k) points_[k] = a.vertices()[features.of_a(k)];
+  for (std::size_t k = 0; k < features.count_b; ++k) {
+    points_[features.count_a + k] = b.vertices()[features.of_b(k)];
+  }
+}
+
+std::array<Posed3, 4> ClosestFeatures::images() const {
+  std::array<Posed3, 4> posed;
+  for (std::size_t k = 0; k < posed.size(); ++k)
+    posed[k] = {points_[k], k < features_.count_a ? &pose_a_ : &pose_b_, false};
+  return posed;
+}
+
+ExactWay ClosestFeatures::way() const {
+  const std::array<Posed3, 4> posed = images();
+  const std::span<const Posed3> all(posed);
+  return *exact_way(all.first(features_.count_a), all.subspan(features_.count_a, features_.count_b));
+}
+
+template <class Stage>
+auto ClosestFeatures::way_in() const {
+  const std::array<Posed3, 4> posed = images();
+  const std::span<const Posed3> all(posed);
+  return shortest_way(
+      flat_arrows<Stage>(all.first(features_.count_a), all.subspan(features_.count_a, features_.count_b)));
+}
+
+std::array<Dyadic, 2> ClosestFeatures::squared() const {
+  const ShortestWay<Dyadic> found = way_in<ExactStage>();
+  return {found.squared(), found.denominator};
+}
+
+Interval ClosestFeatures::distance() const {
+  const ShortestWay<Estimate> estimate = way_in<EstimateStage>();
+  if (const auto sure = sure_root(estimate.squared(), estimate.denominator)) return *sure;
+  const auto [numerator, denominator] = squared();
+  return root(numerator, denominator);
+}
+
+PolyhedronDistance polyhedron_polyhedron_distance(const ConvexPolyhedron& body_a, const Pose& pose_a,
+                                                  const ConvexPolyhedron& body_b, const Pose& pose_b) {
+  PolyhedronDistance out{polyhedron_polyhedron(body_a, pose_a, body_b, pose_b), {}};
+  if (out.meet()) return out;
+  PairAnswer& answer = out.answer;
+  const Placed a(body_a, pose_a), b(body_b, pose_b);
+  StageTally tally;
+  Closest closest(a, b, answer.cost, tally);
+  const PairCertificate& apart = answer.evidence;
+  const bool held =
+      propose<double>(a, b, apart.extreme_a, apart.extreme_b, closest, answer.cost) ||
+      propose<DoubleDouble>(a, b, closest.features.of_a(0), closest.features.of_b(0), closest, answer.cost);
+  if (!held) closest.descend();
+  conclude(answer, answer.cost.exact + tally.exact, !held || answer.decided_by == DecidedBy::finishing);
+  out.closest.emplace(body_a, pose_a, body_b, pose_b, closest.features);
+  return out;
+}
+
+Sign compare_distance(const PolyhedronDistance& distance, double radius) {
+  SUNDER_REQUIRE(std::isfinite(radius) && radius >= 0);
+  if (!distance.closest) return radius > 0 ? Sign::negative : Sign::zero;
+  const auto [low, high] = distance.distance();
+  if (radius < low) return Sign::positive;
+  if (radius > high) return Sign::negative;
+  const auto [numerator, denominator] = distance.closest->squared();
+  const Dyadic r(radius);
+  return (numerator - r * r * denominator).sign();
+}
+
+}  // namespace sunder::solid

@@ -1,0 +1,152 @@
+#include <tests/support/shapes.h>
+
+#include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace sunder::solid {
+namespace {
+
+ConvexPolyhedron body(const std::vector<Point3>& points) { return ConvexPolyhedron(points); }
+
+ConvexPolyhedron box(const Point3& low, const Point3& high) {
+  std::vector<Point3> points;
+  for (const double x : {low.x, high.x}) {
+    for (const double y : {low.y, high.y}) {
+      for (const double z : {low.z, high.z}) points.push_back({x, y, z});
+    }
+  }
+  return ConvexPolyhedron(points);
+}
+
+PolyhedronDistance distance(const ConvexPolyhedron& a, const ConvexPolyhedron& b) {
+  return polyhedron_polyhedron_distance(a, Pose(), b, Pose());
+}
+
+// How many vertices of A and of B the closest features have.
+std::array<int, 2> counts(const PolyhedronDistance& d) {
+  if (!d.closest) return {0, 0};
+  return {d.closest->features().count_a, d.closest->features().count_b};
+}
+
+void expect_exactly(const PolyhedronDistance& d, double value) {
+  EXPECT_EQ(compare_distance(d, value), Sign::zero);
+  EXPECT_EQ(d.distance().low, value);
+  EXPECT_EQ(d.distance().high, value);
+  EXPECT_EQ(compare_distance(d, std::nextafter(value, HUGE_VAL)), Sign::negative);
+  EXPECT_EQ(compare_distance(d, std::nextafter(value, 0.0)), Sign::positive);
+}
+
+const ConvexPolyhedron cube = box({0, 0, 0}, {2, 2, 2});
+
+TEST(PolyhedronPolyhedronDistanceTest, Features) {
+  const PolyhedronDistance vertices = distance(cube, box({4, 5, 8}, {9, 9, 9}));
+  EXPECT_EQ(counts(vertices), (std::array{1, 1}));
+  expect_exactly(vertices, 7);  // (2, 3, 6)
+
+  // An edge of the cube along z, and a vertex beside it.
+  const PolyhedronDistance edge = distance(cube, body({{5, 6, 1}, {6, 6, 1}, {5, 7, 1}, {5, 6, 1.5}, {7, 7, 1.2}}));
+  EXPECT_EQ(counts(edge)[0], 2);
+  expect_exactly(edge, 5);
+  const PolyhedronDistance back = distance(body({{5, 6, 1}, {6, 6, 1}, {5, 7, 1}, {6, 7, 1.5}}), cube);
+  EXPECT_EQ(counts(back), (std::array{1, 2}));
+  expect_exactly(back, 5);
+
+  const PolyhedronDistance facet = distance(cube, body({{2.5, 1.125, 0.75}, {9, 0, 0}, {9, 9, 0}, {9, 0, 9}}));
+  EXPECT_EQ(counts(facet), (std::array{3, 1}));
+  expect_exactly(facet, 0.5);
+
+  // Edges along z and along y.
+  const PolyhedronDistance edges =
+      distance(body({{0, 1, -9}, {0, 1, 9}, {-5, 0, 0}}), body({{3, -9, 0}, {3, 9, 0}, {9, 0, 1}}));
+  EXPECT_EQ(counts(edges), (std::array{2, 2}));
+  expect_exactly(edges, 3);
+}
+
+TEST(PolyhedronPolyhedronDistanceTest, ParallelFeatures) {
+  expect_exactly(distance(cube, box({5, 0.5, 0.5}, {6, 1.5, 1.5})), 3);  // facets
+  expect_exactly(distance(cube, box({5, 1, 1}, {6, 7, 7})), 3);          // facets that overlap in part
+  expect_exactly(distance(cube, box({5, 6, 1}, {6, 7, 7})), 5);          // edges
+  expect_exactly(distance(cube, box({5, 2, 2}, {6, 7, 7})), 3);          // an edge above an edge
+  expect_exactly(distance(body({{0, 0, 0}, {0, 0, 9}}), body({{3, 4, 2}, {3, 4, 5}})), 5);
+  expect_exactly(distance(body({{0, 0, 0}, {0, 0, 9}}), body({{3, 0, 13}, {3, 0, 20}})), 5);
+}
+
+TEST(PolyhedronPolyhedronDistanceTest, AllDimensions) {
+  const ConvexPolyhedron point = body({{3, 4, 0}}), segment = body({{3, 4, -1}, {3, 4, 1}}),
+                         square = body({{3, 4, 1}, {3, 4, -1}, {4, 5, 1}, {4, 5, -1}}), origin = body({{0, 0, 0}});
+  for (const ConvexPolyhedron& b : {point, segment, square}) {
+    expect_exactly(distance(origin, b), 5);
+    expect_exactly(distance(b, origin), 5);
+  }
+  expect_exactly(distance(body({{-2, -2, -3}, {9, -2, -3}, {-2, 9, -3}}), segment), 2);
+}
+
+TEST(PolyhedronPolyhedronDistanceTest, Meeting) {
+  for (const PolyhedronDistance& d : {distance(cube, box({2, 2, 2}, {3, 3, 3})), distance(cube, cube)}) {
+    EXPECT_TRUE(d.meet());
+    EXPECT_FALSE(d.closest);
+    EXPECT_EQ(d.distance().high, 0);
+    EXPECT_EQ(compare_distance(d, 0), Sign::zero);
+    EXPECT_EQ(compare_distance(d, 5e-324), Sign::negative);
+  }
+}
+
+TEST(PolyhedronPolyhedronDistanceTest, OneBitApart) {
+  const double next = std::nextafter(2.0, 3);
+  expect_exactly(distance(cube, box({next, 0, 0}, {3, 1, 1})), next - 2);
+  expect_exactly(distance(cube, box({next, 0.5, 0.5}, {3, 1, 1})), next - 2);
+}
+
+TEST(PolyhedronPolyhedronDistanceTest, FarBeyondTheRangeOfSquares) {
+  expect_exactly(distance(body({{0, 0, 0}}), body({{3e-320, 0, 0}})), 3e-320);
+  const PolyhedronDistance tiny = distance(body({{0, 0, 0}}), body({{5e-324, 5e-324, 5e-324}}));
+  EXPECT_EQ(tiny.distance().low, 5e-324);
+  EXPECT_EQ(tiny.distance().high, 1e-323);
+  const PolyhedronDistance less = polyhedron_polyhedron_distance(
+      body({{0, 0, 0}}), Pose(), body({{5e-324, 0, 0}}), Pose::from_matrix({0.25, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}));
+  EXPECT_EQ(less.distance().low, 0);
+  EXPECT_EQ(less.distance().high, 5e-324);
+  EXPECT_EQ(compare_distance(less, 0), Sign::positive);
+  const PolyhedronDistance beyond =
+      distance(body({{-1.7e308, 0, 0}, {-1.7e308, 1, 0}}), body({{1.7e308, 1.7e308, 0}, {1.7e308, 1.7e308, 9}}));
+  EXPECT_EQ(beyond.distance().low, std::numeric_limits<double>::max());
+  EXPECT_EQ(beyond.distance().high, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(compare_distance(beyond, std::numeric_limits<double>::max()), Sign::positive);
+}
+
+// The exact descent alone, from a proposal that is none of the search's: bodies whose sizes no search can hold.
+TEST(PolyhedronPolyhedronDistanceTest, FinishesWhereNoSearchCan) {
+  const ConvexPolyhedron speck = box({0, 0, 0}, {0x1p-1000, 0x1p-1000, 0x1p-1000}),
+                         slab = box({0x1p-999, -1, -1}, {1, 1, 1});
+  const PolyhedronDistance d = distance(speck, slab);
+  expect_exactly(d, 0x1p-1000);
+}
+
+// Two balls of n vertices: a constant times log2 n, as with the question whether they meet.
+TEST(PolyhedronPolyhedronDistanceTest, ProbesGrowAsLogN) {
+  for (const int n : {16, 128, 1024, 8192, 65536}) {
+    std::vector<Point3> points;
+    for (int k = 0; k < n; ++k) {  // a spiral on the sphere
+      const double z = (2.0 * k + 1) / n - 1, r = std::sqrt(1 - z * z), turn = 2.399963229728653 * k;
+      points.push_back({r * std::cos(turn), r * std::sin(turn), z});
+    }
+    const ConvexPolyhedron ball(points);
+    for (const double far : {2.0001, 2.001, 2.5, 40.0}) {
+      const PolyhedronDistance d = polyhedron_polyhedron_distance(
+          ball, Pose(), ball, Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {far * 0.6, far * 0.48, far * 0.64}));
+      ASSERT_FALSE(d.meet());
+      EXPECT_NE(d.answer.decided_by, DecidedBy::finishing);
+      EXPECT_LE(static_cast<double>(d.answer.cost.probes), 150 + 24 * std::log2(n)) << n << " " << far;
+      EXPECT_NEAR(d.distance().low, far - 2, 8.0 / n);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sunder::solid

@@ -1,0 +1,76 @@
+// How needles are searched: whatever the search, two bodies at once.
+#pragma once
+
+#include <sunder/solid/pair/placed.h>
+#include <sunder/solid/pair/proposal.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace sunder::solid {
+
+// The axes of the world stretched, each by a power of two, so that two bodies have about the same size along all.
+// Needles are searched so; whatever is lost, the exact checks are about the bodies as they are.
+class Stretched {
+ public:
+  Stretched(const Placed& a, const Placed& b) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double size = std::max(size_along(a, i), size_along(b, i));
+      if (!(size > 0 && size <= std::numeric_limits<double>::max())) continue;
+      size_[i] = size;
+      least_ = std::min(least_, size);
+      greatest_ = std::max(greatest_, size);
+    }
+  }
+
+  // Would floating point not see along one axis what there is, for what there is along another?
+  bool is_wanted() const { return greatest_ > least_ * 0x1p40; }
+
+  // propose(a, b, holds): of the stretched bodies.
+  template <class Holds, class Propose>
+  bool propose(const Placed& a, const Placed& b, const Holds& holds, const Propose& propose) const {
+    std::array<double, 3> by;
+    for (std::size_t i = 0; i < 3; ++i) by[i] = std::ldexp(1.0, std::clamp(-std::ilogb(size_[i]), -1020, 1020));
+    const auto stretched = [&](Affine3 pose) {
+      for (std::size_t i = 0; i < 9; ++i) pose.linear[i] *= by[i / 3];
+      for (std::size_t i = 0; i < 3; ++i) pose.translation[i] *= by[i];
+      return pose;
+    };
+    const Affine3 pose_a = stretched(a.pose), pose_b = stretched(b.pose);
+    // A direction is a linear form: d . (S x) is (S d) . x. Beside a form n of the world it only tells a sense.
+    const auto of_world = [&](Proposal p) {
+      Point3& d = p.direction;
+      if (p.claim == Proposal::Claim::apart_along) {
+        d = {d.x * by[0], d.y * by[1], d.z * by[2]};
+      } else {
+        d = {d.x / by[0], d.y / by[1], d.z / by[2]};
+      }
+      return holds(p);
+    };
+    return propose(Placed(a, pose_a), Placed(b, pose_b), of_world);
+  }
+
+ private:
+  static double size_along(const Placed& body, std::size_t axis) {
+    const Point3 &low = body.graph.low, &high = body.graph.high;
+    const auto part = [&](std::size_t j, double from, double to) {
+      return std::fabs(body.pose.linear[3 * axis + j]) * std::max(std::fabs(from), std::fabs(to));
+    };
+    return part(0, low.x, high.x) + part(1, low.y, high.y) + part(2, low.z, high.z);
+  }
+
+  std::array<double, 3> size_{1, 1, 1};
+  double least_ = std::numeric_limits<double>::infinity(), greatest_ = 0;
+};
+
+// What propose(a, b, holds) proposes, of the bodies stretched where that is wanted. True where a proposal held.
+template <class Holds, class Propose>
+bool propose_stretched_where_wanted(const Placed& a, const Placed& b, const Holds& holds, const Propose& propose) {
+  const Stretched stretched(a, b);
+  return stretched.is_wanted() ? stretched.propose(a, b, holds, propose) : propose(a, b, holds);
+}
+
+}  // namespace sunder::solid

@@ -1,0 +1,80 @@
+// The hierarchy of Dobkin and Kirkpatrick over a convex polyhedron with an interior: P = P_1, P_2, ..., P_k, a
+// tetrahedron. Each is the hull of the one before without an independent set of vertices of low degree.
+// Also called: Dobkin-Kirkpatrick hierarchy, DK hierarchy.
+//
+//   A1. P_1 is the polyhedron, P_k a tetrahedron.
+//   A2. P_{i+1} lies in P_i.
+//   A3. The vertices of P_{i+1} are among those of P_i.
+//   A4. The vertices that P_i has and P_{i+1} has not are an independent set of P_i's surface, each of degree at most
+//       most_degree there.
+//   A5. k is at most a constant times log2 n, and all facets that there ever are, at most a constant times n.
+// Surfaces are triangulated, facets of many vertices somehow, and degrees are those of the triangulated ones.
+//
+// It is held as a history: vertices have ranks, in the order in which they come when the tetrahedron grows to the whole
+// again; each comes with its star, the triangles that it has at first; a triangle is there until a vertex comes beyond
+// it. So a triangle that many levels have is held once, and a search reads what it walks over, and no level.
+//
+// Of a flat polygon the same, with edges in the place of triangles: every second vertex of a level goes, P_k is a
+// triangle.
+//
+// Source: Dobkin and Kirkpatrick 1990, section 3; BL15 section 4, A1 to A5. Departure: most_degree and the share of
+// vertices that a level loses are measured, not proved (tests bound them).
+#pragma once
+
+#include <sunder/predicate/point.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace sunder::solid {
+
+struct Hierarchy {
+  static constexpr std::uint32_t none = 0xffffffff;
+  static constexpr std::uint32_t most_degree = 8;  // of a vertex when it comes
+
+  // With the vertex in whose star it lies: counter-clockwise from outside. All are ranks. An edge of a polygon: b is
+  // none.
+  struct Triangle {
+    std::uint32_t a, b;
+    std::uint32_t beyond;  // the vertex that comes beyond it, and takes it away; or none
+  };
+
+  struct alignas(64) Node {  // what a walk reads of most vertices is in its first line of the memory cache
+    Point3 at;
+    // A direction along which the vertex is extreme at every level that has it, about which a search tells the sides of
+    // its normal cone apart. These doubles, where the vertex is further along them than all of its neighbours; else
+    // (in needles, and where facets are nearly coplanar) the normal of the triangle of P's surface that it has with the
+    // vertices of these ranks, counter-clockwise from outside, and the doubles are that normal, rounded. Of a polygon:
+    // meaningless.
+    Point3 middle;
+    std::array<std::uint32_t, 2> middle_triangle{none, none};
+    bool has_middle_in_doubles() const { return middle_triangle[0] == none; }
+
+    std::uint32_t vertex;  // its number in the polyhedron
+    std::uint32_t size = 0;
+    std::array<Triangle, most_degree> around;  // the first `size`: the star
+    // Counter-clockwise about it, b of one a of the next. Of the tetrahedron: all triangles of rank 3, and one of rank
+    // 2, with ranks 0 and 1. Of a polygon: the edge from the vertex before, then that to the vertex after; each vertex
+    // of the last triangle has both.
+    std::span<const Triangle> star() const { return {around.data(), size}; }
+  };
+
+  std::vector<Node> nodes;  // by rank
+
+  // P_k has the first level_end[0] ranks, which is 4, P_{k-1} the first level_end[1], ..., P_1 all.
+  std::vector<std::uint32_t> level_end;
+
+  bool is_flat() const { return level_end.front() == 3; }
+  std::size_t memory() const;  // bytes
+};
+
+// The facets of a convex polyhedron with an interior, or the two of a flat polygon, each a cycle of vertex numbers,
+// counter-clockwise from outside: facet_vertices[facet_begin[f] .. facet_begin[f + 1]). Any three of a facet's vertices
+// turn strictly. Cost: O(n). Every sign is exact.
+Hierarchy make_hierarchy(std::span<const Point3> vertices, std::span<const std::uint32_t> facet_begin,
+                         std::span<const std::uint32_t> facet_vertices);
+
+}  // namespace sunder::solid

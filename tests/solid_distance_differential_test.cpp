@@ -1,0 +1,217 @@
+// polyhedron_polyhedron_distance, of all families of pairs: against polyhedron_polyhedron_distance_by_scan where that
+// is not too slow; by certificates, which both say how far apart the bodies are and that so far is kept; and against
+// itself under symmetries.
+#include <tests/support/solid_pairs.h>
+
+#include <sunder/certificate/pair_claims.h>
+#include <sunder/solid/pair/contact_evidence.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
+
+#include <verifier/cpp/verify.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace sunder::tests {
+namespace {
+
+using solid::ConvexPolyhedron;
+using solid::PolyhedronDistance;
+using solid::Pose;
+
+using Fraction = std::array<Dyadic, 2>;
+
+// x times `factor` against y.
+Sign compare(const Fraction& x, const Dyadic& factor, const Fraction& y) {
+  return (factor * x[0] * y[1] - y[0] * x[1]).sign();
+}
+
+// What the library says of the pair: parted, how far, and of clearances that are kept barely, and not quite.
+std::string certificate(const PairCase& c, const PolyhedronDistance& distance) {
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  PairClaims pairs(file);
+  const auto a = pairs.add_placed("a", pairs.add_body("a", c.a.vertices()), c.pose_a.affine());
+  const auto b = pairs.add_placed("b", pairs.add_body("b", c.b.vertices()), c.pose_b.affine());
+  const solid::ClaimedPair pair{a, b, c.a, c.pose_a, c.b, c.pose_b};
+  add_claims(pairs, pair, distance.answer.certificate(), Contact::none);
+  add_distance(pairs, pair, distance);
+  const auto [low, high] = distance.distance();
+  for (const double least : {low, high, std::nextafter(high, HUGE_VAL)}) {
+    if (least > 0 && std::isfinite(least)) add_clearance(pairs, pair, distance, least);
+  }
+  pairs.end();
+  return text;
+}
+
+// D2: low^2 <= numerator / denominator <= high^2, and the two are neighbours, or equal where a double is the distance.
+void expect_narrow(const PolyhedronDistance& d) {
+  const auto [numerator, denominator] = d.closest->squared();
+  const auto compared = [&](double x) { return (Dyadic(x) * Dyadic(x) * denominator - numerator).sign(); };
+  const auto [low, high] = d.distance();
+  ASSERT_NE(compared(low), Sign::positive);
+  ASSERT_EQ(low == high, compared(low) == Sign::zero);
+  if (low == high) return;
+  ASSERT_EQ(high, std::nextafter(low, HUGE_VAL));
+  if (std::isfinite(high)) {
+    ASSERT_EQ(compared(high), Sign::positive);
+  }
+}
+
+struct Tally {
+  int cases = 0, apart = 0, scanned = 0, filter = 0, evidence = 0, finishing = 0, proved = 0;
+  std::array<std::array<int, 4>, 4> features{};
+};
+
+TEST(SolidDistanceDifferential, AgreesWithTheScanAndIsProved) {
+  const int count = scaled_count(20000);
+  const std::uint64_t seed = chosen_seed(20261201);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  SolidPairs pairs(seed);
+  std::map<Family, Tally> tallies;
+  std::array<std::array<int, 4>, 4> features{};
+  for (int i = 0; i < count; ++i) {
+    const PairCase c = pairs.next();
+    const PolyhedronDistance d = polyhedron_polyhedron_distance(c.a, c.pose_a, c.b, c.pose_b);
+    Tally& t = tallies[c.family];
+    ++t.cases;
+    ASSERT_EQ(d.meet(), !d.closest) << i;
+    if (c.touches_exactly) {
+      ASSERT_TRUE(d.meet()) << i;
+    }
+    const bool small = c.a.vertices().size() + c.b.vertices().size() <= 24;
+    if (small && i % 4 < 2) {
+      const PolyhedronDistance scan = polyhedron_polyhedron_distance_by_scan(c.a, c.pose_a, c.b, c.pose_b);
+      ASSERT_EQ(d.meet(), scan.meet()) << i << " " << name_of(c.family);
+      if (!d.meet()) {
+        ++t.scanned;
+        ASSERT_EQ(compare(d.closest->squared(), 1.0, scan.closest->squared()), Sign::zero)
+            << i << " " << name_of(c.family) << " " << d.distance().low << " " << scan.distance().low;
+      }
+    }
+    if (d.meet()) {
+      ASSERT_EQ(d.distance().high, 0);
+      continue;
+    }
+    ++t.apart;
+    t.filter += d.answer.decided_by == DecidedBy::filter;
+    t.evidence += d.answer.decided_by == DecidedBy::evidence;
+    t.finishing += d.answer.decided_by == DecidedBy::finishing;
+    const solid::FeatureVertices& f = d.closest->features();
+    ASSERT_TRUE(f.count_a >= 1 && f.count_b >= 1 && f.count_a + f.count_b <= 4) << i;
+    ++features[f.count_a][f.count_b];
+    const ExactWay exact = d.closest->way();
+    for (std::size_t k = 0; k < std::size_t{f.count_a} + f.count_b; ++k) {
+      ASSERT_EQ(exact.weight[k].sign(), Sign::positive) << i;
+    }
+    ASSERT_NO_FATAL_FAILURE(expect_narrow(d)) << i << " " << name_of(c.family);
+    if (i % 8 < 2 || !small) {
+      ++t.proved;
+      const std::string text = certificate(c, d);
+      const auto result = sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none);
+      ASSERT_TRUE(result.accepted()) << i << " " << name_of(c.family) << result.failed_form << result.error << "\n"
+                                     << text.substr(0, 5000);
+      ASSERT_GE(result.statements.size(), 3u);
+    }
+  }
+  std::printf("%-14s %8s %8s %8s %8s %8s %9s %8s\n", "family", "cases", "apart", "scanned", "filter", "evidence",
+              "finishing", "proved");
+  for (const auto& [family, t] : tallies) {
+    std::printf("%-14s %8d %8d %8d %8d %8d %9d %8d\n", std::string(name_of(family)).c_str(), t.cases, t.apart,
+                t.scanned, t.filter, t.evidence, t.finishing, t.proved);
+  }
+  int apart = 0;
+  for (std::size_t p = 1; p < 4; ++p) {
+    for (std::size_t q = 1; p + q <= 4; ++q) {
+      std::printf("%zu of A, %zu of B: %d\n", p, q, features[p][q]);
+      apart += features[p][q];
+    }
+  }
+  if (count < 2000) return;  // too few for the rates below
+  // The test tested something: all kinds of features are common, and so are the families, but those that meet.
+  for (std::size_t p = 1; p < 4; ++p) {
+    for (std::size_t q = 1; p + q <= 4; ++q) EXPECT_GT(features[p][q], apart / 40) << p << " " << q;
+  }
+  for (const auto& [family, t] : tallies) {
+    if (family == Family::touching || family == Family::shapes_touching || family == Family::contained) continue;
+    EXPECT_GT(t.apart, t.cases / 5) << name_of(family);
+    EXPECT_GE(t.proved, t.apart / 5) << name_of(family);
+    if (family != Family::large) {
+      EXPECT_GT(t.scanned, t.apart / (family == Family::shapes ? 50 : 20)) << name_of(family);
+    }
+    // The proposals hold, but where the bodies' sizes are further apart than the numbers of the search reach. Lengths
+    // of such needles mix all three sizes: no stretching of axes keeps them, and each is finished exactly.
+    if (is_stretched(family)) continue;
+    EXPECT_LE(t.finishing, family == Family::tiny_or_huge ? t.apart / 6 : t.apart / 200) << name_of(family);
+  }
+  // In general position filters see it, but for facets of more than three vertices.
+  EXPECT_GT(tallies[Family::general].filter, tallies[Family::general].apart / 2);
+}
+
+// D4, and what else leaves distances as they are: swapping, reflecting, shifting exactly, permuting the input.
+TEST(SolidDistanceDifferential, SymmetriesKeepTheDistance) {
+  const int count = scaled_count(3000);
+  SolidPairs pairs(chosen_seed(23));
+  int apart = 0, shifted = 0, scaled = 0;
+  for (int i = 0; i < count; ++i) {
+    const PairCase c = pairs.next();
+    const PolyhedronDistance d = polyhedron_polyhedron_distance(c.a, c.pose_a, c.b, c.pose_b);
+    const auto same = [&](const PolyhedronDistance& other, double factor) {
+      if (d.meet() || other.meet()) return d.meet() == other.meet();
+      return compare(d.closest->squared(), Dyadic(factor) * Dyadic(factor), other.closest->squared()) == Sign::zero;
+    };
+    apart += !d.meet();
+    ASSERT_TRUE(same(polyhedron_polyhedron_distance(c.b, c.pose_b, c.a, c.pose_a), 1)) << "swapped " << i;
+    const auto changed = [&](auto change) {
+      Affine3 m = c.pose_a.affine(), n = c.pose_b.affine();
+      change(m);
+      change(n);
+      return polyhedron_polyhedron_distance(c.a, Pose::from_matrix(m.linear, m.translation), c.b,
+                                            Pose::from_matrix(n.linear, n.translation));
+    };
+    const auto reflect = [](Affine3& m) {
+      for (std::size_t k = 0; k < 3; ++k) m.linear[k] = -m.linear[k];
+      m.translation[0] = -m.translation[0];
+    };
+    ASSERT_TRUE(same(changed(reflect), 1)) << "reflected " << i;
+    if (c.family != Family::tiny_or_huge && !is_stretched(c.family)) {
+      for (const double s : {0x1p-40, 0x1p300, 0x1p-300}) {
+        const auto scale = [&](Affine3& m) {
+          for (double& x : m.linear) x *= s;
+          for (double& x : m.translation) x *= s;
+        };
+        ++scaled;
+        ASSERT_TRUE(same(changed(scale), s)) << "scaled " << i << " by " << s;
+      }
+    }
+    if (c.family == Family::grid) {
+      const double far = static_cast<double>(pairs.random().between(-1000, 1000));
+      const auto shift = [&](Affine3& m) {
+        m.translation[0] += far;
+        m.translation[2] -= far;
+      };
+      ++shifted;
+      ASSERT_TRUE(same(changed(shift), 1)) << "shifted " << i;
+    }
+    if (c.a.vertices().size() < 100) {
+      std::vector<Point3> points(c.a.vertices().begin(), c.a.vertices().end());
+      for (std::size_t k = points.size(); k > 1; --k) std::swap(points[k - 1], points[pairs.random().below(k)]);
+      ASSERT_TRUE(same(polyhedron_polyhedron_distance(ConvexPolyhedron(points), c.pose_a, c.b, c.pose_b), 1))
+          << "permuted " << i;
+    }
+  }
+  if (count < 1000) return;
+  EXPECT_GT(apart, count / 5);
+  EXPECT_GT(shifted, count / 20);
+  EXPECT_GT(scaled, count / 2);
+}
+
+}  // namespace
+}  // namespace sunder::tests

@@ -1,0 +1,228 @@
+// Counted probes of polyhedron_polyhedron_by_hierarchy: a constant times log2 n log2 m on every family of hard bodies.
+// What it rests on, BL15 Lemma 4.2; and the walk that scans all neighbours, which the lemma alone does not save.
+#include <tests/support/scale.h>
+#include <tests/support/shapes.h>
+#include <tests/support/solid_shapes.h>
+
+#include <sunder/base/random.h>
+#include <sunder/predicate/along.h>
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
+#include <sunder/solid/represent/hierarchy.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sunder::tests {
+namespace {
+
+using solid::ConvexPolyhedron;
+using solid::Hierarchy;
+using solid::Pose;
+
+// Times log2 n log2 m, for bodies of 8 vertices or more: less than 1.5 times the greatest up to n of about 1,000.
+constexpr double most_probes = 30;
+
+class Ratios {
+ public:
+  void add(std::string_view what, const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b,
+           const Pose& pose_b) {
+    const PairAnswer answer = polyhedron_polyhedron_by_hierarchy(a, pose_a, b, pose_b);
+    const double n = static_cast<double>(a.vertices().size()), m = static_cast<double>(b.vertices().size());
+    const double ratio = static_cast<double>(answer.cost.probes) / (std::log2(n) * std::log2(m));
+    EXPECT_LE(ratio, most_probes) << what << ", n = " << n << ", m = " << m;
+    ++(answer.meet() ? meet_ : apart_);
+    if (std::max(n, m) <= 1100) at_a_thousand_ = std::max(at_a_thousand_, ratio);
+    if (ratio <= greatest_) return;
+    greatest_ = ratio;
+    std::printf("%-30.*s n %6.0f m %6.0f  probes %6.0f  steps %4u  ratio %.1f\n", static_cast<int>(what.size()),
+                what.data(), n, m, static_cast<double>(answer.cost.probes),
+                static_cast<unsigned>(answer.cost.iterations), ratio);
+  }
+  void expect_no_growth() const {
+    std::printf("greatest %.2f, at n = 1,000 %.2f; %d apart, %d meet\n", greatest_, at_a_thousand_, apart_, meet_);
+    EXPECT_LE(most_probes, 1.5 * at_a_thousand_);
+    EXPECT_GT(apart_, meet_ / 4);
+    EXPECT_GT(meet_, apart_ / 4);
+  }
+
+ private:
+  double greatest_ = 0, at_a_thousand_ = 0;
+  int meet_ = 0, apart_ = 0;
+};
+
+Pose turned(Random& random, const Point3& to) {
+  std::array<double, 4> q;
+  for (double& x : q) x = random.uniform(-1, 1);
+  return Pose::from_quaternion(q[0], q[1], q[2], q[3], {to.x, to.y, to.z});
+}
+
+// Bisection for the distance of contact along a direction, then a gap or an overlap of log-uniform size. Needles keep
+// to the axes, and move along the one in which they are 1 wide.
+void add_near_contact(Ratios& ratios, std::string_view what, const ConvexPolyhedron& a, const ConvexPolyhedron& b,
+                      bool are_needles, Random& random) {
+  const Pose here = are_needles ? Pose() : turned(random, {});
+  const Pose there = are_needles ? shift(0, 1, 0) : turned(random, on_sphere(random));
+  const auto at = [&](double distance) {
+    const auto& t = there.affine().translation;
+    return Pose::from_matrix(there.affine().linear, {t[0] * distance, t[1] * distance, t[2] * distance});
+  };
+  double meeting = 0, parted = 8;
+  for (int i = 0; i < 54 && meeting < parted; ++i) {
+    const double middle = (meeting + parted) / 2;
+    (polyhedron_polyhedron(a, here, b, at(middle)).meet() ? meeting : parted) = middle;
+  }
+  const double gap = random.log_uniform(0x1p-53, 0.1);
+  ratios.add(what, a, here, b, at(parted + gap));
+  ratios.add(what, a, here, b, at(meeting - gap));
+}
+
+// A body and its mirror image in one of its vertices, which is all that they have in common.
+void add_touching(Ratios& ratios, std::string_view what, const ConvexPolyhedron& a, Random& random) {
+  const Point3 v = a.vertices()[random.below(a.vertices().size())];
+  const Pose mirror = Pose::from_matrix({-1, 0, 0, 0, -1, 0, 0, 0, -1}, {2 * v.x, 2 * v.y, 2 * v.z});
+  ratios.add(what, a, Pose(), a, mirror);
+}
+
+TEST(SolidHierarchyComplexity, ProbesGrowAsTheProductOfLogarithms) {
+  const int greatest_power = scaled_count(17, 12) >= 17 ? 17 : 12;
+  Random random(chosen_seed(97));
+  Ratios ratios;
+  for (int power = 7; power <= greatest_power; ++power) {
+    const std::size_t n = std::size_t{1} << power;
+    std::vector<ConvexPolyhedron> others;
+    for (const std::size_t m : {std::size_t{8}, std::size_t{100}, n}) {
+      others.emplace_back(solid_shapes::sphere(m, random));
+    }
+    const int times = power < 11 ? 150 : 10;  // the greatest of the small ones is what the bound is made of
+    for (const SolidShape& shape : all_solid_shapes()) {
+      const ConvexPolyhedron body(shape.make(n, random));
+      const bool is_needle = shape.name == "needle";
+      for (int i = 0; i < times; ++i) {
+        add_near_contact(ratios, shape.name, body, body, is_needle, random);
+        add_touching(ratios, std::string(shape.name) + " touching", body, random);
+        if (is_needle) continue;
+        const ConvexPolyhedron& other = others[random.below(others.size())];
+        add_near_contact(ratios, std::string(shape.name) + ", sphere", body, other, false, random);
+      }
+    }
+  }
+  ratios.expect_no_growth();
+}
+
+// Ranks of the first m that are strictly further along a direction than rank v.
+std::vector<std::uint32_t> beyond(const Hierarchy& h, Along& along, std::uint32_t v, std::uint32_t m) {
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t w = 0; w < m; ++w) {
+    if (along.compare(h.nodes[v].at, h.nodes[w].at) == Sign::positive) found.push_back(w);
+  }
+  return found;
+}
+
+// Directions that tie, too: axes, and small whole numbers.
+Point3 some_direction(Random& random, int i) {
+  if (i % 2 == 0) return on_sphere(random);
+  const auto part = [&] { return static_cast<double>(random.between(-2, 2)); };
+  return {part(), part(), part()};
+}
+
+// A plane that supports P_{i+1} at v has at most one vertex of P_i strictly beyond: a neighbour of v in P_i.
+TEST(SolidHierarchyComplexity, Lemma42AtMostOneVertexIsBeyondAndANeighbour) {
+  Random random(chosen_seed(101));
+  int none_beyond = 0, one_beyond = 0;
+  for (const SolidShape& shape : all_solid_shapes()) {
+    if (shape.name == "flat") continue;
+    SCOPED_TRACE(shape.name);
+    for (const std::size_t n : {20u, 200u, 1000u}) {
+      const ConvexPolyhedron body(shape.make(n, random));
+      if (body.vertices().size() < 5) continue;
+      const Hierarchy& h = body.hierarchy();
+      const int times = scaled_count(40);
+      for (int i = 0; i < times; ++i) {
+        const Affine3 identity;
+        const WorldDirection direction(some_direction(random, i));
+        Along along(direction, identity, false);
+        std::uint32_t v = 0;  // extreme in the level before; of those that tie any
+        for (std::uint32_t w = 1; w < h.level_end.front(); ++w) {
+          if (along.compare(h.nodes[v].at, h.nodes[w].at) == Sign::positive) v = w;
+        }
+        for (std::size_t level = 1; level < h.level_end.size(); ++level) {
+          const std::vector<std::uint32_t> found = beyond(h, along, v, h.level_end[level]);
+          ASSERT_LE(found.size(), 1u);
+          ++(found.empty() ? none_beyond : one_beyond);
+          if (found.empty()) continue;
+          // It is new, so its neighbours are those that it comes with.
+          ASSERT_GE(found[0], h.level_end[level - 1]);
+          const auto star = h.nodes[found[0]].star();
+          ASSERT_TRUE(std::any_of(star.begin(), star.end(), [&](const auto& t) { return t.a == v; }));
+          v = found[0];
+        }
+      }
+    }
+  }
+  EXPECT_GT(none_beyond, one_beyond / 10);
+  EXPECT_GT(one_beyond, none_beyond / 10);
+}
+
+// What the walk of Dobkin and Kirkpatrick 1990 looks at: on each level all neighbours of the vertex that is extreme on
+// the level above. One of them at most is further (Lemma 4.2), but nothing bounds how many there are.
+std::uint64_t probes_of_naive_walk(const Hierarchy& h, const Point3& d) {
+  const Affine3 identity;
+  const WorldDirection direction(d);
+  Along along(direction, identity, false);
+  std::uint64_t probes = h.level_end.front();
+  std::uint32_t v = 0;
+  for (std::uint32_t w = 1; w < h.level_end.front(); ++w) {
+    if (along.compare(h.nodes[v].at, h.nodes[w].at) == Sign::positive) v = w;
+  }
+  for (const std::uint32_t m : std::span(h.level_end).subspan(1)) {
+    // The triangles of the level at v; each neighbour is a corner before v of one.
+    std::uint32_t further = v;
+    const auto look_at = [&](std::uint32_t w) {
+      ++probes;
+      if (along.compare(h.nodes[further].at, h.nodes[w].at) == Sign::positive) further = w;
+    };
+    for (std::uint32_t w = 0; w < m; ++w) {
+      for (const Hierarchy::Triangle& t : h.nodes[w].star()) {
+        if (t.beyond < m) continue;
+        if (w == v) look_at(t.a);
+        if (t.a == v) look_at(t.b);
+        if (t.b == v) look_at(w);
+      }
+    }
+    v = further;
+  }
+  return probes;
+}
+
+// The oversight that BL15 section 4 names: on stacked bodies the degree of one vertex doubles from level to level.
+TEST(SolidHierarchyComplexity, ScanningAllNeighboursIsLinearOnStackedBodies) {
+  const Point3 to_the_hub{0.01, 0.02, 1};
+  for (const std::size_t n : {256u, 4096u, 65536u}) {
+    const ConvexPolyhedron body(solid_shapes::stacked(n));
+    const auto naive = static_cast<double>(probes_of_naive_walk(body.hierarchy(), to_the_hub));
+    // Hub over hub, near and touching.
+    const double logs = std::log2(n) * std::log2(n);
+    std::uint64_t ours = 0;
+    for (const double height : {2.0, 2 + 0x1p-40, 2.5}) {
+      const Pose upside_down = Pose::from_matrix({1, 0, 0, 0, -1, 0, 0, 0, -1}, {0, 0, height});
+      const PairAnswer answer = polyhedron_polyhedron_by_hierarchy(body, Pose(), body, upside_down);
+      EXPECT_EQ(answer.meet(), height == 2);
+      ours = std::max<std::uint64_t>(ours, answer.cost.probes);
+    }
+    std::printf("n = %6zu: naive walk %6.0f probes, by_hierarchy %4.0f\n", n, naive, static_cast<double>(ours));
+    EXPECT_GE(naive, static_cast<double>(n));
+    EXPECT_LE(static_cast<double>(ours), most_probes * logs);
+  }
+}
+
+}  // namespace
+}  // namespace sunder::tests
