@@ -51,8 +51,8 @@ int answer(Question& question) {
   if (call.json) {
     print(to_text(report_of(question)));
   } else {
-    print_for_people(question.text() + titled("cost", question.cost_text()) +
-                     file_line("proof", call.certificate) + file_line("picture", call.svg));
+    print_for_people(question.text() + titled("cost", question.cost_text()) + file_line("proof", call.certificate) +
+                     file_line("picture", call.svg));
   }
   return question.yes() ? exit_code::yes : exit_code::no;
 }

@@ -42,9 +42,7 @@ class CirclesQuestion final : public RegionQuestion {
   static constexpr const char* drawn_noun = "circle";
 
   explicit CirclesQuestion(const RegionCall& asked)
-      : RegionQuestion(asked),
-        method_(method_by(asked.method, methods)),
-        read_(read(asked, origin_)) {}
+      : RegionQuestion(asked), method_(method_by(asked.method, methods)), read_(read(asked, origin_)) {}
 
   std::uint64_t drawn() const { return circles_.size(); }
   void ask() {

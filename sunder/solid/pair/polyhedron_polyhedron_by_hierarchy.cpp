@@ -2,8 +2,8 @@
 //
 // The direction between the closest points of two levels supports both there. Below, at most one vertex of each level
 // lies beyond either plane (BL15 Lemma 4.2), a new one, which the walks down both hierarchies find where they stand. It
-// joins the simplex of the closest points by a step of Gilbert, Johnson and Keerthi's method, which turns the direction,
-// and the walks begin anew. Where the simplex holds the origin, levels meet, and so do the polyhedra.
+// joins the simplex of the closest points by a step of Gilbert, Johnson and Keerthi's method, which turns the
+// direction, and the walks begin anew. Where the simplex holds the origin, levels meet, and so do the polyhedra.
 //
 // Departures: DK90 looks at all neighbours of the extreme vertex, whose degree nothing bounds; the walks here are by
 // sectors of its normal cone (hierarchy_walk.h). Above the bottom the points are nearly the closest: one step a level.
