@@ -21,8 +21,9 @@ struct NamedMethod {
   PairMethod method;
 };
 
-constexpr std::array<NamedMethod, 3> pair_methods{{{"automatic", solid::polyhedron_polyhedron},
+constexpr std::array<NamedMethod, 4> pair_methods{{{"automatic", solid::polyhedron_polyhedron},
                                                    {"gjk", solid::polyhedron_polyhedron_by_gjk},
+                                                   {"hierarchy", solid::polyhedron_polyhedron_by_hierarchy},
                                                    {"scan", solid::polyhedron_polyhedron_by_scan}}};
 
 constexpr std::size_t text_width = 120;
