@@ -52,8 +52,8 @@ class Ratios {
                 static_cast<unsigned>(answer.cost.iterations), ratio);
   }
   void expect_no_growth(bool is_of_many) const {
-    std::printf("greatest %.2f, at n = 1,000 %.2f; %d apart, %d meet, %d finished\n", greatest_, at_a_thousand_, apart_, meet_,
-                finished_);
+    std::printf("greatest %.2f, at n = 1,000 %.2f; %d apart, %d meet, %d finished\n", greatest_, at_a_thousand_, apart_,
+                meet_, finished_);
     if (is_of_many) {
       EXPECT_LE(most_probes, 1.5 * at_a_thousand_);
     }

@@ -2,11 +2,11 @@
 // every polyhedron, vertices of any degree and ties included.
 // Also called: extreme vertex query, support; point location in the normal fan.
 //
-// The vertex of a level that is extreme is that of the level above, v, or one that comes at this level (BL15 Lemma 4.2):
-// a neighbour of v, of which v may have very many. So more is kept than v: the directions along which v is extreme are a
-// convex cone, with a normal of a triangle at each corner, and a neighbour at each side. From its middle
-// (Hierarchy::middle) it is cut into sectors, one for each neighbour u, between the triangles left and right of the edge
-// from v to u, and the walk knows the sector with the direction.
+// The vertex of a level that is extreme is that of the level above, v, or one that comes at this level (BL15
+// Lemma 4.2): a neighbour of v, of which v may have very many. So more is kept than v: the directions along which v is
+// extreme are a convex cone, with a normal of a triangle at each corner, and a neighbour at each side. From its middle
+// (Hierarchy::middle) it is cut into sectors, one for each neighbour u, between the triangles left and right of the
+// edge from v to u, and the walk knows the sector with the direction.
 //   W1. Only what comes beyond one of these two triangles can cut the sector. Let w be the first of these.
 //   W2. Where w is further than v, it is the extreme one; its sector is one of those of its star, at most most_degree.
 //   W3. Where it is not, the sector goes on at the new triangles along the edge from v to w: one sign tells on which
