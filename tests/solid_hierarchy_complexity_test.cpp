@@ -29,7 +29,7 @@ using solid::Hierarchy;
 using solid::Pose;
 
 // Times log2 n log2 m, for bodies of 8 vertices or more: less than 1.5 times the greatest up to n of about 1,000.
-constexpr double most_probes = 30;
+constexpr double most_probes = 35;
 
 class Ratios {
  public:
@@ -37,9 +37,13 @@ class Ratios {
            const Pose& pose_b) {
     const PairAnswer answer = polyhedron_polyhedron_by_hierarchy(a, pose_a, b, pose_b);
     const double n = static_cast<double>(a.vertices().size()), m = static_cast<double>(b.vertices().size());
+    ++(answer.meet() ? meet_ : apart_);
+    if (answer.decided_by == DecidedBy::finishing) {  // some exact pivots more
+      ++finished_;
+      return;
+    }
     const double ratio = static_cast<double>(answer.cost.probes) / (std::log2(n) * std::log2(m));
     EXPECT_LE(ratio, most_probes) << what << ", n = " << n << ", m = " << m;
-    ++(answer.meet() ? meet_ : apart_);
     if (std::max(n, m) <= 1100) at_a_thousand_ = std::max(at_a_thousand_, ratio);
     if (ratio <= greatest_) return;
     greatest_ = ratio;
@@ -47,16 +51,20 @@ class Ratios {
                 what.data(), n, m, static_cast<double>(answer.cost.probes),
                 static_cast<unsigned>(answer.cost.iterations), ratio);
   }
-  void expect_no_growth() const {
-    std::printf("greatest %.2f, at n = 1,000 %.2f; %d apart, %d meet\n", greatest_, at_a_thousand_, apart_, meet_);
-    EXPECT_LE(most_probes, 1.5 * at_a_thousand_);
+  void expect_no_growth(bool is_of_many) const {
+    std::printf("greatest %.2f, at n = 1,000 %.2f; %d apart, %d meet, %d finished\n", greatest_, at_a_thousand_, apart_,
+                meet_, finished_);
+    if (is_of_many) {
+      EXPECT_LE(most_probes, 1.5 * at_a_thousand_);
+    }
+    EXPECT_LE(finished_, (apart_ + meet_) / 200);
     EXPECT_GT(apart_, meet_ / 4);
     EXPECT_GT(meet_, apart_ / 4);
   }
 
  private:
   double greatest_ = 0, at_a_thousand_ = 0;
-  int meet_ = 0, apart_ = 0;
+  int meet_ = 0, apart_ = 0, finished_ = 0;
 };
 
 Pose turned(Random& random, const Point3& to) {
@@ -94,6 +102,7 @@ void add_touching(Ratios& ratios, std::string_view what, const ConvexPolyhedron&
 
 TEST(SolidHierarchyComplexity, ProbesGrowAsTheProductOfLogarithms) {
   const int greatest_power = scaled_count(17, 12) >= 17 ? 17 : 12;
+  const int small_times = std::min(scaled_count(400, 40), 400);  // the bound is made of the greatest of these
   Random random(chosen_seed(97));
   Ratios ratios;
   for (int power = 7; power <= greatest_power; ++power) {
@@ -102,7 +111,7 @@ TEST(SolidHierarchyComplexity, ProbesGrowAsTheProductOfLogarithms) {
     for (const std::size_t m : {std::size_t{8}, std::size_t{100}, n}) {
       others.emplace_back(solid_shapes::sphere(m, random));
     }
-    const int times = power < 11 ? 150 : 10;  // the greatest of the small ones is what the bound is made of
+    const int times = power < 11 ? small_times : 10;
     for (const SolidShape& shape : all_solid_shapes()) {
       const ConvexPolyhedron body(shape.make(n, random));
       const bool is_needle = shape.name == "needle";
@@ -115,7 +124,7 @@ TEST(SolidHierarchyComplexity, ProbesGrowAsTheProductOfLogarithms) {
       }
     }
   }
-  ratios.expect_no_growth();
+  ratios.expect_no_growth(small_times == 400);
 }
 
 // Ranks of the first m that are strictly further along a direction than rank v.

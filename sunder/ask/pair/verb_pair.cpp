@@ -186,8 +186,8 @@ Verb pair_verb() {
         "POSE"},
        {"--pose-b", &call->b.pose, "where B is", "POSE"},
        {"--method", &call->method,
-        "automatic, scan, gjk (both bounded), difference, halving, triangles (both bounded, in the plane), or "
-        "fibonacci (with a line)",
+        "automatic, scan, gjk (both bounded), hierarchy (of bodies), difference, halving, triangles (both bounded, in "
+        "the plane), or fibonacci (with a line)",
         "NAME"},
        {"--classify", &call->classify, "tell touching from overlapping"},
        {"--require-convex", &call->require_convex, "a mesh that is not exactly convex is an error"},

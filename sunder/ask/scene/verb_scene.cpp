@@ -154,7 +154,7 @@ Verb scene_verb() {
        {"--joints-file", &call->joints_files, "the same from a file, one joint a line", "FILE"},
        {"--allow", &call->allow,
         "what may meet: adjacent (links joined by a joint), touch, NAME,NAME, or a file with two names a line", "WHAT"},
-       {"--method", &call->method, "automatic, gjk, or scan", "NAME"},
+       {"--method", &call->method, "automatic, gjk, hierarchy, or scan", "NAME"},
        {"--classify", &call->classify, "tell touching from overlapping"},
        {"--require-convex", &call->require_convex, "a mesh that is not exactly convex is an error"},
        {"--leave-out", &call->leave_out, leave_out_help},

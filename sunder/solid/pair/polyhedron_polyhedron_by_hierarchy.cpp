@@ -97,9 +97,9 @@ class Descent {
     search.direction = first_direction;
     turn();
     const std::size_t levels = std::max(of_a_.level_count(), of_b_.level_count());
-    Real nearest = std::numeric_limits<double>::infinity();
     for (std::size_t level = 0; level < levels; ++level) {
       const bool is_last = level + 1 == levels;
+      Real nearest = std::numeric_limits<double>::infinity();
       for (int i = is_last ? search.most_iterations : most_steps_on_a_level; i > 0; --i) {
         ++cost_.iterations;
         const Vertex w = search.of_vertices(of_a_.furthest(level), of_b_.furthest(level));
@@ -114,7 +114,6 @@ class Descent {
         if (propose_meet(a_, b_, search.simplex, holds)) return true;
         if (is_last) return false;
         search.simplex.count = 0;  // the polyhedra may meet in another way, more clearly
-        nearest = std::numeric_limits<double>::infinity();
         turn();
         break;
       }
