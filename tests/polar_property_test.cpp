@@ -162,6 +162,10 @@ bool has_inside(const Polyhedron& p, const Homogeneous& x) { return p.has(x) && 
 
 // A point of the polyhedron, from random weights.
 Homogeneous random_point_of(const Polyhedron& p, Random& random) {
+  if (p.is_empty()) {
+    ADD_FAILURE() << "an empty polyhedron has no point";
+    return origin;
+  }
   Homogeneous sum{0, 0, 0, 0};
   while (sum[3] == 0) {
     for (const Homogeneous& corner : p.corners) {
@@ -241,7 +245,7 @@ std::pair<Polyhedron, Polyhedron> touching_pair(Random& random) {
 // How often each of several outcomes was: all of them often.
 template <std::size_t N>
 void expect_often(const std::array<int, N>& hits, int runs) {
-  if (runs < 100) return;
+  if (runs < 100) return;  // too few to tell
   for (std::size_t i = 0; i < N; ++i) EXPECT_GE(hits[i], runs / 50) << "outcome " << i << " of " << runs << " runs";
 }
 
