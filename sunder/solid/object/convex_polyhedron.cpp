@@ -1,6 +1,7 @@
 #include <sunder/base/contract.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/represent/hierarchy.h>
+#include <sunder/solid/represent/polar.h>
 #include <sunder/solid/represent/search_graph.h>
 
 #include <algorithm>
@@ -18,6 +19,8 @@ struct ConvexPolyhedron::Data {
   std::vector<std::uint32_t> facet_vertices;
   mutable std::once_flag made_hierarchy;
   mutable Hierarchy hierarchy;
+  mutable std::once_flag made_polar;
+  mutable Polar polar;
 };
 
 namespace {
@@ -116,6 +119,16 @@ const Hierarchy& ConvexPolyhedron::hierarchy() const {
     data_->hierarchy = make_hierarchy(data_->graph.vertices, data_->facet_begin, data_->facet_vertices);
   });
   return data_->hierarchy;
+}
+
+const Polar& ConvexPolyhedron::polar() const {
+  if (dimension() != 3) {
+    throw Error(ErrorCode::bad_shape, "a polyhedron without an interior has no polar about a point inside");
+  }
+  std::call_once(data_->made_polar, [this] {
+    data_->polar = make_polar(data_->graph.vertices, data_->facet_begin, data_->facet_vertices);
+  });
+  return data_->polar;
 }
 
 }  // namespace sunder::solid

@@ -14,6 +14,7 @@ namespace sunder::solid {
 
 struct SearchGraph;  // what the searches of solid/pair walk on; see solid/represent/search_graph.h
 struct Hierarchy;    // where the search graph is slow; see solid/represent/hierarchy.h
+struct Polar;        // facets as vertices; see solid/represent/polar.h
 
 // Immutable, and cheap to copy (copies share one block of memory); any number of threads may use one at once.
 //
@@ -49,6 +50,10 @@ class ConvexPolyhedron {
 
   // Made on first use, in O(n), and then shared. Requires three vertices or more.
   const Hierarchy& hierarchy() const;
+
+  // Its polar about a point inside (solid/represent/polar.h). Made on first use, in O(n), and then shared.
+  // Throws Error: bad_shape if the dimension is not 3.
+  const Polar& polar() const;
 
  private:
   struct Data;
