@@ -63,7 +63,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   sunder::io::TripleFile file;
   try {
     const auto& kind = of_circles ? sunder::io::circle_rows : sunder::io::half_plane_rows;
-    file = sunder::io::parse_triples(text, "a.csv"sv, kind, group);
+    file = sunder::io::parse_triples(text, "a.csv"sv, kind, {.group = group});
   } catch (const sunder::Error& error) {
     const std::string_view message = error.what();
     require(error.code() == sunder::ErrorCode::bad_file || (by_group && error.code() == sunder::ErrorCode::bad_call));

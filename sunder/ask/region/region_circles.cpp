@@ -42,9 +42,7 @@ class CirclesQuestion final : public RegionQuestion {
   static constexpr const char* drawn_noun = "circle";
 
   explicit CirclesQuestion(const RegionCall& asked)
-      : RegionQuestion(asked),
-        method_(method_by(asked.method, methods)),
-        read_(read(asked, origin_)) {}
+      : RegionQuestion(asked), method_(method_by(asked.method, methods)), read_(read(asked, origin_)) {}
 
   std::uint64_t drawn() const { return circles_.size(); }
   void ask() {
@@ -103,7 +101,8 @@ class CirclesQuestion final : public RegionQuestion {
  private:
   static io::CirclesFile read(const RegionCall& call, Origin& origin) {
     Progress progress("reading");
-    return io::read_circles(call.file, {}, progress.reporter(), {}, call.proves() ? &origin.inputs : nullptr);
+    return io::read_circles(call.file,
+                            {.progress = progress.reporter(), .inputs = call.proves() ? &origin.inputs : nullptr});
   }
   bool is_region() const { return part_.kind == DiscIntersectionKind::region; }
   const std::string& name(std::uint32_t k) const { return read_.file.name[k]; }
