@@ -1,4 +1,5 @@
 // Segments of the plane: closed, of any length, also zero.
+// Also called: line segments; edges.
 #pragma once
 
 #include <sunder/base/error.h>

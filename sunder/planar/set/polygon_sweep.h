@@ -1,5 +1,6 @@
 // The contacts of polygons by one sweep over their edges: around points where several come together, where edges
 // cross, and of rings inside of other polygons. For use by polygons_any and polygons_all.
+// Also called: map overlay by plane sweep.
 //
 // The line sweeps lexicographically, and passes crossings (Bentley & Ottmann 1979). All that happens at one point is
 // dealt with at once. What the polygons fill just above each edge of the list is known as a set: it differs from that
