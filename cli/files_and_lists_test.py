@@ -152,7 +152,7 @@ class Outputs(InFolder):
 
     def test_words_are_no_files(self):
         for words in ("segments x.csv --layer", "pair x.csv cube.obj --feature-a", "kernel x.csv --feature",
-                      "segments x.csv --group", "segments x.csv --name", "region x.csv --maximize",
+                      "segments x.csv --group", "segments x.csv --name", "segments x.csv --property", "region x.csv --maximize",
                       "scene cube.obj --allow adjacent --title"):
             done = self.in_shell(words + " out1 --certificate out1")
             self.assertNotIn(b"is the same file", done.stderr, words)

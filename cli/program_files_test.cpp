@@ -44,6 +44,55 @@ TEST_F(Program, PolygonsAreFeatures) {
   EXPECT_EQ(run("verify " + in_folder("proof.json")).code, 0);
 }
 
+// --property: what else the file says of both, for people and in every list; a field's name may be any.
+TEST_F(Program, PropertiesOfBoth) {
+  const std::string map = in_folder("map.geojson"), out = in_folder("contacts");
+  const std::string low = "[[[0,0],[4,0],[4,4],[0,4],[0,0]]]", high = "[[[1,1],[2,1],[2,2],[1,1]]]";
+  write_text(map, collection({feature(R"("NAME": "Chad", "people": 17.5, "i": "N'Djamena")", "Polygon", low),
+                              feature(R"("NAME": "Mali", "i": null, "tags": [1, "a"])", "Polygon", high)}));
+  const std::string asked = " --all " + map + " --property people --property i";
+  const json expected = {{"people", {17.5, nullptr}}, {"i", {"N'Djamena", nullptr}}};
+  for (const std::string verb : {"polygons", "segments --group feature"}) {
+    const json all = report(verb + asked, verb == "polygons" ? 1 : 0);
+    for (const json& contact : all["contacts"]) EXPECT_EQ(contact["properties"], expected);
+    EXPECT_EQ(all["contacts"].size(), verb == "polygons" ? 1u : 0u);
+  }
+  EXPECT_EQ(report("polygons --all " + map + " --property tags", 1)["contacts"][0]["properties"]["tags"],
+            (json{nullptr, R"([1,"a"])"}));
+  const Run text = run("polygons" + asked + " --geojson " + out + ".geojson --csv " + out + ".csv");
+  EXPECT_NE(text.out.find("overlapping: Chad, people 17.5, i N'Djamena and Mali, people null, i null: "),
+            std::string::npos)
+      << text.out;
+  EXPECT_EQ(json::parse(read_text(out + ".geojson"))["features"][0]["properties"]["properties"], expected);
+  EXPECT_EQ(read_text(out + ".csv"),
+            "i,j,contact,x,y,shown_by,name_i,name_j,part_i,part_j,people_i,people_j,i_i,i_j\r\n"
+            "0,1,overlapping,1,1,a vertex inside,Chad,Mali,,0,17.5,,N'Djamena,\r\n");
+
+  const json valid = report("simple " + map + " --property people", 0)["objects"];
+  EXPECT_EQ(valid[0]["properties"], (json{{"people", 17.5}}));
+  EXPECT_EQ(valid[1]["properties"], (json{{"people", nullptr}}));
+
+  const std::string table = in_folder("table.csv");
+  write_text(table, "x1,y1,x2,y2,name,use\n0,0,2,2,a,pad\n1,1,3,3,b,\"text, big\"\n");
+  for (const std::string verb : {"segments", "boxes"}) {
+    EXPECT_EQ(report(verb + " --property use " + table, 1)["contacts"][0]["properties"],
+              (json{{"use", {"pad", "text, big"}}}));
+    EXPECT_NE(run(verb + " --property use " + table).out.find("line 3, use text, big: "), std::string::npos);
+  }
+  write_text(table, "x,y,r,use\n0,0,2,pad\n1,1,3,7\n");
+  EXPECT_EQ(report("circles --property use " + table, 1)["contacts"][0]["properties"], (json{{"use", {"pad", "7"}}}));
+
+  expect_bad("polygons " + map + " --property use",
+             "map.geojson: there is no property 'use' to tell of; there are NAME, i, people, tags");
+  expect_bad("circles " + table + " --property colour",
+             "table.csv: there is no column 'colour' to tell of; there are use");
+  expect_bad("polygons " + map + " --property i --property i", "--property: 'i' is asked for twice; give it once");
+  write_text(map + ".wkt", square);
+  expect_bad("simple " + map + ".wkt --property use", "WKT has no properties to tell of; leave them out");
+  expect_bad("segments --centre-lines " + cases + "/boards/two_nets.kicad_pcb --property net",
+             "a board has no properties to tell of");
+}
+
 TEST_F(Program, ContactsOfPolygonsOnAMap) {
   const std::string file = in_folder("two.wkt"), out = in_folder("contacts.geojson");
   write_text(file, square + "\n" + far + "\nPOLYGON ((1 1, 2 1, 1 2, 1 1))\n");
@@ -53,7 +102,7 @@ TEST_F(Program, ContactsOfPolygonsOnAMap) {
   EXPECT_EQ(map["features"][0]["geometry"]["type"], "Point");
   const json& properties = map["features"][0]["properties"];
   EXPECT_EQ(properties["number"], 1);
-  EXPECT_EQ(properties["kind"], "overlapping");
+  EXPECT_EQ(properties["contact"], "overlapping");
   EXPECT_EQ(properties["i"], 0);
   EXPECT_EQ(properties["j"], 2);
   EXPECT_EQ(properties["lines"], (json{1, 3}));

@@ -26,8 +26,8 @@ TEST_F(Program, SceneOfTheArm) {
   EXPECT_EQ(meeting[0]["b"], "panda_hand");
   EXPECT_EQ(meeting[0]["contact"], "overlapping");
   EXPECT_EQ(meeting[0]["placement"], 1);
-  EXPECT_EQ(j["counts"]["pairs"].get<int>(), 248);
-  EXPECT_EQ(j["pairs"].size(), j["counts"]["pairs"].get<std::size_t>() - j["counts"]["allowed"].get<std::size_t>());
+  EXPECT_EQ(j["totals"]["pairs"].get<int>(), 248);
+  EXPECT_EQ(j["pairs"].size(), j["totals"]["pairs"].get<std::size_t>() - j["totals"]["allowed"].get<std::size_t>());
 
   const json verified = report("verify " + proofs, 0);
   EXPECT_EQ(verified["objects"][0]["statements"], j["pairs"].size() + 2);  // and one of all pairs, for each placement
@@ -53,7 +53,7 @@ TEST_F(Program, SceneOfMeshes) {
   EXPECT_EQ(run("scene " + cube + " " + cube + " --pose 'cube#2=1,0.5,3'").code, 0);
   const json j = report("scene " + cases + "/mesh/two_parts.obj " + tetrahedron + "@20,0,0 --leave-out", 0);
   EXPECT_EQ(j["bodies"][0]["parts"].size(), 2u);
-  EXPECT_EQ(j["counts"]["pairs"], 2);
+  EXPECT_EQ(j["totals"]["pairs"], 2);
   EXPECT_EQ(j["pairs"].size(), 0u);
   const std::string loose = cases + "/mesh/points.off";
   const json points = report("scene " + loose + " " + loose + "@0,0,1 --allow touch", 0);

@@ -10,7 +10,7 @@ TEST_F(Program, SegmentsSomeMeet) {
   const json r = report("segments " + cases + "/segments/wires.csv --certificate '" + proof + "'", 1);
   EXPECT_EQ(r["answer"], "some");
   ASSERT_EQ(r["contacts"].size(), 1u);
-  EXPECT_EQ(r["contacts"][0]["kind"], "crossing");
+  EXPECT_EQ(r["contacts"][0]["contact"], "crossing");
   EXPECT_EQ(r["contacts"][0]["names"], (json{"clock", "reset"}));
   EXPECT_EQ(r["contacts"][0]["lines"], (json{3, 5}));
   EXPECT_NEAR(r["contacts"][0]["point"][0], 2.0, 1e-12);

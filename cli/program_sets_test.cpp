@@ -179,7 +179,7 @@ TEST_F(Program, Boxes) {
   EXPECT_FALSE(python_accepts(proof));
   const std::string turned = in_folder("turned.csv");
   write_text(turned, "4,2,0,0\n4,0,6,2\n");  // any two opposite corners
-  EXPECT_EQ(report("boxes " + turned, 1)["contacts"][0]["kind"], "touching");
+  EXPECT_EQ(report("boxes " + turned, 1)["contacts"][0]["contact"], "touching");
   expect_bad("boxes " + cases + "/outcomes/square.wkt", "has no boxes; give CSV, x1,y1,x2,y2");
   expect_bad("boxes " + rooms + " --allow shared-endpoint", "there is nothing named 'shared-endpoint' to allow");
 }
@@ -205,7 +205,7 @@ TEST_F(Program, ListsAsMapsAndTables) {
       EXPECT_EQ(properties, contact) << of;
     }
     const std::string first = "\r\n" + contacts[0]["i"].dump() + "," + contacts[0]["j"].dump() + "," +
-                              contacts[0]["kind"].get<std::string>() + ",";
+                              contacts[0]["contact"].get<std::string>() + ",";
     EXPECT_NE(rows.find(first), std::string::npos) << of;
   }
   expect_bad("circles " + cases + "/circles/moon.csv --csv " + table + " --geojson " + table, "is the same file as");

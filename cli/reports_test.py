@@ -37,14 +37,15 @@ NEVER_SEEN = {
 OPTIONAL = {
     "": "left_out skipped mended remarks contact said_of distance clearance group layer across_layers count counts "
         "best contradiction formats",
-    "objects[]": "why_hull departure groups layers left_out remarks box without inputs made_of not_made_of proved",
+    "objects[]": "why_hull departure groups layers left_out remarks properties box without inputs made_of not_made_of "
+                 "proved",
     "objects[].departure": "volume_missing_about volume_of_hull_about",
     "distance": "a b",
     "common": "edge nearest furthest first last",
     "common.first": "along_edge beginning",
     "common.last": "along_edge",
     "pairs[]": "contact",
-    "contacts[]": "groups layers files lines",
+    "contacts[]": "groups layers files lines properties",
     "best": "before side after point",
 }
 
@@ -95,18 +96,21 @@ segments cases/boards/crossing_nets.kicad_pcb --centre-lines --layer F.Cu --coun
 segments cases/segments/pond.geojson --group feature --all --allow shared-endpoint --svg OUT
 segments cases/segments/paths.wkt --count --allow touch --certificate OUT
 segments empty.wkt --all
+segments parcels.geojson --all --property owner --property tags --geojson OUT
 simple empty.wkt --strict
 simple mendable.geojson --mend
 simple mendable.geojson --skip-invalid --name title
+simple parcels.geojson --property owner --property public --all --geojson OUT
 simple cases/outcomes/mixed.wkt --leave-out --all
 simple cases/valid-polygons/pocket.wkt --self-touch --certificate OUT
 simple cases/valid-polygons/several.wkt --all --geojson OUT
-circles cases/outcomes/circles_named.csv --group owner --all --svg OUT
+circles cases/outcomes/circles_named.csv --group owner --all --property owner --svg OUT
 circles cases/outcomes/circles_touching.csv --count --allow touch
-boxes cases/outcomes/boxes.csv --group owner --all --csv OUT
+boxes cases/outcomes/boxes.csv --group owner --all --property name --csv OUT
 boxes cases/outcomes/boxes_touching.csv --count --allow touch
 boxes cases/outcomes/square.wkt
 polygons empty.wkt
+polygons parcels.geojson --all --property owner --property area --property public --csv OUT
 polygons cases/outcomes/polygons.geojson --group owner --all --geojson OUT
 polygons cases/outcomes/square.wkt cases/outcomes/within.wkt --all --svg OUT
 polygons cases/outcomes/polygons.wkt --count --allow shared-endpoint --certificate OUT
@@ -146,6 +150,7 @@ segments cases/segments/wires.csv --allow frob
 segments cases/segments/wires.csv --certificate cases/segments/wires.csv
 segments cases/segments/wires.csv --svg OUT --svg-limit 1
 circles cases/outcomes/circles.csv --group frob
+polygons parcels.geojson --property frob
 polygons cases/outcomes/square.wkt cases/outcomes/square.wkt cases/outcomes/square.wkt
 region cases/outcomes/half_planes_bounded.csv --of frob
 kernel cases/outcomes/star_bounded.wkt --feature frob
@@ -161,6 +166,10 @@ FILES = {
     "two_points.obj": "v 0 0 0\nv 1 0 0\n",
     "pyramid.obj": "".join("v %r %r 0\n" % (math.cos(math.pi * i / 2), math.sin(math.pi * i / 2)) for i in range(4))
                    + "v 0 0 1\n",
+    "parcels.geojson": json.dumps({"type": "FeatureCollection", "features": [
+        {"type": "Feature", "properties": properties, "geometry": {"type": "Polygon", "coordinates": [
+            [[at, 0], [at + 2, 0], [at + 2, 2], [at, 0]]]}}
+        for at, properties in enumerate(({"owner": "a", "area": 2.5, "public": True, "tags": [1]}, {"owner": None}))]}),
     "mendable.geojson": json.dumps({"type": "FeatureCollection", "features": [
         {"type": "Feature", "properties": {"title": name}, "geometry": {"type": "Polygon", "coordinates": [ring]}}
         for name, ring in (("open", [[0, 0], [1, 0], [1, 1], [0, 1]]), ("whole", [[5, 0], [6, 0], [6, 1], [5, 0]]))]}),
@@ -348,9 +357,10 @@ class Reports(unittest.TestCase):
                 if key in done:
                     continue
                 done.add(key)
+                is_of_file = "properties" in path[:-1]  # any simple value
                 mutants = [changed(short, path, lambda holder, step, other=other: holder.__setitem__(step, other))
-                           for other in other_types(value)]
-                is_named = isinstance(path[-1], str) and normal(path[:-1]) not in (
+                           for other in other_types(value) if isinstance(other, (dict, list)) or not is_of_file]
+                is_named = isinstance(path[-1], str) and not is_of_file and normal(path[:-1]) not in (
                     "placements[].joints", "objects[].accepted")  # names that files give
                 if is_named:
                     mutants.append(changed(short, path, lambda holder, step: holder.update(mutant=holder.pop(step))))
@@ -368,7 +378,7 @@ class Reports(unittest.TestCase):
         print("\n%d mutants of %d reports are refused" % (refused, len(self.telling)))
 
 
-SIMPLE = ["count", "position", "line", "text", "about", "point2", "point3", "fraction"]
+SIMPLE = ["count", "position", "line", "text", "property", "about", "point2", "point3", "fraction"]
 SHARED = ["cost", "error", "left_out", "skipped", "mended", "feature", "body", "planar_body", "unbounded", "mesh",
           "evidence", "closest", "vertex_or_edge", "end", "pairs_of_parts", "info_of_mesh", "info_of_robot", "info_of_lines",
           "info_of_rows", "info_of_objects", "certificate_file"]

@@ -35,9 +35,9 @@ void check(std::string_view text, std::string_view place, const sunder::io::Line
     file = sunder::io::parse_lines(text, place, options);
   } catch (const sunder::Error& error) {
     const std::string_view message = error.what();
-    const bool of_group =
-        error.code() == sunder::ErrorCode::bad_call && !(options.group.empty() && options.name.empty());
-    require(error.code() == sunder::ErrorCode::bad_file || of_group);
+    const bool of_field = error.code() == sunder::ErrorCode::bad_call &&
+                          !(options.group.empty() && options.name.empty() && options.properties.empty());
+    require(error.code() == sunder::ErrorCode::bad_file || of_field);
     require(message.starts_with(place) && message.find('\n') == std::string_view::npos);
     return;
   }
@@ -50,6 +50,11 @@ void check(std::string_view text, std::string_view place, const sunder::io::Line
   }
   const bool board = file.format == "KiCad board";
   require(file.groups.empty() == (options.group.empty() && !board) && file.layers.empty() == !board);
+  require(file.properties.size() == (options.properties.empty() ? 0 : file.features.size()));
+  for (const sunder::io::PropertyValues& values : file.properties) {
+    require(values.size() == options.properties.size());
+    for (const sunder::io::PropertyValue& value : values) require(value.text.find('\n') == std::string::npos);
+  }
   if (file.broken.empty()) check_names(file.group, file.groups, file.segments.size());
   for (const sunder::io::BrokenRing& ring : file.broken) {
     require(ring.feature < file.features.size() && ring.ring <= file.rings.size());
@@ -82,6 +87,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.keep_broken = size / 20 % 2 == 0;
   options.lines = size / 40 % 4 != 0;
   if (size / 160 % 4 == 0) options.name = "id";
+  if (size / 3 % 4 == 1) options.properties = {"name", "id"};
   for (const std::string_view place : {"a.csv", "a.wkt", "a.geojson", "a.kicad_pcb", "a"}) check(text, place, options);
   return 0;
 }

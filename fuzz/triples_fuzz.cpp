@@ -58,20 +58,24 @@ void ask_half_planes(const sunder::io::TripleFile& file) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  const bool of_circles = size % 2 == 0, by_group = size % 3 == 0;
+  const bool of_circles = size % 2 == 0, by_group = size % 3 == 0, tells = size % 5 == 0;
   const std::string group = by_group ? "name" : "";
+  std::vector<std::string> properties;
+  if (tells) properties = {"id"};
   sunder::io::TripleFile file;
   try {
     const auto& kind = of_circles ? sunder::io::circle_rows : sunder::io::half_plane_rows;
-    file = sunder::io::parse_triples(text, "a.csv"sv, kind, group);
+    file = sunder::io::parse_triples(text, "a.csv"sv, kind, {.group = group, .properties = properties});
   } catch (const sunder::Error& error) {
     const std::string_view message = error.what();
-    require(error.code() == sunder::ErrorCode::bad_file || (by_group && error.code() == sunder::ErrorCode::bad_call));
+    const bool asks = by_group || tells;
+    require(error.code() == sunder::ErrorCode::bad_file || (asks && error.code() == sunder::ErrorCode::bad_call));
     require(message.starts_with("a.csv"sv) && message.find('\n') == std::string_view::npos);
     return 0;
   }
   require(!file.rows.empty() && file.name.size() == file.rows.size() && file.line.size() == file.rows.size());
   require(file.group.size() == (by_group ? file.rows.size() : 0));
+  require(file.properties.size() == (tells ? file.rows.size() : 0));
   for (const std::uint32_t g : file.group) require(g < file.groups.size());
   for (const auto& row : file.rows) {
     for (const double x : row) require(std::isfinite(x));

@@ -114,7 +114,7 @@ SETS += [(name, "segments", planar.Segments, ("x1", "y1", "x2", "y2"))
 
 
 def contacts_of(report):
-    return [(c["i"], c["j"], c["kind"]) for c in report["contacts"]]
+    return [(c["i"], c["j"], c["contact"]) for c in report["contacts"]]
 
 
 def verdict_of(answer, question):
@@ -186,7 +186,7 @@ def test_polygons(tmp_path):
     every = planar.polygons_all(polygons)
     report = program("polygons", case(name), "--all")
     assert [(*pair, kind) for pair, kind in zip(every.pairs.tolist(), every.kinds)] == \
-        [(c["i"], c["j"], c["kind"]) for c in report["contacts"]] != []
+        [(c["i"], c["j"], c["contact"]) for c in report["contacts"]] != []
     assert planar.polygons_count(polygons).count == report["count"]
     assert said(every.certificate()) == said(certificate_of(tmp_path, "polygons", case(name), "--all"))
 

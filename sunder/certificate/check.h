@@ -1,4 +1,5 @@
 // The quick in-library check of certificates. (For a check that shares no code with the library, see verifier/.)
+// Also called: proof checking; checking the witness of a certifying algorithm.
 #pragma once
 
 #include <sunder/certificate/direction.h>

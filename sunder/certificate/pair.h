@@ -1,4 +1,5 @@
 // The answer to "do these two convex bodies meet?", and its evidence, as plain data.
+// Also called: witness of a certifying algorithm; separating plane, separating axis; convex combination.
 //
 // A body is the convex hull of a table of vertices; its placement is an affine map. Evidence names vertices by their
 // position in that table. The objects are closed: touching is meeting.

@@ -173,12 +173,25 @@ void CsvTable::place_columns(const CsvReader& reader, bool drop_z) {
   }
 }
 
+// Throws Error bad_call where there is no such column.
+std::size_t CsvTable::asked_column(const CsvReader& reader, std::string_view place, const std::string& name,
+                                   std::string_view what_for) const {
+  const std::size_t found = has_names_ ? column_of(reader, name) : none;
+  if (found != none) return found;
+  const std::string known = has_names_ ? known_text(reader.fields()) : "";
+  throw Error(ErrorCode::bad_call,
+              fmt::format("there is no column {} to {}; {}", quote(name), what_for,
+                          known.empty() ? fmt::format("a first line has to name the columns after {}", needed_text())
+                                        : "there are " + known),
+              one_line(place));
+}
+
 bool CsvTable::begin(const CsvReader& reader, std::string_view place, bool drop_z, bool by_row) {
   const CsvReader::Fields& fields = reader.fields();
   const std::size_t needed = columns_.needed.size();
-  const bool names = are_names(fields, needed);
+  has_names_ = are_names(fields, needed);
   for (std::size_t k = 0; k < needed; ++k) at_.push_back(k);
-  if (names) {
+  if (has_names_) {
     place_columns(reader, drop_z);
     count_ = fields.size();
     for (const std::string_view known : {"name", "Name", "NAME", "id", "ID", "Id"}) {
@@ -190,21 +203,13 @@ bool CsvTable::begin(const CsvReader& reader, std::string_view place, bool drop_
   } else {
     name_column_ = needed;
   }
-  const auto asked = [&](const std::string& name, const char* what, std::size_t& column) {
-    if (name.empty()) return;
-    const std::size_t found = names ? column_of(reader, name) : none;
-    if (found != none) column = found;
-    if (found != none || (by_row && name == "feature" && &column == &group_column_)) return;
-    const std::string known = names ? known_text(fields) : "";
-    throw Error(ErrorCode::bad_call,
-                fmt::format("there is no column {} to {} by; {}", quote(name), what,
-                            known.empty() ? fmt::format("a first line has to name the columns after {}", needed_text())
-                                          : "there are " + known),
-                one_line(place));
-  };
-  asked(name_, "name", name_column_);
-  asked(group_, "group", group_column_);
-  return names;
+  if (!name_.empty()) name_column_ = asked_column(reader, place, name_, "name by");
+  const bool is_by_row = by_row && group_ == "feature" && !(has_names_ && column_of(reader, group_) != none);
+  if (!group_.empty() && !is_by_row) group_column_ = asked_column(reader, place, group_, "group by");
+  for (const std::string& property : properties_) {
+    property_columns_.push_back(asked_column(reader, place, property, "tell of"));
+  }
+  return has_names_;
 }
 
 void CsvTable::check_count(const CsvReader& reader) const {
@@ -237,6 +242,17 @@ std::string_view CsvTable::group(const CsvReader& reader) const {
   const std::string_view value = reader.fields()[group_column_];
   if (value.empty()) reader.fail(fmt::format("has no value in the column {}; give one", quote(group_)));
   return value;
+}
+
+PropertyValues CsvTable::properties(const CsvReader& reader) const {
+  PropertyValues values;
+  for (const std::size_t column : property_columns_) {
+    PropertyValue& value = values.emplace_back();
+    if (column < reader.fields().size() && !reader.fields()[column].empty()) {
+      value = {one_line(reader.fields()[column]), true};
+    }
+  }
+  return values;
 }
 
 }  // namespace sunder::io

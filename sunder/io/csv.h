@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sunder/base/error.h>
+#include <sunder/io/property.h>
 #include <sunder/io/text.h>
 
 #include <cstddef>
@@ -10,6 +11,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace sunder::io {
@@ -76,17 +78,18 @@ struct CsvColumns {
   std::string_view objects;               // for messages: "segments"
 };
 
-// Where the columns of a file stand, and what is told with each row: its name, and its group.
+// Where the columns of a file stand, and what is told with each row: its name, its group, and other columns.
 class CsvTable {
  public:
-  // name, group: the columns that the caller asks for, by their names; empty for none.
-  CsvTable(const CsvColumns& columns, const std::string& name, const std::string& group)
-      : columns_(columns), name_(name), group_(group) {}
+  // name, group, properties: the columns that the caller asks for, by their names; empty for none.
+  CsvTable(const CsvColumns& columns, const std::string& name, const std::string& group,
+           std::vector<std::string> properties = {})
+      : columns_(columns), name_(name), group_(group), properties_(std::move(properties)) {}
 
   // To be told the first record. True where it holds names; then they say where the needed columns are, small and
   // large letters alike, and any others may stand between them. Else these come first, and a name may follow.
   // Throws Error bad_file where names do not say it, or a column is there twice; bad_call where no column has the
-  // name or group asked for.
+  // name, group or property asked for.
   // by_row: a group "feature", of which there is no column, is each row by itself.
   bool begin(const CsvReader& reader, std::string_view place, bool drop_z, bool by_row = false);
 
@@ -97,20 +100,26 @@ class CsvTable {
   std::string name(const CsvReader& reader) const;                   // empty where there is none
   bool groups() const { return group_column_ != none; }
   std::string_view group(const CsvReader& reader) const;  // requires groups(); throws Error bad_file where it is empty
+  PropertyValues properties(const CsvReader& reader) const;  // all as text
 
  private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   std::size_t column_of(const CsvReader& reader, std::string_view name) const;
+  std::size_t asked_column(const CsvReader& reader, std::string_view place, const std::string& name,
+                           std::string_view what_for) const;
   void place_columns(const CsvReader& reader, bool drop_z);
   std::string needed_text() const;
   std::string known_text(const CsvReader::Fields& names) const;
 
   const CsvColumns& columns_;
   const std::string &name_, &group_;
+  std::vector<std::string> properties_;
   std::vector<std::size_t> at_;  // of the needed columns
   std::size_t count_ = 0;        // of all columns, where the first record names them
+  bool has_names_ = false;
   std::size_t name_column_ = none, group_column_ = none;
+  std::vector<std::size_t> property_columns_;
 };
 
 }  // namespace sunder::io

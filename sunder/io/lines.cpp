@@ -45,13 +45,14 @@ void parse_csv(std::string_view text, LineBuilder& builder) {
   while (reader.next()) {
     if (reader.is_first()) {
       are_intervals = name_intervals(reader.fields());
-      table.emplace(are_intervals ? of_intervals : of_segments, options.name, options.group);
+      table.emplace(are_intervals ? of_intervals : of_segments, options.name, options.group, options.properties);
       const bool names = table->begin(reader, builder.place(), options.drop_z, true);
       if (!options.group.empty()) builder.group_by(table->groups() ? GroupBy::field : GroupBy::feature);
       if (names) continue;
     }
     table->check_count(reader);
     builder.begin_feature(table->name(reader), reader.line());
+    if (!options.properties.empty()) builder.property_values(table->properties(reader));
     if (table->groups()) builder.group_value(std::string(table->group(reader)));
     add_row(reader, *table, are_intervals, builder);
   }
@@ -292,6 +293,9 @@ LineFile parse_lines(std::string_view text, std::string_view place, const LineOp
     if (!options.name.empty()) {
       throw Error(ErrorCode::bad_call, "tracks are named by their nets; leave the name out", one_line(place));
     }
+    if (!options.properties.empty()) {
+      throw Error(ErrorCode::bad_call, "a board has no properties to tell of; leave them out", one_line(place));
+    }
     return parse_kicad(text, place, options);
   }
   refuse_foreign(text, place);
@@ -310,6 +314,9 @@ LineFile parse_lines(std::string_view text, std::string_view place, const LineOp
   const bool has_fields = builder.file.format != "WKT";
   if (!options.name.empty() && !has_fields) {
     throw Error(ErrorCode::bad_call, "WKT has no fields to name features by; leave it out", one_line(place));
+  }
+  if (!options.properties.empty() && !has_fields) {
+    throw Error(ErrorCode::bad_call, "WKT has no properties to tell of; leave them out", one_line(place));
   }
   builder.tell_of_nothing();
   if (builder.file.segments.empty() && builder.file.broken.empty()) {

@@ -4,6 +4,7 @@
 #include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
 #include <sunder/io/left_out.h>
+#include <sunder/io/property.h>
 #include <sunder/planar/object/segments.h>
 
 #include <cstdint>
@@ -37,6 +38,8 @@ struct LineOptions {
   bool keep_broken = false;
 
   std::string name{};  // the field that names features; empty: the first of those listed below
+
+  std::vector<std::string> properties{};  // the fields that are told of each feature
 
   InputFiles* inputs = nullptr;  // as of read_file
 };
@@ -84,6 +87,7 @@ struct LineFile {
   std::vector<LeftOut> left_out;      // one by one, in the order of the file; of: "line 7", "'mast'"
   std::vector<BrokenRing> broken;     // in the order of the file
   std::string format;                 // for people: "WKT"
+  std::vector<PropertyValues> properties;  // of each feature; empty unless some were asked for
 };
 
 // Reads the file whole; its format is told by its first letters "(kicad_", by its ending (.csv, .wkt, .geojson, .json,
@@ -100,6 +104,8 @@ struct LineFile {
 //            Also plain JSON that is a list of rings: one polygon, whose rings need not repeat their first point.
 // A feature whose geometry is null or empty has no segments; a remark tells how many there are. Where an own field
 // names features, one without it is named by its number; Error bad_call where none has it, or the format has no fields.
+// Where fields are to be told of features, one without it has null there; Error bad_call as above, with the fields that
+// there are. What a GeoJSON has as list or object is told as text.
 // Lines of two points or more, and the edges of rings, become segments. A ring must end where it began. A third
 // coordinate is refused unless drop_z. Empty lines are skipped. Messages and names count rings and polygons from 0.
 //

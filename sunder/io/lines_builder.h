@@ -49,6 +49,9 @@ class LineBuilder {
     if (group_by_ == GroupBy::feature) begin_group(file.features.back());
   }
 
+  // The values of the fields that are asked for; to be told for each feature where there are some.
+  void property_values(PropertyValues values) { file.properties.push_back(std::move(values)); }
+
   // For messages; segments have the line on which their feature begins.
   void at_line(std::uint32_t line) { at_line_ = line; }
 

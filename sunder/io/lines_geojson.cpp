@@ -3,9 +3,11 @@
 #include <sunder/io/text.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <unordered_set>
 #include <vector>
@@ -16,7 +18,8 @@ namespace {
 
 class GeoJson {
  public:
-  explicit GeoJson(LineBuilder& builder) : builder_(builder), group_(builder.options().group) {
+  explicit GeoJson(LineBuilder& builder)
+      : builder_(builder), group_(builder.options().group), properties_(builder.options().properties) {
     builder.group_by(by_name(group_));
   }
 
@@ -44,6 +47,9 @@ class GeoJson {
       add_feature(top);
     }
     if (!named_ && !builder_.options().name.empty()) fail_name();
+    for (const std::string& property : properties_) {
+      if (!known_.contains(property)) fail_property(property);
+    }
   }
 
  private:
@@ -125,9 +131,39 @@ class GeoJson {
                 one_line(builder_.place()));
   }
 
+  // Of the feature, those that are asked for.
+  PropertyValues properties_of(const nlohmann::json& feature, bool wrapped) {
+    PropertyValues values(properties_.size());
+    const auto properties = wrapped ? feature.find("properties") : feature.end();
+    if (properties == feature.end() || !properties->is_object()) return values;
+    for (const auto& property : properties->items()) known_.insert(property.key());
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const auto value = properties->find(properties_[k]);
+      if (value == properties->end()) continue;
+      const bool is_text = value->is_string() || value->is_structured();
+      values[k] = {value->is_string() ? one_line(value->get<std::string>()) : value->dump(), is_text};
+    }
+    return values;
+  }
+
+  [[noreturn]] void fail_property(const std::string& property) const {
+    constexpr std::size_t most = 20;
+    std::vector<std::string> first;
+    for (const std::string& known : known_) {
+      if (first.size() < most) first.push_back(shorten(known));
+    }
+    throw Error(
+        ErrorCode::bad_call,
+        fmt::format("there is no property {} to tell of; there {} {}{}", quote(property), first.empty() ? "is" : "are",
+                    first.empty() ? "none" : fmt::format("{}", fmt::join(first, ", ")),
+                    known_.size() > most ? ", ..." : ""),
+        one_line(builder_.place()));
+  }
+
   void add_feature(const nlohmann::json& item) {
     const bool wrapped = type_of(item) == "Feature";
     builder_.begin_feature(wrapped ? name_of(item) : std::string(), 0);
+    if (!properties_.empty()) builder_.property_values(properties_of(item, wrapped));
     if (by_name(group_) == GroupBy::field) builder_.group_value(group_of(item, wrapped));
     if (!wrapped) return add_geometry(item);
     const auto geometry = item.find("geometry");
@@ -204,7 +240,9 @@ class GeoJson {
 
   LineBuilder& builder_;
   const std::string& group_;
-  bool named_ = false;  // has a feature the field that is to name it?
+  const std::vector<std::string>& properties_;  // that are asked for
+  std::set<std::string> known_;                 // properties that a feature has, where some are asked for
+  bool named_ = false;                          // has a feature the field that is to name it?
 };
 
 }  // namespace

@@ -367,6 +367,39 @@ TEST(LinesTest, GroupsOfGeoJson) {
       std::string::npos);
 }
 
+TEST(LinesTest, Properties) {
+  const std::string features = R"({"type": "FeatureCollection", "features": [
+      {"type": "Feature", "properties": {"use": "a\nb", "size": 1.50, "is": true, "of": {"x": 1}},
+       "geometry": {"type": "LineString", "coordinates": [[0, 0], [1, 1], [2, 2]]}},
+      {"type": "Feature", "properties": null, "geometry": null},
+      {"type": "Feature", "geometry": {"type": "LineString", "coordinates": [[0, 0], [1, 1]]}}]})";
+  const LineFile file = parse_lines(features, "a.geojson", {.properties = {"size", "use", "of", "is"}});
+  const PropertyValues none(4);
+  EXPECT_EQ(none[0], (PropertyValue{"null", false}));
+  EXPECT_EQ(file.properties,
+            (std::vector<PropertyValues>{
+                {{"1.5", false}, {"a\\x0ab", true}, {R"({"x":1})", true}, {"true", false}}, none, none}));
+  EXPECT_TRUE(parse_lines(features, "a.geojson").properties.empty());
+  const auto refused = [](const std::string& text, const std::string& place) {
+    try {
+      parse_lines(text, place, {.properties = {"use", "colour"}});
+    } catch (const Error& problem) {
+      EXPECT_EQ(problem.code(), ErrorCode::bad_call);
+      return std::string(problem.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_EQ(refused(features, "a.geojson"),
+            "a.geojson: there is no property 'colour' to tell of; there are is, of, size, use");
+  EXPECT_EQ(refused(R"({"type": "LineString", "coordinates": [[0, 0], [1, 1]]})", "a.geojson"),
+            "a.geojson: there is no property 'use' to tell of; there is none");
+  EXPECT_EQ(refused("x1,y1,x2,y2,use\n0,0,1,1,a\n", "a.csv"),
+            "a.csv: there is no column 'colour' to tell of; there are use");
+  EXPECT_EQ(refused("LINESTRING (0 0, 1 1)", "a.wkt"), "a.wkt: WKT has no properties to tell of; leave them out");
+  EXPECT_EQ(parse_lines("x1,y1,x2,y2,use\n0,0,1,1\n", "a.csv", {.properties = {"use"}}).properties,
+            std::vector<PropertyValues>{{PropertyValue{}}});
+}
+
 TEST(LinesTest, Rings) {
   const auto rings = [](const LineFile& file) {
     std::vector<std::array<std::uint32_t, 3>> found;

@@ -81,7 +81,8 @@ class Reader {
                       .progress = request_.progress,
                       .leave_out = request_.leave_out,
                       .keep_broken = true,
-                      .name = request_.name},
+                      .name = request_.name,
+                      .properties = request_.properties},
                      request_.tell_inputs);
     PolygonPartsReader reader(input_.files.back());
     for (PolygonParts parts; reader.next(parts);) add(file, parts);

@@ -29,6 +29,7 @@ struct PolygonsRequest {
   bool by_part = false;                            // each part of a multipolygon is a polygon; else each feature is one
   std::optional<planar::PolygonRule> rule{};       // what is not valid by it is refused, or skipped; none: all is taken
   std::string group, name;                         // as LineOptions have them
+  std::vector<std::string> properties{};           // so too; of two files, both have them
   bool tell_inputs = false;                        // the SHA-256 of the files
   std::function<void(double)> progress = nullptr;  // as LineOptions have it
 };

@@ -14,15 +14,14 @@
 namespace sunder::io {
 
 TripleFile parse_triples(std::string_view text, std::string_view place, const TripleKind& kind,
-                         const std::string& group, const std::function<void(double)>& progress,
-                         const std::string& name) {
+                         const TripleOptions& options) {
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
   refuse_foreign(text, place);
   const std::string objects = fmt::format("{}s", kind.object);
   const CsvColumns columns{
       {kind.columns.begin(), kind.columns.end()}, {kind.strange.begin(), kind.strange.end()}, objects};
-  CsvTable table(columns, name, group);
-  CsvReader reader(text, place, progress);
+  CsvTable table(columns, options.name, options.group, options.properties);
+  CsvReader reader(text, place, options.progress);
   TripleFile file;
   std::map<std::string, std::uint32_t, std::less<>> positions;  // of a group in file.groups
   while (reader.next()) {
@@ -36,6 +35,7 @@ TripleFile parse_triples(std::string_view text, std::string_view place, const Tr
     file.line.push_back(reader.line());
     std::string own = table.name(reader);
     file.name.push_back(own.empty() ? std::to_string(file.rows.size()) : std::move(own));
+    if (!options.properties.empty()) file.properties.push_back(table.properties(reader));
     if (!table.groups()) continue;
     const std::string_view value = table.group(reader);
     const auto [at, is_new] = positions.emplace(value, static_cast<std::uint32_t>(file.groups.size()));
@@ -47,14 +47,12 @@ TripleFile parse_triples(std::string_view text, std::string_view place, const Tr
   return file;
 }
 
-TripleFile read_triples(const std::filesystem::path& path, const TripleKind& kind, const std::string& group,
-                        const std::function<void(double)>& progress, const std::string& name, InputFiles* inputs) {
-  return parse_triples(read_file(path, inputs), path.string(), kind, group, progress, name);
+TripleFile read_triples(const std::filesystem::path& path, const TripleKind& kind, const TripleOptions& options) {
+  return parse_triples(read_file(path, options.inputs), path.string(), kind, options);
 }
 
-CirclesFile read_circles(const std::filesystem::path& path, const std::string& group,
-                         const std::function<void(double)>& progress, const std::string& name, InputFiles* inputs) {
-  TripleFile file = read_triples(path, circle_rows, group, progress, name, inputs);
+CirclesFile read_circles(const std::filesystem::path& path, const TripleOptions& options) {
+  TripleFile file = read_triples(path, circle_rows, options);
   std::vector<Disc> circles;
   circles.reserve(file.rows.size());
   for (std::size_t k = 0; k < file.rows.size(); ++k) {

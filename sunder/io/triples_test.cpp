@@ -40,18 +40,34 @@ TEST(TriplesTest, NumbersAreRoundedOnce) {
 
 TEST(TriplesTest, Groups) {
   const TripleFile file = parse_triples("x,y,r,net,layer,name\n1,2,3,GND,top,a\n4,5,6,VCC,top,\n7,8,9,GND,bottom,c\n",
-                                        "f.csv", circle_rows, "net");
+                                        "f.csv", circle_rows, {.group = "net"});
   EXPECT_EQ(file.groups, (std::vector<std::string>{"GND", "VCC"}));
   EXPECT_EQ(file.group, (std::vector<std::uint32_t>{0, 1, 0}));
   EXPECT_EQ(file.name, (std::vector<std::string>{"a", "2", "c"}));
-  EXPECT_EQ(parse_triples("x,y,r,net\n1,2,3,GND\n", "f.csv", circle_rows, "net").name[0], "GND");
+  EXPECT_EQ(parse_triples("x,y,r,net\n1,2,3,GND\n", "f.csv", circle_rows, {.group = "net"}).name[0], "GND");
   EXPECT_TRUE(parse_triples("1,2,3,a\n", "f.csv", circle_rows).group.empty());
+}
+
+TEST(TriplesTest, Properties) {
+  const std::string text = "name,x,y,r,owner,power\na,1,2,3,city,12\nb,1,2,3,,\n";
+  const TripleFile file = parse_triples(text, "f.csv", circle_rows, {.properties = {"power", "name", "owner"}});
+  ASSERT_EQ(file.properties.size(), 2u);
+  EXPECT_EQ(file.properties[0], (PropertyValues{{"12", true}, {"a", true}, {"city", true}}));
+  EXPECT_EQ(file.properties[1], (PropertyValues{{}, {"b", true}, {}}));
+  EXPECT_EQ(file.name, (std::vector<std::string>{"a", "b"}));
+  EXPECT_TRUE(parse_triples(text, "f.csv", circle_rows).properties.empty());
+  try {
+    parse_triples(text, "f.csv", circle_rows, {.properties = {"owner", "colour"}});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.what(), std::string("f.csv: there is no column 'colour' to tell of; there are name, owner, power"));
+  }
 }
 
 TEST(TriplesTest, RefusalsOfGroups) {
   const auto refused = [](const std::string& text) {
     try {
-      parse_triples(text, "f.csv", circle_rows, "net");
+      parse_triples(text, "f.csv", circle_rows, {.group = "net"});
     } catch (const Error& error) {
       return std::string(error.what());
     }
@@ -71,7 +87,7 @@ TEST(TriplesTest, ColumnsByName) {
   const TripleFile file = parse_triples("name,R,y,x\n\"a, b\",3,2,1\n", "f.csv", circle_rows);
   EXPECT_EQ(file.rows[0], (std::array{1.0, 2.0, 3.0}));
   EXPECT_EQ(file.name[0], "a, b");
-  EXPECT_EQ(parse_triples("x,y,r,net,of\n1,2,3,GND,b\n", "f.csv", circle_rows, {}, nullptr, "of").name[0], "b");
+  EXPECT_EQ(parse_triples("x,y,r,net,of\n1,2,3,GND,b\n", "f.csv", circle_rows, {.name = "of"}).name[0], "b");
   EXPECT_EQ(
       refusal("x,y,r,name\n1,2,3,a\n", half_plane_rows),
       "f.csv:1: the columns are named x,y,r,name, but half-planes have a,b,c; name them so, or give the file to the "

@@ -1,4 +1,5 @@
 // Where a robot's links and shapes are.
+// Also called: forward kinematics.
 #pragma once
 
 #include <sunder/base/error.h>

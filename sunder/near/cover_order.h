@@ -1,6 +1,7 @@
 // In which order do the halves of a set, their halves, and so on, lie apart from each other, as far as may be? Evidence
 // of which members meet (docs/claims.md, "Covers"): whatever the order is, it proves the contacts; a good one does so
 // with few looks.
+// Also called: order of the leaves of a bounding volume hierarchy (BVH), a box tree.
 #pragma once
 
 #include <sunder/near/set_question.h>

@@ -1,4 +1,5 @@
 // A closed box of the plane in vector registers, to be compared without branches.
+// Also called: axis-aligned bounding box (AABB).
 #pragma once
 
 #include <sunder/base/lanes.h>

@@ -1,4 +1,5 @@
 // The pairs of boxes that the cells of a grid find.
+// Also called: candidate pairs of a broad phase.
 #pragma once
 
 #include <sunder/base/cost.h>

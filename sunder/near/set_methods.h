@@ -1,4 +1,5 @@
 // From how two members meet to which contacts there are in a set: methods that every kind of member shares.
+// Also called: all-pairs test; narrow phase over the candidate pairs of a broad phase.
 //
 // A set has size() and members [i], and can be made of a std::vector of some of them. Of two there is
 // contact_kind(set, i, j), and counts(kind, allowed); of one, box_of() and lanes_box_of(), where boxes are asked for.

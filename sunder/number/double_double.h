@@ -3,6 +3,7 @@
 // to 2^990, or zero, and factors below 2^990; underflow and overflow are not looked after.
 // Sources: Dekker 1971; Knuth 1997, section 4.2.2, theorem B; error bounds: Joldes, Muller, Popescu 2017. Without fused
 // multiply-add, so the same everywhere.
+// Also called: double-double arithmetic; expansions; compensated arithmetic.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,6 @@
 // Exact numbers of the form m 2^e: the last stage of a predicate. Every finite double is one, and sums, differences
 // and products stay so, without overflow or underflow.
+// Also called: big floats; arbitrary-precision binary floating point.
 #pragma once
 
 #include <sunder/number/interval.h>

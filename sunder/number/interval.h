@@ -1,4 +1,5 @@
 // Intervals of doubles in round-to-nearest: the second stage of a predicate.
+// Also called: interval arithmetic; dynamic filter.
 //
 //   I1. The exact result of an operation on any members of the operands lies in the resulting interval,
 //       for every double, overflow and underflow included.

@@ -1,4 +1,5 @@
 // Floating point with a derived error bound: the first stage of a predicate.
+// Also called: floating-point filter; semi-static filter; running error analysis.
 //
 // A Rounded<K> is what floating point made of an expression, together with what is needed to bound the error. K counts
 // roundings and is known at compile time; only the magnitude is computed at run time.

@@ -242,7 +242,8 @@ class Drawing {
     const std::uint64_t meet = c.meeting - c.touching_only, asked = c.pairs - c.allowed;
     y += 4;
     row(15, meet > 0 ? "#c23b22" : "#2f7d5b",
-        meet > 0 ? fmt::format("{} of {} pairs meet", meet, asked) : fmt::format("none of {} pairs meet", asked),
+        meet > 0 ? fmt::format("{} of {} pairs meet{}", meet, asked, meet == 1 ? "s" : "")
+                 : fmt::format("none of {} pairs meet", asked),
         "font-weight='600'");
     for (std::size_t k = 0; k < std::min(contacts.size(), most_named); ++k) {
       row(13, text_colour, fmt::format("{}. {}", k + 1, shortened(told(k), 70)), "");

@@ -1,4 +1,5 @@
 // Comparisons along a direction of the world, exact, for points of posed bodies.
+// Also called: comparison of dot products; which support point is further.
 #pragma once
 
 #include <sunder/base/lanes.h>

@@ -1,4 +1,5 @@
 // Arrows of the plane, from one point to another: which way is one against the other? Exact, for every finite double.
+// Also called: signs of cross and dot products of vectors; left turn, right turn.
 //
 // Points are plain (Point2) or under poses (Posed2, whose exact images are meant); all four of one kind.
 #pragma once

@@ -1,4 +1,5 @@
 // Do the hulls of a few vertices of one posed body and a few of another have a common point that they alone determine?
+// Also called: Radon point, Radon partition; affine dependency.
 //
 // Let a_0 .. be points of A and b_0 .. points of B, k of them in all, 2 <= k <= 5. Up to a factor, k points that span a
 // space of dimension k - 2 have one affine dependency: numbers c_i, not all zero, with sum c_i = 0 and

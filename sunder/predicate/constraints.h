@@ -1,4 +1,5 @@
 // Half-planes and the corners of their lines: how they lie to each other. Exact, for every finite double.
+// Also called: vertices of an arrangement of lines against a line.
 //
 // A half-plane is given by a constraint, a x + b y <= c, or by an arrow, as what is left of it. Each function is for
 // both kinds; all half-planes of a call are of one kind. The normal of a half-plane points out of it; angles are those

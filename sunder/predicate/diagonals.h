@@ -1,4 +1,5 @@
 // How far sets of points reach along the diagonals of the plane, rounded: a filter that is sure where it says "apart".
+// Also called: discrete oriented polytope (k-DOP); separating axes of fixed directions.
 #pragma once
 
 #include <sunder/predicate/point.h>

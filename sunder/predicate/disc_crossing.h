@@ -1,4 +1,5 @@
 // The points in which two circles cross, without computing them: predicates decide about the exact points.
+// Also called: intersection points of circles; vertices of an arrangement of circles.
 #pragma once
 
 #include <sunder/number/dyadic.h>

@@ -1,5 +1,6 @@
 // Where the greatest power of discs is least: signs about the point of least power of one, two or three discs. Exact,
 // for every finite double.
+// Also called: power distance; radical axis, radical centre; power diagram.
 //
 // The power of a disc at a point p is |p - center|^2 - radius^2: negative inside, zero on the circle. The deepest point
 // of up to three discs is that of least power among the points where their powers are equal:

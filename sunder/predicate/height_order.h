@@ -1,4 +1,5 @@
 // Which of two lines is higher at an abscissa? Exact, for every finite double.
+// Also called: vertical order of lines; order along a vertical sweep line.
 #pragma once
 
 #include <sunder/base/contract.h>

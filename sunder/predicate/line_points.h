@@ -1,5 +1,6 @@
 // Points on lines, each a vertex or the crossing of two lines, without computing them: how do they lie to lines and to
 // each other? Exact, for every finite double.
+// Also called: vertices of an arrangement of lines; indirect predicates.
 #pragma once
 
 #include <sunder/predicate/arrows.h>

@@ -1,5 +1,6 @@
 // Points, affine maps and boxes as plain numbers, of the plane (D = 2) and of space (D = 3). No invariant: objects
 // check their coordinates when made.
+// Also called: affine transformation; axis-aligned bounding box (AABB).
 #pragma once
 
 #include <algorithm>

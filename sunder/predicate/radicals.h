@@ -1,5 +1,6 @@
 // Signs of numbers with square roots, by repeated squaring: for the number types of the stages (see stages.h). Roots
 // are never taken, so exact numbers give an exact sign; the other types a sign, or unsure.
+// Also called: signs of sums of square roots; root-free comparison.
 #pragma once
 
 #include <sunder/number/sign.h>

@@ -1,4 +1,5 @@
 // How a predicate runs through its stages: one formula, three number types. For use inside predicate/ and its tests.
+// Also called: filtered predicate; arithmetic filter; adaptive, exact geometric computation.
 #pragma once
 
 #include <sunder/number/dyadic.h>

@@ -1,4 +1,5 @@
 // Is a mesh exactly convex, that is, does it bound the convex hull of its vertices?
+// Also called: convexity test.
 #pragma once
 
 #include <sunder/predicate/point.h>

@@ -1,4 +1,5 @@
 // By how much does a mesh that is not convex depart from its hull?
+// Also called: concavity, convexity defect.
 #pragma once
 
 #include <sunder/scene/mesh_convexity.h>

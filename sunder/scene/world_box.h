@@ -1,4 +1,5 @@
 // Boxes around placed polyhedra: the cheap test before the question whether they meet, and its evidence.
+// Also called: axis-aligned bounding box (AABB); bounding volume.
 #pragma once
 
 #include <sunder/certificate/pair.h>

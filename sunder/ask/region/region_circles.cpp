@@ -101,7 +101,8 @@ class CirclesQuestion final : public RegionQuestion {
  private:
   static io::CirclesFile read(const RegionCall& call, Origin& origin) {
     Progress progress("reading");
-    return io::read_circles(call.file, {}, progress.reporter(), {}, call.proves() ? &origin.inputs : nullptr);
+    return io::read_circles(call.file,
+                            {.progress = progress.reporter(), .inputs = call.proves() ? &origin.inputs : nullptr});
   }
   bool is_region() const { return part_.kind == DiscIntersectionKind::region; }
   const std::string& name(std::uint32_t k) const { return read_.file.name[k]; }

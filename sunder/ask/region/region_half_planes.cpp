@@ -38,8 +38,8 @@ constexpr std::array<Named<Method>, 4> methods{{{"automatic", planar::half_plane
 
 io::TripleFile read(const RegionCall& call, Origin& origin) {
   Progress progress("reading");
-  return io::read_triples(call.file, io::half_plane_rows, {}, progress.reporter(), {},
-                          call.proves() ? &origin.inputs : nullptr);
+  return io::read_triples(call.file, io::half_plane_rows,
+                          {.progress = progress.reporter(), .inputs = call.proves() ? &origin.inputs : nullptr});
 }
 
 Constraints constraints_of(const io::TripleFile& file, const std::string& name) {

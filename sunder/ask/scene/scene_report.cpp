@@ -256,7 +256,7 @@ Json scene_json(const SceneReport& report) {
     json["placements"].push_back({{"name", placed.title},
                                   {"answer", placed.answer.some_meet() ? "some" : "none"},
                                   {"joints", placed.joints},
-                                  {"counts", to_json(placed.answer.counts)},
+                                  {"totals", to_json(placed.answer.counts)},
                                   {"seconds", placed.seconds}});
     for (const auto& [key, count] : counted) counts.*count += placed.answer.counts.*count;
     for (const PartPair& pair : placed.answer.pairs) {
@@ -269,7 +269,7 @@ Json scene_json(const SceneReport& report) {
   }
   json["cost"] = to_json(cost);
   json["count"] = meeting;
-  json["counts"] = to_json(counts);
+  json["totals"] = to_json(counts);
   return json;
 }
 

@@ -23,14 +23,14 @@ ContactRow crossing() {
 }
 
 TEST(ContactRow, InAReport) {
-  EXPECT_EQ(report_text(crossing()), R"({"i": 0, "j": 1, "kind": "crossing", "point": [1.0, 1.0], )"
+  EXPECT_EQ(report_text(crossing()), R"({"i": 0, "j": 1, "contact": "crossing", "point": [1.0, 1.0], )"
                                      R"("names": ["A", "B"], "lines": [1, null]})");
 }
 
 TEST(ContactRow, OnAMap) {
   EXPECT_EQ(json::parse(geojson_text(crossing(), 7)), json::parse(R"({
     "type": "Feature", "geometry": {"type": "Point", "coordinates": [1, 1]},
-    "properties": {"number": 7, "kind": "crossing", "i": 0, "j": 1, "names": ["A", "B"], "lines": [1, null]}})"));
+    "properties": {"number": 7, "contact": "crossing", "i": 0, "j": 1, "names": ["A", "B"], "lines": [1, null]}})"));
 }
 
 TEST(ContactRow, AnOverlapIsItsCommonPart) {
@@ -70,6 +70,23 @@ TEST(ContactRow, NamesMayBeAnything) {
   }
 }
 
+TEST(ContactRow, PropertiesThatWereAskedFor) {
+  ContactRow row = crossing();
+  const FeatureProperties of_i{{{"x, y", true}, {"1.5", false}}}, of_j{io::PropertyValues(2)};
+  row.fields = fields_of({"a \"b\"", "size"}, of_i, 0, of_j, 0);
+  const json expected = json::parse(R"({"a \"b\"": ["x, y", null], "size": [1.5, null]})");
+  EXPECT_EQ(json::parse(report_text(row))["properties"], expected);
+  EXPECT_EQ(json::parse(geojson_text(row, 1))["properties"]["properties"], expected);
+  const std::string file = testing::TempDir() + "contact_row_fields_test.csv";
+  ContactTable table(file);
+  table.add(row);
+  table.close();
+  EXPECT_EQ(tests::read_text(file),
+            "i,j,contact,x,y,name_i,name_j,line_i,line_j,\"a \"\"b\"\"_i\",\"a \"\"b\"\"_j\",size_i,size_j\r\n"
+            "0,1,crossing,1,1,A,B,1,,\"x, y\",,1.5,\r\n");
+  std::filesystem::remove(file);
+}
+
 TEST(ContactRow, AsATable) {
   const std::string file = testing::TempDir() + "contact_row_test.csv";
   ContactTable table(file);
@@ -80,12 +97,12 @@ TEST(ContactRow, AsATable) {
   table.add(row);
   table.close();
   EXPECT_EQ(tests::read_text(file),
-            "i,j,kind,x,y,name_i,name_j,line_i,line_j,shown_by\r\n"
+            "i,j,contact,x,y,name_i,name_j,line_i,line_j,shown_by\r\n"
             "0,1,crossing,1,1,A,\"a \"\"b\"\", c\",1,,a vertex inside\r\n"
             "0,1,crossing,1,1,A,\"a \"\"b\"\", c\",1,,a vertex inside\r\n");
   ContactTable empty(file);
   empty.close();
-  EXPECT_EQ(tests::read_text(file), "i,j,kind,x,y\r\n");
+  EXPECT_EQ(tests::read_text(file), "i,j,contact,x,y\r\n");
   std::filesystem::remove(file);
 }
 

@@ -13,6 +13,7 @@
 
 #include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
+#include <sunder/io/property.h>
 #include <sunder/io/text.h>
 #include <sunder/near/cover_statement.h>
 #include <sunder/near/set_answers.h>
@@ -28,6 +29,7 @@ struct MembersFile {
   std::vector<std::uint32_t> lines{};
   std::vector<std::uint32_t> group{};  // empty, or of each member a position in groups
   std::vector<std::string> groups{};
+  std::vector<io::PropertyValues> properties{};  // empty, or of each member
 };
 
 template <class Of>
@@ -103,8 +105,8 @@ class MembersSet {
                                    place_text(Of::place(members_[c.i], members_[c.j])));
     for (const std::uint32_t i : {c.i, c.j}) {
       const std::string group = file_.groups.empty() ? "" : " of " + file_.groups[file_.group[i]];
-      text += fmt::format("    {} {}{}, line {}: {}\n", noun, file_.names[i], group, file_.lines[i],
-                          Of::about(members_[i]));
+      text += fmt::format("    {} {}{}, line {}{}: {}\n", noun, file_.names[i], group, file_.lines[i],
+                          words_of(call_.properties, file_.properties, i), Of::about(members_[i]));
     }
     return text;
   }
@@ -117,6 +119,7 @@ class MembersSet {
     if (!file_.groups.empty()) {
       row.properties.push_back({"groups", {file_.groups[file_.group[c.i]], file_.groups[file_.group[c.j]]}});
     }
+    row.fields = fields_of(call_.properties, file_.properties, c.i, file_.properties, c.j);
     return row;
   }
 

@@ -16,6 +16,7 @@ std::vector<Option> set_options(SetCall& call, const SetHelp& help) {
       {"--allow", &call.allow, fmt::format("what does not count: {}", help.allow), "KIND"},
       {"--group", &call.group, help.group, "FIELD"},
       {"--name", &call.name, help.name, "FIELD"},
+      property_option(call.properties, "of both members"),
       {"--method", &call.method, help.method, "NAME"},
       certificate_option(call.certificate),
       {"--geojson", &call.geojson, "write all contacts here, to lay over a map", "FILE"},

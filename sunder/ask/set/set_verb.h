@@ -51,6 +51,7 @@ struct SetCall : QuestionCall {
   bool any = false, all = false, count = false;  // at most one; none: any
   std::string allow = "nothing";
   std::string group, name, csv, geojson;
+  std::vector<std::string> properties;
   bool leave_out = false, drop_z = false;
 
   // A picture, a map and a table show all.
@@ -237,9 +238,11 @@ std::string picture_of_members(const SetCall& call, const SetResult<Set>& result
   }
   drawing.legend(Ink::calm,
                  call.allow == "nothing" && call.group.empty() ? "meets no other" : "no contact that counts");
+  const std::uint64_t pairs = result.pairs();
+  const std::string meet =
+      pairs == 0 ? "none meet" : fmt::format("{} {}", count_of(pairs, "pair"), pairs == 1 ? "meets" : "meet");
   return drawing.text(call.title_or(fmt::format("Which of these {} meet?", Set::verb)),
-                      fmt::format("{}; {}{}", count_of(size, Set::noun),
-                                  result.some() ? count_of(result.pairs(), "pair") + " meet" : "none meet", clause));
+                      fmt::format("{}; {}{}", count_of(size, Set::noun), meet, clause));
 }
 
 // Goes through the contacts once, and writes all that was asked for.
@@ -275,6 +278,7 @@ void write_set(const SetCall& call, const Set& set, const SetResult<Set>& result
 template <class Set>
 int run_set(const typename Set::Call& call) {
   Set::check(call);
+  require_different(call.properties);
   Set set(call);
   const auto require_drawable = [&](std::uint64_t contacts) {
     if (!call.svg.empty()) ask::require_drawable(set.drawn(), Set::drawn_noun, contacts, call.svg_limit);

@@ -16,7 +16,8 @@ struct Boxes {
   static constexpr const char* file_help = "boxes: CSV (x1,y1,x2,y2: opposite corners, and a name if you like)";
 
   static MembersFile<Members> read(const SetCall& call, InputFiles* inputs) {
-    io::LineFile file = io::read_lines(call.files[0], {.group = call.group, .name = call.name, .inputs = inputs});
+    io::LineFile file = io::read_lines(
+        call.files[0], {.group = call.group, .name = call.name, .properties = call.properties, .inputs = inputs});
     if (file.format != "CSV") io::fail_file(call.files[0], "has no boxes; give CSV, x1,y1,x2,y2");
     std::vector<Box2> boxes;
     for (const planar::Segment& s : file.segments) boxes.push_back(hull(Box2{s.a, s.a}, Box2{s.b, s.b}));
@@ -26,8 +27,8 @@ struct Boxes {
       names.push_back(file.features[source.feature]);
       lines.push_back(source.line);
     }
-    return {Members(std::move(boxes)), std::move(names), std::move(lines), std::move(file.group),
-            std::move(file.groups)};
+    return {Members(std::move(boxes)), std::move(names),       std::move(lines),
+            std::move(file.group),     std::move(file.groups), std::move(file.properties)};
   }
 
   static std::string about(const Box2& b) { return place_text(b.low) + " to " + place_text(b.high); }

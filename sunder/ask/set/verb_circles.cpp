@@ -30,9 +30,13 @@ struct Circles {
 
   static MembersFile<Discs> read(const SetCall& call, InputFiles* inputs) {
     Progress progress("reading");
-    auto [file, circles] = io::read_circles(call.files[0], call.group, progress.reporter(), call.name, inputs);
-    return {std::move(circles), std::move(file.name), std::move(file.line), std::move(file.group),
-            std::move(file.groups)};
+    auto [file, circles] = io::read_circles(call.files[0], {.group = call.group,
+                                                            .name = call.name,
+                                                            .properties = call.properties,
+                                                            .progress = progress.reporter(),
+                                                            .inputs = inputs});
+    return {std::move(circles),    std::move(file.name),   std::move(file.line),
+            std::move(file.group), std::move(file.groups), std::move(file.properties)};
   }
 
   static std::string about(const Disc& c) {

@@ -97,6 +97,7 @@ PolygonsRequest request_of(const Call& call) {
           .rule = call.self_touch ? planar::PolygonRule::self_touch : planar::PolygonRule::valid,
           .group = call.group,
           .name = call.name,
+          .properties = call.properties,
           .tell_inputs = call.proves()};
 }
 
@@ -209,6 +210,8 @@ class PolygonsSet {
     add("parts", part_of(input_, c, true).dump(), part_of(input_, c, false).dump());
     if (i.line > 0) add("lines", i.line, j.line);
     if (grouped()) row.properties.push_back({"groups", {group_of(input_, c.i), group_of(input_, c.j)}});
+    row.fields = fields_of(call_.properties, input_.files[i.file].properties, i.feature,
+                           input_.files[j.file].properties, j.feature);
     return row;
   }
 
@@ -241,7 +244,7 @@ class PolygonsSet {
     return sum;
   }
 
-  // "Chad of farms, part 2 (a.wkt, line 7)"
+  // "Chad of farms, part 2 (a.wkt, line 7), owner X"
   std::string polygon_text(const PolygonsContact& c, bool of_i) const {
     const std::uint32_t i = of_i ? c.i : c.j, line = input_.line(i);
     std::string text = input_.name(i);
@@ -251,7 +254,9 @@ class PolygonsSet {
     std::vector<std::string> place;
     if (input_.files.size() > 1) place.push_back(io::one_line(input_.names[input_.source[i].file]));
     if (line > 0) place.push_back(fmt::format("line {}", line));
-    return place.empty() ? text : fmt::format("{} ({})", text, fmt::join(place, ", "));
+    if (!place.empty()) text += fmt::format(" ({})", fmt::join(place, ", "));
+    const PolygonSource& source = input_.source[i];
+    return text + words_of(call_.properties, input_.files[source.file].properties, source.feature);
   }
 
   static void draw(PlanePicture& drawing, const Polygon& polygon, Ink ink) {

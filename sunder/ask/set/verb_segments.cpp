@@ -193,6 +193,7 @@ io::LineFile read(const Call& call, InputFiles* inputs) {
                                         .progress = progress.reporter(),
                                         .leave_out = call.leave_out,
                                         .name = call.name,
+                                        .properties = call.properties,
                                         .inputs = inputs});
 }
 
@@ -299,8 +300,9 @@ class SegmentsSet {
   std::string text(const SegmentsContact& contact) const {
     std::string text = fmt::format("{} at about {}\n", name_of(contact.kind), place_text(place_of(file_, contact)));
     for (const std::uint32_t i : {contact.i, contact.j}) {
-      text += fmt::format("    segment {}, {}: {} to {}\n", i, source_of(file_, i), place_text(file_.segments[i].a),
-                          place_text(file_.segments[i].b));
+      text += fmt::format("    segment {}, {}{}: {} to {}\n", i, source_of(file_, i),
+                          words_of(call_.properties, file_.properties, file_.source[i].feature),
+                          place_text(file_.segments[i].a), place_text(file_.segments[i].b));
     }
     return text;
   }
@@ -321,6 +323,8 @@ class SegmentsSet {
     });
     if (!file_.groups.empty()) add("groups", true, [&](std::uint32_t i) { return file_.groups[file_.group[i]]; });
     if (!file_.layers.empty()) add("layers", true, [&](std::uint32_t i) { return file_.layers[file_.layer[i]]; });
+    row.fields = fields_of(call_.properties, file_.properties, file_.source[c.i].feature, file_.properties,
+                           file_.source[c.j].feature);
     return row;
   }
 

@@ -1,6 +1,7 @@
 // sunder simple FILE: are the polygons of a file valid? If not, what is wrong, and where?
 #include <sunder/ask/list_stream.h>
 #include <sunder/ask/report.h>
+#include <sunder/ask/set/contact_row.h>
 #include <sunder/ask/set/polygons_input.h>
 #include <sunder/ask/verb.h>
 
@@ -33,6 +34,7 @@ using planar::RingPlace;
 
 struct Call : QuestionCall {  // svg_limit: of segments and defects
   std::string file, name, geojson;
+  std::vector<std::string> properties;
   bool strict = false, self_touch = false;
   bool all = false;
   bool drop_z = false, leave_out = false, skip_invalid = false, mend = false;
@@ -89,7 +91,8 @@ class ValidQuestion {
                      {.drop_z = call.drop_z,
                       .leave_out = call.leave_out,
                       .keep_broken = call.mend || call.skip_invalid,
-                      .name = call.name},
+                      .name = call.name,
+                      .properties = call.properties},
                      call.proves());
     if (file().rings.empty() && file().broken.empty()) io::fail_file(call.file, "has no polygons");
   }
@@ -110,6 +113,13 @@ class ValidQuestion {
  private:
   const io::LineFile& file() const { return input_.files.front(); }
   const std::string& name(const Result& result) const { return file().features[result.feature]; }
+
+  // Those that --property asks for.
+  void add_properties(const Result& result, Json& json) const {
+    for (std::size_t k = 0; k < call_.properties.size(); ++k) {
+      json["properties"][call_.properties[k]] = Json::parse(value_json(file().properties[result.feature][k]));
+    }
+  }
 
   void require_drawable() const {
     if (!call_.svg.empty()) ask::require_drawable(file().segments.size(), "segment", defects_, call_.svg_limit);
@@ -214,8 +224,9 @@ class ValidQuestion {
 
   // Of a result, or of a skipped feature: "feature 7 (Antarctica), line 8".
   std::string feature_text(const auto& f) const {
-    return fmt::format("feature {}{}", input_.feature_text(0, f.feature),
-                       f.line > 0 ? fmt::format(", line {}", f.line) : "");
+    return fmt::format("feature {}{}{}", input_.feature_text(0, f.feature),
+                       f.line > 0 ? fmt::format(", line {}", f.line) : "",
+                       words_of(call_.properties, file().properties, f.feature));
   }
 
   // The first defects of a feature.
@@ -270,14 +281,15 @@ class ValidQuestion {
     ListReport objects(json, "objects");
     for_each_feature([&](const Result& result, const auto&, const VisitDefects& visit) {
       const auto& rings = result.rings_of_part;
-      const Json object = {{"file", io::one_line(call_.file)},
-                           {"format", file().format},
-                           {"feature", result.feature},
-                           {"name", name(result)},
-                           {"parts", rings.size()},
-                           {"rings", std::accumulate(rings.begin(), rings.end(), 0u)},
-                           {"edges", result.edges},
-                           {"answer", call_.answer(result.valid())}};
+      Json object = {{"file", io::one_line(call_.file)},
+                     {"format", file().format},
+                     {"feature", result.feature},
+                     {"name", name(result)},
+                     {"parts", rings.size()},
+                     {"rings", std::accumulate(rings.begin(), rings.end(), 0u)},
+                     {"edges", result.edges},
+                     {"answer", call_.answer(result.valid())}};
+      add_properties(result, object);
       objects.add_list(object, "defects", [&](ListStream& defects) {
         visit([&](const PolygonDefect& defect) {
           Json entry = defect_json(defect, result.has_parts());
@@ -299,6 +311,7 @@ class ValidQuestion {
         Json geometry = {{"type", "Point"}, {"coordinates", at[0]}};
         if (at.size() > 1) geometry = {{"type", "LineString"}, {"coordinates", at}};
         Json properties = {{"feature", result.feature}, {"name", name(result)}};
+        add_properties(result, properties);
         properties.update(defect_json(defect, result.has_parts()));
         const Json feature = {{"type", "Feature"}, {"geometry", geometry}, {"properties", properties}};
         geojson.add(feature.dump(-1, ' ', false, Json::error_handler_t::replace));
@@ -338,6 +351,7 @@ class ValidQuestion {
 
 int run(const Call& call) {
   if (call.method != "automatic" && call.method != "scan") refuse_method(call.method, "automatic, scan");
+  require_different(call.properties);
   return ValidQuestion(call).answer();
 }
 
@@ -363,6 +377,7 @@ Verb simple_verb() {
        title_option(call->title),
        {"--leave-out", &call->leave_out, leave_out_help},
        {"--name", &call->name, name_help, "FIELD"},
+       property_option(call->properties, "of each feature"),
        {"--skip-invalid", &call->skip_invalid, "answer for the features whose rings are closed, and list the others"},
        {.name = "--mend",
         .value = &call->mend,

@@ -1,4 +1,5 @@
 // Half-planes of the plane, numbered: by linear constraints, or by arrows that have them on their left.
+// Also called: linear inequalities; half-spaces of the plane; constraints of a linear program.
 #pragma once
 
 #include <sunder/base/error.h>

@@ -1,4 +1,5 @@
 // Convex polygons: arrays of vertices, counter-clockwise, ready for searches in logarithmic time.
+// Also called: convex polytope of the plane, by its vertices (V-representation).
 #pragma once
 
 #include <sunder/base/error.h>

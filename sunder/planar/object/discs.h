@@ -1,4 +1,5 @@
 // Closed discs of the plane: circles with their insides. So nested ones have common points. Radius zero is a point.
+// Also called: disks, circles, balls of the plane.
 #pragma once
 
 #include <sunder/base/error.h>

@@ -1,4 +1,5 @@
 // Lines, rays and half-planes of the plane, by two points of theirs. (Segments are in segments.h.)
+// Also called: half-lines; half-spaces of the plane.
 //
 // Plain numbers; what the factories give has finite coordinates and two different points, as every question about them
 // requires. The points are the line, exactly: a line through two points that were rounded is the line through these.

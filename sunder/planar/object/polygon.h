@@ -1,4 +1,5 @@
 // A polygon with holes: closed rings of vertices, not necessarily simple.
+// Also called: polygonal region, multipolygon, area feature; even-odd rule.
 #pragma once
 
 #include <sunder/base/error.h>

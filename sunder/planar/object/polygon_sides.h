@@ -1,4 +1,5 @@
 // The half-planes of the edges of a polygon with one ring: of each edge the side where the polygon is.
+// Also called: inner half-planes of a polygon; H-representation, where it is convex.
 #pragma once
 
 #include <sunder/base/error.h>

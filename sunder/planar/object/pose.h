@@ -1,4 +1,5 @@
 // Where a planar object is: an affine map from the object's frame to the world's.
+// Also called: affine transformation, transform; placement, configuration; rigid motion.
 #pragma once
 
 #include <sunder/base/error.h>

@@ -1,4 +1,5 @@
 // Segments of the plane: closed, of any length, also zero.
+// Also called: line segments; edges.
 #pragma once
 
 #include <sunder/base/error.h>
@@ -23,9 +24,9 @@ struct Segment {
 // From its lexicographically first end to its last.
 inline Segment sorted(const Segment& s) { return lexicographically_less(s.b, s.a) ? Segment{s.b, s.a} : s; }
 
-// Of two on one line that meet, each with its first end first: what they have in common. Where they do not meet, its
-// ends are the other way round.
-inline Segment common_piece(const Segment& s, const Segment& t) {
+// Of two on one line that meet, each with its first end first: what they have in common, exactly. Where they do not
+// meet, its ends are the other way round. (On one line, the lexicographic order is the order along it.)
+inline Segment common_part(const Segment& s, const Segment& t) {
   return {lexicographically_less(s.a, t.a) ? t.a : s.a, lexicographically_less(s.b, t.b) ? s.b : t.b};
 }
 

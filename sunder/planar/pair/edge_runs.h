@@ -1,4 +1,5 @@
 // Where does the run of edges that point to the left of an arrow begin and end? One look at an edge a step.
+// Also called: extreme points by binary search; tangents of a given direction.
 //
 // The directions of a convex polygon's edges turn once about, so those to the left of an arrow stand together; where
 // the run begins and ends are the polygon's extreme vertices to the right and to the left of the arrow: the binary

@@ -1,5 +1,6 @@
 // Where a line cuts a convex sequence of vertices, and what a ray or a segment leaves of that. For questions and ties
 // see polygon_cut.h; while here, features are positions.
+// Also called: line clipping by binary search; stabbing.
 //
 // As in Chazelle & Dobkin 1987, Theorem 3: a vertex z off the line; the vertex w furthest to the other side; from one
 // to the other, either way round, heights over the line change their sign once.

@@ -1,5 +1,6 @@
 // Gilbert, Johnson & Keerthi 1988 in the plane: which point of the difference D = A - B is nearest to the origin? A and
 // B meet iff it is the origin.
+// Also called: GJK algorithm; distance of the origin to the Minkowski difference.
 //
 // A simplex, of one to three vertices of D, walks towards the origin: the part of it that is nearest to the origin is
 // kept, and the vertex of D that is furthest from there in the direction of the origin (a difference of two support

@@ -1,4 +1,5 @@
 // What a line, a ray or a segment has in common with a placed convex polygon: by the names of features, and exactly.
+// Also called: clipped line; chord of a convex polygon.
 //
 // The line runs from its point a through its point b; so do the ray, from a on, and the segment, from a to b.
 #pragma once

@@ -1,4 +1,5 @@
 // Does a placed convex polygon meet a closed half-plane? (Touching its line is meeting.)
+// Also called: half-plane intersection test; support query.
 //
 // The answer is exactly right for the doubles given; the half-plane is in the world. P1 of polygon_line.h holds.
 // The witness is the polygon's vertex furthest into the half-plane, of two the one further along its direction: the two

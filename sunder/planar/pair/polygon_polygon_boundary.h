@@ -1,4 +1,5 @@
 // Do the boundaries of two placed convex polygons meet, or is one of them inside the other?
+// Also called: boundary intersection detection; containment test.
 //
 // The boundary of a segment or a point is all of it. Exactly right for the doubles given; touching is meeting.
 // None allocates while filters decide, and none throws, but for want of memory.

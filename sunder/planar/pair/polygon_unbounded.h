@@ -1,6 +1,7 @@
 // What has a placed convex polygon in common with a line, a ray or a half-plane, whichever it is; do they touch, or
 // overlap; and what proves it (docs/claims.md, "pair")? For one of a known kind see polygon_line.h, polygon_ray.h and
 // polygon_half_plane.h, which are asked here.
+// Also called: clipping of a line, ray or half-plane by a convex polygon.
 //
 // None throws, but for want of memory.
 #pragma once

@@ -20,7 +20,7 @@ bool is_end_of(const Point2& p, const Segment& s) { return p == s.a || p == s.b;
 
 // Of two segments on one line, or points on it.
 ContactKind on_one_line(const Segment& s, const Segment& t) {
-  const auto [first, last] = common_piece(s, t);
+  const auto [first, last] = common_part(s, t);
   if (lexicographically_less(last, first)) return ContactKind::none;
   if (lexicographically_less(first, last)) return ContactKind::overlap;
   return is_end_of(first, s) && is_end_of(first, t) ? ContactKind::shared_endpoint : ContactKind::touch;
@@ -67,10 +67,5 @@ ExactPoint2 common_point(const Segment& s, const Segment& t) {
 }
 
 Point2 common_point_rounded(const Segment& s, const Segment& t) { return nearest(common_point(s, t)); }
-
-Segment common_part(const Segment& s, const Segment& t) {
-  // On one line, the lexicographic order is the order along it.
-  return {lexicographically_less(s.a, t.a) ? t.a : s.a, lexicographically_less(s.b, t.b) ? s.b : t.b};
-}
 
 }  // namespace sunder::planar

@@ -35,7 +35,4 @@ ExactPoint2 common_point(const Segment& s, const Segment& t);
 // The same in doubles: each coordinate is the nearest one, ties to even.
 Point2 common_point_rounded(const Segment& s, const Segment& t);
 
-// The common part of two that overlap, which is required. Exact: its ends are ends of theirs.
-Segment common_part(const Segment& s, const Segment& t);
-
 }  // namespace sunder::planar

@@ -1,5 +1,6 @@
 // Which vertex of a convex polygon, or of the difference of two, is furthest along a direction? In doubles, for
 // searches that propose: extreme_vertex.h decides.
+// Also called: support mapping, support function, support point; of the Minkowski difference, too.
 #pragma once
 
 #include <sunder/planar/pair/edge_runs.h>

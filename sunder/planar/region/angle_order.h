@@ -1,4 +1,5 @@
 // Half-planes in the order of their normals' angles.
+// Also called: angular sort, polar sort.
 //
 // A key in doubles that grows with the angle sorts what it can tell apart; half-planes whose keys are nearer than its
 // error are sorted by exact signs.

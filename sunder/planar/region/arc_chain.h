@@ -1,4 +1,5 @@
 // The boundary of a common part of discs, as seen from a point inside of all of them.
+// Also called: lower envelope in polar coordinates.
 //
 // From there each circle is a function of direction, so the boundary of a common part is the least of them: pieces of
 // circles. A chain of pieces begins in the direction of the x axis and goes once round. Two circles change places where

@@ -1,4 +1,5 @@
 // The upper boundary of a common part of convex polygons between two abscissas, as pieces of their edges' lines.
+// Also called: lower envelope of concave chains.
 //
 // Between the greatest abscissa of the polygons' leftmost vertices and the least of their rightmost ones the upper
 // boundary of each polygon is a concave function of x, and that of a common part is the least of these. Lower

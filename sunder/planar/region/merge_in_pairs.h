@@ -1,4 +1,5 @@
 // Chains of pieces, merged pair by pair until there is one.
+// Also called: divide and conquer; merging bottom-up.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 // The common part of half-planes, named by the half-planes that bound it: what questions about regions answer with.
+// Also called: feasible region, feasible set; polyhedron in H-representation.
 //
 // A region holds numbers of half-planes only: which they belong to (Constraints, HalfPlanes, PolygonSides: `Given`
 // below) has to be at hand for all that needs coordinates. Angles are those of normals, which point out.

@@ -1,4 +1,5 @@
 // The common part of half-planes that are sorted by angle: what the methods share. (The oracle does not use it.)
+// Also called: envelope of lines, dual to a convex hull; half-plane intersection by sorting.
 //
 // A chain is the boundary of the common part of half-planes whose normals all point up, or all down: no two of them are
 // antiparallel, so it is never empty, and a stack finds it (Andrew's hull, dual). A joint is where one chain ends and

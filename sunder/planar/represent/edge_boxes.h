@@ -1,4 +1,5 @@
 // Boxes of runs of edges of a polygon, and of runs of those: which edges may be near something?
+// Also called: bounding volume hierarchy (BVH), tree of axis-aligned boxes (AABB tree); packed R-tree.
 //
 // A run is a few edges that are numbered in turn; on the next level it is a few runs, and so on, until few are left.
 // Boxes of runs have their sides moved outwards to floats: what meets a true box meets its coarse one. Four of them,

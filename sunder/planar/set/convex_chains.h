@@ -1,4 +1,5 @@
 // Where is a point against a convex polygon on the vertical line through it? By halving the polygon's two chains.
+// Also called: point location in a convex polygon, by its upper and lower hull.
 #pragma once
 
 #include <sunder/planar/object/convex_polygon.h>

@@ -57,7 +57,7 @@ ExactPoint2 point_within(const Segment& s, const ConvexPolygon& polygon) {
     const Segment t = sorted({polygon[k], polygon[polygon.next(k)]});
     const ContactKind kind = segment_segment(s, t);
     if (kind == ContactKind::overlap) {
-      const auto [first, last] = common_piece(s, t);
+      const auto [first, last] = common_part(s, t);
       add(exactly(first));
       add(exactly(last));
     } else if (kind != ContactKind::none) {

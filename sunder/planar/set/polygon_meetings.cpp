@@ -19,7 +19,7 @@ struct CommonEnds {
 };
 CommonEnds common_ends(const Segment& s, const Segment& t, ContactKind kind) {
   if (kind == ContactKind::overlap) {
-    const auto [first, last] = common_piece(s, t);
+    const auto [first, last] = common_part(s, t);
     return {{first, last}, 2};
   }
   if (kind == ContactKind::shared_endpoint) return {{has_end_at(t, s.a) ? s.a : s.b, {}}, 1};

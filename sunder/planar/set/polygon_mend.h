@@ -1,4 +1,5 @@
 // What may be mended of a polygon without changing what it is, but for lines without area.
+// Also called: repair, cleaning; a careful part of make valid, ST_MakeValid.
 #pragma once
 
 #include <sunder/planar/set/polygon_valid.h>

@@ -14,7 +14,7 @@ PolygonSweep::PolygonSweep(const PolygonEdges& edges, const SetOptions& options,
       place_(edges, options, found_),
       status_(edges.edges().all()),
       crossings_(edges.edges()),
-      above_of_(edges.edges().size(), SharedSets::empty),
+      above_of_(edges.edges().size(), PersistentSets::empty),
       fills_above_(edges.edges().size()),
       is_first_(edges.edges().size()),
       seen_(edges.polygon_count()),
@@ -134,13 +134,13 @@ bool PolygonSweep::is_lower(std::uint32_t e, std::uint32_t f, const Point2& p) {
 // A polygon's edge ends where its next one begins, and nothing else is there.
 void PolygonSweep::goes_on(std::uint32_t old, std::uint32_t next) {
   status_.replace(old, next);
-  above_of_[next] = std::exchange(above_of_[old], SharedSets::empty);
+  above_of_[next] = std::exchange(above_of_[old], PersistentSets::empty);
   fills_above_[next] = fills_above_[old];
   stopped_ = !meet(below_, next) || !meet(next, above_);
 }
 
 void PolygonSweep::pass() {
-  under_ = below_ == none ? SharedSets::empty : above_of_[below_];
+  under_ = below_ == none ? PersistentSets::empty : above_of_[below_];
   find_sides();
   // Two that only cross have been found when they became neighbours.
   const bool cross = begins_.empty() && row_.size() == 2 && next_.size() == 2;
@@ -224,13 +224,13 @@ bool PolygonSweep::report_inside(std::uint32_t e, std::uint32_t outer) {
 
 // What is above the last of them is as before.
 void PolygonSweep::put_row() {
-  const SharedSets::Set top = sets_.again(row_.empty() ? under_ : above_of_[row_.back()]);
+  const PersistentSets::Set top = sets_.again(row_.empty() ? under_ : above_of_[row_.back()]);
   for (const std::uint32_t e : row_) {
     status_.erase(e);
-    sets_.release(std::exchange(above_of_[e], SharedSets::empty));
+    sets_.release(std::exchange(above_of_[e], PersistentSets::empty));
   }
   std::uint32_t below = below_;
-  SharedSets::Set under = under_;
+  PersistentSets::Set under = under_;
   for (std::size_t k = 0; k < next_.size(); ++k) {
     const std::uint32_t e = next_[k];
     status_.insert_above(below, e);

@@ -1,9 +1,10 @@
 // The contacts of polygons by one sweep over their edges: around points where several come together, where edges
 // cross, and of rings inside of other polygons. For use by polygons_any and polygons_all.
+// Also called: map overlay by plane sweep.
 //
 // The line sweeps lexicographically, and passes crossings (Bentley & Ottmann 1979). All that happens at one point is
 // dealt with at once. What the polygons fill just above each edge of the list is known as a set: it differs from that
-// below by the edge's polygon, in which they share all else (SharedSets). So
+// below by the edge's polygon, in which they share all else (PersistentSets). So
 //   - edges that cross were neighbours before: their polygons overlap;
 //   - around a point where polygons of several groups have edges, PolygonPlace tells who touches and who overlaps;
 //   - a ring without these lies inside of the polygons in the set below its first vertex, and of no others.
@@ -15,7 +16,7 @@
 
 #include <sunder/planar/set/polygon_place.h>
 #include <sunder/planar/sweep/crossing_queue.h>
-#include <sunder/planar/sweep/shared_sets.h>
+#include <sunder/planar/sweep/persistent_sets.h>
 #include <sunder/planar/sweep/sweep_status.h>
 
 #include <cstdint>
@@ -63,10 +64,10 @@ class PolygonSweep {
   PolygonPlace place_;
   SweepStatus<Segment> status_;
   CrossingQueue crossings_;
-  SharedSets sets_;
-  std::vector<SharedSets::Set> above_of_;  // of each edge in the list: which polygons fill what is just above
-  std::vector<bool> fills_above_;          // of each edge: does its own?
-  std::vector<bool> is_first_;             // of each edge: does its ring begin with it?
+  PersistentSets sets_;
+  std::vector<PersistentSets::Set> above_of_;  // of each edge in the list: which polygons fill what is just above
+  std::vector<bool> fills_above_;              // of each edge: does its own?
+  std::vector<bool> is_first_;                 // of each edge: does its ring begin with it?
 
   // At a point.
   const Point2* vertex_ = nullptr;               // none where edges only cross
@@ -74,9 +75,9 @@ class PolygonSweep {
   std::vector<std::uint32_t> row_, next_;        // those in the list that hold it, from below to above; and just after
   std::vector<bool> fills_next_;                 // as fills_above_
   std::uint32_t below_ = 0, above_ = 0;          // next to the row
-  SharedSets::Set under_ = SharedSets::empty;    // just below the row
-  std::vector<std::uint32_t> seen_;              // of each polygon: at which point last
-  std::vector<bool> fills_;                      // of each polygon that was seen: what is between two edges of the row
+  PersistentSets::Set under_ = PersistentSets::empty;  // just below the row
+  std::vector<std::uint32_t> seen_;                    // of each polygon: at which point last
+  std::vector<bool> fills_;  // of each polygon that was seen: what is between two edges of the row
   std::uint32_t point_ = 0;
   std::vector<PolygonPlace::Leaving> leaving_;
   std::vector<std::uint32_t> inside_of_;

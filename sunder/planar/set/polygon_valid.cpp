@@ -190,7 +190,7 @@ class Check {
   PolygonDefect defect_of(const SegmentsContact& c) const {
     const Segment &s = edges_[c.i], &t = edges_[c.j];
     const Point2 at = c.kind == ContactKind::overlap ? Point2{} : common_point_rounded(s, t);
-    const Segment place = c.kind != ContactKind::overlap ? Segment{at, at} : common_piece(s, t);
+    const Segment place = c.kind != ContactKind::overlap ? Segment{at, at} : common_part(s, t);
     return {kind_of(c), place_of(rings_of_edges_, c.i), place_of(rings_of_edges_, c.j), place};
   }
 

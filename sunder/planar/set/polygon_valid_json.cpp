@@ -407,7 +407,7 @@ bool write_edges_meet(const Statement& out, std::uint32_t i, std::uint32_t j) {
   out.file.index("i", i);
   out.file.index("j", j);
   out.file.text("kind", name_of(kind));
-  out.point(kind == ContactKind::overlap ? exactly(common_piece(s, t).a) : common_point(s, t));
+  out.point(kind == ContactKind::overlap ? exactly(common_part(s, t).a) : common_point(s, t));
   out.end("contact");
   return true;
 }

@@ -130,7 +130,7 @@ ExactPoint2 common_point(const Polygon& a, const Polygon& b, const PolygonsConta
     return inside_both_near(a, b, vertex).value_or(vertex);
   }
   const Segment s = sorted(a.edge(found.of_i)), t = sorted(b.edge(found.of_j));
-  const auto [first, last] = common_piece(s, t);
+  const auto [first, last] = common_part(s, t);
   const bool is_overlap = found.kind == ContactKind::overlap;
   ExactPoint2 common = is_overlap ? ExactPoint2{Dyadic(first.x) + Dyadic(last.x), Dyadic(first.y) + Dyadic(last.y), 2.0}
                                   : common_point(s, t);

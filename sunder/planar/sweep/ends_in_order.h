@@ -1,4 +1,5 @@
 // The ends of segments in the order of a sweep.
+// Also called: sorted event points of a plane sweep.
 #pragma once
 
 #include <sunder/planar/object/segments.h>

@@ -1,5 +1,6 @@
 // Numbers in the order of doubles, many of them, fast: a radix sort by the leading bits in which they differ, then
 // comparisons among those that are equal there.
+// Also called: radix sort; bucket sort.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Numbered values of which the next one that is not below a bound is found fast.
+// Also called: tournament tree; segment tree of maxima.
 //
 // A tree of maxima over groups of eight (a cache line), level by level in arrays.
 // Cost: O(log N) to change a value or to find the next.

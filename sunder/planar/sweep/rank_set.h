@@ -1,4 +1,5 @@
 // A set of numbers 0 .. N - 1 with its neighbours: which member is the next below or above a number?
+// Also called: predecessor and successor search; bit trie.
 //
 // A tree of words of 64 bits, level by level in arrays: a bit of a word says whether the word below holds anything.
 // Cost: at most six levels up and six down, for N < 2^31; one or two where members are dense. 1.02 N bits.

@@ -1,4 +1,5 @@
 // What a sweep over segments met, point by point: the evidence of statements about sets (docs/claims.md, "Sweeps").
+// Also called: event points of a plane sweep; trace.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 // From a triangulated hull to the hull with maximal facets. Internal to solid/hull.
+// Also called: facet merging.
 #pragma once
 
 #include <sunder/predicate/point.h>

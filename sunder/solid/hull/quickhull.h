@@ -1,4 +1,5 @@
 // A triangulated convex hull of points that span space. Internal to solid/hull.
+// Also called: convex hull by conflict lists, outside sets.
 #pragma once
 
 #include <sunder/predicate/facet_plane.h>

@@ -1,4 +1,5 @@
 // A convex polyhedron: the exact convex hull of any finite, non-empty set of points of space.
+// Also called: convex polytope in three dimensions.
 #pragma once
 
 #include <sunder/base/error.h>

@@ -1,5 +1,6 @@
 // The part of a simplex nearest to the origin, in floating point: the inner step of the Gilbert-Johnson-Keerthi
 // search, in double or in double-double precision. Nothing here decides anything.
+// Also called: distance subalgorithm of the GJK algorithm.
 #pragma once
 
 #include <sunder/solid/pair/search_vector.h>

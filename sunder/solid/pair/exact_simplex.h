@@ -1,4 +1,5 @@
 // The exact finishing of pair questions: the simplex method in integers, with the vertex graph as its pricing.
+// Also called: revised simplex method; phase one of a linear program.
 //
 // The linear program: weights l_i >= 0 of A's vertices and m_j >= 0 of B's with
 //   sum l_i a_i - sum m_j b_j = 0,  sum l_i = 1,  sum m_j = 1

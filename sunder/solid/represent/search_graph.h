@@ -1,4 +1,5 @@
 // What the searches walk on: the vertex graph of a convex polyhedron, laid out for the memory cache.
+// Also called: vertex adjacency graph, 1-skeleton of a polytope.
 //
 // A search at vertex v reads one block: v's coordinates, and those of its neighbours side by side. A table over
 // directions gives a start near the goal. So a step touches a few neighbouring cache lines, and depends on one load.

@@ -1,5 +1,5 @@
 #include <sunder/base/random.h>
-#include <sunder/planar/sweep/shared_sets.h>
+#include <sunder/planar/sweep/persistent_sets.h>
 
 #include <gtest/gtest.h>
 
@@ -11,18 +11,19 @@ namespace sunder::planar {
 namespace {
 
 // As plain sets do, where many are alive at once and each came of another one.
-TEST(SharedSets, AsPlainSets) {
+TEST(PersistentSets, AsPlainSets) {
   Random random(20261127);
   for (const std::uint64_t range : {1ull, 2ull, 9ull, 100ull, 0x80000000ull}) {
-    SharedSets sets;
-    std::vector<SharedSets::Set> alive{SharedSets::empty};
+    PersistentSets sets;
+    std::vector<PersistentSets::Set> alive{PersistentSets::empty};
     std::vector<std::set<std::uint32_t>> plain(1);
     for (int step = 0; step < 3000; ++step) {
       const std::size_t from = random.below(alive.size());
       std::uint32_t member = static_cast<std::uint32_t>(random.below(range));
       if (random.below(2) == 0 && !plain[from].empty()) member = *plain[from].begin();
       EXPECT_EQ(sets.holds(alive[from], member), plain[from].contains(member));
-      const SharedSets::Set next = random.below(8) == 0 ? sets.again(alive[from]) : sets.toggled(alive[from], member);
+      const PersistentSets::Set next =
+          random.below(8) == 0 ? sets.again(alive[from]) : sets.toggled(alive[from], member);
       std::set<std::uint32_t> expected = plain[from];
       if (next != alive[from] && expected.erase(member) == 0) expected.insert(member);
       alive.push_back(next);
@@ -38,7 +39,7 @@ TEST(SharedSets, AsPlainSets) {
       }
     }
     EXPECT_GT(sets.size_in_nodes(), 0u);
-    for (const SharedSets::Set set : alive) sets.release(set);
+    for (const PersistentSets::Set set : alive) sets.release(set);
     EXPECT_EQ(sets.size_in_nodes(), 0u);
   }
 }

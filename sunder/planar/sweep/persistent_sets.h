@@ -1,4 +1,5 @@
 // Sets of numbers of which one differs from another in a member, and shares the rest with it.
+// Also called: Patricia trie; mergeable integer maps.
 //
 // A set is a binary tree over the bits of its members, without nodes that have one child; it is never changed. To take
 // a member in or out copies the way to it. A node is freed when the last set that holds it is released.
@@ -14,7 +15,7 @@
 
 namespace sunder::planar {
 
-class SharedSets {
+class PersistentSets {
  public:
   using Set = std::uint32_t;
   static constexpr Set empty = 0xffffffffu;
