@@ -7,7 +7,9 @@
 #include <sunder/base/random.h>
 #include <sunder/predicate/along.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
+#include <sunder/solid/pair/support.h>
 #include <sunder/solid/represent/hierarchy.h>
+#include <sunder/solid/represent/hierarchy_walk.h>
 
 #include <gtest/gtest.h>
 
@@ -179,6 +181,30 @@ TEST(SolidHierarchyComplexity, Lemma42AtMostOneVertexIsBeyondAndANeighbour) {
   }
   EXPECT_GT(none_beyond, one_beyond / 10);
   EXPECT_GT(one_beyond, none_beyond / 10);
+}
+
+// From level to level a walk finds what a run to that level finds, and looks at no more in all.
+TEST(SolidHierarchyComplexity, AWalkFromLevelToLevelCostsOneRun) {
+  Random random(chosen_seed(103));
+  for (const SolidShape& shape : all_solid_shapes()) {
+    SCOPED_TRACE(shape.name);
+    const ConvexPolyhedron body(shape.make(500, random));
+    const Hierarchy& h = body.hierarchy();
+    solid::CompareAlong<double> compare(body);
+    const solid::TurnAlong<double> turn{compare};
+    std::uint64_t in_pieces = 0, whole = 0;
+    solid::HierarchyWalk walk(h, compare, turn, in_pieces);
+    for (int i = 0; i < 50; ++i) {
+      compare.turn_to(on_sphere(random));
+      in_pieces = whole = 0;
+      walk.start();
+      for (const std::uint32_t end : h.level_end) {
+        whole = 0;
+        ASSERT_EQ(walk.go_on(end), solid::HierarchyWalk(h, compare, turn, whole).run(end));
+        ASSERT_EQ(in_pieces, whole);
+      }
+    }
+  }
 }
 
 // What the walk of Dobkin and Kirkpatrick 1990 looks at: on each level all neighbours of the vertex that is extreme on
