@@ -104,7 +104,8 @@ TEST(SolidPairDifferential, MethodsAgreeWithTheScan) {
     if (family == Family::stretched_turned) {
       EXPECT_GT(t.finishing, 0);  // no search in floating point reaches across 600 decimal digits
     } else {
-      EXPECT_LE(t.finishing, family == Family::tiny_or_huge ? t.cases / 10 : t.cases / 200) << name_of(family);
+      const int part = family == Family::tiny_or_huge ? 10 : family == Family::shapes_touching ? 100 : 200;
+      EXPECT_LE(t.finishing, t.cases / part) << name_of(family);
     }
   }
   // So of the way down hierarchies: its own proposals hold of 99.9 % in general position, and of 90 % elsewhere, but

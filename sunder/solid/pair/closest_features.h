@@ -109,7 +109,7 @@ std::optional<ShortestWay<T>> way_between(const VertexSet<T>& a, unsigned of_a, 
 // Cost: at most 132 shortest ways, which are added to `ways`; one, where the first try is all vertices and does it.
 template <class T>
 FeatureVertices closest_features(const VertexSet<T>& a, const VertexSet<T>& b, std::uint32_t* ways = nullptr) {
-  using namespace closest_features_detail;
+  using closest_features_detail::is_shorter, closest_features_detail::way_between;
   std::uint32_t uncounted = 0;
   std::uint32_t& count = ways == nullptr ? uncounted : *ways;
   FeatureVertices best{1, 1, {a.vertex[0], b.vertex[0]}}, named;
