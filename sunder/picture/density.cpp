@@ -30,7 +30,7 @@ void Density::add(const Point2& pixel) {
 
 void Density::add(const Point2& from, const Point2& to) {
   const double steps = std::ceil(std::max({std::fabs(to.x - from.x), std::fabs(to.y - from.y), 1.0}) / side);
-  for (double k = 0; k < steps; ++k) {
+  for (std::uint32_t k = 0; k < steps; ++k) {
     const double t = (k + 0.5) / steps;
     add({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
   }
@@ -44,9 +44,10 @@ std::string Density::xml(std::string_view attributes) const {
   std::array<std::string, shades.size()> data;
   for (std::size_t k = 0; k < count_.size(); ++k) {
     if (count_[k] == 0) continue;
+    const std::size_t row = k / columns_, column = k % columns_;
     const auto shade = static_cast<std::size_t>(std::log(static_cast<double>(count_[k])) / scale);
     fmt::format_to(std::back_inserter(data.at(std::min(shade, shades.size() - 1))), "M{:.0f} {:.1f}h{:.0f}",
-                   static_cast<double>(k % columns_) * side, (static_cast<double>(k / columns_) + 0.5) * side, side);
+                   static_cast<double>(column) * side, (static_cast<double>(row) + 0.5) * side, side);
   }
   std::string text;
   for (std::size_t s = 0; s < shades.size(); ++s) {

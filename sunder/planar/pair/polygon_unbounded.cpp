@@ -78,7 +78,7 @@ Exact across_line(const ConvexPolygon& polygon, const Pose& pose, const Unbounde
 // at a vertex it passes one. A segment that the line runs along, and a point, it leaves along itself.
 Exact out_of_polygon(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other, const CutEnd& last) {
   const std::uint32_t n = polygon.size(), v = last.feature;
-  const Exact way = along(other);
+  Exact way = along(other);
   for (const std::uint32_t e : {v, polygon.previous(v)}) {
     if (n == 1 || (last.place == Place::edge && e != v)) continue;
     const auto [x, y] = outward_normal(polygon, pose, e);
