@@ -66,12 +66,14 @@ ShortestWay<T> shortest_way(const FlatArrows<T>& of) {
 // sum to it.
 template <class T>
 std::array<T, 4> weights_of(const FlatArrows<T>& of, const ShortestWay<T>& found) {
-  const auto& [r, e, edges, edges_of_a] = of;
+  const auto& r = of.r;
+  const auto& e = of.e;
+  const std::size_t edges = of.edges, edges_of_a = of.edges_of_a;
   std::array<T, 2> along{T(0.0), T(0.0)};
   if (edges == 1) along[0] = dot(r, e[0]);
   if (edges == 2) along = {dot(cross(r, e[1]), found.way), dot(cross(e[0], r), found.way)};
   std::array<T, 4> weight{T(0.0), T(0.0), T(0.0), T(0.0)};
-  const std::size_t first_of_b = edges_of_a + std::size_t{1};
+  const std::size_t first_of_b = edges_of_a + 1;
   weight[0] = weight[first_of_b] = found.denominator;
   for (std::size_t k = 0; k < edges; ++k) {
     const bool is_a = k < edges_of_a;
