@@ -88,7 +88,7 @@ std::optional<ShortestWay<T>> way_between(const VertexSet<T>& a, unsigned of_a, 
   const Vector3<T>* first_b = each(b, of_b, [](const auto& to, const auto& from) { return to - from; });
   named.count_b = static_cast<std::uint8_t>(n - named.count_a);
   arrows.r = *first_b - *first_a;
-  const ShortestWay<T> way = shortest_way(arrows);
+  ShortestWay<T> way = shortest_way(arrows);
   const auto& e = arrows.e;
   const T size = arrows.edges == 2 ? dot(e[0], e[0]) * dot(e[1], e[1]) : way.denominator;
   if (!is_positive(way.denominator, size)) return std::nullopt;
