@@ -23,8 +23,8 @@ struct Part {
 std::vector<Part> parts_of(const ConvexPolyhedron& body) {
   std::vector<Part> parts;
   const auto n = static_cast<std::uint32_t>(body.vertices().size());
+  for (std::uint32_t v = 0; v < n; ++v) parts.push_back({1, {v, 0, 0}});
   for (std::uint32_t v = 0; v < n; ++v) {
-    parts.push_back({1, {v, 0, 0}});
     for (const std::uint32_t w : body.neighbours(v)) {
       if (v < w) parts.push_back({2, {v, w, 0}});
     }
@@ -33,7 +33,6 @@ std::vector<Part> parts_of(const ConvexPolyhedron& body) {
     const auto facet = body.facet(f);
     for (std::size_t k = 2; k < facet.size(); ++k) parts.push_back({3, {facet[0], facet[k - 1], facet[k]}});
   }
-  std::stable_sort(parts.begin(), parts.end(), [](const Part& p, const Part& q) { return p.count < q.count; });
   return parts;
 }
 
