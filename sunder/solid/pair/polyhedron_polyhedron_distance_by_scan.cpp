@@ -6,7 +6,6 @@
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace sunder::solid {
