@@ -31,7 +31,7 @@ using solid::Hierarchy;
 using solid::Pose;
 
 // Times log2 n log2 m, for bodies of 8 vertices or more: less than 1.5 times the greatest up to n of about 1,000.
-constexpr double most_probes = 41;
+constexpr double most_probes = 36;
 
 class Ratios {
  public:
