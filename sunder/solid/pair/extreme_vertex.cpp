@@ -48,7 +48,9 @@ std::uint32_t extreme_vertex_from(const Placed& body, Along& along, End end, std
     if (j == count) return block.vertex();
     block = graph.block(block.place(j));
   }
-  return extreme_vertex_by_hierarchy(body, along, end, cost, tally);
+  const std::uint32_t found = extreme_vertex_by_hierarchy(body, along, end, cost, tally);
+  const Point3 &first = graph.vertices[start], &last = graph.vertices[found];
+  return along.compare(first, last, &tally) == further ? found : start;
 }
 
 }  // namespace sunder::solid

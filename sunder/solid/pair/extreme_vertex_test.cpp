@@ -115,6 +115,21 @@ TEST_F(ExtremeVertexTest, IsExtremeExactly) {
   EXPECT_GT(tally_.exact, 100u);
 }
 
+// A pyramid over a polygon of many corners, along the normals of its sides: the apex, which the hierarchy is asked about
+// as it has so many neighbours, ties with an edge.
+TEST_F(ExtremeVertexTest, AnApexThatTies) {
+  std::vector<Point3> points{{0, 5000, 100}};
+  for (int i = -50; i <= 50; ++i) points.push_back({static_cast<double>(i), static_cast<double>(i * i), 0});
+  const ConvexPolyhedron body(points);
+  for (double i = -50; i < 50; ++i) {
+    const Point3 along{1, 2 * i + 1, 0}, up{-i, 5000 - i * i, 100};  // from corner i to the next, and to the apex
+    const Point3 outwards{along.y * up.z - along.z * up.y, along.z * up.x - along.x * up.z,
+                          along.x * up.y - along.y * up.x};
+    EXPECT_EQ(expect_extremes(body, Pose(), outwards, true), 3);
+    EXPECT_EQ(expect_extremes(body, Pose(), {-outwards.x, -outwards.y, -outwards.z}, true), 1);
+  }
+}
+
 // A row of neighbours whose heights differ by the last bits only: no plateau stops the walk.
 TEST_F(ExtremeVertexTest, WalksOverNearTies) {
   std::vector<Point3> points;
