@@ -68,7 +68,7 @@ class ExtremeVertexTest : public testing::Test {
     const Placed placed(body, pose);
     const WorldDirection direction = exact_numbers ? WorldDirection(Vector3<Dyadic>{d.x, d.y, d.z}) : WorldDirection(d);
     const std::uint32_t n = static_cast<std::uint32_t>(height.size());
-    for (std::uint32_t start = 0; start < n; start += 1 + n / 16) {
+    for (std::uint32_t start = 0; start < n; ++start) {
       Along along(direction, placed.pose, placed.tame);
       const std::uint32_t top = extreme_vertex_from(placed, along, End::greatest, start, cost_, tally_);
       const std::uint32_t bottom = extreme_vertex_from(placed, along, End::least, start, cost_, tally_);
@@ -115,18 +115,21 @@ TEST_F(ExtremeVertexTest, IsExtremeExactly) {
   EXPECT_GT(tally_.exact, 100u);
 }
 
-// A pyramid over a polygon of many corners, along the normals of its sides: the apex, which the hierarchy is asked about
-// as it has so many neighbours, ties with an edge.
-TEST_F(ExtremeVertexTest, AnApexThatTies) {
-  std::vector<Point3> points{{0, 5000, 100}};
-  for (int i = -50; i <= 50; ++i) points.push_back({static_cast<double>(i), static_cast<double>(i * i), 0});
+// A roof over a polygon of many corners: the hierarchy is asked about the ends of its ridge, which have so many
+// neighbours, and they tie, upwards with each other and along the normals of the sides with corners.
+TEST_F(ExtremeVertexTest, ManyNeighboursAndTies) {
+  const auto corner = [](double i) { return Point3{i, 2500 - i * i, 0}; };
+  std::vector<Point3> points{{-10, 0, 100}, {10, 0, 100}, {-50, 0, 0}, {50, 0, 0}};
+  for (double i = -49; i < 50; ++i) {
+    points.push_back(corner(i));
+    points.push_back({i, -corner(i).y, 0});
+  }
   const ConvexPolyhedron body(points);
-  for (double i = -50; i < 50; ++i) {
-    const Point3 along{1, 2 * i + 1, 0}, up{-i, 5000 - i * i, 100};  // from corner i to the next, and to the apex
-    const Point3 outwards{along.y * up.z - along.z * up.y, along.z * up.x - along.x * up.z,
-                          along.x * up.y - along.y * up.x};
-    EXPECT_EQ(expect_extremes(body, Pose(), outwards, true), 3);
-    EXPECT_EQ(expect_extremes(body, Pose(), {-outwards.x, -outwards.y, -outwards.z}, true), 1);
+  EXPECT_EQ(expect_extremes(body, Pose(), {0, 0, 1}, true), 2);
+  for (const double i : {-40.0, -5.0, 7.0, 30.0}) {
+    const double end = i < 0 ? -10 : 10;
+    const Point3 outwards{100 * (2 * i + 1), 100, 2500 - i * i + (2 * i + 1) * (i - end)};
+    EXPECT_EQ(expect_extremes(body, Pose(), outwards, true), 3) << i;
   }
 }
 
