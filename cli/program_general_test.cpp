@@ -258,7 +258,7 @@ TEST_F(Program, BadCalls) {
   expect_bad("pair a b --frob", "there is no option '--frob'; see sunder pair --help");
   expect_bad("pair a b --method", "--method");
   expect_bad("pair " + cube + " " + cube + " --method frob",
-             "there is no method 'frob'; choose one of automatic, gjk, hierarchy, scan");
+             "there is no method 'frob'; choose one of automatic, gjk, hierarchy, polar, scan");
   expect_bad("hull", "FILE is required");
   expect_bad("info", "name files, or ask for --formats");
   expect_bad("verify", "FILE is required");

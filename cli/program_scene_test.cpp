@@ -89,7 +89,7 @@ TEST_F(Program, BadScenes) {
   expect_bad("scene " + cube + "@1,2", "a pose of 2 numbers");
   expect_bad("scene " + cube + " --pose sphere=1,2,3", "nothing is named 'sphere'; names are cube");
   expect_bad("scene " + cube + " --pose cube", "is not of the form NAME=POSE");
-  expect_bad("scene " + cube + " --method frob", "choose one of automatic, gjk, hierarchy, scan");
+  expect_bad("scene " + cube + " --method frob", "choose one of automatic, gjk, hierarchy, polar, scan");
   write_text(in_folder("bad.joints"), "# fine\npanda_joint1 = 0.1\npanda_joint2 = far\n");
   expect_bad(arm + " --joints-file " + in_folder("bad.joints"), "bad.joints:3");
 }

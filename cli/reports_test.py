@@ -50,10 +50,10 @@ OPTIONAL = {
 }
 
 METHODS = {
-    "pair cases/mesh/cube.obj cases/mesh/tetrahedron.ply": "automatic gjk hierarchy scan",
+    "pair cases/mesh/cube.obj cases/mesh/tetrahedron.ply": "automatic gjk hierarchy polar scan",
     "pair cases/planar-pair/plate.wkt cases/planar-pair/wheel.wkt": "difference halving triangles gjk scan",
     "pair cases/outcomes/square.wkt cases/outcomes/lines.csv --feature-b diagonal": "fibonacci scan",
-    "scene cases/mesh/cube.obj cases/mesh/cube.obj@0.5,0,0": "automatic gjk hierarchy scan",
+    "scene cases/mesh/cube.obj cases/mesh/cube.obj@0.5,0,0": "automatic gjk hierarchy polar scan",
     "segments cases/segments/wires.csv": "automatic grid sweep bentley-ottmann scan",
     "segments cases/segments/wires.csv --all": "automatic grid bentley-ottmann balaban scan",
     "simple cases/valid-polygons/several.wkt": "automatic scan",

@@ -18,10 +18,11 @@ namespace sunder::ask {
 
 namespace {
 
-constexpr std::array<Named<std::remove_pointer_t<PairMethod>>, 4> pair_methods{
+constexpr std::array<Named<std::remove_pointer_t<PairMethod>>, 5> pair_methods{
     {{"automatic", solid::polyhedron_polyhedron},
      {"gjk", solid::polyhedron_polyhedron_by_gjk},
      {"hierarchy", solid::polyhedron_polyhedron_by_hierarchy},
+     {"polar", solid::polyhedron_polyhedron_by_polar},
      {"scan", solid::polyhedron_polyhedron_by_scan}}};
 
 constexpr std::size_t text_width = 120;

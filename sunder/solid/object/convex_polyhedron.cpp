@@ -2,6 +2,7 @@
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/represent/hierarchy.h>
 #include <sunder/solid/represent/polar.h>
+#include <sunder/solid/represent/polar_hierarchy.h>
 #include <sunder/solid/represent/search_graph.h>
 
 #include <algorithm>
@@ -21,6 +22,8 @@ struct ConvexPolyhedron::Data {
   mutable Hierarchy hierarchy;
   mutable std::once_flag made_polar;
   mutable Polar polar;
+  mutable std::once_flag made_polar_hierarchy;
+  mutable PolarHierarchy polar_hierarchy;
 };
 
 namespace {
@@ -31,6 +34,11 @@ std::uint32_t spread(std::uint32_t x) {
   x = (x | x << 8) & 0x0300f00f;
   x = (x | x << 4) & 0x030c30c3;
   return (x | x << 2) & 0x09249249;
+}
+
+void require_interior(const ConvexPolyhedron& body) {
+  if (body.dimension() == 3) return;
+  throw Error(ErrorCode::bad_shape, "a polyhedron without an interior has no polar about a point inside");
 }
 
 // The vertices along a Morton curve through their box, so that neighbours tend to share cache lines.
@@ -122,13 +130,28 @@ const Hierarchy& ConvexPolyhedron::hierarchy() const {
 }
 
 const Polar& ConvexPolyhedron::polar() const {
-  if (dimension() != 3) {
-    throw Error(ErrorCode::bad_shape, "a polyhedron without an interior has no polar about a point inside");
-  }
+  require_interior(*this);
   std::call_once(data_->made_polar, [this] {
     data_->polar = make_polar(data_->graph.vertices, data_->facet_begin, data_->facet_vertices);
   });
   return data_->polar;
+}
+
+const PolarHierarchy& ConvexPolyhedron::polar_hierarchy() const {
+  require_interior(*this);
+  std::call_once(data_->made_polar_hierarchy, [this] {
+    data_->polar_hierarchy = make_polar_hierarchy(data_->graph.vertices, data_->facet_begin, data_->facet_vertices);
+  });
+  return data_->polar_hierarchy;
+}
+
+std::size_t ConvexPolyhedron::memory() const {
+  const auto bytes = [](const std::vector<std::uint32_t>& of) { return of.capacity() * sizeof(of[0]); };
+  std::size_t sum = sizeof(*data_) + data_->graph.memory() + bytes(data_->source) + bytes(data_->facet_begin) +
+                    bytes(data_->facet_vertices);
+  if (vertices().size() >= 3) sum += hierarchy().memory();
+  if (dimension() == 3) sum += polar_hierarchy().hierarchy.memory();
+  return sum;
 }
 
 }  // namespace sunder::solid

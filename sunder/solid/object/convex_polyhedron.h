@@ -13,9 +13,10 @@
 
 namespace sunder::solid {
 
-struct SearchGraph;  // what the searches of solid/pair walk on; see solid/represent/search_graph.h
-struct Hierarchy;    // where the search graph is slow; see solid/represent/hierarchy.h
-struct Polar;        // facets as vertices; see solid/represent/polar.h
+struct SearchGraph;     // what the searches of solid/pair walk on; see solid/represent/search_graph.h
+struct Hierarchy;       // where the search graph is slow; see solid/represent/hierarchy.h
+struct Polar;           // facets as vertices; see solid/represent/polar.h
+struct PolarHierarchy;  // of that; see solid/represent/polar_hierarchy.h
 
 // Immutable, and cheap to copy (copies share one block of memory); any number of threads may use one at once.
 //
@@ -55,6 +56,12 @@ class ConvexPolyhedron {
   // Its polar about a point inside (solid/represent/polar.h). Made on first use, in O(n), and then shared.
   // Throws Error: bad_shape if the dimension is not 3.
   const Polar& polar() const;
+
+  // The hierarchy of its polar. Made on first use, in O(n), and then shared. Throws as polar().
+  const PolarHierarchy& polar_hierarchy() const;
+
+  // Bytes of all that searches walk on, with the hierarchies, which it makes; without polar().
+  std::size_t memory() const;
 
  private:
   struct Data;

@@ -36,7 +36,7 @@ using Surface = std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>
 Surface surface(const Hierarchy& h, std::uint32_t m) {
   Surface edges;
   for (std::uint32_t w = 0; w < m; ++w) {
-    for (const Hierarchy::Triangle& t : h.nodes[w].star()) {
+    for (const Hierarchy::Triangle t : h.nodes[w].star()) {
       if (t.beyond < m) continue;
       EXPECT_TRUE(edges.insert({{w, t.a}, t.b}).second);
       EXPECT_TRUE(edges.insert({{t.a, t.b}, w}).second);

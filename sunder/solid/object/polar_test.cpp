@@ -175,8 +175,8 @@ TEST(Polar, Memory) {
   Random random(tests::chosen_seed(20));
   const ConvexPolyhedron body(tests::points_on_sphere(4000, random));
   const double each = static_cast<double>(body.polar().memory()) / body.facet_count();
-  EXPECT_LT(each, 54.5);
-  EXPECT_GT(each, 53.5);
+  EXPECT_LT(each, 62.5);
+  EXPECT_GT(each, 61.5);
 }
 
 }  // namespace

@@ -94,13 +94,13 @@ class TetrahedronReduction {
 //   sum over A of w_i a_i = sum over B of w_j b_j,  sum over A of w_i = sum over B of w_j.
 // Drops vertices, keeping a solution with weights that are not negative, until what is left has only one (up to a
 // factor): Caratheodory's theorem, in floating point. The first vertices of A and of B serve as origins; what remains
-// are three equations in the edges from them. Places 0 to 3 are A's, 4 to 7 B's, some of them empty: loops over all
-// eight have no branches.
-template <class Real>
+// are three equations in the edges from them. The first half of the places is A's, the second B's, some of them empty:
+// loops over all have no branches.
+template <class Real, std::size_t Half>
 class Reduction {
  public:
-  static constexpr std::size_t places = 8;
-  static constexpr std::size_t first_of_b = 4;
+  static constexpr std::size_t places = 2 * Half;
+  static constexpr std::size_t first_of_b = Half;
   using Row = std::array<Real, places>;
 
   Reduction(const Placed& a, const Placed& b, const DifferenceSimplexOf<Real>& simplex,
@@ -116,6 +116,19 @@ class Reduction {
       add(of_a_, 0, v.a, a.template turned<Real>(first->a, scale), a.template turned<Real>(v.a, scale), weights[i]);
       add(of_b_, first_of_b, v.b, b.template turned<Real>(v.b, scale), b.template turned<Real>(first->b, scale),
           weights[i]);
+    }
+  }
+
+  Reduction(const Placed& a, const Placed& b, const Mixture<Real>& of_a, const Mixture<Real>& of_b, double scale) {
+    weight_.fill(0);
+    for (Row& row : edges_) row.fill(0);
+    for (std::size_t k = 0; k < of_a.count; ++k) {
+      add(of_a_, 0, of_a.vertex[k], a.template turned<Real>(of_a.vertex[0], scale),
+          a.template turned<Real>(of_a.vertex[k], scale), of_a.weight[k]);
+    }
+    for (std::size_t k = 0; k < of_b.count; ++k) {
+      add(of_b_, first_of_b, of_b.vertex[k], b.template turned<Real>(of_b.vertex[k], scale),
+          b.template turned<Real>(of_b.vertex[0], scale), of_b.weight[k]);
     }
   }
 
@@ -147,6 +160,15 @@ class Reduction {
     for (Real& w : weight_) w = w > least ? w : Real(0);
   }
 
+  // Those of A with positive weights.
+  Mixture<Real> of_a() const {
+    Mixture<Real> mixture;
+    for (std::size_t i = 0; i < first_of_b; ++i) {
+      if (weight_[i] > 0) mixture.add(of_a_.vertex[i], weight_[i]);
+    }
+    return mixture;
+  }
+
   // The vertices with positive weights. False where they cannot be a proposal.
   bool write(Proposal& proposal) const {
     std::size_t n = 0;
@@ -165,7 +187,7 @@ class Reduction {
   static constexpr std::size_t none = places;
 
   // Adds a vertex, with the edge from `from` to `to`, or the weight of one that is there already.
-  void add(Support& support, std::size_t first_place, std::uint32_t vertex, const VectorOf<Real>& from,
+  void add(SupportOf<Half>& support, std::size_t first_place, std::uint32_t vertex, const VectorOf<Real>& from,
            const VectorOf<Real>& to, const Real& weight) {
     const std::size_t count = support.count;
     const std::size_t place = first_place + support.add(vertex);
@@ -223,13 +245,13 @@ class Reduction {
     leaver_[eliminated_++] = leaving;
   }
 
-  Support of_a_, of_b_;
+  SupportOf<Half> of_a_, of_b_;
   Row weight_;
   std::array<Row, 3> edges_;  // by coordinate; those of B negated
   std::array<bool, places> is_free_{};
   std::array<std::size_t, 3> pivot_{none, none, none};
-  std::array<Row, 6> dependency_;      // along which weights vanished: the first eliminated_
-  std::array<std::size_t, 6> leaver_;  // and which weight did
+  std::array<Row, places - 2> dependency_;      // along which weights vanished: the first eliminated_
+  std::array<std::size_t, places - 2> leaver_;  // and which weight did
   std::size_t eliminated_ = 0;
 };
 
@@ -248,7 +270,34 @@ bool name_at_most_five(const Placed& a, const Placed& b, const DifferenceSimplex
     const Real least = *std::max_element(weights.begin(), weights.end()) * negligible<Real>;
     for (Real& w : used) w = w > least ? w : Real(0);
   }
-  Reduction<Real> reduction(a, b, simplex, used);
+  Reduction<Real, 4> reduction(a, b, simplex, used);
+  reduction.reduce();
+  if (drop_negligible) reduction.drop_negligible();
+  return reduction.write(proposal);
+}
+
+template <class Real>
+void reduce_to_four(const Placed& body, Mixture<Real>& mixture) {
+  if (mixture.count <= 4) return;
+  Reduction<Real, Mixture<Real>::most> reduction(body, body, mixture, {}, scale_to_one(body.size));
+  reduction.reduce();
+  mixture = reduction.of_a();
+}
+
+template <class Real>
+bool name_at_most_five(const Placed& a, const Placed& b, const Mixture<Real>& of_a, const Mixture<Real>& of_b,
+                       bool drop_negligible, Proposal& proposal) {
+  constexpr std::size_t most = 8;
+  if (of_a.count > most || of_b.count > most) return false;
+  const auto used = [&](const Mixture<Real>& of) {
+    const Real least = *std::max_element(of.weight.begin(), of.weight.end()) * negligible<Real>;
+    Mixture<Real> kept;
+    for (std::size_t k = 0; k < of.count; ++k) {
+      if (of.weight[k] > (drop_negligible ? least : Real(0))) kept.add(of.vertex[k], of.weight[k]);
+    }
+    return kept;
+  };
+  Reduction<Real, most> reduction(a, b, used(of_a), used(of_b), scale_to_one(std::max(a.size, b.size)));
   reduction.reduce();
   if (drop_negligible) reduction.drop_negligible();
   return reduction.write(proposal);
@@ -258,5 +307,11 @@ template bool name_at_most_five(const Placed&, const Placed&, const DifferenceSi
                                 const std::array<double, 4>&, bool, Proposal&);
 template bool name_at_most_five(const Placed&, const Placed&, const DifferenceSimplexOf<DoubleDouble>&,
                                 const std::array<DoubleDouble, 4>&, bool, Proposal&);
+template void reduce_to_four(const Placed&, Mixture<double>&);
+template void reduce_to_four(const Placed&, Mixture<DoubleDouble>&);
+template bool name_at_most_five(const Placed&, const Placed&, const Mixture<double>&, const Mixture<double>&, bool,
+                                Proposal&);
+template bool name_at_most_five(const Placed&, const Placed&, const Mixture<DoubleDouble>&,
+                                const Mixture<DoubleDouble>&, bool, Proposal&);
 
 }  // namespace sunder::solid

@@ -16,9 +16,10 @@ namespace sunder::solid {
 template <class Real>
 constexpr double negligible = std::is_same_v<Real, double> ? 0x1p-40 : 0x1p-92;
 
-// The different vertices of one body in a simplex.
-struct Support {
-  std::array<std::uint32_t, 4> vertex{};
+// The different vertices of one body in a simplex or a mixture.
+template <std::size_t Most>
+struct SupportOf {
+  std::array<std::uint32_t, Most> vertex{};
   std::size_t count = 0;
 
   // Returns where the vertex stands.
@@ -28,6 +29,27 @@ struct Support {
     }
     vertex[count] = v;
     return count++;
+  }
+};
+using Support = SupportOf<4>;
+
+// A point as a mean of vertices of one body, with weights that are not negative and sum to 1, as far as rounding tells.
+template <class Real>
+struct Mixture {
+  static constexpr std::size_t most = 14;
+  std::array<std::uint32_t, most> vertex{};
+  std::array<Real, most> weight{};
+  std::size_t count = 0;
+
+  // Adds to the weight of a vertex. Requires at most `most` different ones.
+  void add(std::uint32_t v, const Real& w) {
+    std::size_t k = 0;
+    while (k < count && vertex[k] != v) ++k;
+    if (k == count) {
+      vertex[count] = v;
+      weight[count++] = 0;
+    }
+    weight[k] += w;
   }
 };
 
@@ -41,5 +63,14 @@ bool name_five_of_tetrahedron(const Placed& a, const DifferenceSimplex& tetrahed
 template <class Real>
 bool name_at_most_five(const Placed& a, const Placed& b, const DifferenceSimplexOf<Real>& simplex,
                        const std::array<Real, 4>& weights, bool drop_negligible, Proposal& proposal);
+
+// The same point of at most four vertices, as far as rounding lets it.
+template <class Real>
+void reduce_to_four(const Placed& body, Mixture<Real>& mixture);
+
+// Of a point that is a mixture of both, of at most eight vertices each.
+template <class Real>
+bool name_at_most_five(const Placed& a, const Placed& b, const Mixture<Real>& of_a, const Mixture<Real>& of_b,
+                       bool drop_negligible, Proposal& proposal);
 
 }  // namespace sunder::solid

@@ -140,4 +140,23 @@ class GjkSearch {
   std::uint32_t ranks_ = Hierarchy::none;
 };
 
+// Each step should come nearer; where several in a row do not, floating point goes in circles.
+template <class Real>
+class Nearing {
+ public:
+  bool goes_on(const Real& distance2) {
+    if (distance2 < nearest_) {
+      nearest_ = distance2;
+      in_vain_ = 0;
+      return true;
+    }
+    return ++in_vain_ < most_in_vain;
+  }
+
+ private:
+  static constexpr int most_in_vain = 4;
+  Real nearest_ = std::numeric_limits<double>::infinity();
+  int in_vain_ = 0;
+};
+
 }  // namespace sunder::solid

@@ -42,6 +42,14 @@ PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& a, const Pose& p
 PairAnswer polyhedron_polyhedron_by_hierarchy(const ConvexPolyhedron& a, const Pose& pose_a,  //
                                               const ConvexPolyhedron& b, const Pose& pose_b);
 
+// By a walk between two spaces: P, which is a, in its own, and the polar of b in its (Barba and Langerman 2015), down
+// the hierarchies of both, in doubles and then in double-doubles, which propose evidence; the same exact method for
+// what they could not certify. The first question about b makes the hierarchy of its polar, in O(n). Where b is flat,
+// the polar is a's; where both are, this is polyhedron_polyhedron_by_hierarchy. Cost: O(log n + log m) probes, whatever
+// the degrees; where nothing is certified, the exact pivots as above. Source: BL15 section 5, Theorem 5.1.
+PairAnswer polyhedron_polyhedron_by_polar(const ConvexPolyhedron& a, const Pose& pose_a,  //
+                                          const ConvexPolyhedron& b, const Pose& pose_b);
+
 // By one exact linear program over all vertices: slow and obvious, the oracle of the others. O(n) memory.
 PairAnswer polyhedron_polyhedron_by_scan(const ConvexPolyhedron& a, const Pose& pose_a,  //
                                          const ConvexPolyhedron& b, const Pose& pose_b);

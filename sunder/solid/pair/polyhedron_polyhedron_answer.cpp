@@ -46,6 +46,7 @@ class Disposal {
     };
     switch (p.claim) {
       case Claim::apart_along: return apart_along(p.direction, p.near_a, p.near_b);
+      case Claim::apart_along_sum: return apart_along_sum(p);
       case Claim::apart_along_normal_of_a: return names(3, 0) && apart_along_features(normal_of_a, p);
       case Claim::apart_along_normal_of_b: return names(0, 3) && apart_along_features(normal_of_b, p);
       case Claim::apart_along_edge_x_edge: return names(2, 2) && apart_along_features(edge_cross_edge, p);
@@ -76,12 +77,29 @@ class Disposal {
   }
 
   bool apart_along(const Point3& direction, std::uint32_t near_a, std::uint32_t near_b) {
-    if (!std::isfinite(direction.x) || !std::isfinite(direction.y) || !std::isfinite(direction.z)) return false;
+    if (!is_finite(direction)) return false;
     if (!parts(WorldDirection(direction), near_a, near_b)) return false;
     certificate_.direction.kind = Direction::Kind::given;
     certificate_.direction.given = direction;
     return true;
   }
+
+  bool apart_along_sum(const Proposal& p) {
+    if (!is_finite(p.direction) || !is_finite(p.rest)) return false;
+    const auto sum = [](double x, double y) { return Dyadic(x) + Dyadic(y); };
+    return parts_exactly({sum(p.direction.x, p.rest.x), sum(p.direction.y, p.rest.y), sum(p.direction.z, p.rest.z)}, p);
+  }
+
+  bool parts_exactly(Vector3<Dyadic> d, const Proposal& p) {
+    ++tally_.exact;
+    if (!parts(WorldDirection(d), p.near_a, p.near_b)) return false;
+    certificate_.direction.kind = Direction::Kind::exact;
+    certificate_.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(
+        std::array<Dyadic, 3>{std::move(d.x), std::move(d.y), std::move(d.z)});
+    return true;
+  }
+
+  static bool is_finite(const Point3& d) { return std::isfinite(d.x) && std::isfinite(d.y) && std::isfinite(d.z); }
 
   bool apart_along_features(Direction::Kind kind, const Proposal& p) {
     Direction& d = certificate_.direction;
@@ -137,7 +155,6 @@ class Disposal {
     const auto corner = [&](std::size_t i) {
       return lift<ExactStage>(a_[p.vertices[i]]) - lift<ExactStage>(b_[p.vertices[p.count_a + i]]);
     };
-    ++tally_.exact;
     const Vector w0 = corner(0);
     Vector from_origin = w0;  // perpendicular to the simplex, on its side of the origin
     if (p.count_a == 2) {
@@ -147,12 +164,7 @@ class Disposal {
       const Vector n = cross(corner(1) - w0, corner(2) - w0);
       from_origin = dot(n, w0).sign() == Sign::negative ? Vector{-n.x, -n.y, -n.z} : n;
     }
-    Vector d{-from_origin.x, -from_origin.y, -from_origin.z};
-    if (!parts(WorldDirection(d), p.near_a, p.near_b)) return false;
-    certificate_.direction.kind = Direction::Kind::exact;
-    certificate_.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(
-        std::array<Dyadic, 3>{std::move(d.x), std::move(d.y), std::move(d.z)});
-    return true;
+    return parts_exactly({-from_origin.x, -from_origin.y, -from_origin.z}, p);
   }
 
   bool meet(const Proposal& p) {

@@ -383,6 +383,8 @@ TEST_F(PolyhedronPolyhedronAnswerTest, WrongProposalsDoNotHold) {
   const std::vector<Proposal> true_ones{
       apart_along(right, p, u),
       apart_along(right, u, p),  // the walk finds the extreme vertices
+      {Claim::apart_along_sum, 0, 0, {}, p, u, {}, right},
+      {Claim::apart_along_sum, 0, 0, {}, p, u, {1, 0x1p60, 0}, {0, -0x1p60, 0}},
       {Claim::apart_along_normal_of_a, 3, 0, {p, q, r}, p, u, right},
       {Claim::apart_along_normal_of_b, 0, 3, {u, t, w}, p, u, right},
       {Claim::apart_along_edge_x_edge, 2, 2, {p, q, u, w}, p, u, right},
@@ -415,6 +417,9 @@ TEST_F(PolyhedronPolyhedronAnswerTest, WrongProposalsDoNotHold) {
     }
   }
   // A wrong direction, or one that is none.
+  EXPECT_FALSE(apart({Claim::apart_along_sum, 0, 0, {}, p, u, right, left}));
+  EXPECT_FALSE(apart({Claim::apart_along_sum, 0, 0, {}, p, u, right, {-2, 0, 0}}));
+  EXPECT_FALSE(apart({Claim::apart_along_sum, 0, 0, {}, p, u, right, {0, HUGE_VAL, 0}}));
   for (const Point3& d : {left, up, Point3{0, 0, 0}, Point3{HUGE_VAL, 0, 0}, Point3{1, std::nan(""), 0}}) {
     EXPECT_FALSE(apart(apart_along(d, p, u)));
   }
@@ -447,14 +452,16 @@ TEST_F(PolyhedronPolyhedronAnswerTest, AnswersAreRightWhateverIsProposed) {
     const Placed a(c.a, c.pose_a), b(c.b, c.pose_b);
     const PairAnswer answer = answer_by(a, b, [&](const auto& holds, Cost&) {
       for (int k = 0; k < 6; ++k) {
-        Proposal p{static_cast<Proposal::Claim>(random_.below(8)), 0, 0, {}, some_vertex(a), some_vertex(b), {}};
+        Proposal p{static_cast<Proposal::Claim>(random_.below(9)), 0, 0, {}, some_vertex(a), some_vertex(b), {}};
         using Counts = std::array<std::uint8_t, 2>;
-        constexpr std::array<Counts, 8> counts{Counts{0, 0}, {3, 0}, {0, 3}, {2, 2}, {1, 1}, {2, 2}, {0, 0}, {4, 1}};
+        constexpr std::array<Counts, 9> counts{Counts{0, 0}, {0, 0}, {3, 0}, {0, 3}, {2, 2},
+                                               {1, 1},       {2, 2}, {0, 0}, {4, 1}};
         const auto& [count_a, count_b] =
-            counts[random_.below(8) == 0 ? random_.below(8) : static_cast<std::size_t>(p.claim)];
+            counts[random_.below(8) == 0 ? random_.below(9) : static_cast<std::size_t>(p.claim)];
         p.count_a = count_a, p.count_b = count_b;
         for (std::size_t n = 0; n < 6; ++n) p.vertices[n] = n < count_a ? some_vertex(a) : some_vertex(b);
         p.direction = {random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1)};
+        p.rest = {random_.uniform(-0.1, 0.1), 0, random_.uniform(-0x1p-60, 0x1p-60)};
         if (!holds(p)) continue;
         ++held[p.claim];
         return true;
@@ -470,7 +477,7 @@ TEST_F(PolyhedronPolyhedronAnswerTest, AnswersAreRightWhateverIsProposed) {
     }
   }
   if (count < 1000) return;
-  for (int k = 0; k < 8; ++k) EXPECT_GT(held[static_cast<Proposal::Claim>(k)], 0) << k;
+  for (int k = 0; k < 9; ++k) EXPECT_GT(held[static_cast<Proposal::Claim>(k)], 0) << k;
   EXPECT_GT(finished, count / 10);
 }
 

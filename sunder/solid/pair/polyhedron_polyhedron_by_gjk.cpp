@@ -14,6 +14,7 @@ namespace {
 template <class Holds>
 bool propose_in_doubles(const Placed& a, const Placed& b, GjkSearch<double>& search, const Holds& holds, Cost& cost) {
   search.direction = search.first_direction();
+  Nearing<double> nearing;
   for (int i = 0; i < search.most_iterations; ++i) {
     ++cost.iterations;
     const DifferenceVertex w = search.probe(cost);
@@ -30,6 +31,7 @@ bool propose_in_doubles(const Placed& a, const Placed& b, GjkSearch<double>& sea
       break;
     }
     if (!search.step_to(w)) break;
+    if (!nearing.goes_on(search.distance2)) break;
   }
   return propose_meet(a, b, search.simplex, holds) ||
          propose_apart_along_features(search.simplex, search.direction, holds);
@@ -42,13 +44,14 @@ bool propose_in_double_doubles(const Placed& a, const Placed& b, const Point3& d
                                Cost& cost) {
   GjkSearch<DoubleDouble> search(a, b);
   search.direction = {direction.x, direction.y, direction.z};
+  Nearing<DoubleDouble> nearing;
   for (int i = 0; i < search.most_iterations; ++i) {
     ++cost.iterations;
     const DifferenceVertexOf<DoubleDouble> w = search.probe(cost);
     if (dot(search.direction, w.at) < 0 && propose_apart_along_perpendicular(search.simplex, w.a, w.b, holds)) {
       return true;
     }
-    if (!search.gains_by(w) || !search.step_to(w)) break;
+    if (!search.gains_by(w) || !search.step_to(w) || !nearing.goes_on(search.distance2)) break;
   }
   return propose_meet(a, b, search.simplex, holds);
 }

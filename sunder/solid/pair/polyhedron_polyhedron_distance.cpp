@@ -9,6 +9,7 @@
 #include <sunder/solid/pair/gjk_search.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
+#include <sunder/solid/represent/search_graph_walk.h>
 
 #include <cmath>
 #include <limits>
@@ -95,11 +96,13 @@ class Closest {
             extreme_vertex_from(b_, along_b, End::least, features.of_b(0), cost_, tally_)};
   }
 
-  // Are all neighbours of the first of the vertices, but for the others, which are as far, surely behind it?
+  // Are all neighbours of the first of the vertices, but for the others, which are as far, surely behind it? Not told
+  // of a vertex of many: exact walks down the hierarchy do that.
   using Behind = bool (EnclosedAlong::*)(const Point3& from, const Point3& to) const;
   bool surely_all(const Placed& body, std::span<const std::uint32_t> of, const EnclosedAlong& along, Behind behind) {
     const VertexBlock block = body.graph.block(body.graph.place[of[0]]);
     const std::uint32_t count = block.count();
+    if (count > most_around) return false;
     const Point3 at = block.at();
     cost_.probes += count;
     for (std::uint32_t j = 0; j < count; ++j) {
@@ -144,11 +147,12 @@ template <class Real>
 bool propose(const Placed& a, const Placed& b, std::uint32_t from_a, std::uint32_t from_b, Closest& closest,
              Cost& cost) {
   GjkSearch<Real> search(a, b);
+  Nearing<Real> nearing;
   bool goes_on = search.step_to(search.of_vertices(from_a, from_b));
   for (int i = 0; goes_on && i < search.most_iterations; ++i) {
     ++cost.iterations;
     const DifferenceVertexOf<Real> w = search.probe(cost);
-    goes_on = search.gains_by(w) && search.step_to(w);
+    goes_on = search.gains_by(w) && search.step_to(w) && nearing.goes_on(search.distance2);
   }
   return closest.dispose(closest_features(search.vertices_of_a(), search.vertices_of_b()));
 }

@@ -44,6 +44,7 @@ const std::vector<std::pair<std::string, Method>> methods{
     {"front", polyhedron_polyhedron},
     {"gjk", polyhedron_polyhedron_by_gjk},
     {"hierarchy", polyhedron_polyhedron_by_hierarchy},
+    {"polar", polyhedron_polyhedron_by_polar},
     {"scan", polyhedron_polyhedron_by_scan},
     {"intersect", [](const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b) {
        return intersect(a, pose_a, b, pose_b);

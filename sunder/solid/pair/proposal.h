@@ -14,6 +14,7 @@ struct Proposal {
   enum class Claim : std::uint8_t {
     // A direction parts the bodies strictly, A before B.
     apart_along,                // `direction`
+    apart_along_sum,            // `direction` and `rest`, exactly
     apart_along_normal_of_a,    // the normal of three vertices of A, in the sense of `direction`
     apart_along_normal_of_b,    // the normal of three vertices of B, in that sense
     apart_along_edge_x_edge,    // two vertices of A, two of B: the cross product of the edges, in that sense
@@ -30,13 +31,14 @@ struct Proposal {
   // point.
   std::uint32_t near_a = 0, near_b = 0;
   Point3 direction{};  // finite; meaningless where not mentioned
+  Point3 rest{};       // what is to be added to it
 };
 
 inline Proposal apart_along(const Point3& direction, std::uint32_t near_a, std::uint32_t near_b) {
-  return {Proposal::Claim::apart_along, 0, 0, {}, near_a, near_b, direction};
+  return {Proposal::Claim::apart_along, 0, 0, {}, near_a, near_b, direction, {}};
 }
 inline Proposal apart_at_vertices(std::uint32_t near_a, std::uint32_t near_b) {
-  return {Proposal::Claim::apart_at_vertices, 0, 0, {}, near_a, near_b, {}};
+  return {Proposal::Claim::apart_at_vertices, 0, 0, {}, near_a, near_b, {}, {}};
 }
 
 }  // namespace sunder::solid

@@ -42,6 +42,7 @@ bool propose_apart_along_perpendicular(const DifferenceSimplexOf<Real>& simplex,
              {},
              near_a,
              near_b,
+             {},
              {}};
   for (std::size_t i = 0; i < n; ++i) p.vertices[i] = simplex.vertex[i].a, p.vertices[n + i] = simplex.vertex[i].b;
   return holds(p);
@@ -81,7 +82,7 @@ bool propose_apart_along_features(const DifferenceSimplex& given, const Point3& 
   using enum Proposal::Claim;
   const auto along = [&](Proposal::Claim claim, std::uint8_t count_a, std::uint8_t count_b,
                          const std::array<std::uint32_t, 6>& vertices) {
-    return holds(Proposal{claim, count_a, count_b, vertices, p[0], q[0], towards});
+    return holds(Proposal{claim, count_a, count_b, vertices, p[0], q[0], towards, {}});
   };
   if (of_a.count == 3 && along(apart_along_normal_of_a, 3, 0, {p[0], p[1], p[2]})) return true;
   if (of_b.count == 3 && along(apart_along_normal_of_b, 0, 3, {q[0], q[1], q[2]})) return true;

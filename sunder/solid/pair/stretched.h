@@ -42,11 +42,11 @@ class Stretched {
     const Affine3 pose_a = stretched(a.pose), pose_b = stretched(b.pose);
     // A direction is a linear form: d . (S x) is (S d) . x. Beside a form n of the world it only tells a sense.
     const auto of_world = [&](Proposal p) {
-      Point3& d = p.direction;
-      if (p.claim == Proposal::Claim::apart_along) {
-        d = {d.x * by[0], d.y * by[1], d.z * by[2]};
-      } else {
-        d = {d.x / by[0], d.y / by[1], d.z / by[2]};
+      using enum Proposal::Claim;
+      const bool is_form = p.claim == apart_along || p.claim == apart_along_sum;
+      for (Point3* d : {&p.direction, &p.rest}) {
+        *d = is_form ? Point3{d->x * by[0], d->y * by[1], d->z * by[2]}
+                     : Point3{d->x / by[0], d->y / by[1], d->z / by[2]};
       }
       return holds(p);
     };

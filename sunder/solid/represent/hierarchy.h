@@ -42,6 +42,39 @@ struct Hierarchy {
     std::uint32_t beyond;  // the vertex that comes beyond it, and takes it away; or none
   };
 
+  // The triangles about a vertex, in places from 0 on.
+  class Star {
+   public:
+    class Iterator {
+     public:
+      Iterator(const Star& star, std::size_t k) : star_(&star), k_(k) {}
+      Triangle operator*() const { return (*star_)[k_]; }
+      Iterator& operator++() {
+        ++k_;
+        return *this;
+      }
+      bool operator!=(const Iterator& other) const { return k_ != other.k_; }
+
+     private:
+      const Star* star_;
+      std::size_t k_;
+    };
+
+    Star(const std::uint32_t* rim, const std::uint32_t* beyond, std::uint32_t size)
+        : rim_(rim), beyond_(beyond), size_(size) {}
+    std::size_t size() const { return size_; }
+    Iterator begin() const { return {*this, 0}; }
+    Iterator end() const { return {*this, size_}; }
+    Triangle operator[](std::size_t k) const {
+      const std::size_t next = k + 1 < size_ || size_ == 1 ? k + 1 : 0;
+      return {rim_[k], size_ == 2 ? none : rim_[next], beyond_[k]};
+    }
+
+   private:
+    const std::uint32_t *rim_, *beyond_;
+    std::uint32_t size_;
+  };
+
   struct alignas(64) Node {  // what a walk reads of most vertices is in its first line of the memory cache
     Point3 at;
     // A direction along which the vertex is extreme at every level that has it, about which a search tells the sides of
@@ -54,12 +87,15 @@ struct Hierarchy {
     bool has_middle_in_doubles() const { return middle_triangle[0] == none; }
 
     std::uint32_t vertex;  // its number in the polyhedron
+    // Of its star, counter-clockwise about it: a and beyond of the first `size`. Of rank 2, whose star is one triangle,
+    // rim[1] is b; else b of one triangle is a of the next.
     std::uint32_t size = 0;
-    std::array<Triangle, most_degree> around;  // the first `size`: the star
-    // Counter-clockwise about it, b of one a of the next. Of the tetrahedron: all triangles of rank 3, and one of rank
-    // 2, with ranks 0 and 1. Of a polygon: the edge from the vertex before, then that to the vertex after; each vertex
-    // of the last triangle has both.
-    std::span<const Triangle> star() const { return {around.data(), size}; }
+    std::array<std::uint32_t, most_degree> rim;
+    std::array<std::uint32_t, most_degree> beyond;
+
+    // Of the tetrahedron: all triangles of rank 3, and one of rank 2, with ranks 0 and 1. Of a polygon: the edge from
+    // the vertex before, then that to the vertex after; each vertex of the last triangle has both.
+    Star star() const { return {rim.data(), beyond.data(), size}; }
   };
 
   std::vector<Node> nodes;  // by rank

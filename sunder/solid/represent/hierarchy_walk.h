@@ -60,14 +60,8 @@ class HierarchyWalk {
     }
   }
   std::uint32_t go_on(std::uint32_t end) {
-    for (std::uint32_t w = std::min(left_, right_); w < end; w = std::min(left_, right_)) {
-      __builtin_prefetch(&hierarchy_.nodes[w].around[0]);
-      __builtin_prefetch(&hierarchy_.nodes[w].around[5]);
-      const bool is_further = is_positive(compare_(at_, w));
-      ++probes_;
-      if (hierarchy_.is_flat()) {
-        pass_edge(w, is_further);
-      } else if (is_further) {
+    for (std::uint32_t w = next(); w < end; w = next()) {
+      if (is_further(w)) {
         go_to(w);
       } else {
         pass(w);
@@ -76,11 +70,42 @@ class HierarchyWalk {
     return at_;
   }
 
+  // A step at a time: the rank that comes next where the walk is, or none; is it further than what it is at? Then
+  // go_to it, else pass it.
+  std::uint32_t next() const { return std::min(left_, right_); }
+  bool is_further(std::uint32_t w) {
+    __builtin_prefetch(&hierarchy_.nodes[w].rim);
+    ++probes_;
+    return is_positive(compare_(at_, w));
+  }
+  // w may be any rank: the walk goes on from where w comes, along what may be another direction than before, along
+  // which w must be extreme there.
+  void go_to(std::uint32_t w) {
+    at_ = w;
+    const Star star = star_of(w);
+    if (hierarchy_.is_flat()) {
+      enter(star[0], star[1]);
+    } else {
+      choose_sector(star);
+    }
+  }
+  void pass(std::uint32_t w) {
+    if (hierarchy_.is_flat()) {
+      pass_edge(w);
+    } else {
+      pass_triangles(w);
+    }
+  }
+
+  std::uint32_t at() const { return at_; }         // the rank that is extreme so far
+  std::uint32_t neighbour() const { return to_; }  // that of the sector, meaningless in a polygon
+
  private:
   using Triangle = Hierarchy::Triangle;
+  using Star = Hierarchy::Star;
   static constexpr std::uint32_t none = Hierarchy::none;
 
-  std::span<const Triangle> star_of(std::uint32_t rank) const { return hierarchy_.nodes[rank].star(); }
+  Star star_of(std::uint32_t rank) const { return hierarchy_.nodes[rank].star(); }
   static bool is_positive(Sign sign) { return sign == Sign::positive; }
   static bool is_negative(Sign sign) { return sign == Sign::negative; }
 
@@ -89,7 +114,7 @@ class HierarchyWalk {
     std::array<Triangle, 3> around;
     std::size_t count = 0;
     for (const std::uint32_t of : {2u, 3u}) {
-      for (const Triangle& triangle : star_of(of)) {
+      for (const Triangle triangle : star_of(of)) {
         const std::array<std::uint32_t, 3> corner{of, triangle.a, triangle.b};
         for (std::size_t k = 0; k < 3; ++k) {
           if (corner[k] == at_) around[count++] = {corner[(k + 1) % 3], corner[(k + 2) % 3], triangle.beyond};
@@ -103,7 +128,8 @@ class HierarchyWalk {
   // The sector of at_, whose triangles these are, counter-clockwise. Where both signs are zero the corners lie on one
   // line with the middle and the direction, which may be beyond the middle: another sector has it, too, unless all
   // signs are zero, as the direction is the middle, and in all of them.
-  void choose_sector(std::span<const Triangle> around) {
+  template <class Triangles>
+  void choose_sector(const Triangles& around) {
     std::size_t right = around.size() - 1, left = 0;
     Sign of_right = turn_(at_, around[right].a, around[right].b);
     for (; left + 1 < around.size(); right = left++) {
@@ -116,14 +142,9 @@ class HierarchyWalk {
     right_ = around[right].beyond;
   }
 
-  void go_to(std::uint32_t w) {
-    at_ = w;
-    choose_sector(star_of(w));
-  }
-
   // W3.
-  void pass(std::uint32_t w) {
-    const std::span<const Triangle> star = star_of(w);
+  void pass_triangles(std::uint32_t w) {
+    const Star star = star_of(w);
     if (left_ == right_) {
       const std::size_t f = find(star, [&](const Triangle& t) { return t.b == at_; });
       to_ = w;
@@ -147,12 +168,9 @@ class HierarchyWalk {
   }
 
   // Of a polygon: left_ is the edge from the vertex before, right_ that to the vertex after.
-  void pass_edge(std::uint32_t w, bool is_further) {
-    const std::span<const Triangle> star = star_of(w);
-    if (is_further) {
-      at_ = w;
-      enter(star[0], star[1]);
-    } else if (left_ == w) {
+  void pass_edge(std::uint32_t w) {
+    const Star star = star_of(w);
+    if (left_ == w) {
       left_ = star[1].beyond;
     } else {
       right_ = star[0].beyond;
@@ -165,7 +183,7 @@ class HierarchyWalk {
   }
 
   template <class Is>
-  static std::size_t find(std::span<const Triangle> star, const Is& is) {
+  static std::size_t find(const Star& star, const Is& is) {
     std::size_t f = 0;
     while (f + 1 < star.size() && !is(star[f])) ++f;
     return f;

@@ -41,8 +41,13 @@ bool is_close(const Rounded<K>& x, double size) {
   return Rounded<K>::bound * x.magnitude <= 0x1p-30 * size;
 }
 
-Point3 rounded_vertex(std::span<const Point3> points, std::span<const std::uint32_t> facet,
-                      const std::array<std::uint32_t, 4>& base) {
+struct RoundedVertex {
+  Point3 at;
+  double error;
+};
+
+RoundedVertex rounded_vertex(std::span<const Point3> points, std::span<const std::uint32_t> facet,
+                             const std::array<std::uint32_t, 4>& base) {
   const auto [n, h] = plane(leaf, points, facet, base);
   const double size = std::max({std::fabs(n.x.value), std::fabs(n.y.value), std::fabs(n.z.value)});
   const auto is_tame_vertex = [&](std::uint32_t v) {
@@ -52,10 +57,15 @@ Point3 rounded_vertex(std::span<const Point3> points, std::span<const std::uint3
       std::all_of(base.begin(), base.end(), is_tame_vertex) && is_close(n.x, size) && is_close(n.y, size) &&
       is_close(n.z, size) && is_close(h, std::fabs(h.value))) {
     const double scale = 4 / h.value;
-    return {n.x.value * scale, n.y.value * scale, n.z.value * scale};
+    // Relative errors below 2^-30 of the numerators, beside the largest, and of h, and of two roundings.
+    const double largest = std::max({n.x.magnitude, n.y.magnitude, n.z.magnitude});
+    const double error = (n.x.bound * largest + size * (h.bound * h.magnitude / std::fabs(h.value) + 0x1p-51)) * scale;
+    return {{n.x.value * scale, n.y.value * scale, n.z.value * scale}, error * (1 + 0x1p-20)};
   }
   const PolarVertex exact = exact_polar_vertex(points, facet, base);
-  return {nearest_ratio(exact.n[0], exact.h), nearest_ratio(exact.n[1], exact.h), nearest_ratio(exact.n[2], exact.h)};
+  const Point3 at{nearest_ratio(exact.n[0], exact.h), nearest_ratio(exact.n[1], exact.h),
+                  nearest_ratio(exact.n[2], exact.h)};
+  return {at, std::max({std::fabs(at.x), std::fabs(at.y), std::fabs(at.z)}) * 0x1p-52 + 0x1p-1000};
 }
 
 // Three vertices of a facet and the one furthest from it, as far as doubles tell; any but the facet's would do.
@@ -84,7 +94,7 @@ std::array<std::uint32_t, 4> choose_base(std::span<const Point3> points, std::sp
 }  // namespace
 
 std::size_t Polar::memory() const {
-  return sizeof(Polar) + vertices.size() * sizeof(Point3) +
+  return sizeof(Polar) + vertices.size() * (sizeof(Point3) + sizeof(double)) +
          (edge_begin.size() + neighbours.size() + facet_begin.size() + facet_vertices.size()) * sizeof(std::uint32_t);
 }
 
@@ -110,8 +120,11 @@ Polar make_polar(std::span<const Point3> vertices, std::span<const std::uint32_t
     for (const std::uint32_t v : polar.base) polar.center[k] += vertices[v][k] / 4;
   }
   polar.vertices.reserve(facet_count);
+  polar.errors.reserve(facet_count);
   for (std::uint32_t f = 0; f < facet_count; ++f) {
-    polar.vertices.push_back(rounded_vertex(vertices, facet(f), polar.base));
+    const RoundedVertex rounded = rounded_vertex(vertices, facet(f), polar.base);
+    polar.vertices.push_back(rounded.at);
+    polar.errors.push_back(rounded.error);
   }
 
   // By vertices, the facets that have it, in any order at first.

@@ -31,8 +31,9 @@ struct Polar {
   std::array<std::uint32_t, 4> base;  // o is the mean of these vertices of P
   Point3 center;                      // o, rounded
 
-  // By P's facets, as seen from o: n / h.
+  // By P's facets, as seen from o: n / h; and how far their coordinates may be off.
   std::vector<Point3> vertices;
+  std::vector<double> errors;
 
   // The other ends of the edges at vertex f, counter-clockwise seen from outside of the polar: the numbers
   // neighbours[edge_begin[f] .. edge_begin[f + 1]). The j-th is across the edge of P's facet f from its j-th vertex to
@@ -57,8 +58,8 @@ struct PolarVertex {
 // The facets of a convex polyhedron with an interior, each a cycle of vertex numbers, counter-clockwise from outside:
 // corners[corner_begin[f] .. corner_begin[f + 1]). Any three of a facet's vertices turn strictly.
 // Requires four facets or more: a flat polygon has no polar about a point inside.
-// Cost: O(n), no sign of coordinates is asked for. With V vertices, F facets and E edges: 28 F + 4 V + 16 E bytes,
-// which is 54 for each vertex of the polar where all facets of P are triangles. Rounding from exact numbers is
+// Cost: O(n), no sign of coordinates is asked for. With V vertices, F facets and E edges: 36 F + 4 V + 16 E bytes,
+// which is 62 for each vertex of the polar where all facets of P are triangles. Rounding from exact numbers is
 // some twenty times slower: where a body is a needle, all of it.
 Polar make_polar(std::span<const Point3> vertices, std::span<const std::uint32_t> corner_begin,
                  std::span<const std::uint32_t> corners);

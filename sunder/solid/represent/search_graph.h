@@ -88,6 +88,12 @@ struct SearchGraph {
   Point3 middle;     // of the box, rounded: a place to aim at, nothing more
   SizeRange sizes;   // of the coordinates
   Point3 low, high;  // the box
+
+  std::size_t memory() const {  // bytes
+    const auto bytes = [](const auto& of) { return of.capacity() * sizeof(of[0]); };
+    return sizeof(*this) + bytes(vertices) + bytes(begin) + bytes(neighbours) + bytes(place) + bytes(blocks) +
+           bytes(table) + bytes(all);
+  }
 };
 
 // Throws Error bad_shape where the blocks have 2^32 words or more: about 10^8 vertices.

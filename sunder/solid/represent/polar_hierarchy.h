@@ -1,0 +1,39 @@
+// The hierarchy of the polar of a convex polyhedron P with an interior: by P's facets. What is left of a level are
+// fewer half-spaces, and so a larger polyhedron around P; at the top it is a tetrahedron.
+// Also called: outer hierarchy; dual Dobkin-Kirkpatrick hierarchy.
+//
+// Coordinates are those of P's frame about a point o inside P, with each axis multiplied by a power of two so that P is
+// about 1 long along it: the facet n.y = h is the polar's vertex n / h.
+//   Q1. Which triangles there are at every level is decided by exact signs of P's vertices; what is rounded is for
+//       searches. (Of P with its axes multiplied: exact but for coordinates that underflow.)
+//   Q2. Four facets with a vertex of P in common are coplanar as points of the polar. The surface is triangulated
+//       somehow: see hierarchy_builder.h.
+//
+// Source: BL15 section 5, preprocessing. Departure: the degrees of vertices that stay are not bounded
+// (hierarchy_walk.h says why they need not be).
+#pragma once
+
+#include <sunder/predicate/point.h>
+#include <sunder/solid/represent/hierarchy.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace sunder::solid {
+
+struct PolarHierarchy {
+  std::array<std::uint32_t, 4> base;  // o is the mean of these vertices of P
+  Point3 to_one;                      // the powers of two
+
+  // By ranks of facets: `vertex` is the number of the facet, `at` the polar's vertex, rounded, and `middle` from o to
+  // the mean of the facet's corners, rounded; no middle is a triangle.
+  Hierarchy hierarchy;
+};
+
+// As make_polar (solid/represent/polar.h). Cost: O(n).
+PolarHierarchy make_polar_hierarchy(std::span<const Point3> vertices, std::span<const std::uint32_t> corner_begin,
+                                    std::span<const std::uint32_t> corners);
+
+}  // namespace sunder::solid
