@@ -105,6 +105,13 @@ PolarVertex exact_polar_vertex(std::span<const Point3> vertices, std::span<const
   return {{n.x.scaled(2), n.y.scaled(2), n.z.scaled(2)}, h};
 }
 
+PolarVertexOf<Estimate> estimated_polar_vertex(std::span<const Point3> vertices, std::span<const std::uint32_t> facet,
+                                               const std::array<std::uint32_t, 4>& base) {
+  SUNDER_REQUIRE(facet.size() >= 3);
+  const auto [n, h] = plane([](double x) { return Estimate(x); }, vertices, facet, base);
+  return {{n.x * 4.0, n.y * 4.0, n.z * 4.0}, h};
+}
+
 Polar make_polar(std::span<const Point3> vertices, std::span<const std::uint32_t> corner_begin,
                  std::span<const std::uint32_t> corners) {
   SUNDER_REQUIRE(corner_begin.size() >= 5);

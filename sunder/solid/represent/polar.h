@@ -17,6 +17,7 @@
 #pragma once
 
 #include <sunder/number/dyadic.h>
+#include <sunder/number/estimate.h>
 #include <sunder/predicate/point.h>
 
 #include <array>
@@ -49,11 +50,13 @@ struct Polar {
   std::size_t memory() const;  // bytes
 };
 
-// The point n / h, exactly, as seen from o: h is positive. Times 4 each, so that all of it is made of differences.
-struct PolarVertex {
-  std::array<Dyadic, 3> n;
-  Dyadic h;
+// The point n / h, as seen from o: h is positive. Times 4 each, so that all of it is made of differences.
+template <class T>
+struct PolarVertexOf {
+  std::array<T, 3> n;
+  T h;
 };
+using PolarVertex = PolarVertexOf<Dyadic>;  // exactly
 
 // The facets of a convex polyhedron with an interior, each a cycle of vertex numbers, counter-clockwise from outside:
 // corners[corner_begin[f] .. corner_begin[f + 1]). Any three of a facet's vertices turn strictly.
@@ -68,5 +71,9 @@ Polar make_polar(std::span<const Point3> vertices, std::span<const std::uint32_t
 // is the polar's.
 PolarVertex exact_polar_vertex(std::span<const Point3> vertices, std::span<const std::uint32_t> facet,
                                const std::array<std::uint32_t, 4>& base);
+
+// The same with a bound of the error.
+PolarVertexOf<Estimate> estimated_polar_vertex(std::span<const Point3> vertices, std::span<const std::uint32_t> facet,
+                                               const std::array<std::uint32_t, 4>& base);
 
 }  // namespace sunder::solid

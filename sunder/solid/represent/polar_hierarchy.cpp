@@ -25,13 +25,22 @@ class FacetsAsPoints {
  public:
   FacetsAsPoints(std::span<const Point3> points, std::span<const std::uint32_t> corner_begin,
                  std::span<const std::uint32_t> corners, const Polar& polar)
-      : points_(points), corner_begin_(corner_begin), corners_(corners), polar_(polar) {}
+      : points_(points),
+        corner_begin_(corner_begin),
+        corners_(corners),
+        polar_(polar),
+        place_(polar.vertices.size(), 0) {}
 
   const Point3& at(std::uint32_t f) const { return polar_.vertices[f]; }
 
   Sign orient(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
     if (const std::optional<Sign> sure = orient_rounded(a, b, c, d)) return *sure;
-    return have_common_corner({a, b, c, d}) ? Sign::zero : orient_exactly({a, b, c, d});
+    if (have_common_corner({a, b, c, d})) return Sign::zero;
+    switch (sign(determinant(estimates_of({a, b, c, d})))) {
+      case Guess::positive: return Sign::negative;
+      case Guess::negative: return Sign::positive;
+      default: return -determinant(exact({a, b, c, d})).sign();
+    }
   }
 
   std::span<const std::uint32_t> facet(std::uint32_t f) const {
@@ -96,21 +105,39 @@ class FacetsAsPoints {
 
   // The determinant of the rows (n, h) is that of the points with ones, times all h, which are positive; and orient is
   // its opposite.
-  Sign orient_exactly(const std::array<std::uint32_t, 4>& facets) const {
+  template <class T>
+  static T determinant(const std::array<PolarVertexOf<T>, 4>& row) {
+    const auto minor = [&](std::size_t i, std::size_t j, std::size_t k) {
+      const auto &p = row[i].n, &q = row[j].n, &r = row[k].n;
+      return dot(cross(Vector3<T>{p[0], p[1], p[2]}, Vector3<T>{q[0], q[1], q[2]}), Vector3<T>{r[0], r[1], r[2]});
+    };
+    return (row[3].h * minor(0, 1, 2) - row[2].h * minor(0, 1, 3)) +
+           (row[1].h * minor(0, 2, 3) - row[0].h * minor(1, 2, 3));
+  }
+  std::array<PolarVertex, 4> exact(const std::array<std::uint32_t, 4>& facets) const {
     std::array<PolarVertex, 4> row;
     for (std::size_t k = 0; k < 4; ++k) row[k] = exact_polar_vertex(points_, facet(facets[k]), polar_.base);
-    const auto normal = [&](std::size_t k) { return Vector3<Dyadic>{row[k].n[0], row[k].n[1], row[k].n[2]}; };
-    const auto minor = [&](std::size_t i, std::size_t j, std::size_t k) {
-      return dot(cross(normal(i), normal(j)), normal(k));
-    };
-    const Dyadic determinant =
-        row[3].h * minor(0, 1, 2) - row[2].h * minor(0, 1, 3) + row[1].h * minor(0, 2, 3) - row[0].h * minor(1, 2, 3);
-    return -determinant.sign();
+    return row;
+  }
+  // Made when they are first asked for.
+  std::array<PolarVertexOf<Estimate>, 4> estimates_of(const std::array<std::uint32_t, 4>& facets) const {
+    std::array<PolarVertexOf<Estimate>, 4> row;
+    for (std::size_t k = 0; k < 4; ++k) {
+      std::uint32_t& place = place_[facets[k]];
+      if (place == 0) {
+        estimates_.push_back(estimated_polar_vertex(points_, facet(facets[k]), polar_.base));
+        place = static_cast<std::uint32_t>(estimates_.size());
+      }
+      row[k] = estimates_[place - 1];
+    }
+    return row;
   }
 
   std::span<const Point3> points_;
   std::span<const std::uint32_t> corner_begin_, corners_;
   const Polar& polar_;
+  mutable std::vector<PolarVertexOf<Estimate>> estimates_;
+  mutable std::vector<std::uint32_t> place_;  // of a facet in these, and one; 0: nowhere
 };
 
 }  // namespace
