@@ -1,4 +1,3 @@
-#include <sunder/base/names.h>
 #include <sunder/planar/pair/minkowski_difference_search.h>
 #include <sunder/planar/pair/polygon_polygon.h>
 #include <sunder/planar/pair/polygon_polygon_boundary.h>
@@ -38,10 +37,6 @@ BoundariesAnswer answer_of(bool meet, bool a_inside, bool b_inside, Cost cost, c
 }
 
 }  // namespace
-
-std::string_view name_of(Boundaries relation) {
-  return name_in<Boundaries::b_inside_a>({"apart", "boundaries meet", "A inside B", "B inside A"}, relation);
-}
 
 BoundariesAnswer polygon_polygon_boundary(const ConvexPolygon& a, const Pose& pose_a,  //
                                           const ConvexPolygon& b, const Pose& pose_b) {

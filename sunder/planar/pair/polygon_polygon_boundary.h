@@ -7,23 +7,14 @@
 // as each vertex of a polygon around another one may be the only one that is not far enough out.
 #pragma once
 
+#include <sunder/base/boundaries.h>
 #include <sunder/base/cost.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/pose.h>
 
-#include <cstdint>
-#include <string_view>
-
 namespace sunder::planar {
 
-enum class Boundaries : std::uint8_t {
-  apart,       // the polygons do not meet
-  meet,        // the boundaries have a common point
-  a_inside_b,  // A is in the interior of B
-  b_inside_a,
-};
-
-std::string_view name_of(Boundaries);  // "boundaries meet", "A inside B"
+using sunder::Boundaries;
 
 struct [[nodiscard]] BoundariesAnswer {
   Boundaries relation = Boundaries::apart;
