@@ -1,0 +1,63 @@
+// The walk between two spaces where it went wrong once, and what it promises beside the verdict.
+#include <sunder/base/random.h>
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
+
+#include <tests/support/scale.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+namespace sunder::solid {
+namespace {
+
+ConvexPolyhedron box(const Point3& half) {
+  std::vector<Point3> points;
+  for (int k = 0; k < 8; ++k) {
+    points.push_back({k & 1 ? half.x : -half.x, k & 2 ? half.y : -half.y, k & 4 ? half.z : -half.z});
+  }
+  return ConvexPolyhedron(points);
+}
+
+Pose turned(Random& random) {
+  std::array<double, 4> q;
+  for (double& x : q) x = random.uniform(-1, 1);
+  return Pose::from_quaternion(q[0], q[1], q[2], q[3],
+                               {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+}
+
+// Of a point common to both, several weights vanish at once: which of them did is not for rounding to say.
+TEST(PolyhedronPolyhedronByPolar, ABoxAndItselfNeedNoFinishing) {
+  Random random(tests::chosen_seed(201));
+  for (int i = 0; i < tests::scaled_count(1000); ++i) {
+    const ConvexPolyhedron body = box({random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)});
+    const Pose pose = turned(random);
+    const PairAnswer answer = polyhedron_polyhedron_by_polar(body, pose, body, pose);
+    ASSERT_TRUE(answer.meet());
+    ASSERT_NE(answer.decided_by, DecidedBy::finishing) << i;
+  }
+}
+
+// This pair was seen never to end: of one, the hierarchy of the polar was made of a body with coordinates underflown.
+TEST(PolyhedronPolyhedronByPolar, CoordinatesOfVeryDifferentSizes) {
+  const ConvexPolyhedron a(std::vector<Point3>{{0, -0x1.d7280577fbc7cp+179, -0x1.10aba5f43d48p-181},
+                                               {-0x1.26ba525c3a48p-2, -0x1.6c6cd49f1a7f4p+178, 0x1.a22114e82010cp-181},
+                                               {-0x1.35cf01107e09p-184, -0x1.3ed736ce1736p-4, -0x1.eedd0d3d523a8p-2},
+                                               {0, 0x1.7da6a5bc6819ep+179, 0},
+                                               {0x1.a09ace2bf440cp-2, -0x1.e9608c58b9704p-182, -0x1.aefbaace97b06p-1},
+                                               {0, -0x1.bec614bc647bcp+179, 0x1.c9a316f4debd8p+177}});
+  const ConvexPolyhedron b(
+      std::vector<Point3>{{-0x1.d8bdd68b5ebp+756, 0x1.c4c041811ff3p-3, 0},
+                          {-0x1.2321f3fe11908p-762, -0x1.501402898f3eap-1, 0x1.9d87cec6f883p-761},
+                          {0, 0, 0},
+                          {-0x1.7e3e845adba6p-2, 0x1.f09619a1a74p-766, 0},
+                          {0x1.6f5108c4d1f16p+758, 0, -0x1.46efc3838bp-768},
+                          {-0x1.59a0c9b421a4cp+757, -0x1.a2639156fc54p+753, 0x1.35224648dc714p+757}});
+  const bool meet = polyhedron_polyhedron_by_scan(a, Pose(), b, Pose()).meet();
+  EXPECT_EQ(polyhedron_polyhedron_by_polar(a, Pose(), b, Pose()).meet(), meet);
+  EXPECT_EQ(polyhedron_polyhedron_by_polar(b, Pose(), a, Pose()).meet(), meet);
+}
+
+}  // namespace
+}  // namespace sunder::solid
