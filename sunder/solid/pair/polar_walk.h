@@ -22,8 +22,8 @@
 //   S2. Degrees need no bound, as BL15 4 has it: a game is only about vertices that have just come, with at most
 //       most_degree neighbours; a vertex at which the walk just stays may have any number, of which sectors tell the
 //       one that matters (hierarchy_walk.h).
-// Rounds: at most one for each level of both. Source: BL15 section 5, Theorem 5.1. Departures: S2; f and
-// y are not kept for later games; a plane is kept while a new vertex is only beyond its parallel through the last one,
+// Rounds: at most one for each level of both. Source: BL15 section 5, Theorem 5.1. Departures: S2; f and y
+// are not kept for later games; a plane is kept while a new vertex is only beyond its parallel through the last one,
 // and so with points; half-spaces and cones are told apart by games.
 #pragma once
 
@@ -381,8 +381,7 @@ class PolarWalk {
     walls_about(w);
     is_apart_now = true;
     if (p_star_ == Hierarchy::none) {
-      top_points();
-      if (!play(walls_) || !is_apart()) return false;
+      if (!play(walls_) || !is_apart()) return false;  // P is what it was at the top
       start_at_top_of_p();
       return true;
     }

@@ -3,6 +3,7 @@
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 
 #include <tests/support/scale.h>
+#include <tests/support/shapes.h>
 
 #include <gtest/gtest.h>
 
@@ -57,6 +58,33 @@ TEST(PolyhedronPolyhedronByPolar, CoordinatesOfVeryDifferentSizes) {
   const bool meet = polyhedron_polyhedron_by_scan(a, Pose(), b, Pose()).meet();
   EXPECT_EQ(polyhedron_polyhedron_by_polar(a, Pose(), b, Pose()).meet(), meet);
   EXPECT_EQ(polyhedron_polyhedron_by_polar(b, Pose(), a, Pose()).meet(), meet);
+}
+
+// Beside a body that is much smaller, the polar is the larger one's, in whatever order they are given.
+TEST(PolyhedronPolyhedronByPolar, BodiesOfVeryDifferentSizesNeedNoFinishing) {
+  Random random(tests::chosen_seed(202));
+  int meets = 0;
+  const int count = tests::scaled_count(1000);
+  for (int i = 0; i < count; ++i) {
+    // The small one lies at a vertex of the large one, which is the world's origin.
+    const double size = random.log_uniform(1e-18, 1e-3);
+    std::vector<Point3> points = tests::points_on_sphere(20, random);
+    const Point3 at = points[0];
+    for (Point3& p : points) p = {p.x - at.x, p.y - at.y, p.z - at.z};
+    const ConvexPolyhedron large(points), small(tests::points_on_sphere(20, random));
+    Affine3 there = turned(random).affine();
+    for (double& x : there.linear) x *= size;
+    for (double& x : there.translation) x *= size;
+    const Pose pose = Pose::from_matrix(there.linear, there.translation);
+    const PairAnswer one = polyhedron_polyhedron_by_polar(large, Pose(), small, pose),
+                     other = polyhedron_polyhedron_by_polar(small, pose, large, Pose());
+    ASSERT_EQ(one.meet(), other.meet());
+    ASSERT_NE(one.decided_by, DecidedBy::finishing) << i;
+    ASSERT_NE(other.decided_by, DecidedBy::finishing) << i;
+    meets += one.meet();
+  }
+  EXPECT_GT(meets, count / 10);
+  EXPECT_LT(meets, count - count / 10);
 }
 
 }  // namespace
