@@ -1,5 +1,6 @@
 // The walk between two spaces where it went wrong once, and what it promises beside the verdict.
 #include <sunder/base/random.h>
+#include <sunder/solid/pair/polar_round.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 
 #include <tests/support/scale.h>
@@ -85,6 +86,27 @@ TEST(PolyhedronPolyhedronByPolar, BodiesOfVeryDifferentSizesNeedNoFinishing) {
   }
   EXPECT_GT(meets, count / 10);
   EXPECT_LT(meets, count - count / 10);
+}
+
+// A plane and a point are kept while they hold: far apart or deep inside, what is known at the top tells all, mostly.
+// (Were each vertex beyond the last one a round, there would be 2.6 of them on average.)
+TEST(PolyhedronPolyhedronByPolar, FarApartAndDeepInsideThereAreHardlyAnyRounds) {
+  Random random(tests::chosen_seed(203));
+  const int count = tests::scaled_count(200, 20);
+  for (const double distance : {0.0, 20.0}) {
+    std::size_t rounds = 0;
+    for (int i = 0; i < count; ++i) {
+      const ConvexPolyhedron a(tests::points_on_sphere(500, random)), b(tests::points_on_sphere(500, random));
+      const Point3 d = tests::on_sphere(random);
+      const Pose there =
+          Pose::from_matrix(turned(random).affine().linear, {d.x * distance, d.y * distance, d.z * distance});
+      const PolarRun run = polyhedron_polyhedron_polar_run(a, Pose(), b, there);
+      ASSERT_FALSE(run.rounds.empty());
+      ASSERT_EQ(run.rounds.back().is_apart, distance > 0);
+      rounds += run.rounds.size() - 1;
+    }
+    EXPECT_LE(rounds, static_cast<std::size_t>(count) / 2) << distance;
+  }
 }
 
 }  // namespace
