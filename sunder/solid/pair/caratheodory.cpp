@@ -160,15 +160,6 @@ class Reduction {
     for (Real& w : weight_) w = w > least ? w : Real(0);
   }
 
-  // Those of A with positive weights.
-  Mixture<Real> of_a() const {
-    Mixture<Real> mixture;
-    for (std::size_t i = 0; i < first_of_b; ++i) {
-      if (weight_[i] > 0) mixture.add(of_a_.vertex[i], weight_[i]);
-    }
-    return mixture;
-  }
-
   // The vertices with positive weights. False where they cannot be a proposal.
   bool write(Proposal& proposal) const {
     std::size_t n = 0;
@@ -281,14 +272,6 @@ bool name_at_most_five(const Placed& a, const Placed& b, const DifferenceSimplex
 }
 
 template <class Real>
-void reduce_to_four(const Placed& body, Mixture<Real>& mixture) {
-  if (mixture.count <= 4) return;
-  Reduction<Real, Mixture<Real>::most> reduction(body, body, mixture, {}, scale_to_one(body.size));
-  reduction.reduce();
-  mixture = reduction.of_a();
-}
-
-template <class Real>
 bool name_at_most_five(const Placed& a, const Placed& b, const Mixture<Real>& of_a, const Mixture<Real>& of_b,
                        bool drop_negligible, Proposal& proposal) {
   constexpr std::size_t most = 8;
@@ -311,8 +294,6 @@ template bool name_at_most_five(const Placed&, const Placed&, const DifferenceSi
                                 const std::array<double, 4>&, bool, Proposal&);
 template bool name_at_most_five(const Placed&, const Placed&, const DifferenceSimplexOf<DoubleDouble>&,
                                 const std::array<DoubleDouble, 4>&, bool, Proposal&);
-template void reduce_to_four(const Placed&, Mixture<double>&);
-template void reduce_to_four(const Placed&, Mixture<DoubleDouble>&);
 template bool name_at_most_five(const Placed&, const Placed&, const Mixture<double>&, const Mixture<double>&, bool,
                                 Proposal&);
 template bool name_at_most_five(const Placed&, const Placed&, const Mixture<DoubleDouble>&,

@@ -64,10 +64,6 @@ template <class Real>
 bool name_at_most_five(const Placed& a, const Placed& b, const DifferenceSimplexOf<Real>& simplex,
                        const std::array<Real, 4>& weights, bool drop_negligible, Proposal& proposal);
 
-// The same point of at most four vertices, as far as rounding lets it.
-template <class Real>
-void reduce_to_four(const Placed& body, Mixture<Real>& mixture);
-
 // Of a point that is a mixture of both, of at most eight vertices each.
 template <class Real>
 bool name_at_most_five(const Placed& a, const Placed& b, const Mixture<Real>& of_a, const Mixture<Real>& of_b,

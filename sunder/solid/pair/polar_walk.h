@@ -135,11 +135,7 @@ class PolarWalk {
   std::uint32_t vertex_of_p() const { return vertices_ ? vertices_->vertex() : first_vertex_; }
 
   // At the end `meet`: the point as a mean of P's vertices, and of R's, and how clearly it is in R.
-  Mixture<Real> of_p() const {
-    Mixture<Real> mixture = point_of_p_;
-    reduce_to_four(p_, mixture);
-    return mixture;
-  }
+  const Mixture<Real>& of_p() const { return point_of_p_; }
   Mixture<Real> of_r() const {
     const auto facet = r_.body.facet(frame_.polar().hierarchy.nodes[facets_.at()].vertex);
     // The triangle of the fan from the first corner that the ray from o through the point passes.
@@ -282,7 +278,7 @@ class PolarWalk {
     }
   }
 
-  // The mixture of the points.
+  // The mixture of the points: of five at most, as payments have rank four and the game shifts them.
   void take_point() {
     Mixture<Real> mixture;
     Vector y{Real(0), Real(0), Real(0)};
