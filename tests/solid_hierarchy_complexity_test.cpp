@@ -1,6 +1,6 @@
-// Counted probes on every family of hard bodies: of polyhedron_polyhedron_by_hierarchy a constant times log2 n log2 m,
-// of polyhedron_polyhedron_by_polar and of the front door a constant times log2 n + log2 m, and the rounds of
-// _by_polar. What it rests on, BL15 Lemma 4.2; and the walk that scans all neighbours, which the lemma alone does not
+// Counted probes on every family of hard bodies: of polyhedron_polyhedron_by_hierarchy a constant times log2^2 n, n the
+// larger body, of polyhedron_polyhedron_by_polar and of the front door a constant times log2 n + log2 m, and the rounds
+// of _by_polar. What it rests on, BL15 Lemma 4.2; and the walk that scans all neighbours, which the lemma alone does not
 // save.
 #include <tests/support/scale.h>
 #include <tests/support/shapes.h>
@@ -43,13 +43,13 @@ struct Bounded {
   double bound;
   double (*of)(double log2_n, double log2_m);
 };
-double product(double x, double y) { return x * y; }
+double square_of_larger(double x, double y) { return std::max(x, y) * std::max(x, y); }
 double sum(double x, double y) { return x + y; }
 PairAnswer distance(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b) {
   return polyhedron_polyhedron_distance(a, pose_a, b, pose_b).answer;
 }
-const std::array<Bounded, 4> bounded{{{"hierarchy", solid::polyhedron_polyhedron_by_hierarchy, 36, product},
-                                      {"polar", solid::polyhedron_polyhedron_by_polar, 100, sum},
+const std::array<Bounded, 4> bounded{{{"hierarchy", solid::polyhedron_polyhedron_by_hierarchy, 32, square_of_larger},
+                                      {"polar", solid::polyhedron_polyhedron_by_polar, 85, sum},
                                       {"front", solid::polyhedron_polyhedron, 250, sum},
                                       {"distance", distance, 390, sum}}};
 
@@ -59,6 +59,8 @@ class Ratios {
 
   void add(std::string_view what, const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b,
            const Pose& pose_b) {
+    // Two flat bodies: another method takes them.
+    if (of_.method == solid::polyhedron_polyhedron_by_polar && a.dimension() < 3 && b.dimension() < 3) return;
     const PairAnswer answer = of_.method(a, pose_a, b, pose_b);
     const double n = static_cast<double>(a.vertices().size()), m = static_cast<double>(b.vertices().size());
     ++(answer.meet() ? meet_ : apart_);
@@ -164,7 +166,7 @@ void add_touching(Measured& ratios, std::string_view what, const ConvexPolyhedro
   ratios.add(what, a, Pose(), a, mirror);
 }
 
-TEST(SolidHierarchyComplexity, ProbesGrowAsTheProductOrTheSumOfLogarithms) {
+TEST(SolidHierarchyComplexity, ProbesGrowAsTheSquareOrTheSumOfLogarithms) {
   const int greatest_power = scaled_count(17, 12) >= 17 ? 17 : 12;
   const int small_times = std::min(scaled_count(400, 40), 400);  // the bound is made of the greatest of these
   Random random(chosen_seed(97));
