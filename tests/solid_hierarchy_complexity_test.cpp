@@ -1,7 +1,7 @@
 // Counted probes on every family of hard bodies: of polyhedron_polyhedron_by_hierarchy a constant times log2^2 n, n the
 // larger body, of polyhedron_polyhedron_by_polar and of the front door a constant times log2 n + log2 m, and the rounds
-// of _by_polar. What it rests on, BL15 Lemma 4.2; and the walk that scans all neighbours, which the lemma alone does not
-// save.
+// of _by_polar. What it rests on, BL15 Lemma 4.2; and the walk that scans all neighbours, which the lemma alone does
+// not save.
 #include <tests/support/scale.h>
 #include <tests/support/shapes.h>
 #include <tests/support/solid_shapes.h>
