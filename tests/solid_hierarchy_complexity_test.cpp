@@ -177,6 +177,7 @@ void add_touching(Measured& ratios, std::string_view what, const ConvexPolyhedro
 TEST(SolidHierarchyComplexity, ProbesGrowAsTheProductOrTheSumOfLogarithms) {
   const int greatest_power = scaled_count(17, 12) >= 17 ? 17 : 12;
   const int small_times = std::min(scaled_count(400, 40), 400);  // the bound is made of the greatest of these
+  const int large_times = std::min(scaled_count(10, 10), small_times);  // as many at a scale of 40
   Random random(chosen_seed(97));
   Measured ratios;
   for (int power = 7; power <= greatest_power; ++power) {
@@ -185,7 +186,7 @@ TEST(SolidHierarchyComplexity, ProbesGrowAsTheProductOrTheSumOfLogarithms) {
     for (const std::size_t m : {std::size_t{8}, std::size_t{100}, n}) {
       others.emplace_back(solid_shapes::sphere(m, random));
     }
-    const int times = power < 11 ? small_times : 10;
+    const int times = power < 11 ? small_times : large_times;
     for (const SolidShape& shape : all_solid_shapes()) {
       const ConvexPolyhedron body(shape.make(n, random));
       const bool is_needle = shape.name == "needle";

@@ -121,8 +121,7 @@ def main():
                                            ("top", "the beginning: both tetrahedra"))):
         out += [mark(LEFT + 340, low + 24 * k - 4, space, "plane").replace(COLOUR["plane"], "#666666"),
                 text(LEFT + 354, low + 24 * k, words_of)]
-    out += [line(LEFT, low + 44, LEFT + 26, low + 44, "#666666", 'stroke-width="3" stroke-dasharray="2 3"'),
-            text(LEFT + 34, low + 48, "further levels change nothing")]
+    out.append(text(LEFT, low + 48, "dotted, if any: further levels change nothing"))
     print("\n".join(out) + "\n</svg>")
 
 

@@ -2,7 +2,10 @@
 """Draws the growth of probes of two polyhedra: reads the table that tests/solid_hierarchy_complexity_test prints,
 writes an SVG.
 
-    build/tests/solid_hierarchy_complexity_test | docs/images/plot_solid_probes.py > docs/images/solid-probes.svg
+    SUNDER_TEST_SCALE=40 build/tests/solid_hierarchy_complexity_test |
+        docs/images/plot_solid_probes.py > docs/images/solid-probes.svg
+
+At this scale there are as many pairs of each size: of fewer the greatest is less.
 """
 import math
 import sys
@@ -11,7 +14,7 @@ import sys
 PANELS = [(0, "_by_hierarchy", "log2 n log2 m", 36, 10), (1, "_by_polar", "log2 n + log2 m", 100, 25),
           (2, "front door", "log2 n + log2 m", 250, 50)]
 COLOURS = ["#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"]  # of Okabe and Ito
-WIDTH, HEIGHT, LEFT, SIDE, GAP, TOP, LOW = 960, 450, 50, 260, 50, 70, 310
+WIDTH, HEIGHT, LEFT, SIDE, GAP, TOP, LOW = 960, 430, 50, 260, 50, 50, 310
 
 
 def main():
@@ -28,16 +31,19 @@ def main():
            '<rect width="100%" height="100%" fill="white"/>']
     for k, (column, title, unit, bound, step) in enumerate(PANELS):
         left = LEFT + k * (SIDE + GAP)
+        most = 1.05 * max(bound, max(ratios[column] for of in greatest.values() for ratios in of.values()))
 
         def x(power):
             return left + (power - powers[0]) / (powers[-1] - powers[0]) * SIDE
 
         def y(ratio):
-            return LOW - ratio / (1.1 * bound) * (LOW - TOP)
+            return LOW - ratio / most * (LOW - TOP)
 
-        out.append(f'<text x="{left}" y="{TOP - 42}" font-weight="bold">{title}</text>')
-        out.append(f'<text x="{left}" y="{TOP - 24}">probes / ({unit})</text>')
-        for ratio in range(0, bound, step):
+        out.append(f'<text x="{left}" y="{TOP - 26}" font-weight="bold">{title}</text>')
+        out.append(f'<text x="{left}" y="{TOP - 8}">probes / ({unit})</text>')
+        for ratio in range(0, int(most), step):
+            if abs(ratio - bound) < step / 2:
+                continue  # the bound has its own
             out.append(f'<path d="M{left} {y(ratio):.1f}h{SIDE}" stroke="#dddddd"/>')
             out.append(f'<text x="{left - 8}" y="{y(ratio) + 4:.1f}" text-anchor="end">{ratio}</text>')
         out.append(f'<path d="M{left} {y(bound):.1f}h{SIDE}" stroke="#999999" stroke-width="3"/>')
@@ -50,7 +56,7 @@ def main():
     out.append(f'<text x="{LEFT}" y="{LOW + 42}">across: points n of a body, against itself or a sphere of m; '
                'upwards: the greatest ratio seen; grey: the bound that the test asserts</text>')
     for f, family in enumerate(greatest):
-        left, at = LEFT + f % 7 * 130, LOW + 72 + f // 7 * 26
+        left, at = LEFT + f % 7 * 128, LOW + 72 + f // 7 * 26
         out.append(f'<line x1="{left}" y1="{at - 4}" x2="{left + 26}" y2="{at - 4}" {stroke(f)}/>')
         out.append(f'<text x="{left + 32}" y="{at}">{family}</text>')
     print("\n".join(out) + "\n</svg>")
