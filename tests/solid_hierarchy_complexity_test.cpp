@@ -176,7 +176,7 @@ void add_touching(Measured& ratios, std::string_view what, const ConvexPolyhedro
 
 TEST(SolidHierarchyComplexity, ProbesGrowAsTheProductOrTheSumOfLogarithms) {
   const int greatest_power = scaled_count(17, 12) >= 17 ? 17 : 12;
-  const int small_times = std::min(scaled_count(400, 40), 400);  // the bound is made of the greatest of these
+  const int small_times = std::min(scaled_count(400, 40), 400);         // the bound is made of the greatest of these
   const int large_times = std::min(scaled_count(10, 10), small_times);  // as many at a scale of 40
   Random random(chosen_seed(97));
   Measured ratios;
