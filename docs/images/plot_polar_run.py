@@ -39,7 +39,9 @@ def staircase(most_p, most_q, answer, rounds):
            text(0, 0, f"level of the polar of R: 0 a tetrahedron around, {most_q} all of R",
                 f'transform="translate({LEFT - 44} {TOP + DEEP}) rotate(-90)"')]
     for level in range(most_p + 1):
-        out += [line(x(level), TOP, x(level), TOP + DEEP), text(x(level), TOP - 12, level, 'text-anchor="middle"')]
+        out.append(line(x(level), TOP, x(level), TOP + DEEP))
+        if level % 2 == 0 or most_p < 16:
+            out.append(text(x(level), TOP - 12, level, 'text-anchor="middle"'))
     for level in range(most_q + 1):
         out.append(line(LEFT, y(level), LEFT + SIDE, y(level)))
         if level % 2 == 0:
