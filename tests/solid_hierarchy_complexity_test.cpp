@@ -25,6 +25,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace sunder::tests {
@@ -69,6 +70,7 @@ class Ratios {
       return;
     }
     const double ratio = static_cast<double>(answer.cost.probes) / of_.of(std::log2(n), std::log2(m));
+    greatest_of_row_ = std::max(greatest_of_row_, ratio);
     EXPECT_LE(ratio, of_.bound) << of_.name << " " << what << ", n = " << n << ", m = " << m;
     if (std::max(n, m) <= 1100) at_a_thousand_ = std::max(at_a_thousand_, ratio);
     if (ratio <= greatest_) return;
@@ -77,6 +79,8 @@ class Ratios {
                 static_cast<int>(of_.name.size()), of_.name.data(), static_cast<int>(what.size()), what.data(), n, m,
                 static_cast<double>(answer.cost.probes), static_cast<unsigned>(answer.cost.iterations), ratio);
   }
+  // The greatest since it was last asked for.
+  double take_greatest_of_row() { return std::exchange(greatest_of_row_, 0); }
   void expect_no_growth(bool is_of_many) const {
     std::printf("%.*s: greatest %.2f, at n = 1,000 %.2f; %d apart, %d meet, %d finished\n",
                 static_cast<int>(of_.name.size()), of_.name.data(), greatest_, at_a_thousand_, apart_, meet_,
@@ -91,7 +95,7 @@ class Ratios {
 
  private:
   const Bounded& of_;
-  double greatest_ = 0, at_a_thousand_ = 0;
+  double greatest_ = 0, at_a_thousand_ = 0, greatest_of_row_ = 0;
   int meet_ = 0, apart_ = 0, finished_ = 0;
 };
 
@@ -131,6 +135,12 @@ struct Measured {
     for (Ratios& r : ratios) r.add(what, a, pose_a, b, pose_b);
     rounds.add(a, pose_a, b, pose_b);
   }
+  // What docs/images/plot_solid_probes.py reads: the greatest ratios of a family and size.
+  void print_row(std::string_view family, std::size_t n) {
+    std::printf("| %-12.*s | %6zu |", static_cast<int>(family.size()), family.data(), n);
+    for (Ratios& r : ratios) std::printf(" %5.1f |", r.take_greatest_of_row());
+    std::printf("\n");
+  }
 };
 
 Pose turned(Random& random, const Point3& to) {
@@ -168,7 +178,8 @@ void add_touching(Measured& ratios, std::string_view what, const ConvexPolyhedro
 
 TEST(SolidHierarchyComplexity, ProbesGrowAsTheSquareOrTheSumOfLogarithms) {
   const int greatest_power = scaled_count(17, 12) >= 17 ? 17 : 12;
-  const int small_times = std::min(scaled_count(400, 40), 400);  // the bound is made of the greatest of these
+  const int small_times = std::min(scaled_count(400, 40), 400);         // the bound is made of the greatest of these
+  const int large_times = std::min(scaled_count(10, 10), small_times);  // as many at a scale of 40
   Random random(chosen_seed(97));
   Measured ratios;
   for (int power = 7; power <= greatest_power; ++power) {
@@ -177,7 +188,7 @@ TEST(SolidHierarchyComplexity, ProbesGrowAsTheSquareOrTheSumOfLogarithms) {
     for (const std::size_t m : {std::size_t{8}, std::size_t{100}, n}) {
       others.emplace_back(solid_shapes::sphere(m, random));
     }
-    const int times = power < 11 ? small_times : 10;
+    const int times = power < 11 ? small_times : large_times;
     for (const SolidShape& shape : all_solid_shapes()) {
       const ConvexPolyhedron body(shape.make(n, random));
       const bool is_needle = shape.name == "needle";
@@ -188,6 +199,7 @@ TEST(SolidHierarchyComplexity, ProbesGrowAsTheSquareOrTheSumOfLogarithms) {
         const ConvexPolyhedron& other = others[random.below(others.size())];
         add_near_contact(ratios, std::string(shape.name) + ", sphere", body, other, false, random);
       }
+      ratios.print_row(shape.name, n);
     }
   }
   for (const Ratios& r : ratios.ratios) r.expect_no_growth(small_times == 400);
