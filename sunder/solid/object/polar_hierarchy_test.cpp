@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -120,6 +121,35 @@ TEST(PolarHierarchy, EveryLevelIsConvex) {
     if (body.dimension() != 3) continue;
     ASSERT_NO_FATAL_FAILURE(check(body, "whole numbers", true)) << i;
   }
+}
+
+// Numbers of very different sizes along one axis: to bring the body near 1 there would round some of them to zero, and
+// what is left is another body, with facets through its inside.
+TEST(PolarHierarchy, OfCoordinatesThatWouldUnderflow) {
+  const std::vector<Point3> seen{{-0x1.d8bdd68b5ebp+756, 0x1.c4c041811ff3p-3, 0},
+                                 {-0x1.2321f3fe11908p-762, -0x1.501402898f3eap-1, 0x1.9d87cec6f883p-761},
+                                 {0, 0, 0},
+                                 {-0x1.7e3e845adba6p-2, 0x1.f09619a1a74p-766, 0},
+                                 {0x1.6f5108c4d1f16p+758, 0, -0x1.46efc3838bp-768},
+                                 {-0x1.59a0c9b421a4cp+757, -0x1.a2639156fc54p+753, 0x1.35224648dc714p+757}};
+  ASSERT_NO_FATAL_FAILURE(check(ConvexPolyhedron(seen), "seen to hang", true));
+  Random random(tests::chosen_seed(35));
+  int bodies = 0;
+  for (int i = 0; i < tests::scaled_count(200); ++i) {
+    const int power = static_cast<int>(random.between(400, 1000));
+    const auto coordinate = [&] {
+      const double x = random.uniform(-1, 1);
+      const std::array<double, 4> some{0, x, std::ldexp(x, power), std::ldexp(x, -power)};
+      return some[random.below(4)];
+    };
+    std::vector<Point3> points;
+    for (int k = 0; k < 9; ++k) points.push_back({coordinate(), coordinate(), coordinate()});
+    const ConvexPolyhedron body(points);
+    if (body.dimension() != 3) continue;
+    ++bodies;
+    ASSERT_NO_FATAL_FAILURE(check(body, "far apart", true)) << i;
+  }
+  EXPECT_GT(bodies, tests::scaled_count(200) / 2);
 }
 
 TEST(PolarHierarchy, SizeAndDepth) {

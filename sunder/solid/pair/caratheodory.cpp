@@ -226,12 +226,16 @@ class Reduction {
     }
   }
 
-  // Moves the weights along the dependency until the first one vanishes.
+  // Moves the weights along the dependency until the first one vanishes: one that moves. What is next to nothing in the
+  // dependency is there by rounding; where several weights vanish at once, that would choose among them.
   void shift_weights(const Row& dependency) {
+    Real largest = 0;
+    for (const Real& x : dependency) largest = std::max(largest, magnitude(x));
+    const Real least = largest * negligible<Real>;
     std::size_t leaving = none;
     Real step = 0;
     for (std::size_t i = 0; i < places; ++i) {
-      if (!(dependency[i] > 0)) continue;
+      if (!(dependency[i] > least)) continue;
       const Real ratio = weight_[i] / dependency[i];
       if (leaving == none || ratio < step) {
         step = ratio;

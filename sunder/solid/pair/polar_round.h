@@ -24,8 +24,9 @@ struct PolarRound {
 };
 using PolarRounds = std::vector<PolarRound>;
 
-// The rounds of polyhedron_polyhedron_by_polar in doubles, in order, and the levels of both hierarchies. Empty where it
-// uses another method (both bodies are flat). P is `a`, and R is `b`; where b is flat, the other way round.
+// The rounds of polyhedron_polyhedron_by_polar in doubles, in order, and the levels of both hierarchies; of needles, as
+// if it did not stretch them (stretched.h). Empty where it uses another method (both bodies are flat). R is the longer
+// body, in the world, or where one is flat, the other; of equal lengths it is `b`.
 struct PolarRun {
   PolarRounds rounds;
   std::size_t levels_p = 0, levels_q = 0;

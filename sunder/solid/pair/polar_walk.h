@@ -11,14 +11,20 @@
 // neighbours it has when it comes, are played against a few half-spaces (matrix_game.h). Either these have another
 // plane, or the bodies so far meet, at p*, and R's hierarchy is walked down, where the next facet that cuts the point
 // off is q*, and so on. Who has no level left has the answer: of P, they are apart; of R, the point is in both.
-//   S1. (The star invariant.) When a space is left, the plane just crossed is kept with q*, and the point just cut off
-//       with p*: what is not next to p* or q* is on the right side of these.
+//   S1. (The star invariant.) When p* is met, R is on one side of a plane f and P without p* on the other; when q* is,
+//       a point y of P is in all half-spaces but q*. So games about stars tell. Let S be the hull of p* and its
+//       neighbours, C the cone at p* over it, W the half-spaces of q* and those next to it, K the part of them that is
+//       seen from o through the facet q*. What of C is on R's side of f is in S, and K is in R.
+//       Back at p*, S does not meet K, so neither does C meet W: were x in both, the way from y to x would pass the
+//       facet q*, at a point of K and of C, and as R is on that side of f, of S.
+//       Back at q*, C meets W at some x, so S meets K: f is a mixture of W's half-spaces, and the way from y to x
+//       passes the facet q* at a point of P on R's side of f.
 //   S2. Degrees need no bound, as BL15 4 has it: a game is only about vertices that have just come, with at most
 //       most_degree neighbours; a vertex at which the walk just stays may have any number, of which sectors tell the
 //       one that matters (hierarchy_walk.h).
-// Rounds: at most one for each level of both. Source: BL15 section 5, Theorem 5.1. Departures: S2; a plane is kept
-// while a new vertex is only beyond its parallel through the last one, and so with points; half-spaces and cones are
-// told apart by games.
+// Rounds: at most one for each level of both. Source: BL15 section 5, Theorem 5.1. Departures: S2; f and y
+// are not kept for later games; a plane is kept while a new vertex is only beyond its parallel through the last one,
+// and so with points; half-spaces and cones are told apart by games.
 #pragma once
 
 #include <sunder/base/cost.h>
@@ -38,7 +44,7 @@ namespace sunder::solid {
 
 namespace polar_walk_detail {
 
-constexpr std::size_t most = Hierarchy::most_degree + 2;
+constexpr std::size_t most = Hierarchy::most_degree + 1;
 
 template <class T>
 class Few {
@@ -129,7 +135,11 @@ class PolarWalk {
   std::uint32_t vertex_of_p() const { return vertices_ ? vertices_->vertex() : first_vertex_; }
 
   // At the end `meet`: the point as a mean of P's vertices, and of R's, and how clearly it is in R.
-  const Mixture<Real>& of_p() const { return point_of_p_; }
+  Mixture<Real> of_p() const {
+    Mixture<Real> mixture = point_of_p_;
+    reduce_to_four(p_, mixture);
+    return mixture;
+  }
   Mixture<Real> of_r() const {
     const auto facet = r_.body.facet(frame_.polar().hierarchy.nodes[facets_.at()].vertex);
     // The triangle of the fan from the first corner that the ray from o through the point passes.
@@ -182,7 +192,7 @@ class PolarWalk {
   struct Column {
     Vector y;
     double w = 1;                            // 0: a direction
-    std::uint32_t vertex = Hierarchy::none;  // none: the point of `left_`
+    std::uint32_t vertex = Hierarchy::none;  // none: a direction
   };
 
   // --- Games -------------------------------------------------------------------------------------------------------
@@ -222,21 +232,19 @@ class PolarWalk {
       columns_.push_back({frame_.edge(apex.at, hierarchy.nodes[apex.star()[k].a].at), 0, Hierarchy::none});
     }
   }
-  // p* and its neighbours, and the point that was last cut off.
+  // p* and its neighbours.
   void points_about(std::uint32_t rank) {
     const Hierarchy::Star star = vertices_->hierarchy().nodes[rank].star();
     columns_.clear();
     columns_.push_back(column_of(rank));
     for (std::size_t k = 0; k < star.size(); ++k) columns_.push_back(column_of(star[k].a));
-    if (left_) columns_.push_back({left_->at, 1, Hierarchy::none});
   }
-  // q* and its neighbours, and the half-space that was last left.
+  // q* and its neighbours.
   void walls_about(std::uint32_t rank) {
     const Hierarchy::Star star = frame_.polar().hierarchy.nodes[rank].star();
     walls_.clear();
     walls_.push_back(frame_.wall(rank));
     for (std::size_t k = 0; k < star.size(); ++k) walls_.push_back(frame_.wall(star[k].a));
-    if (crossed_) walls_.push_back(*crossed_);
   }
   // The cone from o over q*, as far as its neighbours tell, down from q*.
   void cone_over(std::uint32_t rank) {
@@ -291,16 +299,9 @@ class PolarWalk {
       if (!(part[j] > Real(0))) continue;
       const Column& c = columns_[j];
       y = {y.x + c.y.x * part[j], y.y + c.y.y * part[j], y.z + c.y.z * part[j]};
-      if (c.vertex != Hierarchy::none) {
-        mixture.add(c.vertex, part[j]);
-      } else {
-        for (std::size_t k = 0; k < left_->of_p.count; ++k) {
-          mixture.add(left_->of_p.vertex[k], left_->of_p.weight[k] * part[j]);
-        }
-      }
+      mixture.add(c.vertex, part[j]);
     }
     point_ = y;
-    reduce_to_four(p_, mixture);
     point_of_p_ = mixture;
     depth_ = game_.value;
     compare_facets_.turn_to(y);
@@ -352,7 +353,6 @@ class PolarWalk {
       vertices_->walk.go_to(w);
       return true;
     }
-    crossed_ = plane_;
     p_star_ = w;
     points_about(w);
     is_apart_now = false;
@@ -377,13 +377,11 @@ class PolarWalk {
       facets_.go_to(w);
       return true;
     }
-    left_ = Left{point_, point_of_p_};
     q_star_ = w;
     walls_about(w);
     is_apart_now = true;
     if (p_star_ == Hierarchy::none) {
-      top_points();
-      if (!play(walls_) || !is_apart()) return false;
+      if (!play(walls_) || !is_apart()) return false;  // P is what it was at the top
       start_at_top_of_p();
       return true;
     }
@@ -408,11 +406,6 @@ class PolarWalk {
     return static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), rank) - ends.begin());
   }
 
-  struct Left {
-    Vector at;
-    Mixture<Real> of_p;
-  };
-
   const Placed& p_;
   const Placed& r_;
   PolarFrame<Real> frame_;
@@ -429,11 +422,10 @@ class PolarWalk {
 
   std::uint32_t last_vertex_ = 0, last_facet_ = 0;  // how far down the walks are
   std::uint32_t p_star_ = Hierarchy::none, q_star_ = Hierarchy::none;
-  std::optional<HalfSpace<Real>> plane_, crossed_;
+  std::optional<HalfSpace<Real>> plane_;
   Vector point_{};
   Mixture<Real> point_of_p_;
   Real depth_ = 0;
-  std::optional<Left> left_;
   std::uint32_t first_vertex_ = 0;
 };
 

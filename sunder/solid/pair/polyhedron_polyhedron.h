@@ -42,11 +42,12 @@ PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& a, const Pose& p
 PairAnswer polyhedron_polyhedron_by_hierarchy(const ConvexPolyhedron& a, const Pose& pose_a,  //
                                               const ConvexPolyhedron& b, const Pose& pose_b);
 
-// By a walk between two spaces: P, which is a, in its own, and the polar of b in its (Barba and Langerman 2015), down
+// By a walk between two spaces: one body in its own, and the polar of the other in its (Barba and Langerman 2015), down
 // the hierarchies of both, in doubles and then in double-doubles, which propose evidence; the same exact method for
-// what they could not certify. The first question about b makes the hierarchy of its polar, in O(n). Where b is flat,
-// the polar is a's; where both are, this is polyhedron_polyhedron_by_hierarchy. Cost: O(log n + log m) probes, whatever
-// the degrees; where nothing is certified, the exact pivots as above. Source: BL15 section 5, Theorem 5.1.
+// what they could not certify. The polar is that of the longer body, where one is flat that of the other, and where
+// both are, this is polyhedron_polyhedron_by_hierarchy. The first question about a body makes its hierarchy, or that of
+// its polar, in O(n). Cost: O(log n + log m) probes, whatever the degrees; where nothing is certified, the exact pivots
+// as above. Source: BL15 section 5, Theorem 5.1.
 PairAnswer polyhedron_polyhedron_by_polar(const ConvexPolyhedron& a, const Pose& pose_a,  //
                                           const ConvexPolyhedron& b, const Pose& pose_b);
 

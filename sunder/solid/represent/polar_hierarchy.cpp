@@ -1,4 +1,5 @@
 #include <sunder/number/vector.h>
+#include <sunder/predicate/posed.h>
 #include <sunder/solid/represent/hierarchy_builder.h>
 #include <sunder/solid/represent/polar.h>
 #include <sunder/solid/represent/polar_hierarchy.h>
@@ -12,12 +13,17 @@ namespace sunder::solid {
 
 namespace {
 
-// A power of two.
+// A power of two by which every coordinate is multiplied exactly: it makes the points about 1 long along the axis, or
+// where a coordinate would vanish, as long as need be.
 double to_one(std::span<const Point3> points, double Point3::* axis) {
   const auto [low, high] = std::minmax_element(points.begin(), points.end(),
                                                [&](const Point3& p, const Point3& q) { return p.*axis < q.*axis; });
   const double half = (*high).*axis / 2 - (*low).*axis / 2;  // halves: no overflow
-  return half > 0 ? std::ldexp(1.0, std::clamp(-std::ilogb(half) - 1, -1022, 1022)) : 1;
+  if (!(half > 0)) return 1;
+  SizeRange sizes;
+  for (const Point3& p : points) sizes.include(p.*axis);
+  const int least = std::min(-1022 - std::ilogb(sizes.least), 0);  // all are normal numbers then, or not made smaller
+  return std::ldexp(1.0, std::clamp(std::max(-std::ilogb(half) - 1, least), -1022, 1022));
 }
 
 // The facets as vertices of the polar.

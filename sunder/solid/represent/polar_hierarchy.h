@@ -3,9 +3,9 @@
 // Also called: outer hierarchy; dual Dobkin-Kirkpatrick hierarchy.
 //
 // Coordinates are those of P's frame about a point o inside P, with each axis multiplied by a power of two so that P is
-// about 1 long along it: the facet n.y = h is the polar's vertex n / h.
+// about 1 long along it, or longer where a coordinate would underflow: the facet n.y = h is the polar's vertex n / h.
 //   Q1. Which triangles there are at every level is decided by exact signs of P's vertices; what is rounded is for
-//       searches. (Of P with its axes multiplied: exact but for coordinates that underflow.)
+//       searches.
 //   Q2. Four facets with a vertex of P in common are coplanar as points of the polar. The surface is triangulated
 //       somehow: see hierarchy_builder.h.
 //

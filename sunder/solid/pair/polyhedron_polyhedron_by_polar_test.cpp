@@ -1,0 +1,113 @@
+// The walk between two spaces where it went wrong once, and what it promises beside the verdict.
+#include <sunder/base/random.h>
+#include <sunder/solid/pair/polar_round.h>
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
+
+#include <tests/support/scale.h>
+#include <tests/support/shapes.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+namespace sunder::solid {
+namespace {
+
+ConvexPolyhedron box(const Point3& half) {
+  std::vector<Point3> points;
+  for (int k = 0; k < 8; ++k) {
+    points.push_back({k & 1 ? half.x : -half.x, k & 2 ? half.y : -half.y, k & 4 ? half.z : -half.z});
+  }
+  return ConvexPolyhedron(points);
+}
+
+Pose turned(Random& random) {
+  std::array<double, 4> q;
+  for (double& x : q) x = random.uniform(-1, 1);
+  return Pose::from_quaternion(q[0], q[1], q[2], q[3],
+                               {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+}
+
+// Of a point common to both, several weights vanish at once: which of them did is not for rounding to say.
+TEST(PolyhedronPolyhedronByPolar, ABoxAndItselfNeedNoFinishing) {
+  Random random(tests::chosen_seed(201));
+  for (int i = 0; i < tests::scaled_count(1000); ++i) {
+    const ConvexPolyhedron body = box({random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)});
+    const Pose pose = turned(random);
+    const PairAnswer answer = polyhedron_polyhedron_by_polar(body, pose, body, pose);
+    ASSERT_TRUE(answer.meet());
+    ASSERT_NE(answer.decided_by, DecidedBy::finishing) << i;
+  }
+}
+
+// This pair was seen never to end: of one, the hierarchy of the polar was made of a body with coordinates underflown.
+TEST(PolyhedronPolyhedronByPolar, CoordinatesOfVeryDifferentSizes) {
+  const ConvexPolyhedron a(std::vector<Point3>{{0, -0x1.d7280577fbc7cp+179, -0x1.10aba5f43d48p-181},
+                                               {-0x1.26ba525c3a48p-2, -0x1.6c6cd49f1a7f4p+178, 0x1.a22114e82010cp-181},
+                                               {-0x1.35cf01107e09p-184, -0x1.3ed736ce1736p-4, -0x1.eedd0d3d523a8p-2},
+                                               {0, 0x1.7da6a5bc6819ep+179, 0},
+                                               {0x1.a09ace2bf440cp-2, -0x1.e9608c58b9704p-182, -0x1.aefbaace97b06p-1},
+                                               {0, -0x1.bec614bc647bcp+179, 0x1.c9a316f4debd8p+177}});
+  const ConvexPolyhedron b(
+      std::vector<Point3>{{-0x1.d8bdd68b5ebp+756, 0x1.c4c041811ff3p-3, 0},
+                          {-0x1.2321f3fe11908p-762, -0x1.501402898f3eap-1, 0x1.9d87cec6f883p-761},
+                          {0, 0, 0},
+                          {-0x1.7e3e845adba6p-2, 0x1.f09619a1a74p-766, 0},
+                          {0x1.6f5108c4d1f16p+758, 0, -0x1.46efc3838bp-768},
+                          {-0x1.59a0c9b421a4cp+757, -0x1.a2639156fc54p+753, 0x1.35224648dc714p+757}});
+  const bool meet = polyhedron_polyhedron_by_scan(a, Pose(), b, Pose()).meet();
+  EXPECT_EQ(polyhedron_polyhedron_by_polar(a, Pose(), b, Pose()).meet(), meet);
+  EXPECT_EQ(polyhedron_polyhedron_by_polar(b, Pose(), a, Pose()).meet(), meet);
+}
+
+// Beside a body that is much smaller, the polar is the larger one's, in whatever order they are given.
+TEST(PolyhedronPolyhedronByPolar, BodiesOfVeryDifferentSizesNeedNoFinishing) {
+  Random random(tests::chosen_seed(202));
+  int meets = 0;
+  const int count = tests::scaled_count(1000);
+  for (int i = 0; i < count; ++i) {
+    // The small one lies at a vertex of the large one, which is the world's origin.
+    const double size = random.log_uniform(1e-18, 1e-3);
+    std::vector<Point3> points = tests::points_on_sphere(20, random);
+    const Point3 at = points[0];
+    for (Point3& p : points) p = {p.x - at.x, p.y - at.y, p.z - at.z};
+    const ConvexPolyhedron large(points), small(tests::points_on_sphere(20, random));
+    Affine3 there = turned(random).affine();
+    for (double& x : there.linear) x *= size;
+    for (double& x : there.translation) x *= size;
+    const Pose pose = Pose::from_matrix(there.linear, there.translation);
+    const PairAnswer one = polyhedron_polyhedron_by_polar(large, Pose(), small, pose),
+                     other = polyhedron_polyhedron_by_polar(small, pose, large, Pose());
+    ASSERT_EQ(one.meet(), other.meet());
+    ASSERT_NE(one.decided_by, DecidedBy::finishing) << i;
+    ASSERT_NE(other.decided_by, DecidedBy::finishing) << i;
+    meets += one.meet();
+  }
+  EXPECT_GT(meets, count / 10);
+  EXPECT_LT(meets, count - count / 10);
+}
+
+// A plane and a point are kept while they hold: far apart or deep inside, what is known at the top tells all, mostly.
+// (Were each vertex beyond the last one a round, there would be 2.6 of them on average.)
+TEST(PolyhedronPolyhedronByPolar, FarApartAndDeepInsideThereAreHardlyAnyRounds) {
+  Random random(tests::chosen_seed(203));
+  const int count = tests::scaled_count(200, 20);
+  for (const double distance : {0.0, 20.0}) {
+    std::size_t rounds = 0;
+    for (int i = 0; i < count; ++i) {
+      const ConvexPolyhedron a(tests::points_on_sphere(500, random)), b(tests::points_on_sphere(500, random));
+      const Point3 d = tests::on_sphere(random);
+      const Pose there =
+          Pose::from_matrix(turned(random).affine().linear, {d.x * distance, d.y * distance, d.z * distance});
+      const PolarRun run = polyhedron_polyhedron_polar_run(a, Pose(), b, there);
+      ASSERT_FALSE(run.rounds.empty());
+      ASSERT_EQ(run.rounds.back().is_apart, distance > 0);
+      rounds += run.rounds.size() - 1;
+    }
+    EXPECT_LE(rounds, static_cast<std::size_t>(count) / 2) << distance;
+  }
+}
+
+}  // namespace
+}  // namespace sunder::solid
