@@ -70,7 +70,7 @@ inline std::uint32_t first_of_greatest(const Lanes* values, std::uint32_t count)
     bit <<= 4;
     next_bit <<= 4;
   }
-  const std::uint64_t last = std::uint64_t{1} << (2 * count - 1);
+  const std::uint64_t last = std::uint64_t{1} << ((2 * count - 1) % 64);
   return static_cast<std::uint32_t>(std::countr_zero(static_cast<std::uint64_t>(found[0] | found[1]) | last));
 }
 

@@ -35,8 +35,8 @@ PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& a, const Pose& p
 // By the closest points of the levels of both bodies' hierarchies, from the top down (Dobkin and Kirkpatrick 1990), in
 // doubles and then in double-doubles, which propose evidence; the same exact method for what they could not certify.
 // The first question about a body makes its hierarchy, in O(n).
-// Cost: at most 36 log2 n log2 m probes for 8 vertices and more (tested, not proved: of steps after the bottom is
-// reached the code allows 100), whatever the degrees; where nothing is certified, the exact pivots as above.
+// Cost: at most 32 log2^2 n probes, n the larger body, of 8 vertices and more (tested, not proved: of steps after the
+// bottom is reached the code allows 100), whatever the degrees and however small the other; where nothing is certified, the exact pivots as above.
 // Source: Dobkin, Kirkpatrick 1990; BL15 section 4, Lemma 4.2. Departures: vertices beyond a plane by walks over
 // sectors of normal cones, so that degrees need no bound (represent/hierarchy_walk.h); one step on a level.
 PairAnswer polyhedron_polyhedron_by_hierarchy(const ConvexPolyhedron& a, const Pose& pose_a,  //
