@@ -36,7 +36,8 @@ PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& a, const Pose& p
 // doubles and then in double-doubles, which propose evidence; the same exact method for what they could not certify.
 // The first question about a body makes its hierarchy, in O(n).
 // Cost: at most 32 log2^2 n probes, n the larger body, of 8 vertices and more (tested, not proved: of steps after the
-// bottom is reached the code allows 100), whatever the degrees and however small the other; where nothing is certified, the exact pivots as above.
+// bottom is reached the code allows 100), whatever the degrees and however small the other; where nothing is certified,
+// the exact pivots as above.
 // Source: Dobkin, Kirkpatrick 1990; BL15 section 4, Lemma 4.2. Departures: vertices beyond a plane by walks over
 // sectors of normal cones, so that degrees need no bound (represent/hierarchy_walk.h); one step on a level.
 PairAnswer polyhedron_polyhedron_by_hierarchy(const ConvexPolyhedron& a, const Pose& pose_a,  //
@@ -46,8 +47,10 @@ PairAnswer polyhedron_polyhedron_by_hierarchy(const ConvexPolyhedron& a, const P
 // the hierarchies of both, in doubles and then in double-doubles, which propose evidence; the same exact method for
 // what they could not certify. The polar is that of the longer body, where one is flat that of the other, and where
 // both are, this is polyhedron_polyhedron_by_hierarchy. The first question about a body makes its hierarchy, or that of
-// its polar, in O(n). Cost: O(log n + log m) probes, whatever the degrees; where nothing is certified, the exact pivots
-// as above. Source: BL15 section 5, Theorem 5.1.
+// its polar, in O(n).
+// Cost: at most 85 (log2 n + log2 m) probes for 8 vertices and more (the constant tested), whatever the degrees; where
+// nothing is certified, the exact pivots as above.
+// Source: BL15 section 5, Theorem 5.1.
 PairAnswer polyhedron_polyhedron_by_polar(const ConvexPolyhedron& a, const Pose& pose_a,  //
                                           const ConvexPolyhedron& b, const Pose& pose_b);
 
