@@ -50,7 +50,7 @@ PairAnswer distance(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexP
   return polyhedron_polyhedron_distance(a, pose_a, b, pose_b).answer;
 }
 const std::array<Bounded, 4> bounded{{{"hierarchy", solid::polyhedron_polyhedron_by_hierarchy, 32, square_of_larger},
-                                      {"polar", solid::polyhedron_polyhedron_by_polar, 85, sum},
+                                      {"polar", solid::polyhedron_polyhedron_by_polar, 80, sum},
                                       {"front", solid::polyhedron_polyhedron, 250, sum},
                                       {"distance", distance, 390, sum}}};
 

@@ -11,7 +11,7 @@ import math
 import sys
 
 # Column, title, what probes are divided by, the bound that the test asserts, step of the grid.
-PANELS = [(0, "_by_hierarchy", "log2^2 of the larger", 32, 10), (1, "_by_polar", "log2 n + log2 m", 85, 25),
+PANELS = [(0, "_by_hierarchy", "log2^2 of the larger", 32, 10), (1, "_by_polar", "log2 n + log2 m", 80, 25),
           (2, "front door", "log2 n + log2 m", 250, 50)]
 COLOURS = ["#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"]  # of Okabe and Ito
 WIDTH, HEIGHT, LEFT, SIDE, GAP, TOP, LOW = 960, 430, 50, 260, 50, 50, 310

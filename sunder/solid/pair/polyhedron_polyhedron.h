@@ -48,7 +48,7 @@ PairAnswer polyhedron_polyhedron_by_hierarchy(const ConvexPolyhedron& a, const P
 // what they could not certify. The polar is that of the longer body, where one is flat that of the other, and where
 // both are, this is polyhedron_polyhedron_by_hierarchy. The first question about a body makes its hierarchy, or that of
 // its polar, in O(n).
-// Cost: at most 85 (log2 n + log2 m) probes for 8 vertices and more (the constant tested), whatever the degrees; where
+// Cost: at most 80 (log2 n + log2 m) probes for 8 vertices and more (the constant tested), whatever the degrees; where
 // nothing is certified, the exact pivots as above.
 // Source: BL15 section 5, Theorem 5.1.
 PairAnswer polyhedron_polyhedron_by_polar(const ConvexPolyhedron& a, const Pose& pose_a,  //
