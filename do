@@ -7,7 +7,7 @@
 #   bench [OPTIONS]     run the benchmarks against other libraries; --check: the ratios that are promised
 #   check [PART...]     lint (of what has changed since scripts/lint.base), sanitizers, fuzzers, the Python verifier
 #                       (20 minutes); parts: format headers tidy sanitize fuzz verify
-#   soak [PART...]      hours: parts: differential[=FROM-TO] claims tsan clang libcxx fuzz coverage lint
+#   soak [PART...]      hours: parts: differential[=FROM-TO] structure claims tsan clang libcxx fuzz coverage lint
 #   docs                check the pages, and list them; the reference of all functions: build/docs/index.html
 #   help                this text
 #

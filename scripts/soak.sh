@@ -1,10 +1,10 @@
 # The parts of ./do soak, which reads this file: hours of tests, with what ./do has to run them.
 command_soak() {
   local part
-  [ $# -gt 0 ] || set -- clang libcxx tsan coverage fuzz lint claims differential
+  [ $# -gt 0 ] || set -- clang libcxx tsan coverage fuzz lint claims structure differential
   for part in "$@"; do
     case $part in
-      differential | differential=[0-9]*-[0-9]* | claims | tsan | clang | libcxx | fuzz | coverage | lint) ;;
+      differential | differential=[0-9]*-[0-9]* | structure | claims | tsan | clang | libcxx | fuzz | coverage | lint) ;;
       *) wrong_call "soak has no part '$part'" ;;
     esac
   done
@@ -30,6 +30,17 @@ part_differential() {
     done
   done
   [ -n "$found" ] || { say "There is no test named *_differential_test."; return 1; }
+  return "$result"
+}
+
+# Hierarchies of bodies of up to a million vertices, and their probes with as many pairs of each size.
+part_structure() {
+  local result=0
+  configure release "$CXX" -DSUNDER_TESTS=ON || return 1
+  build release sunder_unit_solid solid_hierarchy_complexity_test || return 1
+  SUNDER_TEST_SCALE=25 run soak-structure "Hierarchies of a million vertices" build/tests/sunder_unit_solid \
+    --gtest_filter=HierarchyTest.StructureOfEveryFamily:PolarHierarchy.SizeAndDepth || result=1
+  SUNDER_TEST_SCALE=40 run soak-probes "Probes of 276,000 pairs" build/tests/solid_hierarchy_complexity_test || result=1
   return "$result"
 }
 

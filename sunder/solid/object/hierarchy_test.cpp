@@ -105,8 +105,8 @@ void check_structure(const ConvexPolyhedron& body, const Hierarchy& h, bool all_
   }
 }
 
-// Bodies of so many vertices are for whole runs of the tests.
-bool is_asked_for(std::size_t n) { return n <= 20000 || tests::scaled_count(50) >= 50; }
+// Bodies of so many vertices are for whole runs of the tests; of a million, for ./do soak.
+bool is_asked_for(std::size_t n) { return n <= 20000 || tests::scaled_count(50) >= (n < 1000000 ? 50 : 1000); }
 
 std::size_t triangle_count(const Hierarchy& h) {
   std::size_t count = 0;
@@ -116,7 +116,7 @@ std::size_t triangle_count(const Hierarchy& h) {
 
 TEST(HierarchyTest, StructureOfEveryFamily) {
   Random random(tests::chosen_seed(71));
-  for (const std::size_t n : {12u, 100u, 1000u, 20000u, 131072u}) {
+  for (const std::size_t n : {12u, 100u, 1000u, 20000u, 131072u, 1000000u}) {
     if (!is_asked_for(n)) continue;
     double levels = 0, triangles = 0;
     for (const tests::SolidShape& shape : tests::all_solid_shapes()) {
@@ -130,7 +130,7 @@ TEST(HierarchyTest, StructureOfEveryFamily) {
       levels = std::max(levels, static_cast<double>(h.level_end.size()) / std::log2(size));
       const double made = static_cast<double>(triangle_count(h));
       triangles = std::max(triangles, made / size);
-      if (n == 131072) {
+      if (n >= 131072) {
         std::printf("%-14.*s %7.0f vertices, %3zu levels, %5.2f triangles and %4.0f bytes a vertex\n",
                     static_cast<int>(shape.name.size()), shape.name.data(), size, h.level_end.size(), made / size,
                     static_cast<double>(h.memory()) / size);
