@@ -33,6 +33,9 @@ std::vector<BodyWay> bullet_body_ways();
 // from here, so that they do not depend on the library that they are compared with.
 std::vector<std::array<std::uint32_t, 3>> triangles_by_qhull(const std::vector<Vec>& points);
 
+// The same by Sunder: Qhull takes hours for the hull of a prism of 100,000 vertices.
+std::vector<std::array<std::uint32_t, 3>> triangles_by_sunder(const std::vector<Vec>& points);
+
 // The number of vertices of the hull, by Qhull with its default options.
 std::uint64_t vertices_by_qhull(const std::vector<Vec>& points);
 

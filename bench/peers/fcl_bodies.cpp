@@ -42,7 +42,8 @@ Prepared prepared(const Scenario& scenario) {
     for (const Vec& p : body.points) vertices->emplace_back(p[0], p[1], p[2]);
     auto faces = std::make_shared<std::vector<int>>();
     int count = 0;
-    for (const auto& t : triangles_by_qhull(body.points)) {
+    const bool is_large = body.points.size() > 20000;
+    for (const auto& t : is_large ? triangles_by_sunder(body.points) : triangles_by_qhull(body.points)) {
       faces->insert(faces->end(), {3, static_cast<int>(t[0]), static_cast<int>(t[1]), static_cast<int>(t[2])});
       ++count;
     }

@@ -1,9 +1,11 @@
+#include <bench/peers/body_peer.h>
 #include <bench/peers/sunder_bodies.h>
 #include <bench/peers/sunder_pairs.h>
 
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -72,5 +74,19 @@ Ready prepare_sunder_distance(const Scenario& scenario, DistanceAs as) {
             return sum;
           }};
 }  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): likewise
+
+std::vector<std::array<std::uint32_t, 3>> triangles_by_sunder(const std::vector<Vec>& points) {
+  std::vector<sunder::Point3> of_hull;
+  for (const Vec& p : points) of_hull.push_back({p[0], p[1], p[2]});
+  const ConvexPolyhedron body(of_hull);
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::uint32_t f = 0; f < body.facet_count(); ++f) {
+    const auto facet = body.facet(f);
+    for (std::size_t k = 1; k + 1 < facet.size(); ++k) {
+      triangles.push_back({body.source()[facet[0]], body.source()[facet[k]], body.source()[facet[k + 1]]});
+    }
+  }
+  return triangles;
+}
 
 }  // namespace bench
