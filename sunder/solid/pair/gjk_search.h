@@ -48,8 +48,8 @@ class GjkSearch {
     const Vector e = a_.pulled(direction), f = negated(b_.pulled(direction));
     const Point3 g = rounded(e), h = rounded(f);
     const std::uint32_t start_a = search_start(a_.graph, g), start_b = search_start(b_.graph, h);
-    w.a = support(a_.body, g, start_a, cost);
-    w.b = support(b_.body, h, start_b, cost);
+    w.a = support(a_, g, start_a, cost);
+    w.b = support(b_, h, start_b, cost);
     if constexpr (!std::is_same_v<Real, double>) {
       w.a = support_in_double_doubles(a_.body, e, w.a, cost.probes);
       w.b = support_in_double_doubles(b_.body, f, w.b, cost.probes);
@@ -129,9 +129,9 @@ class GjkSearch {
  private:
   static constexpr std::uint32_t top_ranks = 1024;
 
-  std::uint32_t support(const ConvexPolyhedron& body, const Point3& along, std::uint32_t start, Cost& cost) const {
-    return body.search_graph().is_slow ? support_by_hierarchy<double>(body, along, cost.probes, ranks_)
-                                       : support_from(body, along, start, cost.probes);
+  std::uint32_t support(const Placed& of, const Point3& along, std::uint32_t start, Cost& cost) const {
+    return of.graph.is_slow ? support_by_hierarchy<double>(of.body, along, cost.probes, ranks_)
+                            : support_from(of.body, of.graph, along, start, cost.probes);
   }
 
   const Placed& a_;

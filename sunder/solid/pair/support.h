@@ -81,10 +81,10 @@ std::uint32_t support_by_hierarchy(const ConvexPolyhedron& body, const VectorOf<
   return hierarchy.nodes[HierarchyWalk(hierarchy, compare, turn, probes).run(end)].vertex;
 }
 
-// `start` is search_start() of the body's graph. Cost: O(log n) probes, fewer where a walk from the table ends soon.
-inline std::uint32_t support_from(const ConvexPolyhedron& body, const Point3& direction, std::uint32_t start,
-                                  std::uint64_t& probes) {
-  const SearchGraph& graph = body.search_graph();
+// `graph` is the body's, and `start` its search_start(). Cost: O(log n) probes, fewer where a walk from the table ends
+// soon.
+inline std::uint32_t support_from(const ConvexPolyhedron& body, const SearchGraph& graph, const Point3& direction,
+                                  std::uint32_t start, std::uint64_t& probes) {
   if (graph.padded != 0) return furthest_of_few(graph, direction, probes);
   if (graph.is_slow) return support_by_hierarchy<double>(body, direction, probes);
   const Walk end = walk(graph, direction, start, probes);
@@ -92,7 +92,8 @@ inline std::uint32_t support_from(const ConvexPolyhedron& body, const Point3& di
 }
 
 inline std::uint32_t support(const ConvexPolyhedron& body, const Point3& direction, std::uint64_t& probes) {
-  return support_from(body, direction, search_start(body.search_graph(), direction), probes);
+  const SearchGraph& graph = body.search_graph();
+  return support_from(body, graph, direction, search_start(graph, direction), probes);
 }
 
 // From the one that doubles find to one that DoubleDouble finds.
