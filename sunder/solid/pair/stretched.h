@@ -17,12 +17,19 @@ namespace sunder::solid {
 class Stretched {
  public:
   Stretched(const Placed& a, const Placed& b) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double size = std::max(size_along(a, i), size_along(b, i));
-      if (!(size > 0 && size <= std::numeric_limits<double>::max())) continue;
-      size_[i] = size;
-      least_ = std::min(least_, size);
-      greatest_ = std::max(greatest_, size);
+    const Point3 p = lengths(a), q = lengths(b);
+    size_ = {std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)};
+    least_ = std::min(size_[0], std::min(size_[1], size_[2]));
+    greatest_ = std::max(size_[0], std::max(size_[1], size_[2]));
+    if (least_ > 0 && greatest_ <= std::numeric_limits<double>::max()) return;
+    least_ = std::numeric_limits<double>::infinity(), greatest_ = 0;
+    for (double& size : size_) {
+      if (size > 0 && size <= std::numeric_limits<double>::max()) {
+        least_ = std::min(least_, size);
+        greatest_ = std::max(greatest_, size);
+      } else {
+        size = 1;
+      }
     }
   }
 
@@ -54,16 +61,20 @@ class Stretched {
   }
 
  private:
-  static double size_along(const Placed& body, std::size_t axis) {
+  // Bounds of the image's coordinates without the translation.
+  static Point3 lengths(const Placed& body) {
     const Point3 &low = body.graph.low, &high = body.graph.high;
-    const auto part = [&](std::size_t j, double from, double to) {
-      return std::fabs(body.pose.linear[3 * axis + j]) * std::max(std::fabs(from), std::fabs(to));
+    const auto reach = [](double from, double to) { return std::max(std::fabs(from), std::fabs(to)); };
+    const double x = reach(low.x, high.x), y = reach(low.y, high.y), z = reach(low.z, high.z);
+    const auto& m = body.pose.linear;
+    const auto along = [&](std::size_t i) {
+      return std::fabs(m[i]) * x + std::fabs(m[i + 1]) * y + std::fabs(m[i + 2]) * z;
     };
-    return part(0, low.x, high.x) + part(1, low.y, high.y) + part(2, low.z, high.z);
+    return {along(0), along(3), along(6)};
   }
 
-  std::array<double, 3> size_{1, 1, 1};
-  double least_ = std::numeric_limits<double>::infinity(), greatest_ = 0;
+  std::array<double, 3> size_;
+  double least_, greatest_;
 };
 
 // What propose(a, b, holds) proposes, of the bodies stretched where that is wanted. True where a proposal held.
