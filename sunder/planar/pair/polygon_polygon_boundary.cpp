@@ -29,11 +29,7 @@ bool is_inside(const P& p, const Q& q, Cost& cost, StageTally& tally) {
 
 BoundariesAnswer answer_of(bool meet, bool a_inside, bool b_inside, Cost cost, const StageTally& tally) {
   cost.exact += tally.exact;
-  return {!meet      ? Boundaries::apart
-          : a_inside ? Boundaries::a_inside_b
-          : b_inside ? Boundaries::b_inside_a
-                     : Boundaries::meet,
-          cost};
+  return {boundaries_of(meet, a_inside, b_inside), cost};
 }
 
 }  // namespace

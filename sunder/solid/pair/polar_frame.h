@@ -20,12 +20,19 @@ struct HalfSpace {
   VectorOf<Real> n;
   Real h;
 
-  // How far a point is outside, of a direction (w = 0) how fast it goes there; between -1 and 1.
+  double size() const {
+    const Point3 m = rounded(n);
+    return std::fabs(m.x) + std::fabs(m.y) + std::fabs(m.z) + std::fabs(nearest(h));
+  }
+  static double size_of(const VectorOf<Real>& y, double w) {
+    const Point3 p = rounded(y);
+    return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z), w});
+  }
+
+  // How far a point is outside, of a direction (w = 0) how fast it goes there, over both sizes: between -1 and 1.
   Real pay(const VectorOf<Real>& y, double w) const {
-    const Point3 m = rounded(n), p = rounded(y);
-    const double size = (std::fabs(m.x) + std::fabs(m.y) + std::fabs(m.z) + std::fabs(nearest(h))) *
-                        std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z), w});
-    return size > 0 ? (dot(n, y) - h * Real(w)) * Real(1 / size) : Real(0);
+    const double sizes = size() * size_of(y, w);
+    return sizes > 0 ? (dot(n, y) - h * Real(w)) * Real(1 / sizes) : Real(0);
   }
 };
 

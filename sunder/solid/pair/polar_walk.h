@@ -68,16 +68,16 @@ class CompareFacets {
   explicit CompareFacets(const PolarFrame<Real>& frame) : frame_(frame) {}
   void turn_to(const Vector& point) { point_ = point; }
 
-  Sign operator()(std::uint32_t i, std::uint32_t j) const { return sign(dot(point_, frame_.polar_edge(i, j))); }
+  Sign operator()(std::uint32_t i, std::uint32_t j) const {
+    return sign_of_rounded(dot(point_, frame_.polar_edge(i, j)));
+  }
   Sign turn(std::uint32_t v, std::uint32_t i, std::uint32_t j) const {
     const Point3& m = frame_.polar().hierarchy.nodes[v].middle;
     const Vector middle{Real(m.x), Real(m.y), Real(m.z)}, a = frame_.polar_edge(v, i), b = frame_.polar_edge(v, j);
-    return sign(dot(point_, a) * dot(middle, b) - dot(point_, b) * dot(middle, a));
+    return sign_of_rounded(dot(point_, a) * dot(middle, b) - dot(point_, b) * dot(middle, a));
   }
 
  private:
-  static Sign sign(const Real& x) { return x > Real(0) ? Sign::positive : Real(0) > x ? Sign::negative : Sign::zero; }
-
   const PolarFrame<Real>& frame_;
   Vector point_{};
 };
@@ -172,19 +172,14 @@ class PolarWalk {
   // The walk over P's vertices.
   struct VertexWalk {
     CompareAlong<Real> compare;
-    TurnAlong<Real> turn;
-    HierarchyWalk<CompareAlong<Real>, TurnAlong<Real>> walk;
+    TurnBy<CompareAlong<Real>> turn;
+    HierarchyWalk<CompareAlong<Real>, TurnBy<CompareAlong<Real>>> walk;
 
     VertexWalk(const ConvexPolyhedron& body, std::uint64_t& probes)
         : compare(body), turn{compare}, walk(compare.hierarchy(), compare, turn, probes) {}
     const Hierarchy& hierarchy() const { return compare.hierarchy(); }
     std::uint32_t vertex() const { return hierarchy().nodes[walk.at()].vertex; }
   };
-  struct TurnFacets {
-    const polar_walk_detail::CompareFacets<Real>& compare;
-    Sign operator()(std::uint32_t v, std::uint32_t i, std::uint32_t j) const { return compare.turn(v, i, j); }
-  };
-
   struct Column {
     Vector y;
     double w = 1;                            // 0: a direction
@@ -257,9 +252,7 @@ class PolarWalk {
     HalfSpace<Real> sum{{Real(0), Real(0), Real(0)}, Real(0)};
     for (std::size_t i = 0; i < walls_.size(); ++i) {
       const HalfSpace<Real>& wall = walls_[i];
-      const Point3 m = rounded(wall.n);
-      const double size = std::fabs(m.x) + std::fabs(m.y) + std::fabs(m.z) + std::fabs(nearest(wall.h));
-      const Real part = game_.row_weight[i] * Real(1 / size);
+      const Real part = game_.row_weight[i] * Real(1 / wall.size());
       sum.n = {sum.n.x + wall.n.x * part, sum.n.y + wall.n.y * part, sum.n.z + wall.n.z * part};
       sum.h += wall.h * part;
     }
@@ -285,9 +278,7 @@ class PolarWalk {
     Real total = 0;
     std::array<Real, polar_walk_detail::most> part;
     for (std::size_t j = 0; j < columns_.size(); ++j) {
-      const Point3 m = rounded(columns_[j].y);
-      part[j] =
-          game_.column_weight[j] * Real(1 / std::max({std::fabs(m.x), std::fabs(m.y), std::fabs(m.z), columns_[j].w}));
+      part[j] = game_.column_weight[j] * Real(1 / HalfSpace<Real>::size_of(columns_[j].y, columns_[j].w));
       total += part[j];
     }
     for (std::size_t j = 0; j < columns_.size(); ++j) {
@@ -409,8 +400,8 @@ class PolarWalk {
   PolarRounds* rounds_;
   std::optional<VertexWalk> vertices_;  // none: P is a point or a segment
   polar_walk_detail::CompareFacets<Real> compare_facets_;
-  TurnFacets turn_facets_;
-  HierarchyWalk<polar_walk_detail::CompareFacets<Real>, TurnFacets> facets_;
+  TurnBy<polar_walk_detail::CompareFacets<Real>> turn_facets_;
+  HierarchyWalk<polar_walk_detail::CompareFacets<Real>, TurnBy<polar_walk_detail::CompareFacets<Real>>> facets_;
 
   MatrixGame<Real, polar_walk_detail::most> game_;
   polar_walk_detail::Few<Column> columns_;                // P as the games see it

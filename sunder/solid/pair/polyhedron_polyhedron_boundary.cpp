@@ -40,27 +40,19 @@ bool is_inside(const Placed& p, const Placed& q, Cost& cost, StageTally& tally) 
   return true;
 }
 
-BoundariesAnswer answer_of(bool meet, bool a_inside, bool b_inside, const Cost& cost) {
-  return {!meet      ? Boundaries::apart
-          : a_inside ? Boundaries::a_inside_b
-          : b_inside ? Boundaries::b_inside_a
-                     : Boundaries::meet,
-          cost};
-}
-
 }  // namespace
 
 BoundariesAnswer polyhedron_polyhedron_boundary(const ConvexPolyhedron& body_a, const Pose& pose_a,  //
                                                 const ConvexPolyhedron& body_b, const Pose& pose_b) {
   const PairAnswer answer = polyhedron_polyhedron(body_a, pose_a, body_b, pose_b);
   Cost cost = answer.cost;
-  if (!answer.meet()) return answer_of(false, false, false, cost);
+  if (!answer.meet()) return {Boundaries::apart, cost};
   const Placed a(body_a, pose_a), b(body_b, pose_b);
   StageTally tally;
   const bool a_inside = is_inside(a, b, cost, tally);
   const bool b_inside = !a_inside && is_inside(b, a, cost, tally);
   cost.exact += tally.exact;
-  return answer_of(true, a_inside, b_inside, cost);
+  return {boundaries_of(true, a_inside, b_inside), cost};
 }
 
 BoundariesAnswer polyhedron_polyhedron_boundary_by_scan(const ConvexPolyhedron& body_a, const Pose& pose_a,  //
@@ -85,7 +77,8 @@ BoundariesAnswer polyhedron_polyhedron_boundary_by_scan(const ConvexPolyhedron& 
     return true;
   };
   const bool meet = polyhedron_polyhedron_by_scan(body_a, pose_a, body_b, pose_b).meet();
-  return answer_of(meet, inside(body_a, pose_a, body_b, pose_b), inside(body_b, pose_b, body_a, pose_a), cost);
+  const bool a_inside = inside(body_a, pose_a, body_b, pose_b), b_inside = inside(body_b, pose_b, body_a, pose_a);
+  return {boundaries_of(meet, a_inside, b_inside), cost};
 }
 
 }  // namespace sunder::solid

@@ -70,7 +70,7 @@ class LevelWalk {
 
  private:
   using Compare = CompareAlong<Real>;
-  using Turn = TurnAlong<Real>;
+  using Turn = TurnBy<CompareAlong<Real>>;
 
   const Hierarchy& hierarchy() const { return compare_->hierarchy(); }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <sunder/number/double_double.h>
+#include <sunder/number/sign.h>
 #include <sunder/predicate/point.h>
 #include <sunder/predicate/stages.h>
 
@@ -64,6 +65,12 @@ Real difference(double a, double b) {
   } else {
     return exact_sum(a, -b);
   }
+}
+
+// For searches: of what rounding has left.
+template <class Real>
+Sign sign_of_rounded(const Real& x) {
+  return x > Real(0) ? Sign::positive : Real(0) > x ? Sign::negative : Sign::zero;
 }
 
 }  // namespace sunder::solid

@@ -30,21 +30,18 @@ class CompareAlong {
   void turn_to(const Vector& direction) { direction_ = form(direction); }
 
   // Is rank j further along than rank i?
-  Sign operator()(std::uint32_t i, std::uint32_t j) const { return sign_of(dot(direction_, from_to(i, j))); }
+  Sign operator()(std::uint32_t i, std::uint32_t j) const { return sign_of_rounded(dot(direction_, from_to(i, j))); }
 
   // As HierarchyWalk's turn.
   Sign turn(std::uint32_t v, std::uint32_t i, std::uint32_t j) const {
     const Point3& m = hierarchy_.nodes[v].middle;
     const Vector middle = form({m.x, m.y, m.z}), a = from_to(v, i), b = from_to(v, j);
-    return sign_of(dot(direction_, a) * dot(middle, b) - dot(direction_, b) * dot(middle, a));
+    return sign_of_rounded(dot(direction_, a) * dot(middle, b) - dot(direction_, b) * dot(middle, a));
   }
 
   const Hierarchy& hierarchy() const { return hierarchy_; }
 
  private:
-  static Sign sign_of(const Real& x) {
-    return x > Real(0) ? Sign::positive : Real(0) > x ? Sign::negative : Sign::zero;
-  }
   // Beside a vector that is scaled.
   Vector form(const Vector& d) const {
     const Vector f{d.x * Real(1 / to_one_.x), d.y * Real(1 / to_one_.y), d.z * Real(1 / to_one_.z)};
@@ -63,9 +60,10 @@ class CompareAlong {
   Vector direction_{};
 };
 
-template <class Real>
-struct TurnAlong {
-  const CompareAlong<Real>& compare;
+// The turn of what compares, as HierarchyWalk takes it.
+template <class Compare>
+struct TurnBy {
+  const Compare& compare;
 
   Sign operator()(std::uint32_t v, std::uint32_t i, std::uint32_t j) const { return compare.turn(v, i, j); }
 };
@@ -76,7 +74,7 @@ std::uint32_t support_by_hierarchy(const ConvexPolyhedron& body, const VectorOf<
                                    std::uint32_t end = Hierarchy::none) {
   CompareAlong<Real> compare(body);
   compare.turn_to(direction);
-  const TurnAlong<Real> turn{compare};
+  const TurnBy<CompareAlong<Real>> turn{compare};
   const Hierarchy& hierarchy = compare.hierarchy();
   return hierarchy.nodes[HierarchyWalk(hierarchy, compare, turn, probes).run(end)].vertex;
 }
