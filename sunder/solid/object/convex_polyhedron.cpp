@@ -149,7 +149,11 @@ const PolarHierarchy& ConvexPolyhedron::polar_hierarchy() const {
 }
 
 const Drums& ConvexPolyhedron::drums() const {
-  std::call_once(data_->made_drums, [this] { data_->drums = make_drums({0, 0, 1}, DrumsForm::persistent); });
+  std::call_once(data_->made_drums, [this] {
+    const Point3 &low = data_->graph.low, &high = data_->graph.high;
+    const Point3 direction = low.z < high.z ? Point3{0, 0, 1} : low.x < high.x ? Point3{1, 0, 0} : Point3{0, 1, 0};
+    data_->drums = make_drums(direction, DrumsForm::persistent);
+  });
   return data_->drums;
 }
 

@@ -62,7 +62,8 @@ class ConvexPolyhedron {
   // The hierarchy of its polar. Made on first use, in O(n), and then shared. Throws as polar().
   const PolarHierarchy& polar_hierarchy() const;
 
-  // Its drums, bottom up along z, in the persistent form. Made on first use, in O(n log n), and then shared.
+  // Its drums, bottom up along z (a body in one level plane along x, or y), in the persistent form. Made on first use,
+  // in O(n log n), and then shared.
   const Drums& drums() const;
 
   // Others. Throws as the constructor of Drums.

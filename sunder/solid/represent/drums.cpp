@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -11,19 +12,49 @@ namespace sunder::solid {
 
 namespace {
 
+// Times a power of two, so that its greatest component is about 1.
+Point3 to_one(const Point3& v) {
+  const double size = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+  if (!(size > 0)) return v;
+  const int by = -std::ilogb(size);
+  return {std::ldexp(v.x, by), std::ldexp(v.y, by), std::ldexp(v.z, by)};
+}
+
+// What brings the sides of the box near 1, or nothing where a side is zero.
+Point3 shrink_of(std::span<const Point3> vertices) {
+  Point3 shrink{1, 1, 1};
+  for (const std::size_t k : {0u, 1u, 2u}) {
+    const auto [low, high] = std::minmax_element(vertices.begin(), vertices.end(),
+                                                 [k](const Point3& p, const Point3& q) { return p[k] < q[k]; });
+    const double half = (*high)[k] / 2 - (*low)[k] / 2;  // halves: no overflow
+    if (half > 0) shrink[k] = std::ldexp(1.0, std::clamp(-std::ilogb(half), -1000, 1000));
+  }
+  return shrink;
+}
+
+// A direction of measuring, in the frame of points times `by`, its greatest component of size 1.
+Point3 divided(const Point3& d, const Point3& by) {
+  const auto exponent = [&](std::size_t k) { return std::ilogb(d[k]) - std::ilogb(by[k]); };
+  int greatest = std::numeric_limits<int>::min();
+  for (const std::size_t k : {0u, 1u, 2u}) {
+    if (d[k] != 0) greatest = std::max(greatest, exponent(k));
+  }
+  Point3 result;
+  for (const std::size_t k : {0u, 1u, 2u}) result[k] = std::ldexp(d[k], -std::ilogb(by[k]) - greatest);
+  return result;
+}
+
 // Of three vertices of the facet, a third of the way round apart.
-Point3 rounded_normal(std::span<const Point3> vertices, std::span<const std::uint32_t> facet) {
+Point3 rounded_normal(std::span<const Point3> vertices, std::span<const std::uint32_t> facet, const Point3& shrink) {
   const std::size_t n = facet.size();
-  const auto to_one = [](const Vector3<double>& v) {  // halves: no overflow
-    const double size = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
-    return size > 0 ? Vector3<double>{v.x / size, v.y / size, v.z / size} : v;
-  };
   const auto to = [&](std::size_t k) {
     const Point3 &a = vertices[facet[0]], &b = vertices[facet[k]];
-    return to_one({b.x / 2 - a.x / 2, b.y / 2 - a.y / 2, b.z / 2 - a.z / 2});
+    const Point3 v = to_one({shrink.x * (b.x / 2 - a.x / 2), shrink.y * (b.y / 2 - a.y / 2),  //
+                             shrink.z * (b.z / 2 - a.z / 2)});
+    return Vector3<double>{v.x, v.y, v.z};
   };
-  const auto normal = to_one(cross(to(std::max<std::size_t>(1, n / 3)), to(std::max<std::size_t>(2, 2 * n / 3))));
-  return {normal.x, normal.y, normal.z};
+  const auto normal = cross(to(std::max<std::size_t>(1, n / 3)), to(std::max<std::size_t>(2, 2 * n / 3)));
+  return to_one({normal.x, normal.y, normal.z});
 }
 
 // A path of edges from the lowest slice to the highest, by number.
@@ -74,7 +105,8 @@ Drums::Drums(std::span<const Point3> vertices, std::span<const std::uint32_t> fa
              std::span<const std::uint32_t> facet_vertices, const Point3& direction, DrumsForm form)
     : direction_(direction), form_(form) {
   for (const double x : {direction.x, direction.y, direction.z}) {
-    if (!std::isfinite(x)) throw Error(ErrorCode::bad_value, "a number is not finite; give finite numbers", "direction");
+    if (!std::isfinite(x))
+      throw Error(ErrorCode::bad_value, "a number is not finite; give finite numbers", "direction");
   }
   if (direction == Point3{}) {
     throw Error(ErrorCode::bad_shape, "it is zero; give the direction in which drums are stacked", "direction");
@@ -94,9 +126,11 @@ Drums::Drums(std::span<const Point3> vertices, std::span<const std::uint32_t> fa
   } else {
     make_trees();
   }
+  shrink_ = shrink_of(vertices);
+  up_ = divided(direction, shrink_);
   for (std::size_t f = 0; f + 1 < facet_begin.size(); ++f) {
     normals_.push_back(
-        rounded_normal(vertices, facet_vertices.subspan(facet_begin[f], facet_begin[f + 1] - facet_begin[f])));
+        rounded_normal(vertices, facet_vertices.subspan(facet_begin[f], facet_begin[f + 1] - facet_begin[f]), shrink_));
   }
 }
 
@@ -144,7 +178,8 @@ void Drums::find_edges(std::span<const std::uint32_t> facet_begin, std::span<con
   std::vector<std::uint32_t> left;
   for (const LateralEdge& e : left_of) left.push_back(e.side);
   const std::vector<std::uint32_t> path = path_upwards(right_of, vertex_of(0));
-  for (const std::uint32_t e : order_sideways(right_of, left, path, static_cast<std::uint32_t>(facet_begin.size() - 1))) edges_.push_back(right_of[e]);
+  for (const std::uint32_t e : order_sideways(right_of, left, path, static_cast<std::uint32_t>(facet_begin.size() - 1)))
+    edges_.push_back(right_of[e]);
 }
 
 void Drums::make_lists() {
@@ -172,9 +207,8 @@ void Drums::make_trees() {
     const auto time = [&](std::uint32_t e) { return tree == 0 ? edges_[e].begin : edges_[e].end; };
     std::vector<std::uint32_t> sequence(count), next(count), filled;
     std::iota(sequence.begin(), sequence.end(), 0u);
-    std::sort(sequence.begin(), sequence.end(), [&](std::uint32_t d, std::uint32_t e) {
-      return time(d) != time(e) ? time(d) < time(e) : d < e;
-    });
+    std::sort(sequence.begin(), sequence.end(),
+              [&](std::uint32_t d, std::uint32_t e) { return time(d) != time(e) ? time(d) < time(e) : d < e; });
     for (std::uint32_t level = 0; level < levels_; ++level) {
       const std::uint32_t shift = levels_ - 1 - level;
       filled.assign((std::size_t{count} >> shift) + 1, 0);

@@ -4,9 +4,9 @@
 // Slice i goes through all vertices of the i-th height along a direction, counted from the lowest; drum i is what lies
 // between slices i and i + 1. No vertex is inside of a drum, so it is told by the edges of the body that cross it, its
 // lateral edges, in their cyclic order: counter-clockwise seen from above. Corner k of its lower slice is where edge k
-// leaves that, corner k of its upper slice is where the same edge enters that: so corners match one to one, and a vertex
-// from which several edges go up is as many corners in one place (the paper's dummy vertices). Side k is the facet
-// between edges k and k + 1: it is a side of both slices, where it may have length zero.
+// leaves that, corner k of its upper slice is where the same edge enters that: so corners match one to one, and a
+// vertex from which several edges go up is as many corners in one place (the paper's dummy vertices). Side k is the
+// facet between edges k and k + 1: it is a side of both slices, where it may have length zero.
 //
 // All of this is combinatorial and exact, whatever the heights are. Only corners are rounded, when they are asked for.
 //
@@ -73,8 +73,13 @@ class Drums {
   // A vertex of a slice. Requires slice < slice_count().
   std::uint32_t vertex_of(std::uint32_t slice) const { return slices_[slice]; }
 
-  // Outwards, rounded, its greatest component about 1: for searches.
+  // For searches, the body is seen in a frame of its own, in which it is about one long along each axis: points are
+  // multiplied by these powers of two, normals and other directions of measuring divided by them.
+  const Point3& shrink() const { return shrink_; }
+
+  // So seen: outwards, rounded, its greatest component of size 1; and the direction that is up.
   const Point3& normal(std::uint32_t facet) const { return normals_[facet]; }
+  const Point3& up() const { return up_; }
 
   DrumsForm form() const { return form_; }
   std::size_t memory() const;  // bytes
@@ -92,7 +97,9 @@ class Drums {
   std::vector<std::uint32_t> slice_of_;       // of each vertex
   std::vector<LateralEdge> edges_;            // in an order that is right in every drum
   std::vector<std::uint32_t> begun_, ended_;  // by drum: how many have begun there or below, or ended
-  std::vector<Point3> normals_;
+  Point3 shrink_;                             // along each axis, so that the body's box has sides of about 1
+  Point3 up_;
+  std::vector<Point3> normals_;  // of facets
 
   std::vector<std::uint64_t> list_begin_;  // listed: by drum
   std::vector<std::uint32_t> lists_;
