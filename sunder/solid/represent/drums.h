@@ -70,6 +70,9 @@ class Drums {
   // Steps of an access: of the persistent form its levels, log2 of the number of edges, rounded up; else 1.
   std::uint32_t steps_of_access() const { return form_ == DrumsForm::listed ? 1 : levels_; }
 
+  // The slice of a vertex. Requires a vertex of the body.
+  std::uint32_t slice_of(std::uint32_t vertex) const { return slice_of_[vertex]; }
+
   // A vertex of a slice. Requires slice < slice_count().
   std::uint32_t vertex_of(std::uint32_t slice) const { return slices_[slice]; }
 
