@@ -1,5 +1,6 @@
 #include <sunder/base/contract.h>
 #include <sunder/solid/object/convex_polyhedron.h>
+#include <sunder/solid/represent/facet_graph.h>
 #include <sunder/solid/represent/hierarchy.h>
 #include <sunder/solid/represent/polar.h>
 #include <sunder/solid/represent/polar_hierarchy.h>
@@ -24,6 +25,8 @@ struct ConvexPolyhedron::Data {
   mutable Polar polar;
   mutable std::once_flag made_polar_hierarchy;
   mutable PolarHierarchy polar_hierarchy;
+  mutable std::once_flag made_facet_graph;
+  mutable FacetGraph facet_graph;
 };
 
 namespace {
@@ -143,6 +146,14 @@ const PolarHierarchy& ConvexPolyhedron::polar_hierarchy() const {
     data_->polar_hierarchy = make_polar_hierarchy(data_->graph.vertices, data_->facet_begin, data_->facet_vertices);
   });
   return data_->polar_hierarchy;
+}
+
+const FacetGraph& ConvexPolyhedron::facet_graph() const {
+  SUNDER_REQUIRE(vertices().size() >= 3);
+  std::call_once(data_->made_facet_graph, [this] {
+    data_->facet_graph = make_facet_graph(data_->graph.vertices, data_->facet_begin, data_->facet_vertices);
+  });
+  return data_->facet_graph;
 }
 
 std::size_t ConvexPolyhedron::memory() const {

@@ -17,6 +17,7 @@ struct SearchGraph;     // what the searches of solid/pair walk on; see solid/re
 struct Hierarchy;       // where the search graph is slow; see solid/represent/hierarchy.h
 struct Polar;           // facets as vertices; see solid/represent/polar.h
 struct PolarHierarchy;  // of that; see solid/represent/polar_hierarchy.h
+struct FacetGraph;      // what searches along lines walk on; see solid/represent/facet_graph.h
 
 // Immutable, and cheap to copy (copies share one block of memory); any number of threads may use one at once.
 //
@@ -60,7 +61,11 @@ class ConvexPolyhedron {
   // The hierarchy of its polar. Made on first use, in O(n), and then shared. Throws as polar().
   const PolarHierarchy& polar_hierarchy() const;
 
-  // Bytes of all that searches walk on, with the hierarchies, which it makes; without polar().
+  // Which facets rays go through, and which lie at edges. Made on first use, in O(n log n), and then shared. Requires
+  // three vertices or more.
+  const FacetGraph& facet_graph() const;
+
+  // Bytes of all that searches walk on, with the hierarchies, which it makes; without polar() and facet_graph().
   std::size_t memory() const;
 
  private:
