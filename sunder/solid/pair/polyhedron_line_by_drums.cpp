@@ -5,13 +5,12 @@
 #include <sunder/solid/pair/polyhedron_line_answer.h>
 #include <sunder/solid/pair/polyhedron_ray.h>
 #include <sunder/solid/pair/polyhedron_segment.h>
+#include <sunder/solid/pair/scaled_pose.h>
 #include <sunder/solid/pair/section_search.h>
 #include <sunder/solid/represent/facet_graph.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <span>
 
 namespace sunder::solid {
@@ -30,50 +29,6 @@ VectorOf<Real> mixed(const Real& x, const VectorOf<Real>& u, const Real& y, cons
   return {x * u.x + y * v.x, x * u.y + y * v.y, x * u.z + y * v.z};
 }
 
-// The body's pose between two frames that are scaled along their axes by powers of two: the drums', and one of the
-// world in which the body is about one long along each axis.
-class ScaledPose {
- public:
-  ScaledPose(const Affine3& pose, const Point3& shrink) : pose_(pose) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      shrink_[i] = std::ilogb(shrink[i]);
-      int greatest = std::numeric_limits<int>::min();
-      for (std::size_t j = 0; j < 3; ++j) {
-        const double m = pose.linear[3 * i + j];
-        if (m != 0) greatest = std::max(greatest, std::ilogb(m) - std::ilogb(shrink[j]));
-      }
-      world_[i] = -greatest;
-    }
-  }
-
-  // The linear part.
-  double operator()(std::size_t i, std::size_t j) const {
-    return std::ldexp(pose_.linear[3 * i + j], world_[i] - shrink_[j]);
-  }
-
-  // From one point of the world to another; from one to the image of a point of the body.
-  template <class Real>
-  VectorOf<Real> way(const Point3& from, const Point3& to) const {
-    const auto part = [&](std::size_t i) { return difference<Real>(in_world(i, to[i]), in_world(i, from[i])); };
-    return {part(0), part(1), part(2)};
-  }
-  template <class Real>
-  VectorOf<Real> way_to_image(const Point3& from, const Point3& p) const {
-    const auto part = [&](std::size_t i) -> Real {
-      const auto term = [&](std::size_t j) { return product<Real>((*this)(i, j), std::ldexp(p[j], shrink_[j])); };
-      return (term(0) + term(1)) +
-             (term(2) + difference<Real>(in_world(i, pose_.translation[i]), in_world(i, from[i])));
-    };
-    return {part(0), part(1), part(2)};
-  }
-
- private:
-  double in_world(std::size_t i, double x) const { return std::ldexp(x, world_[i]); }
-
-  const Affine3& pose_;
-  std::array<int, 3> shrink_{}, world_{};
-};
-
 template <class Real>
 LineForms<Real> forms_of(const Placed& body, const DrumSearch& search, const Line& line) {
   const Drums& drums = search.drums();
@@ -91,13 +46,7 @@ LineForms<Real> forms_of(const Placed& body, const DrumSearch& search, const Lin
   const auto& u = by_x ? about_y : by_y ? about_z : about_x;
   const auto& v = by_x ? about_z : by_y ? about_x : about_y;
   const double greatest_of_d = by_x ? size.x : by_y ? size.y : size.z;
-  const auto form = [&](const VectorOf<Real>& n) {
-    const auto column = [&](std::size_t j) -> Real {
-      return n.x * Real(m(0, j)) + n.y * Real(m(1, j)) + n.z * Real(m(2, j));
-    };
-    return LinearForm<Real>{{column(0), column(1), column(2)}, n.x * away.x + n.y * away.y + n.z * away.z};
-  };
-  const LinearForm<Real> of_u = form(u), of_v = form(v);
+  const LinearForm<Real> of_u = m.form<Real>(u, away), of_v = m.form<Real>(v, away);
   // g: what of the two is most nearly upright as a direction of measuring; T: the mix that is perpendicular to it.
   const Point3 p = rounded(of_u.normal), q = rounded(of_v.normal), &up = drums.up();
   const double pp = dot(p, p), pq = dot(p, q), qq = dot(q, q), up_p = dot(up, p), up_q = dot(up, q);
@@ -114,9 +63,7 @@ LineForms<Real> forms_of(const Placed& body, const DrumSearch& search, const Lin
                             Real(x_of_u) * of_u.at_base + Real(x_of_v) * of_v.at_base};
   };
   LineForms<Real> forms{mix(t_p, t_q), mix(of_p, of_q), {}};
-  const double determinant = dot(Point3{m(0, 0), m(0, 1), m(0, 2)},
-                                 cross(Point3{m(1, 0), m(1, 1), m(1, 2)}, Point3{m(2, 0), m(2, 1), m(2, 2)}));
-  const bool is_turned = (greatest_of_d < 0) != ((t_p * of_q - t_q * of_p < 0) != (determinant < 0));
+  const bool is_turned = (greatest_of_d < 0) != ((t_p * of_q - t_q * of_p < 0) != m.reflects());
   forms.along = cross(rounded(forms.t.normal), rounded(forms.g.normal));
   if (is_turned) forms.along = negated(forms.along);
   return forms;

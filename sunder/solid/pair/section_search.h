@@ -30,12 +30,15 @@ struct LinearForm {
 template <class Real>
 class SectionSearch {
  public:
-  // Keeps references. T's form is not level.
+  // Keeps references.
   SectionSearch(const DrumSearch& search, const LinearForm<Real>& t)
-      : search_(search), drums_(search.drums()), t_(t), normal_(rounded(t.normal)) {}
+      : search_(search), drums_(search.drums()), t_(t), normal_(rounded(t.normal)) {
+    const Point3 level = cross(drums_.up(), normal_);
+    is_level_ = level == Point3{};
+  }
 
   // Finds l and m. `beyond`: a vertex on the other side of T than vertex_of(0), or on T; or that one, where it is on T.
-  // False where T goes between the slices of all drums, and not even through one: then pocket(0) is all of Q.
+  // Where T goes between two slices, or is level, it meets no slices, and pocket(0) is all of Q.
   // Cost: O(log^2 n) probes.
   void find_corners(std::uint32_t beyond) {
     const auto slice_of_beyond = slice_of(beyond);
@@ -44,10 +47,12 @@ class SectionSearch {
       return starts_above ? !(least(slice) > Real(0)) : !(greatest(slice) < Real(0));
     });
     low_ = low;
-    meets_slices_ = meets(low);
+    meets_slices_ = !is_level_ && meets(low);
     if (!meets_slices_) return;
     high_ = planar::first_where(low + 1, drums_.slice_count(), [&](std::uint32_t slice) { return !meets(slice); }) - 1;
   }
+
+  bool meets_slices() const { return meets_slices_; }
 
   std::uint32_t corner_count() const { return meets_slices_ ? 2 * (high_ - low_ + 1) : 1; }
 
@@ -168,6 +173,47 @@ class SectionSearch {
     return *facet(p, j % sides);
   }
 
+  // A corner of W: on a slice, between where two lateral edges pass it.
+  struct Corner {
+    LateralEdge e, f;
+    std::uint32_t slice;
+  };
+  Corner corner(std::uint32_t q) const {
+    const std::uint32_t half = corner_count() / 2;
+    const bool right = q < half;
+    const std::uint32_t slice = right ? low_ + q : high_ - (q - half), drum = drum_of(slice);
+    const Arcs arcs = arcs_of(drum);
+    const Arc& arc = right ? arcs.right : arcs.left;
+    const std::uint32_t n = drums_.size(drum), k = (arc.begin + side_on(arc, slice)) % n;
+    return {search_.edge(drum, k), search_.edge(drum, (k + 1) % n), slice};
+  }
+  Real value(const LinearForm<Real>& g, const Corner& c) const {
+    return between(value_of_corner(g, c.e, c.slice), value_of_corner(t_, c.e, c.slice),
+                   value_of_corner(g, c.f, c.slice), value_of_corner(t_, c.f, c.slice));
+  }
+
+  // What points are means of: weights of the body's vertices. Of a corner of W, and of where an edge crosses T.
+  template <class Add>
+  void add_parts(const Corner& c, const Add& add) const {
+    const Real to_f = share(value_of_corner(t_, c.e, c.slice), value_of_corner(t_, c.f, c.slice));
+    const auto part = [&](const LateralEdge& e, const Real& weight) {
+      const Real up = share_at(e, c.slice);
+      add(e.low, weight * (Real(1) - up));
+      add(e.high, weight * up);
+    };
+    part(c.e, Real(1) - to_f);
+    part(c.f, to_f);
+  }
+  template <class Add>
+  void add_parts(const LateralEdge& e, const Add& add) const {
+    const Real up = share(value_at(e.low), value_at(e.high));
+    add(e.low, Real(1) - up);
+    add(e.high, up);
+  }
+
+  // Where an edge crosses T.
+  Real value(const LinearForm<Real>& g, const LateralEdge& e) const { return value_on(g, e); }
+
   // g at vertex v of the body.
   Real value_at(const LinearForm<Real>& g, std::uint32_t v) const {
     const Point3 &p = search_.vertex(v), &base = search_.vertex(drums_.vertex_of(0)), &by = drums_.shrink();
@@ -242,7 +288,8 @@ class SectionSearch {
   // T goes between two slices: all edges of the drum cross it.
   Pocket all_round() const {
     const std::uint32_t drum = low_ == 0 ? 0 : low_ - 1;
-    return {drum, 0, drums_.size(drum) - 1, greatest_above(drum) > Real(0), Sign::zero};
+    const bool forward = is_level_ ? dot(normal_, drums_.up()) > 0 : greatest_above(drum) > Real(0);
+    return {drum, 0, drums_.size(drum) - 1, forward, Sign::zero};
   }
 
   std::uint32_t side(const Pocket& p, std::uint32_t j) const {
@@ -290,16 +337,27 @@ class SectionSearch {
   Real value_of_corner(const LinearForm<Real>& g, const LateralEdge& e, std::uint32_t slice) const {
     if (slice <= e.begin) return value_at(g, e.low);
     if (slice >= e.end) return value_at(g, e.high);
-    const double low = height(e.low), at = height(drums_.vertex_of(slice)), high = height(e.high);
     const Real from = value_at(g, e.low), to = value_at(g, e.high);
-    return from + (to - from) * Real((at - low) / (high - low));
+    return from + (to - from) * share_at(e, slice);
+  }
+
+  // How far from an edge's lower vertex to its upper one a slice is.
+  Real share_at(const LateralEdge& e, std::uint32_t slice) const {
+    if (slice <= e.begin) return 0;
+    if (slice >= e.end) return 1;
+    const double low = height(e.low);
+    return (height(drums_.vertex_of(slice)) - low) / (height(e.high) - low);
+  }
+
+  // How far from one value of T to another is zero.
+  static Real share(const Real& t, const Real& t_other) {
+    const Real whole = t - t_other;
+    return !(whole > Real(0)) && !(whole < Real(0)) ? Real(0) : t / whole;
   }
 
   // Between two values of T of which one is not negative and one is not positive.
   static Real between(const Real& g, const Real& t, const Real& g_other, const Real& t_other) {
-    const Real whole = t - t_other;
-    if (!(whole > Real(0)) && !(whole < Real(0))) return g;
-    return g + (g_other - g) * (t / whole);
+    return g + (g_other - g) * share(t, t_other);
   }
 
   // Where an edge crosses T.
@@ -307,23 +365,13 @@ class SectionSearch {
     return between(value_at(g, e.low), value_at(e.low), value_at(g, e.high), value_at(e.high));
   }
 
-  Real value_at_corner(const LinearForm<Real>& g, std::uint32_t q) const {
-    const std::uint32_t half = corner_count() / 2;
-    const bool right = q < half;
-    const std::uint32_t slice = right ? low_ + q : high_ - (q - half), drum = drum_of(slice);
-    const Arcs arcs = arcs_of(drum);
-    const Arc& arc = right ? arcs.right : arcs.left;
-    const std::uint32_t n = drums_.size(drum), k = (arc.begin + side_on(arc, slice)) % n;
-    const LateralEdge &e = search_.edge(drum, k), &f = search_.edge(drum, (k + 1) % n);
-    return between(value_of_corner(g, e, slice), value_of_corner(t_, e, slice), value_of_corner(g, f, slice),
-                   value_of_corner(t_, f, slice));
-  }
+  Real value_at_corner(const LinearForm<Real>& g, std::uint32_t q) const { return value(g, corner(q)); }
 
   const DrumSearch& search_;
   const Drums& drums_;
   LinearForm<Real> t_;
   Point3 normal_;
-  bool meets_slices_ = false;
+  bool is_level_ = false, meets_slices_ = false;
   std::uint32_t low_ = 0, high_ = 0;
 };
 
