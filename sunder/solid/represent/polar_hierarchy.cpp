@@ -26,16 +26,68 @@ double to_one(std::span<const Point3> points, double Point3::* axis) {
   return std::ldexp(1.0, std::clamp(std::max(-std::ilogb(half) - 1, least), -1022, 1022));
 }
 
+// What a linear map M makes of planes n.x = h: the normals are n' with n'.M x = n.x, all times the determinant of M.
+template <class T>
+class MapOfForms {
+ public:
+  explicit MapOfForms(const RoundFrame& map) {
+    const auto lift = [](const Point3& p) { return Vector3<T>{T(p.x), T(p.y), T(p.z)}; };
+    const Vector3<T> i = lift(map.row[0]), j = lift(map.row[1]), k = lift(map.row[2]);
+    row_ = {cross(j, k), cross(k, i), cross(i, j)};
+    determinant_ = dot(i, row_[0]);
+  }
+  PolarVertexOf<T> operator()(const PolarVertexOf<T>& plane) const {
+    const Vector3<T> n{plane.n[0], plane.n[1], plane.n[2]};
+    return {{dot(row_[0], n), dot(row_[1], n), dot(row_[2], n)}, determinant_ * plane.h};
+  }
+
+ private:
+  std::array<Vector3<T>, 3> row_;
+  T determinant_;
+};
+
+struct RoundedVertex {
+  Point3 at;
+  double error;  // of each coordinate
+  bool is_close = true;
+};
+
+RoundedVertex rounded(const PolarVertexOf<Estimate>& v) {
+  const double h = v.h.value.high;
+  RoundedVertex result{{v.n[0].value.high / h, v.n[1].value.high / h, v.n[2].value.high / h}, 0};
+  const double size = std::max({std::fabs(result.at.x), std::fabs(result.at.y), std::fabs(result.at.z)});
+  const double error_n = std::max({v.n[0].error, v.n[1].error, v.n[2].error});
+  // Relative errors below 2^-30, or it is not close; three roundings; the quotients here.
+  result.error = (error_n / h + size * (v.h.error / h + 0x1p-50)) * (1 + 0x1p-20);
+  result.is_close = h > 0 && result.error <= 0x1p-30 * size && size > 0x1p-900 && size < 0x1p900;
+  return result;
+}
+RoundedVertex rounded(const PolarVertex& v) {
+  const Point3 at{nearest_ratio(v.n[0], v.h), nearest_ratio(v.n[1], v.h), nearest_ratio(v.n[2], v.h)};
+  return {at, std::max({std::fabs(at.x), std::fabs(at.y), std::fabs(at.z)}) * 0x1p-52 + 0x1p-1000};
+}
+
 // The facets as vertices of the polar.
 class FacetsAsPoints {
  public:
   FacetsAsPoints(std::span<const Point3> points, std::span<const std::uint32_t> corner_begin,
-                 std::span<const std::uint32_t> corners, const Polar& polar)
+                 std::span<const std::uint32_t> corners, const RoundFrame& to_round, Polar& polar)
       : points_(points),
         corner_begin_(corner_begin),
         corners_(corners),
         polar_(polar),
-        place_(polar.vertices.size(), 0) {}
+        to_round_(to_round),
+        place_(polar.vertices.size(), 0) {
+    if (to_round.is_identity) return;
+    const MapOfForms<Estimate> estimate(to_round);
+    const MapOfForms<Dyadic> exact(to_round);
+    for (std::uint32_t f = 0; f < polar.vertices.size(); ++f) {
+      RoundedVertex mapped = rounded(estimate(estimated_polar_vertex(points, facet(f), polar.base)));
+      if (!mapped.is_close) mapped = rounded(exact(exact_polar_vertex(points, facet(f), polar.base)));
+      polar.vertices[f] = mapped.at;
+      polar.errors[f] = mapped.error;
+    }
+  }
 
   const Point3& at(std::uint32_t f) const { return polar_.vertices[f]; }
 
@@ -55,18 +107,25 @@ class FacetsAsPoints {
 
   // From o to the mean of the facet's corners.
   Point3 middle(std::uint32_t f) const {
-    Point3 sum{0, 0, 0};
-    for (const std::uint32_t v : facet(f)) {
-      for (const std::uint32_t o : polar_.base) {
-        const Point3 &p = points_[v], &q = points_[o];
-        sum = {sum.x + (p.x - q.x), sum.y + (p.y - q.y), sum.z + (p.z - q.z)};
-      }
-    }
-    const double part = 0.25 / static_cast<double>(facet(f).size());
-    return {sum.x * part, sum.y * part, sum.z * part};
+    return to_round_.is_identity ? middle_in<double>(f) : middle_in<DoubleDouble>(f);
   }
 
  private:
+  template <class Real>
+  Point3 middle_in(std::uint32_t f) const {
+    Vector3<Real> sum{0, 0, 0};
+    for (const std::uint32_t v : facet(f)) {
+      for (const std::uint32_t o : polar_.base) {
+        const Point3 &p = points_[v], &q = points_[o];
+        const auto along = [](const Real& s, double to, double from) { return s + (Real(to) - Real(from)); };
+        sum = {along(sum.x, p.x, q.x), along(sum.y, p.y, q.y), along(sum.z, p.z, q.z)};
+      }
+    }
+    const Vector3<Real> mapped = to_round_(sum);
+    const double part = 0.25 / static_cast<double>(facet(f).size());
+    return {nearest(mapped.x) * part, nearest(mapped.y) * part, nearest(mapped.z) * part};
+  }
+
   // With the errors of the vertices and the roundings here. With e a bound of the errors of a row's numbers and m one
   // of their sizes, errors included, a determinant of three rows, a sum of six products, is off by at most
   // 6 (e1 m2 m3 + m1 e2 m3 + m1 m2 e3) for the rows and 6 * 6 u m1 m2 m3 for rounding.
@@ -142,6 +201,7 @@ class FacetsAsPoints {
   std::span<const Point3> points_;
   std::span<const std::uint32_t> corner_begin_, corners_;
   const Polar& polar_;
+  const RoundFrame& to_round_;
   mutable std::vector<PolarVertexOf<Estimate>> estimates_;
   mutable std::vector<std::uint32_t> place_;  // of a facet in these, and one; 0: nowhere
 };
@@ -154,9 +214,10 @@ PolarHierarchy make_polar_hierarchy(std::span<const Point3> vertices, std::span<
   made.to_one = {to_one(vertices, &Point3::x), to_one(vertices, &Point3::y), to_one(vertices, &Point3::z)};
   std::vector<Point3> points(vertices.begin(), vertices.end());
   for (Point3& p : points) p = {p.x * made.to_one.x, p.y * made.to_one.y, p.z * made.to_one.z};
-  const Polar polar = make_polar(points, corner_begin, corners);
+  made.to_round = make_round_frame(points);
+  Polar polar = make_polar(points, corner_begin, corners);
   made.base = polar.base;
-  const FacetsAsPoints facets(points, corner_begin, corners, polar);
+  const FacetsAsPoints facets(points, corner_begin, corners, made.to_round, polar);
   using Builder = hierarchy_detail::HierarchyBuilder<FacetsAsPoints>;
   Builder builder(facets, static_cast<std::uint32_t>(polar.vertices.size()), polar.facet_begin, polar.facet_vertices);
   made.hierarchy = builder.run([&](std::uint32_t f) { return Builder::Middle{facets.middle(f)}; });
