@@ -77,7 +77,17 @@ class FacetsAsPoints {
         corners_(corners),
         polar_(polar),
         to_round_(to_round),
+        place_about_corner_(corners.size()),
         place_(polar.vertices.size(), 0) {
+    for (std::uint32_t v = 0; v + 1 < polar.facet_begin.size(); ++v) {
+      for (std::uint32_t place = polar.facet_begin[v]; place < polar.facet_begin[v + 1]; ++place) {
+        const std::uint32_t f = polar.facet_vertices[place];
+        if (facet(f).size() > most_corners) continue;
+        for (std::uint32_t i = corner_begin[f]; i < corner_begin[f + 1]; ++i) {
+          if (corners[i] == v) place_about_corner_[i] = place;
+        }
+      }
+    }
     if (to_round.is_identity) return;
     const MapOfForms<Estimate> estimate(to_round);
     const MapOfForms<Dyadic> exact(to_round);
@@ -93,7 +103,7 @@ class FacetsAsPoints {
 
   Sign orient(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
     if (const std::optional<Sign> sure = orient_rounded(a, b, c, d)) return *sure;
-    if (have_common_corner({a, b, c, d})) return Sign::zero;
+    if (const std::optional<Sign> sure = orient_by_corners({a, b, c, d})) return *sure;
     switch (sign(determinant(estimates_of({a, b, c, d})))) {
       case Guess::positive: return Sign::negative;
       case Guess::negative: return Sign::positive;
@@ -152,20 +162,40 @@ class FacetsAsPoints {
     return std::nullopt;
   }
 
-  // Not told of facets of many corners, of which there are few.
-  bool have_common_corner(const std::array<std::uint32_t, 4>& facets) const {
-    constexpr std::size_t many = 16;
+  // Told by common corners. Facets with a corner v in common are the vertices of one facet of the polar, a convex
+  // polygon, whose order is known; all other vertices are on the inner side of its plane. Not told of facets of many
+  // corners, of which there are few.
+  std::optional<Sign> orient_by_corners(const std::array<std::uint32_t, 4>& facets) const {
     for (const std::uint32_t f : facets) {
-      if (facet(f).size() > many) return false;
+      if (facet(f).size() > most_corners) return std::nullopt;
     }
-    const auto is_corner_of_all = [&](std::uint32_t v) {
-      return std::all_of(facets.begin() + 1, facets.end(), [&](std::uint32_t f) {
-        const auto cycle = facet(f);
-        return std::find(cycle.begin(), cycle.end(), v) != cycle.end();
-      });
-    };
-    const auto first = facet(facets[0]);
-    return std::any_of(first.begin(), first.end(), is_corner_of_all);
+    for (const std::size_t first : {0u, 1u}) {
+      for (const std::uint32_t v : facet(facets[first])) {
+        std::array<std::uint32_t, 4> place{};
+        std::size_t others = 0, other = 0;  // those that do not have v
+        for (std::size_t k = 0; k < 4; ++k) {
+          place[k] = place_about(v, facets[k]);
+          if (place[k] == none) ++others, other = k;
+        }
+        if (others == 0) return Sign::zero;
+        if (others > 1) continue;
+        std::array<std::uint32_t, 3> p{};
+        for (std::size_t k = 0, i = 0; k < 4; ++k) {
+          if (k != other) p[i++] = place[k];
+        }
+        if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) return Sign::zero;  // one facet, asked about twice
+        const bool is_counter_clockwise = int{p[0] < p[1]} + int{p[1] < p[2]} + int{p[2] < p[0]} == 2;
+        return is_counter_clockwise == (other % 2 == 1) ? Sign::negative : Sign::positive;
+      }
+    }
+    return std::nullopt;
+  }
+  // In the cycle of facets about v; none: v is not a corner.
+  std::uint32_t place_about(std::uint32_t v, std::uint32_t f) const {
+    for (std::uint32_t i = corner_begin_[f]; i < corner_begin_[f + 1]; ++i) {
+      if (corners_[i] == v) return place_about_corner_[i];
+    }
+    return none;
   }
 
   // The determinant of the rows (n, h) is that of the points with ones, times all h, which are positive; and orient is
@@ -198,10 +228,14 @@ class FacetsAsPoints {
     return row;
   }
 
+  static constexpr std::uint32_t none = 0xffffffff;
+  static constexpr std::size_t most_corners = 16;  // of a facet, for orient_by_corners
+
   std::span<const Point3> points_;
   std::span<const std::uint32_t> corner_begin_, corners_;
   const Polar& polar_;
   const RoundFrame& to_round_;
+  std::vector<std::uint32_t> place_about_corner_;  // by corners: of the facet in the cycle about the corner
   mutable std::vector<PolarVertexOf<Estimate>> estimates_;
   mutable std::vector<std::uint32_t> place_;  // of a facet in these, and one; 0: nowhere
 };

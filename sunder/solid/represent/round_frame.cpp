@@ -1,7 +1,9 @@
 #include <sunder/number/double_double.h>
+#include <sunder/number/estimate.h>
 #include <sunder/solid/represent/round_frame.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace sunder::solid {
@@ -45,6 +47,12 @@ struct Corners {
   }
 };
 
+// Surely? Rounding each row by itself may turn the frame of a needle over.
+bool has_positive_determinant(const std::array<Point3, 3>& row) {
+  const auto lift = [](const Point3& r) { return Vector3<Estimate>{r.x, r.y, r.z}; };
+  return sign(dot(cross(lift(row[0]), lift(row[1])), lift(row[2]))) == Guess::positive;
+}
+
 // axis.x = 1 for this x, as far as the sense of the axis allows.
 Point3 row(const Vector3<DoubleDouble>& axis, const Vector3<DoubleDouble>& x) {
   const DoubleDouble length = magnitude(dot(axis, x));
@@ -63,7 +71,7 @@ RoundFrame make_round_frame(std::span<const Point3> vertices) {
     const double greatest = std::max({std::fabs(r.x), std::fabs(r.y), std::fabs(r.z)});
     if (!(greatest > 0x1p-200 && greatest < 0x1p200)) return {};
   }
-  return frame;
+  return has_positive_determinant(frame.row) ? frame : RoundFrame{};
 }
 
 }  // namespace sunder::solid
