@@ -71,7 +71,10 @@ TEST(CrossingEdges, OfManyVerticesFewAreLookedAt) {
 TEST(CrossingEdges, ManyVerticesWithinTheBoxesOfBothEdges) {
   const auto chain = [](bool falls, bool touches) {
     Ring ring{{0, 0}, {64, 64}};
-    for (double x = 63; x > 0; --x) ring.push_back({x, x == 32 && touches ? x : x - 1});
+    for (int k = 63; k > 0; --k) {
+      const double x = k;
+      ring.push_back({x, k == 32 && touches ? x : x - 1});
+    }
     for (Point2& p : ring) p.y = falls ? 64 - p.y : p.y;
     return Polygon(Rings{ring});
   };
