@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 namespace sunder::solid {
@@ -220,11 +221,15 @@ class LineSearch {
       facet = facets_.along(negated(way));
       ++cost_.iterations;
     }
+    Real reached = -std::numeric_limits<double>::infinity();
     for (int step = 0; step < most_steps && facet; ++step) {
       const Real slope = dot(facet->m, way);
       if (!(slope < Real(0))) return Ending::none;
+      const Real at = (Real(1) - dot(facet->m, nearest_)) / slope;
+      if (!(at > reached)) return Ending::through;  // what is left is rounding
+      reached = at;
       enters = facets_.number(*facet);
-      const Vector p = along_by(nearest_, way, (Real(1) - dot(facet->m, nearest_)) / slope);
+      const Vector p = along_by(nearest_, way, at);
       const auto next = facets_.going_on(p);
       ++cost_.iterations;
       if (!next) return Ending::none;
