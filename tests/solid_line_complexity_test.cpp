@@ -17,7 +17,7 @@ namespace sunder::tests {
 namespace {
 
 // Small bodies pay for the tries of all searches.
-constexpr double bound = 40, bound_of_large = 15;  // from 2^10 vertices on
+constexpr double bound = 40, bound_of_large = 22;  // from 2^10 vertices on
 
 class Probes {
  public:
