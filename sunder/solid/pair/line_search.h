@@ -48,7 +48,7 @@ struct LineInFrame {
     const auto column = [&](std::size_t j) {
       const Point3 c{m[j] / one[j], m[3 + j] / one[j], m[6 + j] / one[j]};
       const double size = std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z)});
-      by[j] = size > 0 && std::isfinite(size) ? std::ldexp(1.0, std::clamp(-std::ilogb(size), -1020, 1020)) : 1;
+      by[j] = scale_to_one(size);
       return Vector{c.x * by[j], c.y * by[j], c.z * by[j]};
     };
     const Vector x = column(0), y = column(1), z = column(2);
@@ -88,8 +88,12 @@ class FacetsByGraph {
   using Real = double;
   using Vector = Point3;
 
-  FacetsByGraph(const FacetGraph& graph, Cost& cost)
-      : graph_(graph.facets), number_(graph.number), cost_(cost), cell_(8.0 / std::max(graph.facets.side, 1u)) {}
+  FacetsByGraph(const ConvexPolyhedron& body, const FacetGraph& graph, Cost& cost)
+      : body_(body),
+        graph_(graph.facets),
+        number_(graph.number),
+        cost_(cost),
+        cell_(8.0 / std::max(graph.facets.side, 1u)) {}
 
   struct Facet {
     std::uint32_t rank = 0;
@@ -97,18 +101,30 @@ class FacetsByGraph {
   };
   std::uint32_t number(const Facet& facet) const { return number_[facet.rank]; }
 
-  // Nothing where walks are long.
-  std::optional<Facet> along(const Point3& direction) {
+  // For the corners of a facet that will be looked at.
+  void ask_ahead(std::uint32_t facet) const {
+    const Point3* vertices = body_.vertices().data();
+    const auto corners = body_.facet(facet);
+    for (const std::size_t k : {std::size_t{0}, corners.size() / 3, 2 * corners.size() / 3}) {
+      __builtin_prefetch(vertices + corners[k]);
+    }
+  }
+
+  // Where a search begins; asks for the memory that it will read.
+  std::uint32_t start(const Point3& direction) const { return search_start(graph_, direction); }
+
+  // From its start. Nothing where walks are long.
+  std::optional<Facet> along(const Point3& direction, std::uint32_t start_of_it) {
     last_ = direction;
     if (graph_.is_slow) return std::nullopt;
     if (graph_.padded != 0) return of_few(direction);
-    return walk_from(search_start(graph_, direction), direction);
+    return walk_from(start_of_it, direction);
   }
   // From the last one, where that is near.
   std::optional<Facet> going_on(const Point3& direction) {
     const Point3 way = minus(direction, last_);
     const double moved = std::max({std::fabs(way.x), std::fabs(way.y), std::fabs(way.z)});
-    if (graph_.padded != 0 || !(moved <= cell_)) return along(direction);
+    if (graph_.padded != 0 || !(moved <= cell_)) return along(direction, start(direction));
     last_ = direction;
     return walk_from(place_, direction);
   }
@@ -128,6 +144,7 @@ class FacetsByGraph {
     return Facet{block.vertex(), block.at()};
   }
 
+  const ConvexPolyhedron& body_;
   const SearchGraph& graph_;
   const std::vector<std::uint32_t>& number_;
   Cost& cost_;
@@ -157,7 +174,10 @@ class FacetsByHierarchy {
   };
   static std::uint32_t number(const Facet& facet) { return facet.rank; }
 
-  std::optional<Facet> along(const Vector& to) {
+  static std::uint32_t start(const Vector&) { return 0; }
+  static void ask_ahead(std::uint32_t) {}
+
+  std::optional<Facet> along(const Vector& to, std::uint32_t) {
     const auto at = [&](std::uint32_t rank) { return minus(scaled(hierarchy_.nodes[rank].at), middle_); };
     const auto turn = [&](std::uint32_t i, std::uint32_t j) { return sign_of_rounded(dot(cross(at(i), at(j)), to)); };
     const RankTriangle t = triangle_on_ray(hierarchy_, turn, cost_.probes);
@@ -167,7 +187,7 @@ class FacetsByHierarchy {
         graph_.facet_of(hierarchy_.nodes[t[0]].vertex, hierarchy_.nodes[t[1]].vertex, hierarchy_.nodes[t[2]].vertex);
     return Facet{number, {n.x / h, n.y / h, n.z / h}};
   }
-  std::optional<Facet> going_on(const Vector& to) { return along(to); }
+  std::optional<Facet> going_on(const Vector& to) { return along(to, 0); }
 
   // From the middle of the facet graph's frame to the middle here.
   const Vector& shift() const { return middle_; }
@@ -194,13 +214,18 @@ class LineSearch {
   LineSearch(Facets& facets, const Vector& nearest, const Vector& way, Cost& cost)
       : facets_(facets), nearest_(nearest), way_(way), cost_(cost) {}
 
-  // Nothing where the search came to no end.
+  // Nothing where the search came to no end. Both ends are begun before one is searched for, as both wait for memory.
   std::optional<LineProposal> run() {
+    const Real outside = Real(1) - dot(nearest_, nearest_);
+    const Real before = outside > Real(0) ? Real(-std::sqrt(sunder::nearest(outside))) : Real(0);
+    const Vector first = along_by(nearest_, way_, before), last = along_by(nearest_, way_, -before);
+    const std::uint32_t of_first = facets_.start(first), of_last = facets_.start(last);
     LineProposal found;
-    const Ending in = search(way_, found.enters, found.leaves);
+    const Ending in = search(way_, first, of_first, found.enters, found.leaves);
     if (in == Ending::none) return std::nullopt;
     if (in == Ending::apart) return LineProposal{LineProposal::Claim::apart, found.enters, found.leaves};
-    const Ending out = search(negated(way_), found.leaves, found.enters);
+    facets_.ask_ahead(found.enters);
+    const Ending out = search(negated(way_), last, of_last, found.leaves, found.enters);
     if (out == Ending::none) return std::nullopt;
     if (out == Ending::apart) found.claim = LineProposal::Claim::apart;
     return found;
@@ -212,13 +237,12 @@ class LineSearch {
 
   // From the first point along the way that is near the body. `enters` is the facet through which it comes in; where it
   // does not, the line in its plane is beyond `leaves`.
-  Ending search(const Vector& way, std::uint32_t& enters, std::uint32_t& leaves) {
-    const Real outside = Real(1) - dot(nearest_, nearest_);
-    const Real start = outside > Real(0) ? Real(-std::sqrt(sunder::nearest(outside))) : Real(0);
-    auto facet = facets_.along(along_by(nearest_, way, start));
+  Ending search(const Vector& way, const Vector& from, std::uint32_t start, std::uint32_t& enters,
+                std::uint32_t& leaves) {
+    auto facet = facets_.along(from, start);
     ++cost_.iterations;
     if (facet && !(dot(facet->m, way) < Real(0))) {
-      facet = facets_.along(negated(way));
+      facet = facets_.along(negated(way), facets_.start(negated(way)));
       ++cost_.iterations;
     }
     Real reached = -std::numeric_limits<double>::infinity();
@@ -254,7 +278,7 @@ bool propose_by_facets(const Placed& body, const Line& line, const Holds& holds,
   const FacetGraph& graph = body.body.facet_graph();
   const LineInFrame<double> in_frame(body, graph, line);
   if (in_frame.is_finite) {
-    FacetsByGraph by_graph(graph, cost);
+    FacetsByGraph by_graph(body.body, graph, cost);
     const auto found = LineSearch(by_graph, in_frame.nearest, in_frame.way, cost).run();
     if (found && holds(*found)) return true;
   }
