@@ -121,11 +121,13 @@ TEST(SolidLineDifferential, FrontDoorsAgreeWithTheScans) {
   }
   for (const auto& [verdict, number] : verdicts) std::printf("%s: %d\n", verdict.c_str(), number);
   if (count < 4000) return;  // too few for the rates below
-  // Proposals hold: in general position at least 99.9 %, elsewhere 90 %, but where what decides lies hundreds of digits
-  // below the coordinates.
+  // Proposals hold: in general position at least 99.9 %, elsewhere 90 %, of needles of 1e300 : 1 : 1e-300, half of
+  // whose lines go through features, 7 in 8; but not where what decides lies hundreds of digits below the coordinates.
   for (const auto& [family, t] : tallies) {
     if (family == LineFamily::stretched_turned) continue;
-    const int part = family == LineFamily::general || family == LineFamily::round ? 1000 : 10;
+    const int part = family == LineFamily::general || family == LineFamily::round ? 1000
+                     : family == LineFamily::stretched                            ? 8
+                                                                                  : 10;
     EXPECT_LE(t.of_decision[static_cast<std::size_t>(DecidedBy::finishing)], t.cases / part) << name_of(family);
     // The test tested something.
     EXPECT_GE(t.cases, 3 * (count / line_family_count));
