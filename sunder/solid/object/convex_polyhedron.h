@@ -17,6 +17,7 @@ struct SearchGraph;     // what the searches of solid/pair walk on; see solid/re
 struct Hierarchy;       // where the search graph is slow; see solid/represent/hierarchy.h
 struct Polar;           // facets as vertices; see solid/represent/polar.h
 struct PolarHierarchy;  // of that; see solid/represent/polar_hierarchy.h
+struct HalfEdges;       // from facet to facet; see solid/represent/half_edges.h
 
 // Immutable, and cheap to copy (copies share one block of memory); any number of threads may use one at once.
 //
@@ -60,7 +61,10 @@ class ConvexPolyhedron {
   // The hierarchy of its polar. Made on first use, in O(n), and then shared. Throws as polar().
   const PolarHierarchy& polar_hierarchy() const;
 
-  // Bytes of all that searches walk on, with the hierarchies, which it makes; without polar().
+  // Made on first use, in O(n), and then shared. Requires three vertices or more.
+  const HalfEdges& half_edges() const;
+
+  // Bytes of all that searches walk on, with the hierarchies, which it makes; without polar() and half_edges().
   std::size_t memory() const;
 
  private:

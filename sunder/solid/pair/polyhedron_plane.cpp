@@ -7,9 +7,6 @@
 
 namespace sunder::solid {
 
-namespace {
-
-// The same ray, times a power of two, where no bit is lost, so that filters serve.
 WorldDirection direction_of(const Point3& normal) {
   const double size = std::max({std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z)});
   const int by = -std::ilogb(size) - 1;
@@ -17,8 +14,6 @@ WorldDirection direction_of(const Point3& normal) {
   const Point3 back{std::ldexp(scaled.x, -by), std::ldexp(scaled.y, -by), std::ldexp(scaled.z, -by)};
   return WorldDirection(back == normal ? scaled : normal);
 }
-
-}  // namespace
 
 Sign side_of(const Plane& plane, const Posed3& vertex, StageTally* tally) {
   return side_of_plane(plane.normal, plane.point, plane.offset, vertex, tally);
@@ -47,8 +42,8 @@ void conclude_plane(const Placed& body, const Plane& plane, const PlaneProposal&
   const std::uint32_t from = low == Sign::positive ? proposal.low : proposal.high;
   const WorldDirection normal = direction_of(plane.normal);
   Along along(normal, body.pose, body.tame);
-  const std::uint32_t nearest = extreme_vertex_from(body, along, low == Sign::positive ? End::least : End::greatest,
-                                                    from, answer.cost, tally);
+  const std::uint32_t nearest =
+      extreme_vertex_from(body, along, low == Sign::positive ? End::least : End::greatest, from, answer.cost, tally);
   const Sign side = nearest == from ? low : side_of(plane, body[nearest], &tally);
   const bool apart = side == low;
   if (apart) {

@@ -2,6 +2,7 @@
 // answer_by() checks them exactly. What it finds to be wrong it decides by the way, and this is counted as finishing.
 #pragma once
 
+#include <sunder/predicate/along.h>
 #include <sunder/solid/pair/placed.h>
 #include <sunder/solid/pair/polyhedron_plane.h>
 
@@ -20,6 +21,9 @@ void conclude_plane(const Placed& body, const Plane& plane, const PlaneProposal&
 
 // The sign of a vertex, as side_of_plane (predicate/plane_side.h) has it.
 Sign side_of(const Plane& plane, const Posed3& vertex, StageTally* tally = nullptr);
+
+// The same ray, times a power of two, where no bit is lost, so that filters serve.
+WorldDirection direction_of(const Point3& normal);
 
 // The normal as the body's frame sees it, scaled: for searches.
 Point3 pulled_normal(const Placed& body, const Plane& plane);

@@ -1,0 +1,146 @@
+// polyhedron_plane_section against polyhedron_plane_section_by_scan: bodies of every kind, and planes that go through
+// anything of them, or next to it.
+#include <tests/support/shapes.h>
+#include <tests/support/solid_pairs.h>
+#include <tests/support/solid_shapes.h>
+
+#include <sunder/solid/pair/polyhedron_plane_section.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+namespace sunder::tests {
+namespace {
+
+using solid::ConvexPolyhedron;
+using solid::Plane;
+using solid::PlaneSection;
+using solid::Pose;
+using solid::SectionKind;
+
+// Through what of the body the plane goes, as far as rounding lets it.
+enum class Through : int { anywhere, vertex, edge, facet, three_vertices, axis, last_bit, far };
+constexpr int through_count = 8;
+
+class Planes {
+ public:
+  explicit Planes(Random& random) : random_(random) {}
+
+  Plane next(Through through, const ConvexPolyhedron& body, const Pose& pose) {
+    const auto vertex = [&] { return image(pose, body.vertices()[random_.below(body.vertices().size())]); };
+    Point3 normal = in_cube(random_);
+    if (normal == Point3{}) normal = {0, 0, 1};
+    if (random_.below(3) == 0) normal = axis();
+    switch (through) {
+      case Through::anywhere: return Plane::through(middle(vertex(), vertex()), normal);
+      case Through::vertex: return Plane::through(vertex(), normal);
+      case Through::edge: {
+        const auto v = static_cast<std::uint32_t>(random_.below(body.vertices().size()));
+        if (body.neighbours(v).empty()) return Plane::through(vertex(), normal);
+        const std::uint32_t w = body.neighbours(v)[random_.below(body.neighbours(v).size())];
+        return spanned(image(pose, body.vertices()[v]), image(pose, body.vertices()[w]), vertex(), normal);
+      }
+      case Through::facet: {
+        if (body.facet_count() == 0) return Plane::through(vertex(), normal);
+        const auto facet = body.facet(static_cast<std::uint32_t>(random_.below(body.facet_count())));
+        const auto corner = [&](std::size_t k) { return image(pose, body.vertices()[facet[k]]); };
+        return spanned(corner(0), corner(1), corner(2), normal);
+      }
+      case Through::three_vertices: return spanned(vertex(), vertex(), vertex(), normal);
+      case Through::axis: return Plane::through(vertex(), axis());
+      case Through::last_bit: {
+        Plane plane = next(Through(random_.below(6)), body, pose);
+        for (std::size_t k = 0; k < 3; ++k) {
+          if (random_.below(2) == 0) plane.point[k] = std::nextafter(plane.point[k], random_.below(2) ? 1e308 : -1e308);
+        }
+        return plane;
+      }
+      case Through::far: break;
+    }
+    const Point3 p = vertex(), q = vertex();
+    return Plane::through({2 * p.x - q.x, 2 * p.y - q.y, 2 * p.z - q.z}, normal);
+  }
+
+ private:
+  static Point3 image(const Pose& pose, const Point3& p) {
+    const auto& [m, t] = pose.affine();
+    const auto row = [&](std::size_t k) { return m[3 * k] * p.x + m[3 * k + 1] * p.y + m[3 * k + 2] * p.z + t[k]; };
+    Point3 image{row(0), row(1), row(2)};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!std::isfinite(image[k])) image[k] = 0;
+    }
+    return image;
+  }
+  static Point3 middle(const Point3& p, const Point3& q) {
+    return {p.x / 2 + q.x / 2, p.y / 2 + q.y / 2, p.z / 2 + q.z / 2};
+  }
+  Point3 axis() {
+    Point3 axis;
+    axis[random_.below(3)] = random_.below(2) ? std::ldexp(1, static_cast<int>(random_.below(9)) - 4) : -3;
+    return axis;
+  }
+  static Plane spanned(const Point3& p, const Point3& q, const Point3& r, const Point3& otherwise) {
+    const Point3 a{q.x - p.x, q.y - p.y, q.z - p.z}, b{r.x - p.x, r.y - p.y, r.z - p.z};
+    Point3 normal{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    const bool is_good = std::isfinite(normal.x) && std::isfinite(normal.y) && std::isfinite(normal.z);
+    if (!is_good || normal == Point3{}) normal = otherwise;
+    return Plane::through(p, normal);
+  }
+
+  Random& random_;
+};
+
+struct Tally {
+  int cases = 0, nothing = 0, point = 0, segment = 0, polygon = 0, at_vertices = 0, exact = 0;
+};
+
+TEST(PolyhedronPlaneSectionDifferential, AgreesWithTheScan) {
+  const int count = scaled_count(20000);
+  const std::uint64_t seed = chosen_seed(20260301);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  SolidPairs pairs(seed);
+  Planes planes(pairs.random());
+  std::map<Family, Tally> tallies;
+  std::map<Through, Tally> ways;
+  for (int i = 0; i < count; ++i) {
+    const PairCase c = pairs.next();
+    const bool second = pairs.random().below(2) == 0;
+    const ConvexPolyhedron& body = second ? c.b : c.a;
+    Affine3 m = (second ? c.pose_b : c.pose_a).affine();
+    if (pairs.random().below(4) == 0) m = Affine3{};
+    if (pairs.random().below(4) == 0) {
+      for (std::size_t k = 0; k < 3; ++k) m.linear[k] = -m.linear[k];
+    }
+    const Pose pose = Pose::from_matrix(m.linear, m.translation);
+    const Through through = Through(pairs.random().below(through_count));
+    const Plane plane = planes.next(through, body, pose);
+    const PlaneSection scan = polyhedron_plane_section_by_scan(body, pose, plane);
+    const PlaneSection found = polyhedron_plane_section(body, pose, plane);
+    ASSERT_EQ(scan.kind, found.kind) << i << " " << name_of(c.family) << " " << static_cast<int>(through);
+    ASSERT_EQ(scan.corners, found.corners) << i << " " << name_of(c.family) << " " << static_cast<int>(through);
+    ASSERT_EQ(scan.side, found.side) << i;
+    for (Tally* t : {&tallies[c.family], &ways[through]}) {
+      ++t->cases;
+      t->nothing += found.kind == SectionKind::nothing;
+      t->point += found.kind == SectionKind::point;
+      t->segment += found.kind == SectionKind::segment;
+      t->polygon += found.kind == SectionKind::polygon;
+      t->at_vertices += std::ranges::any_of(found.corners, &solid::SectionCorner::is_vertex);
+      t->exact += found.cost.exact > 0;
+    }
+  }
+  std::printf("%-17s %8s %8s %8s %8s %8s %8s %8s\n", "family", "cases", "nothing", "point", "segment", "polygon",
+              "vertices", "exact");
+  const auto print = [](const std::string& name, const Tally& t) {
+    std::printf("%-17s %8d %8d %8d %8d %8d %8d %8d\n", name.c_str(), t.cases, t.nothing, t.point, t.segment, t.polygon,
+                t.at_vertices, t.exact);
+  };
+  for (const auto& [family, t] : tallies) print(std::string(name_of(family)), t);
+  for (const auto& [through, t] : ways) print("way " + std::to_string(static_cast<int>(through)), t);
+}
+
+}  // namespace
+}  // namespace sunder::tests
