@@ -5,6 +5,9 @@
 #include <tests/support/solid_shapes.h>
 
 #include <sunder/solid/pair/polyhedron_plane_section.h>
+#include <sunder/solid/pair/section_claims.h>
+
+#include <verifier/cpp/verify.h>
 
 #include <gtest/gtest.h>
 
@@ -93,6 +96,15 @@ class Planes {
   Random& random_;
 };
 
+std::string proof_of(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane, const PlaneSection& section) {
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  solid::SectionClaims claims(file, "body", body, pose);
+  claims.add(plane, section);
+  file.end();
+  return text;
+}
+
 struct Tally {
   int cases = 0, nothing = 0, point = 0, segment = 0, polygon = 0, at_vertices = 0, exact = 0;
 };
@@ -105,6 +117,7 @@ TEST(PolyhedronPlaneSectionDifferential, AgreesWithTheScan) {
   Planes planes(pairs.random());
   std::map<Family, Tally> tallies;
   std::map<Through, Tally> ways;
+  std::map<std::string, int> proofs;
   for (int i = 0; i < count; ++i) {
     const PairCase c = pairs.next();
     const bool second = pairs.random().below(2) == 0;
@@ -122,6 +135,15 @@ TEST(PolyhedronPlaneSectionDifferential, AgreesWithTheScan) {
     ASSERT_EQ(scan.kind, found.kind) << i << " " << name_of(c.family) << " " << static_cast<int>(through);
     ASSERT_EQ(scan.corners, found.corners) << i << " " << name_of(c.family) << " " << static_cast<int>(through);
     ASSERT_EQ(scan.side, found.side) << i;
+    if (body.vertices().size() <= 100 || i % 20 == 0) {
+      const std::string proof = proof_of(body, pose, plane, found);
+      const auto result = sunder_verifier::verify_text(proof, "proof", sunder_verifier::Limit::none);
+      ASSERT_TRUE(result.accepted()) << i << " " << name_of(c.family) << " " << static_cast<int>(through) << " "
+                                     << result.failed_form
+                                     << (result.statements.empty() ? "" : result.statements.back().reason) << "\n"
+                                     << proof;
+      ++proofs[result.statements.back().verdict];
+    }
     for (Tally* t : {&tallies[c.family], &ways[through]}) {
       ++t->cases;
       t->nothing += found.kind == SectionKind::nothing;
@@ -139,6 +161,7 @@ TEST(PolyhedronPlaneSectionDifferential, AgreesWithTheScan) {
                 t.at_vertices, t.exact);
   };
   for (const auto& [family, t] : tallies) print(std::string(name_of(family)), t);
+  for (const auto& [verdict, n] : proofs) std::printf("proved: %s %d\n", verdict.c_str(), n);
   for (const auto& [through, t] : ways) print("way " + std::to_string(static_cast<int>(through)), t);
 }
 
