@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -22,6 +24,7 @@ using solid::ConvexPolyhedron;
 using solid::Plane;
 using solid::PlaneSection;
 using solid::Pose;
+using solid::SectionCorner;
 using solid::SectionKind;
 
 // Through what of the body the plane goes, as far as rounding lets it.
@@ -105,6 +108,97 @@ std::string proof_of(const ConvexPolyhedron& body, const Pose& pose, const Plane
   return text;
 }
 
+// The list of numbers behind a key of the last statement: where it begins and ends, and they.
+struct List {
+  std::size_t begin = std::string::npos, end = 0;
+  std::vector<std::uint32_t> numbers;
+};
+List list_of(const std::string& text, const std::string& key) {
+  List list;
+  const std::size_t at = text.rfind("\"" + key + "\"");
+  if (at == std::string::npos || at < text.rfind("\"section\"")) return list;
+  list.begin = text.find('[', at);
+  int depth = 0;
+  for (list.end = list.begin;; ++list.end) {
+    const char x = text[list.end];
+    depth += x == '[' ? 1 : x == ']' ? -1 : 0;
+    if (depth == 0) break;
+    if (std::isdigit(x) == 0) continue;
+    if (std::isdigit(text[list.end - 1]) == 0) list.numbers.push_back(0);
+    list.numbers.back() = 10 * list.numbers.back() + static_cast<std::uint32_t>(x - '0');
+  }
+  return list;
+}
+
+// The corners that a proof states, from the least on.
+std::vector<SectionCorner> said(const std::string& proof) {
+  std::vector<SectionCorner> corners;
+  const List list = list_of(proof, "corners");
+  for (std::size_t k = 0; k + 1 < list.numbers.size(); k += 2) {
+    corners.push_back({list.numbers[k], list.numbers[k + 1]});
+  }
+  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
+
+// The proof with one or two of its corners, or the facets along them, changed.
+std::string forged(std::string proof, std::uint32_t facets, Random& random) {
+  List corners = list_of(proof, "corners"), along = list_of(proof, "along");
+  const auto some = [&](std::size_t size) {
+    return static_cast<std::uint32_t>(random.below(std::max<std::size_t>(size, 1)));
+  };
+  std::uint32_t most = 0;
+  for (const std::uint32_t v : corners.numbers) most = std::max(most, v);
+  for (std::size_t times = 1 + random.below(2); times > 0 && corners.begin != std::string::npos; --times) {
+    std::vector<std::uint32_t>& numbers = corners.numbers;
+    const std::size_t n = numbers.size() / 2, k = some(n);
+    const auto at = [](auto& of, std::size_t place) { return of.begin() + static_cast<std::ptrdiff_t>(place); };
+    switch (random.below(6)) {
+      case 0:
+        numbers.erase(at(numbers, 2 * k), at(numbers, 2 * k + 2));
+        if (!along.numbers.empty()) along.numbers.erase(at(along.numbers, k));
+        break;
+      case 1:
+        if (!numbers.empty()) numbers[some(numbers.size())] = some(most + 2);
+        break;
+      case 2:
+        if (!along.numbers.empty()) along.numbers[some(along.numbers.size())] = some(facets);
+        break;
+      case 3: {  // the other way round
+        std::vector<std::uint32_t> turned;
+        for (std::size_t j = n; j-- > 0;) turned.insert(turned.end(), {numbers[2 * j], numbers[2 * j + 1]});
+        numbers = turned;
+        std::reverse(along.numbers.begin(), along.numbers.end());
+        if (!along.numbers.empty()) std::rotate(along.numbers.begin(), along.numbers.begin() + 1, along.numbers.end());
+        break;
+      }
+      case 4: {  // one more
+        const std::uint32_t v = some(most + 2);
+        numbers.insert(at(numbers, 2 * k), {v, random.below(2) == 0 ? v : some(most + 2)});
+        if (along.begin != std::string::npos) along.numbers.insert(at(along.numbers, k), some(facets));
+        break;
+      }
+      default:
+        if (n > 0) std::rotate(numbers.begin(), at(numbers, 2 * k), numbers.end());
+        if (!along.numbers.empty()) std::rotate(along.numbers.begin(), at(along.numbers, k), along.numbers.end());
+    }
+    if (numbers.empty()) break;
+  }
+  const auto put = [&](const List& list, std::size_t row) {
+    if (list.begin == std::string::npos) return;
+    std::string text = "[";
+    for (std::size_t k = 0; k < list.numbers.size(); k += row) {
+      text += k > 0 ? ", " : "";
+      text += row == 1 ? std::to_string(list.numbers[k])
+                       : "[" + std::to_string(list.numbers[k]) + ", " + std::to_string(list.numbers[k + 1]) + "]";
+    }
+    proof.replace(list.begin, list.end - list.begin, text);
+  };
+  put(along, 1);  // the later one first
+  put(corners, 2);
+  return proof;
+}
+
 struct Tally {
   int cases = 0, nothing = 0, point = 0, segment = 0, polygon = 0, at_vertices = 0, exact = 0;
 };
@@ -163,6 +257,34 @@ TEST(PolyhedronPlaneSectionDifferential, AgreesWithTheScan) {
   for (const auto& [family, t] : tallies) print(std::string(name_of(family)), t);
   for (const auto& [verdict, n] : proofs) std::printf("proved: %s %d\n", verdict.c_str(), n);
   for (const auto& [through, t] : ways) print("way " + std::to_string(static_cast<int>(through)), t);
+}
+
+// A false section has no proof: of statements that say something else, a checker accepts only those that are true.
+TEST(PolyhedronPlaneSectionDifferential, NoFalseSectionIsAccepted) {
+  const int count = scaled_count(20000);
+  const std::uint64_t seed = chosen_seed(20260302);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  SolidPairs pairs(seed);
+  Random& random = pairs.random();
+  Planes planes(random);
+  int accepted = 0, refused = 0;
+  for (int i = 0; i < count; ++i) {
+    const PairCase c = pairs.next(i % 2 == 0 ? Family::grid : Family::flat);
+    const ConvexPolyhedron& body = c.a;
+    const Plane plane = planes.next(Through(random.below(through_count)), body, c.pose_a);
+    const PlaneSection scan = polyhedron_plane_section_by_scan(body, c.pose_a, plane);
+    const std::string proof = forged(proof_of(body, c.pose_a, plane, scan), body.facet_count(), random);
+    const auto result = sunder_verifier::verify_text(proof, "proof", sunder_verifier::Limit::none);
+    if (!result.accepted()) {
+      ++refused;
+      continue;
+    }
+    ++accepted;
+    ASSERT_EQ(said(proof), scan.corners) << i << "\n" << proof;
+  }
+  std::printf("forged: %d accepted, %d refused\n", accepted, refused);
+  EXPECT_GT(accepted, count / 100);
+  EXPECT_GT(refused, count / 2);
 }
 
 }  // namespace

@@ -141,6 +141,10 @@ def plane(value, where, read):
     return *(n << up for n in row[:3]), (dot(row[:3], row[3:6]) << down) + (row[6] << up)
 
 
+def corner_of_section(value, where, read):
+    return tuple(row_of(subject_index, subject_index)(value, where, read))
+
+
 def home(value, where, read):
     """Of a vertex none; else a face, and which two of its corners are one with its first."""
     if value is None:
@@ -171,7 +175,7 @@ SAID = {  # what verdicts and claims say
     "points": list_of(vector, lambda those, read: len(those) == len(read["rings"]), " is not as long as the rings"),
     "faces": list_of(FACE, lambda those, read: those, " is empty"), "homes": for_each(home), "outline": FACE,
     "sectors": for_each(lambda value, where, read: None if value is None else index_of("outline")(value, where, read)),
-    "corners": list_of(row_of(subject_index, subject_index), lambda those, read: 0 < len(set(map(tuple, those))) == len(those),
+    "corners": list_of(corner_of_section, lambda those, read: 0 < len(set(those)) == len(those),
                        " is empty, or names one twice"),
     "along": list_of(whole(0), lambda those, read: len(those) == len(read["corners"]), " is not as long as the corners"),
     "direction": vector, "weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
