@@ -18,6 +18,8 @@ struct Hierarchy;       // where the search graph is slow; see solid/represent/h
 struct Polar;           // facets as vertices; see solid/represent/polar.h
 struct PolarHierarchy;  // of that; see solid/represent/polar_hierarchy.h
 struct HalfEdges;       // from facet to facet; see solid/represent/half_edges.h
+class Drums;            // a stack of cross-sections; see solid/represent/drums.h
+enum class DrumsForm : std::uint8_t;
 
 // Immutable, and cheap to copy (copies share one block of memory); any number of threads may use one at once.
 //
@@ -64,7 +66,15 @@ class ConvexPolyhedron {
   // Made on first use, in O(n), and then shared. Requires three vertices or more.
   const HalfEdges& half_edges() const;
 
-  // Bytes of all that searches walk on, with the hierarchies, which it makes; without polar() and half_edges().
+  // Its drums, bottom up along z (a body in one level plane along x, or y), in the persistent form. Made on first use,
+  // in O(n log n), and then shared.
+  const Drums& drums() const;
+
+  // Others. Throws as the constructor of Drums.
+  Drums make_drums(const Point3& direction, DrumsForm form) const;
+
+  // Bytes of all that searches walk on, with the hierarchies, which it makes; without polar(), drums() and
+  // half_edges().
   std::size_t memory() const;
 
  private:

@@ -27,7 +27,7 @@ class Sections {
         normal_(plane.normal),
         direction_(direction_of(plane.normal)),
         sides_(plane.normal, plane.point, placed_.pose, placed_.tame, placed_.graph.sizes.greatest),
-        pulled_(pulled_normal(placed_, plane)),
+        pulled_(pulled_normal<double>(placed_, plane)),
         is_reflected_(determinant_sign(placed_.pose) == Sign::negative) {
     high_.vertex = support(body, pulled_, made_ready_);
     low_.vertex = support(body, {-pulled_.x, -pulled_.y, -pulled_.z}, made_ready_);
