@@ -20,6 +20,7 @@ struct PolarHierarchy;  // of that; see solid/represent/polar_hierarchy.h
 struct HalfEdges;       // from facet to facet; see solid/represent/half_edges.h
 class Drums;            // a stack of cross-sections; see solid/represent/drums.h
 enum class DrumsForm : std::uint8_t;
+struct FacetGraph;      // what searches along lines walk on; see solid/represent/facet_graph.h
 
 // Immutable, and cheap to copy (copies share one block of memory); any number of threads may use one at once.
 //
@@ -73,8 +74,12 @@ class ConvexPolyhedron {
   // Others. Throws as the constructor of Drums.
   Drums make_drums(const Point3& direction, DrumsForm form) const;
 
-  // Bytes of all that searches walk on, with the hierarchies, which it makes; without polar(), drums() and
-  // half_edges().
+  // Which facets rays go through, and which lie at edges. Made on first use, in O(n log n), and then shared. Requires
+  // three vertices or more.
+  const FacetGraph& facet_graph() const;
+
+  // Bytes of all that searches walk on, with the hierarchies, which it makes; without polar(), drums(),
+  // facet_graph() and half_edges().
   std::size_t memory() const;
 
  private:

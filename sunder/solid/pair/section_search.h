@@ -51,8 +51,8 @@ class SectionSearch {
 
   std::uint32_t corner_count() const { return meets_slices_ ? 2 * (high_ - low_ + 1) : 1; }
 
-  // Sides first, first + step, .. of a drum, modulo its size, `count` edges between them. Where `level` is not zero, the
-  // section goes along the highest slice (positive) or the lowest.
+  // Sides first, first + step, .. of a drum, modulo its size, `count` edges between them. Where `level` is not zero,
+  // the section goes along the highest slice (positive) or the lowest.
   struct Pocket {
     std::uint32_t drum = 0, first = 0, count = 0;
     bool forward = true;
@@ -76,9 +76,10 @@ class SectionSearch {
     return {drum, (begin + from) % drums_.size(drum), forward ? to - from : from - to, forward, Sign::zero};
   }
 
-  // The facet of side j of a pocket, 0 .. count; or none where it is level.
+  // The facet of side j of a pocket, 0 .. count; none where the slice that it goes along is no facet: then it goes
+  // through a point.
   std::optional<std::uint32_t> facet(const Pocket& pocket, std::uint32_t j) const {
-    if (pocket.level != Sign::zero) return std::nullopt;
+    if (pocket.level != Sign::zero) return drums_.level_facet(pocket.level == Sign::positive ? 1 : 0);
     return search_.edge(pocket.drum, side(pocket, j)).side;
   }
 
@@ -118,13 +119,17 @@ class SectionSearch {
     return {q, planar::first_where(from, to, falls) - 1};
   }
 
-  // The facets before and after a place; none for a level side.
-  std::optional<std::uint32_t> facet_before(const Place& place) const { return facet(pocket(place.q), place.j); }
-  std::optional<std::uint32_t> facet_after(const Place& place) const {
+  // The facets before and after a place.
+  std::uint32_t facet_before(const Place& place) const {
+    const auto found = facet(pocket(place.q), place.j);
+    return found ? *found : last_facet(place.q + corner_count() - 1);
+  }
+  std::uint32_t facet_after(const Place& place) const {
     const Pocket p = pocket(place.q);
-    if (place.j < p.count) return facet(p, place.j + 1);
-    if (!meets_slices_) return facet(p, 0);
-    return facet(pocket((place.q + 1) % corner_count()), 0);
+    if (place.j < p.count) return *facet(p, place.j + 1);
+    if (!meets_slices_) return *facet(p, 0);
+    const auto next = facet(pocket((place.q + 1) % corner_count()), 0);
+    return next ? *next : *facet(pocket((place.q + 2) % corner_count()), 0);
   }
 
   // What g is at a place.
@@ -135,9 +140,8 @@ class SectionSearch {
   }
 
   // The side by which Q goes up through g = 0 (or down, with the form negated), on the way counter-clockwise from one
-  // place to the other, along which g rises from below 0 to above. The facet; none for a level side.
-  // Cost: O(log^2 n) probes.
-  std::optional<std::uint32_t> crossed(const LinearForm<Real>& g, const Place& from, const Place& to) const {
+  // place to the other, along which g rises from below 0 to above. The facet. Cost: O(log^2 n) probes.
+  std::uint32_t crossed(const LinearForm<Real>& g, const Place& from, const Place& to) const {
     const std::uint32_t corners = corner_count();
     std::uint32_t q = from.q, first = from.j + 1;  // side `first` is the first one that may cross
     const bool wraps = to.q < from.q || (to.q == from.q && to.j < from.j);
@@ -151,17 +155,17 @@ class SectionSearch {
       if (!meets_slices_) {
         first = 0;
       } else {
-        return facet(pocket((q + 1) % corners), 0);
+        return facet_after(from);
       }
     }
-    if (p.level != Sign::zero) return std::nullopt;
+    if (p.level != Sign::zero) return facet_before({q % corners, 0});
     std::uint32_t last = q == last_q ? to.j : p.count;
     if (!meets_slices_ && last < first) last += p.count + 1;
     const std::uint32_t sides = p.count + 1;
     const std::uint32_t j = planar::first_where(first, last, [&](std::uint32_t k) {
       return value_on(g, edge(p, (k + 1) % sides)) > Real(0);  // the end of side k
     });
-    return facet(p, j % sides);
+    return *facet(p, j % sides);
   }
 
   // g at vertex v of the body.
@@ -192,10 +196,11 @@ class SectionSearch {
   std::uint32_t side_on(const Arc& arc, std::uint32_t slice) const {
     const std::uint32_t n = drums_.size(arc.drum);
     if (arc.length == 0) return 0;
-    return planar::first_where(1, arc.length, [&](std::uint32_t k) {
-             const Real v = value_of_corner(t_, search_.edge(arc.drum, (arc.begin + k) % n), slice);
-             return arc.falls ? v < Real(0) : !(v < Real(0));
-           }) -
+    return planar::first_where(1, arc.length,
+                               [&](std::uint32_t k) {
+                                 const Real v = value_of_corner(t_, search_.edge(arc.drum, (arc.begin + k) % n), slice);
+                                 return arc.falls ? v < Real(0) : !(v < Real(0));
+                               }) -
            1;
   }
 
@@ -229,6 +234,10 @@ class SectionSearch {
   }
   Real greatest_above(std::uint32_t drum) const {
     return value_of_corner(t_, search_.edge(drum, search_.furthest_edge(drum, normal_)), drum + 1);
+  }
+  std::uint32_t last_facet(std::uint32_t q) const {
+    const Pocket p = pocket(q % corner_count());
+    return *facet(p, p.count);
   }
   // T goes between two slices: all edges of the drum cross it.
   Pocket all_round() const {
