@@ -130,12 +130,35 @@ class Sections {
     if (turn == Sign::negative) std::reverse(section_->corners.begin(), section_->corners.end());
   }
 
-  // The half-edges in the plane that start at v, at most two.
-  std::vector<std::uint32_t> edges_in_plane(std::uint32_t v, End) {
+  // The half-edges in the plane that start at v, at most two. At a vertex of many, the normal is within a cone of
+  // normals of facets, N_k between half-edges k and k + 1: fans from N_0 tell in which one, by halving, and only the
+  // half-edges at its sides can be in the plane.
+  std::vector<std::uint32_t> edges_in_plane(std::uint32_t v, End end) {
     const HalfEdges& edges = body_.half_edges();
+    const std::uint32_t n = edges.degree(v), first = edges.out[edges.begin[v]];
+    std::vector<std::uint32_t> candidates;
+    if (n <= most_around) {
+      for (std::uint32_t k = 0; k < n; ++k) candidates.push_back(k);
+    } else {
+      Along along(direction_, placed_.pose, placed_.tame);
+      const auto tip = [&](std::uint32_t k) -> const Point3& {
+        return placed_.graph.vertices[edges.tip(edges.turned(first, k % n))];
+      };
+      std::uint32_t low = 1, high = n;
+      while (high - low > 1) {
+        const std::uint32_t k = low + (high - low) / 2;
+        ++section_->cost.probes;
+        const Sign turn =
+            along.turn_about_normal(tip(0), tip(1), placed_.graph.vertices[v], tip(k), tip(k + 1), &tally_);
+        ((end == End::greatest ? turn : -turn) == Sign::negative ? high : low) = k;
+      }
+      candidates = {0, 1, 2, low - 1, low, (low + 1) % n};
+      std::sort(candidates.begin(), candidates.end());
+      candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+    }
     std::vector<std::uint32_t> found;
-    for (std::uint32_t k = 0; k < edges.degree(v); ++k) {
-      const std::uint32_t e = edges.out[edges.begin[v] + k];
+    for (const std::uint32_t k : candidates) {
+      const std::uint32_t e = edges.turned(first, k);
       if (side(edges.tip(e)) == Sign::zero) found.push_back(e);
     }
     return found;
@@ -144,7 +167,8 @@ class Sections {
   // Vertices are strictly on both sides.
   void cross() {
     SectionWalk walk(placed_.graph.vertices, body_.half_edges(), sides_, is_reflected_, section_->cost, tally_);
-    SectionStart start(body_, pulled_, is_reflected_, walk);
+    Along along(direction_, placed_.pose, placed_.tame);
+    SectionStart start(body_, pulled_, along, placed_.turns_tame(), is_reflected_, walk);
     const std::uint32_t above = is_reflected_ ? low_.vertex : high_.vertex;
     const std::uint32_t below = is_reflected_ ? high_.vertex : low_.vertex;
     const SectionStart::Found found = start.find(above, below);

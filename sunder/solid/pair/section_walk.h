@@ -37,6 +37,8 @@ class SectionWalk {
     const Sign sign = sides_(vertices_[v], &tally_);
     return is_reflected_ ? -sign : sign;
   }
+  Cost& cost() { return cost_; }
+  StageTally& tally() { return tally_; }
   double height(std::uint32_t v) const {  // as PlaneSides::height
     const double height = sides_.height(vertices_[v]);
     return is_reflected_ ? -height : height;
