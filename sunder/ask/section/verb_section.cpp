@@ -275,7 +275,7 @@ Verb section_verb() {
           {{"FILE", &call->file, "a mesh or a set of points: OBJ, STL, PLY, OFF", "", true},
            {.name = "--plane",
             .value = &call->planes,
-            .help = std::string(io::plane_forms) + "; may be given again",
+            .help = fmt::format("{}; may be given again", io::plane_forms),
             .type = "PLANES",
             .required = true},
            {"--pose", &call->pose, fmt::format("where the body is: {}", pose_forms), "POSE"},
