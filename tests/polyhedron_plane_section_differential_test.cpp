@@ -229,6 +229,14 @@ TEST(PolyhedronPlaneSectionDifferential, AgreesWithTheScan) {
     ASSERT_EQ(scan.kind, found.kind) << i << " " << name_of(c.family) << " " << static_cast<int>(through);
     ASSERT_EQ(scan.corners, found.corners) << i << " " << name_of(c.family) << " " << static_cast<int>(through);
     ASSERT_EQ(scan.side, found.side) << i;
+    const solid::SectionPoints points(body, pose, plane);
+    for (std::size_t k = 0; k < std::min<std::size_t>(found.corners.size(), 4); ++k) {
+      const solid::ExactPoint3 exact = points.exact(found.corners[k]);
+      const Point3 nearest = points.nearest(found.corners[k]);
+      ASSERT_EQ(nearest.x, nearest_ratio(exact.x, exact.denominator)) << i;
+      ASSERT_EQ(nearest.y, nearest_ratio(exact.y, exact.denominator)) << i;
+      ASSERT_EQ(nearest.z, nearest_ratio(exact.z, exact.denominator)) << i;
+    }
     if (body.vertices().size() <= 100 || i % 20 == 0) {
       const std::string proof = proof_of(body, pose, plane, found);
       const auto result = sunder_verifier::verify_text(proof, "proof", sunder_verifier::Limit::none);

@@ -94,6 +94,7 @@ class SectionPoints {
  private:
   const ConvexPolyhedron& body_;
   const Affine3& pose_;
+  bool is_at_home_;  // the pose is the identity
   Plane plane_;
   int axis_ = -1;     // that of a normal along an axis, or -1
   double level_ = 0;  // then the coordinate that all corners have, rounded

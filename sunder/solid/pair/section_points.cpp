@@ -2,7 +2,9 @@
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/pair/polyhedron_plane_section.h>
 
+#include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace sunder::solid {
@@ -41,13 +43,33 @@ std::optional<double> surely_nearest(const DoubleDouble& value, double error) {
   return {};
 }
 
-// What is left of the numerator after this quotient bounds the error of it.
-std::optional<double> surely_nearest_ratio(const Estimate& numerator, const Estimate& denominator) {
+// What is left of the numerator after this quotient bounds the error of it. Infinite, or no number, where the
+// denominator may be zero.
+Estimate ratio(const Estimate& numerator, const Estimate& denominator) {
   const DoubleDouble quotient = numerator.value / denominator.value;
   const Estimate rest = numerator - Estimate(quotient, 0) * denominator;
   const double least = std::fabs(denominator.value.high) * (1 - 0x1p-50) - denominator.error;
-  if (!(least > 0)) return {};
-  return surely_nearest(quotient, (std::fabs(rest.value.high) * (1 + 0x1p-50) + rest.error) / least);
+  if (!(least > 0)) return {quotient, std::numeric_limits<double>::infinity()};
+  return {quotient, (std::fabs(rest.value.high) * (1 + 0x1p-50) + rest.error) / least * (1 + 0x1p-50)};
+}
+
+// As see(), without terms that are zero.
+struct Estimated {
+  std::array<Estimate, 3> at;
+  Estimate height;
+};
+Estimated estimate(const Point3& vertex, const Affine3& pose, bool is_at_home, const Plane& plane) {
+  Estimated seen{{vertex.x, vertex.y, vertex.z}, -plane.offset};
+  if (!is_at_home) {
+    const Vector3<Estimate> at = lift<EstimateStage>(Posed3{vertex, &pose, false});
+    seen.at = {at.x, at.y, at.z};
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (plane.normal[k] == 0) continue;
+    const Estimate above = plane.point[k] == 0 ? seen.at[k] : seen.at[k] - Estimate(plane.point[k]);
+    seen.height = seen.height + Estimate(plane.normal[k]) * above;
+  }
+  return seen;
 }
 
 Point3 nearest_doubles(const ExactPoint3& p) {
@@ -57,7 +79,7 @@ Point3 nearest_doubles(const ExactPoint3& p) {
 }  // namespace
 
 SectionPoints::SectionPoints(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane)
-    : body_(body), pose_(pose.affine()), plane_(plane) {
+    : body_(body), pose_(pose.affine()), is_at_home_(pose_ == Affine3()), plane_(plane) {
   int zeros = 0;
   for (int k = 0; k < 3; ++k) {
     const bool is_zero = plane.normal[static_cast<std::size_t>(k)] == 0;
@@ -84,20 +106,18 @@ ExactPoint3 SectionPoints::exact(const SectionCorner& corner) const {
 }
 
 Point3 SectionPoints::nearest(const SectionCorner& corner) const {
-  const Seen<Estimate> a = see<EstimateStage>(body_.vertices()[corner.above], pose_, plane_);
-  const Seen<Estimate> b = see<EstimateStage>(body_.vertices()[corner.below], pose_, plane_);
-  const Estimate denominator = a.height - b.height;
-  const std::array<Estimate, 3> of_a{a.at.x, a.at.y, a.at.z}, of_b{b.at.x, b.at.y, b.at.z};
+  if (corner.is_vertex() && is_at_home_) return body_.vertices()[corner.above];
+  const Estimated a = estimate(body_.vertices()[corner.above], pose_, is_at_home_, plane_);
+  std::array<Estimate, 3> at = a.at;
+  if (!corner.is_vertex()) {
+    const Estimated b = estimate(body_.vertices()[corner.below], pose_, is_at_home_, plane_);
+    const Estimate part = ratio(a.height, a.height - b.height);
+    for (std::size_t k = 0; k < 3; ++k) at[k] = a.at[k] + part * (b.at[k] - a.at[k]);
+  }
   Point3 p;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto k = static_cast<std::size_t>(axis);
-    if (axis == axis_) {
-      p[k] = level_;
-      continue;
-    }
-    const std::optional<double> known = corner.is_vertex()
-                                            ? surely_nearest(of_a[k].value, of_a[k].error)
-                                            : surely_nearest_ratio(between(a, b, of_a[k], of_b[k]), denominator);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::optional<double> known =
+        static_cast<int>(k) == axis_ ? level_ : surely_nearest(at[k].value, at[k].error);
     if (!known) return nearest_doubles(exact(corner));
     p[k] = *known;
   }
