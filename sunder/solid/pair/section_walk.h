@@ -95,7 +95,8 @@ class SectionWalk {
   void go(std::uint32_t down, std::uint32_t last, std::uint32_t last_vertex, std::vector<SectionCorner>& corners) {
     while (true) {
       const std::uint32_t n = edges_.facet_size(edges_.facet[down]);
-      const Change up = change(0, n - 1, [&](std::uint32_t k) { return side(edges_.tip(edges_.along(down, k))); });
+      const Change up =
+          change(0, n - 1, [&](std::uint32_t k) { return side(edges_.origin[edges_.along(down, k + 1)]); });
       const std::uint32_t back = edges_.twin[edges_.along(down, up.at)];
       if (up.side == Sign::positive) {
         if (back == last) return;
