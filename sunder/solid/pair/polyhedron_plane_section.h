@@ -14,6 +14,7 @@
 // Certificate: the statement `section` of docs/claims.md, which section_claims.h writes.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/certificate/pair_answer.h>
 #include <sunder/number/dyadic.h>
 #include <sunder/number/sign.h>
