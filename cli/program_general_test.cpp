@@ -250,7 +250,7 @@ TEST_F(Program, ExitCodesOfVerbs) {
 TEST_F(Program, BadCalls) {
   expect_bad("",
              "no verb is given; verbs are pair, scene, segments, simple, circles, boxes, polygons, region, kernel, "
-             "hull, info, verify");
+             "hull, section, info, verify");
   expect_bad("frob", "there is no verb 'frob'");
   expect_bad("--frob", "there is no option '--frob'");
   expect_bad("pair", "A is required");
