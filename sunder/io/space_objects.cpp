@@ -79,9 +79,10 @@ SpaceObject checked(Kind kind, std::vector<Point3> points, const solid::Frame* p
   const solid::Flatness flat = solid::flatness(object.points);
   if (flat.is_flat) return object;
   const auto& [i, j, k] = flat.plane;
-  fail(fmt::format("the polygon is not exactly planar: vertex {} is about {:.3g} off the plane of vertices {}, {} and "
-                   "{} (counted from 0); give it in a frame, by origin, u, v and vertices, or give --project",
-                   flat.off, flat.distance, i, j, k));
+  fail(
+      fmt::format("the polygon is not exactly planar: vertex {} is about {:.3g} off the plane of vertices {}, {} and "
+                  "{} (counted from 0); give it in a frame, by origin, u, v and vertices, or give --project",
+                  flat.off, flat.distance, i, j, k));
   return object;
 }
 
@@ -95,7 +96,8 @@ class JsonObject {
     const json top = parse_json(text, place_);
     if (!top.is_object()) fail_file(place_, fmt::format("is no object of space: {}", expected()));
     if (top.size() != 1) {
-      fail_file(place_, fmt::format("has {} keys; {}", top.size(), top.empty() ? expected() : "give one object a file"));
+      fail_file(place_,
+                fmt::format("has {} keys; {}", top.size(), top.empty() ? expected() : "give one object a file"));
     }
     const auto [key, value] = *top.items().begin();
     for (const Kind kind : kinds) {
@@ -284,8 +286,8 @@ class Wkt {
       fail(fmt::format("{} stands behind the first object; give one a file", quote(more)));
     }
     const Kind kind = is_point ? Kind::point : is_polygon ? Kind::polygon : Kind::segment;
-    SpaceObject object = checked(kind, std::move(points), project_,
-                                 [&](const std::string& what) { fail_line(place_, line, what); });
+    SpaceObject object =
+        checked(kind, std::move(points), project_, [&](const std::string& what) { fail_line(place_, line, what); });
     object.format = "WKT";
     return object;
   }

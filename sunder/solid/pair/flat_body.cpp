@@ -121,7 +121,8 @@ Combination of_plane(const Plane& plane, const FlatBody& body, const ExactPoint3
   const auto pivot = static_cast<std::size_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
   const bool is_negative = normal[pivot].sign() == Sign::negative;
   const Dyadic whole = (is_negative ? -normal[pivot] : normal[pivot]) * x.denominator;
-  // d is the sum of two ways, with these weights, each over the pivot: (-b, a, 0) is entry 1, (-c, 0, a) 3, (0, -c, b) 5.
+  // d is the sum of two ways, with these weights, each over the pivot: (-b, a, 0) is entry 1, (-c, 0, a) 3, (0, -c,
+  // b) 5.
   const std::array<std::pair<std::uint32_t, Dyadic>, 2> along =
       pivot == 0   ? std::array{std::pair{1u, d.y}, std::pair{3u, d.z}}
       : pivot == 1 ? std::array{std::pair{1u, -d.x}, std::pair{5u, d.z}}
@@ -200,8 +201,8 @@ Combination combination_of(const Flat& flat, const FlatBody& body, const ExactPo
     return sum.combination;
   }
   const auto* ray = std::get_if<Ray>(&flat);
-  const auto [part, whole] = ray != nullptr ? parameter(ray->a, ray->b, x)
-                                            : parameter(std::get<Line>(flat).a, std::get<Line>(flat).b, x);
+  const auto [part, whole] =
+      ray != nullptr ? parameter(ray->a, ray->b, x) : parameter(std::get<Line>(flat).a, std::get<Line>(flat).b, x);
   Sum sum{{{}, whole}};
   sum.add(0, whole);
   if (ray != nullptr) {

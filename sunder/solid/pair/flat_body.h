@@ -42,9 +42,10 @@ struct FlatBody {
 // plane that is given by a point always has one; of one that is given by an offset see exact_point_of.
 std::optional<FlatBody> body_of(const Flat& flat);
 
-// A point of the plane, exactly. That which the plane is given by, where the offset is zero. Else tried are points whose
-// difference from that is along an axis, then along two axes, with small fractions: by the extended Euclidean algorithm
-// on the normal's mantissas. Nothing where that finds none: then often there is none, as on the plane 3 x = 1.
+// A point of the plane, exactly. That which the plane is given by, where the offset is zero. Else tried are points
+// whose difference from that is along an axis, then along two axes, with small fractions: by the extended Euclidean
+// algorithm on the normal's mantissas. Nothing where that finds none: then often there is none, as on the plane 3 x
+// = 1.
 std::optional<Point3> exact_point_of(const Plane& plane);
 
 // normal . (x - point) - offset, times the denominator: positive above the plane.

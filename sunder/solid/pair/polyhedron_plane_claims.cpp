@@ -17,9 +17,7 @@ struct Exactly {
   const Pose& pose;
   const Plane& plane;
 
-  Exact3 image(std::uint32_t v) const {
-    return lift<ExactStage>(Posed3{body.vertices()[v], &pose.affine(), false});
-  }
+  Exact3 image(std::uint32_t v) const { return lift<ExactStage>(Posed3{body.vertices()[v], &pose.affine(), false}); }
   Dyadic height(std::uint32_t v) const { return solid::height(plane, {image(v), 1.0}); }
 
   std::array<Dyadic, 3> normal(bool reversed) const {
@@ -38,7 +36,8 @@ struct Exactly {
                            point.coordinates[2] + p.z * weight};
       point.denominator = point.denominator + weight;
       auto& parts = point.of_body.parts;
-      const auto same = std::find_if(parts.begin(), parts.end(), [&, w = v](const auto& part) { return part.entry == w; });
+      const auto same =
+          std::find_if(parts.begin(), parts.end(), [&, w = v](const auto& part) { return part.entry == w; });
       if (same == parts.end()) {
         parts.push_back({v, weight});
       } else {
