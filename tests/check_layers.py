@@ -31,7 +31,7 @@ LAYERS = {
     "certificate": {"base", "number", "predicate"},
     "near": {"base", "number", "predicate", "certificate"},
     "planar": UP_TO_NEAR,
-    "solid": UP_TO_NEAR,
+    "solid": UP_TO_NEAR | {"planar"},  # searches in planar sequences of vertices, which sections are
     "polytope": UP_TO_NEAR,
     "scene": UP_TO_NEAR | {"planar", "solid", "polytope"},
     "io": set(CORE),

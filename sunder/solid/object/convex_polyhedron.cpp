@@ -1,5 +1,6 @@
 #include <sunder/base/contract.h>
 #include <sunder/solid/object/convex_polyhedron.h>
+#include <sunder/solid/represent/drums.h>
 #include <sunder/solid/represent/hierarchy.h>
 #include <sunder/solid/represent/polar.h>
 #include <sunder/solid/represent/polar_hierarchy.h>
@@ -24,6 +25,8 @@ struct ConvexPolyhedron::Data {
   mutable Polar polar;
   mutable std::once_flag made_polar_hierarchy;
   mutable PolarHierarchy polar_hierarchy;
+  mutable std::once_flag made_drums;
+  mutable Drums drums;
 };
 
 namespace {
@@ -143,6 +146,19 @@ const PolarHierarchy& ConvexPolyhedron::polar_hierarchy() const {
     data_->polar_hierarchy = make_polar_hierarchy(data_->graph.vertices, data_->facet_begin, data_->facet_vertices);
   });
   return data_->polar_hierarchy;
+}
+
+const Drums& ConvexPolyhedron::drums() const {
+  std::call_once(data_->made_drums, [this] {
+    const Point3 &low = data_->graph.low, &high = data_->graph.high;
+    const Point3 direction = low.z < high.z ? Point3{0, 0, 1} : low.x < high.x ? Point3{1, 0, 0} : Point3{0, 1, 0};
+    data_->drums = make_drums(direction, DrumsForm::persistent);
+  });
+  return data_->drums;
+}
+
+Drums ConvexPolyhedron::make_drums(const Point3& direction, DrumsForm form) const {
+  return {data_->graph.vertices, data_->facet_begin, data_->facet_vertices, direction, form};
 }
 
 std::size_t ConvexPolyhedron::memory() const {

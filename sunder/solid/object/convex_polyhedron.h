@@ -17,6 +17,8 @@ struct SearchGraph;     // what the searches of solid/pair walk on; see solid/re
 struct Hierarchy;       // where the search graph is slow; see solid/represent/hierarchy.h
 struct Polar;           // facets as vertices; see solid/represent/polar.h
 struct PolarHierarchy;  // of that; see solid/represent/polar_hierarchy.h
+class Drums;            // a stack of cross-sections; see solid/represent/drums.h
+enum class DrumsForm : std::uint8_t;
 
 // Immutable, and cheap to copy (copies share one block of memory); any number of threads may use one at once.
 //
@@ -60,7 +62,14 @@ class ConvexPolyhedron {
   // The hierarchy of its polar. Made on first use, in O(n), and then shared. Throws as polar().
   const PolarHierarchy& polar_hierarchy() const;
 
-  // Bytes of all that searches walk on, with the hierarchies, which it makes; without polar().
+  // Its drums, bottom up along z (a body in one level plane along x, or y), in the persistent form. Made on first use,
+  // in O(n log n), and then shared.
+  const Drums& drums() const;
+
+  // Others. Throws as the constructor of Drums.
+  Drums make_drums(const Point3& direction, DrumsForm form) const;
+
+  // Bytes of all that searches walk on, with the hierarchies, which it makes; without polar() and drums().
   std::size_t memory() const;
 
  private:

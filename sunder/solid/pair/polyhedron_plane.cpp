@@ -24,50 +24,47 @@ Sign side_of(const Plane& plane, const Posed3& vertex, StageTally* tally) {
   return side_of_plane(plane.normal, plane.point, plane.offset, vertex, tally);
 }
 
-Point3 pulled_normal(const Placed& body, const Plane& plane) {
-  Point3 normal = plane.normal;
-  make_tame(normal);
-  Point3 pulled = body.pulled(normal);
-  make_tame(pulled);
-  return pulled;
-}
-
-void conclude_plane(const Placed& body, const Plane& plane, const PlaneProposal& proposal, PolyhedronPlane& answer) {
-  StageTally tally;
-  const Sign low = side_of(plane, body[proposal.low], &tally);
-  const Sign high = proposal.low == proposal.high ? low : side_of(plane, body[proposal.high], &tally);
+bool conclude_plane(const Placed& body, const Plane& plane, const PlaneProposal& proposal, PolyhedronPlane& answer,
+                    StageTally& tally) {
+  const auto meet_at = [&](std::uint32_t v, Sign of_v, std::uint32_t w) {
+    answer.side = Sign::zero;
+    answer.below = of_v == Sign::positive ? w : v;
+    answer.above = of_v == Sign::positive ? v : w;
+  };
+  const std::uint32_t first = proposal.first, furthest = proposal.furthest;
   answer.cost.probes += 2;
-  answer.below = proposal.low, answer.above = proposal.high;
-  if (low * high != Sign::positive) {
-    if (low == Sign::positive || high == Sign::negative) std::swap(answer.below, answer.above);
-    conclude(answer, tally.exact);
-    return;
+  const Sign of_first = side_of(plane, body[first], &tally);
+  if (of_first == Sign::zero || side_of(plane, body[furthest], &tally) != of_first) {
+    meet_at(first, of_first, of_first == Sign::zero ? first : furthest);
+    return true;
   }
   // All on one side, so far: no vertex may be nearer.
-  const std::uint32_t from = low == Sign::positive ? proposal.low : proposal.high;
   const WorldDirection normal = direction_of(plane.normal);
   Along along(normal, body.pose, body.tame);
-  const std::uint32_t nearest = extreme_vertex_from(body, along, low == Sign::positive ? End::least : End::greatest,
-                                                    from, answer.cost, tally);
-  const Sign side = nearest == from ? low : side_of(plane, body[nearest], &tally);
-  const bool apart = side == low;
-  if (apart) {
-    answer.side = side;
-    answer.nearest = nearest;
-  } else {
-    answer.below = low == Sign::positive ? nearest : from;
-    answer.above = low == Sign::positive ? from : nearest;
+  const std::uint32_t nearest = extreme_vertex_from(
+      body, along, of_first == Sign::positive ? End::least : End::greatest, furthest, answer.cost, tally);
+  if (nearest != furthest && side_of(plane, body[nearest], &tally) != of_first) {
+    meet_at(first, of_first, nearest);
+    return false;
   }
-  conclude(answer, tally.exact, nearest != from);
+  answer.side = of_first;
+  answer.nearest = nearest;
+  return nearest == furthest;
 }
 
 PolyhedronPlane polyhedron_plane(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane) {
-  return plane_answer_by(body, pose, plane, [&](const Placed& placed, Cost& cost) {
-    const Point3 normal = pulled_normal(placed, plane);
+  std::uint32_t found = 0;
+  return plane_answer_by(body, pose, plane, [&]<class Real>(const Placed& placed, Real, Cost& cost) {
     ++cost.probes;
-    const bool above = side_of(plane, placed[0]) == Sign::positive;
-    const std::uint32_t furthest = support(body, above ? negated(normal) : normal, cost.probes);
-    return above ? PlaneProposal{furthest, furthest} : PlaneProposal{0, furthest};
+    const bool is_above = side_of(plane, placed[0]) == Sign::positive;
+    VectorOf<Real> towards = pulled_normal<Real>(placed, plane);
+    if (is_above) towards = negated(towards);
+    if constexpr (std::is_same_v<Real, double>) {
+      found = support(body, towards, cost.probes);
+    } else {
+      found = support_in_double_doubles(body, towards, found, cost.probes);
+    }
+    return PlaneProposal{0, found};
   });
 }
 
@@ -96,7 +93,7 @@ Contact polyhedron_plane_contact(const ConvexPolyhedron& body, const Pose& pose,
   if (!polyhedron_plane(body, pose, plane).meet()) return Contact::none;
   const Placed placed(body, pose);
   const WorldDirection direction = direction_of(plane.normal);
-  const Point3 normal = pulled_normal(placed, plane);
+  const Point3 normal = pulled_normal<double>(placed, plane);
   const auto furthest = [&](End end) {
     Cost cost;
     StageTally tally;

@@ -1,7 +1,8 @@
 // Do a placed convex polyhedron and a plane meet (IHP)? On which side of it is the body?
 // Also called: plane-polyhedron intersection; half-space test; plane side of a convex hull.
 //
-// Objects are closed: touching is meeting. The plane is in the world. The answer is exactly right for the numbers given.
+// Objects are closed: touching is meeting. The plane is in the world. The answer is exactly right for the numbers
+// given.
 //   P1. The verdict is that of the exact images of the vertices under the pose.
 //   P2. All methods give the same verdict and the same side.
 //   P3. What is named proves it: a nearest vertex, or one on each side; polyhedron_plane_claims.h writes it down.
@@ -21,8 +22,8 @@ namespace sunder::solid {
 struct [[nodiscard]] PolyhedronPlane {
   // Apart: positive where all of the body is above the plane, negative where it is below. Zero: they meet.
   Sign side = Sign::zero;
-  // Vertices. Apart: no vertex is nearer to the plane than `nearest`. They meet: `below` is not above the plane, `above`
-  // is not below it; one vertex may be both, on the plane.
+  // Vertices. Apart: no vertex is nearer to the plane than `nearest`. They meet: `below` is not above the plane,
+  // `above` is not below it; one vertex may be both, on the plane.
   std::uint32_t nearest = 0, below = 0, above = 0;
 
   DecidedBy decided_by = DecidedBy::filter;
@@ -36,9 +37,14 @@ PolyhedronPlane polyhedron_plane(const ConvexPolyhedron& body, const Pose& pose,
 
 // By sections of the body at the heights of its vertices: a search in the polygon whose corners are extreme vertices of
 // sections. The first question about a body makes its drums (represent/drums.h).
-// Cost: O(log^2 n) probes, each the access to a corner of a section; where the proposal does not hold, as above.
-// Source: CD87 section 3.3, Lemmas 6 and 7, Theorem 8.
+// Cost: O(log^2 n) probes, each the access to an edge of a drum, or a sign of a vertex; where the proposal does not
+// hold, as above.
+// Source: CD87 section 3.3, Lemmas 6 and 7, Theorem 8. Departures: one chain of the polygon is searched, by directions
+// of its sides; these are known without its corners (pair/drum_search.h).
 PolyhedronPlane polyhedron_plane_by_drums(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane);
+// The same with other drums of the body.
+PolyhedronPlane polyhedron_plane_by_drums(const ConvexPolyhedron& body, const Drums& drums, const Pose& pose,
+                                          const Plane& plane);
 
 // All vertices: the oracle. Cost: n probes.
 PolyhedronPlane polyhedron_plane_by_scan(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane);
