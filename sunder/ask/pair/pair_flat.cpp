@@ -68,11 +68,12 @@ class PlanePair : public PairQuestion {
   // Of the nearest vertex, rounded.
   double distance() const {
     const Posed3 vertex{body_.mesh.hull.vertices()[answer_.nearest], &body_.pose.affine(), false};
-    const Dyadic height = solid::height(plane_, {lift<ExactStage>(vertex), 1.0});
+    const auto [x, y, z] = lift<ExactStage>(vertex);
+    const Dyadic height = solid::height(plane_, {x, y, z, 1.0});
     const solid::Exact3 n = lift<ExactStage>(plane_.normal);
     return std::sqrt(nearest_ratio(height * height, dot(n, n)));
   }
-  Point3 point() const { return common_point(body_.mesh.hull, body_.pose, plane_, answer_).rounded(); }
+  Point3 point() const { return nearest(common_point(body_.mesh.hull, body_.pose, plane_, answer_)); }
 
   Json evidence_json() const {
     if (meet_) return {{"point", to_json(point())}, {"below", answer_.below}, {"above", answer_.above}};

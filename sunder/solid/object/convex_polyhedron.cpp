@@ -1,6 +1,7 @@
 #include <sunder/base/contract.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/represent/drums.h>
+#include <sunder/solid/represent/facet_graph.h>
 #include <sunder/solid/represent/hierarchy.h>
 #include <sunder/solid/represent/polar.h>
 #include <sunder/solid/represent/polar_hierarchy.h>
@@ -27,6 +28,8 @@ struct ConvexPolyhedron::Data {
   mutable PolarHierarchy polar_hierarchy;
   mutable std::once_flag made_drums;
   mutable Drums drums;
+  mutable std::once_flag made_facet_graph;
+  mutable FacetGraph facet_graph;
 };
 
 namespace {
@@ -159,6 +162,14 @@ const Drums& ConvexPolyhedron::drums() const {
 
 Drums ConvexPolyhedron::make_drums(const Point3& direction, DrumsForm form) const {
   return {data_->graph.vertices, data_->facet_begin, data_->facet_vertices, direction, form};
+}
+
+const FacetGraph& ConvexPolyhedron::facet_graph() const {
+  SUNDER_REQUIRE(vertices().size() >= 3);
+  std::call_once(data_->made_facet_graph, [this] {
+    data_->facet_graph = make_facet_graph(data_->graph.vertices, data_->facet_begin, data_->facet_vertices);
+  });
+  return data_->facet_graph;
 }
 
 std::size_t ConvexPolyhedron::memory() const {

@@ -19,6 +19,7 @@ struct Polar;           // facets as vertices; see solid/represent/polar.h
 struct PolarHierarchy;  // of that; see solid/represent/polar_hierarchy.h
 class Drums;            // a stack of cross-sections; see solid/represent/drums.h
 enum class DrumsForm : std::uint8_t;
+struct FacetGraph;  // what searches along lines walk on; see solid/represent/facet_graph.h
 
 // Immutable, and cheap to copy (copies share one block of memory); any number of threads may use one at once.
 //
@@ -69,7 +70,12 @@ class ConvexPolyhedron {
   // Others. Throws as the constructor of Drums.
   Drums make_drums(const Point3& direction, DrumsForm form) const;
 
-  // Bytes of all that searches walk on, with the hierarchies, which it makes; without polar() and drums().
+  // Which facets rays go through, and which lie at edges. Made on first use, in O(n log n), and then shared. Requires
+  // three vertices or more.
+  const FacetGraph& facet_graph() const;
+
+  // Bytes of all that searches walk on, with the hierarchies, which it makes; without polar(),
+  // drums() and facet_graph().
   std::size_t memory() const;
 
  private:

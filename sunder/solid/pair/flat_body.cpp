@@ -16,7 +16,7 @@ Exact3 times(const Exact3& v, const Dyadic& factor) { return {v.x * factor, v.y 
 
 // From p to x, times the denominator of x.
 Exact3 way_to(const ExactPoint3& x, const Point3& p) {
-  return x.numerators - times(lift<ExactStage>(p), x.denominator);
+  return Exact3{x.x, x.y, x.z} - times(lift<ExactStage>(p), x.denominator);
 }
 
 // The double that x is, if it is one.
@@ -137,12 +137,7 @@ Combination of_plane(const Plane& plane, const FlatBody& body, const ExactPoint3
 
 }  // namespace
 
-Point3 ExactPoint3::rounded() const {
-  return {nearest_ratio(numerators.x, denominator), nearest_ratio(numerators.y, denominator),
-          nearest_ratio(numerators.z, denominator)};
-}
-
-ExactPoint3 exactly(const Point3& p) { return {lift<ExactStage>(p), 1.0}; }
+ExactPoint3 exactly(const Point3& p) { return {p.x, p.y, p.z, 1.0}; }
 
 Dyadic height(const Plane& plane, const ExactPoint3& x) {
   return dot(lift<ExactStage>(plane.normal), way_to(x, plane.point)) - Dyadic(plane.offset) * x.denominator;

@@ -6,6 +6,7 @@
 
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/number/vector.h>
+#include <sunder/predicate/line_in_body.h>
 #include <sunder/solid/object/line.h>
 #include <sunder/solid/object/plane.h>
 
@@ -19,13 +20,6 @@ namespace sunder::solid {
 
 using Exact3 = Vector3<Dyadic>;
 
-// A point of space, each coordinate over the denominator, which is positive.
-struct ExactPoint3 {
-  Exact3 numerators;
-  Dyadic denominator{1.0};
-
-  Point3 rounded() const;
-};
 ExactPoint3 exactly(const Point3& p);
 
 // In the world.

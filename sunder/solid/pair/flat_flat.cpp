@@ -29,11 +29,12 @@ Linear linear_of(const Flat& flat) {
 }
 
 ExactPoint3 over(const Exact3& numerators, const Dyadic& denominator) {
-  if (denominator.sign() != Sign::negative) return {numerators, denominator};
-  return {negative(numerators), -denominator};
+  const bool turn = denominator.sign() == Sign::negative;
+  const Exact3 n = turn ? negative(numerators) : numerators;
+  return {n.x, n.y, n.z, turn ? -denominator : denominator};
 }
 
-ExactPoint3 middle(const Point3& p, const Point3& q) { return {plus(lifted(p), lifted(q)), 2.0}; }
+ExactPoint3 middle(const Point3& p, const Point3& q) { return over(plus(lifted(p), lifted(q)), 2.0); }
 
 // ---- Two planes.
 
@@ -43,8 +44,8 @@ Dyadic level(const Plane& plane) { return dot(lifted(plane.normal), lifted(plane
 // one plane, what its normal leads to.
 ExactPoint3 of_planes(const Plane& a, const Plane& b, FlatKind kind) {
   const Exact3 m = lifted(a.normal), n = lifted(b.normal), l = cross(m, n);
-  if (kind == FlatKind::plane) return {times(m, level(a)), dot(m, m)};
-  return {plus(times(cross(n, l), level(a)), times(cross(l, m), level(b))), dot(l, l)};
+  if (kind == FlatKind::plane) return over(times(m, level(a)), dot(m, m));
+  return over(plus(times(cross(n, l), level(a)), times(cross(l, m), level(b))), dot(l, l));
 }
 
 // Of planes that are parallel: the levels over the normals' sizes, as one turns with the other.
@@ -122,7 +123,7 @@ struct Lines {
     if (low && high) return middle(*low, *high);
     if (!low && !high) return exactly(p.a);
     const bool is_up = (p.a[k] < p.b[k]) == low.has_value();
-    return {plus(lifted(low ? *low : *high), is_up ? u : negative(u)), 1.0};
+    return over(plus(lifted(low ? *low : *high), is_up ? u : negative(u)), 1.0);
   }
   Exact3 parting_line() const {
     const std::size_t k = axis();
@@ -137,7 +138,7 @@ struct Lines {
     if (p.is_point()) return exactly(p.a);
     if (q.is_point()) return exactly(q.a);
     if (are_parallel()) return point_of_line();
-    return {plus(times(lifted(p.a), square), times(u, on_p())), square};
+    return over(plus(times(lifted(p.a), square), times(u, on_p())), square);
   }
 
   Exact3 parting(bool touch) const {
@@ -196,8 +197,8 @@ void add_claims(PairClaims& pairs, std::uint32_t index_a, std::uint32_t index_b,
   if (!common.meet()) return pairs.add_apart(index_a, index_b, parting(a, b, common));
   const ExactPoint3 x = common_point(a, b, common);
   const bool is_inside = tells_contact && common.contact == Contact::overlapping;
-  const CommonPoint point{array_of(x.numerators), x.denominator, combination_of(a, body_a, x, is_inside),
-                          combination_of(b, body_b, x, is_inside)};
+  const CommonPoint point{
+      {x.x, x.y, x.z}, x.denominator, combination_of(a, body_a, x, is_inside), combination_of(b, body_b, x, is_inside)};
   if (!tells_contact) return pairs.add_meet(index_a, index_b, point);
   if (is_inside) return pairs.add_overlapping(index_a, index_b, point);
   pairs.add_touching(index_a, index_b, point, parting(a, b, common));

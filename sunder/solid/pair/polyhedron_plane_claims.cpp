@@ -18,7 +18,11 @@ struct Exactly {
   const Plane& plane;
 
   Exact3 image(std::uint32_t v) const { return lift<ExactStage>(Posed3{body.vertices()[v], &pose.affine(), false}); }
-  Dyadic height(std::uint32_t v) const { return solid::height(plane, {image(v), 1.0}); }
+  ExactPoint3 at(std::uint32_t v) const {
+    const Exact3 p = image(v);
+    return {p.x, p.y, p.z, 1.0};
+  }
+  Dyadic height(std::uint32_t v) const { return solid::height(plane, at(v)); }
 
   std::array<Dyadic, 3> normal(bool reversed) const {
     const Exact3 n = lift<ExactStage>(plane.normal);
@@ -101,7 +105,7 @@ struct Exactly {
 
 CommonPoint common(const Plane& plane, const FlatBody& in_file, PointOf point, bool is_inside) {
   const auto& [x, y, z] = point.coordinates;
-  Combination of_plane = combination_of(plane, in_file, {{x, y, z}, point.denominator}, is_inside);
+  Combination of_plane = combination_of(plane, in_file, {x, y, z, point.denominator}, is_inside);
   return {point.coordinates, point.denominator, std::move(point.of_body), std::move(of_plane)};
 }
 
@@ -110,7 +114,7 @@ CommonPoint common(const Plane& plane, const FlatBody& in_file, PointOf point, b
 ExactPoint3 common_point(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane,
                          const PolyhedronPlane& answer) {
   const PointOf point = Exactly{body, pose, plane}.between(answer.below, answer.above);
-  return {{point.coordinates[0], point.coordinates[1], point.coordinates[2]}, point.denominator};
+  return {point.coordinates[0], point.coordinates[1], point.coordinates[2], point.denominator};
 }
 
 void add_claims(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolyhedron& body, const Pose& pose,

@@ -1,0 +1,50 @@
+// The facets of a convex polyhedron as searches along lines walk on them: which facet a ray from a point o inside goes
+// through, from facet to facet; and which facet lies at an edge.
+// Also called: dual graph, facet adjacency graph; radial search structure.
+//
+// The ray from o along y goes through the facet whose vertex of the polar is furthest along y (polar.h): so the search
+// is that for an extreme vertex, in the polar's search graph.
+#pragma once
+
+#include <sunder/predicate/point.h>
+#include <sunder/solid/represent/search_graph.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace sunder::solid {
+
+struct FacetGraph {
+  // Of a body with an inside; else meaningless. A frame of its own: y = to_one (x - center), powers of two along each
+  // axis, so that the body is about 1 long along all. The facet n.y = h is the vertex n / h of `facets`, which has the
+  // facet's number. Rounded, and infinite beyond the range: for searches.
+  Point3 center, to_one{1, 1, 1};
+  SearchGraph facets;
+
+  // An edge as seen from its facet, which is to the left of it, and goes on from its position there.
+  struct Edge {
+    std::uint32_t to, facet, position;
+  };
+  // Those from vertex v: edges[begin[v] .. begin[v + 1]), by `to`.
+  std::vector<std::uint32_t> begin;
+  std::vector<Edge> edges;
+
+  // Nothing where this is no edge. Cost: O(log degree).
+  std::optional<Edge> edge(std::uint32_t from, std::uint32_t to) const;
+
+  // The facet with these three vertices, in the order counter-clockwise from outside, as a hierarchy has it: one of
+  // them begins its fan, so that two are an edge. Requires such ones.
+  std::uint32_t facet_of(std::uint32_t u, std::uint32_t v, std::uint32_t w) const;
+
+  std::size_t memory() const;  // bytes
+};
+
+// The facets of a convex polyhedron with an interior, or the two of a flat polygon, each a cycle of vertex numbers,
+// counter-clockwise from outside: corners[corner_begin[f] .. corner_begin[f + 1]). Cost: O(n) but for sorting.
+FacetGraph make_facet_graph(std::span<const Point3> vertices, std::span<const std::uint32_t> corner_begin,
+                            std::span<const std::uint32_t> corners);
+
+}  // namespace sunder::solid
