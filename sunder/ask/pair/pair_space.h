@@ -8,6 +8,7 @@
 #include <sunder/io/space_objects.h>
 #include <sunder/solid/object/pose.h>
 #include <sunder/solid/pair/flat_body.h>
+#include <sunder/solid/pair/polyhedron_cut.h>
 
 #include <optional>
 #include <string>
@@ -55,5 +56,19 @@ void require_projected(const PairCall& call, const SpaceInput& a, const SpaceInp
 
 // Where one of them is not bounded: answers; returns the exit code. Throws Error for --distance and --clearance.
 int run_flat_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
+
+// A body and a plane, a body and a line or ray.
+int run_plane_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& plane, bool body_is_a,
+                   const PairFiles& files);
+int run_line_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& line, bool body_is_a,
+                  const PairFiles& files);
+
+// What a line, a ray or a segment through a and b has in common with the body called `letter`.
+struct CutTold {
+  Json json;
+  std::string text;
+};
+CutTold cut_told(const solid::PolyhedronCut& cut, const PlacedBody& body, const char* letter, const Point3& a,
+                 const Point3& b);
 
 }  // namespace sunder::ask
