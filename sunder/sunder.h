@@ -74,5 +74,9 @@
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/hull_json.h>
 #include <sunder/solid/object/pose.h>
+#include <sunder/solid/pair/polyhedron_line.h>
+#include <sunder/solid/pair/polyhedron_line_claims.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
+#include <sunder/solid/pair/polyhedron_ray.h>
+#include <sunder/solid/pair/polyhedron_segment.h>

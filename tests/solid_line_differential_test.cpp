@@ -1,12 +1,15 @@
-// Lines, rays and segments: the front doors against the scans.
+// Lines, rays and segments: the front doors against the scans, each answer with a certificate that the checker accepts.
 #include <tests/support/scale.h>
 #include <tests/support/solid_lines.h>
 
+#include <sunder/certificate/pair_claims.h>
 #include <sunder/solid/pair/polyhedron_line.h>
+#include <sunder/solid/pair/polyhedron_line_claims.h>
 #include <sunder/solid/pair/polyhedron_ray.h>
 #include <sunder/solid/pair/polyhedron_segment.h>
 
 #include <gtest/gtest.h>
+#include <verifier/cpp/verify.h>
 
 #include <array>
 #include <cstdio>
@@ -19,22 +22,32 @@ namespace {
 using solid::CutKind;
 using solid::PolyhedronCut;
 
-enum class Other : int { line, ray, segment };
+using solid::LineLike;
 
-PolyhedronCut cut(Other other, const LineCase& c, bool by_scan) {
-  switch (other) {
-    case Other::line: {
-      const solid::Line line = solid::Line::through(c.a, c.b);
-      return by_scan ? polyhedron_line_by_scan(c.body, c.pose, line) : polyhedron_line(c.body, c.pose, line);
-    }
-    case Other::ray: {
-      const solid::Ray ray = solid::Ray::from(c.a, c.b);
-      return by_scan ? polyhedron_ray_by_scan(c.body, c.pose, ray) : polyhedron_ray(c.body, c.pose, ray);
-    }
-    case Other::segment: break;
-  }
-  const solid::Segment segment = solid::Segment::between(c.a, c.b);
-  return by_scan ? polyhedron_segment_by_scan(c.body, c.pose, segment) : polyhedron_segment(c.body, c.pose, segment);
+constexpr std::array<const char*, 3> kinds{"line", "ray", "segment"};
+
+LineLike other_of(std::size_t kind, const Point3& a, const Point3& b) {
+  if (kind == 0) return solid::Line::through(a, b);
+  if (kind == 1) return solid::Ray::from(a, b);
+  return solid::Segment::between(a, b);
+}
+
+PolyhedronCut by_scan(const LineCase& c, const LineLike& other) {
+  if (const auto* line = std::get_if<solid::Line>(&other)) return polyhedron_line_by_scan(c.body, c.pose, *line);
+  if (const auto* ray = std::get_if<solid::Ray>(&other)) return polyhedron_ray_by_scan(c.body, c.pose, *ray);
+  return polyhedron_segment_by_scan(c.body, c.pose, std::get<solid::Segment>(other));
+}
+
+std::string certificate_of(const LineCase& c, const LineLike& other, const PolyhedronCut& cut, bool tells_contact) {
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  PairClaims pairs(file);
+  const solid::LineBody straight = body_of(other);
+  const std::uint32_t a = pairs.add_placed("body", pairs.add_body("body", c.body.vertices()), c.pose.affine());
+  const std::uint32_t b = pairs.add_body("other", straight.points, straight.ways);
+  add_claims(pairs, a, b, c.body, c.pose, other, cut, tells_contact);
+  pairs.end();
+  return text;
 }
 
 std::string text(const Point3& p) {
@@ -54,7 +67,7 @@ std::string text(const PolyhedronCut& c) {
 }
 
 struct Tally {
-  int cases = 0, finished = 0;
+  int cases = 0;
   std::array<int, 4> of_kind{};
   std::array<int, 4> of_decision{};
 };
@@ -65,24 +78,38 @@ TEST(SolidLineDifferential, FrontDoorsAgreeWithTheScans) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   SolidLines lines(seed);
   std::map<LineFamily, Tally> tallies;
+  std::map<std::string, int> verdicts;
   for (int i = 0; i < count; ++i) {
     LineCase c = lines.next();
-    for (const Other other : {Other::line, Other::ray, Other::segment}) {
-      if (other == Other::segment && i % 16 == 0) c.b = c.a;
-      const PolyhedronCut found = cut(other, c, false), scan = cut(other, c, true);
-      SCOPED_TRACE(std::to_string(i) + " " + std::string(name_of(c.family)) + " " +
-                   std::to_string(static_cast<int>(other)) + " " + text(c.a) + " " + text(c.b) + "\nfound " +
-                   text(found) + "\nscan  " + text(scan));
+    for (std::size_t kind = 0; kind < 3; ++kind) {
+      if (kind == 2 && i % 16 == 0) c.b = c.a;
+      const LineLike other = other_of(kind, c.a, c.b);
+      const PolyhedronCut found = polyhedron_line_like(c.body, c.pose, other), scan = by_scan(c, other);
+      SCOPED_TRACE(std::to_string(i) + " " + std::string(name_of(c.family)) + " " + kinds[kind] + " " + text(c.a) +
+                   " " + text(c.b) + "\nfound " + text(found) + "\nscan  " + text(scan));
       ASSERT_EQ(found.kind, scan.kind);
       if (found.meet()) {
         ASSERT_EQ(found.first, scan.first);
         ASSERT_EQ(found.last, scan.last);
-        ASSERT_EQ(found.surface, scan.kind == CutKind::along ? scan.surface : found.surface);
+      }
+      if (found.kind == CutKind::along) {
+        ASSERT_EQ(found.surface, scan.surface);
       }
       Tally& tally = tallies[c.family];
       ++tally.cases;
       ++tally.of_kind[static_cast<std::size_t>(found.kind)];
       ++tally.of_decision[static_cast<std::size_t>(found.decided_by)];
+      if ((i / line_family_count) % 4 != 0) continue;  // each family, but not each of its cases: to save time
+      const bool tells_contact = (i / 64) % 4 != 0;
+      const std::string file = certificate_of(c, other, found, tells_contact);
+      const auto verified = sunder_verifier::verify_text(file, "certificate", sunder_verifier::Limit::none);
+      ASSERT_TRUE(verified.accepted()) << (verified.statements.empty() ? verified.error + verified.failed_form
+                                                                       : verified.statements[0].reason)
+                                       << file.substr(0, 4000);
+      const Contact contact = contact_of(c.body, other, found);
+      const std::string verdict = !found.meet() ? "apart" : tells_contact ? std::string(name_of(contact)) : "meet";
+      ASSERT_EQ(verified.statements.at(0).verdict, verdict);
+      ++verdicts[std::string(kinds[kind]) + " " + verdict];
     }
   }
   std::printf("%-15s %7s | %7s %7s %7s %7s | %7s %8s %9s\n", "family", "cases", "nothing", "point", "along", "across",
@@ -91,6 +118,30 @@ TEST(SolidLineDifferential, FrontDoorsAgreeWithTheScans) {
     std::printf("%-15s %7d | %7d %7d %7d %7d | %7d %8d %9d\n", std::string(name_of(family)).c_str(), t.cases,
                 t.of_kind[0], t.of_kind[1], t.of_kind[2], t.of_kind[3], t.of_decision[0], t.of_decision[1],
                 t.of_decision[2]);
+  }
+  for (const auto& [verdict, number] : verdicts) std::printf("%s: %d\n", verdict.c_str(), number);
+  if (count < 4000) return;  // too few for the rates below
+  // Proposals hold: in general position at least 99.9 %, elsewhere 90 %, of needles of 1e300 : 1 : 1e-300, half of
+  // whose lines go through features, 7 in 8; but not where what decides lies hundreds of digits below the coordinates.
+  for (const auto& [family, t] : tallies) {
+    if (family == LineFamily::stretched_turned) continue;
+    const int part = family == LineFamily::general || family == LineFamily::round ? 1000
+                     : family == LineFamily::stretched                            ? 8
+                                                                                  : 10;
+    EXPECT_LE(t.of_decision[static_cast<std::size_t>(DecidedBy::finishing)], t.cases / part) << name_of(family);
+    // The test tested something.
+    EXPECT_GE(t.cases, 3 * (count / line_family_count));
+    EXPECT_GT(t.of_kind[static_cast<std::size_t>(CutKind::nothing)], t.cases / 100) << name_of(family);
+    if (family == LineFamily::flat) continue;  // nothing goes through the inside
+    EXPECT_GT(t.of_kind[static_cast<std::size_t>(CutKind::across)], t.cases / 10) << name_of(family);
+  }
+  EXPECT_GT(tallies[LineFamily::features].of_kind[static_cast<std::size_t>(CutKind::along)], count / 100);
+  EXPECT_GT(tallies[LineFamily::features].of_kind[static_cast<std::size_t>(CutKind::point)], count / 200);
+  EXPECT_GT(tallies[LineFamily::stretched_turned].of_decision[static_cast<std::size_t>(DecidedBy::finishing)], 0);
+  for (const char* kind : kinds) {
+    for (const char* verdict : {"apart", "meet", "touching", "overlapping"}) {
+      EXPECT_GT(verdicts[std::string(kind) + " " + verdict], count / 400) << kind << " " << verdict;
+    }
   }
 }
 

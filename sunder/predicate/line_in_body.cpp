@@ -91,6 +91,10 @@ PlaceOnLine LineInBody::at_plane(const Point3& u, const Point3& v, const Point3&
   return {point_ * down + way_ * up, scale_ * down};
 }
 
+PlaceOnLine LineInBody::at(const ExactFraction& t) const {
+  return {point_ * t.denominator + way_ * t.numerator, scale_ * t.denominator};
+}
+
 PlaceOnLine LineInBody::from_afar() const { return {{-way_.x, -way_.y, -way_.z}, Dyadic()}; }
 
 PlaceOnLine LineInBody::between(const PlaceOnLine& p, const PlaceOnLine& q) {

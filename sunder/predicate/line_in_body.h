@@ -45,6 +45,9 @@ class LineInBody {
   // Where it meets the plane of u, v and w. Requires that it is not parallel to that.
   PlaceOnLine at_plane(const Point3& u, const Point3& v, const Point3& w) const;
 
+  // The image of a + t (b - a).
+  PlaceOnLine at(const ExactFraction& t) const;
+
   // Where all of it comes from: the direction from b to a.
   PlaceOnLine from_afar() const;
 

@@ -52,8 +52,9 @@ std::vector<Point3> rings(Random& random) {
 
 std::string_view name_of(LineFamily family) {
   constexpr std::array<std::string_view, line_family_count> names{
-      "general", "round",      "grid",    "features", "last bit", "features posed", "flat",      "boxes",
-      "prisms",  "bipyramids", "heights", "needles",  "far away", "tiny or huge",   "stretched", "shapes"};
+      "general",  "round",        "grid",      "features",         "last bit", "features posed",
+      "flat",     "boxes",        "prisms",    "bipyramids",       "heights",  "needles",
+      "far away", "tiny or huge", "stretched", "stretched turned", "shapes"};
   return names[static_cast<std::size_t>(family)];
 }
 
@@ -211,7 +212,15 @@ LineCase SolidLines::next(LineFamily family) {
         const ConvexPolyhedron body(points);
         return random_.below(2) == 0 ? between_features(body, Pose()) : beside(body, Pose());
       }
-      case LineFamily::stretched: return either(one_of(stretched_));
+      case LineFamily::stretched: {
+        const ConvexPolyhedron& body = one_of(stretched_);
+        return random_.below(2) == 0 ? between_features(body, Pose()) : beside(body, Pose());
+      }
+      case LineFamily::stretched_turned: {
+        const ConvexPolyhedron& body = one_of(stretched_);
+        const Pose pose = some_pose();
+        return random_.below(2) == 0 ? between_features(body, pose) : beside(body, pose);
+      }
       case LineFamily::shapes: return either(one_of(shapes_));
     }
     return beside(one_of(general_), Pose());

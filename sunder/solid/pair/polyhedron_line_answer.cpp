@@ -1,4 +1,5 @@
 #include <sunder/predicate/line_in_body.h>
+#include <sunder/predicate/line_planes.h>
 #include <sunder/predicate/orient.h>
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/pair/polyhedron_line_answer.h>
@@ -43,11 +44,7 @@ std::array<Posed3, 3> LineAnswer::corners(std::uint32_t facet) const {
 }
 
 Sign LineAnswer::facing(std::uint32_t facet) {
-  constexpr auto formula = [](const auto& u, const auto& v, const auto& w, const auto& a, const auto& b) {
-    return dot(cross(v - u, w - u), b - a);
-  };
-  const auto [u, v, w] = corners(facet);
-  return orientation_ * decide(&tally_, formula, u, v, w, line_.a, line_.b);
+  return orientation_ * sunder::facing(line_.a, line_.b, corners(facet), &tally_);
 }
 
 Sign LineAnswer::beyond(const Point3& x, std::uint32_t facet) {
@@ -68,7 +65,10 @@ LineAnswer::Pierced LineAnswer::pierce(std::uint32_t facet, Sense sense) {
   }
   cut_.cost.probes += 3;
   const std::uint32_t p = v[0], q = v[low], r = v[high];
-  const Sign pq = turn(p, q, sense), qr = turn(q, r, sense), rp = turn(r, p, sense);
+  const bool is_turned = (orientation_ == Sign::positive) == (sense == Sense::entering);
+  std::array<Sign, 3> turns = turns_about_line(line_.a, line_.b, {body_[p], body_[q], body_[r]}, &tally_);
+  if (is_turned) turns = {-turns[0], -turns[1], -turns[2]};
+  const auto [pq, qr, rp] = turns;
   if (qr == Sign::negative) return {false, {}, {q, r}};
   if (pq == Sign::negative) return {false, {}, {p, q}};
   if (rp == Sign::negative) return {false, {}, {r, p}};
@@ -119,33 +119,13 @@ bool LineAnswer::through(std::uint32_t enters, std::uint32_t leaves) {
   return true;
 }
 
-// At a + t d in the plane of F, N_F.(a - f) + t N_F.d = 0, and so N_G.(x - g) times -N_F.d > 0 is
-// N_F.(a - f) N_G.d - N_G.(a - g) N_F.d.
 bool LineAnswer::apart(std::uint32_t enters, std::uint32_t leaves) {
   cut_.cost.probes += 6;
-  if (facing(enters) != Sign::negative || facing(leaves) == Sign::negative) return false;
-  constexpr auto formula = [](const auto& f, const auto& f1, const auto& f2, const auto& g, const auto& g1,
-                              const auto& g2, const auto& a, const auto& b) {
-    const auto n_f = cross(f1 - f, f2 - f), n_g = cross(g1 - g, g2 - g);
-    const auto d = b - a;
-    return dot(n_f, a - f) * dot(n_g, d) - dot(n_g, a - g) * dot(n_f, d);
-  };
-  const auto [f, f1, f2] = corners(enters);
-  const auto [g, g1, g2] = corners(leaves);
-  const Guess guess = sign(formula(lift<IntervalStage>(f), lift<IntervalStage>(f1), lift<IntervalStage>(f2),
-                                   lift<IntervalStage>(g), lift<IntervalStage>(g1), lift<IntervalStage>(g2),
-                                   lift<IntervalStage>(line_.a), lift<IntervalStage>(line_.b)));
-  Sign side = Sign::zero;
-  if (is_sure(guess)) {
-    side = counted(&StageTally::interval, &tally_, to_sign(guess));
-  } else {
-    side = counted(
-        &StageTally::exact, &tally_,
-        formula(lift<ExactStage>(f), lift<ExactStage>(f1), lift<ExactStage>(f2), lift<ExactStage>(g),
-                lift<ExactStage>(g1), lift<ExactStage>(g2), lift<ExactStage>(line_.a), lift<ExactStage>(line_.b))
-            .sign());
-  }
-  if (side != Sign::positive) return false;
+  const auto [of_enters, of_leaves, beyond] =
+      line_and_planes(line_.a, line_.b, corners(enters), corners(leaves), &tally_);
+  // Where the pose reflects, both normals turn around, and their product does not.
+  if (of_enters * orientation_ != Sign::negative || of_leaves * orientation_ == Sign::negative) return false;
+  if (beyond != Sign::positive) return false;
   set_apart({CutParting::Kind::facets, enters, leaves, OwnEnd::a});
   return true;
 }

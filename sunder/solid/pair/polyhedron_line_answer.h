@@ -12,6 +12,11 @@ namespace sunder::solid {
 // As exact_end of polyhedron_cut.h.
 ExactEnd exact_end(const Placed& body, const Line& line, const CutEnd& end);
 
+// The line through a and b; of a segment that is one point, any line through that.
+inline Line line_through(const Point3& a, const Point3& b) {
+  return {a, a == b ? Point3{a.x > 0 ? a.x / 2 : 1, b.y, b.z} : b};
+}
+
 // Which of its points a and b end the other: both of a segment, a of a ray.
 struct OwnEnds {
   bool a = false, b = false;
@@ -88,9 +93,8 @@ template <class Propose>
 PolyhedronCut cut_by(const ConvexPolyhedron& body, const Pose& pose, const Point3& a, const Point3& b, OwnEnds ends,
                      const Propose& propose) {
   const Placed placed(body, pose);
-  // Of a segment that is a point, any line through it.
   const bool is_point = a == b;
-  const Line line{a, is_point ? Point3{a.x > 0 ? a.x / 2 : 1, b.y, b.z} : b};
+  const Line line = line_through(a, b);
   LineAnswer answer(placed, line);
   if (body.dimension() < 3) {
     answer.decide_flat(ends, is_point);

@@ -5,16 +5,82 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <utility>
 
 namespace sunder::solid {
 
 namespace {
 
-// A power of two that brings the length near 1.
-double near_one(double low, double high) {
-  const double half = high / 2 - low / 2;  // no overflow
-  return half > 0 ? std::ldexp(1.0, std::clamp(-std::ilogb(half), -1020, 1020)) : 1;
+// Spreads the lowest ten bits of x to every third bit.
+std::uint32_t spread(std::uint32_t x) {
+  x = (x | x << 16) & 0x030000ff;
+  x = (x | x << 8) & 0x0300f00f;
+  x = (x | x << 4) & 0x030c30c3;
+  return (x | x << 2) & 0x09249249;
+}
+
+double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Point3 times(const Point3& a, const Point3& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+Point3 over(const Point3& a, const Point3& b) { return {a.x / b.x, a.y / b.y, a.z / b.z}; }
+Point3 minus(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+
+// The facets as seen from a point that is `by` further: n.(y - by) = h - n.by.
+std::vector<Point3> seen_from(std::span<const Point3> facets, const Point3& by) {
+  std::vector<Point3> moved;
+  moved.reserve(facets.size());
+  for (const Point3& m : facets) {
+    const double left = 1 - dot(m, by);
+    moved.push_back({m.x / left, m.y / left, m.z / left});
+  }
+  return moved;
+}
+
+// The square of one over the distance of the nearest facet; infinite where the point is not inside.
+double one_over_nearest(std::span<const Point3> facets, const Point3& by) {
+  double greatest = 0;
+  for (const Point3& m : facets) {
+    const double left = 1 - dot(m, by);
+    if (!(left > 0x1p-20)) return std::numeric_limits<double>::infinity();
+    greatest = std::max(greatest, dot(m, m) / (left * left));
+  }
+  return greatest;
+}
+
+// Facets along a Morton curve on the sphere of their normals.
+std::vector<std::uint32_t> order_along_curve(std::span<const Point3> facets) {
+  std::vector<std::uint32_t> code, order(facets.size());
+  code.reserve(facets.size());
+  for (const Point3& m : facets) {
+    const double length = std::sqrt(dot(m, m));
+    const auto cell = [&](double x) {
+      const double part = x / length * 0.5 + 0.5;
+      return part >= 0 && part <= 1 ? static_cast<std::uint32_t>(part * 1023) : 0u;
+    };
+    code.push_back(spread(cell(m.x)) | spread(cell(m.y)) << 1 | spread(cell(m.z)) << 2);
+  }
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t i, std::uint32_t j) { return code[i] != code[j] ? code[i] < code[j] : i < j; });
+  return order;
+}
+
+// The polar's vertices and edges in this order.
+SearchGraph search_graph_of(const Polar& polar, std::span<const Point3> facets, std::span<const std::uint32_t> order) {
+  std::vector<std::uint32_t> rank(order.size()), begin{0}, neighbours;
+  for (std::uint32_t k = 0; k < order.size(); ++k) rank[order[k]] = k;
+  std::vector<Point3> vertices;
+  vertices.reserve(order.size());
+  neighbours.reserve(polar.neighbours.size());
+  for (const std::uint32_t f : order) {
+    vertices.push_back(facets[f]);
+    for (std::uint32_t k = polar.edge_begin[f]; k < polar.edge_begin[f + 1]; ++k) {
+      neighbours.push_back(rank[polar.neighbours[k]]);
+    }
+    begin.push_back(static_cast<std::uint32_t>(neighbours.size()));
+  }
+  return make_search_graph(std::move(vertices), std::move(begin), std::move(neighbours));
 }
 
 void add_edges(FacetGraph& graph, std::size_t vertex_count, std::span<const std::uint32_t> corner_begin,
@@ -54,7 +120,8 @@ std::uint32_t FacetGraph::facet_of(std::uint32_t u, std::uint32_t v, std::uint32
 }
 
 std::size_t FacetGraph::memory() const {
-  return sizeof(*this) + facets.memory() + begin.capacity() * sizeof(begin[0]) + edges.capacity() * sizeof(edges[0]);
+  return sizeof(*this) + facets.memory() + begin.capacity() * sizeof(begin[0]) + edges.capacity() * sizeof(edges[0]) +
+         number.capacity() * sizeof(number[0]);
 }
 
 FacetGraph make_facet_graph(std::span<const Point3> vertices, std::span<const std::uint32_t> corner_begin,
@@ -62,20 +129,38 @@ FacetGraph make_facet_graph(std::span<const Point3> vertices, std::span<const st
   FacetGraph graph;
   add_edges(graph, vertices.size(), corner_begin, corners);
   if (corner_begin.size() <= 3) return graph;
-  Polar polar = make_polar(vertices, corner_begin, corners);
-  graph.center = polar.center;
-  Point3 low = vertices[0], high = low;
+  const Polar polar = make_polar(vertices, corner_begin, corners);
+  Point3 low = vertices[0], high = low, mean;
   for (const Point3& p : vertices) {
     for (std::size_t k = 0; k < 3; ++k) {
       low[k] = std::min(low[k], p[k]);
       high[k] = std::max(high[k], p[k]);
+      mean[k] += p[k] / static_cast<double>(vertices.size());
     }
   }
-  for (std::size_t k = 0; k < 3; ++k) graph.to_one[k] = near_one(low[k], high[k]);
-  for (Point3& p : polar.vertices) {
-    for (std::size_t k = 0; k < 3; ++k) p[k] /= graph.to_one[k];
+  Point3 middle;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double half = high[k] / 2 - low[k] / 2;  // no overflow
+    graph.to_one[k] = std::min(1 / half, std::numeric_limits<double>::max());
+    middle[k] = low[k] + half;
   }
-  graph.facets = make_search_graph(std::move(polar.vertices), std::move(polar.edge_begin), std::move(polar.neighbours));
+  std::vector<Point3> facets = polar.vertices;
+  for (Point3& m : facets) m = over(m, graph.to_one);
+  // The polar's own point is inside, and may be near a facet.
+  graph.center = polar.center;
+  double least = one_over_nearest(facets, {});
+  Point3 best;
+  for (const Point3& candidate : {middle, mean}) {
+    const Point3 by = times(minus(candidate, polar.center), graph.to_one);
+    const double of_candidate = one_over_nearest(facets, by);
+    if (!(of_candidate < least)) continue;
+    least = of_candidate;
+    best = by;
+    graph.center = candidate;
+  }
+  facets = seen_from(facets, best);
+  graph.number = order_along_curve(facets);
+  graph.facets = search_graph_of(polar, facets, graph.number);
   return graph;
 }
 

@@ -18,11 +18,14 @@
 namespace sunder::solid {
 
 struct FacetGraph {
-  // Of a body with an inside; else meaningless. A frame of its own: y = to_one (x - center), powers of two along each
-  // axis, so that the body is about 1 long along all. The facet n.y = h is the vertex n / h of `facets`, which has the
-  // facet's number. Rounded, and infinite beyond the range: for searches.
+  // Of a body with an inside; else meaningless. A frame of its own about a point inside, far from all facets: the box
+  // is 2 long along each axis, y = to_one (x - center). The facet n.y = h is the vertex n / h of `facets`. Rounded, and
+  // infinite beyond the range: for searches.
   Point3 center, to_one{1, 1, 1};
   SearchGraph facets;
+
+  // Which facet a vertex of `facets` is: they stand along a curve, so that neighbours tend to share cache lines.
+  std::vector<std::uint32_t> number;
 
   // An edge as seen from its facet, which is to the left of it, and goes on from its position there.
   struct Edge {
