@@ -19,7 +19,7 @@ struct Polar;           // facets as vertices; see solid/represent/polar.h
 struct PolarHierarchy;  // of that; see solid/represent/polar_hierarchy.h
 class Drums;            // a stack of cross-sections; see solid/represent/drums.h
 enum class DrumsForm : std::uint8_t;
-struct FacetGraph;  // what searches along lines walk on; see solid/represent/facet_graph.h
+struct FacetGraph;      // what searches along lines walk on; see solid/represent/facet_graph.h
 
 // Immutable, and cheap to copy (copies share one block of memory); any number of threads may use one at once.
 //
@@ -74,8 +74,8 @@ class ConvexPolyhedron {
   // three vertices or more.
   const FacetGraph& facet_graph() const;
 
-  // Bytes of all that searches walk on, with the hierarchies, which it makes; without polar(),
-  // drums() and facet_graph().
+  // Bytes of all that searches walk on, with the hierarchies, which it makes; without polar(), drums() and
+  // facet_graph().
   std::size_t memory() const;
 
  private:

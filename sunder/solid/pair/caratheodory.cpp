@@ -274,8 +274,7 @@ bool name_at_most_five(const Placed& a, const Placed& b, const DifferenceSimplex
 template <class Real>
 bool name_at_most_five(const Placed& a, const Placed& b, const Mixture<Real>& of_a, const Mixture<Real>& of_b,
                        bool drop_negligible, Proposal& proposal) {
-  constexpr std::size_t most = 8;
-  if (of_a.count > most || of_b.count > most) return false;
+  constexpr std::size_t most = Mixture<Real>::most;
   const auto used = [&](const Mixture<Real>& of) {
     const Real least = *std::max_element(of.weight.begin(), of.weight.end()) * negligible<Real>;
     Mixture<Real> kept;

@@ -36,7 +36,7 @@ using Support = SupportOf<4>;
 // A point as a mean of vertices of one body, with weights that are not negative and sum to 1, as far as rounding tells.
 template <class Real>
 struct Mixture {
-  static constexpr std::size_t most = 9;
+  static constexpr std::size_t most = 12;
   std::array<std::uint32_t, most> vertex{};
   std::array<Real, most> weight{};
   std::size_t count = 0;
@@ -64,7 +64,7 @@ template <class Real>
 bool name_at_most_five(const Placed& a, const Placed& b, const DifferenceSimplexOf<Real>& simplex,
                        const std::array<Real, 4>& weights, bool drop_negligible, Proposal& proposal);
 
-// Of a point that is a mixture of both, of at most eight vertices each.
+// Of a point that is a mixture of both.
 template <class Real>
 bool name_at_most_five(const Placed& a, const Placed& b, const Mixture<Real>& of_a, const Mixture<Real>& of_b,
                        bool drop_negligible, Proposal& proposal);

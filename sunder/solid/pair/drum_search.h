@@ -20,6 +20,27 @@
 
 namespace sunder::solid {
 
+// Normals normal_at(0 .. n - 1) go round an axis counter-clockwise, once: the first of them that is at or past d, begun
+// with number 1; n counts as 0. Cost: log2 n + 2 normals.
+template <class NormalAt>
+std::uint32_t first_past(std::uint32_t n, const Point3& axis, const Point3& d, const NormalAt& normal_at) {
+  if (n == 1) return 0;
+  const auto turn = [&](const Point3& a, const Point3& b) { return dot(axis, cross(a, b)); };
+  const Point3 first = normal_at(0);
+  // At most half a turn past the first, and not opposite to it?
+  const auto is_near = [&](const Point3& b) {
+    const double left = turn(first, b);
+    if (left != 0) return left > 0;
+    return dot(cross(axis, first), cross(axis, b)) > 0;
+  };
+  const bool d_is_near = is_near(d);
+  const auto is_past = [&](std::uint32_t k) {
+    const Point3 m = normal_at(k);
+    return is_near(m) == d_is_near ? turn(d, m) >= 0 : d_is_near;
+  };
+  return planar::first_where(1, n, is_past) % n;
+}
+
 class DrumSearch {
  public:
   // Keeps references to all of them. Accesses to edges of drums are counted as probes.
@@ -61,16 +82,7 @@ class DrumSearch {
   // Cost: log2 of the drum's size + 2 probes.
   std::uint32_t furthest_edge(std::uint32_t drum, const Point3& d) const {
     const std::uint32_t n = drums_.size(drum);
-    if (n == 1) return 0;
-    const Point3& first = normal_of(drum, 0);
-    const bool d_is_near = is_in_half_turn(first, d);
-    return planar::first_where(1, n,
-                               [&](std::uint32_t k) {
-                                 const Point3& m = normal_of(drum, k);
-                                 const bool is_near = is_in_half_turn(first, m);
-                                 return is_near == d_is_near ? turn(d, m) >= 0 : d_is_near;
-                               }) %
-           n;
+    return first_past(n, drums_.up(), d, [&](std::uint32_t k) { return drums_.normal(edge(drum, k).side); });
   }
 
   // The vertex furthest along d, which is not level: edges that are furthest in their drums rise along d up to the
@@ -110,18 +122,6 @@ class DrumSearch {
                            d.y * (difference<Real>(q.y, p.y) * Real(by.y)) +
                            d.z * (difference<Real>(q.z, p.z) * Real(by.z)));
   }
-  const Point3& normal_of(std::uint32_t drum, std::uint32_t k) const { return drums_.normal(edge(drum, k).side); }
-
-  // Positive where b is to the left of a, seen from above.
-  double turn(const Point3& a, const Point3& b) const { return dot(drums_.up(), cross(a, b)); }
-
-  // Is b at most half a turn to the left of a, and not opposite to it?
-  bool is_in_half_turn(const Point3& a, const Point3& b) const {
-    const double left = turn(a, b);
-    if (left != 0) return left > 0;
-    return dot(cross(drums_.up(), a), cross(drums_.up(), b)) > 0;
-  }
-
   const Drums& drums_;
   std::span<const Point3> vertices_;
   Cost& cost_;

@@ -18,6 +18,9 @@ inline PolyhedronCut polyhedron_ray(const ConvexPolyhedron& body, const Ray& ray
   return polyhedron_ray(body, Pose(), ray);
 }
 
+// As polyhedron_line_by_drums.
+PolyhedronCut polyhedron_ray_by_drums(const ConvexPolyhedron& body, const Pose& pose, const Ray& ray);
+
 // All facets, exactly: the oracle. It gives no evidence.
 PolyhedronCut polyhedron_ray_by_scan(const ConvexPolyhedron& body, const Pose& pose, const Ray& ray);
 

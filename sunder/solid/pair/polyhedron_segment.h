@@ -17,6 +17,9 @@ inline PolyhedronCut polyhedron_segment(const ConvexPolyhedron& body, const Segm
   return polyhedron_segment(body, Pose(), segment);
 }
 
+// As polyhedron_line_by_drums.
+PolyhedronCut polyhedron_segment_by_drums(const ConvexPolyhedron& body, const Pose& pose, const Segment& segment);
+
 // All facets, exactly: the oracle. It gives no evidence.
 PolyhedronCut polyhedron_segment_by_scan(const ConvexPolyhedron& body, const Pose& pose, const Segment& segment);
 

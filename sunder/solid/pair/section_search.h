@@ -30,12 +30,15 @@ struct LinearForm {
 template <class Real>
 class SectionSearch {
  public:
-  // Keeps references. T's form is not level.
+  // Keeps references.
   SectionSearch(const DrumSearch& search, const LinearForm<Real>& t)
-      : search_(search), drums_(search.drums()), t_(t), normal_(rounded(t.normal)) {}
+      : search_(search), drums_(search.drums()), t_(t), normal_(rounded(t.normal)) {
+    const Point3 level = cross(drums_.up(), normal_);
+    is_level_ = level == Point3{};
+  }
 
   // Finds l and m. `beyond`: a vertex on the other side of T than vertex_of(0), or on T; or that one, where it is on T.
-  // False where T goes between the slices of all drums, and not even through one: then pocket(0) is all of Q.
+  // Where T goes between two slices, or is level, it meets no slices, and pocket(0) is all of Q.
   // Cost: O(log^2 n) probes.
   void find_corners(std::uint32_t beyond) {
     const auto slice_of_beyond = slice_of(beyond);
@@ -44,15 +47,17 @@ class SectionSearch {
       return starts_above ? !(least(slice) > Real(0)) : !(greatest(slice) < Real(0));
     });
     low_ = low;
-    meets_slices_ = meets(low);
+    meets_slices_ = !is_level_ && meets(low);
     if (!meets_slices_) return;
     high_ = planar::first_where(low + 1, drums_.slice_count(), [&](std::uint32_t slice) { return !meets(slice); }) - 1;
   }
 
+  bool meets_slices() const { return meets_slices_; }
+
   std::uint32_t corner_count() const { return meets_slices_ ? 2 * (high_ - low_ + 1) : 1; }
 
-  // Sides first, first + step, .. of a drum, modulo its size, `count` edges between them. Where `level` is not zero, the
-  // section goes along the highest slice (positive) or the lowest.
+  // Sides first, first + step, .. of a drum, modulo its size, `count` edges between them. Where `level` is not zero,
+  // the section goes along the highest slice (positive) or the lowest.
   struct Pocket {
     std::uint32_t drum = 0, first = 0, count = 0;
     bool forward = true;
@@ -76,9 +81,10 @@ class SectionSearch {
     return {drum, (begin + from) % drums_.size(drum), forward ? to - from : from - to, forward, Sign::zero};
   }
 
-  // The facet of side j of a pocket, 0 .. count; or none where it is level.
+  // The facet of side j of a pocket, 0 .. count; none where the slice that it goes along is no facet: then it goes
+  // through a point.
   std::optional<std::uint32_t> facet(const Pocket& pocket, std::uint32_t j) const {
-    if (pocket.level != Sign::zero) return std::nullopt;
+    if (pocket.level != Sign::zero) return drums_.level_facet(pocket.level == Sign::positive ? 1 : 0);
     return search_.edge(pocket.drum, side(pocket, j)).side;
   }
 
@@ -118,13 +124,17 @@ class SectionSearch {
     return {q, planar::first_where(from, to, falls) - 1};
   }
 
-  // The facets before and after a place; none for a level side.
-  std::optional<std::uint32_t> facet_before(const Place& place) const { return facet(pocket(place.q), place.j); }
-  std::optional<std::uint32_t> facet_after(const Place& place) const {
+  // The facets before and after a place.
+  std::uint32_t facet_before(const Place& place) const {
+    const auto found = facet(pocket(place.q), place.j);
+    return found ? *found : last_facet(place.q + corner_count() - 1);
+  }
+  std::uint32_t facet_after(const Place& place) const {
     const Pocket p = pocket(place.q);
-    if (place.j < p.count) return facet(p, place.j + 1);
-    if (!meets_slices_) return facet(p, 0);
-    return facet(pocket((place.q + 1) % corner_count()), 0);
+    if (place.j < p.count) return *facet(p, place.j + 1);
+    if (!meets_slices_) return *facet(p, 0);
+    const auto next = facet(pocket((place.q + 1) % corner_count()), 0);
+    return next ? *next : *facet(pocket((place.q + 2) % corner_count()), 0);
   }
 
   // What g is at a place.
@@ -135,9 +145,8 @@ class SectionSearch {
   }
 
   // The side by which Q goes up through g = 0 (or down, with the form negated), on the way counter-clockwise from one
-  // place to the other, along which g rises from below 0 to above. The facet; none for a level side.
-  // Cost: O(log^2 n) probes.
-  std::optional<std::uint32_t> crossed(const LinearForm<Real>& g, const Place& from, const Place& to) const {
+  // place to the other, along which g rises from below 0 to above. The facet. Cost: O(log^2 n) probes.
+  std::uint32_t crossed(const LinearForm<Real>& g, const Place& from, const Place& to) const {
     const std::uint32_t corners = corner_count();
     std::uint32_t q = from.q, first = from.j + 1;  // side `first` is the first one that may cross
     const bool wraps = to.q < from.q || (to.q == from.q && to.j < from.j);
@@ -151,18 +160,59 @@ class SectionSearch {
       if (!meets_slices_) {
         first = 0;
       } else {
-        return facet(pocket((q + 1) % corners), 0);
+        return facet_after(from);
       }
     }
-    if (p.level != Sign::zero) return std::nullopt;
+    if (p.level != Sign::zero) return facet_before({q % corners, 0});
     std::uint32_t last = q == last_q ? to.j : p.count;
     if (!meets_slices_ && last < first) last += p.count + 1;
     const std::uint32_t sides = p.count + 1;
     const std::uint32_t j = planar::first_where(first, last, [&](std::uint32_t k) {
       return value_on(g, edge(p, (k + 1) % sides)) > Real(0);  // the end of side k
     });
-    return facet(p, j % sides);
+    return *facet(p, j % sides);
   }
+
+  // A corner of W: on a slice, between where two lateral edges pass it.
+  struct Corner {
+    LateralEdge e, f;
+    std::uint32_t slice;
+  };
+  Corner corner(std::uint32_t q) const {
+    const std::uint32_t half = corner_count() / 2;
+    const bool right = q < half;
+    const std::uint32_t slice = right ? low_ + q : high_ - (q - half), drum = drum_of(slice);
+    const Arcs arcs = arcs_of(drum);
+    const Arc& arc = right ? arcs.right : arcs.left;
+    const std::uint32_t n = drums_.size(drum), k = (arc.begin + side_on(arc, slice)) % n;
+    return {search_.edge(drum, k), search_.edge(drum, (k + 1) % n), slice};
+  }
+  Real value(const LinearForm<Real>& g, const Corner& c) const {
+    return between(value_of_corner(g, c.e, c.slice), value_of_corner(t_, c.e, c.slice),
+                   value_of_corner(g, c.f, c.slice), value_of_corner(t_, c.f, c.slice));
+  }
+
+  // What points are means of: weights of the body's vertices. Of a corner of W, and of where an edge crosses T.
+  template <class Add>
+  void add_parts(const Corner& c, const Add& add) const {
+    const Real to_f = share(value_of_corner(t_, c.e, c.slice), value_of_corner(t_, c.f, c.slice));
+    const auto part = [&](const LateralEdge& e, const Real& weight) {
+      const Real up = share_at(e, c.slice);
+      add(e.low, weight * (Real(1) - up));
+      add(e.high, weight * up);
+    };
+    part(c.e, Real(1) - to_f);
+    part(c.f, to_f);
+  }
+  template <class Add>
+  void add_parts(const LateralEdge& e, const Add& add) const {
+    const Real up = share(value_at(e.low), value_at(e.high));
+    add(e.low, Real(1) - up);
+    add(e.high, up);
+  }
+
+  // Where an edge crosses T.
+  Real value(const LinearForm<Real>& g, const LateralEdge& e) const { return value_on(g, e); }
 
   // g at vertex v of the body.
   Real value_at(const LinearForm<Real>& g, std::uint32_t v) const {
@@ -192,10 +242,11 @@ class SectionSearch {
   std::uint32_t side_on(const Arc& arc, std::uint32_t slice) const {
     const std::uint32_t n = drums_.size(arc.drum);
     if (arc.length == 0) return 0;
-    return planar::first_where(1, arc.length, [&](std::uint32_t k) {
-             const Real v = value_of_corner(t_, search_.edge(arc.drum, (arc.begin + k) % n), slice);
-             return arc.falls ? v < Real(0) : !(v < Real(0));
-           }) -
+    return planar::first_where(1, arc.length,
+                               [&](std::uint32_t k) {
+                                 const Real v = value_of_corner(t_, search_.edge(arc.drum, (arc.begin + k) % n), slice);
+                                 return arc.falls ? v < Real(0) : !(v < Real(0));
+                               }) -
            1;
   }
 
@@ -230,10 +281,15 @@ class SectionSearch {
   Real greatest_above(std::uint32_t drum) const {
     return value_of_corner(t_, search_.edge(drum, search_.furthest_edge(drum, normal_)), drum + 1);
   }
+  std::uint32_t last_facet(std::uint32_t q) const {
+    const Pocket p = pocket(q % corner_count());
+    return *facet(p, p.count);
+  }
   // T goes between two slices: all edges of the drum cross it.
   Pocket all_round() const {
     const std::uint32_t drum = low_ == 0 ? 0 : low_ - 1;
-    return {drum, 0, drums_.size(drum) - 1, greatest_above(drum) > Real(0), Sign::zero};
+    const bool forward = is_level_ ? dot(normal_, drums_.up()) > 0 : greatest_above(drum) > Real(0);
+    return {drum, 0, drums_.size(drum) - 1, forward, Sign::zero};
   }
 
   std::uint32_t side(const Pocket& p, std::uint32_t j) const {
@@ -281,16 +337,27 @@ class SectionSearch {
   Real value_of_corner(const LinearForm<Real>& g, const LateralEdge& e, std::uint32_t slice) const {
     if (slice <= e.begin) return value_at(g, e.low);
     if (slice >= e.end) return value_at(g, e.high);
-    const double low = height(e.low), at = height(drums_.vertex_of(slice)), high = height(e.high);
     const Real from = value_at(g, e.low), to = value_at(g, e.high);
-    return from + (to - from) * Real((at - low) / (high - low));
+    return from + (to - from) * share_at(e, slice);
+  }
+
+  // How far from an edge's lower vertex to its upper one a slice is.
+  Real share_at(const LateralEdge& e, std::uint32_t slice) const {
+    if (slice <= e.begin) return 0;
+    if (slice >= e.end) return 1;
+    const double low = height(e.low);
+    return (height(drums_.vertex_of(slice)) - low) / (height(e.high) - low);
+  }
+
+  // How far from one value of T to another is zero.
+  static Real share(const Real& t, const Real& t_other) {
+    const Real whole = t - t_other;
+    return !(whole > Real(0)) && !(whole < Real(0)) ? Real(0) : t / whole;
   }
 
   // Between two values of T of which one is not negative and one is not positive.
   static Real between(const Real& g, const Real& t, const Real& g_other, const Real& t_other) {
-    const Real whole = t - t_other;
-    if (!(whole > Real(0)) && !(whole < Real(0))) return g;
-    return g + (g_other - g) * (t / whole);
+    return g + (g_other - g) * share(t, t_other);
   }
 
   // Where an edge crosses T.
@@ -298,23 +365,13 @@ class SectionSearch {
     return between(value_at(g, e.low), value_at(e.low), value_at(g, e.high), value_at(e.high));
   }
 
-  Real value_at_corner(const LinearForm<Real>& g, std::uint32_t q) const {
-    const std::uint32_t half = corner_count() / 2;
-    const bool right = q < half;
-    const std::uint32_t slice = right ? low_ + q : high_ - (q - half), drum = drum_of(slice);
-    const Arcs arcs = arcs_of(drum);
-    const Arc& arc = right ? arcs.right : arcs.left;
-    const std::uint32_t n = drums_.size(drum), k = (arc.begin + side_on(arc, slice)) % n;
-    const LateralEdge &e = search_.edge(drum, k), &f = search_.edge(drum, (k + 1) % n);
-    return between(value_of_corner(g, e, slice), value_of_corner(t_, e, slice), value_of_corner(g, f, slice),
-                   value_of_corner(t_, f, slice));
-  }
+  Real value_at_corner(const LinearForm<Real>& g, std::uint32_t q) const { return value(g, corner(q)); }
 
   const DrumSearch& search_;
   const Drums& drums_;
   LinearForm<Real> t_;
   Point3 normal_;
-  bool meets_slices_ = false;
+  bool is_level_ = false, meets_slices_ = false;
   std::uint32_t low_ = 0, high_ = 0;
 };
 

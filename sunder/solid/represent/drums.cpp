@@ -161,6 +161,8 @@ void Drums::find_edges(std::span<const std::uint32_t> facet_begin, std::span<con
   // Each edge that is not level goes up on one facet's border, and down on another's.
   std::vector<LateralEdge> left_of, right_of;
   for (std::uint32_t f = 0; f + 1 < facet_begin.size(); ++f) {
+    const auto slice = [&](std::uint32_t k) { return slice_of_[facet_vertices[facet_begin[f] + k]]; };
+    if (slice(0) == slice(1) && slice(0) == slice(2)) level_facets_[slice(0) == 0 ? 0 : 1] = f;
     for (std::uint32_t k = facet_begin[f]; k < facet_begin[f + 1]; ++k) {
       const std::uint32_t v = facet_vertices[k];
       const std::uint32_t w = facet_vertices[k + 1 < facet_begin[f + 1] ? k + 1 : facet_begin[f]];

@@ -24,8 +24,10 @@
 #include <sunder/predicate/point.h>
 #include <sunder/solid/represent/ranked_bits.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -76,6 +78,9 @@ class Drums {
   // A vertex of a slice. Requires slice < slice_count().
   std::uint32_t vertex_of(std::uint32_t slice) const { return slices_[slice]; }
 
+  // The level facet that is the lowest slice (0) or the highest (1), if it is one.
+  std::optional<std::uint32_t> level_facet(std::size_t end) const { return level_facets_[end]; }
+
   // For searches, the body is seen in a frame of its own, in which it is about one long along each axis: points are
   // multiplied by these powers of two, normals and other directions of measuring divided by them.
   const Point3& shrink() const { return shrink_; }
@@ -96,8 +101,9 @@ class Drums {
 
   Point3 direction_;
   DrumsForm form_ = DrumsForm::persistent;
-  std::vector<std::uint32_t> slices_;         // a vertex of each
-  std::vector<std::uint32_t> slice_of_;       // of each vertex
+  std::vector<std::uint32_t> slices_;    // a vertex of each
+  std::vector<std::uint32_t> slice_of_;  // of each vertex
+  std::array<std::optional<std::uint32_t>, 2> level_facets_;
   std::vector<LateralEdge> edges_;            // in an order that is right in every drum
   std::vector<std::uint32_t> begun_, ended_;  // by drum: how many have begun there or below, or ended
   Point3 shrink_;                             // along each axis, so that the body's box has sides of about 1

@@ -1,0 +1,234 @@
+// The polygons of IHG as sequences of vertices with random access, for planar searches (planar/pair/placed.h), in
+// floating point: W, whose corners are on slices; what a section has beside a corner of W; and the polygon R.
+#pragma once
+
+#include <sunder/base/cost.h>
+#include <sunder/planar/pair/edge_runs.h>
+#include <sunder/solid/pair/scaled_pose.h>
+#include <sunder/solid/pair/section_search.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace sunder::solid {
+
+// A point of the plane, rounded. The signs are those of rounded numbers.
+template <class Real>
+struct RoundedPoint {
+  Real x, y;
+
+  friend Sign cross_2d(const RoundedPoint& p, const RoundedPoint& q, const RoundedPoint& r, const RoundedPoint& s,
+                       StageTally* = nullptr) {
+    return sign_of_rounded<Real>((q.x - p.x) * (s.y - r.y) - (q.y - p.y) * (s.x - r.x));
+  }
+  friend Sign dot_2d(const RoundedPoint& p, const RoundedPoint& q, const RoundedPoint& r, const RoundedPoint& s,
+                     StageTally* = nullptr) {
+    return sign_of_rounded<Real>((q.x - p.x) * (s.x - r.x) + (q.y - p.y) * (s.y - r.y));
+  }
+};
+
+// Two linear forms as coordinates in T.
+template <class Real>
+struct Coordinates {
+  LinearForm<Real> x, y;
+};
+
+// Parts of a planar sequence that searches ask for, where they are not known beforehand: the ends of the halves.
+// Derived has size() and operator[].
+template <class Derived, class Real>
+class RoundedSequence {
+ public:
+  using Vertex = RoundedPoint<Real>;
+
+  std::uint32_t number(std::uint32_t k) const { return k; }
+  std::array<Vertex, 2> up() const { return {Vertex{0, 0}, Vertex{0, 1}}; }
+
+  // The leftmost vertex, of two the lower one; the rightmost, of two the upper one. Cost: O(log n) vertices each.
+  std::uint32_t first() const { return furthest({-1, 0, 0}); }
+  std::uint32_t second() const { return furthest({1, 0, 0}); }
+
+ private:
+  std::uint32_t furthest(const Point3& d) const {
+    const auto& p = static_cast<const Derived&>(*this);
+    const std::uint32_t n = p.size();
+    if (n <= 2) return n == 2 && nearest((p[1].x - p[0].x)) * d.x > 0 ? 1 : 0;
+    return first_past(n, {0, 0, 1}, d, [&](std::uint32_t k) {
+      const Vertex a = p[k], b = p[k + 1 < n ? k + 1 : 0];
+      return Point3{nearest(b.y - a.y), nearest(a.x - b.x), 0};
+    });
+  }
+};
+
+// W. Corners that are one point, at its ends, are there once.
+template <class Real>
+class CornerSequence : public RoundedSequence<CornerSequence<Real>, Real> {
+ public:
+  using Vertex = RoundedPoint<Real>;
+  using Corner = typename SectionSearch<Real>::Corner;
+
+  // Keeps references. Requires a section that meets slices.
+  CornerSequence(const SectionSearch<Real>& section, const Coordinates<Real>& coordinates)
+      : section_(section), coordinates_(coordinates), half_(section.corner_count() / 2) {
+    const auto same = [&](std::uint32_t p, std::uint32_t q) {
+      const Vertex a = at(p), b = at(q);
+      return !(a.x < b.x) && !(b.x < a.x) && !(a.y < b.y) && !(b.y < a.y);
+    };
+    one_at_top_ = same(half_ - 1, half_);
+    one_at_bottom_ = half_ > 1 && same(0, 2 * half_ - 1);
+  }
+
+  std::uint32_t size() const { return 2 * half_ - (one_at_top_ ? 1 : 0) - (one_at_bottom_ ? 1 : 0); }
+  Vertex operator[](std::uint32_t k) const { return at(corner(k)); }
+
+  // What vertex k is a mean of.
+  template <class Add>
+  void add_parts(std::uint32_t k, const Add& add) const {
+    section_.add_parts(section_.corner(corner(k)), add);
+  }
+
+  // Which pockets are beside vertex k, and behind it.
+  struct Pockets {
+    std::uint32_t begin, count;
+  };
+  Pockets beside(std::uint32_t k) const {
+    const Pockets before = behind(k > 0 ? k - 1 : size() - 1);
+    return {before.begin, before.count + behind(k).count};
+  }
+  Pockets behind(std::uint32_t k) const {
+    const std::uint32_t q = corner(k);
+    const bool is_tip = (one_at_top_ && q + 1 == half_) || (one_at_bottom_ && q + 2 == 2 * half_);
+    return {q, is_tip ? 2u : 1u};
+  }
+
+ private:
+  std::uint32_t corner(std::uint32_t k) const { return one_at_top_ && k >= half_ ? k + 1 : k; }
+  Vertex at(std::uint32_t q) const {
+    const Corner c = section_.corner(q);
+    return {section_.value(coordinates_.x, c), section_.value(coordinates_.y, c)};
+  }
+
+  const SectionSearch<Real>& section_;
+  const Coordinates<Real>& coordinates_;
+  std::uint32_t half_;
+  bool one_at_top_ = false, one_at_bottom_ = false;
+};
+
+// A corner of W, the section's vertices in the pocket behind it, the next corner, and so on, for one to three pockets.
+// Where the section meets no slice, all of it.
+template <class Real>
+class PocketSequence : public RoundedSequence<PocketSequence<Real>, Real> {
+ public:
+  using Vertex = RoundedPoint<Real>;
+  using Section = SectionSearch<Real>;
+
+  PocketSequence(const Section& section, const Coordinates<Real>& coordinates, std::uint32_t q, std::uint32_t count)
+      : section_(section), coordinates_(coordinates), all_round_(!section.meets_slices()), count_(count) {
+    const std::uint32_t n = section.corner_count();
+    for (std::uint32_t k = 0; k < count; ++k) pockets_[k] = section.pocket((q + k) % n);
+    if (all_round_) return;
+    for (std::uint32_t k = 0; k <= count; ++k) corners_[k] = section.corner((q + k) % n);
+  }
+
+  std::uint32_t size() const {
+    if (all_round_) return pockets_[0].count + 1;
+    std::uint32_t size = count_ + 1;
+    for (std::uint32_t k = 0; k < count_; ++k) size += pockets_[k].count;
+    return size;
+  }
+  Vertex operator[](std::uint32_t k) const {
+    const Part part = part_of(k);
+    if (part.is_corner) return at(corners_[part.corner]);
+    return at(edge(part));
+  }
+
+  // What vertex k is a mean of.
+  template <class Add>
+  void add_parts(std::uint32_t k, const Add& add) const {
+    const Part part = part_of(k);
+    if (part.is_corner) return section_.add_parts(corners_[part.corner], add);
+    section_.add_parts(edge(part), add);
+  }
+
+  // The facet of the side behind vertex k; none behind the last one, which is no side of the section, and where it goes
+  // through a point.
+  std::optional<std::uint32_t> facet_behind(std::uint32_t k) const {
+    const Part part = part_of(k);
+    if (all_round_) return section_.facet(pockets_[0], part.j);
+    if (k + 1 == size()) return std::nullopt;
+    return section_.facet(pockets_[part.pocket], part.is_corner ? 0 : part.j);
+  }
+
+  // The body's edge that vertex k is on; none for corners.
+  std::optional<LateralEdge> edge_at(std::uint32_t k) const {
+    const Part part = part_of(k);
+    if (part.is_corner) return std::nullopt;
+    return edge(part);
+  }
+
+ private:
+  // Edge j of a pocket, or a corner, behind which the pocket is.
+  struct Part {
+    bool is_corner;
+    std::uint32_t corner, pocket, j;
+  };
+  Part part_of(std::uint32_t k) const {
+    if (all_round_) return {false, 0, 0, k};
+    std::uint32_t pocket = 0;
+    while (pocket < count_ && k > pockets_[pocket].count) k -= pockets_[pocket++].count + 1;
+    return k == 0 ? Part{true, pocket, pocket, 0} : Part{false, 0, pocket, k};
+  }
+  LateralEdge edge(const Part& part) const { return section_.edge(pockets_[part.pocket], part.j); }
+  template <class Place>
+  Vertex at(const Place& place) const {
+    return {section_.value(coordinates_.x, place), section_.value(coordinates_.y, place)};
+  }
+
+  const Section& section_;
+  const Coordinates<Real>& coordinates_;
+  bool all_round_;
+  std::uint32_t count_;
+  std::array<typename Section::Pocket, 3> pockets_{};
+  std::array<typename Section::Corner, 4> corners_{};
+};
+
+// R, in coordinates of the scaled world counted from a point of it; turned round where it runs clockwise there.
+template <class Real>
+class FlatSequence : public RoundedSequence<FlatSequence<Real>, Real> {
+ public:
+  using Vertex = RoundedPoint<Real>;
+
+  FlatSequence(const Placed& polygon, const ScaledPose& frame, const Point3& from, std::size_t x, std::size_t y,
+               bool turned, Cost& cost)
+      : polygon_(polygon),
+        cycle_(polygon.body.facet(0)),
+        frame_(frame),
+        from_(from),
+        x_(x),
+        y_(y),
+        turned_(turned),
+        cost_(cost) {}
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(cycle_.size()); }
+  Vertex operator[](std::uint32_t k) const {
+    ++cost_.probes;
+    const VectorOf<Real> at =
+        frame_.template way_to_image<Real>(from_, polygon_.pose, polygon_.graph.vertices[vertex(k)]);
+    const std::array<Real, 3> all{at.x, at.y, at.z};
+    return {all[x_], all[y_]};
+  }
+  std::uint32_t vertex(std::uint32_t k) const { return cycle_[turned_ ? size() - 1 - k : k]; }
+
+ private:
+  const Placed& polygon_;
+  std::span<const std::uint32_t> cycle_;
+  const ScaledPose& frame_;
+  Point3 from_;
+  std::size_t x_, y_;
+  bool turned_;
+  Cost& cost_;
+};
+
+}  // namespace sunder::solid

@@ -1,0 +1,76 @@
+// Lines, rays and segments against polyhedra by drums: against the scans, and how often its own proposals hold.
+#include <tests/support/scale.h>
+#include <tests/support/solid_lines.h>
+
+#include <sunder/solid/pair/polyhedron_line.h>
+#include <sunder/solid/pair/polyhedron_ray.h>
+#include <sunder/solid/pair/polyhedron_segment.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <map>
+#include <string>
+
+namespace sunder::tests {
+namespace {
+
+using solid::PolyhedronCut;
+
+struct Tally {
+  int cases = 0, meets = 0, finished = 0;
+  std::uint64_t probes = 0;
+};
+
+void expect_same(const PolyhedronCut& found, const PolyhedronCut& scan) {
+  ASSERT_EQ(found.kind, scan.kind);
+  if (!found.meet()) return;
+  ASSERT_EQ(found.first, scan.first);
+  ASSERT_EQ(found.last, scan.last);
+  if (found.kind == solid::CutKind::along) {
+    ASSERT_EQ(found.surface, scan.surface);
+  }
+}
+
+TEST(SolidLineByDrumsDifferential, AgreesWithTheScans) {
+  const int count = scaled_count(20000);
+  const std::uint64_t seed = chosen_seed(20261126);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  SolidLines lines(seed);
+  std::map<LineFamily, Tally> tallies;
+  for (int i = 0; i < count; ++i) {
+    const LineCase c = lines.next();
+    SCOPED_TRACE(std::to_string(i) + " " + std::string(name_of(c.family)));
+    const solid::Line line = solid::Line::through(c.a, c.b);
+    const PolyhedronCut found = polyhedron_line_by_drums(c.body, c.pose, line);
+    expect_same(found, polyhedron_line_by_scan(c.body, c.pose, line));
+    const solid::Ray ray = solid::Ray::from(c.a, c.b);
+    expect_same(polyhedron_ray_by_drums(c.body, c.pose, ray), polyhedron_ray_by_scan(c.body, c.pose, ray));
+    const solid::Segment segment = solid::Segment::between(c.a, i % 16 == 0 ? c.a : c.b);
+    expect_same(polyhedron_segment_by_drums(c.body, c.pose, segment),
+                polyhedron_segment_by_scan(c.body, c.pose, segment));
+    if (HasFatalFailure()) return;
+    if (c.body.dimension() < 3) continue;  // decided exactly, without a search
+    Tally& tally = tallies[c.family];
+    ++tally.cases;
+    tally.meets += found.meet();
+    tally.finished += found.decided_by == DecidedBy::finishing;
+    tally.probes += found.cost.probes;
+  }
+  std::printf("%-15s %7s %7s %9s %7s\n", "family", "cases", "meet", "finishing", "probes");
+  for (const auto& [family, t] : tallies) {
+    std::printf("%-15s %7d %7d %9d %7.0f\n", std::string(name_of(family)).c_str(), t.cases, t.meets, t.finished,
+                static_cast<double>(t.probes) / t.cases);
+  }
+  if (count < 2000) return;
+  for (const auto& [family, t] : tallies) {
+    EXPECT_GT(t.meets, t.cases / 5) << name_of(family);
+    // Of needles of 600 decimal digits that are turned, no search in floating point sees the thickness.
+    if (family == LineFamily::stretched) continue;
+    const bool is_general = family == LineFamily::general || family == LineFamily::round;
+    EXPECT_LE(t.finished, is_general ? 1 + t.cases / 1000 : t.cases / 10) << name_of(family);
+  }
+}
+
+}  // namespace
+}  // namespace sunder::tests
