@@ -3,6 +3,7 @@
 #include <sunder/solid/pair/polyhedron_line.h>
 #include <sunder/solid/pair/polyhedron_line_claims.h>
 #include <sunder/solid/pair/polyhedron_ray.h>
+#include <sunder/solid/pair/polyhedron_segment.h>
 
 #include <fmt/format.h>
 
@@ -114,7 +115,13 @@ PolyhedronCut by_scan(const ConvexPolyhedron& body, const Pose& pose, const Line
   return solid::polyhedron_line_by_scan(body, pose, std::get<solid::Line>(other));
 }
 
-constexpr std::array<Named<Method>, 2> methods{{{"automatic", solid::polyhedron_line_like}, {"scan", by_scan}}};
+PolyhedronCut by_drums(const ConvexPolyhedron& body, const Pose& pose, const LineLike& other) {
+  if (const auto* ray = std::get_if<solid::Ray>(&other)) return solid::polyhedron_ray_by_drums(body, pose, *ray);
+  return solid::polyhedron_line_by_drums(body, pose, std::get<solid::Line>(other));
+}
+
+constexpr std::array<Named<Method>, 3> methods{
+    {{"automatic", solid::polyhedron_line_like}, {"drums", by_drums}, {"scan", by_scan}}};
 
 LineLike line_like(const solid::Flat& flat) {
   if (const auto* ray = std::get_if<solid::Ray>(&flat)) return *ray;
@@ -149,11 +156,10 @@ class LinePair : public PairQuestion {
               {"common", std::move(told.json), std::move(told.text)}};
   }
 
-  // The body is the first of the file, whichever of A and B it is. A scan names no evidence: then it is that of the
-  // front door.
+  // The body is the first of the file, whichever of A and B it is. Only the front door names evidence.
   std::string certificate() const {
-    const PolyhedronCut proved =
-        cut_.decided_by == DecidedBy::scan ? polyhedron_line_like(body_.mesh.hull, body_.pose, other_) : cut_;
+    const bool is_own = call.method != "automatic";
+    const PolyhedronCut proved = is_own ? polyhedron_line_like(body_.mesh.hull, body_.pose, other_) : cut_;
     return certificate_of(PairClaims::Space::solid, body_is_a_ ? a_ : b_, body_is_a_ ? b_ : a_,
                           [&](PairClaims& pairs, std::uint32_t body, std::uint32_t line) {
                             add_claims(pairs, body, line, body_.mesh.hull, body_.pose, other_, proved, call.classify);
@@ -170,6 +176,14 @@ class LinePair : public PairQuestion {
 };
 
 }  // namespace
+
+std::optional<CutTold> segment_told(const PlacedBody& body, const char* letter, const PlacedBody& segment) {
+  if (!segment.object || segment.object->kind != io::SpaceObject::Kind::segment) return std::nullopt;
+  const auto a = exact_image(segment.pose, segment.object->points[0]);
+  const auto b = exact_image(segment.pose, segment.object->points[1]);
+  if (!a || !b) return std::nullopt;
+  return cut_told(polyhedron_segment(body.mesh.hull, body.pose, solid::Segment::between(*a, *b)), body, letter, *a, *b);
+}
 
 CutTold cut_told(const PolyhedronCut& cut, const PlacedBody& body, const char* letter, const Point3& a,
                  const Point3& b) {

@@ -44,6 +44,9 @@ struct SpaceInput {
   std::optional<PlacedFlat> flat;
 };
 
+// The image of the point, where its coordinates are doubles. (Decided exactly.)
+std::optional<Point3> exact_image(const solid::Pose& pose, const Point3& p);
+
 // Is the file one of an object of space?
 bool is_space_input(const PairCall& call, const std::string& file);
 
@@ -70,5 +73,8 @@ struct CutTold {
 };
 CutTold cut_told(const solid::PolyhedronCut& cut, const PlacedBody& body, const char* letter, const Point3& a,
                  const Point3& b);
+
+// The same where the other one is bounded. Nothing, where that is no segment, or its ends in the world are no doubles.
+std::optional<CutTold> segment_told(const PlacedBody& body, const char* letter, const PlacedBody& segment);
 
 }  // namespace sunder::ask

@@ -46,9 +46,13 @@ std::optional<Point3> in_doubles(const Exact3& x) {
   return p;
 }
 
+}  // namespace
+
 std::optional<Point3> exact_image(const solid::Pose& pose, const Point3& p) {
   return in_doubles(lift<ExactStage>(Posed3{p, &pose.affine(), false}));
 }
+
+namespace {
 
 // The pose that applies `inner` first, if its numbers are doubles.
 std::optional<solid::Pose> exactly_composed(const solid::Pose& outer, const solid::Pose& inner) {

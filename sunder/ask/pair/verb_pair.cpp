@@ -6,6 +6,7 @@
 
 #include <sunder/base/error.h>
 #include <sunder/solid/pair/contact_evidence.h>
+#include <sunder/solid/pair/polyhedron_polygon.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -69,6 +70,9 @@ class SolidPair : public PairQuestion {
     if (meet_ && is_hull) verdict_ = "meet as hulls";
     facts_ = {{"said_of", is_said_of_hulls ? "hulls" : "bodies", ""}, evidence(answer_.certificate(), 3)};
     const char* of_hulls = is_hull && !meet_ ? " (of the hulls)" : "";
+    const bool is_of_a = of_a_.object && of_a_.object->kind == io::SpaceObject::Kind::segment;
+    const auto cut = is_of_a ? segment_told(of_b_, "B", of_a_) : segment_told(of_a_, "A", of_b_);
+    if (cut) facts_.push_back({"cut", cut->json, cut->text});
     if (call.distance) facts_.push_back({"distance", distance_json(), distance_text() + of_hulls});
     if (least_ == 0) return;
     facts_.push_back(clearance(least_, is_kept_, distance_.distance().high));
@@ -116,6 +120,13 @@ class SolidPair : public PairQuestion {
   bool is_kept_ = false;
 };
 
+PairMethod solid_method(const PairCall& call, const PlacedBody& a, const PlacedBody& b) {
+  if (call.method != "drums") return pair_method(call.method);
+  if (a.mesh.hull.dimension() == 3 && b.mesh.hull.dimension() == 2) return solid::polyhedron_polygon_by_drums;
+  throw Error(ErrorCode::bad_call, "drums is for a body A and a plane, a line, a ray or a flat polygon B; give these",
+              "--method");
+}
+
 // Of standard input, the other one tells.
 int run(const PairCall& call) {
   const bool space_a = is_space_input(call, call.a.file), space_b = is_space_input(call, call.b.file);
@@ -141,7 +152,7 @@ int run(const PairCall& call) {
                                          {!call.b.feature.empty(), "--feature-b"}}) {
     if (is_given) throw Error(ErrorCode::bad_call, "is for planar objects only; leave it out", option);
   }
-  if (!space_a && !space_b) pair_method(call.method);  // before what takes time is read
+  if (!space_a && !space_b && call.method != "drums") pair_method(call.method);  // before what takes time is read
   PairFiles files(call);
   const SpaceInput a = read_space_input(call, call.a, files), b = read_space_input(call, call.b, files);
   require_projected(call, a, b);
@@ -151,7 +162,7 @@ int run(const PairCall& call) {
   }
   note_hulls(bodies);
   if (a.flat || b.flat) return run_flat_pair(call, a, b, files);
-  SolidPair question(call, pair_method(call.method), *a.bounded, *b.bounded, files);
+  SolidPair question(call, solid_method(call, *a.bounded, *b.bounded), *a.bounded, *b.bounded, files);
   return answer(question);
 }
 
@@ -174,7 +185,8 @@ Verb pair_verb() {
        {"--pose-b", &call->b.pose, "where B is", "POSE"},
        {"--method", &call->method,
         "automatic, scan, gjk (both bounded), hierarchy (of bodies), difference, halving, triangles (both bounded, in "
-        "the plane), or fibonacci (with a line)",
+        "the plane), or fibonacci (with a line); in space, with a plane, line, ray or flat polygon: automatic, drums, "
+        "scan",
         "NAME"},
        {"--classify", &call->classify, "tell touching from overlapping"},
        {"--require-convex", &call->require_convex, "a mesh that is not exactly convex is an error"},
