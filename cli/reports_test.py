@@ -44,7 +44,7 @@ OPTIONAL = {
     "common": "edge surface nearest furthest point first last",
     "common.first": "along_edge beginning",
     "common.last": "along_edge",
-    "cut": "surface first last",
+    "cut": "first last",
     "cut.first": "beginning",
     "cut.last": "end",
     "pairs[]": "contact",
@@ -96,12 +96,14 @@ pair cases/space/plane.json cases/space/above.json
 pair cases/space/plane.json cases/space/tilted.json --classify
 pair cases/space/ray.json cases/space/line.json --certificate OUT
 pair cases/space/ray.json cases/space/ray.json --certificate OUT
+pair cases/space/ray.json cases/space/back.json
+pair cases/mesh/cube.obj cases/space/plane.json --pose-a 0,0,4
 pair cases/mesh/cube.obj cases/space/line.json --classify --certificate OUT
 pair cases/mesh/cube.obj cases/space/ray.json --classify --certificate OUT
 pair cases/mesh/cube.obj cases/space/edge.json
 pair cases/mesh/cube.obj cases/space/diagonal.wkt --distance
-pair cases/mesh/cube.obj cases/space/edge.wkt
 pair cases/mesh/cube.obj cases/space/needle.json
+pair cases/mesh/cube.obj cases/space/edge.wkt
 pair cases/mesh/cube.obj cases/space/kite.json --certificate OUT
 pair cases/mesh/cube.obj cases/space/kite.wkt --certificate OUT
 pair cases/mesh/cube.obj cases/space/bent.json --project 0,0,0,1,0,0,0,1,0
@@ -403,7 +405,7 @@ class Reports(unittest.TestCase):
 
 SIMPLE = ["count", "position", "line", "text", "property", "about", "point2", "point3", "fraction"]
 SHARED = ["cost", "error", "left_out", "skipped", "mended", "feature", "body", "planar_body", "unbounded", "flat", "mesh",
-          "evidence", "common", "closest", "vertex_or_edge", "end", "pairs_of_parts", "info_of_mesh", "info_of_robot", "info_of_lines",
+          "evidence", "common", "closest", "end", "pairs_of_parts", "info_of_mesh", "info_of_robot", "info_of_lines",
           "info_of_rows", "info_of_objects", "certificate_file"]
 VERBS = [one["$ref"].split("/")[-1] for one in SCHEMA["else"]["oneOf"]]
 
