@@ -35,15 +35,18 @@ NEVER_SEEN = {
 
 # Keys that may be missing, by the object that holds them: "" is the report.
 OPTIONAL = {
-    "": "left_out skipped mended remarks contact said_of distance clearance group layer across_layers count counts "
+    "": "left_out skipped mended remarks contact said_of distance clearance cut group layer across_layers count counts "
         "best contradiction formats",
-    "objects[]": "why_hull departure groups layers left_out remarks properties box without inputs made_of not_made_of "
+    "objects[]": "why_hull frame moved_about departure groups layers left_out remarks properties box without inputs made_of not_made_of "
                  "proved",
     "objects[].departure": "volume_missing_about volume_of_hull_about",
     "distance": "a b",
-    "common": "edge nearest furthest first last",
+    "common": "edge surface nearest furthest point first last",
     "common.first": "along_edge beginning",
     "common.last": "along_edge",
+    "cut": "first last",
+    "cut.first": "beginning",
+    "cut.last": "end",
     "pairs[]": "contact",
     "contacts[]": "groups layers files lines properties",
     "best": "before side after point",
@@ -54,6 +57,9 @@ METHODS = {
     "pair cases/mesh/cube.obj cases/mesh/tetrahedron.ply": "automatic gjk hierarchy polar scan",
     "pair cases/planar-pair/plate.wkt cases/planar-pair/wheel.wkt": "difference halving triangles gjk scan",
     "pair cases/outcomes/square.wkt cases/outcomes/lines.csv --feature-b diagonal": "fibonacci scan",
+    "pair cases/mesh/cube.obj cases/space/plane.json": "automatic drums scan",
+    "pair cases/mesh/cube.obj cases/space/line.json": "automatic drums scan",
+    "pair cases/mesh/cube.obj cases/space/kite.wkt": "automatic drums gjk scan",
     "scene cases/mesh/cube.obj cases/mesh/cube.obj@0.5,0,0": "automatic gjk hierarchy polar scan",
     "segments cases/segments/wires.csv": "automatic grid sweep bentley-ottmann scan",
     "segments cases/segments/wires.csv --all": "automatic grid bentley-ottmann balaban scan",
@@ -85,6 +91,25 @@ pair cases/planar-pair/plate.wkt cases/planar-pair/paths.csv --feature-b beam --
 pair cases/planar-pair/plate.wkt cases/planar-pair/paths.csv --feature-b river
 pair cases/planar-pair/plate.wkt cases/planar-pair/paths.csv --feature-b hill
 pair cases/planar-pair/paths.csv cases/planar-pair/plate.wkt --feature-a east
+pair cases/mesh/cube.obj cases/space/plane.json --classify --certificate OUT
+pair cases/space/above.json cases/mesh/cube.obj
+pair cases/space/plane.json cases/space/line.json --certificate OUT
+pair cases/space/plane.json cases/space/above.json
+pair cases/space/plane.json cases/space/tilted.json --classify
+pair cases/space/ray.json cases/space/line.json --certificate OUT
+pair cases/space/ray.json cases/space/ray.json --certificate OUT
+pair cases/space/ray.json cases/space/back.json
+pair cases/mesh/cube.obj cases/space/plane.json --pose-a 0,0,4
+pair cases/mesh/cube.obj cases/space/line.json --classify --certificate OUT
+pair cases/mesh/cube.obj cases/space/ray.json --classify --certificate OUT
+pair cases/mesh/cube.obj cases/space/edge.json
+pair cases/mesh/cube.obj cases/space/diagonal.wkt --distance
+pair cases/mesh/cube.obj cases/space/needle.json
+pair cases/mesh/cube.obj cases/space/edge.wkt
+pair cases/mesh/cube.obj cases/space/kite.json --certificate OUT
+pair cases/mesh/cube.obj cases/space/kite.wkt --certificate OUT
+pair cases/mesh/cube.obj cases/space/bent.json --project 0,0,0,1,0,0,0,1,0
+pair cases/mesh/cube.obj cases/space/bent.json
 pair shapes.csv shapes.csv --feature-a p --feature-b s --distance
 pair mixed.wkt cases/planar-pair/plate.wkt --leave-out
 pair repeated.wkt cases/planar-pair/plate.wkt --mend
@@ -388,8 +413,8 @@ class Reports(unittest.TestCase):
 
 
 SIMPLE = ["count", "position", "line", "text", "property", "about", "point2", "point3", "fraction"]
-SHARED = ["cost", "error", "left_out", "skipped", "mended", "feature", "body", "planar_body", "unbounded", "mesh",
-          "evidence", "closest", "vertex_or_edge", "end", "pairs_of_parts", "info_of_mesh", "info_of_robot", "info_of_lines",
+SHARED = ["cost", "error", "left_out", "skipped", "mended", "feature", "body", "planar_body", "unbounded", "flat", "mesh",
+          "evidence", "common", "closest", "end", "pairs_of_parts", "info_of_mesh", "info_of_robot", "info_of_lines",
           "info_of_rows", "info_of_objects", "certificate_file"]
 VERBS = [one["$ref"].split("/")[-1] for one in SCHEMA["else"]["oneOf"]]
 

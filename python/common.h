@@ -38,6 +38,7 @@ void bind_sets(nb::module_& planar);
 void bind_regions(nb::module_& planar);
 void bind_solid(nb::module_& module, nb::module_& solid);
 void bind_sections(nb::module_& solid);
+void bind_flats(nb::module_& module, nb::module_& solid);
 
 // C++ errors become sunder.Error of Python.
 void translate_errors();

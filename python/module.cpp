@@ -92,4 +92,5 @@ NB_MODULE(_sunder, module) {
   bind_sets(planar);
   bind_regions(planar);
   bind_solid(module, solid);
+  bind_flats(module, solid);
 }

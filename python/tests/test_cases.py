@@ -250,7 +250,7 @@ def test_files_are_asked_as_by_the_program(monkeypatch, tmp_path):
 
 def test_files_that_are_refused():
     refused = placed = 0
-    for folder, verb in (("broken", "hull"), ("broken-lines", "segments"), ("broken-planar", "pair")):
+    for folder, verb in (("broken", "hull"), ("broken-lines", "segments"), ("broken-planar", "pair"), ("broken-space", "pair")):
         with open(case(folder + "/EXPECTED.tsv"), encoding="utf-8") as file:
             expected = dict(line.rstrip("\n").split("\t")[:2] for line in file if line.strip() and line[0] != "#")
         for name, part in expected.items():

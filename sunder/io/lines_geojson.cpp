@@ -1,15 +1,14 @@
 #include <sunder/base/error.h>
+#include <sunder/io/json_internal.h>
 #include <sunder/io/lines_geojson.h>
 #include <sunder/io/text.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <set>
 #include <string>
-#include <unordered_set>
 #include <vector>
 
 namespace sunder::io {
@@ -24,16 +23,7 @@ class GeoJson {
   }
 
   void parse(std::string_view text) {
-    const std::string_view place = builder_.place();
-    nlohmann::json top;
-    try {
-      top = nlohmann::json::parse(text, refuser_of_repeated_keys(place));
-    } catch (const nlohmann::json::exception& error) {  // not JSON, or a number beyond the doubles
-      const std::string what = error.what();
-      std::size_t at = what.find(" at line ");
-      if (at == std::string::npos) at = what.find("] ") + 1;
-      fail_file(place, "is not JSON that can be read: " + one_line(what.substr(at + 1)));
-    }
+    const nlohmann::json top = parse_json(text, builder_.place());
     if (top.is_array() && !top.empty() && top[0].is_array()) {
       builder_.group_by_feature_or_ring();
       builder_.begin_feature({}, 0);
@@ -53,21 +43,6 @@ class GeoJson {
   }
 
  private:
-  // For the parser, which would take the last of them.
-  static nlohmann::json::parser_callback_t refuser_of_repeated_keys(std::string_view place) {
-    using Event = nlohmann::json::parse_event_t;
-    std::vector<std::unordered_set<std::string>> keys;  // of the objects that are open
-    return [place, keys](int, Event event, const nlohmann::json& parsed) mutable {
-      if (event == Event::object_start) keys.emplace_back();
-      if (event == Event::object_end) keys.pop_back();
-      if (event == Event::key && !keys.back().insert(parsed.get<std::string>()).second) {
-        fail_file(place, fmt::format("the key {} stands twice in one object; remove one",
-                                     quote(parsed.get_ref<const std::string&>())));
-      }
-      return true;
-    };
-  }
-
   std::string type_of(const nlohmann::json& item) const {
     if (!item.is_object()) builder_.fail("is no GeoJSON: an object with a \"type\" is expected");
     const auto type = item.find("type");

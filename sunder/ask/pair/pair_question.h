@@ -32,6 +32,7 @@ struct PairCall : QuestionCall {
   std::string clearance;            // a number: is one that far from the other? Empty: it is not asked
   bool mend = false, hull = false;  // planar: what to do with vertices that are not those of a convex polygon
   bool drop_z = false;
+  std::string project;     // of space: a frame, nine numbers, that polygons are projected on; empty: none
   bool leave_out = false;  // what is no object here; of meshes, what is not read
   bool require_convex = false;
 };

@@ -1,10 +1,12 @@
 // sunder pair A B: do two convex objects meet?
 #include <sunder/ask/objects.h>
 #include <sunder/ask/pair/pair_planar.h>
+#include <sunder/ask/pair/pair_space.h>
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
 #include <sunder/solid/pair/contact_evidence.h>
+#include <sunder/solid/pair/polyhedron_polygon.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,36 +21,6 @@
 namespace sunder::ask {
 
 namespace {
-
-struct Placed {
-  MeshBody mesh;
-  solid::Pose pose;
-
-  bool is_hull() const { return mesh.shape == io::BodyShape::hull; }
-};
-
-Placed read(const PairCall& call, const PairSide& side, PairFiles& files) {
-  return {io::read_body(side.file, call.require_convex, files.left_out, files.inputs()),
-          side.pose.empty() ? solid::Pose() : parse_pose(side.pose, side.option("pose"))};
-}
-
-PairObject object_of(const Placed& placed) {
-  const auto& [mesh, pose] = placed;
-  const char* shape = mesh.shape == io::BodyShape::convex ? ""
-                      : placed.is_hull()                  ? ", hull of the mesh"
-                                                          : ", hull of the points";
-  const std::size_t n = mesh.hull.vertices().size();
-  const std::string departure = departure_text(mesh);
-  return {
-      .file = mesh.file,
-      .name = mesh.name,
-      .text = fmt::format("{}: {}, {}, {}{}{}{}", mesh.name, dimension_name(mesh.hull.dimension()),
-                          n == 1 ? "1 vertex" : fmt::format("{} vertices", n),
-                          count_of(mesh.hull.facet_count(), "facet"), shape, departure.empty() ? "" : "\n", departure),
-      .json = to_json(mesh),
-      .vertices = mesh.hull.vertices(),
-      .pose = pose.affine()};
-}
 
 // Few vertices of a body that span a part of its surface: a vertex, an edge, or a part of a facet.
 struct SurfacePart {
@@ -72,7 +44,7 @@ struct SurfacePart {
 
 class SolidPair : public PairQuestion {
  public:
-  SolidPair(const PairCall& asked, PairMethod method, const Placed& a, const Placed& b, const PairFiles& files)
+  SolidPair(const PairCall& asked, PairMethod method, const PlacedBody& a, const PlacedBody& b, const PairFiles& files)
       : PairQuestion(asked, object_of(a), object_of(b), files),
         method_(method),
         of_a_(a),
@@ -98,6 +70,9 @@ class SolidPair : public PairQuestion {
     if (meet_ && is_hull) verdict_ = "meet as hulls";
     facts_ = {{"said_of", is_said_of_hulls ? "hulls" : "bodies", ""}, evidence(answer_.certificate(), 3)};
     const char* of_hulls = is_hull && !meet_ ? " (of the hulls)" : "";
+    const bool is_of_a = of_a_.object && of_a_.object->kind == io::SpaceObject::Kind::segment;
+    const auto cut = is_of_a ? segment_told(of_b_, "B", of_a_) : segment_told(of_a_, "A", of_b_);
+    if (cut) facts_.push_back({"cut", cut->json, cut->text});
     if (call.distance) facts_.push_back({"distance", distance_json(), distance_text() + of_hulls});
     if (least_ == 0) return;
     facts_.push_back(clearance(least_, is_kept_, distance_.distance().high));
@@ -138,16 +113,32 @@ class SolidPair : public PairQuestion {
   }
 
   PairMethod method_;
-  const Placed &of_a_, &of_b_;
+  const PlacedBody &of_a_, &of_b_;
   double least_;  // the clearance that is asked about; 0: none
   solid::PairAnswer answer_;
   solid::PolyhedronDistance distance_;
   bool is_kept_ = false;
 };
 
+PairMethod solid_method(const PairCall& call, const PlacedBody& a, const PlacedBody& b) {
+  if (call.method != "drums") return pair_method(call.method);
+  if (a.mesh.hull.dimension() == 3 && b.mesh.hull.dimension() == 2) return solid::polyhedron_polygon_by_drums;
+  throw Error(ErrorCode::bad_call, "drums is for a body A and a plane, a line, a ray or a flat polygon B; give these",
+              "--method");
+}
+
 // Of standard input, the other one tells.
 int run(const PairCall& call) {
-  if (io::is_planar(call.a.file) || io::is_planar(call.b.file)) {
+  const bool space_a = is_space_input(call, call.a.file), space_b = is_space_input(call, call.b.file);
+  const bool planar_a = io::is_planar(call.a.file) && !space_a, planar_b = io::is_planar(call.b.file) && !space_b;
+  if (planar_a || planar_b) {
+    if (space_a || space_b) {
+      throw Error(ErrorCode::bad_call,
+                  fmt::format("{} is an object of space, the other one is planar; give two of one kind; of WKT Z, "
+                              "--drop-z ignores third coordinates",
+                              io::quote(io::one_line(space_a ? call.a.file : call.b.file))));
+    }
+    if (!call.project.empty()) throw Error(ErrorCode::bad_call, "is for polygons of space; leave it out", "--project");
     if (call.require_convex) {
       throw Error(ErrorCode::bad_call, "polygons are always required to be convex; leave it out", "--require-convex");
     }
@@ -161,11 +152,17 @@ int run(const PairCall& call) {
                                          {!call.b.feature.empty(), "--feature-b"}}) {
     if (is_given) throw Error(ErrorCode::bad_call, "is for planar objects only; leave it out", option);
   }
-  const PairMethod method = pair_method(call.method);
+  if (!space_a && !space_b && call.method != "drums") pair_method(call.method);  // before what takes time is read
   PairFiles files(call);
-  const Placed a = read(call, call.a, files), b = read(call, call.b, files);
-  note_hulls({&a.mesh, &b.mesh});
-  SolidPair question(call, method, a, b, files);
+  const SpaceInput a = read_space_input(call, call.a, files), b = read_space_input(call, call.b, files);
+  require_projected(call, a, b);
+  std::vector<const MeshBody*> bodies;
+  for (const SpaceInput* input : {&a, &b}) {
+    if (input->bounded) bodies.push_back(&input->bounded->mesh);
+  }
+  note_hulls(bodies);
+  if (a.flat || b.flat) return run_flat_pair(call, a, b, files);
+  SolidPair question(call, solid_method(call, *a.bounded, *b.bounded), *a.bounded, *b.bounded, files);
   return answer(question);
 }
 
@@ -178,8 +175,9 @@ Verb pair_verb() {
       "Do two convex objects meet? A common point, or what parts them.",
       "0 apart, or with --clearance that far apart; 1 meet, or not that far apart",
       {{"A", &call->a.file,
-        "a mesh or a set of points: OBJ, STL, PLY, OFF; or a planar object: WKT, GeoJSON, CSV. Lines, rays, "
-        "half-planes: in CSV line,x1,y1,x2,y2 (ray, half-plane), in WKT LINE (x1 y1, x2 y2) (RAY, HALFPLANE)",
+        "a mesh or a set of points: OBJ, STL, PLY, OFF; a point, segment, flat polygon, line, ray or plane of space: "
+        "JSON, WKT Z; or a planar object: WKT, GeoJSON, CSV. Planar lines, rays, half-planes: in CSV "
+        "line,x1,y1,x2,y2 (ray, half-plane), in WKT LINE (x1 y1, x2 y2) (RAY, HALFPLANE)",
         "", true},
        {"B", &call->b.file, "the other, of the same kind; in the plane, one of the two is bounded", "", true},
        {"--pose-a", &call->a.pose, fmt::format("where A is: {}; in the plane {}", pose_forms, planar_pose_forms),
@@ -187,7 +185,8 @@ Verb pair_verb() {
        {"--pose-b", &call->b.pose, "where B is", "POSE"},
        {"--method", &call->method,
         "automatic, scan, gjk (both bounded), hierarchy (of bodies), difference, halving, triangles (both bounded, in "
-        "the plane), or fibonacci (with a line)",
+        "the plane), or fibonacci (with a line); in space, with a plane, line, ray or flat polygon: automatic, drums, "
+        "scan",
         "NAME"},
        {"--classify", &call->classify, "tell touching from overlapping"},
        {"--require-convex", &call->require_convex, "a mesh that is not exactly convex is an error"},
@@ -201,6 +200,9 @@ Verb pair_verb() {
        {"--feature-b", &call->b.feature, "planar: which object of the file B is", "NAME"},
        {"--mend", &call->mend, "planar: leave out repeated and collinear vertices, turn clockwise ones round"},
        {"--hull", &call->hull, "planar: take the convex hull"},
+       {"--project", &call->project,
+        "of space: project polygons on the plane with this origin, u and v, nine numbers; the answer says by how much",
+        "FRAME"},
        {"--drop-z", &call->drop_z, "planar: ignore third coordinates"},
        {"--svg", &call->svg, "planar: draw the objects and the evidence here", "FILE"},
        title_option(call->title),

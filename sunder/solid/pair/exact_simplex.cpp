@@ -2,6 +2,7 @@
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/exact_simplex.h>
+#include <sunder/solid/pair/spanning_vertices.h>
 
 #include <algorithm>
 #include <optional>
@@ -23,19 +24,6 @@ struct Variable {
 };
 
 constexpr std::size_t whole_weight = 12;  // a multiple of 1, 2, 3 and 4
-
-// Some points of a body whose mean is in its relative interior: as many as it has dimensions, and one.
-std::vector<std::uint32_t> spanning_vertices(const ConvexPolyhedron& body) {
-  if (body.dimension() == 0) return {0};
-  if (body.dimension() == 1) return {0, 1};
-  const auto facet = body.facet(0);
-  std::vector<std::uint32_t> vertices(facet.begin(), facet.begin() + 3);
-  if (body.dimension() == 2) return vertices;
-  std::uint32_t off = 0;
-  while (std::find(facet.begin(), facet.end(), off) != facet.end()) ++off;
-  vertices.push_back(off);
-  return vertices;
-}
 
 class ExactSimplex {
  public:

@@ -1,0 +1,82 @@
+#include <sunder/ask/pair/pair_space.h>
+
+#include <sunder/base/error.h>
+#include <sunder/solid/pair/flat_flat.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+
+namespace sunder::ask {
+
+namespace {
+
+using FlatMethod = solid::FlatCommon(const solid::Flat&, const solid::Flat&);
+constexpr std::array<Named<FlatMethod>, 1> flat_methods{{{"automatic", solid::flat_flat}}};
+
+// Two of lines, rays and planes.
+class FlatPair : public PairQuestion {
+ public:
+  FlatPair(const PairCall& asked, const PlacedFlat& a, const PlacedFlat& b, const PairFiles& files)
+      : PairQuestion(asked, a.object_of(asked), b.object_of(asked), files),
+        method_(method_by(asked.method, flat_methods, " (of lines, rays and planes)")),
+        of_a_(a),
+        of_b_(b) {}
+
+  static std::uint64_t drawn() { return 0; }
+  static std::string picture() { return ""; }  // of planar pairs only
+
+  void ask() {
+    common_ = method_(of_a_.flat, of_b_.flat);
+    take(common_, common_.decided_by == DecidedBy::filter ? "signs, by floating-point filters alone"
+                                                          : "signs, with the help of exact arithmetic");
+    contact_ = common_.contact;
+    facts_ = {{"common", common_json(), common_text()}};
+  }
+
+  std::string certificate() const {
+    return certificate_of(
+        PairClaims::Space::solid, a_, b_, [this](PairClaims& pairs, std::uint32_t a, std::uint32_t b) {
+          add_claims(pairs, a, b, of_a_.flat, *of_a_.body, of_b_.flat, *of_b_.body, common_, call.classify);
+        });
+  }
+
+ private:
+  Point3 point() const { return nearest(common_point(of_a_.flat, of_b_.flat, common_)); }
+
+  Json common_json() const {
+    Json json{{"kind", name_of(common_.kind)}};
+    if (meet_) json["point"] = to_json(point());
+    return json;
+  }
+  std::string common_text() const {
+    if (!meet_) return "nothing";
+    if (common_.kind == solid::FlatKind::point) return "one point, about " + about(point());
+    return fmt::format("a {} through about {}", name_of(common_.kind), about(point()));
+  }
+
+  FlatMethod* method_;
+  const PlacedFlat &of_a_, &of_b_;
+  solid::FlatCommon common_;
+};
+
+}  // namespace
+
+int run_flat_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files) {
+  if (call.distance || !call.clearance.empty()) {
+    throw Error(ErrorCode::bad_call, "is for bodies, polygons, segments and points; leave it out, or give a segment",
+                call.distance ? "--distance" : "--clearance");
+  }
+  if (a.flat && b.flat) {
+    FlatPair question(call, *a.flat, *b.flat, files);
+    return answer(question);
+  }
+  const bool body_is_a = a.bounded.has_value();
+  const PlacedBody& body = body_is_a ? *a.bounded : *b.bounded;
+  const PlacedFlat& flat = body_is_a ? *b.flat : *a.flat;
+  const bool is_plane = std::holds_alternative<solid::Plane>(flat.flat);
+  return (is_plane ? run_plane_pair : run_line_pair)(call, body, flat, body_is_a, files);
+}
+
+}  // namespace sunder::ask

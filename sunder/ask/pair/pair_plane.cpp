@@ -1,0 +1,111 @@
+#include <sunder/ask/pair/pair_space.h>
+
+#include <sunder/predicate/stages.h>
+#include <sunder/solid/pair/polyhedron_plane.h>
+#include <sunder/solid/pair/polyhedron_plane_claims.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace sunder::ask {
+
+namespace {
+
+using solid::ConvexPolyhedron;
+using solid::Plane;
+using solid::PolyhedronPlane;
+using solid::Pose;
+
+using PlaneMethod = PolyhedronPlane(const ConvexPolyhedron&, const Pose&, const Plane&);
+constexpr std::array<Named<PlaneMethod>, 3> plane_methods{{{"automatic", solid::polyhedron_plane},
+                                                           {"drums", solid::polyhedron_plane_by_drums},
+                                                           {"scan", solid::polyhedron_plane_by_scan}}};
+
+class PlanePair : public PairQuestion {
+ public:
+  PlanePair(const PairCall& asked, const PlacedBody& body, const PlacedFlat& plane, bool body_is_a,
+            const PairFiles& files)
+      : PairQuestion(asked, body_is_a ? object_of(body) : plane.object_of(asked),
+                     body_is_a ? plane.object_of(asked) : object_of(body), files),
+        method_(method_by(asked.method, plane_methods, " (with a plane)")),
+        body_(body),
+        plane_(std::get<Plane>(plane.flat)),
+        in_file_(plane.body),
+        body_is_a_(body_is_a) {}
+
+  static std::uint64_t drawn() { return 0; }
+  static std::string picture() { return ""; }  // of planar pairs only
+
+  void ask() {
+    const ConvexPolyhedron& body = body_.mesh.hull;
+    answer_ = method_(body, body_.pose, plane_);
+    take(answer_, decided_text(answer_.decided_by));
+    if (call.classify && meet_) contact_ = solid::polyhedron_plane_contact(body, body_.pose, plane_);
+    if (meet_ && body_.is_hull()) verdict_ = "meet as hulls";
+    facts_ = {{"said_of", meet_ && body_.is_hull() ? "hulls" : "bodies", ""},
+              {"evidence", evidence_json(), evidence_text()}};
+  }
+
+  // The body is the first of the file, whichever of A and B it is.
+  std::string certificate() const {
+    return certificate_of(PairClaims::Space::solid, body_is_a_ ? a_ : b_, body_is_a_ ? b_ : a_,
+                          [this](PairClaims& pairs, std::uint32_t body, std::uint32_t plane) {
+                            add_claims(pairs, body, plane, body_.mesh.hull, body_.pose, plane_, *in_file_, answer_,
+                                       contact_);
+                          });
+  }
+
+ private:
+  const char* letter() const { return body_is_a_ ? "A" : "B"; }
+  const char* other_letter() const { return body_is_a_ ? "B" : "A"; }
+
+  // Of the nearest vertex, rounded.
+  double distance() const {
+    const Posed3 vertex{body_.mesh.hull.vertices()[answer_.nearest], &body_.pose.affine(), false};
+    const auto [x, y, z] = lift<ExactStage>(vertex);
+    const Dyadic height = solid::height(plane_, {x, y, z, 1.0});
+    const solid::Exact3 n = lift<ExactStage>(plane_.normal);
+    return std::sqrt(nearest_ratio(height * height, dot(n, n)));
+  }
+  Point3 point() const { return nearest(common_point(body_.mesh.hull, body_.pose, plane_, answer_)); }
+
+  Json evidence_json() const {
+    if (meet_) return {{"point", to_json(point())}, {"below", answer_.below}, {"above", answer_.above}};
+    return {{"side", answer_.side == Sign::positive ? "above" : "below"},
+            {"nearest", answer_.nearest},
+            {"gap_about", distance()}};
+  }
+  std::string evidence_text() const {
+    if (!meet_) {
+      return fmt::format("all of {0} is {1} {2}; vertex {3} of {0} is nearest to it, about {4} away", letter(),
+                         answer_.side == Sign::positive ? "above" : "below", other_letter(), answer_.nearest,
+                         about(distance()));
+    }
+    if (answer_.below == answer_.above) {
+      return fmt::format("a common point at about {}, vertex {} of {}", about(point()), answer_.below, letter());
+    }
+    return fmt::format(
+        "a common point at about {}, between vertex {} of {}, not above {},\nand vertex {}, not below it",
+        about(point()), answer_.below, letter(), other_letter(), answer_.above);
+  }
+
+  PlaneMethod* method_;
+  const PlacedBody& body_;
+  const Plane& plane_;
+  const std::optional<solid::FlatBody>& in_file_;
+  bool body_is_a_;
+  PolyhedronPlane answer_;
+};
+
+}  // namespace
+
+int run_plane_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& plane, bool body_is_a,
+                   const PairFiles& files) {
+  PlanePair question(call, body, plane, body_is_a, files);
+  return answer(question);
+}
+
+}  // namespace sunder::ask

@@ -1,0 +1,80 @@
+// sunder pair where A and B are in space: meshes, and points, segments, flat polygons, lines, rays and planes out of
+// JSON and WKT Z.
+#pragma once
+
+#include <sunder/ask/objects.h>
+#include <sunder/ask/pair/pair_question.h>
+
+#include <sunder/io/space_objects.h>
+#include <sunder/solid/object/pose.h>
+#include <sunder/solid/pair/flat_body.h>
+#include <sunder/solid/pair/polyhedron_cut.h>
+
+#include <optional>
+#include <string>
+
+namespace sunder::ask {
+
+// A bounded one in its place.
+struct PlacedBody {
+  MeshBody mesh;
+  solid::Pose pose;                         // with the frame of a polygon that has one
+  std::optional<io::SpaceObject> object{};  // where it is none of a mesh file
+
+  bool is_hull() const { return mesh.shape == io::BodyShape::hull; }
+};
+
+// As the answer tells of it; keeps a view of its vertices.
+PairObject object_of(const PlacedBody& placed);
+
+// A line, a ray or a plane in its place, in doubles.
+struct PlacedFlat {
+  std::string file, name;
+  io::SpaceObject object;
+  solid::Flat flat;
+  std::optional<solid::FlatBody> body;  // nothing: a plane without a point of three doubles
+
+  // Throws Error where a proof is asked for, and there is no body for it.
+  PairObject object_of(const PairCall& call) const;
+};
+
+// A or B as it was read: one of the two.
+struct SpaceInput {
+  std::optional<PlacedBody> bounded;
+  std::optional<PlacedFlat> flat;
+};
+
+// The image of the point, where its coordinates are doubles. (Decided exactly.)
+std::optional<Point3> exact_image(const solid::Pose& pose, const Point3& p);
+
+// Is the file one of an object of space?
+bool is_space_input(const PairCall& call, const std::string& file);
+
+// A mesh, or an object of space; of standard input the text tells. Throws Error for bad input; for a pose under which
+// what is not a body is not of doubles any more.
+SpaceInput read_space_input(const PairCall& call, const PairSide& side, PairFiles& files);
+
+// Throws Error where a frame is given, and no polygon was projected on it.
+void require_projected(const PairCall& call, const SpaceInput& a, const SpaceInput& b);
+
+// Where one of them is not bounded: answers; returns the exit code. Throws Error for --distance and --clearance.
+int run_flat_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
+
+// A body and a plane, a body and a line or ray.
+int run_plane_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& plane, bool body_is_a,
+                   const PairFiles& files);
+int run_line_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& line, bool body_is_a,
+                  const PairFiles& files);
+
+// What a line, a ray or a segment through a and b has in common with the body called `letter`.
+struct CutTold {
+  Json json;
+  std::string text;
+};
+CutTold cut_told(const solid::PolyhedronCut& cut, const PlacedBody& body, const char* letter, const Point3& a,
+                 const Point3& b);
+
+// The same where the other one is bounded. Nothing, where that is no segment, or its ends in the world are no doubles.
+std::optional<CutTold> segment_told(const PlacedBody& body, const char* letter, const PlacedBody& segment);
+
+}  // namespace sunder::ask

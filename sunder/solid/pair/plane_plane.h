@@ -1,0 +1,15 @@
+// What have two planes in common: nothing, a line, or all? In constant time.
+// Also called: plane-plane intersection; parallel planes.
+//
+// As line_line.h says.
+// Source: CD87, Figure 1.
+#pragma once
+
+#include <sunder/solid/object/plane.h>
+#include <sunder/solid/pair/line_line.h>
+
+namespace sunder::solid {
+
+FlatCommon plane_plane(const Plane& a, const Plane& b);
+
+}  // namespace sunder::solid
