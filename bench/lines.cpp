@@ -40,7 +40,7 @@ constexpr std::size_t kLines = 2000, kSections = 64, kPlanes = 500;
 // What `--check` demands of hits, of sections, and of planes near the body against the loop.
 const Steps kLinesByCgal{{1000, 1}, {100000, 3}};
 const Steps kSectionsByCgal{{1000, 1.5}};
-const Steps kPlanesByScan{{10000, 3}};
+const Steps kPlanesByScan{{1000, 2}, {10000, 10}};
 
 // What was wanted at the largest size.
 constexpr double kWantedByCgal = 5, kWantedByEmbree = 1, kWantedBySlicer = 20;
@@ -50,7 +50,7 @@ using Body = std::shared_ptr<const SphereBody>;
 Contest contest_of_lines(const Body& body, LineFamily family, std::uint64_t seed) {
   const auto scenario = std::make_shared<const LineScenario>(make_line_scenario(*body, family, kLines, seed));
   Contest made;
-  for (const LineQuery& query : scenario->queries) made.truths.push_back(query.meet ? 1 : 0);
+  for (const LineQuery& query : scenario->queries) made.truths.push_back(query.meet() ? 1 : 0);
   const std::pair<const char*, LineBy> subjects[] = {
       {"front door", LineBy::front_door}, {"with coordinates of ends", LineBy::ends}, {"drums", LineBy::drums}};
   for (const auto& [name, by] : subjects) {

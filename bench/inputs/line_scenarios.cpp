@@ -12,6 +12,7 @@ namespace {
 
 using sunder::Point3;
 using sunder::Random;
+using sunder::solid::CutKind;
 using sunder::solid::Line;
 using sunder::solid::Plane;
 
@@ -57,12 +58,12 @@ Edge some_edge(const SphereBody& body, Random& random) {
 // --- Lines -----------------------------------------------------------------------------------------------------------
 
 // What its ends are is not known yet.
-LineQuery through(const Point3& a, const Point3& b, bool meet) {
+LineQuery through(const Point3& a, const Point3& b, CutKind kind) {
   LineQuery query;
   query.line = Line::through(a, b);
   query.way = unit(plus(b, a, -1));
   query.foot = plus(a, query.way, -dot(a, query.way));
-  query.meet = meet;
+  query.kind = kind;
   return query;
 }
 
@@ -74,16 +75,18 @@ LineQuery with_ends(LineQuery query, const Point3& p, const Point3& q) {
   return query;
 }
 
-LineQuery touching(const Point3& at, const Point3& way) { return with_ends(through(at, plus(at, way), true), at, at); }
+LineQuery touching(const Point3& at, const Point3& way) {
+  return with_ends(through(at, plus(at, way), CutKind::point), at, at);
+}
 
 LineQuery by_vertices(const SphereBody& body, std::size_t k, Random& random) {
   const Point3 v = some_vertex(body, random);
-  if (k % 3 == 0) return through(v, in_ball(kInside, random), true);
+  if (k % 3 == 0) return through(v, in_ball(kInside, random), CutKind::across);
   if (k % 3 == 1) {
     for (;;) {
       const Point3& w = some_vertex(body, random);
       const Point3 chord = plus(w, v, -1);
-      if (dot(chord, chord) > kChord * kChord) return with_ends(through(v, w, true), v, w);
+      if (dot(chord, chord) > kChord * kChord) return with_ends(through(v, w, CutKind::across), v, w);
     }
   }
   return touching(v, across(v, random));
@@ -91,9 +94,9 @@ LineQuery by_vertices(const SphereBody& body, std::size_t k, Random& random) {
 
 LineQuery by_edges(const SphereBody& body, std::size_t k, Random& random) {
   const auto [a, b, outward] = some_edge(body, random);
-  if (k % 3 == 0) return with_ends(through(a, b, true), a, b);
+  if (k % 3 == 0) return with_ends(through(a, b, CutKind::along), a, b);
   const Point3 at = middle(a, b);
-  if (k % 3 == 1) return through(at, in_ball(kInside, random), true);
+  if (k % 3 == 1) return through(at, in_ball(kInside, random), CutKind::across);
   const Point3 over = unit(cross(outward, plus(b, a, -1)));
   return touching(at, unit(plus(over, unit(plus(b, a, -1)), random.uniform(-1, 1))));
 }
@@ -102,19 +105,19 @@ LineQuery by_family(const SphereBody& body, LineFamily family, std::size_t k, Ra
   switch (family) {
     case LineFamily::hits: {
       const Point3 p = in_ball(0.9, random);
-      return through(plus(p, sunder::tests::on_sphere(random), random.uniform(1, 3)), p, true);
+      return through(plus(p, sunder::tests::on_sphere(random), random.uniform(1, 3)), p, CutKind::across);
     }
     case LineFamily::vertices: return by_vertices(body, k, random);
     case LineFamily::edges: return by_edges(body, k, random);
     case LineFamily::near_misses: {
       const Point3 v = some_vertex(body, random), way = across(v, random);
       const Point3 p = plus(v, v, random.log_uniform(kNearGap, kFarGap));
-      return through(plus(p, way, random.uniform(-2, -1)), plus(p, way, random.uniform(1, 2)), false);
+      return through(plus(p, way, random.uniform(-2, -1)), plus(p, way, random.uniform(1, 2)), CutKind::nothing);
     }
     default: {
       const Point3 u = sunder::tests::on_sphere(random), way = across(u, random);
       const Point3 p = plus({}, u, random.uniform(1.1, 3));
-      return through(plus(p, way, random.uniform(-2, -1)), plus(p, way, random.uniform(1, 2)), false);
+      return through(plus(p, way, random.uniform(-2, -1)), plus(p, way, random.uniform(1, 2)), CutKind::nothing);
     }
   }
 }
@@ -202,7 +205,7 @@ LineScenario make_line_scenario(const SphereBody& body, LineFamily family, std::
   const std::vector<Facet> facets = facets_of(body);
   for (std::size_t k = 0; k < queries; ++k) {
     LineQuery query = by_family(body, family, k, random);
-    if (query.meet && query.first == HUGE_VAL) find_ends(facets, query);
+    if (query.meet() && query.first == HUGE_VAL) find_ends(facets, query);
     made.queries.push_back(query);
   }
   return made;

@@ -24,7 +24,7 @@ struct SectionWay {
 
 // CGAL's AABB tree of triangles:
 //   all_intersections of the line, and of these the first and the last.
-//   first_intersection of two rays, from outside to both sides.
+//   first_intersection of two rays, from outside to both sides. Where they start is rounded, and not on the line then.
 // Each in plain doubles (Simple_cartesian), and with exact signs (Epick).
 std::vector<LineWay> cgal_line_ways();
 

@@ -20,6 +20,8 @@ using sunder::solid::PolyhedronPlane;
 using sunder::solid::Pose;
 using sunder::solid::SectionPoints;
 
+constexpr std::size_t kScanned = 300000;  // vertices, in all scans of a row
+
 // The compiler has to suppose that all of the answer is read here.
 template <class Answer>
 void consume(const Answer& answer) {
@@ -66,13 +68,28 @@ std::uint64_t answer_with_ends(const ConvexPolyhedron& body, const LineQuery& qu
   return query.answer(at(cut.first), at(cut.last));
 }
 
-bool is_right(const ConvexPolyhedron& body, const LineQuery& query, const PolyhedronCut& cut) {
+bool is_as_by_scan(const ConvexPolyhedron& body, const LineQuery& query, const PolyhedronCut& cut) {
   const PolyhedronCut scan = polyhedron_line_by_scan(body, Pose(), query.line);
-  const bool same = cut.kind == scan.kind && (!cut.meet() || (cut.first == scan.first && cut.last == scan.last));
-  return same && answer_with_ends(body, query, cut) == (query.meet ? 1U : 0U);
+  return cut.kind == scan.kind && (!cut.meet() || (cut.first == scan.first && cut.last == scan.last));
+}
+
+// scan: by that too, which is linear, and slow.
+bool is_right(const ConvexPolyhedron& body, const LineQuery& query, const PolyhedronCut& cut, bool scan) {
+  return cut.kind == query.kind && answer_with_ends(body, query, cut) == (query.meet() ? 1U : 0U) &&
+         (!scan || is_as_by_scan(body, query, cut));
 }
 
 // --- Sections --------------------------------------------------------------------------------------------------------
+
+// Does each corner name two vertices that are on both sides of the plane? No coordinate is rounded: line_scenarios.cpp.
+bool are_across(const ConvexPolyhedron& body, const sunder::solid::Plane& plane, const PlaneSection& section) {
+  const auto height = [&](std::uint32_t v) {
+    const Point3 &n = plane.normal, &p = body.vertices()[v];
+    return n.x * p.x + n.y * p.y + n.z * p.z - plane.offset;
+  };
+  return std::all_of(section.corners.begin(), section.corners.end(),
+                     [&](const auto& corner) { return height(corner.above) > 0 && height(corner.below) < 0; });
+}
 
 void find_corners(const SectionPoints& points, const PlaneSection& section, std::vector<Point3>& corners) {
   corners.clear();
@@ -119,9 +136,11 @@ Ready prepare_sunder(const LineScenario& scenario, LineBy by) {
     consume(cut);
     return by == LineBy::ends ? answer_with_ends(body, query, cut) : cut.meet() ? 1 : 0;
   };
-  const auto tally = [&body, by](const LineQuery& query) {
+  const std::size_t scans = by == LineBy::front_door ? kScanned / body.vertices().size() : 0;
+  const auto tally = [&scenario, &body, by, scans](const LineQuery& query) {
     const PolyhedronCut cut = cut_by(body, query, by);
-    return tally_of(cut, is_right(body, query, cut));
+    const bool scan = static_cast<std::size_t>(&query - scenario.queries.data()) < scans;
+    return tally_of(cut, is_right(body, query, cut, scan));
   };
   return {each([&scenario, ask](std::size_t k) { return ask(scenario.queries[k]); }), tally_over(scenario, tally)};
 }  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): a std::function frees what it holds
@@ -130,8 +149,7 @@ Ready prepare_sunder(const SectionScenario& scenario, SectionBy by) {
   const ConvexPolyhedron& body = scenario.body->hull;
   const auto tally = [&body](const SectionQuery& query) {
     const PlaneSection section = polyhedron_plane_section(body, Pose(), query.plane);
-    const PlaneSection scan = polyhedron_plane_section_by_scan(body, Pose(), query.plane);
-    return tally_of(section, section.corners == scan.corners && section.corners.size() == query.corners);
+    return tally_of(section, section.corners.size() == query.corners && are_across(body, query.plane, section));
   };
   if (by == SectionBy::stack) return {by_stack(scenario)};
   const auto ask = [&scenario, &body, by, corners = std::vector<Point3>()](std::size_t k) mutable -> std::uint64_t {

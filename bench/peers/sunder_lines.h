@@ -12,7 +12,8 @@ namespace bench {
 
 // front_door: the features through which the line goes in and out, exactly. ends: the nearest doubles of both ends
 // besides, by exact arithmetic. drums: polyhedron_line_by_drums.
-// The tally compares each answer with the scan, and its exact ends with the truth.
+// The tally compares the kind of each answer and its exact ends with the truth, and of the front door some answers,
+// fewer of large bodies, with those of the scan, feature by feature.
 enum class LineBy : std::uint8_t { front_door, ends, drums };
 Ready prepare_sunder(const LineScenario&, LineBy);
 
