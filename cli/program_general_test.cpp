@@ -200,7 +200,7 @@ TEST_F(Program, TheManualPage) {
 TEST_F(Program, TheGuideNamesAllOptions) {
   const std::string page = read_text(source_folder() + "/docs/guide/program.md");
   for (const char* verb : {"pair", "scene", "segments", "simple", "circles", "boxes", "polygons", "region", "kernel",
-                           "hull", "info", "verify"}) {
+                           "hull", "section", "info", "verify"}) {
     EXPECT_NE(page.find(std::string("[") + verb + "](#sunder-" + verb + ")"), std::string::npos) << verb;
     const std::size_t begin = page.find(std::string("\n## sunder ") + verb + "\n");
     ASSERT_NE(begin, std::string::npos) << verb;
@@ -229,6 +229,7 @@ TEST_F(Program, ExitCodesOfVerbs) {
                                     {"region", "0 something is common to all; 1 nothing is"},
                                     {"kernel", "0 each polygon has a kernel; 1 some have none"},
                                     {"hull", "0; 2 bad"},
+                                    {"section", "0 no plane meets the body; 1 some do"},
                                     {"info", "0; 2 bad"},
                                     {"verify", "0 all accepted; 1 some refused"}}) {
     const std::string line = std::string("Exit code: ") + codes;
@@ -249,7 +250,7 @@ TEST_F(Program, ExitCodesOfVerbs) {
 TEST_F(Program, BadCalls) {
   expect_bad("",
              "no verb is given; verbs are pair, scene, segments, simple, circles, boxes, polygons, region, kernel, "
-             "hull, info, verify");
+             "hull, section, info, verify");
   expect_bad("frob", "there is no verb 'frob'");
   expect_bad("--frob", "there is no option '--frob'");
   expect_bad("pair", "A is required");

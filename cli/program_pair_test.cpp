@@ -1,4 +1,4 @@
-// The verbs pair, hull, info, verify.
+// The verbs pair, hull, section, info, verify.
 #include <tests/support/program.h>
 
 #include <algorithm>

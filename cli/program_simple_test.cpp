@@ -131,7 +131,7 @@ TEST_F(Program, DefectsOfTheCases) {
     }
     ++files;
   }
-  EXPECT_EQ(files, 19);
+  EXPECT_EQ(files, 20);
 }
 
 TEST_F(Program, AllDefectsAreNamedByFeature) {

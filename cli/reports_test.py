@@ -50,6 +50,7 @@ OPTIONAL = {
     "pairs[]": "contact",
     "contacts[]": "groups layers files lines properties",
     "best": "before side after point",
+    "sections[].corners[]": "vertex edge",
 }
 
 METHODS = {
@@ -70,6 +71,7 @@ METHODS = {
     "region --of circles cases/outcomes/discs_region.csv": "automatic division scan",
     "region --of polygons cases/outcomes/convex_bounded.wkt": "automatic edges division scan",
     "kernel cases/outcomes/star_bounded.wkt": "automatic half-planes lee-preparata scan",
+    "section cases/mesh/cube.obj --plane z=-1:1:0.5": "automatic scan",
 }
 
 # NAME stands for a file of the folder that is written below; OUT, for an output in it.
@@ -154,6 +156,12 @@ kernel cases/outcomes/mixed.wkt --leave-out --certificate OUT
 kernel cases/outcomes/hourglasses.wkt --skip-invalid
 hull cases/mesh/cube.stl --out OUT.off --certificate OUT
 hull two_points.obj
+section cases/mesh/cube.obj --plane 1,1,1,1.5 --plane 1,1,0,1 --plane x=0.25 --out OUT.obj --certificate OUT --svg OUT.svg
+section cases/mesh/cube.obj --plane z=3 --plane z=-3 --pose 0,0,1 --out OUT.wkt
+section cases/panda/meshes/collision/link3.stl --plane z=0
+section cases/mesh/two_parts.obj --plane z=0 --leave-out
+section cases/mesh/cube.obj --plane z=1:0:1
+section cases/mesh/cube.obj --plane z=1 --out OUT.frob
 info --formats
 info shapes.csv
 info empty.wkt cases/mesh/cube.obj
@@ -342,7 +350,8 @@ class Reports(unittest.TestCase):
             "pair": {"apart", "meet", "error"}, "scene": set_verb, "segments": set_verb, "circles": set_verb,
             "boxes": set_verb, "polygons": set_verb,
             "simple": {"valid", "not valid", "simple", "not simple", "error"}, "region": some,
-            "kernel": some, "hull": {"point", "segment", "polygon", "body", "error"}, "info": {"read", "error"},
+            "kernel": some, "hull": {"point", "segment", "polygon", "body", "error"}, "section": set_verb,
+            "info": {"read", "error"},
             "verify": {"accepted", "refused", "error"}, None: {"error"}})
         self.assertGreater(sum(self.count.values()), 4000)
         print("\n%d reports: %s" % (sum(self.count.values()), ", ".join(

@@ -235,6 +235,7 @@ void bind_solid(nb::module_& module, nb::module_& solid) {
   bind_pair<Solid>(module, solid, "polyhedron_polyhedron", "polyhedron_polyhedron_contact");
   solid.def("hull_certificate", &hull_certificate, nb::arg("points"), nb::arg("name") = "body",
             "The certificate file of what the convex hull of these points is, facet by facet.");
+  bind_sections(solid);
 }
 
 }  // namespace sunder::python

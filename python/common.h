@@ -37,6 +37,7 @@ void bind_polygons(nb::module_& planar);
 void bind_sets(nb::module_& planar);
 void bind_regions(nb::module_& planar);
 void bind_solid(nb::module_& module, nb::module_& solid);
+void bind_sections(nb::module_& solid);
 void bind_flats(nb::module_& module, nb::module_& solid);
 
 // C++ errors become sunder.Error of Python.

@@ -1,6 +1,7 @@
 // polygon_defects against its oracle, on small nasty multipolygons, under every rule.
 #include <tests/support/nasty_polygons.h>
 #include <tests/support/scale.h>
+#include <tests/support/shapes.h>
 
 #include <sunder/planar/set/polygon_simple.h>
 #include <sunder/planar/set/polygon_valid.h>
@@ -171,6 +172,28 @@ TEST(PolygonValidDifferential, AgreesWithTheScan) {
     }
     EXPECT_GT(rates[r].of_several, count / 20);
   }
+}
+
+// A hole around all of a part, after its other holes, or before them.
+TEST(PolygonValidDifferential, AHoleAroundAll) {
+  const int count = scaled_count(4000);
+  const std::uint64_t seed = chosen_seed(20261124);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  NastyPolygons polygons(seed);
+  std::array<Rates, 3> rates;
+  for (int k = 0; k < count; ++k) {
+    Parts parts = polygons.next(static_cast<NastyFamily>(k % nasty_family_count));
+    PolygonRings& rings = parts[polygons.random().below(parts.size())];
+    const std::size_t at = polygons.random().below(rings.size()) + 1;
+    rings.insert(rings.begin() + static_cast<std::ptrdiff_t>(at), box_ring(-200, -200, 200, 200));
+    for (std::size_t r = 0; r < rules.size(); ++r) {
+      ASSERT_NO_FATAL_FAILURE(compare_on(parts, rules[r], true, rates[r])) << k << " rule " << r << "\n"
+                                                                           << text_of(parts);
+    }
+  }
+  if (count < 2000) return;  // too few for the rates below
+  EXPECT_EQ(rates[1].valid, 0);
+  for (const Kind kind : {Kind::nested_holes, Kind::disconnected}) EXPECT_GT(rates[1].kinds[kind], count / 150);
 }
 
 // The rule `simple` is polygon_simple, and that holes lie where they must.

@@ -111,14 +111,15 @@ TEST(SolidPairDifferential, MethodsAgreeWithTheScan) {
       EXPECT_LE(t.finishing, t.cases / part) << name_of(family);
     }
   }
-  // So of the ways down hierarchies: their own proposals hold of 99.9 % in general position, and of 90 % elsewhere, but
-  // for needles that are turned.
+  // So of the ways down hierarchies: their own proposals hold of 99.9 % in general position, of 99 % of plates, and of
+  // 90 % elsewhere, but for needles that are turned.
   EXPECT_LE(general.finishing_by_hierarchy, general.cases / 1000);
   EXPECT_LE(general.finishing_by_polar, general.cases / 1000);
   for (const auto& [family, t] : tallies) {
     if (family == Family::stretched_turned) continue;
-    EXPECT_LE(t.finishing_by_hierarchy, t.cases / 10) << name_of(family);
-    EXPECT_LE(t.finishing_by_polar, t.cases / 10) << name_of(family);
+    const int part = family == Family::plates ? 100 : 10;
+    EXPECT_LE(t.finishing_by_hierarchy, t.cases / part) << name_of(family);
+    EXPECT_LE(t.finishing_by_polar, t.cases / part) << name_of(family);
   }
   // And the hard families do reach the exact methods.
   EXPECT_GT(tallies[Family::touching].evidence + tallies[Family::touching].finishing,

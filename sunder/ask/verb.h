@@ -70,6 +70,7 @@ Verb polygons_verb();
 Verb region_verb();
 Verb kernel_verb();
 Verb hull_verb();
+Verb section_verb();
 Verb info_verb();
 Verb verify_verb();
 

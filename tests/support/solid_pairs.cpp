@@ -14,9 +14,9 @@ using solid::Pose;
 
 std::string_view name_of(Family family) {
   constexpr std::array<std::string_view, family_count> names{
-      "general", "near contact",    "touching",     "last bit",         "grid",
-      "flat",    "needle",          "tiny or huge", "contained",        "large",
-      "shapes",  "shapes touching", "stretched",    "stretched turned", "caps"};
+      "general",   "near contact",     "touching",  "last bit", "grid",   "flat",
+      "needle",    "tiny or huge",     "contained", "large",    "shapes", "shapes touching",
+      "stretched", "stretched turned", "caps",      "plates"};
   return names[static_cast<std::size_t>(family)];
 }
 
@@ -138,6 +138,10 @@ Pose SolidPairs::some_affine_pose() {
 // Bisection for the distance of contact along a direction, then a gap or an overlap of log-uniform size.
 PairCase SolidPairs::near_contact_case(Family family, const ConvexPolyhedron& a, const ConvexPolyhedron& b) {
   const Pose here = some_pose(0), there = some_pose(1);
+  return near_contact_case(family, a, b, here, there);
+}
+PairCase SolidPairs::near_contact_case(Family family, const ConvexPolyhedron& a, const ConvexPolyhedron& b,
+                                       const Pose& here, const Pose& there) {
   const auto at = [&](double distance) {
     const auto& t = there.affine().translation;
     return Pose::from_matrix(there.affine().linear, {t[0] * distance, t[1] * distance, t[2] * distance});
@@ -175,6 +179,25 @@ PairCase SolidPairs::caps_case() {
     std::swap(result.pose_a, result.pose_b);
   }
   return result;
+}
+
+// Turned before they are made thin, so that no axis of their own frames is their thin one.
+PairCase SolidPairs::plates_case(const ConvexPolyhedron& a, const ConvexPolyhedron& b) {
+  const bool are_parallel = random_.below(3) == 0;
+  const Pose turn = some_pose(0);
+  const auto flattened = [&](const ConvexPolyhedron& body, const Pose& by) {
+    const double thin = random_.log_uniform(1e-14, 1e-3);
+    const auto& m = by.affine().linear;
+    return ConvexPolyhedron(mapped(body.vertices(), [&](const Point3& v) {
+      const double z = v.z * thin;
+      return Point3{m[0] * v.x + m[1] * v.y + m[2] * z, m[3] * v.x + m[4] * v.y + m[5] * z,
+                    m[6] * v.x + m[7] * v.y + m[8] * z};
+    }));
+  };
+  const ConvexPolyhedron first = flattened(a, turn), second = flattened(b, are_parallel ? turn : some_pose(0));
+  const Pose there = some_pose(1);
+  const Pose here = are_parallel ? Pose::from_matrix(there.affine().linear, {}) : some_pose(0);
+  return near_contact_case(Family::plates, first, second, here, there);
 }
 
 // P, and P mirrored in a point x of its surface: 2 x - P lies on the other side of any supporting plane at x, and x is
@@ -235,6 +258,7 @@ PairCase SolidPairs::next(Family family) {
     case Family::stretched:
     case Family::stretched_turned: return stretched_case(family);
     case Family::caps: return caps_case();
+    case Family::plates: return plates_case(p, q);
     case Family::grid: {
       const int side = static_cast<int>(random_.between(1, 4));
       const auto shift = [&] { return static_cast<double>(random_.between(-side, side)); };

@@ -30,8 +30,9 @@ enum class Family : int {
   stretched,         // the needles: 1e300 : 1 : 1e-300, along the axes
   stretched_turned,  // one of them turned: what decides lies hundreds of digits below the coordinates of the images
   caps,              // two prisms cap on cap: coplanar, or apart or overlapping by one unit in the last place
+  plates,            // near contact, thin as 1e-14 to 1e-3 of the length, along no axis; in one of three cases parallel
 };
-inline constexpr int family_count = 15;
+inline constexpr int family_count = 16;
 std::string_view name_of(Family);
 
 // Are sizes of a body hundreds of orders of magnitude apart, so that scaling may lose bits?
@@ -60,9 +61,12 @@ class SolidPairs {
   solid::Pose some_pose(double distance);
   solid::Pose some_affine_pose();
   PairCase near_contact_case(Family family, const solid::ConvexPolyhedron& a, const solid::ConvexPolyhedron& b);
+  PairCase near_contact_case(Family family, const solid::ConvexPolyhedron& a, const solid::ConvexPolyhedron& b,
+                             const solid::Pose& here, const solid::Pose& there);
   PairCase touching_case(Family family, const solid::ConvexPolyhedron& body);
   PairCase stretched_case(Family family);
   PairCase caps_case();
+  PairCase plates_case(const solid::ConvexPolyhedron& a, const solid::ConvexPolyhedron& b);
 
   Random random_;
   std::vector<solid::ConvexPolyhedron> pool_;

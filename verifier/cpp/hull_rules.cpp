@@ -16,10 +16,6 @@ using Vector = Integers;
 
 Vector minus(const Vector& u, const Vector& v) { return {u[0] - v[0], u[1] - v[1], u[2] - v[2]}; }
 
-Vector cross(const Vector& u, const Vector& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-
 std::size_t after(std::size_t k, std::size_t size) { return k + 1 < size ? k + 1 : 0; }
 
 // All points of a body, from the mean of the named ones, as many times as far as there are of these.
@@ -155,6 +151,16 @@ class Surface {
 
 }  // namespace
 
+Integers cross(const Integers& u, const Integers& v) {
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+
+bool is_between(const Integers& first, const Integers& last, const Integers& point) {
+  const Vector way = minus(last, first), here = minus(point, first), none(3);
+  const Integer along = dot(way, here);
+  return cross(way, here) == none && along >= 0 && along <= dot(way, way) && (way != none || here == none);
+}
+
 void check_surface(const Claim& claim, const HullBody& body, const std::vector<std::vector<std::size_t>>& faces) {
   Surface(claim.homes, body, faces).check();
 }
@@ -184,13 +190,9 @@ void check_outline(const Claim& claim, const HullBody& body, const std::vector<s
 
 void check_between(const HullBody& body, std::size_t i, std::size_t j) {
   take_steps(4 * body.rows().size(), body.given->bits, body.given->bits);
-  const Vector& first = body.rows()[i];
-  const Vector way = minus(body.rows()[j], first), none(3);
-  const Integer whole = dot(way, way);
+  const Vector &first = body.rows()[i], &last = body.rows()[j];
   for (std::size_t k = 0; k < body.rows().size(); ++k) {
-    const Vector here = minus(body.rows()[k], first);
-    const Integer along = dot(way, here);
-    require(whole > 0 && cross(way, here) == none && along >= 0 && along <= whole, "between",
+    require(first != last && is_between(first, last, body.rows()[k]), "between",
             "point " + std::to_string(k) + " is not between the ends");
   }
 }

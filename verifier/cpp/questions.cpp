@@ -18,8 +18,10 @@ struct Said {
   std::size_t index_a = 0, index_b = 0;
   Number least;
   AllPairs all_pairs;
-  const ProvedPairs* proved = nullptr;
+  const Proved* proved = nullptr;
   const HullBody* body = nullptr;
+  StatedPlane plane;
+  std::vector<std::pair<std::size_t, std::size_t>> corners;
   std::vector<std::vector<std::size_t>> faces;
   std::vector<std::size_t> outline;
   Numbers objective, point, from_a, to_b;
@@ -86,6 +88,38 @@ void read_body(const Place& p, Said& said) {
   said.body = &p.tables.bodies[index_member(p.item, "body", p.tables.bodies.size(), p.where)];
   const bool is_of_points = !said.body->is_image() && said.body->count == said.body->rows().size();
   if (!is_of_points || said.body->dimension() != 3) refuse_form(p.where + ".body is not of points in space");
+}
+
+void read_of(const Place& p, Said& said) {
+  said.body = &p.tables.bodies[index_member(p.item, "of", p.tables.bodies.size(), p.where)];
+  const bool is_of_points = said.body->count == said.body->rows().size();
+  if (!is_of_points || said.body->dimension() != 3) refuse_form(p.where + ".of is not of points in space");
+}
+
+// A normal, a point, and how far above it, times the normal.
+void read_plane(const Place& p, Said& said) {
+  Numbers values;
+  for (const Double& d : read_doubles(list_member(p.item, "plane", p.where), 7, p.where + ".plane")) {
+    values.push_back(number_of(d));
+  }
+  const auto [row, d, e] = common(values);
+  if (row[0] == 0 && row[1] == 0 && row[2] == 0) refuse_form(p.where + ".plane has no direction");
+  const std::int64_t up = std::max<std::int64_t>(-e, 0), down = std::max<std::int64_t>(e, 0);
+  const Integer level = row[0] * row[3] + row[1] * row[4] + row[2] * row[5];
+  said.plane = {{shifted(row[0], up), shifted(row[1], up), shifted(row[2], up)},
+                shifted(level, down) + shifted(row[6], up)};
+}
+
+void read_corners(const Place& p, Said& said) {
+  const std::string where = p.where + ".corners";
+  const std::size_t size = said.body->rows().size();
+  for (const Json& entry : list_member(p.item, "corners", p.where)) {
+    if (!entry.is_array() || entry.size() != 2) refuse_form(where + " entry is not a list of 2");
+    said.corners.emplace_back(read_index(entry[0], size, where + " entry"),
+                              read_index(entry[1], size, where + " entry"));
+  }
+  const std::set<std::pair<std::size_t, std::size_t>> once(said.corners.begin(), said.corners.end());
+  if (once.empty() || once.size() != said.corners.size()) refuse_form(where + " is empty, or names one twice");
 }
 
 // Corners of a face, or an outline.
@@ -401,6 +435,10 @@ void read_sectors(const Json& item, const Said& said, std::size_t size, const st
   }
 }
 
+void read_along(const Json& item, const Said& said, std::size_t, const std::string& where, Claim& claim) {
+  claim.along = index_list(item, "along", most_number + 1, said.corners.size(), where);
+}
+
 void read_cones(const Json& item, const Said& said, std::size_t size, const std::string& where, Claim& claim) {
   // A corner is between two sides: of those that do not go round, none is after the last one.
   const bool is_open = said.verdict == "ray" || said.verdict == "unbounded";
@@ -480,7 +518,7 @@ const ClaimNeeded clear{
 const ClaimNeeded nearer{
     "nearer", {}, of_a, [](const Claim&, const Said& s, const Tables&) { check_nearer(s.from_a, s.to_b, s.least); }};
 const ClaimNeeded each_pair{"each_pair", {}, of_members, [](const Claim&, const Said& s, const Tables&) {
-                              check_each_pair(s.all_pairs, s.groups, s.allowed, *s.proved, s.contacts);
+                              check_each_pair(s.all_pairs, s.groups, s.allowed, s.proved->pairs, s.contacts);
                             }};
 const ClaimNeeded surface{
     "surface", {{"homes", read_homes}}, of_body, [](const Claim& c, const Said& s, const Tables&) {
@@ -495,6 +533,15 @@ const ClaimNeeded between{"between", {}, of_body, [](const Claim&, const Said& s
                           }};
 const ClaimNeeded one_point{
     "one_point", {}, of_body, [](const Claim&, const Said& s, const Tables&) { check_one_point(*s.body); }};
+const ClaimNeeded beyond{
+    "beyond", {}, of_body, [](const Claim&, const Said& s, const Tables&) { check_beyond(*s.body, s.plane); }};
+const ClaimNeeded touches{"touches", {}, of_body, [](const Claim&, const Said& s, const Tables&) {
+                            check_touches(*s.body, s.plane, s.corners);
+                          }};
+const ClaimNeeded outlined{
+    "outlined", {{"along", read_along}}, of_body, [](const Claim& c, const Said& s, const Tables&) {
+      check_outlined(c, *s.body, s.plane, s.corners, s.proved->hulls);
+    }};
 const ClaimNeeded none_counts{
     "none_counts", {{"events", read_events}}, of_segments, [](const Claim& c, const Said& s, const Tables& t) {
       check_listed("none_counts", contacts_of_segments(c, t, s.groups, s.allowed), {});
@@ -700,6 +747,13 @@ const std::vector<Question> questions{
       {"flat", {{"outline", read_outline}}, {&outline}},
       {"segment", {{"i", read_ends_of_body}, {"j", read_nothing}}, {&between}},
       {"point", {}, {&one_point}}}},
+    {"section",
+     "bodies",
+     {{"of", read_of}, {"plane", read_plane}},
+     {},
+     {{"nothing", {}, {&beyond}},
+      {"touching", {{"corners", read_corners}}, {&touches}},
+      {"outlined", {{"corners", read_corners}}, {&outlined}}}},
     {"segments",
      "segments",
      {{"allowed", read_allowed}},
@@ -774,7 +828,7 @@ std::function<void()> read_claim(const Json& item, const ClaimNeeded& needed, co
 
 }  // namespace
 
-ClaimedStatement read_statement(const Json& item, const Tables& tables, const ProvedPairs& proved,
+ClaimedStatement read_statement(const Json& item, const Tables& tables, const Proved& proved,
                                 const std::string& where) {
   ClaimedStatement result;
   result.question = string_member(item, "question", where);
@@ -800,6 +854,12 @@ ClaimedStatement read_statement(const Json& item, const Tables& tables, const Pr
     result.b = said.b->name;
     result.index_a = said.index_a;
     result.index_b = said.index_b;
+  }
+  if (result.question == "hull") {
+    result.hull_of = said.body->base;
+    result.hull = {result.verdict, said.faces};
+    if (!said.outline.empty()) result.hull.faces = {said.outline};
+    if (result.verdict == "segment") result.hull.faces = {{said.contact.i, said.contact.j}};
   }
   result.sentence = sentence_of(item, said.body != nullptr ? said.body->name : result.a, result.b);
   const Json& claims = list_member(item, "claims", where);

@@ -66,7 +66,7 @@ struct Claim {
   WeightList weights;
   std::array<std::optional<EndOnLine>, 2> ends;
   SweepEvents events;
-  std::vector<std::size_t> order, cones, sectors;  // of sectors some are no_index
+  std::vector<std::size_t> order, cones, sectors, along;  // of sectors some are no_index
   std::vector<FaceHome> homes;
   std::vector<std::vector<std::size_t>> parts;
 };
@@ -88,12 +88,39 @@ void check_surface(const Claim& claim, const HullBody& body, const std::vector<s
 void check_outline(const Claim& claim, const HullBody& body, const std::vector<std::size_t>& outline);
 void check_between(const HullBody& body, std::size_t i, std::size_t j);
 void check_one_point(const HullBody& body);
+Integers cross(const Integers& u, const Integers& v);  // of three numbers each
+// Is the point on the segment between the other two, or, where these are one, there?
+bool is_between(const Integers& first, const Integers& last, const Integers& point);
+
+// What statements `hull` before have proved, by the indices of their bodies: of a flat one the outline is the one face,
+// of a segment its two ends are.
+struct ProvedHull {
+  std::string verdict;
+  std::vector<std::vector<std::size_t>> faces;
+};
+using ProvedHulls = std::map<std::size_t, ProvedHull>;
+
+// The points x with normal x = level.
+struct StatedPlane {
+  Integers normal;
+  Integer level;
+};
+void check_beyond(const HullBody& body, const StatedPlane& plane);
+void check_touches(const HullBody& body, const StatedPlane& plane,
+                   const std::vector<std::pair<std::size_t, std::size_t>>& corners);
+void check_outlined(const Claim& claim, const HullBody& body, const StatedPlane& plane,
+                    const std::vector<std::pair<std::size_t, std::size_t>>& corners, const ProvedHulls& proved);
 
 // What statements `pair` before have proved, by the indices of their bodies.
 struct ProvedPair {
   bool is_apart = false, meet = false, touch = false, overlap = false;
 };
 using ProvedPairs = std::map<std::pair<std::size_t, std::size_t>, ProvedPair>;
+
+struct Proved {
+  ProvedPairs pairs;
+  ProvedHulls hulls;
+};
 
 struct AllPairs {
   std::vector<std::size_t> members;                          // bodies

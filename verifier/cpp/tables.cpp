@@ -106,6 +106,7 @@ HullBody read_body(const Json& item, const std::vector<HullBody>& bodies, const 
     if (points.empty() || !points[0].is_array() || (points[0].size() != 2 && points[0].size() != 3)) {
       refuse_form(where + ".points is not a list of points of 2 or 3 numbers");
     }
+    body.base = bodies.size();
     body.count = points.size();
     const Json* ways = item.contains("ways") ? &list_member(item, "ways", where) : nullptr;
     body.given = std::make_shared<const Scaled>(read_points_and_ways(points, ways, where));

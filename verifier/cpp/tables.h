@@ -26,6 +26,7 @@ struct Scaled {
 // A convex hull of points, with the ways that go on from there for ever; or the image of one.
 struct HullBody {
   std::string name;
+  std::size_t base = 0;                 // its own index, or that of the body that it is the image of
   std::shared_ptr<const Scaled> given;  // its points, then its ways; an image has those of the body that it is of
   std::size_t count = 0;                // of points
   Scaled linear;                        // one row: the matrix, row by row; no row where the body is not an image

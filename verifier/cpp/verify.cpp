@@ -59,10 +59,11 @@ StatementResult check(const ClaimedStatement& statement) {
   return result;
 }
 
-// What a statement `pair`, which is accepted, has proved.
-void note_pair(const ClaimedStatement& statement, ProvedPairs& proved) {
+// What a statement that is accepted has proved, for those after it.
+void note(const ClaimedStatement& statement, Proved& proved) {
+  if (statement.question == "hull") proved.hulls[statement.hull_of] = statement.hull;
   if (statement.question != "pair") return;
-  ProvedPair& pair = proved[{statement.index_a, statement.index_b}];
+  ProvedPair& pair = proved.pairs[{statement.index_a, statement.index_b}];
   if (statement.verdict == "apart") pair.is_apart = true;
   if (statement.verdict == "meet") pair.meet = true;
   if (statement.verdict == "touching") pair.touch = true;
@@ -88,14 +89,14 @@ void verify_file(JsonText text, FileResult& result) {
   const Json& statements = list_member(top, "statements", "the file");
   if (statements.empty()) refuse_form("the file states nothing");
   std::vector<ClaimedStatement> claimed;
-  ProvedPairs proved;
+  Proved proved;
   for (const Json& item : statements) {
     claimed.push_back(read_statement(item, tables, proved, "statements[" + std::to_string(claimed.size()) + "]"));
   }
   text = JsonText();
   for (const ClaimedStatement& statement : claimed) {
     read.statements.push_back(check(statement));
-    if (read.statements.back().accepted) note_pair(statement, proved);
+    if (read.statements.back().accepted) note(statement, proved);
   }
   result.inputs = std::move(read.inputs);
   result.left_out = std::move(read.left_out);

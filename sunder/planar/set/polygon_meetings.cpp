@@ -1,4 +1,5 @@
 #include <sunder/near/box_pairs.h>
+#include <sunder/planar/set/crossing_edges.h>
 #include <sunder/planar/set/polygon_meetings.h>
 #include <sunder/planar/set/ring_tests.h>
 
@@ -39,13 +40,19 @@ bool PolygonMeetings::report(Contact contact, std::uint32_t e, std::uint32_t f, 
   return found_({contact, kind, false, i, j, edges_.in_polygon(e), edges_.in_polygon(f)});
 }
 
+bool PolygonMeetings::overlap_where_crossing(std::uint32_t e, std::uint32_t f) {
+  const Polygon &a = edges_.polygon(edges_.polygon_of(e)), &b = edges_.polygon(edges_.polygon_of(f));
+  return overlap_at_crossing(a, edges_.in_polygon(e), b, edges_.in_polygon(f), cost.probes);
+}
+
 bool PolygonMeetings::take(std::uint32_t e, std::uint32_t f, ContactKind kind) {
   const bool of_one = edges_.polygon_of(e) == edges_.polygon_of(f);
   if (!of_one) {
-    if (kind == ContactKind::crossing) return report(Contact::overlapping, e, f, kind);
-    if (!report(Contact::touching, e, f, kind)) return false;
+    const bool overlap = kind == ContactKind::crossing && overlap_where_crossing(e, f);
+    if (!report(overlap ? Contact::overlapping : Contact::touching, e, f, kind)) return false;
   }
-  if (kind == ContactKind::crossing) return true;  // of one polygon: it is not as required
+  // Of two polygons, either they overlap, or others of their edges end and meet there. Of one: it is not as required.
+  if (kind == ContactKind::crossing) return true;
   const CommonEnds ends = common_ends(edges_.edges()[e], edges_.edges()[f], kind);
   for (std::size_t k = 0; k < ends.count; ++k) meetings_.push_back({ends.at[k], e, f});
   return true;

@@ -1,12 +1,13 @@
 // What the contacts of edges tell about their polygons. For use by the methods of polygons_any and polygons_all.
 //
-// Let no two edges of different polygons P and Q cross. Around a point where both have edges, each fills some sectors,
-// between directions in which its edges leave the point; the polygons overlap near the point iff some sector is filled
-// by both. Where that is so at no such point, a ring of P that has a point in the interior of Q lies there entirely: it
-// cannot leave it but through an edge of Q, and where it would, a sector on one side of it is filled by both. And where
-// no ring of one has a point in the interior of the other, interiors with a common point would have a common component,
-// whose edges bound both from one side: sectors filled by both. So P and Q overlap iff
-//   (1) an edge of P and one of Q cross, or
+// Around a point where two polygons P and Q have edges, each fills some sectors, between directions in which its edges
+// leave the point; the polygons overlap near the point iff some sector is filled by both. Where edges cross that is so,
+// unless it is a vertex of both (crossing_edges.h). Where it is so at no point, a ring of P that has a point in the
+// interior of Q lies there entirely: it cannot leave it but through an edge of Q, and where it would, a sector on one
+// side of it is filled by both. And where no ring of one has a point in the interior of the other, interiors with a
+// common point would have a common component, whose edges bound both from one side: sectors filled by both. So P and Q
+// overlap iff
+//   (1) an edge of P and one of Q cross in a point that is not a vertex of both, or
 //   (2) around an end of an edge, on both, some sector is filled by both, or
 //   (3) for some ring of one, any one vertex is in the interior of the other.
 // All points of (2) are vertices, and so are doubles: no point is computed.
@@ -59,6 +60,7 @@ class PolygonMeetings {
     bool opens;  // is the inside of the polygon to its left? else it is to its right
   };
 
+  bool overlap_where_crossing(std::uint32_t e, std::uint32_t f);
   bool look_around(const Point2& p, std::span<const Meeting> meetings);
   bool walk_around();
   bool enter(const Leaving& leaving);

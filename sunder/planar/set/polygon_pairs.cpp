@@ -5,6 +5,7 @@
 // each point is on a ring of one and inside of the other.
 #include <sunder/base/lanes.h>
 #include <sunder/near/box_pairs.h>
+#include <sunder/planar/set/crossing_edges.h>
 #include <sunder/planar/set/polygon_pairs.h>
 #include <sunder/predicate/orient.h>
 
@@ -205,7 +206,8 @@ bool PolygonPairs::compare_near(const Polygon& a, const Polygon& b) {
     if (surely_on_one_side(p, p_end, q, q_end) || surely_on_one_side(q, q_end, p, p_end)) continue;
     const ContactKind kind = segment_segment(sorted({p, p_end}), sorted({q, q_end}));
     if (kind == ContactKind::none) continue;
-    found_.contact = kind == ContactKind::crossing ? Contact::overlapping : Contact::touching;
+    const bool overlap = kind == ContactKind::crossing && overlap_at_crossing(a, e, b, f, cost.probes);
+    found_.contact = overlap ? Contact::overlapping : Contact::touching;
     found_.kind = kind;
     found_.of_i = e;
     found_.of_j = f;

@@ -17,7 +17,7 @@ class PolygonPairs {
   PolygonPairs(std::span<const Polygon> polygons, std::uint64_t most) : polygons_(polygons), most_(most) {}
 
   // How do the polygons i < j meet? Requires that their boxes do. Nothing where it gives up. Where
-  // the first edges found to meet do not cross, the cost is that of polygons_contact.
+  // the first edges found to meet do not cross, or cross in a vertex of both, the cost is that of polygons_contact.
   std::optional<PolygonsContact> contact(std::uint32_t i, std::uint32_t j);
 
   void allow(std::uint64_t more) { most_ += more; }

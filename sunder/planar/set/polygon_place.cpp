@@ -40,7 +40,8 @@ void PolygonPlace::find_members(std::span<const Leaving> leaving) {
   for (std::uint32_t m = 0; m < members_.size(); ++m) member_of_[members_[m].polygon] = m;
 }
 
-// Pairs that touch, or overlap: one of edges that leave in one direction, where one begins, and one of any edges.
+// Pairs that touch, and may overlap, also where edges cross: one of edges that leave in one direction, where one
+// begins, and one of any edges.
 bool PolygonPlace::look_at_touches(std::span<const Leaving> leaving) {
   if (allowed_ == Allowed::touch) return true;
   for (std::size_t k = 0, end; k < leaving.size(); k = end) {
@@ -78,8 +79,7 @@ bool PolygonPlace::touch_across_groups(std::span<const Member> members) {
       ++probes;
       const std::uint32_t e = members[k].edge, f = members[l].edge;
       const ContactKind kind = segment_segment(edges_.edges()[e], edges_.edges()[f]);
-      const Contact contact = kind == ContactKind::crossing ? Contact::overlapping : Contact::touching;
-      if (!report(contact, e, f, kind)) return false;
+      if (!report(Contact::touching, e, f, kind)) return false;
     }
   }
   return true;

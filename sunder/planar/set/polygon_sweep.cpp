@@ -136,18 +136,20 @@ void PolygonSweep::goes_on(std::uint32_t old, std::uint32_t next) {
   status_.replace(old, next);
   above_of_[next] = std::exchange(above_of_[old], PersistentSets::empty);
   fills_above_[next] = fills_above_[old];
-  stopped_ = !meet(below_, next) || !meet(next, above_);
+  look_for_crossing(below_, next);
+  look_for_crossing(next, above_);
 }
 
 void PolygonSweep::pass() {
   under_ = below_ == none ? PersistentSets::empty : above_of_[below_];
   find_sides();
-  // Two that only cross have been found when they became neighbours.
-  const bool cross = begins_.empty() && row_.size() == 2 && next_.size() == 2;
-  stopped_ = (!cross && are_several() && !look_around()) || !look_inside();
+  const bool only_cross = vertex_ == nullptr && row_.size() == 2;
+  const bool is_more_wanted = only_cross ? report_crossing(row_[0], row_[1]) : !are_several() || look_around();
+  stopped_ = !is_more_wanted || !look_inside();
   if (stopped_) return;
   put_row();
-  stopped_ = next_.empty() ? !meet(below_, above_) : !meet(below_, next_.front()) || !meet(next_.back(), above_);
+  look_for_crossing(below_, next_.empty() ? above_ : next_.front());
+  if (!next_.empty()) look_for_crossing(next_.back(), above_);
 }
 
 // Which sides of next_ are filled: each polygon fills what is below its lowest edge, or not, and then in turn.
@@ -195,6 +197,13 @@ bool PolygonSweep::look_around() {
   return place_.look(leaving_);
 }
 
+// Two edges cross, and nothing else is there.
+bool PolygonSweep::report_crossing(std::uint32_t e, std::uint32_t f) {
+  const std::uint32_t p = edges_.polygon_of(e), q = edges_.polygon_of(f);
+  if (p == q || may_meet(options_.groups, p, q)) return true;
+  return place_.report(Contact::overlapping, e, f, ContactKind::crossing);
+}
+
 // Rings that begin here are inside of those polygons that fill what is below, save of those that have edges here.
 bool PolygonSweep::look_inside() {
   bool is_known = false;
@@ -216,7 +225,7 @@ bool PolygonSweep::look_inside() {
 
 bool PolygonSweep::report_inside(std::uint32_t e, std::uint32_t outer) {
   const std::uint32_t inner = edges_.polygon_of(e), vertex = edges_.in_polygon(e);  // the edge goes on from there
-  if (sunder::may_meet(options_.groups, inner, outer)) return true;
+  if (may_meet(options_.groups, inner, outer)) return true;
   const bool first = inner < outer;
   return found_({Contact::overlapping, ContactKind::none, first, std::min(inner, outer), std::max(inner, outer),
                  first ? vertex : 0, first ? 0 : vertex});
@@ -248,19 +257,12 @@ Sign PolygonSweep::side_of(const Point2& p, std::uint32_t e) {
   return orient_2d(segment(e).a, segment(e).b, p);
 }
 
-bool PolygonSweep::may_meet(std::uint32_t e, std::uint32_t f) const {
-  const std::uint32_t p = edges_.polygon_of(e), q = edges_.polygon_of(f);
-  return p == q || sunder::may_meet(options_.groups, p, q);
-}
-
 // Two that are neighbours now: do they cross further on? Then the one that ends first does so on the wrong side.
-bool PolygonSweep::meet(std::uint32_t lower, std::uint32_t upper) {
-  if (lower == none || upper == none) return true;
+void PolygonSweep::look_for_crossing(std::uint32_t lower, std::uint32_t upper) {
+  if (lower == none || upper == none) return;
   const bool lower_ends_first = lexicographically_less(segment(lower).b, segment(upper).b);
   const Sign side = lower_ends_first ? side_of(segment(lower).b, upper) : -side_of(segment(upper).b, lower);
-  if (side != Sign::positive) return true;
-  crossings_.push(lower, upper);
-  return may_meet(lower, upper) || place_.report(Contact::overlapping, lower, upper, ContactKind::crossing);
+  if (side == Sign::positive) crossings_.push(lower, upper);
 }
 
 }  // namespace sunder::planar

@@ -5,7 +5,7 @@
 // The line sweeps lexicographically, and passes crossings (Bentley & Ottmann 1979). All that happens at one point is
 // dealt with at once. What the polygons fill just above each edge of the list is known as a set: it differs from that
 // below by the edge's polygon, in which they share all else (PersistentSets). So
-//   - edges that cross were neighbours before: their polygons overlap;
+//   - edges that cross were neighbours before; where nothing else is at the point, their polygons overlap;
 //   - around a point where polygons of several groups have edges, PolygonPlace tells who touches and who overlaps;
 //   - a ring without these lies inside of the polygons in the set below its first vertex, and of no others.
 // Other pairs have no common point, as polygon_meetings.h shows.
@@ -39,7 +39,6 @@ class PolygonSweep {
   static constexpr std::uint32_t none = SweepStatus<Segment>::none;
 
   const Segment& segment(std::uint32_t e) const { return edges_.edges()[e]; }
-  bool may_meet(std::uint32_t e, std::uint32_t f) const;
   Sign side_of(const Point2& p, std::uint32_t e);
 
   void find_firsts();
@@ -53,10 +52,11 @@ class PolygonSweep {
   bool are_several() const;
   void find_sides();
   bool look_around();
+  bool report_crossing(std::uint32_t e, std::uint32_t f);
   bool look_inside();
   bool report_inside(std::uint32_t e, std::uint32_t outer);
   void put_row();
-  bool meet(std::uint32_t lower, std::uint32_t upper);
+  void look_for_crossing(std::uint32_t lower, std::uint32_t upper);
 
   const PolygonEdges& edges_;
   SetOptions options_;

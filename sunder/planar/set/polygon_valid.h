@@ -13,7 +13,8 @@
 //   P2. What is named is so. Each crossing and each overlap of two edges is named, each ring that is too short, and
 //       each point where rings cross in a vertex. What follows from where rings lie (holes, parts, the interior) is
 //       looked at without those that are too short, or cross or overlap themselves, and without the later one of two
-//       that cross or overlap; so mending one defect may bring another one to light.
+//       that cross or overlap. A hole that is outside of its shell, or inside of another hole, is named so; else it is
+//       as if it were not there: no other hole is nested in it. So mending one defect may bring another one to light.
 //   P3. The answer does not depend on the compiler. The order is that of the kinds, then that of the places.
 // What one might assume and does not hold: that a ring with a defect is named in one of them only.
 // Source: own, on Shamos & Hoey 1976, section III (the sweep). The number of parts of the interior is one more than

@@ -280,7 +280,7 @@ class Scan {
     }
     for (Ring& hole : rings_) {
       for (const Ring& other : rings_) {
-        if (hole.number == 0 || hole.dropped || &hole == &other) continue;
+        if (hole.number == 0 || hole.dropped || other.dropped || &hole == &other) continue;
         if (other.number == 0 || other.part != hole.part) continue;
         const Piece* inside = some_piece(hole, [&](const P& p) { return encloses(other, p); });
         if (!inside) continue;

@@ -132,7 +132,13 @@ TEST(PolygonValidTest, WhereHolesLie) {
   EXPECT_EQ(kinds({square, box_ring(9, 0, 10, 1)}), Kinds{Kind::hole_outside});
   EXPECT_EQ(kinds({square, box_ring(8, 8, 9, 9)}), Kinds{Kind::hole_outside});    // it touches the shell
   EXPECT_EQ(kinds({square, box_ring(-1, -1, 9, 9)}), Kinds{Kind::hole_outside});  // it holds the shell
+  // It holds the shell and another hole, which is not nested therefore; that goes from side to side.
+  EXPECT_EQ(kinds({square, box_ring(1, 1, 2, 2), box_ring(-1, -1, 9, 9)}), Kinds{Kind::hole_outside});
+  EXPECT_EQ(kinds({square, {{0, 4}, {4, 3}, {8, 4}, {4, 5}}, box_ring(-1, -1, 9, 9)}),
+            (Kinds{Kind::hole_outside, Kind::disconnected}));
   EXPECT_EQ(kinds({square, box_ring(1, 1, 7, 7), box_ring(2, 2, 3, 3)}), Kinds{Kind::nested_holes});
+  EXPECT_EQ(kinds({square, box_ring(3, 3, 4, 4), box_ring(2, 2, 5, 5), box_ring(1, 1, 7, 7)}),
+            Kinds(2, Kind::nested_holes));
   EXPECT_EQ(kinds({square, box_ring(1, 1, 7, 7), {{1, 1}, {3, 2}, {2, 3}}}), Kinds{Kind::nested_holes});
   EXPECT_EQ(kinds({square, box_ring(1, 1, 7, 7), box_ring(1, 1, 7, 7)}), Kinds(4, Kind::overlap));
   EXPECT_EQ(kinds({square, box_ring(8, 1, 9, 2)}), Kinds{Kind::overlap});

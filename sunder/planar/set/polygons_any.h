@@ -29,8 +29,10 @@
 namespace sunder::planar {
 
 // How two polygons meet, and what shows it: an edge of each that meet, or a vertex of one inside of the other.
-// Overlapping is shown by edges that cross; else by edges with a common point (of an overlap, its first or its last
-// end) around which the interiors have common points, as the edges of both polygons there tell; or by the vertex.
+// Overlapping is shown by edges with a common point (of an overlap, its first or its last end) around which the
+// interiors have common points, as the edges of both polygons there tell; or by the vertex. Edges that cross show it,
+// unless both polygons have a vertex in the point: there notches of the one may hold what the other fills, and where
+// the interiors are not connected, polygons may have edges that cross, and touch.
 struct PolygonsContact {
   Contact contact = Contact::none;       // of a contact that was found never none
   ContactKind kind = ContactKind::none;  // of the two edges; none: it is shown by a vertex

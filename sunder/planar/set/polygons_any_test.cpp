@@ -89,6 +89,26 @@ TEST(PolygonsContact, HolesAndIslands) {
             Contact::overlapping);
 }
 
+// Edges cross in a vertex of both, where the hole of each holds what the other fills: around that point they have
+// nothing in common.
+TEST(PolygonsContact, NotchesWhereEdgesCross) {
+  // They overlap elsewhere (cases/outcomes/polygons_notched.wkt): that is shown.
+  const Rings a{{{1, 1}, {1, 7}, {5, 7}, {5, 1}}, {{1, 5}, {3, 5}, {2, 4}}};
+  const Rings b{{{-1, 5}, {5, 5}, {5, 1}, {-1, 1}}, {{1, 5}, {2, 4}, {1, 3}}};
+  const PolygonsContact elsewhere = contact(a, b);
+  EXPECT_EQ(elsewhere.contact, Contact::overlapping);
+  EXPECT_NE(elsewhere.kind, ContactKind::crossing);
+  // The holes reach the other side, too, so that the insides are not connected: they only touch.
+  const Rings c{{{-4, 0}, {4, 0}, {-2, 6}}, {{0, 0}, {1, 2}, {0, 4}, {-1, 2}}};
+  const Rings d{{{0, -4}, {8, -4}, {8, 8}, {0, 8}}, {{0, 0}, {5, -1}, {5, 5}, {0, 4}, {0.5, 2}}};
+  const PolygonsContact touching = contact(c, d);
+  EXPECT_EQ(touching.contact, Contact::touching);
+  EXPECT_EQ(touching.kind, ContactKind::crossing);
+  EXPECT_EQ(polygons_count(std::vector{Polygon(c), Polygon(d)}).touching, 1u);
+  // One of the holes is too small.
+  EXPECT_EQ(contact(c, {d[0], {{0, 0}, {5, -1}, {5, 5}, {2, 4}, {0.5, 2}}}).contact, Contact::overlapping);
+}
+
 // The question for tracts: borders in common are allowed; the sliver is found.
 TEST(PolygonsAny, TractsMayTouchAndNotOverlap) {
   std::vector<Polygon> tracts;

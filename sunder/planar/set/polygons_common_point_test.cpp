@@ -1,5 +1,6 @@
 // Known cases of common_point of two polygons. (Small nasty sets: tests/polygons_differential_test.cpp.)
 #include <sunder/planar/set/polygons_common_point.h>
+#include <sunder/planar/set/ring_tests.h>
 
 #include <tests/support/shapes.h>
 
@@ -44,6 +45,22 @@ TEST(PolygonsCommonPoint, IsInsideOfBothWhereTheyOverlap) {
   expect_inside_both(box_ring(0, 0, 4, 4), box_ring(0, 1, 4, 3));                           // borders on borders
   expect_inside_both(box_ring(0, 0, 4, 4), box_ring(std::nextafter(4, 3), 0, 8, 4));        // by one bit
   expect_inside_both(box_ring(0, 0, 0x1p-1074, 0x1p-1074), box_ring(-1, -1, 1, 0x1p1000));  // of any scale
+}
+
+// Not where edges cross in a vertex of both, with nothing in common around it.
+TEST(PolygonsCommonPoint, IsNotSoughtWhereHolesHoldAllOfIt) {
+  const std::vector<Polygon> both{Polygon(Rings{{{1, 1}, {1, 7}, {5, 7}, {5, 1}}, {{1, 5}, {3, 5}, {2, 4}}}),
+                                  Polygon(Rings{{{-1, 5}, {5, 5}, {5, 1}, {-1, 1}}, {{1, 5}, {2, 4}, {1, 3}}})};
+  for (auto* method : {polygons_any_by_boxes, polygons_any_by_grid, polygons_any_by_sweep}) {
+    for (const Allowed allowed : {Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}) {
+      const PolygonsContact found = method(both, {allowed, {}, nullptr}).found.value();
+      const Point2 p = nearest(common_point(both[0], both[1], found));  // exactly it
+      for (const Polygon& polygon : both) {
+        EXPECT_EQ(where_in_ring(polygon, 0, p), Sign::positive);
+        EXPECT_EQ(where_in_ring(polygon, 1, p), Sign::negative);
+      }
+    }
+  }
 }
 
 TEST(PolygonsCommonPoint, OfBordersInCommonIsTheMiddle) {

@@ -2,6 +2,7 @@
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/represent/drums.h>
 #include <sunder/solid/represent/facet_graph.h>
+#include <sunder/solid/represent/half_edges.h>
 #include <sunder/solid/represent/hierarchy.h>
 #include <sunder/solid/represent/polar.h>
 #include <sunder/solid/represent/polar_hierarchy.h>
@@ -26,6 +27,8 @@ struct ConvexPolyhedron::Data {
   mutable Polar polar;
   mutable std::once_flag made_polar_hierarchy;
   mutable PolarHierarchy polar_hierarchy;
+  mutable std::once_flag made_half_edges;
+  mutable HalfEdges half_edges;
   mutable std::once_flag made_drums;
   mutable Drums drums;
   mutable std::once_flag made_facet_graph;
@@ -149,6 +152,15 @@ const PolarHierarchy& ConvexPolyhedron::polar_hierarchy() const {
     data_->polar_hierarchy = make_polar_hierarchy(data_->graph.vertices, data_->facet_begin, data_->facet_vertices);
   });
   return data_->polar_hierarchy;
+}
+
+const HalfEdges& ConvexPolyhedron::half_edges() const {
+  SUNDER_REQUIRE(vertices().size() >= 3);
+  std::call_once(data_->made_half_edges, [this] {
+    data_->half_edges =
+        make_half_edges(static_cast<std::uint32_t>(vertices().size()), data_->facet_begin, data_->facet_vertices);
+  });
+  return data_->half_edges;
 }
 
 const Drums& ConvexPolyhedron::drums() const {

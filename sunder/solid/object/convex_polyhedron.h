@@ -17,6 +17,7 @@ struct SearchGraph;     // what the searches of solid/pair walk on; see solid/re
 struct Hierarchy;       // where the search graph is slow; see solid/represent/hierarchy.h
 struct Polar;           // facets as vertices; see solid/represent/polar.h
 struct PolarHierarchy;  // of that; see solid/represent/polar_hierarchy.h
+struct HalfEdges;       // from facet to facet; see solid/represent/half_edges.h
 class Drums;            // a stack of cross-sections; see solid/represent/drums.h
 enum class DrumsForm : std::uint8_t;
 struct FacetGraph;      // what searches along lines walk on; see solid/represent/facet_graph.h
@@ -63,6 +64,9 @@ class ConvexPolyhedron {
   // The hierarchy of its polar. Made on first use, in O(n), and then shared. Throws as polar().
   const PolarHierarchy& polar_hierarchy() const;
 
+  // Made on first use, in O(n), and then shared. Requires three vertices or more.
+  const HalfEdges& half_edges() const;
+
   // Its drums, bottom up along z (a body in one level plane along x, or y), in the persistent form. Made on first use,
   // in O(n log n), and then shared.
   const Drums& drums() const;
@@ -74,8 +78,8 @@ class ConvexPolyhedron {
   // three vertices or more.
   const FacetGraph& facet_graph() const;
 
-  // Bytes of all that searches walk on, with the hierarchies, which it makes; without polar(), drums() and
-  // facet_graph().
+  // Bytes of all that searches walk on, with the hierarchies, which it makes; without polar(), drums(),
+  // facet_graph() and half_edges().
   std::size_t memory() const;
 
  private:

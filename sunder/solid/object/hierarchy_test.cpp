@@ -147,8 +147,7 @@ struct Asked {
   std::uint64_t probes = 0;
 };
 
-Asked extreme(const ConvexPolyhedron& body, const Point3& d) {
-  const Hierarchy& h = body.hierarchy();
+Asked extreme(const Hierarchy& h, const Point3& d) {
   const WorldDirection direction(d);
   const Affine3 identity;
   Along along(direction, identity, false);
@@ -164,6 +163,8 @@ Asked extreme(const ConvexPolyhedron& body, const Point3& d) {
   asked.vertex = h.nodes[HierarchyWalk(h, compare, turn, asked.probes).run()].vertex;
   return asked;
 }
+
+Asked extreme(const ConvexPolyhedron& body, const Point3& d) { return extreme(body.hierarchy(), d); }
 
 bool is_extreme(const ConvexPolyhedron& body, const Point3& d, std::uint32_t v) {
   const WorldDirection direction(d);
@@ -269,6 +270,36 @@ TEST(HierarchyTest, MiddlesOfNeedles) {
   ASSERT_NO_FATAL_FAILURE(check_structure(body, h, true));
   EXPECT_FALSE(std::all_of(h.nodes.begin(), h.nodes.end(),
                            [](const Hierarchy::Node& node) { return node.has_middle_in_doubles(); }));
+}
+
+// Any triangle of P's surface at a vertex is as good a middle as that which was chosen.
+Hierarchy with_triangles_as_middles(Hierarchy h, Random& random) {
+  std::vector<std::vector<std::array<std::uint32_t, 2>>> around(h.nodes.size());
+  for (const auto& [edge, left] : surface(h, static_cast<std::uint32_t>(h.nodes.size()))) {
+    around[edge.first].push_back({edge.second, left});
+  }
+  for (std::size_t v = 0; v < h.nodes.size(); ++v)
+    h.nodes[v].middle_triangle = around[v][random.below(around[v].size())];
+  return h;
+}
+
+// Where a new corner of a cone is its middle, every sign about it is zero, and the walk has to keep the neighbour that
+// it has (W3): with normals of triangles as middles, and directions along which edges and facets tie.
+TEST(HierarchyTest, TiesAboutMiddlesThatAreCorners) {
+  Random random(tests::chosen_seed(101));
+  const int bodies = tests::scaled_count(300);
+  for (int i = 0; i < bodies; ++i) {
+    std::vector<Point3> points;
+    const auto part = [&] { return static_cast<double>(random.between(-4, 4)); };
+    for (std::uint64_t k = 10 + random.below(60); k > 0; --k) points.push_back({part(), part(), part()});
+    const ConvexPolyhedron body(points);
+    if (body.dimension() < 3) continue;
+    const Hierarchy h = with_triangles_as_middles(body.hierarchy(), random);
+    for (int k = 0; k < 300; ++k) {
+      const Point3 d{part(), part(), part()};
+      ASSERT_TRUE(is_extreme(body, d, extreme(h, d).vertex)) << i << ' ' << d.x << ' ' << d.y << ' ' << d.z;
+    }
+  }
 }
 
 TEST(HierarchyTest, ProbesGrowAsTheLogarithm) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -191,26 +192,33 @@ class Outline {
   std::vector<Vector2<Dyadic>> corners_;
 };
 
-std::vector<std::uint32_t> named(const ConvexPolyhedron& hull, std::uint32_t facet) {
-  std::vector<std::uint32_t> corners;
-  for (const std::uint32_t v : hull.facet(facet)) corners.push_back(hull.source()[v]);
-  return corners;
-}
+// The points of a certificate's body, of which source[v] is vertex v of the hull.
+struct Named {
+  std::span<const Point3> points;
+  std::span<const std::uint32_t> source;
 
-void write_surface(ClaimsWriter& file, std::span<const Point3> points, const ConvexPolyhedron& hull,
+  std::vector<std::uint32_t> corners(const ConvexPolyhedron& hull, std::uint32_t facet) const {
+    std::vector<std::uint32_t> named;
+    for (const std::uint32_t v : hull.facet(facet)) named.push_back(source[v]);
+    return named;
+  }
+};
+
+void write_surface(ClaimsWriter& file, const Named& names, const ConvexPolyhedron& hull,
                    const std::vector<bool>& is_vertex) {
   file.begin_list("faces");
-  for (std::uint32_t f = 0; f < hull.facet_count(); ++f) file.add_list(named(hull, f));
+  for (std::uint32_t f = 0; f < hull.facet_count(); ++f) file.add_list(names.corners(hull, f));
   file.end_list();
   file.begin_claims();
   file.begin_claim("surface");
   file.begin_list("homes");
-  Facets facets(hull);
-  for (std::size_t k = 0; k < points.size(); ++k) {
+  std::optional<Facets> facets;  // made for the first point that is no vertex
+  for (std::size_t k = 0; k < names.points.size(); ++k) {
     if (is_vertex[k]) {
       file.add_null();
     } else {
-      const Home home = facets.home_of(points[k]);
+      if (!facets) facets.emplace(hull);
+      const Home home = facets->home_of(names.points[k]);
       file.add_list(std::array{home.facet, home.corner});
     }
   }
@@ -218,21 +226,50 @@ void write_surface(ClaimsWriter& file, std::span<const Point3> points, const Con
   file.end_claim();
 }
 
-void write_outline(ClaimsWriter& file, std::span<const Point3> points, const ConvexPolyhedron& hull,
+void write_outline(ClaimsWriter& file, const Named& names, const ConvexPolyhedron& hull,
                    const std::vector<bool>& is_vertex) {
-  file.indices("outline", named(hull, 0));
+  file.indices("outline", names.corners(hull, 0));
   file.begin_claims();
   file.begin_claim("outline");
   file.begin_list("sectors");
   const Outline outline(hull);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    is_vertex[k] ? file.add_null() : file.add_index(outline.sector_of(points[k]));
+  for (std::size_t k = 0; k < names.points.size(); ++k) {
+    is_vertex[k] ? file.add_null() : file.add_index(outline.sector_of(names.points[k]));
   }
   file.end_list();
   file.end_claim();
 }
 
+void write_statement(ClaimsWriter& file, const Named& names, const ConvexPolyhedron& hull) {
+  std::vector<bool> is_vertex(names.points.size());
+  for (const std::uint32_t k : names.source) is_vertex[k] = true;
+  constexpr std::array<const char*, 4> verdicts{"point", "segment", "flat", "solid"};
+  file.begin_statement("hull");
+  file.index("body", 0);
+  file.text("verdict", verdicts[static_cast<std::size_t>(hull.dimension())]);
+  if (hull.dimension() == 3) {
+    write_surface(file, names, hull, is_vertex);
+  } else if (hull.dimension() == 2) {
+    write_outline(file, names, hull, is_vertex);
+  } else {
+    if (hull.dimension() == 1) {
+      file.index("i", names.source[0]);
+      file.index("j", names.source[1]);
+    }
+    file.begin_claims();
+    file.begin_claim(hull.dimension() == 1 ? "between" : "one_point");
+    file.end_claim();
+  }
+  file.end_statement();
+}
+
 }  // namespace
+
+void write_hull_of_vertices(ClaimsWriter& file, const ConvexPolyhedron& hull) {
+  std::vector<std::uint32_t> all(hull.vertices().size());
+  std::iota(all.begin(), all.end(), 0u);
+  write_statement(file, {hull.vertices(), all}, hull);
+}
 
 void write_hull(ClaimsWriter& file, const std::string& name, std::span<const Point3> points,
                 const ConvexPolyhedron& hull) {
@@ -244,26 +281,7 @@ void write_hull(ClaimsWriter& file, const std::string& name, std::span<const Poi
   file.end_list();
   file.end_entry();
   file.end_table();
-  std::vector<bool> is_vertex(points.size());
-  for (const std::uint32_t k : hull.source()) is_vertex[k] = true;
-  constexpr std::array<const char*, 4> verdicts{"point", "segment", "flat", "solid"};
-  file.begin_statement("hull");
-  file.index("body", 0);
-  file.text("verdict", verdicts[static_cast<std::size_t>(hull.dimension())]);
-  if (hull.dimension() == 3) {
-    write_surface(file, points, hull, is_vertex);
-  } else if (hull.dimension() == 2) {
-    write_outline(file, points, hull, is_vertex);
-  } else {
-    if (hull.dimension() == 1) {
-      file.index("i", hull.source()[0]);
-      file.index("j", hull.source()[1]);
-    }
-    file.begin_claims();
-    file.begin_claim(hull.dimension() == 1 ? "between" : "one_point");
-    file.end_claim();
-  }
-  file.end_statement();
+  write_statement(file, {points, hull.source()}, hull);
 }
 
 }  // namespace sunder::solid

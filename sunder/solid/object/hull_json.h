@@ -18,4 +18,7 @@ namespace sunder::solid {
 void write_hull(ClaimsWriter& file, const std::string& name, std::span<const Point3> points,
                 const ConvexPolyhedron& hull);
 
+// The statement alone, of the body 0 of the table, whose points are the vertices of this one, in their order.
+void write_hull_of_vertices(ClaimsWriter& file, const ConvexPolyhedron& hull);
+
 }  // namespace sunder::solid

@@ -152,6 +152,32 @@ TEST(PolarHierarchy, OfCoordinatesThatWouldUnderflow) {
   EXPECT_GT(bodies, tests::scaled_count(200) / 2);
 }
 
+// Thin along no axis: its frame is round, and the signs are those of the body.
+TEST(PolarHierarchy, OfPlatesAndNeedlesAlongNoAxis) {
+  Random random(tests::chosen_seed(36));
+  for (int i = 0; i < tests::scaled_count(60); ++i) {
+    const double thin = random.log_uniform(1e-13, 1e-3), wide = random.below(2) == 0 ? 1 : thin;
+    const Point3 u = tests::on_sphere(random), w = tests::on_sphere(random);
+    const Vector3<double> x{u.x, u.y, u.z}, y = cross(x, Vector3<double>{w.x, w.y, w.z}), z = cross(x, y);
+    std::vector<Point3> points = tests::points_on_sphere(40, random);
+    for (Point3& p : points) {
+      const double b = p.y * wide, c = p.z * thin;
+      p = {p.x * x.x + b * y.x + c * z.x, p.x * x.y + b * y.y + c * z.y, p.x * x.z + b * y.z + c * z.z};
+    }
+    const ConvexPolyhedron body(points);
+    ASSERT_NO_FATAL_FAILURE(check(body, "thin", true)) << i;
+    const PolarHierarchy& polar = body.polar_hierarchy();
+    ASSERT_FALSE(polar.to_round.is_identity) << i << ' ' << thin;
+    for (const Hierarchy::Node& node : polar.hierarchy.nodes) {
+      const auto size = [](const Point3& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}); };
+      ASSERT_LT(size(node.middle), 2) << i;
+      ASSERT_GT(size(node.middle), 0x1p-8) << i;
+      ASSERT_NEAR(node.at.x * node.middle.x + node.at.y * node.middle.y + node.at.z * node.middle.z, 1, 0.5) << i;
+    }
+  }
+  EXPECT_TRUE(ConvexPolyhedron(tests::points_on_sphere(40, random)).polar_hierarchy().to_round.is_identity);
+}
+
 TEST(PolarHierarchy, SizeAndDepth) {
   Random random(tests::chosen_seed(32));
   for (const SolidShape& shape : tests::all_solid_shapes()) {

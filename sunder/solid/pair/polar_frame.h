@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -20,19 +21,31 @@ struct HalfSpace {
   VectorOf<Real> n;
   Real h;
 
-  double size() const {
+  // What brings the numbers to a size of about 1, at most 1; of DoubleDouble a power of two, so that no entry of a game
+  // is rounded by itself, and what cancels in a mixture of rows or columns still does, to the last bit.
+  double scale() const {
     const Point3 m = rounded(n);
-    return std::fabs(m.x) + std::fabs(m.y) + std::fabs(m.z) + std::fabs(nearest(h));
+    return to_one(std::fabs(m.x) + std::fabs(m.y) + std::fabs(m.z) + std::fabs(nearest(h)));
   }
-  static double size_of(const VectorOf<Real>& y, double w) {
+  static double scale_of(const VectorOf<Real>& y, double w) {
     const Point3 p = rounded(y);
-    return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z), w});
+    return to_one(std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z), w}));
   }
 
-  // How far a point is outside, of a direction (w = 0) how fast it goes there, over both sizes: between -1 and 1.
-  Real pay(const VectorOf<Real>& y, double w) const {
-    const double sizes = size() * size_of(y, w);
-    return sizes > 0 ? (dot(n, y) - h * Real(w)) * Real(1 / sizes) : Real(0);
+  // How far a point is outside, of a direction (w = 0) how fast it goes there, with the product of both scales: between
+  // -1 and 1.
+  Real pay(const VectorOf<Real>& y, double w, double scales) const { return scaled(dot(n, y) - h * Real(w), scales); }
+  Real pay(const VectorOf<Real>& y) const { return pay(y, 1, scale() * scale_of(y, 1)); }
+
+ private:
+  static double to_one(double size) {
+    if (!(size >= 0x1p-1022 && size <= std::numeric_limits<double>::max())) return 1;
+    if constexpr (std::is_same_v<Real, double>) {
+      return 1 / size;
+    } else {
+      constexpr std::uint64_t exponent = 0x7ff0000000000000;
+      return 0.5 / std::bit_cast<double>(std::bit_cast<std::uint64_t>(size) & exponent);
+    }
   }
 };
 
@@ -58,6 +71,12 @@ class PolarFrame {
     inverse_ = {cross(b, c), cross(c, a), cross(a, b)};
     const Real to_unit = Real(1) / dot(a, inverse_[0]);
     for (Vector& row : inverse_) row = {row.x * to_unit, row.y * to_unit, row.z * to_unit};
+    if (!polar_.to_round.is_identity) {  // its rows, mapped column by column
+      const auto& [i, j, k] = inverse_;
+      const Vector x = polar_.to_round(Vector{i.x, j.x, k.x}), y = polar_.to_round(Vector{i.y, j.y, k.y}),
+                   z = polar_.to_round(Vector{i.z, j.z, k.z});
+      inverse_ = {Vector{x.x, y.x, z.x}, Vector{x.y, y.y, z.y}, Vector{x.z, y.z, z.z}};
+    }
     const auto& m = p.pose.linear;
     for (std::size_t j = 0; j < 3; ++j) {
       linear_[j] = into({Real(m[j] * scale), Real(m[3 + j] * scale), Real(m[6 + j] * scale)});
@@ -125,8 +144,9 @@ class PolarFrame {
   }
   Vector scaled_difference(std::uint32_t v, std::uint32_t from) const {
     const Point3 &p = r_.graph.vertices[v], &q = r_.graph.vertices[from];
-    return {difference<Real>(p.x, q.x) * Real(polar_.to_one.x), difference<Real>(p.y, q.y) * Real(polar_.to_one.y),
-            difference<Real>(p.z, q.z) * Real(polar_.to_one.z)};
+    return polar_.to_round(Vector{difference<Real>(p.x, q.x) * Real(polar_.to_one.x),
+                                  difference<Real>(p.y, q.y) * Real(polar_.to_one.y),
+                                  difference<Real>(p.z, q.z) * Real(polar_.to_one.z)});
   }
   // From the first vertex of the base to o, and o.
   Vector base_from_first() const {
@@ -139,8 +159,10 @@ class PolarFrame {
   }
   Vector middle() const {
     const Point3& p = r_.graph.vertices[polar_.base[0]];
-    const Vector e = base_from_first();
-    return {Real(p.x * polar_.to_one.x) + e.x, Real(p.y * polar_.to_one.y) + e.y, Real(p.z * polar_.to_one.z) + e.z};
+    const Vector e = base_from_first(),
+                 first = polar_.to_round(
+                     Vector{Real(p.x * polar_.to_one.x), Real(p.y * polar_.to_one.y), Real(p.z * polar_.to_one.z)});
+    return {first.x + e.x, first.y + e.y, first.z + e.z};
   }
 
   const Placed& p_;

@@ -184,6 +184,8 @@ class PolarWalk {
     Vector y;
     double w = 1;                            // 0: a direction
     std::uint32_t vertex = Hierarchy::none;  // none: a direction
+
+    double scale() const { return HalfSpace<Real>::scale_of(y, w); }
   };
 
   // --- Games -------------------------------------------------------------------------------------------------------
@@ -191,8 +193,13 @@ class PolarWalk {
   bool play(const polar_walk_detail::Few<HalfSpace<Real>>& walls) {
     game_.rows = walls.size();
     game_.columns = columns_.size();
+    std::array<double, polar_walk_detail::most> scale;
+    for (std::size_t j = 0; j < columns_.size(); ++j) scale[j] = columns_[j].scale();
     for (std::size_t i = 0; i < walls.size(); ++i) {
-      for (std::size_t j = 0; j < columns_.size(); ++j) game_.pay[i][j] = walls[i].pay(columns_[j].y, columns_[j].w);
+      const double of_row = walls[i].scale();
+      for (std::size_t j = 0; j < columns_.size(); ++j) {
+        game_.pay[i][j] = walls[i].pay(columns_[j].y, columns_[j].w, of_row * scale[j]);
+      }
     }
     cost_.probes += walls.size() + columns_.size();
     return game_.solve();
@@ -252,7 +259,7 @@ class PolarWalk {
     HalfSpace<Real> sum{{Real(0), Real(0), Real(0)}, Real(0)};
     for (std::size_t i = 0; i < walls_.size(); ++i) {
       const HalfSpace<Real>& wall = walls_[i];
-      const Real part = game_.row_weight[i] * Real(1 / wall.size());
+      const Real part = scaled(game_.row_weight[i], wall.scale());
       sum.n = {sum.n.x + wall.n.x * part, sum.n.y + wall.n.y * part, sum.n.z + wall.n.z * part};
       sum.h += wall.h * part;
     }
@@ -278,7 +285,7 @@ class PolarWalk {
     Real total = 0;
     std::array<Real, polar_walk_detail::most> part;
     for (std::size_t j = 0; j < columns_.size(); ++j) {
-      part[j] = game_.column_weight[j] * Real(1 / HalfSpace<Real>::size_of(columns_[j].y, columns_[j].w));
+      part[j] = scaled(game_.column_weight[j], columns_[j].scale());
       total += part[j];
     }
     for (std::size_t j = 0; j < columns_.size(); ++j) {
@@ -308,7 +315,7 @@ class PolarWalk {
       last_vertex_ = w;
       if (!walk.is_further(w)) {
         walk.pass(w);
-      } else if (plane_->pay(frame_.image(vertices_->hierarchy().nodes[w].at), 1) > Real(game_.noise)) {
+      } else if (plane_->pay(frame_.image(vertices_->hierarchy().nodes[w].at)) > Real(game_.noise)) {
         walk.go_to(w);
       } else {
         return w;
@@ -322,7 +329,7 @@ class PolarWalk {
       last_facet_ = w;
       if (!facets_.is_further(w)) {
         facets_.pass(w);
-      } else if (!(frame_.wall(w).pay(point_, 1) > Real(game_.noise))) {
+      } else if (!(frame_.wall(w).pay(point_) > Real(game_.noise))) {
         facets_.go_to(w);
       } else {
         return w;

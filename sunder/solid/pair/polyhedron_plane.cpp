@@ -7,9 +7,6 @@
 
 namespace sunder::solid {
 
-namespace {
-
-// The same ray, times a power of two, where no bit is lost, so that filters serve.
 WorldDirection direction_of(const Point3& normal) {
   const double size = std::max({std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z)});
   const int by = -std::ilogb(size) - 1;
@@ -17,8 +14,6 @@ WorldDirection direction_of(const Point3& normal) {
   const Point3 back{std::ldexp(scaled.x, -by), std::ldexp(scaled.y, -by), std::ldexp(scaled.z, -by)};
   return WorldDirection(back == normal ? scaled : normal);
 }
-
-}  // namespace
 
 Sign side_of(const Plane& plane, const Posed3& vertex, StageTally* tally) {
   return side_of_plane(plane.normal, plane.point, plane.offset, vertex, tally);

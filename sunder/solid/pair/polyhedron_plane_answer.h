@@ -26,6 +26,9 @@ bool conclude_plane(const Placed& body, const Plane& plane, const PlaneProposal&
 // The sign of a vertex, as side_of_plane (predicate/plane_side.h) has it.
 Sign side_of(const Plane& plane, const Posed3& vertex, StageTally* tally = nullptr);
 
+// The same ray, times a power of two, where no bit is lost, so that filters serve.
+WorldDirection direction_of(const Point3& normal);
+
 // The normal as the body's frame sees it, scaled: for searches.
 template <class Real>
 VectorOf<Real> pulled_normal(const Placed& body, const Plane& plane) {

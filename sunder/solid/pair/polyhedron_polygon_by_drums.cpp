@@ -176,7 +176,7 @@ class PolygonByDrums {
     }
     const std::uint32_t k = found.extreme_a, j = found.direction.index[0], near = r.vertex(found.extreme_b);
     if (found.direction.kind == Direction::Kind::side_of_b) {
-      const std::optional<LateralEdge> e = q.edge_at(k);
+      const std::optional<std::array<std::uint32_t, 2>> e = q.edge_at(k);
       const std::array<std::uint32_t, 2> side{r.vertex(j), r.vertex(j + 1 < r.size() ? j + 1 : 0)};
       if (e && holds(beyond_edge(*e, side))) return true;
     }
@@ -203,9 +203,9 @@ class PolygonByDrums {
     p.vertices = {facet[0], facet[std::max<std::size_t>(1, n / 3)], facet[std::max<std::size_t>(2, 2 * n / 3)]};
     return p;
   }
-  Proposal beyond_edge(const LateralEdge& e, const std::array<std::uint32_t, 2>& side) const {
-    Proposal p{Proposal::Claim::apart_along_edge_x_edge, 2, 2, {}, e.low, side[0], outwards(e.low), {}};
-    p.vertices = {e.low, e.high, side[0], side[1]};
+  Proposal beyond_edge(const std::array<std::uint32_t, 2>& e, const std::array<std::uint32_t, 2>& side) const {
+    Proposal p{Proposal::Claim::apart_along_edge_x_edge, 2, 2, {}, e[0], side[0], outwards(e[0]), {}};
+    p.vertices = {e[0], e[1], side[0], side[1]};
     return p;
   }
 

@@ -9,6 +9,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <utility>
 #include <vector>
 
 namespace sunder::solid {
@@ -86,6 +90,71 @@ TEST(PolyhedronPolyhedronByPolar, BodiesOfVeryDifferentSizesNeedNoFinishing) {
   }
   EXPECT_GT(meets, count / 10);
   EXPECT_LT(meets, count - count / 10);
+}
+
+// Four to 48 points of the lattice in two neighbouring planes of it, a x + b y + c z = 0 or 1 with a, b, c up to n:
+// about as long as n^2, and as thin as 1 / n, along no axis.
+ConvexPolyhedron lattice_plate(std::int64_t n, Random& random) {
+  while (true) {
+    const std::int64_t a = random.between(1, n), b = random.between(1, n), c = random.between(1, n);
+    // s a + t b = 1, by Euclid's algorithm.
+    std::int64_t s = 1, t = 0, next_s = 0, next_t = 1, r = a, next_r = b;
+    while (next_r != 0) {
+      const std::int64_t q = r / next_r;
+      r = std::exchange(next_r, r - q * next_r);
+      s = std::exchange(next_s, s - q * next_s);
+      t = std::exchange(next_t, t - q * next_t);
+    }
+    if (r != 1) continue;
+    std::vector<Point3> points;
+    for (std::int64_t k = random.between(8, 48); k > 0; --k) {
+      const Point2 at = tests::on_circle(random.unit(), static_cast<double>(n));
+      const std::int64_t i = std::llround(at.x), j = std::llround(at.y), side = random.between(0, 1);
+      points.push_back({static_cast<double>(i * b + side * s), static_cast<double>(j * c - i * a + side * t),
+                        static_cast<double>(-j * b)});
+    }
+    const ConvexPolyhedron body(points);
+    if (body.dimension() == 3) return body;
+  }
+}
+
+// Thin as 2^-18, as 2^-45, and as 2^-60, which is more than double-doubles see two of at once.
+TEST(PolyhedronPolyhedronByPolar, PlatesOfLattices) {
+  Random random(tests::chosen_seed(204));
+  const int count = tests::scaled_count(300);
+  for (const int bits : {6, 15, 20}) {
+    int finished = 0, finished_by_hierarchy = 0, meets = 0;
+    for (int i = 0; i < count; ++i) {
+      const std::int64_t n = std::int64_t{1} << bits;
+      const ConvexPolyhedron a = lattice_plate(n, random), b = lattice_plate(n, random);
+      const Point3 d = tests::on_sphere(random);
+      const auto placed = [&](const Pose& turn, double distance) {
+        std::array<double, 9> m = turn.affine().linear;
+        for (double& x : m) x = std::ldexp(x, -2 * bits);
+        return Pose::from_matrix(m, {d.x * distance, d.y * distance, d.z * distance});
+      };
+      const Pose turn = turned(random), other = random.below(2) == 0 ? turn : turned(random), here = placed(turn, 0);
+      double meeting = 0, parted = 8;
+      for (int k = 0; k < 54; ++k) {
+        const double middle = (meeting + parted) / 2;
+        (polyhedron_polyhedron(a, here, b, placed(other, middle)).meet() ? meeting : parted) = middle;
+      }
+      const double gap = random.log_uniform(0x1p-53, 0.1) * (random.below(2) == 0 ? 1 : -1);
+      const Pose there = placed(other, meeting + gap);
+      const PairAnswer answer = polyhedron_polyhedron_by_polar(a, here, b, there),
+                       by_hierarchy = polyhedron_polyhedron_by_hierarchy(a, here, b, there);
+      ASSERT_EQ(answer.meet(), by_hierarchy.meet()) << bits << ' ' << i;
+      finished += answer.decided_by == DecidedBy::finishing;
+      finished_by_hierarchy += by_hierarchy.decided_by == DecidedBy::finishing;
+      meets += answer.meet();
+    }
+    std::printf("thin as 2^-%d: of %d, %d meet; finished %d, by hierarchy %d\n", 3 * bits, count, meets, finished,
+                finished_by_hierarchy);
+    EXPECT_GT(meets, count / 5) << bits;
+    EXPECT_LT(meets, count - count / 5) << bits;
+    EXPECT_LE(finished, bits < 15 ? count / 100 : bits < 20 ? count / 15 : count / 4) << bits;
+    EXPECT_LE(finished_by_hierarchy, count / 100) << bits;
+  }
 }
 
 // A plane and a point are kept while they hold: far apart or deep inside, what is known at the top tells all, mostly.

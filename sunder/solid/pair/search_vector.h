@@ -67,6 +67,10 @@ Real difference(double a, double b) {
   }
 }
 
+// Times a double, which beside DoubleDouble is a power of two: exactly then, but for underflow and overflow.
+inline double scaled(double x, double by) { return x * by; }
+inline DoubleDouble scaled(const DoubleDouble& x, double power) { return {x.high * power, x.low * power}; }
+
 // For searches: of what rounding has left.
 template <class Real>
 Sign sign_of_rounded(const Real& x) {

@@ -117,7 +117,7 @@ class CornerSequence : public RoundedSequence<CornerSequence<Real>, Real> {
 };
 
 // A corner of W, the section's vertices in the pocket behind it, the next corner, and so on, for one to three pockets.
-// Where the section meets no slice, all of it.
+// Where the section meets no slice, all of it; where it has as many corners, all round.
 template <class Real>
 class PocketSequence : public RoundedSequence<PocketSequence<Real>, Real> {
  public:
@@ -125,7 +125,11 @@ class PocketSequence : public RoundedSequence<PocketSequence<Real>, Real> {
   using Section = SectionSearch<Real>;
 
   PocketSequence(const Section& section, const Coordinates<Real>& coordinates, std::uint32_t q, std::uint32_t count)
-      : section_(section), coordinates_(coordinates), all_round_(!section.meets_slices()), count_(count) {
+      : section_(section),
+        coordinates_(coordinates),
+        all_round_(!section.meets_slices()),
+        closed_(count == section.corner_count()),
+        count_(count) {
     const std::uint32_t n = section.corner_count();
     for (std::uint32_t k = 0; k < count; ++k) pockets_[k] = section.pocket((q + k) % n);
     if (all_round_) return;
@@ -134,7 +138,7 @@ class PocketSequence : public RoundedSequence<PocketSequence<Real>, Real> {
 
   std::uint32_t size() const {
     if (all_round_) return pockets_[0].count + 1;
-    std::uint32_t size = count_ + 1;
+    std::uint32_t size = closed_ ? count_ : count_ + 1;
     for (std::uint32_t k = 0; k < count_; ++k) size += pockets_[k].count;
     return size;
   }
@@ -152,20 +156,28 @@ class PocketSequence : public RoundedSequence<PocketSequence<Real>, Real> {
     section_.add_parts(edge(part), add);
   }
 
-  // The facet of the side behind vertex k; none behind the last one, which is no side of the section, and where it goes
-  // through a point.
+  // The facet of the side behind vertex k; none behind the last one, where it is no side of the section, and where it
+  // goes through a point.
   std::optional<std::uint32_t> facet_behind(std::uint32_t k) const {
     const Part part = part_of(k);
     if (all_round_) return section_.facet(pockets_[0], part.j);
-    if (k + 1 == size()) return std::nullopt;
+    if (k + 1 == size() && !closed_) return std::nullopt;
     return section_.facet(pockets_[part.pocket], part.is_corner ? 0 : part.j);
   }
 
-  // The body's edge that vertex k is on; none for corners.
-  std::optional<LateralEdge> edge_at(std::uint32_t k) const {
+  // The ends of the body's edge that vertex k is on; none for corners, but on level edges.
+  std::optional<std::array<std::uint32_t, 2>> edge_at(std::uint32_t k) const {
     const Part part = part_of(k);
-    if (part.is_corner) return std::nullopt;
-    return edge(part);
+    if (!part.is_corner) {
+      const LateralEdge e = edge(part);
+      return std::array{e.low, e.high};
+    }
+    const auto& [e, f, slice] = corners_[part.corner];
+    const auto ends_here = [slice = slice](const LateralEdge& x) { return x.begin == slice || x.end == slice; };
+    if (!ends_here(e) || !ends_here(f)) return std::nullopt;
+    const std::array<std::uint32_t, 2> ends{e.begin == slice ? e.low : e.high, f.begin == slice ? f.low : f.high};
+    if (ends[0] == ends[1]) return std::nullopt;
+    return ends;
   }
 
  private:
@@ -188,7 +200,7 @@ class PocketSequence : public RoundedSequence<PocketSequence<Real>, Real> {
 
   const Section& section_;
   const Coordinates<Real>& coordinates_;
-  bool all_round_;
+  bool all_round_, closed_;
   std::uint32_t count_;
   std::array<typename Section::Pocket, 3> pockets_{};
   std::array<typename Section::Corner, 4> corners_{};

@@ -34,14 +34,23 @@ class CompareAlong {
 
   // As HierarchyWalk's turn.
   Sign turn(std::uint32_t v, std::uint32_t i, std::uint32_t j) const {
-    const Point3& m = hierarchy_.nodes[v].middle;
-    const Vector middle = form({m.x, m.y, m.z}), a = from_to(v, i), b = from_to(v, j);
+    const Vector middle = middle_of(v), a = from_to(v, i), b = from_to(v, j);
     return sign_of_rounded(dot(direction_, a) * dot(middle, b) - dot(direction_, b) * dot(middle, a));
   }
 
   const Hierarchy& hierarchy() const { return hierarchy_; }
 
  private:
+  Vector middle_of(std::uint32_t v) const {
+    const Hierarchy::Node& node = hierarchy_.nodes[v];
+    if constexpr (!std::is_same_v<Real, double>) {
+      // The cone may be too narrow for doubles to point into it.
+      if (!node.has_middle_in_doubles()) {
+        return cross(from_to(v, node.middle_triangle[0]), from_to(v, node.middle_triangle[1]));
+      }
+    }
+    return form({node.middle.x, node.middle.y, node.middle.z});
+  }
   // Beside a vector that is scaled.
   Vector form(const Vector& d) const {
     const Vector f{d.x * Real(1 / to_one_.x), d.y * Real(1 / to_one_.y), d.z * Real(1 / to_one_.z)};

@@ -26,22 +26,84 @@ double to_one(std::span<const Point3> points, double Point3::* axis) {
   return std::ldexp(1.0, std::clamp(std::max(-std::ilogb(half) - 1, least), -1022, 1022));
 }
 
+// What a linear map M makes of planes n.x = h: the normals are n' with n'.M x = n.x, all times the determinant of M.
+template <class T>
+class MapOfForms {
+ public:
+  explicit MapOfForms(const RoundFrame& map) {
+    const auto lift = [](const Point3& p) { return Vector3<T>{T(p.x), T(p.y), T(p.z)}; };
+    const Vector3<T> i = lift(map.row[0]), j = lift(map.row[1]), k = lift(map.row[2]);
+    row_ = {cross(j, k), cross(k, i), cross(i, j)};
+    determinant_ = dot(i, row_[0]);
+  }
+  PolarVertexOf<T> operator()(const PolarVertexOf<T>& plane) const {
+    const Vector3<T> n{plane.n[0], plane.n[1], plane.n[2]};
+    return {{dot(row_[0], n), dot(row_[1], n), dot(row_[2], n)}, determinant_ * plane.h};
+  }
+
+ private:
+  std::array<Vector3<T>, 3> row_;
+  T determinant_;
+};
+
+struct RoundedVertex {
+  Point3 at;
+  double error;  // of each coordinate
+  bool is_close = true;
+};
+
+RoundedVertex rounded(const PolarVertexOf<Estimate>& v) {
+  const double h = v.h.value.high;
+  RoundedVertex result{{v.n[0].value.high / h, v.n[1].value.high / h, v.n[2].value.high / h}, 0};
+  const double size = std::max({std::fabs(result.at.x), std::fabs(result.at.y), std::fabs(result.at.z)});
+  const double error_n = std::max({v.n[0].error, v.n[1].error, v.n[2].error});
+  // Relative errors below 2^-30, or it is not close; three roundings; the quotients here.
+  result.error = (error_n / h + size * (v.h.error / h + 0x1p-50)) * (1 + 0x1p-20);
+  result.is_close = h > 0 && result.error <= 0x1p-30 * size && size > 0x1p-900 && size < 0x1p900;
+  return result;
+}
+RoundedVertex rounded(const PolarVertex& v) {
+  const Point3 at{nearest_ratio(v.n[0], v.h), nearest_ratio(v.n[1], v.h), nearest_ratio(v.n[2], v.h)};
+  return {at, std::max({std::fabs(at.x), std::fabs(at.y), std::fabs(at.z)}) * 0x1p-52 + 0x1p-1000};
+}
+
 // The facets as vertices of the polar.
 class FacetsAsPoints {
  public:
   FacetsAsPoints(std::span<const Point3> points, std::span<const std::uint32_t> corner_begin,
-                 std::span<const std::uint32_t> corners, const Polar& polar)
+                 std::span<const std::uint32_t> corners, const RoundFrame& to_round, Polar& polar)
       : points_(points),
         corner_begin_(corner_begin),
         corners_(corners),
         polar_(polar),
-        place_(polar.vertices.size(), 0) {}
+        to_round_(to_round),
+        place_about_corner_(corners.size()),
+        place_(polar.vertices.size(), 0) {
+    for (std::uint32_t v = 0; v + 1 < polar.facet_begin.size(); ++v) {
+      for (std::uint32_t place = polar.facet_begin[v]; place < polar.facet_begin[v + 1]; ++place) {
+        const std::uint32_t f = polar.facet_vertices[place];
+        if (facet(f).size() > most_corners) continue;
+        for (std::uint32_t i = corner_begin[f]; i < corner_begin[f + 1]; ++i) {
+          if (corners[i] == v) place_about_corner_[i] = place;
+        }
+      }
+    }
+    if (to_round.is_identity) return;
+    const MapOfForms<Estimate> estimate(to_round);
+    const MapOfForms<Dyadic> exact(to_round);
+    for (std::uint32_t f = 0; f < polar.vertices.size(); ++f) {
+      RoundedVertex mapped = rounded(estimate(estimated_polar_vertex(points, facet(f), polar.base)));
+      if (!mapped.is_close) mapped = rounded(exact(exact_polar_vertex(points, facet(f), polar.base)));
+      polar.vertices[f] = mapped.at;
+      polar.errors[f] = mapped.error;
+    }
+  }
 
   const Point3& at(std::uint32_t f) const { return polar_.vertices[f]; }
 
   Sign orient(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
     if (const std::optional<Sign> sure = orient_rounded(a, b, c, d)) return *sure;
-    if (have_common_corner({a, b, c, d})) return Sign::zero;
+    if (const std::optional<Sign> sure = orient_by_corners({a, b, c, d})) return *sure;
     switch (sign(determinant(estimates_of({a, b, c, d})))) {
       case Guess::positive: return Sign::negative;
       case Guess::negative: return Sign::positive;
@@ -55,18 +117,25 @@ class FacetsAsPoints {
 
   // From o to the mean of the facet's corners.
   Point3 middle(std::uint32_t f) const {
-    Point3 sum{0, 0, 0};
-    for (const std::uint32_t v : facet(f)) {
-      for (const std::uint32_t o : polar_.base) {
-        const Point3 &p = points_[v], &q = points_[o];
-        sum = {sum.x + (p.x - q.x), sum.y + (p.y - q.y), sum.z + (p.z - q.z)};
-      }
-    }
-    const double part = 0.25 / static_cast<double>(facet(f).size());
-    return {sum.x * part, sum.y * part, sum.z * part};
+    return to_round_.is_identity ? middle_in<double>(f) : middle_in<DoubleDouble>(f);
   }
 
  private:
+  template <class Real>
+  Point3 middle_in(std::uint32_t f) const {
+    Vector3<Real> sum{0, 0, 0};
+    for (const std::uint32_t v : facet(f)) {
+      for (const std::uint32_t o : polar_.base) {
+        const Point3 &p = points_[v], &q = points_[o];
+        const auto along = [](const Real& s, double to, double from) { return s + (Real(to) - Real(from)); };
+        sum = {along(sum.x, p.x, q.x), along(sum.y, p.y, q.y), along(sum.z, p.z, q.z)};
+      }
+    }
+    const Vector3<Real> mapped = to_round_(sum);
+    const double part = 0.25 / static_cast<double>(facet(f).size());
+    return {nearest(mapped.x) * part, nearest(mapped.y) * part, nearest(mapped.z) * part};
+  }
+
   // With the errors of the vertices and the roundings here. With e a bound of the errors of a row's numbers and m one
   // of their sizes, errors included, a determinant of three rows, a sum of six products, is off by at most
   // 6 (e1 m2 m3 + m1 e2 m3 + m1 m2 e3) for the rows and 6 * 6 u m1 m2 m3 for rounding.
@@ -93,20 +162,40 @@ class FacetsAsPoints {
     return std::nullopt;
   }
 
-  // Not told of facets of many corners, of which there are few.
-  bool have_common_corner(const std::array<std::uint32_t, 4>& facets) const {
-    constexpr std::size_t many = 16;
+  // Told by common corners. Facets with a corner v in common are the vertices of one facet of the polar, a convex
+  // polygon, whose order is known; all other vertices are on the inner side of its plane. Not told of facets of many
+  // corners, of which there are few.
+  std::optional<Sign> orient_by_corners(const std::array<std::uint32_t, 4>& facets) const {
     for (const std::uint32_t f : facets) {
-      if (facet(f).size() > many) return false;
+      if (facet(f).size() > most_corners) return std::nullopt;
     }
-    const auto is_corner_of_all = [&](std::uint32_t v) {
-      return std::all_of(facets.begin() + 1, facets.end(), [&](std::uint32_t f) {
-        const auto cycle = facet(f);
-        return std::find(cycle.begin(), cycle.end(), v) != cycle.end();
-      });
-    };
-    const auto first = facet(facets[0]);
-    return std::any_of(first.begin(), first.end(), is_corner_of_all);
+    for (const std::size_t first : {0u, 1u}) {
+      for (const std::uint32_t v : facet(facets[first])) {
+        std::array<std::uint32_t, 4> place{};
+        std::size_t others = 0, other = 0;  // those that do not have v
+        for (std::size_t k = 0; k < 4; ++k) {
+          place[k] = place_about(v, facets[k]);
+          if (place[k] == none) ++others, other = k;
+        }
+        if (others == 0) return Sign::zero;
+        if (others > 1) continue;
+        std::array<std::uint32_t, 3> p{};
+        for (std::size_t k = 0, i = 0; k < 4; ++k) {
+          if (k != other) p[i++] = place[k];
+        }
+        if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) return Sign::zero;  // one facet, asked about twice
+        const bool is_counter_clockwise = int{p[0] < p[1]} + int{p[1] < p[2]} + int{p[2] < p[0]} == 2;
+        return is_counter_clockwise == (other % 2 == 1) ? Sign::negative : Sign::positive;
+      }
+    }
+    return std::nullopt;
+  }
+  // In the cycle of facets about v; none: v is not a corner.
+  std::uint32_t place_about(std::uint32_t v, std::uint32_t f) const {
+    for (std::uint32_t i = corner_begin_[f]; i < corner_begin_[f + 1]; ++i) {
+      if (corners_[i] == v) return place_about_corner_[i];
+    }
+    return none;
   }
 
   // The determinant of the rows (n, h) is that of the points with ones, times all h, which are positive; and orient is
@@ -139,9 +228,14 @@ class FacetsAsPoints {
     return row;
   }
 
+  static constexpr std::uint32_t none = 0xffffffff;
+  static constexpr std::size_t most_corners = 16;  // of a facet, for orient_by_corners
+
   std::span<const Point3> points_;
   std::span<const std::uint32_t> corner_begin_, corners_;
   const Polar& polar_;
+  const RoundFrame& to_round_;
+  std::vector<std::uint32_t> place_about_corner_;  // by corners: of the facet in the cycle about the corner
   mutable std::vector<PolarVertexOf<Estimate>> estimates_;
   mutable std::vector<std::uint32_t> place_;  // of a facet in these, and one; 0: nowhere
 };
@@ -154,9 +248,10 @@ PolarHierarchy make_polar_hierarchy(std::span<const Point3> vertices, std::span<
   made.to_one = {to_one(vertices, &Point3::x), to_one(vertices, &Point3::y), to_one(vertices, &Point3::z)};
   std::vector<Point3> points(vertices.begin(), vertices.end());
   for (Point3& p : points) p = {p.x * made.to_one.x, p.y * made.to_one.y, p.z * made.to_one.z};
-  const Polar polar = make_polar(points, corner_begin, corners);
+  made.to_round = make_round_frame(points);
+  Polar polar = make_polar(points, corner_begin, corners);
   made.base = polar.base;
-  const FacetsAsPoints facets(points, corner_begin, corners, polar);
+  const FacetsAsPoints facets(points, corner_begin, corners, made.to_round, polar);
   using Builder = hierarchy_detail::HierarchyBuilder<FacetsAsPoints>;
   Builder builder(facets, static_cast<std::uint32_t>(polar.vertices.size()), polar.facet_begin, polar.facet_vertices);
   made.hierarchy = builder.run([&](std::uint32_t f) { return Builder::Middle{facets.middle(f)}; });

@@ -3,7 +3,8 @@
 // Also called: outer hierarchy; dual Dobkin-Kirkpatrick hierarchy.
 //
 // Coordinates are those of P's frame about a point o inside P, with each axis multiplied by a power of two so that P is
-// about 1 long along it, or longer where a coordinate would underflow: the facet n.y = h is the polar's vertex n / h.
+// about 1 long along it, or longer where a coordinate would underflow; and where P is still thin, mapped so that it is
+// round (round_frame.h). The facet n.y = h is the polar's vertex n / h.
 //   Q1. Which triangles there are at every level is decided by exact signs of P's vertices; what is rounded is for
 //       searches.
 //   Q2. Four facets with a vertex of P in common are coplanar as points of the polar. The surface is triangulated
@@ -15,6 +16,7 @@
 
 #include <sunder/predicate/point.h>
 #include <sunder/solid/represent/hierarchy.h>
+#include <sunder/solid/represent/round_frame.h>
 
 #include <array>
 #include <cstddef>
@@ -26,6 +28,7 @@ namespace sunder::solid {
 struct PolarHierarchy {
   std::array<std::uint32_t, 4> base;  // o is the mean of these vertices of P
   Point3 to_one;                      // the powers of two
+  RoundFrame to_round;                // what comes after them
 
   // By ranks of facets: `vertex` is the number of the facet, `at` the polar's vertex, rounded, and `middle` from o to
   // the mean of the facet's corners, rounded; no middle is a triangle.

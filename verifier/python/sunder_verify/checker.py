@@ -48,6 +48,9 @@ def verify(data, is_limited=False):
                 rule(steps, *bound)
             if item["question"] == "pair":
                 read["proved"].setdefault((item["a"], item["b"]), set()).add(item["verdict"])
+            if item["question"] == "hull":
+                faces = item.get("faces") or [item.get("outline") or [item.get("i"), item.get("j")]]
+                read["proved"][item["body"]] = item["verdict"], faces
         except Refused as error:
             refusal = error.args
         statements.append((said, refusal))

@@ -79,14 +79,19 @@ def outline(steps, sectors, body, ring):
         require(all(dot(normal, cross(u, v)) >= 0 for u, v in ways), "outline", "point %d is not in its sector" % k)
 
 
+def is_between(first, last, point):
+    """Is a point on the segment between two others, or, where these are one, there?"""
+    way, here = minus(last, first), minus(point, first)
+    return not any(cross(way, here)) and 0 <= dot(way, here) <= dot(way, way) and (any(way) or not any(here))
+
+
 def between(steps, body, i, j):
     """All points of a body are on a segment, whose ends differ."""
     steps.take(4 * len(body), body.bits, body.bits)
-    first, way = body.rows[i], minus(body.rows[j], body.rows[i])
+    first, last = body.rows[i], body.rows[j]
     for k, row in enumerate(body.rows):
-        here = minus(row, first)
-        is_on = not any(cross(way, here)) and 0 <= dot(way, here) <= dot(way, way)
-        require(is_on and any(way), "between", "point %d is not between the ends" % k)
+        is_on = first != last and is_between(first, last, row)
+        require(is_on, "between", "point %d is not between the ends" % k)
 
 
 def one_point(steps, body):

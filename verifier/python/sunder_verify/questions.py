@@ -5,9 +5,11 @@ checked by its rule, told what the table binds it to: so a true claim about some
 """
 from functools import partial
 
-from . import arcs, hulls, polygons, rules
-from .reader import LIST, MOST_NUMBER, OBJECT, anything, double, form, index, list_of, members, number, numbers, row_of
+from . import arcs, hulls, polygons, rules, sections
+from .reader import (LIST, MOST_NUMBER, OBJECT, anything, common, double, form, index, list_of, members, number,
+                     numbers, row_of)
 from .sentences import sentence
+from .tables import dot
 
 MOST_WEIGHTS = 16  # of one combination; 4 are always enough
 ALLOWED = {  # which kinds of contact do not count
@@ -125,6 +127,24 @@ def points_alone(value, where, read):
     return body
 
 
+def points_placed(value, where, read):
+    body = entry("bodies")(value, where, read)
+    form(body.count == len(body) and body.dimension == 3, where + " is not of points in space")
+    return body
+
+
+def plane(value, where, read):
+    """Its normal and level, as integers of one unit; given as the normal, a point, and how far above that, times it."""
+    row, _, e = common(numbers(value, 7, double, where))
+    form(any(row[:3]), where + " has no direction")
+    up, down = max(-e, 0), max(e, 0)
+    return *(n << up for n in row[:3]), (dot(row[:3], row[3:6]) << down) + (row[6] << up)
+
+
+def corner_of_section(value, where, read):
+    return tuple(row_of(subject_index, subject_index)(value, where, read))
+
+
 def home(value, where, read):
     """Of a vertex none; else a face, and which two of its corners are one with its first."""
     if value is None:
@@ -143,7 +163,7 @@ FACE = list_of(subject_index, lambda those, read: len(those) > 2, " has fewer th
 GIVEN = {  # what questions say
     "a": entry("bodies"), "b": entry("bodies"), "ring": entry("rings"), "parts": parts,
     "members": members_of("bodies", lambda those: True, " names one twice"), "except": contacts,
-    "body": points_alone, "rule": choice(("valid", "simple", polygons.SELF_TOUCH)),
+    "body": points_alone, "of": points_placed, "plane": plane, "rule": choice(("valid", "simple", polygons.SELF_TOUCH)),
     "allowed": lambda *told: ALLOWED[choice(ALLOWED)(*told)], "groups": for_each(whole(-MOST_NUMBER)),
     "least": positive, "objective": lambda value, where, read: numbers(value, 2, double, where),
 }
@@ -155,6 +175,9 @@ SAID = {  # what verdicts and claims say
     "points": list_of(vector, lambda those, read: len(those) == len(read["rings"]), " is not as long as the rings"),
     "faces": list_of(FACE, lambda those, read: those, " is empty"), "homes": for_each(home), "outline": FACE,
     "sectors": for_each(lambda value, where, read: None if value is None else index_of("outline")(value, where, read)),
+    "corners": list_of(corner_of_section, lambda those, read: 0 < len(set(those)) == len(those),
+                       " is empty, or names one twice"),
+    "along": list_of(whole(0), lambda those, read: len(those) == len(read["corners"]), " is not as long as the corners"),
     "direction": vector, "weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
     "ends": list_of(end, lambda those, read: len(those) == 2, " is not a list of 2"),
     "order": list_of(subject_index, lambda those, read: len(set(those)) == len(those) == len(subject(read)),
@@ -168,7 +191,7 @@ CLAIMS = {
         rules.slab, rules.nearer, rules.feasible, rules.no_objective, rules.no_entries, rules.in_discs, rules.contact,
         polygons.common_point, polygons.too_few_points, polygons.comes_twice, polygons.crosses, polygons.misplaced,
         polygons.circle, polygons.repeated, polygons.rings_touch, rules.each_pair,
-        hulls.between, hulls.one_point)},
+        hulls.between, hulls.one_point, sections.beyond, sections.touches)},
     **{rule.__name__: (rule, "weights") for rule in (
         rules.holds, rules.inside, rules.bounds, rules.contradict, rules.powers)},
     **{name: (polygons.exactly(name), "events") for name in ("none_counts", "these_count", "number_counts")},
@@ -178,6 +201,7 @@ CLAIMS = {
     "parted_weakly": (partial(rules.parted, is_weak=True), "direction"),
     "surface": (hulls.surface, "homes"),
     "outline": (hulls.outline, "sectors"),
+    "outlined": (sections.outlined, "along"),
     "goes_on": (rules.goes_on, "direction"),
     "ends": (rules.ends, "ends"),
     "cones": (rules.cones, "cones"),
@@ -224,6 +248,11 @@ QUESTIONS = {
         "flat": "outline body outline",
         "segment": "between body i j",
         "point": "one_point body",
+    }),
+    "section": ("bodies", "of plane", {
+        "nothing": "beyond of plane",
+        "touching": "touches of plane corners",
+        "outlined": "outlined of plane corners PROVED",
     }),
     "segments": meetings("segments", "contact segments i j kind point groups allowed",
                          "none_counts", "these_count", "number_counts"),
@@ -285,4 +314,4 @@ def statement(item, where, read):
         shapes = {"claim": anything, **{key: SAID[key] for key in brings}}
         brought = members(claim, shapes, place, {**scope, "subject": bound[0]})
         checks.append((rule, [brought[key] for key in brings] + [found(scope, key) for key in bound]))
-    return item, sentence(item, {key: scope[key].name for key in ("a", "b", "body") if key in item}), checks
+    return item, sentence(item, {key: scope[key].name for key in ("a", "b", "body", "of") if key in item}), checks

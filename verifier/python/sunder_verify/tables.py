@@ -34,11 +34,12 @@ class Body:
     """A convex hull of points, with the ways that go on from there for ever; or the image of one."""
 
     def __init__(self, item, bodies, where):
-        self.linear, self.turned = None, 0
+        self.linear, self.turned, self.base = None, 0, len(bodies)
         if type(item) is dict and "of" in item:
             read = members(item, {"name": text_of, "of": anything, "linear": anything, "translation": anything}, where)
             body = bodies[index(read["of"], len(bodies), where + ".of")]
             form(body.linear is None, where + " is of one that is placed itself")
+            self.base = read["of"]
             self.rows, self.count, self.exponent, d = body.rows, body.count, body.exponent, body.dimension
             (self.linear,), self.turned = rows_of([read["linear"]], d * d, where + ".linear")
             (self.translation,), self.moved = rows_of([read["translation"]], d, where + ".translation")

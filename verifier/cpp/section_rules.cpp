@@ -1,0 +1,174 @@
+// The rules about what a plane has in common with the hull of a body's points: docs/claims.md, "Sections".
+#include <verifier/cpp/rules.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace sunder_verifier {
+namespace {
+
+using Corner = std::pair<std::size_t, std::size_t>;
+
+std::size_t after(std::size_t k, std::size_t size) { return k + 1 < size ? k + 1 : 0; }
+
+// The plane, pulled back to where the rows of the body are.
+class Pulled {
+ public:
+  Pulled(const HullBody& body, const StatedPlane& plane) : body_(body), normal_(plane.normal), level_(plane.level) {
+    std::int64_t turned = body.given->e, moved = turned;
+    Integer shift = 0;
+    if (body.is_image()) {
+      const Integers& m = body.linear.rows[0];
+      take_steps(9, bits(plane.normal), body.linear.bits);
+      shift = dot(plane.normal, body.translation.rows[0]);
+      turned += body.linear.e;
+      moved = body.translation.e;
+      for (std::size_t c = 0; c < 3; ++c) {
+        normal_[c] = plane.normal[0] * m[c] + plane.normal[1] * m[3 + c] + plane.normal[2] * m[6 + c];
+      }
+      upright_ = dot({m[0], m[1], m[2]}, cross({m[3], m[4], m[5]}, {m[6], m[7], m[8]}));
+    }
+    const std::int64_t e = std::min({turned, moved, std::int64_t{0}});
+    for (Integer& n : normal_) n = shifted(n, turned - e);
+    level_ = shifted(level_, -e) - shifted(shift, moved - e);
+  }
+
+  void take_looks(std::size_t looks) const {
+    take_steps(looks, std::max(bits(normal_), bits(level_)), body_.given->bits);
+  }
+
+  Integer height(std::size_t k) const { return dot(normal_, body_.rows()[k]) - level_; }
+  bool is_on(std::size_t k) const { return height(k) == 0; }
+
+  std::vector<Integer> heights() const {
+    take_looks(body_.rows().size());
+    std::vector<Integer> result;
+    for (std::size_t k = 0; k < body_.rows().size(); ++k) result.push_back(height(k));
+    return result;
+  }
+
+  // Do three corners turn counter-clockwise, seen from where the normal points to?
+  bool turn_left(const std::vector<Corner>& corners) const {
+    const Integers p = place(corners[0]), q = place(corners[1]), r = place(corners[2]);
+    return upright_ * dot(normal_, cross(way(p, q), way(p, r))) > 0;
+  }
+
+ private:
+  // x, y, z, w, for the point (x / w, y / w, z / w); w is positive.
+  Integers place(const Corner& corner) const {
+    const auto& [i, j] = corner;
+    const Integers& a = body_.rows()[i];
+    if (i == j) return {a[0], a[1], a[2], 1};
+    const Integers& b = body_.rows()[j];
+    const Integer above = height(i), below = height(j);
+    return {above * b[0] - below * a[0], above * b[1] - below * a[1], above * b[2] - below * a[2], above - below};
+  }
+
+  static Integers way(const Integers& p, const Integers& q) {
+    return {q[0] * p[3] - p[0] * q[3], q[1] * p[3] - p[1] * q[3], q[2] * p[3] - p[2] * q[3]};
+  }
+
+  const HullBody& body_;
+  Integers normal_;
+  Integer level_, upright_ = 1;  // negative: the body is mirrored; zero: flattened
+};
+
+bool holds_all(const std::vector<std::size_t>& face, const Corner& c, const Corner& d) {
+  const std::set<std::size_t> named(face.begin(), face.end());
+  return named.contains(c.first) && named.contains(c.second) && named.contains(d.first) && named.contains(d.second);
+}
+
+// Of a ring: is a corner on an edge of it, or at a vertex?
+class Sides {
+ public:
+  explicit Sides(const std::vector<std::size_t>& ring) {
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const std::size_t i = ring[k], j = ring[after(k, ring.size())];
+      sides_.insert({{i, j}, {j, i}});
+      if (ring.size() > 2) sides_.insert({i, i});
+    }
+  }
+  bool holds(std::size_t i, std::size_t j) const { return sides_.contains({i, j}); }
+
+ private:
+  std::set<Corner> sides_;
+};
+
+}  // namespace
+
+void check_beyond(const HullBody& body, const StatedPlane& plane) {
+  const std::vector<Integer> heights = Pulled(body, plane).heights();
+  const auto [least, greatest] = std::minmax_element(heights.begin(), heights.end());
+  require(*least > 0 || *greatest < 0, "beyond", "the plane is not beyond " + body.name);
+}
+
+void check_touches(const HullBody& body, const StatedPlane& plane, const std::vector<Corner>& corners) {
+  const std::vector<Integer> heights = Pulled(body, plane).heights();
+  const auto [least, greatest] = std::minmax_element(heights.begin(), heights.end());
+  const bool are_on_plane = std::all_of(corners.begin(), corners.end(), [&](const Corner& corner) {
+    return corner.first == corner.second && heights[corner.first] == 0;
+  });
+  const Integers &first = body.rows()[corners.front().first], &last = body.rows()[corners.back().first];
+  const bool is_as_many = corners.size() == 1 || (corners.size() == 2 && first != last);
+  require((*least >= 0 || *greatest <= 0) && are_on_plane && is_as_many, "touches",
+          "the plane does not touch it there only");
+  const auto zeros = static_cast<std::size_t>(std::count(heights.begin(), heights.end(), Integer(0)));
+  take_steps(4 * zeros, body.given->bits, body.given->bits);
+  for (std::size_t k = 0; k < heights.size(); ++k) {
+    require(heights[k] != 0 || is_between(first, last, body.rows()[k]), "touches",
+            "point " + std::to_string(k) + " is on the plane, too");
+  }
+}
+
+void check_outlined(const Claim& claim, const HullBody& body, const StatedPlane& plane,
+                    const std::vector<Corner>& corners, const ProvedHulls& proved) {
+  const auto known = proved.find(body.base);
+  require(known != proved.end() && known->second.verdict != "point", "outlined",
+          "what the hull of " + body.name + " is has not been proved before");
+  const auto& [verdict, faces] = known->second;
+  const Pulled pulled(body, plane);
+  pulled.take_looks(64 * corners.size());
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const auto [i, j] = corners[k];
+    const bool is_corner = i == j ? pulled.is_on(i) : pulled.height(i) > 0 && pulled.height(j) < 0;
+    require(is_corner, "outlined", "corner " + std::to_string(k) + " is not on the plane");
+  }
+  std::size_t looks = 0;
+  for (const std::size_t f : claim.along) {
+    require(f < faces.size(), "outlined", "a face is none of the hull's");
+    looks += faces[f].size();
+  }
+  take_steps(looks, 1, 1);
+  const auto is_in_plane = [&](const std::vector<std::size_t>& face) {
+    return std::all_of(face.begin(), face.begin() + 3, [&](std::size_t k) { return pulled.is_on(k); });
+  };
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const std::vector<std::size_t>& face = faces[claim.along[k]];
+    require(holds_all(face, corners[k], corners[after(k, corners.size())]), "outlined",
+            "corner " + std::to_string(k) + " and the next one are not in that face");
+    require(verdict != "solid" || !is_in_plane(face), "outlined",
+            "face " + std::to_string(claim.along[k]) + " is in the plane");
+  }
+  if (verdict == "solid") {
+    const std::set<std::size_t> once(claim.along.begin(), claim.along.end());
+    require(corners.size() > 2 && once.size() == claim.along.size(), "outlined", "the corners are not around the body");
+  } else {
+    const std::vector<std::size_t>& ring = faces[0];
+    const Sides sides(ring);
+    const bool is_whole = verdict == "flat" && is_in_plane(ring);
+    bool fits = true;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const auto [i, j] = corners[k];
+      fits = fits && sides.holds(i, is_whole ? corners[after(k, corners.size())].first : j);
+    }
+    const std::size_t wanted = is_whole ? ring.size() : ring.size() == 2 ? 1 : 2;
+    require(fits && corners.size() == wanted, "outlined", "the corners are not those of the hull");
+  }
+  require(corners.size() < 3 || pulled.turn_left(corners), "outlined", "the corners do not go counter-clockwise");
+}
+
+}  // namespace sunder_verifier
