@@ -95,6 +95,7 @@ has_package() {
     libcgal-dev) has_header CGAL/Surface_sweep_2_algorithms.h ;;
     libgeos-dev) has_header geos_c.h ;;
     libgeos++-dev) has_header geos/noding/MCIndexNoder.h ;;
+    libembree-dev) has_header embree4/rtcore.h || has_header embree3/rtcore.h ;;
     libbenchmark-dev) has_header benchmark/benchmark.h ;;
     libtbb-dev) has_header tbb/version.h ;;
     libhwy-dev) has_header hwy/highway.h ;;
@@ -236,7 +237,7 @@ need_clang() {
 }
 need_to_bench() {
   need_to_build_program pkg-config libfcl-dev libccd-dev libeigen3-dev libbullet-dev libqhull-dev libbenchmark-dev \
-    libcgal-dev libgeos-dev libgeos++-dev python3
+    libcgal-dev libembree-dev libgeos-dev libgeos++-dev python3
 }
 
 # --- Building -----------------------------------------------------------------------------------------------------

@@ -1,0 +1,177 @@
+#include <bench/peers/line_peer.h>
+#include <bench/peers/sunder_lines.h>
+
+#include <sunder/solid/pair/polyhedron_line.h>
+#include <sunder/solid/pair/polyhedron_plane.h>
+#include <sunder/solid/pair/polyhedron_plane_section.h>
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace bench {
+namespace {
+
+using sunder::Point3;
+using sunder::solid::ConvexPolyhedron;
+using sunder::solid::PlaneSection;
+using sunder::solid::PolyhedronCut;
+using sunder::solid::PolyhedronPlane;
+using sunder::solid::Pose;
+using sunder::solid::SectionPoints;
+
+// The compiler has to suppose that all of the answer is read here.
+template <class Answer>
+void consume(const Answer& answer) {
+  asm volatile("" : : "g"(&answer) : "memory");
+}
+
+template <class Answer>
+Tally tally_of(const Answer& answer, bool right) {
+  const auto by = [&](sunder::DecidedBy how) -> std::uint64_t { return answer.decided_by == how ? 1 : 0; };
+  return {1,
+          by(sunder::DecidedBy::filter),
+          by(sunder::DecidedBy::evidence),
+          by(sunder::DecidedBy::finishing),
+          answer.cost.probes,
+          answer.cost.iterations,
+          answer.cost.exact,
+          right ? 0U : 1U};
+}
+
+// The sum over all queries; ask(query) is the tally of one.
+template <class Scenario, class Ask>
+std::function<Tally()> tally_over(const Scenario& scenario, Ask ask) {
+  return [&queries = scenario.queries, ask] {
+    Tally sum;
+    for (const auto& query : queries) sum += ask(query);
+    return sum;
+  };
+}
+
+// --- Lines -----------------------------------------------------------------------------------------------------------
+
+PolyhedronCut cut_by(const ConvexPolyhedron& body, const LineQuery& query, LineBy by) {
+  if (by == LineBy::drums) return polyhedron_line_by_drums(body, Pose(), query.line);
+  return polyhedron_line(body, query.line);
+}
+
+// With the ends as nearest doubles.
+std::uint64_t answer_with_ends(const ConvexPolyhedron& body, const LineQuery& query, const PolyhedronCut& cut) {
+  if (!cut.meet()) return 0;
+  const auto at = [&](const sunder::solid::CutEnd& end) {
+    const Point3 p = exact_end(body, Pose(), query.line.a, query.line.b, end).rounded();
+    return query.along(p.x, p.y, p.z);
+  };
+  return query.answer(at(cut.first), at(cut.last));
+}
+
+bool is_right(const ConvexPolyhedron& body, const LineQuery& query, const PolyhedronCut& cut) {
+  const PolyhedronCut scan = polyhedron_line_by_scan(body, Pose(), query.line);
+  const bool same = cut.kind == scan.kind && (!cut.meet() || (cut.first == scan.first && cut.last == scan.last));
+  return same && answer_with_ends(body, query, cut) == (query.meet ? 1U : 0U);
+}
+
+// --- Sections --------------------------------------------------------------------------------------------------------
+
+void find_corners(const SectionPoints& points, const PlaneSection& section, std::vector<Point3>& corners) {
+  corners.clear();
+  for (const auto& corner : section.corners) corners.push_back(points.nearest(corner));
+  consume(corners);
+}
+
+Run by_stack(const SectionScenario& scenario) {
+  std::vector<double> offsets;
+  for (const SectionQuery& q : scenario.queries) offsets.push_back(q.plane.offset);
+  return [&scenario, offsets = std::move(offsets)](std::size_t first, std::size_t count) {
+    const ConvexPolyhedron& body = scenario.body->hull;
+    const Pose pose;
+    const sunder::solid::Plane& plane = scenario.queries.front().plane;
+    const std::span<const double> asked = std::span(offsets).subspan(first, count);
+    SectionPoints points(body, pose, plane);
+    std::vector<Point3> corners;
+    std::uint64_t sum = 0;
+    polyhedron_plane_sections(body, pose, plane, asked, [&](std::size_t k, const PlaneSection& section) {
+      points.set_offset(asked[k]);
+      find_corners(points, section, corners);
+      sum += corners.size();
+    });
+    return sum;
+  };
+}
+
+// --- Sides -----------------------------------------------------------------------------------------------------------
+
+PolyhedronPlane side_by(const ConvexPolyhedron& body, const SideQuery& query, SideBy by) {
+  switch (by) {
+    case SideBy::drums: return polyhedron_plane_by_drums(body, Pose(), query.plane);
+    case SideBy::scan: return polyhedron_plane_by_scan(body, Pose(), query.plane);
+    default: return polyhedron_plane(body, Pose(), query.plane);
+  }
+}
+
+}  // namespace
+
+Ready prepare_sunder(const LineScenario& scenario, LineBy by) {
+  const ConvexPolyhedron& body = scenario.body->hull;
+  const auto ask = [&body, by](const LineQuery& query) -> std::uint64_t {
+    const PolyhedronCut cut = cut_by(body, query, by);
+    consume(cut);
+    return by == LineBy::ends ? answer_with_ends(body, query, cut) : cut.meet() ? 1 : 0;
+  };
+  const auto tally = [&body, by](const LineQuery& query) {
+    const PolyhedronCut cut = cut_by(body, query, by);
+    return tally_of(cut, is_right(body, query, cut));
+  };
+  return {each([&scenario, ask](std::size_t k) { return ask(scenario.queries[k]); }), tally_over(scenario, tally)};
+}  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): a std::function frees what it holds
+
+Ready prepare_sunder(const SectionScenario& scenario, SectionBy by) {
+  const ConvexPolyhedron& body = scenario.body->hull;
+  const auto tally = [&body](const SectionQuery& query) {
+    const PlaneSection section = polyhedron_plane_section(body, Pose(), query.plane);
+    const PlaneSection scan = polyhedron_plane_section_by_scan(body, Pose(), query.plane);
+    return tally_of(section, section.corners == scan.corners && section.corners.size() == query.corners);
+  };
+  if (by == SectionBy::stack) return {by_stack(scenario)};
+  const auto ask = [&scenario, &body, by, corners = std::vector<Point3>()](std::size_t k) mutable -> std::uint64_t {
+    const sunder::solid::Plane& plane = scenario.queries[k].plane;
+    const Pose pose;
+    const PlaneSection section = polyhedron_plane_section(body, pose, plane);
+    consume(section);
+    if (by == SectionBy::corners) find_corners(SectionPoints(body, pose, plane), section, corners);
+    return section.corners.size();
+  };
+  return {each(ask), tally_over(scenario, tally)};
+}  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): likewise
+
+Ready prepare_sunder(const SideScenario& scenario, SideBy by) {
+  const ConvexPolyhedron& body = scenario.body->hull;
+  const auto ask = [&scenario, &body, by](std::size_t k) -> std::uint64_t {
+    const PolyhedronPlane answer = side_by(body, scenario.queries[k], by);
+    consume(answer);
+    return answer.meet() ? 1 : 0;
+  };
+  const auto tally = [&body, by](const SideQuery& query) {
+    const PolyhedronPlane answer = side_by(body, query, by);
+    return tally_of(answer, answer.meet() == query.meet);
+  };
+  return {each(ask), tally_over(scenario, tally)};
+}  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): likewise
+
+Run scan_in_doubles(const SideScenario& scenario) {
+  return each([&scenario](std::size_t k) -> std::uint64_t {
+    const sunder::solid::Plane& plane = scenario.queries[k].plane;
+    const Point3 &n = plane.normal, &p = plane.point;
+    const double level = n.x * p.x + n.y * p.y + n.z * p.z + plane.offset;
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (const Point3& v : scenario.body->hull.vertices()) {
+      const double height = n.x * v.x + n.y * v.y + n.z * v.z;
+      low = std::min(low, height);
+      high = std::max(high, height);
+    }
+    return low <= level && level <= high ? 1 : 0;
+  });
+}
+
+}  // namespace bench
