@@ -97,7 +97,7 @@ std::vector<Case> random_cases(std::uint64_t seed, int count) {
 }
 
 TEST(DrumsProperty, Lemma6TheShadowPolygonIsConvex) {
-  std::size_t turns = 0;
+  int turns = 0;
   for (const auto& [body, n] : random_cases(chosen_seed(6), scaled_count(500))) {
     const Shadow q = shadow_of(body, body.drums(), n);
     for (std::size_t i = 2; i < q.least.size(); ++i) {
@@ -106,7 +106,7 @@ TEST(DrumsProperty, Lemma6TheShadowPolygonIsConvex) {
       turns += turn(q.least[i - 2], q.least[i - 1], q.least[i]) > 0 ? 1 : 0;
     }
   }
-  EXPECT_GT(turns, static_cast<std::size_t>(scaled_count(500)));
+  EXPECT_GT(turns, scaled_count(500));
 }
 
 TEST(DrumsProperty, Lemma7ThePlaneMeetsTheBodyWhereItsLineMeetsTheShadow) {
@@ -143,7 +143,7 @@ TEST(DrumsProperty, Lemma7ThePlaneMeetsTheBodyWhereItsLineMeetsTheShadow) {
 
 // What pair/drum_search.h rests on: one lateral edge has the extreme corners of both slices of its drum.
 TEST(DrumsProperty, OneLateralEdgeIsExtremeAllThroughADrum) {
-  std::size_t drums_seen = 0;
+  int drums_seen = 0;
   for (const auto& [body, n] : random_cases(chosen_seed(8), scaled_count(500))) {
     const Drums& drums = body.drums();
     for (std::uint32_t drum = 0; drum < drums.drum_count(); ++drum) {
@@ -160,7 +160,7 @@ TEST(DrumsProperty, OneLateralEdgeIsExtremeAllThroughADrum) {
       ++drums_seen;
     }
   }
-  EXPECT_GT(drums_seen, static_cast<std::size_t>(scaled_count(500)));
+  EXPECT_GT(drums_seen, scaled_count(500));
 }
 
 }  // namespace

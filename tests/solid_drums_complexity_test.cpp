@@ -32,7 +32,8 @@ using solid::Pose;
 
 class Ratios {
  public:
-  // At most `bound`, which is at most 1.5 times the greatest ratio of bodies of up to about 1,000 vertices.
+  // At most `bound` for a thousand vertices and more, which is at most 1.5 times the greatest ratio of bodies of about
+  // 1,000; twice that for smaller ones.
   Ratios(std::string_view question, double bound) : question_(question), bound_(bound) {}
 
   template <class Answer>
@@ -43,14 +44,14 @@ class Ratios {
       return;
     }
     const double ratio = static_cast<double>(answer.cost.probes) / of;
-    EXPECT_LE(ratio, bound_) << question_ << " " << what << " " << n;
+    EXPECT_LE(ratio, n >= 1000 ? bound_ : 2 * bound_) << question_ << " " << what << " " << n;
     greatest_of_row_ = std::max(greatest_of_row_, ratio);
     greatest_ = std::max(greatest_, ratio);
-    if (n <= 1100) at_a_thousand_ = std::max(at_a_thousand_, ratio);
+    if (n >= 1000 && n <= 1100) at_a_thousand_ = std::max(at_a_thousand_, ratio);
   }
   double take_greatest_of_row() { return std::exchange(greatest_of_row_, 0); }
   void expect_no_growth(bool is_of_many, int part) const {
-    std::printf("%.*s: greatest %.2f, up to n = 1,000 %.2f; %d apart, %d meet, %d finished\n",
+    std::printf("%.*s: greatest %.2f, at n = 1,000 %.2f; %d apart, %d meet, %d finished\n",
                 static_cast<int>(question_.size()), question_.data(), greatest_, at_a_thousand_, apart_, meet_,
                 finished_);
     if (is_of_many) {
@@ -81,7 +82,7 @@ TEST(SolidDrumsComplexity, ProbesGrowAsTheSquareOfTheLogarithm) {
   const std::uint64_t seed = chosen_seed(20261128);
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
-  Ratios plane("plane", 5), line("line", 16), polygon("polygon", 60);
+  Ratios plane("plane", 2), line("line", 45), polygon("polygon", 130);
   std::printf("%-14s %7s %9s %9s %9s\n", "family", "n", "plane", "line", "polygon");
   for (const SolidShape& shape : all_solid_shapes()) {
     for (int power = 4; power <= 17; ++power) {
@@ -126,7 +127,7 @@ TEST(SolidDrumsComplexity, ProbesGrowAsTheSquareOfTheLogarithm) {
     }
   }
   const bool is_of_many = scaled_count(200) >= 200;
-  plane.expect_no_growth(is_of_many, 50);
+  plane.expect_no_growth(is_of_many, 1000);
   line.expect_no_growth(is_of_many, 20);
   polygon.expect_no_growth(is_of_many, 20);
 }
@@ -137,7 +138,10 @@ TEST(SolidDrumsComplexity, Space) {
   std::printf("%-14s %7s %14s %14s %12s\n", "family", "n", "persistent", "listed", "/ n log2 n");
   for (const SolidShape& shape : all_solid_shapes()) {
     for (const int power : {10, 13, 17}) {
-      if (power == 17 && shape.name != "sphere" && shape.name != "prism" && shape.name != "helix") continue;
+      if (power == 17 && shape.name != "prism" && shape.name != "helix" &&
+          (shape.name != "sphere" || scaled_count(10) <= 10)) {  // that of a sphere takes 600 MB, listed
+        continue;
+      }
       Random random(7);
       const ConvexPolyhedron body(shape.make(std::size_t{1} << static_cast<unsigned>(power), random));
       const auto n = static_cast<double>(body.vertices().size());

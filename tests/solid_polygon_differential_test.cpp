@@ -166,5 +166,32 @@ TEST(SolidPolygonDifferential, MethodsAgreeWithTheScan) {
   }
 }
 
+// A plane through a lowest and a highest vertex: at both tips of W two corners are one point, and from a vertex between
+// them four pockets are beside it.
+TEST(SolidPolygonDifferential, TipsThatArePoints) {
+  int apart = 0, meet = 0;
+  for (const double belt : {0.0, 0.25}) {  // one or two slices between the tips
+    const ConvexPolyhedron body(std::vector<Point3>{
+        {0, 0, -1}, {1, 0.25, -belt}, {-0.5, 1, belt}, {-1, -0.25, -belt}, {0.5, -1, belt}, {0, 0, 1}});
+    for (int turn = 0; turn < 16; ++turn) {
+      const double x = std::cos(turn), y = std::sin(turn);
+      for (const double from : {-3.0, -2.0, -1.25, -0.5, 0.75, 1.25}) {
+        const ConvexPolyhedron polygon(
+            std::vector<Point3>{{from, -1, 0}, {from + 1, -0.75, 0}, {from + 1, 0.75, 0}, {from, 1, 0}});
+        for (const double height : {-1.5, 0.0, 1.5}) {
+          const Pose pose = Pose::from_matrix({x, 0, y, y, 0, -x, 0, 1, 0}, {0, 0, height});
+          const PairAnswer scan = polyhedron_polygon_by_scan(body, Pose(), polygon, pose);
+          const PairAnswer drums = polyhedron_polygon_by_drums(body, Pose(), polygon, pose);
+          EXPECT_EQ(drums.meet(), scan.meet());
+          EXPECT_NE(drums.decided_by, DecidedBy::finishing) << belt << " " << turn << " " << from << " " << height;
+          ++(scan.meet() ? meet : apart);
+        }
+      }
+    }
+  }
+  EXPECT_GT(meet, 50);
+  EXPECT_GT(apart, 50);
+}
+
 }  // namespace
 }  // namespace sunder::tests

@@ -185,8 +185,8 @@ Verb pair_verb() {
        {"--pose-b", &call->b.pose, "where B is", "POSE"},
        {"--method", &call->method,
         "automatic, scan, gjk (both bounded), hierarchy (of bodies), difference, halving, triangles (both bounded, in "
-        "the plane), or fibonacci (with a line); in space, with a plane, line, ray or flat polygon: automatic, drums, "
-        "scan",
+        "the plane), fibonacci (with a line of the plane), or drums (of a body, with a plane, line, ray or flat "
+        "polygon)",
         "NAME"},
        {"--classify", &call->classify, "tell touching from overlapping"},
        {"--require-convex", &call->require_convex, "a mesh that is not exactly convex is an error"},

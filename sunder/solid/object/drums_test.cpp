@@ -79,7 +79,7 @@ TEST(Drums, EveryFamilyAlongEveryDirection) {
   std::size_t drums_seen = 0;
   for (const tests::SolidShape& shape : tests::all_solid_shapes()) {
     if (shape.name == "needle") continue;  // heights beyond long doubles; see SmallWholeNumbers and SameInBothForms
-    for (const std::size_t n : {8, 9, 20, 60}) {
+    for (const std::size_t n : {8u, 9u, 20u, 60u}) {
       const ConvexPolyhedron body = body_of(shape, n);
       for (const Point3& direction : directions) {
         if (direction.z == 3 && shape.name != "grid" && shape.name != "bipyramid") continue;  // the same
@@ -124,7 +124,7 @@ TEST(Drums, SmallWholeNumbers) {
 
 TEST(Drums, SameInBothFormsAndSmallInOne) {
   for (const tests::SolidShape& shape : tests::all_solid_shapes()) {
-    for (const std::size_t n : {100, 1000, 4000}) {
+    for (const std::size_t n : {100u, 1000u, 4000u}) {
       const ConvexPolyhedron body = body_of(shape, n);
       const auto vertices = static_cast<double>(body.vertices().size());
       const Drums& persistent = body.drums();

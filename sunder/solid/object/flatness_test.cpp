@@ -53,7 +53,7 @@ TEST(Flatness, Random) {
       points.push_back({x, y, p * x + q * y + r});
     }
     ASSERT_TRUE(flatness(points).is_flat);
-    const auto k = static_cast<std::size_t>(random.below(points.size()));
+    const std::uint64_t k = random.below(points.size());
     const double z = points[k].z;
     points[k].z = std::nextafter(z, 1e9);
     const Flatness off = flatness(points);

@@ -14,6 +14,7 @@
 
 namespace sunder::solid {
 
+// What the two have in common, by the function of their kinds. Exact; of the world. Cost: at most 13 signs.
 FlatCommon flat_flat(const Flat& a, const Flat& b);
 
 // A point of both, exactly; of both relative interiors, where these meet. Requires their answer, that they meet.

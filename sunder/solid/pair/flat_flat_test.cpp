@@ -54,6 +54,8 @@ TEST(FlatFlat, KnownKinds) {
   EXPECT_EQ(plane_plane(floor, Plane::through({1, 1, 0.5}, {0, 0, -3})).kind, FlatKind::plane);
   EXPECT_EQ(plane_plane(floor, Plane::through({1, 1, std::nextafter(0.5, 1)}, {0, 0, -3})).kind, FlatKind::nothing);
   EXPECT_EQ(plane_plane(floor, Plane::at({0, 5e-324, 2}, 1)).kind, FlatKind::line);
+  EXPECT_EQ(plane_plane(floor, floor).decided_by, DecidedBy::evidence);  // levels are compared exactly
+  EXPECT_EQ(plane_plane(floor, Plane::at({1, 0, 0}, 1)).decided_by, DecidedBy::filter);
 }
 
 std::string certificate_of(const Flat& a, const Flat& b, const FlatCommon& common, bool tells_contact) {

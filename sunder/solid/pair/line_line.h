@@ -30,6 +30,7 @@ struct [[nodiscard]] FlatCommon {
   bool meet() const { return contact != Contact::none; }
 };
 
+// Exact; of the world. Cost: at most 13 signs.
 FlatCommon line_line(const Line& a, const Line& b);
 FlatCommon line_ray(const Line& a, const Ray& b);
 FlatCommon line_segment(const Line& a, const Segment& b);

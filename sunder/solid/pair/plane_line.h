@@ -11,6 +11,7 @@
 
 namespace sunder::solid {
 
+// Exact; of the world. Cost: at most 13 signs.
 FlatCommon plane_line(const Plane& plane, const Line& line);
 FlatCommon plane_ray(const Plane& plane, const Ray& ray);
 FlatCommon plane_segment(const Plane& plane, const Segment& segment);

@@ -10,6 +10,7 @@
 
 namespace sunder::solid {
 
+// Exact. Cost: at most 13 signs.
 FlatCommon plane_plane(const Plane& a, const Plane& b);
 
 }  // namespace sunder::solid

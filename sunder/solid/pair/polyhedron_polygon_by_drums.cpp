@@ -83,7 +83,7 @@ class PolygonByDrums {
     if (found.verdict == Verdict::meet) return meet(w, r, found, holds);
     const bool by_side = found.direction.kind == Direction::Kind::side_of_a;
     const auto pockets = by_side ? w.behind(found.direction.index[0]) : w.beside(found.extreme_a);
-    return in_pockets(section, pockets.begin, std::min(pockets.count, section.corner_count()), r, holds);
+    return in_pockets(section, pockets.begin, pockets.count, r, holds);
   }
 
  private:

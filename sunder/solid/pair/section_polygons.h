@@ -7,6 +7,7 @@
 #include <sunder/solid/pair/scaled_pose.h>
 #include <sunder/solid/pair/section_search.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -89,18 +90,18 @@ class CornerSequence : public RoundedSequence<CornerSequence<Real>, Real> {
     section_.add_parts(section_.corner(corner(k)), add);
   }
 
-  // Which pockets are beside vertex k, and behind it.
+  // Which pockets are beside vertex k, and behind it, up to the next vertex: at a tip that is one point there are two.
+  // At most four beside a vertex.
   struct Pockets {
     std::uint32_t begin, count;
   };
   Pockets beside(std::uint32_t k) const {
     const Pockets before = behind(k > 0 ? k - 1 : size() - 1);
-    return {before.begin, before.count + behind(k).count};
+    return {before.begin, std::min(before.count + behind(k).count, 2 * half_)};
   }
   Pockets behind(std::uint32_t k) const {
-    const std::uint32_t q = corner(k);
-    const bool is_tip = (one_at_top_ && q + 1 == half_) || (one_at_bottom_ && q + 2 == 2 * half_);
-    return {q, is_tip ? 2u : 1u};
+    const std::uint32_t q = corner(k), next = corner(k + 1 < size() ? k + 1 : 0);
+    return {q, next > q ? next - q : next + 2 * half_ - q};
   }
 
  private:
@@ -116,7 +117,7 @@ class CornerSequence : public RoundedSequence<CornerSequence<Real>, Real> {
   bool one_at_top_ = false, one_at_bottom_ = false;
 };
 
-// A corner of W, the section's vertices in the pocket behind it, the next corner, and so on, for one to three pockets.
+// A corner of W, the section's vertices in the pocket behind it, the next corner, and so on, for one to four pockets.
 // Where the section meets no slice, all of it; where it has as many corners, all round.
 template <class Real>
 class PocketSequence : public RoundedSequence<PocketSequence<Real>, Real> {
@@ -202,8 +203,8 @@ class PocketSequence : public RoundedSequence<PocketSequence<Real>, Real> {
   const Coordinates<Real>& coordinates_;
   bool all_round_, closed_;
   std::uint32_t count_;
-  std::array<typename Section::Pocket, 3> pockets_{};
-  std::array<typename Section::Corner, 4> corners_{};
+  std::array<typename Section::Pocket, 4> pockets_{};
+  std::array<typename Section::Corner, 5> corners_{};
 };
 
 // R, in coordinates of the scaled world counted from a point of it; turned round where it runs clockwise there.
