@@ -2,15 +2,19 @@
 #include <tests/support/scale.h>
 #include <tests/support/solid_lines.h>
 
+#include <sunder/base/random.h>
 #include <sunder/solid/pair/polyhedron_line.h>
 #include <sunder/solid/pair/polyhedron_ray.h>
 #include <sunder/solid/pair/polyhedron_segment.h>
+#include <sunder/solid/represent/drums.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace sunder::tests {
 namespace {
@@ -71,6 +75,32 @@ TEST(SolidLineByDrumsDifferential, AgreesWithTheScans) {
     const bool is_general = family == LineFamily::general || family == LineFamily::round;
     EXPECT_LE(t.finished, is_general ? 1 + t.cases / 1000 : t.cases / 10) << name_of(family);
   }
+}
+
+// A body that leans so far that upright planes go between its two slices: the section is all in one drum.
+TEST(SolidLineByDrumsDifferential, SectionsBetweenSlices) {
+  Random random(chosen_seed(3));
+  std::vector<Point3> points;
+  for (int k = 0; k < 64; ++k) {
+    const double t = 6.283185307179586 * k / 64;
+    points.push_back({std::cos(t), std::sin(t), 0});
+    points.push_back({std::cos(t) + 8, 0.75 * std::sin(t), 1});
+  }
+  const solid::ConvexPolyhedron body(points);
+  ASSERT_EQ(body.drums().drum_count(), 1u);
+  int meets = 0;
+  const int count = scaled_count(400);
+  for (int i = 0; i < count; ++i) {
+    const double s = random.uniform(0.2, 0.8), t = random.uniform(0, 3.14);
+    const Point3 a{8 * s, random.uniform(-1, 1), s + random.uniform(-0.05, 0.05)};
+    const solid::Line line =
+        solid::Line::through(a, {a.x + random.uniform(-0.01, 0.01), a.y + std::cos(t), a.z + std::sin(t)});
+    const PolyhedronCut found = polyhedron_line_by_drums(body, solid::Pose(), line);
+    expect_same(found, polyhedron_line_by_scan(body, solid::Pose(), line));
+    EXPECT_NE(found.decided_by, DecidedBy::finishing) << i;
+    meets += found.meet();
+  }
+  EXPECT_GT(meets, count / 2);
 }
 
 }  // namespace

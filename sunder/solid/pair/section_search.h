@@ -147,30 +147,22 @@ class SectionSearch {
   // The side by which Q goes up through g = 0 (or down, with the form negated), on the way counter-clockwise from one
   // place to the other, along which g rises from below 0 to above. The facet. Cost: O(log^2 n) probes.
   std::uint32_t crossed(const LinearForm<Real>& g, const Place& from, const Place& to) const {
+    if (!meets_slices_) {
+      const std::uint32_t end = to.j > from.j ? to.j : to.j + drums_.size(pocket(0).drum);
+      return crossed_in(pocket(0), g, from.j + 1, end);
+    }
     const std::uint32_t corners = corner_count();
-    std::uint32_t q = from.q, first = from.j + 1;  // side `first` is the first one that may cross
     const bool wraps = to.q < from.q || (to.q == from.q && to.j < from.j);
     const std::uint32_t last_q = wraps ? to.q + corners : to.q;
     const std::uint32_t next = planar::first_where(
         from.q + 1, last_q + 1, [&](std::uint32_t k) { return value_at_corner(g, k % corners) > Real(0); });
-    q = next - 1;
-    Pocket p = pocket(q % corners);
+    const std::uint32_t q = next - 1;
+    const Pocket p = pocket(q % corners);
+    std::uint32_t first = from.j + 1;  // the first side that may cross
     if (q != from.q) first = 0;
-    if (q == from.q && first > p.count) {  // the place is a corner of W
-      if (!meets_slices_) {
-        first = 0;
-      } else {
-        return facet_after(from);
-      }
-    }
+    if (first > p.count) return facet_after(from);  // the place is a corner of W
     if (p.level != Sign::zero) return facet_before({q % corners, 0});
-    std::uint32_t last = q == last_q ? to.j : p.count;
-    if (!meets_slices_ && last < first) last += p.count + 1;
-    const std::uint32_t sides = p.count + 1;
-    const std::uint32_t j = planar::first_where(first, last, [&](std::uint32_t k) {
-      return value_on(g, edge(p, (k + 1) % sides)) > Real(0);  // the end of side k
-    });
-    return *facet(p, j % sides);
+    return crossed_in(p, g, first, q == last_q ? to.j : p.count);
   }
 
   // A corner of W: on a slice, between where two lateral edges pass it.
@@ -259,6 +251,14 @@ class SectionSearch {
   Real greatest(std::uint32_t slice) const { return extreme_of(slice, normal_); }
   Real least(std::uint32_t slice) const { return extreme_of(slice, negated(normal_)); }
   bool meets(std::uint32_t slice) const { return !(greatest(slice) < Real(0)) && !(least(slice) > Real(0)); }
+
+  // Of sides first .. last of a pocket, all round: the one at whose end g is above 0. The facet.
+  std::uint32_t crossed_in(const Pocket& p, const LinearForm<Real>& g, std::uint32_t first, std::uint32_t last) const {
+    const std::uint32_t sides = p.count + 1;
+    const std::uint32_t j = planar::first_where(
+        first, last, [&](std::uint32_t k) { return value_on(g, edge(p, (k + 1) % sides)) > Real(0); });
+    return *facet(p, j % sides);
+  }
 
   Pocket top() const {
     if (high_ == drums_.drum_count()) return {.level = Sign::positive};
