@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace sunder::solid {
 
@@ -271,7 +270,7 @@ void LineAnswer::clip(OwnEnds ends, bool is_point) {
 
 PolyhedronCut LineAnswer::conclude(bool finished) {
   sunder::conclude(cut_, tally_.exact, finished);
-  return std::move(cut_);
+  return cut_;
 }
 
 }  // namespace sunder::solid
