@@ -222,8 +222,8 @@ def calls():
                 yield cells[4].strip("`").split()[1:], cells[2] != "nothing is asked"
 
 
-WITH_VALUE = ("feature_a", "feature_b", "pose_a", "pose_b", "allow", "group", "clearance", "maximize", "feature", "of",
-              "project")
+WITH_VALUE = ("plane", "feature_a", "feature_b", "pose_a", "pose_b", "allow", "group", "clearance", "maximize", "feature",
+              "of", "project")
 
 
 def test_files_are_asked_as_by_the_program(monkeypatch, tmp_path):
