@@ -211,7 +211,7 @@ TEST(PolygonsDifferential, MethodsAgreeWithTheScan) {
   for (const auto& [family, r] : rates) {
     EXPECT_GT(r.meet[2], r.sets / 12) << name_of(family);
     EXPECT_LT(r.meet[2], r.sets - r.sets / 12) << name_of(family);
-    for (const int n : r.contacts) EXPECT_GT(n, r.sets / 20) << name_of(family);
+    for (const int n : r.contacts) EXPECT_GT(n, r.sets / 40) << name_of(family);
   }
   for (const ContactKind kind : {ContactKind::shared_endpoint, ContactKind::touch, ContactKind::overlap}) {
     EXPECT_GT(touching[kind], count / 100) << name_of(kind);
