@@ -20,7 +20,7 @@ struct PolarHierarchy;  // of that; see solid/represent/polar_hierarchy.h
 struct HalfEdges;       // from facet to facet; see solid/represent/half_edges.h
 class Drums;            // a stack of cross-sections; see solid/represent/drums.h
 enum class DrumsForm : std::uint8_t;
-struct FacetGraph;      // what searches along lines walk on; see solid/represent/facet_graph.h
+struct FacetGraph;  // what searches along lines walk on; see solid/represent/facet_graph.h
 
 // Immutable, and cheap to copy (copies share one block of memory); any number of threads may use one at once.
 //

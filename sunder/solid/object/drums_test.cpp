@@ -28,7 +28,8 @@ ConvexPolyhedron body_of(const tests::SolidShape& shape, std::size_t n) {
 // Is w higher than v? In numbers that hold the heights exactly for the directions above, or nearly: long double, and
 // only for bodies where that is sure.
 long double height(const Point3& d, const Point3& v) {
-  return static_cast<long double>(d.x) * v.x + static_cast<long double>(d.y) * v.y + static_cast<long double>(d.z) * v.z;
+  return static_cast<long double>(d.x) * v.x + static_cast<long double>(d.y) * v.y +
+         static_cast<long double>(d.z) * v.z;
 }
 
 // The facet on whose border one goes from v to w, counter-clockwise seen from outside.
@@ -128,7 +129,8 @@ TEST(Drums, SameInBothFormsAndSmallInOne) {
       const ConvexPolyhedron body = body_of(shape, n);
       const auto vertices = static_cast<double>(body.vertices().size());
       const Drums& persistent = body.drums();
-      EXPECT_LE(static_cast<double>(persistent.memory()), 64 * vertices * std::log2(vertices)) << shape.name << " " << n;
+      EXPECT_LE(static_cast<double>(persistent.memory()), 64 * vertices * std::log2(vertices))
+          << shape.name << " " << n;
       EXPECT_LE(persistent.steps_of_access(), 2 * std::log2(vertices));
       const Drums listed = body.make_drums({0, 0, 1}, DrumsForm::listed);
       ASSERT_EQ(persistent.drum_count(), listed.drum_count());

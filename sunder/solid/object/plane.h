@@ -27,8 +27,8 @@ struct Plane {
 
  private:
   static Plane checked(const Plane& plane) {
-    for (const double x : {plane.normal.x, plane.normal.y, plane.normal.z, plane.point.x, plane.point.y, plane.point.z,
-                           plane.offset}) {
+    for (const double x :
+         {plane.normal.x, plane.normal.y, plane.normal.z, plane.point.x, plane.point.y, plane.point.z, plane.offset}) {
       if (!std::isfinite(x)) throw Error(ErrorCode::bad_value, "a number is not finite; give finite numbers", "plane");
     }
     if (plane.normal == Point3{}) {
