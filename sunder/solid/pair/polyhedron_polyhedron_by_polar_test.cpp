@@ -150,6 +150,7 @@ TEST(PolyhedronPolyhedronByPolar, PlatesOfLattices) {
     }
     std::printf("thin as 2^-%d: of %d, %d meet; finished %d, by hierarchy %d\n", 3 * bits, count, meets, finished,
                 finished_by_hierarchy);
+    if (count < 100) continue;  // too few for the rates below
     EXPECT_GT(meets, count / 5) << bits;
     EXPECT_LT(meets, count - count / 5) << bits;
     EXPECT_LE(finished, bits < 15 ? count / 100 : bits < 20 ? count / 15 : count / 4) << bits;
