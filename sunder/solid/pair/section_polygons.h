@@ -174,7 +174,7 @@ class PocketSequence : public RoundedSequence<PocketSequence<Real>, Real> {
       return std::array{e.low, e.high};
     }
     const auto& [e, f, slice] = corners_[part.corner];
-    const auto ends_here = [slice = slice](const LateralEdge& x) { return x.begin == slice || x.end == slice; };
+    const auto ends_here = [at = slice](const LateralEdge& x) { return x.begin == at || x.end == at; };
     if (!ends_here(e) || !ends_here(f)) return std::nullopt;
     const std::array<std::uint32_t, 2> ends{e.begin == slice ? e.low : e.high, f.begin == slice ? f.low : f.high};
     if (ends[0] == ends[1]) return std::nullopt;

@@ -203,7 +203,7 @@ void Drums::make_lists() {
 // least one would stand.
 void Drums::make_trees() {
   const auto count = static_cast<std::uint32_t>(edges_.size());
-  levels_ = std::max(1u, static_cast<std::uint32_t>(std::bit_width(std::max(count, 1u) - 1)));
+  levels_ = count <= 2 ? 1 : 32 - static_cast<std::uint32_t>(std::countl_zero(count - 1));
   bits_ = RankedBits(2 * levels_, count);
   for (const std::uint32_t tree : {0u, 1u}) {
     const auto time = [&](std::uint32_t e) { return tree == 0 ? edges_[e].begin : edges_[e].end; };
