@@ -28,8 +28,8 @@ ConvexPolyhedron body_of(const tests::SolidShape& shape, std::size_t n) {
 // Is w higher than v? In numbers that hold the heights exactly for the directions above, or nearly: long double, and
 // only for bodies where that is sure.
 long double height(const Point3& d, const Point3& v) {
-  return static_cast<long double>(d.x) * v.x + static_cast<long double>(d.y) * v.y +
-         static_cast<long double>(d.z) * v.z;
+  const auto product = [](double a, double b) { return static_cast<long double>(a) * static_cast<long double>(b); };
+  return product(d.x, v.x) + product(d.y, v.y) + product(d.z, v.z);
 }
 
 // The facet on whose border one goes from v to w, counter-clockwise seen from outside.

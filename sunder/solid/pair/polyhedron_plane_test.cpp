@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace sunder::solid {
@@ -48,7 +49,7 @@ TEST(PolyhedronPlane, Contacts) {
 TEST(Plane, Refused) {
   EXPECT_THROW(Plane::at({0, -0.0, 0}, 1), Error);
   EXPECT_THROW(Plane::at({1, 0, 0}, std::nan("")), Error);
-  EXPECT_THROW(Plane::through({INFINITY, 0, 0}, {1, 0, 0}), Error);
+  EXPECT_THROW(Plane::through({std::numeric_limits<double>::infinity(), 0, 0}, {1, 0, 0}), Error);
 }
 
 }  // namespace
