@@ -78,7 +78,7 @@ struct ExactPoint3 {
   Dyadic x, y, z, denominator;
 };
 
-// The corners of one body's sections by one plane, by coordinates. Keeps references to the body and the pose.
+// The corners of one body's sections by one plane, by coordinates. Keeps a reference to the body.
 class SectionPoints {
  public:
   SectionPoints(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane);
@@ -94,7 +94,7 @@ class SectionPoints {
 
  private:
   const ConvexPolyhedron& body_;
-  const Affine3& pose_;
+  Affine3 pose_;
   bool is_at_home_;  // the pose is the identity
   Plane plane_;
   int axis_ = -1;     // that of a normal along an axis, or -1
