@@ -55,6 +55,24 @@ class DrumSearch {
     return drums_.edge(drum, k);
   }
 
+  // How high a vertex is, counted from vertex_of(0).
+  template <class Real>
+  Real height(std::uint32_t v) const {
+    const Point3 &up = drums_.up(), &p = vertices_[v], &base = vertices_[drums_.vertex_of(0)], &by = drums_.shrink();
+    return Real(up.x) * (difference<Real>(p.x, base.x) * Real(by.x)) +
+           Real(up.y) * (difference<Real>(p.y, base.y) * Real(by.y)) +
+           Real(up.z) * (difference<Real>(p.z, base.z) * Real(by.z));
+  }
+
+  // How far from an edge's lower vertex to its upper one a slice is: exactly 0 and 1 at their own.
+  template <class Real>
+  Real share_at(const LateralEdge& e, std::uint32_t slice) const {
+    if (slice <= e.begin) return 0;
+    if (slice >= e.end) return 1;
+    const Real low = height<Real>(e.low);
+    return (height<Real>(drums_.vertex_of(slice)) - low) / (height<Real>(e.high) - low);
+  }
+
   // A normal of the world, as the drums see it under the body's pose, its greatest component about 1. Numbers whose
   // sizes are far apart keep what counts.
   template <class Real>

@@ -27,6 +27,12 @@ class ScaledPose {
     }
   }
 
+  // Into the scaled world of another body.
+  ScaledPose(const Affine3& pose, const Point3& shrink, const ScaledPose& of_world)
+      : pose_(pose), world_(of_world.world_) {
+    for (std::size_t i = 0; i < 3; ++i) shrink_[i] = std::ilogb(shrink[i]);
+  }
+
   // The linear part.
   double operator()(std::size_t i, std::size_t j) const {
     return std::ldexp(pose_.linear[3 * i + j], world_[i] - shrink_[j]);

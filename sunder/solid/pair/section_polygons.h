@@ -16,14 +16,24 @@
 
 namespace sunder::solid {
 
-// A point of the plane, rounded. The signs are those of rounded numbers.
+// A point of the plane, rounded. The signs are those of rounded numbers. Corners of a slice may be in one place, on
+// different lateral edges: these tell which way each goes, so that the side between them has a direction.
 template <class Real>
 struct RoundedPoint {
   Real x, y;
+  double dx = 0, dy = 0;  // of a corner of a slice: as the slice goes into the drum
 
+  // From p to q; where that is nothing, by which way it opens.
+  friend std::array<Real, 2> way(const RoundedPoint& p, const RoundedPoint& q) {
+    const Real along_x = q.x - p.x, along_y = q.y - p.y;
+    const auto is_zero = [](const Real& r) { return !(r > Real(0)) && !(r < Real(0)); };
+    if (!is_zero(along_x) || !is_zero(along_y)) return {along_x, along_y};
+    return {Real(q.dx - p.dx), Real(q.dy - p.dy)};
+  }
   friend Sign cross_2d(const RoundedPoint& p, const RoundedPoint& q, const RoundedPoint& r, const RoundedPoint& s,
                        StageTally* = nullptr) {
-    return sign_of_rounded<Real>((q.x - p.x) * (s.y - r.y) - (q.y - p.y) * (s.x - r.x));
+    const auto u = way(p, q), v = way(r, s);
+    return sign_of_rounded<Real>(u[0] * v[1] - u[1] * v[0]);
   }
   friend Sign dot_2d(const RoundedPoint& p, const RoundedPoint& q, const RoundedPoint& r, const RoundedPoint& s,
                      StageTally* = nullptr) {
@@ -57,8 +67,8 @@ class RoundedSequence {
     const std::uint32_t n = p.size();
     if (n <= 2) return n == 2 && nearest((p[1].x - p[0].x)) * d.x > 0 ? 1 : 0;
     return first_past(n, {0, 0, 1}, d, [&](std::uint32_t k) {
-      const Vertex a = p[k], b = p[k + 1 < n ? k + 1 : 0];
-      return Point3{nearest(b.y - a.y), nearest(a.x - b.x), 0};
+      const auto side = way(p[k], p[k + 1 < n ? k + 1 : 0]);
+      return Point3{nearest(side[1]), -nearest(side[0]), 0};
     });
   }
 };
@@ -233,6 +243,11 @@ class FlatSequence : public RoundedSequence<FlatSequence<Real>, Real> {
     return {all[x_], all[y_]};
   }
   std::uint32_t vertex(std::uint32_t k) const { return cycle_[turned_ ? size() - 1 - k : k]; }
+
+  template <class Add>
+  void add_parts(std::uint32_t k, const Add& add) const {
+    add(vertex(k), Real(1));
+  }
 
  private:
   const Placed& polygon_;

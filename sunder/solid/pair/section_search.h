@@ -25,6 +25,14 @@ template <class Real>
 struct LinearForm {
   VectorOf<Real> normal;
   Real at_base;
+
+  Real at(const DrumSearch& search, std::uint32_t v) const {
+    const Drums& drums = search.drums();
+    const Point3 &p = search.vertex(v), &base = search.vertex(drums.vertex_of(0)), &by = drums.shrink();
+    return normal.x * (difference<Real>(p.x, base.x) * Real(by.x)) +
+           normal.y * (difference<Real>(p.y, base.y) * Real(by.y)) +
+           normal.z * (difference<Real>(p.z, base.z) * Real(by.z)) + at_base;
+  }
 };
 
 template <class Real>
@@ -189,7 +197,7 @@ class SectionSearch {
   void add_parts(const Corner& c, const Add& add) const {
     const Real to_f = share(value_of_corner(t_, c.e, c.slice), value_of_corner(t_, c.f, c.slice));
     const auto part = [&](const LateralEdge& e, const Real& weight) {
-      const Real up = share_at(e, c.slice);
+      const Real up = search_.share_at<Real>(e, c.slice);
       add(e.low, weight * (Real(1) - up));
       add(e.high, weight * up);
     };
@@ -207,12 +215,7 @@ class SectionSearch {
   Real value(const LinearForm<Real>& g, const LateralEdge& e) const { return value_on(g, e); }
 
   // g at vertex v of the body.
-  Real value_at(const LinearForm<Real>& g, std::uint32_t v) const {
-    const Point3 &p = search_.vertex(v), &base = search_.vertex(drums_.vertex_of(0)), &by = drums_.shrink();
-    return g.normal.x * (difference<Real>(p.x, base.x) * Real(by.x)) +
-           g.normal.y * (difference<Real>(p.y, base.y) * Real(by.y)) +
-           g.normal.z * (difference<Real>(p.z, base.z) * Real(by.z)) + g.at_base;
-  }
+  Real value_at(const LinearForm<Real>& g, std::uint32_t v) const { return g.at(search_, v); }
 
  private:
   // Corners begin .. begin + length of a drum, modulo its size, from the greatest value of T to the least, or back.
@@ -327,26 +330,12 @@ class SectionSearch {
 
   std::uint32_t slice_of(std::uint32_t v) const { return drums_.slice_of(v); }
 
-  // How high a vertex is.
-  double height(std::uint32_t v) const {
-    const Point3 &p = search_.vertex(v), &base = search_.vertex(drums_.vertex_of(0)), &by = drums_.shrink();
-    return dot(drums_.up(), Point3{(p.x - base.x) * by.x, (p.y - base.y) * by.y, (p.z - base.z) * by.z});
-  }
-
   // Where an edge passes a slice.
   Real value_of_corner(const LinearForm<Real>& g, const LateralEdge& e, std::uint32_t slice) const {
     if (slice <= e.begin) return value_at(g, e.low);
     if (slice >= e.end) return value_at(g, e.high);
     const Real from = value_at(g, e.low), to = value_at(g, e.high);
-    return from + (to - from) * share_at(e, slice);
-  }
-
-  // How far from an edge's lower vertex to its upper one a slice is.
-  Real share_at(const LateralEdge& e, std::uint32_t slice) const {
-    if (slice <= e.begin) return 0;
-    if (slice >= e.end) return 1;
-    const double low = height(e.low);
-    return (height(drums_.vertex_of(slice)) - low) / (height(e.high) - low);
+    return from + (to - from) * search_.share_at<Real>(e, slice);
   }
 
   // How far from one value of T to another is zero.
