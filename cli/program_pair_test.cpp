@@ -24,7 +24,7 @@ TEST_F(Program, BadPoses) {
 
 TEST_F(Program, PairAnswers) {
   const std::string pair = "pair " + cube + " " + cube;
-  for (const char* method : {"automatic", "gjk", "hierarchy", "polar", "scan"}) {
+  for (const char* method : {"automatic", "gjk", "hierarchy", "polar", "drums", "scan"}) {
     const std::string with = pair + " --method " + method;
     EXPECT_EQ(run(with + " --pose-b 3,0,0").code, 0) << method;
     EXPECT_EQ(run(with + " --pose-b -1,0,0").code, 1) << method;

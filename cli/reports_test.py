@@ -54,7 +54,7 @@ OPTIONAL = {
 }
 
 METHODS = {
-    "pair cases/mesh/cube.obj cases/mesh/tetrahedron.ply": "automatic gjk hierarchy polar scan",
+    "pair cases/mesh/cube.obj cases/mesh/tetrahedron.ply": "automatic gjk hierarchy polar drums scan",
     "pair cases/planar-pair/plate.wkt cases/planar-pair/wheel.wkt": "difference halving triangles gjk scan",
     "pair cases/outcomes/square.wkt cases/outcomes/lines.csv --feature-b diagonal": "fibonacci scan",
     "pair cases/mesh/cube.obj cases/space/plane.json": "automatic drums scan",

@@ -122,9 +122,10 @@ class SolidPair : public PairQuestion {
 
 PairMethod solid_method(const PairCall& call, const PlacedBody& a, const PlacedBody& b) {
   if (call.method != "drums") return pair_method(call.method);
+  if (a.mesh.hull.dimension() == 3 && b.mesh.hull.dimension() == 3) return solid::polyhedron_polyhedron_by_drums;
   if (a.mesh.hull.dimension() == 3 && b.mesh.hull.dimension() == 2) return solid::polyhedron_polygon_by_drums;
-  throw Error(ErrorCode::bad_call, "drums is for a body A and a plane, a line, a ray or a flat polygon B; give these",
-              "--method");
+  throw Error(ErrorCode::bad_call,
+              "drums is for a body A and a body, a plane, a line, a ray or a flat polygon B; give these", "--method");
 }
 
 // Of standard input, the other one tells.
@@ -185,8 +186,8 @@ Verb pair_verb() {
        {"--pose-b", &call->b.pose, "where B is", "POSE"},
        {"--method", &call->method,
         "automatic, scan, gjk (both bounded), hierarchy (of bodies), difference, halving, triangles (both bounded, in "
-        "the plane), fibonacci (with a line of the plane), or drums (of a body, with a plane, line, ray or flat "
-        "polygon)",
+        "the plane), fibonacci (with a line of the plane), or drums (of a body, with a body, plane, line, ray or "
+        "flat polygon)",
         "NAME"},
        {"--classify", &call->classify, "tell touching from overlapping"},
        {"--require-convex", &call->require_convex, "a mesh that is not exactly convex is an error"},
