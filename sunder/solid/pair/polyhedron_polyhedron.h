@@ -54,10 +54,10 @@ PairAnswer polyhedron_polyhedron_by_hierarchy(const ConvexPolyhedron& a, const P
 PairAnswer polyhedron_polyhedron_by_polar(const ConvexPolyhedron& a, const Pose& pose_a,  //
                                           const ConvexPolyhedron& b, const Pose& pose_b);
 
-// By the drums of both bodies (represent/drums.h): the one with fewer vertices is cut by planes, whose sections are asked
-// whether they meet the other; in doubles and then in double-doubles. Where neither holds, the same exact method. A body
-// without an inside is left to polyhedron_polyhedron.
-// Source: CD87 section 3.6, Theorem 13. Departures: in the source file.
+// By the drums of both bodies (represent/drums.h): the one with fewer vertices is cut by planes, whose sections are
+// asked whether they meet the other; in doubles and then in double-doubles. Where neither holds, the same exact method.
+// A body without an inside is left to polyhedron_polyhedron. Source: CD87 section 3.6, Theorem 13. Departures: in the
+// source file.
 PairAnswer polyhedron_polyhedron_by_drums(const ConvexPolyhedron& a, const Pose& pose_a,  //
                                           const ConvexPolyhedron& b, const Pose& pose_b);
 
