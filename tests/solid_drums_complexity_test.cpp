@@ -1,5 +1,6 @@
 // Counted probes of what goes by drums, on every family of hard bodies, of 2^4 to 2^17 vertices: at most a constant
-// times log2^2 n of a plane (IHP) and a line (IHL), times log2 n log2 (n + m) of a flat polygon (IHG). An access to a
+// times log2^2 n of a plane (IHP) and a line (IHL), log2 n log2 (n + m) of a flat polygon (IHG), log2^3 of all vertices
+// of two bodies (IHH). An access to a
 // drum's edge is a probe; its own steps in the persistent form, at most 2 log2 n, are counted apart. And the space that
 // either form takes.
 #include <tests/support/scale.h>
@@ -130,6 +131,38 @@ TEST(SolidDrumsComplexity, ProbesGrowAsTheSquareOfTheLogarithm) {
   plane.expect_no_growth(is_of_many, 1000);
   line.expect_no_growth(is_of_many, 20);
   polygon.expect_no_growth(is_of_many, 20);
+}
+
+// Two bodies by the drums of both (IHH), against log2^3 of all vertices: two of a family near contact, touching or not.
+TEST(SolidDrumsComplexity, ProbesOfTwoBodiesGrowAsTheCubeOfTheLogarithm) {
+  const std::uint64_t seed = chosen_seed(20261130);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  Ratios bodies("two bodies", 55);
+  std::printf("%-14s %7s %9s\n", "family", "n", "bodies");
+  for (const SolidShape& shape : all_solid_shapes()) {
+    if (shape.name == "needle") continue;
+    for (int power = 4; power <= (scaled_count(10) < 10 ? 12 : 17); ++power) {
+      const ConvexPolyhedron body(shape.make(std::size_t{1} << static_cast<unsigned>(power), random));
+      if (body.vertices().size() < 8 || body.dimension() < 3) continue;
+      const std::size_t n = body.vertices().size();
+      const double log_n = std::log2(static_cast<double>(2 * n));
+      const auto [low, high] = body.box();
+      const double size = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+      const int queries = scaled_count(power <= 10 ? 60 : 6, 6);
+      for (int i = 0; i < queries; ++i) {
+        const double w = random.uniform(-1, 1), x = random.uniform(-1, 1), y = random.uniform(-1, 1);
+        const double reach = size * random.uniform(0.2, 1);
+        const Pose pose = Pose::from_quaternion(
+            w, x, y, random.uniform(0.1, 1),
+            {reach * random.uniform(-1, 1), reach * random.uniform(-1, 1), reach * random.uniform(-1, 1)});
+        bodies.add(shape.name, n, log_n * log_n * log_n, polyhedron_polyhedron_by_drums(body, Pose(), body, pose));
+      }
+      std::printf("%-14.*s %7zu %9.2f\n", static_cast<int>(shape.name.size()), shape.name.data(), n,
+                  bodies.take_greatest_of_row());
+    }
+  }
+  bodies.expect_no_growth(scaled_count(60) >= 60, 20);
 }
 
 // Bytes of both forms: of the listed one the entries of its lists, which grow faster than n log n on round bodies and
