@@ -1,3 +1,5 @@
+// long because: five steps of one algorithm share what is left of the body and the planes that were kept
+//
 // Algorithm IHH: P, the body that is cut, is reduced to a drum, to what is between two planes through an edge of that,
 // and to a pyramid under one facet, by planes T (CD87 section 3.6). Each cuts P, or what is left of it, in a polygon R,
 // which is asked whether it meets Q, the other body (IHG, section_against.h). If not, a plane T_Q along a line that
@@ -6,8 +8,7 @@
 //       common points of P and Q are; where there is none, P and Q are apart.
 //   D2. In the end the planes T_Q that were kept and P have no point in common. So a mix of these planes has all of P
 //       on its other side, and parts the bodies (Helly's theorem; Farkas' lemma).
-//   D3. Planes through a lateral edge e turn about it: first through corners of the lower slice, then through corners
-//   of
+//   D3. Planes through a lateral edge e turn about it: first those through corners of the lower slice, then those of
 //       the upper one. A corner of the lower slice that is e's own gives no plane: its upper corner does in its place,
 //       in the same order.
 #include <sunder/solid/pair/drum_polygons.h>
