@@ -29,6 +29,18 @@ struct Mean {
   }
 };
 
+// The point that a mean of a body's vertices is (of kind Mean or Mixture), by where these are.
+template <class Real, class Parts, class At>
+VectorOf<Real> mean_of(const Parts& parts, const At& at) {
+  VectorOf<Real> sum{Real(0), Real(0), Real(0)};
+  for (std::size_t i = 0; i < parts.count; ++i) {
+    const VectorOf<Real> p = at(parts.vertex[i]);
+    const Real& w = parts.weight[i];
+    sum = {sum.x + w * p.x, sum.y + w * p.y, sum.z + w * p.z};
+  }
+  return sum;
+}
+
 // Two vertices on whose line a side is.
 using LineOfVertices = std::optional<std::array<std::uint32_t, 2>>;
 
@@ -47,13 +59,7 @@ class DrumsInWorld {
 
   Vector at(std::uint32_t v) const { return world_.way_to_image<Real>(from_, body_.pose, search_.vertex(v)); }
   Vector at(const Mean<Real>& mean) const {
-    Vector sum{Real(0), Real(0), Real(0)};
-    for (std::size_t i = 0; i < mean.count; ++i) {
-      const Vector p = at(mean.vertex[i]);
-      const Real& w = mean.weight[i];
-      sum = {sum.x + w * p.x, sum.y + w * p.y, sum.z + w * p.z};
-    }
-    return sum;
+    return mean_of<Real>(mean, [&](std::uint32_t v) { return at(v); });
   }
 
   // Where an edge passes a slice.
@@ -79,7 +85,7 @@ class DrumsInWorld {
   // Between two corners of a slice, where t is zero; t has different signs there, or is zero.
   Mean<Real> crossing(const LinearForm<Real>& t, const LateralEdge& e, const LateralEdge& f,
                       std::uint32_t slice) const {
-    const Real part = share(value_at(t, e, slice), value_at(t, f, slice));
+    const Real part = share_to_zero(value_at(t, e, slice), value_at(t, f, slice));
     Mean<Real> mean;
     for (const auto& [edge, weight] : {std::pair{e, Real(1) - part}, std::pair{f, part}}) {
       const Real up = search_.share_at<Real>(edge, slice);
@@ -90,7 +96,7 @@ class DrumsInWorld {
   }
   // Where t is zero on an edge.
   Mean<Real> crossing(const LinearForm<Real>& t, const LateralEdge& e) const {
-    const Real part = share(t.at(search_, e.low), t.at(search_, e.high));
+    const Real part = share_to_zero(t.at(search_, e.low), t.at(search_, e.high));
     Mean<Real> mean;
     mean.add(e.low, Real(1) - part);
     mean.add(e.high, part);
@@ -98,11 +104,6 @@ class DrumsInWorld {
   }
 
  private:
-  static Real share(const Real& t, const Real& t_other) {
-    const Real whole = t - t_other;
-    return !(whole > Real(0)) && !(whole < Real(0)) ? Real(0) : t / whole;
-  }
-
   const DrumSearch& search_;
   const Placed& body_;
   const ScaledPose& world_;

@@ -53,14 +53,7 @@ class PolygonByDrums {
 
     template <class Sequence>
     bool meet(const Sequence& q, const PairCertificate& found) const {
-      Mixture<Real> of_q, of_r;
-      mix_common_point(q, r, found, of_q, of_r);
-      for (const bool drop_negligible : {false, true}) {
-        Proposal p;
-        p.near_a = of_q.vertex[0], p.near_b = of_r.vertex[0];
-        if (name_at_most_five(search.body_, search.polygon_, of_q, of_r, drop_negligible, p) && holds(p)) return true;
-      }
-      return false;
+      return propose_common_point<Real>(search.body_, q, search.polygon_, r, found, holds);
     }
 
     bool parted(const PocketSequence<Real>& q, const PairCertificate& found) const {

@@ -11,6 +11,7 @@
 //   D3. Planes through a lateral edge e turn about it: first those through corners of the lower slice, then those of
 //       the upper one. A corner of the lower slice that is e's own gives no plane: its upper corner does in its place,
 //       in the same order.
+#include <sunder/base/contract.h>
 #include <sunder/solid/pair/drum_polygons.h>
 #include <sunder/solid/pair/matrix_game.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
@@ -81,19 +82,24 @@ class PolyhedraByDrums {
     goes_on,
   };
 
+  // Where what is left of P is beyond the planes that were asked about, by which T_Q are kept; and the last one.
+  enum Place : std::size_t { above_slice, below_slice, right, left, above_triangle, below_triangle, last, places };
+
   // A plane that supports Q, as a form over P's drums: positive beyond it, where Q is.
   struct Support {
     Form beyond{};
-    Vector normal{};  // of the scaled world, towards Q
-    double by = 1;    // what the form is, beside the normal
-    Proposal claim;   // that it parts the bodies; of kind `meet`: by nothing but its normal
+    Vector normal{};         // of the scaled world, towards Q
+    double by = 1;           // what the form is, beside the normal
+    bool is_beside = false;  // all of Q is on one side of the plane that was asked about
+    Proposal claim;          // that it parts the bodies; of kind `meet`: by nothing but its normal
   };
 
   // A plane through e: of corners 1 .. n - 1 of either slice, the last that is right of it and the first that is left.
   struct Fan {
     CutPolygon<Real> polygon;
+    std::array<Mean<Real>, 2> across;  // where it leaves either slice
     Vector normal{};
-    std::array<std::uint32_t, 2> right{}, left{};
+    std::array<std::uint32_t, 2> last_right{}, first_left{};
     std::optional<Support> support;
   };
 
@@ -113,24 +119,16 @@ class PolyhedraByDrums {
     const Vector& normal;
     const Holds& holds;
     Support& support;
-    bool& is_beside;
 
     End beside(std::uint32_t v, bool is_above) const {
-      is_beside = true;
+      support.is_beside = true;
       support.claim.near_a = v;
       return search.towards(is_above ? normal : negated(normal), search.at_q(v), support);
     }
 
     template <class Sequence>
     End meet(const Sequence& q, const PairCertificate& found) const {
-      Mixture<Real> of_q, of_r;
-      mix_common_point(q, r, found, of_q, of_r);
-      for (const bool drop_negligible : {false, true}) {
-        Proposal p;
-        p.near_a = of_q.vertex[0], p.near_b = of_r.vertex[0];
-        if (name_at_most_five(search.q_, search.p_, of_q, of_r, drop_negligible, p) && holds(p)) return End::held;
-      }
-      return End::stuck;
+      return propose_common_point<Real>(search.q_, q, search.p_, r, found, holds) ? End::held : End::stuck;
     }
 
     End parted(const PocketSequence<Real>& q, const PairCertificate& found) const {
@@ -165,44 +163,31 @@ class PolyhedraByDrums {
 
   // Does R, in a plane with this normal and point, meet Q? If not: a plane that parts them.
   template <class MakeSequence, class Holds>
-  End ask(const Vector& of_normal, const Vector& point, const MakeSequence& make, const Holds& holds, Support& support,
-          bool& is_beside) {
+  End ask(const Vector& of_normal, const Vector& point, const MakeSequence& make, const Holds& holds,
+          Support& support) {
     const Vector normal = scaled_to_one(of_normal);
     const SectionAgainst<Real> against(search_q_, frame_q_, base_q_, normal, point, cost_);
     const auto r = make(against.axes(), frame_q_.reflects());
-    is_beside = false;
-    return against.run(r, Found<std::remove_const_t<decltype(r)>, Holds>{*this, r, normal, holds, support, is_beside});
+    return against.run(r, Found<std::remove_const_t<decltype(r)>, Holds>{*this, r, normal, holds, support});
   }
   template <class Holds>
   End ask(const Vector& normal, const Vector& point, const CutPolygon<Real>& polygon, const Holds& holds,
-          Support& support, bool& is_beside) {
+          Support& support) {
     return ask(
         normal, point, [&](const auto& axes, bool turned) { return CutSequence<Real>(body_, polygon, axes, turned); },
-        holds, support, is_beside);
+        holds, support);
   }
 
   Vector at_q(std::uint32_t v) const { return frame_q_.way_to_image<Real>(from_, search_q_.vertex(v)); }
   Vector at_q(const Mixture<Real>& mixture) const {
-    return mean_at(mixture, [&](std::uint32_t v) { return at_q(v); });
+    return mean_of<Real>(mixture, [&](std::uint32_t v) { return at_q(v); });
   }
   template <class R>
   Vector body_at(const R& r, std::uint32_t k) const {
     Mixture<Real> parts;
     r.add_parts(k, [&](std::uint32_t v, const Real& w) { parts.add(v, w); });
-    Vector p = mean_at(parts, [&](std::uint32_t v) { return body_.at(v); });
-    return p;
+    return mean_of<Real>(parts, [&](std::uint32_t v) { return body_.at(v); });
   }
-  template <class At>
-  static Vector mean_at(const Mixture<Real>& mixture, const At& at) {
-    Vector sum{Real(0), Real(0), Real(0)};
-    for (std::size_t i = 0; i < mixture.count; ++i) {
-      const Vector p = at(mixture.vertex[i]);
-      const Real& w = mixture.weight[i];
-      sum = {sum.x + w * p.x, sum.y + w * p.y, sum.z + w * p.z};
-    }
-    return sum;
-  }
-
   // The normal of a facet of Q, into Q.
   Vector inwards(std::uint32_t f) const {
     const auto [a, b, c] = thirds_of(q_.body.facet(f));
@@ -249,7 +234,7 @@ class PolyhedraByDrums {
            holds(along(support.normal, support.claim.near_a, v));
   }
 
-  void keep(Support& support, std::size_t place) {
+  void keep(const Support& support, Place place) {
     kept_[place] = support;
     newest_ = place;
   }
@@ -285,86 +270,91 @@ class PolyhedraByDrums {
     Vector normal = cross_of<Real>(turned(level[(k + 1) % 3]), turned(level[(k + 2) % 3]));
     if (up[k] < 0) normal = negated(normal);
     Support support;
-    bool is_beside = false;
     const End end = ask(
         normal, body_.at(drums().vertex_of(slice)),
         [&](const auto& axes, bool reversed) { return SliceSequence<Real>(body_, slice, axes, reversed); }, holds,
-        support, is_beside);
+        support);
     if (end != End::goes_on) return end;
     const std::uint32_t v = vertex_beyond(support.beyond);
     const Real value = support.beyond.at(search_p_, v);
     if (!(value > Real(noise)) && parts(support, v, holds)) return End::held;
     const bool is_parted = value < Real(-noise);
     is_above = drums().slice_of(v) > slice;
-    keep(support, is_parted ? 6 : is_above ? 0 : 1);
+    keep(support, is_parted ? last : is_above ? above_slice : below_slice);
     if (is_parted) return End::parted;
     return drums().slice_of(v) == slice ? End::stuck : End::goes_on;
   }
 
-  // Where e has no corner of its own on the lower slice, the plane of e and corner j of that; else that of e and its
-  // corner on the upper one.
-  Fan fan_through(std::uint32_t j, bool by_upper) {
+  // Corners of either slice that are left to be told apart: none where `first` is `last` + 1.
+  struct Range {
+    std::array<std::uint32_t, 2> first, last;
+  };
+
+  // The plane of e and corner j of the lower slice, or of the upper one (D3: where corner j below is e's own, in any
+  // case of the upper one). What is right of it, and left, is told within the range; what is before that is right, and
+  // what is behind is left, whatever rounding says.
+  Fan fan_through(std::uint32_t j, bool by_upper, const Range& range) {
     const LateralEdge e = edge(0), f = edge(j);
     const std::uint32_t n = drums().size(drum_);
-    if (!by_upper && f.begin == drum_ && f.low == e.low) by_upper = true;
-    const std::size_t end = by_upper ? 1 : 0;
-    const std::uint32_t slice = drum_ + static_cast<std::uint32_t>(end);
-    const Vector from = body_.at(body_.corner(e, slice));
-    const Vector outwards = scaled_to_one(minus(body_.at(body_.corner(f, slice)), from));
+    const bool is_own_below = f.begin == drum_ && f.low == e.low;
+    const std::size_t end = by_upper || is_own_below ? 1 : 0, other = 1 - end;
+    const auto slice_at = [&](std::size_t s) { return drum_ + static_cast<std::uint32_t>(s); };
+    const Vector from = body_.at(body_.corner(e, slice_at(end)));
+    const Vector outwards = scaled_to_one(minus(body_.at(body_.corner(f, slice_at(end))), from));
     const Vector up = scaled_to_one(minus(body_.at(e.high), body_.at(e.low)));
     Fan fan;
     fan.normal = scaled_to_one(cross_of<Real>(outwards, up));
     const Form t = frame_p_.form<Real>(fan.normal, minus(base_p_, body_.at(e.low)));
-    // Corners that are one with j's.
-    const auto is_with = [&](std::uint32_t k) {
-      const LateralEdge& g = edge(k);
-      return end == 0 ? f.begin == slice && g.begin == slice && g.low == f.low
-                      : f.end == slice && g.end == slice && g.high == f.high;
+    const auto are_one = [&](std::size_t s, const LateralEdge& g, const LateralEdge& h) {
+      return s == 0 ? g.begin == drum_ && h.begin == drum_ && g.low == h.low
+                    : g.end == drum_ + 1 && h.end == drum_ + 1 && g.high == h.high;
     };
-    const bool is_of_e = end == 0 ? f.low == e.low && f.begin == slice : f.high == e.high && f.end == slice;
-    fan.right[end] = is_of_e ? j - 1 : planar::first_where(1, j, is_with) - 1;
-    fan.left[end] = is_of_e ? j + 1 : planar::first_where(j + 1, n, [&](std::uint32_t k) { return !is_with(k); });
-    // Of the other slice: t turns from one sign to the other.
-    const std::size_t other = 1 - end;
-    const std::uint32_t other_slice = drum_ + static_cast<std::uint32_t>(other);
-    const bool left_is_positive = frame_reflects();  // the normal is outwards x up
-    const auto is_left = [&](std::uint32_t k) {
-      const LateralEdge& g = edge(k);
-      const bool is_corner_of_e =
-          other == 0 ? g.begin == other_slice && g.low == e.low : g.end == other_slice && g.high == e.high;
-      const Real value = body_.value_at(t, g, is_corner_of_e ? slice : other_slice);
-      return left_is_positive ? value > Real(0) : value < Real(0);
+    const auto keep_in_range = [&](std::size_t s, std::uint32_t last_right, std::uint32_t first_left) {
+      fan.last_right[s] = std::clamp(last_right, range.first[s] - 1, range.last[s]);
+      fan.first_left[s] = std::clamp(first_left, range.first[s], range.last[s] + 1);
     };
-    // A copy of e's corner below, whose plane goes through its own upper corner, is in that plane.
-    const bool is_copy = by_upper && f.begin == drum_ && f.low == e.low;
-    if (is_copy) {
-      fan.right[other] = j - 1, fan.left[other] = j + 1;
+    // The plane goes through corner j of slice s, and through those that are one with it.
+    const auto goes_through = [&](std::size_t s) {
+      if (are_one(s, f, e)) return keep_in_range(s, j - 1, j + 1);
+      const auto is_one = [&](std::uint32_t k) { return are_one(s, f, edge(k)); };
+      keep_in_range(s, planar::first_where(1, j, is_one) - 1,
+                    planar::first_where(j + 1, n, [&](std::uint32_t k) { return !is_one(k); }));
+    };
+    goes_through(end);
+    // On the other slice, too, where corner j below is e's own, and beside a facet of e, which is in the plane.
+    const bool through_both = is_own_below || j == 1 || j == n - 1;
+    if (through_both) {
+      goes_through(other);
     } else {
-      fan.left[other] = planar::first_where(1, n, is_left);
-      fan.right[other] = fan.left[other] - 1;
+      // t turns from one sign to the other; it points outwards x up, to the right where the pose does not reflect.
+      const bool left_is_positive = frame_p_.reflects();
+      const std::uint32_t first_left =
+          planar::first_where(range.first[other], range.last[other] + 1, [&](std::uint32_t k) {
+            const LateralEdge& g = edge(k);
+            const Real value = body_.value_at(t, g, slice_at(are_one(other, g, e) ? end : other));
+            return left_is_positive ? value > Real(0) : value < Real(0);
+          });
+      keep_in_range(other, first_left - 1, first_left);
     }
-    make_polygon(fan, t, end, j, is_copy);
+    make_polygon(fan, t, end, j, through_both);
     return fan;
   }
 
-  bool frame_reflects() const { return frame_p_.reflects(); }
-
-  void make_polygon(Fan& fan, const Form& t, std::size_t end, std::uint32_t j, bool is_copy) {
+  void make_polygon(Fan& fan, const Form& t, std::size_t end, std::uint32_t j, bool through_both) {
     const std::uint32_t n = drums().size(drum_);
     const LateralEdge e = edge(0);
     CutPolygon<Real>& polygon = fan.polygon;
     polygon.t = t;
     polygon.drum = drum_;
-    std::array<Mean<Real>, 2> own, across;
+    std::array<Mean<Real>, 2> own, &across = fan.across;
     for (std::size_t s = 0; s < 2; ++s) {
       const std::uint32_t slice = drum_ + static_cast<std::uint32_t>(s);
       own[s] = body_.corner(e, slice);
-      if (s == end) {
+      if (s == end || through_both) {
         across[s] = body_.corner(edge(j), slice);
-      } else if (is_copy) {
-        across[s] = own[s];
       } else {
-        across[s] = body_.crossing(t, edge(fan.right[s]), edge(fan.left[s] < n ? fan.left[s] : 0), slice);
+        across[s] =
+            body_.crossing(t, edge(fan.last_right[s]), edge(fan.first_left[s] < n ? fan.first_left[s] : 0), slice);
       }
     }
     const auto is_same = [&](std::size_t s) {
@@ -377,24 +367,22 @@ class PolyhedraByDrums {
     if (!is_same(1)) polygon.add_tail(across[1]);
     polygon.add_tail(own[1]);
     polygon.line_to_first = std::array{e.low, e.high};
-    if (fan.left[0] <= fan.right[1]) {
-      polygon.first = fan.left[0];
-      polygon.run = fan.right[1] - fan.left[0] + 1;
-    } else if (fan.left[1] <= fan.right[0]) {
-      polygon.first = fan.right[0];
-      polygon.run = fan.right[0] - fan.left[1] + 1;
+    if (fan.first_left[0] <= fan.last_right[1]) {
+      polygon.first = fan.first_left[0];
+      polygon.run = fan.last_right[1] - fan.first_left[0] + 1;
+    } else if (fan.first_left[1] <= fan.last_right[0]) {
+      polygon.first = fan.last_right[0];
+      polygon.run = fan.last_right[0] - fan.first_left[1] + 1;
       polygon.forward = false;
     }
-    fan_across_ = across;
   }
 
   // Is what is left of P beyond T_Q right of the plane?
   template <class Holds>
   End ask_fan(Fan& fan, const Holds& holds, bool& is_right) {
     Support support;
-    bool is_beside = false;
     const Vector normal = fan.normal;
-    const End end = ask(normal, body_.at(fan.polygon.head[0]), fan.polygon, holds, support, is_beside);
+    const End end = ask(normal, body_.at(fan.polygon.head[0]), fan.polygon, holds, support);
     if (end != End::goes_on) return end;
     fan.support = support;
     const std::uint32_t k = search_p_.furthest_edge(drum_, rounded(support.beyond.normal));
@@ -402,32 +390,32 @@ class PolyhedraByDrums {
     const Real low = body_.value_at(support.beyond, e, drum_), high = body_.value_at(support.beyond, e, drum_ + 1);
     const std::size_t s = high > low ? 1 : 0;
     if ((s == 1 ? high : low) < Real(-noise)) {
-      keep(support, 6);
+      keep(support, last);
       return End::parted;
     }
-    is_right = k <= fan.right[s];
-    return k > 0 && (is_right || k >= fan.left[s]) ? End::goes_on : End::stuck;
+    is_right = k <= fan.last_right[s];
+    return k > 0 && (is_right || k >= fan.first_left[s]) ? End::goes_on : End::stuck;
   }
 
   // Steps 2 and 3.
   template <class Holds>
   End to_wedge(const Holds& holds) {
     const std::uint32_t n = drums().size(drum_);
-    a_ = fan_through(1, false), a_across_ = fan_across_;
-    b_ = fan_through(n - 1, false), b_across_ = fan_across_;
+    const std::array<std::uint32_t, 2> all{n - 1, n - 1};
+    a_ = fan_through(1, false, {{1, 1}, all});
+    b_ = fan_through(n - 1, false, {a_.first_left, all});
     for (const std::size_t s : {0u, 1u}) {
-      while (a_.left[s] <= b_.right[s]) {
-        const std::uint32_t low = a_.left[s], high = b_.right[s];
-        Fan fan = fan_through(low + (high - low) / 2, s == 1);
-        const auto across = fan_across_;
+      while (a_.first_left[s] <= b_.last_right[s]) {
+        const std::uint32_t low = a_.first_left[s], high = b_.last_right[s];
+        Fan fan = fan_through(low + (high - low) / 2, s == 1, {a_.first_left, b_.last_right});
         bool is_right = false;
         if (const End end = ask_fan(fan, holds, is_right); end != End::goes_on) return end;
         if (is_right) {
-          b_ = fan, b_across_ = across;
-          keep(*fan.support, 3);
+          b_ = fan;
+          keep(*fan.support, left);
         } else {
-          a_ = fan, a_across_ = across;
-          keep(*fan.support, 2);
+          a_ = fan;
+          keep(*fan.support, right);
         }
       }
     }
@@ -437,17 +425,18 @@ class PolyhedraByDrums {
   // Lateral edge s of the wedge, counted from the bottom, 1 .. edges_; 0 and edges_ + 1 are its ends.
   std::uint32_t wedge_edge(std::uint32_t s) const { return ascends_ ? side_below_ + s : side_below_ - s + 1; }
   Mean<Real> wedge_point(bool of_b, std::uint32_t s) const {
-    const auto& across = of_b ? b_across_ : a_across_;
-    if (s == 0) return across[0];
-    if (s > edges_) return across[1];
-    return body_.crossing((of_b ? b_ : a_).polygon.t, edge(wedge_edge(s)));
+    const Fan& fan = of_b ? b_ : a_;
+    if (s == 0) return fan.across[0];
+    if (s > edges_) return fan.across[1];
+    return body_.crossing(fan.polygon.t, edge(wedge_edge(s)));
   }
 
   // Steps 4 and 5.
   template <class Holds>
   End to_pyramid(const Holds& holds) {
-    side_below_ = a_.left[0] - 1;
-    const std::uint32_t side_above = a_.left[1] - 1;
+    side_below_ = a_.first_left[0] - 1;
+    const std::uint32_t side_above = a_.first_left[1] - 1;
+    SUNDER_REQUIRE(b_.last_right[0] == side_below_ && b_.last_right[1] == side_above);
     ascends_ = side_above >= side_below_;
     edges_ = ascends_ ? side_above - side_below_ : side_below_ - side_above;
     std::uint32_t low = 0, high = edges_ + 1;
@@ -476,8 +465,7 @@ class PolyhedraByDrums {
     triangle.add_head(wedge_point(false, s), std::array{e.low, e.high});
     triangle.add_head(wedge_point(true, s));
     Support support;
-    bool is_beside = false;
-    if (const End end = ask(normal, x, triangle, holds, support, is_beside); end != End::goes_on) return end;
+    if (const End end = ask(normal, x, triangle, holds, support); end != End::goes_on) return end;
     // The furthest of the wedge's corners, which are on its two planes.
     Real best(-noise);
     bool is_parted = true;
@@ -500,7 +488,7 @@ class PolyhedraByDrums {
         consider(edges_ + 1, value(edges_ + 1));
       }
     }
-    keep(support, is_parted ? 6 : is_above ? 4 : 5);
+    keep(support, is_parted ? last : is_above ? above_triangle : below_triangle);
     return is_parted ? End::parted : End::goes_on;
   }
 
@@ -524,32 +512,31 @@ class PolyhedraByDrums {
     face.add_head(wedge_point(true, s + 1), line(s + 1));
     face.add_head(wedge_point(false, s + 1));
     Support support;
-    bool is_beside = false;
-    const End end = ask(normal, at, face, holds, support, is_beside);
+    const End end = ask(normal, at, face, holds, support);
     if (end != End::goes_on) return end;
-    if (is_beside) {
+    if (support.is_beside) {
       // Beyond the facet: then that parts the bodies.
       Proposal p{Proposal::Claim::apart_along_normal_of_b, 0, 3, {u, v, w}, support.claim.near_a, u, {}, {}};
       p.direction = frame_q_.in_world_as_normal(rounded(negated(support.normal)));
-      const bool outside = (dot(scaled_to_one(normal), support.normal) > Real(0)) != frame_reflects();
+      const bool outside = (dot(scaled_to_one(normal), support.normal) > Real(0)) != frame_p_.reflects();
       if (outside && holds(p)) return End::held;
       if (!outside && inside(s, support.claim.near_a, holds)) return End::held;
     }
-    keep(support, 6);
-    for (std::size_t k = 0; k < 2; ++k) {
+    keep(support, last);
+    for (const Place k : {above_slice, below_slice}) {
       if (kept_[k]) continue;
       bool is_above = false;
-      const std::size_t newest = newest_;
-      if (const End of_slice = ask_slice(drum_ + static_cast<std::uint32_t>(k), holds, is_above);
+      const Place newest = newest_;
+      if (const End of_slice = ask_slice(k == above_slice ? drum_ : drum_ + 1, holds, is_above);
           of_slice == End::held || of_slice == End::parted) {
         return of_slice;
       }
       newest_ = newest;
     }
-    for (const std::size_t k : {2u, 3u}) {
+    for (const Place k : {right, left}) {
       if (kept_[k]) continue;
       bool is_right = false;
-      Fan& fan = k == 2 ? a_ : b_;
+      Fan& fan = k == right ? a_ : b_;
       const End of_fan = ask_fan(fan, holds, is_right);
       if (of_fan == End::held || of_fan == End::parted) return of_fan;
       if (fan.support) kept_[k] = fan.support;
@@ -571,17 +558,17 @@ class PolyhedraByDrums {
       const Real of_u = dot(d, cross_of<Real>(v, w)) / whole, of_v = dot(d, cross_of<Real>(w, u)) / whole,
                  of_w = dot(d, cross_of<Real>(u, v)) / whole, of_p = Real(1) - of_u - of_v - of_w;
       for (const Real& weight : {of_u, of_v, of_w, of_p}) {
-        if (!(weight > Real(-0x1p-20))) return false;
+        if (weight < Real(0)) return false;
       }
-      Mixture<Real> mixture, of_q;
+      Mixture<Real> mixture, of_q;  // the face is between two edges: at most six vertices with e's
       of_q.add(vertex, Real(1));
       const auto add = [&](const Mean<Real>& mean, const Real& weight) {
         for (std::size_t i = 0; i < mean.count; ++i) mixture.add(mean.vertex[i], mean.weight[i] * weight);
       };
       add(a, of_u), add(b, of_v), add(c, of_w), add(x, of_p);
-      Proposal p5;
-      p5.near_a = vertex, p5.near_b = mixture.vertex[0];
-      return name_at_most_five(q_, p_, of_q, mixture, false, p5) && holds(p5);
+      Proposal proposal;
+      proposal.near_a = vertex, proposal.near_b = mixture.vertex[0];
+      return name_at_most_five(q_, p_, of_q, mixture, false, proposal) && holds(proposal);
     };
     if (in(face[0], face[1], face[2]) || in(face[0], face[2], face[3])) return true;
     return s == edges_ && in(face[3], face[2], y);
@@ -592,15 +579,15 @@ class PolyhedraByDrums {
   // D2: the planes that were kept and vertices of P, as a game.
   template <class Holds>
   bool mix(const Holds& holds) {
-    std::array<const Support*, planes> support{};
+    std::array<const Support*, places> support{};
     std::size_t count = 0, newest = 0;
-    for (std::size_t k = 0; k < planes; ++k) {
+    for (std::size_t k = 0; k < places; ++k) {
       if (!kept_[k]) continue;
       if (k == newest_) newest = count;
       support[count++] = &*kept_[k];
     }
     if (count == 0) return false;
-    std::array<Real, planes> weight{};
+    std::array<Real, places> weight{};
     weight[newest] = 1;
     MatrixGame<Real, most_in_game> game;
     game.rows = count;
@@ -633,8 +620,8 @@ class PolyhedraByDrums {
     return false;
   }
 
-  static std::uint32_t near_of_q(const std::array<const Support*, 7>& support, const std::array<Real, 7>& weight,
-                                 std::size_t count) {
+  static std::uint32_t near_of_q(const std::array<const Support*, places>& support,
+                                 const std::array<Real, places>& weight, std::size_t count) {
     std::size_t best = 0;
     for (std::size_t k = 1; k < count; ++k) best = weight[k] > weight[best] ? k : best;
     return support[best]->claim.near_a;
@@ -653,7 +640,6 @@ class PolyhedraByDrums {
   }
 
   static constexpr double noise = MatrixGame<Real, 1>::noise;
-  static constexpr std::size_t planes = 7;  // below, above, right, left, under, over, and the last one
   static constexpr std::size_t most_in_game = 16;
 
   const Placed &q_, &p_;
@@ -668,11 +654,10 @@ class PolyhedraByDrums {
 
   std::uint32_t drum_ = 0;
   Fan a_, b_;
-  std::array<Mean<Real>, 2> fan_across_, a_across_, b_across_;
   std::uint32_t side_below_ = 0, edges_ = 0;
   bool ascends_ = true;
-  std::array<std::optional<Support>, planes> kept_;
-  std::size_t newest_ = 0;
+  std::array<std::optional<Support>, places> kept_;
+  Place newest_ = last;
 };
 
 }  // namespace

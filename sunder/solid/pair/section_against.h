@@ -66,6 +66,20 @@ void mix_common_point(const A& a, const B& b, const PairCertificate& found, Mixt
   add(b, count_a, count_b, weights_around(at, in_b, count_b), of_b);
 }
 
+// Proposes that a common point of two such polygons is one of a and b. True where it holds.
+template <class Real, class A, class B, class Holds>
+bool propose_common_point(const Placed& a, const A& of_a, const Placed& b, const B& of_b, const PairCertificate& found,
+                          const Holds& holds) {
+  Mixture<Real> in_a, in_b;
+  mix_common_point(of_a, of_b, found, in_a, in_b);
+  for (const bool drop_negligible : {false, true}) {
+    Proposal p;
+    p.near_a = in_a.vertex[0], p.near_b = in_b.vertex[0];
+    if (name_at_most_five(a, b, in_a, in_b, drop_negligible, p) && holds(p)) return true;
+  }
+  return false;
+}
+
 // Three vertices of a facet that are far from each other.
 inline std::array<std::uint32_t, 3> thirds_of(std::span<const std::uint32_t> facet) {
   const std::size_t n = facet.size();

@@ -35,6 +35,13 @@ struct LinearForm {
   }
 };
 
+// How far from one value of a form to another is zero; 0 where they are equal.
+template <class Real>
+Real share_to_zero(const Real& value, const Real& other) {
+  const Real whole = value - other;
+  return !(whole > Real(0)) && !(whole < Real(0)) ? Real(0) : value / whole;
+}
+
 template <class Real>
 class SectionSearch {
  public:
@@ -195,7 +202,7 @@ class SectionSearch {
   // What points are means of: weights of the body's vertices. Of a corner of W, and of where an edge crosses T.
   template <class Add>
   void add_parts(const Corner& c, const Add& add) const {
-    const Real to_f = share(value_of_corner(t_, c.e, c.slice), value_of_corner(t_, c.f, c.slice));
+    const Real to_f = share_to_zero(value_of_corner(t_, c.e, c.slice), value_of_corner(t_, c.f, c.slice));
     const auto part = [&](const LateralEdge& e, const Real& weight) {
       const Real up = search_.share_at<Real>(e, c.slice);
       add(e.low, weight * (Real(1) - up));
@@ -206,7 +213,7 @@ class SectionSearch {
   }
   template <class Add>
   void add_parts(const LateralEdge& e, const Add& add) const {
-    const Real up = share(value_at(e.low), value_at(e.high));
+    const Real up = share_to_zero(value_at(e.low), value_at(e.high));
     add(e.low, Real(1) - up);
     add(e.high, up);
   }
@@ -338,15 +345,9 @@ class SectionSearch {
     return from + (to - from) * search_.share_at<Real>(e, slice);
   }
 
-  // How far from one value of T to another is zero.
-  static Real share(const Real& t, const Real& t_other) {
-    const Real whole = t - t_other;
-    return !(whole > Real(0)) && !(whole < Real(0)) ? Real(0) : t / whole;
-  }
-
   // Between two values of T of which one is not negative and one is not positive.
   static Real between(const Real& g, const Real& t, const Real& g_other, const Real& t_other) {
-    return g + (g_other - g) * share(t, t_other);
+    return g + (g_other - g) * share_to_zero(t, t_other);
   }
 
   // Where an edge crosses T.
