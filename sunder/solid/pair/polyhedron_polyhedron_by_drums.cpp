@@ -132,6 +132,10 @@ class PolyhedraByDrums {
     }
 
     End parted(const PocketSequence<Real>& q, const PairCertificate& found) const {
+      const bool touch = find_touch<Real>(q, r, found, touching, [&](const PairCertificate& certificate) {
+        return propose_common_point<Real>(search.q_, q, search.p_, r, certificate, holds);
+      });
+      if (touch) return End::held;
       if (found.direction.kind == Direction::Kind::side_of_a) return by_facet(q.facet_behind(found.direction.index[0]));
       if (found.direction.kind != Direction::Kind::side_of_b) return End::stuck;
       const std::uint32_t k = found.extreme_a, j = found.direction.index[0];
@@ -640,6 +644,7 @@ class PolyhedraByDrums {
   }
 
   static constexpr double noise = MatrixGame<Real, 1>::noise;
+  static constexpr double touching = std::is_same_v<Real, double> ? 0x1p-40 : 0x1p-90;  // closer may be touching
   static constexpr std::size_t most_in_game = 16;
 
   const Placed &q_, &p_;

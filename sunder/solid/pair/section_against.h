@@ -80,6 +80,76 @@ bool propose_common_point(const Placed& a, const A& of_a, const Placed& b, const
   return false;
 }
 
+// Is a point on a segment, or next to it, as rounding sees it? Where it is next to one of the ends only, that one is
+// named alone.
+template <class Real>
+struct NextToSegment {
+  bool is_next = false;
+  std::array<bool, 2> has{true, true};  // the ends that are wanted
+
+  NextToSegment(const RoundedPoint<Real>& p, const RoundedPoint<Real>& a, const RoundedPoint<Real>& b,
+                double distance) {
+    const double ux = nearest(b.x - a.x), uy = nearest(b.y - a.y), wx = nearest(p.x - a.x), wy = nearest(p.y - a.y);
+    const double length = std::hypot(ux, uy);
+    const double along = length > 0 ? (ux * wx + uy * wy) / length : 0;
+    if (!(along > -distance && along < length + distance)) return;
+    if (along < distance || along > length - distance) {
+      has = {along < distance, !(along < distance)};
+      is_next = std::hypot(wx - (has[1] ? ux : 0), wy - (has[1] ? uy : 0)) < distance;
+    } else {
+      is_next = std::fabs(nearest((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x))) < distance * length;
+    }
+  }
+};
+
+// Two such polygons that a line parts by no more than rounding: calls take(certificate) with what they may touch in, a
+// vertex of one and a vertex or a side of the other, until it returns true. Returns whether it did.
+template <class Real, class A, class B, class Take>
+bool find_touch(const A& a, const B& b, const PairCertificate& parted, double distance, const Take& take) {
+  const auto after = [](std::uint32_t k, std::uint32_t n) { return k + 1 < n ? k + 1 : 0; };
+  const auto before = [](std::uint32_t k, std::uint32_t n) { return k > 0 ? k - 1 : n - 1; };
+  // The side that parts them, if it is one's own, else the two sides at the vertex that is nearest.
+  const auto sides_of = [&](bool has_side, std::uint32_t extreme, std::uint32_t n) {
+    const std::uint32_t j = parted.direction.index[0];
+    return has_side ? std::array{j, j} : std::array{before(extreme, n), extreme};
+  };
+  const std::array<std::uint32_t, 2> sides_a =
+      sides_of(parted.direction.kind == Direction::Kind::side_of_a, parted.extreme_a, a.size());
+  const std::array<std::uint32_t, 2> sides_b =
+      sides_of(parted.direction.kind == Direction::Kind::side_of_b, parted.extreme_b, b.size());
+  const auto touch = [&](const auto& p, std::uint32_t v, const auto& q, std::uint32_t side, bool p_is_a) {
+    const std::uint32_t end = after(side, q.size());
+    const NextToSegment<Real> next(p[v], q[side], q[end], distance);
+    if (!next.is_next) return false;
+    PairCertificate found;
+    found.verdict = Verdict::meet;
+    std::size_t count = 0;
+    const auto of_p = [&] { found.vertices[count++] = v; };
+    const auto of_q = [&] {
+      if (next.has[0]) found.vertices[count++] = side;
+      if (next.has[1]) found.vertices[count++] = end;
+    };
+    if (p_is_a) of_p();
+    if (!p_is_a) of_q();
+    found.count_a = static_cast<std::uint8_t>(count);
+    if (p_is_a) of_q();
+    if (!p_is_a) of_p();
+    found.count_b = static_cast<std::uint8_t>(count - found.count_a);
+    return take(found);
+  };
+  for (const std::uint32_t i : sides_a) {
+    for (const std::uint32_t j : sides_b) {
+      for (const std::uint32_t v : {i, after(i, a.size())}) {
+        if (touch(a, v, b, j, true)) return true;
+      }
+      for (const std::uint32_t v : {j, after(j, b.size())}) {
+        if (touch(b, v, a, i, false)) return true;
+      }
+    }
+  }
+  return false;
+}
+
 // Three vertices of a facet that are far from each other.
 inline std::array<std::uint32_t, 3> thirds_of(std::span<const std::uint32_t> facet) {
   const std::size_t n = facet.size();
