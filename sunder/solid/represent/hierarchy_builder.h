@@ -208,24 +208,19 @@ class HierarchyBuilder {
     SUNDER_REQUIRE(false);  // no interior
   }
 
-  // Takes an independent set of low degrees away; returns those that stay.
+  // Takes an independent set of low degrees away; returns those that stay. Each goes at once: what it changes has its
+  // rim as corners, which stay in this round.
   std::vector<std::uint32_t> take_away(const std::vector<std::uint32_t>& here) {
     std::array<std::vector<std::uint32_t>, Hierarchy::most_degree + 1> by_degree;
     for (const std::uint32_t v : here) {
       if (degree_[v] <= Hierarchy::most_degree && !is_in_tetrahedron(v)) by_degree[degree_[v]].push_back(v);
     }
     ++round_;
-    gone_.clear();
     for (const std::vector<std::uint32_t>& some : by_degree) {
       for (const std::uint32_t v : some) {
-        if (blocked_[v] == round_) continue;
-        gone_.push_back(v);
-        blocked_[v] = round_;
-        for_each_around(
-            v, [&](std::uint32_t t, std::uint32_t place) { blocked_[faces_[t].corner[after(place)]] = round_; });
+        if (blocked_[v] != round_) take_away(v);
       }
     }
-    for (const std::uint32_t v : gone_) take_away(v);
     std::vector<std::uint32_t> stay;
     for (const std::uint32_t v : here) {
       if (face_of_[v] != none) stay.push_back(v);
@@ -247,7 +242,10 @@ class HierarchyBuilder {
     taken_.push_back(w);
     end_.push_back(static_cast<std::uint32_t>(triangles_.size()));
     face_of_[w] = none;
-    for (const std::uint32_t v : rim_) degree_[v] -= 2;
+    for (const std::uint32_t v : rim_) {
+      degree_[v] -= 2;
+      blocked_[v] = round_;
+    }
     const std::uint32_t last = static_cast<std::uint32_t>(rim_.size() - 1);
     link_beyond(last, fill(w, 0, last, beyond_rim_[last]));
   }
@@ -321,9 +319,9 @@ class HierarchyBuilder {
   std::vector<Middle> middle_;
   std::array<std::uint32_t, 4> tetrahedron_{};
 
-  std::vector<std::uint32_t> blocked_;  // the round in which a vertex or a neighbour of it went
+  std::vector<std::uint32_t> blocked_;  // the round in which a neighbour of a vertex went
   std::uint32_t round_ = 0;
-  std::vector<std::uint32_t> gone_, rim_, beyond_rim_, free_;
+  std::vector<std::uint32_t> rim_, beyond_rim_, free_;
 
   std::vector<std::uint32_t> taken_;              // in the order in which they went
   std::vector<std::uint32_t> end_;                // of the star of each
