@@ -11,6 +11,7 @@
 #include <sunder/solid/pair/polyhedron_line.h>
 #include <sunder/solid/pair/polyhedron_plane.h>
 #include <sunder/solid/pair/polyhedron_polygon.h>
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/represent/drums.h>
 
 #include <gtest/gtest.h>
@@ -163,6 +164,42 @@ TEST(SolidDrumsComplexity, ProbesOfTwoBodiesGrowAsTheCubeOfTheLogarithm) {
     }
   }
   bodies.expect_no_growth(scaled_count(60) >= 60, 20);
+}
+
+// The rest of the paper's Figure 1, which needs no drums: flat polygons of space against a plane, a line (through the
+// polygon's plane, and in it) and each other (crossing, and in one plane), against the sum of logarithms. Below 64
+// vertices searches look at all.
+TEST(SolidDrumsComplexity, ProbesOfFlatPolygonsGrowAsTheLogarithm) {
+  const std::uint64_t seed = chosen_seed(20261131);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  Ratios plane("flat and plane", 6), line("flat and line", 2.4), in_plane("flat and line in its plane", 14),
+      polygons("flat and flat", 24);
+  std::printf("%-14s %7s %9s %9s %9s %9s\n", "family", "n", "flats", "line", "in plane", "flat");
+  for (int power = 6; power <= 17; ++power) {
+    const ConvexPolyhedron polygon = flat_polygon(std::size_t{1} << static_cast<unsigned>(power));
+    const std::size_t n = polygon.vertices().size();
+    const double log_n = std::log2(static_cast<double>(n));
+    const double log_both = 2 * log_n;
+    const auto number = [&] { return random.uniform(-1.2, 1.2); };
+    for (int i = scaled_count(power <= 10 ? 1600 : 480, 20); i > 0; --i) {
+      const Pose pose = Pose::from_quaternion(number(), number(), number(), 1.3, {number(), number(), number()});
+      const Point3 a{number(), number(), number()}, b{number(), number(), number()};
+      plane.add("", n, log_n, polyhedron_plane(polygon, pose, solid::Plane::through({a.x, a.y, a.z}, b)));
+      line.add("", n, log_n, polyhedron_line(polygon, Pose(), solid::Line::through(a, b)));
+      in_plane.add("", n, log_n,
+                   polyhedron_line(polygon, Pose(), solid::Line::through({a.x, 1.4 * a.y, 0}, {b.x, 1.4 * b.y, 0})));
+      polygons.add("", n, log_both, polyhedron_polyhedron(polygon, Pose(), polygon, pose));
+      const double w = number(), z = number();
+      polygons.add(
+          "", n, log_both,
+          polyhedron_polyhedron(polygon, Pose(), polygon, Pose::from_quaternion(w, 0, 0, z, {2 * a.x, 2 * a.y, 0})));
+    }
+    std::printf("%-14s %7zu %9.2f %9.2f %9.2f %9.2f\n", "flat", n, plane.take_greatest_of_row(),
+                line.take_greatest_of_row(), in_plane.take_greatest_of_row(), polygons.take_greatest_of_row());
+  }
+  const bool is_of_many = scaled_count(1600) >= 1600;
+  for (const Ratios* ratios : {&plane, &line, &in_plane, &polygons}) ratios->expect_no_growth(is_of_many, 100);
 }
 
 // Bytes of both forms: of the listed one the entries of its lists, which grow faster than n log n on round bodies and
