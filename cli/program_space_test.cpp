@@ -138,6 +138,23 @@ TEST_F(SpaceProgram, FlatPolygons) {
   expect_bad("pair " + dart + " " + cube + " --require-convex", "is not exactly convex");
 }
 
+TEST_F(SpaceProgram, SectionsByPlanesOfFiles) {
+  // x + 2 y + 2 z = 1/2 + 2/10, through a point that is not the origin.
+  const json tilted = proved("section " + cube + " --plane " + space("tilted.json") + " --plane z=0.25", 1)["sections"];
+  EXPECT_EQ(tilted[0]["through"], json::parse("[0.5, 0.1, 0.0]"));
+  EXPECT_EQ(tilted[0]["kind"], "polygon");
+  for (const json& corner : tilted[0]["corners"]) {
+    const json& p = corner["point"];
+    EXPECT_NEAR(p[0].get<double>() + 2 * p[1].get<double>() + 2 * p[2].get<double>(), 0.7, 1e-15);
+  }
+  const json level = report("section " + cube + " --plane " + space("plane.json"), 1)["sections"];
+  EXPECT_EQ(level[0], tilted[1]);  // offset 0.25, through the origin
+  expect_bad("section " + cube + " --plane " + space("line.json"), "line.json: is a line; give a plane");
+  expect_bad("section " + cube + " --plane no.json", "no such file");
+  const std::string zero = file("zero.json", R"({"plane": {"normal": [0, 0, 0], "offset": 1}})");
+  expect_bad("section " + cube + " --plane " + zero, "zero.json");
+}
+
 TEST_F(SpaceProgram, WhatDoesNotApply) {
   const std::string plane = space("plane.json"), line = space("line.json"),
                     planar = "'" + cases + "/planar-pair/plate.wkt'";

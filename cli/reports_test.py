@@ -50,6 +50,7 @@ OPTIONAL = {
     "pairs[]": "contact",
     "contacts[]": "groups layers files lines properties",
     "best": "before side after point",
+    "sections[]": "through",
     "sections[].corners[]": "vertex edge",
 }
 
@@ -157,6 +158,8 @@ kernel cases/outcomes/hourglasses.wkt --skip-invalid
 hull cases/mesh/cube.stl --out OUT.off --certificate OUT
 hull two_points.obj
 section cases/mesh/cube.obj --plane 1,1,1,1.5 --plane 1,1,0,1 --plane x=0.25 --out OUT.obj --certificate OUT --svg OUT.svg
+section cases/mesh/cube.obj --plane cases/space/tilted.json --plane cases/space/plane.json --certificate OUT
+section cases/mesh/cube.obj --plane cases/space/line.json
 section cases/mesh/cube.obj --plane z=3 --plane z=-3 --pose 0,0,1 --out OUT.wkt
 section cases/panda/meshes/collision/link3.stl --plane z=0
 section cases/mesh/two_parts.obj --plane z=0 --leave-out

@@ -4,8 +4,10 @@
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
+#include <sunder/io/file.h>
 #include <sunder/io/plane_text.h>
 #include <sunder/io/section_text.h>
+#include <sunder/io/space_objects.h>
 #include <sunder/picture/plane.h>
 #include <sunder/solid/pair/polyhedron_plane_section.h>
 #include <sunder/solid/pair/section_claims.h>
@@ -18,6 +20,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -49,6 +52,11 @@ using SectionMethod = void(const solid::ConvexPolyhedron&, const solid::Pose&, c
                            const solid::SectionVisitor&);
 constexpr std::array<Named<SectionMethod>, 2> methods{
     {{"automatic", solid::polyhedron_plane_sections}, {"scan", sections_by_scan}}};
+
+struct Planes {
+  io::PlaneStack stack;
+  std::string file;  // that has the plane; empty: none
+};
 
 struct Result {
   Plane plane;
@@ -96,7 +104,7 @@ class SectionQuestion {
 
   explicit SectionQuestion(const SectionCall& asked) : call(asked), method_(method_by(asked.method, methods)) {
     if (!call.out.empty()) format_ = io::section_format_of_name(call.out);
-    for (const std::string& text : call.planes) stacks_.push_back(io::parse_planes(text, "--plane"));
+    for (const std::string& text : call.planes) add_planes(text);
     if (!call.pose.empty()) pose_ = parse_pose(call.pose, "--pose");
     body_ = io::read_body(call.file, call.require_convex, left_out_, call.proves() ? &inputs_ : nullptr);
     note_hulls({&*body_});
@@ -104,18 +112,19 @@ class SectionQuestion {
 
   std::uint64_t drawn() const {
     std::uint64_t sum = 0;
-    for (const io::PlaneStack& stack : stacks_) sum += stack.offsets.size();
+    for (const Planes& planes : stacks_) sum += planes.stack.offsets.size();
     return sum;
   }
 
   void ask() {
-    for (const io::PlaneStack& stack : stacks_) {
+    for (const Planes& planes : stacks_) {
+      const io::PlaneStack& stack = planes.stack;
       solid::SectionPoints points(body_->hull, pose_, stack.plane);
       method_(body_->hull, pose_, stack.plane, stack.offsets, [&](std::size_t k, const PlaneSection& section) {
         const double offset = stack.offsets[k];
         Plane plane = stack.plane;
         plane.offset = offset;
-        Result result{plane, fmt::format("{} = {}", plane_name(stack), offset), section, {}};
+        Result result{plane, title_of(planes, offset), section, {}};
         points.set_offset(offset);
         for (const SectionCorner& corner : section.corners) result.corners.push_back(points.nearest(corner));
         cost_.probes += section.cost.probes;
@@ -187,10 +196,25 @@ class SectionQuestion {
   const SectionCall call;
 
  private:
-  static std::string plane_name(const io::PlaneStack& stack) {
-    if (stack.name.size() == 1) return stack.name;
-    const Point3& n = stack.plane.normal;
-    return fmt::format("{} x + {} y + {} z", n.x, n.y, n.z);
+  // As parse_planes has it, or a file with a plane.
+  void add_planes(const std::string& text) {
+    if (!std::string_view(text).ends_with(".json")) {
+      stacks_.push_back({io::parse_planes(text, "--plane"), ""});
+      return;
+    }
+    const io::SpaceObject object =
+        io::parse_space_object(io::read_file(text, call.proves() ? &inputs_ : nullptr), text);
+    if (object.kind != io::SpaceObject::Kind::plane) {
+      throw Error(ErrorCode::bad_file, fmt::format("is a {}; give a plane", name_of(object.kind)), io::one_line(text));
+    }
+    stacks_.push_back({{object.plane, {object.plane.offset}, ""}, io::one_line(text)});
+  }
+
+  static std::string title_of(const Planes& planes, double offset) {
+    if (!planes.file.empty()) return planes.file;
+    if (planes.stack.name.size() == 1) return fmt::format("{} = {}", planes.stack.name, offset);
+    const Point3& n = planes.stack.plane.normal;
+    return fmt::format("{} x + {} y + {} z = {}", n.x, n.y, n.z, offset);
   }
 
   std::size_t met() const {
@@ -228,6 +252,7 @@ class SectionQuestion {
                                                                : Json("below")},
                  {"area_about", area_of(result.corners)},
                  {"corners", Json::array()}};
+    if (result.plane.point != Point3{}) json["through"] = to_json(result.plane.point);
     for (std::size_t k = 0; k < section.corners.size(); ++k) {
       const SectionCorner& corner = section.corners[k];
       Json told;
@@ -250,7 +275,7 @@ class SectionQuestion {
 
   SectionMethod* method_;
   io::SectionFormat format_ = io::SectionFormat::obj;
-  std::vector<io::PlaneStack> stacks_;
+  std::vector<Planes> stacks_;
   solid::Pose pose_;
   LeftOutList left_out_{call.leave_out};
   InputFiles inputs_;
@@ -275,7 +300,7 @@ Verb section_verb() {
           {{"FILE", &call->file, "a mesh or a set of points: OBJ, STL, PLY, OFF", "", true},
            {.name = "--plane",
             .value = &call->planes,
-            .help = fmt::format("{}; may be given again", io::plane_forms),
+            .help = fmt::format("{}; a file .json with a plane, as of pair; may be given again", io::plane_forms),
             .type = "PLANES",
             .required = true},
            {"--pose", &call->pose, fmt::format("where the body is: {}", pose_forms), "POSE"},
