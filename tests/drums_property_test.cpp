@@ -1,4 +1,5 @@
-// Lemmas 6 and 7 of Chazelle and Dobkin 1987, and what searches in drums rest on, in exact numbers on random polyhedra.
+// Lemmas 6, 7 and 9 of Chazelle and Dobkin 1987, and what searches in drums rest on, in exact numbers on random
+// polyhedra.
 #include <tests/support/scale.h>
 
 #include <sunder/base/random.h>
@@ -9,7 +10,10 @@
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace sunder::tests {
@@ -140,6 +144,136 @@ TEST(DrumsProperty, Lemma7ThePlaneMeetsTheBodyWhereItsLineMeetsTheShadow) {
   EXPECT_GT(meet, 100);
   EXPECT_GT(apart, 100);
   EXPECT_GT(touch, 100);
+}
+
+// A plane seen along an axis.
+struct Flat {
+  Fraction u, v;
+  bool is_on_slice = false;
+};
+using Outline = std::vector<Flat>;  // counter-clockwise
+
+Fraction cross(const Flat& o, const Flat& a, const Flat& b) {
+  return (a.u - o.u) * (b.v - o.v) - (a.v - o.v) * (b.u - o.u);
+}
+
+// Is one side of a so that all of b is beyond it? Which.
+std::optional<std::size_t> side_that_parts(const Outline& a, const Outline& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Flat &p = a[i], &q = a[(i + 1) % a.size()];
+    if (std::all_of(b.begin(), b.end(), [&](const Flat& r) { return cross(p, q, r) < 0; })) return i;
+  }
+  return std::nullopt;
+}
+bool meet(const Outline& a, const Outline& b) { return !side_that_parts(a, b) && !side_that_parts(b, a); }
+
+// The section of a body by n = offset as all of its outline's points on edges of the body and on slices. Empty where a
+// corner of a slice is in the plane, or nothing is cut.
+Outline section_of(const ConvexPolyhedron& body, const Drums& drums, const Normal& n, const Fraction& offset) {
+  struct Corner {
+    Fraction x, y, z, value;
+  };
+  const auto at = [&](std::uint32_t drum, std::uint32_t k, std::uint32_t slice) -> Corner {
+    const solid::LateralEdge& e = drums.edge(drum, k);
+    const Point3 &p = body.vertices()[e.low], &q = body.vertices()[e.high];
+    const Fraction z(body.vertices()[drums.vertex_of(slice)].z);
+    const Fraction t = (z - Fraction(p.z)) / (Fraction(q.z) - Fraction(p.z));
+    const Fraction x = Fraction(p.x) + t * (Fraction(q.x) - Fraction(p.x)),
+                   y = Fraction(p.y) + t * (Fraction(q.y) - Fraction(p.y));
+    return {x, y, z, n.x * x + n.y * y + n.z * z - offset};
+  };
+  Outline points;
+  bool is_general = true;
+  const auto add = [&](const Corner& a, const Corner& b, bool is_on_slice) {
+    is_general &= a.value != 0 && b.value != 0;
+    if (!is_general || (a.value > 0) == (b.value > 0)) return;
+    const Fraction t = a.value / (a.value - b.value);
+    const auto between = [&](const Fraction& from, const Fraction& to) -> Fraction { return from + t * (to - from); };
+    const Fraction along = n.x != 0 ? between(a.y, b.y) : between(a.x, b.x);
+    points.push_back({along, between(a.z, b.z), is_on_slice});
+  };
+  for (std::uint32_t slice = 0; slice < drums.slice_count(); ++slice) {
+    const std::uint32_t drum = std::min(slice, drums.drum_count() - 1), size = drums.size(drum);
+    for (std::uint32_t k = 0; k < size; ++k) {
+      add(at(drum, k, slice), at(drum, k + 1 < size ? k + 1 : 0, slice), true);
+      if (slice == drum) add(at(drum, k, drum), at(drum, k, drum + 1), false);
+    }
+  }
+  if (!is_general || points.size() < 3) return {};
+  Flat middle;
+  for (const Flat& p : points) {
+    middle.u += p.u / points.size();
+    middle.v += p.v / points.size();
+  }
+  const auto is_lower = [&](const Flat& p) { return p.v < middle.v || (p.v == middle.v && p.u < middle.u); };
+  std::sort(points.begin(), points.end(), [&](const Flat& p, const Flat& q) {
+    return is_lower(p) != is_lower(q) ? is_lower(q) : cross(middle, p, q) > 0;
+  });
+  return points;
+}
+
+// W are the section's corners on slices, a pocket what is between two that follow each other. Where a line parts R from
+// W, R meets the section only in the pockets beside where the line is nearest to W.
+TEST(DrumsProperty, Lemma9APolygonPartedFromTheCornersMeetsTheSectionInPocketsBesideThem) {
+  Random random(chosen_seed(9));
+  int in_pocket = 0, apart = 0, by_side = 0, by_corner = 0;
+  for (const auto& [body, n] : random_cases(chosen_seed(10), scaled_count(500))) {
+    const Point3& some = body.vertices()[random.below(body.vertices().size())];
+    const Fraction offset = Fraction(random.between(-50, 50)) / 7 + sideways(n, Fraction(some.x), Fraction(some.y)) +
+                            n.z * Fraction(some.z) + Fraction(1) / 13;
+    const Outline q = section_of(body, body.drums(), n, offset);
+    std::vector<std::size_t> corners;  // of W, in q
+    Outline w;
+    for (std::size_t k = 0; k < q.size(); ++k) {
+      if (!q[k].is_on_slice) continue;
+      corners.push_back(k);
+      w.push_back(q[k]);
+    }
+    if (w.size() < 3) continue;
+    const auto pocket = [&](std::size_t i) {
+      Outline part;
+      const std::size_t end = corners[(i + 1) % corners.size()];
+      for (std::size_t k = corners[i]; k != end; k = (k + 1) % q.size()) part.push_back(q[k]);
+      part.push_back(q[end]);
+      return part;
+    };
+    for (int round = 0; round < 20; ++round) {
+      // About a point of the section's outline, which may be in a pocket.
+      const Flat& about = q[random.below(q.size())];
+      Outline r;
+      for (int k = 0; k < 3; ++k) {
+        const auto off = [&]() -> Fraction { return Fraction(random.between(-100, 100)) / 37; };
+        r.push_back({about.u + off(), about.v + off(), false});
+      }
+      const int turn = cross(r[0], r[1], r[2]).sign();
+      if (turn == 0) continue;
+      if (turn < 0) std::swap(r[1], r[2]);
+      std::vector<std::size_t> beside;
+      if (const auto side = side_that_parts(w, r)) {
+        beside = {*side};
+        ++by_side;
+      } else if (const auto of_r = side_that_parts(r, w)) {
+        const Flat &a = r[*of_r], &b = r[(*of_r + 1) % r.size()];
+        std::size_t nearest = 0;
+        for (std::size_t k = 1; k < w.size(); ++k) {
+          if (cross(a, b, w[k]) > cross(a, b, w[nearest])) nearest = k;
+        }
+        beside = {(nearest + w.size() - 1) % w.size(), nearest};
+        ++by_corner;
+      } else {
+        continue;
+      }
+      const bool is_in_pocket =
+          std::any_of(beside.begin(), beside.end(), [&](std::size_t i) { return meet(pocket(i), r); });
+      ASSERT_EQ(meet(q, r), is_in_pocket);
+      ++(is_in_pocket ? in_pocket : apart);
+    }
+  }
+  if (scaled_count(500) < 500) return;  // too few for the rates below
+  EXPECT_GT(in_pocket, 100);
+  EXPECT_GT(apart, 100);
+  EXPECT_GT(by_side, 100);
+  EXPECT_GT(by_corner, 100);
 }
 
 // What pair/drum_search.h rests on: one lateral edge has the extreme corners of both slices of its drum.
