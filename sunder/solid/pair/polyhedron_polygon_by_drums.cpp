@@ -57,6 +57,7 @@ class PolygonByDrums {
     }
 
     bool parted(const PocketSequence<Real>& q, const PairCertificate& found) const {
+      if (propose_touch<Real>(search.body_, q, search.polygon_, r, found, holds)) return true;
       const std::uint32_t n = q.size(), near = r.vertex(found.extreme_b);
       const auto by_side = [&](std::uint32_t k) {
         const std::optional<std::uint32_t> facet = q.facet_behind(k);

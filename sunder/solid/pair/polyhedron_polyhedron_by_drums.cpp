@@ -132,10 +132,7 @@ class PolyhedraByDrums {
     }
 
     End parted(const PocketSequence<Real>& q, const PairCertificate& found) const {
-      const bool touch = find_touch<Real>(q, r, found, touching, [&](const PairCertificate& certificate) {
-        return propose_common_point<Real>(search.q_, q, search.p_, r, certificate, holds);
-      });
-      if (touch) return End::held;
+      if (propose_touch<Real>(search.q_, q, search.p_, r, found, holds)) return End::held;
       if (found.direction.kind == Direction::Kind::side_of_a) return by_facet(q.facet_behind(found.direction.index[0]));
       if (found.direction.kind != Direction::Kind::side_of_b) return End::stuck;
       const std::uint32_t k = found.extreme_a, j = found.direction.index[0];
@@ -644,7 +641,6 @@ class PolyhedraByDrums {
   }
 
   static constexpr double noise = MatrixGame<Real, 1>::noise;
-  static constexpr double touching = std::is_same_v<Real, double> ? 0x1p-40 : 0x1p-90;  // closer may be touching
   static constexpr std::size_t most_in_game = 16;
 
   const Placed &q_, &p_;
@@ -665,6 +661,15 @@ class PolyhedraByDrums {
   Place newest_ = last;
 };
 
+// About how long the image of a body is.
+double size_of(const ConvexPolyhedron& body, const Pose& pose) {
+  const auto [low, high] = body.box();
+  const std::array<double, 9>& linear = pose.affine().linear;
+  double stretch = 0;
+  for (const double x : linear) stretch = std::max(stretch, std::fabs(x));
+  return stretch * std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+}
+
 }  // namespace
 
 PairAnswer polyhedron_polyhedron_by_drums(const ConvexPolyhedron& body_a, const Pose& pose_a,  //
@@ -673,7 +678,11 @@ PairAnswer polyhedron_polyhedron_by_drums(const ConvexPolyhedron& body_a, const 
     return polyhedron_polyhedron(body_a, pose_a, body_b, pose_b);
   }
   const Placed a(body_a, pose_a), b(body_b, pose_b);
-  const bool cuts_a = body_a.vertices().size() < body_b.vertices().size();
+  // The one with fewer vertices is cut; of two that are next to nothing beside each other, that one: the world is the
+  // other one's.
+  const double size_a = size_of(body_a, pose_a), size_b = size_of(body_b, pose_b);
+  const bool is_a_less = body_a.vertices().size() < body_b.vertices().size();
+  const bool cuts_a = size_a < size_b * 0x1p-30 || (is_a_less && !(size_b < size_a * 0x1p-30));
   return answer_by(a, b, [&](const auto& holds, Cost& cost) {
     const auto propose_of = [&](const Placed& p, const Placed& q, const auto& of) {
       const auto of_exchanged = [&](const Proposal& proposal) { return of(exchanged(proposal)); };

@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
 
 namespace sunder::solid {
 
@@ -37,7 +38,9 @@ std::array<Real, 3> weights_around(const RoundedPoint<Real>& p, const std::array
     return {Real(1) - t, t, 0};
   }
   const auto v = minus(at[2], at[0]);
-  const Real whole = cross(u, v), of_1 = cross(w, v) / whole, of_2 = cross(u, w) / whole;
+  const Real whole = cross(u, v);
+  if (!(whole > Real(0)) && !(whole < Real(0))) return {1, 0, 0};  // too small to be told apart
+  const Real of_1 = cross(w, v) / whole, of_2 = cross(u, w) / whole;
   return {Real(1) - of_1 - of_2, of_1, of_2};
 }
 
@@ -52,7 +55,8 @@ void mix_common_point(const A& a, const B& b, const PairCertificate& found, Mixt
   if (count_a == 2 && count_b == 2) {
     const auto &p = in_a[0], &q = in_a[1], &r = in_b[0], &s = in_b[1];
     const Real across = (q.x - p.x) * (s.y - r.y) - (q.y - p.y) * (s.x - r.x);
-    const Real t = ((r.x - p.x) * (s.y - r.y) - (r.y - p.y) * (s.x - r.x)) / across;
+    const bool is_told = across > Real(0) || across < Real(0);
+    const Real t = !is_told ? Real(0) : ((r.x - p.x) * (s.y - r.y) - (r.y - p.y) * (s.x - r.x)) / across;
     at = {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
   }
   const auto add = [&](const auto& polygon, std::size_t begin, std::size_t count, const std::array<Real, 3>& weights,
@@ -66,18 +70,31 @@ void mix_common_point(const A& a, const B& b, const PairCertificate& found, Mixt
   add(b, count_a, count_b, weights_around(at, in_b, count_b), of_b);
 }
 
+// Its vertex of the greatest weight.
+template <class Real>
+Mixture<Real> heaviest_of(const Mixture<Real>& mixture) {
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < mixture.count; ++k) best = mixture.weight[k] > mixture.weight[best] ? k : best;
+  Mixture<Real> one;
+  one.add(mixture.vertex[best], Real(1));
+  return one;
+}
+
 // Proposes that a common point of two such polygons is one of a and b. True where it holds.
 template <class Real, class A, class B, class Holds>
 bool propose_common_point(const Placed& a, const A& of_a, const Placed& b, const B& of_b, const PairCertificate& found,
                           const Holds& holds) {
   Mixture<Real> in_a, in_b;
   mix_common_point(of_a, of_b, found, in_a, in_b);
-  for (const bool drop_negligible : {false, true}) {
+  const auto try_these = [&](const Mixture<Real>& some_of_a, const Mixture<Real>& some_of_b, bool drop_negligible) {
     Proposal p;
-    p.near_a = in_a.vertex[0], p.near_b = in_b.vertex[0];
-    if (name_at_most_five(a, b, in_a, in_b, drop_negligible, p) && holds(p)) return true;
-  }
-  return false;
+    p.near_a = some_of_a.vertex[0], p.near_b = some_of_b.vertex[0];
+    return name_at_most_five(a, b, some_of_a, some_of_b, drop_negligible, p) && holds(p);
+  };
+  if (try_these(in_a, in_b, false) || try_these(in_a, in_b, true)) return true;
+  // Where one body is next to nothing beside the other, any of its vertices will do.
+  return (in_b.count > 1 && try_these(in_a, heaviest_of(in_b), false)) ||
+         (in_a.count > 1 && try_these(heaviest_of(in_a), in_b, false));
 }
 
 // Is a point on a segment, or next to it, as rounding sees it? Where it is next to one of the ends only, that one is
@@ -148,6 +165,16 @@ bool find_touch(const A& a, const B& b, const PairCertificate& parted, double di
     }
   }
   return false;
+}
+
+// Proposes what two such polygons may touch in, where the line that parts them is a matter of rounding.
+template <class Real, class A, class B, class Holds>
+bool propose_touch(const Placed& a, const A& of_a, const Placed& b, const B& of_b, const PairCertificate& parted,
+                   const Holds& holds) {
+  constexpr double distance = std::is_same_v<Real, double> ? 0x1p-40 : 0x1p-90;  // bodies are about 1 long here
+  return find_touch<Real>(of_a, of_b, parted, distance, [&](const PairCertificate& found) {
+    return propose_common_point<Real>(a, of_a, b, of_b, found, holds);
+  });
 }
 
 // Three vertices of a facet that are far from each other.
