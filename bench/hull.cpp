@@ -65,8 +65,11 @@ Contest hierarchy_contest(const std::vector<sunder::Point3>& given, bool of_pola
     if (of_polar) return [=] { return make_polar_hierarchy(body.vertices(), *begin, *corners).hierarchy.nodes.size(); };
     return [=] { return make_hierarchy(body.vertices(), *begin, *corners).nodes.size(); };
   })};
-  made.peers = {entry_by_input("hull", "ConvexPolyhedron", 1, [=, truth = made.truths[0]](std::size_t) -> Asked {
-    return [=] { return ConvexPolyhedron(*same).vertices().empty() ? 0 : truth; };
+  made.peers = {entry_by_input("hull", "ConvexPolyhedron", 1, [=](std::size_t) -> Asked {
+    return [=]() -> std::uint64_t {
+      const ConvexPolyhedron hull(*same);
+      return of_polar ? hull.facet_count() : hull.vertices().size();
+    };
   })};
   return made;
 }
