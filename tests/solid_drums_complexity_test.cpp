@@ -1,8 +1,7 @@
 // Counted probes of what goes by drums, on every family of hard bodies, of 2^4 to 2^17 vertices: at most a constant
 // times log2^2 n of a plane (IHP) and a line (IHL), log2 n log2 (n + m) of a flat polygon (IHG), log2^3 of all vertices
-// of two bodies (IHH). An access to a
-// drum's edge is a probe; its own steps in the persistent form, at most 2 log2 n, are counted apart. And the space that
-// either form takes.
+// of two bodies (IHH). An access to a drum's edge is a probe; its own steps in the persistent form, at most 2 log2 n,
+// are counted apart. Flat polygons, which need no drums; and the space that either form takes.
 #include <tests/support/scale.h>
 #include <tests/support/shapes.h>
 #include <tests/support/solid_shapes.h>
@@ -180,7 +179,6 @@ TEST(SolidDrumsComplexity, ProbesOfFlatPolygonsGrowAsTheLogarithm) {
     const ConvexPolyhedron polygon = flat_polygon(std::size_t{1} << static_cast<unsigned>(power));
     const std::size_t n = polygon.vertices().size();
     const double log_n = std::log2(static_cast<double>(n));
-    const double log_both = 2 * log_n;
     const auto number = [&] { return random.uniform(-1.2, 1.2); };
     for (int i = scaled_count(power <= 10 ? 1600 : 480, 20); i > 0; --i) {
       const Pose pose = Pose::from_quaternion(number(), number(), number(), 1.3, {number(), number(), number()});
@@ -189,10 +187,10 @@ TEST(SolidDrumsComplexity, ProbesOfFlatPolygonsGrowAsTheLogarithm) {
       line.add("", n, log_n, polyhedron_line(polygon, Pose(), solid::Line::through(a, b)));
       in_plane.add("", n, log_n,
                    polyhedron_line(polygon, Pose(), solid::Line::through({a.x, 1.4 * a.y, 0}, {b.x, 1.4 * b.y, 0})));
-      polygons.add("", n, log_both, polyhedron_polyhedron(polygon, Pose(), polygon, pose));
+      polygons.add("", n, 2 * log_n, polyhedron_polyhedron(polygon, Pose(), polygon, pose));
       const double w = number(), z = number();
       polygons.add(
-          "", n, log_both,
+          "", n, 2 * log_n,
           polyhedron_polyhedron(polygon, Pose(), polygon, Pose::from_quaternion(w, 0, 0, z, {2 * a.x, 2 * a.y, 0})));
     }
     std::printf("%-14s %7zu %9.2f %9.2f %9.2f %9.2f\n", "flat", n, plane.take_greatest_of_row(),
