@@ -56,7 +56,7 @@ void mix_common_point(const A& a, const B& b, const PairCertificate& found, Mixt
     const auto &p = in_a[0], &q = in_a[1], &r = in_b[0], &s = in_b[1];
     const Real across = (q.x - p.x) * (s.y - r.y) - (q.y - p.y) * (s.x - r.x);
     const bool is_told = across > Real(0) || across < Real(0);
-    const Real t = !is_told ? Real(0) : ((r.x - p.x) * (s.y - r.y) - (r.y - p.y) * (s.x - r.x)) / across;
+    const Real t = is_told ? ((r.x - p.x) * (s.y - r.y) - (r.y - p.y) * (s.x - r.x)) / across : Real(0);
     at = {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
   }
   const auto add = [&](const auto& polygon, std::size_t begin, std::size_t count, const std::array<Real, 3>& weights,
@@ -138,20 +138,16 @@ bool find_touch(const A& a, const B& b, const PairCertificate& parted, double di
     const std::uint32_t end = after(side, q.size());
     const NextToSegment<Real> next(p[v], q[side], q[end], distance);
     if (!next.is_next) return false;
+    const std::uint8_t ends = static_cast<std::uint8_t>(next.has[0] && next.has[1] ? 2 : 1);
     PairCertificate found;
     found.verdict = Verdict::meet;
+    found.count_a = p_is_a ? 1 : ends;
+    found.count_b = p_is_a ? ends : 1;
     std::size_t count = 0;
-    const auto of_p = [&] { found.vertices[count++] = v; };
-    const auto of_q = [&] {
-      if (next.has[0]) found.vertices[count++] = side;
-      if (next.has[1]) found.vertices[count++] = end;
-    };
-    if (p_is_a) of_p();
-    if (!p_is_a) of_q();
-    found.count_a = static_cast<std::uint8_t>(count);
-    if (p_is_a) of_q();
-    if (!p_is_a) of_p();
-    found.count_b = static_cast<std::uint8_t>(count - found.count_a);
+    if (p_is_a) found.vertices[count++] = v;
+    if (next.has[0]) found.vertices[count++] = side;
+    if (next.has[1]) found.vertices[count++] = end;
+    if (!p_is_a) found.vertices[count++] = v;
     return take(found);
   };
   for (const std::uint32_t i : sides_a) {
