@@ -23,8 +23,8 @@ struct Tally {
 // One in how many.
 int part_that_may_be_finished(Family family) {
   switch (family) {
-    case Family::grid:                     // whole numbers put corners of cuts on edges of the other body
-    case Family::tiny_or_huge: return 10;  // sizes far apart leave few digits
+    case Family::grid: return 10;          // whole numbers put corners of cuts on edges of the other body
+    case Family::tiny_or_huge: return 15;  // sizes far apart leave few digits
     case Family::shapes:
     case Family::shapes_touching:
     case Family::plates: return 20;
