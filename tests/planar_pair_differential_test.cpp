@@ -81,6 +81,10 @@ TEST(PlanarPairDifferential, MethodsAgreeWithTheScan) {
       const PairAnswer answer = method(c.a, c.pose_a, c.b, c.pose_b);
       ASSERT_EQ(answer.meet(), scan.meet()) << i << " " << name << " " << as_text(c);
       ASSERT_EQ(check(answer, c), CheckResult::accepted) << i << " " << name << " " << as_text(c);
+      if (i % 8 == 0) {
+        const PlanarCase exchanged_case{c.family, c.b, c.a, c.pose_b, c.pose_a};
+        ASSERT_EQ(check(exchanged(answer), exchanged_case), CheckResult::accepted) << i << " " << name;
+      }
       const PairAnswer swapped = method(c.b, c.pose_b, c.a, c.pose_a);
       ASSERT_EQ(swapped.meet(), scan.meet()) << i << " " << name << ", swapped " << as_text(c);
       t.exact[name] += answer.cost.exact > 0;

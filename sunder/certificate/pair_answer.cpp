@@ -1,7 +1,49 @@
 #include <sunder/base/names.h>
 #include <sunder/certificate/pair_answer.h>
 
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <utility>
+
 namespace sunder {
+
+namespace {
+
+// The opposite direction, with the names of the bodies exchanged.
+Direction opposite(const Direction& d) {
+  using enum Direction::Kind;
+  Direction result = d;
+  result.given = {-d.given.x, -d.given.y, -d.given.z};
+  switch (d.kind) {
+    case given: break;
+    case normal_of_a: result.kind = normal_of_b; break;
+    case normal_of_b: result.kind = normal_of_a; break;
+    case side_of_a: result.kind = side_of_b; break;
+    case side_of_b: result.kind = side_of_a; break;
+    case edge_cross_edge: result.index = {d.index[2], d.index[3], d.index[0], d.index[1]}; return result;
+    case difference: result.index = {d.index[1], d.index[0]}; return result;
+    case exact: {
+      const auto& [x, y, z] = *d.numbers;
+      result.numbers = std::make_shared<const std::array<Dyadic, 3>>(std::array<Dyadic, 3>{-x, -y, -z});
+      return result;
+    }
+  }
+  result.reversed = d.kind != given && !d.reversed;
+  return result;
+}
+
+}  // namespace
+
+PairAnswer exchanged(const PairAnswer& answer) {
+  PairAnswer result = answer;
+  PairCertificate& c = result.evidence;
+  c.direction = opposite(answer.evidence.direction);
+  std::swap(c.extreme_a, c.extreme_b);
+  std::swap(c.count_a, c.count_b);
+  std::rotate(c.vertices.begin(), c.vertices.begin() + c.count_b, c.vertices.begin() + c.count_a + c.count_b);
+  return result;
+}
 
 std::string_view name_of(DecidedBy decided_by) {
   return name_in<DecidedBy::scan>({"filter", "evidence", "finishing", "scan"}, decided_by);

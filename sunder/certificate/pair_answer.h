@@ -37,6 +37,9 @@ struct [[nodiscard]] PairAnswer {
   const PairCertificate& certificate() const { return evidence; }
 };
 
+// The same answer with the names of the two objects exchanged.
+PairAnswer exchanged(const PairAnswer& answer);
+
 // Sets how the answer came about, from how many signs exact arithmetic decided.
 template <class Answer>
 void conclude(Answer& answer, std::uint32_t exact_signs, bool finished = false) {

@@ -120,12 +120,18 @@ class SolidPair : public PairQuestion {
   bool is_kept_ = false;
 };
 
+solid::PairAnswer polygon_polyhedron_by_drums(const solid::ConvexPolyhedron& polygon, const solid::Pose& pose,
+                                              const solid::ConvexPolyhedron& body, const solid::Pose& pose_of_body) {
+  return exchanged(solid::polyhedron_polygon_by_drums(body, pose_of_body, polygon, pose));
+}
+
 PairMethod solid_method(const PairCall& call, const PlacedBody& a, const PlacedBody& b) {
   if (call.method != "drums") return pair_method(call.method);
   if (a.mesh.hull.dimension() == 3 && b.mesh.hull.dimension() == 3) return solid::polyhedron_polyhedron_by_drums;
   if (a.mesh.hull.dimension() == 3 && b.mesh.hull.dimension() == 2) return solid::polyhedron_polygon_by_drums;
+  if (a.mesh.hull.dimension() == 2 && b.mesh.hull.dimension() == 3) return polygon_polyhedron_by_drums;
   throw Error(ErrorCode::bad_call,
-              "drums is for a body A and a body, a plane, a line, a ray or a flat polygon B; give these", "--method");
+              "drums is for a body and a body, a plane, a line, a ray or a flat polygon; give these", "--method");
 }
 
 // Of standard input, the other one tells.
