@@ -190,7 +190,7 @@ void require_image(const Claim& claim, const HullBody& body, const Numbers& poin
 bool reaches(const Claim& claim, const HullBody& body, const Integers& mean, const Integer& d, std::int64_t e,
              const Numbers& point) {
   const std::size_t size = body.size() + length(point) + length(claim.from) + length(claim.weights.values);
-  take_steps(32, size, size);
+  take_steps(8, size, size);
   const bool is_mapped = body.around == Around::ellipsoid;
   if (is_mapped) require_image(claim, body, point);
   Numbers values;  // all times d
