@@ -172,8 +172,9 @@ def kept(direction):
 
 
 def held(point, origin=None, weight="1"):
-    claim = {"claim": "holds", "weights": [[0, weight]], **({"from": origin} if origin else {})}
-    return {"question": "pair", "a": 1, "b": 2, "verdict": "meet", "point": point, "claims": [claim] * 2}
+    first, second = ({"claim": "holds", "weights": [[0, weight]], **({"from": v} if v else {})}
+                     for v in (origin, origin and ["0"] * 3))
+    return {"question": "pair", "a": 1, "b": 2, "verdict": "meet", "point": point, "claims": [first, second]}
 
 
 def broken(long):
@@ -320,6 +321,13 @@ class InFolder(unittest.TestCase):
             stream.write(text)
         return path
 
+    def expect_both(self, text, code):
+        path = self.write("file.json", text)
+        for name, command in twins().items():
+            with self.subTest(twin=name, text=text[:40]):
+                result = checked(command, path)
+                self.assertEqual(result[0], code, result)
+
 
 class Hostile(InFolder):
     def test_no_file_of_1_mb_takes_long(self):
@@ -368,20 +376,21 @@ class Hostile(InFolder):
             for count, code in ((300000000 // steps, 1), (300000000 // steps + 1, 2)):
                 text = json.dumps(claimed("bodies", [item] * 2, *[statement] * count), separators=(",", ":"))
                 self.assertLess(len(text), 10 ** 6)
-                path = self.write("rounds.json", text)
-                for name, command in twins().items():
-                    with self.subTest(twin=name, count=count, statement=statement["verdict"]):
-                        self.assertEqual(checked(command, path)[0], code)
+                self.expect_both(text, code)
+
+    def test_all_numbers_of_a_body_are_counted(self):
+        """The bits and units of rows, matrix and translation, of a radius and a clearance; a direction and a point."""
+        cone = {"name": "a", "points": [["0x1p-1000", "0x0p0", "0x0p0"], ["0x0p0", "0x1p100", "0x0p0"]], "cone": "0x1.8p-500"}
+        image = {"name": "a", "of": 1, "linear": ["0x1p-300"] + ZEROS + ["0x1p200"] + ZEROS + ["0x1p0"],
+                 "translation": ["0x1p-600", "0x1p100", "0x0p0"]}
+        one = {**kept(["1", "0", "0"]), "a": 0, "b": 2, "least": "0x1p-400"}
+        size = 1 + (0 + 0 + 1) + (1101 + 1000 + 501 + 300 + 701 + 600 + 504) + 402
+        steps = 2 * 16 * (16 + (size // 64 + 1) ** 2) + (16 + 1) + 9 * (16 + 8) + 2 * (16 + 18)
+        for count, code in ((300000000 // steps, 1), (300000000 // steps + 1, 2)):
+            self.expect_both(json.dumps(claimed("bodies", [{"name": "a", "points": [ZEROS]}, cone, image], *[one] * count)), code)
 
 
 class Twins(InFolder):
-    def expect_both(self, text, code):
-        path = self.write("file.json", text)
-        for name, command in twins().items():
-            with self.subTest(twin=name, text=text[:40]):
-                result = checked(command, path)
-                self.assertEqual(result[0], code, result)
-
     def test_a_ring_that_names_corners_often(self):
         """What steps are counted by is the number of corners, each once: else these are more than a file may take."""
         points = [["0x1p558", "0x0p0", "0x0p0"], ["0x0p0", "0x1p0", "0x0p0"], ["0x1p0", "0x1p0", "0x0p0"]]
