@@ -1,16 +1,17 @@
-// What kinds of bodies with a radius there are: points, their convex hull, and what the radius makes of it.
+// The kinds of bodies with a radius.
 #pragma once
 
 #include <cstdint>
 
 namespace sunder {
 
+// A core of points, which a pose maps, and a radius, which stays as it is. y is a convex combination of the (placed)
+// core, and the body is of all points x such that, for some y:
 enum class RoundKind : std::uint8_t {
-  hull,       // all within the radius of the hull of the points: a ball, a capsule, a rounded polyhedron; of radius 0
-              // the polyhedron itself
-  cylinder,   // all within the radius of the segment from base to top, measured across it
-  cone,       // the same, where the radius shrinks from the base to zero at the apex
-  ellipsoid,  // the image of a ball
+  hull,  // any number of points: x is within the radius of y. A ball, a capsule, a rounded box; with radius 0 a hull
+  cylinder,  // two points, base and top: likewise, and x - y is perpendicular to the axis
+  cone,      // two points, base and apex: likewise, within the radius times the weight of the base
+  ellipsoid  // one point: x is the image, under the pose, of a point within the radius of the core's
 };
 
 }  // namespace sunder

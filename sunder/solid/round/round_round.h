@@ -52,13 +52,13 @@ struct RoundEvidence {
     point,    // `point`, which is doubles; of hulls, near the point of the core that `a` or `b` makes
     of_a,     // the point of A's core that `a` makes
     of_b,
-    exact,    // *exact_point, with `a`, `b` as for `point`
+    exact,    // *exact
   };
   Source source = Source::cores;
   Point3 point{};
   RoundCombination a, b;
   PairCertificate of_cores{};
-  std::shared_ptr<const ExactPoint> exact_point{};
+  std::shared_ptr<const CommonPoint> exact{};
 };
 
 struct [[nodiscard]] RoundAnswer {

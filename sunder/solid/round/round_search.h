@@ -47,9 +47,8 @@ class RoundSide {
     first_ = at(s.points[0]);
     if (s.ends() == 1) return;
     second_ = at(s.points[1]);
-    axis_ = core_.turned<Real>({s.points[1].x - s.points[0].x, s.points[1].y - s.points[0].y,
-                                s.points[1].z - s.points[0].z},
-                               scale);
+    axis_ = minus(second_, first_);
+    if constexpr (std::is_same_v<Real, double>) axis_ = core_.turned<Real>(minus(s.points[1], s.points[0]), scale);
     length2_ = dot(axis_, axis_);
   }
 
