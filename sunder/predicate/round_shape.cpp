@@ -19,6 +19,11 @@ struct EndOf {
 };
 
 template <class T>
+Vector3<T> operator+(const Vector3<T>& p, const Vector3<T>& q) {
+  return {p.x + q.x, p.y + q.y, p.z + q.z};
+}
+
+template <class T>
 T squared(const T& x) {
   return x * x;
 }

@@ -19,7 +19,8 @@
 namespace sunder::solid {
 
 // Immutable, and cheap to copy (copies share one block of memory); any number of threads may use one at once. Radii are
-// in the unit of the world. What one might assume and does not hold: a radius of zero is allowed, but for ellipsoids.
+// in the unit of the world. What one might assume and does not hold: a radius of zero is allowed, but for ellipsoids; a cylinder
+// or a cone of radius zero is its axis, a segment, and of kind `hull`.
 class RoundBody {
  public:
   // Throw Error: bad_value for a number that is not finite, a radius below zero, a semi-axis that is not above zero;

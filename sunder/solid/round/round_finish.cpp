@@ -12,6 +12,7 @@ namespace {
 
 using Exact = Vector3<Dyadic>;
 
+Exact operator+(const Exact& p, const Exact& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
 Exact times(const Dyadic& w, const Exact& v) { return {w * v.x, w * v.y, w * v.z}; }
 Exact negated_exact(const Exact& v) { return {-v.x, -v.y, -v.z}; }
 Exact image(const Point3& p, const Affine3& pose) { return lift<ExactStage>(Posed3{p, &pose, false}); }

@@ -41,7 +41,8 @@ struct RoundCombination {
 struct RoundEvidence {
   RoundVerdict verdict = RoundVerdict::undecided;
 
-  // apart: from A to B. Where doubles cannot hold it, `exact_direction` is set, and this one is near it.
+  // apart: from A to B. Where doubles cannot hold it, `exact_direction` is set, and this one is near it. Of undecided
+  // ones: across which they touch, or nearly.
   Point3 direction{};
   std::shared_ptr<const std::array<Dyadic, 3>> exact_direction{};
 

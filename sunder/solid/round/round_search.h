@@ -73,13 +73,15 @@ class RoundSide {
         return {at(core_.graph.vertices[v]), v};
       }
       case RoundKind::ellipsoid: {
-        const Vector e = core_.pulled(d);
+        // Of the map times the scale, so that no square of a length vanishes.
+        Vector e = core_.pulled(d);
+        e = {e.x * Real(scale_), e.y * Real(scale_), e.z * Real(scale_)};
         const Real length = root_of(dot(e, e));
         if (!(length > Real(0))) return {first_};
-        const Real by = radius_ / length;
+        const Real by = Real(of_.radius()) / length;
         const auto& m = core_.pose.linear;
         const auto row = [&](std::size_t i) {
-          return by * (Real(m[i]) * e.x + Real(m[i + 1]) * e.y + Real(m[i + 2]) * e.z);
+          return by * (Real(m[i] * scale_) * e.x + Real(m[i + 1] * scale_) * e.y + Real(m[i + 2] * scale_) * e.z);
         };
         return {{first_.x + row(0), first_.y + row(3), first_.z + row(6)}};
       }

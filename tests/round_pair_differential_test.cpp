@@ -1,0 +1,69 @@
+// Bodies with a radius: what round_round says, against fractions that check its evidence by the page's definitions, and
+// against what is known of the pairs.
+#include <tests/support/round_oracle.h>
+#include <tests/support/round_pairs.h>
+#include <tests/support/scale.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <string>
+
+namespace sunder::tests {
+namespace {
+
+using solid::PlacedRound;
+using solid::RoundAnswer;
+using solid::RoundVerdict;
+
+struct Tally {
+  int apart = 0, meet = 0, undecided = 0, finished = 0;
+};
+
+std::string named(const RoundCase& c) {
+  return std::string(name_of(c.family)) + ": " + std::string(name_of(c.of_a)) + ", " + std::string(name_of(c.of_b));
+}
+
+// Is it decided always, as the header says?
+bool is_decided(const RoundCase& c) {
+  const bool curved_a = c.a.is_curved(), curved_b = c.b.is_curved();
+  if (!curved_a && !curved_b) return true;
+  const auto is_cone = [](const solid::RoundBody& body) { return body.kind() == RoundKind::cone; };
+  return (c.a.is_polyhedron() || c.b.is_polyhedron()) && !is_cone(c.a) && !is_cone(c.b);
+}
+
+TEST(RoundPairDifferential, EachAnswerIsProved) {
+  const std::uint64_t seed = chosen_seed(20261126);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  RoundPairs pairs(seed);
+  const int count = scaled_count(20000);
+  std::map<std::string, Tally> tallies;
+  for (int i = 0; i < count; ++i) {
+    const RoundCase c = pairs.next();
+    const RoundAnswer answer = round_round(c.a, c.pose_a, c.b, c.pose_b);
+    Tally& tally = tallies[std::string(name_of(c.family))];
+    ++(answer.undecided() ? tally.undecided : answer.meet() ? tally.meet : tally.apart);
+    if (answer.decided_by == DecidedBy::finishing) ++tally.finished;
+    if (is_decided(c)) {
+      ASSERT_FALSE(answer.undecided()) << i << " " << named(c);
+    }
+    if (c.family == RoundFamily::touching) {
+      EXPECT_TRUE(answer.meet()) << i << " " << named(c) << " " << name_of(answer.verdict());
+    }
+    if (answer.undecided()) { if (std::getenv("SHOW")) std::printf("%d U %s\n", i, named(c).c_str()); continue; }
+    const PlacedRound a(c.a, c.pose_a), b(c.b, c.pose_b);
+    ASSERT_TRUE(is_proved(a, b, answer.evidence))
+        << i << " " << named(c) << " " << name_of(answer.verdict()) << " source "
+        << static_cast<int>(answer.evidence.source);
+  }
+  for (const auto& [family, t] : tallies) {
+    std::printf("%-13s apart %d, meet %d, undecided %d, finished exactly %d\n", family.c_str(), t.apart, t.meet,
+                t.undecided, t.finished);
+  }
+}
+
+}  // namespace
+}  // namespace sunder::tests
