@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace sunder::solid {
 
@@ -163,8 +164,24 @@ class RoundProposer {
   RoundProposer(const PlacedRound& a, const PlacedRound& b, RoundDisposal& dispose, Cost& cost)
       : a_(a), b_(b), dispose_(dispose), cost_(cost), search(a, b) {}
 
+  // As they are; and where that neither parts them nor finds a point that both hold, as curved bodies are when they
+  // have shrunk a little: what is of the surface there is inside of them.
+  bool propose(const Vector& first, double shrink) {
+    if (run(first)) return true;
+    if (!is_near_ || !(a_.body.is_curved() || b_.body.is_curved())) return false;
+    const auto [slots, simplex, direction] = std::tuple(search.slots, search.simplex, search.direction);
+    search.shrink(shrink);
+    if (run(direction)) return true;
+    search.slots = slots;
+    search.simplex = simplex;
+    search.direction = direction;
+    return false;
+  }
+
+ private:
   bool run(const Vector& first) {
-    search.direction = first;
+    search.simplex.count = 0;
+    search.direction = dot(first, first) > Real(0) ? first : search.first_direction();
     Real nearest2 = std::numeric_limits<double>::infinity();
     int in_vain = 0;
     for (int i = 0; i < search.most_iterations; ++i) {
@@ -182,9 +199,12 @@ class RoundProposer {
         break;
       }
     }
-    return parts_narrowly() || meets();
+    if (parts_narrowly()) return true;
+    is_near_ = true;
+    return meets();
   }
 
+ public:
   std::uint32_t near_a = 0, near_b = 0;
   Point3 last_point{};  // that both hold, about
 
@@ -232,7 +252,7 @@ class RoundProposer {
       return search.in_world(length > Real(0) ? round_detail::sum<Real>(from, by / length, way) : from);
     };
     const Real slack = search.reach - length;
-    for (const double part : {0.5, 0.0, 0.0625, 1.0}) {
+    for (const double part : {0.5, 0.0625, 0.0}) {
       const Real depth = slack > Real(0) ? slack * Real(part) : Real(0);
       const Vector& from = curved_a ? made->of_a : made->of_b;
       last_point = curved_a && curved_b ? at(made->of_a, length * Real(part)) : at(from, curved_a ? -depth : depth);
@@ -245,6 +265,7 @@ class RoundProposer {
   const PlacedRound& b_;
   RoundDisposal& dispose_;
   Cost& cost_;
+  bool is_near_ = false;  // the search ended without parting them
 
  public:
   RoundSearch<Real> search;
@@ -409,7 +430,7 @@ RoundAnswer answer_of(const PlacedRound& a, const PlacedRound& b) {
   StageTally tally;
   RoundDisposal dispose(a, b, answer, tally);
   RoundProposer<double> first(a, b, dispose, answer.cost);
-  if (first.run(first.search.first_direction())) {
+  if (first.propose(first.search.first_direction(), 0x1p-20)) {
     conclude(answer, tally.exact);
     return answer;
   }
@@ -421,8 +442,8 @@ RoundAnswer answer_of(const PlacedRound& a, const PlacedRound& b) {
   }
   const Point3& d = first.search.direction;
   RoundProposer<DoubleDouble> second(a, b, dispose, answer.cost);
-  bool held = second.run(is_finite(d) && dot(d, d) > 0 ? Vector3<DoubleDouble>{d.x, d.y, d.z}
-                                                       : second.search.first_direction());
+  const bool held = second.propose(is_finite(d) ? Vector3<DoubleDouble>{d.x, d.y, d.z} : Vector3<DoubleDouble>{},
+                                   0x1p-42);
   if (!held && !finish.curved(second.near_a, second.near_b)) {
     // Bodies that touch mostly do so in numbers that people give.
     for (const int bits : {40, 20, 10}) {

@@ -57,8 +57,24 @@ class RoundSide {
     std::uint32_t vertex = 0;  // of a hull's core
   };
 
+  double shrink = 0;  // of a curved body, towards its middle
+
   // The point that is furthest along the direction, about.
   Far furthest(const Vector& d, Cost& cost) const {
+    Far far = furthest_of_all(d, cost);
+    if (shrink > 0 && of_.body.is_curved()) far.at = round_detail::sum<Real>(far.at, Real(shrink), minus(middle(), far.at));
+    return far;
+  }
+
+  // Of the body: a point inside, about.
+  Vector middle() const {
+    if (!of_.body.is_curved()) return at(core_.graph.middle);
+    if (of_.shape.ends() == 1) return first_;
+    return round_detail::sum<Real>(first_, Real(of_.kind() == RoundKind::cone ? 0.25 : 0.5), axis_);
+  }
+
+ private:
+  Far furthest_of_all(const Vector& d, Cost& cost) const {
     using round_detail::root_of, round_detail::sum;
     switch (of_.kind()) {
       case RoundKind::hull: {
@@ -97,24 +113,19 @@ class RoundSide {
     return {first_};
   }
 
-  // Of the body: a point inside, about.
-  Vector middle() const {
-    if (!of_.body.is_curved()) return at(core_.graph.middle);
-    if (of_.shape.ends() == 1) return first_;
-    return round_detail::sum<Real>(first_, Real(of_.kind() == RoundKind::cone ? 0.25 : 0.5), axis_);
-  }
-
- private:
   Vector at(const Point3& p) const {
     const Vector turned = core_.turned<Real>(p, scale_);
     return {turned.x + shift_.x, turned.y + shift_.y, turned.z + shift_.z};
   }
   Vector rim(const Vector& centre, const Vector& d, const Real& along) const {
     using round_detail::root_of, round_detail::sum;
-    const Real part = along / length2_;
-    const Vector across = sum<Real>(d, -part, axis_);
-    const Real length = root_of(dot(across, across));
-    if (!(length > Real(0))) return centre;
+    // Once more, because of a direction nearly along the axis the rest carries the error of large numbers.
+    Vector across = sum<Real>(d, -(along / length2_), axis_);
+    across = sum<Real>(across, -(dot(across, axis_) / length2_), axis_);
+    const Real length2 = dot(across, across);
+    constexpr double noise = std::is_same_v<Real, double> ? 0x1p-50 : 0x1p-100;
+    if (!(length2 > noise * noise * dot(d, d))) return centre;
+    const Real length = root_of(length2);
     return sum<Real>(centre, radius_ / length, across);
   }
 
@@ -151,6 +162,12 @@ class RoundSearch {
     const Vector p = a_.middle(), q = b_.middle();
     const Vector d = minus(q, p);
     return dot(d, d) > Real(0) ? d : Vector{1, 0, 0};
+  }
+
+  // From now on curved bodies are smaller about their middles, by this part.
+  void shrink(double by) {
+    a_.shrink = by;
+    b_.shrink = by;
   }
 
   // The next point of the difference, into a slot that no vertex of the simplex uses.
