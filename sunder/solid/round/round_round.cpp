@@ -189,6 +189,12 @@ class RoundProposer {
       const DifferenceVertexOf<Real> w = search.probe(cost_);
       near_a = search.slots[w.a].vertex_a;
       near_b = search.slots[w.a].vertex_b;
+      const Real length2 = dot(search.direction, search.direction);
+      const double gap = nearest(search.gap_at(w)) / std::sqrt(nearest(length2));
+      if (gap > best_gap_) {
+        best_gap_ = gap;
+        best_direction = rounded(search.direction);
+      }
       if (parts_clearly(w) && parts()) return true;
       if (!search.gains_by(w) || !search.step_to(w)) break;
       if (search.reach > Real(0) && search.distance2 < search.reach * search.reach && meets()) return true;
@@ -206,7 +212,8 @@ class RoundProposer {
 
  public:
   std::uint32_t near_a = 0, near_b = 0;
-  Point3 last_point{};  // that both hold, about
+  Point3 last_point{};      // that both hold, about
+  Point3 best_direction{};  // which parts them furthest, about
 
  private:
   // By more than rounding may be wrong?
@@ -265,6 +272,7 @@ class RoundProposer {
   const PlacedRound& b_;
   RoundDisposal& dispose_;
   Cost& cost_;
+  double best_gap_ = -std::numeric_limits<double>::infinity();
   bool is_near_ = false;  // the search ended without parting them
 
  public:
@@ -312,30 +320,16 @@ class RoundFinish {
     meet(between(closest.of_a, a_.radius(), closest.of_b, b_.radius()));
   }
 
-  // True: decided. The cores meet, or one body is curved, and the other's core is a polyhedron that meets it; or that
-  // does not, of a radius of 0.
-  bool curved(std::uint32_t near_a, std::uint32_t near_b) {
+  // True: decided. The core of one of the bodies meets the other, or does not, and is all of its body. Requires that one
+  // is curved.
+  bool cores_decide(std::uint32_t near_a, std::uint32_t near_b) {
     const PairAnswer of_cores = polyhedron_polyhedron(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
     count(of_cores);
     if (of_cores.meet()) {
       cores(of_cores.certificate());
       return true;
     }
-    const bool is_a = a_.body.is_curved();
-    const PlacedRound& other = is_a ? b_ : a_;
-    if (other.body.is_curved()) return false;
-    CurvedVerdict found = curved_polyhedron(is_a ? a_ : b_, is_a ? b_ : a_, is_a ? near_b : near_a,  //
-                                            answer_.cost, tally_);
-    ++tally_.exact;
-    if (found.point) {
-      if (!is_a) std::swap(found.point->of_a, found.point->of_b);
-      meet(std::move(*found.point));
-      return true;
-    }
-    if (!found.direction || !other.body.is_polyhedron()) return false;
-    const auto& d = *found.direction;
-    apart(is_a ? std::array{d.x, d.y, d.z} : std::array{-d.x, -d.y, -d.z});
-    return true;
+    return core_decides(true, near_a) || core_decides(false, near_b);
   }
 
   // True: both hold the point, of curved bodies by their own formulas, of hulls by the exact distance of the core.
@@ -362,6 +356,36 @@ class RoundFinish {
   }
 
  private:
+  bool core_decides(bool of_a, std::uint32_t near) {
+    const PlacedRound &own = of_a ? a_ : b_, &other = of_a ? b_ : a_;
+    const RoundBody as_body = RoundBody::rounded(own.body.core(), 0);
+    const PlacedRound core(as_body, own.pose);
+    ++tally_.exact;
+    std::optional<CommonPoint> point;
+    if (other.body.is_curved()) {
+      CurvedVerdict found = curved_polyhedron(other, core, near, answer_.cost, tally_);
+      if (!found.point && found.direction && own.body.is_polyhedron()) {
+        const auto& d = *found.direction;
+        apart(of_a ? std::array{-d.x, -d.y, -d.z} : std::array{d.x, d.y, d.z});
+        return true;
+      }
+      point = std::move(found.point);
+      if (point) std::swap(point->of_a, point->of_b);  // now the core's first
+    } else {
+      const PolyhedronDistance distance =
+          polyhedron_polyhedron_distance(own.body.core(), own.pose, other.body.core(), other.pose);
+      count(distance.answer);
+      if (distance.closest && compare_distance(distance, other.radius()) != Sign::positive) {
+        const ClosestPoints closest = closest_points(*distance.closest);
+        point = between(closest.of_a, 0, closest.of_b, other.radius());
+      }
+    }
+    if (!point) return false;
+    point->of_a = in_points(own, std::move(point->of_a));
+    if (!of_a) std::swap(point->of_a, point->of_b);
+    meet(std::move(*point));
+    return true;
+  }
   void count(const PairAnswer& of) {
     answer_.cost.probes += of.cost.probes;
     answer_.cost.iterations += of.cost.iterations;
@@ -444,12 +468,12 @@ RoundAnswer answer_of(const PlacedRound& a, const PlacedRound& b) {
   RoundProposer<DoubleDouble> second(a, b, dispose, answer.cost);
   const bool held = second.propose(is_finite(d) ? Vector3<DoubleDouble>{d.x, d.y, d.z} : Vector3<DoubleDouble>{},
                                    0x1p-42);
-  if (!held && !finish.curved(second.near_a, second.near_b)) {
+  if (!held && !finish.cores_decide(second.near_a, second.near_b)) {
     // Bodies that touch mostly do so in numbers that people give.
     for (const int bits : {40, 20, 10}) {
       if (finish.meet_at(snapped(second.last_point, bits))) break;
     }
-    if (answer.undecided()) answer.evidence.direction = rounded(second.search.direction);
+    if (answer.undecided()) answer.evidence.direction = second.best_direction;
   }
   conclude(answer, tally.exact, !held);
   return answer;
