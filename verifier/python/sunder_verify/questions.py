@@ -39,6 +39,12 @@ def entry(table):
     return lambda value, where, read: read[table][index(value, len(read[table]), where)]
 
 
+def body_asked(value, where, read):
+    body = entry("bodies")(value, where, read)
+    form(read["question"] != "distance" or not body.kind, where + " has a radius")
+    return body
+
+
 def index_of(name):
     return lambda value, where, read: index(value, len(found(read, name)), where)
 
@@ -121,15 +127,19 @@ def members_of(name, fits, words):
     return list_of(index_of(name), lambda those, read: fits(those) and len(set(those)) == len(those), words)
 
 
+def is_of_points(body):
+    return body.count == len(body) and body.dimension == 3 and not body.kind
+
+
 def points_alone(value, where, read):
     body = entry("bodies")(value, where, read)
-    form(body.linear is None and body.count == len(body) and body.dimension == 3, where + " is not of points in space")
+    form(body.linear is None and is_of_points(body), where + " is not of points in space")
     return body
 
 
 def points_placed(value, where, read):
     body = entry("bodies")(value, where, read)
-    form(body.count == len(body) and body.dimension == 3, where + " is not of points in space")
+    form(is_of_points(body), where + " is not of points in space")
     return body
 
 
@@ -161,7 +171,7 @@ ARCS = list_of(subject_index, lambda those, read: 0 < len(those) <= 2 * len(subj
                " is empty, or has more than two arcs a circle")
 FACE = list_of(subject_index, lambda those, read: len(those) > 2, " has fewer than three corners")
 GIVEN = {  # what questions say
-    "a": entry("bodies"), "b": entry("bodies"), "ring": entry("rings"), "parts": parts,
+    "a": body_asked, "b": body_asked, "ring": entry("rings"), "parts": parts,
     "members": members_of("bodies", lambda those: True, " names one twice"), "except": contacts,
     "body": points_alone, "of": points_placed, "plane": plane, "rule": choice(("valid", "simple", polygons.SELF_TOUCH)),
     "allowed": lambda *told: ALLOWED[choice(ALLOWED)(*told)], "groups": for_each(whole(-MOST_NUMBER)),
@@ -178,7 +188,7 @@ SAID = {  # what verdicts and claims say
     "corners": list_of(corner_of_section, lambda those, read: 0 < len(set(those)) == len(those),
                        " is empty, or names one twice"),
     "along": list_of(whole(0), lambda those, read: len(those) == len(read["corners"]), " is not as long as the corners"),
-    "direction": vector, "weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
+    "direction": vector, "from": vector, "weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
     "ends": list_of(end, lambda those, read: len(those) == 2, " is not a list of 2"),
     "order": list_of(subject_index, lambda those, read: len(set(those)) == len(those) == len(subject(read)),
                      " does not name each once"),
@@ -192,8 +202,8 @@ CLAIMS = {
         polygons.common_point, polygons.too_few_points, polygons.comes_twice, polygons.crosses, polygons.misplaced,
         polygons.circle, polygons.repeated, polygons.rings_touch, rules.each_pair,
         hulls.between, hulls.one_point, sections.beyond, sections.touches)},
-    **{rule.__name__: (rule, "weights") for rule in (
-        rules.holds, rules.inside, rules.bounds, rules.contradict, rules.powers)},
+    **{rule.__name__: (rule, "weights") for rule in (rules.bounds, rules.contradict, rules.powers)},
+    **{rule.__name__: (rule, "weights", "from") for rule in (rules.holds, rules.inside)},  # from: of ellipsoids only
     **{name: (polygons.exactly(name), "events") for name in ("none_counts", "these_count", "number_counts")},
     "bounds_only": (partial(rules.bounds, is_only=True), "weights"),
     "parted": (rules.parted, "direction"),
@@ -311,7 +321,8 @@ def statement(item, where, read):
         place = "%s.claims[%d]" % (where, k)
         form(type(claim) is dict and claim.get("claim") == name, "%s is not the claim %s" % (place, name))
         rule, *brings = CLAIMS[name]
-        shapes = {"claim": anything, **{key: SAID[key] for key in brings}}
+        has = [key for key in brings if key != "from" or found(scope, bound[0]).kind == "ellipsoid"]
+        shapes = {"claim": anything, **{key: SAID[key] for key in has}}
         brought = members(claim, shapes, place, {**scope, "subject": bound[0]})
-        checks.append((rule, [brought[key] for key in brings] + [found(scope, key) for key in bound]))
-    return item, sentence(item, {key: scope[key].name for key in ("a", "b", "body", "of") if key in item}), checks
+        checks.append((rule, [brought.get(key) for key in brings] + [found(scope, key) for key in bound]))
+    return item, sentence(item, {key: scope[key] for key in ("a", "b", "body", "of") if key in item}), checks
