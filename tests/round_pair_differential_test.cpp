@@ -4,6 +4,10 @@
 #include <tests/support/round_pairs.h>
 #include <tests/support/scale.h>
 
+#include <sunder/solid/round/round_claims.h>
+
+#include <verifier/cpp/verify.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +16,7 @@
 #include <cstdio>
 #include <map>
 #include <string>
+#include <string_view>
 
 namespace sunder::tests {
 namespace {
@@ -99,6 +104,36 @@ TEST(RoundPairDifferential, EachAnswerIsProved) {
     std::printf("%-13s apart %d, meet %d, undecided %d, finished exactly %d\n", family.c_str(), t.apart, t.meet,
                 t.undecided, t.finished);
   }
+}
+
+// The same as certificate files, for a checker that knows nothing of the library.
+TEST(RoundPairDifferential, TheVerifierAcceptsEachProof) {
+  const std::uint64_t seed = chosen_seed(20261127);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  RoundPairs pairs(seed);
+  const int count = scaled_count(4000);
+  int apart = 0, meet = 0;
+  for (int i = 0; i < count; ++i) {
+    const RoundCase c = pairs.next();
+    const PlacedRound a(c.a, c.pose_a), b(c.b, c.pose_b);
+    const RoundAnswer answer = round_round(c.a, c.pose_a, c.b, c.pose_b);
+    if (answer.undecided()) continue;
+    ++(answer.meet() ? meet : apart);
+    std::string text;
+    ClaimsWriter file([&](std::string_view piece) { text += piece; });
+    PairClaims claims(file);
+    const std::uint32_t index_a = add_round(claims, "a", a), index_b = add_round(claims, "b", b);
+    add_claims(claims, index_a, a, index_b, b, answer.evidence);
+    claims.end();
+    const auto result = sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none);
+    ASSERT_EQ(result.statements.size(), 1) << i << " " << named(c) << result.failed_form << result.error;
+    ASSERT_TRUE(result.accepted()) << i << " " << named(c) << ": " << result.statements[0].reason << "\n"
+                                   << text.substr(0, 3000);
+    ASSERT_EQ(result.statements[0].verdict, name_of(answer.verdict()));
+  }
+  std::printf("apart %d, meet %d\n", apart, meet);
+  if (count < 500) return;
+  EXPECT_GT(std::min(apart, meet), count / 5);
 }
 
 }  // namespace
