@@ -112,28 +112,93 @@ TEST(RoundPairDifferential, TheVerifierAcceptsEachProof) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   RoundPairs pairs(seed);
   const int count = scaled_count(4000);
-  int apart = 0, meet = 0;
+  std::map<std::string, int> tally;
   for (int i = 0; i < count; ++i) {
     const RoundCase c = pairs.next();
     const PlacedRound a(c.a, c.pose_a), b(c.b, c.pose_b);
     const RoundAnswer answer = round_round(c.a, c.pose_a, c.b, c.pose_b);
     if (answer.undecided()) continue;
-    ++(answer.meet() ? meet : apart);
+    const solid::RoundContact contact = round_round_contact(a, b, answer.evidence);
     std::string text;
     ClaimsWriter file([&](std::string_view piece) { text += piece; });
     PairClaims claims(file);
     const std::uint32_t index_a = add_round(claims, "a", a), index_b = add_round(claims, "b", b);
-    add_claims(claims, index_a, a, index_b, b, answer.evidence);
+    add_claims(claims, index_a, a, index_b, b, answer.evidence, contact);
     claims.end();
+    std::string_view verdict = name_of(answer.verdict());
+    if (answer.meet() && contact.contact) verdict = name_of(*contact.contact);
+    ++tally[std::string(verdict)];
     const auto result = sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none);
     ASSERT_EQ(result.statements.size(), 1) << i << " " << named(c) << result.failed_form << result.error;
     ASSERT_TRUE(result.accepted()) << i << " " << named(c) << ": " << result.statements[0].reason << "\n"
                                    << text.substr(0, 3000);
-    ASSERT_EQ(result.statements[0].verdict, name_of(answer.verdict()));
+    ASSERT_EQ(result.statements[0].verdict, verdict);
+    if (!contact.contact) {
+      const bool hulls = !c.a.is_curved() && !c.b.is_curved();
+      ASSERT_FALSE(hulls || is_decided(c)) << i << " " << named(c);
+    }
+    if (c.family == RoundFamily::touching) {
+      ASSERT_NE(verdict, "overlapping") << i << " " << named(c);
+    }
   }
-  std::printf("apart %d, meet %d\n", apart, meet);
+  for (const auto& [verdict, n] : tally) std::printf("%s %d\n", verdict.c_str(), n);
   if (count < 500) return;
-  EXPECT_GT(std::min(apart, meet), count / 5);
+  for (const char* verdict : {"apart", "touching", "overlapping"}) EXPECT_GT(tally[verdict], count / 20) << verdict;
+  EXPECT_LT(tally["meet"], count / 25) << "it is not known whether they touch or overlap";
+}
+
+bool is_accepted(const RoundCase& c, const solid::RoundEvidence& evidence, void (*spoil)(CommonPoint&) = nullptr) {
+  const PlacedRound a(c.a, c.pose_a), b(c.b, c.pose_b);
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  PairClaims claims(file);
+  const std::uint32_t index_a = add_round(claims, "a", a), index_b = add_round(claims, "b", b);
+  if (spoil == nullptr) {
+    add_claims(claims, index_a, a, index_b, b, evidence);
+  } else {
+    CommonPoint point = common_point_of(a, b, evidence);
+    spoil(point);
+    claims.add_meet(index_a, index_b, point);
+  }
+  claims.end();
+  return sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none).accepted();
+}
+
+// What is not true is refused: the other verdict with the same numbers, a direction turned round, a point that is not
+// where its weights put it, weights that do not sum to 1.
+TEST(RoundPairDifferential, TheVerifierRefusesWhatIsNotTrue) {
+  const std::uint64_t seed = chosen_seed(20261128);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  RoundPairs pairs(seed);
+  const int count = scaled_count(2000);
+  int refused = 0;
+  for (int i = 0; i < count; ++i) {
+    const RoundCase c = pairs.next();
+    const RoundAnswer answer = round_round(c.a, c.pose_a, c.b, c.pose_b);
+    if (answer.undecided()) continue;
+    solid::RoundEvidence other = answer.evidence;
+    ASSERT_TRUE(is_accepted(c, answer.evidence)) << i << " " << named(c);
+    if (answer.meet()) {
+      other.verdict = RoundVerdict::apart;
+      other.direction = {1, 0.25, -0.5};
+      ASSERT_FALSE(is_accepted(c, other)) << i << " " << named(c);
+      ASSERT_FALSE(is_accepted(c, answer.evidence, [](CommonPoint& x) {
+        x.of_a.parts[0].numerator = x.of_a.parts[0].numerator + x.of_a.denominator;
+      })) << i << " " << named(c);
+      ASSERT_FALSE(is_accepted(c, answer.evidence, [](CommonPoint& x) {
+        x.coordinates[0] = x.coordinates[0] + x.denominator.scaled(1000);
+      })) << i << " " << named(c);
+      refused += 3;
+    } else {
+      other.exact_direction = nullptr;
+      const Point3& d = answer.evidence.direction;
+      other.direction = {-d.x, -d.y, -d.z};
+      ASSERT_FALSE(is_accepted(c, other)) << i << " " << named(c);
+      ++refused;
+    }
+  }
+  std::printf("%d refused\n", refused);
+  EXPECT_GT(refused, count);
 }
 
 }  // namespace

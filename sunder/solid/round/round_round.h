@@ -85,4 +85,7 @@ RoundAnswer round_round(const RoundBody& a, const Pose& pose_a, const RoundBody&
 std::array<Dyadic, 3> direction_of(const RoundEvidence& evidence);
 CommonPoint common_point_of(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence);
 
+// The point that divides the way from p to q as the radii are; of two radii of 0: p.
+CommonPoint point_between(const PointOf& p, double radius_p, const PointOf& q, double radius_q);
+
 }  // namespace sunder::solid
