@@ -234,6 +234,26 @@ RoundAnswer round_round(const RoundBody& a, const Pose& pose_a, const RoundBody&
   return answer_of(PlacedRound(a, pose_a), PlacedRound(b, pose_b));
 }
 
+RoundAnswer round_round(const PlacedRound& a, const PlacedRound& b) { return answer_of(a, b); }
+
+Point3 rounded_point_of(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
+  const CommonPoint point = common_point_of(a, b, evidence);
+  const auto part = [&](std::size_t k) { return nearest_ratio(point.coordinates[k], point.denominator) + 0.0; };
+  return {part(0), part(1), part(2)};
+}
+
+double gap_about(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
+  RoundSearch<DoubleDouble> search(a, b);
+  const std::array<Dyadic, 3> d = direction_of(evidence);
+  const Vector3<Interval> near = WorldDirection(Vector3<Dyadic>{d[0], d[1], d[2]}).enclosure();
+  const Vector3<DoubleDouble> about{near.x.low, near.y.low, near.z.low};
+  const DoubleDouble length = round_detail::root_of(dot(about, about));
+  search.direction = {about.x / length, about.y / length, about.z / length};
+  Cost cost;
+  const DoubleDouble gap = search.gap_at(search.probe(cost)) - search.reach;
+  return std::max(nearest(gap) / search.simplex.scale, 0.0);
+}
+
 std::array<Dyadic, 3> direction_of(const RoundEvidence& evidence) {
   SUNDER_REQUIRE(evidence.verdict == RoundVerdict::apart);
   if (evidence.exact_direction) return *evidence.exact_direction;

@@ -80,10 +80,15 @@ struct [[nodiscard]] RoundAnswer {
 // Throws Error: bad_pose (round_body.h).
 // Source of the search: Gilbert, Johnson, Keerthi 1988.
 RoundAnswer round_round(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b);
+RoundAnswer round_round(const PlacedRound& a, const PlacedRound& b);
 
 // The direction, and the common point with how each body makes it: for certificate files. Requires the verdict.
 std::array<Dyadic, 3> direction_of(const RoundEvidence& evidence);
 CommonPoint common_point_of(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence);
+
+// For people: where the common point is, rounded; how wide the empty slab across the direction is, about.
+Point3 rounded_point_of(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence);
+double gap_about(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence);
 
 // The point that divides the way from p to q as the radii are; of two radii of 0: p.
 CommonPoint point_between(const PointOf& p, double radius_p, const PointOf& q, double radius_q);
