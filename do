@@ -499,6 +499,7 @@ certificates() {
   rm -rf "$1"
   mkdir -p "$1"
   "$2/tools/certificate_sample" "$1" "$3" "${SUNDER_TEST_SEED:-1}" &&
+    "$2/tools/round_certificate_sample" "$1" "$3" "${SUNDER_TEST_SEED:-1}" &&
     "$2/tools/planar_certificate_sample" "$1" "$3" "${SUNDER_TEST_SEED:-1}" &&
     "$2/tools/segments_certificate_sample" "$1" "$3" "${SUNDER_TEST_SEED:-1}" &&
     "$2/tools/sets_certificate_sample" "$1" "$3" "${SUNDER_TEST_SEED:-1}"
@@ -508,7 +509,7 @@ certificates() {
 part_verify() {
   local folder=build/certificates count=${SUNDER_SAMPLE:-2000}
   configure release "$CXX" -DSUNDER_TESTS=ON || return 1
-  build release certificate_sample planar_certificate_sample segments_certificate_sample \
+  build release certificate_sample round_certificate_sample planar_certificate_sample segments_certificate_sample \
     sets_certificate_sample || return 1
   verify_sample() {
     certificates "$folder" build "$count" || return 1
@@ -519,7 +520,7 @@ part_verify() {
     echo "$accepted certificates accepted"
     [ "$accepted" -ge $((4 * count)) ]  # a sample that reads empty fails
   }
-  run verify "The Python verifier on $count certificates of bodies, $count of polygons and $((2 * count)) of sets" verify_sample
+  run verify "The Python verifier on $((2 * count)) certificates of bodies, $count of polygons and $((2 * count)) of sets" verify_sample
 }
 
 . scripts/soak.sh  # command_soak

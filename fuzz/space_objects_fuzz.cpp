@@ -8,6 +8,7 @@
 #include <sunder/solid/object/flatness.h>
 #include <sunder/solid/pair/flat_flat.h>
 #include <sunder/solid/pair/polyhedron_plane.h>
+#include <sunder/solid/round/round_round.h>
 
 #include <cmath>
 #include <cstddef>
@@ -52,6 +53,14 @@ void check(std::string_view text, const solid::Frame* project) {
   require(object.format == "JSON" || object.format == "WKT");
   for (const sunder::Point3& p : object.points) {
     require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+  }
+  require(object.round.has_value() == (object.kind > Kind::plane));
+  if (object.round) {
+    static const solid::RoundBody ball = solid::RoundBody::ball({0.5, 0.25, 0}, 1);
+    const auto answer = solid::round_round(*object.round, solid::Pose(), ball, solid::Pose());
+    const auto swapped = solid::round_round(ball, solid::Pose(), *object.round, solid::Pose());
+    require(answer.undecided() || swapped.undecided() || answer.meet() == swapped.meet());
+    return;
   }
   if (!object.unbounded()) return check_bounded(object);
   if (object.kind == Kind::plane) {

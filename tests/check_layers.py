@@ -48,7 +48,7 @@ FRONT_DOORS = {"sunder/sunder.h", "sunder/version.h"}
 # layer: its folders from the lowest to the highest
 ORDER = {
     "planar": ["represent", "object", "pair", "sweep", "set", "region"],
-    "solid": ["hull", "represent", "object", "pair"],
+    "solid": ["hull", "represent", "object", "pair", "round"],
     "ask": ["set", "scene", "pair", "region"],
 }
 

@@ -21,7 +21,8 @@ namespace {
 using nlohmann::json;
 using Kind = SpaceObject::Kind;
 
-constexpr std::array kinds{Kind::point, Kind::segment, Kind::polygon, Kind::line, Kind::ray, Kind::plane};
+constexpr std::array kinds{Kind::point, Kind::segment, Kind::polygon,  Kind::line, Kind::ray,      Kind::plane,
+                           Kind::ball,  Kind::capsule, Kind::cylinder, Kind::cone, Kind::ellipsoid};
 
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
@@ -55,7 +56,7 @@ void project_on(const solid::Frame& frame, SpaceObject& polygon) {
 // What is read, and where: fail(what) throws Error bad_file with that place.
 template <class Fail>
 SpaceObject checked(Kind kind, std::vector<Point3> points, const solid::Frame* project, const Fail& fail) {
-  SpaceObject object{kind, {}, std::move(points), {}, {}, {}};
+  SpaceObject object{kind, {}, std::move(points), {}, {}, {}, {}};
   if ((kind == Kind::line || kind == Kind::ray) && object.points[0] == object.points[1]) {
     fail(fmt::format("the two points of this {} are equal; give two different ones", name_of(kind)));
   }
@@ -111,7 +112,8 @@ class JsonObject {
 
  private:
   static std::string expected() {
-    return "give one of {\"plane\": ..}, line, ray, segment, point and polygon (GeoJSON has a \"type\")";
+    return "give one of {\"plane\": ..}, line, ray, segment, point, polygon, ball, capsule, cylinder, cone and "
+           "ellipsoid (GeoJSON has a \"type\")";
   }
 
   [[noreturn]] void fail(const std::string& where, const std::string& what) const {
@@ -121,6 +123,7 @@ class JsonObject {
   SpaceObject read(Kind kind, const json& value) const {
     const std::string where(name_of(kind));
     if (kind == Kind::plane) return plane(value);
+    if (kind > Kind::plane) return round(kind, value);
     if (kind == Kind::polygon && value.is_object()) return framed(value);
     const std::size_t least = kind == Kind::point ? 1 : kind == Kind::polygon ? 0 : 2;
     std::vector<Point3> points;
@@ -143,11 +146,51 @@ class JsonObject {
       fail("plane", has_point ? "has both \"point\" and \"offset\"; leave one out"
                               : "has neither \"point\", one of its points, nor \"offset\"; give one");
     }
-    SpaceObject object{Kind::plane, {}, {}, {}, {}, {}};
+    SpaceObject object{Kind::plane, {}, {}, {}, {}, {}, {}};
     const Point3 across = point(normal, "plane.normal");
     if (across == Point3{}) fail("plane.normal", "is zero; give a direction across the plane");
     object.plane = has_point ? solid::Plane::through(point(value["point"], "plane.point"), across)
                              : solid::Plane::at(across, number(value["offset"], "plane.offset"));
+    return object;
+  }
+
+  SpaceObject round(Kind kind, const json& value) const {
+    const std::string where(name_of(kind));
+    const auto at = [&](const json& from, const std::string& key) { return point(from, where + "." + key); };
+    const auto radius = [&](std::initializer_list<std::string_view> keys) {
+      return number(member(value, where, "radius", keys), where + ".radius");
+    };
+    const auto ends = [&] {
+      const std::initializer_list<std::string_view> keys{"ends", "radius"};
+      const json& list = member(value, where, "ends", keys);
+      if (!list.is_array() || list.size() != 2) fail(where + ".ends", "is no list of two points, each [x, y, z]");
+      const Point3 first = at(list[0], "ends[0]"), second = at(list[1], "ends[1]");
+      return kind == Kind::capsule ? solid::RoundBody::capsule(first, second, radius(keys))
+                                   : solid::RoundBody::cylinder(first, second, radius(keys));
+    };
+    const auto body = [&] {
+      if (kind == Kind::ball) {
+        const std::initializer_list<std::string_view> keys{"center", "radius"};
+        return solid::RoundBody::ball(at(member(value, where, "center", keys), "center"), radius(keys));
+      }
+      if (kind == Kind::cone) {
+        const std::initializer_list<std::string_view> keys{"base", "apex", "radius"};
+        const Point3 base = at(member(value, where, "base", keys), "base");
+        return solid::RoundBody::cone(base, at(member(value, where, "apex", keys), "apex"), radius(keys));
+      }
+      if (kind != Kind::ellipsoid) return ends();
+      const std::initializer_list<std::string_view> keys{"center", "semi_axes"};
+      const Point3 center = at(member(value, where, "center", keys), "center");
+      return solid::RoundBody::ellipsoid(
+          center, numbers<3>(member(value, where, "semi_axes", keys), where + ".semi_axes", "[a, b, c]"));
+    };
+    SpaceObject object{kind, {}, {}, {}, {}, {}, {}};
+    try {
+      object.round = body();
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::bad_file) throw;
+      fail(where, error.what());
+    }
     return object;
   }
 
@@ -337,7 +380,9 @@ bool is_json(std::string_view text) {
 }  // namespace
 
 std::string_view name_of(SpaceObject::Kind kind) {
-  return name_in<Kind::plane>({"point", "segment", "polygon", "line", "ray", "plane"}, kind);
+  return name_in<Kind::ellipsoid>({"point", "segment", "polygon", "line", "ray", "plane", "ball", "capsule", "cylinder",
+                                   "cone", "ellipsoid"},
+                                  kind);
 }
 
 bool is_space_text(std::string_view text) {

@@ -20,13 +20,14 @@ struct PairSide {
   std::string letter;  // "a"
   std::string file, pose;
   std::string feature;  // planar; empty: the only one
+  std::string radius;   // of space: a number, by which the body is larger all around; empty: none
 
   std::string option(const char* name) const { return std::string("--") + name + "-" + letter; }
 };
 
 // The options for pairs of all kinds.
 struct PairCall : QuestionCall {
-  PairSide a{"a", {}, {}, {}}, b{"b", {}, {}, {}};
+  PairSide a{"a", {}, {}, {}, {}}, b{"b", {}, {}, {}, {}};
   bool classify = false;
   bool distance = false;
   std::string clearance;            // a number: is one that far from the other? Empty: it is not asked

@@ -38,10 +38,23 @@ struct PlacedFlat {
   PairObject object_of(const PairCall& call) const;
 };
 
-// A or B as it was read: one of the two.
+// A body with a radius in its place, and what it was made of: a ball and so on, or a bounded one and --radius.
+struct PlacedRoundBody {
+  std::string file, name;
+  io::SpaceObject object;
+  std::optional<PlacedBody> core{};  // of --radius
+  solid::RoundBody body;
+  solid::Pose pose;
+
+  bool is_hull() const { return core && core->is_hull(); }
+  PairObject object_of() const;
+};
+
+// A or B as it was read: one of these.
 struct SpaceInput {
   std::optional<PlacedBody> bounded;
   std::optional<PlacedFlat> flat;
+  std::optional<PlacedRoundBody> round{};
 };
 
 // The image of the point, where its coordinates are doubles. (Decided exactly.)
@@ -59,6 +72,10 @@ void require_projected(const PairCall& call, const SpaceInput& a, const SpaceInp
 
 // Where one of them is not bounded: answers; returns the exit code. Throws Error for --distance and --clearance.
 int run_flat_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
+
+// Where one of them has a radius. Throws Error where the other is not bounded; for --distance; for --clearance where one
+// is curved, and for a certificate of what is undecided.
+int run_round_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
 
 // A body and a plane, a body and a line or ray.
 int run_plane_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& plane, bool body_is_a,

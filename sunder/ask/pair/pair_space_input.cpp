@@ -144,6 +144,16 @@ SpaceInput parse_input(std::string_view text, const solid::Pose& pose, const Pai
   const std::optional<solid::Frame> frame =
       call.project.empty() ? std::nullopt : std::optional(parse_frame(call.project));
   SpaceObject object = io::parse_space_object(text, side.file, frame ? &*frame : nullptr);
+  if (object.round) {
+    const solid::RoundBody body = *object.round;
+    return {{},
+            {},
+            PlacedRoundBody{io::one_line(side.file), io::one_line(std::filesystem::path(side.file).stem().string()),
+                            std::move(object),
+                            {},
+                            body,
+                            pose}};
+  }
   if (!object.unbounded()) return {bounded(std::move(object), pose, call, side), {}};
   object = placed(std::move(object), pose, side);
   const solid::Flat flat = flat_of(object);
@@ -156,7 +166,9 @@ SpaceInput parse_input(std::string_view text, const solid::Pose& pose, const Pai
 
 bool is_space_input(const PairCall& call, const std::string& file) { return !call.drop_z && io::is_space_file(file); }
 
-SpaceInput read_space_input(const PairCall& call, const PairSide& side, PairFiles& files) {
+namespace {
+
+SpaceInput read_without_radius(const PairCall& call, const PairSide& side, PairFiles& files) {
   const solid::Pose pose = side.pose.empty() ? solid::Pose() : parse_pose(side.pose, side.option("pose"));
   if (is_space_input(call, side.file)) return parse_input(io::read_file(side.file, files.inputs()), pose, call, side);
   if (side.file != "-") {
@@ -167,6 +179,27 @@ SpaceInput read_space_input(const PairCall& call, const PairSide& side, PairFile
   io::Mesh mesh = io::parse_mesh(text, side.file, io::mesh_format(text, side.file));
   files.left_out.add(side.file, mesh.left_out, "mend the file");
   return {PlacedBody{io::body_of_mesh(std::move(mesh), side.file, call.require_convex), pose, {}}, {}};
+}
+
+}  // namespace
+
+SpaceInput read_space_input(const PairCall& call, const PairSide& side, PairFiles& files) {
+  SpaceInput input = read_without_radius(call, side, files);
+  if (side.radius.empty()) return input;
+  const std::vector<double> numbers = parse_numbers(side.radius, side.option("radius"));
+  if (numbers.size() != 1 || !(numbers[0] >= 0)) {
+    throw Error(ErrorCode::bad_call, fmt::format("{} is not one number that is not negative", io::quote(side.radius)),
+                side.option("radius"));
+  }
+  if (!input.bounded) {
+    throw Error(ErrorCode::bad_call, "is for meshes, sets of points, points, segments and polygons; leave it out",
+                side.option("radius"));
+  }
+  const MeshBody& mesh = input.bounded->mesh;
+  const solid::RoundBody body = solid::RoundBody::rounded(mesh.hull, numbers[0]);
+  PlacedRoundBody round{mesh.file, mesh.name, {}, {}, body, input.bounded->pose};
+  round.core = std::move(input.bounded);
+  return {{}, {}, std::move(round)};
 }
 
 void require_projected(const PairCall& call, const SpaceInput& a, const SpaceInput& b) {

@@ -146,6 +146,9 @@ int run(const PairCall& call) {
                               io::quote(io::one_line(space_a ? call.a.file : call.b.file))));
     }
     if (!call.project.empty()) throw Error(ErrorCode::bad_call, "is for polygons of space; leave it out", "--project");
+    for (const PairSide* side : {&call.a, &call.b}) {
+      if (!side->radius.empty()) throw Error(ErrorCode::bad_call, "is for objects of space; leave it out", side->option("radius"));
+    }
     if (call.require_convex) {
       throw Error(ErrorCode::bad_call, "polygons are always required to be convex; leave it out", "--require-convex");
     }
@@ -166,8 +169,10 @@ int run(const PairCall& call) {
   std::vector<const MeshBody*> bodies;
   for (const SpaceInput* input : {&a, &b}) {
     if (input->bounded) bodies.push_back(&input->bounded->mesh);
+    if (input->round && input->round->core) bodies.push_back(&input->round->core->mesh);
   }
   note_hulls(bodies);
+  if (a.round || b.round) return run_round_pair(call, a, b, files);
   if (a.flat || b.flat) return run_flat_pair(call, a, b, files);
   SolidPair question(call, solid_method(call, *a.bounded, *b.bounded), *a.bounded, *b.bounded, files);
   return answer(question);
@@ -183,13 +188,15 @@ Verb pair_verb() {
       "0 apart, or with --clearance that far apart; 1 meet, or not that far apart",
       {{"A", &call->a.file,
         "a mesh or a set of points: OBJ, STL, PLY, OFF; a point, segment, flat polygon, line, ray or plane of space: "
-        "JSON, WKT Z; or a planar object: WKT, GeoJSON, CSV. Planar lines, rays, half-planes: in CSV "
+        "JSON, WKT Z; a ball, capsule, cylinder, cone or ellipsoid: JSON; or a planar object: WKT, GeoJSON, CSV. Planar lines, rays, half-planes: in CSV "
         "line,x1,y1,x2,y2 (ray, half-plane), in WKT LINE (x1 y1, x2 y2) (RAY, HALFPLANE)",
         "", true},
        {"B", &call->b.file, "the other, of the same kind; in the plane, one of the two is bounded", "", true},
        {"--pose-a", &call->a.pose, fmt::format("where A is: {}; in the plane {}", pose_forms, planar_pose_forms),
         "POSE"},
        {"--pose-b", &call->b.pose, "where B is", "POSE"},
+       {"--radius-a", &call->a.radius, "of space, bounded: A is all within this distance of it; 0: A itself", "NUMBER"},
+       {"--radius-b", &call->b.radius, "the same of B", "NUMBER"},
        {"--method", &call->method,
         "automatic, scan, gjk (both bounded), hierarchy (of bodies), difference, halving, triangles (both bounded, in "
         "the plane), fibonacci (with a line of the plane), or drums (of a body, with a body, plane, line, ray or "

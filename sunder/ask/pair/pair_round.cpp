@@ -1,0 +1,169 @@
+#include <sunder/ask/evidence.h>
+#include <sunder/ask/pair/pair_space.h>
+
+#include <sunder/solid/round/round_claims.h>
+#include <sunder/solid/round/round_clearance.h>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace sunder::ask {
+
+namespace {
+
+using solid::PlacedRound;
+using solid::RoundBody;
+using solid::RoundVerdict;
+using Kind = io::SpaceObject::Kind;
+
+std::string exact_text(const Point3& p) { return fmt::format("({}, {}, {})", p.x, p.y, p.z); }
+
+// A body that is bounded, as one with a radius.
+PlacedRoundBody rounded(const PlacedBody& body) {
+  PlacedRoundBody round{body.mesh.file, body.mesh.name, {}, body, RoundBody::rounded(body.mesh.hull, 0), body.pose};
+  return round;
+}
+
+PlacedRoundBody round_of(const SpaceInput& input) { return input.round ? *input.round : rounded(*input.bounded); }
+
+class RoundPair : public PairQuestion {
+ public:
+  RoundPair(const PairCall& asked, const PlacedRoundBody& a, const PlacedRoundBody& b, const PairFiles& files)
+      : PairQuestion(asked, a.object_of(), b.object_of(), files),
+        of_a_(a),
+        of_b_(b),
+        placed_a_(a.body, a.pose),
+        placed_b_(b.body, b.pose),
+        least_(least_clearance(asked)) {
+    if (asked.distance) {
+      throw Error(ErrorCode::bad_call, "is not for bodies with a radius; ask for --clearance", "--distance");
+    }
+    if (asked.method != "automatic") {
+      throw Error(ErrorCode::bad_call, "bodies with a radius have one method; leave it out, or give automatic",
+                  "--method");
+    }
+    if (least_ > 0 && (a.body.is_curved() || b.body.is_curved())) {
+      throw Error(ErrorCode::bad_call,
+                  "is for balls, capsules, and polyhedra with or without a radius; a cylinder, a cone or an ellipsoid "
+                  "is asked only whether it meets",
+                  "--clearance");
+    }
+  }
+
+  static std::uint64_t drawn() { return 0; }
+  static std::string picture() { return ""; }  // of planar pairs only
+
+  const char* answer() const { return answer_.undecided() ? "undecided" : PairQuestion::answer(); }
+  // What is undecided is not known to be apart.
+  bool yes() const { return least_ > 0 ? !clearance_.kept : answer_.verdict() != RoundVerdict::apart; }
+
+  void ask() {
+    answer_ = round_round(placed_a_, placed_b_);
+    take(answer_, answer_.undecided() ? "nothing: the gap or the depth is below some 2^-40 of their size"
+                                      : decided_text(answer_.decided_by));
+    if (answer_.undecided()) verdict_ = "undecided";
+    if (call.classify && meet_) {
+      found_ = round_round_contact(placed_a_, placed_b_, answer_.evidence);
+      contact_ = found_.contact.value_or(Contact::none);
+    }
+    if (least_ > 0) clearance_ = round_clearance(placed_a_, placed_b_, least_);
+    // That they are apart, and so far, carries over from hulls to the meshes that they stand for.
+    const bool is_hull = of_a_.is_hull() || of_b_.is_hull();
+    const bool is_said_of_hulls = is_hull && (answer_.verdict() != RoundVerdict::apart || (least_ > 0 && !clearance_.kept));
+    if (meet_ && is_hull) verdict_ = "meet as hulls";
+    facts_ = {{"said_of", is_said_of_hulls ? "hulls" : "bodies", ""}};
+    if (!answer_.undecided()) facts_.push_back(evidence());
+    if (call.classify && meet_ && !found_.contact) {
+      facts_.push_back({"contact_unknown", true, "whether they touch or overlap is undecided"});
+    }
+    if (least_ > 0) facts_.push_back(clearance(least_, clearance_.kept, clearance_.distance.high));
+  }
+
+  std::string certificate() const {
+    if (answer_.undecided()) {
+      throw Error(ErrorCode::bad_value, "the pair is undecided, and there is no proof; leave out --certificate",
+                  "--certificate");
+    }
+    return claims_text({files_.read, files_.left_out.texts()}, [&](ClaimsWriter& file) {
+      PairClaims pairs(file);
+      const std::uint32_t a = add_round(pairs, a_.name, placed_a_), b = add_round(pairs, b_.name, placed_b_);
+      add_claims(pairs, a, placed_a_, b, placed_b_, answer_.evidence, found_);
+      if (least_ > 0) solid::add_claims(pairs, a, b, least_, clearance_);
+    });
+  }
+
+ private:
+  Fact evidence() const {
+    const solid::RoundEvidence& evidence = answer_.evidence;
+    if (answer_.meet()) {
+      const Point3 p = rounded_point_of(placed_a_, placed_b_, evidence);
+      return {"evidence", {{"point", to_json(p)}}, fmt::format("a common point at about {}", about(p))};
+    }
+    const Point3& d = evidence.direction;
+    const double largest = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+    const Point3 e{d.x / largest, d.y / largest, d.z / largest};
+    const double length = std::sqrt(e.x * e.x + e.y * e.y + e.z * e.z), gap = gap_about(placed_a_, placed_b_, evidence);
+    const Point3 unit{e.x / length + 0.0, e.y / length + 0.0, e.z / length + 0.0};
+    return {"evidence",
+            {{"direction_about", to_json(unit)}, {"gap_about", gap}},
+            fmt::format("an empty slab about {} wide across the direction of about {}", about(gap), about(unit))};
+  }
+
+  const PlacedRoundBody &of_a_, &of_b_;
+  PlacedRound placed_a_, placed_b_;
+  double least_;  // the clearance that is asked about; 0: none
+  solid::RoundAnswer answer_;
+  solid::RoundContact found_;
+  solid::RoundClearance clearance_;
+};
+
+}  // namespace
+
+PairObject PlacedRoundBody::object_of() const {
+  if (core) {
+    PairObject result = ask::object_of(*core);
+    if (body.radius() > 0) {
+      result.text += fmt::format("\nand all within {} of it", body.radius());
+      result.json["radius"] = body.radius();
+    }
+    return result;
+  }
+  PairObject result{.file = file, .name = name, .text = {}, .json = {}, .vertices = {}};
+  const std::string_view kind = io::name_of(object.kind);
+  result.json = {{"file", file}, {"name", name}, {"format", object.format}, {"shape", kind}};
+  if (body.kind() == RoundKind::ellipsoid) {
+    const auto& [m, t] = body.frame();
+    const Point3 center{t[0], t[1], t[2]}, axes{m[0], m[4], m[8]};
+    result.json["points"] = Json::array({to_json(center)});
+    result.json["semi_axes"] = to_json(axes);
+    result.text = fmt::format("{}: ellipsoid, center {}, semi-axes {}", name, exact_text(center), exact_text(axes));
+    return result;
+  }
+  const std::span<const Point3> points = body.points();
+  result.json["points"] = Json::array();
+  std::string list;
+  for (const Point3& p : points) {
+    result.json["points"].push_back(to_json(p));
+    list += (list.empty() ? "" : " to ") + exact_text(p);
+  }
+  result.json["radius"] = body.radius();
+  result.text = fmt::format("{}: {} of radius {}, {} {}", name, kind, body.radius(),
+                            points.size() == 1 ? "center" : "from", list);
+  return result;
+}
+
+int run_round_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files) {
+  if (a.flat || b.flat) {
+    throw Error(ErrorCode::bad_call,
+                "a body with a radius is asked about with what is bounded; give no line, ray or plane");
+  }
+  const PlacedRoundBody of_a = round_of(a), of_b = round_of(b);
+  RoundPair question(call, of_a, of_b, files);
+  return ask::answer(question);
+}
+
+}  // namespace sunder::ask

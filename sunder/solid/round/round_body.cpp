@@ -1,0 +1,107 @@
+#include <sunder/solid/round/round_body.h>
+
+#include <cmath>
+
+namespace sunder::solid {
+
+namespace {
+
+void require_radius(double radius) {
+  if (std::isfinite(radius) && radius >= 0) return;
+  throw Error(ErrorCode::bad_value, "a radius is a finite number that is not negative", "radius");
+}
+
+ConvexPolyhedron hull_of(std::initializer_list<Point3> points) {
+  return ConvexPolyhedron(std::span<const Point3>(points.begin(), points.size()));
+}
+
+// Two different points.
+ConvexPolyhedron axis_of(const Point3& from, const Point3& to, const char* what) {
+  ConvexPolyhedron axis = hull_of({from, to});
+  if (axis.dimension() == 0) {
+    throw Error(ErrorCode::bad_shape, "the two points are equal; give two different ones, or a ball", what);
+  }
+  return axis;
+}
+
+Pose pose_of(const RoundBody& body, const Pose& pose) {
+  require_rigid(body, pose);
+  if (body.kind() != RoundKind::ellipsoid) return pose;
+  const Affine3& frame = body.frame();
+  return compose(pose, Pose::from_matrix(frame.linear, frame.translation));
+}
+
+}  // namespace
+
+RoundBody::RoundBody(RoundKind kind, const ConvexPolyhedron& core, double radius)
+    : kind_(kind), radius_(radius), core_(core) {
+  require_radius(radius);
+}
+
+RoundBody RoundBody::ball(const Point3& centre, double radius) {
+  return {RoundKind::hull, hull_of({centre}), radius};
+}
+
+RoundBody RoundBody::capsule(const Point3& from, const Point3& to, double radius) {
+  return {RoundKind::hull, hull_of({from, to}), radius};
+}
+
+RoundBody RoundBody::rounded(const ConvexPolyhedron& core, double radius) {
+  return {RoundKind::hull, core, radius};
+}
+
+RoundBody RoundBody::cylinder(const Point3& base, const Point3& top, double radius) {
+  if (radius == 0) return capsule(base, top, 0);
+  RoundBody body(RoundKind::cylinder, axis_of(base, top, "cylinder"), radius);
+  body.ends_ = std::make_shared<const std::array<Point3, 2>>(std::array{base, top});
+  return body;
+}
+
+RoundBody RoundBody::cone(const Point3& base, const Point3& apex, double radius) {
+  if (radius == 0) return capsule(base, apex, 0);
+  RoundBody body(RoundKind::cone, axis_of(base, apex, "cone"), radius);
+  body.ends_ = std::make_shared<const std::array<Point3, 2>>(std::array{base, apex});
+  return body;
+}
+
+RoundBody RoundBody::ellipsoid(const Point3& centre, const std::array<double, 3>& semi_axes) {
+  for (const double x : semi_axes) {
+    if (std::isfinite(x) && x > 0) continue;
+    throw Error(ErrorCode::bad_value, "a semi-axis is a finite number above zero", "ellipsoid");
+  }
+  hull_of({centre});  // finite
+  RoundBody body(RoundKind::ellipsoid, hull_of({Point3{}}), 1);
+  body.ends_ = std::make_shared<const std::array<Point3, 2>>();
+  body.frame_ = {{semi_axes[0], 0, 0, 0, semi_axes[1], 0, 0, 0, semi_axes[2]}, {centre.x, centre.y, centre.z}};
+  return body;
+}
+
+std::span<const Point3> RoundBody::points() const {
+  if (kind_ == RoundKind::hull) return core_.vertices();
+  return std::span<const Point3>(*ends_).first(kind_ == RoundKind::ellipsoid ? 1 : 2);
+}
+
+void require_rigid(const RoundBody& body, const Pose& pose) {
+  if (body.is_polyhedron() || body.kind() == RoundKind::ellipsoid) return;
+  constexpr double allowed = 0x1p-20;
+  const auto& m = pose.affine().linear;
+  bool is_rigid = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 3; ++j) {
+      const double product = m[i] * m[j] + m[3 + i] * m[3 + j] + m[6 + i] * m[6 + j];
+      is_rigid = is_rigid && std::fabs(product - (i == j ? 1 : 0)) <= allowed;
+    }
+  }
+  if (is_rigid) return;
+  throw Error(ErrorCode::bad_pose,
+              "the pose scales or shears, and a radius stays as it is; give a rotation, and scale the body itself",
+              "pose");
+}
+
+PlacedRound::PlacedRound(const RoundBody& of, const Pose& at)
+    : body(of), pose(pose_of(of, at)), core(of.core(), pose), shape{of.kind(), {}, &pose.affine(), of.radius()} {
+  const std::span<const Point3> points = of.points();
+  if (of.is_curved()) std::copy(points.begin(), points.end(), shape.points.begin());
+}
+
+}  // namespace sunder::solid

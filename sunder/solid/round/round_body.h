@@ -1,0 +1,86 @@
+// Bodies with a radius: balls, capsules, rounded boxes and hulls, cylinders, cones, ellipsoids.
+// Also called: geometric primitives; sphere-swept volumes; spherocylinders; Minkowski sum with a ball.
+//
+// A body is a core, which are points of doubles, and a radius. A pose maps the core exactly; the radius stays as it is.
+// No polyhedron stands for any of them.
+#pragma once
+
+#include <sunder/base/error.h>
+#include <sunder/predicate/round_kind.h>
+#include <sunder/predicate/round_shape.h>
+#include <sunder/solid/object/convex_polyhedron.h>
+#include <sunder/solid/object/pose.h>
+#include <sunder/solid/pair/placed.h>
+
+#include <array>
+#include <memory>
+#include <span>
+
+namespace sunder::solid {
+
+// Immutable, and cheap to copy (copies share one block of memory); any number of threads may use one at once. Radii are
+// in the unit of the world. What one might assume and does not hold: a radius of zero is allowed, but for ellipsoids; a cylinder
+// or a cone of radius zero is its axis, a segment, and of kind `hull`.
+class RoundBody {
+ public:
+  // Throw Error: bad_value for a number that is not finite, a radius below zero, a semi-axis that is not above zero;
+  // bad_shape for a cylinder or cone whose two points are equal.
+  static RoundBody ball(const Point3& centre, double radius);
+  static RoundBody capsule(const Point3& from, const Point3& to, double radius);
+  static RoundBody rounded(const ConvexPolyhedron& core, double radius);  // of radius 0: the polyhedron itself
+  static RoundBody cylinder(const Point3& base, const Point3& top, double radius);
+  static RoundBody cone(const Point3& base, const Point3& apex, double radius);
+  static RoundBody ellipsoid(const Point3& centre, const std::array<double, 3>& semi_axes);  // along x, y, z
+
+  RoundKind kind() const { return kind_; }
+  double radius() const { return radius_; }
+
+  // The hull of the points: of cylinders and cones their axis, of an ellipsoid the centre.
+  const ConvexPolyhedron& core() const { return core_; }
+
+  // As certificates list them: vertices of the core; base, and top or apex; of an ellipsoid the origin, the centre of a
+  // ball of radius 1.
+  std::span<const Point3> points() const;
+
+  // Where the points are: the identity, but for an ellipsoid, which is the image of its ball under
+  // x -> diagonal x + centre.
+  const Affine3& frame() const { return frame_; }
+
+  bool is_polyhedron() const { return kind_ == RoundKind::hull && radius_ == 0; }
+
+  // Cylinders, cones and ellipsoids. (Points within a radius of a polyhedron are decided through their cores.)
+  bool is_curved() const { return kind_ != RoundKind::hull; }
+
+ private:
+  RoundBody(RoundKind kind, const ConvexPolyhedron& core, double radius);
+
+  RoundKind kind_;
+  double radius_;
+  ConvexPolyhedron core_;
+  std::shared_ptr<const std::array<Point3, 2>> ends_;  // of cylinders, cones and ellipsoids
+  Affine3 frame_{};
+};
+
+// May the body be placed so? A polyhedron, and an ellipsoid, by any pose. Others by rotations and reflections with a
+// translation, because the radius stays: columns of the linear part may be off being perpendicular and of length 1 by
+// 2^-20 at most, which is a check of what users give, in doubles. Throws Error: bad_pose.
+void require_rigid(const RoundBody& body, const Pose& pose);
+
+// A body in its place. An ellipsoid's map is compose(pose, frame), in doubles, and these are what answers are exact for.
+class PlacedRound {
+ public:
+  // Keeps a reference to the body. Throws Error as require_rigid; bad_pose where an ellipsoid's map leaves the doubles.
+  PlacedRound(const RoundBody& of, const Pose& at);
+  PlacedRound(const PlacedRound&) = delete;
+  PlacedRound& operator=(const PlacedRound&) = delete;
+
+  const RoundBody& body;
+  const Pose pose;
+  const Placed core;   // the core under the pose
+  RoundShape shape;    // of hulls: its point is not set
+
+  RoundKind kind() const { return body.kind(); }
+  double radius() const { return body.radius(); }
+};
+
+}  // namespace sunder::solid

@@ -1,0 +1,25 @@
+#include <sunder/base/contract.h>
+#include <sunder/solid/round/round_claims.h>
+
+namespace sunder::solid {
+
+std::uint32_t add_round(PairClaims& pairs, const std::string& name, const PlacedRound& placed) {
+  const RoundBody& body = placed.body;
+  const std::uint32_t index = body.is_polyhedron()
+                                  ? pairs.add_body(name, body.points())
+                                  : pairs.add_round_body(name, body.points(), body.kind(), body.radius());
+  return pairs.add_placed(name, index, placed.pose.affine());
+}
+
+void add_claims(PairClaims& pairs, std::uint32_t index_a, const PlacedRound& a, std::uint32_t index_b,
+                const PlacedRound& b, const RoundEvidence& evidence, const RoundContact& contact) {
+  SUNDER_REQUIRE(evidence.verdict != RoundVerdict::undecided);
+  if (evidence.verdict == RoundVerdict::apart) return pairs.add_apart(index_a, index_b, direction_of(evidence));
+  if (contact.contact == Contact::overlapping) return pairs.add_overlapping(index_a, index_b, contact.point);
+  if (contact.contact == Contact::touching) {
+    return pairs.add_touching(index_a, index_b, contact.point, contact.direction);
+  }
+  pairs.add_meet(index_a, index_b, common_point_of(a, b, evidence));
+}
+
+}  // namespace sunder::solid

@@ -1,0 +1,21 @@
+// What round_round says of two bodies, in certificate files (docs/claims.md, "pair", "clearance").
+#pragma once
+
+#include <sunder/certificate/pair_claims.h>
+#include <sunder/solid/round/round_contact.h>
+#include <sunder/solid/round/round_round.h>
+
+#include <cstdint>
+#include <string>
+
+namespace sunder::solid {
+
+// Adds the placed body to the table; returns its index. Keeps a view of the body's points, which must stay.
+std::uint32_t add_round(PairClaims& pairs, const std::string& name, const PlacedRound& body);
+
+// States that they are apart; that they touch, or overlap, where the contact tells; else that they meet. Requires that
+// it is decided whether they do.
+void add_claims(PairClaims& pairs, std::uint32_t index_a, const PlacedRound& a, std::uint32_t index_b,
+                const PlacedRound& b, const RoundEvidence& evidence, const RoundContact& contact = {});
+
+}  // namespace sunder::solid

@@ -1,0 +1,226 @@
+// Why a point inside of one body and in the core of the other, a polyhedron, is enough: from it a small step towards
+// the middle of that polyhedron leads to a point of its relative interior, and stays inside of the first.
+#include <sunder/predicate/stages.h>
+#include <sunder/solid/pair/contact_evidence.h>
+#include <sunder/solid/pair/spanning_vertices.h>
+#include <sunder/solid/round/round_contact.h>
+#include <sunder/solid/round/round_finish.h>
+#include <sunder/solid/round/round_propose.h>
+
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace sunder::solid {
+
+namespace {
+
+using Exact = Vector3<Dyadic>;
+
+Exact times(const Dyadic& w, const Exact& v) { return {w * v.x, w * v.y, w * v.z}; }
+Exact sum(const Exact& p, const Exact& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
+
+ExactPoint at(const CommonPoint& point) {
+  const auto& [x, y, z] = point.coordinates;
+  return {{x, y, z}, point.denominator};
+}
+
+// The point of the core that a combination makes. Requires a hull.
+ExactPoint core_point(const PlacedRound& hull, const Combination& c) {
+  ExactPoint made{{Dyadic(0.0), Dyadic(0.0), Dyadic(0.0)}, c.denominator};
+  for (const auto& [entry, numerator] : c.parts) {
+    made.at = sum(made.at, times(numerator, lift<ExactStage>(hull.core[entry])));
+  }
+  return made;
+}
+
+// Inside, as `inside` of docs/claims.md wants it; of polyhedra nothing is asked here.
+bool is_inside(const PlacedRound& body, const ExactPoint& x, const Combination& made) {
+  if (body.body.is_polyhedron()) return true;
+  if (body.body.is_curved()) return side_of(body.shape, x) == Sign::positive;
+  return nearness(core_point(body, made), body.radius(), x, 0) == Sign::positive;
+}
+
+// For a polyhedron of radius 0 of which the point is: the point moved towards its middle by 2^-bits of the way, and all
+// weights that it then has.
+ExactPoint moved_in(const PlacedRound& polyhedron, const ExactPoint& x, int bits, Combination& made) {
+  const std::vector<std::uint32_t> spanning = spanning_vertices(polyhedron.body.core());
+  const Dyadic n(static_cast<double>(spanning.size())), part = Dyadic::power_of_two(-bits), rest = Dyadic(1.0) - part;
+  // Over n times the old denominator.
+  Combination moved{{}, made.denominator * n};
+  for (const auto& [entry, numerator] : made.parts) moved.parts.push_back({entry, numerator * n * rest});
+  Exact middle{Dyadic(0.0), Dyadic(0.0), Dyadic(0.0)};
+  for (const std::uint32_t v : spanning) {
+    middle = sum(middle, lift<ExactStage>(polyhedron.core[v]));
+    const Dyadic more = made.denominator * part;
+    bool is_there = false;
+    for (auto& [entry, numerator] : moved.parts) {
+      if (entry != v) continue;
+      numerator = numerator + more;
+      is_there = true;
+    }
+    if (!is_there) moved.parts.push_back({v, more});
+  }
+  made = std::move(moved);
+  return {sum(times(n * rest, x.at), times(x.weight * part, middle)), x.weight * n};
+}
+
+// A common point that is inside of every body with a radius: made inside of a polyhedron too, if there is one. Fails
+// where it is not inside.
+std::optional<CommonPoint> inner_point(const PlacedRound& a, const PlacedRound& b, const CommonPoint& point) {
+  const ExactPoint x = at(point);
+  if (!is_inside(a, x, point.of_a) || !is_inside(b, x, point.of_b)) return std::nullopt;
+  if (!a.body.is_polyhedron() && !b.body.is_polyhedron()) return point;
+  const bool polyhedron_a = a.body.is_polyhedron();
+  const PlacedRound& other = polyhedron_a ? b : a;
+  for (int bits = 1;; bits = bits < 64 ? bits + 4 : 2 * bits) {
+    CommonPoint moved = point;
+    Combination &own = polyhedron_a ? moved.of_a : moved.of_b, &of_other = polyhedron_a ? moved.of_b : moved.of_a;
+    const ExactPoint inner = moved_in(polyhedron_a ? a : b, x, bits, own);
+    if (other.body.is_curved()) of_other = combination_of(other, inner);
+    if (!is_inside(other, inner, of_other)) continue;
+    moved.coordinates = {inner.at.x, inner.at.y, inner.at.z};
+    moved.denominator = inner.weight;
+    return moved;
+  }
+}
+
+// Does the direction part A from B weakly?
+bool parts_weakly(const PlacedRound& a, const PlacedRound& b, const std::array<Dyadic, 3>& d) {
+  const WorldDirection direction(Vector3<Dyadic>{d[0], d[1], d[2]});
+  Cost cost;
+  StageTally tally;
+  const auto shape_along = [&](const PlacedRound& body, End end) {
+    RoundShape shape = body.shape;
+    if (body.body.is_curved()) return shape;
+    Along along(direction, body.core.pose, body.core.tame);
+    shape.points[0] = body.core.graph.vertices[extreme_vertex_from(body.core, along, end, 0, cost, tally)];
+    return shape;
+  };
+  return gap_sign(direction, shape_along(a, End::greatest), shape_along(b, End::least), &tally) != Sign::negative;
+}
+
+class Contacts {
+ public:
+  Contacts(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence)
+      : a_(a), b_(b), point_(common_point_of(a, b, evidence)) {}
+
+  RoundContact decide() {
+    if (a_.body.is_polyhedron() && b_.body.is_polyhedron()) return of_polyhedra();
+    if (const auto inner = inner_point(a_, b_, point_)) return overlapping(*inner);
+    if (!a_.body.is_curved() && !b_.body.is_curved()) return of_hulls();
+    if (const auto inner = searched()) return overlapping(*inner);
+    for (const auto& [curved, other, is_a] : {std::tuple(&a_, &b_, true), std::tuple(&b_, &a_, false)}) {
+      if (!curved->body.is_curved()) continue;
+      const Sides sides(*curved, at(point_));
+      for (const std::array<Dyadic, 3>& outwards : sides.directions) {
+        const std::array<Dyadic, 3> d = is_a ? outwards : std::array{-outwards[0], -outwards[1], -outwards[2]};
+        if (parts_weakly(a_, b_, d)) return touching(d);
+      }
+      if (!other->body.is_polyhedron()) continue;
+      StageTally tally;
+      Cost cost;
+      const CurvedVerdict found = curved_polyhedron(*curved, *other, 0, cost, tally);
+      if (found.direction) {
+        const Exact& n = *found.direction;
+        const std::array<Dyadic, 3> d = is_a ? std::array{n.x, n.y, n.z} : std::array{-n.x, -n.y, -n.z};
+        if (parts_weakly(a_, b_, d)) return touching(d);
+      }
+    }
+    return {std::nullopt, point_, {}};
+  }
+
+ private:
+  // Directions out of a curved body at one of its points: across its planes, and across what is round there.
+  struct Sides {
+    std::vector<std::array<Dyadic, 3>> directions;
+
+    Sides(const PlacedRound& curved, const ExactPoint& x) {
+      if (curved.kind() == RoundKind::ellipsoid) {
+        // L^-T L^-1 (x - t - L c), up to a positive factor.
+        const std::array<Dyadic, 9> m = adjoint(curved.core.pose);
+        const Exact centre = lift<ExactStage>(Posed3{curved.shape.points[0], &curved.core.pose, false});
+        const Exact from = x.at - times(x.weight, centre);
+        const auto row = [&](std::size_t i) { return m[i] * from.x + m[i + 1] * from.y + m[i + 2] * from.z; };
+        const Exact v{row(0), row(3), row(6)};
+        const auto column = [&](std::size_t j) { return m[j] * v.x + m[3 + j] * v.y + m[6 + j] * v.z; };
+        add({column(0), column(1), column(2)});
+        return;
+      }
+      const Exact base = lift<ExactStage>(Posed3{curved.shape.points[0], &curved.core.pose, false});
+      const Exact top = lift<ExactStage>(Posed3{curved.shape.points[1], &curved.core.pose, false});
+      const Exact axis = top - base, from = x.at - times(x.weight, base);
+      const Dyadic length2 = dot(axis, axis), along = dot(from, axis);
+      const Exact across = times(length2, from) - times(along, axis);
+      if (curved.kind() == RoundKind::cylinder) {
+        add(across);
+        add(axis);
+      } else {
+        const Dyadic r(curved.radius());
+        add(sum(times(length2, across), times(r * r * (x.weight * length2 - along), axis)));
+        add(axis);
+      }
+      add({-axis.x, -axis.y, -axis.z});
+    }
+    void add(const Exact& n) {
+      if (n.x.sign() != Sign::zero || n.y.sign() != Sign::zero || n.z.sign() != Sign::zero) {
+        directions.push_back({n.x, n.y, n.z});
+      }
+    }
+  };
+
+  static RoundContact overlapping(const CommonPoint& inner) { return {Contact::overlapping, inner, {}}; }
+  RoundContact touching(const std::array<Dyadic, 3>& direction) const {
+    return {Contact::touching, point_, direction};
+  }
+
+  RoundContact of_polyhedra() const {
+    const Interiors found = interiors(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
+    return found.meet ? overlapping(found.point) : touching(found.direction);
+  }
+
+  // With a radius above 0, and no point inside yet.
+  RoundContact of_hulls() const {
+    const PolyhedronDistance distance =
+        polyhedron_polyhedron_distance(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
+    if (!distance.closest) return {std::nullopt, point_, {}};  // not so: a point of both cores is inside
+    const auto [of_a, of_b] = closest_points(*distance.closest);
+    const CommonPoint nearest = point_between(of_a, a_.radius(), of_b, b_.radius());
+    if (const auto inner = inner_point(a_, b_, nearest)) return overlapping(*inner);
+    return {Contact::touching, nearest, way_between(of_a, of_b)};
+  }
+
+  // By the search that wants points inside.
+  std::optional<CommonPoint> searched() const {
+    RoundAnswer answer;
+    StageTally tally;
+    RoundDisposal dispose(a_, b_, answer, tally, true);
+    RoundProposer<double> first(a_, b_, dispose, answer.cost);
+    bool held = first.propose(first.search.first_direction(), 0x1p-20);
+    if (!held) {
+      RoundProposer<DoubleDouble> second(a_, b_, dispose, answer.cost);
+      held = second.propose({}, 0x1p-42);
+    }
+    if (!held || !answer.meet()) return std::nullopt;
+    return inner_point(a_, b_, common_point_of(a_, b_, answer.evidence));
+  }
+
+  const PlacedRound& a_;
+  const PlacedRound& b_;
+  CommonPoint point_;
+};
+
+}  // namespace
+
+RoundContact round_round_contact(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
+  if (evidence.verdict == RoundVerdict::undecided) return {};
+  if (evidence.verdict == RoundVerdict::apart) return {Contact::none, {}, {}};
+  return Contacts(a, b, evidence).decide();
+}
+
+RoundContact round_round_contact(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b) {
+  return round_round_contact(PlacedRound(a, pose_a), PlacedRound(b, pose_b),
+                             round_round(a, pose_a, b, pose_b).evidence);
+}
+
+}  // namespace sunder::solid

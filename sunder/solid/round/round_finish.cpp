@@ -1,0 +1,431 @@
+#include <sunder/base/contract.h>
+#include <sunder/predicate/stages.h>
+#include <sunder/solid/pair/closest_features.h>
+#include <sunder/solid/pair/extreme_vertex.h>
+#include <sunder/solid/round/round_finish.h>
+
+#include <vector>
+
+namespace sunder::solid {
+
+namespace {
+
+using Exact = Vector3<Dyadic>;
+
+Exact operator+(const Exact& p, const Exact& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
+Exact times(const Dyadic& w, const Exact& v) { return {w * v.x, w * v.y, w * v.z}; }
+Exact negated_exact(const Exact& v) { return {-v.x, -v.y, -v.z}; }
+Exact image(const Point3& p, const Affine3& pose) { return lift<ExactStage>(Posed3{p, &pose, false}); }
+
+// The nearest point to the origin of the hull of up to three points: the way there, and its weights.
+struct NearestPoint {
+  ShortestWay<Dyadic> way;
+  std::array<Dyadic, 3> weights;
+};
+NearestPoint nearest_point(const VertexSet<Dyadic>& set) {
+  FlatArrows<Dyadic> arrows;
+  arrows.r = set.at[0];
+  for (std::size_t k = 1; k < set.count; ++k) arrows.e[arrows.edges++] = set.at[0] - set.at[k];
+  NearestPoint found{shortest_way(arrows), {}};
+  const std::array<Dyadic, 4> all = weights_of(arrows, found.way);
+  std::copy(all.begin() + 1, all.end(), found.weights.begin());
+  if (found.way.reach.sign() == Sign::negative) {
+    found.way.way = negated_exact(found.way.way);
+    found.way.reach = -found.way.reach;
+  }
+  return found;
+}
+
+// Only those of the set that the hull's nearest point to the origin needs.
+VertexSet<Dyadic> reduced(const VertexSet<Dyadic>& set, StageTally& tally) {
+  VertexSet<Dyadic> origin;
+  origin.add(0, {Dyadic(0.0), Dyadic(0.0), Dyadic(0.0)});
+  const FeatureVertices features = closest_features(origin, set, &tally.exact);
+  VertexSet<Dyadic> kept;
+  for (std::size_t k = 0; k < set.count; ++k) {
+    for (std::size_t j = 0; j < features.count_b; ++j) {
+      if (features.of_b(j) == set.vertex[k]) kept.add(set.vertex[k], set.at[k]);
+    }
+  }
+  return kept;
+}
+
+CommonPoint common(const PlacedRound& curved, const Exact& at, const Dyadic& weight, Combination of_polyhedron) {
+  return {{at.x, at.y, at.z}, weight, combination_of(curved, {at, weight}), std::move(of_polyhedron)};
+}
+
+// ---- Ellipsoids: L^-1 times the determinant makes balls of them.
+
+class BallAndImages {
+ public:
+  BallAndImages(const PlacedRound& ball, const PlacedRound& polyhedron)
+      : ball_(ball), polyhedron_(polyhedron), adjoint_(adjoint(ball.core.pose)) {
+    const auto& m = ball.core.pose.linear;
+    determinant_ = adjoint_[0] * Dyadic(m[0]) + adjoint_[1] * Dyadic(m[3]) + adjoint_[2] * Dyadic(m[6]);
+    centre_ = times(determinant_, lift<ExactStage>(ball.shape.points[0]));
+  }
+
+  CurvedVerdict decide(std::uint32_t near, Cost& cost, StageTally& tally) const {
+    VertexSet<Dyadic> set;
+    set.add(near, at(near));
+    while (true) {
+      ++cost.iterations;
+      set = reduced(set, tally);
+      const NearestPoint found = nearest_point(set);
+      const Exact direction = pulled(found.way.way);
+      const WorldDirection world(direction);
+      Along along(world, polyhedron_.core.pose, polyhedron_.core.tame);
+      const std::uint32_t next =
+          extreme_vertex_from(polyhedron_.core, along, End::least, set.vertex[0], cost, tally);
+      ++tally.exact;
+      if (next != set.vertex[0]) {
+        set.add(next, at(next));
+        continue;
+      }
+      const Dyadic radius = Dyadic(ball_.radius()) * determinant_;
+      CurvedVerdict verdict;
+      verdict.sign = (radius * radius * found.way.denominator - found.way.squared()).sign();
+      if (verdict.sign != Sign::positive) verdict.direction = direction;
+      if (verdict.sign == Sign::negative) return verdict;
+      Combination of_polyhedron{{}, found.way.denominator};
+      Exact sum{Dyadic(0.0), Dyadic(0.0), Dyadic(0.0)};
+      for (std::size_t k = 0; k < set.count; ++k) {
+        of_polyhedron.parts.push_back({set.vertex[k], found.weights[k]});
+        sum = sum + times(found.weights[k], lift<ExactStage>(polyhedron_.core[set.vertex[k]]));
+      }
+      verdict.point = common(ball_, sum, found.way.denominator, std::move(of_polyhedron));
+      return verdict;
+    }
+  }
+
+ private:
+  Exact at(std::uint32_t v) const {
+    const auto& t = ball_.core.pose.translation;
+    const Exact p = lift<ExactStage>(polyhedron_.core[v]) - lift<ExactStage>(Point3{t[0], t[1], t[2]});
+    const auto row = [&](std::size_t i) { return adjoint_[i] * p.x + adjoint_[i + 1] * p.y + adjoint_[i + 2] * p.z; };
+    return Exact{row(0), row(3), row(6)} - centre_;
+  }
+  Exact pulled(const Exact& n) const {
+    const auto column = [&](std::size_t j) {
+      return adjoint_[j] * n.x + adjoint_[3 + j] * n.y + adjoint_[6 + j] * n.z;
+    };
+    return {column(0), column(1), column(2)};
+  }
+
+  const PlacedRound& ball_;
+  const PlacedRound& polyhedron_;
+  std::array<Dyadic, 9> adjoint_;
+  Dyadic determinant_;
+  Exact centre_;
+};
+
+// ---- Cylinders and discs: what of the polyhedron lies between two planes across an axis.
+
+// The points p of the polyhedron with 0 <= (p - base) axis <= height.
+class Slab {
+ public:
+  // A corner of it: weights of one or two vertices, over their sum.
+  struct Corner {
+    std::array<std::uint32_t, 2> vertex{};
+    std::array<Dyadic, 2> weight;
+    std::size_t count = 0;
+    Exact across;   // (p - base) x axis, times the sum
+    Dyadic divisor;  // the sum
+  };
+
+  Slab(const PlacedRound& polyhedron, const Exact& base, const Exact& axis, const Dyadic& height, StageTally& tally)
+      : core_(polyhedron.core), base_(base), axis_(axis), height_(height), tally_(tally) {
+    const std::size_t n = core_.graph.vertices.size();
+    for (std::uint32_t v = 0; v < n; ++v) {
+      from_base.push_back(lift<ExactStage>(core_[v]) - base);
+      along.push_back(dot(from_base[v], axis));
+      over.push_back(along[v] - height);
+    }
+    for (std::uint32_t v = 0; v < n; ++v) {
+      if (along[v].sign() != Sign::negative && over[v].sign() != Sign::positive) add_vertex(v);
+      for (const std::uint32_t u : core_.body.neighbours(v)) {
+        if (u > v) continue;
+        add_crossing(u, v, along);
+        if (height.sign() != Sign::zero) add_crossing(u, v, over);
+      }
+    }
+    tally.exact += static_cast<std::uint32_t>(n);
+  }
+
+  std::vector<Corner> corners;
+  std::vector<Exact> from_base;
+  std::vector<Dyadic> along, over;
+
+  // The point of it that is nearest to the axis. Requires a corner, and that the axis does not meet it.
+  struct Nearest {
+    Exact towards;                // along `across`
+    Dyadic square, square_over;   // of the distance times |axis|, squared
+    Combination of_polyhedron;
+    Exact point;                  // over the combination's denominator
+    std::size_t corner = 0;       // one that it is made of
+  };
+  Nearest nearest_to_axis() const {
+    std::vector<std::size_t> of{0};
+    while (true) {
+      VertexSet<Dyadic> set;
+      for (const std::size_t i : of) {
+        Exact at = corners[i].across;
+        for (const std::size_t j : of) {
+          if (j != i) at = times(corners[j].divisor, at);
+        }
+        set.add(static_cast<std::uint32_t>(i), at);
+      }
+      set = reduced(set, tally_);
+      // The scale is that of all in `of`, which the distances are times of.
+      Dyadic scale(1.0);
+      for (const std::size_t i : of) scale = scale * corners[i].divisor;
+      const NearestPoint found = nearest_point(set);
+      of.assign(set.vertex.begin(), set.vertex.begin() + static_cast<std::ptrdiff_t>(set.count));
+      const Exact& n = found.way.way;
+      std::size_t least = of[0];
+      Dyadic value = dot(n, corners[least].across);
+      for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Dyadic here = dot(n, corners[i].across);
+        if ((here * corners[least].divisor - value * corners[i].divisor).sign() != Sign::negative) continue;
+        least = i;
+        value = here;
+      }
+      tally_.exact += static_cast<std::uint32_t>(corners.size());
+      if (least != of[0]) {
+        of.push_back(least);
+        continue;
+      }
+      return made(of, found, scale);
+    }
+  }
+
+  // A direction along which no vertex is less far than the point nearest to the axis: perpendicular to the axis where
+  // that will do, else turned so far towards it as a vertex beyond the slab demands.
+  Exact direction_to(const Nearest& nearest) const {
+    const Exact m = cross(axis_, nearest.towards);  // m p = towards (p x axis)
+    const Corner& corner = corners[nearest.corner];
+    const Dyadic value = dot(nearest.towards, corner.across);
+    Dyadic most(0.0), most_over(1.0);
+    Sign side = Sign::zero;
+    for (std::size_t v = 0; v < along.size(); ++v) {
+      const Dyadic lacks = value - dot(m, from_base[v]) * corner.divisor;  // times the divisor
+      if (lacks.sign() != Sign::positive) continue;
+      const bool above = over[v].sign() == Sign::positive;
+      const Dyadic beyond = above ? over[v] : -along[v];
+      if (beyond.sign() != Sign::positive) continue;  // within the slab none lacks
+      if ((lacks * most_over - most * beyond).sign() != Sign::positive) continue;
+      most = lacks;
+      most_over = beyond;
+      side = above ? Sign::positive : Sign::negative;
+    }
+    if (side == Sign::zero) return m;
+    const Dyadic turn = side == Sign::positive ? most : -most;
+    return times(corner.divisor * most_over, m) + times(turn, axis_);
+  }
+
+ private:
+  void add_vertex(std::uint32_t v) {
+    Corner c;
+    c.vertex[0] = v;
+    c.weight[0] = c.divisor = Dyadic(1.0);
+    c.count = 1;
+    c.across = cross(from_base[v], axis_);
+    corners.push_back(std::move(c));
+  }
+  void add_crossing(std::uint32_t u, std::uint32_t v, const std::vector<Dyadic>& height) {
+    if (height[u].sign() * height[v].sign() != Sign::negative) return;
+    const bool up = height[v].sign() == Sign::positive;
+    Corner c;
+    c.vertex = {u, v};
+    c.weight = {up ? height[v] : -height[v], up ? -height[u] : height[u]};
+    c.count = 2;
+    c.divisor = c.weight[0] + c.weight[1];
+    c.across = cross(times(c.weight[0], from_base[u]) + times(c.weight[1], from_base[v]), axis_);
+    corners.push_back(std::move(c));
+  }
+  Nearest made(const std::vector<std::size_t>& of, const NearestPoint& found, const Dyadic& scale) const {
+    Nearest nearest{found.way.way, found.way.squared(), found.way.denominator * scale * scale, {}, {}, of[0]};
+    // The scaled points are all `scale` times the corners: the weights are those of the corners.
+    Dyadic divisors(1.0);
+    for (const std::size_t i : of) divisors = divisors * corners[i].divisor;
+    Combination& sum = nearest.of_polyhedron;
+    sum.denominator = found.way.denominator * divisors;
+    nearest.point = {Dyadic(0.0), Dyadic(0.0), Dyadic(0.0)};
+    for (std::size_t k = 0; k < of.size(); ++k) {
+      const Corner& c = corners[of[k]];
+      Dyadic others = found.weights[k];
+      for (const std::size_t j : of) {
+        if (j != of[k]) others = others * corners[j].divisor;
+      }
+      for (std::size_t i = 0; i < c.count; ++i) {
+        const Dyadic weight = others * c.weight[i];
+        nearest.point = nearest.point + times(weight, lift<ExactStage>(core_[c.vertex[i]]));
+        add(sum, c.vertex[i], weight);
+      }
+    }
+    return nearest;
+  }
+  static void add(Combination& sum, std::uint32_t v, const Dyadic& weight) {
+    for (auto& part : sum.parts) {
+      if (part.entry == v) {
+        part.numerator = part.numerator + weight;
+        return;
+      }
+    }
+    sum.parts.push_back({v, weight});
+  }
+
+  const Placed& core_;
+  Exact base_, axis_;
+  Dyadic height_;
+  StageTally& tally_;
+};
+
+// Within the radius of the axis, between base and base + height?
+CurvedVerdict within_radius(const PlacedRound& curved, const Slab& slab, const Exact& axis) {
+  CurvedVerdict verdict;
+  if (slab.corners.empty()) {
+    verdict.sign = Sign::negative;
+    verdict.direction = slab.over[0].sign() == Sign::positive ? axis : negated_exact(axis);
+    return verdict;
+  }
+  const Slab::Nearest nearest = slab.nearest_to_axis();
+  const Dyadic r(curved.radius());
+  verdict.sign = (r * r * dot(axis, axis) * nearest.square_over - nearest.square).sign();
+  if (verdict.sign != Sign::positive) verdict.direction = slab.direction_to(nearest);
+  if (verdict.sign != Sign::negative) {
+    verdict.point = common(curved, nearest.point, nearest.of_polyhedron.denominator, nearest.of_polyhedron);
+  }
+  return verdict;
+}
+
+// ---- Cones: edges.
+
+// The points of an edge, from + t (to - from).
+class EdgeAndCone {
+ public:
+  EdgeAndCone(const PlacedRound& cone, const PlacedRound& polyhedron, const Exact& base, const Exact& axis)
+      : cone_(cone), core_(polyhedron.core), base_(base), axis_(axis), length2_(dot(axis, axis)) {}
+
+  // A point of the edge that the cone holds. Along the edge q(t) = A t^2 + B t + C is not positive where the double
+  // cone holds it; of the half between base plane and apex only some t from t0 to t1 are.
+  std::optional<CommonPoint> common_point(std::uint32_t u, std::uint32_t v) const {
+    const Exact from = lift<ExactStage>(core_[u]) - base_, way = lift<ExactStage>(core_[v]) - base_ - from;
+    const Dyadic r(cone_.radius()), r2 = r * r;
+    const Exact c = cross(from, axis_), e = cross(way, axis_);
+    const Dyadic s = dot(from, axis_), s_way = dot(way, axis_), rest = length2_ - s;
+    const Dyadic a = length2_ * dot(e, e) - r2 * s_way * s_way;
+    const Dyadic b = length2_ * dot(c, e) + r2 * rest * s_way;  // half of B
+    const Dyadic d = length2_ * dot(c, c) - r2 * rest * rest;
+    Ratio low{Dyadic(0.0), Dyadic(1.0)}, high{Dyadic(1.0), Dyadic(1.0)};
+    // 0 <= s + t s_way <= length2
+    switch (s_way.sign()) {
+      case Sign::zero:
+        if (s.sign() == Sign::negative || rest.sign() == Sign::negative) return std::nullopt;
+        break;
+      case Sign::positive:
+        low = greater(low, {-s, s_way});
+        high = lesser(high, {rest, s_way});
+        break;
+      case Sign::negative:
+        low = greater(low, {-rest, -s_way});
+        high = lesser(high, {s, -s_way});
+        break;
+    }
+    if (less(high, low)) return std::nullopt;
+    const auto holds = [&](const Ratio& t) {
+      return (a * t.n * t.n + Dyadic(2.0) * b * t.n * t.d + d * t.d * t.d).sign() != Sign::positive;
+    };
+    if (holds(low)) return made(u, v, low);
+    if (holds(high)) return made(u, v, high);
+    if (a.sign() != Sign::positive) return std::nullopt;
+    const Ratio least{-b, a};
+    if (!less(low, least) || !less(least, high) || !holds(least)) return std::nullopt;
+    return made(u, v, least);
+  }
+
+ private:
+  struct Ratio {
+    Dyadic n, d;  // d is positive
+  };
+  static bool less(const Ratio& x, const Ratio& y) { return (x.n * y.d - y.n * x.d).sign() == Sign::negative; }
+  static Ratio greater(const Ratio& x, const Ratio& y) { return less(x, y) ? y : x; }
+  static Ratio lesser(const Ratio& x, const Ratio& y) { return less(y, x) ? y : x; }
+
+  CommonPoint made(std::uint32_t u, std::uint32_t v, const Ratio& t) const {
+    const Dyadic rest = t.d - t.n;
+    Combination of_edge{{}, t.d};
+    if (rest.sign() == Sign::positive) of_edge.parts.push_back({u, rest});
+    if (t.n.sign() == Sign::positive) of_edge.parts.push_back({v, t.n});
+    const Exact at = times(rest, lift<ExactStage>(core_[u])) + times(t.n, lift<ExactStage>(core_[v]));
+    return common(cone_, at, t.d, std::move(of_edge));
+  }
+
+  const PlacedRound& cone_;
+  const Placed& core_;
+  const Exact &base_, &axis_;
+  Dyadic length2_;
+};
+
+CurvedVerdict cone_polyhedron(const PlacedRound& cone, const PlacedRound& polyhedron, const Exact& base,
+                              const Exact& axis, StageTally& tally) {
+  CurvedVerdict verdict;
+  const Slab disc(polyhedron, base, axis, Dyadic(0.0), tally);
+  if (!disc.corners.empty()) {
+    CurvedVerdict of_disc = within_radius(cone, disc, axis);
+    if (of_disc.point) {
+      verdict.point = std::move(of_disc.point);
+      return verdict;
+    }
+  }
+  const EdgeAndCone edges(cone, polyhedron, base, axis);
+  const ConvexPolyhedron& body = polyhedron.core.body;
+  const std::uint32_t n = static_cast<std::uint32_t>(body.vertices().size());
+  for (std::uint32_t v = 0; v < n; ++v) {
+    if (n == 1) verdict.point = edges.common_point(0, 0);
+    for (const std::uint32_t u : body.neighbours(v)) {
+      if (u > v || verdict.point) continue;
+      ++tally.exact;
+      verdict.point = edges.common_point(u, v);
+    }
+    if (verdict.point) return verdict;
+  }
+  verdict.sign = Sign::negative;
+  return verdict;
+}
+
+}  // namespace
+
+Combination combination_of(const PlacedRound& curved, const ExactPoint& point) {
+  const auto& [at, weight] = point;
+  const Affine3& pose = curved.core.pose;
+  if (curved.kind() == RoundKind::ellipsoid) {
+    const std::array<Dyadic, 9> m = adjoint(pose);
+    const auto& l = pose.linear;
+    const Dyadic determinant = m[0] * Dyadic(l[0]) + m[1] * Dyadic(l[3]) + m[2] * Dyadic(l[6]);
+    const auto& t = pose.translation;
+    const Exact p = at - times(weight, lift<ExactStage>(Point3{t[0], t[1], t[2]}));
+    const auto row = [&](std::size_t i) { return m[i] * p.x + m[i + 1] * p.y + m[i + 2] * p.z; };
+    return {{{0, Dyadic(1.0)}}, Dyadic(1.0), PreimagePoint{{row(0), row(3), row(6)}, determinant * weight}};
+  }
+  SUNDER_REQUIRE(curved.kind() != RoundKind::hull);
+  const Exact base = image(curved.shape.points[0], pose), axis = image(curved.shape.points[1], pose) - base;
+  const Dyadic along = dot(at - times(weight, base), axis), all = weight * dot(axis, axis);
+  Combination made{{}, all};
+  const Dyadic rest = all - along;
+  if (rest.sign() != Sign::zero) made.parts.push_back({0, rest});
+  if (along.sign() != Sign::zero) made.parts.push_back({1, along});
+  return made;
+}
+
+CurvedVerdict curved_polyhedron(const PlacedRound& curved, const PlacedRound& polyhedron, std::uint32_t near,
+                                Cost& cost, StageTally& tally) {
+  SUNDER_REQUIRE(curved.body.is_curved() && polyhedron.body.is_polyhedron());
+  if (curved.kind() == RoundKind::ellipsoid) return BallAndImages(curved, polyhedron).decide(near, cost, tally);
+  const Affine3& pose = curved.core.pose;
+  const Exact base = image(curved.shape.points[0], pose), axis = image(curved.shape.points[1], pose) - base;
+  if (curved.kind() == RoundKind::cone) return cone_polyhedron(curved, polyhedron, base, axis, tally);
+  return within_radius(curved, Slab(polyhedron, base, axis, dot(axis, axis), tally), axis);
+}
+
+}  // namespace sunder::solid

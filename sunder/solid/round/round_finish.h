@@ -1,0 +1,37 @@
+// Exact decisions about a curved body and a polyhedron of radius 0 whose cores are apart: what the search's evidence
+// did not settle.
+#pragma once
+
+#include <sunder/certificate/pair_claims.h>
+#include <sunder/solid/round/round_body.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace sunder::solid {
+
+// How a curved body and a polyhedron lie.
+struct CurvedVerdict {
+  Sign sign = Sign::zero;  // positive: they have points inside the curved body in common; zero: they touch it only
+  // A common point, where they meet: `of_curved` first.
+  std::optional<CommonPoint> point;
+  // From the curved body to the polyhedron: where they are apart one that parts them, where they touch weakly. Not of
+  // those that have more in common; of a cone it may be missing.
+  std::optional<Vector3<Dyadic>> direction;
+};
+
+// Exact. Requires a curved body, a polyhedron, and cores that are apart; near: a vertex to begin with.
+//   ellipsoid: the nearest point of the polyhedron to the centre, where the ellipsoid is a ball: a descent from features
+//     to vertices further along.
+//   cylinder: the same across the axis, of what of the polyhedron lies between the planes of base and top. O(n) exact
+//     numbers a step.
+//   cone: it meets the polyhedron where the base disc or an edge does, given that the axis does not: a facet that meets
+//     it elsewhere is cut by the axis. Along an edge, signs of a quadratic. O(n) exact numbers.
+CurvedVerdict curved_polyhedron(const PlacedRound& curved, const PlacedRound& polyhedron, std::uint32_t near,
+                                Cost& cost, StageTally& tally);
+
+// How a placed body that is curved makes a point that it holds.
+Combination combination_of(const PlacedRound& curved, const ExactPoint& point);
+
+}  // namespace sunder::solid

@@ -1,0 +1,308 @@
+// The search proposes, exact signs dispose, and where nothing holds exact methods decide.
+#include <sunder/base/contract.h>
+#include <sunder/certificate/direction.h>
+#include <sunder/predicate/common_point.h>
+#include <sunder/predicate/stages.h>
+#include <sunder/solid/pair/contact_evidence.h>
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
+#include <sunder/solid/round/round_finish.h>
+#include <sunder/solid/round/round_propose.h>
+#include <sunder/solid/round/round_round.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunder::solid {
+
+namespace {
+
+using Source = RoundEvidence::Source;
+using round_detail::is_finite, round_detail::weighted;
+
+// ---- What is exact.
+
+// A point of the core of `body`, as certificates number its points.
+Combination in_points(const PlacedRound& body, Combination of_core) {
+  if (body.kind() == RoundKind::ellipsoid) {
+    of_core.from = PreimagePoint{{Dyadic(0.0), Dyadic(0.0), Dyadic(0.0)}, Dyadic(1.0)};
+  } else if (body.body.is_curved()) {
+    for (auto& part : of_core.parts) part.entry = body.body.core().source()[part.entry];
+  }
+  return of_core;
+}
+
+class RoundFinish {
+ public:
+  RoundFinish(const PlacedRound& a, const PlacedRound& b, RoundAnswer& answer, StageTally& tally)
+      : a_(a), b_(b), answer_(answer), tally_(tally) {}
+
+  void hulls() {
+    const PolyhedronDistance distance =
+        polyhedron_polyhedron_distance(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
+    count(distance.answer);
+    if (distance.meet()) return cores(distance.answer.certificate());
+    const auto [square, over] = distance.closest->squared();
+    const Dyadic reach = Dyadic(a_.radius()) + Dyadic(b_.radius());
+    ++tally_.exact;
+    const ClosestPoints closest = closest_points(*distance.closest);
+    if ((reach * reach * over - square).sign() == Sign::negative) {
+      return apart(way_between(closest.of_a, closest.of_b));
+    }
+    meet(point_between(closest.of_a, a_.radius(), closest.of_b, b_.radius()));
+  }
+
+  // True: decided. The core of one of the bodies meets the other, or does not, and is all of its body. Requires that one
+  // is curved.
+  bool cores_decide(std::uint32_t near_a, std::uint32_t near_b) {
+    const PairAnswer of_cores = polyhedron_polyhedron(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
+    count(of_cores);
+    if (of_cores.meet()) {
+      cores(of_cores.certificate());
+      return true;
+    }
+    return core_decides(true, near_a) || core_decides(false, near_b);
+  }
+
+  // True: both hold the point, of curved bodies by their own formulas, of hulls by the exact distance of the core.
+  bool meet_at(const Point3& point) {
+    if (!is_finite(point)) return false;
+    CommonPoint common{{Dyadic(point.x), Dyadic(point.y), Dyadic(point.z)}, Dyadic(1.0), {}, {}};
+    const WeightedPoint x = weighted(point);
+    const ConvexPolyhedron as_body(std::span<const Point3>(&point, 1));
+    for (const PlacedRound* body : {&a_, &b_}) {
+      Combination& made = body == &a_ ? common.of_a : common.of_b;
+      if (body->body.is_curved()) {
+        if (side_of(body->shape, x, &tally_) == Sign::negative) return false;
+        made = combination_of(*body, exact_point(x));
+        continue;
+      }
+      const PolyhedronDistance distance =
+          polyhedron_polyhedron_distance(as_body, Pose(), body->body.core(), body->pose);
+      count(distance.answer);
+      if (!distance.closest || compare_distance(distance, body->radius()) == Sign::positive) return false;
+      made = closest_points(*distance.closest).of_b.of_body;
+    }
+    meet(std::move(common));
+    return true;
+  }
+
+ private:
+  bool core_decides(bool of_a, std::uint32_t near) {
+    const PlacedRound &own = of_a ? a_ : b_, &other = of_a ? b_ : a_;
+    const RoundBody as_body = RoundBody::rounded(own.body.core(), 0);
+    const PlacedRound core(as_body, own.pose);
+    ++tally_.exact;
+    std::optional<CommonPoint> point;
+    if (other.body.is_curved()) {
+      CurvedVerdict found = curved_polyhedron(other, core, near, answer_.cost, tally_);
+      if (!found.point && found.direction && own.body.is_polyhedron()) {
+        const auto& d = *found.direction;
+        apart(of_a ? std::array{-d.x, -d.y, -d.z} : std::array{d.x, d.y, d.z});
+        return true;
+      }
+      point = std::move(found.point);
+      if (point) std::swap(point->of_a, point->of_b);  // now the core's first
+    } else {
+      const PolyhedronDistance distance =
+          polyhedron_polyhedron_distance(own.body.core(), own.pose, other.body.core(), other.pose);
+      count(distance.answer);
+      if (distance.closest && compare_distance(distance, other.radius()) != Sign::positive) {
+        const ClosestPoints closest = closest_points(*distance.closest);
+        point = point_between(closest.of_a, 0, closest.of_b, other.radius());
+      }
+    }
+    if (!point) return false;
+    point->of_a = in_points(own, std::move(point->of_a));
+    if (!of_a) std::swap(point->of_a, point->of_b);
+    meet(std::move(*point));
+    return true;
+  }
+  void count(const PairAnswer& of) {
+    answer_.cost.probes += of.cost.probes;
+    answer_.cost.iterations += of.cost.iterations;
+    tally_.exact += of.cost.exact;
+  }
+  void cores(const PairCertificate& certificate) {
+    answer_.evidence.verdict = RoundVerdict::meet;
+    answer_.evidence.source = Source::cores;
+    answer_.evidence.of_cores = certificate;
+  }
+  void meet(CommonPoint point) {
+    answer_.evidence.verdict = RoundVerdict::meet;
+    answer_.evidence.source = Source::exact;
+    answer_.evidence.exact = std::make_shared<const CommonPoint>(std::move(point));
+  }
+  void apart(const std::array<Dyadic, 3>& direction) {
+    answer_.evidence.verdict = RoundVerdict::apart;
+    answer_.evidence.exact_direction = std::make_shared<const std::array<Dyadic, 3>>(direction);
+    const Vector3<Interval> about =
+        WorldDirection(Vector3<Dyadic>{direction[0], direction[1], direction[2]}).enclosure();
+    answer_.evidence.direction = {about.x.low, about.y.low, about.z.low};
+  }
+
+  const PlacedRound& a_;
+  const PlacedRound& b_;
+  RoundAnswer& answer_;
+  StageTally& tally_;
+};
+
+// To multiples of 2^-bits.
+Point3 snapped(const Point3& p, int bits) {
+  const auto part = [bits](double x) { return std::ldexp(std::nearbyint(std::ldexp(x, bits)), -bits); };
+  return {part(p.x), part(p.y), part(p.z)};
+}
+
+RoundAnswer of_polyhedra(const PlacedRound& a, const PlacedRound& b) {
+  const PairAnswer found = polyhedron_polyhedron(a.body.core(), a.pose, b.body.core(), b.pose);
+  RoundAnswer answer;
+  answer.decided_by = found.decided_by;
+  answer.cost = found.cost;
+  RoundEvidence& evidence = answer.evidence;
+  if (found.meet()) {
+    evidence.verdict = RoundVerdict::meet;
+    evidence.of_cores = found.certificate();
+    return answer;
+  }
+  evidence.verdict = RoundVerdict::apart;
+  const WorldDirection d = world_direction(found.certificate().direction,
+                                           {a.body.core().vertices(), a.core.pose, a.core.tame},
+                                           {b.body.core().vertices(), b.core.pose, b.core.tame});
+  if (d.is_doubles()) {
+    evidence.direction = d.doubles();
+  } else {
+    const Vector3<Dyadic> exact = d.exact();
+    const Vector3<Interval> about = d.enclosure();
+    evidence.direction = {about.x.low, about.y.low, about.z.low};
+    evidence.exact_direction =
+        std::make_shared<const std::array<Dyadic, 3>>(std::array{exact.x, exact.y, exact.z});
+  }
+  return answer;
+}
+
+RoundAnswer answer_of(const PlacedRound& a, const PlacedRound& b) {
+  if (a.body.is_polyhedron() && b.body.is_polyhedron()) return of_polyhedra(a, b);
+  RoundAnswer answer;
+  StageTally tally;
+  RoundDisposal dispose(a, b, answer, tally);
+  RoundProposer<double> first(a, b, dispose, answer.cost);
+  if (first.propose(first.search.first_direction(), 0x1p-20)) {
+    conclude(answer, tally.exact);
+    return answer;
+  }
+  RoundFinish finish(a, b, answer, tally);
+  if (!a.body.is_curved() && !b.body.is_curved()) {
+    finish.hulls();
+    conclude(answer, tally.exact, true);
+    return answer;
+  }
+  const Point3& d = first.search.direction;
+  RoundProposer<DoubleDouble> second(a, b, dispose, answer.cost);
+  const bool held = second.propose(is_finite(d) ? Vector3<DoubleDouble>{d.x, d.y, d.z} : Vector3<DoubleDouble>{},
+                                   0x1p-42);
+  if (!held && !finish.cores_decide(second.near_a, second.near_b)) {
+    // Bodies that touch mostly do so in numbers that people give.
+    for (const int bits : {40, 20, 10}) {
+      if (finish.meet_at(snapped(second.last_point, bits))) break;
+    }
+    if (answer.undecided()) answer.evidence.direction = second.best_direction;
+  }
+  conclude(answer, tally.exact, !held);
+  return answer;
+}
+
+}  // namespace
+
+CommonPoint point_between(const PointOf& p, double radius_p, const PointOf& q, double radius_q) {
+  const Dyadic r(radius_p), s(radius_q), zero(0.0);
+  const bool points = r.sign() == Sign::zero && s.sign() == Sign::zero;
+  const Dyadic of_p = points ? Dyadic(1.0) : s * q.denominator, of_q = points ? zero : r * p.denominator;
+  CommonPoint common{{}, points ? p.denominator : (r + s) * p.denominator * q.denominator, p.of_body, q.of_body};
+  for (std::size_t k = 0; k < 3; ++k) common.coordinates[k] = p.coordinates[k] * of_p + q.coordinates[k] * of_q;
+  return common;
+}
+
+std::string_view name_of(RoundVerdict verdict) {
+  switch (verdict) {
+    case RoundVerdict::apart: return "apart";
+    case RoundVerdict::meet: return "meet";
+    case RoundVerdict::undecided: break;
+  }
+  return "undecided";
+}
+
+RoundAnswer round_round(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b) {
+  return answer_of(PlacedRound(a, pose_a), PlacedRound(b, pose_b));
+}
+
+RoundAnswer round_round(const PlacedRound& a, const PlacedRound& b) { return answer_of(a, b); }
+
+Point3 rounded_point_of(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
+  const CommonPoint point = common_point_of(a, b, evidence);
+  const auto part = [&](std::size_t k) { return nearest_ratio(point.coordinates[k], point.denominator) + 0.0; };
+  return {part(0), part(1), part(2)};
+}
+
+double gap_about(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
+  RoundSearch<DoubleDouble> search(a, b);
+  const std::array<Dyadic, 3> d = direction_of(evidence);
+  const Vector3<Interval> near = WorldDirection(Vector3<Dyadic>{d[0], d[1], d[2]}).enclosure();
+  const Vector3<DoubleDouble> about{near.x.low, near.y.low, near.z.low};
+  const DoubleDouble length = round_detail::root_of(dot(about, about));
+  search.direction = {about.x / length, about.y / length, about.z / length};
+  Cost cost;
+  const DoubleDouble gap = search.gap_at(search.probe(cost)) - search.reach;
+  return std::max(nearest(gap) / search.simplex.scale, 0.0);
+}
+
+std::array<Dyadic, 3> direction_of(const RoundEvidence& evidence) {
+  SUNDER_REQUIRE(evidence.verdict == RoundVerdict::apart);
+  if (evidence.exact_direction) return *evidence.exact_direction;
+  return {Dyadic(evidence.direction.x), Dyadic(evidence.direction.y), Dyadic(evidence.direction.z)};
+}
+
+CommonPoint common_point_of(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
+  SUNDER_REQUIRE(evidence.verdict == RoundVerdict::meet);
+  const auto of_core = [](const PlacedRound& body, const RoundCombination& c) {
+    Dyadic total(0.0);
+    Combination made;
+    for (std::size_t k = 0; k < c.count; ++k) {
+      made.parts.push_back({c.vertices[k], Dyadic(c.weights[k])});
+      total = total + Dyadic(c.weights[k]);
+    }
+    made.denominator = total;
+    const ExactPoint at = exact_point(weighted(body, c));
+    return PointOf{{at.at.x, at.at.y, at.at.z}, at.weight, std::move(made)};
+  };
+  switch (evidence.source) {
+    case Source::exact: return *evidence.exact;
+    case Source::between:
+      return point_between(of_core(a, evidence.a), a.radius(), of_core(b, evidence.b), b.radius());
+    case Source::cores: {
+      const PairCertificate& c = evidence.of_cores;
+      std::array<Posed3, 5> points{};
+      const std::size_t n = std::size_t{c.count_a} + c.count_b;
+      for (std::size_t k = 0; k < n; ++k) points[k] = (k < c.count_a ? a : b).core[c.vertices[k]];
+      const std::span<const Posed3> all(points.data(), n);
+      CommonPointWeights weights = common_point_weights(all.first(c.count_a), all.subspan(c.count_a));
+      CommonPoint point{weights.point, weights.denominator, {{}, weights.denominator}, {{}, weights.denominator}};
+      for (std::size_t k = 0; k < n; ++k) {
+        (k < c.count_a ? point.of_a : point.of_b).parts.push_back({c.vertices[k], weights.numerators[k]});
+      }
+      point.of_a = in_points(a, std::move(point.of_a));
+      point.of_b = in_points(b, std::move(point.of_b));
+      return point;
+    }
+    case Source::point:
+    case Source::of_a:
+    case Source::of_b: break;
+  }
+  const ExactPoint x = evidence.source == Source::point  ? exact_point(weighted(evidence.point))
+                       : evidence.source == Source::of_a ? exact_point(weighted(a, evidence.a))
+                                                         : exact_point(weighted(b, evidence.b));
+  const auto of = [&](const PlacedRound& body, const RoundCombination& c) {
+    return body.body.is_curved() ? combination_of(body, x) : of_core(body, c).of_body;
+  };
+  return {{x.at.x, x.at.y, x.at.z}, x.weight, of(a, evidence.a), of(b, evidence.b)};
+}
+
+}  // namespace sunder::solid

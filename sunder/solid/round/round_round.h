@@ -1,0 +1,96 @@
+// Do two placed bodies with a radius meet? A polyhedron is one of radius 0, so that any two bodies are one question.
+// Also called: collision detection of primitives: sphere, capsule, box, cylinder, cone, ellipsoid, convex mesh.
+//
+// The bodies are closed: touching is meeting.
+//   R1. apart and meet are exactly right for the doubles given: never is one said of a pair of the other.
+//   R2. With each of them comes evidence in numbers that exact arithmetic has checked: a direction that parts them, or a
+//       rational point of both.
+//   R3. Decided always: two hulls, of any radii; a cylinder or an ellipsoid against a polyhedron of radius 0.
+//   R4. Other pairs may be undecided. A cone against a polyhedron of radius 0 only where no direction was found that
+//       parts what its features show to be apart; where one body is curved and the other curved, or of a radius above
+//       0, where the gap or the depth is below some 2^-40 of their size.
+//   R5. The answer and the evidence are the same for every compiler, thread count and vector unit.
+// What one might assume and does not hold: swapped bodies may get other evidence, and of undecided ones an answer.
+#pragma once
+
+#include <sunder/base/error.h>
+#include <sunder/certificate/pair_answer.h>
+#include <sunder/certificate/pair_claims.h>
+#include <sunder/solid/round/round_body.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+namespace sunder::solid {
+
+enum class RoundVerdict : std::uint8_t { apart, meet, undecided };
+
+std::string_view name_of(RoundVerdict);  // "undecided"
+
+// A point as a combination of points of a body: weight over the sum of the weights, all positive.
+struct RoundCombination {
+  std::uint8_t count = 0;
+  std::array<std::uint32_t, 4> vertices{};
+  std::array<double, 4> weights{};
+};
+
+// Plain data; exact numbers are made when asked for.
+struct RoundEvidence {
+  RoundVerdict verdict = RoundVerdict::undecided;
+
+  // apart: from A to B. Where doubles cannot hold it, `exact_direction` is set, and this one is near it. Of undecided
+  // ones: across which they touch, or nearly.
+  Point3 direction{};
+  std::shared_ptr<const std::array<Dyadic, 3>> exact_direction{};
+
+  // meet: where a common point comes from.
+  enum class Source : std::uint8_t {
+    cores,    // of the cores, by `of_cores`
+    between,  // on the way between points of both cores, `a` and `b`, divided as the radii are
+    point,    // `point`, which is doubles; of hulls, near the point of the core that `a` or `b` makes
+    of_a,     // the point of A's core that `a` makes
+    of_b,
+    exact,    // *exact
+  };
+  Source source = Source::cores;
+  Point3 point{};
+  RoundCombination a, b;
+  PairCertificate of_cores{};
+  std::shared_ptr<const CommonPoint> exact{};
+};
+
+struct [[nodiscard]] RoundAnswer {
+  RoundEvidence evidence;
+  DecidedBy decided_by = DecidedBy::filter;  // of undecided ones: what was tried last
+  Cost cost;
+
+  RoundVerdict verdict() const { return evidence.verdict; }
+  bool meet() const { return evidence.verdict == RoundVerdict::meet; }
+  bool undecided() const { return evidence.verdict == RoundVerdict::undecided; }
+};
+
+// The front door. Searches for a direction or a point in floating point, in doubles and then in double-doubles, and
+// accepts it only by exact signs (predicate/round_shape.h). Where none holds: of two hulls the exact distance of their
+// cores against the exact sum of the radii; of a curved body and a polyhedron of radius 0 an exact convex quadratic
+// program, of a cone its features. Cost: at most 100 steps of search in each precision, each of O(log n + log m) probes;
+// of the exact methods for a curved body O(n) exact numbers a step.
+// Throws Error: bad_pose (round_body.h).
+// Source of the search: Gilbert, Johnson, Keerthi 1988.
+RoundAnswer round_round(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b);
+RoundAnswer round_round(const PlacedRound& a, const PlacedRound& b);
+
+// The direction, and the common point with how each body makes it: for certificate files. Requires the verdict.
+std::array<Dyadic, 3> direction_of(const RoundEvidence& evidence);
+CommonPoint common_point_of(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence);
+
+// For people: where the common point is, rounded; how wide the empty slab across the direction is, about.
+Point3 rounded_point_of(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence);
+double gap_about(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence);
+
+// The point that divides the way from p to q as the radii are; of two radii of 0: p.
+CommonPoint point_between(const PointOf& p, double radius_p, const PointOf& q, double radius_q);
+
+}  // namespace sunder::solid

@@ -1,0 +1,131 @@
+// Is what is said of two bodies with a radius true? Fractions and plain formulas: shares no code with what it checks.
+#pragma once
+
+#include <sunder/solid/round/round_round.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace sunder::tests {
+
+using Fraction = boost::multiprecision::cpp_rational;
+
+inline Fraction fraction(double x) { return Fraction(x); }
+inline Fraction fraction(const Dyadic& x) {
+  const std::string text = fraction_text(x, Dyadic(1.0));
+  return Fraction(text);
+}
+
+using Triple = std::array<Fraction, 3>;
+
+inline Fraction dot(const Triple& p, const Triple& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
+inline Triple less(const Triple& p, const Triple& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
+
+// A body as the page of certificates defines it.
+struct OracleBody {
+  RoundKind kind;
+  std::vector<Triple> points;  // placed
+  Fraction radius;
+  std::array<Triple, 3> columns;  // of the pose's linear part
+  Triple moved;                   // its translation
+
+  explicit OracleBody(const solid::PlacedRound& placed) : kind(placed.kind()), radius(fraction(placed.radius())) {
+    const Affine3& pose = placed.pose.affine();
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t i = 0; i < 3; ++i) columns[j][i] = fraction(pose.linear[3 * i + j]);
+      moved[j] = fraction(pose.translation[j]);
+    }
+    for (const Point3& p : placed.body.points()) points.push_back(image({p.x, p.y, p.z}));
+  }
+  Triple image(const Triple& p) const {
+    Triple x = moved;
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t i = 0; i < 3; ++i) x[i] += columns[j][i] * p[j];
+    }
+    return x;
+  }
+
+  // The greatest of q + sqrt(u) over the body along d, as a list of (q, u).
+  std::vector<std::array<Fraction, 2>> reaches(const Triple& d) const {
+    std::vector<std::array<Fraction, 2>> out;
+    const Fraction dd = dot(d, d);
+    if (kind == RoundKind::ellipsoid) {
+      Fraction u = 0;
+      for (const Triple& c : columns) u += dot(c, d) * dot(c, d);
+      return {{dot(points[0], d), radius * radius * u}};
+    }
+    if (kind == RoundKind::hull) {
+      for (const Triple& p : points) out.push_back({dot(p, d), radius * radius * dd});
+      return out;
+    }
+    const Triple a = less(points[1], points[0]);
+    const Fraction u = radius * radius * (dd - dot(d, a) * dot(d, a) / dot(a, a));
+    return {{dot(points[0], d), u}, {dot(points[1], d), kind == RoundKind::cone ? Fraction(0) : u}};
+  }
+
+  // Does it hold the point, as these weights say?
+  bool holds(const Triple& x, const Combination& c) const {
+    Triple y{0, 0, 0};
+    Fraction sum = 0;
+    const Fraction over = fraction(c.denominator);
+    std::vector<Fraction> weight(points.size(), 0);
+    for (const auto& [entry, numerator] : c.parts) {
+      if (entry >= points.size()) return false;
+      weight[entry] += fraction(numerator) / over;
+    }
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (weight[k] < 0) return false;
+      sum += weight[k];
+      for (std::size_t i = 0; i < 3; ++i) y[i] += weight[k] * points[k][i];
+    }
+    if (sum != 1) return false;
+    if (kind == RoundKind::ellipsoid) {
+      if (!c.from) return false;
+      Triple v, centre{0, 0, 0};
+      for (std::size_t i = 0; i < 3; ++i) v[i] = fraction(c.from->coordinates[i]) / fraction(c.from->denominator);
+      return image(v) == x && dot(v, v) <= radius * radius;  // the ball's centre is the origin
+    }
+    if (c.from) return false;
+    const Triple way = less(x, y);
+    if (kind == RoundKind::hull) return dot(way, way) <= radius * radius;
+    if (dot(way, less(points[1], points[0])) != 0) return false;
+    const Fraction reach = kind == RoundKind::cone ? radius * weight[0] : radius;
+    return dot(way, way) <= reach * reach;
+  }
+};
+
+// g > sqrt(u) + sqrt(v)?
+inline bool is_beyond(const Fraction& g, const Fraction& u, const Fraction& v) {
+  if (g <= 0) return false;
+  const Fraction rest = g * g - u - v;  // > 2 sqrt(u v)?
+  return rest > 0 ? rest * rest > 4 * u * v : false;
+}
+
+inline bool is_parted(const OracleBody& a, const OracleBody& b, const Triple& d) {
+  const Triple back{-d[0], -d[1], -d[2]};
+  for (const auto& [q, u] : a.reaches(d)) {
+    for (const auto& [minus_p, v] : b.reaches(back)) {
+      if (!is_beyond(-minus_p - q, u, v)) return false;
+    }
+  }
+  return true;
+}
+
+// Is the answer's evidence that of its verdict? Nothing of undecided ones.
+inline bool is_proved(const solid::PlacedRound& a, const solid::PlacedRound& b, const solid::RoundEvidence& evidence) {
+  const OracleBody of_a(a), of_b(b);
+  if (evidence.verdict == solid::RoundVerdict::apart) {
+    const std::array<Dyadic, 3> d = solid::direction_of(evidence);
+    return is_parted(of_a, of_b, {fraction(d[0]), fraction(d[1]), fraction(d[2])});
+  }
+  const CommonPoint point = solid::common_point_of(a, b, evidence);
+  Triple x;
+  for (std::size_t i = 0; i < 3; ++i) x[i] = fraction(point.coordinates[i]) / fraction(point.denominator);
+  return of_a.holds(x, point.of_a) && of_b.holds(x, point.of_b);
+}
+
+}  // namespace sunder::tests
