@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
-#include <system_error>
 
 namespace sunder::io {
 namespace {
@@ -269,12 +267,6 @@ class UrdfParser {
   std::vector<Source> sources_;
 };
 
-// The part behind "SCHEME://", or nothing where the name has another or no scheme.
-std::optional<std::string> behind_scheme(const std::string& written, std::string_view scheme) {
-  if (!written.starts_with(scheme)) return std::nullopt;
-  return written.substr(scheme.size());
-}
-
 }  // namespace
 
 Robot parse_urdf(std::string_view bytes, std::string_view place) { return UrdfParser(bytes, place).parse(); }
@@ -292,49 +284,6 @@ std::array<Point3, 8> box_corners(const std::array<double, 3>& size) {
                   (i & 4 ? 0.5 : -0.5) * size[2] + 0.0};
   }
   return corners;
-}
-
-fs::path resolve_mesh(const std::string& written, const fs::path& robot_folder, std::span<const fs::path> search) {
-  std::vector<fs::path> folders(search.begin(), search.end());
-  folders.push_back(robot_folder);
-  std::vector<fs::path> candidates;
-  std::error_code ignored;
-  const fs::path home = (fs::current_path(ignored) / robot_folder).lexically_normal();
-
-  auto inside = behind_scheme(written, "package://");
-  if (!inside) inside = behind_scheme(written, "model://");
-  if (inside) {
-    // The name with its package, without it, and so on down to the bare name.
-    std::vector<fs::path> parts;
-    for (const fs::path& part : fs::path(*inside).relative_path()) parts.push_back(part);
-    for (std::size_t skip = 0; skip < parts.size(); ++skip) {
-      fs::path rest;
-      for (std::size_t i = skip; i < parts.size(); ++i) rest /= parts[i];
-      if (skip == 1) {
-        for (fs::path above = home; above.has_relative_path(); above = above.parent_path()) {
-          if (above.filename() == parts[0]) candidates.push_back(above / rest);
-        }
-      }
-      for (const fs::path& folder : folders) candidates.push_back(folder / rest);
-    }
-  } else if (const auto absolute = behind_scheme(written, "file://")) {
-    candidates.push_back(*absolute);
-  } else if (written.find("://") != std::string::npos) {
-    fail_file(written, "meshes are not fetched from the net; store the file and name it");
-  } else if (fs::path(written).is_absolute()) {
-    candidates.push_back(written);
-  } else {
-    for (const fs::path& folder : folders) candidates.push_back(folder / written);
-  }
-
-  std::string tried;
-  for (const fs::path& candidate : candidates) {
-    if (fs::is_regular_file(candidate, ignored)) return candidate;
-    if (!tried.empty()) tried += ", ";
-    tried += one_line(candidate.string());
-  }
-  fail_file(written,
-            fmt::format("no such mesh; tried: {}; name the folder to search", tried.empty() ? "nothing" : tried));
 }
 
 }  // namespace sunder::io
