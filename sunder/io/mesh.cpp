@@ -75,9 +75,9 @@ MeshFormat mesh_format_of_name(const std::filesystem::path& path) {
               one_line(path.string()));
 }
 
-Mesh parse_mesh(std::string_view bytes, std::string_view place, MeshFormat format) {
+Mesh parse_mesh(std::string_view bytes, std::string_view place, MeshFormat format, PartsOf parts) {
   switch (format) {
-    case MeshFormat::obj: return parse_obj(bytes, place);
+    case MeshFormat::obj: return parse_obj(bytes, place, parts);
     case MeshFormat::stl: return parse_stl(bytes, place);
     case MeshFormat::ply: return parse_ply(bytes, place);
     case MeshFormat::off: return parse_off(bytes, place);
@@ -88,14 +88,15 @@ Mesh parse_mesh(std::string_view bytes, std::string_view place, MeshFormat forma
   throw Error(ErrorCode::bad_call, "unknown mesh format");
 }
 
-Mesh read_mesh(const std::filesystem::path& path, InputFiles* inputs) {
+Mesh read_mesh(const std::filesystem::path& path, InputFiles* inputs, PartsOf parts) {
   const std::string bytes = read_file(path, inputs);
   const std::string place = path.string();
   const MeshFormat format = mesh_format(bytes, place);
   const FileReader read_beside = [&](const std::filesystem::path& name) {
     return read_file(path.parent_path() / name, inputs);
   };
-  Mesh mesh = format == MeshFormat::gltf ? parse_gltf(bytes, place, read_beside) : parse_mesh(bytes, place, format);
+  Mesh mesh =
+      format == MeshFormat::gltf ? parse_gltf(bytes, place, read_beside) : parse_mesh(bytes, place, format, parts);
   if (mesh.name.empty()) mesh.name = one_line(path.stem().string());
   return mesh;
 }

@@ -18,6 +18,9 @@ namespace sunder::io {
 
 enum class MeshFormat { obj, stl, ply, off, collada, gltf, vrml };  // the last three are only read
 
+// What makes a part: an object, or in OBJ also a group ("g NAME"), such as the pieces of a convex decomposition.
+enum class PartsOf { objects, objects_and_groups };
+
 // An object within a file: an OBJ's "o NAME", an ASCII STL's "solid NAME", a mesh in a node of a scene.
 struct MeshPart {
   std::string name;         // one line of UTF-8; may be empty
@@ -28,7 +31,8 @@ struct MeshPart {
 //
 // A mesh that a reader returns has these properties:
 // M1. There is a vertex, and every coordinate is finite and not -0. There are fewer than 2^31 vertices.
-// M2. Vertex i is the file's i-th, for OBJ, PLY and OFF; for COLLADA and VRML the i-th of all instances in their order.
+// M2. Vertex i is the file's i-th, for OBJ, PLY and OFF; for COLLADA and VRML the i-th in use, of all instances in
+//     their order.
 //     In STL and glTF faces do not share vertices: there equal points are joined into one, in the order of their first
 //     appearance.
 // M3. polygon_begin has one entry more than there are polygons, begins with 0 and ends with polygon_vertices.size();
@@ -56,10 +60,10 @@ struct Mesh {
 // "FILE: byte OFFSET: " (binary) or "FILE: ". A file is taken whole or refused: nothing in it is guessed or repaired.
 // Cost: linear in the size of the file, n log n for STL; memory a small multiple of the file, whatever its header says.
 // inputs: as of read_file (file.h).
-Mesh read_mesh(const std::filesystem::path& path, InputFiles* inputs = nullptr);
+Mesh read_mesh(const std::filesystem::path& path, InputFiles* inputs = nullptr, PartsOf parts = PartsOf::objects);
 
 // As read_mesh, from memory. place: the file's name for messages.
-Mesh parse_mesh(std::string_view bytes, std::string_view place, MeshFormat format);
+Mesh parse_mesh(std::string_view bytes, std::string_view place, MeshFormat format, PartsOf parts = PartsOf::objects);
 
 // The format of these bytes, where they tell it.
 std::optional<MeshFormat> mesh_format_of_content(std::string_view bytes);

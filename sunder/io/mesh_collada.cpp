@@ -266,7 +266,23 @@ class ColladaParser {
     XmlFile::each_child(*mesh, [&](const XMLElement& child) {
       if (is_primitive(child)) read_primitive(child, id == nullptr ? "" : id, geometry);
     });
+    keep_used_vertices(geometry);
     return geometry;
+  }
+
+  // A source is a store of numbers; what no polygon names is no part of the mesh.
+  static void keep_used_vertices(Geometry& geometry) {
+    std::vector<bool> in_use(geometry.vertices.size());
+    for (const std::uint32_t corner : geometry.corners) in_use[corner] = true;
+    std::vector<std::uint32_t> number(geometry.vertices.size());
+    std::uint32_t count = 0;
+    for (std::size_t v = 0; v < number.size(); ++v) {
+      if (!in_use[v]) continue;
+      geometry.vertices[count] = geometry.vertices[v];
+      number[v] = count++;
+    }
+    geometry.vertices.resize(count);
+    for (std::uint32_t& corner : geometry.corners) corner = number[corner];
   }
 
   static bool is_primitive(const XMLElement& element) {

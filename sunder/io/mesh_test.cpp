@@ -200,6 +200,16 @@ TEST(MeshObj, CountsBackwardsFromWhereItIs) {
   EXPECT_EQ(mesh.polygon_vertices, (std::vector<std::uint32_t>{0, 1, 2, 3, 2, 0}));
 }
 
+TEST(MeshObj, GroupsArePartsWhereAskedFor) {
+  const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng left all\nf 1 2 3\ng right all\nf 1 2 4\nf 1 3 4\n";
+  EXPECT_EQ(parse(text, MeshFormat::obj).parts.size(), 1u);
+  const Mesh mesh = parse_mesh(text, "test", MeshFormat::obj, PartsOf::objects_and_groups);
+  ASSERT_EQ(mesh.parts.size(), 2u);
+  EXPECT_EQ(mesh.parts[0].name, "left");
+  EXPECT_EQ(mesh.parts[1].name, "right");
+  EXPECT_EQ(mesh.parts[1].first, 1u);
+}
+
 TEST(MeshObj, DoesNotContinueComments) {
   const Mesh mesh = parse("# C:\\folder\\\nv 0 0 0 # end \\\nv 1 1 1\n", MeshFormat::obj);
   EXPECT_EQ(mesh.vertices.size(), 2u);

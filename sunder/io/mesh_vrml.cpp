@@ -156,7 +156,6 @@ struct Node {
   std::vector<std::uint32_t> polygon_begin{0}, corners{};  // of faces
   std::uint32_t largest = 0;                               // of `corners`
   std::size_t line_of_largest = 0;
-  bool used_again = false;  // named by USE
 };
 
 class VrmlParser {
@@ -207,7 +206,6 @@ class VrmlParser {
       if (name.kind != Kind::word || found == known_.end()) {
         fail(name, fmt::format("USE names {}, which no DEF before it has; export the mesh again", shown(name)));
       }
-      nodes_[found->second].used_again = true;
       return found->second;
     }
     if (first.word != "DEF") return node(first, {}, depth);
@@ -472,8 +470,8 @@ class VrmlParser {
     if (coordinates == nullptr) return;
     builder_.begin_part(name);
     budget_.spend(count + faces.corners.size());
-    // Of points that serve several sets of faces, only those in use.
-    std::vector<bool> in_use(count, !coordinates->used_again);
+    // Points are a store that several sets of faces may share; those that none names are no part of the mesh.
+    std::vector<bool> in_use(count);
     for (const std::uint32_t corner : faces.corners) in_use[corner] = true;
     std::vector<std::uint32_t> vertex(count);
     for (std::size_t i = 0; i < count; ++i) {

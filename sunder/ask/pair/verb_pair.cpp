@@ -176,7 +176,8 @@ Verb pair_verb() {
       "Do two convex objects meet? A common point, or what parts them.",
       "0 apart, or with --clearance that far apart; 1 meet, or not that far apart",
       {{"A", &call->a.file,
-        "a mesh or a set of points: OBJ, STL, PLY, OFF; a point, segment, flat polygon, line, ray or plane of space: "
+        "a mesh or a set of points: OBJ, STL, PLY, OFF, DAE, glTF, WRL; a point, segment, flat polygon, line, ray or "
+        "plane of space: "
         "JSON, WKT Z; or a planar object: WKT, GeoJSON, CSV. Planar lines, rays, half-planes: in CSV "
         "line,x1,y1,x2,y2 (ray, half-plane), in WKT LINE (x1 y1, x2 y2) (RAY, HALFPLANE)",
         "", true},

@@ -57,7 +57,8 @@ std::string listed(const std::vector<std::string>& names) {
 }  // namespace
 
 SceneInput::SceneInput(const std::vector<std::string>& files, const std::vector<std::string>& poses,
-                       bool require_convex, bool leave_out, InputFiles* inputs, const io::Packages& packages)
+                       bool require_convex, bool leave_out, InputFiles* inputs, const io::Packages& packages,
+                       io::PartsOf parts)
     : left_out_(leave_out) {
   for (const std::string& word : files) {
     std::string file = word;
@@ -72,7 +73,7 @@ SceneInput::SceneInput(const std::vector<std::string>& files, const std::vector<
     if (is_urdf(file)) {
       add_robot(file, require_convex, inputs, packages);
     } else {
-      add_mesh(file, require_convex, inputs);
+      add_mesh(file, require_convex, inputs, parts);
     }
   }
   for (const std::string& text : poses) {
@@ -105,11 +106,11 @@ std::string SceneInput::unused_name(const std::string& wish) const {
   return name;
 }
 
-void SceneInput::add_mesh(const std::string& file, bool require_convex, InputFiles* inputs) {
+void SceneInput::add_mesh(const std::string& file, bool require_convex, InputFiles* inputs, io::PartsOf parts) {
   Body body;
   body.name = inputs_.back().name;
   body.input = inputs_.size() - 1;
-  for (MeshBody& object : io::read_bodies(file, require_convex, left_out_, inputs)) {
+  for (MeshBody& object : io::read_bodies(file, require_convex, left_out_, inputs, parts)) {
     std::string name = object.name;
     body.parts.push_back({std::move(name), std::move(object), solid::Pose()});
   }

@@ -23,9 +23,10 @@ class SceneInput {
  public:
   // Each name is a file, or FILE@POSE. poses: "NAME=POSE" each, NAME as shown by `names`. Where leave_out, shapes of
   // a robot that are not read, also meshes, are left out. inputs: as of io::read_file. packages: where the robot's
-  // meshes are. Throws Error, also where there is no body at all.
+  // meshes are. parts: of meshes, but those of a robot. Throws Error, also where there is no body at all.
   SceneInput(const std::vector<std::string>& files, const std::vector<std::string>& poses, bool require_convex,
-             bool leave_out, InputFiles* inputs, const io::Packages& packages = {});
+             bool leave_out, InputFiles* inputs, const io::Packages& packages = {},
+             io::PartsOf parts = io::PartsOf::objects);
 
   // The bodies in the order of the files; links without shapes are none. Throws Error for joints that do not exist or
   // are out of their limits.
@@ -63,7 +64,7 @@ class SceneInput {
     solid::Pose pose;
   };
 
-  void add_mesh(const std::string& file, bool require_convex, InputFiles* inputs);
+  void add_mesh(const std::string& file, bool require_convex, InputFiles* inputs, io::PartsOf parts);
   void add_robot(const std::string& file, bool require_convex, InputFiles* inputs, const io::Packages& packages);
   void require_some_body() const;
   std::string unused_name(const std::string& wish) const;

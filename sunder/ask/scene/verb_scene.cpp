@@ -30,6 +30,7 @@ struct Call : QuestionCall {
   std::vector<std::string> files, poses, joints, joints_files, allow, states, packages;
   std::string srdf;
   bool classify = false;
+  bool groups = false;
   bool require_convex = false;
   bool leave_out = false;
 };
@@ -106,7 +107,8 @@ int run(const Call& call) {
   InputFiles files;
   InputFiles* const inputs = call.proves() ? &files : nullptr;
   const io::Srdf srdf = call.srdf.empty() ? io::Srdf{} : io::read_srdf(call.srdf, inputs);
-  const SceneInput input(call.files, call.poses, call.require_convex, call.leave_out, inputs, packages_of(call));
+  const SceneInput input(call.files, call.poses, call.require_convex, call.leave_out, inputs, packages_of(call),
+                         call.groups ? io::PartsOf::objects_and_groups : io::PartsOf::objects);
   const std::vector<io::JointValues> placements = joints_of(call, srdf, input, inputs);
   require_apart(call, input);
   if (!call.svg.empty()) require_drawable(call, input, placements.size());
@@ -175,6 +177,7 @@ Verb scene_verb() {
        {"--allow", &call->allow,
         "what may meet: adjacent (links joined by a joint), touch, NAME,NAME, or a file with two names a line", "WHAT"},
        {"--method", &call->method, "automatic, gjk, hierarchy, or scan", "NAME"},
+       {"--groups", &call->groups, "the groups (g) of an OBJ file are parts of their own, as its objects (o) are"},
        {"--classify", &call->classify, "tell touching from overlapping"},
        {"--require-convex", &call->require_convex, "a mesh that is not exactly convex is an error"},
        {"--leave-out", &call->leave_out, leave_out_help},
