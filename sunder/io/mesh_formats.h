@@ -1,6 +1,7 @@
 // What each format of meshes allows. Readers of any of them ask mesh.h. Errors: see read_mesh.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/io/mesh.h>
 
 #include <filesystem>
