@@ -73,11 +73,60 @@ TEST_F(Program, SceneOfMeshes) {
   EXPECT_EQ(run("scene " + panda + ready + " --allow adjacent " + cube + "@0,0,-0.45").code, 1);  // under its base
 }
 
+TEST_F(Program, SceneByAnSrdf) {
+  const std::string arm = "scene " + cases + "/mesh/arm.urdf --leave-out --srdf " + cases + "/scene/arm.srdf";
+  const json j = report(arm + " --state up,hand/open --state hand/closed", 1);
+  ASSERT_EQ(j["placements"].size(), 2u);
+  EXPECT_EQ(j["placements"][0]["name"], "up,hand/open");
+  EXPECT_EQ(j["placements"][0]["joints"], (json{{"shoulder", 1}, {"elbow", -1.5}, {"slide", 1.5}}));
+  EXPECT_EQ(j["allowed_pairs"], json::array({json::array({"base", "upper"}), json::array({"base", "lower"})}));
+  EXPECT_EQ(j["totals"]["allowed"], 4);
+  std::string notes;
+  for (const json& note : j["notes"]) notes += note.get<std::string>() + "\n";
+  EXPECT_NE(notes.find("arm.srdf allows 2 pairs: 1 Adjacent, 1 Never\n"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("links without a shape are passed over: tool, finger\n"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("links that the robot does not have are passed over: gone\n"), std::string::npos) << notes;
+  expect_bad(arm + " --state down", "there is no state 'down'");
+
+  write_text(in_folder("allow"), "upper lower\nupper tool\nbase upper\nlower base\n");
+  const json by_file = report("scene " + cases + "/mesh/arm.urdf --leave-out --allow " + in_folder("allow"), 0);
+  EXPECT_EQ(by_file["totals"]["allowed"], 3);
+  EXPECT_NE(by_file["notes"].dump().find("links without a shape are passed over: tool"), std::string::npos);
+}
+
+TEST_F(Program, SceneBeyondLimitsIsAskedAbout) {
+  const json j = report("scene " + panda + " --allow adjacent --joints panda_joint1=9 --joints panda_joint1=-9", 1);
+  EXPECT_EQ(j["placements"][0]["joints"]["panda_joint1"], 9);
+  EXPECT_NE(
+      j["notes"].dump().find("joint 'panda_joint1' is at 9, beyond its limits from -2.8973 to 2.8973; and 1 more"),
+      std::string::npos)
+      << j["notes"];
+}
+
+TEST_F(Program, SceneOfEveryFormat) {
+  for (const char* ending : {"dae", "gltf", "glb", "wrl"}) {
+    const std::string pair = cases + "/mesh/two_nodes." + (std::string(ending) == "glb" ? "gltf" : ending);
+    const json j = report("scene " + pair + " " + cases + "/mesh/cube." + ending + "@10.5,0.5,0.5", 1);
+    EXPECT_EQ(j["bodies"][0]["parts"].size(), 2u) << ending;
+    EXPECT_EQ(j["count"], 1) << ending;
+  }
+  write_text(in_folder("g.obj"),
+             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 9 0 0\nv 8 0 0\nv 9 1 0\nv 9 0 1\n"
+             "g a\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\ng b\nf 5 6 7\nf 5 8 6\nf 5 7 8\nf 6 8 7\n");
+  const std::string between = in_folder("g.obj") + " " + cube + "@4.5,0,0";
+  EXPECT_EQ(report("scene " + between, 1)["bodies"][0]["parts"].size(), 1u);
+  EXPECT_EQ(report("scene --groups " + between, 0)["bodies"][0]["parts"].size(), 2u);
+}
+
 TEST_F(Program, BadScenes) {
   const std::string arm = "scene " + panda;
   expect_bad(arm + " --joints panda_joint1", "'panda_joint1' is no joint with a value");
   expect_bad(arm + " --joints panda_joint1=x", "'x' is not a number");
-  expect_bad(arm + " --joints panda_joint1=9", "out of the limits");
+  expect_bad(arm + " --package panda", "--package: 'panda' is not of the form NAME=FOLDER");
+  expect_bad(arm + " --package panda=/no/such", "'/no/such' is no folder");
+  expect_bad(arm + " --state up", "--srdf");
+  expect_bad("scene " + cube + " --srdf " + cases + "/scene/arm.srdf", "there is no robot that this could be about");
+  expect_bad(arm + " --srdf " + cases + "/panda/panda.urdf", "this is a URDF, and an SRDF is expected");
   expect_bad(arm + " --joints elbow=1", "joint 'elbow'");
   expect_bad(arm + " --joints panda_joint1=0,panda_joint1=1", "comes twice");
   expect_bad(arm + " --joints-file " + in_folder("none"), "no such file");

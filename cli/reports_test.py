@@ -117,6 +117,8 @@ pair repeated.wkt cases/planar-pair/plate.wkt --mend
 pair pyramid.obj pyramid.obj --pose-b TWIST
 scene cases/panda/panda.urdf --allow adjacent --allow touch --joints-file cases/scene/folded.joints
 scene cases/panda/panda.urdf --joints panda_joint1=0.5 --joints home:panda_joint2=0.1 --svg OUT --classify
+scene cases/mesh/arm.urdf --leave-out --srdf cases/scene/arm.srdf --state up --state hand/open --certificate OUT
+scene cases/mesh/two_nodes.dae cases/mesh/two_nodes.wrl@0,0,9 cases/mesh/two_nodes.gltf@0,9,0 --groups
 scene cases/mesh/cube.obj cases/mesh/cube.obj@1,0,0 cases/mesh/cube.obj@9,0,0 --allow cube,cube#2 --certificate OUT
 segments cases/boards/two_nets.kicad_pcb --centre-lines
 segments cases/boards/crossing_nets.kicad_pcb --centre-lines --all --across-layers --geojson OUT

@@ -1,5 +1,6 @@
-// Any bytes, read as URDF. Seeds: cases/mesh, cases/broken, cases/panda.
+// Any bytes, read as URDF and as SRDF. Seeds: cases/mesh, cases/broken, cases/panda, cases/scene.
 #include <fuzz/mesh_fuzz.h>
+#include <sunder/io/srdf.h>
 #include <sunder/io/urdf.h>
 #include <sunder/io/urdf_kinematics.h>
 
@@ -31,9 +32,15 @@ void check(const sunder::io::Robot& robot) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::string_view file = "fuzz";
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  try {
+    for (const auto& pair : sunder::io::parse_srdf(bytes, file).disabled) require(pair.links[0] != pair.links[1], "S2");
+  } catch (const sunder::Error& error) {
+    sunder::fuzz::check_message(error, file);
+  }
   sunder::io::Robot robot;
   try {
-    robot = sunder::io::parse_urdf({reinterpret_cast<const char*>(data), size}, file);
+    robot = sunder::io::parse_urdf(bytes, file);
   } catch (const sunder::Error& error) {
     sunder::fuzz::check_message(error, file);
     return 0;

@@ -79,7 +79,7 @@ Verb hull_verb() {
   return {"hull",
           "The exact convex hull of a mesh or a set of points.",
           codes_of_reports,
-          {{"FILE", &call->file, "a mesh or a set of points: OBJ, STL, PLY, OFF", "", true},
+          {{"FILE", &call->file, "a mesh or a set of points: OBJ, STL, PLY, OFF, DAE, glTF, WRL", "", true},
            {"-o,--out", &call->out, "write the hull here: .obj, .off, .ply or .stl", "FILE"},
            certificate_option(call->certificate),
            {"--leave-out", &call->leave_out, leave_out_help},

@@ -36,11 +36,15 @@ struct Format {
   const char *name, *endings, *access, *what;
 };
 
-constexpr std::array<Format, 10> formats{
+constexpr std::array<Format, 14> formats{
     {{"OBJ", ".obj", "read, write", "Wavefront; objects are parts of a body"},
      {"STL", ".stl", "read, write", "binary (read; single precision) and ASCII; equal points are joined"},
      {"PLY", ".ply", "read, write", "ASCII, and binary of either byte order (read)"},
      {"OFF", ".off", "read, write", "Object File Format, ASCII"},
+     {"COLLADA", ".dae", "read", "meshes in nodes, each a part; double precision, in metres by its unit"},
+     {"glTF", ".gltf", "read", "glTF 2.0, meshes in nodes, each a part; single precision, metres"},
+     {"glTF", ".glb", "read", "the same in one binary file"},
+     {"VRML", ".wrl", "read", "VRML 2, sets of faces, each a part, such as convex decompositions"},
      {"URDF", ".urdf", "read", "robots: links with meshes and boxes, joints with limits"},
      {"CSV", ".csv", "read", "segments: x1,y1,x2,y2; circles: x,y,r; half-planes: a,b,c; others by name"},
      {"WKT", ".wkt", "read", "lines and polygons, a geometry on each line; their edges are segments"},

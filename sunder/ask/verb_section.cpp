@@ -297,7 +297,7 @@ Verb section_verb() {
   return {"section",
           "What do a convex body and planes have in common? Points, segments, convex polygons.",
           "0 no plane meets the body; 1 some do",
-          {{"FILE", &call->file, "a mesh or a set of points: OBJ, STL, PLY, OFF", "", true},
+          {{"FILE", &call->file, "a mesh or a set of points: OBJ, STL, PLY, OFF, DAE, glTF, WRL", "", true},
            {.name = "--plane",
             .value = &call->planes,
             .help = fmt::format("{}; a file .json with a plane, as of pair; may be given again", io::plane_forms),

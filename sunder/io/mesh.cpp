@@ -15,7 +15,7 @@
 namespace sunder::io {
 namespace {
 
-constexpr std::string_view remedy = "export the mesh as OBJ, STL, PLY or OFF";
+constexpr std::string_view remedy = "export the mesh as OBJ, STL, PLY, OFF, COLLADA, glTF or VRML";
 
 std::optional<MeshFormat> format_of_ending(const std::filesystem::path& path) {
   const std::string ending = ending_of(path.string());
@@ -23,6 +23,9 @@ std::optional<MeshFormat> format_of_ending(const std::filesystem::path& path) {
   if (ending == ".stl") return MeshFormat::stl;
   if (ending == ".ply") return MeshFormat::ply;
   if (ending == ".off") return MeshFormat::off;
+  if (ending == ".dae") return MeshFormat::collada;
+  if (ending == ".gltf" || ending == ".glb") return MeshFormat::gltf;
+  if (ending == ".wrl" || ending == ".vrml") return MeshFormat::vrml;
   return std::nullopt;
 }
 
@@ -30,10 +33,19 @@ bool is_any_of(std::string_view word, std::initializer_list<std::string_view> wo
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+bool has_in_head(std::string_view bytes, std::string_view text) {
+  return bytes.substr(0, 4096).find(text) != std::string_view::npos;
+}
+
 }  // namespace
 
 std::optional<MeshFormat> mesh_format_of_content(std::string_view bytes) {
   if (is_binary_stl(bytes)) return MeshFormat::stl;
+  if (bytes.starts_with("glTF")) return MeshFormat::gltf;
+  if (bytes.starts_with("#VRML V2.0 utf8")) return MeshFormat::vrml;
+  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+  if (trimmed(bytes.substr(0, 4096)).starts_with('<') && has_in_head(bytes, "<COLLADA")) return MeshFormat::collada;
+  if (trimmed(bytes.substr(0, 4096)).starts_with('{') && has_in_head(bytes, "\"asset\"")) return MeshFormat::gltf;
   TextReader reader(bytes, "", {.comments = true, .continued = false});
   const std::string_view word = reader.word_of_any_line();
   if (word == "ply") return MeshFormat::ply;
@@ -48,33 +60,43 @@ MeshFormat mesh_format(std::string_view bytes, std::string_view place) {
   if (by_content && !(by_name && by_content == MeshFormat::obj)) return *by_content;
   if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
   std::string_view other = foreign_format(bytes);
-  if (bytes.starts_with('{')) other = "JSON (glTF is such)";
-  if (bytes.starts_with('<')) other = "XML (COLLADA, X3D and URDF are such)";
+  if (bytes.starts_with("#VRML")) other = "VRML of another version than 2.0 in utf8";
+  if (bytes.starts_with('{') && by_name != MeshFormat::gltf) other = "JSON";
+  if (bytes.starts_with('<') && by_name != MeshFormat::collada) other = "XML (X3D and URDF are such)";
   if (!other.empty()) fail_file(place, fmt::format("this is {}, which is not read; {}", other, remedy));
   if (by_name) return *by_name;
   fail_file(place, fmt::format("no mesh by its first bytes or its ending; {}", remedy));
 }
 
 MeshFormat mesh_format_of_name(const std::filesystem::path& path) {
-  if (const auto format = format_of_ending(path)) return *format;
+  const auto format = format_of_ending(path);
+  if (format && *format <= MeshFormat::off) return *format;
   throw Error(ErrorCode::bad_call, "the ending names no mesh format; use .obj, .stl, .ply or .off",
               one_line(path.string()));
 }
 
-Mesh parse_mesh(std::string_view bytes, std::string_view place, MeshFormat format) {
+Mesh parse_mesh(std::string_view bytes, std::string_view place, MeshFormat format, PartsOf parts) {
   switch (format) {
-    case MeshFormat::obj: return parse_obj(bytes, place);
+    case MeshFormat::obj: return parse_obj(bytes, place, parts);
     case MeshFormat::stl: return parse_stl(bytes, place);
     case MeshFormat::ply: return parse_ply(bytes, place);
     case MeshFormat::off: return parse_off(bytes, place);
+    case MeshFormat::collada: return parse_collada(bytes, place);
+    case MeshFormat::gltf: return parse_gltf(bytes, place);
+    case MeshFormat::vrml: return parse_vrml(bytes, place);
   }
   throw Error(ErrorCode::bad_call, "unknown mesh format");
 }
 
-Mesh read_mesh(const std::filesystem::path& path, InputFiles* inputs) {
+Mesh read_mesh(const std::filesystem::path& path, InputFiles* inputs, PartsOf parts) {
   const std::string bytes = read_file(path, inputs);
   const std::string place = path.string();
-  Mesh mesh = parse_mesh(bytes, place, mesh_format(bytes, place));
+  const MeshFormat format = mesh_format(bytes, place);
+  const FileReader read_beside = [&](const std::filesystem::path& name) {
+    return read_file(path.parent_path() / name, inputs);
+  };
+  Mesh mesh =
+      format == MeshFormat::gltf ? parse_gltf(bytes, place, read_beside) : parse_mesh(bytes, place, format, parts);
   if (mesh.name.empty()) mesh.name = one_line(path.stem().string());
   return mesh;
 }

@@ -1,5 +1,5 @@
-// Meshes and point sets out of files: OBJ, STL, PLY, OFF. See mesh_formats.h for what each format allows, mesh_write.h
-// for the way back, urdf.h for robots.
+// Meshes and point sets out of files: OBJ, STL, PLY, OFF, COLLADA, glTF, VRML. See mesh_formats.h for what each format
+// allows, mesh_write.h for the way back, urdf.h for robots.
 #pragma once
 
 #include <sunder/base/error.h>
@@ -16,9 +16,12 @@
 
 namespace sunder::io {
 
-enum class MeshFormat { obj, stl, ply, off };
+enum class MeshFormat { obj, stl, ply, off, collada, gltf, vrml };  // the last three are only read
 
-// An object within a file: an OBJ's "o NAME", an ASCII STL's "solid NAME".
+// What makes a part: an object, or in OBJ also a group ("g NAME"), such as the pieces of a convex decomposition.
+enum class PartsOf { objects, objects_and_groups };
+
+// An object within a file: an OBJ's "o NAME", an ASCII STL's "solid NAME", a mesh in a node of a scene.
 struct MeshPart {
   std::string name;         // one line of UTF-8; may be empty
   std::uint32_t first = 0;  // its first polygon, or its first vertex in a mesh without polygons
@@ -28,8 +31,10 @@ struct MeshPart {
 //
 // A mesh that a reader returns has these properties:
 // M1. There is a vertex, and every coordinate is finite and not -0. There are fewer than 2^31 vertices.
-// M2. Vertex i is the file's i-th, for all formats but STL, which has no shared vertices: there equal points are joined
-//     into one, in the order of their first appearance.
+// M2. Vertex i is the file's i-th, for OBJ, PLY and OFF; for COLLADA and VRML the i-th in use, of all instances in
+//     their order.
+//     In STL and glTF faces do not share vertices: there equal points are joined into one, in the order of their first
+//     appearance.
 // M3. polygon_begin has one entry more than there are polygons, begins with 0 and ends with polygon_vertices.size();
 //     every polygon has at least three corners, and every corner is a vertex number. There are fewer than 2^32 corners.
 // M4. parts is not empty; the first part's `first` is 0, and they increase strictly. An object in the file without a
@@ -49,24 +54,25 @@ struct Mesh {
 };
 
 // Reads the file whole, finds its format by its first bytes, then by the ending of its name, and parses it.
-// Coordinates are the doubles nearest to the numbers in the file.
+// Coordinates are the doubles nearest to the numbers in the file; of COLLADA, glTF and VRML, these moved by the nodes
+// above them (mesh_formats.h). A glTF's buffers are read, too, where they are files within its folder.
 // Throws Error bad_file: what is wrong and the remedy, in one line that begins with "FILE:LINE: " (text),
 // "FILE: byte OFFSET: " (binary) or "FILE: ". A file is taken whole or refused: nothing in it is guessed or repaired.
 // Cost: linear in the size of the file, n log n for STL; memory a small multiple of the file, whatever its header says.
 // inputs: as of read_file (file.h).
-Mesh read_mesh(const std::filesystem::path& path, InputFiles* inputs = nullptr);
+Mesh read_mesh(const std::filesystem::path& path, InputFiles* inputs = nullptr, PartsOf parts = PartsOf::objects);
 
 // As read_mesh, from memory. place: the file's name for messages.
-Mesh parse_mesh(std::string_view bytes, std::string_view place, MeshFormat format);
+Mesh parse_mesh(std::string_view bytes, std::string_view place, MeshFormat format, PartsOf parts = PartsOf::objects);
 
 // The format of these bytes, where they tell it.
 std::optional<MeshFormat> mesh_format_of_content(std::string_view bytes);
 
 // The format of these bytes; where they leave it open, by the ending of `place`.
-// Throws Error bad_file, naming what the file is instead where that shows (a PNG image, COLLADA, a zip archive, ...).
+// Throws Error bad_file, naming what the file is instead where that shows (a PNG image, FBX, a zip archive, ...).
 MeshFormat mesh_format(std::string_view bytes, std::string_view place);
 
-// The format that the ending names (".obj", ".STL", ...). Throws Error bad_call for any other.
+// The format to write that the ending names (".obj", ".STL", ...). Throws Error bad_call for any other.
 MeshFormat mesh_format_of_name(const std::filesystem::path& path);
 
 // The vertices that the mesh is about, in increasing order: those in some polygon, or all when there is no polygon.

@@ -91,8 +91,9 @@ MeshBody hull_of_mesh(const Mesh& mesh, const Numbering& origin, bool require_co
 }
 
 // Reads a mesh; what is not read goes into the list.
-Mesh read_whole(const std::filesystem::path& file, LeftOutList& left_out, InputFiles* inputs) {
-  Mesh mesh = read_mesh(file, inputs);
+Mesh read_whole(const std::filesystem::path& file, LeftOutList& left_out, InputFiles* inputs,
+                PartsOf parts = PartsOf::objects) {
+  Mesh mesh = read_mesh(file, inputs, parts);
   left_out.add(file.string(), mesh.left_out, "mend the file");
   return mesh;
 }
@@ -119,8 +120,8 @@ HullOfPoints read_hull(const std::filesystem::path& file, LeftOutList& left_out,
 }
 
 std::vector<MeshBody> read_bodies(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out,
-                                  InputFiles* inputs) {
-  const Mesh whole = read_whole(file, left_out, inputs);
+                                  InputFiles* inputs, PartsOf parts) {
+  const Mesh whole = read_whole(file, left_out, inputs, parts);
   std::vector<std::vector<std::uint32_t>> used;
   const std::vector<Mesh> meshes = split_parts(whole, &used);
   std::vector<MeshBody> bodies;

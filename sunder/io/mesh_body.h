@@ -46,7 +46,7 @@ MeshBody body_of_mesh(Mesh mesh, const std::filesystem::path& file, bool require
 MeshBody read_body(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out,
                    InputFiles* inputs = nullptr);
 std::vector<MeshBody> read_bodies(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out,
-                                  InputFiles* inputs = nullptr);
+                                  InputFiles* inputs = nullptr, PartsOf parts = PartsOf::objects);
 
 // One body, never required to be convex, with the points that it is the hull of.
 struct HullOfPoints {

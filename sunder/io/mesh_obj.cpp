@@ -27,8 +27,8 @@ bool contains(const Words& words, std::string_view word) {
 
 class ObjParser {
  public:
-  ObjParser(std::string_view bytes, std::string_view place)
-      : reader_(bytes, place, {.comments = true, .continued = true}), builder_(place), place_(place) {}
+  ObjParser(std::string_view bytes, std::string_view place, PartsOf parts)
+      : reader_(bytes, place, {.comments = true, .continued = true}), builder_(place), place_(place), parts_(parts) {}
 
   Mesh parse() {
     while (reader_.next_line()) statement();
@@ -52,6 +52,8 @@ class ObjParser {
       face();
     } else if (keyword == "o") {
       builder_.begin_part(reader_.rest_of_line());
+    } else if (keyword == "g" && parts_ == PartsOf::objects_and_groups) {
+      builder_.begin_part(reader_.word());
     } else if (contains(free_form, keyword)) {
       reader_.fail(fmt::format("'{}' is about free-form curves and surfaces; export the mesh as polygons", keyword));
     } else if (keyword == "l") {
@@ -127,6 +129,7 @@ class ObjParser {
   TextReader reader_;
   MeshBuilder builder_;
   std::string_view place_;
+  PartsOf parts_;
   std::int64_t largest_ahead_ = 0;  // the largest number of a vertex that was not there yet
   std::size_t line_of_largest_ = 0;
   bool has_faces_ = false;
@@ -135,6 +138,8 @@ class ObjParser {
 
 }  // namespace
 
-Mesh parse_obj(std::string_view bytes, std::string_view place) { return ObjParser(bytes, place).parse(); }
+Mesh parse_obj(std::string_view bytes, std::string_view place, PartsOf parts) {
+  return ObjParser(bytes, place, parts).parse();
+}
 
 }  // namespace sunder::io

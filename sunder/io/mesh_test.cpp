@@ -75,7 +75,7 @@ std::vector<Point3> corners(const Mesh& mesh, std::uint32_t p) {
 
 TEST(Mesh, ReadsEveryCase) {
   const auto rows = table(cases / "mesh" / "EXPECTED.tsv");
-  ASSERT_GE(rows.size(), 19u);
+  ASSERT_GE(rows.size(), 30u);
   std::set<std::string> seen;
   for (const auto& row : rows) {
     ASSERT_EQ(row.size(), 6u);
@@ -90,7 +90,7 @@ TEST(Mesh, ReadsEveryCase) {
     EXPECT_EQ(mesh.format, row[5]);
   }
   std::set<std::string> found = files_in(cases / "mesh");
-  std::erase_if(found, [](const std::string& name) { return name.ends_with(".urdf"); });
+  std::erase_if(found, [](const std::string& name) { return name.ends_with(".urdf") || name.ends_with(".bin"); });
   EXPECT_EQ(seen, found) << "EXPECTED.tsv and the folder differ";
 }
 
@@ -108,13 +108,13 @@ TEST(Mesh, SameShapeInEveryFormat) {
       }
       ++compared;
     }
-    EXPECT_EQ(compared, 7);
+    EXPECT_EQ(compared, 11);
   }
 }
 
 TEST(Mesh, RefusesEveryBrokenFile) {
   const auto rows = table(cases / "broken" / "EXPECTED.tsv");
-  ASSERT_GE(rows.size(), 130u);
+  ASSERT_GE(rows.size(), 180u);
   std::set<std::string> seen;
   for (const auto& row : rows) {
     ASSERT_EQ(row.size(), 2u);
@@ -145,7 +145,7 @@ TEST(Mesh, RefusesEveryBrokenFile) {
 TEST(Mesh, SurvivesTruncationAnywhere) {
   int refused = 0, all = 0;
   for (const std::string& name : files_in(cases / "mesh")) {
-    if (name.ends_with(".urdf")) continue;
+    if (name.ends_with(".urdf") || name.ends_with(".bin")) continue;
     const std::string bytes = read_file(cases / "mesh" / name);
     const MeshFormat format = mesh_format(bytes, name);
     for (std::size_t size = 0; size < bytes.size(); ++size, ++all) {
@@ -168,11 +168,16 @@ TEST(MeshFormats, AreFoundByContentFirst) {
   EXPECT_EQ(mesh_format(bytes_of("cube_binary.stl"), "x"), MeshFormat::stl);
   EXPECT_EQ(mesh_format(bytes_of("tetrahedron_binary.stl"), "x.off"), MeshFormat::stl);
   EXPECT_EQ(mesh_format(bytes_of("cube.obj"), "x"), MeshFormat::obj);
+  EXPECT_EQ(mesh_format(bytes_of("cube.dae"), "x.obj"), MeshFormat::collada);
+  EXPECT_EQ(mesh_format(bytes_of("cube.gltf"), "x"), MeshFormat::gltf);
+  EXPECT_EQ(mesh_format(bytes_of("cube.glb"), "x.stl"), MeshFormat::gltf);
+  EXPECT_EQ(mesh_format(bytes_of("cube.wrl"), "x.ply"), MeshFormat::vrml);
   EXPECT_EQ(mesh_format("l 1 2\n", "x.OBJ"), MeshFormat::obj);
   EXPECT_EQ(mesh_format("\xef\xbb\xbfOFF\n", ""), MeshFormat::off);
   EXPECT_EQ(mesh_format_of_name("a/b.c/hull.PlY"), MeshFormat::ply);
   EXPECT_THROW(mesh_format_of_name("hull.txt"), Error);
   EXPECT_THROW(mesh_format_of_name("obj"), Error);
+  EXPECT_THROW(mesh_format_of_name("hull.dae"), Error) << "only read";
 }
 
 TEST(MeshObj, KeepsFullPrecisionAndDropsTheSignOfZero) {
@@ -193,6 +198,16 @@ TEST(MeshObj, AllowsCornersThatComeLater) {
 TEST(MeshObj, CountsBackwardsFromWhereItIs) {
   const Mesh mesh = parse("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 5 5\nf -1/2 -2//-7 -4/1/1\n", MeshFormat::obj);
   EXPECT_EQ(mesh.polygon_vertices, (std::vector<std::uint32_t>{0, 1, 2, 3, 2, 0}));
+}
+
+TEST(MeshObj, GroupsArePartsWhereAskedFor) {
+  const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng left all\nf 1 2 3\ng right all\nf 1 2 4\nf 1 3 4\n";
+  EXPECT_EQ(parse(text, MeshFormat::obj).parts.size(), 1u);
+  const Mesh mesh = parse_mesh(text, "test", MeshFormat::obj, PartsOf::objects_and_groups);
+  ASSERT_EQ(mesh.parts.size(), 2u);
+  EXPECT_EQ(mesh.parts[0].name, "left");
+  EXPECT_EQ(mesh.parts[1].name, "right");
+  EXPECT_EQ(mesh.parts[1].first, 1u);
 }
 
 TEST(MeshObj, DoesNotContinueComments) {

@@ -137,8 +137,11 @@ std::string to_text(MeshFormat format, Points vertices, Numbers polygon_begin, N
     case MeshFormat::stl: return to_stl(vertices, polygon_begin, polygon_vertices);
     case MeshFormat::ply: return to_ply(vertices, polygon_begin, polygon_vertices);
     case MeshFormat::off: return to_off(vertices, polygon_begin, polygon_vertices);
+    case MeshFormat::collada:
+    case MeshFormat::gltf:
+    case MeshFormat::vrml: break;
   }
-  throw Error(ErrorCode::bad_call, "unknown mesh format");
+  throw Error(ErrorCode::bad_call, "meshes are written as OBJ, STL, PLY and OFF only");
 }
 
 std::string to_text(MeshFormat format, const solid::ConvexPolyhedron& body) {

@@ -28,7 +28,7 @@ std::string to_ply(std::span<const Point3> vertices, std::span<const std::uint32
 std::string to_stl(std::span<const Point3> vertices, std::span<const std::uint32_t> polygon_begin,
                    std::span<const std::uint32_t> polygon_vertices);
 
-// One of the four.
+// One of the four. Throws Error bad_call for the formats that are only read.
 std::string to_text(MeshFormat format, std::span<const Point3> vertices, std::span<const std::uint32_t> polygon_begin,
                     std::span<const std::uint32_t> polygon_vertices);
 std::string to_text(MeshFormat format, const solid::ConvexPolyhedron& body);  // its vertices and facets

@@ -15,8 +15,14 @@ namespace fs = std::filesystem;
 
 class Reader {
  public:
-  Reader(const Robot& robot, const fs::path& file, bool require_convex, LeftOutList& left_out, InputFiles* inputs)
-      : robot_(robot), file_(file), require_convex_(require_convex), left_out_(left_out), inputs_(inputs) {}
+  Reader(const Robot& robot, const fs::path& file, bool require_convex, LeftOutList& left_out, InputFiles* inputs,
+         const Packages& packages)
+      : robot_(robot),
+        file_(file),
+        require_convex_(require_convex),
+        left_out_(left_out),
+        inputs_(inputs),
+        packages_(packages) {}
 
   RobotBodies read() {
     RobotBodies result;
@@ -49,7 +55,7 @@ class Reader {
   // The objects of the mesh; nothing where it cannot be read, and is left out.
   const std::vector<MeshBody>* mesh_of(const CollisionShape& shape, const std::string& link) {
     try {
-      const fs::path path = resolve_mesh(shape.mesh, robot_.folder);
+      const fs::path path = resolve_mesh(shape.mesh, robot_.folder, packages_);
       auto found = known_.find(path);
       if (found == known_.end()) {
         meshes_.push_back(path);
@@ -70,6 +76,7 @@ class Reader {
   bool require_convex_;
   LeftOutList& left_out_;
   InputFiles* inputs_;
+  const Packages& packages_;
   std::map<fs::path, std::vector<MeshBody>> known_;
   std::vector<fs::path> meshes_;
 };
@@ -77,9 +84,9 @@ class Reader {
 }  // namespace
 
 RobotBodies read_robot_bodies(const Robot& robot, const fs::path& file, bool require_convex, LeftOutList& left_out,
-                              InputFiles* inputs) {
+                              InputFiles* inputs, const Packages& packages) {
   left_out.add(file.string(), robot.left_out, "give meshes in their stead");
-  return Reader(robot, file, require_convex, left_out, inputs).read();
+  return Reader(robot, file, require_convex, left_out, inputs, packages).read();
 }
 
 scene::Body placed_body(const std::string& name, const std::vector<BodyPart>& parts, const solid::Pose& link) {

@@ -3,6 +3,7 @@
 
 #include <sunder/base/error.h>
 #include <sunder/io/mesh_body.h>
+#include <sunder/io/packages.h>
 #include <sunder/io/urdf.h>
 #include <sunder/scene/scene.h>
 #include <sunder/solid/object/pose.h>
@@ -34,9 +35,9 @@ struct RobotBodies {
 // Reads the meshes of all links; a file may serve several. A part has the name of its shape, or its number in the link;
 // of a mesh with several objects, with the object's name: "2.finger". What is not read goes into `left_out`, with its
 // consent also a mesh that cannot be read at all; what is read into `inputs`, where given. file: the robot's, for
-// messages. Throws Error as read_bodies (mesh_body.h) and resolve_mesh (urdf.h) do.
+// messages. Throws Error as read_bodies (mesh_body.h) and resolve_mesh (packages.h) do.
 RobotBodies read_robot_bodies(const Robot& robot, const std::filesystem::path& file, bool require_convex,
-                              LeftOutList& left_out, InputFiles* inputs = nullptr);
+                              LeftOutList& left_out, InputFiles* inputs = nullptr, const Packages& packages = {});
 
 // Parts at their place in the world, where the link is at `link` (urdf_kinematics.h). Throws Error bad_pose
 // where a pose overflows.

@@ -1,43 +1,29 @@
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
 #include <sunder/io/urdf.h>
+#include <sunder/io/xml_internal.h>
 
 #include <fmt/format.h>
-#include <tinyxml2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
-#include <system_error>
 
 namespace sunder::io {
 namespace {
 
 namespace fs = std::filesystem;
-using tinyxml2::XMLElement;
+
+constexpr XmlKind urdf{"robot", "URDF", "a URDF", "robot"};
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
-
-std::vector<std::string_view> words(std::string_view text) {
-  std::vector<std::string_view> found;
-  for (std::size_t at = 0; at < text.size();) {
-    std::size_t end = at;
-    while (end < text.size() && !is_blank(text[end])) ++end;
-    if (end > at) found.push_back(text.substr(at, end - at));
-    at = std::max(end, at + 1);
-  }
-  return found;
-}
-
 class UrdfParser {
  public:
-  explicit UrdfParser(std::string_view place) : place_(place) {}
+  UrdfParser(std::string_view bytes, std::string_view place) : xml_(bytes, place, urdf) {}
 
-  Robot parse(std::string_view bytes) {
-    const XMLElement& robot = load(bytes);
+  Robot parse() {
+    const XMLElement& robot = xml_.root();
     if (const char* name = robot.Attribute("name")) robot_.name = one_line(name);
     refuse_xacro(robot);
     each_child(robot, [&](const XMLElement& child) {
@@ -60,36 +46,6 @@ class UrdfParser {
     const XMLElement* mimic;
   };
 
-  const XMLElement& load(std::string_view bytes) {
-    if (bytes.find('\0') != std::string_view::npos) fail_file(place_, "holds zero bytes; a URDF is XML text");
-    if (document_.Parse(bytes.data(), bytes.size()) != tinyxml2::XML_SUCCESS) {
-      const int line = std::max(document_.ErrorLineNum(), 1);
-      fail_line(place_, static_cast<std::size_t>(line),
-                fmt::format("is not well-formed XML ({}); export the robot again", problem()));
-    }
-    const XMLElement* robot = document_.RootElement();
-    if (robot == nullptr) fail_file(place_, "has no element; a URDF is XML with <robot>");
-    if (!is(*robot, "robot")) fail(*robot, fmt::format("is {}, expected <robot>; this is no URDF", tag(*robot)));
-    return *robot;
-  }
-
-  // "XML_ERROR_MISMATCHED_ELEMENT" for people.
-  std::string problem() const {
-    std::string_view kind = tinyxml2::XMLDocument::ErrorIDToName(document_.ErrorID());
-    for (const std::string_view prefix : {"XML_", "ERROR_"}) {
-      if (kind.starts_with(prefix)) kind.remove_prefix(prefix.size());
-    }
-    std::string words(kind);
-    for (char& c : words) c = c == '_' ? ' ' : static_cast<char>(c - 'A' + 'a');
-    return words;
-  }
-
-  template <class Action>
-  static void each_child(const XMLElement& element, Action action) {
-    const XMLElement* child = element.FirstChildElement();
-    for (; child != nullptr; child = child->NextSiblingElement()) action(*child);
-  }
-
   // Within the element, at any depth (the reader of XML limits it).
   void refuse_xacro(const XMLElement& element) const {
     each_child(element, [&](const XMLElement& child) {
@@ -100,63 +56,25 @@ class UrdfParser {
     });
   }
 
-  static bool is(const XMLElement& element, std::string_view name) { return element.Name() == name; }
+  static bool is(const XMLElement& element, std::string_view name) { return XmlFile::is(element, name); }
+  static std::string tag(const XMLElement& element) { return XmlFile::tag(element); }
 
-  static std::string tag(const XMLElement& element) { return "<" + shorten(element.Name()) + ">"; }
-
-  [[noreturn]] void fail(const XMLElement& element, const std::string& text) const {
-    fail_line(place_, static_cast<std::size_t>(std::max(element.GetLineNum(), 1)), text);
+  template <class Action>
+  static void each_child(const XMLElement& element, Action action) {
+    XmlFile::each_child(element, action);
   }
 
-  const char* attribute(const XMLElement& element, const char* name) const {
-    const char* value = element.Attribute(name);
-    if (value == nullptr) fail(element, fmt::format("{} has no {}=\"...\"; add it", tag(element), name));
-    return value;
-  }
-
-  std::string name_of(const XMLElement& element) const {
-    std::string name = one_line(attribute(element, "name"));
-    if (name.empty()) fail(element, fmt::format("the name of {} is empty; give it one", tag(element)));
-    return name;
-  }
-
-  double number(const XMLElement& element, const char* name, std::string_view word) const {
-    double value = 0;
-    if (const char* problem = parse_number(word, value)) {
-      fail(element, fmt::format("{} of {}: {} {}", name, tag(element), quote(word), problem));
-    }
-    return value;
-  }
-
-  // The attribute, or `otherwise` where there is none.
-  double number_or(const XMLElement& element, const char* name, double otherwise) const {
-    const char* text = element.Attribute(name);
-    if (text == nullptr) return otherwise;
-    const std::vector<std::string_view> found = words(text);
-    if (found.size() != 1)
-      fail(element, fmt::format("{} of {} is {}, expected a number", name, tag(element), quote(text)));
-    return number(element, name, found[0]);
-  }
-
-  std::array<double, 3> triple_or(const XMLElement& element, const char* name, std::array<double, 3> otherwise) const {
-    const char* text = element.Attribute(name);
-    if (text == nullptr) return otherwise;
-    const std::vector<std::string_view> found = words(text);
-    if (found.size() != 3) {
-      fail(element, fmt::format("{} of {} is {}, expected 3 numbers", name, tag(element), quote(text)));
-    }
-    return {number(element, name, found[0]), number(element, name, found[1]), number(element, name, found[2])};
-  }
+  [[noreturn]] void fail(const XMLElement& element, const std::string& text) const { xml_.fail(element, text); }
 
   Origin origin(const XMLElement& owner) const {
     const XMLElement* element = owner.FirstChildElement("origin");
     if (element == nullptr) return {};
-    return {triple_or(*element, "xyz", {0, 0, 0}), triple_or(*element, "rpy", {0, 0, 0})};
+    return {xml_.triple_or(*element, "xyz", {0, 0, 0}), xml_.triple_or(*element, "rpy", {0, 0, 0})};
   }
 
   void read_link(const XMLElement& element) {
     Link link;
-    link.name = name_of(element);
+    link.name = xml_.name_of(element);
     if (!links_.emplace(link.name, static_cast<std::uint32_t>(robot_.links.size())).second) {
       fail(element, fmt::format("the link {} comes twice; rename one", quote(link.name)));
     }
@@ -186,15 +104,15 @@ class UrdfParser {
     if (const char* name = element.Attribute("name")) shape.name = one_line(name);
     shape.origin = origin(element);
     if (is(*kind, "mesh")) {
-      shape.mesh = attribute(*kind, "filename");
+      shape.mesh = xml_.attribute(*kind, "filename");
       if (shape.mesh.empty()) fail(*kind, "the filename of <mesh> is empty; name a file");
-      shape.scale = triple_or(*kind, "scale", {1, 1, 1});
+      shape.scale = xml_.triple_or(*kind, "scale", {1, 1, 1});
       if (shape.scale[0] == 0 || shape.scale[1] == 0 || shape.scale[2] == 0) {
         fail(*kind, "a scale of 0 makes the mesh flat; give 3 numbers that are not 0");
       }
     } else if (is(*kind, "box")) {
-      attribute(*kind, "size");
-      shape.size = triple_or(*kind, "size", {0, 0, 0});
+      xml_.attribute(*kind, "size");
+      shape.size = xml_.triple_or(*kind, "size", {0, 0, 0});
       if (shape.size[0] < 0 || shape.size[1] < 0 || shape.size[2] < 0) {
         fail(*kind, "the size of a box is negative; give 3 numbers from 0");
       }
@@ -208,14 +126,14 @@ class UrdfParser {
   std::uint32_t link_number(const XMLElement& joint, const char* role) const {
     const XMLElement* element = joint.FirstChildElement(role);
     if (element == nullptr) fail(joint, fmt::format("the joint has no <{} link=\"...\"/>; add it", role));
-    const std::string name = one_line(attribute(*element, "link"));
+    const std::string name = one_line(xml_.attribute(*element, "link"));
     const auto found = links_.find(name);
     if (found == links_.end()) fail(*element, fmt::format("there is no link {}; correct the name", quote(name)));
     return found->second;
   }
 
   JointType type_of(const XMLElement& element) const {
-    const std::string_view type = attribute(element, "type");
+    const std::string_view type = xml_.attribute(element, "type");
     if (type == "fixed") return JointType::fixed;
     if (type == "revolute") return JointType::revolute;
     if (type == "continuous") return JointType::continuous;
@@ -226,7 +144,7 @@ class UrdfParser {
 
   void read_joint(const XMLElement& element) {
     Joint joint;
-    joint.name = name_of(element);
+    joint.name = xml_.name_of(element);
     if (!joints_.emplace(joint.name, static_cast<std::uint32_t>(robot_.joints.size())).second) {
       fail(element, fmt::format("the joint {} comes twice; rename one", quote(joint.name)));
     }
@@ -244,8 +162,8 @@ class UrdfParser {
   std::array<double, 3> axis(const XMLElement& joint) const {
     const XMLElement* element = joint.FirstChildElement("axis");
     if (element == nullptr) return {1, 0, 0};
-    attribute(*element, "xyz");
-    std::array<double, 3> axis = triple_or(*element, "xyz", {1, 0, 0});
+    xml_.attribute(*element, "xyz");
+    std::array<double, 3> axis = xml_.triple_or(*element, "xyz", {1, 0, 0});
     // By the largest entry first, so that nothing overflows.
     const double largest = std::max({std::abs(axis[0]), std::abs(axis[1]), std::abs(axis[2])});
     if (largest == 0) fail(*element, "the axis is 0 0 0; give a direction");
@@ -260,8 +178,8 @@ class UrdfParser {
     if (limit == nullptr) {
       fail(element, fmt::format("the joint {} has no <limit lower=\"...\" upper=\"...\"/>; add it", quote(joint.name)));
     }
-    joint.lower = number_or(*limit, "lower", 0);
-    joint.upper = number_or(*limit, "upper", 0);
+    joint.lower = xml_.number_or(*limit, "lower", 0);
+    joint.upper = xml_.number_or(*limit, "upper", 0);
     if (joint.lower > joint.upper) {
       fail(*limit,
            fmt::format("the lower limit {} is above the upper one {}; exchange them", joint.lower, joint.upper));
@@ -297,11 +215,11 @@ class UrdfParser {
     for (std::size_t i = 0; i < robot_.joints.size(); ++i) {
       const XMLElement* element = sources_[i].mimic;
       if (element == nullptr) continue;
-      const std::string name = one_line(attribute(*element, "joint"));
+      const std::string name = one_line(xml_.attribute(*element, "joint"));
       const auto found = joints_.find(name);
       if (found == joints_.end()) fail(*element, fmt::format("there is no joint {}; correct the name", quote(name)));
       robot_.joints[i].mimic =
-          Mimic{found->second, number_or(*element, "multiplier", 1), number_or(*element, "offset", 0)};
+          Mimic{found->second, xml_.number_or(*element, "multiplier", 1), xml_.number_or(*element, "offset", 0)};
     }
     check_mimics();
   }
@@ -343,22 +261,15 @@ class UrdfParser {
     robot_.joints = std::move(sorted);
   }
 
-  std::string_view place_;
-  tinyxml2::XMLDocument document_;
+  XmlFile xml_;
   Robot robot_;
   std::map<std::string, std::uint32_t> links_, joints_;
   std::vector<Source> sources_;
 };
 
-// The part behind "SCHEME://", or nothing where the name has another or no scheme.
-std::optional<std::string> behind_scheme(const std::string& written, std::string_view scheme) {
-  if (!written.starts_with(scheme)) return std::nullopt;
-  return written.substr(scheme.size());
-}
-
 }  // namespace
 
-Robot parse_urdf(std::string_view bytes, std::string_view place) { return UrdfParser(place).parse(bytes); }
+Robot parse_urdf(std::string_view bytes, std::string_view place) { return UrdfParser(bytes, place).parse(); }
 
 Robot read_urdf(const fs::path& path, InputFiles* inputs) {
   Robot robot = parse_urdf(read_file(path, inputs), path.string());
@@ -373,49 +284,6 @@ std::array<Point3, 8> box_corners(const std::array<double, 3>& size) {
                   (i & 4 ? 0.5 : -0.5) * size[2] + 0.0};
   }
   return corners;
-}
-
-fs::path resolve_mesh(const std::string& written, const fs::path& robot_folder, std::span<const fs::path> search) {
-  std::vector<fs::path> folders(search.begin(), search.end());
-  folders.push_back(robot_folder);
-  std::vector<fs::path> candidates;
-  std::error_code ignored;
-  const fs::path home = (fs::current_path(ignored) / robot_folder).lexically_normal();
-
-  auto inside = behind_scheme(written, "package://");
-  if (!inside) inside = behind_scheme(written, "model://");
-  if (inside) {
-    // The name with its package, without it, and so on down to the bare name.
-    std::vector<fs::path> parts;
-    for (const fs::path& part : fs::path(*inside).relative_path()) parts.push_back(part);
-    for (std::size_t skip = 0; skip < parts.size(); ++skip) {
-      fs::path rest;
-      for (std::size_t i = skip; i < parts.size(); ++i) rest /= parts[i];
-      if (skip == 1) {
-        for (fs::path above = home; above.has_relative_path(); above = above.parent_path()) {
-          if (above.filename() == parts[0]) candidates.push_back(above / rest);
-        }
-      }
-      for (const fs::path& folder : folders) candidates.push_back(folder / rest);
-    }
-  } else if (const auto absolute = behind_scheme(written, "file://")) {
-    candidates.push_back(*absolute);
-  } else if (written.find("://") != std::string::npos) {
-    fail_file(written, "meshes are not fetched from the net; store the file and name it");
-  } else if (fs::path(written).is_absolute()) {
-    candidates.push_back(written);
-  } else {
-    for (const fs::path& folder : folders) candidates.push_back(folder / written);
-  }
-
-  std::string tried;
-  for (const fs::path& candidate : candidates) {
-    if (fs::is_regular_file(candidate, ignored)) return candidate;
-    if (!tried.empty()) tried += ", ";
-    tried += one_line(candidate.string());
-  }
-  fail_file(written,
-            fmt::format("no such mesh; tried: {}; name the folder to search", tried.empty() ? "nothing" : tried));
 }
 
 }  // namespace sunder::io

@@ -12,7 +12,6 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,7 +28,7 @@ struct Origin {
 // One shape of a link: a mesh file, or a box.
 struct CollisionShape {
   std::string name;                      // the name of <collision>; often empty
-  std::string mesh;                      // as written, see resolve_mesh; empty: a box
+  std::string mesh;                      // as written, see resolve_mesh (packages.h); empty: a box
   std::array<double, 3> scale{1, 1, 1};  // of a mesh: no entry is 0, negative entries reflect
   std::array<double, 3> size{0, 0, 0};   // of a box: its edges, centred at the origin; no entry is negative
   Origin origin;                         // within the link
@@ -88,14 +87,5 @@ Robot parse_urdf(std::string_view bytes, std::string_view place);
 
 // The corners of the box with these edges, centred at the origin: corner i has +size/2 in x, y, z for its bits 0, 1, 2.
 std::array<Point3, 8> box_corners(const std::array<double, 3>& size);
-
-// The file that a mesh's name means. Tried in this order, each within `search`, then within the robot's folder:
-// - package://PKG/rest and model://PKG/rest: PKG/rest, rest, then rest without its first folder, first two folders,
-//   ..., down to the bare name; after PKG/rest also a folder named PKG above the robot's;
-// - a relative name: as it is; an absolute one and file://NAME: as it is, and nothing else.
-// Longer matches of any folder come before shorter ones of another.
-// Throws Error bad_file that lists what was tried, and says so for http:// and the like, which are not fetched.
-std::filesystem::path resolve_mesh(const std::string& written, const std::filesystem::path& robot_folder,
-                                   std::span<const std::filesystem::path> search = {});
 
 }  // namespace sunder::io

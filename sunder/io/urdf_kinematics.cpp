@@ -51,10 +51,6 @@ void check_given(const Robot& robot, const std::string& name, double value) {
                fmt::format("follows joint {}; give that one a value", quote(robot.joints[found->mimic->joint].name)));
   }
   if (!std::isfinite(value)) fail_joint(name, "the value is not finite; give a finite number");
-  if (value < found->lower || value > found->upper) {
-    fail_joint(name,
-               fmt::format("{} is out of the limits; give a value from {} to {}", value, found->lower, found->upper));
-  }
 }
 
 double own_value(const Joint& joint, const std::map<std::string, double>& values) {
@@ -86,6 +82,17 @@ std::vector<double> joint_values(const Robot& robot, const std::map<std::string,
     }
   }
   return all;
+}
+
+std::vector<std::string> beyond_limits(const Robot& robot, const std::map<std::string, double>& values) {
+  std::vector<std::string> texts;
+  for (const Joint& joint : robot.joints) {
+    const auto given = values.find(joint.name);
+    if (given == values.end() || (joint.lower <= given->second && given->second <= joint.upper)) continue;
+    texts.push_back(fmt::format("joint {} is at {}, beyond its limits from {} to {}", quote(joint.name), given->second,
+                                joint.lower, joint.upper));
+  }
+  return texts;
 }
 
 std::vector<Pose> link_poses(const Robot& robot, const std::map<std::string, double>& values) {

@@ -13,14 +13,18 @@
 namespace sunder::io {
 
 // The value of each joint, in the order of robot.joints:
-// - given in `values` by the joint's name: that value;
+// - given in `values` by the joint's name: that value, also beyond the joint's limits (see beyond_limits);
 // - not given: 0 if the joint's limits allow it, else the limit nearest to 0;
 // - a mimic: multiplier * the followed joint's value + offset, in doubles; its own limits are not looked at, since its
 //   file's author chose them together with the multiplier;
 // - fixed: 0.
 // Throws Error bad_call that names the joint: there is none of this name, it is fixed or follows another one, the value
-// is not finite or out of the limits (which are told; they are included). And when a mimic's value overflows.
+// is not finite. And when a mimic's value overflows.
 std::vector<double> joint_values(const Robot& robot, const std::map<std::string, double>& values);
+
+// Which of these values are beyond the limits of their joints, for people: "joint 'elbow' is at 3, beyond its limits
+// from -2 to 2". The limits are included. Names that are no joints are left to joint_values.
+std::vector<std::string> beyond_limits(const Robot& robot, const std::map<std::string, double>& values);
 
 // The pose of each link in the frame of the root link, in the order of robot.links; the root's is the identity.
 // Turns are computed in doubles with the C library's sine and cosine, whose last bit differs between machines. The

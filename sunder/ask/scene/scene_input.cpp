@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -41,10 +42,23 @@ auto named(const std::string& name, Named& all) {
   return std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.name == name; });
 }
 
+void add_once(const std::string& name, std::vector<std::string>& names) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+// The first few, and how many more.
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 5;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) list += (i == 0 ? "" : ", ") + names[i];
+  return names.size() > most ? fmt::format("{} and {} more", list, names.size() - most) : list;
+}
+
 }  // namespace
 
 SceneInput::SceneInput(const std::vector<std::string>& files, const std::vector<std::string>& poses,
-                       bool require_convex, bool leave_out, InputFiles* inputs)
+                       bool require_convex, bool leave_out, InputFiles* inputs, const io::Packages& packages,
+                       io::PartsOf parts)
     : left_out_(leave_out) {
   for (const std::string& word : files) {
     std::string file = word;
@@ -57,9 +71,9 @@ SceneInput::SceneInput(const std::vector<std::string>& files, const std::vector<
     const std::string stem = io::one_line(fs::path(file).stem().string());
     inputs_.push_back({unused_name(stem), pose});
     if (is_urdf(file)) {
-      add_robot(file, require_convex, inputs);
+      add_robot(file, require_convex, inputs, packages);
     } else {
-      add_mesh(file, require_convex, inputs);
+      add_mesh(file, require_convex, inputs, parts);
     }
   }
   for (const std::string& text : poses) {
@@ -92,21 +106,22 @@ std::string SceneInput::unused_name(const std::string& wish) const {
   return name;
 }
 
-void SceneInput::add_mesh(const std::string& file, bool require_convex, InputFiles* inputs) {
+void SceneInput::add_mesh(const std::string& file, bool require_convex, InputFiles* inputs, io::PartsOf parts) {
   Body body;
   body.name = inputs_.back().name;
   body.input = inputs_.size() - 1;
-  for (MeshBody& object : io::read_bodies(file, require_convex, left_out_, inputs)) {
+  for (MeshBody& object : io::read_bodies(file, require_convex, left_out_, inputs, parts)) {
     std::string name = object.name;
     body.parts.push_back({std::move(name), std::move(object), solid::Pose()});
   }
   bodies_.push_back(std::move(body));
 }
 
-void SceneInput::add_robot(const std::string& file, bool require_convex, InputFiles* inputs) {
+void SceneInput::add_robot(const std::string& file, bool require_convex, InputFiles* inputs,
+                           const io::Packages& packages) {
   if (robot_) fail_call("a second robot; give one URDF file in a call", io::one_line(file));
   robot_ = io::read_urdf(file, inputs);
-  robot_bodies_ = io::read_robot_bodies(*robot_, file, require_convex, left_out_, inputs);
+  robot_bodies_ = io::read_robot_bodies(*robot_, file, require_convex, left_out_, inputs, packages);
   first_of_robot_ = static_cast<std::uint32_t>(bodies_.size());
   for (io::LinkBody& body : robot_bodies_.bodies) {
     bodies_.push_back(
@@ -174,10 +189,79 @@ std::vector<std::array<std::uint32_t, 2>> SceneInput::allowed(const std::string&
               "--allow " + io::one_line(text));
   }
   std::vector<std::array<std::uint32_t, 2>> pairs;
+  std::vector<std::string> shapeless;
   for (const auto& [place, names] : io::read_name_pairs(text)) {
-    pairs.push_back({body_named(names[0], place), body_named(names[1], place)});
+    bool both = true;
+    for (const std::string& name : names) {
+      if (named(name, bodies_) != bodies_.end() || !is_link(name)) continue;
+      add_once(name, shapeless);
+      both = false;
+    }
+    if (both) pairs.push_back({body_named(names[0], place), body_named(names[1], place)});
+  }
+  if (!shapeless.empty()) {
+    note(fmt::format("{}: lines about links without a shape are passed over: {}", io::one_line(text),
+                     listed(shapeless)));
   }
   return pairs;
+}
+
+bool SceneInput::is_link(const std::string& name) const {
+  return robot_ && named(name, robot_->links) != robot_->links.end();
+}
+
+std::optional<std::uint32_t> SceneInput::body_of_link(const std::string& name) const {
+  for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
+    if (bodies_[b].link && robot_->links[*bodies_[b].link].name == name) return b;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::array<std::uint32_t, 2>> SceneInput::allowed(const io::Srdf& srdf, const std::string& file) const {
+  if (!robot_) fail_call("there is no robot that this could be about; name a URDF file", "--srdf");
+  std::set<std::array<std::uint32_t, 2>> pairs;
+  std::vector<io::Srdf::Pair> taken;
+  std::vector<std::string> shapeless, unknown;
+  for (const io::Srdf::Pair& pair : srdf.disabled) {
+    std::array<std::optional<std::uint32_t>, 2> both;
+    for (std::size_t i = 0; i < 2; ++i) {
+      both[i] = body_of_link(pair.links[i]);
+      if (!both[i]) add_once(pair.links[i], is_link(pair.links[i]) ? shapeless : unknown);
+    }
+    if (!both[0] || !both[1]) continue;
+    if (pairs.insert({std::min(*both[0], *both[1]), std::max(*both[0], *both[1])}).second) taken.push_back(pair);
+  }
+  const std::string shown = io::one_line(file);
+  note(fmt::format("{} allows {}", shown, io::reasons_text(taken)));
+  if (!shapeless.empty()) {
+    note(fmt::format("{}: pairs of links without a shape are passed over: {}", shown, listed(shapeless)));
+  }
+  if (!unknown.empty()) {
+    note(fmt::format("{}: pairs of links that the robot does not have are passed over: {}", shown, listed(unknown)));
+  }
+  return {pairs.begin(), pairs.end()};
+}
+
+io::JointValues SceneInput::state(const io::Srdf& srdf, const std::string& text) const {
+  if (!robot_) fail_call("there is no robot to move; name a URDF file", "--state");
+  std::vector<std::string> remarks;
+  io::JointValues joints = io::state_values(srdf, *robot_, text, "--state", remarks);
+  for (const std::string& remark : remarks) note(remark);
+  return joints;
+}
+
+void SceneInput::note_limits(const std::vector<io::JointValues>& placements) const {
+  if (!robot_) return;
+  std::string first;
+  std::size_t count = 0;
+  for (const io::JointValues& joints : placements) {
+    for (const std::string& text : io::beyond_limits(*robot_, joints.values)) {
+      if (count++ == 0) first = text;
+    }
+  }
+  if (count == 0) return;
+  note(first + (count > 1 ? fmt::format("; and {} more values are beyond limits", count - 1) : "") +
+       ": it is asked about all the same");
 }
 
 }  // namespace sunder::ask

@@ -3,7 +3,9 @@
 
 #include <sunder/ask/objects.h>
 
+#include <sunder/io/packages.h>
 #include <sunder/io/robot_bodies.h>
+#include <sunder/io/srdf.h>
 #include <sunder/io/urdf.h>
 #include <sunder/scene/scene.h>
 
@@ -20,18 +22,30 @@ namespace sunder::ask {
 class SceneInput {
  public:
   // Each name is a file, or FILE@POSE. poses: "NAME=POSE" each, NAME as shown by `names`. Where leave_out, shapes of
-  // a robot that are not read, also meshes, are left out. inputs: as of io::read_file. Throws Error, also where there
-  // is no body at all.
+  // a robot that are not read, also meshes, are left out. inputs: as of io::read_file. packages: where the robot's
+  // meshes are. parts: of meshes, but those of a robot. Throws Error, also where there is no body at all.
   SceneInput(const std::vector<std::string>& files, const std::vector<std::string>& poses, bool require_convex,
-             bool leave_out, InputFiles* inputs);
+             bool leave_out, InputFiles* inputs, const io::Packages& packages = {},
+             io::PartsOf parts = io::PartsOf::objects);
 
   // The bodies in the order of the files; links without shapes are none. Throws Error for joints that do not exist or
   // are out of their limits.
   std::vector<scene::Body> bodies(const std::map<std::string, double>& joints) const;
 
   // Pairs of bodies out of: "adjacent" (links joined by a joint, or by joints through links without shapes),
-  // "NAME,NAME", or a file with two names a line. Throws Error.
+  // "NAME,NAME", or a file with two names a line. Lines that name a link without a shape are passed over, with a
+  // remark. Throws Error.
   std::vector<std::array<std::uint32_t, 2>> allowed(const std::string& text) const;
+
+  // The pairs that the file of --srdf disables, each once; those with links that have no shape, or that the robot does
+  // not have, are passed over. Notes say how many, and why. Throws Error where there is no robot.
+  std::vector<std::array<std::uint32_t, 2>> allowed(const io::Srdf& srdf, const std::string& file) const;
+
+  // The values that --state means, with notes about what is not taken. Throws Error.
+  io::JointValues state(const io::Srdf& srdf, const std::string& text) const;
+
+  // Says which of these values are beyond the limits of their joints: one note, however many there are.
+  void note_limits(const std::vector<io::JointValues>& placements) const;
 
   bool is_hull(std::uint32_t body, std::uint32_t part) const;  // does it stand for a mesh?
   std::vector<const MeshBody*> objects() const;                // all parts in order
@@ -50,11 +64,13 @@ class SceneInput {
     solid::Pose pose;
   };
 
-  void add_mesh(const std::string& file, bool require_convex, InputFiles* inputs);
-  void add_robot(const std::string& file, bool require_convex, InputFiles* inputs);
+  void add_mesh(const std::string& file, bool require_convex, InputFiles* inputs, io::PartsOf parts);
+  void add_robot(const std::string& file, bool require_convex, InputFiles* inputs, const io::Packages& packages);
   void require_some_body() const;
   std::string unused_name(const std::string& wish) const;
   std::uint32_t body_named(const std::string& name, const std::string& place) const;
+  std::optional<std::uint32_t> body_of_link(const std::string& name) const;
+  bool is_link(const std::string& name) const;
   std::vector<std::array<std::uint32_t, 2>> adjacent() const;
 
   std::vector<Input> inputs_;

@@ -27,17 +27,28 @@ namespace {
 struct Call : QuestionCall {
   Call() { svg_limit = 200'000; }  // facets
 
-  std::vector<std::string> files, poses, joints, joints_files, allow;
+  std::vector<std::string> files, poses, joints, joints_files, allow, states, packages;
+  std::string srdf;
   bool classify = false;
+  bool groups = false;
   bool require_convex = false;
   bool leave_out = false;
 };
 
-std::vector<io::JointValues> joints_of(const Call& call, InputFiles* inputs) {
+io::Packages packages_of(const Call& call) {
+  const char* search = std::getenv("ROS_PACKAGE_PATH");
+  return io::parse_packages(call.packages, search == nullptr ? "" : search);
+}
+
+// srdf, input: for --state.
+std::vector<io::JointValues> joints_of(const Call& call, const io::Srdf& srdf, const SceneInput& input,
+                                       InputFiles* inputs) {
   std::vector<io::JointValues> all;
   for (const std::string& file : call.joints_files) all.push_back(io::read_joint_values(file, inputs));
   for (const std::string& text : call.joints) all.push_back(io::parse_joint_values(text, "--joints"));
+  for (const std::string& text : call.states) all.push_back(input.state(srdf, text));
   if (all.empty()) all.emplace_back();
+  input.note_limits(all);
   return all;
 }
 
@@ -95,8 +106,10 @@ int run(const Call& call) {
   const PairMethod method = pair_method(call.method);
   InputFiles files;
   InputFiles* const inputs = call.proves() ? &files : nullptr;
-  const std::vector<io::JointValues> placements = joints_of(call, inputs);
-  const SceneInput input(call.files, call.poses, call.require_convex, call.leave_out, inputs);
+  const io::Srdf srdf = call.srdf.empty() ? io::Srdf{} : io::read_srdf(call.srdf, inputs);
+  const SceneInput input(call.files, call.poses, call.require_convex, call.leave_out, inputs, packages_of(call),
+                         call.groups ? io::PartsOf::objects_and_groups : io::PartsOf::objects);
+  const std::vector<io::JointValues> placements = joints_of(call, srdf, input, inputs);
   require_apart(call, input);
   if (!call.svg.empty()) require_drawable(call, input, placements.size());
 
@@ -113,6 +126,11 @@ int run(const Call& call) {
       question.allowed.insert(question.allowed.end(), pairs.begin(), pairs.end());
       report.allowed_because.push_back(word);
     }
+  }
+  if (!call.srdf.empty()) {
+    const auto pairs = input.allowed(srdf, call.srdf);
+    question.allowed.insert(question.allowed.end(), pairs.begin(), pairs.end());
+    report.allowed_because.push_back(call.srdf);
   }
   report.colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
   for (const io::JointValues& joints : placements) {
@@ -152,9 +170,14 @@ Verb scene_verb() {
        {"--pose", &call->poses, std::string("place the file of this name: ") + pose_forms, "NAME=POSE"},
        {"--joints", &call->joints, "name=value,... or LABEL:name=value,...; again for another placement", "VALUES"},
        {"--joints-file", &call->joints_files, "the same from a file, one joint a line", "FILE"},
+       {"--srdf", &call->srdf, "allow the pairs that this file (SRDF) disables, and take states from it", "FILE"},
+       {"--state", &call->states, "the joints as in a state of --srdf, NAME or GROUP/NAME, or several with commas",
+        "NAME", false, "--srdf"},
+       {"--package", &call->packages, "where a package of meshes is; also in ROS_PACKAGE_PATH", "NAME=FOLDER"},
        {"--allow", &call->allow,
         "what may meet: adjacent (links joined by a joint), touch, NAME,NAME, or a file with two names a line", "WHAT"},
        {"--method", &call->method, "automatic, gjk, hierarchy, or scan", "NAME"},
+       {"--groups", &call->groups, "the groups (g) of an OBJ file are parts of their own, as its objects (o) are"},
        {"--classify", &call->classify, "tell touching from overlapping"},
        {"--require-convex", &call->require_convex, "a mesh that is not exactly convex is an error"},
        {"--leave-out", &call->leave_out, leave_out_help},

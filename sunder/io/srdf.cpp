@@ -1,0 +1,171 @@
+#include <sunder/io/file.h>
+#include <sunder/io/srdf.h>
+#include <sunder/io/text.h>
+#include <sunder/io/xml_internal.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace sunder::io {
+
+namespace {
+
+constexpr XmlKind srdf_file{"robot", "SRDF", "an SRDF", "robot's SRDF"};
+
+class SrdfParser {
+ public:
+  SrdfParser(std::string_view bytes, std::string_view place) : xml_(bytes, place, srdf_file) {}
+
+  Srdf parse() {
+    const XMLElement& robot = xml_.root();
+    if (const char* name = robot.Attribute("name")) srdf_.name = one_line(name);
+    if (const XMLElement* link = robot.FirstChildElement("link")) {
+      if (link->FirstChildElement() != nullptr) {
+        xml_.fail(*link, "this is a URDF, and an SRDF is expected; name it as a FILE");
+      }
+    }
+    XmlFile::each_child(robot, [&](const XMLElement& child) {
+      if (XmlFile::is(child, "disable_collisions")) read_pair(child);
+      if (XmlFile::is(child, "group")) srdf_.groups.push_back(xml_.name_of(child));
+      if (XmlFile::is(child, "group_state")) read_state(child);
+      if (XmlFile::is(child, "virtual_joint")) srdf_.virtual_joints.push_back(xml_.name_of(child));
+    });
+    return std::move(srdf_);
+  }
+
+ private:
+  std::string there(const XMLElement& element, const char* attribute) const {
+    std::string text = one_line(xml_.attribute(element, attribute));
+    if (text.empty()) {
+      xml_.fail(element, fmt::format("{}=\"\" of {} is empty; name one", attribute, XmlFile::tag(element)));
+    }
+    return text;
+  }
+
+  void read_pair(const XMLElement& element) {
+    Srdf::Pair pair{{there(element, "link1"), there(element, "link2")}, ""};
+    if (const char* reason = element.Attribute("reason")) pair.reason = one_line(reason);
+    if (pair.links[0] == pair.links[1]) {
+      xml_.fail(element, fmt::format("both links are {}; name two", quote(pair.links[0])));
+    }
+    srdf_.disabled.push_back(std::move(pair));
+  }
+
+  void read_state(const XMLElement& element) {
+    Srdf::State state{xml_.name_of(element), there(element, "group"), {}, {}};
+    if (!known_.emplace(state.group, state.name).second) {
+      xml_.fail(element,
+                fmt::format("the state {} of group {} comes twice; rename one", quote(state.name), quote(state.group)));
+    }
+    XmlFile::each_child(element, [&](const XMLElement& joint) {
+      if (!XmlFile::is(joint, "joint")) return;
+      std::string name = xml_.name_of(joint);
+      const std::vector<std::string_view> words = xml_words(xml_.attribute(joint, "value"));
+      if (words.size() != 1) {
+        state.other.push_back(std::move(name));
+      } else if (!state.values.emplace(name, xml_.number(joint, "value", words[0])).second) {
+        xml_.fail(joint, fmt::format("the joint {} comes twice in this state; remove one", quote(name)));
+      }
+    });
+    srdf_.states.push_back(std::move(state));
+  }
+
+  XmlFile xml_;
+  Srdf srdf_;
+  std::set<std::pair<std::string, std::string>> known_;
+};
+
+[[noreturn]] void fail_call(const std::string& text, const std::string& place) {
+  throw Error(ErrorCode::bad_call, text, place);
+}
+
+// "NAME" or "GROUP/NAME".
+const Srdf::State& state_named(const Srdf& srdf, std::string_view text, const std::string& place) {
+  const Srdf::State* found = nullptr;
+  std::string names;
+  for (const Srdf::State& state : srdf.states) {
+    const std::string full = state.group + "/" + state.name;
+    names += (names.empty() ? "" : ", ") + full;
+    if (text == full) return state;
+    if (text != state.name) continue;
+    if (found != nullptr) {
+      fail_call(fmt::format("several groups have a state {}; write {}/{} or {}/{}", quote(text), found->group,
+                            found->name, state.group, state.name),
+                place);
+    }
+    found = &state;
+  }
+  if (found == nullptr) {
+    fail_call(fmt::format("there is no state {}; states are {}", quote(text), names.empty() ? "none" : names), place);
+  }
+  return *found;
+}
+
+bool contains(std::span<const std::string> names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+Srdf parse_srdf(std::string_view bytes, std::string_view place) { return SrdfParser(bytes, place).parse(); }
+
+Srdf read_srdf(const std::filesystem::path& path, InputFiles* inputs) {
+  return parse_srdf(read_file(path, inputs), path.string());
+}
+
+JointValues state_values(const Srdf& srdf, const Robot& robot, std::string_view text, const std::string& place,
+                         std::vector<std::string>& remarks) {
+  JointValues joints{one_line(text), {}};
+  for (;;) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const Srdf::State& state = state_named(srdf, trimmed(text.substr(0, comma)), place);
+    std::vector<std::string> skipped = state.other;
+    for (const auto& [name, value] : state.values) {
+      const auto joint =
+          std::find_if(robot.joints.begin(), robot.joints.end(), [&](const Joint& j) { return j.name == name; });
+      const bool is_there = joint != robot.joints.end();
+      if (!is_there && !contains(srdf.virtual_joints, name)) {
+        fail_call(fmt::format("the state {} of group {} moves joint {}, which the robot does not have",
+                              quote(state.name), quote(state.group), quote(name)),
+                  place);
+      }
+      if (!is_there || joint->type == JointType::fixed || joint->mimic) {
+        skipped.push_back(name);
+        continue;
+      }
+      const auto [known, is_new] = joints.values.emplace(name, value);
+      if (!is_new && known->second != value) {
+        fail_call(fmt::format("two of these states give joint {} different values", quote(name)), place);
+      }
+    }
+    if (!skipped.empty()) {
+      std::string list;
+      for (const std::string& name : skipped) list += (list.empty() ? "" : ", ") + name;
+      remarks.push_back(
+          fmt::format("of state {}/{} these joints are not moved by it (they are fixed, follow others, or "
+                      "stand between the robot and the world): {}",
+                      state.group, state.name, list));
+    }
+    if (comma == text.size()) return joints;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+std::string reasons_text(std::span<const Srdf::Pair> pairs) {
+  std::map<std::string, std::uint64_t> counts;
+  for (const Srdf::Pair& pair : pairs) ++counts[pair.reason.empty() ? "without a reason" : pair.reason];
+  std::vector<std::pair<std::uint64_t, std::string>> sorted;
+  for (const auto& [reason, count] : counts) sorted.emplace_back(count, reason);
+  std::sort(sorted.begin(), sorted.end(),
+            [](const auto& a, const auto& b) { return a.first != b.first ? a.first > b.first : a.second < b.second; });
+  std::string text = count_of(pairs.size(), "pair");
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    text += fmt::format("{}{} {}", i == 0 ? ": " : ", ", sorted[i].first, sorted[i].second);
+  }
+  return text;
+}
+
+}  // namespace sunder::io

@@ -1,0 +1,99 @@
+#include <sunder/base/error.h>
+#include <sunder/io/srdf.h>
+
+#include <tests/support/places.h>
+
+#include <gtest/gtest.h>
+
+namespace sunder::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path cases = tests::cases_folder();
+
+std::string message(const std::string& inner) {
+  try {
+    parse_srdf("<robot name=\"r\">\n" + inner + "\n</robot>", "test");
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::bad_file);
+    return error.what();
+  }
+  return "no error";
+}
+
+class States : public testing::Test {
+ protected:
+  JointValues of(const std::string& text) {
+    remarks_.clear();
+    return state_values(srdf_, robot_, text, "--state", remarks_);
+  }
+  std::string error(const std::string& text) {
+    try {
+      of(text);
+    } catch (const Error& e) {
+      EXPECT_EQ(e.code(), ErrorCode::bad_call);
+      return e.what();
+    }
+    return "no error";
+  }
+
+  const Srdf srdf_ = read_srdf(cases / "scene" / "arm.srdf");
+  const Robot robot_ = read_urdf(cases / "mesh" / "arm.urdf");
+  std::vector<std::string> remarks_;
+};
+
+TEST_F(States, AreReadWithTheirPairsAndGroups) {
+  EXPECT_EQ(srdf_.name, "arm");
+  ASSERT_EQ(srdf_.disabled.size(), 4u);
+  EXPECT_EQ(srdf_.disabled[0].links[0], "base");
+  EXPECT_EQ(srdf_.disabled[0].links[1], "upper");
+  EXPECT_EQ(srdf_.disabled[0].reason, "Adjacent");
+  EXPECT_EQ(srdf_.groups, (std::vector<std::string>{"whole", "hand"}));
+  EXPECT_EQ(srdf_.states.size(), 4u);
+  EXPECT_EQ(reasons_text(srdf_.disabled), "4 pairs: 2 Never, 1 Adjacent, 1 without a reason");
+}
+
+TEST_F(States, GiveValuesToJoints) {
+  const JointValues up = of("up");
+  EXPECT_EQ(up.name, "up");
+  EXPECT_EQ(up.values, (std::map<std::string, double>{{"shoulder", 1}, {"elbow", -1.5}}));
+  ASSERT_EQ(remarks_.size(), 1u);
+  EXPECT_NE(remarks_[0].find("of state whole/up"), std::string::npos);
+  EXPECT_TRUE(remarks_[0].ends_with(": floor")) << remarks_[0];
+  EXPECT_EQ(of("hand/open").values, (std::map<std::string, double>{{"slide", 1.5}}));
+  EXPECT_TRUE(remarks_.empty());
+  EXPECT_EQ(of("up, hand/open").values,
+            (std::map<std::string, double>{{"shoulder", 1}, {"elbow", -1.5}, {"slide", 1.5}}));
+}
+
+TEST_F(States, ThatAreNotThereOrNotClearAreRefused) {
+  EXPECT_NE(error("down").find("there is no state 'down'; states are whole/up, whole/open, hand/open, hand/closed"),
+            std::string::npos);
+  EXPECT_NE(error("open").find("several groups have a state 'open'; write whole/open or hand/open"), std::string::npos);
+  EXPECT_NE(error("hand/open,closed").find("give joint 'slide' different values"), std::string::npos);
+  EXPECT_NE(error("whole/open").find("moves joint 'none', which the robot does not have"), std::string::npos);
+}
+
+TEST(Srdf, RefusesBrokenFiles) {
+  EXPECT_EQ(message("<disable_collisions link1=\"a\"/>"), "test:2: <disable_collisions> has no link2=\"...\"; add it");
+  EXPECT_EQ(message("<disable_collisions link1=\"a\" link2=\"a\"/>"), "test:2: both links are 'a'; name two");
+  EXPECT_EQ(message("<disable_collisions link1=\"a\" link2=\"\"/>"),
+            "test:2: link2=\"\" of <disable_collisions> is empty; name one");
+  EXPECT_EQ(message("<group_state name=\"s\"/>"), "test:2: <group_state> has no group=\"...\"; add it");
+  EXPECT_NE(
+      message("<group_state name=\"s\" group=\"g\"><joint name=\"j\" value=\"nan\"/></group_state>").find("is NaN"),
+      std::string::npos);
+  EXPECT_NE(message("<group_state name=\"s\" group=\"g\"/>\n<group_state name=\"s\" group=\"g\"/>")
+                .find(":3: the state 's' of group 'g' comes twice"),
+            std::string::npos);
+  EXPECT_NE(message("<group_state name=\"s\" group=\"g\"><joint name=\"j\" value=\"1\"/><joint name=\"j\" value=\"1\"/>"
+                    "</group_state>")
+                .find("the joint 'j' comes twice"),
+            std::string::npos);
+  EXPECT_NE(message("<link name=\"a\"><collision/></link>").find("this is a URDF"), std::string::npos);
+  EXPECT_NE(message("<group>").find("not well-formed XML"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sunder::io
