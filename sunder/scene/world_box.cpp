@@ -18,15 +18,17 @@ Point3 axis(std::size_t k) { return {k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k =
 
 }  // namespace
 
-WorldBox world_box(const solid::Placed& body) {
+WorldBox world_box(const solid::Placed& body) { return world_box(body, {}); }
+
+WorldBox world_box(const solid::Placed& body, const WorldBox& near) {
   WorldBox box;
   Cost cost;
   StageTally tally;
   for (std::size_t k = 0; k < 3; ++k) {
     const WorldDirection direction(axis(k));
     Along along(direction, body.pose, body.tame);
-    box.lowest[k] = solid::extreme_vertex_from(body, along, solid::End::least, 0, cost, tally);
-    box.highest[k] = solid::extreme_vertex_from(body, along, solid::End::greatest, 0, cost, tally);
+    box.lowest[k] = solid::extreme_vertex_from(body, along, solid::End::least, near.lowest[k], cost, tally);
+    box.highest[k] = solid::extreme_vertex_from(body, along, solid::End::greatest, near.highest[k], cost, tally);
     box.low[k] = coordinate(k, body[box.lowest[k]]).low;
     box.high[k] = coordinate(k, body[box.highest[k]]).high;
   }

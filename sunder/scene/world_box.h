@@ -22,6 +22,10 @@ struct WorldBox : Box3 {
 // Cost: six walks over the vertex graph.
 WorldBox world_box(const solid::Placed& body);
 
+// The same, from the vertices of a box of this body in another place on: where it has hardly moved, a look at each of
+// them and at its neighbours. Requires that there are these vertices.
+WorldBox world_box(const solid::Placed& body, const WorldBox& near);
+
 // Where the boxes are apart, so are the bodies: the certificate, its direction one of +-x, +-y, +-z. Nothing where the
 // boxes meet. Cost: at most six comparisons.
 std::optional<PairCertificate> apart_by_boxes(const WorldBox& a, const WorldBox& b);
