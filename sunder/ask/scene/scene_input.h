@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,24 @@ class SceneInput {
   // Pairs of bodies out of: "adjacent" (links joined by a joint, or by joints through links without shapes),
   // "NAME,NAME", or a file with two names a line. Throws Error.
   std::vector<std::array<std::uint32_t, 2>> allowed(const std::string& text) const;
+
+  // The robot, whose links are some of the bodies. Throws Error bad_call, for this option, where there is none.
+  const io::Robot& robot(const std::string& option) const;
+
+  // Calls place(part, pose) for each part of each link, where the links are at these poses in the robot's frame. Parts
+  // are numbered through all bodies. Throws Error bad_pose where a pose overflows.
+  template <class Place>
+  void place_links(std::span<const solid::Pose> links, const Place& place) const {
+    std::uint32_t number = 0;
+    for (const Body& body : bodies_) {
+      if (!body.link) {
+        number += static_cast<std::uint32_t>(body.parts.size());
+        continue;
+      }
+      const solid::Pose at = compose(inputs_[body.input].pose, links[*body.link]);
+      for (const io::BodyPart& part : body.parts) place(number++, compose(at, part.pose));
+    }
+  }
 
   bool is_hull(std::uint32_t body, std::uint32_t part) const;  // does it stand for a mesh?
   std::vector<const MeshBody*> objects() const;                // all parts in order
