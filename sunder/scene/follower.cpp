@@ -26,24 +26,34 @@ void Follower::place(std::uint32_t part, const solid::Pose& pose) {
 void Follower::forget() {
   near_.reset();
   last_.clear();
-  std::fill(boxes_.begin(), boxes_.end(), WorldBox());
+  std::fill(boxes_.begin(), boxes_.end(), TightBox());
   placed_.clear();
   for (std::uint32_t i = 0; i < part_count(); ++i) placed_.push_back(i);
   is_placed_.assign(part_count(), true);
 }
 
+const WorldBox& Follower::tight_box(std::uint32_t part) {
+  TightBox& tight = boxes_[part];
+  if (!tight.is_there) {
+    tight.box = box_of(members_->part(std::span<const Body>(bodies_), part), tight.box);
+    tight.is_there = true;
+  }
+  return tight.box;
+}
+
 const Answer& Follower::ask() {
   const std::span<const Body> bodies(bodies_);
   for (const std::uint32_t i : placed_) {
-    boxes_[i] = box_of(members_->part(bodies, i), boxes_[i]);
     is_placed_[i] = false;
-    if (near_) near_->move(i, boxes_[i]);
+    boxes_[i].is_there = false;
+    if (near_) near_->move(i, rough_box_of(members_->part(bodies, i)));
   }
   placed_.clear();
   if (near_) {
     near_->update();
   } else {
-    const std::vector<Box3> boxes(boxes_.begin(), boxes_.end());
+    std::vector<Box3> boxes;
+    for (std::uint32_t i = 0; i < part_count(); ++i) boxes.push_back(rough_box_of(members_->part(bodies, i)));
     near_.emplace(boxes,
                   [members = members_](std::uint32_t i, std::uint32_t j) { return members->are_asked_about(i, j); });
   }
@@ -53,7 +63,7 @@ const Answer& Follower::ask() {
   answer_.pairs.clear();
   answer_.counts = {};
   for (const auto& [i, j, slot] : near_->pairs()) {
-    if (!meet(near_->box(i), near_->box(j))) continue;
+    if (!meet(near_->box(i), near_->box(j)) || !meet(tight_box(i), tight_box(j))) continue;
     const Part &a = members_->part(bodies, i), &b = members_->part(bodies, j);
     PairAnswer answer = pair_answer(a, b, question_, last_[slot]);
     if (!answer.meet()) {

@@ -50,8 +50,14 @@ class Follower {
   std::vector<Body> bodies_;
   Question question_;
   std::shared_ptr<const Members> members_;  // also of those that look for pairs
-  std::vector<WorldBox> boxes_;             // of each part
-  std::vector<std::uint32_t> placed_;       // parts since the last answer
+  struct TightBox {
+    WorldBox box;
+    bool is_there = false;  // where the part is now; else where it was before
+  };
+  const WorldBox& tight_box(std::uint32_t part);
+
+  std::vector<TightBox> boxes_;        // of each part
+  std::vector<std::uint32_t> placed_;  // parts since the last answer
   std::vector<bool> is_placed_;
   std::optional<MovingBoxes> near_;
   std::vector<PairWarmStart> last_;  // by the slots of pairs
