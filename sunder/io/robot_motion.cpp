@@ -89,7 +89,7 @@ void RobotMotion::place(std::span<const double> values, std::span<Pose> links) c
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const Joint& joint = joints_[i];
     try {
-      links[joint.child] = compose(links[joint.parent], compose(origins_[i], motion(joint, all[i])));
+      links[joint.child] = composed(links[joint.parent], composed(origins_[i], motion(joint, all[i])));
     } catch (const Error& error) {
       throw Error(error.code(), error.what(), "joint " + quote(joint.name));
     }

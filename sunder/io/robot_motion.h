@@ -21,10 +21,10 @@ class RobotMotion {
   // of this name, it is fixed, or it follows another one.
   RobotMotion(const Robot& robot, std::span<const std::string> joints);
 
-  // The poses of all links, as link_poses of urdf_kinematics.h has them for the same values, bit by bit; but limits are
-  // not looked at. Requires as many values as joints, each finite, and as many poses as links. Allocates nothing
-  // for robots of up to 64 joints.
-  // Throws Error bad_call where a mimic's value overflows, bad_pose where a pose does, naming the joint.
+  // The poses of all links, as link_poses of urdf_kinematics.h has them for the same values, bit by bit but for the
+  // signs of zeros; limits are not looked at. Requires as many values as joints, each finite, and as many poses as
+  // links. Allocates nothing for robots of up to 64 joints. Throws Error bad_call where a mimic's value overflows,
+  // bad_pose where a pose does, naming the joint.
   void place(std::span<const double> values, std::span<solid::Pose> links) const;
 
   // The joint of a value, with its limits.
@@ -37,6 +37,12 @@ class RobotMotion {
   std::vector<std::uint32_t> given_;   // of each value its joint
   std::vector<std::uint32_t> mimics_;  // joints that follow others, after those that they follow
 };
+
+// As compose, without the work where one of them is the identity. (The sign of a zero may be another one.)
+inline solid::Pose composed(const solid::Pose& outer, const solid::Pose& inner) {
+  if (outer.affine() == Affine3{}) return inner;
+  return inner.affine() == Affine3{} ? outer : compose(outer, inner);
+}
 
 // The joints that values can be given for: all but the fixed ones and those that follow others; in the order of
 // robot.joints.

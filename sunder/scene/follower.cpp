@@ -12,7 +12,19 @@ Follower::Follower(std::span<const Body> bodies, const Question& question)
       members_(std::make_shared<const Members>(bodies, question.allowed)),
       boxes_(members_->size()),
       is_placed_(members_->size()) {
+  list_few();
   forget();
+}
+
+void Follower::list_few() {
+  Counts counts;
+  members_->complete(counts);
+  if (counts.pairs - counts.allowed > few) return;
+  for (std::uint32_t j = 0; j < part_count(); ++j) {
+    for (std::uint32_t i = 0; i < j; ++i) {
+      if (members_->are_asked_about(i, j)) few_.push_back({i, j, static_cast<std::uint32_t>(few_.size())});
+    }
+  }
 }
 
 void Follower::place(std::uint32_t part, const solid::Pose& pose) {
@@ -25,45 +37,39 @@ void Follower::place(std::uint32_t part, const solid::Pose& pose) {
 
 void Follower::forget() {
   near_.reset();
-  last_.clear();
-  std::fill(boxes_.begin(), boxes_.end(), TightBox());
+  last_.assign(few_.size(), {});
   placed_.clear();
   for (std::uint32_t i = 0; i < part_count(); ++i) placed_.push_back(i);
   is_placed_.assign(part_count(), true);
 }
 
-const WorldBox& Follower::tight_box(std::uint32_t part) {
-  TightBox& tight = boxes_[part];
-  if (!tight.is_there) {
-    tight.box = box_of(members_->part(std::span<const Body>(bodies_), part), tight.box);
-    tight.is_there = true;
+// The pairs whose boxes may meet, and in last_ their last answers.
+std::span<const MovingBoxes::Pair> Follower::follow_near() {
+  if (!few_.empty()) return few_;
+  if (near_) {
+    near_->update();
+  } else {
+    near_.emplace(boxes_,
+                  [members = members_](std::uint32_t i, std::uint32_t j) { return members->are_asked_about(i, j); });
   }
-  return tight.box;
+  last_.resize(near_->slot_count());
+  for (const std::uint32_t slot : near_->fresh()) last_[slot] = {};
+  return near_->pairs();
 }
 
 const Answer& Follower::ask() {
   const std::span<const Body> bodies(bodies_);
   for (const std::uint32_t i : placed_) {
     is_placed_[i] = false;
-    boxes_[i].is_there = false;
-    if (near_) near_->move(i, rough_box_of(members_->part(bodies, i)));
+    boxes_[i] = rough_box_of(members_->part(bodies, i));
+    if (near_) near_->move(i, boxes_[i]);
   }
   placed_.clear();
-  if (near_) {
-    near_->update();
-  } else {
-    std::vector<Box3> boxes;
-    for (std::uint32_t i = 0; i < part_count(); ++i) boxes.push_back(rough_box_of(members_->part(bodies, i)));
-    near_.emplace(boxes,
-                  [members = members_](std::uint32_t i, std::uint32_t j) { return members->are_asked_about(i, j); });
-  }
-  last_.resize(near_->slot_count());
-  for (const std::uint32_t slot : near_->fresh()) last_[slot] = {};
 
   answer_.pairs.clear();
   answer_.counts = {};
-  for (const auto& [i, j, slot] : near_->pairs()) {
-    if (!meet(near_->box(i), near_->box(j)) || !meet(tight_box(i), tight_box(j))) continue;
+  for (const auto& [i, j, slot] : follow_near()) {
+    if (!meet(boxes_[i], boxes_[j])) continue;
     const Part &a = members_->part(bodies, i), &b = members_->part(bodies, j);
     PairAnswer answer = pair_answer(a, b, question_, last_[slot]);
     if (!answer.meet()) {

@@ -4,8 +4,9 @@
 // The question of scene.h, of bodies that move: kept are the boxes, the pairs of parts that are near
 // (near/moving_boxes.h), and for each of these what the last answer was (solid/pair/polyhedron_polyhedron_warm.h); so
 // that a placement costs what has changed since the one before.
-//   F1. What meets, what counts, and how many pairs do, is as meeting_pairs says of the same placement. (Whether boxes
-//       or the method part a pair may differ by the last bit of a box.)
+//   F1. What meets, what counts, and how many pairs do, is as meeting_pairs says of the same placement. Boxes are
+//   rougher
+//       here, and warm questions cheap: so fewer pairs are parted by boxes, and more by the method.
 //   F2. Listed are the pairs that meet, in the order of S3. Each has its certificate, which may depend on the
 //       placements before, back to forget(); after forget() answers depend on no placement before.
 // A part's shape stays; its pose is what moves. Not for several threads at once; a copy is a follower of its own.
@@ -38,29 +39,29 @@ class Follower {
   void place(std::uint32_t part, const solid::Pose& pose);
 
   // Which meet now? Holds until the next call. Allocates where more pairs come near, or meet, than ever before.
-  // Cost: for each part that was placed six walks on its vertex graph, from the vertices that were extreme, and as
-  // MovingBoxes::update says; a look at every near pair, and for each whose boxes meet, moved or not, the warm
-  // question.
+  // Cost: for each part that was placed a rough box, and as MovingBoxes::update says, or, of up to 1,024 pairs that are
+  // asked about, a look at each; for each pair whose boxes meet, moved or not, the warm question.
   const Answer& ask();
 
   // Starts cold: as if it were made anew with the bodies where they are.
   void forget();
 
  private:
+  // Of so many pairs all boxes are compared: that costs less than to follow which are near.
+  static constexpr std::size_t few = 1024;
+
+  void list_few();
+  std::span<const MovingBoxes::Pair> follow_near();
+
   std::vector<Body> bodies_;
   Question question_;
   std::shared_ptr<const Members> members_;  // also of those that look for pairs
-  struct TightBox {
-    WorldBox box;
-    bool is_there = false;  // where the part is now; else where it was before
-  };
-  const WorldBox& tight_box(std::uint32_t part);
-
-  std::vector<TightBox> boxes_;        // of each part
-  std::vector<std::uint32_t> placed_;  // parts since the last answer
+  std::vector<Box3> boxes_;                 // of each part, rough
+  std::vector<std::uint32_t> placed_;       // parts since the last answer
   std::vector<bool> is_placed_;
-  std::optional<MovingBoxes> near_;
-  std::vector<PairWarmStart> last_;  // by the slots of pairs
+  std::vector<MovingBoxes::Pair> few_;  // all that are asked about, where these are few; else none
+  std::optional<MovingBoxes> near_;     // where they are many
+  std::vector<PairWarmStart> last_;     // by the slots of pairs
   Answer answer_;
 };
 

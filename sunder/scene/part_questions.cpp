@@ -6,9 +6,6 @@
 namespace sunder::scene {
 
 WorldBox box_of(const Part& part) { return world_box(solid::Placed(part.shape, part.pose)); }
-WorldBox box_of(const Part& part, const WorldBox& near) {
-  return world_box(solid::Placed(part.shape, part.pose), near);
-}
 Box3 rough_box_of(const Part& part) { return rough_world_box(solid::Placed(part.shape, part.pose)); }
 
 PairAnswer pair_answer(const Part& a, const Part& b, const Question& question) {

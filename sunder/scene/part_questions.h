@@ -10,9 +10,8 @@ namespace sunder::scene {
 // What the last answer about two parts leaves to the next one.
 using PairWarmStart = solid::WarmStart;
 
-// The second: from a box of the part in another place on. The third is larger, and costs least.
+// The second is larger, and costs no walk.
 WorldBox box_of(const Part& part);
-WorldBox box_of(const Part& part, const WorldBox& near);
 Box3 rough_box_of(const Part& part);
 
 // Do they meet? By the question's method; the second from the last answer on, where that is the front door.

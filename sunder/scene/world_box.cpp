@@ -1,4 +1,5 @@
 #include <sunder/number/interval.h>
+#include <sunder/number/rounded.h>
 #include <sunder/predicate/along.h>
 #include <sunder/scene/world_box.h>
 #include <sunder/solid/represent/search_graph_walk.h>
@@ -13,6 +14,13 @@ namespace {
 Interval coordinate(std::size_t k, const Posed3& point) {
   const auto& m = point.pose->linear;
   const Point3& p = point.point;
+  if (point.tame) {
+    const auto at = (leaf(m[3 * k]) * leaf(p.x) + leaf(m[3 * k + 1]) * leaf(p.y)) +
+                    (leaf(m[3 * k + 2]) * leaf(p.z) + leaf(point.pose->translation[k]));
+    // The value is not greater than the magnitude; so two units more pay for the rounding of its sum with the error.
+    const double error = (decltype(at)::bound + 0x1p-52) * at.magnitude;
+    return {at.value - error, at.value + error};
+  }
   return (Interval(m[3 * k]) * p.x + Interval(m[3 * k + 1]) * p.y) +
          (Interval(m[3 * k + 2]) * p.z + Interval(point.pose->translation[k]));
 }

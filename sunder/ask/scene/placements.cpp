@@ -297,8 +297,9 @@ io::JointTable read_placements(const PlacementsCall& call, const SceneInput& inp
     table.joints = call.joint_names.empty() ? io::movable_joints(robot) : split_at_commas(call.joint_names);
     if (table.joints.size() != table.columns) {
       throw Error(ErrorCode::bad_call,
-                  fmt::format("{} has {}, but there are {}: {}; name one joint for each column", io::quote(table.file),
-                              count_of(table.columns, "column"), count_of(table.joints.size(), "joint"),
+                  fmt::format("{} has {}, but there {} {}: {}; name one joint for each column", io::quote(table.file),
+                              count_of(table.columns, "column"), table.joints.size() == 1 ? "is" : "are",
+                              count_of(table.joints.size(), "joint"),
                               io::one_line(fmt::format("{}", fmt::join(table.joints, ", ")))),
                   names_option);
     }
@@ -308,6 +309,7 @@ io::JointTable read_placements(const PlacementsCall& call, const SceneInput& inp
       }
     }
   }
+  (void)io::RobotMotion(robot, table.joints);  // are there these joints?
   return table;
 }
 

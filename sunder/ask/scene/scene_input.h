@@ -4,6 +4,7 @@
 #include <sunder/ask/objects.h>
 
 #include <sunder/io/robot_bodies.h>
+#include <sunder/io/robot_motion.h>
 #include <sunder/io/urdf.h>
 #include <sunder/scene/scene.h>
 
@@ -47,8 +48,8 @@ class SceneInput {
         number += static_cast<std::uint32_t>(body.parts.size());
         continue;
       }
-      const solid::Pose at = compose(inputs_[body.input].pose, links[*body.link]);
-      for (const io::BodyPart& part : body.parts) place(number++, compose(at, part.pose));
+      const solid::Pose at = io::composed(inputs_[body.input].pose, links[*body.link]);
+      for (const io::BodyPart& part : body.parts) place(number++, io::composed(at, part.pose));
     }
   }
 
