@@ -411,6 +411,28 @@ class Signals(InFolder):
             self.assertEqual(process.wait(), -number)
             self.assertEqual(os.listdir(self.folder.name), ["equal.csv"])
 
+    def test_no_half_of_a_long_run_stays(self):
+        self.write("before.csv", "before")
+        self.write("joints.csv", "panda_joint1,panda_joint4\n" + "".join("%r,-1.5\n" % (k * 1e-5) for k in range(200000)))
+        before = sorted(os.listdir(self.folder.name))
+        for number in (signal.SIGINT, signal.SIGTERM):
+            for threads in ("1", "3"):
+                process = subprocess.Popen(
+                    [PROGRAM, "scene", os.path.join(CASES, "panda", "panda.urdf"), "--allow", "adjacent", "--placements",
+                     "joints.csv", "--csv", "before.csv", "--json-lines", "new.jsonl", "--threads", threads],
+                    cwd=self.folder.name, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                for _ in range(12000):  # until lines have been written
+                    if any(name.endswith(".sunder") and os.path.getsize(self.path(name)) > 0
+                           for name in os.listdir(self.folder.name)):
+                        break
+                    time.sleep(0.01)
+                else:
+                    self.fail("nothing was written")
+                process.send_signal(number)
+                self.assertEqual(process.wait(), -number)
+                self.assertEqual(sorted(os.listdir(self.folder.name)), before)
+                self.assertEqual(self.read("before.csv"), "before")
+
 
 if __name__ == "__main__":
     if not PROGRAM:

@@ -1,6 +1,10 @@
 #include <sunder/number/interval.h>
+#include <sunder/number/rounded.h>
 #include <sunder/predicate/along.h>
 #include <sunder/scene/world_box.h>
+#include <sunder/solid/represent/search_graph_walk.h>
+
+#include <utility>
 
 namespace sunder::scene {
 
@@ -10,25 +14,63 @@ namespace {
 Interval coordinate(std::size_t k, const Posed3& point) {
   const auto& m = point.pose->linear;
   const Point3& p = point.point;
+  if (point.tame) {
+    const auto at = (leaf(m[3 * k]) * leaf(p.x) + leaf(m[3 * k + 1]) * leaf(p.y)) +
+                    (leaf(m[3 * k + 2]) * leaf(p.z) + leaf(point.pose->translation[k]));
+    // The value is not greater than the magnitude; so two units more pay for the rounding of its sum with the error.
+    const double error = (decltype(at)::bound + 0x1p-52) * at.magnitude;
+    return {at.value - error, at.value + error};
+  }
   return (Interval(m[3 * k]) * p.x + Interval(m[3 * k + 1]) * p.y) +
          (Interval(m[3 * k + 2]) * p.z + Interval(point.pose->translation[k]));
+}
+
+// The vertex that a search in floating point finds furthest along a direction of the body's frame: from `near`, or from
+// where the direction table says, whichever is further.
+std::uint32_t likely_extreme(const solid::Placed& body, const Point3& along, std::uint32_t near, Cost& cost) {
+  const solid::SearchGraph& graph = body.graph;
+  if (graph.padded != 0) return solid::furthest_of_few(graph, along, cost.probes);
+  if (graph.is_slow) return near;
+  const std::uint32_t here = graph.place[near], there = solid::table_start(graph, along);
+  const bool is_far = solid::dot(along, graph.block(here).at()) < solid::dot(along, graph.block(there).at());
+  return graph.block(solid::walk(graph, along, is_far ? there : here, cost.probes).place).vertex();
 }
 
 Point3 axis(std::size_t k) { return {k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0}; }
 
 }  // namespace
 
-WorldBox world_box(const solid::Placed& body) {
+WorldBox world_box(const solid::Placed& body) { return world_box(body, {}); }
+
+WorldBox world_box(const solid::Placed& body, const WorldBox& near) {
   WorldBox box;
   Cost cost;
   StageTally tally;
   for (std::size_t k = 0; k < 3; ++k) {
     const WorldDirection direction(axis(k));
     Along along(direction, body.pose, body.tame);
-    box.lowest[k] = solid::extreme_vertex_from(body, along, solid::End::least, 0, cost, tally);
-    box.highest[k] = solid::extreme_vertex_from(body, along, solid::End::greatest, 0, cost, tally);
+    const double* const row = &body.pose.linear[3 * k];
+    const std::uint32_t low = likely_extreme(body, {-row[0], -row[1], -row[2]}, near.lowest[k], cost);
+    const std::uint32_t high = likely_extreme(body, {row[0], row[1], row[2]}, near.highest[k], cost);
+    box.lowest[k] = solid::extreme_vertex_from(body, along, solid::End::least, low, cost, tally);
+    box.highest[k] = solid::extreme_vertex_from(body, along, solid::End::greatest, high, cost, tally);
     box.low[k] = coordinate(k, body[box.lowest[k]]).low;
     box.high[k] = coordinate(k, body[box.highest[k]]).high;
+  }
+  return box;
+}
+
+Box3 rough_world_box(const solid::Placed& body) {
+  Box3 box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    // Along an axis of the world a corner is furthest that each axis of the body alone takes furthest.
+    const Point3 &low = body.graph.low, &high = body.graph.high;
+    Point3 least = low, greatest = high;
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (body.pose.linear[3 * k + j] < 0) std::swap(least[j], greatest[j]);
+    }
+    box.low[k] = coordinate(k, {least, &body.pose, body.tame}).low;
+    box.high[k] = coordinate(k, {greatest, &body.pose, body.tame}).high;
   }
   return box;
 }

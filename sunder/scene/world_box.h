@@ -22,6 +22,13 @@ struct WorldBox : Box3 {
 // Cost: six walks over the vertex graph.
 WorldBox world_box(const solid::Placed& body);
 
+// The same, where the body was in another place before, from the vertices of its box there on: where it has hardly
+// moved, a look at each of them and at its neighbours. Requires that there are these vertices.
+WorldBox world_box(const solid::Placed& body, const WorldBox& near);
+
+// A box that costs no walk, and is larger: that of the images of the corners of the body's own box. W1 holds.
+Box3 rough_world_box(const solid::Placed& body);
+
 // Where the boxes are apart, so are the bodies: the certificate, its direction one of +-x, +-y, +-z. Nothing where the
 // boxes meet. Cost: at most six comparisons.
 std::optional<PairCertificate> apart_by_boxes(const WorldBox& a, const WorldBox& b);

@@ -148,6 +148,11 @@ std::vector<scene::Body> SceneInput::bodies(const std::map<std::string, double>&
   return placed;
 }
 
+const io::Robot& SceneInput::robot(const std::string& option) const {
+  if (!robot_) fail_call("there is no robot to move; name a URDF file", option);
+  return *robot_;
+}
+
 bool SceneInput::is_hull(std::uint32_t body, std::uint32_t part) const {
   return bodies_[body].parts[part].body.shape == io::BodyShape::hull;
 }

@@ -5,6 +5,7 @@
 
 #include <sunder/io/packages.h>
 #include <sunder/io/robot_bodies.h>
+#include <sunder/io/robot_motion.h>
 #include <sunder/io/srdf.h>
 #include <sunder/io/urdf.h>
 #include <sunder/scene/scene.h>
@@ -14,6 +15,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,6 +48,24 @@ class SceneInput {
 
   // Says which of these values are beyond the limits of their joints: one note, however many there are.
   void note_limits(const std::vector<io::JointValues>& placements) const;
+
+  // The robot, whose links are some of the bodies. Throws Error bad_call, for this option, where there is none.
+  const io::Robot& robot(const std::string& option) const;
+
+  // Calls place(part, pose) for each part of each link, where the links are at these poses in the robot's frame. Parts
+  // are numbered through all bodies. Throws Error bad_pose where a pose overflows.
+  template <class Place>
+  void place_links(std::span<const solid::Pose> links, const Place& place) const {
+    std::uint32_t number = 0;
+    for (const Body& body : bodies_) {
+      if (!body.link) {
+        number += static_cast<std::uint32_t>(body.parts.size());
+        continue;
+      }
+      const solid::Pose at = io::composed(inputs_[body.input].pose, links[*body.link]);
+      for (const io::BodyPart& part : body.parts) place(number++, io::composed(at, part.pose));
+    }
+  }
 
   bool is_hull(std::uint32_t body, std::uint32_t part) const;  // does it stand for a mesh?
   std::vector<const MeshBody*> objects() const;                // all parts in order

@@ -1,6 +1,7 @@
 // sunder scene FILE...: which of these bodies meet?
 #include <sunder/ask/outputs.h>
 #include <sunder/ask/question.h>
+#include <sunder/ask/scene/placements.h>
 #include <sunder/ask/scene/scene_report.h>
 #include <sunder/ask/verb.h>
 
@@ -33,6 +34,7 @@ struct Call : QuestionCall {
   bool groups = false;
   bool require_convex = false;
   bool leave_out = false;
+  PlacementsCall placements;  // none where it names no table
 };
 
 io::Packages packages_of(const Call& call) {
@@ -40,10 +42,22 @@ io::Packages packages_of(const Call& call) {
   return io::parse_packages(call.packages, search == nullptr ? "" : search);
 }
 
-// srdf, input: for --state.
-std::vector<io::JointValues> joints_of(const Call& call, const io::Srdf& srdf, const SceneInput& input,
-                                       InputFiles* inputs) {
-  std::vector<io::JointValues> all;
+// Reports, proofs and pictures hold all placements at once.
+constexpr std::size_t most_held = 10'000;
+
+bool wants_lines(const Call& call) { return !call.json && !call.proves() && call.svg.empty(); }
+
+// table: what --placements names, to be held; srdf, input: for --state.
+std::vector<io::JointValues> joints_of(const Call& call, const io::JointTable& table, const io::Srdf& srdf,
+                                       const SceneInput& input, InputFiles* inputs) {
+  if (table.rows() > most_held) {
+    throw Error(ErrorCode::bad_call,
+                fmt::format("{} are too many for --json, --certificate and --svg, which hold at most {}; leave these "
+                            "out, or ask about some",
+                            count_of(table.rows(), "placement"), most_held),
+                "--placements");
+  }
+  std::vector<io::JointValues> all = joint_values_of(table);
   for (const std::string& file : call.joints_files) all.push_back(io::read_joint_values(file, inputs));
   for (const std::string& text : call.joints) all.push_back(io::parse_joint_values(text, "--joints"));
   for (const std::string& text : call.states) all.push_back(input.state(srdf, text));
@@ -67,6 +81,8 @@ void require_apart(const Call& call, const SceneInput& input) {
   for (const std::filesystem::path& mesh : input.robot_meshes()) meshes.push_back({"", mesh});
   if (!call.certificate.empty()) outputs.push_back({"--certificate", call.certificate});
   if (!call.svg.empty()) outputs.push_back({"--svg", call.svg});
+  if (!call.placements.json_lines.empty()) outputs.push_back({"--json-lines", call.placements.json_lines});
+  if (!call.placements.csv.empty()) outputs.push_back({"--csv", call.placements.csv});
   ask::require_apart(meshes, outputs);
 }
 
@@ -109,8 +125,12 @@ int run(const Call& call) {
   const io::Srdf srdf = call.srdf.empty() ? io::Srdf{} : io::read_srdf(call.srdf, inputs);
   const SceneInput input(call.files, call.poses, call.require_convex, call.leave_out, inputs, packages_of(call),
                          call.groups ? io::PartsOf::objects_and_groups : io::PartsOf::objects);
-  const std::vector<io::JointValues> placements = joints_of(call, srdf, input, inputs);
   require_apart(call, input);
+  io::JointTable table;
+  if (!call.placements.table.empty()) table = read_placements(call.placements, input, inputs);
+  const bool is_by_lines = table.rows() > 0 && wants_lines(call);
+  std::vector<io::JointValues> placements;
+  if (!is_by_lines) placements = joints_of(call, table, srdf, input, inputs);
   if (!call.svg.empty()) require_drawable(call, input, placements.size());
 
   SceneReport report{input, call.method};
@@ -131,6 +151,11 @@ int run(const Call& call) {
     const auto pairs = input.allowed(srdf, call.srdf);
     question.allowed.insert(question.allowed.end(), pairs.begin(), pairs.end());
     report.allowed_because.push_back(call.srdf);
+  }
+  if (is_by_lines) {
+    input.note_limits(extremes_of(table));
+    note_hulls(input.objects());
+    return answer_placements(call.placements, input, question, table);
   }
   report.colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
   for (const io::JointValues& joints : placements) {
@@ -174,6 +199,39 @@ Verb scene_verb() {
        {"--state", &call->states, "the joints as in a state of --srdf, NAME or GROUP/NAME, or several with commas",
         "NAME", false, "--srdf"},
        {"--package", &call->packages, "where a package of meshes is; also in ROS_PACKAGE_PATH", "NAME=FOLDER"},
+       {.name = "--placements",
+        .value = &call->placements.table,
+        .help = "joint values, a placement a row: CSV with the joints' names in the first line, or NPY",
+        .type = "FILE",
+        .excludes = {"--joints", "--joints-file"}},
+       {.name = "--joint-names",
+        .value = &call->placements.joint_names,
+        .help = "the joints of an NPY file's columns (unless given: all that can be moved, as in `sunder info`)",
+        .type = "A,B,...",
+        .needs = "--placements"},
+       {.name = "--first",
+        .value = &call->placements.first,
+        .help = "stop at the first placement where bodies meet",
+        .needs = "--placements",
+        .excludes = {"--json", "--certificate", "--svg"}},
+       {.name = "--json-lines",
+        .value = &call->placements.json_lines,
+        .help = "write a line of JSON a placement here",
+        .type = "FILE",
+        .needs = "--placements",
+        .excludes = {"--json", "--certificate", "--svg"}},
+       {.name = "--csv",
+        .value = &call->placements.csv,
+        .help = "write a line a placement here, as a table",
+        .type = "FILE",
+        .needs = "--placements",
+        .excludes = {"--json", "--certificate", "--svg"}},
+       {.name = "--threads",
+        .value = &call->placements.threads,
+        .help = "how many; the output is the same (unless given: as many as there are cores)",
+        .type = "N",
+        .needs = "--placements",
+        .excludes = {"--json", "--certificate", "--svg"}},
        {"--allow", &call->allow,
         "what may meet: adjacent (links joined by a joint), touch, NAME,NAME, or a file with two names a line", "WHAT"},
        {"--method", &call->method, "automatic, gjk, hierarchy, or scan", "NAME"},

@@ -1,0 +1,347 @@
+#include <sunder/ask/list_stream.h>
+#include <sunder/ask/progress.h>
+#include <sunder/ask/report.h>
+#include <sunder/ask/scene/placements.h>
+
+#include <sunder/base/error.h>
+#include <sunder/io/file.h>
+#include <sunder/io/robot_motion.h>
+#include <sunder/io/text.h>
+#include <sunder/scene/chains.h>
+#include <sunder/scene/follower.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace sunder::ask {
+
+namespace {
+
+using scene::PartPair;
+
+constexpr const char *option = "--placements", *names_option = "--joint-names";
+
+std::vector<std::string> split_at_commas(std::string_view text) {
+  std::vector<std::string> names;
+  while (!text.empty()) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    names.emplace_back(io::trimmed(text.substr(0, comma)));
+    text.remove_prefix(std::min(comma + 1, text.size()));
+  }
+  return names;
+}
+
+// Values beyond the limits are asked about as they are, and said.
+void note_limits(const io::JointTable& table, const io::RobotMotion& motion) {
+  std::uint64_t beyond = 0;
+  std::string first;
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    for (std::size_t c = 0; c < table.columns; ++c) {
+      const io::Joint& joint = motion.joint_of(c);
+      const double value = table.row(k)[c];
+      if (value >= joint.lower && value <= joint.upper) continue;
+      if (beyond++ > 0) continue;
+      first = fmt::format("{}: joint {}: {} is not from {} to {}", table.place(k), io::quote(joint.name), value,
+                          joint.lower, joint.upper);
+    }
+  }
+  if (beyond == 0) return;
+  note(fmt::format("{} out of the limits, asked about as {}; the first: {}",
+                   beyond == 1 ? "1 value is" : fmt::format("{} values are", beyond),
+                   beyond == 1 ? "it is" : "they are", first));
+}
+
+// What lines say of a part, made once.
+struct PartNames {
+  std::string text, json_body, csv;
+  bool is_hull = false;
+};
+
+class Lines {
+ public:
+  Lines(const SceneInput& input, const scene::Question& question, std::span<const scene::Body> bodies)
+      : question_(question) {
+    for (std::uint32_t b = 0; b < bodies.size(); ++b) {
+      names_.emplace_back();
+      for (std::uint32_t p = 0; p < bodies[b].parts.size(); ++p) {
+        const std::string name = part_name(bodies[b], p);
+        names_.back().push_back({name, quoted_json(bodies[b].name), name, input.is_hull(b, p)});
+      }
+    }
+  }
+
+  // "7: hand and link1 meet; hand and link2 meet as hulls, touching"
+  void add_text(std::size_t number, const scene::Answer& answer, std::string& out) const {
+    fmt::format_to(std::back_inserter(out), "{}: ", number);
+    if (answer.pairs.empty()) out += "none meet";
+    const char* between = "";
+    for (const PartPair& pair : answer.pairs) {
+      const auto &a = names_[pair.body_a][pair.part_a], &b = names_[pair.body_b][pair.part_b];
+      fmt::format_to(std::back_inserter(out), "{}{} and {} meet{}", between, a.text, b.text,
+                     a.is_hull || b.is_hull ? " as hulls" : "");
+      if (question_.contacts) {
+        fmt::format_to(std::back_inserter(out), ", {}{}", name_of(pair.contact), pair.counts ? "" : " (allowed)");
+      }
+      between = "; ";
+    }
+    out += '\n';
+  }
+
+  void add_json(std::size_t number, const scene::Answer& answer, std::string& out) const {
+    fmt::format_to(std::back_inserter(out), R"({{"placement": {}, "answer": "{}")", number,
+                   answer.some_meet() ? "some" : "none");
+    if (!answer.pairs.empty()) {
+      out += R"(, "pairs": [)";
+      const char* between = "";
+      for (const PartPair& pair : answer.pairs) {
+        out += between;
+        add_json(pair, out);
+        between = ", ";
+      }
+      out += ']';
+    }
+    out += "}\n";
+  }
+
+  // placement,answer,meeting,pairs
+  void add_csv(std::size_t number, const scene::Answer& answer, std::string& out) const {
+    fmt::format_to(std::back_inserter(out), "{},{},{},", number, answer.some_meet() ? "some" : "none",
+                   answer.counts.meeting - answer.counts.touching_only);
+    if (!answer.pairs.empty()) {
+      out += '"';
+      const char* between = "";
+      for (const PartPair& pair : answer.pairs) {
+        out += between;
+        add_quoted(names_[pair.body_a][pair.part_a].csv, out);
+        out += " and ";
+        add_quoted(names_[pair.body_b][pair.part_b].csv, out);
+        if (question_.contacts) fmt::format_to(std::back_inserter(out), " ({})", name_of(pair.contact));
+        between = "; ";
+      }
+      out += '"';
+    }
+    out += '\n';
+  }
+
+ private:
+  void add_json(const PartPair& pair, std::string& out) const {
+    const auto &a = names_[pair.body_a][pair.part_a], &b = names_[pair.body_b][pair.part_b];
+    const PairCertificate& c = pair.answer.certificate();
+    const auto begin = c.vertices.begin(), middle = begin + c.count_a;
+    fmt::format_to(std::back_inserter(out), R"({{"a": {}, "b": {}, "part_a": {}, "part_b": {}, "answer": "meet")",
+                   a.json_body, b.json_body, pair.part_a, pair.part_b);
+    if (question_.contacts) fmt::format_to(std::back_inserter(out), R"(, "contact": "{}")", name_of(pair.contact));
+    fmt::format_to(std::back_inserter(out), R"(, "said_of": "{}", "counted": {}, "evidence": {{"vertices_a": [{}], )",
+                   a.is_hull || b.is_hull ? "hulls" : "bodies", pair.counts, fmt::join(begin, middle, ", "));
+    fmt::format_to(std::back_inserter(out), R"("vertices_b": [{}]}}}})", fmt::join(middle, middle + c.count_b, ", "));
+  }
+
+  static void add_quoted(std::string_view text, std::string& out) {
+    for (const char c : text) out.append(c == '"' ? 2 : 1, c);
+  }
+
+  const scene::Question& question_;
+  std::vector<std::vector<PartNames>> names_;  // by body, by part
+};
+
+// What all placements have in common: the first line of JSON lines.
+std::string header_line(const SceneInput& input, const scene::Question& question, std::span<const scene::Body> bodies,
+                        const io::JointTable& table) {
+  Json json{{"verb", "scene"}, {"joints", table.joints}, {"placements", table.rows()}};
+  json["bodies"] = Json::array();
+  for (const scene::Body& body : bodies) {
+    Json parts = Json::array();
+    for (const scene::Part& part : body.parts) parts.push_back(part.name);
+    json["bodies"].push_back({{"name", body.name}, {"parts", parts}});
+  }
+  json["allowed"] = question.touching_allowed ? "touch" : "nothing";
+  json["allowed_pairs"] = Json::array();
+  for (const auto& [a, b] : question.allowed) json["allowed_pairs"].push_back({bodies[a].name, bodies[b].name});
+  if (!input.left_out().empty()) json["left_out"] = to_json(input.left_out());
+  return to_line(json) + "\n";
+}
+
+// A chain of placements, and what it came to.
+struct Chain {
+  explicit Chain(const scene::Follower& start, std::size_t links) : follower(start), poses(links) {}
+
+  scene::Follower follower;
+  std::vector<solid::Pose> poses;  // of links
+  std::size_t begin = 0, end = 0;  // rows
+  std::string text, json, csv;
+  std::uint64_t some = 0;  // placements where something meets
+};
+
+class Placements {
+ public:
+  Placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
+             const io::JointTable& table)
+      : call_(call),
+        input_(input),
+        table_(table),
+        motion_(input.robot(option), table.joints),
+        start_(input.bodies({}), question),
+        lines_(input, question, start_.bodies()),
+        prints_text_(call.json_lines.empty() && call.csv.empty()),
+        threads_(scene::thread_count(call.threads)),
+        question_(question) {
+    note_limits(table, motion_);
+  }
+
+  int run() {
+    open(call_.json_lines, json_);
+    open(call_.csv, csv_);
+    if (json_) json_->write(header_line(input_, question_, start_.bodies(), table_));
+    if (csv_) csv_->write("placement,answer,meeting,pairs\n");
+    Progress progress("placements");
+    const auto report = progress.reporter();
+    scene::run_chains(
+        threads_, {[&](std::size_t place) { return begin(place); }, [&](std::size_t place) { run(*chains_[place]); },
+                   [&](std::size_t place) { return end(*chains_[place], report); }});
+    if (json_) json_->commit();
+    if (csv_) csv_->commit();
+    return some_ > 0 ? exit_code::yes : exit_code::no;
+  }
+
+  std::string summary() const {
+    const LeftOutList& left_out = input_.left_out();
+    std::string text =
+        fmt::format("{}, of which {} {}", count_of(asked_, "placement"), some_,
+                    left_out.empty() ? "have bodies that meet" : "have bodies, of those read, that meet");
+    if (asked_ < table_.rows()) {
+      text += fmt::format("; not asked about, after the first that meets: {}", table_.rows() - asked_);
+    }
+    return text + left_out.clause() + "\n" + file_line("JSON lines", call_.json_lines) + file_line("table", call_.csv);
+  }
+
+ private:
+  static void open(const std::string& name, std::optional<io::OutputFile>& file) {
+    if (!name.empty()) file.emplace(name);
+  }
+
+  bool begin(std::size_t place) {
+    if (next_ == table_.rows()) return false;
+    if (chains_.size() <= place) chains_.resize(place + 1);
+    auto& chain = chains_[place];
+    if (!chain) chain = std::make_unique<Chain>(start_, input_.robot(option).links.size());
+    chain->begin = next_;
+    next_ = chain->end = std::min(next_ + scene::chain_length, table_.rows());
+    return true;
+  }
+
+  void run(Chain& chain) const {
+    for (std::string* out : {&chain.text, &chain.json, &chain.csv}) out->clear();
+    chain.some = 0;
+    chain.follower.forget();
+    for (std::size_t k = chain.begin; k < chain.end; ++k) {
+      try {
+        motion_.place(table_.row(k), chain.poses);
+        input_.place_links(chain.poses,
+                           [&](std::uint32_t part, const solid::Pose& pose) { chain.follower.place(part, pose); });
+      } catch (const Error& error) {
+        throw Error(error.code(), error.what(), table_.place(k));
+      }
+      const scene::Answer& answer = chain.follower.ask();
+      if (prints_text_) lines_.add_text(k, answer, chain.text);
+      if (json_) lines_.add_json(k, answer, chain.json);
+      if (csv_) lines_.add_csv(k, answer, chain.csv);
+      if (!answer.some_meet()) continue;
+      ++chain.some;
+      if (!call_.first) continue;
+      chain.end = k + 1;
+      return;
+    }
+  }
+
+  bool end(const Chain& chain, const std::function<void(double)>& report) {
+    if (prints_text_) print_for_people(chain.text);
+    if (json_) json_->write(chain.json);
+    if (csv_) csv_->write(chain.csv);
+    some_ += chain.some;
+    asked_ = chain.end;
+    if (report) report(static_cast<double>(asked_) / static_cast<double>(table_.rows()));
+    return !call_.first || some_ == 0;
+  }
+
+  const PlacementsCall& call_;
+  const SceneInput& input_;
+  const io::JointTable& table_;
+  const io::RobotMotion motion_;
+  const scene::Follower start_;
+  const Lines lines_;
+  const bool prints_text_;
+  const std::size_t threads_;
+  const scene::Question& question_;
+  std::optional<io::OutputFile> json_, csv_;
+  std::vector<std::unique_ptr<Chain>> chains_;
+  std::size_t next_ = 0, asked_ = 0;
+  std::uint64_t some_ = 0;
+};
+
+}  // namespace
+
+io::JointTable read_placements(const PlacementsCall& call, const SceneInput& input, InputFiles* inputs) {
+  const io::Robot& robot = input.robot(option);
+  io::JointTable table = io::read_joint_table(call.table, inputs);
+  if (!table.joints.empty()) {
+    if (!call.joint_names.empty()) {
+      throw Error(ErrorCode::bad_call, "the file names its joints itself; leave it out", names_option);
+    }
+  } else {
+    table.joints = call.joint_names.empty() ? io::movable_joints(robot) : split_at_commas(call.joint_names);
+    if (table.joints.size() != table.columns) {
+      throw Error(ErrorCode::bad_call,
+                  fmt::format("{} has {}, but there {} {}: {}; name one joint for each column", io::quote(table.file),
+                              count_of(table.columns, "column"), table.joints.size() == 1 ? "is" : "are",
+                              count_of(table.joints.size(), "joint"),
+                              io::one_line(fmt::format("{}", fmt::join(table.joints, ", ")))),
+                  names_option);
+    }
+    for (auto name = table.joints.begin(); name != table.joints.end(); ++name) {
+      if (std::find(table.joints.begin(), name, *name) != name) {
+        throw Error(ErrorCode::bad_call, "joint " + io::quote(*name) + " comes twice", names_option);
+      }
+    }
+  }
+  (void)io::RobotMotion(robot, table.joints);  // are there these joints?
+  return table;
+}
+
+std::vector<io::JointValues> joint_values_of(const io::JointTable& table) {
+  std::vector<io::JointValues> all;
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    io::JointValues& values = all.emplace_back();
+    values.name = std::to_string(k);
+    for (std::size_t c = 0; c < table.columns; ++c) values.values[table.joints[c]] = table.row(k)[c];
+  }
+  return all;
+}
+
+std::vector<io::JointValues> extremes_of(const io::JointTable& table) {
+  io::JointValues least, greatest;
+  for (std::size_t c = 0; c < table.columns && table.rows() > 0; ++c) {
+    double& low = least.values[table.joints[c]] = table.row(0)[c];
+    double& high = greatest.values[table.joints[c]] = low;
+    for (std::size_t k = 1; k < table.rows(); ++k) {
+      low = std::min(low, table.row(k)[c]);
+      high = std::max(high, table.row(k)[c]);
+    }
+  }
+  return {least, greatest};
+}
+
+int answer_placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
+                      const io::JointTable& table) {
+  Placements placements(call, input, question, table);
+  const int code = placements.run();
+  print_for_people(placements.summary());
+  return code;
+}
+
+}  // namespace sunder::ask

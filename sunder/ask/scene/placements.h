@@ -1,0 +1,39 @@
+// Thousands of placements of a robot in one call of `sunder scene`: a line a placement.
+#pragma once
+
+#include <sunder/ask/scene/scene_input.h>
+
+#include <sunder/io/joint_table.h>
+#include <sunder/io/joint_values.h>
+#include <sunder/scene/scene.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sunder::ask {
+
+struct PlacementsCall {
+  std::string table;            // the file of joint values
+  std::string joint_names;      // "a,b,c", of an NPY file; empty: those that can be moved, in the robot's order
+  std::string json_lines, csv;  // files to be written; empty: none
+  bool first = false;           // stop at the first placement that meets
+  std::uint64_t threads = 0;    // 0: all cores
+};
+
+// The table with the names of its joints. Throws Error, also where they are not so many as there are columns.
+io::JointTable read_placements(const PlacementsCall& call, const SceneInput& input, InputFiles* inputs);
+
+// The same as values by name, one placement after another, named by their numbers, from 0.
+std::vector<io::JointValues> joint_values_of(const io::JointTable& table);
+
+// The least and the greatest value of each joint.
+std::vector<io::JointValues> extremes_of(const io::JointTable& table);
+
+// Asks the question of each placement, in chains (scene/chains.h), and writes what comes out: lines of text on standard
+// output, or the files that are asked for, and there how many meet. Returns the exit code. Throws Error; then no file
+// is written.
+int answer_placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
+                      const io::JointTable& table);
+
+}  // namespace sunder::ask

@@ -1,0 +1,39 @@
+// Many placements of a robot in one file: the values of its joints, a placement a row, as CSV or NPY.
+#pragma once
+
+#include <sunder/base/error.h>
+#include <sunder/certificate/origin.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sunder::io {
+
+// The values are finite. Radians, or metres.
+struct JointTable {
+  std::string file;                 // for messages
+  std::vector<std::string> joints;  // names of the columns, each once; of an NPY file none, but that many columns
+  std::size_t columns = 0;
+  std::vector<double> values;        // row by row
+  std::vector<std::uint32_t> lines;  // of each row in a CSV file; of an NPY file none
+
+  std::size_t rows() const { return columns == 0 ? 0 : values.size() / columns; }
+  std::span<const double> row(std::size_t k) const { return std::span(values).subspan(k * columns, columns); }
+  std::string place(std::size_t row) const;  // "FILE:7", or "FILE: row 6", from 0
+};
+
+// CSV (RFC 4180): the first line has the names of the joints. NPY: an array of two dimensions of float64 or float32, in
+// C order and little-endian, as NumPy's save() writes it. It is NPY iff it begins as such files do.
+// Throws Error bad_file with file and line, or row: no name is a joint's, a name comes twice, a row with too few or too
+// many fields, what is no finite number; an array of another kind or shape; a file that is cut off or goes on too long;
+// no row. inputs: as of read_file. Cost: linear.
+JointTable read_joint_table(const std::string& file, InputFiles* inputs = nullptr);
+
+// The same, from memory.
+JointTable parse_joint_table(std::string_view bytes, std::string_view place);
+
+}  // namespace sunder::io

@@ -1,0 +1,109 @@
+#include <sunder/io/joint_table.h>
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sunder::io {
+namespace {
+
+using namespace std::string_literals;
+using Names = std::vector<std::string>;
+using Values = std::vector<double>;
+
+std::string error_of(const std::string& bytes) {
+  try {
+    (void)parse_joint_table(bytes, "t");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+// As numpy.save() writes: header padded to 64 bytes.
+std::string npy(const std::string& dictionary, const std::string& data, char version = 1) {
+  std::string header = dictionary;
+  const std::size_t before = version == 1 ? 10 : 12;
+  while ((before + header.size() + 1) % 64 != 0) header += ' ';
+  header += '\n';
+  std::string bytes = "\x93NUMPY"s + version + '\0';
+  for (std::size_t k = 0; k < before - 8; ++k) bytes += static_cast<char>(header.size() >> (8 * k) & 0xff);
+  return bytes + header + data;
+}
+
+template <class Bits, class Float>
+std::string bytes_of(const std::vector<Float>& numbers) {
+  std::string bytes;
+  for (const Float x : numbers) {
+    for (std::size_t k = 0; k < sizeof(Bits); ++k) {
+      bytes += static_cast<char>(std::bit_cast<Bits>(x) >> (8 * k) & 0xff);
+    }
+  }
+  return bytes;
+}
+
+const std::string doubles = bytes_of<std::uint64_t, double>({1, -0.1, 3, 4e300, 5, 6});
+const std::string shape = "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3), }";
+
+TEST(JointTable, OfCsv) {
+  const JointTable table = parse_joint_table("elbow, wrist\r\n0.1,-2\n\n\"3\",4e-1\n", "t");
+  EXPECT_EQ(table.joints, (Names{"elbow", "wrist"}));
+  EXPECT_EQ(table.rows(), 2u);
+  EXPECT_EQ(table.values, (Values{0.1, -2, 3, 0.4}));
+  EXPECT_EQ(table.row(1)[1], 0.4);
+  EXPECT_EQ(table.place(1), "t:4");
+}
+
+TEST(JointTable, OfNpy) {
+  for (const char version : {'\1', '\2', '\3'}) {
+    const JointTable table = parse_joint_table(npy(shape, doubles, version), "t");
+    EXPECT_TRUE(table.joints.empty());
+    EXPECT_EQ(table.columns, 3u);
+    EXPECT_EQ(table.values, (Values{1, -0.1, 3, 4e300, 5, 6}));
+    EXPECT_EQ(table.place(1), "t: row 1");
+  }
+  const std::string floats = bytes_of<std::uint32_t, float>({1.5f, -0.1f});
+  const JointTable table =
+      parse_joint_table(npy("{'descr': '<f4', 'fortran_order': False, 'shape': (1, 2), }", floats), "t");
+  EXPECT_EQ(table.values, (Values{1.5, static_cast<double>(-0.1f)}));
+}
+
+TEST(JointTable, SaysWhatIsWrong) {
+  const auto of_kind = [](const std::string& what, const std::string& with, const std::string& data) {
+    std::string text = shape;
+    return error_of(npy(text.replace(text.find(what), what.size(), with), data));
+  };
+  const std::vector<std::pair<std::string, std::string>> expected{
+      {error_of("a,b\n1,2\n1,x\n"), "t:3: joint 'b': 'x' is not a number"},
+      {error_of("a,b\n1,2,3\n"), "t:2: 3 fields, but 2 columns"},
+      {error_of("a,b\n1\n"), "t:2: 1 field, but 2 columns"},
+      {error_of("a,a\n1,2\n"), "t:1: joint 'a' comes twice"},
+      {error_of("1,2\n3,4\n"), "t:1: '1' is a number"},
+      {error_of("a,\n3,4\n"), "t:1: a column has no name"},
+      {error_of("a,b\n1,inf\n"), "t:2: joint 'b': 'inf' is infinite"},
+      {error_of("a,b\n"), "t: there is no placement"},
+      {error_of(npy(shape, doubles + "x")), "t: 49 bytes of numbers"},
+      {error_of(npy(shape, doubles.substr(1))), "t: 47 bytes of numbers"},
+      {error_of(npy(shape, doubles).substr(0, 40)), "t: the file is cut off"},
+      {error_of(npy(shape, doubles).substr(0, 6)), "t: NPY version 0"},
+      {of_kind("<f8", ">f8", doubles), "t: its numbers are of kind"},
+      {of_kind("<f8", "<i8", doubles), "t: its numbers are of kind"},
+      {of_kind("False", "True", doubles), "t: it is in Fortran order"},
+      {of_kind("(2, 3)", "(6,)", doubles), "t: it has 1 dimension"},
+      {of_kind("(2, 3)", "(1, 2, 3)", doubles), "t: it has 3 dimensions"},
+      {of_kind("(2, 3)", "(0, 3)", ""), "t: it is empty"},
+      {of_kind("(2, 3)", "(x, 3)", ""), "t: its shape is not of numbers"},
+      {of_kind("(2, 3)", "(2305843009213693952, 4)", ""), "t: 0 bytes of numbers"},
+      {of_kind("'shape'", "'form'", doubles), "t: its header has no 'shape'"},
+      {error_of(npy(shape, bytes_of<std::uint64_t, double>({1, 2, 3, 4, HUGE_VAL, 6}))),
+       "t: row 1: column 1 is not finite"},
+  };
+  for (const auto& [is, begins] : expected) EXPECT_TRUE(is.starts_with(begins)) << is << "\n" << begins;
+}
+
+}  // namespace
+}  // namespace sunder::io

@@ -1,0 +1,107 @@
+#include <sunder/base/contract.h>
+#include <sunder/io/robot_motion.h>
+#include <sunder/io/text.h>
+#include <sunder/io/urdf_kinematics.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunder::io {
+
+namespace {
+
+using solid::Pose;
+
+[[noreturn]] void fail_joint(const std::string& name, const std::string& text) {
+  throw Error(ErrorCode::bad_call, text, "joint " + quote(name));
+}
+
+// The formulas of urdf_kinematics.cpp.
+Pose turn(const std::array<double, 3>& axis, double angle) {
+  const double x = axis[0], y = axis[1], z = axis[2];
+  const double c = std::cos(angle), s = std::sin(angle), d = 1 - c;
+  return Pose::from_matrix({x * x + c * (1 - x * x), x * y * d - z * s, x * z * d + y * s,  //
+                            x * y * d + z * s, y * y + c * (1 - y * y), y * z * d - x * s,  //
+                            x * z * d - y * s, y * z * d + x * s, z * z + c * (1 - z * z)},
+                           {0, 0, 0});
+}
+
+Pose motion(const Joint& joint, double value) {
+  if (joint.type == JointType::revolute || joint.type == JointType::continuous) return turn(joint.axis, value);
+  if (joint.type == JointType::fixed) return Pose();
+  return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1},
+                           {joint.axis[0] * value, joint.axis[1] * value, joint.axis[2] * value});
+}
+
+}  // namespace
+
+RobotMotion::RobotMotion(const Robot& robot, std::span<const std::string> joints) : joints_(robot.joints) {
+  for (const Joint& joint : joints_) {
+    origins_.push_back(origin_pose(joint.origin));
+    rest_.push_back(joint.type == JointType::fixed ? 0 : std::clamp(0.0, joint.lower, joint.upper));
+  }
+  for (const std::string& name : joints) {
+    const auto found =
+        std::find_if(joints_.begin(), joints_.end(), [&](const Joint& joint) { return joint.name == name; });
+    if (found == joints_.end()) {
+      fail_joint(name,
+                 fmt::format("the robot has no joint of this name; it has {}", count_of(joints_.size(), "joint")));
+    }
+    if (found->type == JointType::fixed) fail_joint(name, "is fixed; give it no value");
+    if (found->mimic) {
+      fail_joint(name,
+                 fmt::format("follows joint {}; give that one a value", quote(joints_[found->mimic->joint].name)));
+    }
+    given_.push_back(static_cast<std::uint32_t>(found - joints_.begin()));
+  }
+  std::vector<bool> is_known(joints_.size());
+  std::vector<std::uint32_t> chain;
+  for (std::uint32_t joint = 0; joint < joints_.size(); ++joint) {
+    for (std::uint32_t i = joint; !is_known[i]; i = joints_[i].mimic->joint) {
+      is_known[i] = true;
+      if (!joints_[i].mimic) break;
+      chain.push_back(i);
+    }
+    mimics_.insert(mimics_.end(), chain.rbegin(), chain.rend());
+    chain.clear();
+  }
+}
+
+void RobotMotion::place(std::span<const double> values, std::span<Pose> links) const {
+  SUNDER_REQUIRE(values.size() == given_.size());
+  // Few robots have more joints: their values need no memory of the heap.
+  constexpr std::size_t usual = 64;
+  std::array<double, usual> of_few;
+  std::vector<double> of_many(joints_.size() > usual ? joints_.size() : 0);
+  const std::span<double> all = of_many.empty() ? std::span<double>(of_few).first(joints_.size()) : std::span(of_many);
+  std::copy(rest_.begin(), rest_.end(), all.begin());
+  for (std::size_t k = 0; k < values.size(); ++k) all[given_[k]] = values[k];
+  for (const std::uint32_t i : mimics_) {
+    const Mimic& mimic = *joints_[i].mimic;
+    all[i] = mimic.multiplier * all[mimic.joint] + mimic.offset;
+    if (!std::isfinite(all[i])) {
+      fail_joint(joints_[i].name, "its value overflows; look at its mimic's multiplier and offset");
+    }
+  }
+  std::fill(links.begin(), links.end(), Pose());
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const Joint& joint = joints_[i];
+    try {
+      links[joint.child] = composed(links[joint.parent], composed(origins_[i], motion(joint, all[i])));
+    } catch (const Error& error) {
+      throw Error(error.code(), error.what(), "joint " + quote(joint.name));
+    }
+  }
+}
+
+std::vector<std::string> movable_joints(const Robot& robot) {
+  std::vector<std::string> names;
+  for (const Joint& joint : robot.joints) {
+    if (joint.type != JointType::fixed && !joint.mimic) names.push_back(joint.name);
+  }
+  return names;
+}
+
+}  // namespace sunder::io
