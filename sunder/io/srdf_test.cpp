@@ -63,6 +63,9 @@ TEST_F(States, GiveValuesToJoints) {
   EXPECT_TRUE(remarks_[0].ends_with(": floor")) << remarks_[0];
   EXPECT_EQ(of("hand/open").values, (std::map<std::string, double>{{"slide", 1.5}}));
   EXPECT_TRUE(remarks_.empty());
+  EXPECT_EQ(of("closed").values, (std::map<std::string, double>{{"slide", 0.5}})) << "grip follows slide";
+  ASSERT_EQ(remarks_.size(), 1u);
+  EXPECT_TRUE(remarks_[0].ends_with(": grip")) << remarks_[0];
   EXPECT_EQ(of("up, hand/open").values,
             (std::map<std::string, double>{{"shoulder", 1}, {"elbow", -1.5}, {"slide", 1.5}}));
 }
