@@ -75,7 +75,7 @@ TEST_F(States, ThatAreNotThereOrNotClearAreRefused) {
             std::string::npos);
   EXPECT_NE(error("open").find("several groups have a state 'open'; write whole/open or hand/open"), std::string::npos);
   EXPECT_NE(error("hand/open,closed").find("give joint 'slide' different values"), std::string::npos);
-  EXPECT_NE(error("whole/open").find("moves joint 'none', which the robot does not have"), std::string::npos);
+  EXPECT_NE(error("whole/open").find("the state 'open' moves no joint of the robot"), std::string::npos);
 }
 
 TEST(Srdf, RefusesBrokenFiles) {
@@ -83,7 +83,8 @@ TEST(Srdf, RefusesBrokenFiles) {
   EXPECT_EQ(message("<disable_collisions link1=\"a\" link2=\"a\"/>"), "test:2: both links are 'a'; name two");
   EXPECT_EQ(message("<disable_collisions link1=\"a\" link2=\"\"/>"),
             "test:2: link2=\"\" of <disable_collisions> is empty; name one");
-  EXPECT_EQ(message("<group_state name=\"s\"/>"), "test:2: <group_state> has no group=\"...\"; add it");
+  EXPECT_EQ(message("<group_state group=\"g\"/>"), "test:2: <group_state> has no name=\"...\"; add it");
+  EXPECT_EQ(message("<group_state name=\"s\"/>"), "no error") << "a group is not needed";
   EXPECT_NE(
       message("<group_state name=\"s\" group=\"g\"><joint name=\"j\" value=\"nan\"/></group_state>").find("is NaN"),
       std::string::npos);
