@@ -31,7 +31,6 @@ class SrdfParser {
       if (XmlFile::is(child, "disable_collisions")) read_pair(child);
       if (XmlFile::is(child, "group")) srdf_.groups.push_back(xml_.name_of(child));
       if (XmlFile::is(child, "group_state")) read_state(child);
-      if (XmlFile::is(child, "virtual_joint")) srdf_.virtual_joints.push_back(xml_.name_of(child));
     });
     return std::move(srdf_);
   }
@@ -55,7 +54,8 @@ class SrdfParser {
   }
 
   void read_state(const XMLElement& element) {
-    Srdf::State state{xml_.name_of(element), there(element, "group"), {}, {}};
+    Srdf::State state{xml_.name_of(element), "", {}, {}};
+    if (element.Attribute("group") != nullptr) state.group = there(element, "group");
     if (!known_.emplace(state.group, state.name).second) {
       xml_.fail(element,
                 fmt::format("the state {} of group {} comes twice; rename one", quote(state.name), quote(state.group)));
@@ -82,18 +82,21 @@ class SrdfParser {
   throw Error(ErrorCode::bad_call, text, place);
 }
 
+std::string full_name(const Srdf::State& state) {
+  return state.group.empty() ? state.name : state.group + "/" + state.name;
+}
+
 // "NAME" or "GROUP/NAME".
 const Srdf::State& state_named(const Srdf& srdf, std::string_view text, const std::string& place) {
   const Srdf::State* found = nullptr;
   std::string names;
   for (const Srdf::State& state : srdf.states) {
-    const std::string full = state.group + "/" + state.name;
+    const std::string full = full_name(state);
     names += (names.empty() ? "" : ", ") + full;
     if (text == full) return state;
     if (text != state.name) continue;
     if (found != nullptr) {
-      fail_call(fmt::format("several groups have a state {}; write {}/{} or {}/{}", quote(text), found->group,
-                            found->name, state.group, state.name),
+      fail_call(fmt::format("several groups have a state {}; write {} or {}", quote(text), full_name(*found), full),
                 place);
     }
     found = &state;
@@ -102,10 +105,6 @@ const Srdf::State& state_named(const Srdf& srdf, std::string_view text, const st
     fail_call(fmt::format("there is no state {}; states are {}", quote(text), names.empty() ? "none" : names), place);
   }
   return *found;
-}
-
-bool contains(std::span<const std::string> names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 }  // namespace
@@ -126,13 +125,7 @@ JointValues state_values(const Srdf& srdf, const Robot& robot, std::string_view 
     for (const auto& [name, value] : state.values) {
       const auto joint =
           std::find_if(robot.joints.begin(), robot.joints.end(), [&](const Joint& j) { return j.name == name; });
-      const bool is_there = joint != robot.joints.end();
-      if (!is_there && !contains(srdf.virtual_joints, name)) {
-        fail_call(fmt::format("the state {} of group {} moves joint {}, which the robot does not have",
-                              quote(state.name), quote(state.group), quote(name)),
-                  place);
-      }
-      if (!is_there || joint->type == JointType::fixed || joint->mimic) {
+      if (joint == robot.joints.end() || joint->type == JointType::fixed || joint->mimic) {
         skipped.push_back(name);
         continue;
       }
@@ -141,13 +134,17 @@ JointValues state_values(const Srdf& srdf, const Robot& robot, std::string_view 
         fail_call(fmt::format("two of these states give joint {} different values", quote(name)), place);
       }
     }
+    if (skipped.size() == state.values.size() + state.other.size()) {
+      fail_call(fmt::format("the state {} moves no joint of the robot; is the SRDF of another one?", quote(state.name)),
+                place);
+    }
     if (!skipped.empty()) {
       std::string list;
       for (const std::string& name : skipped) list += (list.empty() ? "" : ", ") + name;
       remarks.push_back(
-          fmt::format("of state {}/{} these joints are not moved by it (they are fixed, follow others, or "
-                      "stand between the robot and the world): {}",
-                      state.group, state.name, list));
+          fmt::format("of state {} these joints are not moved by it (they are not in the robot, are fixed, follow "
+                      "others, or have several numbers): {}",
+                      full_name(state), list));
     }
     if (comma == text.size()) return joints;
     text.remove_prefix(comma + 1);

@@ -18,7 +18,7 @@
 namespace sunder::io {
 
 // What read_srdf returns has these properties:
-// S1. Every name is one line of UTF-8 and, but for those of the robot and of reasons, not empty.
+// S1. Every name is one line of UTF-8 and, but for those of the robot, of reasons and of a state's group, not empty.
 // S2. The links of a pair differ. A pair may come twice, in either order, and links need not be in any robot.
 // S3. No two states of one group have the same name. Values are finite.
 struct Srdf {
@@ -36,22 +36,21 @@ struct Srdf {
   std::vector<Pair> disabled;
   std::vector<std::string> groups;  // their names, in the order of the file
   std::vector<State> states;
-  std::vector<std::string> virtual_joints;  // between the robot and the world
 };
 
-// Reads <disable_collisions>, <group> (its name), <group_state>, <virtual_joint>. No part of any question here:
-// <end_effector>, <passive_joint>, and what other programs put there.
+// Reads <disable_collisions>, <group> (its name), <group_state>. No part of any question here: <end_effector>,
+// <virtual_joint>, <passive_joint>, and what other programs put there.
 // Throws Error bad_file, "FILE:LINE: what is wrong; remedy". inputs: as of read_file (file.h).
 Srdf read_srdf(const std::filesystem::path& path, InputFiles* inputs = nullptr);
 
 // As read_srdf, from memory. place: the file's name for messages.
 Srdf parse_srdf(std::string_view bytes, std::string_view place);
 
-// The values of one state, or of several: "NAME" or "GROUP/NAME", with commas between them. Of joints that follow
-// others, are fixed, virtual, or have several numbers, the values are not taken: `remarks` gets a line about each state
-// that has some. place: for messages, such as "--state".
-// Throws Error bad_call: there is no such state, several groups have one, a joint is not in the robot, or two states
-// give it different values.
+// The values of one state, or of several: "NAME" or "GROUP/NAME", with commas between them. Of joints that are not in
+// the robot, are fixed, follow others, or have several numbers, the values are not taken: `remarks` gets a line about
+// each state that has some. place: for messages, such as "--state".
+// Throws Error bad_call: there is no such state, several groups have one, it moves no joint of the robot, or two states
+// give a joint different values.
 JointValues state_values(const Srdf& srdf, const Robot& robot, std::string_view text, const std::string& place,
                          std::vector<std::string>& remarks);
 

@@ -63,6 +63,9 @@ TEST_F(States, GiveValuesToJoints) {
   EXPECT_TRUE(remarks_[0].ends_with(": floor")) << remarks_[0];
   EXPECT_EQ(of("hand/open").values, (std::map<std::string, double>{{"slide", 1.5}}));
   EXPECT_TRUE(remarks_.empty());
+  EXPECT_EQ(of("closed").values, (std::map<std::string, double>{{"slide", 0.5}})) << "grip follows slide";
+  ASSERT_EQ(remarks_.size(), 1u);
+  EXPECT_TRUE(remarks_[0].ends_with(": grip")) << remarks_[0];
   EXPECT_EQ(of("up, hand/open").values,
             (std::map<std::string, double>{{"shoulder", 1}, {"elbow", -1.5}, {"slide", 1.5}}));
 }
@@ -72,7 +75,7 @@ TEST_F(States, ThatAreNotThereOrNotClearAreRefused) {
             std::string::npos);
   EXPECT_NE(error("open").find("several groups have a state 'open'; write whole/open or hand/open"), std::string::npos);
   EXPECT_NE(error("hand/open,closed").find("give joint 'slide' different values"), std::string::npos);
-  EXPECT_NE(error("whole/open").find("moves joint 'none', which the robot does not have"), std::string::npos);
+  EXPECT_NE(error("whole/open").find("the state 'open' moves no joint of the robot"), std::string::npos);
 }
 
 TEST(Srdf, RefusesBrokenFiles) {
@@ -80,7 +83,8 @@ TEST(Srdf, RefusesBrokenFiles) {
   EXPECT_EQ(message("<disable_collisions link1=\"a\" link2=\"a\"/>"), "test:2: both links are 'a'; name two");
   EXPECT_EQ(message("<disable_collisions link1=\"a\" link2=\"\"/>"),
             "test:2: link2=\"\" of <disable_collisions> is empty; name one");
-  EXPECT_EQ(message("<group_state name=\"s\"/>"), "test:2: <group_state> has no group=\"...\"; add it");
+  EXPECT_EQ(message("<group_state group=\"g\"/>"), "test:2: <group_state> has no name=\"...\"; add it");
+  EXPECT_EQ(message("<group_state name=\"s\"/>"), "no error") << "a group is not needed";
   EXPECT_NE(
       message("<group_state name=\"s\" group=\"g\"><joint name=\"j\" value=\"nan\"/></group_state>").find("is NaN"),
       std::string::npos);

@@ -72,6 +72,9 @@ struct Robot {
   std::filesystem::path folder;   // of the file; names of meshes are relative to it
 };
 
+// The kind of what a <visual> leaves out.
+inline constexpr std::string_view visual_shape = "visual shape";
+
 // Reads <robot>, <link>, <collision> (mesh and box) and <joint>. No part of the question, and so not told: <inertial>,
 // <transmission>, <gazebo>, dynamics and the like, and the <visual> of a link that has a <collision>. Told in
 // `left_out`: spheres, cylinders, capsules and other shapes that are no polyhedra, by the name of their element; and as
