@@ -110,7 +110,9 @@ inline std::uint32_t support_near(const SearchGraph& graph, const Point3& direct
                                   std::uint64_t& probes) {
   if (graph.padded != 0) return furthest_of_few(graph, direction, probes);
   if (graph.is_slow) return near;
-  const std::uint32_t here = graph.place[near], there = table_start(graph, direction);
+  const std::uint32_t here = graph.place[near];
+  if (walk(graph, direction, here, probes, 0).has_ended) return near;
+  const std::uint32_t there = table_start(graph, direction);
   const bool is_far = dot(direction, graph.block(here).at()) < dot(direction, graph.block(there).at());
   return graph.block(walk(graph, direction, is_far ? there : here, probes).place).vertex();
 }
