@@ -49,7 +49,7 @@ bool comes_first(const PartDistance& p, const PartDistance& q) {
   return std::tie(p.body_a, p.body_b, p.part_a, p.part_b) < std::tie(q.body_a, q.body_b, q.part_a, q.part_b);
 }
 
-bool is_positive(double x) { return x > 0 && x <= std::numeric_limits<double>::max(); }
+[[maybe_unused]] bool is_positive(double x) { return x > 0 && x <= std::numeric_limits<double>::max(); }
 
 // By pairs of bodies, the lower first.
 class Margins {

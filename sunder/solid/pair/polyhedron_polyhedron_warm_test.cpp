@@ -48,11 +48,11 @@ TEST(PolyhedronPolyhedronWarm, IsRightWhateverTheLastAnswerWas) {
       (expected ? meet : apart) += 1;
       return answer;
     };
-    ASSERT_NO_FATAL_FAILURE(ask(c.pose_b));
+    ASSERT_NO_FATAL_FAILURE((void)ask(c.pose_b));
     const PairAnswer again = ask(c.pose_b);
     if (last.kind != WarmStart::Kind::none && again.cost.iterations == 0) ++kept;
     if (c.family == tests::Family::tiny_or_huge || tests::is_stretched(c.family)) continue;
-    ASSERT_NO_FATAL_FAILURE(ask(moved(c.pose_b, 1e-3, 1, pairs.random())));
+    ASSERT_NO_FATAL_FAILURE((void)ask(moved(c.pose_b, 1e-3, 1, pairs.random())));
   }
   EXPECT_GT(meet, rounds / 2);
   EXPECT_GT(apart, rounds / 2);
