@@ -103,8 +103,8 @@ void compare_with_all_pairs(bool lattice, std::uint64_t seed) {
   }
   const auto some = static_cast<std::uint64_t>(rounds);
   EXPECT_GT(closer, some / 4);
-  EXPECT_GT(by_boxes, some);
-  EXPECT_GT(own, some / 4);
+  EXPECT_GT(by_boxes, some / 4);
+  EXPECT_GT(own, some / 20);
   EXPECT_GT(apart, some / 30);
   if (lattice) {
     EXPECT_GT(exactly, some / 8);
