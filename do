@@ -226,8 +226,7 @@ pick_clang() {
 }
 
 need_to_build_program() {
-  need cmake ninja-build ccache "$(compiler_package)" libboost-dev libcli11-dev libfmt-dev libfast-float-dev nlohmann-json3-dev libtinyxml2-dev \
-    libtbb-dev "$@"
+  need cmake ninja-build ccache "$(compiler_package)" libboost-dev libcli11-dev libfmt-dev libfast-float-dev nlohmann-json3-dev libtinyxml2-dev "$@"
 }
 need_to_test() {
   need_to_build_program libgtest-dev librapidcheck-dev libgeos-dev python3 python3-dev python3-venv "$@"

@@ -149,9 +149,22 @@ TEST_F(Placements, SayWhatIsWrong) {
   expect_bad(call, "joint 'elbow'");
   write_text(in_folder("t.csv"), "panda_joint1\n0\nx\n");
   expect_bad(call, "t.csv:3: joint 'panda_joint1': 'x' is not a number");
-  write_text(in_folder("t.csv"), "panda_finger_joint1\n0.01\n9e307\n");
-  EXPECT_EQ(run(call + " --csv " + in_folder("l.csv")).code, 2);  // a pose overflows, after some lines
-  EXPECT_FALSE(fs::exists(in_folder("l.csv")));
+  // A pose that overflows, after lines that have been written.
+  const std::string box = "<collision><geometry><box size='1 1 1'/></geometry></collision>";
+  write_text(in_folder("r.urdf"), "<robot name='r'><link name='a'>" + box + "</link><link name='b'>" + box +
+                                      "</link><joint name='j' type='prismatic'><parent link='a'/><child link='b'/>"
+                                      "<origin xyz='1e308 0 0'/><axis xyz='1 0 0'/>"
+                                      "<limit lower='0' upper='1e308'/></joint></robot>");
+  std::string far = "j\n";
+  for (int k = 0; k < 500; ++k) far += k == 400 ? "1e308\n" : "1\n";
+  write_text(in_folder("t.csv"), far);
+  for (const char* threads : {"1", "3"}) {
+    const Run overflow = run("scene " + in_folder("r.urdf") + " --placements " + given + " --csv " +
+                             in_folder("l.csv") + " --threads " + threads);
+    EXPECT_EQ(overflow.code, 2);
+    EXPECT_TRUE(overflow.err.starts_with("sunder: " + given + ":402: joint 'j'")) << overflow.err;
+    EXPECT_FALSE(fs::exists(in_folder("l.csv")));
+  }
   write_text(in_folder("t.csv"), "panda_joint1,panda_joint4,panda_joint6\n0,-1.5,1.5\n9,-1.5,1.5\n-9,-1.5,1.5\n");
   const Run beyond = run(call);
   EXPECT_EQ(beyond.code, 0);

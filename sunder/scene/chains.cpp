@@ -1,13 +1,11 @@
 #include <sunder/base/contract.h>
 #include <sunder/scene/chains.h>
 
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/parallel_pipeline.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <algorithm>
+#include <condition_variable>
 #include <exception>
-#include <limits>
+#include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -16,20 +14,101 @@ namespace sunder::scene {
 
 namespace {
 
-// A place, and what was thrown there.
-struct Places {
-  explicit Places(std::size_t count) : thrown(count) {}
+// Each thread takes what there is to do: first an end, so that places become free, then a chain, which it begins and
+// runs.
+class Chains {
+ public:
+  Chains(std::size_t places, const ChainWork& work) : work_(work), places_(places) {}
 
-  template <class Call>
-  void keep(std::size_t place, const Call& call) {
-    try {
-      call();
-    } catch (...) {
-      thrown[place] = std::current_exception();
+  void work() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+      if (can_end()) {
+        end(lock);
+      } else if (can_begin()) {
+        begin_and_run(lock);
+      } else if (is_over_ && first_ == next_) {
+        return;
+      } else {
+        changed_.wait(lock);
+      }
+      changed_.notify_all();
     }
   }
 
-  std::vector<std::exception_ptr> thrown;
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  struct Place {
+    bool is_done = false;
+    std::exception_ptr thrown{};
+  };
+
+  std::size_t place(std::uint64_t chain) const { return chain % places_.size(); }
+  bool can_end() const { return !is_ending_ && first_ < next_ && places_[place(first_)].is_done; }
+  bool can_begin() const { return !is_over_ && !is_beginning_ && next_ - first_ < places_.size(); }
+
+  // Calls without the lock; returns what was thrown.
+  template <class Call>
+  static std::exception_ptr unlocked(std::unique_lock<std::mutex>& lock, const Call& call) {
+    lock.unlock();
+    std::exception_ptr thrown;
+    try {
+      call();
+    } catch (...) {
+      thrown = std::current_exception();
+    }
+    lock.lock();
+    return thrown;
+  }
+
+  void end(std::unique_lock<std::mutex>& lock) {
+    is_ending_ = true;
+    const std::size_t at = place(first_);
+    std::exception_ptr thrown = std::exchange(places_[at].thrown, nullptr);
+    if (!is_enough_) {
+      bool goes_on = false;
+      if (!thrown) thrown = unlocked(lock, [&] { goes_on = work_.end(at); });
+      failure_ = thrown;
+      if (!goes_on) is_enough_ = is_over_ = true;
+    }
+    places_[at].is_done = false;
+    ++first_;
+    is_ending_ = false;
+  }
+
+  void begin_and_run(std::unique_lock<std::mutex>& lock) {
+    is_beginning_ = true;
+    const std::size_t at = place(next_);
+    bool is_there = false;
+    places_[at].thrown = unlocked(lock, [&] { is_there = work_.begin(at); });
+    is_beginning_ = false;
+    if (places_[at].thrown) {  // which is told in its turn
+      is_over_ = places_[at].is_done = true;
+      ++next_;
+      return;
+    }
+    if (!is_there) {
+      is_over_ = true;
+      return;
+    }
+    ++next_;
+    changed_.notify_all();
+    if (!is_enough_) places_[at].thrown = unlocked(lock, [&] { work_.run(at); });
+    places_[at].is_done = true;
+  }
+
+  const ChainWork& work_;
+  std::mutex mutex_;  // of all below; begin, run and end are called without it
+  std::condition_variable changed_;
+  std::vector<Place> places_;
+  std::uint64_t first_ = 0, next_ = 0;  // chains that have begun and not ended
+  bool is_beginning_ = false, is_ending_ = false;
+  bool is_over_ = false;    // there is no other chain to begin
+  bool is_enough_ = false;  // nothing more is to be ended
+  std::exception_ptr failure_;
 };
 
 void run_on_this_thread(const ChainWork& work) {
@@ -52,57 +131,16 @@ std::size_t chain_places(std::size_t threads) { return threads < 2 ? 1 : 2 * thr
 void run_chains(std::size_t threads, const ChainWork& work) {
   SUNDER_REQUIRE(threads >= 1);
   if (threads == 1) return run_on_this_thread(work);
-  namespace tbb = oneapi::tbb;
-  const std::size_t count = chain_places(threads);
-  Places places(count);
-  // At most `count` chains are between the first filter and the last, both of which take them in order: so the place of
-  // a chain is its number modulo that.
-  std::size_t next = 0;
-  bool is_over = false;
-  const auto first = [&](tbb::flow_control& control) -> std::size_t {
-    const std::size_t place = next;
-    next = (next + 1) % count;
-    bool is_there = false;
-    if (!is_over) {
-      places.keep(place, [&] { is_there = work.begin(place); });
-      if (places.thrown[place]) is_over = is_there = true;  // to be thrown in its turn
-    }
-    if (!is_there) control.stop();
-    return place;
-  };
-  const auto middle = [&](std::size_t place) {
-    if (!places.thrown[place]) places.keep(place, [&] { work.run(place); });
-    return place;
-  };
-  tbb::task_group_context context;
-  bool is_enough = false;
-  std::exception_ptr failure;
-  const auto last = [&](std::size_t place) {
-    const std::exception_ptr thrown = std::exchange(places.thrown[place], nullptr);
-    if (is_enough) return;
-    if (thrown) {
-      failure = thrown;
-      is_enough = true;
-    } else {
-      try {
-        is_enough = !work.end(place);
-      } catch (...) {
-        failure = std::current_exception();
-        is_enough = true;
-      }
-    }
-    if (is_enough) context.cancel_group_execution();
-  };
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-  tbb::task_arena arena(static_cast<int>(threads));
-  arena.execute([&] {
-    tbb::parallel_pipeline(count,
-                           tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, first) &
-                               tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, middle) &
-                               tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_in_order, last),
-                           context);
-  });
-  if (failure) std::rethrow_exception(failure);
+  Chains chains(chain_places(threads), work);
+  std::vector<std::thread> others;
+  // Where the system gives no more threads, those that there are do the work.
+  try {
+    while (others.size() + 1 < threads) others.emplace_back([&] { chains.work(); });
+  } catch (const std::system_error&) {
+  }
+  chains.work();
+  for (std::thread& other : others) other.join();
+  chains.rethrow();
 }
 
 }  // namespace sunder::scene

@@ -2,7 +2,7 @@
 #include <sunder/number/rounded.h>
 #include <sunder/predicate/along.h>
 #include <sunder/scene/world_box.h>
-#include <sunder/solid/represent/search_graph_walk.h>
+#include <sunder/solid/pair/support.h>
 
 #include <utility>
 
@@ -25,17 +25,6 @@ Interval coordinate(std::size_t k, const Posed3& point) {
          (Interval(m[3 * k + 2]) * p.z + Interval(point.pose->translation[k]));
 }
 
-// The vertex that a search in floating point finds furthest along a direction of the body's frame: from `near`, or from
-// where the direction table says, whichever is further.
-std::uint32_t likely_extreme(const solid::Placed& body, const Point3& along, std::uint32_t near, Cost& cost) {
-  const solid::SearchGraph& graph = body.graph;
-  if (graph.padded != 0) return solid::furthest_of_few(graph, along, cost.probes);
-  if (graph.is_slow) return near;
-  const std::uint32_t here = graph.place[near], there = solid::table_start(graph, along);
-  const bool is_far = solid::dot(along, graph.block(here).at()) < solid::dot(along, graph.block(there).at());
-  return graph.block(solid::walk(graph, along, is_far ? there : here, cost.probes).place).vertex();
-}
-
 Point3 axis(std::size_t k) { return {k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0}; }
 
 }  // namespace
@@ -50,8 +39,8 @@ WorldBox world_box(const solid::Placed& body, const WorldBox& near) {
     const WorldDirection direction(axis(k));
     Along along(direction, body.pose, body.tame);
     const double* const row = &body.pose.linear[3 * k];
-    const std::uint32_t low = likely_extreme(body, {-row[0], -row[1], -row[2]}, near.lowest[k], cost);
-    const std::uint32_t high = likely_extreme(body, {row[0], row[1], row[2]}, near.highest[k], cost);
+    const std::uint32_t low = solid::support_near(body.graph, {-row[0], -row[1], -row[2]}, near.lowest[k], cost.probes);
+    const std::uint32_t high = solid::support_near(body.graph, {row[0], row[1], row[2]}, near.highest[k], cost.probes);
     box.lowest[k] = solid::extreme_vertex_from(body, along, solid::End::least, low, cost, tally);
     box.highest[k] = solid::extreme_vertex_from(body, along, solid::End::greatest, high, cost, tally);
     box.low[k] = coordinate(k, body[box.lowest[k]]).low;

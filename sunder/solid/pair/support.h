@@ -103,6 +103,20 @@ inline std::uint32_t support(const ConvexPolyhedron& body, const Point3& directi
   return support_from(body, graph, direction, search_start(graph, direction), probes);
 }
 
+// From `near` on, or from where the direction table says, whichever is further: where little has changed since `near`
+// was furthest, or much. Where a walk does not end soon, or the graph is slow, a vertex on the way. Requires near <
+// number of vertices.
+inline std::uint32_t support_near(const SearchGraph& graph, const Point3& direction, std::uint32_t near,
+                                  std::uint64_t& probes) {
+  if (graph.padded != 0) return furthest_of_few(graph, direction, probes);
+  if (graph.is_slow) return near;
+  const std::uint32_t here = graph.place[near];
+  if (walk(graph, direction, here, probes, 0).has_ended) return near;
+  const std::uint32_t there = table_start(graph, direction);
+  const bool is_far = dot(direction, graph.block(here).at()) < dot(direction, graph.block(there).at());
+  return graph.block(walk(graph, direction, is_far ? there : here, probes).place).vertex();
+}
+
 // From the one that doubles find to one that DoubleDouble finds.
 inline std::uint32_t support_in_double_doubles(const ConvexPolyhedron& body, const Vector3<DoubleDouble>& direction,
                                                std::uint32_t from, std::uint64_t& probes) {
