@@ -38,6 +38,8 @@ RoundBody::RoundBody(RoundKind kind, const ConvexPolyhedron& core, double radius
   require_radius(radius);
 }
 
+RoundBody::RoundBody(const ConvexPolyhedron& polyhedron) : RoundBody(RoundKind::hull, polyhedron, 0) {}
+
 RoundBody RoundBody::ball(const Point3& centre, double radius) {
   return {RoundKind::hull, hull_of({centre}), radius};
 }

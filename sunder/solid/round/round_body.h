@@ -25,6 +25,7 @@ class RoundBody {
  public:
   // Throw Error: bad_value for a number that is not finite, a radius below zero, a semi-axis that is not above zero;
   // bad_shape for a cylinder or cone whose two points are equal.
+  RoundBody(const ConvexPolyhedron& polyhedron);  // itself: of kind hull, and radius 0
   static RoundBody ball(const Point3& centre, double radius);
   static RoundBody capsule(const Point3& from, const Point3& to, double radius);
   static RoundBody rounded(const ConvexPolyhedron& core, double radius);  // of radius 0: the polyhedron itself
