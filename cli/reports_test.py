@@ -36,8 +36,9 @@ NEVER_SEEN = {
 # Keys that may be missing, by the object that holds them: "" is the report.
 OPTIONAL = {
     "": "left_out skipped mended remarks contact said_of distance clearance cut group layer across_layers count counts "
+        "contact_unknown "
         "best contradiction formats",
-    "objects[]": "why_hull frame moved_about departure groups layers left_out remarks properties box without inputs made_of not_made_of "
+    "objects[]": "radius semi_axes why_hull frame moved_about departure groups layers left_out remarks properties box without inputs made_of not_made_of "
                  "proved",
     "objects[].departure": "volume_missing_about volume_of_hull_about",
     "distance": "a b",
@@ -94,6 +95,13 @@ pair cases/planar-pair/plate.wkt cases/planar-pair/paths.csv --feature-b hill
 pair cases/planar-pair/paths.csv cases/planar-pair/plate.wkt --feature-a east
 pair cases/mesh/cube.obj cases/space/plane.json --classify --certificate OUT
 pair cases/space/above.json cases/mesh/cube.obj
+pair cases/mesh/cube.obj cases/space/ball.json --classify --certificate OUT
+pair cases/mesh/cube.obj cases/space/cylinder.json --classify --certificate OUT
+pair cases/space/ellipsoid.json cases/space/cone.json --pose-a 0,0,1 --classify --certificate OUT
+pair cases/space/ball.json cases/space/capsule.json --clearance 1 --certificate OUT
+pair cases/space/ball.json cases/space/capsule.json --clearance 2 --certificate OUT
+pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,4,5 --radius-a 1 --radius-b 0.5 --certificate OUT
+pair cases/space/tip.json cases/space/beside.json
 pair cases/space/plane.json cases/space/line.json --certificate OUT
 pair cases/space/plane.json cases/space/above.json
 pair cases/space/plane.json cases/space/tilted.json --classify

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <tuple>
 
 namespace sunder::solid {
 
@@ -174,12 +173,10 @@ class RoundProposer {
   bool propose(const Vector& first, double shrink) {
     if (run(first)) return true;
     if (!is_near_ || !(a_.body.is_curved() || b_.body.is_curved())) return false;
-    const auto [slots, simplex, direction] = std::tuple(search.slots, search.simplex, search.direction);
+    const std::array<Point3, 2> found = nearest_points;
     search.shrink(shrink);
-    if (run(direction)) return true;
-    search.slots = slots;
-    search.simplex = simplex;
-    search.direction = direction;
+    if (run(search.direction)) return true;
+    nearest_points = found;
     return false;
   }
 
@@ -217,8 +214,8 @@ class RoundProposer {
 
  public:
   std::uint32_t near_a = 0, near_b = 0;
-  Point3 last_point{};      // that both hold, about
-  Point3 best_direction{};  // which parts them furthest, about
+  std::array<Point3, 2> nearest_points{};  // of A and of B, about
+  Point3 best_direction{};                 // which parts them furthest, about
 
  private:
   // By more than rounding may be wrong?
@@ -264,11 +261,12 @@ class RoundProposer {
       return search.in_world(length > Real(0) ? round_detail::sum<Real>(from, by / length, way) : from);
     };
     const Real slack = search.reach - length;
-    for (const double part : {0.5, 0.0625, 0.0}) {
+    nearest_points = {search.in_world(made->of_a), search.in_world(made->of_b)};
+    for (const double part : {0.5, 0.0625, 0.0, 1.0}) {
       const Real depth = slack > Real(0) ? slack * Real(part) : Real(0);
       const Vector& from = curved_a ? made->of_a : made->of_b;
-      last_point = curved_a && curved_b ? at(made->of_a, length * Real(part)) : at(from, curved_a ? -depth : depth);
-      if (dispose_.meets_at(last_point, of_a, of_b)) return true;
+      const Point3 x = curved_a && curved_b ? at(made->of_a, length * Real(part)) : at(from, curved_a ? -depth : depth);
+      if (dispose_.meets_at(x, of_a, of_b)) return true;
     }
     return false;
   }

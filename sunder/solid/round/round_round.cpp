@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sunder::solid {
 
@@ -61,6 +62,56 @@ class RoundFinish {
       return true;
     }
     return core_decides(true, near_a) || core_decides(false, near_b);
+  }
+
+  // True: decided, with cylinders as the capsules that hold them. Where these are apart the bodies are; where they meet,
+  // and the shortest way between the cores is perpendicular to every axis, it ends on the cylinders themselves.
+  bool capsules_decide() {
+    for (const PlacedRound* body : {&a_, &b_}) {
+      if (body->kind() != RoundKind::hull && body->kind() != RoundKind::cylinder) return false;
+    }
+    const PolyhedronDistance distance =
+        polyhedron_polyhedron_distance(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
+    count(distance.answer);
+    if (!distance.closest) return false;
+    const auto [square, over] = distance.closest->squared();
+    const ClosestPoints closest = closest_points(*distance.closest);
+    const std::array<Dyadic, 3> way = way_between(closest.of_a, closest.of_b);
+    const Dyadic reach = Dyadic(a_.radius()) + Dyadic(b_.radius());
+    ++tally_.exact;
+    if ((reach * reach * over - square).sign() == Sign::negative) {
+      apart(way);
+      return true;
+    }
+    for (const PlacedRound* body : {&a_, &b_}) {
+      if (body->kind() != RoundKind::cylinder) continue;
+      const Vector3<Dyadic> axis = lift<ExactStage>(body->core[1]) - lift<ExactStage>(body->core[0]);
+      if (dot(axis, Vector3<Dyadic>{way[0], way[1], way[2]}).sign() != Sign::zero) return false;
+    }
+    CommonPoint point = point_between(closest.of_a, a_.radius(), closest.of_b, b_.radius());
+    point.of_a = in_points(a_, std::move(point.of_a));
+    point.of_b = in_points(b_, std::move(point.of_b));
+    meet(std::move(point));
+    return true;
+  }
+
+  // True: both hold the point. Requires that the hull is a ball, if one of the bodies is a hull.
+  bool meet_at(const ExactPoint& x) {
+    CommonPoint common{{x.at.x, x.at.y, x.at.z}, x.weight, {}, {}};
+    for (const PlacedRound* body : {&a_, &b_}) {
+      Combination& made = body == &a_ ? common.of_a : common.of_b;
+      ++tally_.exact;
+      if (body->body.is_curved()) {
+        if (side_of(body->shape, x) == Sign::negative) return false;
+        made = combination_of(*body, x);
+      } else {
+        const ExactPoint centre{lift<ExactStage>(body->core[0]), Dyadic(1.0)};
+        if (nearness(centre, body->radius(), x, 0) == Sign::negative) return false;
+        made.parts.push_back({0, Dyadic(1.0)});
+      }
+    }
+    meet(std::move(common));
+    return true;
   }
 
   // True: both hold the point, of curved bodies by their own formulas, of hulls by the exact distance of the core.
@@ -152,6 +203,27 @@ Point3 snapped(const Point3& p, int bits) {
   return {part(p.x), part(p.y), part(p.z)};
 }
 
+// Near the coordinates, with small denominators: by continued fractions.
+ExactPoint simple_fractions(const Point3& p) {
+  constexpr double most = 0x1p20;
+  std::array<double, 3> n{}, d{1, 1, 1};
+  for (std::size_t k = 0; k < 3; ++k) {
+    double rest = p[k], last_n = 1, last_d = 0;
+    n[k] = std::floor(rest);
+    for (int i = 0; i < 30; ++i) {
+      const double part = rest - std::floor(rest);
+      if (!(part > 0x1p-24) || std::fabs(n[k]) > most) break;
+      rest = 1 / part;
+      const double next_n = std::floor(rest) * n[k] + last_n, next_d = std::floor(rest) * d[k] + last_d;
+      if (!(next_d <= most)) break;
+      last_n = std::exchange(n[k], next_n);
+      last_d = std::exchange(d[k], next_d);
+    }
+  }
+  const Dyadic x(d[0]), y(d[1]), z(d[2]);
+  return {{Dyadic(n[0]) * y * z, x * Dyadic(n[1]) * z, x * y * Dyadic(n[2])}, x * y * z};
+}
+
 RoundAnswer of_polyhedra(const PlacedRound& a, const PlacedRound& b) {
   const PairAnswer found = polyhedron_polyhedron(a.body.core(), a.pose, b.body.core(), b.pose);
   RoundAnswer answer;
@@ -199,10 +271,16 @@ RoundAnswer answer_of(const PlacedRound& a, const PlacedRound& b) {
   RoundProposer<DoubleDouble> second(a, b, dispose, answer.cost);
   const bool held = second.propose(is_finite(d) ? Vector3<DoubleDouble>{d.x, d.y, d.z} : Vector3<DoubleDouble>{},
                                    0x1p-42);
-  if (!held && !finish.cores_decide(second.near_a, second.near_b)) {
+  if (!held && !finish.cores_decide(second.near_a, second.near_b) && !finish.capsules_decide()) {
     // Bodies that touch mostly do so in numbers that people give.
-    for (const int bits : {40, 20, 10}) {
-      if (finish.meet_at(snapped(second.last_point, bits))) break;
+    const auto is_simple = [](const PlacedRound& body) {
+      return body.body.is_curved() || body.body.core().dimension() == 0;
+    };
+    for (const Point3& x : second.nearest_points) {
+      for (const int bits : {40, 20, 10}) {
+        if (answer.undecided()) finish.meet_at(snapped(x, bits));
+      }
+      if (answer.undecided() && is_simple(a) && is_simple(b) && is_finite(x)) finish.meet_at(simple_fractions(x));
     }
     if (answer.undecided()) answer.evidence.direction = second.best_direction;
   }
