@@ -48,7 +48,7 @@ OPTIONAL = {
     "cut": "first last",
     "cut.first": "beginning",
     "cut.last": "end",
-    "pairs[]": "contact",
+    "pairs[]": "contact contact_unknown evidence",
     "contacts[]": "groups layers files lines properties",
     "best": "before side after point",
     "sections[]": "through",
@@ -127,6 +127,9 @@ scene cases/panda/panda.urdf --allow adjacent --allow touch --joints-file cases/
 scene cases/panda/panda.urdf --joints panda_joint1=0.5 --joints home:panda_joint2=0.1 --svg OUT --classify
 scene cases/mesh/arm.urdf --leave-out --srdf cases/scene/arm.srdf --state up --state hand/open --certificate OUT
 scene cases/mesh/two_nodes.dae cases/mesh/two_nodes.wrl@0,0,9 cases/mesh/two_nodes.gltf@0,9,0 --groups
+scene cases/scene/primitives.urdf --joints hoist=1.125 --classify --certificate OUT
+scene cases/scene/nearly.urdf --joints way=NEARLY
+info cases/scene/primitives.urdf
 scene cases/mesh/cube.obj cases/mesh/cube.obj@1,0,0 cases/mesh/cube.obj@9,0,0 --allow cube,cube#2 --certificate OUT
 segments cases/boards/two_nets.kicad_pcb --centre-lines
 segments cases/boards/crossing_nets.kicad_pcb --centre-lines --all --across-layers --geojson OUT
@@ -360,7 +363,7 @@ class Reports(unittest.TestCase):
         told = {verb: {answer for of, answer in self.count if of == verb} for verb, _ in self.count}
         some, set_verb = {"feasible", "infeasible", "error"}, {"none", "some", "error"}
         self.assertEqual(told, {
-            "pair": {"apart", "meet", "error"}, "scene": set_verb, "segments": set_verb, "circles": set_verb,
+            "pair": {"apart", "meet", "error"}, "scene": set_verb | {"undecided"}, "segments": set_verb, "circles": set_verb,
             "boxes": set_verb, "polygons": set_verb,
             "simple": {"valid", "not valid", "simple", "not simple", "error"}, "region": some,
             "kernel": some, "hull": {"point", "segment", "polygon", "body", "error"}, "section": set_verb,
