@@ -128,7 +128,7 @@ scene cases/panda/panda.urdf --joints panda_joint1=0.5 --joints home:panda_joint
 scene cases/mesh/arm.urdf --leave-out --srdf cases/scene/arm.srdf --state up --state hand/open --certificate OUT
 scene cases/mesh/two_nodes.dae cases/mesh/two_nodes.wrl@0,0,9 cases/mesh/two_nodes.gltf@0,9,0 --groups
 scene cases/scene/primitives.urdf --joints hoist=1.125 --classify --certificate OUT
-scene cases/scene/nearly.urdf --joints way=NEARLY
+scene cases/scene/nearly.urdf --joints way=1.3853189754928867
 info cases/scene/primitives.urdf
 scene cases/mesh/cube.obj cases/mesh/cube.obj@1,0,0 cases/mesh/cube.obj@9,0,0 --allow cube,cube#2 --certificate OUT
 segments cases/boards/two_nets.kicad_pcb --centre-lines
