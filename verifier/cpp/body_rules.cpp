@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -84,9 +85,8 @@ Integers way_between(const Integers& p, const Integers& q) {
   return way;
 }
 
-// The sign of m - sqrt(u) - sqrt(v), where v is zero if u is.
+// The sign of m - sqrt(u) - sqrt(v), where u is positive, and v not negative.
 int sign_less_roots(const Integer& m, const Integer& u, const Integer& v) {
-  if (u == 0) return m.sign();
   if (m <= 0) return -1;
   // sqrt(s) - sqrt(u) >= 0, as is sqrt(v): they compare as their squares do.
   const Integer s = m * m, rest = s + u - v;
@@ -94,15 +94,13 @@ int sign_less_roots(const Integer& m, const Integer& u, const Integer& v) {
   return v == 0 ? s.compare(u) : Integer(rest * rest).compare(4 * s * u);
 }
 
-// The sign of n * 2^e - sqrt(u) - sqrt(v) - sqrt(w), over the roots of some numbers that are not negative, three at
-// most.
+// The sign of n * 2^e less the roots of some numbers, three at most, none of which is negative.
 int sign_less_roots(const Integer& n, std::int64_t e, const Numbers& roots) {
-  Numbers values{{n * n, 1, 2 * e}};
-  for (const Number& root : roots) {
-    if (root.n != 0) values.push_back(root);
-  }
-  if (values.size() == 1) return n.sign();
+  const auto is_some = [](const Number& root) { return root.n != 0; };
+  if (std::none_of(roots.begin(), roots.end(), is_some)) return n.sign();
   if (n <= 0) return -1;
+  Numbers values{{n * n, 1, 2 * e}};
+  std::copy_if(roots.begin(), roots.end(), std::back_inserter(values), is_some);
   Integers squares = common(values).integers;
   squares.resize(4);
   const Integer &s = squares[0], &u = squares[1], &v = squares[2], &w = squares[3];
@@ -185,12 +183,12 @@ void require_image(const Claim& claim, const HullBody& body, const Numbers& poin
   }
 }
 
-// Requires, of a body with a radius, that it reaches from the point of its core, mean / d * 2^e, to the point. Is it on
-// no more than the inner side of that?
+// Requires, of a body with a radius, that it reaches from the point of its core, mean / d * 2^e, to the point. Is it
+// then nearer to that than the body reaches?
 bool reaches(const Claim& claim, const HullBody& body, const Integers& mean, const Integer& d, std::int64_t e,
              const Numbers& point) {
   const std::size_t size = body.size() + length(point) + length(claim.from) + length(claim.weights.values);
-  take_steps(32, size, size);
+  take_steps(8, size, size);
   const bool is_mapped = body.around == Around::ellipsoid;
   if (is_mapped) require_image(claim, body, point);
   Numbers values;  // all times d

@@ -119,7 +119,7 @@ def holds(steps, weights, origin, body, point):
             require(m == wanted, "holds", "the weighted sum of %s is not the point in coordinate %d" % (body.name, axis))
         return False
     size = body.size + length(point) + length(origin or []) + length([weight for _, weight in weights])
-    steps.take(32, size, size)
+    steps.take(8, size, size)
     if origin:
         v, whole, k = common(origin)
         for v, t, (n, denominator, f) in zip(body.turn(v), body.translation, point):

@@ -312,7 +312,7 @@ def some_apart(dice, kinds):
     length = root(Fraction(dot(d, d)))
     times_it = dice.choice([1, Fraction(2, 3), Fraction(2 ** 40)])
     direction = [fraction(times_it * n) for n in d]
-    little = dice.choice([1, Fraction(1, 2), Fraction(1, 2 ** 40), 0, 0, 0, Fraction(-1, 2 ** 40), -1])
+    little = dice.choice([1, Fraction(1, 2), Fraction(1, 2 ** 40), 0, 0, 0, Fraction(-1, 2 ** 40), -1, -40, -200])
     axis = max(range(3), key=lambda k: abs(d[k]))
     moved = list(second[2])
     moved[axis] += little if d[axis] > 0 else -little
@@ -349,7 +349,8 @@ def some_point(dice, kind):
     length = root(Fraction(dot(out, out))) or 1
     share = dice.choice([1, 1, 1, 1, Fraction(1, 2), 1 - Fraction(1, 2 ** 40), 1 + Fraction(1, 2 ** 40), 0])
     out = [share * reach * Fraction(n) / length for n in out]
-    claim = {"claim": "holds", "weights": [[k, fraction(w)] for k, w in enumerate(weights) if w or dice.random() < .5]}
+    written = dice.choice((fraction, double))
+    claim = {"claim": "holds", "weights": [[k, written(w)] for k, w in enumerate(weights) if w or dice.random() < .5]}
     if body.kind == "ellipsoid":
         v = [p + q for p, q in zip(body.given[0], out)]
         claim["from"] = list(map(fraction, v))
