@@ -7,6 +7,7 @@
 #include <sunder/solid/round/round_finish.h>
 #include <sunder/solid/round/round_propose.h>
 
+#include <algorithm>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -121,6 +122,12 @@ class Contacts {
       StageTally tally;
       Cost cost;
       const CurvedVerdict found = curved_polyhedron(*curved, *other, 0, cost, tally);
+      if (found.sign == Sign::positive && found.point) {
+        CommonPoint nearest = *found.point;
+        if (!is_a) std::swap(nearest.of_a, nearest.of_b);
+        if (const auto inner = inner_point(a_, b_, nearest)) return overlapping(*inner);
+        if (curved->kind() == RoundKind::cylinder) return overlapping(off_the_ends(*curved, *other, nearest, is_a));
+      }
       if (found.direction) {
         const Exact& n = *found.direction;
         const std::array<Dyadic, 3> d = is_a ? std::array{n.x, n.y, n.z} : std::array{-n.x, -n.y, -n.z};
@@ -168,6 +175,59 @@ class Contacts {
       }
     }
   };
+
+  // For a cylinder and a polyhedron that overlap, a common point that lies within the radius, but perhaps in the plane of
+  // base or top: moved towards a point of the polyhedron that is between the planes.
+  CommonPoint off_the_ends(const PlacedRound& cylinder, const PlacedRound& polyhedron, const CommonPoint& point,
+                           bool is_a) const {
+    const Exact base = lift<ExactStage>(Posed3{cylinder.shape.points[0], &cylinder.core.pose, false});
+    const Exact axis = lift<ExactStage>(Posed3{cylinder.shape.points[1], &cylinder.core.pose, false}) - base;
+    const Dyadic height = dot(axis, axis), half = height.scaled(-1);
+    // The vertices that are lowest and highest along the axis; between them, or one of them.
+    std::array<std::uint32_t, 2> vertex{};
+    std::array<Dyadic, 2> along{dot(lift<ExactStage>(polyhedron.core[0]) - base, axis)};
+    along[1] = along[0];
+    for (std::uint32_t v = 1; v < polyhedron.body.core().vertices().size(); ++v) {
+      const Dyadic here = dot(lift<ExactStage>(polyhedron.core[v]) - base, axis);
+      for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+        if ((here - along[k]).sign() != (k == 0 ? Sign::negative : Sign::positive)) continue;
+        vertex[k] = v;
+        along[k] = here;
+      }
+    }
+    std::array<Dyadic, 2> weight{Dyadic(1.0), Dyadic(0.0)};
+    if (along[0].sign() != Sign::positive) {
+      weight = {Dyadic(0.0), Dyadic(1.0)};
+      if ((along[1] - height).sign() != Sign::negative) weight = {along[1] - half, half - along[0]};
+    }
+    const Dyadic all = weight[0] + weight[1];
+    const Exact between = sum(times(weight[0], lift<ExactStage>(polyhedron.core[vertex[0]])),
+                              times(weight[1], lift<ExactStage>(polyhedron.core[vertex[1]])));
+    for (int bits = 1;; bits *= 2) {
+      const Dyadic part = Dyadic::power_of_two(-bits), rest = Dyadic(1.0) - part;
+      CommonPoint moved = point;
+      const Exact x = sum(times(rest * all, at(point).at), times(part * point.denominator, between));
+      moved.coordinates = {x.x, x.y, x.z};
+      moved.denominator = point.denominator * all;
+      Combination& of = is_a ? moved.of_b : moved.of_a;
+      const Dyadic before = of.denominator;
+      for (auto& [entry, numerator] : of.parts) numerator = numerator * rest * all;
+      of.denominator = before * all;
+      for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+        if (weight[k].sign() == Sign::zero) continue;
+        const Dyadic more = before * part * weight[k];
+        const auto there = std::find_if(of.parts.begin(), of.parts.end(),
+                                        [&](const Combination::Part& p) { return p.entry == vertex[k]; });
+        if (there == of.parts.end()) {
+          of.parts.push_back({vertex[k], more});
+        } else {
+          there->numerator = there->numerator + more;
+        }
+      }
+      (is_a ? moved.of_a : moved.of_b) = combination_of(cylinder, at(moved));
+      if (const auto inner = inner_point(a_, b_, moved)) return *inner;
+    }
+  }
 
   static RoundContact overlapping(const CommonPoint& inner) { return {Contact::overlapping, inner, {}}; }
   RoundContact touching(const std::array<Dyadic, 3>& direction) const {
