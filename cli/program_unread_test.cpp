@@ -40,6 +40,14 @@ TEST_F(Program, ShapesThatAreNotReadAreNotSafe) {
   write_text(
       two, robot_of({link_of("a", "<visual><geometry>" + box + "</geometry></visual>"), link_of("b", "")}, {"a", "b"}));
   expect_bad("scene " + quoted, "not read: 1 visual shape of a");
+  write_text(two,
+             robot_of({link_of("a", "<visual><geometry>" + box + "</geometry></visual>"), link_of("b", collision(box))},
+                      {"a", "b"}));
+  const Run told = run("scene " + quoted + " --json");
+  EXPECT_EQ(told.code, 0) << told.err;
+  EXPECT_EQ(json::parse(told.out)["left_out"][0]["kind"], "visual shape");
+  EXPECT_NE(run("scene " + quoted).out.find("none of the bodies read meet; left out: 1 visual shape of a\n"),
+            std::string::npos);
   write_text(two, robot_of({link_of("a", ""), link_of("b", "")}, {"a", "b"}));
   expect_bad("scene " + quoted, "no link has a shape, so there is nothing to ask about");
   write_text(two, robot_of({link_of("a", collision(box + ellipsoid))}, {"a"}));

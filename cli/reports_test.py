@@ -48,7 +48,7 @@ OPTIONAL = {
     "cut": "first last",
     "cut.first": "beginning",
     "cut.last": "end",
-    "pairs[]": "contact contact_unknown evidence",
+    "pairs[]": "contact contact_unknown",
     "contacts[]": "groups layers files lines properties",
     "best": "before side after point",
     "sections[]": "through",

@@ -17,7 +17,7 @@ PlacedVertices placed_vertices(const solid::ConvexPolyhedron& shape, const solid
 // apart: {"direction_about", "gap_about", "extreme_a", "extreme_b"}; meet: {"point_about", "vertices_a", "vertices_b"}.
 Json evidence_json(const PairCertificate& certificate, const PlacedVertices& a, const PlacedVertices& b);
 
-// Of bodies with a radius, and not undecided: {"direction_about", "gap_about"}, {"point"}.
+// Of bodies with a radius: apart {"direction_about", "gap_about"}, meet {"point"}, undecided {"direction_about"}.
 Json evidence_json(const solid::RoundEvidence& evidence, const solid::PlacedRound& a, const solid::PlacedRound& b);
 
 // "ball", "capsule", "rounded hull", "cylinder", "cone", "ellipsoid".

@@ -26,6 +26,15 @@ nlohmann::json::parser_callback_t refuser_of_repeated_keys(std::string_view plac
   };
 }
 
+// A message quotes all that was read last, which may be long.
+std::string beginning(std::string text) {
+  constexpr std::size_t most = 200;
+  if (text.size() <= most) return text;
+  std::size_t end = most;
+  while ((static_cast<unsigned char>(text[end]) & 0xc0u) == 0x80u) --end;  // not within a character
+  return text.substr(0, end) + "...";
+}
+
 }  // namespace
 
 nlohmann::json parse_json(std::string_view text, std::string_view place) {
@@ -35,7 +44,7 @@ nlohmann::json parse_json(std::string_view text, std::string_view place) {
     const std::string what = error.what();
     std::size_t at = what.find(" at line ");
     if (at == std::string::npos) at = what.find("] ") + 1;
-    fail_file(place, "is not JSON that can be read: " + one_line(what.substr(at + 1)));
+    fail_file(place, "is not JSON that can be read: " + beginning(one_line(what.substr(at + 1))));
   }
 }
 

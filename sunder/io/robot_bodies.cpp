@@ -104,8 +104,14 @@ class Reader {
 
 RobotBodies read_robot_bodies(const Robot& robot, const fs::path& file, bool require_convex, LeftOutList& left_out,
                               InputFiles* inputs, const Packages& packages) {
-  left_out.add(file.string(), robot.left_out, "give meshes in their stead");
-  return Reader(robot, file, require_convex, left_out, inputs, packages).read();
+  std::vector<LeftOut> shapes, visuals;
+  for (const LeftOut& item : robot.left_out) (item.kind == visual_shape ? visuals : shapes).push_back(item);
+  const bool has_collisions = !shapes.empty() || std::any_of(robot.links.begin(), robot.links.end(),
+                                                             [](const Link& link) { return !link.shapes.empty(); });
+  left_out.add(file.string(), has_collisions ? shapes : visuals, "give meshes in their stead");
+  RobotBodies bodies = Reader(robot, file, require_convex, left_out, inputs, packages).read();
+  if (has_collisions) bodies.told = std::move(visuals);
+  return bodies;
 }
 
 scene::Body placed_body(const std::string& name, const std::vector<BodyPart>& parts, const solid::Pose& link) {

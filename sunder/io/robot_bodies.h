@@ -38,6 +38,8 @@ struct LinkBody {
 struct RobotBodies {
   std::vector<LinkBody> bodies;               // links without shapes are none
   std::vector<std::filesystem::path> meshes;  // the files that were read, each once
+  std::vector<LeftOut> told;  // visuals of links without a collision shape, where other links have some: no part of the
+                              // question by URDF, and no error, but to be told with the answer
 };
 
 // Reads the meshes of all links; a file may serve several. A part has the name of its shape, or its number in the link;

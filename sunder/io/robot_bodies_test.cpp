@@ -95,6 +95,24 @@ TEST(RobotBodies, AMeshThatIsMissingIsLeftOutWithConsentOnly) {
   EXPECT_EQ(lenient.text(), "1 mesh of a");
 }
 
+TEST(RobotBodies, VisualsAreToldWhereOtherLinksHaveCollisionShapes) {
+  const std::string visual = "<link name='v'><visual><geometry><box size='1 1 1'/></geometry></visual></link>";
+  const std::string round = "<link name='a'><collision><geometry><sphere radius='1'/></geometry></collision></link>";
+  const Robot some = parse_urdf("<robot>" + box_link("a") + visual + joint("a", "v") + "</robot>", "r.urdf");
+  LeftOutList strict(false);
+  const RobotBodies bodies = read_robot_bodies(some, "r.urdf", true, strict);
+  EXPECT_TRUE(strict.empty());
+  ASSERT_EQ(bodies.told.size(), 1u);
+  EXPECT_EQ(bodies.told[0].of, "v");
+
+  const Robot none = parse_urdf("<robot>" + visual + "</robot>", "r.urdf");
+  EXPECT_THROW(static_cast<void>(read_robot_bodies(none, "r.urdf", true, strict)), Error);
+  const Robot balls = parse_urdf("<robot>" + round + visual + joint("a", "v") + "</robot>", "r.urdf");
+  LeftOutList lenient(true);
+  EXPECT_EQ(read_robot_bodies(balls, "r.urdf", true, lenient).told.size(), 1u);
+  EXPECT_EQ(lenient.text(), "1 sphere of a");
+}
+
 TEST(RobotBodies, AMeshOfSeveralLinksIsReadOnce) {
   const fs::path mesh =
       write("tetrahedron.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");

@@ -83,7 +83,7 @@ class UrdfParser {
     });
     if (element.FirstChildElement("collision") == nullptr) {
       each_child(element, [&](const XMLElement& child) {
-        if (is(child, "visual")) robot_.left_out.push_back({"visual shape", link.name, 1});
+        if (is(child, "visual")) robot_.left_out.push_back({std::string(visual_shape), link.name, 1});
       });
     }
     robot_.links.push_back(std::move(link));

@@ -84,9 +84,13 @@ struct Robot {
   std::filesystem::path folder;   // of the file; names of meshes are relative to it
 };
 
-// Reads <robot>, <link>, <collision> (mesh, box, sphere, cylinder, capsule) and <joint>. No part of the question, and so not told: <inertial>,
-// <transmission>, <gazebo>, dynamics and the like, and the <visual> of a link that has a <collision>. Told in
-// `left_out`: shapes that are none of these, by the name of their element; and as "visual shape" each <visual> of a link without a <collision>.
+// The kind of what a <visual> leaves out.
+inline constexpr std::string_view visual_shape = "visual shape";
+
+// Reads <robot>, <link>, <collision> (mesh, box, sphere, cylinder, capsule) and <joint>. No part of the question, and so
+// not told: <inertial>, <transmission>, <gazebo>, dynamics and the like, and the <visual> of a link that has a
+// <collision>. Told in `left_out`: shapes that are none of these, by the name of their element; and as "visual shape"
+// each <visual> of a link without a <collision>.
 // Throws Error bad_file, "FILE:LINE: what is wrong; remedy", in one line: XML that is not well-formed, xacro that was
 // not expanded (anywhere in the file), two shapes in one <collision>, a missing or repeated name, a number that is
 // none, a link that does not exist, links that are no tree, a floating or planar joint, missing limits. Meshes are not

@@ -45,13 +45,18 @@ Point3 rounded_common_point(const PartPair& pair, const Part& a, const Part& b) 
                               {b.shape.points(), b.pose.affine(), false});
 }
 
-RoundedGap rounded_gap(const solid::RoundEvidence& evidence, const solid::PlacedRound& a, const solid::PlacedRound& b) {
-  SUNDER_REQUIRE(evidence.verdict == solid::RoundVerdict::apart);
+Point3 rounded_direction(const solid::RoundEvidence& evidence) {
+  SUNDER_REQUIRE(evidence.verdict != solid::RoundVerdict::meet);
   const Point3& d = evidence.direction;
   const double largest = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
   const Point3 e{d.x / largest, d.y / largest, d.z / largest};
   const double length = std::sqrt(e.x * e.x + e.y * e.y + e.z * e.z);
-  return {{e.x / length + 0.0, e.y / length + 0.0, e.z / length + 0.0}, gap_about(a, b, evidence)};
+  return {e.x / length + 0.0, e.y / length + 0.0, e.z / length + 0.0};
+}
+
+RoundedGap rounded_gap(const solid::RoundEvidence& evidence, const solid::PlacedRound& a, const solid::PlacedRound& b) {
+  SUNDER_REQUIRE(evidence.verdict == solid::RoundVerdict::apart);
+  return {rounded_direction(evidence), gap_about(a, b, evidence)};
 }
 
 }  // namespace sunder::scene

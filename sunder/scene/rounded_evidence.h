@@ -25,6 +25,9 @@ struct RoundedGap {
 // Requires a true certificate of that verdict.
 RoundedGap rounded_gap(const PairCertificate& certificate, const PlacedVertices& a, const PlacedVertices& b);
 
+// Of bodies with a radius that are apart or undecided: the direction, of length one up to rounding.
+Point3 rounded_direction(const solid::RoundEvidence& evidence);
+
 // Of bodies with a radius. Requires true evidence of that verdict.
 RoundedGap rounded_gap(const solid::RoundEvidence& evidence, const solid::PlacedRound& a, const solid::PlacedRound& b);
 

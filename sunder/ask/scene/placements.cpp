@@ -153,7 +153,8 @@ class Lines {
     fmt::format_to(std::back_inserter(out), R"(, "said_of": "{}", "counted": {})",
                    a.is_hull || b.is_hull ? "hulls" : "bodies", pair.counts);
     if (pair.undecided()) {
-      out += '}';
+      const Json direction = to_json(scene::rounded_direction(*pair.round));
+      fmt::format_to(std::back_inserter(out), R"(, "evidence": {{"direction_about": {}}}}})", to_line(direction));
       return;
     }
     if (pair.round) {

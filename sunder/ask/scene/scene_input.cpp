@@ -86,6 +86,14 @@ SceneInput::SceneInput(const std::vector<std::string>& files, const std::vector<
     }
     input->pose = parse_pose(std::string_view(text).substr(equals + 1), "--pose " + io::one_line(name));
   }
+  // Told without consent. So far nothing is left out where there is none.
+  if (!robot_bodies_.told.empty()) {
+    if (left_out_.consent()) {
+      left_out_.add(robot_file_, robot_bodies_.told, "");
+    } else {
+      left_out_ = LeftOutList(robot_file_, robot_bodies_.told);
+    }
+  }
   require_some_body();
 }
 
@@ -121,6 +129,7 @@ void SceneInput::add_robot(const std::string& file, bool require_convex, InputFi
                            const io::Packages& packages) {
   if (robot_) fail_call("a second robot; give one URDF file in a call", io::one_line(file));
   robot_ = io::read_urdf(file, inputs);
+  robot_file_ = file;
   robot_bodies_ = io::read_robot_bodies(*robot_, file, require_convex, left_out_, inputs, packages);
   first_of_robot_ = static_cast<std::uint32_t>(bodies_.size());
   for (io::LinkBody& body : robot_bodies_.bodies) {

@@ -97,6 +97,7 @@ class SceneInput {
   std::vector<Input> inputs_;
   std::vector<Body> bodies_;
   std::optional<io::Robot> robot_;
+  std::string robot_file_;
   io::RobotBodies robot_bodies_;      // without their parts, which are those of bodies_
   std::uint32_t first_of_robot_ = 0;  // in bodies_
   LeftOutList left_out_;

@@ -221,7 +221,6 @@ Json pair_json(const SceneReport& report, std::size_t p, const PartPair& pair) {
   json["counted"] = pair.counts;
   json["decided_by"] = pair.by_boxes ? "boxes" : std::string(name_of(pair.answer.decided_by));
   json["cost"] = to_json(pair.answer.cost);
-  if (pair.undecided()) return json;
   const scene::Part &a = part_a(placed, pair), &b = part_b(placed, pair);
   json["evidence"] =
       pair.round ? evidence_json(*pair.round, solid::PlacedRound(a.shape, a.pose), solid::PlacedRound(b.shape, b.pose))
