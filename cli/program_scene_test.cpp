@@ -69,8 +69,9 @@ TEST_F(Program, SceneOfBodiesWithARadius) {
   EXPECT_EQ(read_text(picture).find("nan"), std::string::npos);
 
   // Two cylinders at the same place.
-  const std::string two = in_folder("two.urdf"), link = "<collision><geometry><cylinder radius='1' length='1'/>"
-                                                        "</geometry></collision></link>";
+  const std::string two = in_folder("two.urdf"), link =
+                                                     "<collision><geometry><cylinder radius='1' length='1'/>"
+                                                     "</geometry></collision></link>";
   write_text(two, "<robot name='r'><link name='a'>" + link + "<link name='b'>" + link +
                       "<joint name='j' type='fixed'><parent link='a'/><child link='b'/></joint></robot>");
   EXPECT_EQ(run("scene '" + two + "'").code, 1);

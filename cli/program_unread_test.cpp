@@ -58,11 +58,12 @@ TEST_F(Program, ShapesThatAreNotReadAreNotSafe) {
 
 TEST_F(Program, WhatIsLeftOutIsTold) {
   const std::string robot = in_folder("five.urdf"), proof = in_folder("proof.json"), quoted = "'" + robot + "'";
-  write_text(robot, robot_of({link_of("a", collision(box)), link_of("b", collision(box, "3 0 0") + collision(ellipsoid)),
-                              link_of("c", collision("<cone/>") + collision(ellipsoid)),
-                              link_of("d", collision("<mesh filename=\"none.stl\"/>")),
-                              link_of("e", collision("<mesh filename=\"model.dae\"/>"))},
-                             {"a", "b", "c", "d", "e"}));
+  write_text(robot,
+             robot_of({link_of("a", collision(box)), link_of("b", collision(box, "3 0 0") + collision(ellipsoid)),
+                       link_of("c", collision("<cone/>") + collision(ellipsoid)),
+                       link_of("d", collision("<mesh filename=\"none.stl\"/>")),
+                       link_of("e", collision("<mesh filename=\"model.dae\"/>"))},
+                      {"a", "b", "c", "d", "e"}));
   write_text(in_folder("model.dae"), "<COLLADA/>\n");
   expect_bad("scene " + quoted, "not read: 2 ellipsoids of b, c; 1 cone of c; give");
   const Run r = run("scene " + quoted + " --leave-out --certificate '" + proof + "'");

@@ -76,8 +76,7 @@ std::vector<Key> listed(const Answer& answer) {
   std::vector<Key> keys;
   for (const PartPair& p : answer.pairs) {
     if (!p.meet() && !p.undecided()) continue;
-    keys.emplace_back(p.body_a, p.body_b, p.part_a, p.part_b,
-                      p.meet() ? RoundVerdict::meet : RoundVerdict::undecided);
+    keys.emplace_back(p.body_a, p.body_b, p.part_a, p.part_b, p.meet() ? RoundVerdict::meet : RoundVerdict::undecided);
   }
   return keys;
 }
@@ -103,7 +102,8 @@ TEST(SceneRound, BoxesHoldTheBodyAndNoMuchMore) {
     for (std::size_t k = 0; k < 3; ++k) {
       for (const bool up : {false, true}) {
         const double bound = up ? box.high[k] : box.low[k];
-        ASSERT_TRUE(up ? rough.high[k] >= box.high[k] || c.a.is_curved() : rough.low[k] <= box.low[k] || c.a.is_curved());
+        ASSERT_TRUE(up ? rough.high[k] >= box.high[k] || c.a.is_curved()
+                       : rough.low[k] <= box.low[k] || c.a.is_curved());
         Point3 d{0, 0, 0};
         d[k] = up ? 1 : -1;
         RoundShape shape = body.shape;
@@ -151,9 +151,8 @@ TEST(SceneRound, IsAllPairs) {
       if (!every_pair || answer.pairs.empty()) continue;
       by_boxes += answer.counts.by_boxes;
       apart += answer.counts.by_method - answer.counts.meeting;
-      const auto result =
-          sunder_verifier::verify_text(certificate_of(bodies, answer, question), "certificate",
-                                       sunder_verifier::Limit::none);
+      const auto result = sunder_verifier::verify_text(certificate_of(bodies, answer, question), "certificate",
+                                                       sunder_verifier::Limit::none);
       ASSERT_TRUE(result.accepted()) << seed << " " << round << result.failed_form << result.error;
       ASSERT_EQ(result.statements.size(), answer.pairs.size() - answer.counts.undecided + 1);
     }
@@ -184,9 +183,7 @@ TEST(SceneRound, FollowerLosesNoPair) {
           const std::uint32_t here = number++;
           if (random.below(3) == 0) continue;
           const auto u = [&] { return 0.05 * random.uniform(-1, 1); };
-          part.pose = random.below(10) == 0
-                          ? anywhere(3, random)
-                          : compose(shift(u(), u(), u()), part.pose);
+          part.pose = random.below(10) == 0 ? anywhere(3, random) : compose(shift(u(), u(), u()), part.pose);
           follower.place(here, part.pose);
         }
       }
@@ -218,8 +215,8 @@ TEST(SceneRound, TellsTheLastBit) {
 std::vector<Body> undecided_bodies() {
   RoundPairs pairs(20261204);
   for (int i = 0; i < 3000; ++i) {
-    const RoundCase c = pairs.next(i % 2 == 0 ? RoundFamily::near_contact : RoundFamily::last_bit,
-                                   Primitive::cylinder, Primitive::cylinder);
+    const RoundCase c = pairs.next(i % 2 == 0 ? RoundFamily::near_contact : RoundFamily::last_bit, Primitive::cylinder,
+                                   Primitive::cylinder);
     if (!round_round(c.a, c.pose_a, c.b, c.pose_b).undecided()) continue;
     return {{"a", {{"", c.a, c.pose_a}}}, {"b", {{"", c.b, c.pose_b}}}};
   }
@@ -244,8 +241,7 @@ TEST(SceneRound, WhatIsUndecidedIsSaid) {
   ASSERT_EQ(follower.ask().pairs.size(), 1u);
   EXPECT_EQ(follower.ask().verdict(), "undecided");
   // The file states what is proved, and tells of the rest.
-  const auto result =
-      sunder_verifier::verify_text(certificate_of(bodies, answer, question), "certificate");
+  const auto result = sunder_verifier::verify_text(certificate_of(bodies, answer, question), "certificate");
   EXPECT_TRUE(result.accepted());
   EXPECT_EQ(result.left_out, (std::vector<std::string>{"a and b, undecided whether they meet"}));
   EXPECT_EQ(result.statements.size(), 3u);

@@ -56,7 +56,8 @@ class Reader {
     if (const auto round = round_body(shape)) {
       const std::string kind(name_of(shape.kind));
       const auto vertices = static_cast<std::uint32_t>(round->points().size());
-      body.parts.push_back({name, {shown, kind, kind, vertices, 0, BodyShape::convex, "", {}, round->core()}, pose, round});
+      body.parts.push_back(
+          {name, {shown, kind, kind, vertices, 0, BodyShape::convex, "", {}, round->core()}, pose, round});
       return;
     }
     if (shape.kind == ShapeKind::box) {

@@ -52,11 +52,10 @@ TEST(RobotBodies, ShapesWithARadiusAreWhatTheyAre) {
   const auto shape = [](const std::string& element) {
     return "<collision><geometry>" + element + "</geometry></collision>";
   };
-  const Robot robot = parse_urdf("<robot name='r'><link name='a'>" + shape("<sphere radius='2'/>") +
-                                     shape("<cylinder radius='1' length='3'/>") +
-                                     shape("<capsule radius='0.5' length='4'/>") + shape("<box size='1 2 3'/>") +
-                                     "</link></robot>",
-                                 "r.urdf");
+  const Robot robot = parse_urdf(
+      "<robot name='r'><link name='a'>" + shape("<sphere radius='2'/>") + shape("<cylinder radius='1' length='3'/>") +
+          shape("<capsule radius='0.5' length='4'/>") + shape("<box size='1 2 3'/>") + "</link></robot>",
+      "r.urdf");
   EXPECT_TRUE(robot.left_out.empty());
   LeftOutList left_out(false);
   const RobotBodies bodies = read_robot_bodies(robot, "r.urdf", true, left_out);

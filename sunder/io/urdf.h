@@ -36,14 +36,14 @@ enum class ShapeKind : std::uint8_t {
 std::string_view name_of(ShapeKind kind);  // "cylinder", the name of its element
 
 struct CollisionShape {
-  std::string name;                      // the name of <collision>; often empty
+  std::string name;  // the name of <collision>; often empty
   ShapeKind kind = ShapeKind::box;
   std::string mesh;                      // as written, see resolve_mesh (packages.h); empty: no mesh
   std::array<double, 3> scale{1, 1, 1};  // of a mesh: no entry is 0, negative entries reflect
   std::array<double, 3> size{0, 0, 0};   // of a box: its edges, centred at the origin; no entry is negative
-  double radius = 0;  // of a sphere, a cylinder, a capsule; not negative
-  double length = 0;  // of a cylinder, above 0; of a capsule that of the segment, not negative
-  Origin origin;      // within the link
+  double radius = 0;                     // of a sphere, a cylinder, a capsule; not negative
+  double length = 0;                     // of a cylinder, above 0; of a capsule that of the segment, not negative
+  Origin origin;                         // within the link
 };
 
 struct Link {
@@ -87,8 +87,8 @@ struct Robot {
 // The kind of what a <visual> leaves out.
 inline constexpr std::string_view visual_shape = "visual shape";
 
-// Reads <robot>, <link>, <collision> (mesh, box, sphere, cylinder, capsule) and <joint>. No part of the question, and so
-// not told: <inertial>, <transmission>, <gazebo>, dynamics and the like, and the <visual> of a link that has a
+// Reads <robot>, <link>, <collision> (mesh, box, sphere, cylinder, capsule) and <joint>. No part of the question, and
+// so not told: <inertial>, <transmission>, <gazebo>, dynamics and the like, and the <visual> of a link that has a
 // <collision>. Told in `left_out`: shapes that are none of these, by the name of their element; and as "visual shape"
 // each <visual> of a link without a <collision>.
 // Throws Error bad_file, "FILE:LINE: what is wrong; remedy", in one line: XML that is not well-formed, xacro that was

@@ -30,8 +30,7 @@ std::vector<Point3> ball_points() {
   for (std::size_t i = 1; i < rings; ++i) {
     const double from_pole = angle(i, 2 * rings), radius = std::sin(from_pole);
     for (std::size_t k = 0; k < around; ++k) {
-      points.push_back(
-          {radius * std::cos(angle(k, around)), radius * std::sin(angle(k, around)), std::cos(from_pole)});
+      points.push_back({radius * std::cos(angle(k, around)), radius * std::sin(angle(k, around)), std::cos(from_pole)});
     }
   }
   return points;

@@ -1,9 +1,9 @@
 // Which of many placed bodies meet?
 // Also called: collision checking of many bodies; broad phase and narrow phase.
 //
-// A body is made of parts, convex polyhedra and bodies with a radius (balls, capsules, cylinders, ..), each with its own
-// placement; parts of one body are not tested against each other. Boxes are compared first, so that bodies far apart
-// cost next to nothing.
+// A body is made of parts, convex polyhedra and bodies with a radius (balls, capsules, cylinders, ..), each with its
+// own placement; parts of one body are not tested against each other. Boxes are compared first, so that bodies far
+// apart cost next to nothing.
 //   S1. A pair of parts is reported as meeting iff polyhedron_polyhedron says so, or, where one has a radius,
 //       round_round: boxes never hide a pair that meets, not even one that only touches. What is undecided there
 //       (round_round.h, R4) is so here: listed, counted, and neither meeting nor apart.
@@ -31,7 +31,7 @@
 namespace sunder::scene {
 
 struct Part {
-  std::string name;  // for people
+  std::string name;        // for people
   solid::RoundBody shape;  // also a polyhedron: it becomes one of radius 0
   solid::Pose pose;        // of the shape in the world; of a body with a radius as require_rigid (round_body.h) says
 };
@@ -58,7 +58,7 @@ struct Question {
 struct PartPair {
   std::uint32_t body_a = 0, body_b = 0;  // body_a < body_b
   std::uint32_t part_a = 0, part_b = 0;
-  solid::PairAnswer answer;         // where `round` is set, its evidence is meaningless
+  solid::PairAnswer answer;                             // where `round` is set, its evidence is meaningless
   std::shared_ptr<const solid::RoundEvidence> round{};  // where one of them has a radius: the evidence
   bool by_boxes = false;            // the boxes are apart: no method was called, and answer.cost is zero
   bool counts = false;              // they meet, and it is not known to be in a way that is allowed
@@ -86,11 +86,11 @@ struct [[nodiscard]] Answer {
 
   bool some_meet() const { return counts.meeting > counts.touching_only; }
   bool none_meet() const { return !some_meet() && counts.undecided == 0; }  // all are known to be apart, or allowed
-  std::string_view verdict() const;  // "some", "none", "undecided"
+  std::string_view verdict() const;                                         // "some", "none", "undecided"
 };
 
-// Requires indices of bodies in `allowed` to be in range. Throws Error: bad_pose where a part with a radius is at a pose
-// that scales or shears.
+// Requires indices of bodies in `allowed` to be in range. Throws Error: bad_pose where a part with a radius is at a
+// pose that scales or shears.
 // Cost for n parts: n log n, one method call for each pair whose boxes meet; n^2 with every_pair.
 Answer meeting_pairs(std::span<const Body> bodies, const Question& question = {});
 

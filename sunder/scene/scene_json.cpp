@@ -85,10 +85,10 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
   for (const Placement& placed : placements) {
     for (const PartPair& pair : placed.answer.pairs) {
       if (!is_open(pair, question)) continue;
-      origin.left_out.push_back(prefix_of(placed) + part_name(bodies[pair.body_a], pair.part_a) + " and " +
-                                part_name(bodies[pair.body_b], pair.part_b) +
-                                (pair.undecided() ? ", undecided whether they meet"
-                                                  : ", undecided whether they touch or overlap"));
+      origin.left_out.push_back(
+          prefix_of(placed) + part_name(bodies[pair.body_a], pair.part_a) + " and " +
+          part_name(bodies[pair.body_b], pair.part_b) +
+          (pair.undecided() ? ", undecided whether they meet" : ", undecided whether they touch or overlap"));
     }
   }
   ClaimsWriter file(sink);
@@ -119,8 +119,8 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
         add_round_claims(pairs, of_a, a, of_b, b, pair);
         continue;
       }
-      solid::add_claims(pairs, {of_a, of_b, a.shape.core(), a.pose, b.shape.core(), b.pose},
-                        pair.answer.certificate(), pair.meet() ? pair.contact : Contact::none);
+      solid::add_claims(pairs, {of_a, of_b, a.shape.core(), a.pose, b.shape.core(), b.pose}, pair.answer.certificate(),
+                        pair.meet() ? pair.contact : Contact::none);
     }
     pairs.add_all_pairs(all_pairs(answer, question, numbers[k]));
   }

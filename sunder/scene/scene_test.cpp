@@ -49,7 +49,8 @@ std::vector<Key> meeting_by_all_pairs(const std::vector<Body>& bodies, const Que
         for (std::uint32_t j = 0; j < bodies[b].parts.size(); ++j) {
           const Part &p = bodies[a].parts[i], &q = bodies[b].parts[j];
           ++pairs;
-          if (!allowed && intersect(p.shape.core(), p.pose, q.shape.core(), q.pose).meet()) meeting.emplace_back(a, b, i, j);
+          if (!allowed && intersect(p.shape.core(), p.pose, q.shape.core(), q.pose).meet())
+            meeting.emplace_back(a, b, i, j);
         }
       }
     }

@@ -1,4 +1,4 @@
-// Boxes around placed polyhedra and bodies with a radius: the cheap test before the question whether they meet, and its evidence.
+// Boxes around placed bodies: the cheap test before the question whether they meet, and its evidence.
 // Also called: axis-aligned bounding box (AABB); bounding volume.
 #pragma once
 

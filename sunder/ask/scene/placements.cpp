@@ -158,8 +158,8 @@ class Lines {
       return;
     }
     if (pair.round) {
-      const Point3 p = rounded_common_point(pair, bodies[pair.body_a].parts[pair.part_a],
-                                            bodies[pair.body_b].parts[pair.part_b]);
+      const Point3 p =
+          rounded_common_point(pair, bodies[pair.body_a].parts[pair.part_a], bodies[pair.body_b].parts[pair.part_b]);
       fmt::format_to(std::back_inserter(out), R"(, "evidence": {{"point": {}}}}})", to_line(to_json(p)));
       return;
     }

@@ -25,7 +25,6 @@ constexpr std::size_t most_listed = 20;     // pairs that meet, of one placement
 const scene::Part& part_a(const Placed& p, const PartPair& pair) { return p.bodies[pair.body_a].parts[pair.part_a]; }
 const scene::Part& part_b(const Placed& p, const PartPair& pair) { return p.bodies[pair.body_b].parts[pair.part_b]; }
 
-
 std::string name_a(const Placed& p, const PartPair& pair) { return part_name(p.bodies[pair.body_a], pair.part_a); }
 std::string name_b(const Placed& p, const PartPair& pair) { return part_name(p.bodies[pair.body_b], pair.part_b); }
 

@@ -93,8 +93,8 @@ void require_drawable(const Call& call, const SceneInput& input, std::size_t pla
   ask::require_drawable(facets * placements, "facet", 0, call.svg_limit);
 }
 
-// Of all pairs but the allowed and the undecided; returns how many. Throws Error bad_call where there is none: such a file would state
-// nothing.
+// Of all pairs but the allowed and the undecided; returns how many. Throws Error bad_call where there is none: such a
+// file would state nothing.
 std::size_t write_certificate(const std::string& name, const SceneReport& report, const InputFiles& inputs) {
   std::vector<scene::Placement> placements;
   std::size_t pairs = 0, undecided = 0;
