@@ -92,6 +92,13 @@ TEST_F(Program, SceneThatIsUndecided) {
   EXPECT_EQ(r.code, 1);
   EXPECT_NE(r.out.find("undecided: one and other"), std::string::npos) << r.out;
   EXPECT_EQ(r.out.find("none meet"), std::string::npos);
+  // A last bit nearer they are known to meet, but not how.
+  const std::string nearer = nearly + " --joints way=1.3853189754928865";
+  EXPECT_EQ(report(nearer + " --classify", 1)["pairs"][0]["contact_unknown"], true);
+  const std::string loose = in_folder("loose.json");
+  EXPECT_EQ(run(nearer + " --allow touch --certificate '" + loose + "'").code, 1);
+  EXPECT_EQ(json::parse(read_text(loose))["left_out"], json{"one and other, undecided whether they touch or overlap"});
+  EXPECT_EQ(run("verify '" + loose + "'").code, 0);
   const json j = report(nearly + joints, 1);
   EXPECT_EQ(j["answer"], "undecided");
   EXPECT_EQ(j["pairs"][0]["answer"], "undecided");

@@ -121,13 +121,14 @@ TEST(SceneRound, BoxesHoldTheBodyAndNoMuchMore) {
           }
         }
         const double size = body.core.size + body.radius() * (body.kind() == RoundKind::ellipsoid ? 4 : 1);
-        if (!std::isfinite(size) || size < 1e-290) continue;
+        // (Where the radius is far above the axis, the axis is not known well enough.)
+        if (!std::isfinite(size) || size < 1e-290 || c.family == RoundFamily::degenerate) continue;
         ++all;
-        tight += beyond(bound + (up ? -1 : 1) * 0x1p-46 * size);
+        tight += beyond(bound + (up ? -1 : 1) * 0x1p-40 * size);
       }
     }
   }
-  EXPECT_GT(all, scaled_count(2000, 200));
+  EXPECT_GT(all, 3 * scaled_count(2000, 200));
   EXPECT_EQ(tight, all);
 }
 

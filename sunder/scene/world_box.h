@@ -30,7 +30,8 @@ WorldBox world_box(const solid::Placed& body, const WorldBox& near);
 // A box that costs no walk, and is larger: that of the images of the corners of the body's own box. W1 holds.
 Box3 rough_world_box(const solid::Placed& body);
 
-// Of bodies with a radius: those of their cores, and beyond them what the body reaches, rounded outwards. W1 holds; of
+// Of bodies with a radius: those of their cores, and beyond them what the body reaches, rounded outwards; of a cylinder
+// or a cone whose radius is k times its axis, k times as coarse. W1 holds; of
 // W2, the vertices are of the core, and say nothing of the body.
 WorldBox world_box(const solid::PlacedRound& body);
 Box3 rough_world_box(const solid::PlacedRound& body);
