@@ -38,7 +38,7 @@ OPTIONAL = {
     "": "left_out skipped mended remarks contact said_of distance clearance cut group layer across_layers count counts "
         "contact_unknown "
         "best contradiction formats",
-    "objects[]": "radius semi_axes why_hull frame moved_about departure groups layers left_out remarks properties box without inputs made_of not_made_of "
+    "objects[]": "radius why_hull frame moved_about departure groups layers left_out remarks properties box without inputs made_of not_made_of "
                  "proved",
     "objects[].departure": "volume_missing_about volume_of_hull_about",
     "distance": "a b",
@@ -102,6 +102,7 @@ pair cases/space/ball.json cases/space/capsule.json --clearance 1 --certificate 
 pair cases/space/ball.json cases/space/capsule.json --clearance 2 --certificate OUT
 pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,4,5 --radius-a 1 --radius-b 0.5 --certificate OUT
 pair cases/space/tip.json cases/space/beside.json
+pair cases/mesh/cube.obj cases/space/rim.json --classify
 pair cases/space/plane.json cases/space/line.json --certificate OUT
 pair cases/space/plane.json cases/space/above.json
 pair cases/space/plane.json cases/space/tilted.json --classify
@@ -358,7 +359,7 @@ class Reports(unittest.TestCase):
         told = {verb: {answer for of, answer in self.count if of == verb} for verb, _ in self.count}
         some, set_verb = {"feasible", "infeasible", "error"}, {"none", "some", "error"}
         self.assertEqual(told, {
-            "pair": {"apart", "meet", "error"}, "scene": set_verb, "segments": set_verb, "circles": set_verb,
+            "pair": {"apart", "meet", "undecided", "error"}, "scene": set_verb, "segments": set_verb, "circles": set_verb,
             "boxes": set_verb, "polygons": set_verb,
             "simple": {"valid", "not valid", "simple", "not simple", "error"}, "region": some,
             "kernel": some, "hull": {"point", "segment", "polygon", "body", "error"}, "section": set_verb,

@@ -89,6 +89,10 @@ class RoundDisposal {
   RoundShape shape_along(const PlacedRound& body, const WorldDirection& direction, End end, std::uint32_t near) {
     RoundShape shape = body.shape;
     if (body.body.is_curved()) return shape;
+    if (body.core.graph.vertices.size() == 1) {
+      shape.points[0] = body.core.graph.vertices[0];
+      return shape;
+    }
     Along along(direction, body.core.pose, body.core.tame);
     shape.points[0] =
         body.core.graph.vertices[extreme_vertex_from(body.core, along, end, near, answer_.cost, tally_)];
