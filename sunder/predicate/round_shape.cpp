@@ -172,9 +172,9 @@ Guess side_formula(const RoundShape& s, const Homogeneous<T>& x) {
     const auto& t = s.pose->translation;
     const Vector3<T> from = x.at - times(w, lift<Stage>(Point3{t[0], t[1], t[2]}));
     const T scale = w * adjoint.determinant;
-    const Vector3<T> way = Vector3<T>{dot(adjoint.rows[0], from), dot(adjoint.rows[1], from),
-                                      dot(adjoint.rows[2], from)} -
-                           times(scale, lift<Stage>(s.points[0]));
+    const Vector3<T> way =
+        Vector3<T>{dot(adjoint.rows[0], from), dot(adjoint.rows[1], from), dot(adjoint.rows[2], from)} -
+        times(scale, lift<Stage>(s.points[0]));
     return sign(r2 * squared(scale) - squared(way));
   }
   const Vector3<T> axis = axis_of<Stage>(s);
@@ -183,8 +183,8 @@ Guess side_formula(const RoundShape& s, const Homogeneous<T>& x) {
   const T across = squared(cross(from, axis));  // times a a w^2
   const Guess within = lesser(sign(along), sign(rest));
   if (within == Guess::negative) return within;
-  const T reach = s.kind == RoundKind::cylinder ? r2 * squared(w) * length2 - across
-                                                : r2 * squared(rest) - across * length2;
+  const T reach =
+      s.kind == RoundKind::cylinder ? r2 * squared(w) * length2 - across : r2 * squared(rest) - across * length2;
   return lesser(within, sign(reach));
 }
 
@@ -237,8 +237,8 @@ Sized image_sized(const WeightedPoint& p) {
   for (std::size_t k = 0; k < p.count; ++k) {
     const Sized image = image_sized(*p.points[k].pose, p.points[k].point);
     sum.at = sum.at + Vector3<double>{p.weights[k] * image.at.x, p.weights[k] * image.at.y, p.weights[k] * image.at.z};
-    sum.size =
-        sum.size + Vector3<double>{p.weights[k] * image.size.x, p.weights[k] * image.size.y, p.weights[k] * image.size.z};
+    sum.size = sum.size +
+               Vector3<double>{p.weights[k] * image.size.x, p.weights[k] * image.size.y, p.weights[k] * image.size.z};
     weight += p.weights[k];
   }
   const auto over = [&](const Vector3<double>& v) { return Vector3<double>{v.x / weight, v.y / weight, v.z / weight}; };
@@ -304,7 +304,8 @@ Guess side_in_doubles(const RoundShape& s, const WeightedPoint& x) {
   const Sized from = image_sized(x) - image_sized(*s.pose, s.points[0]);
   const Sized axis = turned_sized(*s.pose, s.points[1], s.points[0]);
   const double of_axis = length(axis.at), all = sum_of(axis.size), size = sum_of(from.size) * (all / of_axis);
-  if (!(of_axis >= 0x1p-20 * all && of_axis >= least_axis) || !is_moderate(from.size) || !(of_axis <= moderate && s.radius <= moderate)) {
+  if (!(of_axis >= 0x1p-20 * all && of_axis >= least_axis) || !is_moderate(from.size) ||
+      !(of_axis <= moderate && s.radius <= moderate)) {
     return Guess::unsure;
   }
   const double along = dot(from.at, axis.at) / of_axis, rest = of_axis - along;
@@ -357,8 +358,8 @@ Sign side_of(const RoundShape& shape, const ExactPoint& point) {
 Sign nearness(const WeightedPoint& p, double radius_p, const WeightedPoint& q, double radius_q, StageTally* tally) {
   const Guess first = nearness_in_doubles(p, q, radius_p + radius_q);
   if (is_sure(first)) return counted(&StageTally::rounded, tally, to_sign(first));
-  const Guess guess = nearness_formula(lift<IntervalStage>(p), lift<IntervalStage>(q),
-                                       Interval(radius_p) + Interval(radius_q));
+  const Guess guess =
+      nearness_formula(lift<IntervalStage>(p), lift<IntervalStage>(q), Interval(radius_p) + Interval(radius_q));
   if (is_sure(guess)) return counted(&StageTally::interval, tally, to_sign(guess));
   return counted(&StageTally::exact, tally, nearness(exact_point(p), radius_p, exact_point(q), radius_q));
 }

@@ -141,7 +141,8 @@ int run(const PairCall& call) {
     }
     if (!call.project.empty()) throw Error(ErrorCode::bad_call, "is for polygons of space; leave it out", "--project");
     for (const PairSide* side : {&call.a, &call.b}) {
-      if (!side->radius.empty()) throw Error(ErrorCode::bad_call, "is for objects of space; leave it out", side->option("radius"));
+      if (!side->radius.empty())
+        throw Error(ErrorCode::bad_call, "is for objects of space; leave it out", side->option("radius"));
     }
     if (call.require_convex) {
       throw Error(ErrorCode::bad_call, "polygons are always required to be convex; leave it out", "--require-convex");
@@ -182,7 +183,8 @@ Verb pair_verb() {
       "0 apart, or with --clearance that far apart; 1 meet, or not that far apart",
       {{"A", &call->a.file,
         "a mesh or a set of points: OBJ, STL, PLY, OFF; a point, segment, flat polygon, line, ray or plane of space: "
-        "JSON, WKT Z; a ball, capsule, cylinder, cone or ellipsoid: JSON; or a planar object: WKT, GeoJSON, CSV. Planar lines, rays, half-planes: in CSV "
+        "JSON, WKT Z; a ball, capsule, cylinder, cone or ellipsoid: JSON; or a planar object: WKT, GeoJSON, CSV. "
+        "Planar lines, rays, half-planes: in CSV "
         "line,x1,y1,x2,y2 (ray, half-plane), in WKT LINE (x1 y1, x2 y2) (RAY, HALFPLANE)",
         "", true},
        {"B", &call->b.file, "the other, of the same kind; in the plane, one of the two is bounded", "", true},

@@ -38,17 +38,13 @@ RoundBody::RoundBody(RoundKind kind, const ConvexPolyhedron& core, double radius
   require_radius(radius);
 }
 
-RoundBody RoundBody::ball(const Point3& centre, double radius) {
-  return {RoundKind::hull, hull_of({centre}), radius};
-}
+RoundBody RoundBody::ball(const Point3& centre, double radius) { return {RoundKind::hull, hull_of({centre}), radius}; }
 
 RoundBody RoundBody::capsule(const Point3& from, const Point3& to, double radius) {
   return {RoundKind::hull, hull_of({from, to}), radius};
 }
 
-RoundBody RoundBody::rounded(const ConvexPolyhedron& core, double radius) {
-  return {RoundKind::hull, core, radius};
-}
+RoundBody RoundBody::rounded(const ConvexPolyhedron& core, double radius) { return {RoundKind::hull, core, radius}; }
 
 RoundBody RoundBody::cylinder(const Point3& base, const Point3& top, double radius) {
   const ConvexPolyhedron axis = axis_of(base, top, "its ends");

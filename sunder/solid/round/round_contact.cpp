@@ -188,8 +188,8 @@ class Contacts {
     }
   };
 
-  // For a cylinder and a polyhedron that overlap, a common point that lies within the radius, but perhaps in the plane of
-  // base or top: moved towards a point of the polyhedron that is between the planes.
+  // For a cylinder and a polyhedron that overlap, a common point that lies within the radius, but perhaps in the plane
+  // of base or top: moved towards a point of the polyhedron that is between the planes.
   CommonPoint off_the_ends(const PlacedRound& cylinder, const PlacedRound& polyhedron, const CommonPoint& point,
                            bool is_a) const {
     const Exact base = lift<ExactStage>(Posed3{cylinder.shape.points[0], &cylinder.core.pose, false});
@@ -242,9 +242,7 @@ class Contacts {
   }
 
   static RoundContact overlapping(const CommonPoint& inner) { return {Contact::overlapping, inner, {}}; }
-  RoundContact touching(const std::array<Dyadic, 3>& direction) const {
-    return {Contact::touching, point_, direction};
-  }
+  RoundContact touching(const std::array<Dyadic, 3>& direction) const { return {Contact::touching, point_, direction}; }
 
   RoundContact of_polyhedra() const {
     const Interiors found = interiors(a_.body.core(), a_.pose, b_.body.core(), b_.pose);

@@ -65,7 +65,9 @@ class RoundDisposal {
   // Points of both cores are near enough to each other. Requires hulls.
   bool meets_between(const RoundCombination& a, const RoundCombination& b) {
     ++answer_.cost.proposals;
-    if (nearness(round_detail::weighted(a_, a), a_.radius(), round_detail::weighted(b_, b), b_.radius(), &tally_) < least_) return false;
+    if (nearness(round_detail::weighted(a_, a), a_.radius(), round_detail::weighted(b_, b), b_.radius(), &tally_) <
+        least_)
+      return false;
     return meets(RoundEvidence::Source::between, {}, a, b);
   }
 
@@ -94,8 +96,7 @@ class RoundDisposal {
       return shape;
     }
     Along along(direction, body.core.pose, body.core.tame);
-    shape.points[0] =
-        body.core.graph.vertices[extreme_vertex_from(body.core, along, end, near, answer_.cost, tally_)];
+    shape.points[0] = body.core.graph.vertices[extreme_vertex_from(body.core, along, end, near, answer_.cost, tally_)];
     return shape;
   }
   bool holds(const PlacedRound& body, const WeightedPoint& x, const RoundCombination& c) {

@@ -50,10 +50,12 @@ TEST(RoundBody, PosesThatScale) {
     EXPECT_NO_THROW(require_rigid(RoundBody::rounded(cube(1), 0), pose));
   }
   // The ellipsoid's own map, then the pose.
-  EXPECT_EQ(round_round(RoundBody::ellipsoid({1, 0, 0}, {1, 2, 3}), twice, RoundBody::ball({5, 0, 0}, 1), Pose()).verdict(),
-            RoundVerdict::meet);
-  EXPECT_EQ(round_round(RoundBody::ellipsoid({1, 0, 0}, {1, 2, 3}), twice, RoundBody::ball({6, 0, 0}, 1), Pose()).verdict(),
-            RoundVerdict::apart);
+  EXPECT_EQ(
+      round_round(RoundBody::ellipsoid({1, 0, 0}, {1, 2, 3}), twice, RoundBody::ball({5, 0, 0}, 1), Pose()).verdict(),
+      RoundVerdict::meet);
+  EXPECT_EQ(
+      round_round(RoundBody::ellipsoid({1, 0, 0}, {1, 2, 3}), twice, RoundBody::ball({6, 0, 0}, 1), Pose()).verdict(),
+      RoundVerdict::apart);
 }
 
 TEST(RoundRound, HullsToTheLastBit) {
@@ -72,11 +74,10 @@ TEST(RoundRound, HullsToTheLastBit) {
 TEST(RoundRound, EachKindOnABox) {
   const RoundBody box = RoundBody::rounded(cube(1), 0);
   const double up = std::nextafter(1, 2);
-  for (const RoundBody& body :
-       {RoundBody::ball({0, 0, 1}, 1), RoundBody::capsule({-5, 0, 1}, {5, 0, 1}, 1), RoundBody::rounded(cube(1), 1),
-        RoundBody::cylinder({-3, 0, 1}, {3, 0, 1}, 1), RoundBody::cylinder({0, 0, 0}, {0, 0, 3}, 2),
-        RoundBody::cone({0, 0, 3}, {0, 0, 0}, 2), RoundBody::cone({0, 0, 0}, {0, 0, 2}, 3),
-        RoundBody::ellipsoid({0, 0, 2}, {1, 3, 2})}) {
+  for (const RoundBody& body : {RoundBody::ball({0, 0, 1}, 1), RoundBody::capsule({-5, 0, 1}, {5, 0, 1}, 1),
+                                RoundBody::rounded(cube(1), 1), RoundBody::cylinder({-3, 0, 1}, {3, 0, 1}, 1),
+                                RoundBody::cylinder({0, 0, 0}, {0, 0, 3}, 2), RoundBody::cone({0, 0, 3}, {0, 0, 0}, 2),
+                                RoundBody::cone({0, 0, 0}, {0, 0, 2}, 3), RoundBody::ellipsoid({0, 0, 2}, {1, 3, 2})}) {
     const double off = body.kind() == RoundKind::hull && body.core().dimension() == 3 ? 2 : 0;
     EXPECT_EQ(contact(box, body, shifted(0, 0, 1 + off)), Contact::touching);
     EXPECT_EQ(contact(box, body, shifted(0, 0, 0.5 + off)), Contact::overlapping);

@@ -1,7 +1,6 @@
 // The search of Gilbert, Johnson and Keerthi on two placed bodies with a radius, in double or in double-double
-// precision. Of hulls it sees the cores, of curved bodies what they are; `reach` is what the radii of hulls add. What it
-// leaves is for proposals; nothing here decides anything.
-// Source: Gilbert, Johnson, Keerthi 1988.
+// precision. Of hulls it sees the cores, of curved bodies what they are; `reach` is what the radii of hulls add. What
+// it leaves is for proposals; nothing here decides anything. Source: Gilbert, Johnson, Keerthi 1988.
 #pragma once
 
 #include <sunder/base/cost.h>
@@ -67,7 +66,8 @@ class RoundSide {
   // The point that is furthest along the direction, about.
   Far furthest(const Vector& d, Cost& cost) const {
     Far far = furthest_of_all(d, cost);
-    if (shrink > 0 && of_.body.is_curved()) far.at = round_detail::sum<Real>(far.at, Real(shrink), minus(middle(), far.at));
+    if (shrink > 0 && of_.body.is_curved())
+      far.at = round_detail::sum<Real>(far.at, Real(shrink), minus(middle(), far.at));
     return far;
   }
 
