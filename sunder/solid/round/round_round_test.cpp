@@ -33,7 +33,7 @@ ConvexPolyhedron cube(double half) {
 TEST(RoundBody, WhatIsRefused) {
   EXPECT_THROW((void)RoundBody::ball({0, 0, 0}, -1), Error);
   EXPECT_THROW((void)RoundBody::ball({0, 0, 0}, HUGE_VAL), Error);
-  EXPECT_THROW((void)RoundBody::ball({NAN, 0, 0}, 1), Error);
+  EXPECT_THROW((void)RoundBody::ball({std::nan(""), 0, 0}, 1), Error);
   EXPECT_THROW((void)RoundBody::cylinder({1, 2, 3}, {1, 2, 3}, 1), Error);
   EXPECT_THROW((void)RoundBody::cone({1, 2, 3}, {1, 2, 3}, 0), Error);
   EXPECT_THROW((void)RoundBody::ellipsoid({0, 0, 0}, {1, 0, 1}), Error);
