@@ -38,7 +38,7 @@ OPTIONAL = {
     "": "left_out skipped mended remarks contact said_of distance clearance cut group layer across_layers count counts "
         "contact_unknown "
         "best contradiction formats",
-    "objects[]": "radius why_hull frame moved_about departure groups layers left_out remarks properties box without inputs made_of not_made_of "
+    "objects[]": "why_hull frame moved_about departure groups layers left_out remarks properties box without inputs made_of not_made_of "
                  "proved",
     "objects[].departure": "volume_missing_about volume_of_hull_about",
     "distance": "a b",

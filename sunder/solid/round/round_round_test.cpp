@@ -1,6 +1,7 @@
 #include <sunder/base/error.h>
 #include <sunder/solid/round/round_clearance.h>
 #include <sunder/solid/round/round_contact.h>
+#include <sunder/solid/round/round_finish.h>
 #include <sunder/solid/round/round_round.h>
 
 #include <gtest/gtest.h>
@@ -95,6 +96,58 @@ TEST(RoundRound, AFacetThatOnlyTheAxisPierces) {
   EXPECT_EQ(verdict(cone, RoundBody::rounded(wall, 0)), RoundVerdict::meet);
   EXPECT_EQ(verdict(cone, RoundBody::rounded(wall, 0), shifted(0.5, 0, 0)), RoundVerdict::meet);
   EXPECT_EQ(verdict(cone, RoundBody::rounded(wall, 0), shifted(0.5 + 0x1p-40, 0, 0)), RoundVerdict::apart);
+}
+
+// The exact methods by themselves, whatever the search would have found.
+CurvedVerdict finished(const RoundBody& curved, const RoundBody& polyhedron) {
+  Cost cost;
+  StageTally tally;
+  const PlacedRound a(curved, Pose()), b(polyhedron, Pose());
+  CurvedVerdict found = curved_polyhedron(a, b, 0, cost, tally);
+  if (found.direction && !found.point) {
+    // It parts them, every vertex.
+    const WorldDirection d(*found.direction);
+    for (std::size_t v = 0; v < polyhedron.core().vertices().size(); ++v) {
+      RoundShape vertex = b.shape;
+      vertex.points[0] = polyhedron.core().vertices()[v];
+      EXPECT_EQ(gap_sign(d, a.shape, vertex), Sign::positive);
+    }
+  }
+  return found;
+}
+
+TEST(RoundFinish, ACylinderAndAnEdgeThatLeavesItsSlab) {
+  const RoundBody cylinder = RoundBody::cylinder({0, 0, 0}, {0, 0, 2}, 1);
+  for (const double side : {1.0, -1.0}) {
+    // Nearest to the axis in the plane of the top, or of the base; beyond it the edge goes on inwards.
+    const auto edge = [&](double from) {
+      return side > 0 ? RoundBody::capsule({from, 0, 1}, {0, 0, 1 + from}, 0)
+                      : RoundBody::capsule({from, 0, 1}, {0, 0, 1 - from}, 0);
+    };
+    EXPECT_EQ(finished(cylinder, edge(4)).sign, Sign::negative);
+    EXPECT_TRUE(finished(cylinder, edge(4)).direction);
+    EXPECT_EQ(finished(cylinder, edge(2)).sign, Sign::zero);
+    EXPECT_TRUE(finished(cylinder, edge(2)).point);
+    EXPECT_EQ(finished(cylinder, edge(1.5)).sign, Sign::positive);
+  }
+  EXPECT_EQ(finished(cylinder, RoundBody::capsule({-1, 0, 3}, {1, 0, 4}, 0)).sign, Sign::negative);
+  EXPECT_EQ(finished(cylinder, RoundBody::capsule({-1, 0, -3}, {1, 0, -4}, 0)).sign, Sign::negative);
+}
+
+TEST(RoundFinish, AConeAndAnEdge) {
+  const RoundBody cone = RoundBody::cone({0, 0, 0}, {0, 0, 4}, 2);
+  const auto meets = [&](const Point3& from, const Point3& to) {
+    return finished(cone, RoundBody::capsule(from, to, 0)).point.has_value();
+  };
+  for (const double side : {1.0, -1.0}) {
+    EXPECT_TRUE(meets({side * 5, 0.5, 1}, {side * 1, 0.5, 1}));  // one end inside, the first or the second
+    EXPECT_FALSE(meets({side * 5, 0.5, 1}, {side * 2, 0.5, 1}));
+    EXPECT_TRUE(meets({-4, side * 1.5, 1}, {4, side * 1.5, 1}));  // touches in the middle
+    EXPECT_FALSE(meets({-4, side * 1.5625, 1}, {4, side * 1.5625, 1}));
+    EXPECT_FALSE(meets({-4, side * 0.25, 5}, {4, side * 0.25, 5}));  // the other half of the double cone
+    EXPECT_TRUE(meets({side * 2, 0, -1}, {side * 2, 0, 1}));         // the rim
+    EXPECT_FALSE(meets({side * 2, 0.0625, -1}, {side * 2, 0.0625, 1}));
+  }
 }
 
 TEST(RoundClearance, ToTheLastBit) {
