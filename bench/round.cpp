@@ -6,10 +6,12 @@
 //     contestant is the median over its rounds of its mean per pair, in processor time of its thread.
 //   - Bodies, shapes and poses are prepared outside of the loop. What is asked is yes or no; Sunder's answer has its
 //     evidence, checked exactly.
-//   - FCL is asked by fcl::collide with both of its solvers; the faster one counts, right or wrong, and its wrong answers
+//   - FCL is asked by fcl::collide with both of its solvers; the faster one counts, right or wrong, and its wrong
+//   answers
 //     are told: the truth is Sunder's answer, which tests prove against fractions. What Sunder leaves undecided is not
 //     asked.
-//   - random: about half of the pairs meet. near: moved along a line to where they touch, then by 1e-12 of their size to
+//   - random: about half of the pairs meet. near: moved along a line to where they touch, then by 1e-12 of their size
+//   to
 //     either side.
 #include <bench/contest/program.h>
 #include <bench/peers/round_peer.h>
@@ -66,7 +68,8 @@ struct Prepared {
 RoundPrimitive some(RoundShapeKind kind, double distance, Random& random) {
   const auto part = [&] { return random.uniform(-1, 1); };
   RoundPrimitive p{kind, {random.log_uniform(0.3, 1), random.log_uniform(0.3, 1), random.log_uniform(0.3, 1)}, {}, {}};
-  place(p, Pose::from_quaternion(part(), part(), part(), part(), {distance * part(), distance * part(), distance * part()}));
+  place(p, Pose::from_quaternion(part(), part(), part(), part(),
+                                 {distance * part(), distance * part(), distance * part()}));
   return p;
 }
 
@@ -99,9 +102,8 @@ Contest contest(RoundShapeKind a, RoundShapeKind b, bool near, std::size_t n, st
   Contest made;
   made.wrong_peers_count = true;
   for (std::size_t k = 0; k < n; ++k) made.truths.push_back(ask(k).meet() ? 1 : 0);
-  made.subjects.push_back({"sunder", "round_round", [=] {
-                             return Ready{each([=](std::size_t k) { return ask(k).meet(); }), {}};
-                           }});
+  made.subjects.push_back(
+      {"sunder", "round_round", [=] { return Ready{each([=](std::size_t k) { return ask(k).meet(); }), {}}; }});
   for (const RoundWay& way : fcl_round_ways()) {
     made.peers.push_back({way.library, way.method, [=] { return Ready{way.run(given->questions), {}}; }});
   }
@@ -114,7 +116,10 @@ std::vector<Plan> plans(const Options&) {
     for (std::size_t i = 0; i < kRoundShapeKinds; ++i) {
       for (std::size_t j = i; j < kRoundShapeKinds; ++j) {
         if (i == 2 && j == 2) continue;  // box and box: bench_pair
-        list.push_back({std::string(kNames[i]) + ", " + kNames[j], near ? "near" : "random", {}, {500},
+        list.push_back({std::string(kNames[i]) + ", " + kNames[j],
+                        near ? "near" : "random",
+                        {},
+                        {500},
                         [=](std::size_t n, std::uint64_t seed) {
                           return contest(static_cast<RoundShapeKind>(i), static_cast<RoundShapeKind>(j), near, n, seed);
                         }});

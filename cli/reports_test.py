@@ -36,7 +36,7 @@ OPTIONAL = {
     "": "left_out skipped mended remarks contact said_of distance clearance cut group layer across_layers count counts "
         "contact_unknown "
         "best contradiction formats",
-    "objects[]": "radius semi_axes why_hull frame moved_about departure groups layers left_out remarks properties box without inputs made_of not_made_of "
+    "objects[]": "why_hull frame moved_about departure groups layers left_out remarks properties box without inputs made_of not_made_of "
                  "proved",
     "objects[].departure": "volume_missing_about volume_of_hull_about",
     "distance": "a b",
@@ -100,6 +100,7 @@ pair cases/space/ball.json cases/space/capsule.json --clearance 1 --certificate 
 pair cases/space/ball.json cases/space/capsule.json --clearance 2 --certificate OUT
 pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,4,5 --radius-a 1 --radius-b 0.5 --certificate OUT
 pair cases/space/tip.json cases/space/beside.json
+pair cases/mesh/cube.obj cases/space/rim.json --classify
 pair cases/space/plane.json cases/space/line.json --certificate OUT
 pair cases/space/plane.json cases/space/above.json
 pair cases/space/plane.json cases/space/tilted.json --classify

@@ -1,5 +1,6 @@
-// FCL 0.7: its own primitives. Booleans only, shapes and transforms prepared. Where FCL has a test of its own for a pair
-// (ball and ball, ball and capsule, ball and box, ball and cylinder, box and box) its solver takes that; else libccd.
+// FCL 0.7: its own primitives. Booleans only, shapes and transforms prepared. Where FCL has a test of its own for a
+// pair (ball and ball, ball and capsule, ball and box, ball and cylinder, box and box) its solver takes that; else
+// libccd.
 #include <bench/peers/round_peer.h>
 
 #include <fcl/geometry/shape/box.h>
@@ -67,7 +68,8 @@ Run by_collide(const std::vector<RoundQuestion>& questions) {
 }  // namespace
 
 std::vector<RoundWay> fcl_round_ways() {
-  return {{"fcl", "collide, libccd", by_collide<fcl::GST_LIBCCD>}, {"fcl", "collide, its own GJK", by_collide<fcl::GST_INDEP>}};
+  return {{"fcl", "collide, libccd", by_collide<fcl::GST_LIBCCD>},
+          {"fcl", "collide, its own GJK", by_collide<fcl::GST_INDEP>}};
 }
 
 }  // namespace bench

@@ -73,7 +73,8 @@ class RoundPair : public PairQuestion {
     if (least_ > 0) clearance_ = round_clearance(placed_a_, placed_b_, least_);
     // That they are apart, and so far, carries over from hulls to the meshes that they stand for.
     const bool is_hull = of_a_.is_hull() || of_b_.is_hull();
-    const bool is_said_of_hulls = is_hull && (answer_.verdict() != RoundVerdict::apart || (least_ > 0 && !clearance_.kept));
+    const bool is_said_of_hulls =
+        is_hull && (answer_.verdict() != RoundVerdict::apart || (least_ > 0 && !clearance_.kept));
     if (meet_ && is_hull) verdict_ = "meet as hulls";
     facts_ = {{"said_of", is_said_of_hulls ? "hulls" : "bodies", ""}, evidence()};
     if (call.classify && meet_ && !found_.contact) {

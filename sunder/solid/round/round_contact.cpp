@@ -21,6 +21,10 @@ using Exact = Vector3<Dyadic>;
 Exact times(const Dyadic& w, const Exact& v) { return {w * v.x, w * v.y, w * v.z}; }
 Exact sum(const Exact& p, const Exact& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
 
+bool is_zero(const Exact& v) {
+  return v.x.sign() == Sign::zero && v.y.sign() == Sign::zero && v.z.sign() == Sign::zero;
+}
+
 ExactPoint at(const CommonPoint& point) {
   const auto& [x, y, z] = point.coordinates;
   return {{x, y, z}, point.denominator};
@@ -111,6 +115,16 @@ class Contacts {
     if (const auto inner = inner_point(a_, b_, point_)) return overlapping(*inner);
     if (!a_.body.is_curved() && !b_.body.is_curved()) return of_hulls();
     if (const auto inner = searched()) return overlapping(*inner);
+    // Out of a hull: from the point of its core.
+    for (const bool is_a : {true, false}) {
+      const PlacedRound& hull = is_a ? a_ : b_;
+      if (hull.body.is_curved() || hull.body.is_polyhedron()) continue;
+      const ExactPoint x = at(point_), y = core_point(hull, is_a ? point_.of_a : point_.of_b);
+      const Exact out = times(y.weight, x.at) - times(x.weight, y.at);
+      const bool turned = (x.weight.sign() == Sign::negative) == is_a;
+      const std::array<Dyadic, 3> d = turned ? std::array{-out.x, -out.y, -out.z} : std::array{out.x, out.y, out.z};
+      if (!is_zero(out) && parts_weakly(a_, b_, d)) return touching(d);
+    }
     for (const auto& [curved, other, is_a] : {std::tuple(&a_, &b_, true), std::tuple(&b_, &a_, false)}) {
       if (!curved->body.is_curved()) continue;
       const Sides sides(*curved, at(point_));
@@ -170,14 +184,12 @@ class Contacts {
       add({-axis.x, -axis.y, -axis.z});
     }
     void add(const Exact& n) {
-      if (n.x.sign() != Sign::zero || n.y.sign() != Sign::zero || n.z.sign() != Sign::zero) {
-        directions.push_back({n.x, n.y, n.z});
-      }
+      if (!is_zero(n)) directions.push_back({n.x, n.y, n.z});
     }
   };
 
-  // For a cylinder and a polyhedron that overlap, a common point that lies within the radius, but perhaps in the plane of
-  // base or top: moved towards a point of the polyhedron that is between the planes.
+  // For a cylinder and a polyhedron that overlap, a common point that lies within the radius, but perhaps in the plane
+  // of base or top: moved towards a point of the polyhedron that is between the planes.
   CommonPoint off_the_ends(const PlacedRound& cylinder, const PlacedRound& polyhedron, const CommonPoint& point,
                            bool is_a) const {
     const Exact base = lift<ExactStage>(Posed3{cylinder.shape.points[0], &cylinder.core.pose, false});
@@ -230,9 +242,7 @@ class Contacts {
   }
 
   static RoundContact overlapping(const CommonPoint& inner) { return {Contact::overlapping, inner, {}}; }
-  RoundContact touching(const std::array<Dyadic, 3>& direction) const {
-    return {Contact::touching, point_, direction};
-  }
+  RoundContact touching(const std::array<Dyadic, 3>& direction) const { return {Contact::touching, point_, direction}; }
 
   RoundContact of_polyhedra() const {
     const Interiors found = interiors(a_.body.core(), a_.pose, b_.body.core(), b_.pose);

@@ -65,7 +65,9 @@ class RoundDisposal {
   // Points of both cores are near enough to each other. Requires hulls.
   bool meets_between(const RoundCombination& a, const RoundCombination& b) {
     ++answer_.cost.proposals;
-    if (nearness(round_detail::weighted(a_, a), a_.radius(), round_detail::weighted(b_, b), b_.radius(), &tally_) < least_) return false;
+    if (nearness(round_detail::weighted(a_, a), a_.radius(), round_detail::weighted(b_, b), b_.radius(), &tally_) <
+        least_)
+      return false;
     return meets(RoundEvidence::Source::between, {}, a, b);
   }
 
@@ -89,9 +91,12 @@ class RoundDisposal {
   RoundShape shape_along(const PlacedRound& body, const WorldDirection& direction, End end, std::uint32_t near) {
     RoundShape shape = body.shape;
     if (body.body.is_curved()) return shape;
+    if (body.core.graph.vertices.size() == 1) {
+      shape.points[0] = body.core.graph.vertices[0];
+      return shape;
+    }
     Along along(direction, body.core.pose, body.core.tame);
-    shape.points[0] =
-        body.core.graph.vertices[extreme_vertex_from(body.core, along, end, near, answer_.cost, tally_)];
+    shape.points[0] = body.core.graph.vertices[extreme_vertex_from(body.core, along, end, near, answer_.cost, tally_)];
     return shape;
   }
   bool holds(const PlacedRound& body, const WeightedPoint& x, const RoundCombination& c) {

@@ -52,8 +52,8 @@ class RoundFinish {
     meet(point_between(closest.of_a, a_.radius(), closest.of_b, b_.radius()));
   }
 
-  // True: decided. The core of one of the bodies meets the other, or does not, and is all of its body. Requires that one
-  // is curved.
+  // True: decided. The core of one of the bodies meets the other, or does not, and is all of its body. Requires that
+  // one is curved.
   bool cores_decide(std::uint32_t near_a, std::uint32_t near_b) {
     const PairAnswer of_cores = polyhedron_polyhedron(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
     count(of_cores);
@@ -64,8 +64,8 @@ class RoundFinish {
     return core_decides(true, near_a) || core_decides(false, near_b);
   }
 
-  // True: decided, with cylinders as the capsules that hold them. Where these are apart the bodies are; where they meet,
-  // and the shortest way between the cores is perpendicular to every axis, it ends on the cylinders themselves.
+  // True: decided, with cylinders as the capsules that hold them. Where these are apart the bodies are; where they
+  // meet, and the shortest way between the cores is perpendicular to every axis, it ends on the cylinders themselves.
   bool capsules_decide() {
     for (const PlacedRound* body : {&a_, &b_}) {
       if (body->kind() != RoundKind::hull && body->kind() != RoundKind::cylinder) return false;
@@ -236,17 +236,16 @@ RoundAnswer of_polyhedra(const PlacedRound& a, const PlacedRound& b) {
     return answer;
   }
   evidence.verdict = RoundVerdict::apart;
-  const WorldDirection d = world_direction(found.certificate().direction,
-                                           {a.body.core().vertices(), a.core.pose, a.core.tame},
-                                           {b.body.core().vertices(), b.core.pose, b.core.tame});
+  const WorldDirection d =
+      world_direction(found.certificate().direction, {a.body.core().vertices(), a.core.pose, a.core.tame},
+                      {b.body.core().vertices(), b.core.pose, b.core.tame});
   if (d.is_doubles()) {
     evidence.direction = d.doubles();
   } else {
     const Vector3<Dyadic> exact = d.exact();
     const Vector3<Interval> about = d.enclosure();
     evidence.direction = {about.x.low, about.y.low, about.z.low};
-    evidence.exact_direction =
-        std::make_shared<const std::array<Dyadic, 3>>(std::array{exact.x, exact.y, exact.z});
+    evidence.exact_direction = std::make_shared<const std::array<Dyadic, 3>>(std::array{exact.x, exact.y, exact.z});
   }
   return answer;
 }
@@ -269,8 +268,8 @@ RoundAnswer answer_of(const PlacedRound& a, const PlacedRound& b) {
   }
   const Point3& d = first.search.direction;
   RoundProposer<DoubleDouble> second(a, b, dispose, answer.cost);
-  const bool held = second.propose(is_finite(d) ? Vector3<DoubleDouble>{d.x, d.y, d.z} : Vector3<DoubleDouble>{},
-                                   0x1p-42);
+  const bool held =
+      second.propose(is_finite(d) ? Vector3<DoubleDouble>{d.x, d.y, d.z} : Vector3<DoubleDouble>{}, 0x1p-42);
   if (!held && !finish.cores_decide(second.near_a, second.near_b) && !finish.capsules_decide()) {
     // Bodies that touch mostly do so in numbers that people give.
     const auto is_simple = [](const PlacedRound& body) {
@@ -353,8 +352,7 @@ CommonPoint common_point_of(const PlacedRound& a, const PlacedRound& b, const Ro
   };
   switch (evidence.source) {
     case Source::exact: return *evidence.exact;
-    case Source::between:
-      return point_between(of_core(a, evidence.a), a.radius(), of_core(b, evidence.b), b.radius());
+    case Source::between: return point_between(of_core(a, evidence.a), a.radius(), of_core(b, evidence.b), b.radius());
     case Source::cores: {
       const PairCertificate& c = evidence.of_cores;
       std::array<Posed3, 5> points{};
