@@ -30,13 +30,13 @@ std::string robot_of(const std::vector<std::string>& links, const std::vector<st
   return text + "</robot>\n";
 }
 
-const std::string cylinder = "<cylinder radius=\"1\" length=\"1\"/>", box = "<box size=\"1 1 1\"/>";
+const std::string ellipsoid = "<ellipsoid radii=\"1 1 1\"/>", box = "<box size=\"1 1 1\"/>";
 
 TEST_F(Program, ShapesThatAreNotReadAreNotSafe) {
   const std::string two = in_folder("two.urdf"), quoted = "'" + two + "'";
-  write_text(two, robot_of({link_of("a", collision(cylinder)), link_of("b", collision(cylinder))}, {"a", "b"}));
-  expect_bad("scene " + quoted, "two.urdf: not read: 2 cylinders of a, b; give meshes in their stead, or ask without");
-  expect_bad("scene " + quoted + " --leave-out", "there is nothing to ask about; left out: 2 cylinders of a, b");
+  write_text(two, robot_of({link_of("a", collision(ellipsoid)), link_of("b", collision(ellipsoid))}, {"a", "b"}));
+  expect_bad("scene " + quoted, "two.urdf: not read: 2 ellipsoids of a, b; give meshes in their stead, or ask without");
+  expect_bad("scene " + quoted + " --leave-out", "there is nothing to ask about; left out: 2 ellipsoids of a, b");
   write_text(
       two, robot_of({link_of("a", "<visual><geometry>" + box + "</geometry></visual>"), link_of("b", "")}, {"a", "b"}));
   expect_bad("scene " + quoted, "not read: 1 visual shape of a");
@@ -50,7 +50,7 @@ TEST_F(Program, ShapesThatAreNotReadAreNotSafe) {
             std::string::npos);
   write_text(two, robot_of({link_of("a", ""), link_of("b", "")}, {"a", "b"}));
   expect_bad("scene " + quoted, "no link has a shape, so there is nothing to ask about");
-  write_text(two, robot_of({link_of("a", collision(box + cylinder))}, {"a"}));
+  write_text(two, robot_of({link_of("a", collision(box + ellipsoid))}, {"a"}));
   expect_bad("scene " + quoted, "has two shapes");
   write_text(two, robot_of({link_of("a", "<xacro:arm/>")}, {"a"}));
   expect_bad("scene " + quoted, "xacro that was not expanded");
@@ -58,28 +58,29 @@ TEST_F(Program, ShapesThatAreNotReadAreNotSafe) {
 
 TEST_F(Program, WhatIsLeftOutIsTold) {
   const std::string robot = in_folder("five.urdf"), proof = in_folder("proof.json"), quoted = "'" + robot + "'";
-  write_text(robot, robot_of({link_of("a", collision(box)), link_of("b", collision(box, "3 0 0") + collision(cylinder)),
-                              link_of("c", collision("<sphere radius=\"1\"/>") + collision(cylinder)),
-                              link_of("d", collision("<mesh filename=\"none.stl\"/>")),
-                              link_of("e", collision("<mesh filename=\"model.dae\"/>"))},
-                             {"a", "b", "c", "d", "e"}));
+  write_text(robot,
+             robot_of({link_of("a", collision(box)), link_of("b", collision(box, "3 0 0") + collision(ellipsoid)),
+                       link_of("c", collision("<cone/>") + collision(ellipsoid)),
+                       link_of("d", collision("<mesh filename=\"none.stl\"/>")),
+                       link_of("e", collision("<mesh filename=\"model.dae\"/>"))},
+                      {"a", "b", "c", "d", "e"}));
   write_text(in_folder("model.dae"), "<COLLADA/>\n");
-  expect_bad("scene " + quoted, "not read: 2 cylinders of b, c; 1 sphere of c; give");
+  expect_bad("scene " + quoted, "not read: 2 ellipsoids of b, c; 1 cone of c; give");
   const Run r = run("scene " + quoted + " --leave-out --certificate '" + proof + "'");
   EXPECT_EQ(r.code, 0) << r.err;
-  const std::string left_out = "left out: 2 cylinders of b, c; 1 sphere of c; 2 meshes of d, e";
+  const std::string left_out = "left out: 2 ellipsoids of b, c; 1 cone of c; 2 meshes of d, e";
   EXPECT_NE(r.out.find("\nnone of the bodies read meet; " + left_out + "\n"), std::string::npos) << r.out;
-  const json texts{"2 cylinders of b, c", "1 sphere of c", "2 meshes of d, e"};
+  const json texts{"2 ellipsoids of b, c", "1 cone of c", "2 meshes of d, e"};
   const json file = json::parse(read_text(proof));
   EXPECT_EQ(file["left_out"], texts);
   ASSERT_EQ(file["inputs"].size(), 1u);
   EXPECT_EQ(file["inputs"][0]["name"], robot);
   EXPECT_EQ(file["inputs"][0]["sha256"], io::sha256(read_text(robot)));
   EXPECT_TRUE(python_accepts(proof));
-  EXPECT_NE(run("verify '" + proof + "'").out.find("\n  left out: 1 sphere of c\n"), std::string::npos);
+  EXPECT_NE(run("verify '" + proof + "'").out.find("\n  left out: 1 cone of c\n"), std::string::npos);
   EXPECT_EQ(report("verify '" + proof + "'", 0)["objects"][0]["without"], texts);
   const json j = report("scene " + quoted + " --leave-out", 0);
-  EXPECT_EQ(j["left_out"][0], (json{{"kind", "cylinder"}, {"count", 2}, {"of", {"b", "c"}}}));
+  EXPECT_EQ(j["left_out"][0], (json{{"kind", "ellipsoid"}, {"count", 2}, {"of", {"b", "c"}}}));
   EXPECT_EQ(j["left_out"].size(), 3u);
   EXPECT_EQ(report("info " + quoted, 0)["objects"][0]["left_out"].size(), 2u);  // which opens no mesh
   // A mesh that is missing is an error of its own without the option.
@@ -88,10 +89,10 @@ TEST_F(Program, WhatIsLeftOutIsTold) {
   expect_bad("scene " + quoted, "no.stl: no such mesh");
   // What meets does so, whatever was left out; this is told then too.
   write_text(robot,
-             robot_of({link_of("a", collision(box)), link_of("b", collision(box) + collision(cylinder))}, {"a", "b"}));
+             robot_of({link_of("a", collision(box)), link_of("b", collision(box) + collision(ellipsoid))}, {"a", "b"}));
   const Run meets = run("scene " + quoted + " --leave-out");
   EXPECT_EQ(meets.code, 1);
-  EXPECT_NE(meets.out.find("this is of the bodies read; left out: 1 cylinder of b"), std::string::npos) << meets.out;
+  EXPECT_NE(meets.out.find("this is of the bodies read; left out: 1 ellipsoid of b"), std::string::npos) << meets.out;
 }
 
 TEST_F(Program, MeshesWithMoreThanPolygons) {

@@ -29,13 +29,12 @@ BEGIN = "## What all have"  # here the tables of the page begin
 NEVER_SEEN = {
     "#/$defs/error/properties/kind": {"bad-value": "readers refuse such values first, as bad-file",
                                       "internal": "a fault of the program"},
-    "#/$defs/scene/properties/decided_by": {"finishing": "shown by pair, which asks the same methods"},
-    "#/$defs/scene/properties/pairs/items/properties/decided_by": {"finishing": "shown by pair"},
 }
 
 # Keys that may be missing, by the object that holds them: "" is the report.
 OPTIONAL = {
     "": "left_out skipped mended remarks contact said_of distance clearance cut group layer across_layers count counts "
+        "contact_unknown "
         "best contradiction formats",
     "objects[]": "why_hull frame moved_about departure groups layers left_out remarks properties box without inputs made_of not_made_of "
                  "proved",
@@ -47,7 +46,7 @@ OPTIONAL = {
     "cut": "first last",
     "cut.first": "beginning",
     "cut.last": "end",
-    "pairs[]": "contact",
+    "pairs[]": "contact contact_unknown",
     "contacts[]": "groups layers files lines properties",
     "best": "before side after point",
     "sections[]": "through",
@@ -94,6 +93,14 @@ pair cases/planar-pair/plate.wkt cases/planar-pair/paths.csv --feature-b hill
 pair cases/planar-pair/paths.csv cases/planar-pair/plate.wkt --feature-a east
 pair cases/mesh/cube.obj cases/space/plane.json --classify --certificate OUT
 pair cases/space/above.json cases/mesh/cube.obj
+pair cases/mesh/cube.obj cases/space/ball.json --classify --certificate OUT
+pair cases/mesh/cube.obj cases/space/cylinder.json --classify --certificate OUT
+pair cases/space/ellipsoid.json cases/space/cone.json --pose-a 0,0,1 --classify --certificate OUT
+pair cases/space/ball.json cases/space/capsule.json --clearance 1 --certificate OUT
+pair cases/space/ball.json cases/space/capsule.json --clearance 2 --certificate OUT
+pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,4,5 --radius-a 1 --radius-b 0.5 --certificate OUT
+pair cases/space/tip.json cases/space/beside.json
+pair cases/mesh/cube.obj cases/space/rim.json --classify
 pair cases/space/plane.json cases/space/line.json --certificate OUT
 pair cases/space/plane.json cases/space/above.json
 pair cases/space/plane.json cases/space/tilted.json --classify
@@ -119,6 +126,10 @@ scene cases/panda/panda.urdf --allow adjacent --allow touch --joints-file cases/
 scene cases/panda/panda.urdf --joints panda_joint1=0.5 --joints home:panda_joint2=0.1 --svg OUT --classify
 scene cases/mesh/arm.urdf --leave-out --srdf cases/scene/arm.srdf --state up --state hand/open --certificate OUT
 scene cases/mesh/two_nodes.dae cases/mesh/two_nodes.wrl@0,0,9 cases/mesh/two_nodes.gltf@0,9,0 --groups
+scene cases/scene/primitives.urdf --joints hoist=1.125 --classify --certificate OUT
+scene cases/scene/nearly.urdf --joints way=1.3853189754928867
+scene cases/scene/nearly.urdf --joints way=1.3853189754928865 --classify
+info cases/scene/primitives.urdf
 scene cases/mesh/cube.obj cases/mesh/cube.obj@1,0,0 cases/mesh/cube.obj@9,0,0 --allow cube,cube#2 --certificate OUT
 segments cases/boards/two_nets.kicad_pcb --centre-lines
 segments cases/boards/crossing_nets.kicad_pcb --centre-lines --all --across-layers --geojson OUT
@@ -352,7 +363,7 @@ class Reports(unittest.TestCase):
         told = {verb: {answer for of, answer in self.count if of == verb} for verb, _ in self.count}
         some, set_verb = {"feasible", "infeasible", "error"}, {"none", "some", "error"}
         self.assertEqual(told, {
-            "pair": {"apart", "meet", "error"}, "scene": set_verb, "segments": set_verb, "circles": set_verb,
+            "pair": {"apart", "meet", "undecided", "error"}, "scene": set_verb | {"undecided"}, "segments": set_verb, "circles": set_verb,
             "boxes": set_verb, "polygons": set_verb,
             "simple": {"valid", "not valid", "simple", "not simple", "error"}, "region": some,
             "kernel": some, "hull": {"point", "segment", "polygon", "body", "error"}, "section": set_verb,

@@ -24,7 +24,7 @@ int main() {
   for (const auto& pair : answer.pairs) {
     const auto &a = cell[pair.body_a], &b = cell[pair.body_b];
     std::cout << a.parts[pair.part_a].name << " of " << a.name << " and " << b.parts[pair.part_b].name << " of "
-              << b.name << ": " << (pair.answer.meet() ? name_of(pair.contact) : "apart") << '\n';
+              << b.name << ": " << (pair.meet() ? name_of(pair.contact) : "apart") << '\n';
   }
   std::cout << answer.counts.by_boxes << " of " << answer.counts.pairs << " pairs parted by their boxes\n";
   return answer.counts.meeting == 1 ? 0 : 1;

@@ -74,7 +74,7 @@ part_clang() {
   build clang || return 1
   run_tests clang clang || return 1
   configure release "$CXX" -DSUNDER_TESTS=ON || return 1
-  build release certificate_sample planar_certificate_sample segments_certificate_sample \
+  build release certificate_sample round_certificate_sample planar_certificate_sample segments_certificate_sample \
     sets_certificate_sample || return 1
   compare_compilers() {
     certificates build/certificates build 2000 && certificates build/clang/certificates build/clang 2000 &&

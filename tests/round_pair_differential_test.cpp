@@ -85,12 +85,11 @@ TEST(RoundPairDifferential, EachAnswerIsProved) {
       continue;
     }
     const PlacedRound a(c.a, c.pose_a), b(c.b, c.pose_b);
-    ASSERT_TRUE(is_proved(a, b, answer.evidence))
-        << i << " " << named(c) << " " << name_of(answer.verdict()) << " source "
-        << static_cast<int>(answer.evidence.source);
+    ASSERT_TRUE(is_proved(a, b, answer.evidence)) << i << " " << named(c) << " " << name_of(answer.verdict())
+                                                  << " source " << static_cast<int>(answer.evidence.source);
   }
-  const std::map<std::string, double> most_undecided{{"general", 0.001}, {"nested", 0.001},     {"touching", 0.02},
-                                                     {"grid", 0.02},     {"near_contact", 0.06}, {"last_bit", 0.08},
+  const std::map<std::string, double> most_undecided{{"general", 0.001},     {"nested", 0.001},      {"touching", 0.02},
+                                                     {"grid", 0.02},         {"near_contact", 0.06}, {"last_bit", 0.08},
                                                      {"tiny_or_huge", 0.04}, {"degenerate", 0.05}};
   for (const auto& [family, t] : tallies) {
     const int all = t.apart + t.meet + t.undecided;
@@ -182,12 +181,13 @@ TEST(RoundPairDifferential, TheVerifierRefusesWhatIsNotTrue) {
       other.verdict = RoundVerdict::apart;
       other.direction = {1, 0.25, -0.5};
       ASSERT_FALSE(is_accepted(c, other)) << i << " " << named(c);
-      ASSERT_FALSE(is_accepted(c, answer.evidence, [](CommonPoint& x) {
-        x.of_a.parts[0].numerator = x.of_a.parts[0].numerator + x.of_a.denominator;
-      })) << i << " " << named(c);
-      ASSERT_FALSE(is_accepted(c, answer.evidence, [](CommonPoint& x) {
-        x.coordinates[0] = x.coordinates[0] + x.denominator.scaled(1000);
-      })) << i << " " << named(c);
+      ASSERT_FALSE(is_accepted(
+          c, answer.evidence,
+          [](CommonPoint& x) { x.of_a.parts[0].numerator = x.of_a.parts[0].numerator + x.of_a.denominator; }))
+          << i << " " << named(c);
+      ASSERT_FALSE(is_accepted(
+          c, answer.evidence, [](CommonPoint& x) { x.coordinates[0] = x.coordinates[0] + x.denominator.scaled(1000); }))
+          << i << " " << named(c);
       refused += 3;
     } else {
       other.exact_direction = nullptr;

@@ -25,4 +25,24 @@ Json evidence_json(const PairCertificate& c, const PlacedVertices& a, const Plac
           {"extreme_b", c.extreme_b}};
 }
 
+Json evidence_json(const solid::RoundEvidence& evidence, const solid::PlacedRound& a, const solid::PlacedRound& b) {
+  if (evidence.verdict == solid::RoundVerdict::meet) return {{"point", to_json(rounded_point_of(a, b, evidence))}};
+  if (evidence.verdict == solid::RoundVerdict::undecided) {
+    return {{"direction_about", to_json(scene::rounded_direction(evidence))}};
+  }
+  const scene::RoundedGap gap = scene::rounded_gap(evidence, a, b);
+  return {{"direction_about", to_json(gap.direction)}, {"gap_about", gap.width}};
+}
+
+std::string_view shape_name(const solid::RoundBody& body) {
+  switch (body.kind()) {
+    case RoundKind::cylinder: return "cylinder";
+    case RoundKind::cone: return "cone";
+    case RoundKind::ellipsoid: return "ellipsoid";
+    case RoundKind::hull: break;
+  }
+  const std::size_t points = body.points().size();
+  return points == 1 ? "ball" : points == 2 ? "capsule" : "rounded hull";
+}
+
 }  // namespace sunder::ask

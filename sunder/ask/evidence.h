@@ -6,6 +6,9 @@
 #include <sunder/certificate/direction.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
+#include <sunder/solid/round/round_round.h>
+
+#include <string_view>
 
 namespace sunder::ask {
 
@@ -13,5 +16,11 @@ PlacedVertices placed_vertices(const solid::ConvexPolyhedron& shape, const solid
 
 // apart: {"direction_about", "gap_about", "extreme_a", "extreme_b"}; meet: {"point_about", "vertices_a", "vertices_b"}.
 Json evidence_json(const PairCertificate& certificate, const PlacedVertices& a, const PlacedVertices& b);
+
+// Of bodies with a radius: apart {"direction_about", "gap_about"}, meet {"point"}, undecided {"direction_about"}.
+Json evidence_json(const solid::RoundEvidence& evidence, const solid::PlacedRound& a, const solid::PlacedRound& b);
+
+// "ball", "capsule", "rounded hull", "cylinder", "cone", "ellipsoid".
+std::string_view shape_name(const solid::RoundBody& body);
 
 }  // namespace sunder::ask

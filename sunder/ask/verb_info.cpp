@@ -45,7 +45,7 @@ constexpr std::array<Format, 14> formats{
      {"glTF", ".gltf", "read", "glTF 2.0, meshes in nodes, each a part; single precision, metres"},
      {"glTF", ".glb", "read", "the same in one binary file"},
      {"VRML", ".wrl", "read", "VRML 2, sets of faces, each a part, such as convex decompositions"},
-     {"URDF", ".urdf", "read", "robots: links with meshes and boxes, joints with limits"},
+     {"URDF", ".urdf", "read", "robots: links with meshes, boxes, cylinders and the like, joints with limits"},
      {"CSV", ".csv", "read", "segments: x1,y1,x2,y2; circles: x,y,r; half-planes: a,b,c; others by name"},
      {"WKT", ".wkt", "read", "lines and polygons, a geometry on each line; their edges are segments"},
      {"GeoJSON", ".geojson", "read", "lines and polygons; their edges are segments"},
@@ -85,6 +85,17 @@ bool is_planar(const std::string& file, std::string_view bytes) {
   return io::is_planar(file) || std::find(foreign.begin(), foreign.end(), io::ending_of(file)) != foreign.end();
 }
 
+Json shape_json(const io::CollisionShape& shape) {
+  switch (shape.kind) {
+    case io::ShapeKind::mesh: return {{"mesh", shape.mesh}};
+    case io::ShapeKind::box: return {{"box", shape.size}};
+    case io::ShapeKind::sphere: return {{"sphere", {{"radius", shape.radius}}}};
+    case io::ShapeKind::cylinder:
+    case io::ShapeKind::capsule: break;
+  }
+  return {{std::string(name_of(shape.kind)), {{"radius", shape.radius}, {"length", shape.length}}}};
+}
+
 Info describe_robot(const std::string& file, std::string_view bytes) {
   const io::Robot robot = io::parse_urdf(bytes, file);
   Info info;
@@ -104,9 +115,10 @@ Info describe_robot(const std::string& file, std::string_view bytes) {
     Json shapes = Json::array();
     std::string list;
     for (const io::CollisionShape& shape : link.shapes) {
-      shapes.push_back(shape.mesh.empty() ? Json{{"box", shape.size}} : Json{{"mesh", shape.mesh}});
-      list += (list.empty() ? "" : ", ") +
-              (shape.mesh.empty() ? "box" : std::filesystem::path(shape.mesh).filename().string());
+      shapes.push_back(shape_json(shape));
+      list += (list.empty() ? "" : ", ") + (shape.kind == io::ShapeKind::mesh
+                                                ? std::filesystem::path(shape.mesh).filename().string()
+                                                : std::string(name_of(shape.kind)));
     }
     info.json["links"].push_back({{"name", link.name}, {"shapes", shapes}});
     info.text += fmt::format("  link   {:<{}}  {}\n", link.name, width, list.empty() ? "no shape" : list);

@@ -13,6 +13,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The body of a shape that is one with a radius.
+std::optional<solid::RoundBody> round_body(const CollisionShape& shape) {
+  const Point3 low{0, 0, -shape.length / 2}, high{0, 0, shape.length / 2};
+  switch (shape.kind) {
+    case ShapeKind::mesh:
+    case ShapeKind::box: break;
+    case ShapeKind::sphere: return solid::RoundBody::ball({0, 0, 0}, shape.radius);
+    case ShapeKind::cylinder: return solid::RoundBody::cylinder(low, high, shape.radius);
+    case ShapeKind::capsule: return solid::RoundBody::capsule(low, high, shape.radius);
+  }
+  return std::nullopt;
+}
+
 class Reader {
  public:
   Reader(const Robot& robot, const fs::path& file, bool require_convex, LeftOutList& left_out, InputFiles* inputs,
@@ -39,9 +52,16 @@ class Reader {
   void add_shape(const CollisionShape& shape, LinkBody& body) {
     const solid::Pose pose = shape_pose(shape);
     const std::string name = shape.name.empty() ? std::to_string(body.parts.size()) : shape.name;
-    if (shape.mesh.empty()) {
+    const std::string shown = one_line(file_.string());
+    if (const auto round = round_body(shape)) {
+      const std::string kind(name_of(shape.kind));
+      const auto vertices = static_cast<std::uint32_t>(round->points().size());
+      body.parts.push_back(
+          {name, {shown, kind, kind, vertices, 0, BodyShape::convex, "", {}, round->core()}, pose, round});
+      return;
+    }
+    if (shape.kind == ShapeKind::box) {
       const solid::ConvexPolyhedron box(box_corners(shape.size));
-      const std::string shown = one_line(file_.string());
       body.parts.push_back({name, {shown, "box", "box", 8, 6, BodyShape::convex, "", {}, box}, pose});
       return;
     }
@@ -97,7 +117,7 @@ RobotBodies read_robot_bodies(const Robot& robot, const fs::path& file, bool req
 
 scene::Body placed_body(const std::string& name, const std::vector<BodyPart>& parts, const solid::Pose& link) {
   scene::Body placed{name, {}};
-  for (const BodyPart& part : parts) placed.parts.push_back({part.name, part.body.hull, compose(link, part.pose)});
+  for (const BodyPart& part : parts) placed.parts.push_back({part.name, part.shape(), compose(link, part.pose)});
   return placed;
 }
 

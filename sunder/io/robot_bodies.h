@@ -7,10 +7,12 @@
 #include <sunder/io/urdf.h>
 #include <sunder/scene/scene.h>
 #include <sunder/solid/object/pose.h>
+#include <sunder/solid/round/round_body.h>
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,12 @@ struct BodyPart {
   std::string name;
   MeshBody body;
   solid::Pose pose;  // within the link
+
+  // A sphere, a cylinder, a capsule, which is what is meant; `body` then has its file, its name, and its core.
+  std::optional<solid::RoundBody> round{};
+
+  // What is placed, and asked about.
+  solid::RoundBody shape() const { return round ? *round : solid::RoundBody(body.hull); }
 };
 
 struct LinkBody {

@@ -48,6 +48,41 @@ TEST(RobotBodies, LinksJoinedThroughLinksWithoutShapesAreAdjacent) {
   EXPECT_EQ(moved[0], 40.0);  // a, x, y, c, d
 }
 
+TEST(RobotBodies, ShapesWithARadiusAreWhatTheyAre) {
+  const auto shape = [](const std::string& element) {
+    return "<collision><geometry>" + element + "</geometry></collision>";
+  };
+  const Robot robot = parse_urdf(
+      "<robot name='r'><link name='a'>" + shape("<sphere radius='2'/>") + shape("<cylinder radius='1' length='3'/>") +
+          shape("<capsule radius='0.5' length='4'/>") + shape("<box size='1 2 3'/>") + "</link></robot>",
+      "r.urdf");
+  EXPECT_TRUE(robot.left_out.empty());
+  LeftOutList left_out(false);
+  const RobotBodies bodies = read_robot_bodies(robot, "r.urdf", true, left_out);
+  ASSERT_EQ(bodies.bodies.size(), 1u);
+  const std::vector<BodyPart>& parts = bodies.bodies[0].parts;
+  ASSERT_EQ(parts.size(), 4u);
+  EXPECT_EQ(parts[0].shape().kind(), RoundKind::hull);
+  EXPECT_EQ(parts[0].shape().points().size(), 1u);
+  EXPECT_EQ(parts[0].shape().radius(), 2);
+  EXPECT_EQ(parts[1].shape().kind(), RoundKind::cylinder);
+  EXPECT_EQ(parts[1].shape().points()[0], (Point3{0, 0, -1.5}));
+  EXPECT_EQ(parts[1].shape().points()[1], (Point3{0, 0, 1.5}));
+  EXPECT_EQ(parts[1].shape().radius(), 1);
+  EXPECT_EQ(parts[2].shape().kind(), RoundKind::hull);
+  EXPECT_EQ(parts[2].shape().points().size(), 2u);
+  EXPECT_EQ(parts[2].shape().points()[0].z, -parts[2].shape().points()[1].z);
+  EXPECT_EQ(parts[2].shape().radius(), 0.5);
+  EXPECT_TRUE(parts[3].shape().is_polyhedron());
+  for (const char* const bad : {"<sphere/>", "<sphere radius='-1'/>", "<sphere radius='x'/>", "<cylinder radius='1'/>",
+                                "<cylinder radius='1' length='0'/>", "<cylinder radius='1' length='-1'/>",
+                                "<capsule radius='1' length='-1'/>", "<capsule length='1'/>"}) {
+    EXPECT_THROW(static_cast<void>(parse_urdf("<robot name='r'><link name='a'>" + shape(bad) + "</link></robot>", "r")),
+                 Error)
+        << bad;
+  }
+}
+
 TEST(RobotBodies, AMeshThatIsMissingIsLeftOutWithConsentOnly) {
   const fs::path file = write("gap.urdf",
                               "<robot name='r'><link name='a'><collision><geometry><mesh filename='no_such.obj'/>"

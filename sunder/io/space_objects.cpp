@@ -380,9 +380,9 @@ bool is_json(std::string_view text) {
 }  // namespace
 
 std::string_view name_of(SpaceObject::Kind kind) {
-  return name_in<Kind::ellipsoid>({"point", "segment", "polygon", "line", "ray", "plane", "ball", "capsule", "cylinder",
-                                   "cone", "ellipsoid"},
-                                  kind);
+  return name_in<Kind::ellipsoid>(
+      {"point", "segment", "polygon", "line", "ray", "plane", "ball", "capsule", "cylinder", "cone", "ellipsoid"},
+      kind);
 }
 
 bool is_space_text(std::string_view text) {

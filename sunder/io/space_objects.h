@@ -1,5 +1,5 @@
-// One object of space out of a small file: a point, a segment, a flat polygon, a line, a ray or a plane, or a body with a
-// radius. JSON, WKT Z.
+// One object of space out of a small file: a point, a segment, a flat polygon, a line, a ray or a plane, or a body with
+// a radius. JSON, WKT Z.
 //
 //   {"point": [x, y, z]}
 //   {"segment": [[x, y, z], [x, y, z]]}        its ends, which may be equal
@@ -80,7 +80,8 @@ bool is_space_file(const std::filesystem::path& path);
 // place: the file's name, for messages. Throws Error bad_file, "FILE:LINE: what; remedy" or "FILE: KEY: what; remedy":
 // for what is none of these objects, or more than one; unknown, missing and repeated keys; numbers that are none, not
 // finite or too large; lines and rays whose points are equal, and planes with a zero normal; frames with parallel
-// directions; radii below zero, semi-axes that are not above it; and a polygon of points that are not exactly in one plane (it says by how much). Cost: linear.
+// directions; radii below zero, semi-axes that are not above it; and a polygon of points that are not exactly in one
+// plane (it says by how much). Cost: linear.
 SpaceObject parse_space_object(std::string_view text, std::string_view place, const solid::Frame* project = nullptr);
 
 // A bounded one as a mesh, whose body is then what a mesh's is (mesh_body.h): a polygon is its one face, a point and a

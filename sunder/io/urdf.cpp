@@ -104,6 +104,7 @@ class UrdfParser {
     if (const char* name = element.Attribute("name")) shape.name = one_line(name);
     shape.origin = origin(element);
     if (is(*kind, "mesh")) {
+      shape.kind = ShapeKind::mesh;
       shape.mesh = xml_.attribute(*kind, "filename");
       if (shape.mesh.empty()) fail(*kind, "the filename of <mesh> is empty; name a file");
       shape.scale = xml_.triple_or(*kind, "scale", {1, 1, 1});
@@ -116,11 +117,29 @@ class UrdfParser {
       if (shape.size[0] < 0 || shape.size[1] < 0 || shape.size[2] < 0) {
         fail(*kind, "the size of a box is negative; give 3 numbers from 0");
       }
+    } else if (is(*kind, "sphere")) {
+      shape.kind = ShapeKind::sphere;
+      read_radius(*kind, shape);
+    } else if (is(*kind, "cylinder") || is(*kind, "capsule")) {
+      shape.kind = is(*kind, "cylinder") ? ShapeKind::cylinder : ShapeKind::capsule;
+      read_radius(*kind, shape);
+      xml_.attribute(*kind, "length");
+      shape.length = xml_.number_or(*kind, "length", 0);
+      if (shape.length < 0) fail(*kind, "the length is negative; give a number from 0");
+      if (shape.kind == ShapeKind::cylinder && shape.length / 2 == 0) {
+        fail(*kind, "a cylinder of length 0 is flat; give a length above 0");
+      }
     } else {
       robot_.left_out.push_back({shorten(kind->Name()), link.name, 1});
       return;
     }
     link.shapes.push_back(std::move(shape));
+  }
+
+  void read_radius(const XMLElement& element, CollisionShape& shape) const {
+    xml_.attribute(element, "radius");
+    shape.radius = xml_.number_or(element, "radius", 0);
+    if (shape.radius < 0) fail(element, "the radius is negative; give a number from 0");
   }
 
   std::uint32_t link_number(const XMLElement& joint, const char* role) const {
@@ -275,6 +294,17 @@ Robot read_urdf(const fs::path& path, InputFiles* inputs) {
   Robot robot = parse_urdf(read_file(path, inputs), path.string());
   robot.folder = path.parent_path();
   return robot;
+}
+
+std::string_view name_of(ShapeKind kind) {
+  switch (kind) {
+    case ShapeKind::mesh: return "mesh";
+    case ShapeKind::box: return "box";
+    case ShapeKind::sphere: return "sphere";
+    case ShapeKind::cylinder: return "cylinder";
+    case ShapeKind::capsule: break;
+  }
+  return "capsule";
 }
 
 std::array<Point3, 8> box_corners(const std::array<double, 3>& size) {

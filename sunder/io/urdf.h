@@ -25,12 +25,24 @@ struct Origin {
   std::array<double, 3> rpy{0, 0, 0};
 };
 
-// One shape of a link: a mesh file, or a box.
+// One shape of a link: a mesh file, or one of these, centred at the origin.
+enum class ShapeKind : std::uint8_t {
+  mesh,
+  box,
+  sphere,
+  cylinder,  // its axis along z
+  capsule,   // its axis along z: the points within the radius of a segment
+};
+std::string_view name_of(ShapeKind kind);  // "cylinder", the name of its element
+
 struct CollisionShape {
-  std::string name;                      // the name of <collision>; often empty
-  std::string mesh;                      // as written, see resolve_mesh (packages.h); empty: a box
+  std::string name;  // the name of <collision>; often empty
+  ShapeKind kind = ShapeKind::box;
+  std::string mesh;                      // as written, see resolve_mesh (packages.h); empty: no mesh
   std::array<double, 3> scale{1, 1, 1};  // of a mesh: no entry is 0, negative entries reflect
   std::array<double, 3> size{0, 0, 0};   // of a box: its edges, centred at the origin; no entry is negative
+  double radius = 0;                     // of a sphere, a cylinder, a capsule; not negative
+  double length = 0;                     // of a cylinder, above 0; of a capsule that of the segment, not negative
   Origin origin;                         // within the link
 };
 
@@ -75,10 +87,10 @@ struct Robot {
 // The kind of what a <visual> leaves out.
 inline constexpr std::string_view visual_shape = "visual shape";
 
-// Reads <robot>, <link>, <collision> (mesh and box) and <joint>. No part of the question, and so not told: <inertial>,
-// <transmission>, <gazebo>, dynamics and the like, and the <visual> of a link that has a <collision>. Told in
-// `left_out`: spheres, cylinders, capsules and other shapes that are no polyhedra, by the name of their element; and as
-// "visual shape" each <visual> of a link without a <collision>.
+// Reads <robot>, <link>, <collision> (mesh, box, sphere, cylinder, capsule) and <joint>. No part of the question, and
+// so not told: <inertial>, <transmission>, <gazebo>, dynamics and the like, and the <visual> of a link that has a
+// <collision>. Told in `left_out`: shapes that are none of these, by the name of their element; and as "visual shape"
+// each <visual> of a link without a <collision>.
 // Throws Error bad_file, "FILE:LINE: what is wrong; remedy", in one line: XML that is not well-formed, xacro that was
 // not expanded (anywhere in the file), two shapes in one <collision>, a missing or repeated name, a number that is
 // none, a link that does not exist, links that are no tree, a floating or planar joint, missing limits. Meshes are not

@@ -63,7 +63,7 @@ TEST(Urdf, ReadsAnArm) {
   EXPECT_EQ(robot.links[1].shapes[0].scale, (std::array<double, 3>{1, 1, -2}));
   EXPECT_EQ(robot.links[1].shapes[0].origin.rpy, (std::array<double, 3>{0, 0, 1.5}));
   ASSERT_EQ(robot.left_out.size(), 1u);
-  EXPECT_EQ(robot.left_out[0].kind, "sphere");
+  EXPECT_EQ(robot.left_out[0].kind, "ellipsoid");
   EXPECT_EQ(robot.left_out[0].of, "base");
   EXPECT_EQ(robot.left_out[0].count, 1u);
 

@@ -1,5 +1,6 @@
 #include <sunder/picture/painter.h>
 #include <sunder/picture/rings.h>
+#include <sunder/picture/round.h>
 #include <sunder/picture/scene.h>
 
 #include <sunder/certificate/direction.h>
@@ -61,12 +62,11 @@ double light_on(const Seen& normal) {
   return std::max(0.0, dot(normal, Seen{-0.5, -0.75, 0.55}) / length);
 }
 
-PlacedVertices placed(const scene::Part& part) { return {part.shape.vertices(), part.pose.affine(), false}; }
-
-// A part, with its corners in the world, rounded.
+// A part as it is drawn, with its corners in the world, rounded.
 struct Placed {
   std::uint32_t body;
   const scene::Part* part;
+  solid::ConvexPolyhedron shape;
   std::vector<Point3> points;
 };
 
@@ -74,9 +74,10 @@ std::vector<Placed> placed_parts(const ScenePanel& panel) {
   std::vector<Placed> parts;
   for (std::uint32_t b = 0; b < panel.bodies.size(); ++b) {
     for (const scene::Part& part : panel.bodies[b].parts) {
-      parts.push_back({b, &part, {}});
-      const PlacedVertices vertices = placed(part);
-      for (std::uint32_t v = 0; v < part.shape.vertices().size(); ++v) {
+      parts.push_back({b, &part, drawn_as(part.shape), {}});
+      const std::span<const Point3> corners = parts.back().shape.vertices();
+      const PlacedVertices vertices{corners, part.pose.affine(), false};
+      for (std::uint32_t v = 0; v < corners.size(); ++v) {
         const Vector3<double> p = rounded_image(vertices[v]);
         parts.back().points.push_back({p.x, p.y, p.z});
       }
@@ -88,7 +89,7 @@ std::vector<Placed> placed_parts(const ScenePanel& panel) {
 // What of a part is turned towards the viewer. Its facets run counter-clockwise seen from outside, clockwise where the
 // pose reflects.
 void add_pieces(const Placed& placed, std::uint32_t number, const View& view, std::vector<Piece>& out) {
-  const solid::ConvexPolyhedron& shape = placed.part->shape;
+  const solid::ConvexPolyhedron& shape = placed.shape;
   std::vector<Seen> points;
   for (const Point3& p : placed.points) points.push_back(view(p));
   if (shape.dimension() < 2) {
@@ -191,7 +192,14 @@ class Drawing {
     };
     canvas_.legend(swatches(calm), "apart, or allowed to meet");
     canvas_.legend(swatches(alarming), "meets another");
+    if (some_round()) canvas_.legend("", "balls, cylinders and the like are drawn by polyhedra inside of them");
     canvas_.legend("<g class='m x'><circle cx='10' r='9'/></g>", "a common point");
+  }
+
+  bool some_round() const {
+    return std::any_of(parts_.begin(), parts_.end(), [](const std::vector<Placed>& parts) {
+      return std::any_of(parts.begin(), parts.end(), [](const Placed& p) { return !p.part->shape.is_polyhedron(); });
+    });
   }
 
   // Returns its lower end.
@@ -243,8 +251,9 @@ class Drawing {
     y += 4;
     row(15, meet > 0 ? "#c23b22" : "#2f7d5b",
         meet > 0 ? fmt::format("{} of {} pairs meet{}", meet, asked, meet == 1 ? "s" : "")
-                 : fmt::format("none of {} pairs meet", asked),
+                 : fmt::format("none of {} pairs {}", asked, c.undecided > 0 ? "is known to meet" : "meet"),
         "font-weight='600'");
+    if (c.undecided > 0) row(13, text_colour, fmt::format("undecided: {}", c.undecided), "");
     for (std::size_t k = 0; k < std::min(contacts.size(), most_named); ++k) {
       row(13, text_colour, fmt::format("{}. {}", k + 1, shortened(told(k), 70)), "");
     }
@@ -254,8 +263,8 @@ class Drawing {
   }
 
   static Point3 common_point(const ScenePanel& panel, const scene::PartPair& pair) {
-    return scene::rounded_common_point(pair.answer.certificate(), placed(panel.bodies[pair.body_a].parts[pair.part_a]),
-                                       placed(panel.bodies[pair.body_b].parts[pair.part_b]));
+    return scene::rounded_common_point(pair, panel.bodies[pair.body_a].parts[pair.part_a],
+                                       panel.bodies[pair.body_b].parts[pair.part_b]);
   }
 
   // Of each part, on the lowest plane, the light straight above.

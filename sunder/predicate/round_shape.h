@@ -1,5 +1,5 @@
-// Placed bodies with a radius: does a direction part two of them, does one hold a point? Exact, for every finite double.
-// Also called: support function; separating plane of spheres, capsules, cylinders, cones, ellipsoids.
+// Placed bodies with a radius: does a direction part two of them, does one hold a point? Exact, for every finite
+// double. Also called: support function; separating plane of spheres, capsules, cylinders, cones, ellipsoids.
 //
 // Points are mapped exactly by the pose x -> L x + t, the radius r stays; but of an ellipsoid the ball is mapped. What
 // a body reaches along d is that of its one or two ends, each a point P and a root:

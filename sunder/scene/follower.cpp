@@ -29,7 +29,9 @@ void Follower::list_few() {
 
 void Follower::place(std::uint32_t part, const solid::Pose& pose) {
   SUNDER_REQUIRE(part < part_count());
-  members_->part(std::span(bodies_), part).pose = pose;
+  Part& placed = members_->part(std::span(bodies_), part);
+  require_rigid(placed.shape, pose);
+  placed.pose = pose;
   if (is_placed_[part]) return;
   is_placed_[part] = true;
   placed_.push_back(part);
@@ -57,6 +59,15 @@ std::span<const MovingBoxes::Pair> Follower::follow_near() {
   return near_->pairs();
 }
 
+void Follower::look_at_round(std::uint32_t i, std::uint32_t j) {
+  const std::span<const Body> bodies(bodies_);
+  const Part &a = members_->part(bodies, i), &b = members_->part(bodies, j);
+  PartPair pair = members_->pair(i, j);
+  take_round_answer(pair, a, b);
+  count_answer(pair, a, b, question_, answer_.counts);
+  if (pair.meet() || pair.undecided()) answer_.pairs.push_back(std::move(pair));
+}
+
 const Answer& Follower::ask() {
   const std::span<const Body> bodies(bodies_);
   for (const std::uint32_t i : placed_) {
@@ -71,6 +82,10 @@ const Answer& Follower::ask() {
   for (const auto& [i, j, slot] : follow_near()) {
     if (!meet(boxes_[i], boxes_[j])) continue;
     const Part &a = members_->part(bodies, i), &b = members_->part(bodies, j);
+    if (!are_polyhedra(a, b)) {
+      look_at_round(i, j);
+      continue;
+    }
     PairAnswer answer = pair_answer(a, b, question_, last_[slot]);
     if (!answer.meet()) {
       ++answer_.counts.by_method;

@@ -4,14 +4,15 @@
 // The question of scene.h, of bodies that move: kept are the boxes, the pairs of parts that are near
 // (near/moving_boxes.h), and for each of these what the last answer was (solid/pair/polyhedron_polyhedron_warm.h); so
 // that a placement costs what has changed since the one before.
-//   F1. What meets, what counts, and how many pairs do, is as meeting_pairs says of the same placement. Boxes are
-//   rougher
-//       here, and warm questions cheap: so fewer pairs are parted by boxes, and more by the method.
-//   F2. Listed are the pairs that meet, in the order of S3. Each has its certificate, which may depend on the
-//       placements before, back to forget(); after forget() answers depend on no placement before.
+//   F1. What meets, what is undecided, what counts, and how many pairs do, is as meeting_pairs says of the same
+//       placement. Boxes are rougher here, and warm questions cheap: so fewer pairs are parted by boxes, and more
+//       by the method.
+//   F2. Listed are the pairs that meet or are undecided, in the order of S3. Each that meets has its certificate, which
+//       may depend on the placements before, back to forget(); after forget() answers depend on no placement before.
 // A part's shape stays; its pose is what moves. Not for several threads at once; a copy is a follower of its own.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/near/moving_boxes.h>
 #include <sunder/scene/members.h>
 #include <sunder/scene/part_questions.h>
@@ -35,7 +36,8 @@ class Follower {
   std::uint32_t part_count() const { return members_->size(); }
   std::span<const Body> bodies() const { return bodies_; }  // where they are now
 
-  // The part is there now. Requires part < part_count().
+  // The part is there now. Requires part < part_count(). Of a part with a radius, throws Error bad_pose as
+  // require_rigid (solid/round/round_body.h) does.
   void place(std::uint32_t part, const solid::Pose& pose);
 
   // Which meet now? Holds until the next call. Allocates where more pairs come near, or meet, than ever before.
@@ -51,6 +53,7 @@ class Follower {
   static constexpr std::size_t few = 1024;
 
   void list_few();
+  void look_at_round(std::uint32_t i, std::uint32_t j);  // where one has a radius
   std::span<const MovingBoxes::Pair> follow_near();
 
   std::vector<Body> bodies_;

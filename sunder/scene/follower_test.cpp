@@ -32,8 +32,8 @@ std::vector<Key> meeting(const Answer& answer) {
 
 void expect_certified(std::span<const Body> bodies, const PartPair& pair) {
   const Part &p = bodies[pair.body_a].parts[pair.part_a], &q = bodies[pair.body_b].parts[pair.part_b];
-  ASSERT_EQ(check_absolutely(pair.answer.certificate(), {p.shape.vertices(), p.pose.affine(), false},
-                             {q.shape.vertices(), q.pose.affine(), false}),
+  ASSERT_EQ(check_absolutely(pair.answer.certificate(), {p.shape.points(), p.pose.affine(), false},
+                             {q.shape.points(), q.pose.affine(), false}),
             CheckResult::accepted);
 }
 

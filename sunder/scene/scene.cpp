@@ -36,12 +36,15 @@ class Scene {
   void look_at(std::uint32_t i, std::uint32_t j) {
     if (!members_.are_asked_about(i, j)) return;
     PartPair pair = members_.pair(i, j);
+    const Part &a = members_.part(bodies_, i), &b = members_.part(bodies_, j);
     if (const auto certificate = apart_by_boxes(boxes_[i], boxes_[j])) {
-      pair.by_boxes = true;
-      pair.answer.evidence = *certificate;
+      take_boxes(pair, a, b, *certificate);
     } else {
-      const Part &a = members_.part(bodies_, i), &b = members_.part(bodies_, j);
-      pair.answer = pair_answer(a, b, question_);
+      if (are_polyhedra(a, b)) {
+        pair.answer = pair_answer(a, b, question_);
+      } else {
+        take_round_answer(pair, a, b);
+      }
       count_answer(pair, a, b, question_, answer_.counts);
     }
     answer_.pairs.push_back(std::move(pair));
@@ -60,6 +63,10 @@ std::string part_name(const Body& body, std::uint32_t part) {
   SUNDER_REQUIRE(part < body.parts.size());
   return body.parts.size() == 1 ? body.name : body.name + "/" + body.parts[part].name;
 }
+
+std::string_view PartPair::verdict() const { return undecided() ? "undecided" : meet() ? "meet" : "apart"; }
+
+std::string_view Answer::verdict() const { return some_meet() ? "some" : none_meet() ? "none" : "undecided"; }
 
 Answer meeting_pairs(std::span<const Body> bodies, const Question& question) {
   return Scene(bodies, question).answer();

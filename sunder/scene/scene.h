@@ -1,31 +1,39 @@
 // Which of many placed bodies meet?
 // Also called: collision checking of many bodies; broad phase and narrow phase.
 //
-// A body is made of parts, convex polyhedra each with its own placement; parts of one body are not tested against each
-// other. Boxes are compared first, so that bodies far apart cost next to nothing.
-//   S1. A pair of parts is reported as meeting iff polyhedron_polyhedron says so: boxes never hide a pair that meets,
-//       not even one that only touches.
-//   S2. Every pair that is listed has its certificate, also where boxes decided (its direction is then an axis).
+// A body is made of parts, convex polyhedra and bodies with a radius (balls, capsules, cylinders, ..), each with its
+// own placement; parts of one body are not tested against each other. Boxes are compared first, so that bodies far
+// apart cost next to nothing.
+//   S1. A pair of parts is reported as meeting iff polyhedron_polyhedron says so, or, where one has a radius,
+//       round_round: boxes never hide a pair that meets, not even one that only touches. What is undecided there
+//       (round_round.h, R4) is so here: listed, counted, and neither meeting nor apart.
+//   S2. Every pair that is listed has its certificate, also where boxes decided (its direction is then an axis); but
+//       for the undecided.
 //   S3. The list is the same for every compiler and machine, and is ordered by body_a, body_b, part_a, part_b.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/scene/world_box.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
+#include <sunder/solid/round/round_contact.h>
+#include <sunder/solid/round/round_round.h>
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sunder::scene {
 
 struct Part {
-  std::string name;  // for people
-  solid::ConvexPolyhedron shape;
-  solid::Pose pose;  // of the shape in the world
+  std::string name;        // for people
+  solid::RoundBody shape;  // also a polyhedron: it becomes one of radius 0
+  solid::Pose pose;        // of the shape in the world; of a body with a radius as require_rigid (round_body.h) says
 };
 
 struct Body {
@@ -40,7 +48,7 @@ using PairMethod = solid::PairAnswer (*)(const solid::ConvexPolyhedron&, const s
                                          const solid::ConvexPolyhedron&, const solid::Pose&);
 
 struct Question {
-  PairMethod method = solid::polyhedron_polyhedron;
+  PairMethod method = solid::polyhedron_polyhedron;   // of two polyhedra; others are round_round's
   std::vector<std::array<std::uint32_t, 2>> allowed;  // pairs of bodies not to be tested, in any order
   bool touching_allowed = false;  // a pair that only touches does not count as meeting (implies contacts)
   bool contacts = false;          // find out the contact of pairs that meet
@@ -50,10 +58,15 @@ struct Question {
 struct PartPair {
   std::uint32_t body_a = 0, body_b = 0;  // body_a < body_b
   std::uint32_t part_a = 0, part_b = 0;
-  solid::PairAnswer answer;
+  solid::PairAnswer answer;                             // where `round` is set, its evidence is meaningless
+  std::shared_ptr<const solid::RoundEvidence> round{};  // where one of them has a radius: the evidence
   bool by_boxes = false;            // the boxes are apart: no method was called, and answer.cost is zero
-  bool counts = false;              // they meet, and that is not allowed
-  Contact contact = Contact::none;  // meaningless for pairs that meet when contacts were not asked for
+  bool counts = false;              // they meet, and it is not known to be in a way that is allowed
+  Contact contact = Contact::none;  // none, of a pair that meets: not asked for, or undecided
+
+  bool meet() const { return round ? round->verdict == solid::RoundVerdict::meet : answer.meet(); }
+  bool undecided() const { return round && round->verdict == solid::RoundVerdict::undecided; }
+  std::string_view verdict() const;  // "apart", "meet", "undecided"
 };
 
 struct Counts {
@@ -62,6 +75,7 @@ struct Counts {
   std::uint64_t allowed = 0;        // of these, not tested because their bodies are an allowed pair
   std::uint64_t by_boxes = 0;       // parted by their boxes
   std::uint64_t by_method = 0;      // given to the method; pairs = allowed + by_boxes + by_method
+  std::uint64_t undecided = 0;      // of these, those where it is not known whether they meet
   std::uint64_t meeting = 0;        // of these, found to meet
   std::uint64_t touching_only = 0;  // of those, touching where touching is allowed
 };
@@ -71,9 +85,12 @@ struct [[nodiscard]] Answer {
   Counts counts;
 
   bool some_meet() const { return counts.meeting > counts.touching_only; }
+  bool none_meet() const { return !some_meet() && counts.undecided == 0; }  // all are known to be apart, or allowed
+  std::string_view verdict() const;                                         // "some", "none", "undecided"
 };
 
-// Requires indices of bodies in `allowed` to be in range. Does not throw, but for memory.
+// Requires indices of bodies in `allowed` to be in range. Throws Error: bad_pose where a part with a radius is at a
+// pose that scales or shears.
 // Cost for n parts: n log n, one method call for each pair whose boxes meet; n^2 with every_pair.
 Answer meeting_pairs(std::span<const Body> bodies, const Question& question = {});
 

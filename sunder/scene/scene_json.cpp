@@ -1,6 +1,7 @@
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/scene/scene_json.h>
 #include <sunder/solid/pair/contact_evidence.h>
+#include <sunder/solid/round/round_claims.h>
 
 #include <algorithm>
 #include <set>
@@ -25,6 +26,11 @@ Numbers numbers_of(std::span<const Body> bodies, const Add& add) {
   return numbers;
 }
 
+// Is the statement of the pair none that says whether it counts? Then it is left out of what is said of all pairs.
+bool is_open(const PartPair& pair, const Question& question) {
+  return pair.undecided() || (question.touching_allowed && pair.meet() && pair.contact == Contact::none);
+}
+
 // What was asked about, and what counts, by parts of bodies one after the other.
 AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers& numbers) {
   AllPairs result;
@@ -45,11 +51,24 @@ AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers
     }
   }
   for (const PartPair& pair : answer.pairs) {
-    if (pair.counts) result.contacts.push_back({first[pair.body_a] + pair.part_a, first[pair.body_b] + pair.part_b});
+    const std::array<std::uint32_t, 2> members{first[pair.body_a] + pair.part_a, first[pair.body_b] + pair.part_b};
+    if (is_open(pair, question)) {
+      result.besides.push_back(members);
+    } else if (pair.counts) {
+      result.contacts.push_back(members);
+    }
   }
   std::sort(result.besides.begin(), result.besides.end());
   std::sort(result.contacts.begin(), result.contacts.end());
   return result;
+}
+
+void add_round_claims(PairClaims& pairs, std::uint32_t of_a, const Part& a, std::uint32_t of_b, const Part& b,
+                      const PartPair& pair) {
+  const solid::PlacedRound in_a(a.shape, a.pose), in_b(b.shape, b.pose);
+  solid::RoundContact contact;
+  if (pair.meet() && pair.contact != Contact::none) contact = round_round_contact(in_a, in_b, *pair.round);
+  add_claims(pairs, of_a, in_a, of_b, in_b, *pair.round, contact);
 }
 
 }  // namespace
@@ -60,28 +79,48 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
   for (const auto& [a, b] : question.allowed) {
     origin.left_out.push_back(bodies[a].name + " and " + bodies[b].name + ", which may meet");
   }
+  const auto prefix_of = [&](const Placement& placed) {
+    return placements.size() > 1 ? std::string(placed.title) + ": " : "";
+  };
+  for (const Placement& placed : placements) {
+    for (const PartPair& pair : placed.answer.pairs) {
+      if (!is_open(pair, question)) continue;
+      origin.left_out.push_back(
+          prefix_of(placed) + part_name(bodies[pair.body_a], pair.part_a) + " and " +
+          part_name(bodies[pair.body_b], pair.part_b) +
+          (pair.undecided() ? ", undecided whether they meet" : ", undecided whether they touch or overlap"));
+    }
+  }
   ClaimsWriter file(sink);
   file.add_origin(origin);
   PairClaims pairs(file);
   const Numbers shapes = numbers_of(bodies, [&](std::uint32_t b, std::uint32_t p) {
-    return pairs.add_body(part_name(bodies[b], p), bodies[b].parts[p].shape.vertices());
+    const solid::RoundBody& shape = bodies[b].parts[p].shape;
+    const std::string name = part_name(bodies[b], p);
+    return shape.is_polyhedron() ? pairs.add_body(name, shape.points())
+                                 : pairs.add_round_body(name, shape.points(), shape.kind(), shape.radius());
   });
   std::vector<Numbers> numbers;  // by placement
   for (const Placement& placed : placements) {
-    const std::string prefix = placements.size() > 1 ? std::string(placed.title) + ": " : "";
+    const std::string prefix = prefix_of(placed);
     numbers.push_back(numbers_of(placed.bodies, [&](std::uint32_t b, std::uint32_t p) {
       const Body& body = placed.bodies[b];
-      return pairs.add_placed(prefix + part_name(body, p), shapes[b][p], body.parts[p].pose.affine());
+      const solid::PlacedRound at(body.parts[p].shape, body.parts[p].pose);
+      return pairs.add_placed(prefix + part_name(body, p), shapes[b][p], at.pose.affine());
     }));
   }
   for (std::size_t k = 0; k < placements.size(); ++k) {
     const auto& [title, placed, answer] = placements[k];
     for (const PartPair& pair : answer.pairs) {
       const Part &a = placed[pair.body_a].parts[pair.part_a], &b = placed[pair.body_b].parts[pair.part_b];
-      solid::add_claims(pairs,
-                        {numbers[k][pair.body_a][pair.part_a], numbers[k][pair.body_b][pair.part_b], a.shape, a.pose,
-                         b.shape, b.pose},
-                        pair.answer.certificate(), pair.answer.meet() ? pair.contact : Contact::none);
+      const std::uint32_t of_a = numbers[k][pair.body_a][pair.part_a], of_b = numbers[k][pair.body_b][pair.part_b];
+      if (pair.undecided()) continue;
+      if (pair.round) {
+        add_round_claims(pairs, of_a, a, of_b, b, pair);
+        continue;
+      }
+      solid::add_claims(pairs, {of_a, of_b, a.shape.core(), a.pose, b.shape.core(), b.pose}, pair.answer.certificate(),
+                        pair.meet() ? pair.contact : Contact::none);
     }
     pairs.add_all_pairs(all_pairs(answer, question, numbers[k]));
   }

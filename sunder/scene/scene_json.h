@@ -18,7 +18,8 @@ struct Placement {
 };
 
 // One placement at least, all of the same bodies; their answers to the question, which asked for every pair. That
-// bodies are allowed to meet is told with what the origin leaves out. Throws what the sink throws.
+// bodies are allowed to meet is told with what the origin leaves out; so is each pair that is undecided. Throws what
+// the sink throws.
 void write_certificate(std::span<const Placement> placements, const Question& question, Origin origin,
                        const TextSink& sink);
 

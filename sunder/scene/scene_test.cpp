@@ -49,7 +49,8 @@ std::vector<Key> meeting_by_all_pairs(const std::vector<Body>& bodies, const Que
         for (std::uint32_t j = 0; j < bodies[b].parts.size(); ++j) {
           const Part &p = bodies[a].parts[i], &q = bodies[b].parts[j];
           ++pairs;
-          if (!allowed && intersect(p.shape, p.pose, q.shape, q.pose).meet()) meeting.emplace_back(a, b, i, j);
+          if (!allowed && intersect(p.shape.core(), p.pose, q.shape.core(), q.pose).meet())
+            meeting.emplace_back(a, b, i, j);
         }
       }
     }
@@ -59,8 +60,8 @@ std::vector<Key> meeting_by_all_pairs(const std::vector<Body>& bodies, const Que
 
 void expect_certified(const std::vector<Body>& bodies, const PartPair& pair) {
   const Part &p = bodies[pair.body_a].parts[pair.part_a], &q = bodies[pair.body_b].parts[pair.part_b];
-  ASSERT_EQ(check_absolutely(pair.answer.certificate(), {p.shape.vertices(), p.pose.affine(), false},
-                             {q.shape.vertices(), q.pose.affine(), false}),
+  ASSERT_EQ(check_absolutely(pair.answer.certificate(), {p.shape.points(), p.pose.affine(), false},
+                             {q.shape.points(), q.pose.affine(), false}),
             CheckResult::accepted);
 }
 

@@ -4,6 +4,8 @@
 #include <sunder/scene/world_box.h>
 #include <sunder/solid/pair/support.h>
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace sunder::scene {
@@ -25,7 +27,50 @@ Interval coordinate(std::size_t k, const Posed3& point) {
          (Interval(m[3 * k + 2]) * p.z + Interval(point.pose->translation[k]));
 }
 
+// Encloses coordinate k of an end of a cylinder's or a cone's axis.
+Interval end_of(const solid::PlacedRound& body, std::size_t end, std::size_t k) {
+  return coordinate(k, {body.shape.points[end], &body.core.pose, body.core.tame});
+}
+
 Point3 axis(std::size_t k) { return {k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0}; }
+
+// At least how far the body reaches along axis k beyond its core, of a cone beyond its base's middle.
+double reach(const solid::PlacedRound& body, std::size_t k) {
+  const auto square = [](const Interval& x) { return x * x; };
+  switch (body.kind()) {
+    case RoundKind::hull: break;
+    case RoundKind::ellipsoid: {
+      const double* const row = &body.pose.affine().linear[3 * k];
+      const Interval sum = square(row[0]) + square(row[1]) + square(row[2]);
+      return (square_root(sum) * body.radius()).high;
+    }
+    case RoundKind::cylinder:
+    case RoundKind::cone: {
+      // r sqrt(1 - a_k^2 / a a), a the axis; never more than r.
+      std::array<Interval, 3> squares;
+      for (std::size_t j = 0; j < 3; ++j) squares[j] = square(end_of(body, 1, j) - end_of(body, 0, j));
+      const Interval across = squares[(k + 1) % 3] + squares[(k + 2) % 3];
+      const double part = std::min(square_root(across / (across + squares[k])).high, 1.0);
+      return (Interval(part) * body.radius()).high;
+    }
+  }
+  return body.radius();
+}
+
+// From the core's box to the body's.
+void widen(const solid::PlacedRound& body, Box3& box) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Interval beyond = reach(body, k);
+    if (body.kind() != RoundKind::cone) {
+      box.low[k] = (Interval(box.low[k]) - beyond).low;
+      box.high[k] = (Interval(box.high[k]) + beyond).high;
+      continue;
+    }
+    const Interval base = end_of(body, 0, k), apex = end_of(body, 1, k);
+    box.low[k] = std::min((Interval(base.low) - beyond).low, apex.low);
+    box.high[k] = std::max((Interval(base.high) + beyond).high, apex.high);
+  }
+}
 
 }  // namespace
 
@@ -61,6 +106,18 @@ Box3 rough_world_box(const solid::Placed& body) {
     box.low[k] = coordinate(k, {least, &body.pose, body.tame}).low;
     box.high[k] = coordinate(k, {greatest, &body.pose, body.tame}).high;
   }
+  return box;
+}
+
+WorldBox world_box(const solid::PlacedRound& body) {
+  WorldBox box = world_box(body.core);
+  widen(body, box);
+  return box;
+}
+
+Box3 rough_world_box(const solid::PlacedRound& body) {
+  Box3 box = rough_world_box(body.core);
+  widen(body, box);
   return box;
 }
 

@@ -1,10 +1,11 @@
-// Boxes around placed polyhedra: the cheap test before the question whether they meet, and its evidence.
+// Boxes around placed bodies: the cheap test before the question whether they meet, and its evidence.
 // Also called: axis-aligned bounding box (AABB); bounding volume.
 #pragma once
 
 #include <sunder/certificate/pair.h>
 #include <sunder/predicate/point.h>
 #include <sunder/solid/pair/extreme_vertex.h>
+#include <sunder/solid/round/round_body.h>
 
 #include <array>
 #include <cstdint>
@@ -28,6 +29,12 @@ WorldBox world_box(const solid::Placed& body, const WorldBox& near);
 
 // A box that costs no walk, and is larger: that of the images of the corners of the body's own box. W1 holds.
 Box3 rough_world_box(const solid::Placed& body);
+
+// Of bodies with a radius: those of their cores, and beyond them what the body reaches, rounded outwards; of a cylinder
+// or a cone whose radius is k times its axis, k times as coarse. W1 holds; of
+// W2, the vertices are of the core, and say nothing of the body.
+WorldBox world_box(const solid::PlacedRound& body);
+Box3 rough_world_box(const solid::PlacedRound& body);
 
 // Where the boxes are apart, so are the bodies: the certificate, its direction one of +-x, +-y, +-z. Nothing where the
 // boxes meet. Cost: at most six comparisons.

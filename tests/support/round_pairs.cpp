@@ -37,8 +37,7 @@ RoundBody scaled(const RoundBody& body, double by) {
   const auto points = body.points();
   const double r = body.radius() * by;
   switch (body.kind()) {
-    case RoundKind::hull:
-      return RoundBody::rounded(ConvexPolyhedron(scaled({points.begin(), points.end()}, by)), r);
+    case RoundKind::hull: return RoundBody::rounded(ConvexPolyhedron(scaled({points.begin(), points.end()}, by)), r);
     case RoundKind::cylinder: return RoundBody::cylinder(times(by, points[0]), times(by, points[1]), r);
     case RoundKind::cone: return RoundBody::cone(times(by, points[0]), times(by, points[1]), r);
     case RoundKind::ellipsoid: break;
@@ -173,7 +172,12 @@ RoundCase RoundPairs::next(RoundFamily family, Primitive of_a, Primitive of_b) {
         const std::size_t k = random_.below(4) == 0 ? random_.below(2) : 2;
         at[k] = std::nextafter(at[k], random_.below(2) == 0 ? -100 : 100);
       }
-      return {family, of_a, of_b, a, b, Pose::from_matrix({0, 1, 0, 1, 0, 0, 0, 0, -1}, {x, y, z}),
+      return {family,
+              of_a,
+              of_b,
+              a,
+              b,
+              Pose::from_matrix({0, 1, 0, 1, 0, 0, 0, 0, -1}, {x, y, z}),
               Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, at)};
     }
     case RoundFamily::grid: {

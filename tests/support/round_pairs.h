@@ -56,9 +56,9 @@ class RoundPairs {
   int turn_ = 0;
 };
 
-// Where a moved body first meets the other, to the last bit: the pose of B is `from` moved by t along `way`, t in doubles
-// from 0, where they meet, to 1, where they do not. Returns the least t that is found at which they are not said to
-// meet, whose neighbour below is. Undecided counts as apart.
+// Where a moved body first meets the other, to the last bit: the pose of B is `from` moved by t along `way`, t in
+// doubles from 0, where they meet, to 1, where they do not. Returns the least t that is found at which they are not
+// said to meet, whose neighbour below is. Undecided counts as apart.
 double last_meeting(const solid::RoundBody& a, const solid::Pose& pose_a, const solid::RoundBody& b,
                     const solid::Pose& from, const Point3& way);
 solid::Pose moved(const solid::Pose& pose, const Point3& way, double t);

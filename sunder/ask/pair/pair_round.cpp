@@ -73,10 +73,10 @@ class RoundPair : public PairQuestion {
     if (least_ > 0) clearance_ = round_clearance(placed_a_, placed_b_, least_);
     // That they are apart, and so far, carries over from hulls to the meshes that they stand for.
     const bool is_hull = of_a_.is_hull() || of_b_.is_hull();
-    const bool is_said_of_hulls = is_hull && (answer_.verdict() != RoundVerdict::apart || (least_ > 0 && !clearance_.kept));
+    const bool is_said_of_hulls =
+        is_hull && (answer_.verdict() != RoundVerdict::apart || (least_ > 0 && !clearance_.kept));
     if (meet_ && is_hull) verdict_ = "meet as hulls";
-    facts_ = {{"said_of", is_said_of_hulls ? "hulls" : "bodies", ""}};
-    if (!answer_.undecided()) facts_.push_back(evidence());
+    facts_ = {{"said_of", is_said_of_hulls ? "hulls" : "bodies", ""}, evidence()};
     if (call.classify && meet_ && !found_.contact) {
       facts_.push_back({"contact_unknown", true, "whether they touch or overlap is undecided"});
     }
@@ -106,8 +106,14 @@ class RoundPair : public PairQuestion {
     const Point3& d = evidence.direction;
     const double largest = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
     const Point3 e{d.x / largest, d.y / largest, d.z / largest};
-    const double length = std::sqrt(e.x * e.x + e.y * e.y + e.z * e.z), gap = gap_about(placed_a_, placed_b_, evidence);
+    const double length = std::sqrt(e.x * e.x + e.y * e.y + e.z * e.z);
     const Point3 unit{e.x / length + 0.0, e.y / length + 0.0, e.z / length + 0.0};
+    if (answer_.undecided()) {
+      return {"evidence",
+              {{"direction_about", to_json(unit)}},
+              fmt::format("they touch, or nearly, across the direction of about {}", about(unit))};
+    }
+    const double gap = gap_about(placed_a_, placed_b_, evidence);
     return {"evidence",
             {{"direction_about", to_json(unit)}, {"gap_about", gap}},
             fmt::format("an empty slab about {} wide across the direction of about {}", about(gap), about(unit))};

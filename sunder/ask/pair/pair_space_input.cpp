@@ -148,7 +148,8 @@ SpaceInput parse_input(std::string_view text, const solid::Pose& pose, const Pai
     const solid::RoundBody body = *object.round;
     return {{},
             {},
-            PlacedRoundBody{io::one_line(side.file), io::one_line(std::filesystem::path(side.file).stem().string()),
+            PlacedRoundBody{io::one_line(side.file),
+                            io::one_line(std::filesystem::path(side.file).stem().string()),
                             std::move(object),
                             {},
                             body,

@@ -2,6 +2,7 @@
 #include <sunder/ask/progress.h>
 #include <sunder/ask/report.h>
 #include <sunder/ask/scene/placements.h>
+#include <sunder/ask/scene/scene_report.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
@@ -9,6 +10,7 @@
 #include <sunder/io/text.h>
 #include <sunder/scene/chains.h>
 #include <sunder/scene/follower.h>
+#include <sunder/scene/rounded_evidence.h>
 
 #include <fmt/format.h>
 
@@ -83,25 +85,27 @@ class Lines {
     const char* between = "";
     for (const PartPair& pair : answer.pairs) {
       const auto &a = names_[pair.body_a][pair.part_a], &b = names_[pair.body_b][pair.part_b];
-      fmt::format_to(std::back_inserter(out), "{}{} and {} meet{}", between, a.text, b.text,
+      const char* const verdict = pair.undecided() ? " undecided" : " meet";
+      fmt::format_to(std::back_inserter(out), "{}{} and {}{}{}", between, a.text, b.text, verdict,
                      a.is_hull || b.is_hull ? " as hulls" : "");
-      if (question_.contacts) {
-        fmt::format_to(std::back_inserter(out), ", {}{}", name_of(pair.contact), pair.counts ? "" : " (allowed)");
+      if (question_.contacts && pair.meet()) {
+        fmt::format_to(std::back_inserter(out), ", {}{}", contact_name(pair), pair.counts ? "" : " (allowed)");
       }
       between = "; ";
     }
     out += '\n';
   }
 
-  void add_json(std::size_t number, const scene::Answer& answer, std::string& out) const {
-    fmt::format_to(std::back_inserter(out), R"({{"placement": {}, "answer": "{}")", number,
-                   answer.some_meet() ? "some" : "none");
+  // bodies: where they are.
+  void add_json(std::size_t number, const scene::Answer& answer, std::span<const scene::Body> bodies,
+                std::string& out) const {
+    fmt::format_to(std::back_inserter(out), R"({{"placement": {}, "answer": "{}")", number, answer.verdict());
     if (!answer.pairs.empty()) {
       out += R"(, "pairs": [)";
       const char* between = "";
       for (const PartPair& pair : answer.pairs) {
         out += between;
-        add_json(pair, out);
+        add_json(pair, bodies, out);
         between = ", ";
       }
       out += ']';
@@ -111,7 +115,7 @@ class Lines {
 
   // placement,answer,meeting,pairs
   void add_csv(std::size_t number, const scene::Answer& answer, std::string& out) const {
-    fmt::format_to(std::back_inserter(out), "{},{},{},", number, answer.some_meet() ? "some" : "none",
+    fmt::format_to(std::back_inserter(out), "{},{},{},", number, answer.verdict(),
                    answer.counts.meeting - answer.counts.touching_only);
     if (!answer.pairs.empty()) {
       out += '"';
@@ -121,7 +125,11 @@ class Lines {
         add_quoted(names_[pair.body_a][pair.part_a].csv, out);
         out += " and ";
         add_quoted(names_[pair.body_b][pair.part_b].csv, out);
-        if (question_.contacts) fmt::format_to(std::back_inserter(out), " ({})", name_of(pair.contact));
+        if (pair.undecided()) {
+          out += " (undecided)";
+        } else if (question_.contacts) {
+          fmt::format_to(std::back_inserter(out), " ({})", contact_name(pair));
+        }
         between = "; ";
       }
       out += '"';
@@ -130,15 +138,34 @@ class Lines {
   }
 
  private:
-  void add_json(const PartPair& pair, std::string& out) const {
+  void add_json(const PartPair& pair, std::span<const scene::Body> bodies, std::string& out) const {
     const auto &a = names_[pair.body_a][pair.part_a], &b = names_[pair.body_b][pair.part_b];
+    fmt::format_to(std::back_inserter(out), R"({{"a": {}, "b": {}, "part_a": {}, "part_b": {}, "answer": "{}")",
+                   a.json_body, b.json_body, pair.part_a, pair.part_b, pair.verdict());
+    if (question_.contacts && pair.meet()) {
+      const std::string_view contact = contact_name(pair);
+      if (contact == "undecided") {
+        out += R"(, "contact_unknown": true)";
+      } else {
+        fmt::format_to(std::back_inserter(out), R"(, "contact": "{}")", contact);
+      }
+    }
+    fmt::format_to(std::back_inserter(out), R"(, "said_of": "{}", "counted": {})",
+                   a.is_hull || b.is_hull ? "hulls" : "bodies", pair.counts);
+    if (pair.undecided()) {
+      const Json direction = to_json(scene::rounded_direction(*pair.round));
+      fmt::format_to(std::back_inserter(out), R"(, "evidence": {{"direction_about": {}}}}})", to_line(direction));
+      return;
+    }
+    if (pair.round) {
+      const Point3 p =
+          rounded_common_point(pair, bodies[pair.body_a].parts[pair.part_a], bodies[pair.body_b].parts[pair.part_b]);
+      fmt::format_to(std::back_inserter(out), R"(, "evidence": {{"point": {}}}}})", to_line(to_json(p)));
+      return;
+    }
     const PairCertificate& c = pair.answer.certificate();
     const auto begin = c.vertices.begin(), middle = begin + c.count_a;
-    fmt::format_to(std::back_inserter(out), R"({{"a": {}, "b": {}, "part_a": {}, "part_b": {}, "answer": "meet")",
-                   a.json_body, b.json_body, pair.part_a, pair.part_b);
-    if (question_.contacts) fmt::format_to(std::back_inserter(out), R"(, "contact": "{}")", name_of(pair.contact));
-    fmt::format_to(std::back_inserter(out), R"(, "said_of": "{}", "counted": {}, "evidence": {{"vertices_a": [{}], )",
-                   a.is_hull || b.is_hull ? "hulls" : "bodies", pair.counts, fmt::join(begin, middle, ", "));
+    fmt::format_to(std::back_inserter(out), R"(, "evidence": {{"vertices_a": [{}], )", fmt::join(begin, middle, ", "));
     fmt::format_to(std::back_inserter(out), R"("vertices_b": [{}]}}}})", fmt::join(middle, middle + c.count_b, ", "));
   }
 
@@ -175,7 +202,7 @@ struct Chain {
   std::vector<solid::Pose> poses;  // of links
   std::size_t begin = 0, end = 0;  // rows
   std::string text, json, csv;
-  std::uint64_t some = 0;  // placements where something meets
+  std::uint64_t some = 0, undecided = 0;  // placements where something meets; where that is not known
 };
 
 class Placements {
@@ -206,7 +233,7 @@ class Placements {
                    [&](std::size_t place) { return end(*chains_[place], report); }});
     if (json_) json_->commit();
     if (csv_) csv_->commit();
-    return some_ > 0 ? exit_code::yes : exit_code::no;
+    return some_ + undecided_ > 0 ? exit_code::yes : exit_code::no;
   }
 
   std::string summary() const {
@@ -214,6 +241,7 @@ class Placements {
     std::string text =
         fmt::format("{}, of which {} {}", count_of(asked_, "placement"), some_,
                     left_out.empty() ? "have bodies that meet" : "have bodies, of those read, that meet");
+    if (undecided_ > 0) text += fmt::format("; where that is undecided: {}", undecided_);
     if (asked_ < table_.rows()) {
       text += fmt::format("; not asked about, after the first that meets: {}", table_.rows() - asked_);
     }
@@ -237,7 +265,7 @@ class Placements {
 
   void run(Chain& chain) const {
     for (std::string* out : {&chain.text, &chain.json, &chain.csv}) out->clear();
-    chain.some = 0;
+    chain.some = chain.undecided = 0;
     chain.follower.forget();
     for (std::size_t k = chain.begin; k < chain.end; ++k) {
       try {
@@ -249,8 +277,9 @@ class Placements {
       }
       const scene::Answer& answer = chain.follower.ask();
       if (prints_text_) lines_.add_text(k, answer, chain.text);
-      if (json_) lines_.add_json(k, answer, chain.json);
+      if (json_) lines_.add_json(k, answer, chain.follower.bodies(), chain.json);
       if (csv_) lines_.add_csv(k, answer, chain.csv);
+      if (!answer.some_meet() && !answer.none_meet()) ++chain.undecided;
       if (!answer.some_meet()) continue;
       ++chain.some;
       if (!call_.first) continue;
@@ -264,6 +293,7 @@ class Placements {
     if (json_) json_->write(chain.json);
     if (csv_) csv_->write(chain.csv);
     some_ += chain.some;
+    undecided_ += chain.undecided;
     asked_ = chain.end;
     if (report) report(static_cast<double>(asked_) / static_cast<double>(table_.rows()));
     return !call_.first || some_ == 0;
@@ -281,7 +311,7 @@ class Placements {
   std::optional<io::OutputFile> json_, csv_;
   std::vector<std::unique_ptr<Chain>> chains_;
   std::size_t next_ = 0, asked_ = 0;
-  std::uint64_t some_ = 0;
+  std::uint64_t some_ = 0, undecided_ = 0;
 };
 
 }  // namespace

@@ -166,10 +166,18 @@ bool SceneInput::is_hull(std::uint32_t body, std::uint32_t part) const {
   return bodies_[body].parts[part].body.shape == io::BodyShape::hull;
 }
 
-std::vector<const MeshBody*> SceneInput::objects() const {
-  std::vector<const MeshBody*> all;
+std::vector<const io::BodyPart*> SceneInput::parts() const {
+  std::vector<const io::BodyPart*> all;
   for (const Body& body : bodies_) {
-    for (const io::BodyPart& part : body.parts) all.push_back(&part.body);
+    for (const io::BodyPart& part : body.parts) all.push_back(&part);
+  }
+  return all;
+}
+
+std::vector<const MeshBody*> SceneInput::meshes() const {
+  std::vector<const MeshBody*> all;
+  for (const io::BodyPart* part : parts()) {
+    if (!part->round) all.push_back(&part->body);
   }
   return all;
 }

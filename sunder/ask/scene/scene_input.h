@@ -68,7 +68,8 @@ class SceneInput {
   }
 
   bool is_hull(std::uint32_t body, std::uint32_t part) const;  // does it stand for a mesh?
-  std::vector<const MeshBody*> objects() const;                // all parts in order
+  std::vector<const io::BodyPart*> parts() const;              // of all bodies, in order
+  std::vector<const MeshBody*> meshes() const;                 // of those that have no radius
   const LeftOutList& left_out() const { return left_out_; }    // what is not read: must be shown
   const std::vector<std::filesystem::path>& robot_meshes() const { return robot_bodies_.meshes; }
 

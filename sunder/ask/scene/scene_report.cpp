@@ -25,25 +25,29 @@ constexpr std::size_t most_listed = 20;     // pairs that meet, of one placement
 const scene::Part& part_a(const Placed& p, const PartPair& pair) { return p.bodies[pair.body_a].parts[pair.part_a]; }
 const scene::Part& part_b(const Placed& p, const PartPair& pair) { return p.bodies[pair.body_b].parts[pair.part_b]; }
 
-PlacedVertices vertices_of(const scene::Part& part) { return placed_vertices(part.shape, part.pose); }
-
 std::string name_a(const Placed& p, const PartPair& pair) { return part_name(p.bodies[pair.body_a], pair.part_a); }
 std::string name_b(const Placed& p, const PartPair& pair) { return part_name(p.bodies[pair.body_b], pair.part_b); }
 
 // Do the parts meet, and is this said of hulls in the stead of meshes?
 bool meet_as_hulls(const SceneReport& report, const PartPair& pair) {
-  return pair.answer.meet() &&
+  return pair.meet() &&
          (report.input.is_hull(pair.body_a, pair.part_a) || report.input.is_hull(pair.body_b, pair.part_b));
 }
 
 // Of a pair that meets, rounded.
 Point3 common_point(const Placed& placed, const PartPair& pair) {
-  return scene::rounded_common_point(pair.answer.certificate(), vertices_of(part_a(placed, pair)),
-                                     vertices_of(part_b(placed, pair)));
+  return scene::rounded_common_point(pair, part_a(placed, pair), part_b(placed, pair));
 }
 
 // What a cell of the matrix says about two bodies, from the weakest to the strongest.
-enum Cell : char { by_boxes = '.', by_method = 'o', touching = 't', meeting = 'X', allowed_cell = '-' };
+enum Cell : char {
+  by_boxes = '.',
+  by_method = 'o',
+  touching = 't',
+  undecided_cell = '?',
+  meeting = 'X',
+  allowed_cell = '-'
+};
 
 std::vector<std::vector<char>> cells_of(const SceneReport& report, const Placed& placed) {
   std::vector<std::vector<char>> cells;
@@ -55,7 +59,9 @@ std::vector<std::vector<char>> cells_of(const SceneReport& report, const Placed&
     char& cell = cells[pair.body_b][pair.body_a];
     if (pair.counts)
       cell = meeting;
-    else if (pair.answer.meet() && cell != meeting)
+    else if (pair.undecided() && cell != meeting)
+      cell = undecided_cell;
+    else if (pair.meet() && cell != meeting && cell != undecided_cell)
       cell = touching;
     else if (!pair.by_boxes && cell == by_boxes)
       cell = by_method;
@@ -69,7 +75,7 @@ std::string painted(const std::string& text, bool colour, const char* code) {
 
 std::string painted_cell(char cell, bool colour) {
   const std::string text(1, cell);
-  if (cell == meeting) return painted(text, colour, "1;31");
+  if (cell == meeting || cell == undecided_cell) return painted(text, colour, "1;31");
   return cell == by_method ? text : painted(text, colour, "2");
 }
 
@@ -115,6 +121,7 @@ std::string matrix_text(const SceneReport& report) {
     }
   }
   std::string key = "  X meet   o apart, by a direction   . apart, by boxes";
+  if (!report.none_undecided()) key += "   ? undecided";
   if (report.question.touching_allowed) key += "   t touching, allowed";
   if (!report.allowed_because.empty()) {
     std::string because;
@@ -137,27 +144,67 @@ std::string counts_text(const SceneReport& report) {
   return text;
 }
 
+// Each pair that is undecided: none of them is left unsaid.
+std::string undecided_text(const Placed& placed, const std::string& prefix) {
+  std::string text;
+  std::uint64_t listed = 0;
+  for (const PartPair& pair : placed.answer.pairs) {
+    if (!pair.undecided() || ++listed > most_listed) continue;
+    text += prefix + "undecided: " + name_a(placed, pair) + " and " + name_b(placed, pair) +
+            " are so near to touching that it is not known whether they meet\n";
+  }
+  if (listed > most_listed) {
+    text += fmt::format("{}and {} more undecided\n", prefix, count_of(listed - most_listed, "pair"));
+  }
+  return text;
+}
+
 std::string meeting_text(const SceneReport& report, const Placed& placed) {
   const std::string prefix = report.placements.size() > 1 ? placed.title + ": " : "";
   const LeftOutList& left_out = report.input.left_out();
   std::string text;
   std::uint64_t listed = 0;
   for (const PartPair& pair : placed.answer.pairs) {
-    if (!pair.answer.meet()) continue;
+    if (!pair.meet()) continue;
     if (++listed > most_listed) continue;
     const std::string contact =
-        report.question.contacts ? fmt::format(", {}{}", name_of(pair.contact), pair.counts ? "" : " (allowed)") : "";
+        report.question.contacts ? fmt::format(", {}{}", contact_name(pair), pair.counts ? "" : " (allowed)") : "";
     text += prefix + name_a(placed, pair) + " and " + name_b(placed, pair) + " " +
             painted(meet_as_hulls(report, pair) ? "meet as hulls" : "meet", report.colour && pair.counts, "1;31") +
             contact + ", at about " + about(common_point(placed, pair)) + "\n";
   }
   if (listed > most_listed) text += fmt::format("{}and {} more\n", prefix, count_of(listed - most_listed, "pair"));
-  if (listed == 0) {
+  text += undecided_text(placed, prefix);
+  if (listed == 0 && placed.answer.counts.undecided > 0) {
+    text += prefix + "no others meet" + left_out.clause() + "\n";
+  } else if (listed == 0) {
     text += prefix + (left_out.empty() ? "none meet" : "none of the bodies read meet") + left_out.clause() + "\n";
   } else if (!left_out.empty()) {
     text += fmt::format("{}this is of the bodies read{}\n", prefix, left_out.clause());
   }
   return text;
+}
+
+void add_contact(const PartPair& pair, Json& json) {
+  const std::string_view contact = contact_name(pair);
+  if (contact != "undecided") {
+    json["contact"] = contact;
+  } else if (pair.meet()) {
+    json["contact_unknown"] = true;
+  }
+}
+
+// A part as it was read.
+Json object_json(const io::BodyPart& part) {
+  if (!part.round) return to_json(part.body);
+  Json json{{"file", part.body.file},
+            {"name", part.body.name},
+            {"format", part.body.format},
+            {"shape", shape_name(*part.round)},
+            {"radius", part.round->radius()}};
+  json["points"] = Json::array();
+  for (const Point3& p : part.round->points()) json["points"].push_back(to_json(p));
+  return json;
 }
 
 Json pair_json(const SceneReport& report, std::size_t p, const PartPair& pair) {
@@ -167,24 +214,28 @@ Json pair_json(const SceneReport& report, std::size_t p, const PartPair& pair) {
             {"b", placed.bodies[pair.body_b].name},
             {"part_a", pair.part_a},
             {"part_b", pair.part_b},
-            {"answer", pair.answer.meet() ? "meet" : "apart"}};
-  if (report.question.contacts) json["contact"] = name_of(pair.contact);
+            {"answer", pair.verdict()}};
+  if (report.question.contacts) add_contact(pair, json);
   json["said_of"] = meet_as_hulls(report, pair) ? "hulls" : "bodies";
   json["counted"] = pair.counts;
   json["decided_by"] = pair.by_boxes ? "boxes" : std::string(name_of(pair.answer.decided_by));
   json["cost"] = to_json(pair.answer.cost);
+  const scene::Part &a = part_a(placed, pair), &b = part_b(placed, pair);
   json["evidence"] =
-      evidence_json(pair.answer.certificate(), vertices_of(part_a(placed, pair)), vertices_of(part_b(placed, pair)));
+      pair.round ? evidence_json(*pair.round, solid::PlacedRound(a.shape, a.pose), solid::PlacedRound(b.shape, b.pose))
+                 : evidence_json(pair.answer.certificate(), placed_vertices(a.shape.core(), a.pose),
+                                 placed_vertices(b.shape.core(), b.pose));
   return json;
 }
 
 // What is counted, in the order of reports.
-constexpr std::array<std::pair<const char*, std::uint64_t scene::Counts::*>, 7> counted{
+constexpr std::array<std::pair<const char*, std::uint64_t scene::Counts::*>, 8> counted{
     {{"parts", &scene::Counts::parts},
      {"pairs", &scene::Counts::pairs},
      {"allowed", &scene::Counts::allowed},
      {"by_boxes", &scene::Counts::by_boxes},
      {"by_method", &scene::Counts::by_method},
+     {"undecided", &scene::Counts::undecided},
      {"meeting", &scene::Counts::meeting},
      {"touching_only", &scene::Counts::touching_only}}};
 
@@ -211,8 +262,20 @@ std::string decided_by(const SceneReport& report) {
 
 }  // namespace
 
-bool SceneReport::some_meet() const {
-  return std::any_of(placements.begin(), placements.end(), [](const Placed& p) { return p.answer.some_meet(); });
+std::string_view SceneReport::verdict() const {
+  const auto any = [&](const auto& is) { return std::any_of(placements.begin(), placements.end(), is); };
+  if (any([](const Placed& p) { return p.answer.some_meet(); })) return "some";
+  return none_undecided() ? "none" : "undecided";
+}
+
+bool SceneReport::none_undecided() const {
+  return std::all_of(placements.begin(), placements.end(),
+                     [](const Placed& p) { return p.answer.counts.undecided == 0; });
+}
+
+std::string_view contact_name(const PartPair& pair) {
+  const bool is_unknown = pair.undecided() || (pair.meet() && pair.contact == Contact::none);
+  return is_unknown ? "undecided" : name_of(pair.contact);
 }
 
 std::string scene_text(const SceneReport& report) {
@@ -228,9 +291,9 @@ std::string scene_text(const SceneReport& report) {
 }
 
 Json scene_json(const SceneReport& report) {
-  Json json = envelope("scene", report.some_meet() ? "some" : "none", report.method);
+  Json json = envelope("scene", std::string(report.verdict()), report.method);
   json["decided_by"] = decided_by(report);
-  for (const MeshBody* object : report.input.objects()) json["objects"].push_back(to_json(*object));
+  for (const io::BodyPart* part : report.input.parts()) json["objects"].push_back(object_json(*part));
 
   if (!report.input.left_out().empty()) json["left_out"] = to_json(report.input.left_out());
 
@@ -254,7 +317,7 @@ Json scene_json(const SceneReport& report) {
   for (std::size_t p = 0; p < report.placements.size(); ++p) {
     const Placed& placed = report.placements[p];
     json["placements"].push_back({{"name", placed.title},
-                                  {"answer", placed.answer.some_meet() ? "some" : "none"},
+                                  {"answer", placed.answer.verdict()},
                                   {"joints", placed.joints},
                                   {"totals", to_json(placed.answer.counts)},
                                   {"seconds", placed.seconds}});

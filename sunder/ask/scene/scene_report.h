@@ -7,6 +7,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sunder::ask {
@@ -28,8 +29,13 @@ struct SceneReport {
   std::vector<Placed> placements{};            // at least one, all with the same bodies
   bool colour = false;                         // mark what meets by terminal colours
 
-  bool some_meet() const;
+  std::string_view verdict() const;  // "some", "none"; "undecided": none that is known
+  bool none_meet() const { return verdict() == "none"; }
+  bool none_undecided() const;
 };
+
+// "none", "touching", "overlapping"; "undecided": of a pair that is, or that meets in a way that is not known.
+std::string_view contact_name(const scene::PartPair& pair);
 
 std::string scene_text(const SceneReport& report);
 Json scene_json(const SceneReport& report);

@@ -9,6 +9,7 @@
 #include <sunder/io/file.h>
 #include <sunder/io/joint_values.h>
 #include <sunder/io/text.h>
+#include <sunder/picture/round.h>
 #include <sunder/picture/scene.h>
 #include <sunder/scene/scene_json.h>
 
@@ -88,22 +89,25 @@ void require_apart(const Call& call, const SceneInput& input) {
 
 void require_drawable(const Call& call, const SceneInput& input, std::size_t placements) {
   std::uint64_t facets = 0;
-  for (const MeshBody* object : input.objects()) facets += object->hull.facet_count();
+  for (const io::BodyPart* part : input.parts()) facets += picture::drawn_as(part->shape()).facet_count();
   ask::require_drawable(facets * placements, "facet", 0, call.svg_limit);
 }
 
-// Of all pairs but the allowed; returns how many. Throws Error bad_call where there is none: such a file would state
-// nothing.
+// Of all pairs but the allowed and the undecided; returns how many. Throws Error bad_call where there is none: such a
+// file would state nothing.
 std::size_t write_certificate(const std::string& name, const SceneReport& report, const InputFiles& inputs) {
   std::vector<scene::Placement> placements;
-  std::size_t pairs = 0;
+  std::size_t pairs = 0, undecided = 0;
   for (const Placed& placed : report.placements) {
     placements.push_back({placed.title, placed.bodies, placed.answer});
-    pairs += placed.answer.pairs.size();
+    pairs += placed.answer.pairs.size() - placed.answer.counts.undecided;
+    undecided += placed.answer.counts.undecided;
   }
   if (pairs == 0) {
     throw Error(ErrorCode::bad_call,
-                "no pair is asked about, so there is nothing to prove; leave it out, or allow less", "--certificate");
+                undecided > 0 ? "all pairs are undecided, so there is nothing to prove; leave it out"
+                              : "no pair is asked about, so there is nothing to prove; leave it out, or allow less",
+                "--certificate");
   }
   io::OutputFile file(name);
   scene::write_certificate(placements, report.question, {inputs, report.input.left_out().texts()},
@@ -154,7 +158,7 @@ int run(const Call& call) {
   }
   if (is_by_lines) {
     input.note_limits(extremes_of(table));
-    note_hulls(input.objects());
+    note_hulls(input.meshes());
     return answer_placements(call.placements, input, question, table);
   }
   report.colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
@@ -165,19 +169,19 @@ int run(const Call& call) {
 
   const std::size_t proved = call.proves() ? write_certificate(call.certificate, report, files) : 0;
   if (!call.svg.empty()) draw(call, report);
-  note_hulls(input.objects());
+  note_hulls(input.meshes());
   if (call.json) {
     print(to_text(scene_json(report)));
   } else {
     std::string text = scene_text(report);
     if (call.proves()) {
-      text += fmt::format("proofs of {}, all but the allowed: {}\n", count_of(proved, "pair"),
-                          io::one_line(call.certificate));
+      text += fmt::format("proofs of {}, all but the allowed{}: {}\n", count_of(proved, "pair"),
+                          report.none_undecided() ? "" : " and the undecided", io::one_line(call.certificate));
     }
     if (!call.svg.empty()) text += fmt::format("picture: {}\n", io::one_line(call.svg));
     report.colour ? print(text) : print_for_people(text);  // colours are control bytes
   }
-  return report.some_meet() ? exit_code::yes : exit_code::no;
+  return report.none_meet() ? exit_code::no : exit_code::yes;
 }
 
 }  // namespace

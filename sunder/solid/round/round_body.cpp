@@ -38,28 +38,28 @@ RoundBody::RoundBody(RoundKind kind, const ConvexPolyhedron& core, double radius
   require_radius(radius);
 }
 
-RoundBody RoundBody::ball(const Point3& centre, double radius) {
-  return {RoundKind::hull, hull_of({centre}), radius};
-}
+RoundBody::RoundBody(const ConvexPolyhedron& polyhedron) : RoundBody(RoundKind::hull, polyhedron, 0) {}
+
+RoundBody RoundBody::ball(const Point3& centre, double radius) { return {RoundKind::hull, hull_of({centre}), radius}; }
 
 RoundBody RoundBody::capsule(const Point3& from, const Point3& to, double radius) {
   return {RoundKind::hull, hull_of({from, to}), radius};
 }
 
-RoundBody RoundBody::rounded(const ConvexPolyhedron& core, double radius) {
-  return {RoundKind::hull, core, radius};
-}
+RoundBody RoundBody::rounded(const ConvexPolyhedron& core, double radius) { return {RoundKind::hull, core, radius}; }
 
 RoundBody RoundBody::cylinder(const Point3& base, const Point3& top, double radius) {
-  if (radius == 0) return capsule(base, top, 0);
-  RoundBody body(RoundKind::cylinder, axis_of(base, top, "cylinder"), radius);
+  const ConvexPolyhedron axis = axis_of(base, top, "its ends");
+  if (radius == 0) return {RoundKind::hull, axis, 0};
+  RoundBody body(RoundKind::cylinder, axis, radius);
   body.ends_ = std::make_shared<const std::array<Point3, 2>>(std::array{base, top});
   return body;
 }
 
 RoundBody RoundBody::cone(const Point3& base, const Point3& apex, double radius) {
-  if (radius == 0) return capsule(base, apex, 0);
-  RoundBody body(RoundKind::cone, axis_of(base, apex, "cone"), radius);
+  const ConvexPolyhedron axis = axis_of(base, apex, "its base and apex");
+  if (radius == 0) return {RoundKind::hull, axis, 0};
+  RoundBody body(RoundKind::cone, axis, radius);
   body.ends_ = std::make_shared<const std::array<Point3, 2>>(std::array{base, apex});
   return body;
 }
@@ -67,7 +67,7 @@ RoundBody RoundBody::cone(const Point3& base, const Point3& apex, double radius)
 RoundBody RoundBody::ellipsoid(const Point3& centre, const std::array<double, 3>& semi_axes) {
   for (const double x : semi_axes) {
     if (std::isfinite(x) && x > 0) continue;
-    throw Error(ErrorCode::bad_value, "a semi-axis is a finite number above zero", "ellipsoid");
+    throw Error(ErrorCode::bad_value, "a semi-axis is a finite number above zero", "its semi-axes");
   }
   hull_of({centre});  // finite
   RoundBody body(RoundKind::ellipsoid, hull_of({Point3{}}), 1);

@@ -19,12 +19,13 @@
 namespace sunder::solid {
 
 // Immutable, and cheap to copy (copies share one block of memory); any number of threads may use one at once. Radii are
-// in the unit of the world. What one might assume and does not hold: a radius of zero is allowed, but for ellipsoids; a cylinder
-// or a cone of radius zero is its axis, a segment, and of kind `hull`.
+// in the unit of the world. What one might assume and does not hold: a radius of zero is allowed, but for ellipsoids; a
+// cylinder or a cone of radius zero is its axis, a segment, and of kind `hull`.
 class RoundBody {
  public:
   // Throw Error: bad_value for a number that is not finite, a radius below zero, a semi-axis that is not above zero;
   // bad_shape for a cylinder or cone whose two points are equal.
+  RoundBody(const ConvexPolyhedron& polyhedron);  // itself: of kind hull, and radius 0
   static RoundBody ball(const Point3& centre, double radius);
   static RoundBody capsule(const Point3& from, const Point3& to, double radius);
   static RoundBody rounded(const ConvexPolyhedron& core, double radius);  // of radius 0: the polyhedron itself
@@ -66,7 +67,8 @@ class RoundBody {
 // 2^-20 at most, which is a check of what users give, in doubles. Throws Error: bad_pose.
 void require_rigid(const RoundBody& body, const Pose& pose);
 
-// A body in its place. An ellipsoid's map is compose(pose, frame), in doubles, and these are what answers are exact for.
+// A body in its place. An ellipsoid's map is compose(pose, frame), in doubles, and these are what answers are exact
+// for.
 class PlacedRound {
  public:
   // Keeps a reference to the body. Throws Error as require_rigid; bad_pose where an ellipsoid's map leaves the doubles.
@@ -76,8 +78,8 @@ class PlacedRound {
 
   const RoundBody& body;
   const Pose pose;
-  const Placed core;   // the core under the pose
-  RoundShape shape;    // of hulls: its point is not set
+  const Placed core;  // the core under the pose
+  RoundShape shape;   // of hulls: its point is not set
 
   RoundKind kind() const { return body.kind(); }
   double radius() const { return body.radius(); }

@@ -7,6 +7,7 @@
 #include <sunder/solid/round/round_finish.h>
 #include <sunder/solid/round/round_propose.h>
 
+#include <algorithm>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -19,6 +20,10 @@ using Exact = Vector3<Dyadic>;
 
 Exact times(const Dyadic& w, const Exact& v) { return {w * v.x, w * v.y, w * v.z}; }
 Exact sum(const Exact& p, const Exact& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
+
+bool is_zero(const Exact& v) {
+  return v.x.sign() == Sign::zero && v.y.sign() == Sign::zero && v.z.sign() == Sign::zero;
+}
 
 ExactPoint at(const CommonPoint& point) {
   const auto& [x, y, z] = point.coordinates;
@@ -110,6 +115,16 @@ class Contacts {
     if (const auto inner = inner_point(a_, b_, point_)) return overlapping(*inner);
     if (!a_.body.is_curved() && !b_.body.is_curved()) return of_hulls();
     if (const auto inner = searched()) return overlapping(*inner);
+    // Out of a hull: from the point of its core.
+    for (const bool is_a : {true, false}) {
+      const PlacedRound& hull = is_a ? a_ : b_;
+      if (hull.body.is_curved() || hull.body.is_polyhedron()) continue;
+      const ExactPoint x = at(point_), y = core_point(hull, is_a ? point_.of_a : point_.of_b);
+      const Exact out = times(y.weight, x.at) - times(x.weight, y.at);
+      const bool turned = (x.weight.sign() == Sign::negative) == is_a;
+      const std::array<Dyadic, 3> d = turned ? std::array{-out.x, -out.y, -out.z} : std::array{out.x, out.y, out.z};
+      if (!is_zero(out) && parts_weakly(a_, b_, d)) return touching(d);
+    }
     for (const auto& [curved, other, is_a] : {std::tuple(&a_, &b_, true), std::tuple(&b_, &a_, false)}) {
       if (!curved->body.is_curved()) continue;
       const Sides sides(*curved, at(point_));
@@ -121,6 +136,12 @@ class Contacts {
       StageTally tally;
       Cost cost;
       const CurvedVerdict found = curved_polyhedron(*curved, *other, 0, cost, tally);
+      if (found.sign == Sign::positive && found.point) {
+        CommonPoint nearest = *found.point;
+        if (!is_a) std::swap(nearest.of_a, nearest.of_b);
+        if (const auto inner = inner_point(a_, b_, nearest)) return overlapping(*inner);
+        if (curved->kind() == RoundKind::cylinder) return overlapping(off_the_ends(*curved, *other, nearest, is_a));
+      }
       if (found.direction) {
         const Exact& n = *found.direction;
         const std::array<Dyadic, 3> d = is_a ? std::array{n.x, n.y, n.z} : std::array{-n.x, -n.y, -n.z};
@@ -163,16 +184,65 @@ class Contacts {
       add({-axis.x, -axis.y, -axis.z});
     }
     void add(const Exact& n) {
-      if (n.x.sign() != Sign::zero || n.y.sign() != Sign::zero || n.z.sign() != Sign::zero) {
-        directions.push_back({n.x, n.y, n.z});
-      }
+      if (!is_zero(n)) directions.push_back({n.x, n.y, n.z});
     }
   };
 
-  static RoundContact overlapping(const CommonPoint& inner) { return {Contact::overlapping, inner, {}}; }
-  RoundContact touching(const std::array<Dyadic, 3>& direction) const {
-    return {Contact::touching, point_, direction};
+  // For a cylinder and a polyhedron that overlap, a common point that lies within the radius, but perhaps in the plane
+  // of base or top: moved towards a point of the polyhedron that is between the planes.
+  CommonPoint off_the_ends(const PlacedRound& cylinder, const PlacedRound& polyhedron, const CommonPoint& point,
+                           bool is_a) const {
+    const Exact base = lift<ExactStage>(Posed3{cylinder.shape.points[0], &cylinder.core.pose, false});
+    const Exact axis = lift<ExactStage>(Posed3{cylinder.shape.points[1], &cylinder.core.pose, false}) - base;
+    const Dyadic height = dot(axis, axis), half = height.scaled(-1);
+    // The vertices that are lowest and highest along the axis; between them, or one of them.
+    std::array<std::uint32_t, 2> vertex{};
+    std::array<Dyadic, 2> along{dot(lift<ExactStage>(polyhedron.core[0]) - base, axis)};
+    along[1] = along[0];
+    for (std::uint32_t v = 1; v < polyhedron.body.core().vertices().size(); ++v) {
+      const Dyadic here = dot(lift<ExactStage>(polyhedron.core[v]) - base, axis);
+      for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+        if ((here - along[k]).sign() != (k == 0 ? Sign::negative : Sign::positive)) continue;
+        vertex[k] = v;
+        along[k] = here;
+      }
+    }
+    std::array<Dyadic, 2> weight{Dyadic(1.0), Dyadic(0.0)};
+    if (along[0].sign() != Sign::positive) {
+      weight = {Dyadic(0.0), Dyadic(1.0)};
+      if ((along[1] - height).sign() != Sign::negative) weight = {along[1] - half, half - along[0]};
+    }
+    const Dyadic all = weight[0] + weight[1];
+    const Exact between = sum(times(weight[0], lift<ExactStage>(polyhedron.core[vertex[0]])),
+                              times(weight[1], lift<ExactStage>(polyhedron.core[vertex[1]])));
+    for (int bits = 1;; bits *= 2) {
+      const Dyadic part = Dyadic::power_of_two(-bits), rest = Dyadic(1.0) - part;
+      CommonPoint moved = point;
+      const Exact x = sum(times(rest * all, at(point).at), times(part * point.denominator, between));
+      moved.coordinates = {x.x, x.y, x.z};
+      moved.denominator = point.denominator * all;
+      Combination& of = is_a ? moved.of_b : moved.of_a;
+      const Dyadic before = of.denominator;
+      for (auto& [entry, numerator] : of.parts) numerator = numerator * rest * all;
+      of.denominator = before * all;
+      for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+        if (weight[k].sign() == Sign::zero) continue;
+        const Dyadic more = before * part * weight[k];
+        const auto there = std::find_if(of.parts.begin(), of.parts.end(),
+                                        [&](const Combination::Part& p) { return p.entry == vertex[k]; });
+        if (there == of.parts.end()) {
+          of.parts.push_back({vertex[k], more});
+        } else {
+          there->numerator = there->numerator + more;
+        }
+      }
+      (is_a ? moved.of_a : moved.of_b) = combination_of(cylinder, at(moved));
+      if (const auto inner = inner_point(a_, b_, moved)) return *inner;
+    }
   }
+
+  static RoundContact overlapping(const CommonPoint& inner) { return {Contact::overlapping, inner, {}}; }
+  RoundContact touching(const std::array<Dyadic, 3>& direction) const { return {Contact::touching, point_, direction}; }
 
   RoundContact of_polyhedra() const {
     const Interiors found = interiors(a_.body.core(), a_.pose, b_.body.core(), b_.pose);

@@ -75,8 +75,7 @@ class BallAndImages {
       const Exact direction = pulled(found.way.way);
       const WorldDirection world(direction);
       Along along(world, polyhedron_.core.pose, polyhedron_.core.tame);
-      const std::uint32_t next =
-          extreme_vertex_from(polyhedron_.core, along, End::least, set.vertex[0], cost, tally);
+      const std::uint32_t next = extreme_vertex_from(polyhedron_.core, along, End::least, set.vertex[0], cost, tally);
       ++tally.exact;
       if (next != set.vertex[0]) {
         set.add(next, at(next));
@@ -129,7 +128,7 @@ class Slab {
     std::array<std::uint32_t, 2> vertex{};
     std::array<Dyadic, 2> weight;
     std::size_t count = 0;
-    Exact across;   // (p - base) x axis, times the sum
+    Exact across;    // (p - base) x axis, times the sum
     Dyadic divisor;  // the sum
   };
 
@@ -158,11 +157,11 @@ class Slab {
 
   // The point of it that is nearest to the axis. Requires a corner, and that the axis does not meet it.
   struct Nearest {
-    Exact towards;                // along `across`
-    Dyadic square, square_over;   // of the distance times |axis|, squared
+    Exact towards;               // along `across`
+    Dyadic square, square_over;  // of the distance times |axis|, squared
     Combination of_polyhedron;
-    Exact point;                  // over the combination's denominator
-    std::size_t corner = 0;       // one that it is made of
+    Exact point;             // over the combination's denominator
+    std::size_t corner = 0;  // one that it is made of
   };
   Nearest nearest_to_axis() const {
     std::vector<std::size_t> of{0};

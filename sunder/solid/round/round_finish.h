@@ -22,7 +22,8 @@ struct CurvedVerdict {
 };
 
 // Exact. Requires a curved body, a polyhedron, and cores that are apart; near: a vertex to begin with.
-//   ellipsoid: the nearest point of the polyhedron to the centre, where the ellipsoid is a ball: a descent from features
+//   ellipsoid: the nearest point of the polyhedron to the centre, where the ellipsoid is a ball: a descent from
+//   features
 //     to vertices further along.
 //   cylinder: the same across the axis, of what of the polyhedron lies between the planes of base and top. O(n) exact
 //     numbers a step.

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <tuple>
 
 namespace sunder::solid {
 
@@ -66,7 +65,9 @@ class RoundDisposal {
   // Points of both cores are near enough to each other. Requires hulls.
   bool meets_between(const RoundCombination& a, const RoundCombination& b) {
     ++answer_.cost.proposals;
-    if (nearness(round_detail::weighted(a_, a), a_.radius(), round_detail::weighted(b_, b), b_.radius(), &tally_) < least_) return false;
+    if (nearness(round_detail::weighted(a_, a), a_.radius(), round_detail::weighted(b_, b), b_.radius(), &tally_) <
+        least_)
+      return false;
     return meets(RoundEvidence::Source::between, {}, a, b);
   }
 
@@ -90,9 +91,12 @@ class RoundDisposal {
   RoundShape shape_along(const PlacedRound& body, const WorldDirection& direction, End end, std::uint32_t near) {
     RoundShape shape = body.shape;
     if (body.body.is_curved()) return shape;
+    if (body.core.graph.vertices.size() == 1) {
+      shape.points[0] = body.core.graph.vertices[0];
+      return shape;
+    }
     Along along(direction, body.core.pose, body.core.tame);
-    shape.points[0] =
-        body.core.graph.vertices[extreme_vertex_from(body.core, along, end, near, answer_.cost, tally_)];
+    shape.points[0] = body.core.graph.vertices[extreme_vertex_from(body.core, along, end, near, answer_.cost, tally_)];
     return shape;
   }
   bool holds(const PlacedRound& body, const WeightedPoint& x, const RoundCombination& c) {
@@ -174,12 +178,10 @@ class RoundProposer {
   bool propose(const Vector& first, double shrink) {
     if (run(first)) return true;
     if (!is_near_ || !(a_.body.is_curved() || b_.body.is_curved())) return false;
-    const auto [slots, simplex, direction] = std::tuple(search.slots, search.simplex, search.direction);
+    const std::array<Point3, 2> found = nearest_points;
     search.shrink(shrink);
-    if (run(direction)) return true;
-    search.slots = slots;
-    search.simplex = simplex;
-    search.direction = direction;
+    if (run(search.direction)) return true;
+    nearest_points = found;
     return false;
   }
 
@@ -217,8 +219,8 @@ class RoundProposer {
 
  public:
   std::uint32_t near_a = 0, near_b = 0;
-  Point3 last_point{};      // that both hold, about
-  Point3 best_direction{};  // which parts them furthest, about
+  std::array<Point3, 2> nearest_points{};  // of A and of B, about
+  Point3 best_direction{};                 // which parts them furthest, about
 
  private:
   // By more than rounding may be wrong?
@@ -264,11 +266,12 @@ class RoundProposer {
       return search.in_world(length > Real(0) ? round_detail::sum<Real>(from, by / length, way) : from);
     };
     const Real slack = search.reach - length;
-    for (const double part : {0.5, 0.0625, 0.0}) {
+    nearest_points = {search.in_world(made->of_a), search.in_world(made->of_b)};
+    for (const double part : {0.5, 0.0625, 0.0, 1.0}) {
       const Real depth = slack > Real(0) ? slack * Real(part) : Real(0);
       const Vector& from = curved_a ? made->of_a : made->of_b;
-      last_point = curved_a && curved_b ? at(made->of_a, length * Real(part)) : at(from, curved_a ? -depth : depth);
-      if (dispose_.meets_at(last_point, of_a, of_b)) return true;
+      const Point3 x = curved_a && curved_b ? at(made->of_a, length * Real(part)) : at(from, curved_a ? -depth : depth);
+      if (dispose_.meets_at(x, of_a, of_b)) return true;
     }
     return false;
   }

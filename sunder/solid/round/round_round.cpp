@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sunder::solid {
 
@@ -51,8 +52,8 @@ class RoundFinish {
     meet(point_between(closest.of_a, a_.radius(), closest.of_b, b_.radius()));
   }
 
-  // True: decided. The core of one of the bodies meets the other, or does not, and is all of its body. Requires that one
-  // is curved.
+  // True: decided. The core of one of the bodies meets the other, or does not, and is all of its body. Requires that
+  // one is curved.
   bool cores_decide(std::uint32_t near_a, std::uint32_t near_b) {
     const PairAnswer of_cores = polyhedron_polyhedron(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
     count(of_cores);
@@ -61,6 +62,56 @@ class RoundFinish {
       return true;
     }
     return core_decides(true, near_a) || core_decides(false, near_b);
+  }
+
+  // True: decided, with cylinders as the capsules that hold them. Where these are apart the bodies are; where they
+  // meet, and the shortest way between the cores is perpendicular to every axis, it ends on the cylinders themselves.
+  bool capsules_decide() {
+    for (const PlacedRound* body : {&a_, &b_}) {
+      if (body->kind() != RoundKind::hull && body->kind() != RoundKind::cylinder) return false;
+    }
+    const PolyhedronDistance distance =
+        polyhedron_polyhedron_distance(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
+    count(distance.answer);
+    if (!distance.closest) return false;
+    const auto [square, over] = distance.closest->squared();
+    const ClosestPoints closest = closest_points(*distance.closest);
+    const std::array<Dyadic, 3> way = way_between(closest.of_a, closest.of_b);
+    const Dyadic reach = Dyadic(a_.radius()) + Dyadic(b_.radius());
+    ++tally_.exact;
+    if ((reach * reach * over - square).sign() == Sign::negative) {
+      apart(way);
+      return true;
+    }
+    for (const PlacedRound* body : {&a_, &b_}) {
+      if (body->kind() != RoundKind::cylinder) continue;
+      const Vector3<Dyadic> axis = lift<ExactStage>(body->core[1]) - lift<ExactStage>(body->core[0]);
+      if (dot(axis, Vector3<Dyadic>{way[0], way[1], way[2]}).sign() != Sign::zero) return false;
+    }
+    CommonPoint point = point_between(closest.of_a, a_.radius(), closest.of_b, b_.radius());
+    point.of_a = in_points(a_, std::move(point.of_a));
+    point.of_b = in_points(b_, std::move(point.of_b));
+    meet(std::move(point));
+    return true;
+  }
+
+  // True: both hold the point. Requires that the hull is a ball, if one of the bodies is a hull.
+  bool meet_at(const ExactPoint& x) {
+    CommonPoint common{{x.at.x, x.at.y, x.at.z}, x.weight, {}, {}};
+    for (const PlacedRound* body : {&a_, &b_}) {
+      Combination& made = body == &a_ ? common.of_a : common.of_b;
+      ++tally_.exact;
+      if (body->body.is_curved()) {
+        if (side_of(body->shape, x) == Sign::negative) return false;
+        made = combination_of(*body, x);
+      } else {
+        const ExactPoint centre{lift<ExactStage>(body->core[0]), Dyadic(1.0)};
+        if (nearness(centre, body->radius(), x, 0) == Sign::negative) return false;
+        made.parts.push_back({0, Dyadic(1.0)});
+      }
+    }
+    meet(std::move(common));
+    return true;
   }
 
   // True: both hold the point, of curved bodies by their own formulas, of hulls by the exact distance of the core.
@@ -152,6 +203,27 @@ Point3 snapped(const Point3& p, int bits) {
   return {part(p.x), part(p.y), part(p.z)};
 }
 
+// Near the coordinates, with small denominators: by continued fractions.
+ExactPoint simple_fractions(const Point3& p) {
+  constexpr double most = 0x1p20;
+  std::array<double, 3> n{}, d{1, 1, 1};
+  for (std::size_t k = 0; k < 3; ++k) {
+    double rest = p[k], last_n = 1, last_d = 0;
+    n[k] = std::floor(rest);
+    for (int i = 0; i < 30; ++i) {
+      const double part = rest - std::floor(rest);
+      if (!(part > 0x1p-24) || std::fabs(n[k]) > most) break;
+      rest = 1 / part;
+      const double next_n = std::floor(rest) * n[k] + last_n, next_d = std::floor(rest) * d[k] + last_d;
+      if (!(next_d <= most)) break;
+      last_n = std::exchange(n[k], next_n);
+      last_d = std::exchange(d[k], next_d);
+    }
+  }
+  const Dyadic x(d[0]), y(d[1]), z(d[2]);
+  return {{Dyadic(n[0]) * y * z, x * Dyadic(n[1]) * z, x * y * Dyadic(n[2])}, x * y * z};
+}
+
 RoundAnswer of_polyhedra(const PlacedRound& a, const PlacedRound& b) {
   const PairAnswer found = polyhedron_polyhedron(a.body.core(), a.pose, b.body.core(), b.pose);
   RoundAnswer answer;
@@ -164,17 +236,16 @@ RoundAnswer of_polyhedra(const PlacedRound& a, const PlacedRound& b) {
     return answer;
   }
   evidence.verdict = RoundVerdict::apart;
-  const WorldDirection d = world_direction(found.certificate().direction,
-                                           {a.body.core().vertices(), a.core.pose, a.core.tame},
-                                           {b.body.core().vertices(), b.core.pose, b.core.tame});
+  const WorldDirection d =
+      world_direction(found.certificate().direction, {a.body.core().vertices(), a.core.pose, a.core.tame},
+                      {b.body.core().vertices(), b.core.pose, b.core.tame});
   if (d.is_doubles()) {
     evidence.direction = d.doubles();
   } else {
     const Vector3<Dyadic> exact = d.exact();
     const Vector3<Interval> about = d.enclosure();
     evidence.direction = {about.x.low, about.y.low, about.z.low};
-    evidence.exact_direction =
-        std::make_shared<const std::array<Dyadic, 3>>(std::array{exact.x, exact.y, exact.z});
+    evidence.exact_direction = std::make_shared<const std::array<Dyadic, 3>>(std::array{exact.x, exact.y, exact.z});
   }
   return answer;
 }
@@ -197,12 +268,18 @@ RoundAnswer answer_of(const PlacedRound& a, const PlacedRound& b) {
   }
   const Point3& d = first.search.direction;
   RoundProposer<DoubleDouble> second(a, b, dispose, answer.cost);
-  const bool held = second.propose(is_finite(d) ? Vector3<DoubleDouble>{d.x, d.y, d.z} : Vector3<DoubleDouble>{},
-                                   0x1p-42);
-  if (!held && !finish.cores_decide(second.near_a, second.near_b)) {
+  const bool held =
+      second.propose(is_finite(d) ? Vector3<DoubleDouble>{d.x, d.y, d.z} : Vector3<DoubleDouble>{}, 0x1p-42);
+  if (!held && !finish.cores_decide(second.near_a, second.near_b) && !finish.capsules_decide()) {
     // Bodies that touch mostly do so in numbers that people give.
-    for (const int bits : {40, 20, 10}) {
-      if (finish.meet_at(snapped(second.last_point, bits))) break;
+    const auto is_simple = [](const PlacedRound& body) {
+      return body.body.is_curved() || body.body.core().dimension() == 0;
+    };
+    for (const Point3& x : second.nearest_points) {
+      for (const int bits : {40, 20, 10}) {
+        if (answer.undecided()) finish.meet_at(snapped(x, bits));
+      }
+      if (answer.undecided() && is_simple(a) && is_simple(b) && is_finite(x)) finish.meet_at(simple_fractions(x));
     }
     if (answer.undecided()) answer.evidence.direction = second.best_direction;
   }
@@ -275,8 +352,7 @@ CommonPoint common_point_of(const PlacedRound& a, const PlacedRound& b, const Ro
   };
   switch (evidence.source) {
     case Source::exact: return *evidence.exact;
-    case Source::between:
-      return point_between(of_core(a, evidence.a), a.radius(), of_core(b, evidence.b), b.radius());
+    case Source::between: return point_between(of_core(a, evidence.a), a.radius(), of_core(b, evidence.b), b.radius());
     case Source::cores: {
       const PairCertificate& c = evidence.of_cores;
       std::array<Posed3, 5> points{};

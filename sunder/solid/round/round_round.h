@@ -3,7 +3,8 @@
 //
 // The bodies are closed: touching is meeting.
 //   R1. apart and meet are exactly right for the doubles given: never is one said of a pair of the other.
-//   R2. With each of them comes evidence in numbers that exact arithmetic has checked: a direction that parts them, or a
+//   R2. With each of them comes evidence in numbers that exact arithmetic has checked: a direction that parts them, or
+//   a
 //       rational point of both.
 //   R3. Decided always: two hulls, of any radii; a cylinder or an ellipsoid against a polyhedron of radius 0.
 //   R4. Other pairs may be undecided. A cone against a polyhedron of radius 0 only where no direction was found that
@@ -53,7 +54,7 @@ struct RoundEvidence {
     point,    // `point`, which is doubles; of hulls, near the point of the core that `a` or `b` makes
     of_a,     // the point of A's core that `a` makes
     of_b,
-    exact,    // *exact
+    exact,  // *exact
   };
   Source source = Source::cores;
   Point3 point{};
@@ -75,9 +76,8 @@ struct [[nodiscard]] RoundAnswer {
 // The front door. Searches for a direction or a point in floating point, in doubles and then in double-doubles, and
 // accepts it only by exact signs (predicate/round_shape.h). Where none holds: of two hulls the exact distance of their
 // cores against the exact sum of the radii; of a curved body and a polyhedron of radius 0 an exact convex quadratic
-// program, of a cone its features. Cost: at most 100 steps of search in each precision, each of O(log n + log m) probes;
-// of the exact methods for a curved body O(n) exact numbers a step.
-// Throws Error: bad_pose (round_body.h).
+// program, of a cone its features. Cost: at most 100 steps of search in each precision, each of O(log n + log m)
+// probes; of the exact methods for a curved body O(n) exact numbers a step. Throws Error: bad_pose (round_body.h).
 // Source of the search: Gilbert, Johnson, Keerthi 1988.
 RoundAnswer round_round(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b);
 RoundAnswer round_round(const PlacedRound& a, const PlacedRound& b);

@@ -1,7 +1,6 @@
 // The search of Gilbert, Johnson and Keerthi on two placed bodies with a radius, in double or in double-double
-// precision. Of hulls it sees the cores, of curved bodies what they are; `reach` is what the radii of hulls add. What it
-// leaves is for proposals; nothing here decides anything.
-// Source: Gilbert, Johnson, Keerthi 1988.
+// precision. Of hulls it sees the cores, of curved bodies what they are; `reach` is what the radii of hulls add. What
+// it leaves is for proposals; nothing here decides anything. Source: Gilbert, Johnson, Keerthi 1988.
 #pragma once
 
 #include <sunder/base/cost.h>
@@ -14,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <type_traits>
+#include <vector>
 
 namespace sunder::solid {
 
@@ -42,13 +42,17 @@ class RoundSide {
 
   RoundSide(const PlacedRound& of, const Vector& shift, double scale)
       : of_(of), core_(of.core), shift_(shift), scale_(scale), radius_(of.radius() * scale) {
-    const RoundShape& s = of.shape;
-    if (!of.body.is_curved()) return;
-    first_ = at(s.points[0]);
-    if (s.ends() == 1) return;
-    second_ = at(s.points[1]);
+    // Two points at most: of a hull its vertices, where there are no more.
+    const std::vector<Point3>& vertices = of.core.graph.vertices;
+    const bool is_hull = !of.body.is_curved();
+    if (is_hull && vertices.size() > 2) return;
+    const Point3& first = is_hull ? vertices[0] : of.shape.points[0];
+    first_ = at(first);
+    if (is_hull ? vertices.size() == 1 : of.shape.ends() == 1) return;
+    const Point3& second = is_hull ? vertices[1] : of.shape.points[1];
+    second_ = at(second);
     axis_ = minus(second_, first_);
-    if constexpr (std::is_same_v<Real, double>) axis_ = core_.turned<Real>(minus(s.points[1], s.points[0]), scale);
+    if constexpr (std::is_same_v<Real, double>) axis_ = core_.turned<Real>(minus(second, first), scale);
     length2_ = dot(axis_, axis_);
   }
 
@@ -62,13 +66,14 @@ class RoundSide {
   // The point that is furthest along the direction, about.
   Far furthest(const Vector& d, Cost& cost) const {
     Far far = furthest_of_all(d, cost);
-    if (shrink > 0 && of_.body.is_curved()) far.at = round_detail::sum<Real>(far.at, Real(shrink), minus(middle(), far.at));
+    if (shrink > 0 && of_.body.is_curved())
+      far.at = round_detail::sum<Real>(far.at, Real(shrink), minus(middle(), far.at));
     return far;
   }
 
   // Of the body: a point inside, about.
   Vector middle() const {
-    if (!of_.body.is_curved()) return at(core_.graph.middle);
+    if (!of_.body.is_curved()) return core_.graph.vertices.size() == 1 ? first_ : at(core_.graph.middle);
     if (of_.shape.ends() == 1) return first_;
     return round_detail::sum<Real>(first_, Real(of_.kind() == RoundKind::cone ? 0.25 : 0.5), axis_);
   }
@@ -78,6 +83,12 @@ class RoundSide {
     using round_detail::root_of, round_detail::sum;
     switch (of_.kind()) {
       case RoundKind::hull: {
+        const std::vector<Point3>& vertices = core_.graph.vertices;
+        if (vertices.size() <= 2) {
+          cost.probes += vertices.size();
+          if (vertices.size() == 1) return {first_, 0};
+          return dot(d, axis_) > Real(0) ? Far{second_, 1} : Far{first_, 0};
+        }
         const Vector e = core_.pulled(d);
         const Point3 f = rounded(e);
         std::uint32_t v = core_.graph.is_slow

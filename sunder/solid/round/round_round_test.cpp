@@ -1,0 +1,165 @@
+#include <sunder/base/error.h>
+#include <sunder/solid/round/round_clearance.h>
+#include <sunder/solid/round/round_contact.h>
+#include <sunder/solid/round/round_finish.h>
+#include <sunder/solid/round/round_round.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace sunder::solid {
+namespace {
+
+Pose shifted(double x, double y, double z) { return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {x, y, z}); }
+
+RoundVerdict verdict(const RoundBody& a, const RoundBody& b, const Pose& pose_b = Pose()) {
+  return round_round(a, Pose(), b, pose_b).verdict();
+}
+std::optional<Contact> contact(const RoundBody& a, const RoundBody& b, const Pose& pose_b = Pose()) {
+  return round_round_contact(a, Pose(), b, pose_b).contact;
+}
+
+ConvexPolyhedron cube(double half) {
+  std::vector<Point3> corners;
+  for (const double x : {-half, half}) {
+    for (const double y : {-half, half}) {
+      for (const double z : {-half, half}) corners.push_back({x, y, z});
+    }
+  }
+  return ConvexPolyhedron(corners);
+}
+
+TEST(RoundBody, WhatIsRefused) {
+  EXPECT_THROW((void)RoundBody::ball({0, 0, 0}, -1), Error);
+  EXPECT_THROW((void)RoundBody::ball({0, 0, 0}, HUGE_VAL), Error);
+  EXPECT_THROW((void)RoundBody::ball({std::nan(""), 0, 0}, 1), Error);
+  EXPECT_THROW((void)RoundBody::cylinder({1, 2, 3}, {1, 2, 3}, 1), Error);
+  EXPECT_THROW((void)RoundBody::cone({1, 2, 3}, {1, 2, 3}, 0), Error);
+  EXPECT_THROW((void)RoundBody::ellipsoid({0, 0, 0}, {1, 0, 1}), Error);
+  EXPECT_EQ(RoundBody::cylinder({0, 0, 0}, {0, 0, 1}, 0).kind(), RoundKind::hull);
+}
+
+TEST(RoundBody, PosesThatScale) {
+  const Pose twice = Pose::from_matrix({2, 0, 0, 0, 2, 0, 0, 0, 2}, {0, 0, 0});
+  const Pose sheared = Pose::from_matrix({1, 0.001, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0});
+  for (const Pose& pose : {twice, sheared}) {
+    EXPECT_THROW(require_rigid(RoundBody::ball({0, 0, 0}, 1), pose), Error);
+    EXPECT_THROW(require_rigid(RoundBody::cylinder({0, 0, 0}, {0, 0, 1}, 1), pose), Error);
+    EXPECT_NO_THROW(require_rigid(RoundBody::ellipsoid({0, 0, 0}, {1, 2, 3}), pose));
+    EXPECT_NO_THROW(require_rigid(RoundBody::rounded(cube(1), 0), pose));
+  }
+  // The ellipsoid's own map, then the pose.
+  EXPECT_EQ(
+      round_round(RoundBody::ellipsoid({1, 0, 0}, {1, 2, 3}), twice, RoundBody::ball({5, 0, 0}, 1), Pose()).verdict(),
+      RoundVerdict::meet);
+  EXPECT_EQ(
+      round_round(RoundBody::ellipsoid({1, 0, 0}, {1, 2, 3}), twice, RoundBody::ball({6, 0, 0}, 1), Pose()).verdict(),
+      RoundVerdict::apart);
+}
+
+TEST(RoundRound, HullsToTheLastBit) {
+  const RoundBody a = RoundBody::ball({0, 0, 0}, 2);
+  EXPECT_EQ(verdict(a, RoundBody::ball({3, 4, 0}, 3)), RoundVerdict::meet);
+  EXPECT_EQ(verdict(a, RoundBody::ball({3, 4, 0}, std::nextafter(3, 0))), RoundVerdict::apart);
+  EXPECT_EQ(contact(a, RoundBody::ball({3, 4, 0}, 3)), Contact::touching);
+  EXPECT_EQ(contact(a, RoundBody::ball({3, 4, 0}, std::nextafter(3, 4))), Contact::overlapping);
+  EXPECT_EQ(contact(a, RoundBody::ball({3, 4, 0}, 2)), Contact::none);
+  // The sum of the radii is no double: 1 + 2^-60.
+  EXPECT_EQ(verdict(RoundBody::ball({0, 0, 0}, 1), RoundBody::ball({1, 0, 0}, 0x1p-60)), RoundVerdict::meet);
+  EXPECT_EQ(contact(RoundBody::ball({0, 0, 0}, 1), RoundBody::ball({1, 0, 0}, 0x1p-60)), Contact::overlapping);
+  EXPECT_EQ(contact(RoundBody::ball({0, 0, 0}, 1), RoundBody::ball({1, 0, 0}, 0)), Contact::touching);
+}
+
+TEST(RoundRound, EachKindOnABox) {
+  const RoundBody box = RoundBody::rounded(cube(1), 0);
+  const double up = std::nextafter(1, 2);
+  for (const RoundBody& body : {RoundBody::ball({0, 0, 1}, 1), RoundBody::capsule({-5, 0, 1}, {5, 0, 1}, 1),
+                                RoundBody::rounded(cube(1), 1), RoundBody::cylinder({-3, 0, 1}, {3, 0, 1}, 1),
+                                RoundBody::cylinder({0, 0, 0}, {0, 0, 3}, 2), RoundBody::cone({0, 0, 3}, {0, 0, 0}, 2),
+                                RoundBody::cone({0, 0, 0}, {0, 0, 2}, 3), RoundBody::ellipsoid({0, 0, 2}, {1, 3, 2})}) {
+    const double off = body.kind() == RoundKind::hull && body.core().dimension() == 3 ? 2 : 0;
+    EXPECT_EQ(contact(box, body, shifted(0, 0, 1 + off)), Contact::touching);
+    EXPECT_EQ(contact(box, body, shifted(0, 0, 0.5 + off)), Contact::overlapping);
+    EXPECT_EQ(verdict(box, body, shifted(0, 0, off + (off > 0 ? std::nextafter(1, 2) : up) + 0x1p-50)),
+              RoundVerdict::apart);
+  }
+}
+
+TEST(RoundRound, AFacetThatOnlyTheAxisPierces) {
+  // A large triangle across a cone, and across its disc.
+  const ConvexPolyhedron sheet(std::vector<Point3>{{-100, -100, 1}, {100, -100, 1}, {0, 100, 1}});
+  const RoundBody cone = RoundBody::cone({0, 0, 0}, {0, 0, 4}, 2);
+  EXPECT_EQ(verdict(cone, RoundBody::rounded(sheet, 0)), RoundVerdict::meet);
+  const ConvexPolyhedron wall(std::vector<Point3>{{1.5, -100, -100}, {1.5, 100, -100}, {1.5, 0, 100}});
+  EXPECT_EQ(verdict(cone, RoundBody::rounded(wall, 0)), RoundVerdict::meet);
+  EXPECT_EQ(verdict(cone, RoundBody::rounded(wall, 0), shifted(0.5, 0, 0)), RoundVerdict::meet);
+  EXPECT_EQ(verdict(cone, RoundBody::rounded(wall, 0), shifted(0.5 + 0x1p-40, 0, 0)), RoundVerdict::apart);
+}
+
+// The exact methods by themselves, whatever the search would have found.
+CurvedVerdict finished(const RoundBody& curved, const RoundBody& polyhedron) {
+  Cost cost;
+  StageTally tally;
+  const PlacedRound a(curved, Pose()), b(polyhedron, Pose());
+  CurvedVerdict found = curved_polyhedron(a, b, 0, cost, tally);
+  if (found.direction && !found.point) {
+    // It parts them, every vertex.
+    const WorldDirection d(*found.direction);
+    for (std::size_t v = 0; v < polyhedron.core().vertices().size(); ++v) {
+      RoundShape vertex = b.shape;
+      vertex.points[0] = polyhedron.core().vertices()[v];
+      EXPECT_EQ(gap_sign(d, a.shape, vertex), Sign::positive);
+    }
+  }
+  return found;
+}
+
+TEST(RoundFinish, ACylinderAndAnEdgeThatLeavesItsSlab) {
+  const RoundBody cylinder = RoundBody::cylinder({0, 0, 0}, {0, 0, 2}, 1);
+  for (const double side : {1.0, -1.0}) {
+    // Nearest to the axis in the plane of the top, or of the base; beyond it the edge goes on inwards.
+    const auto edge = [&](double from) {
+      return side > 0 ? RoundBody::capsule({from, 0, 1}, {0, 0, 1 + from}, 0)
+                      : RoundBody::capsule({from, 0, 1}, {0, 0, 1 - from}, 0);
+    };
+    EXPECT_EQ(finished(cylinder, edge(4)).sign, Sign::negative);
+    EXPECT_TRUE(finished(cylinder, edge(4)).direction);
+    EXPECT_EQ(finished(cylinder, edge(2)).sign, Sign::zero);
+    EXPECT_TRUE(finished(cylinder, edge(2)).point);
+    EXPECT_EQ(finished(cylinder, edge(1.5)).sign, Sign::positive);
+  }
+  EXPECT_EQ(finished(cylinder, RoundBody::capsule({-1, 0, 3}, {1, 0, 4}, 0)).sign, Sign::negative);
+  EXPECT_EQ(finished(cylinder, RoundBody::capsule({-1, 0, -3}, {1, 0, -4}, 0)).sign, Sign::negative);
+}
+
+TEST(RoundFinish, AConeAndAnEdge) {
+  const RoundBody cone = RoundBody::cone({0, 0, 0}, {0, 0, 4}, 2);
+  const auto meets = [&](const Point3& from, const Point3& to) {
+    return finished(cone, RoundBody::capsule(from, to, 0)).point.has_value();
+  };
+  for (const double side : {1.0, -1.0}) {
+    EXPECT_TRUE(meets({side * 5, 0.5, 1}, {side * 1, 0.5, 1}));  // one end inside, the first or the second
+    EXPECT_FALSE(meets({side * 5, 0.5, 1}, {side * 2, 0.5, 1}));
+    EXPECT_TRUE(meets({-4, side * 1.5, 1}, {4, side * 1.5, 1}));  // touches in the middle
+    EXPECT_FALSE(meets({-4, side * 1.5625, 1}, {4, side * 1.5625, 1}));
+    EXPECT_FALSE(meets({-4, side * 0.25, 5}, {4, side * 0.25, 5}));  // the other half of the double cone
+    EXPECT_TRUE(meets({side * 2, 0, -1}, {side * 2, 0, 1}));         // the rim
+    EXPECT_FALSE(meets({side * 2, 0.0625, -1}, {side * 2, 0.0625, 1}));
+  }
+}
+
+TEST(RoundClearance, ToTheLastBit) {
+  const RoundBody a = RoundBody::ball({0, 0, 0}, 1), b = RoundBody::ball({3, 4, 0}, 2);
+  EXPECT_TRUE(round_clearance(a, Pose(), b, Pose(), 2).kept);
+  EXPECT_TRUE(round_clearance(a, Pose(), b, Pose(), std::nextafter(2, 0)).kept);
+  const RoundClearance broken = round_clearance(a, Pose(), b, Pose(), std::nextafter(2, 3));
+  EXPECT_FALSE(broken.kept);
+  EXPECT_LE(broken.distance.low, 2);
+  EXPECT_GE(broken.distance.high, 2);
+  EXPECT_FALSE(round_clearance(a, Pose(), RoundBody::ball({1, 0, 0}, 1), Pose(), 1e-300).kept);
+}
+
+}  // namespace
+}  // namespace sunder::solid
