@@ -144,8 +144,10 @@ TEST(RoundFinish, AConeAndAnEdge) {
     EXPECT_FALSE(meets({side * 5, 0.5, 1}, {side * 2, 0.5, 1}));
     EXPECT_TRUE(meets({-4, side * 1.5, 1}, {4, side * 1.5, 1}));  // touches in the middle
     EXPECT_FALSE(meets({-4, side * 1.5625, 1}, {4, side * 1.5625, 1}));
-    EXPECT_FALSE(meets({-4, side * 0.25, 5}, {4, side * 0.25, 5}));  // the other half of the double cone
-    EXPECT_TRUE(meets({side * 2, 0, -1}, {side * 2, 0, 1}));         // the rim
+    EXPECT_FALSE(meets({-4, side * 0.25, 5}, {4, side * 0.25, 5}));    // the other half of the double cone
+    EXPECT_FALSE(meets({side * 5, 0.25, 1}, {side * 0.25, 0.25, 6}));  // from beside into that half
+    EXPECT_FALSE(meets({side * 0.25, 0.25, 7}, {side * 5, 0.25, -1}));
+    EXPECT_TRUE(meets({side * 2, 0, -1}, {side * 2, 0, 1}));  // the rim
     EXPECT_FALSE(meets({side * 2, 0.0625, -1}, {side * 2, 0.0625, 1}));
   }
 }
