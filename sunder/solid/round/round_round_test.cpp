@@ -135,9 +135,14 @@ TEST(RoundFinish, ACylinderAndAnEdgeThatLeavesItsSlab) {
 }
 
 TEST(RoundFinish, AConeAndAnEdge) {
-  const RoundBody cone = RoundBody::cone({0, 0, 0}, {0, 0, 4}, 2);
-  const auto meets = [&](const Point3& from, const Point3& to) {
-    return finished(cone, RoundBody::capsule(from, to, 0)).point.has_value();
+  // Upright, and upside down: edges go along the axis and against it.
+  const auto meets = [&](const Point3& p, const Point3& q) {
+    const auto found = [&](double up) {
+      const RoundBody edge = RoundBody::capsule({p.x, p.y, up * p.z}, {q.x, q.y, up * q.z}, 0);
+      return finished(RoundBody::cone({0, 0, 0}, {0, 0, up * 4}, 2), edge).point.has_value();
+    };
+    EXPECT_EQ(found(1), found(-1));
+    return found(1);
   };
   for (const double side : {1.0, -1.0}) {
     EXPECT_TRUE(meets({side * 5, 0.5, 1}, {side * 1, 0.5, 1}));  // one end inside, the first or the second
