@@ -135,17 +135,24 @@ TEST(RoundFinish, ACylinderAndAnEdgeThatLeavesItsSlab) {
 }
 
 TEST(RoundFinish, AConeAndAnEdge) {
-  const RoundBody cone = RoundBody::cone({0, 0, 0}, {0, 0, 4}, 2);
-  const auto meets = [&](const Point3& from, const Point3& to) {
-    return finished(cone, RoundBody::capsule(from, to, 0)).point.has_value();
+  // Upright, and upside down: edges go along the axis and against it.
+  const auto meets = [&](const Point3& p, const Point3& q) {
+    const auto found = [&](double up) {
+      const RoundBody edge = RoundBody::capsule({p.x, p.y, up * p.z}, {q.x, q.y, up * q.z}, 0);
+      return finished(RoundBody::cone({0, 0, 0}, {0, 0, up * 4}, 2), edge).point.has_value();
+    };
+    EXPECT_EQ(found(1), found(-1));
+    return found(1);
   };
   for (const double side : {1.0, -1.0}) {
     EXPECT_TRUE(meets({side * 5, 0.5, 1}, {side * 1, 0.5, 1}));  // one end inside, the first or the second
     EXPECT_FALSE(meets({side * 5, 0.5, 1}, {side * 2, 0.5, 1}));
     EXPECT_TRUE(meets({-4, side * 1.5, 1}, {4, side * 1.5, 1}));  // touches in the middle
     EXPECT_FALSE(meets({-4, side * 1.5625, 1}, {4, side * 1.5625, 1}));
-    EXPECT_FALSE(meets({-4, side * 0.25, 5}, {4, side * 0.25, 5}));  // the other half of the double cone
-    EXPECT_TRUE(meets({side * 2, 0, -1}, {side * 2, 0, 1}));         // the rim
+    EXPECT_FALSE(meets({-4, side * 0.25, 5}, {4, side * 0.25, 5}));    // the other half of the double cone
+    EXPECT_FALSE(meets({side * 5, 0.25, 1}, {side * 0.25, 0.25, 6}));  // from beside into that half
+    EXPECT_FALSE(meets({side * 0.25, 0.25, 7}, {side * 5, 0.25, -1}));
+    EXPECT_TRUE(meets({side * 2, 0, -1}, {side * 2, 0, 1}));  // the rim
     EXPECT_FALSE(meets({side * 2, 0.0625, -1}, {side * 2, 0.0625, 1}));
   }
 }
