@@ -2,6 +2,7 @@
 // Also called: point in convex hull; membership in a polytope; point location.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
 
 #include <span>
