@@ -77,8 +77,8 @@ Polytope parse_polytope(std::string_view text, std::string_view place) {
     }
     const std::size_t width = columns->dimension + (columns->form == Form::points ? 0 : 1);
     if (fields.size() != width) {
-      reader.fail(fmt::format("has {}, others have {}; give rows of one dimension",
-                              count_of(fields.size(), "number"), width));
+      reader.fail(
+          fmt::format("has {}, others have {}; give rows of one dimension", count_of(fields.size(), "number"), width));
     }
     for (const std::string_view field : fields) {
       double value = 0;

@@ -10,8 +10,8 @@
 
 namespace sunder::io {
 
-// Is it a CSV file whose first line names the columns of points, x1 to xd, or of half-spaces, a1 to ad and b, for some d
-// from 2 to 6, in this order, small letters or large? False where it is no regular file, or cannot be read.
+// Is it a CSV file whose first line names the columns of points, x1 to xd, or of half-spaces, a1 to ad and b, for some
+// d from 2 to 6, in this order, small letters or large? False where it is no regular file, or cannot be read.
 bool names_polytope(const std::filesystem::path& path);
 
 // All rows of the file are one polytope. Without names in the first line they are points, of as many numbers as the

@@ -31,9 +31,8 @@ using polytope::RowWeights;
 using PolytopeMethod = PolytopeAnswer (*)(const Polytope&, const polytope::Pose&, const Polytope&,
                                           const polytope::Pose&);
 
-constexpr std::array<Named<PolytopeAnswer(const Polytope&, const polytope::Pose&, const Polytope&,
-                                          const polytope::Pose&)>,
-                     3>
+constexpr std::array<
+    Named<PolytopeAnswer(const Polytope&, const polytope::Pose&, const Polytope&, const polytope::Pose&)>, 3>
     methods{{{"automatic", polytope::polytope_polytope},
              {"gjk", polytope::polytope_polytope_by_gjk},
              {"scan", polytope::polytope_polytope_by_scan}}};
@@ -139,7 +138,9 @@ class PolytopePair : public PairQuestion {
 
   void ask() {
     answer_ = method_(of_a_.polytope, of_a_.pose, of_b_.polytope, of_b_.pose);
-    take(answer_, decided_text(answer_.decided_by));
+    const bool are_points = of_a_.polytope.is_of_points() && of_b_.polytope.is_of_points();
+    const bool is_program = !are_points && answer_.decided_by == DecidedBy::finishing;
+    take(answer_, is_program ? "a linear program in exact arithmetic" : decided_text(answer_.decided_by));
     facts_ = {told()};
   }
 
@@ -165,10 +166,15 @@ class PolytopePair : public PairQuestion {
       return {"evidence", {{"point", point}, {"vertices_a", of_a}, {"vertices_b", of_b}}, text};
     }
     const std::vector<double> direction = unit(evidence.numbers);
-    std::string text = fmt::format("A is less far than B along the direction of about {}", about_all(direction));
-    if (!of_a.empty() || !of_b.empty()) {
-      text += fmt::format(",\nby multiples of {} of A and {} of B", count_of(of_a.size(), "half-space"), of_b.size());
-    }
+    const std::string parted =
+        fmt::format("A is less far than B along the direction of about {}", about_all(direction));
+    const std::string multiples =
+        fmt::format("multiples of {} of A and {} of B", count_of(of_a.size(), "half-space"), of_b.size());
+    const bool is_some = std::any_of(direction.begin(), direction.end(), [](double x) { return x != 0; });
+    const bool have_half_spaces = !of_a.empty() || !of_b.empty();
+    const std::string text = !is_some           ? multiples + " contradict each other"
+                             : have_half_spaces ? parted + ",\nby " + multiples
+                                                : parted;
     return {"evidence", {{"direction_about", direction}, {"half_spaces_a", of_a}, {"half_spaces_b", of_b}}, text};
   }
 
@@ -184,20 +190,25 @@ bool are_polytopes(const PairCall& call) {
 }
 
 int run_polytope_pair(const PairCall& call) {
-  for (const auto& [is_given, option] :
-       {std::pair(call.classify, "--classify"), {call.distance, "--distance"}, {!call.clearance.empty(), "--clearance"},
-        {!call.svg.empty(), "--svg"}, {call.mend, "--mend"}, {call.hull, "--hull"}, {call.drop_z, "--drop-z"},
-        {!call.project.empty(), "--project"}, {call.require_convex, "--require-convex"},
-        {!call.a.feature.empty(), "--feature-a"}, {!call.b.feature.empty(), "--feature-b"}}) {
+  for (const auto& [is_given, option] : {std::pair(call.classify, "--classify"),
+                                         {call.distance, "--distance"},
+                                         {!call.clearance.empty(), "--clearance"},
+                                         {!call.svg.empty(), "--svg"},
+                                         {call.mend, "--mend"},
+                                         {call.hull, "--hull"},
+                                         {call.drop_z, "--drop-z"},
+                                         {!call.project.empty(), "--project"},
+                                         {call.require_convex, "--require-convex"},
+                                         {!call.a.feature.empty(), "--feature-a"},
+                                         {!call.b.feature.empty(), "--feature-b"}}) {
     if (is_given) throw Error(ErrorCode::bad_call, "is not for polytopes; leave it out", option);
   }
   PolytopeMethod const method = method_by(call.method, methods, ", for polytopes");
   PairFiles files(call);
   const PolytopeInput a = read_input(call.a, files), b = read_input(call.b, files);
   if (a.polytope.dimension() != b.polytope.dimension()) {
-    throw Error(ErrorCode::bad_call,
-                fmt::format("A is of dimension {}, B of {}; give two of one dimension", a.polytope.dimension(),
-                            b.polytope.dimension()));
+    throw Error(ErrorCode::bad_call, fmt::format("A is of dimension {}, B of {}; give two of one dimension",
+                                                 a.polytope.dimension(), b.polytope.dimension()));
   }
   PolytopePair question(call, method, a, b, files);
   return answer(question);
