@@ -3,7 +3,22 @@
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/predicate/common_point.h>
 
+#include <cmath>
+
 namespace sunder {
+namespace {
+
+const char* key_of(RoundKind kind) {
+  switch (kind) {
+    case RoundKind::hull: return "radius";
+    case RoundKind::cylinder: return "cylinder";
+    case RoundKind::cone: return "cone";
+    case RoundKind::ellipsoid: return "ellipsoid";
+  }
+  return "";
+}
+
+}  // namespace
 
 std::array<Dyadic, 3> way_between(const PointOf& from, const PointOf& to) {
   std::array<Dyadic, 3> way;
@@ -19,16 +34,32 @@ void PairClaims::begin_entry(const std::string& name) {
   file_.text("name", name.empty() ? "unnamed" : cut_text(name));
 }
 
+void PairClaims::add_points_of_entry(std::span<const Point3> points) {
+  file_.begin_list("points");
+  for (const Point3& p : points) {
+    const std::array row{p.x, p.y, p.z};
+    file_.add_row(std::span(row).first(dimension()));
+  }
+  file_.end_list();
+}
+
+std::uint32_t PairClaims::add_round_body(const std::string& name, std::span<const Point3> core, RoundKind kind,
+                                         double radius) {
+  SUNDER_REQUIRE(space_ == Space::solid && radius >= 0 && std::isfinite(radius));
+  SUNDER_REQUIRE(kind == RoundKind::hull ? !core.empty() : core.size() == (kind == RoundKind::ellipsoid ? 1u : 2u));
+  begin_entry(name);
+  add_points_of_entry(core);
+  file_.real(key_of(kind), radius);
+  file_.end_entry();
+  entries_.push_back({name, core, Affine3()});
+  return static_cast<std::uint32_t>(entries_.size() - 1);
+}
+
 std::uint32_t PairClaims::add_body(const std::string& name, std::span<const Point3> vertices,
                                    std::span<const Way3> ways) {
   begin_entry(name);
   const std::size_t d = dimension();
-  file_.begin_list("points");
-  for (const Point3& p : vertices) {
-    const std::array row{p.x, p.y, p.z};
-    file_.add_row(std::span(row).first(d));
-  }
-  file_.end_list();
+  add_points_of_entry(vertices);
   if (!ways.empty()) {
     file_.begin_list("ways");
     for (const Way3& way : ways) {
@@ -100,6 +131,7 @@ void PairClaims::add_combination(const char* claim, const Combination& combinati
     file_.add_weight(entry, numerator, combination.denominator);
   }
   file_.end_list();
+  if (combination.from) file_.fractions("from", combination.from->coordinates, combination.from->denominator);
   file_.end_claim();
 }
 

@@ -5,9 +5,11 @@
 
 #include <sunder/certificate/claims.h>
 #include <sunder/certificate/pair.h>
+#include <sunder/certificate/round_kind.h>
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,8 +21,16 @@ struct Way3 {
   Point3 from, to;
 };
 
+// Where a point of an ellipsoid comes from, before the ellipsoid is placed: each coordinate over the denominator, which
+// is not zero.
+struct PreimagePoint {
+  std::array<Dyadic, 3> coordinates;
+  Dyadic denominator{1.0};
+};
+
 // A combination of a body's points, and of its ways, counted on from these. Each weight is its numerator over the
-// denominator, which is positive.
+// denominator, which is positive. Of a body with a radius it makes a point of the core from which the body reaches the
+// point that is meant; of an ellipsoid, whose one weight is 1, `from` says which point of it that is.
 struct Combination {
   struct Part {
     std::uint32_t entry = 0;
@@ -28,6 +38,7 @@ struct Combination {
   };
   std::vector<Part> parts;
   Dyadic denominator{1.0};
+  std::optional<PreimagePoint> from{};  // of an ellipsoid, and of no other body
 };
 
 // A point of two bodies, each coordinate over the denominator, which is not zero; and how each of the two makes it.
@@ -67,21 +78,27 @@ class PairClaims {
   // Adds a body to the table; returns its index. Keeps the span of its vertices, which must stay as they are.
   std::uint32_t add_body(const std::string& name, std::span<const Point3> vertices, std::span<const Way3> ways = {});
 
+  // Adds a body with a radius; returns its index. Keeps the span of its core. Requires Space::solid, a radius that is
+  // finite and not negative, and a core of one point at least: two of a cylinder or cone, which differ, also where they
+  // are placed, and one of an ellipsoid.
+  std::uint32_t add_round_body(const std::string& name, std::span<const Point3> core, RoundKind kind, double radius);
+
   // Adds a placed body; returns its index. One under its own name where it is stands in the table already. Requires a
-  // body that add_body gave.
+  // body that add_body or add_round_body gave.
   std::uint32_t add_placed(const std::string& name, std::uint32_t body, const Affine3& pose);
 
   // Adds an answer about two of these. It must be true: its exact weights are computed here.
   void add_pair(std::uint32_t a, std::uint32_t b, const PairCertificate& certificate);
 
   // Adds statements whose proof is known: that A is less far along the direction than B; that both hold the point; that
-  // they do, and that A is not further along the direction; that it is inside of both.
+  // they do, and that A is not further along the direction; that it is inside of both. Of bodies with a radius, too.
   void add_apart(std::uint32_t a, std::uint32_t b, const std::array<Dyadic, 3>& direction);
   void add_meet(std::uint32_t a, std::uint32_t b, const CommonPoint& point);
   void add_touching(std::uint32_t a, std::uint32_t b, const CommonPoint& point, const std::array<Dyadic, 3>& direction);
   void add_overlapping(std::uint32_t a, std::uint32_t b, const CommonPoint& point);
 
-  // That the points are as near to each other as any two of A and B. Requires different ones.
+  // That the points are as near to each other as any two of A and B. Requires different ones, and no body with a
+  // radius.
   void add_distance(std::uint32_t a, std::uint32_t b, const PointOf& from_a, const PointOf& to_b);
 
   // That A and B are `least` apart, or more, as along the direction from A to B; that two of their points are nearer
@@ -110,6 +127,7 @@ class PairClaims {
   };
   std::size_t dimension() const { return space_ == Space::planar ? 2 : 3; }
   void begin_entry(const std::string& name);
+  void add_points_of_entry(std::span<const Point3> points);
   void begin_statement(const char* question, std::uint32_t a, std::uint32_t b, const char* verdict);
   void add_parting(const char* claim, const std::array<Dyadic, 3>& direction);
   void add_points(const char* claim, const PointOf& from_a, const PointOf& to_b);

@@ -179,6 +179,46 @@ TEST(PairClaimsTest, PlanarBodies) {
 }
 
 // Any bytes may be in a name: what is UTF-8 comes back as it was, what is not does not spoil the file.
+// Each kind under its key, the radius as it is, and where a point of an ellipsoid comes from.
+TEST(PairClaimsTest, BodiesWithARadius) {
+  const std::vector<Point3> ends{{0, 0, 0}, {0, 0, 0.1}}, one{{1, 2, 3}};
+  File written;
+  const std::uint32_t first = written.pairs.add_body("plain", one);
+  const std::uint32_t capsule = written.pairs.add_round_body("capsule", ends, RoundKind::hull, 5e-324);
+  const std::uint32_t cylinder = written.pairs.add_round_body("cylinder", ends, RoundKind::cylinder, 0.1);
+  const std::uint32_t cone = written.pairs.add_round_body("cone", ends, RoundKind::cone, 0);
+  const std::uint32_t ellipsoid = written.pairs.add_round_body("", one, RoundKind::ellipsoid, 1.5);
+  Affine3 pose;
+  pose.linear[0] = 2;
+  const std::uint32_t placed = written.pairs.add_placed("placed", ellipsoid, pose);
+  EXPECT_EQ(std::vector({first, capsule, cylinder, cone, ellipsoid, placed}),
+            (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(written.pairs.add_placed("cone", cone, Affine3()), cone);
+  const CommonPoint point{
+      {3.0, 2.0, 4.0}, 1.0, {{{0, 1.0}}, 1.0, PreimagePoint{{3.0, 4.0, 8.0}, 2.0}}, {{{0, 1.0}, {1, 2.0}}, 3.0}};
+  written.pairs.add_meet(placed, capsule, point);
+  const json file = written.end();
+  const json& bodies = file.at("tables").at("bodies");
+  const auto expect = [&](std::size_t k, const char* key, double radius, std::size_t count) {
+    ASSERT_EQ(bodies.at(k).size(), 3u);  // name, points, and this
+    EXPECT_TRUE(is_exactly(bodies[k].at(key), radius));
+    EXPECT_EQ(bodies[k].at("points").size(), count);
+  };
+  expect(1, "radius", 5e-324, 2);
+  expect(2, "cylinder", 0.1, 2);
+  expect(3, "cone", 0, 2);
+  expect(4, "ellipsoid", 1.5, 1);
+  EXPECT_EQ(bodies[0].size(), 2u);
+  EXPECT_EQ(bodies.at(5).at("of"), 4);
+  EXPECT_EQ(bodies[5].size(), 4u);
+  const json& claims = file.at("statements").at(0).at("claims");
+  EXPECT_EQ(numbers(claims.at(0).at("from")), (Exact3{Fraction(3, 2), 2, 4}));
+  EXPECT_EQ(claims[0].at("weights").size(), 1u);
+  EXPECT_EQ(number(claims[0]["weights"][0][1]), 1);
+  EXPECT_EQ(number(claims.at(1).at("weights").at(1).at(1)), Fraction(2, 3));
+  EXPECT_FALSE(claims[1].contains("from"));
+}
+
 TEST(PairClaimsTest, NamesMayHoldAnything) {
   std::string control;
   for (char c = 0; c < 0x20; ++c) control += c;

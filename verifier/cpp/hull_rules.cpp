@@ -151,10 +151,6 @@ class Surface {
 
 }  // namespace
 
-Integers cross(const Integers& u, const Integers& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-
 bool is_between(const Integers& first, const Integers& last, const Integers& point) {
   const Vector way = minus(last, first), here = minus(point, first), none(3);
   const Integer along = dot(way, here);

@@ -66,6 +66,16 @@ void read_b(const Place& p, Said& said) {
   if (said.a->dimension() != said.b->dimension()) refuse_form(p.where + " is of bodies of different dimensions");
 }
 
+void read_plain_a(const Place& p, Said& said) {
+  read_a(p, said);
+  if (said.a->is_round()) refuse_form(p.where + ".a has a radius");
+}
+
+void read_plain_b(const Place& p, Said& said) {
+  read_b(p, said);
+  if (said.b->is_round()) refuse_form(p.where + ".b has a radius");
+}
+
 void read_polytope_a(const Place& p, Said& said) {
   said.polytope_a = &p.tables.polytopes[index_member(p.item, "a", p.tables.polytopes.size(), p.where)];
 }
@@ -99,16 +109,18 @@ void read_least(const Place& p, Said& said) {
   if (said.least.n <= 0) refuse_form(p.where + ".least is not positive");
 }
 
+bool is_of_points(const HullBody& body) {
+  return body.count == body.rows().size() && body.dimension() == 3 && !body.is_round();
+}
+
 void read_body(const Place& p, Said& said) {
   said.body = &p.tables.bodies[index_member(p.item, "body", p.tables.bodies.size(), p.where)];
-  const bool is_of_points = !said.body->is_image() && said.body->count == said.body->rows().size();
-  if (!is_of_points || said.body->dimension() != 3) refuse_form(p.where + ".body is not of points in space");
+  if (said.body->is_image() || !is_of_points(*said.body)) refuse_form(p.where + ".body is not of points in space");
 }
 
 void read_of(const Place& p, Said& said) {
   said.body = &p.tables.bodies[index_member(p.item, "of", p.tables.bodies.size(), p.where)];
-  const bool is_of_points = said.body->count == said.body->rows().size();
-  if (!is_of_points || said.body->dimension() != 3) refuse_form(p.where + ".of is not of points in space");
+  if (!is_of_points(*said.body)) refuse_form(p.where + ".of is not of points in space");
 }
 
 // A normal, a point, and how far above it, times the normal.
@@ -509,6 +521,7 @@ struct ClaimNeeded {
   std::vector<std::pair<const char*, ReadClaim>> brings;
   std::size_t (*size)(const Said&, const Tables&);
   void (*check)(const Claim&, const Said&, const Tables&);
+  const HullBody* Said::* from_of = nullptr;  // it brings `from`, too, where this is an ellipsoid
 };
 
 std::size_t of_a(const Said& said, const Tables&) { return said.a->rows().size(); }
@@ -528,32 +541,40 @@ const ClaimNeeded parted_a_b{
     "parted", {{"direction", read_direction}}, of_a, [](const Claim& c, const Said& s, const Tables&) {
       check_parted(c, *s.a, *s.b);
     }};
-const ClaimNeeded a_holds{"holds", {{"weights", read_weights}}, of_a, [](const Claim& c, const Said& s, const Tables&) {
-                            check_holds(c, *s.a, s.point);
-                          }};
-const ClaimNeeded b_holds{"holds", {{"weights", read_weights}}, of_b, [](const Claim& c, const Said& s, const Tables&) {
-                            check_holds(c, *s.b, s.point);
-                          }};
+const ClaimNeeded a_holds{"holds",
+                          {{"weights", read_weights}},
+                          of_a,
+                          [](const Claim& c, const Said& s, const Tables&) { check_holds(c, *s.a, s.point); },
+                          &Said::a};
+const ClaimNeeded b_holds{"holds",
+                          {{"weights", read_weights}},
+                          of_b,
+                          [](const Claim& c, const Said& s, const Tables&) { check_holds(c, *s.b, s.point); },
+                          &Said::b};
 const ClaimNeeded parted_weakly_a_b{
     "parted_weakly", {{"direction", read_direction}}, of_a, [](const Claim& c, const Said& s, const Tables&) {
       check_parted_weakly(c, *s.a, *s.b);
     }};
-const ClaimNeeded inside_a{
-    "inside", {{"weights", read_weights}}, of_a, [](const Claim& c, const Said& s, const Tables&) {
-      check_inside(c, *s.a, s.point);
-    }};
-const ClaimNeeded inside_b{
-    "inside", {{"weights", read_weights}}, of_b, [](const Claim& c, const Said& s, const Tables&) {
-      check_inside(c, *s.b, s.point);
-    }};
-const ClaimNeeded a_holds_from_a{
-    "holds", {{"weights", read_weights}}, of_a, [](const Claim& c, const Said& s, const Tables&) {
-      check_holds(c, *s.a, s.from_a);
-    }};
-const ClaimNeeded b_holds_to_b{
-    "holds", {{"weights", read_weights}}, of_b, [](const Claim& c, const Said& s, const Tables&) {
-      check_holds(c, *s.b, s.to_b);
-    }};
+const ClaimNeeded inside_a{"inside",
+                           {{"weights", read_weights}},
+                           of_a,
+                           [](const Claim& c, const Said& s, const Tables&) { check_inside(c, *s.a, s.point); },
+                           &Said::a};
+const ClaimNeeded inside_b{"inside",
+                           {{"weights", read_weights}},
+                           of_b,
+                           [](const Claim& c, const Said& s, const Tables&) { check_inside(c, *s.b, s.point); },
+                           &Said::b};
+const ClaimNeeded a_holds_from_a{"holds",
+                                 {{"weights", read_weights}},
+                                 of_a,
+                                 [](const Claim& c, const Said& s, const Tables&) { check_holds(c, *s.a, s.from_a); },
+                                 &Said::a};
+const ClaimNeeded b_holds_to_b{"holds",
+                               {{"weights", read_weights}},
+                               of_b,
+                               [](const Claim& c, const Said& s, const Tables&) { check_holds(c, *s.b, s.to_b); },
+                               &Said::b};
 const ClaimNeeded slab{
     "slab", {}, of_a, [](const Claim&, const Said& s, const Tables&) { check_slab(*s.a, *s.b, s.from_a, s.to_b); }};
 const ClaimNeeded clear{
@@ -783,7 +804,7 @@ const std::vector<Question> questions{
       {"overlapping", {point}, {&inside_a, &inside_b}}}},
     {"distance",
      "bodies",
-     {{"a", read_a}, {"b", read_b}},
+     {{"a", read_plain_a}, {"b", read_plain_b}},
      {},
      {{"closest", {{"from_a", read_from_a}, {"to_b", read_to_b}}, {&a_holds_from_a, &b_holds_to_b, &slab}}}},
     {"clearance",
@@ -882,12 +903,17 @@ std::function<void()> read_claim(const Json& item, const ClaimNeeded& needed, co
                                  const std::string& where) {
   std::vector<std::string> keys{"claim"};
   for (const auto& [name, read] : needed.brings) keys.emplace_back(name);
+  const bool has_from = needed.from_of != nullptr && (said.*needed.from_of)->around == Around::ellipsoid;
+  if (has_from) keys.emplace_back("from");
   require_members(item, keys, {}, where);
   if (string_member(item, "claim", where) != needed.kind) refuse_form(where + " is not the claim " + needed.kind);
   Claim claim;
   for (const auto& [name, read] : needed.brings) read(item, said, needed.size(said, tables), where, claim);
+  if (has_from) claim.from = read_numbers(list_member(item, "from", where), 3, where + ".from");
   return [claim = std::move(claim), &needed, said, &tables] { needed.check(claim, said, tables); };
 }
+
+NamedBody named(const HullBody* body) { return body == nullptr ? NamedBody{} : NamedBody{body->title(), body->name}; }
 
 }  // namespace
 
@@ -928,7 +954,10 @@ ClaimedStatement read_statement(const Json& item, const Tables& tables, const Pr
     if (!said.outline.empty()) result.hull.faces = {said.outline};
     if (result.verdict == "segment") result.hull.faces = {{said.contact.i, said.contact.j}};
   }
-  result.sentence = sentence_of(item, said.body != nullptr ? said.body->name : result.a, result.b);
+  const bool is_of_polytopes = said.polytope_a != nullptr;
+  result.sentence = is_of_polytopes
+                        ? sentence_of(item, {"", result.a}, {"", result.b})
+                        : sentence_of(item, named(said.body != nullptr ? said.body : said.a), named(said.b));
   const Json& claims = list_member(item, "claims", where);
   if (claims.size() != verdict.claims.size()) {
     refuse_form(where + " has not " + std::to_string(verdict.claims.size()) + " claims");

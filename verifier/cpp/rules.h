@@ -64,6 +64,7 @@ struct EndOnLine {
 struct Claim {
   Numbers direction;
   WeightList weights;
+  Numbers from;  // of an ellipsoid only
   std::array<std::optional<EndOnLine>, 2> ends;
   SweepEvents events;
   std::vector<std::size_t> order, cones, sectors, along;  // of sectors some are no_index
@@ -94,7 +95,6 @@ void check_surface(const Claim& claim, const HullBody& body, const std::vector<s
 void check_outline(const Claim& claim, const HullBody& body, const std::vector<std::size_t>& outline);
 void check_between(const HullBody& body, std::size_t i, std::size_t j);
 void check_one_point(const HullBody& body);
-Integers cross(const Integers& u, const Integers& v);  // of three numbers each
 // Is the point on the segment between the other two, or, where these are one, there?
 bool is_between(const Integers& first, const Integers& last, const Integers& point);
 

@@ -113,6 +113,10 @@ std::string in_quotes(const std::string& text) {
   return result + "\"";
 }
 
+std::string titled(const NamedBody& body) {
+  return (body.title.empty() ? "" : body.title + " ") + in_quotes(body.name);
+}
+
 std::string plain(const Json& value) {
   return value.is_string() ? std::string(value.text()) : std::to_string(value.integer());
 }
@@ -198,15 +202,15 @@ std::string rules_text(const Json& item) {
 
 }  // namespace
 
-std::string sentence_of(const Json& item, const std::string& name_a, const std::string& name_b) {
+std::string sentence_of(const Json& item, const NamedBody& a, const NamedBody& b) {
   const std::string question(item["question"].text()), verdict(item["verdict"].text());
   if (verdict == "these" || verdict == "count") return count_text(item, question) + rules_text(item);
   Words words{{"region", region_text(item, verdict)}};
   for (const auto& [name, value] : item.members()) {
     if (name != "claims" && name != "points") words[std::string(name)] = shown(*value);
   }
-  if (!name_a.empty()) words["a"] = in_quotes(name_a);
-  if (!name_b.empty()) words["b"] = in_quotes(name_b);
+  if (!a.name.empty()) words["a"] = titled(a);
+  if (!b.name.empty()) words["b"] = titled(b);
   const auto known = std::find_if(sentences.begin(), sentences.end(), [&](const Sentence& sentence) {
     return sentence.question == question && (sentence.verdict == verdict || *sentence.verdict == '\0');
   });

@@ -7,8 +7,13 @@
 
 namespace sunder_verifier {
 
+// Of a body with a radius the title is a word for what it is; without a name there is none.
+struct NamedBody {
+  std::string title, name;
+};
+
 // Of a statement whose form is right; the names are those of the bodies a and b, or of the one that it is about, as the
 // first. One line of ASCII.
-std::string sentence_of(const Json& item, const std::string& name_a, const std::string& name_b);
+std::string sentence_of(const Json& item, const NamedBody& a, const NamedBody& b);
 
 }  // namespace sunder_verifier

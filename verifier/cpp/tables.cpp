@@ -2,6 +2,7 @@
 #include <verifier/cpp/tables.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdlib>
 #include <limits>
@@ -69,6 +70,26 @@ HullBody read_image(const Json& item, const std::vector<HullBody>& bodies, const
   return body;
 }
 
+// The kind and radius of a body of points, if it has some.
+void read_radius(const Json& item, const std::string& where, HullBody& body) {
+  struct Kind {
+    const char* key;
+    Around around;
+    std::size_t count;  // of points; 0: any
+  };
+  constexpr std::array kinds{Kind{"radius", Around::hull, 0}, Kind{"cylinder", Around::cylinder, 2},
+                             Kind{"cone", Around::cone, 2}, Kind{"ellipsoid", Around::ellipsoid, 1}};
+  for (const auto& [key, around, count] : kinds) {
+    if (!item.contains(key)) continue;
+    const bool is_first = !body.is_round(), is_of_so_many = count == 0 || body.count == count;
+    body.radius = number_of(read_double(item[key], where + "." + key));
+    body.around = around;
+    if (!is_first || !is_of_so_many || body.dimension() != 3 || body.rows().size() != body.count || body.radius.n < 0) {
+      refuse_form(where + " is no body with a radius");
+    }
+  }
+}
+
 // Points, then ways: vectors, or arrows of twice as many numbers from one point to another.
 Scaled read_points_and_ways(const Json& points, const Json* ways, const std::string& where) {
   const std::size_t count = points.size(), d = points[0].size();
@@ -101,7 +122,7 @@ HullBody read_body(const Json& item, const std::vector<HullBody>& bodies, const 
   if (item.is_object() && item.contains("of")) {
     body = read_image(item, bodies, where);
   } else {
-    require_members(item, {"name", "points"}, {"ways"}, where);
+    require_members(item, {"name", "points"}, {"ways", "radius", "cylinder", "cone", "ellipsoid"}, where);
     const Json& points = list_member(item, "points", where);
     if (points.empty() || !points[0].is_array() || points[0].size() < 2 || points[0].size() > 6) {
       refuse_form(where + ".points is not a list of points of 2 to 6 numbers");
@@ -110,6 +131,12 @@ HullBody read_body(const Json& item, const std::vector<HullBody>& bodies, const 
     body.count = points.size();
     const Json* ways = item.contains("ways") ? &list_member(item, "ways", where) : nullptr;
     body.given = std::make_shared<const Scaled>(read_points_and_ways(points, ways, where));
+    read_radius(item, where, body);
+  }
+  if (body.around == Around::cylinder || body.around == Around::cone) {
+    const Integers &base = body.rows()[0], &top = body.rows()[1];
+    body.axis = turned(body, {top[0] - base[0], top[1] - base[1], top[2] - base[2]});
+    if (dot(body.axis, body.axis) == 0) refuse_form(where + " has no axis");
   }
   body.name = text_member(item, "name", where);
   return body;
@@ -391,16 +418,44 @@ Integer dot(const Integers& u, const Integers& v) {
   return sum;
 }
 
-std::pair<Integers, std::int64_t> image(const HullBody& body, std::size_t k) {
-  const Integers& v = body.rows()[k];
-  if (!body.is_image()) return {v, body.given->e};
+Integers cross(const Integers& u, const Integers& v) {
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+
+Integers turned(const HullBody& body, const Integers& vector) {
+  if (!body.is_image()) return vector;
   const std::size_t d = body.dimension();
-  const std::int64_t turned = body.linear.e + body.given->e, e = std::min(turned, body.translation.e);
+  Integers result(d);
+  for (std::size_t k = 0; k < d * d; ++k) result[k / d] += body.linear.rows[0][k] * vector[k % d];
+  return result;
+}
+
+std::string HullBody::title() const {
+  switch (around) {
+    case Around::nothing: return "";
+    case Around::hull: return count == 1 ? "ball" : count == 2 ? "capsule" : "rounded hull";
+    case Around::cylinder: return "cylinder";
+    case Around::cone: return "cone";
+    case Around::ellipsoid: return "ellipsoid";
+  }
+  return "";
+}
+
+std::size_t HullBody::size() const {
+  std::size_t sum = length({radius});
+  for (const Scaled* part : {given.get(), &linear, &translation}) {
+    sum += part->bits + static_cast<std::size_t>(std::abs(part->e));
+  }
+  return sum;
+}
+
+std::pair<Integers, std::int64_t> image(const HullBody& body, std::size_t k) {
+  if (!body.is_image()) return {body.rows()[k], body.given->e};
+  const std::int64_t unit = body.linear.e + body.given->e, e = std::min(unit, body.translation.e);
   Integers result;
-  for (std::size_t r = 0; r < d; ++r) {
-    Integer sum = 0;
-    for (std::size_t c = 0; c < d; ++c) sum += body.linear.rows[0][r * d + c] * v[c];
-    result.push_back(shifted(sum, turned - e));
+  for (const Integer& n : turned(body, body.rows()[k])) {
+    const std::size_t r = result.size();
+    result.push_back(shifted(n, unit - e));
     if (!body.is_way(k)) result.back() += shifted(body.translation.rows[0][r], body.translation.e - e);
   }
   return {std::move(result), e};

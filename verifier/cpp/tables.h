@@ -23,7 +23,11 @@ struct Scaled {
   std::size_t bits = 0;  // of the longest
 };
 
-// A convex hull of points, with the ways that go on from there for ever; or the image of one.
+// What is around the core of a body: nothing, where it has no radius. hull: a ball. cylinder, cone: discs across its
+// axis, of a cone the smaller the nearer to its apex, point 1. ellipsoid: the image of a ball.
+enum class Around : std::uint8_t { nothing, hull, cylinder, cone, ellipsoid };
+
+// A convex hull of points, with the ways that go on from there for ever, or with a radius; or the image of one.
 struct HullBody {
   std::string name;
   std::size_t base = 0;                 // its own index, or that of the body that it is the image of
@@ -31,14 +35,25 @@ struct HullBody {
   std::size_t count = 0;                // of points
   Scaled linear;                        // one row: the matrix, row by row; no row where the body is not an image
   Scaled translation;                   // one row
+  Around around = Around::nothing;
+  Number radius{};
+  Integers axis;  // of a cylinder or cone: from point 0 to point 1, placed, times a power of two
 
   const std::vector<Integers>& rows() const { return given->rows; }
   std::size_t dimension() const { return rows()[0].size(); }
   bool is_image() const { return !linear.rows.empty(); }
   bool is_way(std::size_t k) const { return k >= count; }
+  bool is_round() const { return around != Around::nothing; }
+  std::string title() const;  // what it is, in a word; of one without a radius empty
+  // The bits of its longest number, of the longest of what places it, and of its radius, with all exponents.
+  std::size_t size() const;
 };
 
 Integer dot(const Integers& u, const Integers& v);
+Integers cross(const Integers& u, const Integers& v);  // of three numbers each
+
+// The matrix times a vector, as integers * 2^linear.e; of no image the vector.
+Integers turned(const HullBody& body, const Integers& vector);
 
 // A point x, y, .. as integers, and a positive w at the end: x / w, y / w, ..
 Integers projective(const Numbers& values);

@@ -23,19 +23,28 @@ class PointsProgram {
  public:
   PointsProgram(const Placed& a, const Placed& b) : a_(a), b_(b), d_(a.dimension()), program_(d_ + 2, 2) {}
 
-  bool enter_if_it_pays(Kind kind, std::uint32_t k) {
+  ExactVector column(Kind kind, std::uint32_t k) const {
     ExactVector column = kind == of_a ? a_.image(k) : negated(b_.image(k));
     column.emplace_back(kind == of_a ? 1.0 : 0.0);
     column.emplace_back(kind == of_b ? 1.0 : 0.0);
-    return program_.enter_if_it_pays({kind, k}, column);
+    return column;
   }
+
+  bool enter_if_it_pays(Kind kind, std::uint32_t k) { return program_.enter_if_it_pays({kind, k}, column(kind, k)); }
 
   // Those named, until they are a solution or none pays.
   bool try_named(std::span<const std::uint32_t> named_a, std::span<const std::uint32_t> named_b) {
+    std::vector<std::pair<Variable, ExactVector>> columns;
+    for (std::size_t k = 0; k < std::max(named_a.size(), named_b.size()); ++k) {
+      if (k < named_a.size()) columns.push_back({{of_a, named_a[k]}, column(of_a, named_a[k])});
+      if (k < named_b.size()) columns.push_back({{of_b, named_b[k]}, column(of_b, named_b[k])});
+    }
     for (bool pays = true; pays && !program_.is_solved();) {
       pays = false;
-      for (const std::uint32_t k : named_a) pays = enter_if_it_pays(of_a, k) || pays;
-      for (const std::uint32_t k : named_b) pays = enter_if_it_pays(of_b, k) || pays;
+      for (const auto& [variable, exact] : columns) {
+        if (program_.enter_if_it_pays(variable, exact)) pays = true;
+        if (program_.is_solved()) return true;
+      }
     }
     return program_.is_solved();
   }

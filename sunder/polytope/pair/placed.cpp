@@ -40,6 +40,7 @@ ExactVector turned(const Pose& pose, std::span<const Dyadic> vector) {
 
 ExactVector Placed::image(std::uint32_t k) const {
   const std::span<const double> row = body_.row(k);
+  if (pose_.is_identity()) return {row.begin(), row.end()};
   ExactVector result = turned(pose_, ExactVector(row.begin(), row.end()));
   for (std::size_t r = 0; r < result.size(); ++r) result[r] = result[r] + Dyadic(pose_.translation()[r]);
   return result;

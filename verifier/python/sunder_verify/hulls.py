@@ -5,11 +5,7 @@ Points are seen from the mean of the hull's vertices, and as many times as far f
 import itertools
 
 from .reader import require
-from .tables import around, dot, goes_round_once
-
-
-def cross(u, v):
-    return u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]
+from .tables import around, cross, dot, goes_round_once
 
 
 def minus(u, v):

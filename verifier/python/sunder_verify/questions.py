@@ -40,8 +40,10 @@ def entry(table):
     return lambda value, where, read: read[table][index(value, len(read[table]), where)]
 
 
-def entry_of_subject(value, where, read):
-    return entry(read["about"])(value, where, read)
+def body_asked(value, where, read):
+    body = entry(read["about"])(value, where, read)
+    form(read["question"] != "distance" or not body.kind, where + " has a radius")
+    return body
 
 
 def index_of(name):
@@ -148,15 +150,19 @@ def members_of(name, fits, words):
     return list_of(index_of(name), lambda those, read: fits(those) and len(set(those)) == len(those), words)
 
 
+def is_of_points(body):
+    return body.count == len(body) and body.dimension == 3 and not body.kind
+
+
 def points_alone(value, where, read):
     body = entry("bodies")(value, where, read)
-    form(body.linear is None and body.count == len(body) and body.dimension == 3, where + " is not of points in space")
+    form(body.linear is None and is_of_points(body), where + " is not of points in space")
     return body
 
 
 def points_placed(value, where, read):
     body = entry("bodies")(value, where, read)
-    form(body.count == len(body) and body.dimension == 3, where + " is not of points in space")
+    form(is_of_points(body), where + " is not of points in space")
     return body
 
 
@@ -188,7 +194,7 @@ ARCS = list_of(subject_index, lambda those, read: 0 < len(those) <= 2 * len(subj
                " is empty, or has more than two arcs a circle")
 FACE = list_of(subject_index, lambda those, read: len(those) > 2, " has fewer than three corners")
 GIVEN = {  # what questions say
-    "a": entry_of_subject, "b": entry_of_subject, "ring": entry("rings"), "parts": parts,
+    "a": body_asked, "b": body_asked, "ring": entry("rings"), "parts": parts,
     "members": members_of("bodies", lambda those: True, " names one twice"), "except": contacts,
     "body": points_alone, "of": points_placed, "plane": plane, "rule": choice(("valid", "simple", polygons.SELF_TOUCH)),
     "allowed": lambda *told: ALLOWED[choice(ALLOWED)(*told)], "groups": for_each(whole(-MOST_NUMBER)),
@@ -207,7 +213,7 @@ SAID = {  # what verdicts and claims say
     "along": list_of(whole(0), lambda those, read: len(those) == len(read["corners"]), " is not as long as the corners"),
     "of_a": some_weights("a", False, MOST_MULTIPLIERS), "of_b": some_weights("b", False, MOST_MULTIPLIERS),
     "at": place_in,
-    "direction": vector, "weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
+    "direction": vector, "from": vector, "weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
     "ends": list_of(end, lambda those, read: len(those) == 2, " is not a list of 2"),
     "order": list_of(subject_index, lambda those, read: len(set(those)) == len(those) == len(subject(read)),
                      " does not name each once"),
@@ -221,8 +227,8 @@ CLAIMS = {
         polygons.common_point, polygons.too_few_points, polygons.comes_twice, polygons.crosses, polygons.misplaced,
         polygons.circle, polygons.repeated, polygons.rings_touch, rules.each_pair,
         hulls.between, hulls.one_point, sections.beyond, sections.touches)},
-    **{rule.__name__: (rule, "weights") for rule in (
-        rules.holds, rules.inside, rules.bounds, rules.contradict, rules.powers)},
+    **{rule.__name__: (rule, "weights") for rule in (rules.bounds, rules.contradict, rules.powers)},
+    **{rule.__name__: (rule, "weights", "from") for rule in (rules.holds, rules.inside)},  # from: of ellipsoids only
     **{name: (polygons.exactly(name), "events") for name in ("none_counts", "these_count", "number_counts")},
     "bounds_only": (partial(rules.bounds, is_only=True), "weights"),
     "keeps": (polytopes.keeps, "weights", "at"),
@@ -346,7 +352,8 @@ def statement(item, where, read):
         place = "%s.claims[%d]" % (where, k)
         form(type(claim) is dict and claim.get("claim") == name, "%s is not the claim %s" % (place, name))
         rule, *brings = CLAIMS[name]
-        shapes = {"claim": anything, **{key: SAID[key] for key in brings}}
+        has = [key for key in brings if key != "from" or found(scope, bound[0]).kind == "ellipsoid"]
+        shapes = {"claim": anything, **{key: SAID[key] for key in has}}
         brought = members(claim, shapes, place, {**scope, "subject": bound[0]})
-        checks.append((rule, [brought[key] for key in brings] + [found(scope, key) for key in bound]))
-    return item, sentence(item, {key: scope[key].name for key in ("a", "b", "body", "of") if key in item}), checks
+        checks.append((rule, [brought.get(key) for key in brings] + [found(scope, key) for key in bound]))
+    return item, sentence(item, {key: scope[key] for key in ("a", "b", "body", "of") if key in item}), checks

@@ -25,24 +25,58 @@ def weighted_sum(steps, weights, row_of, least=1, rule="weights", reason="a weig
     return [dot(factors, column) for column in list(zip(*rows))[:-1]], d, e
 
 
-# ---- Convex objects: the convex hull of points, and the ways from there that go on for ever.
+# ---- Convex objects: the convex hull of points, and the ways from there that go on for ever, or what is around it.
 
 def reach(steps, rule, body, d):
-    """How far a body goes along a direction, in units of 2^e; e; and is all of it as far? No way leads on along it."""
+    """How far a body goes along a direction: the furthest of some n * 2^e + sqrt(u), as n, e and the number u, which is
+    not negative; and is all of it as far? No way leads on along it."""
     points, ways, e = body.forms(steps, d)
     require(all(n <= 0 for n in ways), rule, "a way of %s goes on along the direction" % body.name)
-    return max(points), e, min(points) == max(points) and not any(ways)
+    spread = body.spread(d)
+    is_flat = min(points) == max(points) and not any(ways) and not spread[0]
+    if body.kind == "cone":
+        return [(points[0], e, spread), (points[1], e, (0, 1, 0))], is_flat
+    return [(max(points), e, spread)], is_flat
+
+
+def sign(n):
+    return (n > 0) - (n < 0)
+
+
+def less_roots(square, first, second=0, third=0):
+    """The sign of the root of a number less those of others, of which those that are zero stand last; none is negative.
+    sqrt(square) - sqrt(first) and sqrt(second) + sqrt(third), if neither is negative, compare as their squares do."""
+    if not second:
+        return sign(square - first)
+    m = square + first - second - third
+    return -1 if square < first or m < 0 else less_roots(m * m, 4 * square * first, 4 * second * third)
+
+
+def gap(steps, rule, d, a, b, least=(0, 1, 0)):
+    """The sign of how much further B begins along a direction than A ends, less a length, which is in units of that of
+    the direction; and is all of both just as far along it?"""
+    (of_a, is_flat), (of_b, is_flat_too) = reach(steps, rule, a, d), reach(steps, rule, b, [-n for n in d])
+    wanted = (least[0] ** 2 * dot(d, d), 1, 2 * least[2]) if least[0] else least
+    size, signs = bits(d) + a.size + b.size + length([least]), []
+    for (m, e, u), (n, f, v) in itertools.product(of_a, of_b):
+        last, first = aligned(m, e, -n, f)
+        roots = [root for root in (u, v, wanted) if root[0]]
+        if a.kind or b.kind:
+            steps.take(16, size, size)
+        if roots and first > last:
+            (square, *roots), _, _ = common([((first - last) ** 2, 1, 2 * min(e, f)), *roots])
+            signs.append(less_roots(square, *roots))
+        else:
+            signs.append(-1 if roots else sign(first - last))
+    return min(signs), is_flat and is_flat_too
 
 
 def parted(steps, direction, a, b, is_weak=False):
     """A is strictly less far along a direction than B; if is_weak, nowhere further, and not all of both just as far."""
-    d = common(direction)[0]  # a positive multiple of the direction
-    (last, e, is_flat), (first, f, is_flat_too) = reach(steps, "parted", a, d), reach(steps, "parted", b, [-n for n in d])
-    p, q = aligned(last, e, -first, f)
-    require(p < q or (is_weak and p == q), "parted", "%s is not %sless far along the direction than %s" % (
+    further, is_flat = gap(steps, "parted", common(direction)[0], a, b)  # along a positive multiple of the direction
+    require(further > 0 or (is_weak and further == 0), "parted", "%s is not %sless far along the direction than %s" % (
         a.name, "" if is_weak else "strictly ", b.name))
-    require(p < q or not (is_flat and is_flat_too), "parted",
-            "all of %s and %s is as far along the direction" % (a.name, b.name))
+    require(further > 0 or not is_flat, "parted", "all of %s and %s is as far along the direction" % (a.name, b.name))
 
 
 def slab(steps, a, b, from_a, to_b):
@@ -58,11 +92,9 @@ def slab(steps, a, b, from_a, to_b):
 
 def clear(steps, direction, a, b, least):
     """From A to B it is so far along a direction, which is in units of its length."""
-    (n, _, unit), d = least, common(direction)[0]
-    (last, e, _), (first, f, _) = reach(steps, "clear", a, d), reach(steps, "clear", b, [-n for n in d])
-    last, first = aligned(last, e, -first, f)
-    gap, wanted = aligned((first - last) ** 2, 2 * min(e, f), n * n * dot(d, d), 2 * unit)
-    require(first > last and gap >= wanted, "clear", "along the direction they are nearer")
+    d = common(direction)[0]
+    further, _ = gap(steps, "clear", d, a, b, least)
+    require(any(d) and further >= 0, "clear", "along the direction they are nearer")
 
 
 def nearer(steps, from_a, to_b, least):
@@ -74,21 +106,45 @@ def nearer(steps, from_a, to_b, least):
     require(square < limit, "nearer", "the points are as far apart")
 
 
-def holds(steps, weights, body, point):
-    """A body holds a point: a convex combination of its points, and a combination of its ways."""
+def holds(steps, weights, origin, body, point):
+    """A body holds a point: a convex combination of its points, and a combination of its ways; or, with a radius, what is
+    around such a point. Is it then nearer than the radius? origin: where a point of an ellipsoid comes from."""
     reason = "a weight of %s is negative" % body.name
-    (*mean, total), d, e = weighted_sum(steps, weights, body.image, 0, "holds", reason)
+    (*mean, total), d, e = weighted_sum(steps, weights, body.core if origin else body.image, 0, "holds", reason)
     total, one = aligned(total, e, d, 0)
     require(total == one, "holds", "the weights of %s do not sum to 1" % body.name)
-    for axis, (m, (n, denominator, k)) in enumerate(zip(mean, point)):
-        m, wanted = aligned(m * denominator, e, n * d, k)
-        require(m == wanted, "holds", "the weighted sum of %s is not the point in coordinate %d" % (body.name, axis))
+    if not body.kind:
+        for axis, (m, (n, denominator, k)) in enumerate(zip(mean, point)):
+            m, wanted = aligned(m * denominator, e, n * d, k)
+            require(m == wanted, "holds", "the weighted sum of %s is not the point in coordinate %d" % (body.name, axis))
+        return False
+    size = body.size + length(point) + length(origin or []) + length([weight for _, weight in weights])
+    steps.take(8, size, size)
+    if origin:
+        v, whole, k = common(origin)
+        for v, t, (n, denominator, f) in zip(body.turn(v), body.translation, point):
+            values = (v, whole, k + body.turned), (t, 1, body.moved), (-n, denominator, f)
+            require(sum(common(values)[0]) == 0, "holds", "the point of %s comes from elsewhere" % body.name)
+    (r, _, f), (share, whole, k) = body.radius, (1, 1, 0)
+    if body.kind == "cone":
+        share, whole, k = dict(weights).get(0, (0, 1, 0))
+    values = [(n * d, denominator, k) for n, denominator, k in origin or point] + [(m, 1, e) for m in mean]
+    (*values, radius), _, _ = common([*values, (r * share * d, whole, f + k)])
+    way = [x - y for x, y in zip(values[:3], values[3:])]
+    require(dot(way, body.axis) == 0, "holds", "the point is not straight beside its own of the axis of %s" % body.name)
+    require(dot(way, way) <= radius ** 2, "holds", "the point is outside of %s" % body.name)
+    return dot(way, way) < radius ** 2
 
 
-def inside(steps, weights, body, point):
-    """A body holds a point in its relative interior: what has a positive weight spans as much as the body does."""
-    holds(steps, weights, body, point)
+def inside(steps, weights, origin, body, point):
+    """A body holds a point in its relative interior: what has a positive weight spans as much as the body does; or it
+    is nearer than the radius, and not beside an end of an axis."""
+    is_nearer = holds(steps, weights, origin, body, point)
     named = [k for k, (n, _, _) in weights if n > 0]
+    if body.radius[0]:
+        is_inner = is_nearer and (not body.axis or len(named) == 2)
+        require(is_inner, "inside", "the point is on the boundary of " + body.name)
+        return
     steps.take(body.dimension * len(body), 4 * body.bits, 4 * body.bits)
     basis = []  # rows 1, x, ... of points and 0, x, ... of ways, and where their first number stands that is not zero
     for k in (*named, *range(len(body))):

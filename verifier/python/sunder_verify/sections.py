@@ -2,9 +2,9 @@
 
 The plane is pulled back to where the rows of the body are: a map keeps what lies between what.
 """
-from .hulls import cross, is_between, minus
+from .hulls import is_between, minus
 from .reader import bits, require
-from .tables import around, dot
+from .tables import around, cross, dot
 
 
 def pulled(steps, of, plane):

@@ -60,11 +60,11 @@ def shown(value):
     return ", ".join(entries) + (" and %d more" % (len(value) - MOST) if len(value) > MOST else "")
 
 
-def sentence(item, names):
-    """Of a statement whose form is right; names: of the bodies that it says."""
+def sentence(item, bodies):
+    """Of a statement whose form is right, and of the bodies that it says."""
     question, verdict = item["question"], item["verdict"]
     said = {key: shown(value) for key, value in item.items() if key != "claims"}
-    said.update({key: in_quotes(name) for key, name in names.items()})
+    said.update({key: (body.title() + " " + in_quotes(body.name)).lstrip() for key, body in bodies.items()})
     said["region"] = REGIONS.get(verdict, "") + (", of sides " + said["sides"] if item.get("sides") else "")
     if verdict in ("these", "count"):
         count = len(item["contacts"]) if verdict == "these" else item["number"]

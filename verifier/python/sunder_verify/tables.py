@@ -3,7 +3,7 @@ import functools
 import itertools
 import operator
 
-from .reader import LIST, anything, bits, common, double, form, index, list_of, members, numbers, text_of
+from .reader import LIST, anything, bits, common, double, form, index, length, list_of, members, numbers, text_of
 
 
 def dot(u, v):
@@ -14,6 +14,10 @@ def dot(u, v):
 def turn(u, v):
     """Positive: v is less than half a turn counter-clockwise from u."""
     return u[0] * v[1] - u[1] * v[0]
+
+
+def cross(u, v):
+    return u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]
 
 
 def around(items):
@@ -30,8 +34,11 @@ def rows_of(value, count, where):
     return [tuple(flat[k:k + count]) for k in range(0, len(flat), count)], e
 
 
+ROUND = {"radius": None, "cylinder": 2, "cone": 2, "ellipsoid": 1}  # kinds of bodies with a radius: points of the core
+
+
 class Body:
-    """A convex hull of points, with the ways that go on from there for ever; or the image of one."""
+    """A convex hull of points, with the ways that go on from there for ever, or with a radius; or the image of one."""
 
     def __init__(self, item, bodies, where):
         self.linear, self.turned, self.base = None, 0, len(bodies)
@@ -41,10 +48,13 @@ class Body:
             form(body.linear is None, where + " is of one that is placed itself")
             self.base = read["of"]
             self.rows, self.count, self.exponent, d = body.rows, body.count, body.exponent, body.dimension
+            self.kind, self.radius, self.size = body.kind, body.radius, body.size
             (self.linear,), self.turned = rows_of([read["linear"]], d * d, where + ".linear")
             (self.translation,), self.moved = rows_of([read["translation"]], d, where + ".translation")
+            self.size += bits(self.linear) + abs(self.turned) + bits(self.translation) + abs(self.moved)
         else:
-            read = members(item, {"name": text_of, "points": LIST, "ways": LIST}, where, optional={"ways": []})
+            shapes = {"name": text_of, "points": LIST, "ways": LIST, **dict.fromkeys(ROUND, double)}
+            read = members(item, shapes, where, optional={"ways": [], **dict.fromkeys(ROUND)})
             points = read["points"]
             form(points and type(points[0]) is list and 2 <= len(points[0]) <= 6,
                  where + ".points is not a list of points of 2 to 6 numbers")
@@ -56,10 +66,26 @@ class Body:
             ends = rows[self.count:]
             self.rows = rows[:self.count] + [tuple(map(operator.sub, q, p)) for p, q in zip(ends[::2], ends[1::2])]
             self.translation, self.moved = (0,) * d, self.exponent
+            kinds = [kind for kind in ROUND if read[kind]]
+            self.kind, self.radius = (kinds[0], read[kinds[0]]) if kinds else (None, (0, 1, 0))
+            form(not kinds or (len(kinds) == 1 and d == 3 and not read["ways"] and self.radius[0] >= 0 and
+                               ROUND[self.kind] in (None, self.count)), where + " is no body with a radius")
+            self.size = max(map(bits, self.rows)) + abs(self.exponent) + length([self.radius])
         self.name, self.dimension, self.bits = read["name"], d, max(map(bits, self.rows))
+        self.axis = self.turn(list(map(operator.sub, self.rows[1], self.rows[0]))) if ROUND.get(self.kind) == 2 else ()
+        form(not self.axis or any(self.axis), where + " has no axis")
 
     def __len__(self):
         return len(self.rows)
+
+    def title(self):
+        """What it is, in a word; nothing of one without a radius."""
+        return {1: "ball", 2: "capsule"}.get(self.count, "rounded hull") if self.kind == "radius" else self.kind or ""
+
+    def turn(self, v):
+        """The matrix times a vector, in units of 2^turned times its own."""
+        d = self.dimension
+        return [dot(self.linear[r:r + d], v) for r in range(0, d * d, d)] if self.linear else v
 
     def forms(self, steps, along):
         """A direction's products with the points and with the ways, all as integers * 2^e, and e."""
@@ -75,12 +101,26 @@ class Body:
 
     def image(self, k):
         """Of point or way k: its numbers, and 1 for a point, 0 for a way, as integers * 2^e, which stands last."""
-        d, v, is_point, turned = self.dimension, self.rows[k], int(k < self.count), self.turned + self.exponent
-        if self.linear:
-            v = [dot(self.linear[r:r + d], v) for r in range(0, d * d, d)]
+        v, is_point, turned = self.turn(self.rows[k]), int(k < self.count), self.turned + self.exponent
         e = min(turned, self.moved, 0)
         moved = [t * is_point << (self.moved - e) for t in self.translation]
         return *((x << (turned - e)) + t for x, t in zip(v, moved)), is_point << -e, e
+
+    def core(self, k):
+        """Point k where it is not placed, likewise."""
+        e = min(self.exponent, 0)
+        return *(x << (self.exponent - e) for x in self.rows[k]), 1 << -e, e
+
+    def spread(self, d):
+        """How far along a direction it goes beyond its core, squared: a number."""
+        (r, _, e), whole = self.radius, 1
+        if not r:
+            return 0, 1, 0
+        if self.kind == "ellipsoid" and self.linear:
+            d, e = [dot(d, self.linear[c::3]) for c in range(3)], e + self.turned
+        if self.axis:  # d d - (d a)^2 / (a a) = |d x a|^2 / (a a)
+            d, whole = cross(d, self.axis), dot(self.axis, self.axis)
+        return r * r * dot(d, d), whole, 2 * e
 
 
 def products_of(row, rows):
@@ -120,6 +160,9 @@ class Polytope:
             form(read[key] or not self.is_of_points, where + ".points is empty")
             self.rows, self.exponent = rows_of(read[key], self.dimension + (not self.is_of_points), where + " row")
         self.name, self.bits = read["name"], max(map(bits, self.rows), default=0)
+
+    def title(self):
+        return ""  # as of a body without a radius
 
     def __len__(self):
         return len(self.rows)

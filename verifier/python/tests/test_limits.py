@@ -158,6 +158,25 @@ def all_pairs(n, groups):
             "verdict": "these", "contacts": [], "claims": [{"claim": "each_pair"}]}
 
 
+def around(kind, *placed):
+    """Two bodies with a radius of extreme numbers, placed by such, and statements about them."""
+    core = [EXTREME, ["-0x1p1000", "0x1.8p-1070", "0x0p0"]][:1 if kind == "ellipsoid" else 2]
+    item = {"name": "a", "points": core, kind: "0x1.ffffffffffffep-1023"}
+    image = {"name": "b", "of": 0, "linear": EXTREME[::-1] + UNIT[3:], "translation": EXTREME}
+    return claimed("bodies", [item, image, {**item, kind: "0x1.fffffffffffffp1023"}], *placed)
+
+
+def kept(direction):
+    return {"question": "clearance", "a": 1, "b": 2, "least": "0x1p1023", "verdict": "kept",
+            "claims": [{"claim": "clear", "direction": direction}]}
+
+
+def held(point, origin=None, weight="1"):
+    first, second = ({"claim": "holds", "weights": [[0, weight]], **({"from": v} if v else {})}
+                     for v in (origin, origin and ["0"] * 3))
+    return {"question": "pair", "a": 1, "b": 2, "verdict": "meet", "point": point, "claims": [first, second]}
+
+
 def broken(long):
     holds = {"claim": "holds", "weights": [[0, "1"]]}
     return {"question": "clearance", "a": 1, "b": 1, "least": "0x1p0", "verdict": "broken", "from_a": ["1/" + long, "0", "0"],
@@ -202,6 +221,14 @@ HOSTILE = {  # about 1 MB each, but for those that need less
                                     *[all_pairs(12000, range(12000))] * 3),
     "members of few groups": lambda: claimed("bodies", [{"name": "a", "points": [ZEROS]}] * 12000,
                                              *[all_pairs(12000, [i % 2 for i in range(12000)])] * 4),
+    "cones of extreme numbers": lambda: around("cone", *[kept(EXPONENTS)] * 8000),
+    "cylinders of extreme numbers": lambda: around("cylinder", *[kept(["1", "0", "1"])] * 8000),
+    "cones, long directions": lambda: around("cone", *[kept(["0x" + "f" * 19000 + "p0", "1", "1"])] * 50),
+    "ellipsoids, longer directions": lambda: around("ellipsoid", *[kept([fraction(19990)] * 3)] * 16),
+    "balls, often": lambda: around("radius", *[held(["0x1p-20000", "0x1p20000", "0"])] * 6000),
+    "long points of cylinders": lambda: around("cylinder", *[held([fraction(6000)] * 3)] * 50),
+    "long points of cones": lambda: around("cone", *[held([fraction(19000), "0", "1"], weight="2/2")] * 50),
+    "long points of ellipsoids": lambda: around("ellipsoid", *[held(["1"] * 3, [fraction(19000)] * 3)] * 8),
     "clearances of long points": lambda: bodies([EXTREME] * 2, [broken(digits(9000))] * 25),
     "a hull of many points, often": lambda: hulls(9000, 1500),
     "hulls of long integers": lambda: hulls(8000, 200, EXTREME),
@@ -294,6 +321,13 @@ class InFolder(unittest.TestCase):
             stream.write(text)
         return path
 
+    def expect_both(self, text, code):
+        path = self.write("file.json", text)
+        for name, command in twins().items():
+            with self.subTest(twin=name, text=text[:40]):
+                result = checked(command, path)
+                self.assertEqual(result[0], code, result)
+
 
 class Hostile(InFolder):
     def test_no_file_of_1_mb_takes_long(self):
@@ -327,14 +361,36 @@ class Hostile(InFolder):
             self.assertEqual(checked(command, path, "--no-limit")[0], 1)
 
 
-class Twins(InFolder):
-    def expect_both(self, text, code):
-        path = self.write("file.json", text)
-        for name, command in twins().items():
-            with self.subTest(twin=name, text=text[:40]):
-                result = checked(command, path)
-                self.assertEqual(result[0], code, result)
+    def test_roots_are_counted(self):
+        """Four looks of two cones at K bits, two points a body; then a point, or where it comes from, of so many."""
+        cone = {"name": "a", "points": [ZEROS, ["0x0p0", "0x0p0", "0x1p0"]], "cone": "0x1p0"}
+        ball = {"name": "a", "points": [ZEROS], "radius": "0x1p0"}
+        ellipsoid = {"name": "a", "points": [ZEROS], "ellipsoid": "0x1p0"}
+        long = "0x" + "f" * 16000 + "p0"
+        along = {**apart(["0x1p0", "0x0p0", "0x" + "f" * 1600 + "p0"]), "a": 0}
+        for item, statement, steps in (
+                (cone, along, 4 * 16 * (16 + 101 * 101) + 4 * (16 + 101)),
+                (ball, held([long, "0", "0"]), 8 * (16 + 1001 * 1001) + 17),
+                (ellipsoid, held(["0"] * 3, [long, "0", "0"]), 8 * (16 + 1001 * 1001) + 17)):
+            statement = {**statement, "b": 1, "a": 0}
+            for count, code in ((300000000 // steps, 1), (300000000 // steps + 1, 2)):
+                text = json.dumps(claimed("bodies", [item] * 2, *[statement] * count), separators=(",", ":"))
+                self.assertLess(len(text), 10 ** 6)
+                self.expect_both(text, code)
 
+    def test_all_numbers_of_a_body_are_counted(self):
+        """The bits and units of rows, matrix and translation, of a radius and a clearance; a direction and a point."""
+        cone = {"name": "a", "points": [["0x1p-1000", "0x0p0", "0x0p0"], ["0x0p0", "0x1p100", "0x0p0"]], "cone": "0x1.8p-500"}
+        image = {"name": "a", "of": 1, "linear": ["0x1p-300"] + ZEROS + ["0x1p200"] + ZEROS + ["0x1p0"],
+                 "translation": ["0x1p-600", "0x1p100", "0x0p0"]}
+        one = {**kept(["1", "0", "0"]), "a": 0, "b": 2, "least": "0x1p-400"}
+        size = 1 + (0 + 0 + 1) + (1101 + 1000 + 501 + 300 + 701 + 600 + 504) + 402
+        steps = 2 * 16 * (16 + (size // 64 + 1) ** 2) + (16 + 1) + 9 * (16 + 8) + 2 * (16 + 18)
+        for count, code in ((300000000 // steps, 1), (300000000 // steps + 1, 2)):
+            self.expect_both(json.dumps(claimed("bodies", [{"name": "a", "points": [ZEROS]}, cone, image], *[one] * count)), code)
+
+
+class Twins(InFolder):
     def test_a_ring_that_names_corners_often(self):
         """What steps are counted by is the number of corners, each once: else these are more than a file may take."""
         points = [["0x1p558", "0x0p0", "0x0p0"], ["0x0p0", "0x1p0", "0x0p0"], ["0x1p0", "0x1p0", "0x0p0"]]

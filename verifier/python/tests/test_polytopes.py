@@ -172,7 +172,7 @@ class Polytopes(unittest.TestCase):
     def test_pairs_of_bodies_of_any_dimension(self):
         """Of points the question `pair` has all dimensions, too."""
         dice, count = dice_of(2030), {"apart": 0, "meet": 0}
-        for _ in range(some(200)):
+        for _ in range(max(40, some(200))):
             d = dice.choice([4, 5, 6])
             a, b = (Body(dice, d, True, False) for _ in range(2))
             statement = honest(a, b, 0, 1)
