@@ -1,5 +1,6 @@
-// bench_polytopes: do two polytopes of four dimensions meet, and are points in a hull? The times of Sunder's front doors,
-// evidence in exact numbers included; bench/polytopes.py runs it, and asks HiGHS and SciPy about the same inputs.
+// bench_polytopes: do two polytopes of four dimensions meet, and are points in a hull? The times of Sunder's front
+// doors, evidence in exact numbers included; bench/polytopes.py runs it, and asks HiGHS and SciPy about the same
+// inputs.
 //
 //   bench_polytopes [--write FILE]
 //
@@ -67,7 +68,8 @@ double microseconds(std::size_t calls, const Call& call) {
 void write(std::ofstream& file, const std::vector<double>& numbers) {
   const double count = static_cast<double>(numbers.size());
   file.write(reinterpret_cast<const char*>(&count), sizeof count);
-  file.write(reinterpret_cast<const char*>(numbers.data()), static_cast<std::streamsize>(numbers.size() * sizeof(double)));
+  file.write(reinterpret_cast<const char*>(numbers.data()),
+             static_cast<std::streamsize>(numbers.size() * sizeof(double)));
 }
 
 struct Pair {
@@ -81,7 +83,8 @@ std::vector<Pair> pairs_at(Random& random, double distance) {
   for (std::size_t k = 0; k < kPairs; ++k) {
     std::vector<double> there = on_sphere(random, 1, std::vector<double>(kDimension));
     for (double& x : there) x *= distance;
-    std::vector<double> a = on_sphere(random, kPoints, std::vector<double>(kDimension)), b = on_sphere(random, kPoints, there);
+    std::vector<double> a = on_sphere(random, kPoints, std::vector<double>(kDimension)),
+                        b = on_sphere(random, kPoints, there);
     Polytope body_a = Polytope::from_points(kDimension, a), body_b = Polytope::from_points(kDimension, b);
     pairs.push_back({std::move(a), std::move(b), std::move(body_a), std::move(body_b)});
   }
@@ -137,8 +140,8 @@ int main(int count, char** words) {
     });
     if (proved == 0) return 3;
     const double meets = static_cast<double>(std::count(answers.begin(), answers.end(), 1));
-    std::printf("%-10s %10.2f %10.2f   %2.0f of %zu meet, %d finished\n", name, plain, with_evidence, meets, pairs.size(),
-                finished);
+    std::printf("%-10s %10.2f %10.2f   %2.0f of %zu meet, %d finished\n", name, plain, with_evidence, meets,
+                pairs.size(), finished);
     if (!file.is_open()) continue;
     write(file, {plain, with_evidence});
     write(file, answers);

@@ -56,7 +56,7 @@ TEST(PolytopePoint, OfHalfSpaces) {
 
 TEST(PolytopePoint, RefusesWhatIsNoPoint) {
   const Polytope p = Polytope::from_points(2, {0, 0, 1, 1});
-  EXPECT_THROW(polytope_point(p, std::vector<double>{1, 2, 3}), Error);
+  EXPECT_THROW(static_cast<void>(polytope_point(p, std::vector<double>{1, 2, 3})), Error);
   EXPECT_THROW(polytope_points(p, std::vector<double>{1, 2, 3}), Error);
   EXPECT_THROW(polytope_points(p, std::vector<double>{1, std::numeric_limits<double>::quiet_NaN()}), Error);
   EXPECT_TRUE(polytope_points(p, {}).empty());
