@@ -58,17 +58,24 @@ bool PhaseOne::enter_if_it_pays(const Variable& variable, std::span<const Dyadic
   Column t(rows_);  // the column in terms of the basis, times determinant_
   Integer price = 0;
   for (std::size_t i = 0; i < rows_; ++i) {
-    for (std::size_t k = 0; k < rows_; ++k) t[i] += inverse_[i][k] * c[k];
+    for (std::size_t k = 0; k < rows_; ++k) {
+      if (!inverse_[i][k].is_zero()) t[i] += inverse_[i][k] * c[k];
+    }
     if (basis_[i].kind == Variable::artificial) price += t[i];
   }
   if (price <= 0) return false;
   const std::size_t r = leaving_row(t);
+  const auto replace = [&](Integer& x, const Integer& of_r, const Integer& t_i) {  // zeros are many, to begin with
+    const bool is_changed = !of_r.is_zero() && !t_i.is_zero();
+    if (x.is_zero() && !is_changed) return;
+    x *= t[r];
+    if (is_changed) x -= of_r * t_i;
+    if (pivots_ > 0) x /= determinant_;  // exact; 1 before the first
+  };
   for (std::size_t i = 0; i < rows_; ++i) {
     if (i == r) continue;
-    for (std::size_t k = 0; k < rows_; ++k) {
-      inverse_[i][k] = (inverse_[i][k] * t[r] - inverse_[r][k] * t[i]) / determinant_;  // exact
-    }
-    solution_[i] = (solution_[i] * t[r] - solution_[r] * t[i]) / determinant_;
+    for (std::size_t k = 0; k < rows_; ++k) replace(inverse_[i][k], inverse_[r][k], t[i]);
+    replace(solution_[i], solution_[r], t[i]);
   }
   determinant_ = t[r];
   basis_[r] = variable;
