@@ -58,6 +58,7 @@ METHODS = {
     "pair cases/planar-pair/plate.wkt cases/planar-pair/wheel.wkt": "difference halving triangles gjk scan",
     "pair cases/outcomes/square.wkt cases/outcomes/lines.csv --feature-b diagonal": "fibonacci scan",
     "pair cases/mesh/cube.obj cases/space/plane.json": "automatic drums scan",
+    "pair cases/polytopes/cross.csv cases/polytopes/box.csv": "automatic gjk scan",
     "pair cases/mesh/cube.obj cases/space/line.json": "automatic drums scan",
     "pair cases/mesh/cube.obj cases/space/kite.wkt": "automatic drums gjk scan",
     "scene cases/mesh/cube.obj cases/mesh/cube.obj@0.5,0,0": "automatic gjk hierarchy polar scan",
@@ -118,6 +119,8 @@ pair cases/mesh/cube.obj cases/space/kite.json --certificate OUT
 pair cases/mesh/cube.obj cases/space/kite.wkt --certificate OUT
 pair cases/mesh/cube.obj cases/space/bent.json --project 0,0,0,1,0,0,0,1,0
 pair cases/mesh/cube.obj cases/space/bent.json
+pair cases/polytopes/cross.csv cases/polytopes/cube.csv --pose-b 2.5,0,0,0 --certificate OUT
+pair cases/polytopes/cross.csv cases/polytopes/simplex.csv
 pair shapes.csv shapes.csv --feature-a p --feature-b s --distance
 pair mixed.wkt cases/planar-pair/plate.wkt --leave-out
 pair repeated.wkt cases/planar-pair/plate.wkt --mend

@@ -91,3 +91,9 @@
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 #include <sunder/solid/pair/polyhedron_ray.h>
 #include <sunder/solid/pair/polyhedron_segment.h>
+
+// Any dimension.
+#include <sunder/polytope/object/polytope.h>
+#include <sunder/polytope/object/pose.h>
+#include <sunder/polytope/pair/polytope_point.h>
+#include <sunder/polytope/pair/polytope_polytope.h>

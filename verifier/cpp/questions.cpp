@@ -16,6 +16,7 @@ namespace {
 struct Said {
   const HullBody *a = nullptr, *b = nullptr;
   std::size_t index_a = 0, index_b = 0;
+  const RowBody *polytope_a = nullptr, *polytope_b = nullptr;
   Number least;
   AllPairs all_pairs;
   const Proved* proved = nullptr;
@@ -75,7 +76,21 @@ void read_plain_b(const Place& p, Said& said) {
   if (said.b->is_round()) refuse_form(p.where + ".b has a radius");
 }
 
-std::size_t dimension(const Said& said) { return said.a != nullptr ? said.a->dimension() : 2; }
+void read_polytope_a(const Place& p, Said& said) {
+  said.polytope_a = &p.tables.polytopes[index_member(p.item, "a", p.tables.polytopes.size(), p.where)];
+}
+
+void read_polytope_b(const Place& p, Said& said) {
+  said.polytope_b = &p.tables.polytopes[index_member(p.item, "b", p.tables.polytopes.size(), p.where)];
+  if (said.polytope_a->dimension != said.polytope_b->dimension) {
+    refuse_form(p.where + " is of bodies of different dimensions");
+  }
+}
+
+std::size_t dimension(const Said& said) {
+  if (said.polytope_a != nullptr) return said.polytope_a->dimension;
+  return said.a != nullptr ? said.a->dimension() : 2;
+}
 
 void read_point(const Place& p, Said& said) {
   said.point = read_numbers(list_member(p.item, "point", p.where), dimension(said), p.where + ".point");
@@ -370,18 +385,48 @@ void read_direction(const Json& item, const Said& said, std::size_t, const std::
   claim.direction = read_numbers(list_member(item, "direction", where), dimension(said), where + ".direction");
 }
 
-void read_weights(const Json& item, const Said&, std::size_t size, const std::string& where, Claim& claim) {
-  const Json& list = list_member(item, "weights", where);
-  if (list.empty() || list.size() > most_weights) {
-    refuse_form(where + ".weights has not 1 to " + std::to_string(most_weights) + " entries");
+WeightList weight_list(const Json& item, const char* key, std::size_t size, std::size_t least, std::size_t most,
+                       const std::string& where) {
+  const Json& list = list_member(item, key, where);
+  const std::string of = where + "." + key;
+  if (list.size() < least || list.size() > most) {
+    refuse_form(of + " has not " + std::to_string(least) + " to " + std::to_string(most) + " entries");
   }
+  WeightList result;
   for (const Json& entry : list) {
-    if (!entry.is_array() || entry.size() != 2) refuse_form(where + ".weights has an entry that is not a list of 2");
-    claim.weights.named.push_back(read_index(entry[0], size, where + ".weights entry"));
-    claim.weights.values.push_back(read_number(entry[1], where + ".weights entry"));
+    if (!entry.is_array() || entry.size() != 2) refuse_form(of + " has an entry that is not a list of 2");
+    result.named.push_back(read_index(entry[0], size, of + " entry"));
+    result.values.push_back(read_number(entry[1], of + " entry"));
   }
-  const std::set<std::size_t> once(claim.weights.named.begin(), claim.weights.named.end());
-  if (once.size() != list.size()) refuse_form(where + ".weights names something twice");
+  const std::set<std::size_t> once(result.named.begin(), result.named.end());
+  if (once.size() != list.size()) refuse_form(of + " names something twice");
+  return result;
+}
+
+void read_weights(const Json& item, const Said&, std::size_t size, const std::string& where, Claim& claim) {
+  claim.weights = weight_list(item, "weights", size, 1, most_weights, where);
+}
+
+// Of half-spaces multipliers, of points none.
+template <auto Said::* body, auto Claim::* list>
+void read_multipliers(const Json& item, const Said& said, std::size_t, const std::string& where, Claim& claim) {
+  const char* const key = list == &Claim::of_a ? "of_a" : "of_b";
+  const RowBody& of = *(said.*body);
+  const std::size_t most = of.is_of_points ? 0 : most_multipliers;
+  claim.*list = weight_list(item, key, of.given->rows.size(), 0, most, where);
+}
+
+// Of points weights, of half-spaces a place.
+template <auto Said::* body>
+void read_row_weights(const Json& item, const Said& said, std::size_t size, const std::string& where, Claim& claim) {
+  const bool is_of_points = (said.*body)->is_of_points;
+  claim.weights = weight_list(item, "weights", size, is_of_points ? 1 : 0, is_of_points ? most_weights : 0, where);
+}
+
+template <auto Said::* body>
+void read_place(const Json& item, const Said& said, std::size_t, const std::string& where, Claim& claim) {
+  const std::size_t count = (said.*body)->is_of_points ? 0 : (said.*body)->dimension;
+  claim.at = read_numbers(list_member(item, "at", where), count, where + ".at");
 }
 
 void read_ends(const Json& item, const Said&, std::size_t size, const std::string& where, Claim& claim) {
@@ -695,6 +740,19 @@ const ClaimNeeded ends{
       check_ends(c, t, s.objective, s.point);
     }};
 
+template <auto Said::* body>
+const ClaimNeeded keeps{"keeps",
+                        {{"weights", read_row_weights<body>}, {"at", read_place<body>}},
+                        [](const Said& s, const Tables&) { return (s.*body)->given->rows.size(); },
+                        [](const Claim& c, const Said& s, const Tables&) { check_keeps(c, *(s.*body), s.point); }};
+const ClaimNeeded parted_by{
+    "parted_by",
+    {{"direction", read_direction},
+     {"of_a", read_multipliers<&Said::polytope_a, &Claim::of_a>},
+     {"of_b", read_multipliers<&Said::polytope_b, &Claim::of_b>}},
+    [](const Said&, const Tables&) { return std::size_t{0}; },
+    [](const Claim& c, const Said& s, const Tables&) { check_parted_by(c, *s.polytope_a, *s.polytope_b); }};
+
 struct VerdictNeeds {
   const char* name;
   std::vector<MemberReader> says;
@@ -760,6 +818,11 @@ const std::vector<Question> questions{
      {{"members", read_members}, {"allowed", read_allowed}, {"except", read_besides}},
      {{"groups", read_groups_of_members}},
      {{"these", {{"contacts", read_pairs_of_members}}, {&each_pair}}}},
+    {"polytopes",
+     "polytopes",
+     {{"a", read_polytope_a}, {"b", read_polytope_b}},
+     {},
+     {{"apart", {}, {&parted_by}}, {"meet", {point}, {&keeps<&Said::polytope_a>, &keeps<&Said::polytope_b>}}}},
     {"hull",
      "bodies",
      {{"body", read_body}},
@@ -881,13 +944,20 @@ ClaimedStatement read_statement(const Json& item, const Tables& tables, const Pr
     result.index_a = said.index_a;
     result.index_b = said.index_b;
   }
+  if (said.polytope_a != nullptr) {
+    result.a = said.polytope_a->name;
+    result.b = said.polytope_b->name;
+  }
   if (result.question == "hull") {
     result.hull_of = said.body->base;
     result.hull = {result.verdict, said.faces};
     if (!said.outline.empty()) result.hull.faces = {said.outline};
     if (result.verdict == "segment") result.hull.faces = {{said.contact.i, said.contact.j}};
   }
-  result.sentence = sentence_of(item, named(said.body != nullptr ? said.body : said.a), named(said.b));
+  const bool is_of_polytopes = said.polytope_a != nullptr;
+  result.sentence = is_of_polytopes
+                        ? sentence_of(item, {"", result.a}, {"", result.b})
+                        : sentence_of(item, named(said.body != nullptr ? said.body : said.a), named(said.b));
   const Json& claims = list_member(item, "claims", where);
   if (claims.size() != verdict.claims.size()) {
     refuse_form(where + " has not " + std::to_string(verdict.claims.size()) + " claims");

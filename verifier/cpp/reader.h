@@ -13,8 +13,9 @@
 
 namespace sunder_verifier {
 
-constexpr std::size_t most_weights = 16;  // of one body or polygon; 4 are always enough
-constexpr std::size_t most_name = 4000;   // characters
+constexpr std::size_t most_weights = 16;  // of one body or polygon; d + 1 are always enough
+constexpr std::size_t most_multipliers = 64;
+constexpr std::size_t most_name = 4000;  // characters
 
 // A double that is a number: n * 2^e, with n odd or zero.
 struct Double {

@@ -70,6 +70,8 @@ struct Claim {
   std::vector<std::size_t> order, cones, sectors, along;  // of sectors some are no_index
   std::vector<FaceHome> homes;
   std::vector<std::vector<std::size_t>> parts;
+  Numbers at;             // of a polytope of half-spaces
+  WeightList of_a, of_b;  // multipliers of half-spaces
 };
 
 // What does not count.
@@ -84,6 +86,10 @@ void check_slab(const HullBody& a, const HullBody& b, const Numbers& from_a, con
 void check_clear(const Claim& claim, const HullBody& a, const HullBody& b, const Number& least);
 void check_nearer(const Numbers& from_a, const Numbers& to_b, const Number& least);
 void check_inside(const Claim& claim, const HullBody& body, const Numbers& point);
+
+// Of polytopes (polytope_rules.cpp).
+void check_parted_by(const Claim& claim, const RowBody& a, const RowBody& b);
+void check_keeps(const Claim& claim, const RowBody& body, const Numbers& point);
 
 void check_surface(const Claim& claim, const HullBody& body, const std::vector<std::vector<std::size_t>>& faces);
 void check_outline(const Claim& claim, const HullBody& body, const std::vector<std::size_t>& outline);

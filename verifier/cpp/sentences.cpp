@@ -26,6 +26,8 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"distance", "closest", "{a} and {b} are closest at {from_a} and {to_b}"},
     {"clearance", "kept", "{a} and {b} are {least} apart, or more"},
     {"clearance", "broken", "{a} and {b} are nearer than {least}, at {from_a} and {to_b}"},
+    {"polytopes", "apart", "{a} and {b} are apart"},
+    {"polytopes", "meet", "{a} and {b} meet at {point}"},
     {"hull", "solid", "the hull of {a} is solid, with the faces {faces}"},
     {"hull", "flat", "the hull of {a} is a polygon with the corners {outline}"},
     {"hull", "segment", "the hull of {a} is the segment between its points {i} and {j}"},

@@ -124,8 +124,8 @@ HullBody read_body(const Json& item, const std::vector<HullBody>& bodies, const 
   } else {
     require_members(item, {"name", "points"}, {"ways", "radius", "cylinder", "cone", "ellipsoid"}, where);
     const Json& points = list_member(item, "points", where);
-    if (points.empty() || !points[0].is_array() || (points[0].size() != 2 && points[0].size() != 3)) {
-      refuse_form(where + ".points is not a list of points of 2 or 3 numbers");
+    if (points.empty() || !points[0].is_array() || points[0].size() < 2 || points[0].size() > 6) {
+      refuse_form(where + ".points is not a list of points of 2 to 6 numbers");
     }
     body.base = bodies.size();
     body.count = points.size();
@@ -140,6 +140,37 @@ HullBody read_body(const Json& item, const std::vector<HullBody>& bodies, const 
   }
   body.name = text_member(item, "name", where);
   return body;
+}
+
+RowBody read_polytope(const Json& item, const std::vector<RowBody>& polytopes, const std::string& where) {
+  RowBody body;
+  if (item.is_object() && item.contains("of")) {
+    require_members(item, {"name", "of", "linear", "translation"}, {}, where);
+    body = polytopes[index_member(item, "of", polytopes.size(), where)];
+    if (body.is_image()) refuse_form(where + " is of one that is placed itself");
+    const std::size_t d = body.dimension;
+    body.linear = read_row(list_member(item, "linear", where), d * d, where + ".linear");
+    body.translation = read_row(list_member(item, "translation", where), d, where + ".translation");
+  } else {
+    body.is_of_points = item.is_object() && item.contains("points");
+    const char* const key = body.is_of_points ? "points" : "half_spaces";
+    require_members(item, {"name", "dimension", key}, {}, where);
+    body.dimension = index_member(item, "dimension", 7, where);
+    if (body.dimension < 2) refuse_form(where + ".dimension is not an index in range");
+    const Json& rows = list_member(item, key, where);
+    if (body.is_of_points && rows.empty()) refuse_form(where + ".points is empty");
+    const std::size_t count = body.dimension + (body.is_of_points ? 0 : 1);
+    body.given = std::make_shared<const Scaled>(rows_of(read_lists(rows, count, where + " row"), count));
+  }
+  body.name = text_member(item, "name", where);
+  return body;
+}
+
+void read_polytopes(const Json& list, Tables& tables) {
+  for (const Json& item : list) {
+    tables.polytopes.push_back(
+        read_polytope(item, tables.polytopes, "tables.polytopes[" + std::to_string(tables.polytopes.size()) + "]"));
+  }
 }
 
 // To the left of an arrow from p to q, which are in units of 2^e.
@@ -492,6 +523,7 @@ Tables read_tables(const Json& item) {
   readers["convex_polygons"] = read_convex_polygons;
   readers["half_planes"] = read_half_planes;
   readers["polygons"] = read_polygons;
+  readers["polytopes"] = read_polytopes;
   readers["rings"] = read_rings;
   readers["segments"] = read_segments;
   Tables tables;

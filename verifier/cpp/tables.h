@@ -64,6 +64,17 @@ std::pair<Integers, std::int64_t> image(const HullBody& body, std::size_t k);
 // The products of a direction with the points and the ways, in units of 2^e; and e. Takes the steps.
 std::pair<Integers, std::int64_t> products(const HullBody& body, const Integers& direction);
 
+// The hull of points of R^d, or the common part of half-spaces a x <= b, of rows a1, .., ad, b; or the image of one.
+struct RowBody {
+  std::string name;
+  std::size_t dimension = 0;
+  bool is_of_points = false;
+  std::shared_ptr<const Scaled> given;  // the rows; an image has those of what it is of
+  Scaled linear, translation;           // one row each; no row where it is no image
+
+  bool is_image() const { return !linear.rows.empty(); }
+};
+
 struct PlanarPoint {
   Integer x, y;
 
@@ -135,6 +146,7 @@ struct PartTable {
 struct Tables {
   std::vector<std::string> names;  // of those that the file has
   std::vector<HullBody> bodies;
+  std::vector<RowBody> polytopes;
   std::vector<PlanarSegment> segments;
   std::int64_t segment_exponent = 0;
   std::size_t segment_bits = 0;

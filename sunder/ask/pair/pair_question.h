@@ -36,6 +36,7 @@ struct PairCall : QuestionCall {
   std::string project;     // of space: a frame, nine numbers, that polygons are projected on; empty: none
   bool leave_out = false;  // what is no object here; of meshes, what is not read
   bool require_convex = false;
+  bool polytopes = false;  // both are polytopes of any dimension
 };
 
 // What the files are, and what of them is left out.

@@ -1,6 +1,7 @@
 // sunder pair A B: do two convex objects meet?
 #include <sunder/ask/objects.h>
 #include <sunder/ask/pair/pair_planar.h>
+#include <sunder/ask/pair/pair_polytopes.h>
 #include <sunder/ask/pair/pair_space.h>
 #include <sunder/ask/verb.h>
 
@@ -136,6 +137,7 @@ PairMethod solid_method(const PairCall& call, const PlacedBody& a, const PlacedB
 
 // Of standard input, the other one tells.
 int run(const PairCall& call) {
+  if (are_polytopes(call)) return run_polytope_pair(call);
   const bool space_a = is_space_input(call, call.a.file), space_b = is_space_input(call, call.b.file);
   const bool planar_a = io::is_planar(call.a.file) && !space_a, planar_b = io::is_planar(call.b.file) && !space_b;
   if (planar_a || planar_b) {
@@ -221,6 +223,9 @@ Verb pair_verb() {
         "of space: project polygons on the plane with this origin, u and v, nine numbers; the answer says by how much",
         "FRAME"},
        {"--drop-z", &call->drop_z, "planar: ignore third coordinates"},
+       {"--polytopes", &call->polytopes,
+        "the files are polytopes of two to six dimensions, CSV with a row for each point x1,..,xd or half-space "
+        "a1,..,ad,b; so they are, too, where the first line has these names, without which rows are points"},
        {"--svg", &call->svg, "planar: draw the objects and the evidence here", "FILE"},
        title_option(call->title),
        svg_limit_option(call->svg_limit)},

@@ -5,13 +5,14 @@ checked by its rule, told what the table binds it to: so a true claim about some
 """
 from functools import partial
 
-from . import arcs, hulls, polygons, rules, sections
+from . import arcs, hulls, polygons, polytopes, rules, sections
 from .reader import (LIST, MOST_NUMBER, OBJECT, anything, common, double, form, index, list_of, members, number,
                      numbers, row_of)
 from .sentences import sentence
 from .tables import dot
 
-MOST_WEIGHTS = 16  # of one combination; 4 are always enough
+MOST_WEIGHTS = 16  # of one combination; d + 1 are always enough
+MOST_MULTIPLIERS = 64
 ALLOWED = {  # which kinds of contact do not count
     "nothing": (),
     "shared-endpoint": ("shared-endpoint", "touching"),
@@ -40,7 +41,7 @@ def entry(table):
 
 
 def body_asked(value, where, read):
-    body = entry("bodies")(value, where, read)
+    body = entry(read["about"])(value, where, read)
     form(read["question"] != "distance" or not body.kind, where + " has a radius")
     return body
 
@@ -106,10 +107,32 @@ def events(value, where, read):
 
 
 def weights(value, where, read):
+    if read["about"] == "polytopes":
+        return some_weights("subject", True, MOST_WEIGHTS)(value, where, read)
     result = list_of(row_of(subject_index, number))(value, where, read)
     form(0 < len(result) <= MOST_WEIGHTS, "%s has not 1 to %d entries" % (where, MOST_WEIGHTS))
     form(len({k for k, _ in result}) == len(result), where + " names something twice")
     return result
+
+
+def some_weights(whose, of_points, most):
+    """Of a polytope that is of points, or of half-spaces; of others none."""
+    def read_some_weights(value, where, read):
+        body = read[read[whose]] if whose == "subject" else read[whose]
+        if body.is_of_points != of_points:
+            form(value == [], where + " is not empty")
+            return []
+        result = list_of(row_of(lambda k, place, _: index(k, len(body), place), number))(value, where, read)
+        form(of_points <= len(result) <= most, "%s has not %d to %d entries" % (where, of_points, most))
+        form(len({k for k, _ in result}) == len(result), where + " names something twice")
+        return result
+    return read_some_weights
+
+
+def place_in(value, where, read):
+    """Of a polytope of half-spaces; of others none."""
+    body = read[read["subject"]]
+    return numbers(value, 0 if body.is_of_points else body.dimension, number, where)
 
 
 def corner(value, where, read):
@@ -188,6 +211,8 @@ SAID = {  # what verdicts and claims say
     "corners": list_of(corner_of_section, lambda those, read: 0 < len(set(those)) == len(those),
                        " is empty, or names one twice"),
     "along": list_of(whole(0), lambda those, read: len(those) == len(read["corners"]), " is not as long as the corners"),
+    "of_a": some_weights("a", False, MOST_MULTIPLIERS), "of_b": some_weights("b", False, MOST_MULTIPLIERS),
+    "at": place_in,
     "direction": vector, "from": vector, "weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
     "ends": list_of(end, lambda those, read: len(those) == 2, " is not a list of 2"),
     "order": list_of(subject_index, lambda those, read: len(set(those)) == len(those) == len(subject(read)),
@@ -206,6 +231,8 @@ CLAIMS = {
     **{rule.__name__: (rule, "weights", "from") for rule in (rules.holds, rules.inside)},  # from: of ellipsoids only
     **{name: (polygons.exactly(name), "events") for name in ("none_counts", "these_count", "number_counts")},
     "bounds_only": (partial(rules.bounds, is_only=True), "weights"),
+    "keeps": (polytopes.keeps, "weights", "at"),
+    "parted_by": (polytopes.parted_by, "direction", "of_a", "of_b"),
     "parted": (rules.parted, "direction"),
     "clear": (rules.clear, "direction"),
     "parted_weakly": (partial(rules.parted, is_weak=True), "direction"),
@@ -253,6 +280,10 @@ QUESTIONS = {
     }),
     "bodies": ("bodies", "members allowed groups except", {
         "these": "each_pair members groups except allowed PROVED contacts"}),
+    "polytopes": ("polytopes", "a b", {
+        "apart": "parted_by a b",
+        "meet": "keeps a point, keeps b point",
+    }),
     "hull": ("bodies", "body", {
         "solid": "surface body faces",
         "flat": "outline body outline",
@@ -312,7 +343,7 @@ def statement(item, where, read):
     given = {name: GIVEN[name] for name in given.split()}
     says = {name: SAID[name] for _, *bound in needed for name in bound if name in SAID and name not in given}
     scope = {**read["tables"], "steps": read["steps"], "ALONE": ALONE, "TOUCH": ALLOWED["touch"], "PROVED": read["proved"],
-             "subject": needed[0][1]}
+             "subject": needed[0][1], "about": about}
     shapes = {"question": anything, **given, "verdict": anything, **says, "claims": LIST}
     members(item, shapes, where, scope, {"groups": ALONE})
     form(len(item["claims"]) == len(needed), "%s has not %d claims" % (where, len(needed)))

@@ -56,8 +56,8 @@ class Body:
             shapes = {"name": text_of, "points": LIST, "ways": LIST, **dict.fromkeys(ROUND, double)}
             read = members(item, shapes, where, optional={"ways": [], **dict.fromkeys(ROUND)})
             points = read["points"]
-            form(points and type(points[0]) is list and len(points[0]) in (2, 3),
-                 where + ".points is not a list of points of 2 or 3 numbers")
+            form(points and type(points[0]) is list and 2 <= len(points[0]) <= 6,
+                 where + ".points is not a list of points of 2 to 6 numbers")
             d = len(points[0])
             arrows = [(way[:d], way[d:]) if type(way) is list and len(way) == 2 * d else (["0x0p+0"] * d, way)
                       for way in read["ways"]]
@@ -127,14 +127,51 @@ def products_of(row, rows):
     if len(row) == 2:
         a, b = row
         return [a * x + b * y for x, y in rows]
-    a, b, c = row
-    return [a * x + b * y + c * z for x, y, z in rows]
+    if len(row) == 3:
+        a, b, c = row
+        return [a * x + b * y + c * z for x, y, z in rows]
+    return [dot(row, other) for other in rows]
 
 
 def bodies(value, where, read=None):
     result = []
     for i, item in enumerate(LIST(value, where)):
         result.append(Body(item, result, "%s[%d]" % (where, i)))
+    return result
+
+
+class Polytope:
+    """The hull of points of R^d, or the common part of half-spaces a x <= b: rows a1, .., ad, b; or the image of one."""
+
+    def __init__(self, item, polytopes, where):
+        self.linear, self.turned = None, 0
+        if type(item) is dict and "of" in item:
+            read = members(item, {"name": text_of, "of": anything, "linear": anything, "translation": anything}, where)
+            of = polytopes[index(read["of"], len(polytopes), where + ".of")]
+            form(of.linear is None, where + " is of one that is placed itself")
+            self.rows, self.exponent, self.dimension, self.is_of_points = of.rows, of.exponent, of.dimension, of.is_of_points
+            (self.linear,), self.turned = rows_of([read["linear"]], of.dimension ** 2, where + ".linear")
+            (self.translation,), self.moved = rows_of([read["translation"]], of.dimension, where + ".translation")
+        else:
+            self.is_of_points = type(item) is dict and "points" in item
+            key = "points" if self.is_of_points else "half_spaces"
+            read = members(item, {"name": text_of, "dimension": anything, key: LIST}, where)
+            self.dimension = index(read["dimension"], 7, where + ".dimension", 2)
+            form(read[key] or not self.is_of_points, where + ".points is empty")
+            self.rows, self.exponent = rows_of(read[key], self.dimension + (not self.is_of_points), where + " row")
+        self.name, self.bits = read["name"], max(map(bits, self.rows), default=0)
+
+    def title(self):
+        return ""  # as of a body without a radius
+
+    def __len__(self):
+        return len(self.rows)
+
+
+def polytopes(value, where, read=None):
+    result = []
+    for i, item in enumerate(LIST(value, where)):
+        result.append(Polytope(item, result, "%s[%d]" % (where, i)))
     return result
 
 
@@ -289,5 +326,5 @@ def convex_polygons(value, where, read=None):
     return [side for sides in list_of(sides_of_convex_polygon)(value, where, read) for side in sides]
 
 
-TABLES = {"bodies": bodies, "segments": segments, "polygons": polygons, "circles": Discs, "boxes": Boxes,
+TABLES = {"bodies": bodies, "polytopes": polytopes, "segments": segments, "polygons": polygons, "circles": Discs, "boxes": Boxes,
           "half_planes": list_of(given_half_plane), "rings": list_of(sides_of_ring), "convex_polygons": convex_polygons}

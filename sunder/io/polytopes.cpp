@@ -1,0 +1,102 @@
+#include <sunder/io/csv.h>
+#include <sunder/io/file.h>
+#include <sunder/io/foreign.h>
+#include <sunder/io/polytopes.h>
+#include <sunder/io/text.h>
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace sunder::io {
+
+namespace {
+
+using polytope::Form;
+using polytope::Polytope;
+
+struct Columns {
+  Form form = Form::points;
+  std::size_t dimension = 0;
+};
+
+// Of a first record that names the columns of a polytope.
+std::optional<Columns> named_columns(const CsvReader::Fields& fields) {
+  const bool of_points = fields.back() != "b" && fields.back() != "B";
+  const std::size_t d = fields.size() - (of_points ? 0 : 1);
+  if (d < polytope::least_dimension || d > polytope::most_dimension) return std::nullopt;
+  for (std::size_t c = 0; c < d; ++c) {
+    if (in_small_letters(fields[c]) != fmt::format("{}{}", of_points ? 'x' : 'a', c + 1)) return std::nullopt;
+  }
+  return Columns{of_points ? Form::points : Form::half_spaces, d};
+}
+
+}  // namespace
+
+bool names_polytope(const std::filesystem::path& path) {
+  std::error_code error;
+  if (ending_of(path.string()) != ".csv" || !std::filesystem::is_regular_file(path, error)) return false;
+  std::ifstream stream(path, std::ios::binary);
+  std::string line(200, '\0');  // longer lines name others
+  stream.read(line.data(), static_cast<std::streamsize>(line.size()));
+  line.resize(static_cast<std::size_t>(stream.gcount()));
+  std::string_view text = line;
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  const std::size_t first = text.find_first_not_of("\r\n");
+  if (first == std::string_view::npos) return false;
+  text.remove_prefix(first);
+  text = text.substr(0, text.find_first_of("\r\n"));
+  if (text.find('"') != std::string_view::npos) return false;
+  CsvReader reader(text, "");
+  return reader.next() && named_columns(reader.fields());
+}
+
+Polytope parse_polytope(std::string_view text, std::string_view place) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  refuse_foreign(text, place);
+  CsvReader reader(text, place);
+  std::optional<Columns> columns;
+  std::vector<double> numbers;
+  while (reader.next()) {
+    const CsvReader::Fields& fields = reader.fields();
+    if (reader.is_first()) {
+      columns = named_columns(fields);
+      if (columns) continue;
+      if (are_names(fields, fields.size())) {
+        reader.fail("has names that are neither x1,..,xd nor a1,..,ad,b; name the columns so, for a d from 2 to 6");
+      }
+      columns = {Form::points, fields.size()};
+      if (fields.size() < polytope::least_dimension || fields.size() > polytope::most_dimension) {
+        reader.fail(fmt::format("is a point of dimension {}; give points of dimension 2 to 6", fields.size()));
+      }
+    }
+    const std::size_t width = columns->dimension + (columns->form == Form::points ? 0 : 1);
+    if (fields.size() != width) {
+      reader.fail(
+          fmt::format("has {}, others have {}; give rows of one dimension", count_of(fields.size(), "number"), width));
+    }
+    for (const std::string_view field : fields) {
+      double value = 0;
+      if (const char* const problem = parse_number(field, value)) {
+        reader.fail(fmt::format("{} {}", quote(field), problem));
+      }
+      numbers.push_back(value);
+    }
+  }
+  if (!columns || (columns->form == Form::points && numbers.empty())) {
+    fail_file(place, "has no points; give lines x1,..,xd, or name the columns of half-spaces a1,..,ad,b");
+  }
+  return columns->form == Form::points ? Polytope::from_points(columns->dimension, std::move(numbers))
+                                       : Polytope::from_half_spaces(columns->dimension, std::move(numbers));
+}
+
+Polytope read_polytope(const std::filesystem::path& path, InputFiles* inputs) {
+  return parse_polytope(read_file(path, inputs), path.string());
+}
+
+}  // namespace sunder::io

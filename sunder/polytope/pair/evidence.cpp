@@ -1,0 +1,105 @@
+#include <sunder/polytope/pair/evidence.h>
+#include <sunder/polytope/pair/placed.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace sunder::polytope {
+
+namespace {
+
+bool is_negative(const Dyadic& x) { return x.sign() == Sign::negative; }
+bool is_positive(const Dyadic& x) { return x.sign() == Sign::positive; }
+
+bool are_weights(const Polytope& body, const RowWeights& weights) {
+  return is_positive(weights.denominator) &&
+         std::all_of(weights.parts.begin(), weights.parts.end(), [&](const RowWeights::Part& part) {
+           return part.row < body.size() && !is_negative(part.numerator);
+         });
+}
+
+// The weighted sum of rows.
+ExactVector combined(const Polytope& body, const RowWeights& weights) {
+  ExactVector sum(body.columns().dimension);
+  for (const auto& [row, weight] : weights.parts) {
+    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] = sum[c] + weight * Dyadic(body.row(row)[c]);
+  }
+  return sum;
+}
+
+Dyadic total(const RowWeights& weights) {
+  Dyadic sum;
+  for (const RowWeights::Part& part : weights.parts) sum = sum + part.numerator;
+  return sum;
+}
+
+// An upper bound of the products of the body with a direction, over `denominator`; nothing where none is proved.
+struct Bound {
+  Dyadic numerator, denominator{1.0};
+};
+
+std::optional<Bound> bound_along(const Polytope& body, const Pose& pose, const ExactVector& direction,
+                                 const RowWeights& multipliers) {
+  const Dyadic moved = dot(direction, pose.translation());
+  const ExactVector wanted = pulled(pose, direction);
+  if (body.is_of_points()) {
+    if (!multipliers.parts.empty()) return std::nullopt;
+    std::optional<Dyadic> greatest;
+    for (std::uint32_t k = 0; k < body.size(); ++k) {
+      Dyadic product = dot(wanted, body.row(k));
+      if (!greatest || is_positive(product - *greatest)) greatest = std::move(product);
+    }
+    return Bound{*greatest + moved};
+  }
+  if (!are_weights(body, multipliers)) return std::nullopt;
+  const ExactVector sum = combined(body, multipliers);
+  for (std::size_t c = 0; c < wanted.size(); ++c) {
+    if (!(sum[c] == wanted[c] * multipliers.denominator)) return std::nullopt;
+  }
+  return Bound{sum[wanted.size()] + moved * multipliers.denominator, multipliers.denominator};
+}
+
+// Does the body hold the point, by its weights or at its place?
+bool holds(const Polytope& body, const Pose& pose, const ExactEvidence& evidence, const RowWeights& weights,
+           const ExactEvidence::Place& place) {
+  const std::size_t d = body.dimension();
+  const bool is_of_points = body.is_of_points();
+  if (is_of_points ? !place.numbers.empty() : !weights.parts.empty()) return false;
+  if (!are_weights(body, weights)) return false;
+  const Dyadic& w = is_of_points ? weights.denominator : place.denominator;
+  const ExactVector v = is_of_points ? combined(body, weights) : place.numbers;
+  if (v.size() != d || !is_positive(w)) return false;
+  if (is_of_points) {
+    if (!(total(weights) == w)) return false;
+  } else {
+    for (std::uint32_t k = 0; k < body.size(); ++k) {
+      const std::span<const double> row = body.row(k);
+      if (is_positive(dot(v, row.first(d)) - w * Dyadic(row[d]))) return false;
+    }
+  }
+  const ExactVector image = turned(pose, v);
+  for (std::size_t r = 0; r < d; ++r) {
+    const Dyadic moved = image[r] + w * Dyadic(pose.translation()[r]);
+    if (!(moved * evidence.denominator == evidence.numbers[r] * w)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool check(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b, Verdict verdict,
+           const ExactEvidence& evidence) {
+  if (evidence.numbers.size() != a.dimension() || !is_positive(evidence.denominator)) return false;
+  if (verdict == Verdict::meet) {
+    return holds(a, pose_a, evidence, evidence.of_a, evidence.in_a) &&
+           holds(b, pose_b, evidence, evidence.of_b, evidence.in_b);
+  }
+  ExactVector opposite;
+  for (const Dyadic& x : evidence.numbers) opposite.push_back(-x);
+  const auto of_a = bound_along(a, pose_a, evidence.numbers, evidence.of_a);
+  const auto of_b = bound_along(b, pose_b, opposite, evidence.of_b);
+  // greatest of A < least of B = -(greatest of B along the opposite)
+  return of_a && of_b && is_negative(of_a->numerator * of_b->denominator + of_b->numerator * of_a->denominator);
+}
+
+}  // namespace sunder::polytope

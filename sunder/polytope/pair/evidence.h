@@ -1,0 +1,75 @@
+// The answer to "do these two polytopes meet?", with its evidence, in any dimension.
+#pragma once
+
+#include <sunder/base/cost.h>
+#include <sunder/certificate/pair_answer.h>
+#include <sunder/number/dyadic.h>
+#include <sunder/polytope/object/polytope.h>
+#include <sunder/polytope/object/pose.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace sunder::polytope {
+
+// Some rows of a polytope, each with a number over the denominator, which is positive; no number is negative.
+struct RowWeights {
+  struct Part {
+    std::uint32_t row = 0;
+    Dyadic numerator;
+  };
+  std::vector<Part> parts{};
+  Dyadic denominator{1.0};
+};
+
+// What proves an answer about A and B, in exact numbers. `x` is `numbers` over the denominator, which is positive.
+struct ExactEvidence {
+  // apart: a direction d (no denominator). No point of A is as far along it as any of B:
+  //   of points, the greatest product of d is at a row; of half-spaces, with non-negative multipliers m whose combined
+  //   normals are linear^T d (for B: -linear^T d), it is at most the combined b, and d . translation.
+  // So two products with d are strictly apart. d may be zero: then half-spaces alone contradict.
+  // meet: a common point x in the world.
+  std::vector<Dyadic> numbers{};
+  Dyadic denominator{1.0};
+  // meet, points: weights that sum to 1. apart, half-spaces: multipliers. Else empty. Two bodies of points name d + 2
+  // points at most, in total; half-spaces with multipliers are d + 1 at most, in total, where both are of half-spaces.
+  RowWeights of_a{}, of_b{};
+  // meet, half-spaces: the point in the frame of the body, over its own denominator. Else empty.
+  struct Place {
+    std::vector<Dyadic> numbers{};
+    Dyadic denominator{1.0};
+  };
+  Place in_a{}, in_b{};
+};
+
+// Evidence as plain data, as the search leaves it. For `meet` of two bodies of points: the hulls of these points of A
+// and of B have a common one. For `apart` of such: the direction, if `exact` is null.
+struct Evidence {
+  Verdict verdict = Verdict::apart;
+  std::array<double, most_dimension> direction{};
+  std::uint8_t count_a = 0, count_b = 0;
+  std::array<std::uint32_t, most_dimension + 1> of_a{}, of_b{};
+  // What the exact method found: always where a body is of half-spaces.
+  std::shared_ptr<const ExactEvidence> exact{};
+};
+
+struct [[nodiscard]] PolytopeAnswer {
+  Evidence evidence;
+  DecidedBy decided_by = DecidedBy::filter;
+  Cost cost;  // probes: rows looked at
+
+  bool meet() const { return evidence.verdict == Verdict::meet; }
+};
+
+// The evidence in exact numbers. Requires the answer to be about these. Cost: exact arithmetic; a few pivots where the
+// evidence is of points that meet.
+ExactEvidence exact_evidence(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b,
+                             const PolytopeAnswer& answer);
+
+// Does it prove the verdict? By the exact numbers alone; nothing of a search is used. Cost: linear, exact arithmetic.
+bool check(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b, Verdict verdict,
+           const ExactEvidence& evidence);
+
+}  // namespace sunder::polytope

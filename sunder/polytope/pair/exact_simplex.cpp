@@ -1,0 +1,313 @@
+#include <sunder/base/contract.h>
+#include <sunder/polytope/pair/exact_simplex.h>
+#include <sunder/polytope/pair/phase_one_internal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace sunder::polytope {
+
+namespace {
+
+enum Kind : std::uint32_t { of_a = 0, of_b = 1, slack = 2 };
+
+ExactVector negated(ExactVector v) {
+  for (Dyadic& x : v) x = -x;
+  return v;
+}
+
+// ---- Points and points.
+
+struct NamedColumn {
+  Variable variable;
+  ExactVector numbers;
+};
+
+// The columns, by position, that are in the basis where floating point ends phase one; the last two right-hand sides
+// are
+// 1. Only a hint.
+std::vector<std::size_t> rounded_basis(const std::vector<NamedColumn>& columns, std::size_t rows) {
+  const std::size_t count = columns.size();
+  std::vector<std::vector<double>> table(rows + 1, std::vector<double>(count + 1));  // last row: prices
+  std::vector<std::size_t> basis(rows, count);
+  for (std::size_t i = 0; i < rows; ++i) {
+    double greatest = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      table[i][k] = columns[k].numbers[i].nearest();
+      greatest = std::max(greatest, std::fabs(table[i][k]));
+    }
+    if (!std::isfinite(greatest)) return {};
+    for (std::size_t k = 0; k < count && greatest > 0; ++k) table[i][k] /= greatest;
+    table[i][count] = i + 2 < rows ? 0 : 1;
+    for (std::size_t k = 0; k <= count; ++k) table[rows][k] += table[i][k];
+  }
+  constexpr double small = 0x1p-40;
+  for (std::size_t step = 0; step < 4 * rows; ++step) {
+    const std::size_t entering =
+        static_cast<std::size_t>(std::max_element(table[rows].begin(), table[rows].end() - 1) - table[rows].begin());
+    if (!(table[rows][entering] > small)) break;
+    std::size_t leaving = rows;
+    for (std::size_t i = 0; i < rows; ++i) {
+      if (table[i][entering] > small && (leaving == rows || table[i][count] * table[leaving][entering] <
+                                                                table[leaving][count] * table[i][entering])) {
+        leaving = i;
+      }
+    }
+    if (leaving == rows) break;
+    const double by = 1 / table[leaving][entering];
+    for (double& x : table[leaving]) x *= by;
+    for (std::size_t i = 0; i <= rows; ++i) {
+      if (i == leaving) continue;
+      const double factor = table[i][entering];
+      for (std::size_t k = 0; k <= count; ++k) table[i][k] -= factor * table[leaving][k];
+    }
+    basis[leaving] = entering;
+  }
+  basis.erase(std::remove(basis.begin(), basis.end(), count), basis.end());
+  return basis;
+}
+
+class PointsProgram {
+ public:
+  PointsProgram(const Placed& a, const Placed& b) : a_(a), b_(b), d_(a.dimension()), program_(d_ + 2, 2) {}
+
+  ExactVector column(Kind kind, std::uint32_t k) const {
+    ExactVector column = kind == of_a ? a_.image(k) : negated(b_.image(k));
+    column.emplace_back(kind == of_a ? 1.0 : 0.0);
+    column.emplace_back(kind == of_b ? 1.0 : 0.0);
+    return column;
+  }
+
+  bool enter_if_it_pays(Kind kind, std::uint32_t k) { return program_.enter_if_it_pays({kind, k}, column(kind, k)); }
+
+  // Those named, until they are a solution or none pays: first those that floating point has in a solution, which are
+  // mostly all that it takes.
+  bool try_named(std::span<const std::uint32_t> named_a, std::span<const std::uint32_t> named_b) {
+    std::vector<NamedColumn> columns;
+    for (const std::uint32_t k : named_a) columns.push_back({{of_a, k}, column(of_a, k)});
+    for (const std::uint32_t k : named_b) columns.push_back({{of_b, k}, column(of_b, k)});
+    std::vector<NamedColumn> likely;
+    for (const std::size_t k : rounded_basis(columns, d_ + 2)) likely.push_back(columns[k]);
+    return enter_all(likely) || enter_all(columns);
+  }
+
+  bool enter_all(const std::vector<NamedColumn>& columns) {
+    for (bool pays = true; pays && !program_.is_solved();) {
+      pays = false;
+      for (const auto& [variable, exact] : columns) {
+        if (program_.enter_if_it_pays(variable, exact)) pays = true;
+        if (program_.is_solved()) return true;
+      }
+    }
+    return program_.is_solved();
+  }
+
+  bool solve(Cost& cost) {
+    while (!program_.is_solved()) {
+      const ExactVector y = program_.multipliers();
+      const ExactFurthest from_a = a_.furthest(y, cost.exact), from_b = b_.furthest(negated(y), cost.exact);
+      cost.probes += std::uint64_t{a_.body().size()} + b_.body().size();
+      ++cost.iterations;
+      const bool a_pays = enter_if_it_pays(of_a, from_a.index), b_pays = enter_if_it_pays(of_b, from_b.index);
+      if (!a_pays && !b_pays) return false;
+    }
+    return true;
+  }
+
+  ExactEvidence parting() const {
+    ExactVector y = program_.multipliers();
+    y.resize(d_);
+    return {.numbers = std::move(y)};
+  }
+
+  ExactEvidence common_point() const {
+    ExactEvidence result;
+    result.numbers.resize(d_);
+    result.denominator = result.of_a.denominator = result.of_b.denominator = program_.denominator();
+    for (const auto& [variable, weight] : program_.weights()) {
+      (variable.kind == of_a ? result.of_a : result.of_b).parts.push_back({variable.index, weight});
+      if (variable.kind != of_a) continue;
+      const ExactVector p = a_.image(variable.index);
+      for (std::size_t c = 0; c < d_; ++c) result.numbers[c] = result.numbers[c] + weight * p[c];
+    }
+    return result;
+  }
+
+ private:
+  const Placed &a_, &b_;
+  std::size_t d_;
+  PhaseOne program_;
+};
+
+// ---- Half-spaces and half-spaces.
+
+ExactDecision decide_half_spaces(Placed& a, Placed& b, Cost& cost) {
+  const std::size_t d = a.dimension();
+  PhaseOne program(d + 1, 1);
+  const auto column_of = [&](Kind kind, std::uint32_t k) {
+    ExactVector column = (kind == of_a ? a : b).half_space(k);
+    column[d] = -column[d];
+    return column;
+  };
+  while (!program.is_solved()) {
+    const ExactVector y = program.multipliers();
+    const std::span<const Dyadic> place(y.data(), d);
+    bool pays = false;
+    for (const Kind kind : {of_a, of_b}) {
+      Placed& body = kind == of_a ? a : b;
+      const auto broken = body.most_broken(place, y[d], cost.exact);
+      cost.probes += body.body().size();
+      if (broken) pays = program.enter_if_it_pays({kind, broken->index}, column_of(kind, broken->index)) || pays;
+    }
+    ++cost.iterations;
+    if (pays) continue;
+    ExactEvidence common{.numbers = {place.begin(), place.end()}, .denominator = y[d]};
+    common.in_a = {a.unplaced(place, y[d]), y[d] * a.scale()};
+    common.in_b = {b.unplaced(place, y[d]), y[d] * b.scale()};
+    return {Verdict::meet, std::make_shared<const ExactEvidence>(std::move(common))};
+  }
+  ExactEvidence parting;
+  parting.numbers.resize(d);
+  for (const auto& [variable, weight] : program.weights()) {
+    const bool is_of_a = variable.kind == of_a;
+    (is_of_a ? parting.of_a : parting.of_b).parts.push_back({variable.index, weight * (is_of_a ? a : b).scale()});
+    if (!is_of_a) continue;
+    const ExactVector row = a.half_space(variable.index);
+    for (std::size_t c = 0; c < d; ++c) parting.numbers[c] = parting.numbers[c] + weight * row[c];
+  }
+  return {Verdict::apart, std::make_shared<const ExactEvidence>(std::move(parting))};
+}
+
+// ---- Half-spaces and points.
+
+// Some half-spaces with all points.
+class MixedProgram {
+ public:
+  MixedProgram(Placed& half_spaces, const Placed& points, std::span<const std::uint32_t> some)
+      : half_spaces_(half_spaces), points_(points), d_(points.dimension()), some_(some), program_(some.size() + 1, 1) {
+    for (const std::uint32_t k : some) rows_.push_back(half_spaces.half_space(k));
+  }
+
+  bool enter_if_it_pays(std::uint32_t point) {
+    const ExactVector p = points_.image(point);
+    ExactVector column;
+    for (const ExactVector& row : rows_) column.push_back(dot(row, p) - row[d_]);
+    column.emplace_back(1.0);
+    return program_.enter_if_it_pays({of_b, point}, column);
+  }
+
+  bool solve(std::span<const std::uint32_t> named, Cost& cost) {
+    for (const std::uint32_t k : named) enter_if_it_pays(k);
+    while (!program_.is_solved()) {
+      bool pays = false;
+      for (std::uint32_t i = 0; i < rows_.size(); ++i) {
+        ExactVector column(rows_.size() + 1);
+        column[i] = 1.0;
+        pays = program_.enter_if_it_pays({slack, i}, column) || pays;
+      }
+      const ExactVector direction = combined(program_.multipliers());
+      const ExactFurthest furthest = points_.furthest(direction, cost.exact);
+      cost.probes += points_.body().size();
+      ++cost.iterations;
+      if (!enter_if_it_pays(furthest.index) && !pays) return false;
+    }
+    return true;
+  }
+
+  // The combination of normals by these numbers.
+  ExactVector combined(std::span<const Dyadic> by) const {
+    ExactVector sum(d_);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      for (std::size_t c = 0; c < d_; ++c) sum[c] = sum[c] + by[i] * rows_[i][c];
+    }
+    return sum;
+  }
+
+  // No half-space is further along the direction than the points are.
+  ExactEvidence parting() const {
+    const ExactVector y = negated(program_.multipliers());  // of the half-spaces not negative
+    ExactEvidence result{.numbers = combined(y)};
+    for (std::size_t i = 0; i < some_.size(); ++i) {
+      if (y[i].sign() != Sign::zero) result.of_a.parts.push_back({some_[i], y[i] * half_spaces_.scale()});
+    }
+    return result;
+  }
+
+  ExactEvidence common_point() const {
+    ExactEvidence result;
+    result.numbers.resize(d_);
+    result.denominator = result.of_b.denominator = program_.denominator();
+    for (const auto& [variable, weight] : program_.weights()) {
+      if (variable.kind != of_b) continue;
+      result.of_b.parts.push_back({variable.index, weight});
+      const ExactVector p = points_.image(variable.index);
+      for (std::size_t c = 0; c < d_; ++c) result.numbers[c] = result.numbers[c] + weight * p[c];
+    }
+    return result;
+  }
+
+ private:
+  Placed& half_spaces_;
+  const Placed& points_;
+  std::size_t d_;
+  std::span<const std::uint32_t> some_;
+  PhaseOne program_;
+  std::vector<ExactVector> rows_;
+};
+
+// A of half-spaces, B of points.
+ExactDecision decide_mixed(Placed& a, const Placed& b, Cost& cost) {
+  std::vector<std::uint32_t> some, named;
+  for (;;) {
+    MixedProgram program(a, b, some);
+    if (!program.solve(named, cost)) {
+      return {Verdict::apart, std::make_shared<const ExactEvidence>(program.parting())};
+    }
+    ExactEvidence common = program.common_point();
+    const auto broken = a.most_broken(common.numbers, common.denominator, cost.exact);
+    cost.probes += a.body().size();
+    if (!broken || broken->product.sign() != Sign::positive) {
+      common.in_a = {a.unplaced(common.numbers, common.denominator), common.denominator * a.scale()};
+      return {Verdict::meet, std::make_shared<const ExactEvidence>(std::move(common))};
+    }
+    some.push_back(broken->index);
+    named.clear();
+    for (const RowWeights::Part& part : common.of_b.parts) named.push_back(part.row);
+  }
+}
+
+// The same of B and A.
+ExactDecision exchanged(ExactDecision decision) {
+  ExactEvidence evidence = *decision.evidence;
+  if (decision.verdict == Verdict::apart) evidence.numbers = negated(std::move(evidence.numbers));
+  std::swap(evidence.of_a, evidence.of_b);
+  std::swap(evidence.in_a, evidence.in_b);
+  return {decision.verdict, std::make_shared<const ExactEvidence>(std::move(evidence))};
+}
+
+}  // namespace
+
+ExactDecision decide_exactly(Placed a, Placed b, std::span<const std::uint32_t> named_a,
+                             std::span<const std::uint32_t> named_b, Cost& cost) {
+  ++cost.exact;
+  const bool points_a = a.body().is_of_points(), points_b = b.body().is_of_points();
+  if (!points_a && !points_b) return decide_half_spaces(a, b, cost);
+  if (!points_a) return decide_mixed(a, b, cost);
+  if (!points_b) return exchanged(decide_mixed(b, a, cost));
+  PointsProgram program(a, b);
+  const bool meet = program.try_named(named_a, named_b) || program.solve(cost);
+  return {meet ? Verdict::meet : Verdict::apart,
+          std::make_shared<const ExactEvidence>(meet ? program.common_point() : program.parting())};
+}
+
+ExactEvidence common_point_of(const Placed& a, const Placed& b, std::span<const std::uint32_t> named_a,
+                              std::span<const std::uint32_t> named_b) {
+  PointsProgram program(a, b);
+  [[maybe_unused]] const bool found = program.try_named(named_a, named_b);
+  SUNDER_REQUIRE(found);
+  return program.common_point();
+}
+
+}  // namespace sunder::polytope

@@ -1,0 +1,47 @@
+// The search for the point of the difference A - B that is nearest to the origin, in floating point. It proposes, and
+// may be wrong.
+// Source: Wolfe 1976; Gilbert, Johnson & Keerthi 1988.
+#pragma once
+
+#include <sunder/polytope/pair/support.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace sunder::polytope {
+
+// A difference of two points, by their numbers, and about where it is.
+struct DifferencePoint {
+  std::uint32_t a = 0, b = 0;
+  Vector at{};
+};
+
+// Points whose affine hull has its nearest point to the origin inside of their hull, with the weights of that point.
+class NearestSimplex {
+ public:
+  explicit NearestSimplex(std::size_t dimension) : d_(dimension) {}
+
+  std::size_t size() const { return size_; }
+  bool is_full() const { return size_ == d_ + 1; }  // it holds the origin
+  const DifferencePoint& operator[](std::size_t k) const { return points_[k]; }
+  const Vector& nearest() const { return nearest_; }
+  bool has(std::uint32_t a, std::uint32_t b) const;
+
+  // Takes in a point, moves to the nearest point of all, and drops points without weight (Wolfe's minor cycles). False
+  // where floating point finds no way on. Requires that it is not full.
+  bool add(const DifferencePoint& point);
+
+ private:
+  // The weights, which may be negative, of the point of the affine hull that is nearest to the origin.
+  bool affine_weights(std::array<double, most_dimension + 1>& weights) const;
+  void drop_without_weight();
+  void find_nearest();
+
+  std::size_t d_, size_ = 0;
+  std::array<DifferencePoint, most_dimension + 1> points_{};
+  std::array<double, most_dimension + 1> weights_{};
+  Vector nearest_{};
+};
+
+}  // namespace sunder::polytope

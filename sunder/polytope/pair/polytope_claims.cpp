@@ -1,0 +1,89 @@
+#include <sunder/polytope/pair/polytope_claims.h>
+
+#include <span>
+
+namespace sunder::polytope {
+
+namespace {
+
+void begin_entry(ClaimsWriter& file, const std::string& name) {
+  file.begin_entry();
+  file.text("name", name.empty() ? "unnamed" : cut_text(name));
+}
+
+// The polytope, and where its pose is another one than the identity, its image. Returns the number of the last of them;
+// `first` is that of the first.
+std::uint32_t add_placed(ClaimsWriter& file, const NamedPolytope& of, bool as_polytope, std::uint32_t first) {
+  begin_entry(file, of.name);
+  const Polytope& p = of.polytope;
+  if (as_polytope) file.number("dimension", p.dimension());
+  file.begin_list(p.is_of_points() ? "points" : "half_spaces");
+  for (std::uint32_t k = 0; k < p.size(); ++k) file.add_row(p.row(k));
+  file.end_list();
+  file.end_entry();
+  if (of.pose.is_identity()) return first;
+  begin_entry(file, of.name);
+  file.index("of", first);
+  file.doubles("linear", of.pose.linear());
+  file.doubles("translation", of.pose.translation());
+  file.end_entry();
+  return first + 1;
+}
+
+void add_weights(ClaimsWriter& file, const char* key, const RowWeights& weights) {
+  file.begin_list(key);
+  for (const auto& [row, numerator] : weights.parts) file.add_weight(row, numerator, weights.denominator);
+  file.end_list();
+}
+
+// Of points the weights, of half-spaces the place in the body's frame.
+void add_keeps(ClaimsWriter& file, const RowWeights& weights, const ExactEvidence::Place& place) {
+  file.begin_claim("keeps");
+  add_weights(file, "weights", weights);
+  file.fractions("at", place.numbers, place.denominator);
+  file.end_claim();
+}
+
+void add_holds(ClaimsWriter& file, const RowWeights& weights) {
+  file.begin_claim("holds");
+  add_weights(file, "weights", weights);
+  file.end_claim();
+}
+
+}  // namespace
+
+void add_claims(ClaimsWriter& file, const NamedPolytope& a, const NamedPolytope& b, const PolytopeAnswer& answer) {
+  const bool as_polytopes = !a.polytope.is_of_points() || !b.polytope.is_of_points();
+  file.begin_table(as_polytopes ? "polytopes" : "bodies");
+  const std::uint32_t index_a = add_placed(file, a, as_polytopes, 0);
+  const std::uint32_t index_b = add_placed(file, b, as_polytopes, index_a + 1);
+  file.end_table();
+  const ExactEvidence evidence = exact_evidence(a.polytope, a.pose, b.polytope, b.pose, answer);
+  file.begin_statement(as_polytopes ? "polytopes" : "pair");
+  file.index("a", index_a);
+  file.index("b", index_b);
+  file.text("verdict", answer.meet() ? "meet" : "apart");
+  if (answer.meet()) {
+    file.fractions("point", evidence.numbers, evidence.denominator);
+    file.begin_claims();
+    if (as_polytopes) {
+      add_keeps(file, evidence.of_a, evidence.in_a);
+      add_keeps(file, evidence.of_b, evidence.in_b);
+    } else {
+      add_holds(file, evidence.of_a);
+      add_holds(file, evidence.of_b);
+    }
+  } else {
+    file.begin_claims();
+    file.begin_claim(as_polytopes ? "parted_by" : "parted");
+    file.numbers("direction", evidence.numbers);
+    if (as_polytopes) {
+      add_weights(file, "of_a", evidence.of_a);
+      add_weights(file, "of_b", evidence.of_b);
+    }
+    file.end_claim();
+  }
+  file.end_statement();
+}
+
+}  // namespace sunder::polytope

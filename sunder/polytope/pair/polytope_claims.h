@@ -1,0 +1,24 @@
+// Writes what is proved of two polytopes into a certificate file (docs/claims.md): two bodies of points as statements
+// `pair` of the table `bodies`, others as statements `polytopes` of the table of that name.
+// Also called: proof logging.
+// None throws, but for want of memory, or what the writer's sink throws.
+#pragma once
+
+#include <sunder/certificate/claims.h>
+#include <sunder/polytope/pair/polytope_polytope.h>
+
+#include <string>
+
+namespace sunder::polytope {
+
+struct NamedPolytope {
+  std::string name;  // empty: "unnamed"
+  const Polytope& polytope;
+  const Pose& pose;
+};
+
+// The table, and the statement: all of a file but its origin and its end. Requires the answer to be about these.
+// Cost: linear, and exact_evidence().
+void add_claims(ClaimsWriter& file, const NamedPolytope& a, const NamedPolytope& b, const PolytopeAnswer& answer);
+
+}  // namespace sunder::polytope

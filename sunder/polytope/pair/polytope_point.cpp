@@ -1,0 +1,185 @@
+#include <sunder/polytope/pair/polytope_point.h>
+#include <sunder/polytope/pair/support.h>
+#include <sunder/predicate/simplex_origin.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace sunder::polytope {
+
+namespace {
+
+constexpr std::size_t most_known = 64;
+
+// The last ones that were of use, the very last first.
+template <class Item>
+class Recent {
+ public:
+  // The first one that serves, if any; it goes to the front.
+  template <class Serves>
+  const Item* find(const Serves& serves) {
+    const auto found = std::find_if(items_.begin(), items_.end(), serves);
+    if (found == items_.end()) return nullptr;
+    std::rotate(items_.begin(), found, found + 1);
+    return &items_.front();
+  }
+  void add(Item item) {
+    if (items_.size() == most_known) items_.pop_back();
+    items_.insert(items_.begin(), std::move(item));
+  }
+
+ private:
+  std::vector<Item> items_;
+};
+
+// A direction with the greatest product of the polytope; a simplex of d + 1 of its points, and a matrix that makes of a
+// point less the first of these the weights of the others, about.
+struct KnownDirection {
+  Vector direction{};
+  BoundedProduct reach;
+};
+struct KnownSimplex {
+  Evidence evidence;
+  std::array<Vector, most_dimension> inverse{};
+};
+
+class ManyPoints {
+ public:
+  explicit ManyPoints(const Polytope& polytope) : polytope_(polytope), pose_(polytope.dimension()) {}
+
+  PolytopeAnswer answer(std::span<const double> point) {
+    PolytopeAnswer known;
+    if (const KnownDirection* const d = directions_.find([&](const KnownDirection& k) { return parts(k, point); })) {
+      known.evidence.verdict = Verdict::apart;
+      known.evidence.direction = d->direction;
+      known.cost.proposals = 1;
+      return known;
+    }
+    if (const KnownSimplex* const s = simplices_.find([&](const KnownSimplex& k) { return holds(k, point); })) {
+      known.evidence = s->evidence;
+      known.cost.proposals = 1;
+      return known;
+    }
+    const Polytope one = Polytope::from_points(polytope_.dimension(), {point.begin(), point.end()});
+    PolytopeAnswer answer = polytope_polytope(polytope_, pose_, one, pose_);
+    if (polytope_.is_of_points() && !answer.evidence.exact) remember(answer);
+    return answer;
+  }
+
+ private:
+  bool parts(const KnownDirection& known, std::span<const double> point) const {
+    double product = 0, size = 0;
+    for (std::size_t c = 0; c < point.size(); ++c) {
+      const double part = known.direction[c] * point[c];
+      product += part;
+      size += std::fabs(part);
+    }
+    // Of d <= 6 products: 6 roundings, and two for the bound; what underflows.
+    return compare(known.reach, {product, 10 * 0x1p-53 * size + 0x1p-1060}) == Guess::positive;
+  }
+
+  bool holds(const KnownSimplex& known, std::span<const double> point) const {
+    const std::size_t d = point.size();
+    const std::span<const double> first = polytope_.row(known.evidence.of_a[0]);
+    double rest = 1;
+    for (std::size_t r = 0; r < d; ++r) {
+      double weight = 0;
+      for (std::size_t c = 0; c < d; ++c) weight += known.inverse[r][c] * (point[c] - first[c]);
+      if (!(weight > 0)) return false;  // it is not worth a try
+      rest -= weight;
+    }
+    if (!(rest > 0)) return false;
+    std::array<Interval, most_dimension*(most_dimension + 1)> points;
+    for (std::size_t k = 0; k <= d; ++k) {
+      const std::span<const double> row = polytope_.row(known.evidence.of_a[k]);
+      for (std::size_t c = 0; c < d; ++c) points[k * d + c] = Interval(row[c]) - Interval(point[c]);
+    }
+    return least_weight_of_origin(std::span<const Interval>(points).first(d * (d + 1)), d) == Guess::positive;
+  }
+
+  void remember(const PolytopeAnswer& answer) {
+    const Evidence& evidence = answer.evidence;
+    const std::size_t d = polytope_.dimension();
+    if (evidence.verdict == Verdict::apart) {
+      const Support far = support(polytope_, pose_, evidence.direction, 1);
+      directions_.add({evidence.direction, far.product});
+    } else if (evidence.count_a == d + 1) {
+      KnownSimplex known{.evidence = evidence};
+      if (invert(known)) simplices_.add(std::move(known));
+    }
+  }
+
+  // Of the matrix of edges, by elimination in floating point; false where it finds none.
+  bool invert(KnownSimplex& known) const {
+    const std::size_t d = polytope_.dimension();
+    const std::span<const double> first = polytope_.row(known.evidence.of_a[0]);
+    std::array<std::array<double, 2 * most_dimension>, most_dimension> rows{};
+    for (std::size_t r = 0; r < d; ++r) {
+      for (std::size_t c = 0; c < d; ++c) rows[r][c] = polytope_.row(known.evidence.of_a[c + 1])[r] - first[r];
+      rows[r][d + r] = 1;
+    }
+    for (std::size_t k = 0; k < d; ++k) {
+      std::size_t p = k;
+      for (std::size_t r = k + 1; r < d; ++r) {
+        if (std::fabs(rows[r][k]) > std::fabs(rows[p][k])) p = r;
+      }
+      if (!(std::fabs(rows[p][k]) > 0)) return false;
+      std::swap(rows[p], rows[k]);
+      const double by = 1 / rows[k][k];
+      for (double& x : rows[k]) x *= by;
+      for (std::size_t r = 0; r < d; ++r) {
+        if (r == k) continue;
+        const double factor = rows[r][k];
+        for (std::size_t c = 0; c < 2 * d; ++c) rows[r][c] -= factor * rows[k][c];
+      }
+    }
+    for (std::size_t r = 0; r < d; ++r) {
+      for (std::size_t c = 0; c < d; ++c) known.inverse[r][c] = rows[r][d + c];
+    }
+    return true;
+  }
+
+  const Polytope& polytope_;
+  Pose pose_;
+  Recent<KnownDirection> directions_;
+  Recent<KnownSimplex> simplices_;
+};
+
+void require_finite(std::span<const double> numbers, std::size_t d) {
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    if (!std::isfinite(numbers[k])) {
+      throw Error(ErrorCode::bad_value, "a number that is not finite; give finite doubles",
+                  "point " + std::to_string(k / d));
+    }
+  }
+}
+
+}  // namespace
+
+PolytopeAnswer polytope_point(const Polytope& polytope, std::span<const double> point) {
+  const std::size_t d = polytope.dimension();
+  if (point.size() != d) {
+    throw Error(ErrorCode::bad_shape,
+                "a point of " + std::to_string(point.size()) + " numbers; give " + std::to_string(d));
+  }
+  require_finite(point, d);
+  return ManyPoints(polytope).answer(point);
+}
+
+std::vector<PolytopeAnswer> polytope_points(const Polytope& polytope, std::span<const double> points) {
+  const std::size_t d = polytope.dimension();
+  if (points.size() % d != 0) {
+    throw Error(ErrorCode::bad_shape, std::to_string(points.size()) + " numbers are no whole number of points; give " +
+                                          std::to_string(d) + " each");
+  }
+  require_finite(points, d);
+  ManyPoints many(polytope);
+  std::vector<PolytopeAnswer> answers;
+  answers.reserve(points.size() / d);
+  for (std::size_t k = 0; k < points.size(); k += d) answers.push_back(many.answer(points.subspan(k, d)));
+  return answers;
+}
+
+}  // namespace sunder::polytope

@@ -1,0 +1,34 @@
+// Do two convex polytopes of R^d meet, 2 <= d <= 6, each under its own affine pose?
+// Also called: collision of convex hulls in any dimension; linear separability of two point sets; feasibility of a
+// system of linear inequalities; Farkas' lemma.
+//
+// The bodies are closed: touching is meeting. The answer is exactly right for the doubles given, whatever the position.
+//   T1. All methods give the same verdict. Evidence may differ.
+//   T2. check() accepts exact_evidence() of the answer.
+//   T3. The answer does not depend on the compiler.
+//   T4. An empty body meets nothing.
+// Requires: both polytopes and poses of one dimension. None throws, but for want of memory.
+#pragma once
+
+#include <sunder/polytope/pair/evidence.h>
+
+namespace sunder::polytope {
+
+// The front door. Two bodies of points: by_gjk; else the exact method for half-spaces, below.
+PolytopeAnswer polytope_polytope(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b);
+
+// Of two bodies of points: the nearest point of the difference A - B to the origin is searched in floating point, with
+// support points found by scans; each direction is a proposal to part the bodies, a simplex of d + 1 differences one
+// that they meet. Filters check these; where they are not sure, exact numbers; where no proposal holds, the simplex
+// method in integers decides. Of half-spaces the latter alone: both of half-spaces, for multipliers that contradict;
+// one, for a common point of the points' hull and some of the half-spaces, to which the one that is broken most is
+// added, until there is none, or these contradict.
+// Cost: some 3 to 5 d scans of both bodies. Allocates nothing while filters decide.
+// Source: Gilbert, Johnson & Keerthi 1988; Wolfe 1976, "Finding the nearest point in a polytope".
+PolytopeAnswer polytope_polytope_by_gjk(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b);
+
+// The oracle: one linear program with all points and half-spaces, by a full tableau in integers with Bland's rule.
+// Cost: some (d + 2) (n + m) to n (n + m) integers a pivot.
+PolytopeAnswer polytope_polytope_by_scan(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b);
+
+}  // namespace sunder::polytope

@@ -1,0 +1,29 @@
+// What a search in floating point asks of a polytope of points under its pose.
+#pragma once
+
+#include <sunder/number/interval.h>
+#include <sunder/polytope/object/polytope.h>
+#include <sunder/polytope/object/pose.h>
+#include <sunder/predicate/along_columns.h>
+
+#include <array>
+#include <cstdint>
+
+namespace sunder::polytope {
+
+using Vector = std::array<double, most_dimension>;
+
+// A point of a body, and the product of its image with a direction of the world.
+struct Support {
+  std::uint32_t index = 0;
+  BoundedProduct product;  // no product of the body is further than this, error included
+};
+
+// The point that is furthest along the direction (side 1), or least far (side -1), as floating point has it.
+Support support(const Polytope& body, const Pose& pose, const Vector& direction, double side);
+
+// The image of a point: as floating point has it, and enclosed.
+Vector rounded_image(const Polytope& body, const Pose& pose, std::uint32_t k);
+std::array<Interval, most_dimension> enclosed_image(const Polytope& body, const Pose& pose, std::uint32_t k);
+
+}  // namespace sunder::polytope

@@ -1,0 +1,125 @@
+#include <sunder/base/contract.h>
+#include <sunder/base/lanes.h>
+#include <sunder/number/rounded.h>
+#include <sunder/predicate/along_columns.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace sunder {
+
+namespace {
+
+constexpr std::size_t block = PointColumns::block, lanes = block / 2;
+
+// The products of the points from `first` on.
+template <std::size_t D>
+std::array<Lanes, lanes> products_of_block(const PointColumns& points, const ColumnNumbers& g, std::size_t first) {
+  std::array<Lanes, lanes> values;
+  const double* const p = points.column + first;
+  for (std::size_t k = 0; k < lanes; ++k) {
+    Lanes sum = g[0] * lanes_at(p + 2 * k);
+    for (std::size_t c = 1; c < D; ++c) sum += g[c] * lanes_at(p + c * points.stride + 2 * k);
+    values[k] = sum;
+  }
+  return values;
+}
+
+template <std::size_t D>
+FurthestPoint furthest(const PointColumns& points, const ColumnNumbers& g) {
+  double best = -std::numeric_limits<double>::infinity();
+  std::size_t where = 0;
+  for (std::size_t first = 0; first < points.stride; first += block) {
+    const std::array<Lanes, lanes> values = products_of_block<D>(points, g, first);
+    Lanes left = values[0], right = values[1];
+    for (std::size_t k = 2; k < lanes; k += 2) {
+      left = greater_of(left, values[k]);
+      right = greater_of(right, values[k + 1]);
+    }
+    const double top = greater_lane(greater_of(left, right));
+    if (top > best) {
+      best = top;
+      where = first;
+    }
+  }
+  const std::array<Lanes, lanes> values = products_of_block<D>(points, g, where);
+  const auto index = static_cast<std::uint32_t>(where) + first_of_greatest(values.data(), lanes);
+  return {std::min(index, points.count - 1), best};
+}
+
+template <class Visit>
+auto with_dimension(std::size_t dimension, const Visit& visit) {
+  switch (dimension) {
+    case 2: return visit(std::integral_constant<std::size_t, 2>());
+    case 3: return visit(std::integral_constant<std::size_t, 3>());
+    case 4: return visit(std::integral_constant<std::size_t, 4>());
+    case 5: return visit(std::integral_constant<std::size_t, 5>());
+    case 6: return visit(std::integral_constant<std::size_t, 6>());
+    default: return visit(std::integral_constant<std::size_t, 7>());
+  }
+}
+
+Dyadic exact_product(const PointColumns& points, std::uint32_t k, std::span<const Dyadic> direction) {
+  Dyadic sum;
+  for (std::size_t c = 0; c < points.dimension; ++c) sum = sum + direction[c] * Dyadic(points.at(k, c));
+  return sum;
+}
+
+}  // namespace
+
+FurthestPoint furthest_along(const PointColumns& points, const ColumnNumbers& direction) {
+  SUNDER_REQUIRE(points.count > 0 && points.stride % block == 0);
+  return with_dimension(points.dimension, [&](auto dimension) { return furthest<dimension()>(points, direction); });
+}
+
+double product_error(const PointColumns& points, const ColumnNumbers& sizes, int roundings) {
+  SUNDER_REQUIRE(roundings >= 0 && roundings <= 16);
+  constexpr double lost = 0x1p-1068;  // 2^-1074 for each of up to 7 components and products, and what rounds up
+  double magnitude = 0, small = 1;
+  for (std::size_t c = 0; c < points.dimension; ++c) {
+    magnitude += sizes[c] * points.reach[c];
+    small += points.reach[c];
+  }
+  const double error = (roundings + 10) * 0x1p-53 * magnitude + lost * small;
+  return magnitude < 0x1p1000 && small < 0x1p1000 ? error : std::numeric_limits<double>::infinity();
+}
+
+ExactFurthest exactly_furthest_along(const PointColumns& points, std::span<const Dyadic> direction,
+                                     std::uint32_t& exact_looks) {
+  // The direction, times a power of two, rounded: one rounding each, or less than 2^-1074 where it underflows.
+  std::int64_t top = std::numeric_limits<std::int64_t>::min();
+  for (std::size_t c = 0; c < points.dimension; ++c) {
+    if (direction[c].sign() != Sign::zero) top = std::max(top, direction[c].top());
+  }
+  if (top == std::numeric_limits<std::int64_t>::min()) return {0, Dyadic()};
+  ColumnNumbers rounded{}, sizes{};
+  for (std::size_t c = 0; c < points.dimension; ++c) {
+    rounded[c] = direction[c].scaled(-top).nearest();
+    sizes[c] = std::fabs(rounded[c]);
+  }
+  const double error = product_error(points, sizes, 1);
+  const double limit = std::isfinite(error) ? furthest_along(points, rounded).product - 2 * error
+                                            : -std::numeric_limits<double>::infinity();
+  ExactFurthest best;
+  bool found = false;
+  with_dimension(points.dimension, [&](auto dimension) {
+    for (std::size_t first = 0; first < points.stride; first += block) {
+      const std::array<Lanes, lanes> values = products_of_block<dimension()>(points, rounded, first);
+      for (std::size_t k = 0; k < block && first + k < points.count; ++k) {
+        if (values[k / 2][k % 2] < limit) continue;
+        const auto index = static_cast<std::uint32_t>(first + k);
+        ++exact_looks;
+        Dyadic product = exact_product(points, index, direction);
+        if (found && (product - best.product).sign() != Sign::positive) continue;
+        best = {index, std::move(product)};
+        found = true;
+      }
+    }
+  });
+  return best;
+}
+
+}  // namespace sunder

@@ -1,0 +1,72 @@
+// Which of many points of R^d, d at most 7, is furthest along a direction, where their coordinates stand in columns: in
+// floating point, with a bound on the error of the products; and exactly. Also called: support function; extreme point
+// by a scan.
+#pragma once
+
+#include <sunder/number/dyadic.h>
+#include <sunder/number/sign.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace sunder {
+
+// Coordinates of points of up to six dimensions, or of half-spaces: a1, .., ad, b.
+inline constexpr std::size_t most_columns = 7;
+
+using ColumnNumbers = std::array<double, most_columns>;
+
+// Coordinate c of point k is column[c * stride + k]. The stride is a multiple of `block`; up to there stands the
+// last point again.
+struct PointColumns {
+  static constexpr std::size_t block = 32;
+
+  const double* column = nullptr;
+  std::size_t stride = 0;
+  std::uint32_t count = 0;
+  std::size_t dimension = 0;  // 2 to 7
+  ColumnNumbers reach{};      // of each column the greatest size
+
+  double at(std::uint32_t k, std::size_t c) const { return column[c * stride + k]; }
+};
+
+struct FurthestPoint {
+  std::uint32_t index = 0;
+  double product = 0;  // as floating point has it
+};
+
+// The point with the greatest product of floating point: of equals the first. Where products are no numbers, any.
+// Cost: one look at each number.
+FurthestPoint furthest_along(const PointColumns& points, const ColumnNumbers& direction);
+
+// A bound on the errors of such products, if the direction's components had `roundings` each (at most 16), and sizes
+// (before rounding) of at most `sizes`. Let u = 2^-53: a sum of d <= 7 products of such components is a sum of
+// monomials of at most roundings + 1 + 6 factors (1 + e), |e| <= u (number/rounded.h); two more pay for the magnitude,
+// one for its product. What underflows loses at most 2^-1074 a component and a product. Infinite where anything may
+// have overflowed.
+double product_error(const PointColumns& points, const ColumnNumbers& sizes, int roundings);
+
+// A product of floating point, and a bound of its error.
+struct BoundedProduct {
+  double product = 0, error = 0;
+};
+
+// The sign of the second exact product less the first.
+inline Guess compare(const BoundedProduct& first, const BoundedProduct& second) {
+  const double gap = second.product - first.product, slack = (first.error + second.error) * (1 + 0x1p-50);
+  return gap * (1 - 0x1p-50) > slack ? Guess::positive : gap * (1 - 0x1p-50) < -slack ? Guess::negative : Guess::unsure;
+}
+
+// The greatest exact product with the direction, and the first point that has it. `exact_looks` grows by the points
+// that floating point could not rule out. Cost: two looks at each number, and exact arithmetic for those near the end.
+struct ExactFurthest {
+  std::uint32_t index = 0;
+  Dyadic product;
+};
+ExactFurthest exactly_furthest_along(const PointColumns& points, std::span<const Dyadic> direction,
+                                     std::uint32_t& exact_looks);
+
+}  // namespace sunder

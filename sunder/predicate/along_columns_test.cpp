@@ -1,0 +1,124 @@
+#include <sunder/predicate/along_columns.h>
+
+#include <sunder/base/random.h>
+#include <tests/support/exact.h>
+#include <tests/support/scale.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace sunder {
+namespace {
+
+using tests::Exact;
+
+struct Points {
+  std::size_t dimension;
+  std::uint32_t count;
+  std::vector<double> numbers;  // by columns
+
+  PointColumns columns() const {
+    PointColumns result{numbers.data(), numbers.size() / dimension, count, dimension, {}};
+    for (std::size_t c = 0; c < dimension; ++c) {
+      for (std::uint32_t k = 0; k < count; ++k) {
+        result.reach[c] = std::max(result.reach[c], std::fabs(result.at(k, c)));
+      }
+    }
+    return result;
+  }
+  Exact product(std::uint32_t k, const std::vector<double>& direction) const {
+    Exact sum(0.0);
+    for (std::size_t c = 0; c < dimension; ++c) sum = sum + Exact(columns().at(k, c)) * Exact(direction[c]);
+    return sum;
+  }
+};
+
+template <class Number>
+Points points_of(std::size_t d, std::uint32_t count, const Number& number) {
+  const std::size_t stride = (count + PointColumns::block - 1) / PointColumns::block * PointColumns::block;
+  Points result{d, count, std::vector<double>(stride * d)};
+  for (std::size_t c = 0; c < d; ++c) {
+    for (std::size_t k = 0; k < stride; ++k) {
+      result.numbers[c * stride + k] = k < count ? number() : result.numbers[c * stride + count - 1];
+    }
+  }
+  return result;
+}
+
+TEST(AlongColumns, ErrorsAreBoundedAndTheExactFurthestIsFound) {
+  const int cases = tests::scaled_count(2000, 200);
+  Random random(tests::chosen_seed(20261126));
+  int ties = 0, many_looks = 0;
+  for (int i = 0; i < cases; ++i) {
+    const std::size_t d = 2 + random.below(6);
+    const auto count = static_cast<std::uint32_t>(1 + random.below(100));
+    const std::uint64_t kind = random.below(4);
+    const auto number = [&] {
+      const double sign = random.below(2) == 0 ? 1.0 : -1.0;
+      switch (kind) {
+        case 0: return random.uniform(-1, 1);
+        case 1: return static_cast<double>(random.between(-2, 2));
+        case 2: return sign * random.log_uniform(1e-300, 1e300);
+        default: return sign * random.log_uniform(5e-324, 1e-300);  // underflow
+      }
+    };
+    const Points points = points_of(d, count, number);
+    std::vector<double> direction(d);
+    for (double& x : direction) x = kind == 1 ? static_cast<double>(random.between(-1, 1)) : random.uniform(-1, 1);
+    ColumnNumbers rounded{}, sizes{};
+    for (std::size_t c = 0; c < d; ++c) {
+      rounded[c] = direction[c];
+      sizes[c] = std::fabs(direction[c]);
+    }
+    const FurthestPoint found = furthest_along(points.columns(), rounded);
+    const double error = product_error(points.columns(), sizes, 0);
+    ASSERT_LT(found.index, count);
+    std::uint32_t best = 0;
+    for (std::uint32_t k = 1; k < count; ++k) {
+      if (!(points.product(k, direction) <= points.product(best, direction))) best = k;
+    }
+    if (std::isfinite(error)) {
+      const Exact off = points.product(best, direction) - Exact(found.product);
+      ASSERT_TRUE(off <= Exact(error) && -off <= Exact(error)) << i << " of kind " << kind;
+    }
+    std::uint32_t looks = 0;
+    const std::vector<Dyadic> exact(direction.begin(), direction.end());
+    const ExactFurthest furthest = exactly_furthest_along(points.columns(), exact, looks);
+    bool is_zero = true;
+    for (const double x : direction) is_zero = is_zero && x == 0;
+    ASSERT_EQ(furthest.index, is_zero ? 0 : best) << i << " of kind " << kind;
+    ASSERT_TRUE(Exact(furthest.product) == points.product(best, direction));
+    ties += kind == 1 && looks > 1;
+    many_looks += kind == 0 && looks > 2;
+  }
+  EXPECT_GT(ties, cases / 10);
+  EXPECT_LT(many_looks, cases / 50);
+}
+
+TEST(AlongColumns, OfEqualsTheFirst) {
+  for (std::uint32_t count = 1; count < 70; ++count) {
+    for (std::uint32_t first = 0; first < count; ++first) {
+      std::uint32_t k = 0;
+      const Points points = points_of(2, count, [&] { return k++ % count < first ? 0.0 : 1.0; });
+      EXPECT_EQ(furthest_along(points.columns(), {1, 0}).index, first);
+      std::uint32_t looks = 0;
+      EXPECT_EQ(exactly_furthest_along(points.columns(), std::vector<Dyadic>{1.0, 0.0}, looks).index, first);
+    }
+  }
+}
+
+TEST(AlongColumns, ProductsThatMayOverflowAreNotBounded) {
+  const Points points = points_of(2, 1, [] { return 1e308; });
+  EXPECT_EQ(product_error(points.columns(), {1, 1}, 0), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(compare(BoundedProduct{0, 0}, BoundedProduct{1, tests::infinity}), Guess::unsure);
+  EXPECT_EQ(compare(BoundedProduct{0, 0.25}, BoundedProduct{1, 0.5}), Guess::positive);
+  EXPECT_EQ(compare(BoundedProduct{0, 0.5}, BoundedProduct{1, 0.5}), Guess::unsure);
+  EXPECT_EQ(compare(BoundedProduct{1, 0.25}, BoundedProduct{0, 0.5}), Guess::negative);
+}
+
+}  // namespace
+}  // namespace sunder
