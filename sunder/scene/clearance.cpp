@@ -41,8 +41,10 @@ double squared_gap(const Box3& a, const Box3& b) {
 PartDistance distance_of(const Members& members, std::span<const Body> bodies, std::uint32_t i, std::uint32_t j) {
   const PartPair pair = members.pair(i, j);
   const Part &a = members.part(bodies, i), &b = members.part(bodies, j);
-  return {pair.body_a, pair.body_b, pair.part_a,
-          pair.part_b, 0,           solid::polyhedron_polyhedron_distance(a.shape, a.pose, b.shape, b.pose)};
+  SUNDER_REQUIRE(a.shape.is_polyhedron() && b.shape.is_polyhedron());
+  return {pair.body_a, pair.body_b,
+          pair.part_a, pair.part_b,
+          0,           solid::polyhedron_polyhedron_distance(a.shape.core(), a.pose, b.shape.core(), b.pose)};
 }
 
 bool comes_first(const PartDistance& p, const PartDistance& q) {

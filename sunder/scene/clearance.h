@@ -4,6 +4,8 @@
 //   C1. A pair is listed iff it is closer than its margin: exactly, for the doubles given; that far apart is far
 //   enough. C2. Boxes never hide a pair that is too close: they are widened, and that is rounded outwards. C3. Lists
 //   are ordered by body_a, body_b, part_a, part_b, and are the same for every compiler and machine.
+//
+// Parts that are polyhedra only: bodies with a radius have no distance here yet (of two, solid::round_clearance).
 #pragma once
 
 #include <sunder/scene/scene.h>
@@ -45,11 +47,12 @@ struct [[nodiscard]] ClearanceAnswer {
   std::uint64_t by_method = 0;       // given to polyhedron_polyhedron_distance; pairs = allowed + by_boxes + by_method
 };
 
-// Requires indices of bodies in range, and positive finite margins. Does not throw, but for memory.
+// Requires polyhedra, indices of bodies in range, and positive finite margins. Does not throw, but for memory.
 // Cost for n parts: n log n, one distance for each pair whose boxes are closer than the greatest margin.
 ClearanceAnswer closer_pairs(std::span<const Body> bodies, const ClearanceQuestion& question);
 
-// The nearest two parts of different bodies, but for the pairs allowed; nothing where there are none. Of pairs that are
+// The nearest two parts of different bodies, but for the pairs allowed; nothing where there are none. Requires
+// polyhedra. Of pairs that are
 // equally far apart, compared exactly (those that meet are 0 apart), the first.
 // Cost for n parts: the boxes of n^2 pairs, and a distance for each pair whose boxes are no further apart than the
 // nearest bodies.

@@ -70,7 +70,8 @@ void compare_with_all_pairs(bool lattice, std::uint64_t seed) {
             allowed += is_allowed;
             if (is_allowed) continue;
             const Part &p = bodies[a].parts[i], &q = bodies[b].parts[j];
-            auto distance = solid::polyhedron_polyhedron_distance_by_scan(p.shape, p.pose, q.shape, q.pose);
+            auto distance =
+                solid::polyhedron_polyhedron_distance_by_scan(p.shape.core(), p.pose, q.shape.core(), q.pose);
             const Sign sign = compare_distance(distance, least);
             if (sign == Sign::negative) expected.emplace_back(a, b, i, j);
             exactly += sign == Sign::zero;
