@@ -96,7 +96,8 @@ TEST(RobotBodies, AMeshThatIsMissingIsLeftOutWithConsentOnly) {
 
 TEST(RobotBodies, VisualsAreToldWhereOtherLinksHaveCollisionShapes) {
   const std::string visual = "<link name='v'><visual><geometry><box size='1 1 1'/></geometry></visual></link>";
-  const std::string round = "<link name='a'><collision><geometry><sphere radius='1'/></geometry></collision></link>";
+  const std::string round =
+      "<link name='a'><collision><geometry><ellipsoid radii='1 1 1'/></geometry></collision></link>";
   const Robot some = parse_urdf("<robot>" + box_link("a") + visual + joint("a", "v") + "</robot>", "r.urdf");
   LeftOutList strict(false);
   const RobotBodies bodies = read_robot_bodies(some, "r.urdf", true, strict);
@@ -109,7 +110,7 @@ TEST(RobotBodies, VisualsAreToldWhereOtherLinksHaveCollisionShapes) {
   const Robot balls = parse_urdf("<robot>" + round + visual + joint("a", "v") + "</robot>", "r.urdf");
   LeftOutList lenient(true);
   EXPECT_EQ(read_robot_bodies(balls, "r.urdf", true, lenient).told.size(), 1u);
-  EXPECT_EQ(lenient.text(), "1 sphere of a");
+  EXPECT_EQ(lenient.text(), "1 ellipsoid of a");
 }
 
 TEST(RobotBodies, AMeshOfSeveralLinksIsReadOnce) {

@@ -143,11 +143,10 @@ class Lines {
     fmt::format_to(std::back_inserter(out), R"({{"a": {}, "b": {}, "part_a": {}, "part_b": {}, "answer": "{}")",
                    a.json_body, b.json_body, pair.part_a, pair.part_b, pair.verdict());
     if (question_.contacts && pair.meet()) {
-      const std::string_view contact = contact_name(pair);
-      if (contact == "undecided") {
+      if (has_unknown_contact(pair)) {
         out += R"(, "contact_unknown": true)";
       } else {
-        fmt::format_to(std::back_inserter(out), R"(, "contact": "{}")", contact);
+        fmt::format_to(std::back_inserter(out), R"(, "contact": "{}")", name_of(pair.contact));
       }
     }
     fmt::format_to(std::back_inserter(out), R"(, "said_of": "{}", "counted": {})",

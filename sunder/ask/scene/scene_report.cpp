@@ -186,11 +186,10 @@ std::string meeting_text(const SceneReport& report, const Placed& placed) {
 }
 
 void add_contact(const PartPair& pair, Json& json) {
-  const std::string_view contact = contact_name(pair);
-  if (contact != "undecided") {
-    json["contact"] = contact;
-  } else if (pair.meet()) {
+  if (has_unknown_contact(pair)) {
     json["contact_unknown"] = true;
+  } else if (!pair.undecided()) {
+    json["contact"] = name_of(pair.contact);
   }
 }
 
@@ -274,9 +273,11 @@ bool SceneReport::none_undecided() const {
 }
 
 std::string_view contact_name(const PartPair& pair) {
-  const bool is_unknown = pair.undecided() || (pair.meet() && pair.contact == Contact::none);
-  return is_unknown ? "undecided" : name_of(pair.contact);
+  if (pair.undecided()) return "undecided";
+  return has_unknown_contact(pair) ? "touching or overlapping" : name_of(pair.contact);
 }
+
+bool has_unknown_contact(const PartPair& pair) { return pair.meet() && pair.contact == Contact::none; }
 
 std::string scene_text(const SceneReport& report) {
   const std::vector<scene::Body>& bodies = report.placements.front().bodies;

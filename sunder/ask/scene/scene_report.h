@@ -34,8 +34,10 @@ struct SceneReport {
   bool none_undecided() const;
 };
 
-// "none", "touching", "overlapping"; "undecided": of a pair that is, or that meets in a way that is not known.
+// Where contacts were asked for: "none", "touching", "overlapping"; "touching or overlapping" where it is not known;
+// "undecided" of a pair that is.
 std::string_view contact_name(const scene::PartPair& pair);
+bool has_unknown_contact(const scene::PartPair& pair);
 
 std::string scene_text(const SceneReport& report);
 Json scene_json(const SceneReport& report);
