@@ -91,6 +91,9 @@
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 #include <sunder/solid/pair/polyhedron_ray.h>
 #include <sunder/solid/pair/polyhedron_segment.h>
+#include <sunder/solid/round/round_clearance.h>
+#include <sunder/solid/round/round_contact.h>
+#include <sunder/solid/round/round_round.h>
 
 // Any dimension.
 #include <sunder/polytope/object/polytope.h>

@@ -2,6 +2,7 @@
 // did not settle.
 #pragma once
 
+#include <sunder/base/cost.h>
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/solid/round/round_body.h>
 
