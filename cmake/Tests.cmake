@@ -90,7 +90,7 @@ foreach(folder ${SUNDER_CORE_LAYERS} io picture ask verifier cli)
   list(FILTER sources EXCLUDE REGEX "/cli/program_[^/]*$")
   if(sources)
     sunder_add_executable(sunder_unit_${folder} tests SOURCES ${sources} LINK ${link})
-    sunder_add_test(unit_${folder} COMMAND sunder_unit_${folder} TIMEOUT 300 LABELS unit ${folder})
+    sunder_add_test(unit_${folder} COMMAND sunder_unit_${folder} TIMEOUT 600 LABELS unit ${folder})
   endif()
 endforeach()
 
@@ -99,7 +99,7 @@ foreach(source ${sources})
   cmake_path(GET source STEM name)
   sunder_add_executable(${name} tests SOURCES ${source} LINK GTest::gtest_main)
   add_dependencies(${name} sunder_cli)
-  sunder_add_test(${name} COMMAND ${name} TIMEOUT 300 LABELS unit program)
+  sunder_add_test(${name} COMMAND ${name} TIMEOUT 600 LABELS unit program)
 endforeach()
 
 # What is not one file's unit test. Tests against GEOS (LGPL) are built where it is found: Debian's libgeos-dev.
@@ -164,7 +164,7 @@ foreach(source ${sources})
   if(folder MATCHES "verifier/python/tests$")
     string(REPLACE "test_" "claims_" name ${name})
   endif()
-  sunder_add_test(${name}_py COMMAND Python3::Interpreter ${source} TIMEOUT 300 LABELS script)
+  sunder_add_test(${name}_py COMMAND Python3::Interpreter ${source} TIMEOUT 600 LABELS script)
 endforeach()
 
 # The Python package, installed as users do; what this build has compiled comes from the compiler cache. And a tiny
