@@ -133,8 +133,8 @@ class SectionSearch {
     const std::uint32_t half = corner_count() / 2;
     const bool at_end = !meets_slices_ || q + 1 == half || q + 1 == 2 * half;
     if (!at_end) return {q, planar::first_where(1, p.count + 1, falls) - 1};
-    // All round, or above or below all slices that T meets: the sides may turn by more than half a turn. Those that rise
-    // stand together. As DrumSearch::furthest_edge, by turns from the first side.
+    // All round, or above or below all slices that T meets: the sides may turn by more than half a turn. Those that
+    // rise stand together. As DrumSearch::furthest_edge, by turns from the first side.
     const bool first_rises = !falls(0);
     const auto turned = [&](std::uint32_t j) { return is_before(normal_of(p, 0), normal_of(p, j)); };
     const std::uint32_t opposite = planar::first_where(1, p.count + 1, [&](std::uint32_t j) { return !turned(j); });
