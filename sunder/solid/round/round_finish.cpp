@@ -201,7 +201,7 @@ class Slab {
   // A direction along which no vertex is less far than the point nearest to the axis: perpendicular to the axis where
   // that will do, else turned so far towards it as a vertex beyond the slab demands.
   Exact direction_to(const Nearest& nearest) const {
-    const Exact m = cross(axis_, nearest.towards);  // m p = towards (p x axis)
+    Exact m = cross(axis_, nearest.towards);  // m p = towards (p x axis)
     const Corner& corner = corners[nearest.corner];
     const Dyadic value = dot(nearest.towards, corner.across);
     Dyadic most(0.0), most_over(1.0);
