@@ -18,23 +18,6 @@ using solid::Pose;
   throw Error(ErrorCode::bad_call, text, "joint " + quote(name));
 }
 
-// The formulas of urdf_kinematics.cpp.
-Pose turn(const std::array<double, 3>& axis, double angle) {
-  const double x = axis[0], y = axis[1], z = axis[2];
-  const double c = std::cos(angle), s = std::sin(angle), d = 1 - c;
-  return Pose::from_matrix({x * x + c * (1 - x * x), x * y * d - z * s, x * z * d + y * s,  //
-                            x * y * d + z * s, y * y + c * (1 - y * y), y * z * d - x * s,  //
-                            x * z * d - y * s, y * z * d + x * s, z * z + c * (1 - z * z)},
-                           {0, 0, 0});
-}
-
-Pose motion(const Joint& joint, double value) {
-  if (joint.type == JointType::revolute || joint.type == JointType::continuous) return turn(joint.axis, value);
-  if (joint.type == JointType::fixed) return Pose();
-  return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1},
-                           {joint.axis[0] * value, joint.axis[1] * value, joint.axis[2] * value});
-}
-
 }  // namespace
 
 RobotMotion::RobotMotion(const Robot& robot, std::span<const std::string> joints) : joints_(robot.joints) {
@@ -89,7 +72,7 @@ void RobotMotion::place(std::span<const double> values, std::span<Pose> links) c
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const Joint& joint = joints_[i];
     try {
-      links[joint.child] = composed(links[joint.parent], composed(origins_[i], motion(joint, all[i])));
+      links[joint.child] = composed(links[joint.parent], composed(origins_[i], joint_motion(joint, all[i])));
     } catch (const Error& error) {
       throw Error(error.code(), error.what(), "joint " + quote(joint.name));
     }

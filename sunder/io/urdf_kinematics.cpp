@@ -22,18 +22,6 @@ Pose turn(const std::array<double, 3>& axis, double angle) {
                            {0, 0, 0});
 }
 
-Pose motion(const Joint& joint, double value) {
-  switch (joint.type) {
-    case JointType::fixed: return Pose();
-    case JointType::revolute:
-    case JointType::continuous: return turn(joint.axis, value);
-    case JointType::prismatic:
-      return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1},
-                               {joint.axis[0] * value, joint.axis[1] * value, joint.axis[2] * value});
-  }
-  return Pose();
-}
-
 [[noreturn]] void fail_joint(const std::string& name, const std::string& text) {
   throw Error(ErrorCode::bad_call, text, "joint " + quote(name));
 }
@@ -60,6 +48,18 @@ double own_value(const Joint& joint, const std::map<std::string, double>& values
 }
 
 }  // namespace
+
+solid::Pose joint_motion(const Joint& joint, double value) {
+  switch (joint.type) {
+    case JointType::fixed: return Pose();
+    case JointType::revolute:
+    case JointType::continuous: return turn(joint.axis, value);
+    case JointType::prismatic:
+      return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1},
+                               {joint.axis[0] * value, joint.axis[1] * value, joint.axis[2] * value});
+  }
+  return Pose();
+}
 
 std::vector<double> joint_values(const Robot& robot, const std::map<std::string, double>& values) {
   for (const auto& [name, value] : values) check_given(robot, name, value);
@@ -101,7 +101,8 @@ std::vector<Pose> link_poses(const Robot& robot, const std::map<std::string, dou
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     const Joint& joint = robot.joints[i];
     try {
-      poses[joint.child] = compose(poses[joint.parent], compose(origin_pose(joint.origin), motion(joint, all[i])));
+      poses[joint.child] =
+          compose(poses[joint.parent], compose(origin_pose(joint.origin), joint_motion(joint, all[i])));
     } catch (const Error& error) {
       throw Error(error.code(), error.what(), "joint " + quote(joint.name));
     }

@@ -40,4 +40,7 @@ solid::Pose origin_pose(const Origin& origin);
 // one.
 solid::Pose shape_pose(const CollisionShape& shape);
 
+// Where a joint of this value has its child, within its frame at value 0.
+solid::Pose joint_motion(const Joint& joint, double value);
+
 }  // namespace sunder::io
