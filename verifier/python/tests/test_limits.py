@@ -21,7 +21,7 @@ sys.path.insert(0, os.path.dirname(HERE))
 from sunder_verify import __main__ as program, reader  # noqa: E402
 
 YARDSTICK = 0.15  # seconds of yardstick() where the limits are as they are said
-MOST_SECONDS = {"python": 20, "c++": 60 if IS_SANITIZED else 2}
+MOST_SECONDS = {"python": 30, "c++": 60 if IS_SANITIZED else 3}
 ZEROS = ["0x0p0"] * 3
 UNIT = ["0x1p0", "0x0p0", "0x0p0"] + ["0x0p0", "0x1p0", "0x0p0"] + ["0x0p0", "0x0p0", "0x1p0"]
 EXTREME = ["0x1p-1074", "0x1p1023", "0x1p1023"]  # long integers out of few letters
@@ -339,7 +339,7 @@ class Hostile(InFolder):
             for name, command in twins().items():
                 code, _, error, seconds = checked(command, path)
                 if seconds >= MOST_SECONDS[name]:  # a machine that is busy, or slower than the one of the limit
-                    seconds /= max(1, yardstick() / YARDSTICK)
+                    seconds = min(seconds, checked(command, path)[3]) / max(1, yardstick() / YARDSTICK)
                 with self.subTest(what=what, twin=name):
                     self.assertLess(seconds, MOST_SECONDS[name])
                     self.assertIn(code, (0, 1, 2), error)
