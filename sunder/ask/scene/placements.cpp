@@ -201,7 +201,7 @@ struct Chain {
   std::vector<solid::Pose> poses;  // of links
   std::size_t begin = 0, end = 0;  // rows
   std::string text, json, csv;
-  std::uint64_t some = 0, undecided = 0;  // placements where something meets; where that is not known
+  std::uint64_t some = 0, undecided = 0, meeting = 0;  // as in PlacementsAnswer
 };
 
 class Placements {
@@ -220,7 +220,7 @@ class Placements {
     note_limits(table, motion_);
   }
 
-  int run() {
+  PlacementsAnswer run() {
     open(call_.json_lines, json_);
     open(call_.csv, csv_);
     if (json_) json_->write(header_line(input_, question_, start_.bodies(), table_));
@@ -232,9 +232,10 @@ class Placements {
                    [&](std::size_t place) { return end(*chains_[place], report); }});
     if (json_) json_->commit();
     if (csv_) csv_->commit();
-    return some_ + undecided_ > 0 ? exit_code::yes : exit_code::no;
+    return {asked_, some_, undecided_, meeting_, summary()};
   }
 
+ private:
   std::string summary() const {
     const LeftOutList& left_out = input_.left_out();
     std::string text =
@@ -247,7 +248,6 @@ class Placements {
     return text + left_out.clause() + "\n" + file_line("JSON lines", call_.json_lines) + file_line("table", call_.csv);
   }
 
- private:
   static void open(const std::string& name, std::optional<io::OutputFile>& file) {
     if (!name.empty()) file.emplace(name);
   }
@@ -264,7 +264,7 @@ class Placements {
 
   void run(Chain& chain) const {
     for (std::string* out : {&chain.text, &chain.json, &chain.csv}) out->clear();
-    chain.some = chain.undecided = 0;
+    chain.some = chain.undecided = chain.meeting = 0;
     chain.follower.forget();
     for (std::size_t k = chain.begin; k < chain.end; ++k) {
       try {
@@ -278,6 +278,7 @@ class Placements {
       if (prints_text_) lines_.add_text(k, answer, chain.text);
       if (json_) lines_.add_json(k, answer, chain.follower.bodies(), chain.json);
       if (csv_) lines_.add_csv(k, answer, chain.csv);
+      chain.meeting += answer.counts.meeting;
       if (!answer.some_meet() && !answer.none_meet()) ++chain.undecided;
       if (!answer.some_meet()) continue;
       ++chain.some;
@@ -293,6 +294,7 @@ class Placements {
     if (csv_) csv_->write(chain.csv);
     some_ += chain.some;
     undecided_ += chain.undecided;
+    meeting_ += chain.meeting;
     asked_ = chain.end;
     if (report) report(static_cast<double>(asked_) / static_cast<double>(table_.rows()));
     return !call_.first || some_ == 0;
@@ -310,7 +312,7 @@ class Placements {
   std::optional<io::OutputFile> json_, csv_;
   std::vector<std::unique_ptr<Chain>> chains_;
   std::size_t next_ = 0, asked_ = 0;
-  std::uint64_t some_ = 0, undecided_ = 0;
+  std::uint64_t some_ = 0, undecided_ = 0, meeting_ = 0;
 };
 
 }  // namespace
@@ -365,12 +367,9 @@ std::vector<io::JointValues> extremes_of(const io::JointTable& table) {
   return {least, greatest};
 }
 
-int answer_placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
-                      const io::JointTable& table) {
-  Placements placements(call, input, question, table);
-  const int code = placements.run();
-  print_for_people(placements.summary());
-  return code;
+PlacementsAnswer answer_placements(const PlacementsCall& call, const SceneInput& input,
+                                   const scene::Question& question, const io::JointTable& table) {
+  return Placements(call, input, question, table).run();
 }
 
 }  // namespace sunder::ask

@@ -1,6 +1,7 @@
 // Thousands of placements of a robot in one call of `sunder scene`: a line a placement.
 #pragma once
 
+#include <sunder/ask/report.h>
 #include <sunder/ask/scene/scene_input.h>
 
 #include <sunder/io/joint_table.h>
@@ -21,6 +22,14 @@ struct PlacementsCall {
   std::uint64_t threads = 0;    // 0: all cores
 };
 
+// How many were asked about, and of these: where something meets, where that is undecided; pairs that meet, in all.
+struct PlacementsAnswer {
+  std::uint64_t asked = 0, some = 0, undecided = 0, meeting = 0;
+  std::string summary;  // for people
+
+  int code() const { return some + undecided > 0 ? exit_code::yes : exit_code::no; }
+};
+
 // The table with the names of its joints. Throws Error, also where they are not so many as there are columns.
 io::JointTable read_placements(const PlacementsCall& call, const SceneInput& input, InputFiles* inputs);
 
@@ -31,9 +40,8 @@ std::vector<io::JointValues> joint_values_of(const io::JointTable& table);
 std::vector<io::JointValues> extremes_of(const io::JointTable& table);
 
 // Asks the question of each placement, in chains (scene/chains.h), and writes what comes out: lines of text on standard
-// output, or the files that are asked for, and there how many meet. Returns the exit code. Throws Error; then no file
-// is written.
-int answer_placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
+// output, or the files that are asked for. Throws Error; then no file is written.
+PlacementsAnswer answer_placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
                       const io::JointTable& table);
 
 }  // namespace sunder::ask

@@ -159,7 +159,9 @@ int run(const Call& call) {
   if (is_by_lines) {
     input.note_limits(extremes_of(table));
     note_hulls(input.meshes());
-    return answer_placements(call.placements, input, question, table);
+    const PlacementsAnswer answer = answer_placements(call.placements, input, question, table);
+    print_for_people(answer.summary);
+    return answer.code();
   }
   report.colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
   for (const io::JointValues& joints : placements) {
