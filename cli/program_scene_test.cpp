@@ -1,6 +1,8 @@
 // The verb scene.
 #include <tests/support/program.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <vector>
 
 namespace sunder::tests {
@@ -44,6 +46,56 @@ TEST_F(Program, SceneOfTheArm) {
   EXPECT_EQ(run("scene " + panda + folded + " --allow adjacent --allow panda_hand,panda_link1").code, 0);
   write_text(in_folder("allow"), "# what may meet\npanda_link1 panda_hand\n");
   EXPECT_EQ(run("scene " + panda + folded + " --allow adjacent --allow " + in_folder("allow")).code, 0);
+}
+
+// Scene files: bodies of all kinds of parts, their pairs allowed, units; the certificate names every file.
+TEST_F(Program, SceneOfASceneFile) {
+  const std::string cell = "scene '" + cases + "/scene/workcell.json'", proof = in_folder("cell.json");
+  const json j = report(cell + " --classify --certificate '" + proof + "'", 1);
+  EXPECT_EQ(j["unit"], "m");
+  ASSERT_EQ(j["bodies"].size(), 4u);
+  EXPECT_EQ(j["bodies"][1]["name"], "crate");
+  EXPECT_EQ(j["allowed_pairs"], json::parse(R"([["lamp", "hand"]])"));
+  EXPECT_EQ(j["count"], 3);
+  EXPECT_EQ(j["totals"]["undecided"], 0);
+  EXPECT_EQ(j["objects"].back()["shape"], "points");
+  EXPECT_EQ(j["objects"][7]["semi_axes"], json::parse("[0.0625, 0.0625, 0.25]"));
+  EXPECT_EQ(j["objects"][7]["points"], json::parse("[[0.25, 0.0, 0.0]]"));
+  const json certificate = json::parse(read_text(proof));
+  ASSERT_EQ(certificate["inputs"].size(), 2u);
+  EXPECT_TRUE(certificate["inputs"][0]["name"].get<std::string>().ends_with("workcell.json"));
+  EXPECT_TRUE(certificate["inputs"][1]["name"].get<std::string>().ends_with("cube.obj"));
+  EXPECT_EQ(run("verify '" + proof + "'").code, 0);
+  EXPECT_TRUE(python_accepts(proof));
+
+  EXPECT_EQ(run(cell + " --allow crate,table --allow hand,crate").code, 0);
+  EXPECT_EQ(run(cell + " --pose workcell=5,0,0").code, 1);  // all of it is moved
+  // Names stay as they are in the file; a body of another file with the same name is another one.
+  EXPECT_EQ(
+      report(cell + " '" + cases + "/scene/primitives.urdf@9,9,9' --allow crate,table --allow hand,crate", 1)["unit"],
+      "m");
+  expect_bad("scene '" + cases + "/scene/in-mm.json' '" + cases + "/scene/primitives.urdf'", "is in m, but");
+  expect_bad(cell + " --joints turn=1", "there is no robot to move");
+  // What is read is not written over.
+  write_text(in_folder("s.json"), R"({"bodies": [{"name": "s", "parts": [{"mesh": "m.obj"}]}]})");
+  write_text(in_folder("m.obj"), read_text(cases + "/mesh/cube.obj"));
+  expect_bad("scene '" + in_folder("s.json") + "' --svg '" + in_folder("m.obj") + "'", "is the same file as the input");
+  const json own = report("scene '" + in_folder("s.json") + "'", 0);
+  EXPECT_EQ(own["bodies"][0]["name"], "s");  // though the file is named so, too
+  EXPECT_FALSE(own.contains("unit"));
+}
+
+TEST_F(Program, SceneFilesThatAreBroken) {
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(cases + "/broken-scenes")) {
+    if (entry.path().extension() != ".json") continue;
+    const Run r = run("scene '" + entry.path().string() + "'");
+    EXPECT_EQ(r.code, 2) << entry.path();
+    EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << r.err;
+    EXPECT_NE(r.err.find("broken-scenes/"), std::string::npos) << r.err;
+    ++count;
+  }
+  EXPECT_GE(count, 6u);
 }
 
 // Spheres, cylinders and capsules as what they are; every pair is proved.

@@ -34,7 +34,7 @@ NEVER_SEEN = {
 # Keys that may be missing, by the object that holds them: "" is the report.
 OPTIONAL = {
     "": "left_out skipped mended remarks contact said_of distance clearance cut group layer across_layers count counts "
-        "contact_unknown "
+        "contact_unknown unit "
         "best contradiction formats",
     "objects[]": "why_hull frame moved_about departure groups layers left_out remarks properties box without inputs made_of not_made_of "
                  "proved",
@@ -132,6 +132,11 @@ scene cases/mesh/two_nodes.dae cases/mesh/two_nodes.wrl@0,0,9 cases/mesh/two_nod
 scene cases/scene/primitives.urdf --joints hoist=1.125 --classify --certificate OUT
 scene cases/scene/nearly.urdf --joints way=1.3853189754928867
 scene cases/scene/nearly.urdf --joints way=1.3853189754928865 --classify
+scene cases/scene/workcell.json --classify --certificate OUT
+scene cases/scene/in-cm.json
+scene cases/scene/in-mm.json cases/mesh/cube.obj@9,0,0
+scene cases/scene/in-inches.json
+scene cases/scene/in-feet.json
 info cases/scene/primitives.urdf
 scene cases/mesh/cube.obj cases/mesh/cube.obj@1,0,0 cases/mesh/cube.obj@9,0,0 --allow cube,cube#2 --certificate OUT
 segments cases/boards/two_nets.kicad_pcb --centre-lines

@@ -2,8 +2,8 @@
 install(TARGETS sunder_cli COMPONENT program)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/verifier/python/sunder_verify
   DESTINATION ${CMAKE_INSTALL_DATADIR}/sunder/python COMPONENT program FILES_MATCHING PATTERN "*.py")
-install(FILES ${PROJECT_SOURCE_DIR}/docs/schema/report.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/sunder/schema
-  COMPONENT program)
+install(FILES ${PROJECT_SOURCE_DIR}/docs/schema/report.schema.json ${PROJECT_SOURCE_DIR}/docs/schema/scene.schema.json
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/sunder/schema COMPONENT program)
 if(NOT CMAKE_CROSSCOMPILING)
   foreach(made "--man;man/man1/sunder.1" "--completion=bash;bash-completion/completions/sunder"
                "--completion=zsh;zsh/site-functions/_sunder" "--completion=fish;fish/vendor_completions.d/sunder.fish")

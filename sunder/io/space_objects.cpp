@@ -1,17 +1,16 @@
 #include <sunder/base/names.h>
 #include <sunder/io/file.h>
 #include <sunder/io/json_internal.h>
+#include <sunder/io/json_shapes_internal.h>
 #include <sunder/io/space_objects.h>
 #include <sunder/io/text.h>
 #include <sunder/solid/object/flatness.h>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
 #include <utility>
 
 namespace sunder::io {
@@ -89,9 +88,10 @@ SpaceObject checked(Kind kind, std::vector<Point3> points, const solid::Frame* p
 
 // ---- JSON.
 
-class JsonObject {
+class JsonObject : JsonShapes {
  public:
-  JsonObject(std::string_view place, const solid::Frame* project) : place_(place), project_(project) {}
+  JsonObject(std::string_view place, const solid::Frame* project)
+      : JsonShapes(place), place_(place), project_(project) {}
 
   SpaceObject read(std::string_view text) const {
     const json top = parse_json(text, place_);
@@ -116,27 +116,22 @@ class JsonObject {
            "ellipsoid (GeoJSON has a \"type\")";
   }
 
-  [[noreturn]] void fail(const std::string& where, const std::string& what) const {
-    fail_file(place_, where + ": " + what);
-  }
-
   SpaceObject read(Kind kind, const json& value) const {
     const std::string where(name_of(kind));
     if (kind == Kind::plane) return plane(value);
     if (kind > Kind::plane) return round(kind, value);
     if (kind == Kind::polygon && value.is_object()) return framed(value);
     const std::size_t least = kind == Kind::point ? 1 : kind == Kind::polygon ? 0 : 2;
-    std::vector<Point3> points;
+    std::vector<Point3> found;
     if (kind == Kind::point) {
-      points.push_back(point(value, where));
+      found.push_back(point(value, where));
     } else {
-      if (!value.is_array()) fail(where, "is no list of points, each [x, y, z]");
-      if (least > 0 && value.size() != least) {
+      if (least > 0 && value.is_array() && value.size() != least) {
         fail(where, fmt::format("has {}; give two, each [x, y, z]", count_of(value.size(), "point")));
       }
-      for (const json& p : value) points.push_back(point(p, fmt::format("{}[{}]", where, points.size())));
+      found = points(value, where);
     }
-    return checked(kind, std::move(points), project_, [&](const std::string& what) { fail(where, what); });
+    return checked(kind, std::move(found), project_, [&](const std::string& what) { fail(where, what); });
   }
 
   SpaceObject plane(const json& value) const {
@@ -155,47 +150,13 @@ class JsonObject {
   }
 
   SpaceObject round(Kind kind, const json& value) const {
-    const std::string where(name_of(kind));
-    const auto at = [&](const json& from, const std::string& key) { return point(from, where + "." + key); };
-    const auto radius = [&](std::initializer_list<std::string_view> keys) {
-      return number(member(value, where, "radius", keys), where + ".radius");
-    };
-    const auto ends = [&] {
-      const std::initializer_list<std::string_view> keys{"ends", "radius"};
-      const json& list = member(value, where, "ends", keys);
-      if (!list.is_array() || list.size() != 2) fail(where + ".ends", "is no list of two points, each [x, y, z]");
-      const Point3 first = at(list[0], "ends[0]"), second = at(list[1], "ends[1]");
-      return kind == Kind::capsule ? solid::RoundBody::capsule(first, second, radius(keys))
-                                   : solid::RoundBody::cylinder(first, second, radius(keys));
-    };
-    const auto body = [&] {
-      if (kind == Kind::ball) {
-        const std::initializer_list<std::string_view> keys{"center", "radius"};
-        return solid::RoundBody::ball(at(member(value, where, "center", keys), "center"), radius(keys));
-      }
-      if (kind == Kind::cone) {
-        const std::initializer_list<std::string_view> keys{"base", "apex", "radius"};
-        const Point3 base = at(member(value, where, "base", keys), "base");
-        return solid::RoundBody::cone(base, at(member(value, where, "apex", keys), "apex"), radius(keys));
-      }
-      if (kind != Kind::ellipsoid) return ends();
-      const std::initializer_list<std::string_view> keys{"center", "semi_axes"};
-      const Point3 center = at(member(value, where, "center", keys), "center");
-      return solid::RoundBody::ellipsoid(
-          center, numbers<3>(member(value, where, "semi_axes", keys), where + ".semi_axes", "[a, b, c]"));
-    };
     SpaceObject object{kind, {}, {}, {}, {}, {}, {}};
-    try {
-      object.round = body();
-    } catch (const Error& error) {
-      if (error.code() == ErrorCode::bad_file) throw;
-      fail(where, error.what());
-    }
+    object.round = round_body(name_of(kind), value, std::string(name_of(kind)));
     return object;
   }
 
   SpaceObject framed(const json& value) const {
-    const std::initializer_list<std::string_view> keys{"origin", "u", "v", "vertices"};
+    const Keys keys{"origin", "u", "v", "vertices"};
     std::array<Point3, 3> frame;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::string key(*(keys.begin() + k));
@@ -203,13 +164,13 @@ class JsonObject {
     }
     const json& list = member(value, "polygon", "vertices", keys);
     if (!list.is_array()) fail("polygon.vertices", "is no list of vertices, each [s, t]");
-    std::vector<Point3> points;
+    std::vector<Point3> vertices;
     for (const json& p : list) {
-      const std::string where = fmt::format("polygon.vertices[{}]", points.size());
+      const std::string where = fmt::format("polygon.vertices[{}]", vertices.size());
       const std::array<double, 2> st = numbers<2>(p, where, "[s, t]");
-      points.push_back(point_of(st[0], st[1], 0));
+      vertices.push_back(point_of(st[0], st[1], 0));
     }
-    SpaceObject object = checked(Kind::polygon, std::move(points), nullptr,
+    SpaceObject object = checked(Kind::polygon, std::move(vertices), nullptr,
                                  [&](const std::string& what) { fail("polygon.vertices", what); });
     try {
       object.frame = solid::Frame::of(frame[0], frame[1], frame[2]);
@@ -217,39 +178,6 @@ class JsonObject {
       fail("polygon", error.what());
     }
     return object;
-  }
-
-  // Requires `key` among the keys that are allowed.
-  const json& member(const json& value, const std::string& where, const std::string& key,
-                     std::initializer_list<std::string_view> allowed) const {
-    const std::string all = fmt::format("{}", fmt::join(allowed, ", "));
-    if (!value.is_object()) fail(where, "is no object with the keys " + all);
-    for (const auto& item : value.items()) {
-      if (std::find(allowed.begin(), allowed.end(), item.key()) == allowed.end()) {
-        fail(where, fmt::format("the key {} is not known; known are {}", quote(item.key()), all));
-      }
-    }
-    const auto found = value.find(key);
-    if (found == value.end()) fail(where, fmt::format("has no \"{}\"; give it", key));
-    return *found;
-  }
-
-  double number(const json& value, const std::string& where) const {
-    if (!value.is_number()) fail(where, fmt::format("{} is not a number", quote(value.dump())));
-    return value.get<double>() + 0.0;
-  }
-
-  template <std::size_t N>
-  std::array<double, N> numbers(const json& value, const std::string& where, const char* form) const {
-    if (!value.is_array() || value.size() != N) fail(where, fmt::format("is no list {} of {} numbers", form, N));
-    std::array<double, N> result;
-    for (std::size_t k = 0; k < N; ++k) result[k] = number(value[k], where);
-    return result;
-  }
-
-  Point3 point(const json& value, const std::string& where) const {
-    const std::array<double, 3> x = numbers<3>(value, where, "[x, y, z]");
-    return point_of(x[0], x[1], x[2]);
   }
 
   std::string_view place_;

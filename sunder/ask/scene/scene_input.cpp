@@ -2,6 +2,7 @@
 
 #include <sunder/base/error.h>
 #include <sunder/io/joint_values.h>
+#include <sunder/io/scene_file.h>
 #include <sunder/io/text.h>
 #include <sunder/io/urdf_kinematics.h>
 
@@ -72,6 +73,8 @@ SceneInput::SceneInput(const std::vector<std::string>& files, const std::vector<
     inputs_.push_back({unused_name(stem), pose});
     if (is_urdf(file)) {
       add_robot(file, require_convex, inputs, packages);
+    } else if (io::is_scene_file(file)) {
+      add_scene(file, require_convex, inputs, parts);
     } else {
       add_mesh(file, require_convex, inputs, parts);
     }
@@ -131,11 +134,37 @@ void SceneInput::add_robot(const std::string& file, bool require_convex, InputFi
   robot_ = io::read_urdf(file, inputs);
   robot_file_ = file;
   robot_bodies_ = io::read_robot_bodies(*robot_, file, require_convex, left_out_, inputs, packages);
+  meshes_.insert(meshes_.end(), robot_bodies_.meshes.begin(), robot_bodies_.meshes.end());
+  take_unit("m", file);
   first_of_robot_ = static_cast<std::uint32_t>(bodies_.size());
   for (io::LinkBody& body : robot_bodies_.bodies) {
     bodies_.push_back(
         {unused_name(robot_->links[body.link].name), inputs_.size() - 1, body.link, std::move(body.parts)});
   }
+}
+
+void SceneInput::add_scene(const std::string& file, bool require_convex, InputFiles* inputs, io::PartsOf parts) {
+  const io::SceneFile scene = io::read_scene_file(file, inputs);
+  if (!scene.unit.empty()) take_unit(scene.unit, file);
+  auto all = io::read_scene_parts(scene, file, require_convex, left_out_, inputs, &meshes_, parts);
+  const auto first = static_cast<std::uint32_t>(bodies_.size());
+  for (std::size_t b = 0; b < all.size(); ++b) {
+    const std::string& name = scene.bodies[b].name;  // as in the file, unless another body has it
+    const bool is_taken = named(name, bodies_) != bodies_.end();
+    bodies_.push_back({is_taken ? unused_name(name) : name, inputs_.size() - 1, {}, std::move(all[b])});
+  }
+  for (const auto& [a, b] : scene.allowed) allowed_by_files_.push_back({first + a, first + b});
+  if (!scene.allowed.empty()) scene_files_.push_back(file);
+}
+
+// Lengths of different units are not compared.
+void SceneInput::take_unit(const std::string& unit, const std::string& file) {
+  if (!unit_.empty() && unit != unit_) {
+    fail_call(fmt::format("is in {}, but {} is in {}; scale one of them", unit, io::quote(unit_file_), unit_),
+              io::one_line(file));
+  }
+  unit_ = unit;
+  unit_file_ = file;
 }
 
 std::vector<scene::Body> SceneInput::bodies(const std::map<std::string, double>& joints) const {

@@ -1,4 +1,5 @@
-// The bodies of `sunder scene` out of files: meshes and one robot, where they are, and which pairs are allowed to meet.
+// The bodies of `sunder scene` out of files: meshes, scenes and one robot, where they are, and which pairs are allowed
+// to meet.
 #pragma once
 
 #include <sunder/ask/objects.h>
@@ -43,6 +44,11 @@ class SceneInput {
   // not have, are passed over. Notes say how many, and why. Throws Error where there is no robot.
   std::vector<std::array<std::uint32_t, 2>> allowed(const io::Srdf& srdf, const std::string& file) const;
 
+  // The pairs that scene files allow, and these files as they were named.
+  const std::vector<std::array<std::uint32_t, 2>>& allowed_by_files() const { return allowed_by_files_; }
+  const std::vector<std::string>& scene_files() const { return scene_files_; }
+  const std::string& unit() const { return unit_; }  // of lengths, as a scene file says it; empty: none does
+
   // The values that --state means, with notes about what is not taken. Throws Error.
   io::JointValues state(const io::Srdf& srdf, const std::string& text) const;
 
@@ -67,11 +73,11 @@ class SceneInput {
     }
   }
 
-  bool is_hull(std::uint32_t body, std::uint32_t part) const;  // does it stand for a mesh?
-  std::vector<const io::BodyPart*> parts() const;              // of all bodies, in order
-  std::vector<const MeshBody*> meshes() const;                 // of those that have no radius
-  const LeftOutList& left_out() const { return left_out_; }    // what is not read: must be shown
-  const std::vector<std::filesystem::path>& robot_meshes() const { return robot_bodies_.meshes; }
+  bool is_hull(std::uint32_t body, std::uint32_t part) const;                        // does it stand for a mesh?
+  std::vector<const io::BodyPart*> parts() const;                                    // of all bodies, in order
+  std::vector<const MeshBody*> meshes() const;                                       // of those that have no radius
+  const LeftOutList& left_out() const { return left_out_; }                          // what is not read: must be shown
+  const std::vector<std::filesystem::path>& meshes_read() const { return meshes_; }  // those that files name
 
  private:
   struct Body {
@@ -87,6 +93,8 @@ class SceneInput {
 
   void add_mesh(const std::string& file, bool require_convex, InputFiles* inputs, io::PartsOf parts);
   void add_robot(const std::string& file, bool require_convex, InputFiles* inputs, const io::Packages& packages);
+  void add_scene(const std::string& file, bool require_convex, InputFiles* inputs, io::PartsOf parts);
+  void take_unit(const std::string& unit, const std::string& file);
   void require_some_body() const;
   std::string unused_name(const std::string& wish) const;
   std::uint32_t body_named(const std::string& name, const std::string& place) const;
@@ -100,6 +108,10 @@ class SceneInput {
   std::string robot_file_;
   io::RobotBodies robot_bodies_;      // without their parts, which are those of bodies_
   std::uint32_t first_of_robot_ = 0;  // in bodies_
+  std::vector<std::array<std::uint32_t, 2>> allowed_by_files_;
+  std::vector<std::string> scene_files_;
+  std::string unit_, unit_file_;  // and the file that says so
+  std::vector<std::filesystem::path> meshes_;
   LeftOutList left_out_;
 };
 

@@ -199,9 +199,15 @@ Json object_json(const io::BodyPart& part) {
   Json json{{"file", part.body.file},
             {"name", part.body.name},
             {"format", part.body.format},
-            {"shape", shape_name(*part.round)},
-            {"radius", part.round->radius()}};
+            {"shape", shape_name(*part.round)}};
   json["points"] = Json::array();
+  if (part.round->kind() == RoundKind::ellipsoid) {
+    const auto& [m, t] = part.round->frame();
+    json["points"].push_back(to_json(Point3{t[0], t[1], t[2]}));
+    json["semi_axes"] = to_json(Point3{m[0], m[4], m[8]});
+    return json;
+  }
+  json["radius"] = part.round->radius();
   for (const Point3& p : part.round->points()) json["points"].push_back(to_json(p));
   return json;
 }
@@ -297,6 +303,7 @@ Json scene_json(const SceneReport& report) {
   for (const io::BodyPart* part : report.input.parts()) json["objects"].push_back(object_json(*part));
 
   if (!report.input.left_out().empty()) json["left_out"] = to_json(report.input.left_out());
+  if (!report.input.unit().empty()) json["unit"] = report.input.unit();
 
   json["bodies"] = Json::array();
   const std::vector<scene::Body>& bodies = report.placements.front().bodies;

@@ -79,7 +79,7 @@ Placed ask(const SceneInput& input, const io::JointValues& joints, const std::st
 // What the call names is compared before anything is read; what a robot's file names, here.
 void require_apart(const Call& call, const SceneInput& input) {
   std::vector<NamedFile> meshes, outputs;
-  for (const std::filesystem::path& mesh : input.robot_meshes()) meshes.push_back({"", mesh});
+  for (const std::filesystem::path& mesh : input.meshes_read()) meshes.push_back({"", mesh});
   if (!call.certificate.empty()) outputs.push_back({"--certificate", call.certificate});
   if (!call.svg.empty()) outputs.push_back({"--svg", call.svg});
   if (!call.placements.json_lines.empty()) outputs.push_back({"--json-lines", call.placements.json_lines});
@@ -156,6 +156,8 @@ int run(const Call& call) {
     question.allowed.insert(question.allowed.end(), pairs.begin(), pairs.end());
     report.allowed_because.push_back(call.srdf);
   }
+  question.allowed.insert(question.allowed.end(), input.allowed_by_files().begin(), input.allowed_by_files().end());
+  for (const std::string& file : input.scene_files()) report.allowed_because.push_back(io::one_line(file));
   if (is_by_lines) {
     input.note_limits(extremes_of(table));
     note_hulls(input.meshes());
@@ -192,11 +194,12 @@ Verb scene_verb() {
   const auto call = std::make_shared<Call>();
   return {
       "scene",
-      "Which of many bodies meet? Meshes, and the links of a robot.",
+      "Which of many bodies meet? Meshes, scenes, and the links of a robot.",
       codes_of_sets,
       {{"FILE", &call->files,
-        "a mesh (its objects are the parts of one body) or one robot (URDF: its links are the bodies); FILE@POSE "
-        "places it",
+        "a mesh (its objects are the parts of one body), a scene (JSON: named bodies of parts), or one robot (URDF: "
+        "its "
+        "links are the bodies); FILE@POSE places it",
         "", true},
        {"--pose", &call->poses, std::string("place the file of this name: ") + pose_forms, "NAME=POSE"},
        {"--joints", &call->joints, "name=value,... or LABEL:name=value,...; again for another placement", "VALUES"},
