@@ -1,5 +1,6 @@
 #include <sunder/solid/round/round_body.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace sunder::solid {
@@ -24,11 +25,42 @@ ConvexPolyhedron axis_of(const Point3& from, const Point3& to, const char* what)
   return axis;
 }
 
+// Eight corners at half the sides from the middle, which are perpendicular, as far as doubles tell.
+std::shared_ptr<const RoundBox> box_of(const ConvexPolyhedron& core) {
+  const std::span<const Point3> vertices = core.vertices();
+  if (vertices.size() != 8 || core.neighbours(0).size() != 3) return nullptr;
+  constexpr double off = 0x1p-44;
+  const auto size2 = [](const Point3& p) { return dot(p, p); };
+  RoundBox box;
+  box.middle = vertices[0];
+  double all2 = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point3 side = minus(vertices[core.neighbours(0)[k]], vertices[0]);
+    box.half[k] = {side.x / 2, side.y / 2, side.z / 2};
+    box.middle = {box.middle.x + box.half[k].x, box.middle.y + box.half[k].y, box.middle.z + box.half[k].z};
+    all2 += size2(box.half[k]);
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point3 &p = box.half[k], &q = box.half[(k + 1) % 3];
+    if (!(std::fabs(dot(p, q)) <= off * std::sqrt(size2(p) * size2(q)))) return nullptr;
+  }
+  for (std::size_t place = 0; place < 8; ++place) {
+    Point3 at = box.middle;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double by = (place >> k & 1) != 0 ? 1 : -1;
+      at = {at.x + by * box.half[k].x, at.y + by * box.half[k].y, at.z + by * box.half[k].z};
+    }
+    const auto is_here = [&](const Point3& v) { return size2(minus(v, at)) <= off * off * all2; };
+    const auto corner = std::find_if(vertices.begin(), vertices.end(), is_here);
+    if (corner == vertices.end()) return nullptr;
+    box.corners[place] = static_cast<std::uint32_t>(corner - vertices.begin());
+  }
+  return std::make_shared<const RoundBox>(box);
+}
+
 Pose pose_of(const RoundBody& body, const Pose& pose) {
-  require_rigid(body, pose);
-  if (body.kind() != RoundKind::ellipsoid) return pose;
-  const Affine3& frame = body.frame();
-  return compose(pose, Pose::from_matrix(frame.linear, frame.translation));
+  std::optional<Pose> room;
+  return pose_in_place(body, pose, room);
 }
 
 }  // namespace
@@ -36,6 +68,7 @@ Pose pose_of(const RoundBody& body, const Pose& pose) {
 RoundBody::RoundBody(RoundKind kind, const ConvexPolyhedron& core, double radius)
     : kind_(kind), radius_(radius), core_(core) {
   require_radius(radius);
+  box_ = box_of(core);
 }
 
 RoundBody::RoundBody(const ConvexPolyhedron& polyhedron) : RoundBody(RoundKind::hull, polyhedron, 0) {}
@@ -72,7 +105,8 @@ RoundBody RoundBody::ellipsoid(const Point3& centre, const std::array<double, 3>
   hull_of({centre});  // finite
   RoundBody body(RoundKind::ellipsoid, hull_of({Point3{}}), 1);
   body.ends_ = std::make_shared<const std::array<Point3, 2>>();
-  body.frame_ = {{semi_axes[0], 0, 0, 0, semi_axes[1], 0, 0, 0, semi_axes[2]}, {centre.x, centre.y, centre.z}};
+  body.frame_ =
+      Pose::from_matrix({semi_axes[0], 0, 0, 0, semi_axes[1], 0, 0, 0, semi_axes[2]}, {centre.x, centre.y, centre.z});
   return body;
 }
 
@@ -85,17 +119,22 @@ void require_rigid(const RoundBody& body, const Pose& pose) {
   if (body.is_polyhedron() || body.kind() == RoundKind::ellipsoid) return;
   constexpr double allowed = 0x1p-20;
   const auto& m = pose.affine().linear;
-  bool is_rigid = true;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = i; j < 3; ++j) {
-      const double product = m[i] * m[j] + m[3 + i] * m[3 + j] + m[6 + i] * m[6 + j];
-      is_rigid = is_rigid && std::fabs(product - (i == j ? 1 : 0)) <= allowed;
-    }
-  }
+  const auto product = [&](std::size_t i, std::size_t j) {
+    return m[i] * m[j] + m[3 + i] * m[3 + j] + m[6 + i] * m[6 + j];
+  };
+  const auto off = [&](std::size_t i, std::size_t j) { return std::fabs(product(i, j) - (i == j ? 1 : 0)); };
+  const double most = std::max({off(0, 0), off(1, 1), off(2, 2), off(0, 1), off(0, 2), off(1, 2)});
+  const bool is_rigid = most <= allowed;
   if (is_rigid) return;
   throw Error(ErrorCode::bad_pose,
               "the pose scales or shears, and a radius stays as it is; give a rotation, and scale the body itself",
               "pose");
+}
+
+const Pose& pose_in_place(const RoundBody& body, const Pose& pose, std::optional<Pose>& room) {
+  require_rigid(body, pose);
+  if (body.kind() != RoundKind::ellipsoid) return pose;
+  return room.emplace(compose(pose, body.frame_pose()));
 }
 
 PlacedRound::PlacedRound(const RoundBody& of, const Pose& at)

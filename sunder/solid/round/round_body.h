@@ -13,10 +13,19 @@
 #include <sunder/solid/pair/placed.h>
 
 #include <array>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace sunder::solid {
+
+// A box, as searches see it: about, in doubles.
+struct RoundBox {
+  Point3 middle;
+  std::array<Point3, 3> half;            // from the middle to three facets
+  std::array<std::uint32_t, 8> corners;  // vertices of the core: bit k of the place is set where it is along half[k]
+};
 
 // Immutable, and cheap to copy (copies share one block of memory); any number of threads may use one at once. Radii are
 // in the unit of the world. What one might assume and does not hold: a radius of zero is allowed, but for ellipsoids; a
@@ -45,7 +54,11 @@ class RoundBody {
 
   // Where the points are: the identity, but for an ellipsoid, which is the image of its ball under
   // x -> diagonal x + centre.
-  const Affine3& frame() const { return frame_; }
+  const Affine3& frame() const { return frame_.affine(); }
+  const Pose& frame_pose() const { return frame_; }
+
+  // Where the core is a box, as far as doubles tell: for proposals. Else nullptr.
+  const RoundBox* box() const { return box_.get(); }
 
   bool is_polyhedron() const { return kind_ == RoundKind::hull && radius_ == 0; }
 
@@ -59,13 +72,18 @@ class RoundBody {
   double radius_;
   ConvexPolyhedron core_;
   std::shared_ptr<const std::array<Point3, 2>> ends_;  // of cylinders, cones and ellipsoids
-  Affine3 frame_{};
+  Pose frame_;
+  std::shared_ptr<const RoundBox> box_;
 };
 
 // May the body be placed so? A polyhedron, and an ellipsoid, by any pose. Others by rotations and reflections with a
 // translation, because the radius stays: columns of the linear part may be off being perpendicular and of length 1 by
 // 2^-20 at most, which is a check of what users give, in doubles. Throws Error: bad_pose.
 void require_rigid(const RoundBody& body, const Pose& pose);
+
+// Where what answers are about is: compose(pose, frame) for an ellipsoid, which `room` then holds, else the pose
+// itself. Throws Error as PlacedRound.
+const Pose& pose_in_place(const RoundBody& body, const Pose& pose, std::optional<Pose>& room);
 
 // A body in its place. An ellipsoid's map is compose(pose, frame), in doubles, and these are what answers are exact
 // for.

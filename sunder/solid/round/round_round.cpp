@@ -7,6 +7,7 @@
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/round/round_finish.h>
 #include <sunder/solid/round/round_propose.h>
+#include <sunder/solid/round/round_quick.h>
 #include <sunder/solid/round/round_round.h>
 
 #include <algorithm>
@@ -224,16 +225,15 @@ ExactPoint simple_fractions(const Point3& p) {
   return {{Dyadic(n[0]) * y * z, x * Dyadic(n[1]) * z, x * y * Dyadic(n[2])}, x * y * z};
 }
 
-RoundAnswer of_polyhedra(const PlacedRound& a, const PlacedRound& b) {
+void of_polyhedra(const PlacedRound& a, const PlacedRound& b, RoundAnswer& answer) {
   const PairAnswer found = polyhedron_polyhedron(a.body.core(), a.pose, b.body.core(), b.pose);
-  RoundAnswer answer;
   answer.decided_by = found.decided_by;
   answer.cost = found.cost;
   RoundEvidence& evidence = answer.evidence;
   if (found.meet()) {
     evidence.verdict = RoundVerdict::meet;
     evidence.of_cores = found.certificate();
-    return answer;
+    return;
   }
   evidence.verdict = RoundVerdict::apart;
   const WorldDirection d =
@@ -247,24 +247,20 @@ RoundAnswer of_polyhedra(const PlacedRound& a, const PlacedRound& b) {
     evidence.direction = {about.x.low, about.y.low, about.z.low};
     evidence.exact_direction = std::make_shared<const std::array<Dyadic, 3>>(std::array{exact.x, exact.y, exact.z});
   }
-  return answer;
 }
 
-RoundAnswer answer_of(const PlacedRound& a, const PlacedRound& b) {
-  if (a.body.is_polyhedron() && b.body.is_polyhedron()) return of_polyhedra(a, b);
-  RoundAnswer answer;
+// Where nothing quick has held.
+void search(const PlacedRound& a, const PlacedRound& b, const Point3& way, RoundAnswer& answer) {
   StageTally tally;
   RoundDisposal dispose(a, b, answer, tally);
   RoundProposer<double> first(a, b, dispose, answer.cost);
-  if (first.propose(first.search.first_direction(), 0x1p-20)) {
-    conclude(answer, tally.exact);
-    return answer;
+  if (first.propose(dot(way, way) > 0 ? way : first.search.first_direction(), 0x1p-20)) {
+    return conclude(answer, tally.exact);
   }
   RoundFinish finish(a, b, answer, tally);
   if (!a.body.is_curved() && !b.body.is_curved()) {
     finish.hulls();
-    conclude(answer, tally.exact, true);
-    return answer;
+    return conclude(answer, tally.exact, true);
   }
   const Point3& d = first.search.direction;
   RoundProposer<DoubleDouble> second(a, b, dispose, answer.cost);
@@ -284,7 +280,6 @@ RoundAnswer answer_of(const PlacedRound& a, const PlacedRound& b) {
     if (answer.undecided()) answer.evidence.direction = second.best_direction;
   }
   conclude(answer, tally.exact, !held);
-  return answer;
 }
 
 }  // namespace
@@ -308,10 +303,30 @@ std::string_view name_of(RoundVerdict verdict) {
 }
 
 RoundAnswer round_round(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b) {
-  return answer_of(PlacedRound(a, pose_a), PlacedRound(b, pose_b));
+  RoundAnswer answer;
+  if (a.is_polyhedron() && b.is_polyhedron()) {
+    of_polyhedra(PlacedRound(a, pose_a), PlacedRound(b, pose_b), answer);
+    return answer;
+  }
+  std::optional<Pose> room_a, room_b;
+  Point3 way{};
+  const Pose &at_a = pose_in_place(a, pose_a, room_a), &at_b = pose_in_place(b, pose_b, room_b);
+  if (!decide_quickly(a, at_a, b, at_b, answer, way)) {
+    search(PlacedRound(a, pose_a), PlacedRound(b, pose_b), way, answer);
+  }
+  return answer;
 }
 
-RoundAnswer round_round(const PlacedRound& a, const PlacedRound& b) { return answer_of(a, b); }
+RoundAnswer round_round(const PlacedRound& a, const PlacedRound& b) {
+  RoundAnswer answer;
+  Point3 way{};
+  if (a.body.is_polyhedron() && b.body.is_polyhedron()) {
+    of_polyhedra(a, b, answer);
+  } else if (!decide_quickly(a.body, a.pose, b.body, b.pose, answer, way)) {
+    search(a, b, way, answer);
+  }
+  return answer;
+}
 
 Point3 rounded_point_of(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
   const CommonPoint point = common_point_of(a, b, evidence);

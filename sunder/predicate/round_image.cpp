@@ -1,0 +1,147 @@
+#include <sunder/base/lanes.h>
+#include <sunder/predicate/round_image.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunder {
+
+namespace {
+
+using V = Vector3<double>;
+
+constexpr double most = 0x1p60, least = 0x1p-300, least_length = 0x1p-100;
+
+double length(const V& v) { return std::sqrt(dot(v, v)); }
+
+V turned(const Affine3& pose, double x, double y, double z) {
+  const auto& m = pose.linear;
+  return {m[0] * x + m[1] * y + m[2] * z, m[3] * x + m[4] * y + m[5] * z, m[6] * x + m[7] * y + m[8] * z};
+}
+V pulled(const Affine3& pose, const V& d) {
+  const auto& m = pose.linear;
+  return {m[0] * d.x + m[3] * d.y + m[6] * d.z, m[1] * d.x + m[4] * d.y + m[7] * d.z,
+          m[2] * d.x + m[5] * d.y + m[8] * d.z};
+}
+V image_of(const Affine3& pose, const Point3& p) {
+  const V v = turned(pose, p.x, p.y, p.z);
+  return {v.x + pose.translation[0], v.y + pose.translation[1], v.z + pose.translation[2]};
+}
+double greatest_entry(const Affine3& pose) {
+  double greatest = 0;
+  for (const double m : pose.linear) greatest = std::max(greatest, std::fabs(m));
+  return greatest;
+}
+bool is_moderate(double size) { return size >= least && size <= most; }
+
+Guess sure(double value, double error) {
+  return value > error ? Guess::positive : value < -error ? Guess::negative : Guess::unsure;
+}
+
+}  // namespace
+
+void set_image(RoundImage& image, RoundKind kind, const Affine3& pose, const Point3* points, std::uint32_t ends,
+               double radius, double size) {
+  image.kind = kind;
+  image.ends = ends;
+  image.pose = &pose;
+  image.radius = radius;
+  image.from = image_of(pose, points[0]);
+  image.size = size + radius;
+  if (ends == 2) {
+    image.to = image_of(pose, points[1]);
+    image.axis = turned(pose, points[1].x - points[0].x, points[1].y - points[0].y, points[1].z - points[0].z);
+  }
+  image.is_tame = is_moderate(image.size);
+  if (kind == RoundKind::ellipsoid) {
+    const double greatest = greatest_entry(pose);
+    image.size = size + 3 * greatest * radius;
+    image.is_tame = is_moderate(image.size) && greatest >= least_length && radius >= least_length;
+  } else if (kind != RoundKind::hull) {
+    image.length = length(image.axis);
+    if (!(image.length >= least_length && image.length <= most)) image.is_tame = false;
+    const double by = 1 / image.length;
+    image.axis = {image.axis.x * by, image.axis.y * by, image.axis.z * by};
+  }
+}
+
+void set_image(RoundImage& image, const Affine3& pose, const double* all, std::uint32_t count, double radius,
+               double size) {
+  image.kind = RoundKind::hull;
+  image.ends = 0;
+  image.pose = &pose;
+  image.radius = radius;
+  image.size = size + radius;
+  image.is_tame = is_moderate(image.size);
+  image.all = all;
+  image.count = count;
+}
+
+double reach_along(const RoundImage& image, const V& d) {
+  switch (image.kind) {
+    case RoundKind::hull: {
+      const double round = image.radius > 0 ? image.radius * length(d) : 0;
+      if (image.ends == 1) return dot(d, image.from) + round;
+      if (image.ends == 2) return std::max(dot(d, image.from), dot(d, image.to)) + round;
+      const V e = pulled(*image.pose, d);
+      const double *x = image.all, *y = x + image.count, *z = y + image.count;
+      Lanes furthest = e.x * lanes_at(x) + e.y * lanes_at(y) + e.z * lanes_at(z);
+      for (std::uint32_t j = 2; j < image.count; j += 2) {
+        furthest = greater_of(furthest, e.x * lanes_at(x + j) + e.y * lanes_at(y + j) + e.z * lanes_at(z + j));
+      }
+      const auto& t = image.pose->translation;
+      return std::max(furthest[0], furthest[1]) + (d.x * t[0] + d.y * t[1] + d.z * t[2]) + round;
+    }
+    case RoundKind::ellipsoid: return dot(d, image.from) + image.radius * length(pulled(*image.pose, d));
+    case RoundKind::cylinder:
+      return std::max(dot(d, image.from), dot(d, image.to)) + image.radius * length(cross(d, image.axis));
+    case RoundKind::cone: break;
+  }
+  return std::max(dot(d, image.from) + image.radius * length(cross(d, image.axis)), dot(d, image.to));
+}
+
+Guess gap_guess(const V& d, const RoundImage& a, const RoundImage& b) {
+  const double gap = -reach_along(b, {-d.x, -d.y, -d.z}) - reach_along(a, d);
+  const Guess guess = sure(gap, round_image_error * (a.size + b.size));
+  return a.is_tame && b.is_tame ? guess : Guess::unsure;
+}
+
+Guess side_guess(const RoundImage& image, const V& x, double size) {
+  if (!image.is_tame) return Guess::unsure;
+  const V from = x - image.from;
+  if (image.kind == RoundKind::ellipsoid) {
+    // adj(L) (x - t) against det r. With g the greatest entry and v = x - t an adjoint's entry is at most 2 g^2 in
+    // size, and off by 6 u g^2; so its product with v by at most 14 u g^2 |v|_1, the length of all by 40 u of that, and
+    // the determinant by 42 u g^3.
+    const auto& m = image.pose->linear;
+    const V p{m[0], m[3], m[6]}, q{m[1], m[4], m[7]}, r{m[2], m[5], m[8]};
+    const V of_p = cross(q, r);
+    const double determinant = std::fabs(dot(p, of_p));
+    const double way = length({dot(of_p, from), dot(cross(r, p), from), dot(cross(p, q), from)});
+    const double g = greatest_entry(*image.pose);
+    const double sizes = std::fabs(from.x) + std::fabs(from.y) + std::fabs(from.z) + g * image.radius + 4 * size;
+    if (!(sizes <= most)) return Guess::unsure;
+    return sure(image.radius * determinant - way, 0x1p-46 * (g * g * sizes) + least);
+  }
+  const double far = length(from);
+  if (!(far <= most)) return Guess::unsure;
+  const double along = dot(from, image.axis), across = length(cross(from, image.axis)), rest = image.length - along;
+  const double error = round_image_error * (image.size + size + far);
+  double reach = image.radius, of_reach = error;
+  if (image.kind == RoundKind::cone) {
+    const double slope = image.radius / image.length;
+    if (!(slope <= most)) return Guess::unsure;
+    reach = slope * rest;
+    of_reach = error * (1 + slope);
+  }
+  if (along < -error || rest < -error || reach - across < -of_reach) return Guess::negative;
+  return along > error && rest > error && reach - across > of_reach ? Guess::positive : Guess::unsure;
+}
+
+Guess nearness_guess(const V& p, const V& q, double reach, double size) {
+  if (!(is_moderate(size) && reach <= most)) return Guess::unsure;
+  const double far = length(q - p);
+  return sure(reach - far, round_image_error * (size + far));
+}
+
+}  // namespace sunder

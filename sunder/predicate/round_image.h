@@ -1,0 +1,71 @@
+// Placed bodies with a radius in doubles: the first stage of predicate/round_shape.h, where many directions and points
+// are asked about one pair. Also called: floating-point filter; semi-static error bound.
+//
+// The image of a body is made once; then each question costs some ten nanoseconds, and is told surely or not at all.
+// With u = 2^-53 let R be the size of a core: no product of an entry of the pose and a coordinate, and no number of the
+// translation, is above R; and E that of what is around it: the radius, of an ellipsoid three times the greatest entry
+// times the radius. Components of d are at most 1 in size.
+//   - A component of an image sums terms of 4 R at most, with three roundings; of a combination of vertices there are 8
+//     more. So a point is off by at most 65 u R, and P d, of at most 7 R |d|, by 45 u R |d|.
+//   - The pose of a cylinder or cone is a rotation, as far as 2^-19: so its axis, of four roundings, is off by at most
+//     7 u of its length, the axis of length 1 by 18 u; what is along it of a vector, and what is perpendicular, by 28 u
+//     of the vector. The axis is at most 6.2 R long, so its length is off by 62 u R.
+//   - |L^T d| of an ellipsoid is off by at most 22 u of the greatest entry times |d|.
+// So reaches along d are off by at most 128 u (R + E), and distances, those to a slope aside, by 128 u (R + E + F),
+// where F is the distance of the point; what is along a slope by 160 u, times the slope. 2^-45 is 256 u: it pays for
+// the last sums and for computing the bound too. No formula overflows where sizes are at most 2^60, and what underflows
+// is below 2^-440 where they are at least 2^-300.
+#pragma once
+
+#include <sunder/number/sign.h>
+#include <sunder/number/vector.h>
+#include <sunder/predicate/point.h>
+#include <sunder/predicate/posed.h>
+#include <sunder/predicate/round_kind.h>
+
+#include <cstdint>
+
+namespace sunder {
+
+struct RoundImage {
+  RoundKind kind = RoundKind::hull;
+  bool is_tame = false;      // false: nothing is told of it
+  std::uint32_t ends = 1;    // 1 or 2; of hulls of more than two vertices 0
+  Vector3<double> from, to;  // images of the ends
+  Vector3<double> axis;      // of two ends: the way between them; of cylinders and cones of length 1
+  double length = 0;         // of cylinders and cones: of the axis
+  double radius = 0;
+  double size = 0;  // as above: the size of the core and that of the radius, together
+  const Affine3* pose = nullptr;
+  const double* all = nullptr;  // of more than two vertices, as SearchGraph keeps them: x of all, y, z
+  std::uint32_t count = 0;      // of these, padded to a multiple of four
+};
+
+// An upper bound on the error of sums of such sizes.
+inline constexpr double round_image_error = 0x1p-45;
+
+// A hull of one or two points, a cylinder or cone of base and top, an ellipsoid and its centre. size: of the core, as
+// above. The pose has to stay; of cylinders and cones it is a rotation as far as 2^-19.
+void set_image(RoundImage& image, RoundKind kind, const Affine3& pose, const Point3* points, std::uint32_t ends,
+               double radius, double size);
+
+// A hull of more points.
+void set_image(RoundImage& image, const Affine3& pose, const double* all, std::uint32_t count, double radius,
+               double size);
+
+// How far the body reaches along d.
+double reach_along(const RoundImage& image, const Vector3<double>& d);
+
+// positive, negative: the plane across the direction parts A from B strictly, or does not. The greatest component of d
+// is 1 in size.
+Guess gap_guess(const Vector3<double>& d, const RoundImage& a, const RoundImage& b);
+
+// positive: the body, no hull, holds the point in its inside; negative: it does not hold it. size: of the core that the
+// point is a combination of; 0 where it is the three doubles.
+Guess side_guess(const RoundImage& image, const Vector3<double>& x, double size = 0);
+
+// positive: the points are nearer to each other than `reach`; negative: they are further apart. Each is a combination
+// of vertices of a core, or three doubles. size: of both cores and of the reach.
+Guess nearness_guess(const Vector3<double>& p, const Vector3<double>& q, double reach, double size);
+
+}  // namespace sunder
