@@ -40,6 +40,7 @@ OPTIONAL = {
                  "proved",
     "objects[].departure": "volume_missing_about volume_of_hull_about",
     "distance": "a b",
+    "clearance": "undecided",
     "common": "edge surface nearest furthest point first last",
     "common.first": "along_edge beginning",
     "common.last": "along_edge",
@@ -102,7 +103,9 @@ pair cases/space/ellipsoid.json cases/space/cone.json --pose-a 0,0,1 --classify 
 pair cases/space/ball.json cases/space/capsule.json --clearance 1 --certificate OUT
 pair cases/space/ball.json cases/space/capsule.json --clearance 2 --certificate OUT
 pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,4,5 --radius-a 1 --radius-b 0.5 --certificate OUT
-pair cases/space/tip.json cases/space/beside.json
+pair cases/space/cylinder.json cases/space/cone.json --pose-b 5,0,0 --distance --clearance 1 --certificate OUT
+pair cases/space/cylinder.json cases/space/cone.json --pose-b 5,0,0 --clearance 1.2 --certificate OUT
+pair cases/space/tip.json cases/space/beside.json --distance --clearance 1e-300
 pair cases/mesh/cube.obj cases/space/rim.json --classify
 pair cases/space/plane.json cases/space/line.json --certificate OUT
 pair cases/space/plane.json cases/space/above.json
