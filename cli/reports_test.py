@@ -33,13 +33,14 @@ NEVER_SEEN = {
 
 # Keys that may be missing, by the object that holds them: "" is the report.
 OPTIONAL = {
-    "": "left_out skipped mended remarks contact said_of distance clearance cut group layer across_layers count counts "
+    "": "left_out skipped mended remarks contact said_of distance clearance nearest cut group layer across_layers count counts "
         "contact_unknown unit "
         "best contradiction formats",
     "objects[]": "why_hull frame moved_about departure groups layers left_out remarks properties box without inputs made_of not_made_of "
                  "proved",
     "objects[].departure": "volume_missing_about volume_of_hull_about",
     "distance": "a b",
+    "clearance": "undecided",
     "common": "edge surface nearest furthest point first last",
     "common.first": "along_edge beginning",
     "common.last": "along_edge",
@@ -47,6 +48,8 @@ OPTIONAL = {
     "cut.first": "beginning",
     "cut.last": "end",
     "pairs[]": "contact contact_unknown",
+    "clearance.closer[]": "points_about",
+    "nearest[]": "points_about",
     "contacts[]": "groups layers files lines properties",
     "best": "before side after point",
     "sections[]": "through",
@@ -100,7 +103,9 @@ pair cases/space/ellipsoid.json cases/space/cone.json --pose-a 0,0,1 --classify 
 pair cases/space/ball.json cases/space/capsule.json --clearance 1 --certificate OUT
 pair cases/space/ball.json cases/space/capsule.json --clearance 2 --certificate OUT
 pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,4,5 --radius-a 1 --radius-b 0.5 --certificate OUT
-pair cases/space/tip.json cases/space/beside.json
+pair cases/space/cylinder.json cases/space/cone.json --pose-b 5,0,0 --distance --clearance 1 --certificate OUT
+pair cases/space/cylinder.json cases/space/cone.json --pose-b 5,0,0 --clearance 1.2 --certificate OUT
+pair cases/space/tip.json cases/space/beside.json --distance --clearance 1e-300
 pair cases/mesh/cube.obj cases/space/rim.json --classify
 pair cases/space/plane.json cases/space/line.json --certificate OUT
 pair cases/space/plane.json cases/space/above.json
@@ -130,6 +135,7 @@ scene cases/panda/panda.urdf --joints panda_joint1=0.5 --joints home:panda_joint
 scene cases/mesh/arm.urdf --leave-out --srdf cases/scene/arm.srdf --state up --state hand/open --certificate OUT
 scene cases/mesh/two_nodes.dae cases/mesh/two_nodes.wrl@0,0,9 cases/mesh/two_nodes.gltf@0,9,0 --groups
 scene cases/scene/primitives.urdf --joints hoist=1.125 --classify --certificate OUT
+scene cases/panda/panda.urdf --allow adjacent --joints-file cases/scene/folded.joints --joints-file cases/scene/ready.joints --clearance 0.01 --margin panda_link5,panda_link7=0.02 --distance
 scene cases/scene/nearly.urdf --joints way=1.3853189754928867
 scene cases/scene/nearly.urdf --joints way=1.3853189754928865 --classify
 scene cases/scene/workcell.json --classify --certificate OUT
@@ -438,7 +444,7 @@ class Reports(unittest.TestCase):
 
 SIMPLE = ["count", "position", "line", "text", "property", "about", "point2", "point3", "fraction"]
 SHARED = ["cost", "error", "left_out", "skipped", "mended", "feature", "body", "planar_body", "unbounded", "flat", "mesh",
-          "evidence", "common", "closest", "end", "pairs_of_parts", "info_of_mesh", "info_of_robot", "info_of_lines",
+          "evidence", "common", "closest", "end", "pairs_of_parts", "near_parts", "info_of_mesh", "info_of_robot", "info_of_lines",
           "info_of_rows", "info_of_objects", "certificate_file"]
 VERBS = [one["$ref"].split("/")[-1] for one in SCHEMA["else"]["oneOf"]]
 

@@ -93,6 +93,7 @@
 #include <sunder/solid/pair/polyhedron_segment.h>
 #include <sunder/solid/round/round_clearance.h>
 #include <sunder/solid/round/round_contact.h>
+#include <sunder/solid/round/round_distance.h>
 #include <sunder/solid/round/round_round.h>
 
 // Any dimension.

@@ -157,21 +157,39 @@ void PairClaims::add_clearance_broken(std::uint32_t a, std::uint32_t b, double l
   add_points("nearer", from_a, to_b);
 }
 
-void PairClaims::add_all_pairs(const AllPairs& pairs) {
+void PairClaims::add_pairs(const char* name, const std::vector<std::array<std::uint32_t, 2>>& pairs) {
+  file_.begin_list(name);
+  for (const auto& pair : pairs) file_.add_list(pair);
+  file_.end_list();
+}
+
+void PairClaims::begin_members(const char* question, const AllPairs& pairs) {
   go_to_statements();
-  file_.begin_statement("bodies");
+  file_.begin_statement(question);
   file_.indices("members", pairs.members);
   file_.indices("groups", pairs.groups);
+}
+
+void PairClaims::add_all_pairs(const AllPairs& pairs) {
+  begin_members("bodies", pairs);
   file_.text("allowed", pairs.touching_allowed ? "touch" : "nothing");
-  file_.begin_list("except");
-  for (const auto& pair : pairs.besides) file_.add_list(pair);
-  file_.end_list();
+  add_pairs("except", pairs.besides);
   file_.text("verdict", "these");
-  file_.begin_list("contacts");
-  for (const auto& pair : pairs.contacts) file_.add_list(pair);
-  file_.end_list();
+  add_pairs("contacts", pairs.contacts);
   file_.begin_claims();
   file_.claim("each_pair");
+  file_.end_statement();
+}
+
+void PairClaims::add_all_clearances(const AllPairs& pairs, double least) {
+  SUNDER_REQUIRE(least > 0);
+  begin_members("clearances", pairs);
+  add_pairs("except", pairs.besides);
+  file_.real("least", least);
+  file_.text("verdict", pairs.contacts.empty() ? "kept" : "broken");
+  if (!pairs.contacts.empty()) add_pairs("nearer", pairs.contacts);
+  file_.begin_claims();
+  file_.claim("each_clearance");
   file_.end_statement();
 }
 

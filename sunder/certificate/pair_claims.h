@@ -111,6 +111,10 @@ class PairClaims {
   // first less than the second, in order.
   void add_all_pairs(const AllPairs& pairs);
 
+  // That each two of these bodies, likewise, are stated before to be `least` apart, or more, or to be nearer; and that
+  // the latter are those of `contacts`. Touching is neither. Requires a positive finite `least`.
+  void add_all_clearances(const AllPairs& pairs, double least);
+
   // The common point that a certificate of meeting names. Its weights are all positive.
   CommonPoint common_point(std::uint32_t a, std::uint32_t b, const PairCertificate& certificate) const;
 
@@ -131,6 +135,8 @@ class PairClaims {
   void begin_statement(const char* question, std::uint32_t a, std::uint32_t b, const char* verdict);
   void add_parting(const char* claim, const std::array<Dyadic, 3>& direction);
   void add_points(const char* claim, const PointOf& from_a, const PointOf& to_b);
+  void begin_members(const char* question, const AllPairs& pairs);
+  void add_pairs(const char* name, const std::vector<std::array<std::uint32_t, 2>>& pairs);
   void add_point_claims(const char* claim, const CommonPoint& point);
   void add_combination(const char* claim, const Combination& combination);
   void go_to_statements();

@@ -115,6 +115,37 @@ Guess gap_formula(const Vector3<T>& d, const RoundShape& a, const RoundShape& b)
   return least;
 }
 
+// The sign of g - sqrt(u) - sqrt(v) - sqrt(w).
+Guess sign_less_roots(const Interval& g, const Root<Interval>& u, const Root<Interval>& v, const Interval& w) {
+  return sign(g - square_root(u.square / u.over) - square_root(v.square / v.over) - square_root(w));
+}
+Guess sign_less_roots(const Dyadic& g, const Root<Dyadic>& u, const Root<Dyadic>& v, const Dyadic& w) {
+  if (w.sign() == Sign::zero) return sign_less_roots(g, u, v);
+  if (g.sign() != Sign::positive) return Guess::negative;
+  // Times both denominators all is whole. If g >= sqrt(w): (g - sqrt(w))^2 against (sqrt(u) + sqrt(v))^2, which leaves
+  // two roots.
+  const Dyadic over = u.over * v.over, h = g * over, p = u.square * over * v.over, q = v.square * over * u.over;
+  const Dyadic h2 = h * h, w2 = w * over * over, four(4.0), one(1.0);
+  if ((h2 - w2).sign() == Sign::negative) return Guess::negative;
+  return sign_less_roots(h2 + w2 - p - q, {four * h2 * w2, one}, {four * p * q, one});
+}
+
+// The least over all pairs of ends.
+template <class Stage, class T>
+Guess clear_formula(const Vector3<T>& d, const RoundShape& a, const RoundShape& b, double least) {
+  const auto ends_a = ends_along<Stage>(a, d), ends_b = ends_along<Stage>(b, d);
+  const T w = squared(Stage::read(least)) * squared(d);
+  Guess all = Guess::positive;
+  for (std::size_t i = 0; i < a.ends(); ++i) {
+    for (std::size_t j = 0; j < b.ends(); ++j) {
+      const Guess gap = sign_less_roots(dot(d, ends_b[j].at - ends_a[i].at), ends_a[i].root, ends_b[j].root, w);
+      if (gap == Guess::negative || gap == Guess::unsure) return gap;
+      if (gap == Guess::zero) all = gap;
+    }
+  }
+  return all;
+}
+
 template <class T>
 struct Homogeneous {
   Vector3<T> at;
@@ -335,6 +366,14 @@ Sign gap_sign(const WorldDirection& direction, const RoundShape& a, const RoundS
   const Guess guess = gap_formula<IntervalStage>(direction.enclosure(), a, b);
   if (is_sure(guess)) return counted(&StageTally::interval, tally, to_sign(guess));
   return counted(&StageTally::exact, tally, to_sign(gap_formula<ExactStage>(direction.exact(), a, b)));
+}
+
+Sign clear_sign(const WorldDirection& direction, const RoundShape& a, const RoundShape& b, double least,
+                StageTally* tally) {
+  SUNDER_REQUIRE(least >= 0 && std::isfinite(least));
+  const Guess guess = clear_formula<IntervalStage>(direction.enclosure(), a, b, least);
+  if (is_sure(guess)) return counted(&StageTally::interval, tally, to_sign(guess));
+  return counted(&StageTally::exact, tally, to_sign(clear_formula<ExactStage>(direction.exact(), a, b, least)));
 }
 
 Sign gap_sign(const Dyadic& g, const Dyadic& u, const Dyadic& v) {

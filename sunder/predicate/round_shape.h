@@ -53,6 +53,12 @@ Sign gap_sign(const WorldDirection& direction, const RoundShape& a, const RoundS
 // Of three numbers: the sign of g - sqrt(u) - sqrt(v), where u and v are not negative.
 Sign gap_sign(const Dyadic& g, const Dyadic& u, const Dyadic& v);
 
+// positive: along the direction B begins further beyond the end of A than `least`, in units of the direction's length;
+// zero: exactly so far; negative: less far. Hulls as of gap_sign. Requires a direction other than 0, and a finite
+// `least` that is not negative.
+Sign clear_sign(const WorldDirection& direction, const RoundShape& a, const RoundShape& b, double least,
+                StageTally* tally = nullptr);
+
 // positive: the body holds the point, and not on its boundary; zero: on its boundary; negative: it does not. Requires
 // that it is no hull; of an ellipsoid, that L has an inverse.
 Sign side_of(const RoundShape& shape, const WeightedPoint& point, StageTally* tally = nullptr);

@@ -5,9 +5,11 @@
 //   enough. C2. Boxes never hide a pair that is too close: they are widened, and that is rounded outwards. C3. Lists
 //   are ordered by body_a, body_b, part_a, part_b, and are the same for every compiler and machine.
 //
-// Parts that are polyhedra only: bodies with a radius have no distance here yet (of two, solid::round_clearance).
+// Of polyhedra, balls, capsules and rounded polyhedra. Where boxes do not tell, a cylinder, a cone or an ellipsoid is
+// an error: these have no distance yet.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/scene/scene.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 
@@ -22,11 +24,11 @@ namespace sunder::scene {
 // How far apart two bodies have to be, in the stead of what all others have to.
 struct Margin {
   std::uint32_t body_a = 0, body_b = 0;  // in any order
-  double least = 0;                      // positive and finite
+  double least = 0;                      // not negative, and finite; nothing is closer than 0
 };
 
 struct ClearanceQuestion {
-  double least = 0;                                   // how far apart parts have to be; positive and finite
+  double least = 0;                                   // how far apart parts have to be; not negative, and finite
   std::vector<Margin> margins;                        // of some pairs of bodies; of one pair the last one holds
   std::vector<std::array<std::uint32_t, 2>> allowed;  // pairs of bodies not asked about, in any order
 };
@@ -35,28 +37,46 @@ struct ClearanceQuestion {
 struct PartDistance {
   std::uint32_t body_a = 0, body_b = 0;  // body_a < body_b
   std::uint32_t part_a = 0, part_b = 0;
-  double least = 0;  // the margin; meaningless for the nearest pair
-  solid::PolyhedronDistance distance;
+  double least = 0;                                 // the margin; meaningless for the nearest pair
+  Interval distance{0, 0};                          // encloses it; both ends are 0 iff they meet
+  std::optional<solid::ClosestFeatures> closest{};  // of their cores, which are apart; none where the parts meet
+  double radius_a = 0, radius_b = 0;                // how far the parts go beyond their cores
+
+  bool meet() const { return !closest; }
 };
 
 struct [[nodiscard]] ClearanceAnswer {
   std::vector<PartDistance> closer;  // than their margins
   std::uint64_t pairs = 0;           // of parts of different bodies
   std::uint64_t allowed = 0;         // of these, not asked about
-  std::uint64_t by_boxes = 0;        // far enough apart by their boxes
-  std::uint64_t by_method = 0;       // given to polyhedron_polyhedron_distance; pairs = allowed + by_boxes + by_method
+  std::uint64_t by_boxes = 0;        // far enough apart by their boxes, or whose margin is 0
+  std::uint64_t by_method = 0;       // whose distance was looked at; pairs = allowed + by_boxes + by_method
 };
 
-// Requires polyhedra, indices of bodies in range, and positive finite margins. Does not throw, but for memory.
+// Requires indices of bodies in range, and margins as they say. Throws Error: bad_shape as above; bad_pose where a part
+// with a radius is at a pose that scales or shears.
 // Cost for n parts: n log n, one distance for each pair whose boxes are closer than the greatest margin.
 ClearanceAnswer closer_pairs(std::span<const Body> bodies, const ClearanceQuestion& question);
 
-// The nearest two parts of different bodies, but for the pairs allowed; nothing where there are none. Requires
-// polyhedra. Of pairs that are
-// equally far apart, compared exactly (those that meet are 0 apart), the first.
+// The nearest two parts of different bodies, but for the pairs allowed; nothing where there are none. Of pairs that are
+// equally far apart, compared exactly (those that meet are 0 apart), the first. Throws Error as closer_pairs.
 // Cost for n parts: the boxes of n^2 pairs, and a distance for each pair whose boxes are no further apart than the
 // nearest bodies.
 std::optional<PartDistance> nearest_parts(std::span<const Body> bodies,
                                           std::vector<std::array<std::uint32_t, 2>> allowed = {});
+
+// Are the boxes so far apart along an axis? Then the axis (0, 1, 2), and whether A is the lower one. Requires a
+// positive `least`.
+struct AxisApart {
+  std::size_t axis = 0;
+  bool a_is_lower = true;
+};
+std::optional<AxisApart> apart_by_boxes(const Box3& a, const Box3& b, double least);
+
+// Two points of the parts that are nearest to each other, rounded; where they meet, nothing.
+struct NearestPoints {
+  Point3 of_a, of_b;
+};
+std::optional<NearestPoints> rounded_nearest_points(const PartDistance& distance);
 
 }  // namespace sunder::scene

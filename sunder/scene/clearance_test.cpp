@@ -76,9 +76,9 @@ void compare_with_all_pairs(bool lattice, std::uint64_t seed) {
             if (sign == Sign::negative) expected.emplace_back(a, b, i, j);
             exactly += sign == Sign::zero;
             own += least != question.least;
-            const double d = distance.distance().low, e = nearest ? nearest->distance.distance().low : HUGE_VAL;
+            const double d = distance.distance().low, e = nearest ? nearest->distance.low : HUGE_VAL;
             ties += nearest && d == e;
-            if (d < e) nearest = PartDistance{a, b, i, j, 0, std::move(distance)};
+            if (d < e) nearest = PartDistance{a, b, i, j, 0, distance.distance(), distance.closest};
           }
         }
       }
@@ -96,11 +96,11 @@ void compare_with_all_pairs(bool lattice, std::uint64_t seed) {
     const std::optional<PartDistance> of_scene = nearest_parts(bodies, question.allowed);
     ASSERT_EQ(of_scene.has_value(), nearest.has_value());
     if (!of_scene) continue;
-    ASSERT_EQ(of_scene->distance.distance().low, nearest->distance.distance().low) << seed << " " << round;
+    ASSERT_EQ(of_scene->distance.low, nearest->distance.low) << seed << " " << round;
     if (lattice) {  // distances are doubles, or far apart: equal ones are equal exactly
       ASSERT_EQ(key(*of_scene), key(*nearest)) << seed << " " << round;
     }
-    apart += !of_scene->distance.meet();
+    apart += !of_scene->meet();
   }
   const auto some = static_cast<std::uint64_t>(rounds);
   EXPECT_GT(closer, some / 4);

@@ -1,4 +1,5 @@
 #include <sunder/certificate/pair_claims.h>
+#include <sunder/scene/clearance_claims.h>
 #include <sunder/scene/scene_json.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/round/round_claims.h>
@@ -74,7 +75,7 @@ void add_round_claims(PairClaims& pairs, std::uint32_t of_a, const Part& a, std:
 }  // namespace
 
 void write_certificate(std::span<const Placement> placements, const Question& question, Origin origin,
-                       const TextSink& sink) {
+                       const TextSink& sink, const ClearanceQuestion& clearance) {
   const std::span<const Body> bodies = placements.front().bodies;
   for (const auto& [a, b] : question.allowed) {
     origin.left_out.push_back(bodies[a].name + " and " + bodies[b].name + ", which may meet");
@@ -110,7 +111,8 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
     }));
   }
   for (std::size_t k = 0; k < placements.size(); ++k) {
-    const auto& [title, placed, answer] = placements[k];
+    const std::span<const Body> placed = placements[k].bodies;
+    const Answer& answer = placements[k].answer;
     for (const PartPair& pair : answer.pairs) {
       const Part &a = placed[pair.body_a].parts[pair.part_a], &b = placed[pair.body_b].parts[pair.part_b];
       const std::uint32_t of_a = numbers[k][pair.body_a][pair.part_a], of_b = numbers[k][pair.body_b][pair.part_b];
@@ -123,6 +125,8 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
                         pair.meet() ? pair.contact : Contact::none);
     }
     pairs.add_all_pairs(all_pairs(answer, question, numbers[k]));
+    if (placements[k].clearance) add_claims(pairs, placed, numbers[k], clearance, *placements[k].clearance);
+    if (placements[k].nearest) add_claims(pairs, placed, numbers[k], question.allowed, *placements[k].nearest);
   }
   pairs.end();
 }

@@ -13,6 +13,7 @@
 namespace sunder::tests {
 
 using Fraction = boost::multiprecision::cpp_rational;
+using Integer = boost::multiprecision::cpp_int;
 
 inline Fraction fraction(double x) { return Fraction(x); }
 inline Fraction fraction(const Dyadic& x) {
@@ -113,6 +114,48 @@ inline bool is_parted(const OracleBody& a, const OracleBody& b, const Triple& d)
     }
   }
   return true;
+}
+
+// g >= sqrt(u) + sqrt(v) + sqrt(w)?
+inline bool is_as_far(const Fraction& g, const Fraction& u, const Fraction& v, const Fraction& w) {
+  if (g <= 0) return g == 0 && u == 0 && v == 0 && w == 0;
+  if (numerator(g) != 1 && (numerator(g) > denominator(g) << 64 || denominator(g) > numerator(g) << 64)) {
+    // In another unit, in which g is about 1, so that no number is long.
+    using boost::multiprecision::msb;
+    const auto n = msb(numerator(g)), d = msb(denominator(g));
+    const Fraction unit = n > d ? Fraction(1, Integer(1) << (n - d)) : Fraction(Integer(1) << (d - n));
+    return is_as_far(g * unit, u * unit * unit, v * unit * unit, w * unit * unit);
+  }
+  if (g * g < u) return false;
+  // (g - sqrt(u))^2 >= (sqrt(v) + sqrt(w))^2, which is e >= 2 g sqrt(u) + 2 sqrt(v w).
+  const Fraction e = g * g + u - v - w, rest = e * e - 4 * g * g * u - 4 * v * w;  // >= 8 g sqrt(u v w)?
+  return e >= 0 && rest >= 0 && rest * rest >= 64 * g * g * u * v * w;
+}
+
+// Along the direction, is B as far beyond A as that?
+inline bool is_clear(const OracleBody& a, const OracleBody& b, const Triple& d, const Fraction& least) {
+  const Triple back{-d[0], -d[1], -d[2]};
+  const Fraction w = least * least * dot(d, d);
+  if (dot(d, d) == 0) return false;
+  for (const auto& [q, u] : a.reaches(d)) {
+    for (const auto& [minus_p, v] : b.reaches(back)) {
+      if (!is_as_far(-minus_p - q, u, v, w)) return false;
+    }
+  }
+  return true;
+}
+
+inline Triple triple(const std::array<Dyadic, 3>& coordinates, const Dyadic& over = Dyadic(1.0)) {
+  Triple x;
+  for (std::size_t i = 0; i < 3; ++i) x[i] = fraction(coordinates[i]) / fraction(over);
+  return x;
+}
+
+// Points of both bodies, as they say: the square of how far apart they are; -1 where one of them does not hold its own.
+inline Fraction squared_way(const OracleBody& a, const OracleBody& b, const std::array<PointOf, 2>& points) {
+  const Triple p = triple(points[0].coordinates, points[0].denominator),
+               q = triple(points[1].coordinates, points[1].denominator), way = less(q, p);
+  return a.holds(p, points[0].of_body) && b.holds(q, points[1].of_body) ? dot(way, way) : Fraction(-1);
 }
 
 // Is the answer's evidence that of its verdict? Nothing of undecided ones.

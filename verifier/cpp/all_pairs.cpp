@@ -1,4 +1,5 @@
-// The rule that what is said of many bodies has been proved pair by pair: docs/claims.md, "each_pair".
+// The rule that what is said of many bodies has been proved pair by pair: docs/claims.md, "each_pair" and
+// "each_clearance".
 #include <verifier/cpp/rules.h>
 
 #include <algorithm>
@@ -27,25 +28,22 @@ ProvedPair known_of(const ProvedPairs& proved, std::size_t a, std::size_t b) {
   return result;
 }
 
-}  // namespace
-
-void check_each_pair(const AllPairs& pairs, const std::vector<std::int64_t>& groups, const AllowedContacts& allowed,
-                     const ProvedPairs& proved, const std::vector<StatedContact>& contacts) {
+// Looks at each two members of different groups, but for some: holds(a, b, is_listed).
+template <class Holds>
+void look_at_each(const char* rule, const AllPairs& pairs, const std::vector<std::int64_t>& groups,
+                  const std::vector<StatedContact>& listed, const Holds& holds) {
   std::map<std::int64_t, std::vector<std::size_t>> of_group;
   for (std::size_t i = 0; i < pairs.members.size(); ++i) {
     of_group[groups.empty() ? static_cast<std::int64_t>(i) : groups[i]].push_back(i);
   }
   const std::set<IndexPair> besides(pairs.besides.begin(), pairs.besides.end());
   std::set<IndexPair> left;
-  for (const StatedContact& contact : contacts) left.emplace(contact.i, contact.j);
+  for (const StatedContact& contact : listed) left.emplace(contact.i, contact.j);
   const auto look_at = [&](std::size_t i, std::size_t j) {
     take_steps(4, 1, 1);
     const IndexPair pair = in_order(i, j);
     if (besides.contains(pair)) return;
-    const ProvedPair known = known_of(proved, pairs.members[i], pairs.members[j]);
-    const bool counts = known.overlap || (!allowed.shared_endpoint && (known.meet || known.touch));
-    const bool does_not_count = known.is_apart || (allowed.shared_endpoint && known.touch);
-    require(left.erase(pair) > 0 ? counts : does_not_count, "each_pair",
+    require(holds(pairs.members[i], pairs.members[j], left.erase(pair) > 0), rule,
             "of " + std::to_string(pair.first) + " and " + std::to_string(pair.second) + " this is not proved before");
   };
   for (auto first = of_group.begin(); first != of_group.end(); ++first) {
@@ -55,7 +53,27 @@ void check_each_pair(const AllPairs& pairs, const std::vector<std::int64_t>& gro
       }
     }
   }
-  require(left.empty(), "each_pair", "a pair is listed that is not asked about");
+  require(left.empty(), rule, "a pair is listed that is not asked about");
+}
+
+}  // namespace
+
+void check_each_pair(const AllPairs& pairs, const std::vector<std::int64_t>& groups, const AllowedContacts& allowed,
+                     const ProvedPairs& proved, const std::vector<StatedContact>& contacts) {
+  look_at_each("each_pair", pairs, groups, contacts, [&](std::size_t a, std::size_t b, bool is_listed) {
+    const ProvedPair known = known_of(proved, a, b);
+    const bool counts = known.overlap || (!allowed.shared_endpoint && (known.meet || known.touch));
+    const bool does_not_count = known.is_apart || (allowed.shared_endpoint && known.touch);
+    return is_listed ? counts : does_not_count;
+  });
+}
+
+void check_each_clearance(const AllPairs& pairs, const std::vector<std::int64_t>& groups, const Number& least,
+                          const ProvedClearances& proved, const std::vector<StatedContact>& nearer) {
+  look_at_each("each_clearance", pairs, groups, nearer, [&](std::size_t a, std::size_t b, bool is_listed) {
+    return proved.contains({a, b, least.n, least.e, !is_listed}) ||
+           proved.contains({b, a, least.n, least.e, !is_listed});
+  });
 }
 
 }  // namespace sunder_verifier

@@ -270,6 +270,10 @@ void read_pairs_of_members(const Place& p, Said& said) {
   said.contacts = pairs_of(p, "contacts", said.all_pairs.members.size());
 }
 
+void read_nearer_members(const Place& p, Said& said) {
+  said.contacts = pairs_of(p, "nearer", said.all_pairs.members.size());
+}
+
 constexpr std::size_t most_number = 999'999'999'999'999;  // all readers of JSON agree about numbers up to this
 
 void read_count(const Place& p, Said& said) {
@@ -586,6 +590,10 @@ const ClaimNeeded nearer{
 const ClaimNeeded each_pair{"each_pair", {}, of_members, [](const Claim&, const Said& s, const Tables&) {
                               check_each_pair(s.all_pairs, s.groups, s.allowed, s.proved->pairs, s.contacts);
                             }};
+const ClaimNeeded each_clearance{"each_clearance", {}, of_members, [](const Claim&, const Said& s, const Tables&) {
+                                   check_each_clearance(s.all_pairs, s.groups, s.least, s.proved->clearances,
+                                                        s.contacts);
+                                 }};
 const ClaimNeeded surface{
     "surface", {{"homes", read_homes}}, of_body, [](const Claim& c, const Said& s, const Tables&) {
       check_surface(c, *s.body, s.faces);
@@ -818,6 +826,11 @@ const std::vector<Question> questions{
      {{"members", read_members}, {"allowed", read_allowed}, {"except", read_besides}},
      {{"groups", read_groups_of_members}},
      {{"these", {{"contacts", read_pairs_of_members}}, {&each_pair}}}},
+    {"clearances",
+     "bodies",
+     {{"members", read_members}, {"except", read_besides}, {"least", read_least}},
+     {{"groups", read_groups_of_members}},
+     {{"kept", {}, {&each_clearance}}, {"broken", {{"nearer", read_nearer_members}}, {&each_clearance}}}},
     {"polytopes",
      "polytopes",
      {{"a", read_polytope_a}, {"b", read_polytope_b}},
@@ -943,6 +956,7 @@ ClaimedStatement read_statement(const Json& item, const Tables& tables, const Pr
     result.b = said.b->name;
     result.index_a = said.index_a;
     result.index_b = said.index_b;
+    result.least = said.least;
   }
   if (said.polytope_a != nullptr) {
     result.a = said.polytope_a->name;

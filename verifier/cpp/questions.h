@@ -15,6 +15,7 @@ struct ClaimedStatement {
   std::string sentence;  // what it says, and of what
   std::string a, b;      // of a pair: the names of the bodies
   std::size_t index_a = 0, index_b = 0;
+  Number least;             // of a clearance
   std::size_t hull_of = 0;  // of a hull: the index of its body
   ProvedHull hull;          // and what is proved of it
   std::vector<std::function<void()>> checks;

@@ -11,7 +11,9 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -123,8 +125,20 @@ struct ProvedPair {
 };
 using ProvedPairs = std::map<std::pair<std::size_t, std::size_t>, ProvedPair>;
 
+// Two bodies, and the number n 2^e, n odd, that a statement `clearance` before says they are apart, or more; or nearer.
+struct ProvedClearance {
+  std::size_t a = 0, b = 0;
+  Integer n;
+  std::int64_t e = 0;
+  bool is_kept = false;
+  auto tied() const { return std::tie(a, b, e, n, is_kept); }
+  bool operator<(const ProvedClearance& other) const { return tied() < other.tied(); }
+};
+using ProvedClearances = std::set<ProvedClearance>;
+
 struct Proved {
   ProvedPairs pairs;
+  ProvedClearances clearances;
   ProvedHulls hulls;
 };
 
@@ -136,6 +150,10 @@ struct AllPairs {
 // groups: empty, or one for each member.
 void check_each_pair(const AllPairs& pairs, const std::vector<std::int64_t>& groups, const AllowedContacts& allowed,
                      const ProvedPairs& proved, const std::vector<StatedContact>& contacts);
+
+// least: as of ProvedClearance.
+void check_each_clearance(const AllPairs& pairs, const std::vector<std::int64_t>& groups, const Number& least,
+                          const ProvedClearances& proved, const std::vector<StatedContact>& nearer);
 
 void check_feasible(const Tables& tables, const Numbers& point);
 void check_bounds(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point);

@@ -62,6 +62,10 @@ StatementResult check(const ClaimedStatement& statement) {
 // What a statement that is accepted has proved, for those after it.
 void note(const ClaimedStatement& statement, Proved& proved) {
   if (statement.question == "hull") proved.hulls[statement.hull_of] = statement.hull;
+  if (statement.question == "clearance") {
+    const Number& least = statement.least;
+    proved.clearances.insert({statement.index_a, statement.index_b, least.n, least.e, statement.verdict == "kept"});
+  }
   if (statement.question != "pair") return;
   ProvedPair& pair = proved.pairs[{statement.index_a, statement.index_b}];
   if (statement.verdict == "apart") pair.is_apart = true;

@@ -2,7 +2,7 @@
 #include <sunder/ask/pair/pair_space.h>
 
 #include <sunder/solid/round/round_claims.h>
-#include <sunder/solid/round/round_clearance.h>
+#include <sunder/solid/round/round_distance.h>
 
 #include <fmt/format.h>
 
@@ -39,18 +39,9 @@ class RoundPair : public PairQuestion {
         placed_a_(a.body, a.pose),
         placed_b_(b.body, b.pose),
         least_(least_clearance(asked)) {
-    if (asked.distance) {
-      throw Error(ErrorCode::bad_call, "is not for bodies with a radius; ask for --clearance", "--distance");
-    }
     if (asked.method != "automatic") {
       throw Error(ErrorCode::bad_call, "bodies with a radius have one method; leave it out, or give automatic",
                   "--method");
-    }
-    if (least_ > 0 && (a.body.is_curved() || b.body.is_curved())) {
-      throw Error(ErrorCode::bad_call,
-                  "is for balls, capsules, and polyhedra with or without a radius; a cylinder, a cone or an ellipsoid "
-                  "is asked only whether it meets",
-                  "--clearance");
     }
   }
 
@@ -59,7 +50,7 @@ class RoundPair : public PairQuestion {
 
   const char* answer() const { return answer_.undecided() ? "undecided" : PairQuestion::answer(); }
   // What is undecided is not known to be apart.
-  bool yes() const { return least_ > 0 ? !clearance_.kept : answer_.verdict() != RoundVerdict::apart; }
+  bool yes() const { return least_ > 0 ? !clearance_.kept() : answer_.verdict() != RoundVerdict::apart; }
 
   void ask() {
     answer_ = round_round(placed_a_, placed_b_);
@@ -70,21 +61,31 @@ class RoundPair : public PairQuestion {
       found_ = round_round_contact(placed_a_, placed_b_, answer_.evidence);
       contact_ = found_.contact.value_or(Contact::none);
     }
+    if (call.distance || least_ > 0) distance_ = round_distance(placed_a_, placed_b_);
     if (least_ > 0) clearance_ = round_clearance(placed_a_, placed_b_, least_);
     // That they are apart, and so far, carries over from hulls to the meshes that they stand for.
     const bool is_hull = of_a_.is_hull() || of_b_.is_hull();
     const bool is_said_of_hulls =
-        is_hull && (answer_.verdict() != RoundVerdict::apart || (least_ > 0 && !clearance_.kept));
+        is_hull && (answer_.verdict() != RoundVerdict::apart || call.distance || (least_ > 0 && !clearance_.kept()));
     if (meet_ && is_hull) verdict_ = "meet as hulls";
     facts_ = {{"said_of", is_said_of_hulls ? "hulls" : "bodies", ""}, evidence()};
     if (call.classify && meet_ && !found_.contact) {
       facts_.push_back({"contact_unknown", true, "whether they touch or overlap is undecided"});
     }
-    if (least_ > 0) facts_.push_back(clearance(least_, clearance_.kept, clearance_.distance.high));
+    const char* of_hulls = is_hull && !meet_ ? " (of the hulls)" : "";
+    if (call.distance) facts_.push_back(distance(of_hulls));
+    if (least_ == 0) return;
+    facts_.push_back(clearance(least_, clearance_.kept(), distance_.distance.high));
+    Fact& fact = facts_.back();
+    if (clearance_.undecided()) {
+      fact.json["undecided"] = true;
+      fact.text = fmt::format("{}: undecided; {} apart", least_, distance_text());
+    }
+    if (!clearance_.kept()) fact.text += of_hulls;
   }
 
   std::string certificate() const {
-    if (answer_.undecided()) {
+    if (answer_.undecided() || (least_ > 0 && clearance_.undecided())) {
       throw Error(ErrorCode::bad_value, "the pair is undecided, and there is no proof; leave out --certificate",
                   "--certificate");
     }
@@ -92,6 +93,7 @@ class RoundPair : public PairQuestion {
       PairClaims pairs(file);
       const std::uint32_t a = add_round(pairs, a_.name, placed_a_), b = add_round(pairs, b_.name, placed_b_);
       add_claims(pairs, a, placed_a_, b, placed_b_, answer_.evidence, found_);
+      if (call.distance && !distance_.meet()) solid::add_claims(pairs, a, b, distance_);
       if (least_ > 0) solid::add_claims(pairs, a, b, least_, clearance_);
     });
   }
@@ -119,11 +121,22 @@ class RoundPair : public PairQuestion {
             fmt::format("an empty slab about {} wide across the direction of about {}", about(gap), about(unit))};
   }
 
+  std::string distance_text() const {
+    const auto [low, high] = distance_.distance;
+    if (high - low <= 0x1p-40 * high) return high == 0 ? "0" : fmt::format("about {:.12g}", high);
+    return fmt::format("between {:.12g} and {:.12g}", low, high);
+  }
+  Fact distance(const char* of_hulls) const {
+    const auto [low, high] = distance_.distance;
+    return {"distance", {{"low", low}, {"high", high}}, distance_text() + of_hulls};
+  }
+
   const PlacedRoundBody &of_a_, &of_b_;
   PlacedRound placed_a_, placed_b_;
   double least_;  // the clearance that is asked about; 0: none
   solid::RoundAnswer answer_;
   solid::RoundContact found_;
+  solid::RoundDistance distance_;
   solid::RoundClearance clearance_;
 };
 

@@ -73,8 +73,8 @@ void require_projected(const PairCall& call, const SpaceInput& a, const SpaceInp
 // Where one of them is not bounded: answers; returns the exit code. Throws Error for --distance and --clearance.
 int run_flat_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
 
-// Where one of them has a radius. Throws Error where the other is not bounded; for --distance; for --clearance where
-// one is curved, and for a certificate of what is undecided.
+// Where one of them has a radius. Throws Error where the other is not bounded, and for a certificate of what is
+// undecided.
 int run_round_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
 
 // A body and a plane, a body and a line or ray.

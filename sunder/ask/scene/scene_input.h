@@ -73,6 +73,9 @@ class SceneInput {
     }
   }
 
+  // Its index. Throws Error bad_call with this place where there is none.
+  std::uint32_t body_named(const std::string& name, const std::string& place) const;
+
   bool is_hull(std::uint32_t body, std::uint32_t part) const;                        // does it stand for a mesh?
   std::vector<const io::BodyPart*> parts() const;                                    // of all bodies, in order
   std::vector<const MeshBody*> meshes() const;                                       // of those that have no radius
@@ -97,7 +100,6 @@ class SceneInput {
   void take_unit(const std::string& unit, const std::string& file);
   void require_some_body() const;
   std::string unused_name(const std::string& wish) const;
-  std::uint32_t body_named(const std::string& name, const std::string& place) const;
   std::optional<std::uint32_t> body_of_link(const std::string& name) const;
   bool is_link(const std::string& name) const;
   std::vector<std::array<std::uint32_t, 2>> adjacent() const;

@@ -278,6 +278,10 @@ bool SceneReport::none_undecided() const {
                      [](const Placed& p) { return p.answer.counts.undecided == 0; });
 }
 
+bool SceneReport::is_kept() const {
+  return std::all_of(placements.begin(), placements.end(), [](const Placed& p) { return p.near.is_kept(); });
+}
+
 std::string_view contact_name(const PartPair& pair) {
   if (pair.undecided()) return "undecided";
   return has_unknown_contact(pair) ? "touching or overlapping" : name_of(pair.contact);
@@ -294,7 +298,7 @@ std::string scene_text(const SceneReport& report) {
   if (bodies.size() <= most_in_matrix && bodies.size() > 1) text += matrix_text(report);
   text += counts_text(report);
   for (const Placed& placed : report.placements) text += meeting_text(report, placed);
-  return text;
+  return text + nearness_text(report);
 }
 
 Json scene_json(const SceneReport& report) {
@@ -341,6 +345,7 @@ Json scene_json(const SceneReport& report) {
   json["cost"] = to_json(cost);
   json["count"] = meeting;
   json["totals"] = to_json(counts);
+  add_nearness(report, json);
   return json;
 }
 

@@ -1,11 +1,13 @@
 // What `sunder scene` tells: text and JSON.
 #pragma once
 
+#include <sunder/ask/scene/scene_clearance.h>
 #include <sunder/ask/scene/scene_input.h>
 
 #include <sunder/scene/scene.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +20,7 @@ struct Placed {
   std::string title;  // for people: the placement's name, or its number
   std::vector<scene::Body> bodies;
   scene::Answer answer;
+  Nearness near{};
   double seconds = 0;  // of the question itself, without reading files
 };
 
@@ -25,6 +28,8 @@ struct SceneReport {
   const SceneInput& input;
   std::string method;
   scene::Question question{};
+  std::optional<scene::ClearanceQuestion> clearance{};
+  bool asks_for_nearest = false;
   std::vector<std::string> allowed_because{};  // as the user wrote it
   std::vector<Placed> placements{};            // at least one, all with the same bodies
   bool colour = false;                         // mark what meets by terminal colours
@@ -32,6 +37,7 @@ struct SceneReport {
   std::string_view verdict() const;  // "some", "none"; "undecided": none that is known
   bool none_meet() const { return verdict() == "none"; }
   bool none_undecided() const;
+  bool is_kept() const;  // no pair is closer than its margin
 };
 
 // Where contacts were asked for: "none", "touching", "overlapping"; "touching or overlapping" where it is not known;

@@ -35,6 +35,7 @@ struct Call : QuestionCall {
   bool groups = false;
   bool require_convex = false;
   bool leave_out = false;
+  ClearanceCall clearance;
   PlacementsCall placements;  // none where it names no table
 };
 
@@ -67,11 +68,13 @@ std::vector<io::JointValues> joints_of(const Call& call, const io::JointTable& t
   return all;
 }
 
-Placed ask(const SceneInput& input, const io::JointValues& joints, const std::string& number,
-           const scene::Question& question) {
-  Placed placed{joints.values, joints.name.empty() ? number : joints.name, input.bodies(joints.values), {}};
+Placed ask(const SceneReport& report, const io::JointValues& joints, const std::string& number) {
+  const scene::Question& question = report.question;
+  Placed placed{joints.values, joints.name.empty() ? number : joints.name, report.input.bodies(joints.values), {}};
   const auto start = std::chrono::steady_clock::now();
   placed.answer = scene::meeting_pairs(placed.bodies, question);
+  if (report.clearance) placed.near.clearance = scene::closer_pairs(placed.bodies, *report.clearance);
+  if (report.asks_for_nearest) placed.near.nearest = scene::nearest_parts(placed.bodies, question.allowed);
   placed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return placed;
 }
@@ -99,7 +102,9 @@ std::size_t write_certificate(const std::string& name, const SceneReport& report
   std::vector<scene::Placement> placements;
   std::size_t pairs = 0, undecided = 0;
   for (const Placed& placed : report.placements) {
-    placements.push_back({placed.title, placed.bodies, placed.answer});
+    const auto& [clearance, nearest] = placed.near;
+    placements.push_back(
+        {placed.title, placed.bodies, placed.answer, clearance ? &*clearance : nullptr, nearest ? &*nearest : nullptr});
     pairs += placed.answer.pairs.size() - placed.answer.counts.undecided;
     undecided += placed.answer.counts.undecided;
   }
@@ -110,8 +115,9 @@ std::size_t write_certificate(const std::string& name, const SceneReport& report
                 "--certificate");
   }
   io::OutputFile file(name);
-  scene::write_certificate(placements, report.question, {inputs, report.input.left_out().texts()},
-                           [&](std::string_view text) { file.write(text); });
+  scene::write_certificate(
+      placements, report.question, {inputs, report.input.left_out().texts()},
+      [&](std::string_view text) { file.write(text); }, report.clearance.value_or(scene::ClearanceQuestion()));
   file.commit();
   return pairs;
 }
@@ -158,7 +164,14 @@ int run(const Call& call) {
   }
   question.allowed.insert(question.allowed.end(), input.allowed_by_files().begin(), input.allowed_by_files().end());
   for (const std::string& file : input.scene_files()) report.allowed_because.push_back(io::one_line(file));
+  report.clearance = clearance_question(call.clearance, input, question.allowed);
+  report.asks_for_nearest = call.clearance.nearest;
   if (is_by_lines) {
+    if (call.clearance.asks()) {
+      throw Error(ErrorCode::bad_call,
+                  "how near the bodies are is told in a report of all placements: give --json or --certificate",
+                  "--placements");
+    }
     input.note_limits(extremes_of(table));
     note_hulls(input.meshes());
     const PlacementsAnswer answer = answer_placements(call.placements, input, question, table);
@@ -168,7 +181,7 @@ int run(const Call& call) {
   report.colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
   for (const io::JointValues& joints : placements) {
     const std::string number = placements.size() == 1 ? "as given" : std::to_string(report.placements.size() + 1);
-    report.placements.push_back(ask(input, joints, number, question));
+    report.placements.push_back(ask(report, joints, number));
   }
 
   const std::size_t proved = call.proves() ? write_certificate(call.certificate, report, files) : 0;
@@ -185,7 +198,7 @@ int run(const Call& call) {
     if (!call.svg.empty()) text += fmt::format("picture: {}\n", io::one_line(call.svg));
     report.colour ? print(text) : print_for_people(text);  // colours are control bytes
   }
-  return report.none_meet() ? exit_code::no : exit_code::yes;
+  return report.none_meet() && report.is_kept() ? exit_code::no : exit_code::yes;
 }
 
 }  // namespace
@@ -245,6 +258,11 @@ Verb scene_verb() {
         "what may meet: adjacent (links joined by a joint), touch, NAME,NAME, or a file with two names a line", "WHAT"},
        {"--method", &call->method, "automatic, gjk, hierarchy, or scan", "NAME"},
        {"--groups", &call->groups, "the groups (g) of an OBJ file are parts of their own, as its objects (o) are"},
+       {"--clearance", &call->clearance.least,
+        "which parts of different bodies are closer than this? If any are, the exit code is 1", "NUMBER"},
+       {"--margin", &call->clearance.margins, "the same of these two bodies, in the stead of --clearance's",
+        "NAME,NAME=NUMBER"},
+       {"--distance", &call->clearance.nearest, "which two parts of different bodies are nearest, and how near?"},
        {"--classify", &call->classify, "tell touching from overlapping"},
        {"--require-convex", &call->require_convex, "a mesh that is not exactly convex is an error"},
        {"--leave-out", &call->leave_out, leave_out_help},

@@ -1,83 +1,159 @@
 #include <sunder/base/contract.h>
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/pair/contact_evidence.h>
-#include <sunder/solid/round/round_claims.h>
 #include <sunder/solid/round/round_clearance.h>
+#include <sunder/solid/round/round_nearest.h>
+#include <sunder/solid/round/round_round.h>
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sunder::solid {
 
 namespace {
 
-// radius / sqrt(square / over), which is less than 1, from below: between two numbers that come nearer as one likes.
-class PartOfWay {
+class ClearanceSearch {
  public:
-  PartOfWay(double radius, const Dyadic& square, const Dyadic& over)
-      : square_(square), limit_(Dyadic(radius) * Dyadic(radius) * over) {
-    // Between 0 and 1, or nearer where doubles tell.
-    const double about = std::sqrt(nearest_ratio(limit_, square)), low = about * (1 - 0x1p-48);
-    low_ = is_within(Dyadic(low)) ? Dyadic(low) : Dyadic(0.0);
-    const Dyadic high(about * (1 + 0x1p-48));
-    high_ = is_within(high) ? Dyadic(1.0) : high;
+  ClearanceSearch(const PlacedRound& a, const PlacedRound& b, double least, RoundClearance& found, StageTally& tally)
+      : a_(a), b_(b), least_(least), found_(found), tally_(tally) {}
+
+  // True: the evidence is filled in.
+  template <class Real>
+  bool run(const VectorOf<Real>& first) {
+    RoundSearch<Real> search(a_, b_);
+    if (search_nearest(search, first, *this, found_.cost)) return true;
+    last_direction = rounded(search.direction);
+    return keeps(search) || breaks(search);
   }
-  void halve() {
-    const Dyadic middle = (low_ + high_).scaled(-1);
-    (is_within(middle) ? low_ : high_) = middle;
+
+  template <class Real>
+  bool parts(const RoundSearch<Real>& search, const DifferenceVertexOf<Real>& w) {
+    near_a_ = search.slots[w.a].vertex_a;
+    near_b_ = search.slots[w.a].vertex_b;
+    const Real gap = search.gap_at(w), length2 = dot(search.direction, search.direction), far = reach_of(search);
+    return gap > Real(0) && gap * gap > far * far * length2 * Real(1 + 16 * search.noise) && keeps(search);
   }
-  const Dyadic& value() const { return low_; }
+  template <class Real>
+  bool nears(const RoundSearch<Real>& search) {
+    const Real far = reach_of(search);
+    return search.distance2 * Real(1 + 16 * search.noise) < far * far && breaks(search);
+  }
+
+  bool keeps(const WorldDirection& direction) {
+    ++found_.cost.proposals;
+    const RoundGap gap(a_, b_, direction, near_a_, near_b_, found_.cost, tally_);
+    if (gap.against(least_) == Sign::negative) return false;
+    found_.verdict = ClearanceVerdict::kept;
+    found_.direction = direction;
+    return true;
+  }
+  bool breaks(NearPoints points) {
+    ++found_.cost.proposals;
+    ++tally_.exact;
+    if (!points.nearer_than(least_)) return false;
+    found_.verdict = ClearanceVerdict::broken;
+    found_.points =
+        std::make_shared<const std::array<PointOf, 2>>(std::array{std::move(points.of_a), std::move(points.of_b)});
+    return true;
+  }
+
+  Point3 last_direction{};
 
  private:
-  bool is_within(const Dyadic& x) const { return (x * x * square_ - limit_).sign() != Sign::positive; }
+  template <class Real>
+  Real reach_of(const RoundSearch<Real>& search) const {
+    return search.reach + Real(least_ * search.simplex.scale);
+  }
+  template <class Real>
+  bool keeps(const RoundSearch<Real>& search) {
+    const auto& d = search.direction;
+    Point3 direction = rounded(d);
+    if (!make_tame(direction)) return false;
+    if (keeps(WorldDirection(direction))) return true;
+    if constexpr (std::is_same_v<Real, double>) return false;
+    return keeps(WorldDirection(Vector3<Dyadic>{exact(d.x), exact(d.y), exact(d.z)}));
+  }
+  template <class Real>
+  bool breaks(const RoundSearch<Real>& search) {
+    auto points = near_points(search, a_, b_);
+    return points && breaks(std::move(*points));
+  }
 
-  Dyadic square_, limit_, low_, high_;
+  const PlacedRound& a_;
+  const PlacedRound& b_;
+  double least_;
+  RoundClearance& found_;
+  StageTally& tally_;
+  std::uint32_t near_a_ = 0, near_b_ = 0;
 };
 
-// p + part (q - p)
-PointOf moved(const PointOf& p, const PointOf& q, const Dyadic& part) {
-  PointOf x{{}, p.denominator * q.denominator, p.of_body};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Dyadic from = p.coordinates[k] * q.denominator, to = q.coordinates[k] * p.denominator;
-    x.coordinates[k] = from + part * (to - from);
+// Two hulls: the distance of the cores against the sum of the radii and `least`. Nothing where they meet.
+class HullClearance {
+ public:
+  HullClearance(const PlacedRound& a, const PlacedRound& b, double least, ClearanceSearch& search)
+      : a_(a), b_(b), least_(least), search_(search) {}
+
+  bool decide(Cost& cost) {
+    const PolyhedronDistance cores = polyhedron_polyhedron_distance(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
+    cost.exact += cores.answer.cost.exact;
+    if (!cores.closest) return false;
+    const auto [square, over] = cores.closest->squared();
+    const ClosestPoints points = closest_points(*cores.closest);
+    const Dyadic radii = Dyadic(a_.radius()) + Dyadic(b_.radius()), all = radii + Dyadic(least_);
+    if ((all * all * over - square).sign() != Sign::positive) {
+      const std::array<Dyadic, 3> way = way_between(points.of_a, points.of_b);
+      return search_.keeps(WorldDirection(Vector3<Dyadic>{way[0], way[1], way[2]}));
+    }
+    if ((radii * radii * over - square).sign() != Sign::negative) return false;
+    return search_.breaks(points_nearer_than(least_, points, a_.radius(), b_.radius()));
   }
-  return x;
-}
+
+ private:
+  const PlacedRound& a_;
+  const PlacedRound& b_;
+  double least_;
+  ClearanceSearch& search_;
+};
 
 }  // namespace
 
-RoundClearance round_clearance(const PlacedRound& a, const PlacedRound& b, double least) {
-  SUNDER_REQUIRE(!a.body.is_curved() && !b.body.is_curved() && least > 0 && std::isfinite(least));
-  const PolyhedronDistance cores = polyhedron_polyhedron_distance(a.body.core(), a.pose, b.body.core(), b.pose);
-  RoundClearance found;
-  const Dyadic radii = Dyadic(a.radius()) + Dyadic(b.radius()), all = radii + Dyadic(least);
-  if (cores.closest) {
-    const auto [square, over] = cores.closest->squared();
-    const ClosestPoints points = closest_points(*cores.closest);
-    const Interval distance = cores.distance() - (Interval(a.radius()) + Interval(b.radius()));
-    found.distance = {std::max(distance.low, 0.0), std::max(distance.high, 0.0)};
-    if ((all * all * over - square).sign() != Sign::positive) {
-      found.kept = true;
-      found.direction = way_between(points.of_a, points.of_b);
-      return found;
-    }
-    if ((radii * radii * over - square).sign() == Sign::negative) {
-      PartOfWay of_a(a.radius(), square, over), of_b(b.radius(), square, over);
-      const Dyadic c(least), limit = c * c * over;
-      for (;; of_a.halve(), of_b.halve()) {
-        const Dyadic rest = Dyadic(1.0) - of_a.value() - of_b.value();
-        if ((rest * rest * square - limit).sign() == Sign::negative) break;
-      }
-      found.of_a = moved(points.of_a, points.of_b, of_a.value());
-      found.of_b = moved(points.of_b, points.of_a, of_b.value());
-      return found;
-    }
+std::string_view name_of(ClearanceVerdict verdict) {
+  switch (verdict) {
+    case ClearanceVerdict::kept: return "kept";
+    case ClearanceVerdict::broken: return "broken";
+    case ClearanceVerdict::undecided: break;
   }
-  const RoundAnswer answer = round_round(a, b);
-  const CommonPoint common = common_point_of(a, b, answer.evidence);
-  found.of_a = {common.coordinates, common.denominator, common.of_a};
-  found.of_b = {common.coordinates, common.denominator, common.of_b};
-  found.distance = {0, 0};
+  return "undecided";
+}
+
+RoundClearance round_clearance(const PlacedRound& a, const PlacedRound& b, double least) {
+  SUNDER_REQUIRE(least > 0 && std::isfinite(least));
+  RoundClearance found;
+  StageTally tally;
+  ClearanceSearch search(a, b, least, found, tally);
+  const auto decide = [&] {
+    if (search.run<double>({})) return;
+    if (!a.body.is_curved() && !b.body.is_curved()) {
+      if (HullClearance(a, b, least, search).decide(found.cost)) return;
+    } else {
+      const Point3& d = search.last_direction;
+      const bool is_some = std::isfinite(d.x) && std::isfinite(d.y) && std::isfinite(d.z);
+      if (search.run<DoubleDouble>(is_some ? Vector3<DoubleDouble>{d.x, d.y, d.z} : Vector3<DoubleDouble>{})) return;
+    }
+    const RoundAnswer answer = round_round(a, b);
+    found.cost.exact += answer.cost.exact;
+    if (answer.meet()) {
+      const CommonPoint common = common_point_of(a, b, answer.evidence);
+      const PointOf of_a{common.coordinates, common.denominator, common.of_a};
+      const PointOf of_b{common.coordinates, common.denominator, common.of_b};
+      if (search.breaks(NearPoints(of_a, of_b))) return;
+    }
+    for (const WorldDirection& d : simple_directions(a, b, search.last_direction)) {
+      if (search.keeps(d)) return;
+    }
+  };
+  decide();
+  found.cost.exact += tally.exact;
   return found;
 }
 
@@ -88,8 +164,13 @@ RoundClearance round_clearance(const RoundBody& a, const Pose& pose_a, const Rou
 
 void add_claims(PairClaims& pairs, std::uint32_t index_a, std::uint32_t index_b, double least,
                 const RoundClearance& clearance) {
-  if (clearance.kept) return pairs.add_clearance(index_a, index_b, least, clearance.direction);
-  pairs.add_clearance_broken(index_a, index_b, least, clearance.of_a, clearance.of_b);
+  SUNDER_REQUIRE(!clearance.undecided());
+  if (clearance.kept()) {
+    const Vector3<Dyadic> d = clearance.direction->exact();
+    return pairs.add_clearance(index_a, index_b, least, {d.x, d.y, d.z});
+  }
+  const auto& [of_a, of_b] = *clearance.points;
+  pairs.add_clearance_broken(index_a, index_b, least, of_a, of_b);
 }
 
 }  // namespace sunder::solid

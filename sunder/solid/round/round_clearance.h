@@ -1,30 +1,51 @@
-// Are two placed hulls with a radius (balls, capsules, rounded polyhedra, polyhedra) so far apart, or further? Exact.
-// Also called: safety margin; distance query with a threshold.
+// Are two placed bodies, with a radius or without, so far apart, or further? Exact.
+// Also called: safety margin; distance query with a threshold. How far apart they are: round_distance.h.
 #pragma once
 
+#include <sunder/base/cost.h>
 #include <sunder/base/error.h>
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/solid/round/round_body.h>
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
 
 namespace sunder::solid {
 
+enum class ClearanceVerdict : std::uint8_t {
+  kept,       // so far apart, or further; exactly so far is kept
+  broken,     // nearer
+  undecided,  // the distance is within some 2^-40 of their size of it
+};
+std::string_view name_of(ClearanceVerdict);  // "undecided"
+
+// Plain data, and exact numbers where doubles cannot hold the evidence.
 struct [[nodiscard]] RoundClearance {
-  bool kept = false;                  // at least so far apart; exactly so far is kept
-  std::array<Dyadic, 3> direction{};  // kept: from A to B, along which they are
-  PointOf of_a, of_b;                 // not kept: points of both that are nearer to each other than that
-  Interval distance;                  // about: between these; zero where they meet
+  ClearanceVerdict verdict = ClearanceVerdict::undecided;
+  std::optional<WorldDirection> direction{};               // kept: from A to B, along which they are
+  std::shared_ptr<const std::array<PointOf, 2>> points{};  // broken: of A and of B, nearer than that
+  Cost cost;
+
+  bool kept() const { return verdict == ClearanceVerdict::kept; }
+  bool broken() const { return verdict == ClearanceVerdict::broken; }
+  bool undecided() const { return verdict == ClearanceVerdict::undecided; }
 };
 
-// The distance of the cores against the sum of the radii and `least`, exactly. Requires hulls, and a finite positive
-// `least`. Throws Error: bad_pose (round_body.h). Cost: that of polyhedron_polyhedron_distance.
+//   C1. kept and broken are exactly right for the doubles given, and come with evidence that exact arithmetic has
+//       checked: a direction d with g - sqrt(u) - sqrt(v) >= least |d| (predicate/round_shape.h), or two points.
+//   C2. Decided always: two hulls, of any radii. Where a body is curved: where the distance differs from `least` by
+//   more
+//       than some 2^-40 of their size, and mostly nearer.
+// Requires a finite positive `least`. Throws Error: bad_pose (round_body.h). Cost: that of round_round
+// (round_round.h), and of two hulls no more than that of polyhedron_polyhedron_distance besides.
 RoundClearance round_clearance(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b,
                                double least);
 RoundClearance round_clearance(const PlacedRound& a, const PlacedRound& b, double least);
 
-// States it of two bodies of a certificate file.
+// States it of two bodies of a certificate file. Requires that it is decided.
 void add_claims(PairClaims& pairs, std::uint32_t index_a, std::uint32_t index_b, double least,
                 const RoundClearance& clearance);
 

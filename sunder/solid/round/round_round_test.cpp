@@ -1,5 +1,4 @@
 #include <sunder/base/error.h>
-#include <sunder/solid/round/round_clearance.h>
 #include <sunder/solid/round/round_contact.h>
 #include <sunder/solid/round/round_finish.h>
 #include <sunder/solid/round/round_round.h>
@@ -155,17 +154,6 @@ TEST(RoundFinish, AConeAndAnEdge) {
     EXPECT_TRUE(meets({side * 2, 0, -1}, {side * 2, 0, 1}));  // the rim
     EXPECT_FALSE(meets({side * 2, 0.0625, -1}, {side * 2, 0.0625, 1}));
   }
-}
-
-TEST(RoundClearance, ToTheLastBit) {
-  const RoundBody a = RoundBody::ball({0, 0, 0}, 1), b = RoundBody::ball({3, 4, 0}, 2);
-  EXPECT_TRUE(round_clearance(a, Pose(), b, Pose(), 2).kept);
-  EXPECT_TRUE(round_clearance(a, Pose(), b, Pose(), std::nextafter(2, 0)).kept);
-  const RoundClearance broken = round_clearance(a, Pose(), b, Pose(), std::nextafter(2, 3));
-  EXPECT_FALSE(broken.kept);
-  EXPECT_LE(broken.distance.low, 2);
-  EXPECT_GE(broken.distance.high, 2);
-  EXPECT_FALSE(round_clearance(a, Pose(), RoundBody::ball({1, 0, 0}, 1), Pose(), 1e-300).kept);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 from collections import namedtuple
 
 from .questions import statement
-from .reader import SHA256, Refused, Steps, form, list_of, load, members, text_of
+from .reader import SHA256, Refused, Steps, double, form, list_of, load, members, text_of
 from .tables import TABLES
 
 # What a file says of itself, and what became of its statements: (sentence, refusal), where refusal is None or
@@ -48,6 +48,9 @@ def verify(data, is_limited=False):
                 rule(steps, *bound)
             if item["question"] == "pair":
                 read["proved"].setdefault((item["a"], item["b"]), set()).add(item["verdict"])
+            if item["question"] == "clearance":
+                least = double(item["least"], "least")
+                read["proved"].setdefault((item["a"], item["b"], least), set()).add(item["verdict"])
             if item["question"] == "hull":
                 faces = item.get("faces") or [item.get("outline") or [item.get("i"), item.get("j")]]
                 read["proved"][item["body"]] = item["verdict"], faces

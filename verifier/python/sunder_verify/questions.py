@@ -202,7 +202,7 @@ GIVEN = {  # what questions say
 }
 SAID = {  # what verdicts and claims say
     "i": subject_index, "j": subject_index, "kind": kind, "point": vector, "from_a": vector, "to_b": vector,
-    "contacts": contacts, "number": whole(0), "sides": list_of(subject_index), "arcs": ARCS,
+    "contacts": contacts, "nearer": contacts, "number": whole(0), "sides": list_of(subject_index), "arcs": ARCS,
     "ring": index_of("parts.rings"), "other": index_of("parts.rings"), "edge": index_of("parts.edges"),
     "rings": members_of("parts.rings", lambda those: len(those) > 1, " is not of two rings or more, each once"),
     "points": list_of(vector, lambda those, read: len(those) == len(read["rings"]), " is not as long as the rings"),
@@ -225,7 +225,7 @@ CLAIMS = {
     **{rule.__name__: (rule,) for rule in (
         rules.slab, rules.nearer, rules.feasible, rules.no_objective, rules.no_entries, rules.in_discs, rules.contact,
         polygons.common_point, polygons.too_few_points, polygons.comes_twice, polygons.crosses, polygons.misplaced,
-        polygons.circle, polygons.repeated, polygons.rings_touch, rules.each_pair,
+        polygons.circle, polygons.repeated, polygons.rings_touch, rules.each_pair, rules.each_clearance,
         hulls.between, hulls.one_point, sections.beyond, sections.touches)},
     **{rule.__name__: (rule, "weights") for rule in (rules.bounds, rules.contradict, rules.powers)},
     **{rule.__name__: (rule, "weights", "from") for rule in (rules.holds, rules.inside)},  # from: of ellipsoids only
@@ -280,6 +280,9 @@ QUESTIONS = {
     }),
     "bodies": ("bodies", "members allowed groups except", {
         "these": "each_pair members groups except allowed PROVED contacts"}),
+    "clearances": ("bodies", "members groups except least", {
+        "kept": "each_clearance members groups except least PROVED",
+        "broken": "each_clearance members groups except least PROVED nearer"}),
     "polytopes": ("polytopes", "a b", {
         "apart": "parted_by a b",
         "meet": "keeps a point, keeps b point",

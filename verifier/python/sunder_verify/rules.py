@@ -158,10 +158,10 @@ def inside(steps, weights, origin, body, point):
             break
 
 
-def each_pair(steps, members, groups, besides, allowed, proved, contacts):
-    """Of each two members of different groups, but for some, a statement before tells whether they meet; these do."""
-    besides, left, of_group = {*map(tuple, besides)}, {*map(tuple, contacts)}, {}
-    counts = {"overlapping"} if allowed else {"meet", "touching", "overlapping"}
+def look_at_each(steps, rule, members, groups, besides, listed, known_of, counts, others):
+    """Of each two members of different groups, but for some, what is known has a word that counts if they are listed,
+    and one of the others if not."""
+    besides, left, of_group = {*map(tuple, besides)}, {*map(tuple, listed)}, {}
     for i, group in zip(range(len(members)), groups):
         of_group.setdefault(group, []).append(i)
     for first, second in itertools.combinations([those for _, those in sorted(of_group.items())], 2):
@@ -169,12 +169,24 @@ def each_pair(steps, members, groups, besides, allowed, proved, contacts):
             steps.take(4, 1, 1)
             pair = tuple(sorted(pair))
             if pair not in besides:
-                (a, b) = (members[k] for k in pair)
-                known = proved.get((a, b), set()) | proved.get((b, a), set())
-                is_known = known & (counts if pair in left else {"apart", "touching"} if allowed else {"apart"})
-                require(is_known, "each_pair", "of %d and %d this is not proved before" % pair)
+                a, b = (members[k] for k in pair)
+                known = known_of(a, b) | known_of(b, a)
+                require(known & (counts if pair in left else others), rule, "of %d and %d this is not proved before" % pair)
                 left.discard(pair)
-    require(not left, "each_pair", "a pair is listed that is not asked about")
+    require(not left, rule, "a pair is listed that is not asked about")
+
+
+def each_pair(steps, members, groups, besides, allowed, proved, contacts):
+    """Of each two members of different groups, but for some, a statement before tells whether they meet; these do."""
+    look_at_each(steps, "each_pair", members, groups, besides, contacts, lambda a, b: proved.get((a, b), set()),
+                 {"overlapping"} if allowed else {"meet", "touching", "overlapping"},
+                 {"apart", "touching"} if allowed else {"apart"})
+
+
+def each_clearance(steps, members, groups, besides, least, proved, nearer=()):
+    """Likewise, a statement before tells whether they are so far apart; these are not."""
+    look_at_each(steps, "each_clearance", members, groups, besides, nearer, lambda a, b: proved.get((a, b, least), set()),
+                 {"broken"}, {"kept"})
 
 
 # ---- Linear constraints: half-planes a x + b y <= c as integers (a, b, c, exponent of all three).

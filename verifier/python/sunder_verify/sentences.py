@@ -9,6 +9,8 @@ SENTENCES = {  # of the members that a statement has
     "distance": {"closest": "{a} and {b} are closest at {from_a} and {to_b}"},
     "clearance": {"kept": "{a} and {b} are {least} apart, or more",
                   "broken": "{a} and {b} are nearer than {least}, at {from_a} and {to_b}"},
+    "clearances": {"kept": "all pairs of bodies are {least} apart, or more",
+                   "broken": "exactly these pairs of bodies are nearer than {least}: {nearer}"},
     "polytopes": {"apart": "{a} and {b} are apart", "meet": "{a} and {b} meet at {point}"},
     "hull": {"solid": "the hull of {body} is solid, with the faces {faces}",
              "flat": "the hull of {body} is a polygon with the corners {outline}",

@@ -1,0 +1,190 @@
+#include <sunder/ask/scene/scene_clearance.h>
+#include <sunder/ask/scene/scene_report.h>
+
+#include <sunder/base/error.h>
+#include <sunder/io/text.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+#include <utility>
+
+namespace sunder::ask {
+
+namespace {
+
+using scene::PartDistance;
+
+constexpr std::size_t most_listed = 20;  // pairs of one placement
+
+double distance_of(std::string_view text, const char* option, bool may_be_zero) {
+  const std::vector<double> numbers = parse_numbers(text, option);
+  const bool is_one = numbers.size() == 1 && (numbers[0] > 0 || (may_be_zero && numbers[0] == 0));
+  if (is_one) return numbers[0] + 0.0;
+  throw Error(ErrorCode::bad_call,
+              fmt::format("{} is not one number {}", io::quote(text), may_be_zero ? "of zero or more" : "above zero"),
+              option);
+}
+
+constexpr const char* margin_option = "--margin";
+
+// "a,b=c"
+scene::Margin margin_of(const std::string& text, const SceneInput& input) {
+  const std::size_t equals = text.rfind('=');
+  const std::size_t comma = std::min(equals, text.find(','));
+  if (equals == std::string::npos || comma == equals) {
+    throw Error(ErrorCode::bad_call,
+                io::quote(text) + " is not NAME,NAME=NUMBER: two bodies, and how far apart they have to be",
+                margin_option);
+  }
+  const std::string_view all(text);
+  const auto body = [&](std::string_view name) {
+    return input.body_named(std::string(io::trimmed(name)), margin_option);
+  };
+  const std::uint32_t a = body(all.substr(0, comma)), b = body(all.substr(comma + 1, equals - comma - 1));
+  if (a == b) {
+    throw Error(ErrorCode::bad_call, io::quote(text) + " names one body twice; parts of one body are not asked about",
+                margin_option);
+  }
+  return {std::min(a, b), std::max(a, b), distance_of(io::trimmed(all.substr(equals + 1)), margin_option, true)};
+}
+
+std::string name_a(const Placed& placed, const PartDistance& pair) {
+  return part_name(placed.bodies[pair.body_a], pair.part_a);
+}
+std::string name_b(const Placed& placed, const PartDistance& pair) {
+  return part_name(placed.bodies[pair.body_b], pair.part_b);
+}
+
+// How far apart two parts are, or that they are closer, is said of what stands for them.
+bool is_of_hulls(const SceneReport& report, const PartDistance& pair) {
+  return report.input.is_hull(pair.body_a, pair.part_a) || report.input.is_hull(pair.body_b, pair.part_b);
+}
+
+// "about 0.25 apart, from (0, 0, 1) to (0, 0, 1.25)", or "they meet"
+std::string distance_text(const PartDistance& pair) {
+  const auto points = rounded_nearest_points(pair);
+  if (!points) return "they meet";
+  return fmt::format("about {:.12g} apart, from {} to {}", pair.distance.high, about(points->of_a),
+                     about(points->of_b));
+}
+
+std::string closer_text(const SceneReport& report, const Placed& placed, const std::string& prefix) {
+  const scene::ClearanceAnswer& answer = *placed.near.clearance;
+  std::string text;
+  for (std::size_t k = 0; k < answer.closer.size() && k < most_listed; ++k) {
+    const PartDistance& pair = answer.closer[k];
+    text += fmt::format("{}{} and {} are closer than {}{}: {}\n", prefix, name_a(placed, pair), name_b(placed, pair),
+                        pair.least, is_of_hulls(report, pair) ? ", as hulls" : "", distance_text(pair));
+  }
+  if (answer.closer.size() > most_listed) {
+    text += fmt::format("{}and {} more\n", prefix, count_of(answer.closer.size() - most_listed, "pair"));
+  }
+  return text + fmt::format("{}closer than asked for: {} of {} (allowed {}, by boxes {}, by distance {}){}\n", prefix,
+                            answer.closer.empty() ? "none" : std::to_string(answer.closer.size()),
+                            count_of(answer.pairs, "pair"), answer.allowed, answer.by_boxes, answer.by_method,
+                            report.input.left_out().clause());
+}
+
+std::string nearest_text(const SceneReport& report, const Placed& placed, const std::string& prefix) {
+  const LeftOutList& left_out = report.input.left_out();
+  if (!placed.near.nearest) return prefix + "nearest: no pair is asked about" + left_out.clause() + "\n";
+  const PartDistance& pair = *placed.near.nearest;
+  return fmt::format("{}nearest: {} and {}{}: {}{}\n", prefix, name_a(placed, pair), name_b(placed, pair),
+                     is_of_hulls(report, pair) ? ", as hulls" : "", distance_text(pair), left_out.clause());
+}
+
+Json pair_json(const SceneReport& report, std::size_t placement, const PartDistance& pair) {
+  const Placed& placed = report.placements[placement];
+  Json json{{"placement", placement},
+            {"a", placed.bodies[pair.body_a].name},
+            {"b", placed.bodies[pair.body_b].name},
+            {"part_a", pair.part_a},
+            {"part_b", pair.part_b},
+            {"said_of", is_of_hulls(report, pair) ? "hulls" : "bodies"},
+            {"low", pair.distance.low},
+            {"high", pair.distance.high}};
+  if (const auto points = rounded_nearest_points(pair)) {
+    json["points_about"] = Json::array({to_json(points->of_a), to_json(points->of_b)});
+  }
+  return json;
+}
+
+Json clearance_json(const SceneReport& report) {
+  const scene::ClearanceQuestion& question = *report.clearance;
+  const std::vector<scene::Body>& bodies = report.placements.front().bodies;
+  Json json{{"least", question.least}, {"margins", Json::array()}, {"kept", report.is_kept()}};
+  for (const auto& [a, b, least] : question.margins) {
+    json["margins"].push_back({{"a", bodies[a].name}, {"b", bodies[b].name}, {"least", least}});
+  }
+  json["closer"] = Json::array();
+  scene::ClearanceAnswer all;
+  std::uint64_t closer = 0;
+  for (std::size_t p = 0; p < report.placements.size(); ++p) {
+    const scene::ClearanceAnswer& answer = *report.placements[p].near.clearance;
+    for (const PartDistance& pair : answer.closer) {
+      json["closer"].push_back(pair_json(report, p, pair));
+      json["closer"].back()["least"] = pair.least;
+    }
+    all.pairs += answer.pairs;
+    all.allowed += answer.allowed;
+    all.by_boxes += answer.by_boxes;
+    all.by_method += answer.by_method;
+    closer += answer.closer.size();
+  }
+  json["totals"] = {{"pairs", all.pairs},
+                    {"allowed", all.allowed},
+                    {"by_boxes", all.by_boxes},
+                    {"by_method", all.by_method},
+                    {"closer", closer}};
+  return json;
+}
+
+}  // namespace
+
+std::optional<scene::ClearanceQuestion> clearance_question(const ClearanceCall& call, const SceneInput& input,
+                                                           const std::vector<std::array<std::uint32_t, 2>>& allowed) {
+  if (call.least.empty() && call.margins.empty()) return std::nullopt;
+  scene::ClearanceQuestion question;
+  question.allowed = allowed;
+  if (!call.least.empty()) question.least = distance_of(call.least, "--clearance", false);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> may_meet, seen;
+  for (const auto& [a, b] : allowed) may_meet.insert(std::minmax(a, b));
+  for (const std::string& text : call.margins) {
+    const scene::Margin margin = margin_of(text, input);
+    const std::pair pair(margin.body_a, margin.body_b);
+    if (!seen.insert(pair).second) {
+      throw Error(ErrorCode::bad_call, io::quote(text) + " is of a pair that has a margin already; give one",
+                  margin_option);
+    }
+    if (may_meet.contains(pair)) {
+      note(fmt::format("{} {}: these may meet, so they are not asked about", margin_option, io::one_line(text)));
+    }
+    question.margins.push_back(margin);
+  }
+  return question;
+}
+
+std::string nearness_text(const SceneReport& report) {
+  std::string text;
+  for (const Placed& placed : report.placements) {
+    const std::string prefix = report.placements.size() > 1 ? placed.title + ": " : "";
+    if (placed.near.clearance) text += closer_text(report, placed, prefix);
+    if (report.asks_for_nearest) text += nearest_text(report, placed, prefix);
+  }
+  return text;
+}
+
+void add_nearness(const SceneReport& report, Json& json) {
+  if (report.clearance) json["clearance"] = clearance_json(report);
+  if (!report.asks_for_nearest) return;
+  json["nearest"] = Json::array();
+  for (std::size_t p = 0; p < report.placements.size(); ++p) {
+    const auto& nearest = report.placements[p].near.nearest;
+    if (nearest) json["nearest"].push_back(pair_json(report, p, *nearest));
+  }
+}
+
+}  // namespace sunder::ask

@@ -1,0 +1,45 @@
+// How near are the parts of a scene? sunder scene --clearance, --margin, --distance.
+#pragma once
+
+#include <sunder/ask/scene/scene_input.h>
+
+#include <sunder/scene/clearance.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sunder::ask {
+
+// What the options say.
+struct ClearanceCall {
+  std::string least;                 // a number; empty: pairs without a margin have none
+  std::vector<std::string> margins;  // "a,b=c" each
+  bool nearest = false;
+
+  bool asks() const { return nearest || !least.empty() || !margins.empty(); }
+};
+
+// What they ask, with the pairs allowed. A note says which margins are of allowed pairs. Nothing where the call has no
+// margin. Throws Error bad_call for what is no distance, bodies that do not exist, and a pair with two margins.
+std::optional<scene::ClearanceQuestion> clearance_question(const ClearanceCall& call, const SceneInput& input,
+                                                           const std::vector<std::array<std::uint32_t, 2>>& allowed);
+
+// Of one placement; nothing of what was not asked, or of bodies of which there are no two parts to be near.
+struct Nearness {
+  std::optional<scene::ClearanceAnswer> clearance;
+  std::optional<scene::PartDistance> nearest;
+
+  bool is_kept() const { return !clearance || clearance->closer.empty(); }
+};
+
+struct Placed;
+struct SceneReport;
+
+// Of all placements: lines for people, below those about what meets; and "clearance" and "nearest" of the report.
+std::string nearness_text(const SceneReport& report);
+void add_nearness(const SceneReport& report, Json& json);
+
+}  // namespace sunder::ask

@@ -1,0 +1,174 @@
+#include <sunder/base/contract.h>
+#include <sunder/predicate/stages.h>
+#include <sunder/solid/round/round_finish.h>
+#include <sunder/solid/round/round_nearest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunder::solid {
+
+namespace {
+
+using Exact = Vector3<Dyadic>;
+
+Exact image(const PlacedRound& body, const Point3& p) { return lift<ExactStage>(Posed3{p, &body.core.pose, false}); }
+Exact sum(const Exact& p, const Exact& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
+Exact times(const Dyadic& w, const Exact& v) { return {w * v.x, w * v.y, w * v.z}; }
+
+RoundShape shape_along(const PlacedRound& body, const WorldDirection& direction, End end, std::uint32_t near,
+                       Cost& cost, StageTally& tally) {
+  RoundShape shape = body.shape;
+  if (body.body.is_curved()) return shape;
+  std::uint32_t v = 0;
+  if (body.core.graph.vertices.size() > 1) {
+    Along along(direction, body.core.pose, body.core.tame);
+    v = extreme_vertex_from(body.core, along, end, near, cost, tally);
+  }
+  shape.points[0] = body.core.graph.vertices[v];
+  return shape;
+}
+
+// A point of the body that is well inside, where it has an inside.
+Exact middle_of(const PlacedRound& curved) {
+  const Exact first = image(curved, curved.shape.points[0]);
+  if (curved.kind() == RoundKind::ellipsoid) return first;
+  const Exact way = image(curved, curved.shape.points[1]) - first;
+  return sum(first, times(Dyadic(curved.kind() == RoundKind::cone ? 0.25 : 0.5), way));
+}
+
+// Of a cylinder's or a cone's axis, or of an ellipsoid the centre: that is nearest to the point.
+ExactPoint on_core(const PlacedRound& curved, const Exact& near) {
+  const Exact first = image(curved, curved.shape.points[0]);
+  if (curved.kind() == RoundKind::ellipsoid) return {first, Dyadic(1.0)};
+  const Exact way = image(curved, curved.shape.points[1]) - first;
+  const Dyadic along = dot(near - first, way), all = dot(way, way);
+  if (along.sign() != Sign::positive) return {first, Dyadic(1.0)};
+  if ((all - along).sign() != Sign::positive) return {sum(first, way), Dyadic(1.0)};
+  return {sum(times(all, first), times(along, way)), all};
+}
+
+// p + part (q - p)
+PointOf moved(const PointOf& p, const PointOf& q, const Dyadic& part) {
+  PointOf x{{}, p.denominator * q.denominator, p.of_body};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Dyadic from = p.coordinates[k] * q.denominator, to = q.coordinates[k] * p.denominator;
+    x.coordinates[k] = from + part * (to - from);
+  }
+  return x;
+}
+
+// The part of the way that the radius is, which is less than 1, from below: as near as 2^-bits.
+Dyadic part_of_way(double radius, const NearPoints& ends, int bits) {
+  const Dyadic limit = Dyadic(radius) * Dyadic(radius) * ends.over;
+  Dyadic low(0.0), step(0.5);
+  if (limit.sign() == Sign::zero) return low;
+  for (int k = 0; k < bits; ++k, step = step.scaled(-1)) {
+    const Dyadic next = low + step;
+    if ((next * next * ends.square - limit).sign() != Sign::positive) low = next;
+  }
+  return low;
+}
+
+}  // namespace
+
+RoundGap::RoundGap(const PlacedRound& a, const PlacedRound& b, const WorldDirection& direction, std::uint32_t near_a,
+                   std::uint32_t near_b, Cost& cost, StageTally& tally)
+    : direction_(direction),
+      a_(shape_along(a, direction_, End::greatest, near_a, cost, tally)),
+      b_(shape_along(b, direction_, End::least, near_b, cost, tally)),
+      tally_(tally) {}
+
+NearPoints::NearPoints(PointOf p, PointOf q) : of_a(std::move(p)), of_b(std::move(q)) {
+  const std::array<Dyadic, 3> way = way_between(of_a, of_b);
+  square = way[0] * way[0] + way[1] * way[1] + way[2] * way[2];
+  const Dyadic weight = of_a.denominator * of_b.denominator;
+  over = weight * weight;
+}
+
+PointOf held_by(const PlacedRound& curved, const Exact& near, int bits) {
+  SUNDER_REQUIRE(curved.body.is_curved());
+  const Exact inwards = middle_of(curved) - near;
+  ExactPoint x{near, Dyadic(1.0)};
+  for (int k = bits; k >= 8 && side_of(curved.shape, x) == Sign::negative; k -= k > 24 ? 6 : 4) {
+    x.at = sum(near, times(Dyadic::power_of_two(-k), inwards));
+  }
+  if (side_of(curved.shape, x) == Sign::negative) x = on_core(curved, near);
+  Combination of_body = combination_of(curved, x);
+  return {{x.at.x, x.at.y, x.at.z}, x.weight, std::move(of_body)};
+}
+
+PointOf of_core(const PlacedRound& hull, const std::vector<Combination::Part>& weights) {
+  PointOf point{{Dyadic(0.0), Dyadic(0.0), Dyadic(0.0)}, Dyadic(0.0), {}};
+  std::vector<Combination::Part>& parts = point.of_body.parts;
+  for (const auto& [entry, weight] : weights) {
+    const Exact at = lift<ExactStage>(hull.core[entry]);
+    point.coordinates[0] = point.coordinates[0] + weight * at.x;
+    point.coordinates[1] = point.coordinates[1] + weight * at.y;
+    point.coordinates[2] = point.coordinates[2] + weight * at.z;
+    point.denominator = point.denominator + weight;
+    const auto same = std::find_if(parts.begin(), parts.end(), [e = entry](const auto& p) { return p.entry == e; });
+    if (same == parts.end()) {
+      parts.push_back({entry, weight});
+    } else {
+      same->numerator = same->numerator + weight;
+    }
+  }
+  point.of_body.denominator = point.denominator;
+  return point;
+}
+
+PointOf towards(const PointOf& of_core, double radius, const PointOf& to) {
+  if (radius == 0) return of_core;
+  const NearPoints between(of_core, to);
+  const Dyadic limit = Dyadic(radius) * Dyadic(radius) * between.over;
+  if ((limit - between.square).sign() != Sign::negative) return {to.coordinates, to.denominator, of_core.of_body};
+  // The part of the way: the root of limit / square, in doubles, once more by Newton's method, and less by 2^-98 of it.
+  const std::int64_t shift = (limit.top() - between.square.top()) / 2;
+  const double about = std::sqrt(nearest_ratio(limit.scaled(-2 * shift), between.square));
+  const Dyadic s(about);
+  const double rest = nearest_ratio(limit.scaled(-2 * shift) - s * s * between.square, s * between.square.scaled(1));
+  Dyadic part = (s + Dyadic(rest) - s.scaled(-98)).scaled(shift);
+  const auto is_within = [&] { return (part * part * between.square - limit).sign() != Sign::positive; };
+  for (int k = 90; !is_within() && k > 0; k -= 10) part = (s - s.scaled(-k)).scaled(shift);
+  return moved(of_core, to, part);
+}
+
+NearPoints points_nearer_than(double least, const ClosestPoints& cores, double radius_a, double radius_b) {
+  PointOf p = towards(cores.of_a, radius_a, cores.of_b);
+  PointOf q = towards(cores.of_b, radius_b, p);
+  NearPoints found(std::move(p), std::move(q));
+  // Nearer and nearer to what the radii leave.
+  const NearPoints ends(cores.of_a, cores.of_b);
+  for (int bits = 128; std::isfinite(least) && !found.nearer_than(least); bits *= 2) {
+    found = NearPoints(moved(cores.of_a, cores.of_b, part_of_way(radius_a, ends, bits)),
+                       moved(cores.of_b, cores.of_a, part_of_way(radius_b, ends, bits)));
+  }
+  return found;
+}
+
+std::vector<WorldDirection> simple_directions(const PlacedRound& a, const PlacedRound& b, const Point3& near) {
+  std::vector<WorldDirection> found;
+  const double largest = std::max({std::fabs(near.x), std::fabs(near.y), std::fabs(near.z)});
+  if (!(largest > 0) || !std::isfinite(largest)) return found;
+  const Point3 d{near.x / largest, near.y / largest, near.z / largest};
+  for (const int bits : {40, 20, 10}) {
+    const auto part = [&](double x) { return std::ldexp(std::nearbyint(std::ldexp(x, bits)), -bits); };
+    found.emplace_back(Point3{part(d.x), part(d.y), part(d.z)});
+  }
+  for (const PlacedRound* body : {&a, &b}) {
+    if (body->shape.ends() != 2 || !body->body.is_curved()) continue;
+    const Exact axis = image(*body, body->shape.points[1]) - image(*body, body->shape.points[0]);
+    const Exact exact_near = lift<ExactStage>(d);
+    found.emplace_back(dot(axis, exact_near).sign() == Sign::negative ? Exact{-axis.x, -axis.y, -axis.z} : axis);
+  }
+  const PolyhedronDistance cores = polyhedron_polyhedron_distance(a.body.core(), a.pose, b.body.core(), b.pose);
+  if (cores.closest) {
+    const ClosestPoints points = closest_points(*cores.closest);
+    const std::array<Dyadic, 3> way = way_between(points.of_a, points.of_b);
+    found.emplace_back(Exact{way[0], way[1], way[2]});
+  }
+  return found;
+}
+
+}  // namespace sunder::solid

@@ -1,0 +1,143 @@
+// How far apart bodies with a radius are, and whether so far: what round_distance and round_clearance say, against
+// fractions that check their evidence by the page's definitions, and against each other.
+#include <tests/support/round_oracle.h>
+#include <tests/support/round_pairs.h>
+#include <tests/support/scale.h>
+
+#include <sunder/solid/round/round_claims.h>
+#include <sunder/solid/round/round_distance.h>
+
+#include <verifier/cpp/verify.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sunder::tests {
+namespace {
+
+using solid::PlacedRound;
+using solid::RoundClearance;
+using solid::RoundDistance;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::string named(const RoundCase& c) {
+  return std::string(name_of(c.family)) + ": " + std::string(name_of(c.of_a)) + ", " + std::string(name_of(c.of_b));
+}
+
+double size_of(const PlacedRound& body) {
+  const double of_map = body.kind() == RoundKind::ellipsoid ? 2 * body.pose.linear_range().greatest : 1;
+  return std::max(body.core.size, body.radius() * of_map);
+}
+
+bool is_curved(const RoundCase& c) { return c.a.is_curved() || c.b.is_curved(); }
+
+Triple direction_of(const WorldDirection& direction) {
+  const Vector3<Dyadic> d = direction.exact();
+  return triple({d.x, d.y, d.z});
+}
+
+// Is the evidence that of what it says? Of undecided ones: nothing is said.
+bool is_proved(const OracleBody& a, const OracleBody& b, double least, const RoundClearance& found) {
+  if (found.undecided()) return true;
+  if (found.kept()) return is_clear(a, b, direction_of(*found.direction), fraction(least));
+  const Fraction square = squared_way(a, b, *found.points);
+  return square >= 0 && square < fraction(least) * fraction(least);
+}
+bool is_proved(const OracleBody& a, const OracleBody& b, const RoundDistance& found) {
+  const auto [low, high] = found.distance;
+  if (!(low >= 0 && low <= high)) return false;
+  const Fraction square = squared_way(a, b, *found.points);
+  if (square < 0) return false;
+  const double above = std::nextafter(high, infinity);
+  if (std::isfinite(above) && square >= fraction(above) * fraction(above)) return false;
+  return low == 0 || is_clear(a, b, direction_of(*found.direction), fraction(low));
+}
+
+std::vector<double> asked_about(const Interval& d, double size, Random& random) {
+  std::vector<double> all{d.low,
+                          d.high,
+                          std::nextafter(d.low, 0.0),
+                          std::nextafter(d.high, infinity),
+                          d.high * (1 + 0x1p-40),
+                          d.low * (1 - 0x1p-40),
+                          d.high + 0x1p-38 * size,
+                          d.low - 0x1p-38 * size,
+                          d.high * random.log_uniform(0.001, 1000),
+                          size * random.log_uniform(1e-300, 1e3),
+                          5e-324};
+  std::erase_if(all, [](double c) { return !(c > 0 && std::isfinite(c)); });
+  return all;
+}
+
+struct Tally {
+  int all = 0, meet = 0, narrow = 0, within_units = 0, kept = 0, broken = 0, undecided = 0;
+  double widest = 0;  // of the size
+};
+
+TEST(RoundDistanceDifferential, EachAnswerIsProved) {
+  const std::uint64_t seed = chosen_seed(20261201);
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  RoundPairs pairs(seed);
+  const int count = scaled_count(6000);
+  std::map<std::string, Tally> tallies;
+  for (int i = 0; i < count; ++i) {
+    const RoundCase c = pairs.next();
+    const PlacedRound a(c.a, c.pose_a), b(c.b, c.pose_b);
+    const OracleBody of_a(a), of_b(b);
+    const RoundDistance found = round_distance(a, b);
+    const solid::RoundAnswer answer = round_round(a, b);
+    const auto [low, high] = found.distance;
+    const double size = std::max(size_of(a), size_of(b));
+    const bool is_huge = size > 1e100 && c.family == RoundFamily::degenerate;  // a radius of 1e200
+    SCOPED_TRACE(std::to_string(i) + " " + named(c));
+    Tally& tally = tallies[std::string(name_of(c.family))];
+    ++tally.all;
+    ASSERT_TRUE(is_proved(of_a, of_b, found)) << low << " " << high;
+    ASSERT_EQ(found.meet(), answer.meet());
+    if (answer.meet()) {
+      ++tally.meet;
+    } else if (!is_curved(c)) {
+      ASSERT_LE(high, std::nextafter(low, infinity));
+    } else {
+      if (!is_huge) {
+        ASSERT_LE(high - low, 0x1p-40 * size) << low << " " << high;
+        tally.widest = std::max(tally.widest, (high - low) / size);
+      }
+      if (high - low <= 0x1p-40 * high) ++tally.narrow;
+      if (high - low <= 0x1p-50 * high) ++tally.within_units;
+    }
+    for (const double least : asked_about(found.distance, size, pairs.random())) {
+      const RoundClearance clearance = round_clearance(a, b, least);
+      ASSERT_TRUE(is_proved(of_a, of_b, least, clearance)) << least << " " << name_of(clearance.verdict);
+      ++(clearance.kept() ? tally.kept : clearance.broken() ? tally.broken : tally.undecided);
+      ASSERT_FALSE(clearance.undecided() && !is_curved(c)) << least << " of " << low << ", " << high;
+      if (least > high) {
+        ASSERT_FALSE(clearance.kept()) << least;
+      }
+      if (clearance.undecided() && !is_huge) {
+        const double by = 0x1p-40 * size;
+        ASSERT_TRUE(least - by <= 0 || round_clearance(a, b, least - by).kept()) << least << " " << low << " " << high;
+        ASSERT_TRUE(round_clearance(a, b, least + by).broken()) << least << " of " << low << ", " << high;
+      }
+    }
+  }
+  for (const auto& [family, t] : tallies) {
+    std::printf(
+        "%-13s of %d meet %d; width at most 2^-40 of the distance %d, 2^-50 %d; widest %.3g of the size; "
+        "clearance kept %d, broken %d, undecided %d\n",
+        family.c_str(), t.all, t.meet, t.narrow, t.within_units, t.widest, t.kept, t.broken, t.undecided);
+  }
+}
+
+}  // namespace
+}  // namespace sunder::tests
