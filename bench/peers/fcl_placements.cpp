@@ -108,8 +108,8 @@ class Robot {
  private:
   bool is_asked_about(std::uint32_t i, std::uint32_t j) const {
     const std::uint32_t a = of_.shapes[i].body, b = of_.shapes[j].body;
-    return a != b && !std::binary_search(of_.allowed.begin(), of_.allowed.end(),
-                                         std::array{std::min(a, b), std::max(a, b)});
+    return a != b &&
+           !std::binary_search(of_.allowed.begin(), of_.allowed.end(), std::array{std::min(a, b), std::max(a, b)});
   }
 
   void read() {
@@ -209,9 +209,8 @@ class Robot {
 
 template <As as, Broad broad, bool has_contacts>
 Run run_by(const PlacementScenario& scenario) {
-  return each([robot = std::make_shared<Robot>(scenario, as, broad, has_contacts)](std::size_t) {
-    return robot->run();
-  });
+  return each(
+      [robot = std::make_shared<Robot>(scenario, as, broad, has_contacts)](std::size_t) { return robot->run(); });
 }
 
 }  // namespace

@@ -24,14 +24,14 @@ struct PlacementScenario {
     sunder::solid::Pose pose;  // within the link
   };
 
-  std::string table;                                 // CSV: the joints' names, then a placement a line
-  std::string output;                                // a name of a file to be written
-  std::size_t columns = 0;                           // of the table
-  std::vector<sunder::io::Joint> joints;             // parents before children
-  std::vector<std::uint32_t> column;                 // of each joint, or none
-  std::vector<sunder::solid::Pose> origins;          // of each joint
-  std::size_t links = 0;                             // how many
-  std::vector<Shape> shapes;                         // in the order of bodies
+  std::string table;                                  // CSV: the joints' names, then a placement a line
+  std::string output;                                 // a name of a file to be written
+  std::size_t columns = 0;                            // of the table
+  std::vector<sunder::io::Joint> joints;              // parents before children
+  std::vector<std::uint32_t> column;                  // of each joint, or none
+  std::vector<sunder::solid::Pose> origins;           // of each joint
+  std::size_t links = 0;                              // how many
+  std::vector<Shape> shapes;                          // in the order of bodies
   std::vector<std::array<std::uint32_t, 2>> allowed;  // pairs of bodies not asked about, the lower first, sorted
   static constexpr std::uint32_t none = 0xffffffff;
 };

@@ -18,11 +18,26 @@ using solid::Pose;
   throw Error(ErrorCode::bad_call, text, "joint " + quote(name));
 }
 
+// As compose.
+Affine3 product(const Affine3& a, const Affine3& b) {
+  Affine3 made;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double* row = &a.linear[3 * i];
+    for (std::size_t j = 0; j < 3; ++j) {
+      made.linear[3 * i + j] = row[0] * b.linear[j] + row[1] * b.linear[3 + j] + row[2] * b.linear[6 + j];
+    }
+    made.translation[i] =
+        row[0] * b.translation[0] + row[1] * b.translation[1] + row[2] * b.translation[2] + a.translation[i];
+  }
+  return made;
+}
+
 }  // namespace
 
-RobotMotion::RobotMotion(const Robot& robot, std::span<const std::string> joints) : joints_(robot.joints) {
+RobotMotion::RobotMotion(const Robot& robot, std::span<const std::string> joints)
+    : joints_(robot.joints), root_(robot.root) {
   for (const Joint& joint : joints_) {
-    origins_.push_back(origin_pose(joint.origin));
+    origins_.push_back(origin_pose(joint.origin).affine());
     rest_.push_back(joint.type == JointType::fixed ? 0 : std::clamp(0.0, joint.lower, joint.upper));
   }
   for (const std::string& name : joints) {
@@ -68,11 +83,15 @@ void RobotMotion::place(std::span<const double> values, std::span<Pose> links) c
       fail_joint(joints_[i].name, "its value overflows; look at its mimic's multiplier and offset");
     }
   }
-  std::fill(links.begin(), links.end(), Pose());
+  links[root_] = Pose();
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const Joint& joint = joints_[i];
+    // As bare numbers, of which one pose is made: what overflows does so there, too.
+    const Affine3 motion =
+        joint.type == JointType::fixed ? origins_[i] : product(origins_[i], joint_map(joint, all[i]));
+    const Affine3 link = joint.parent == root_ ? motion : product(links[joint.parent].affine(), motion);
     try {
-      links[joint.child] = composed(links[joint.parent], composed(origins_[i], joint_motion(joint, all[i])));
+      links[joint.child] = Pose::from_matrix(link.linear, link.translation);
     } catch (const Error& error) {
       throw Error(error.code(), error.what(), "joint " + quote(joint.name));
     }

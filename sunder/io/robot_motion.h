@@ -32,10 +32,11 @@ class RobotMotion {
 
  private:
   std::vector<Joint> joints_;
-  std::vector<solid::Pose> origins_;   // of each joint
+  std::vector<Affine3> origins_;       // of each joint
   std::vector<double> rest_;           // values of joints that none is given for
   std::vector<std::uint32_t> given_;   // of each value its joint
   std::vector<std::uint32_t> mimics_;  // joints that follow others, after those that they follow
+  std::uint32_t root_ = 0;             // the link that hangs on none
 };
 
 // As compose, without the work where one of them is the identity. (The sign of a zero may be another one.)

@@ -13,13 +13,12 @@ namespace {
 using solid::Pose;
 
 // Entries are exactly 0, 1, +-sine and cosine where the axis is a coordinate axis.
-Pose turn(const std::array<double, 3>& axis, double angle) {
+std::array<double, 9> turn(const std::array<double, 3>& axis, double angle) {
   const double x = axis[0], y = axis[1], z = axis[2];
   const double c = std::cos(angle), s = std::sin(angle), d = 1 - c;
-  return Pose::from_matrix({x * x + c * (1 - x * x), x * y * d - z * s, x * z * d + y * s,  //
-                            x * y * d + z * s, y * y + c * (1 - y * y), y * z * d - x * s,  //
-                            x * z * d - y * s, y * z * d + x * s, z * z + c * (1 - z * z)},
-                           {0, 0, 0});
+  return {x * x + c * (1 - x * x), x * y * d - z * s,       x * z * d + y * s,  //
+          x * y * d + z * s,       y * y + c * (1 - y * y), y * z * d - x * s,  //
+          x * z * d - y * s,       y * z * d + x * s,       z * z + c * (1 - z * z)};
 }
 
 [[noreturn]] void fail_joint(const std::string& name, const std::string& text) {
@@ -49,16 +48,20 @@ double own_value(const Joint& joint, const std::map<std::string, double>& values
 
 }  // namespace
 
-solid::Pose joint_motion(const Joint& joint, double value) {
+Affine3 joint_map(const Joint& joint, double value) {
   switch (joint.type) {
-    case JointType::fixed: return Pose();
+    case JointType::fixed: break;
     case JointType::revolute:
-    case JointType::continuous: return turn(joint.axis, value);
+    case JointType::continuous: return {turn(joint.axis, value), {}};
     case JointType::prismatic:
-      return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1},
-                               {joint.axis[0] * value, joint.axis[1] * value, joint.axis[2] * value});
+      return {Affine3{}.linear, {joint.axis[0] * value, joint.axis[1] * value, joint.axis[2] * value}};
   }
-  return Pose();
+  return {};
+}
+
+solid::Pose joint_motion(const Joint& joint, double value) {
+  const Affine3 map = joint_map(joint, value);
+  return Pose::from_matrix(map.linear, map.translation);
 }
 
 std::vector<double> joint_values(const Robot& robot, const std::map<std::string, double>& values) {

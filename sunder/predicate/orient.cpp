@@ -85,7 +85,8 @@ Sign compare_coordinate(int axis, const Posed3& a, const Posed3& b, StageTally* 
 
 Sign determinant_sign(const Affine3& pose) {
   const auto& m = pose.linear;
-  return orient_3d(Point3{}, {m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]});
+  const auto determinant = [](const auto& a, const auto& b, const auto& c) { return dot(cross(a, b), c); };
+  return decide(nullptr, determinant, Point3{m[0], m[1], m[2]}, Point3{m[3], m[4], m[5]}, Point3{m[6], m[7], m[8]});
 }
 
 }  // namespace sunder

@@ -94,7 +94,39 @@ WorldBox world_box(const solid::Placed& body, const WorldBox& near) {
   return box;
 }
 
+namespace {
+
+// The image of the body's own box, taken as a middle m and halves h: along each axis of the world that of m, and as
+// much to both sides as |linear| h. No entry times a coordinate is more than `size`, nor is a number of the
+// translation, and a half is at most twice the greatest coordinate. The rest is for the rounding of `size` and of the
+// last two sums. A sum of two coordinates is zero, or hardly smaller than the least of them: so nothing underflows
+// where images are tame.
+Box3 rough_box_in_doubles(const solid::Placed& body) {
+  const Point3 &low = body.graph.low, &high = body.graph.high;
+  Point3 m, h;
+  for (std::size_t j = 0; j < 3; ++j) {
+    m[j] = 0.5 * (low[j] + high[j]);
+    h[j] = std::max(high[j] - m[j], m[j] - low[j]) * (1 + 0x1p-51);
+  }
+  Box3 box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double* const row = &body.pose.linear[3 * k];
+    const auto size = [&](std::size_t j) { return leaf(std::fabs(row[j])); };
+    const auto middle = (leaf(row[0]) * leaf(m.x) + leaf(row[1]) * leaf(m.y)) +
+                        (leaf(row[2]) * leaf(m.z) + leaf(body.pose.translation[k]));
+    const auto half = (size(0) * leaf(h.x) + size(1) * leaf(h.y)) + size(2) * leaf(h.z);
+    constexpr double error = (4 * decltype(middle)::bound + 6 * decltype(half)::bound + 24 * 0x1p-53) * (1 + 0x1p-40);
+    const double reach = half.value + error * body.size;
+    box.low[k] = middle.value - reach;
+    box.high[k] = middle.value + reach;
+  }
+  return box;
+}
+
+}  // namespace
+
 Box3 rough_world_box(const solid::Placed& body) {
+  if (body.tame) return rough_box_in_doubles(body);
   Box3 box;
   for (std::size_t k = 0; k < 3; ++k) {
     // Along an axis of the world a corner is furthest that each axis of the body alone takes furthest.
@@ -103,8 +135,8 @@ Box3 rough_world_box(const solid::Placed& body) {
     for (std::size_t j = 0; j < 3; ++j) {
       if (body.pose.linear[3 * k + j] < 0) std::swap(least[j], greatest[j]);
     }
-    box.low[k] = coordinate(k, {least, &body.pose, body.tame}).low;
-    box.high[k] = coordinate(k, {greatest, &body.pose, body.tame}).high;
+    box.low[k] = coordinate(k, {least, &body.pose, false}).low;
+    box.high[k] = coordinate(k, {greatest, &body.pose, false}).high;
   }
   return box;
 }

@@ -63,13 +63,17 @@ TEST(PolyhedronPolyhedronWarm, NonsenseIsOfNoUse) {
   const ConvexPolyhedron cube(tests::cube_corners(0, 1));
   constexpr double infinity = std::numeric_limits<double>::infinity();
   using enum WarmStart::Kind;
-  const std::array<WarmStart, 7> all{{{meet, 200, 200, {}, {}},
-                                      {meet, 3, 2, {0, 1, 99, 0, 1}, {}},
-                                      {meet, 0, 5, {}, {}},
-                                      {meet, 5, 1, {}, {}},
-                                      {apart, 0, 0, {8, 0}, {1, 0, 0}},
-                                      {apart, 0, 0, {}, {infinity, 0, 0}},
-                                      {apart, 0, 0, {}, {0, 0, std::nan("")}}}};
+  const auto parting = [&](std::uint8_t count, const Point3& direction, std::uint32_t extreme_a) {
+    return WarmStart{apart, 0, 0, count, {}, {{{direction, extreme_a, 0}}}};
+  };
+  const std::array<WarmStart, 8> all{{{meet, 200, 200, 0, {}, {}},
+                                      {meet, 3, 2, 0, {0, 1, 99, 0, 1}, {}},
+                                      {meet, 0, 5, 0, {}, {}},
+                                      {meet, 5, 1, 0, {}, {}},
+                                      parting(1, {1, 0, 0}, 8),
+                                      parting(1, {infinity, 0, 0}, 0),
+                                      parting(1, {0, 0, std::nan("")}, 0),
+                                      parting(200, {0, 0, 0}, 0)}};
   for (const double x : {0.5, 1.0, 1.5}) {
     for (WarmStart last : all) {
       const PairAnswer answer = polyhedron_polyhedron_warm(cube, Pose(), cube, tests::shift(x, 0, 0), last);
