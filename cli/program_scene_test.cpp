@@ -85,6 +85,40 @@ TEST_F(Program, SceneOfASceneFile) {
   EXPECT_FALSE(own.contains("unit"));
 }
 
+// The links of a group alone, which is told in text, JSON and certificate.
+TEST_F(Program, SceneOfAGroup) {
+  const std::string arm = "scene '" + cases + "/mesh/arm.urdf' --leave-out --srdf '" + cases + "/scene/arm.srdf'";
+  const std::string proof = in_folder("group.json");
+  const Run r = run(arm + " --group upper_arm --certificate '" + proof + "'");
+  EXPECT_EQ(r.code, 1) << r.err;
+  EXPECT_NE(r.out.find("2 bodies with 2 parts"), std::string::npos) << r.out;
+  EXPECT_NE(r.out.find("left out: 1 ellipsoid of base; 1 shape of base"), std::string::npos) << r.out;
+  EXPECT_NE(r.err.find("2 of 3 links with shapes are asked about, those of --group upper_arm"), std::string::npos);
+  EXPECT_EQ(r.err.find("base"), std::string::npos) << r.err;  // it has a shape
+  const json j = report(arm + " --group upper_arm", 1);
+  EXPECT_EQ(j["bodies"].size(), 2u);
+  EXPECT_EQ(j["left_out"][1]["kind"], "shape");
+  EXPECT_EQ(j["left_out"][1]["of"], json{"base"});
+  EXPECT_NE(read_text(proof).find("1 shape of base"), std::string::npos);
+  EXPECT_EQ(run("verify '" + proof + "'").code, 0);
+  EXPECT_EQ(report(arm + " --group upper_arm --group whole", 1)["bodies"].size(), 3u);
+  // Neighbours stay neighbours, and others do not become such.
+  write_text(in_folder("g.srdf"),
+             "<robot name='arm'><group name='g'><link name='base'/><link name='lower'/></group></robot>");
+  const std::string ends =
+      "scene '" + cases + "/mesh/arm.urdf' --leave-out --srdf '" + in_folder("g.srdf") + "' --group g";
+  EXPECT_EQ(report(ends + " --allow adjacent '" + cube + "'@90,0,0", 0)["allowed_pairs"], json::array());
+  expect_bad(arm + " --group hand", "no link of the group has a shape");
+  expect_bad(arm + " --group frob", "there is no group 'frob'; groups are whole, hand, upper_arm");
+  expect_bad("scene '" + cases + "/mesh/arm.urdf' --group whole", "--srdf");
+  expect_bad("scene '" + cube + "' --srdf '" + cases + "/scene/arm.srdf' --group whole", "there is no robot");
+  // Bodies of scene files stay, with their pairs.
+  write_text(in_folder("two.json"), R"({"bodies": [{"name": "p", "parts": [{"box": {"size": [1, 1, 1]}}]},
+    {"name": "q", "parts": [{"box": {"size": [1, 1, 1]}}]}], "allowed": [["p", "q"]]})");
+  EXPECT_EQ(report(arm + " --group upper_arm '" + in_folder("two.json") + "'@90,0,0", 1)["allowed_pairs"],
+            json::parse(R"([["p", "q"]])"));
+}
+
 TEST_F(Program, SceneFilesThatAreBroken) {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(cases + "/broken-scenes")) {

@@ -93,4 +93,5 @@ NB_MODULE(_sunder, module) {
   bind_regions(planar);
   bind_solid(module, solid);
   bind_flats(module, solid);
+  bind_robots(module);
 }

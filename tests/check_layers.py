@@ -38,7 +38,7 @@ LAYERS = {
     "picture": set(CORE) | {"io"},
     "ask": set(CORE) | {"io", "picture", "verifier"},
     "cli": set(CORE) | {"io", "picture", "ask", "verifier", "sunder"},
-    "python": set(CORE) | {"sunder"},
+    "python": set(CORE) | {"io", "sunder"},
     "verifier": set(),
     "sunder": set(CORE),
 }

@@ -8,6 +8,7 @@ from sunder._sunder import Cost, PairAnswer, __version__, intersect
 from sunder import planar, solid
 from sunder._ask import Report, ask
 from sunder._many import intersect_many
+from sunder._robot import Collisions, Robot
 
-__all__ = ["Cost", "Error", "PairAnswer", "Report", "ask", "intersect", "intersect_many", "planar", "solid",
-           "__version__"]
+__all__ = ["Collisions", "Cost", "Error", "PairAnswer", "Report", "Robot", "ask", "intersect", "intersect_many",
+           "planar", "solid", "__version__"]

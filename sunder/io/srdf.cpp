@@ -4,8 +4,10 @@
 #include <sunder/io/xml_internal.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -29,7 +31,7 @@ class SrdfParser {
     }
     XmlFile::each_child(robot, [&](const XMLElement& child) {
       if (XmlFile::is(child, "disable_collisions")) read_pair(child);
-      if (XmlFile::is(child, "group")) srdf_.groups.push_back(xml_.name_of(child));
+      if (XmlFile::is(child, "group")) read_group(child);
       if (XmlFile::is(child, "group_state")) read_state(child);
     });
     return std::move(srdf_);
@@ -51,6 +53,20 @@ class SrdfParser {
       xml_.fail(element, fmt::format("both links are {}; name two", quote(pair.links[0])));
     }
     srdf_.disabled.push_back(std::move(pair));
+  }
+
+  void read_group(const XMLElement& element) {
+    Srdf::Group group{xml_.name_of(element), {}, {}, {}, {}};
+    if (!groups_.insert(group.name).second) {
+      xml_.fail(element, fmt::format("the group {} comes twice; rename one", quote(group.name)));
+    }
+    XmlFile::each_child(element, [&](const XMLElement& child) {
+      if (XmlFile::is(child, "link")) group.links.push_back(xml_.name_of(child));
+      if (XmlFile::is(child, "joint")) group.joints.push_back(xml_.name_of(child));
+      if (XmlFile::is(child, "group")) group.groups.push_back(xml_.name_of(child));
+      if (XmlFile::is(child, "chain")) group.chains.push_back({there(child, "base_link"), there(child, "tip_link")});
+    });
+    srdf_.groups.push_back(std::move(group));
   }
 
   void read_state(const XMLElement& element) {
@@ -76,6 +92,7 @@ class SrdfParser {
   XmlFile xml_;
   Srdf srdf_;
   std::set<std::pair<std::string, std::string>> known_;
+  std::set<std::string> groups_;
 };
 
 [[noreturn]] void fail_call(const std::string& text, const std::string& place) {
@@ -107,7 +124,105 @@ const Srdf::State& state_named(const Srdf& srdf, std::string_view text, const st
   return *found;
 }
 
+template <class All>
+auto named(const std::string& name, const All& all) {
+  return std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
+}
+
+// Which links groups have.
+class Groups {
+ public:
+  Groups(const Srdf& srdf, const Robot& robot, const std::string& place) : srdf_(srdf), robot_(robot), place_(place) {}
+
+  // Adds the links of the group.
+  void add(const std::string& name, const std::string& within) {
+    const auto group = named(name, srdf_.groups);
+    if (group == srdf_.groups.end()) {
+      fail_call(fmt::format("there is no group {}{}; groups are {}", quote(name),
+                            within.empty() ? "" : fmt::format(", which {} has", quote(within)), all_names()),
+                place_);
+    }
+    const auto number = static_cast<std::size_t>(group - srdf_.groups.begin());
+    if (open_.contains(number)) fail_call(fmt::format("the group {} is within itself", quote(name)), place_);
+    if (!done_.insert(number).second) return;
+    open_.insert(number);
+    for (const std::string& link : group->links) {
+      if (const auto found = link_named(link)) links_.insert(*found);
+    }
+    for (const std::string& joint : group->joints) {
+      const auto found = named(joint, robot_.joints);
+      if (found == robot_.joints.end()) {
+        skipped_.push_back(joint);
+      } else {
+        links_.insert(found->child);
+      }
+    }
+    for (const auto& [base, tip] : group->chains) add_chain(name, base, tip);
+    for (const std::string& inner : group->groups) add(inner, name);
+    open_.erase(number);
+  }
+
+  const std::set<std::uint32_t>& links() const { return links_; }
+  const std::vector<std::string>& skipped() const { return skipped_; }
+
+ private:
+  std::optional<std::uint32_t> link_named(const std::string& name) {
+    const auto found = named(name, robot_.links);
+    if (found != robot_.links.end()) return static_cast<std::uint32_t>(found - robot_.links.begin());
+    skipped_.push_back(name);
+    return std::nullopt;
+  }
+
+  void add_chain(const std::string& group, const std::string& base, const std::string& tip) {
+    const auto from = link_named(base), to = link_named(tip);
+    if (!from || !to) return;
+    std::uint32_t link = *to;
+    links_.insert(link);
+    while (link != *from) {
+      const auto joint =
+          std::find_if(robot_.joints.begin(), robot_.joints.end(), [&](const Joint& j) { return j.child == link; });
+      if (joint == robot_.joints.end()) {
+        fail_call(fmt::format("in group {} the link {} does not hang on {}", quote(group), quote(tip), quote(base)),
+                  place_);
+      }
+      link = joint->parent;
+      links_.insert(link);
+    }
+  }
+
+  std::string all_names() const {
+    std::string names;
+    for (const Srdf::Group& group : srdf_.groups) names += (names.empty() ? "" : ", ") + group.name;
+    return names.empty() ? "none" : names;
+  }
+
+  const Srdf& srdf_;
+  const Robot& robot_;
+  const std::string& place_;
+  std::set<std::uint32_t> links_;
+  std::set<std::size_t> open_, done_;  // groups
+  std::vector<std::string> skipped_;
+};
+
 }  // namespace
+
+std::vector<std::uint32_t> group_links(const Srdf& srdf, const Robot& robot, std::span<const std::string> names,
+                                       const std::string& place, std::vector<std::string>& remarks) {
+  std::set<std::uint32_t> all;
+  for (const std::string& name : names) {
+    Groups groups(srdf, robot, place);
+    groups.add(name, "");
+    if (groups.links().empty()) {
+      fail_call(fmt::format("the group {} has no link of the robot; is the SRDF of another one?", quote(name)), place);
+    }
+    all.insert(groups.links().begin(), groups.links().end());
+    if (!groups.skipped().empty()) {
+      remarks.push_back(
+          fmt::format("of group {} these are not in the robot: {}", name, fmt::join(groups.skipped(), ", ")));
+    }
+  }
+  return {all.begin(), all.end()};
+}
 
 Srdf parse_srdf(std::string_view bytes, std::string_view place) { return SrdfParser(bytes, place).parse(); }
 

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 namespace sunder::io {
 namespace {
 
@@ -49,7 +52,10 @@ TEST_F(States, AreReadWithTheirPairsAndGroups) {
   EXPECT_EQ(srdf_.disabled[0].links[0], "base");
   EXPECT_EQ(srdf_.disabled[0].links[1], "upper");
   EXPECT_EQ(srdf_.disabled[0].reason, "Adjacent");
-  EXPECT_EQ(srdf_.groups, (std::vector<std::string>{"whole", "hand"}));
+  ASSERT_EQ(srdf_.groups.size(), 3u);
+  EXPECT_EQ(srdf_.groups[0].name, "whole");
+  EXPECT_EQ(srdf_.groups[0].chains, (std::vector<std::array<std::string, 2>>{{"base", "tool"}}));
+  EXPECT_EQ(srdf_.groups[1].joints, std::vector<std::string>{"slide"});
   EXPECT_EQ(srdf_.states.size(), 4u);
   EXPECT_EQ(reasons_text(srdf_.disabled), "4 pairs: 2 Never, 1 Adjacent, 1 without a reason");
 }
@@ -97,6 +103,57 @@ TEST(Srdf, RefusesBrokenFiles) {
             std::string::npos);
   EXPECT_NE(message("<link name=\"a\"><collision/></link>").find("this is a URDF"), std::string::npos);
   EXPECT_NE(message("<group>").find("not well-formed XML"), std::string::npos);
+}
+
+// Links by name, joint, chain and subgroup; of what is not there, what is said.
+TEST(Groups, HaveLinks) {
+  const Robot robot = read_urdf(cases / "mesh" / "arm.urdf");
+  const auto links = [&](const std::string& groups, const std::string& name,
+                         std::vector<std::string>* remarks = nullptr) {
+    std::vector<std::string> said, result;
+    for (const std::uint32_t link :
+         group_links(parse_srdf("<robot>" + groups + "</robot>", "test"), robot, std::array{name}, "--group", said)) {
+      result.push_back(robot.links[link].name);
+    }
+    if (remarks != nullptr) *remarks = said;
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  const auto error = [&](const std::string& groups, const std::string& name) -> std::string {
+    try {
+      links(groups, name);
+    } catch (const Error& e) {
+      EXPECT_EQ(e.code(), ErrorCode::bad_call);
+      EXPECT_EQ(e.place(), "--group");
+      return e.what();
+    }
+    return "no error";
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(links("<group name='g'><link name='base'/><link name='lower'/></group>", "g"), (Names{"base", "lower"}));
+  const auto slide =
+      std::find_if(robot.joints.begin(), robot.joints.end(), [](const Joint& j) { return j.name == "slide"; });
+  ASSERT_NE(slide, robot.joints.end());
+  EXPECT_EQ(links("<group name='g'><joint name='slide'/></group>", "g"), Names{robot.links[slide->child].name});
+  const std::string chain = "<group name='arm'><chain base_link='base' tip_link='lower'/></group>";
+  EXPECT_EQ(links(chain, "arm"), (Names{"base", "lower", "upper"}));
+  EXPECT_EQ(links(chain + "<group name='g'><group name='arm'/><link name='tool'/></group>", "g"),
+            (Names{"base", "lower", "tool", "upper"}));
+  Names remarks;
+  EXPECT_EQ(links("<group name='g'><link name='gone'/><link name='base'/></group>", "g", &remarks), Names{"base"});
+  EXPECT_EQ(remarks, Names{"of group g these are not in the robot: gone"});
+  EXPECT_NE(error(chain, "arms").find("there is no group 'arms'; groups are arm"), std::string::npos);
+  EXPECT_NE(error("<group name='g'><group name='h'/></group>", "g").find("no group 'h', which 'g' has"),
+            std::string::npos);
+  EXPECT_NE(error("<group name='g'><group name='h'/></group><group name='h'><group name='g'/></group>", "g")
+                .find("is within itself"),
+            std::string::npos);
+  EXPECT_NE(error("<group name='g'><link name='gone'/></group>", "g").find("has no link of the robot"),
+            std::string::npos);
+  EXPECT_NE(error("<group name='g'><chain base_link='lower' tip_link='base'/></group>", "g").find("does not hang on"),
+            std::string::npos);
+  EXPECT_NE(message("<group name='g'/><group name='g'/>").find("the group 'g' comes twice"), std::string::npos);
+  EXPECT_NE(message("<group name='g'><chain base_link='a'/></group>").find("tip_link"), std::string::npos);
 }
 
 }  // namespace

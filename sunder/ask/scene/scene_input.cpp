@@ -7,6 +7,7 @@
 #include <sunder/io/urdf_kinematics.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -90,14 +91,18 @@ SceneInput::SceneInput(const std::vector<std::string>& files, const std::vector<
     input->pose = parse_pose(std::string_view(text).substr(equals + 1), "--pose " + io::one_line(name));
   }
   // Told without consent. So far nothing is left out where there is none.
-  if (!robot_bodies_.told.empty()) {
-    if (left_out_.consent()) {
-      left_out_.add(robot_file_, robot_bodies_.told, "");
-    } else {
-      left_out_ = LeftOutList(robot_file_, robot_bodies_.told);
-    }
-  }
+  tell(robot_bodies_.told);
   require_some_body();
+}
+
+// Of the robot.
+void SceneInput::tell(std::span<const io::LeftOut> left_out) {
+  if (left_out.empty()) return;
+  if (left_out_.consent()) {
+    left_out_.add(robot_file_, left_out, "");
+  } else {
+    left_out_ = LeftOutList(robot_file_, left_out);
+  }
 }
 
 // A question about nothing has no answer that could be relied on.
@@ -136,7 +141,6 @@ void SceneInput::add_robot(const std::string& file, bool require_convex, InputFi
   robot_bodies_ = io::read_robot_bodies(*robot_, file, require_convex, left_out_, inputs, packages);
   meshes_.insert(meshes_.end(), robot_bodies_.meshes.begin(), robot_bodies_.meshes.end());
   take_unit("m", file);
-  first_of_robot_ = static_cast<std::uint32_t>(bodies_.size());
   for (io::LinkBody& body : robot_bodies_.bodies) {
     bodies_.push_back(
         {unused_name(robot_->links[body.link].name), inputs_.size() - 1, body.link, std::move(body.parts)});
@@ -219,10 +223,12 @@ std::uint32_t SceneInput::body_named(const std::string& name, const std::string&
 
 std::vector<std::array<std::uint32_t, 2>> SceneInput::adjacent() const {
   if (!robot_) fail_call("there is no robot whose links could be adjacent; name a URDF file", "--allow adjacent");
-  auto pairs = io::adjacent_bodies(*robot_, robot_bodies_);
-  for (auto& [a, b] : pairs) {
-    a += first_of_robot_;
-    b += first_of_robot_;
+  // Of all links, so that those on both sides of one that is left out are not taken for neighbours.
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  for (const auto& [a, b] : io::adjacent_bodies(*robot_, robot_bodies_)) {
+    const auto body_a = body_of_link(robot_->links[robot_bodies_.bodies[a].link].name),
+               body_b = body_of_link(robot_->links[robot_bodies_.bodies[b].link].name);
+    if (body_a && body_b) pairs.push_back({*body_a, *body_b});
   }
   return pairs;
 }
@@ -245,7 +251,7 @@ std::vector<std::array<std::uint32_t, 2>> SceneInput::allowed(const std::string&
     bool both = true;
     for (const std::string& name : names) {
       if (named(name, bodies_) != bodies_.end() || !is_link(name)) continue;
-      add_once(name, shapeless);
+      if (!is_outside(name)) add_once(name, shapeless);
       both = false;
     }
     if (both) pairs.push_back({body_named(names[0], place), body_named(names[1], place)});
@@ -259,6 +265,10 @@ std::vector<std::array<std::uint32_t, 2>> SceneInput::allowed(const std::string&
 
 bool SceneInput::is_link(const std::string& name) const {
   return robot_ && named(name, robot_->links) != robot_->links.end();
+}
+
+bool SceneInput::is_outside(const std::string& name) const {
+  return std::find(outside_.begin(), outside_.end(), name) != outside_.end();
 }
 
 std::optional<std::uint32_t> SceneInput::body_of_link(const std::string& name) const {
@@ -277,7 +287,8 @@ std::vector<std::array<std::uint32_t, 2>> SceneInput::allowed(const io::Srdf& sr
     std::array<std::optional<std::uint32_t>, 2> both;
     for (std::size_t i = 0; i < 2; ++i) {
       both[i] = body_of_link(pair.links[i]);
-      if (!both[i]) add_once(pair.links[i], is_link(pair.links[i]) ? shapeless : unknown);
+      if (both[i] || is_outside(pair.links[i])) continue;
+      add_once(pair.links[i], is_link(pair.links[i]) ? shapeless : unknown);
     }
     if (!both[0] || !both[1]) continue;
     if (pairs.insert({std::min(*both[0], *both[1]), std::max(*both[0], *both[1])}).second) taken.push_back(pair);
@@ -291,6 +302,39 @@ std::vector<std::array<std::uint32_t, 2>> SceneInput::allowed(const io::Srdf& sr
     note(fmt::format("{}: pairs of links that the robot does not have are passed over: {}", shown, listed(unknown)));
   }
   return {pairs.begin(), pairs.end()};
+}
+
+void SceneInput::keep_groups(const io::Srdf& srdf, const std::vector<std::string>& names) {
+  const char* const place = "--group";
+  if (!robot_) fail_call("there is no robot that this could be about; name a URDF file", place);
+  std::vector<std::string> remarks;
+  const std::vector<std::uint32_t> links = io::group_links(srdf, *robot_, names, place, remarks);
+  for (const std::string& remark : remarks) note(remark);
+  std::vector<io::LeftOut> left_out;
+  std::vector<std::uint32_t> numbers(bodies_.size());  // of the bodies that stay
+  std::uint32_t kept = 0, kept_links = 0;
+  for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
+    Body& body = bodies_[b];
+    if (body.link && !std::binary_search(links.begin(), links.end(), *body.link)) {
+      left_out.push_back({"shape", body.name, body.parts.size()});
+      outside_.push_back(robot_->links[*body.link].name);
+      continue;
+    }
+    if (body.link) ++kept_links;
+    numbers[b] = kept;
+    if (kept != b) bodies_[kept] = std::move(body);
+    ++kept;
+  }
+  if (kept_links == 0) fail_call("no link of the group has a shape, so there is nothing to ask about", place);
+  bodies_.resize(kept);
+  for (auto& [a, b] : allowed_by_files_) {  // of bodies of scene files, which stay
+    a = numbers[a];
+    b = numbers[b];
+  }
+  const auto all = static_cast<std::uint32_t>(kept_links + left_out.size());
+  note(fmt::format("of the robot {} of {} links with shapes are asked about, those of --group {}", kept_links, all,
+                   fmt::join(names, ", ")));
+  tell(left_out);
 }
 
 io::JointValues SceneInput::state(const io::Srdf& srdf, const std::string& text) const {

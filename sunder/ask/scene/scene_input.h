@@ -49,6 +49,10 @@ class SceneInput {
   const std::vector<std::string>& scene_files() const { return scene_files_; }
   const std::string& unit() const { return unit_; }  // of lengths, as a scene file says it; empty: none does
 
+  // Leaves out the links that are in none of these groups; told with the answer, and in a note. Throws Error, also
+  // where nothing is left.
+  void keep_groups(const io::Srdf& srdf, const std::vector<std::string>& names);
+
   // The values that --state means, with notes about what is not taken. Throws Error.
   io::JointValues state(const io::Srdf& srdf, const std::string& text) const;
 
@@ -98,22 +102,24 @@ class SceneInput {
   void add_robot(const std::string& file, bool require_convex, InputFiles* inputs, const io::Packages& packages);
   void add_scene(const std::string& file, bool require_convex, InputFiles* inputs, io::PartsOf parts);
   void take_unit(const std::string& unit, const std::string& file);
+  void tell(std::span<const io::LeftOut> left_out);
   void require_some_body() const;
   std::string unused_name(const std::string& wish) const;
   std::optional<std::uint32_t> body_of_link(const std::string& name) const;
   bool is_link(const std::string& name) const;
+  bool is_outside(const std::string& name) const;
   std::vector<std::array<std::uint32_t, 2>> adjacent() const;
 
   std::vector<Input> inputs_;
   std::vector<Body> bodies_;
   std::optional<io::Robot> robot_;
   std::string robot_file_;
-  io::RobotBodies robot_bodies_;      // without their parts, which are those of bodies_
-  std::uint32_t first_of_robot_ = 0;  // in bodies_
+  io::RobotBodies robot_bodies_;  // without their parts, which are those of bodies_
   std::vector<std::array<std::uint32_t, 2>> allowed_by_files_;
   std::vector<std::string> scene_files_;
   std::string unit_, unit_file_;  // and the file that says so
   std::vector<std::filesystem::path> meshes_;
+  std::vector<std::string> outside_;  // links with shapes that are in none of the groups
   LeftOutList left_out_;
 };
 

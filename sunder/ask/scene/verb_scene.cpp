@@ -29,7 +29,7 @@ namespace {
 struct Call : QuestionCall {
   Call() { svg_limit = 200'000; }  // facets
 
-  std::vector<std::string> files, poses, joints, joints_files, allow, states, packages;
+  std::vector<std::string> files, poses, joints, joints_files, allow, states, packages, groups_of_links;
   std::string srdf;
   bool classify = false;
   bool groups = false;
@@ -133,8 +133,9 @@ int run(const Call& call) {
   InputFiles files;
   InputFiles* const inputs = call.proves() ? &files : nullptr;
   const io::Srdf srdf = call.srdf.empty() ? io::Srdf{} : io::read_srdf(call.srdf, inputs);
-  const SceneInput input(call.files, call.poses, call.require_convex, call.leave_out, inputs, packages_of(call),
-                         call.groups ? io::PartsOf::objects_and_groups : io::PartsOf::objects);
+  SceneInput input(call.files, call.poses, call.require_convex, call.leave_out, inputs, packages_of(call),
+                   call.groups ? io::PartsOf::objects_and_groups : io::PartsOf::objects);
+  if (!call.groups_of_links.empty()) input.keep_groups(srdf, call.groups_of_links);
   require_apart(call, input);
   io::JointTable table;
   if (!call.placements.table.empty()) table = read_placements(call.placements, input, inputs);
@@ -220,6 +221,9 @@ Verb scene_verb() {
        {"--srdf", &call->srdf, "allow the pairs that this file (SRDF) disables, and take states from it", "FILE"},
        {"--state", &call->states, "the joints as in a state of --srdf, NAME or GROUP/NAME, or several with commas",
         "NAME", false, "--srdf"},
+       {"--group", &call->groups_of_links,
+        "ask about the links of this group of --srdf alone; again for more; others are left out, which is told", "NAME",
+        false, "--srdf"},
        {"--package", &call->packages, "where a package of meshes is; also in ROS_PACKAGE_PATH", "NAME=FOLDER"},
        {.name = "--placements",
         .value = &call->placements.table,

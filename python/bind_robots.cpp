@@ -1,0 +1,334 @@
+// Robots out of files: which links meet, for thousands of placements in one call.
+#include <sunder/io/robot_bodies.h>
+#include <sunder/io/robot_motion.h>
+#include <sunder/io/scene_file.h>
+#include <sunder/io/srdf.h>
+#include <sunder/scene/chains.h>
+#include <sunder/scene/follower.h>
+#include <sunder/scene/rounded_evidence.h>
+#include <sunder/scene/scene_json.h>
+
+#include "common.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <set>
+
+namespace sunder::python {
+
+namespace {
+
+using Pairs = std::vector<std::array<std::uint32_t, 2>>;
+using Names = std::vector<std::string>;
+
+// Pairs of parts that meet in a way that counts, or are undecided; in the order of placements, then of scene.h.
+struct Collisions {
+  std::size_t placements = 0;
+  std::vector<std::uint64_t> placement;  // of each pair
+  Pairs bodies, parts;
+  std::vector<std::uint8_t> decided;  // do they meet, for all that is known?
+  std::vector<Point3> points;         // about where, where it was asked for; NaN of what is undecided
+
+  void append(const Collisions& other) {
+    const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    add(placement, other.placement);
+    add(bodies, other.bodies);
+    add(parts, other.parts);
+    add(decided, other.decided);
+    add(points, other.points);
+  }
+};
+
+class Robot {
+ public:
+  Robot(const std::string& file, const Names& packages, const std::string& srdf, const std::string& scene,
+        bool require_convex, bool leave_out)
+      : left_out_(leave_out) {
+    const char* search = std::getenv("ROS_PACKAGE_PATH");
+    robot_ = io::read_urdf(file, &inputs_);
+    links_ = io::read_robot_bodies(robot_, file, require_convex, left_out_, &inputs_,
+                                   io::parse_packages(packages, search == nullptr ? "" : search));
+    if (!links_.told.empty() && !left_out_.consent()) left_out_ = io::LeftOutList(file, links_.told);
+    if (links_.bodies.empty()) {
+      throw Error(ErrorCode::bad_file, "no link has a shape, so there is nothing to ask about", file);
+    }
+    for (const io::LinkBody& body : links_.bodies) names_.push_back(robot_.links[body.link].name);
+    if (!srdf.empty()) read_srdf(srdf);
+    if (!scene.empty()) add_scene(scene, require_convex);
+  }
+
+  void allow(const std::string& a, const std::string& b) {
+    const std::uint32_t i = number_of(a), j = number_of(b);
+    if (i == j)
+      throw Error(ErrorCode::bad_call, "'" + a + "' is named twice; parts of a body are never compared", "allow");
+    allowed_.insert({std::min(i, j), std::max(i, j)});
+  }
+  void allow_adjacent() {
+    for (const auto& [a, b] : io::adjacent_bodies(robot_, links_)) allowed_.insert({a, b});
+  }
+  void allow_touch() { touch_ = true; }
+
+  const std::string& name() const { return robot_.name; }
+  Names links() const {
+    Names all;
+    for (const io::Link& link : robot_.links) all.push_back(link.name);
+    return all;
+  }
+  const Names& bodies() const { return names_; }
+  Names part_names(std::uint32_t body) const {
+    Names all;
+    for (const io::BodyPart& part : parts_of(body)) all.push_back(part.name);
+    return all;
+  }
+  Names hulls() const {
+    Names all;
+    for (std::uint32_t b = 0; b < names_.size(); ++b) {
+      const auto& parts = parts_of(b);
+      if (std::any_of(parts.begin(), parts.end(),
+                      [](const io::BodyPart& part) { return part.body.shape == io::BodyShape::hull; })) {
+        all.push_back(names_[b]);
+      }
+    }
+    return all;
+  }
+  std::vector<std::pair<std::string, std::string>> allowed() const {
+    std::vector<std::pair<std::string, std::string>> all;
+    for (const auto& [a, b] : allowed_) all.emplace_back(names_[a], names_[b]);
+    return all;
+  }
+  Names left_out() const { return left_out_.texts(); }
+  nb::dict joints() const {
+    nb::dict all;
+    const io::RobotMotion motion(robot_, io::movable_joints(robot_));
+    for (const std::string& joint : io::movable_joints(robot_)) {
+      const auto found =
+          std::find_if(robot_.joints.begin(), robot_.joints.end(), [&](const io::Joint& j) { return j.name == joint; });
+      all[joint.c_str()] = nb::make_tuple(found->lower, found->upper);
+    }
+    return all;
+  }
+
+  Collisions collisions(const Names& joints, const Doubles& values, bool evidence, std::uint64_t threads) const {
+    return unlocked([&] { return Run(*this, joints, values, evidence).run(threads); });
+  }
+
+  nb::bytes certificate(const Names& joints, const Doubles& values) const {
+    const std::string text = unlocked([&] { return proof(joints, values); });
+    return nb::bytes(text.data(), text.size());
+  }
+
+ private:
+  void read_srdf(const std::string& file) {
+    for (const io::Srdf::Pair& pair : io::read_srdf(file, &inputs_).disabled) {
+      std::array<std::size_t, 2> both;
+      for (std::size_t i = 0; i < 2; ++i) {
+        both[i] = static_cast<std::size_t>(std::find(names_.begin(), names_.end(), pair.links[i]) - names_.begin());
+      }
+      if (std::max(both[0], both[1]) < names_.size()) allow(pair.links[0], pair.links[1]);
+    }
+  }
+
+  // Bodies that do not move.
+  void add_scene(const std::string& file, bool require_convex) {
+    const io::SceneFile scene = io::read_scene_file(file, &inputs_);
+    if (!scene.unit.empty() && scene.unit != "m") {
+      throw Error(ErrorCode::bad_call, "is in " + scene.unit + ", and the robot is in m; scale one of them", file);
+    }
+    const auto first = static_cast<std::uint32_t>(names_.size());
+    fixed_ = io::read_scene_parts(scene, file, require_convex, left_out_, &inputs_);
+    for (const io::SceneFile::Body& body : scene.bodies) {
+      if (std::find(names_.begin(), names_.end(), body.name) != names_.end()) {
+        throw Error(ErrorCode::bad_call, "a link of the robot is named '" + body.name + "', too; rename one", file);
+      }
+      names_.push_back(body.name);
+    }
+    for (const auto& [a, b] : scene.allowed) allowed_.insert({first + a, first + b});
+  }
+
+  std::uint32_t number_of(const std::string& name) const {
+    const auto found = std::find(names_.begin(), names_.end(), name);
+    if (found == names_.end()) throw Error(ErrorCode::bad_call, "no body is named '" + name + "'", "allow");
+    return static_cast<std::uint32_t>(found - names_.begin());
+  }
+
+  const std::vector<io::BodyPart>& parts_of(std::uint32_t body) const {
+    return body < links_.bodies.size() ? links_.bodies[body].parts : fixed_.at(body - links_.bodies.size());
+  }
+
+  scene::Question question() const {
+    scene::Question question;
+    for (const auto& [a, b] : allowed_) question.allowed.push_back({a, b});
+    question.touching_allowed = question.contacts = touch_;
+    return question;
+  }
+
+  std::vector<scene::Body> bodies_at(std::span<const solid::Pose> poses) const {
+    std::vector<scene::Body> placed;
+    for (std::uint32_t b = 0; b < names_.size(); ++b) {
+      const bool moves = b < links_.bodies.size();
+      placed.push_back(io::placed_body(names_[b], parts_of(b), moves ? poses[links_.bodies[b].link] : solid::Pose()));
+    }
+    return placed;
+  }
+
+  std::string proof(const Names& joints, const Doubles& values) const {
+    const io::RobotMotion motion(robot_, joints);
+    scene::Question asked = question();
+    asked.every_pair = true;
+    std::vector<std::vector<scene::Body>> bodies;
+    std::vector<scene::Answer> answers;
+    Names titles;
+    std::vector<solid::Pose> poses(robot_.links.size());
+    for (std::size_t k = 0; k < values.shape(0); ++k) {
+      motion.place({values.data() + k * joints.size(), joints.size()}, poses);
+      bodies.push_back(bodies_at(poses));
+      answers.push_back(scene::meeting_pairs(bodies.back(), asked));
+      titles.push_back(std::to_string(k));
+    }
+    std::vector<scene::Placement> placements;
+    std::size_t pairs = 0;
+    for (std::size_t k = 0; k < answers.size(); ++k) {
+      placements.push_back({titles[k], bodies[k], answers[k]});
+      pairs += answers[k].pairs.size() - answers[k].counts.undecided;
+    }
+    if (pairs == 0) {
+      throw Error(ErrorCode::bad_call, "no pair is asked about and decided, so there is nothing to prove",
+                  "certificate");
+    }
+    std::string text;
+    scene::write_certificate(placements, asked, {inputs_, left_out_.texts()},
+                             [&](std::string_view piece) { text += piece; });
+    return text;
+  }
+
+  // One call about many placements.
+  class Run {
+   public:
+    Run(const Robot& of, const Names& joints, const Doubles& values, bool evidence)
+        : of_(of),
+          motion_(of.robot_, joints),
+          values_(values.data(), values.size()),
+          columns_(joints.size()),
+          rows_(values.shape(0)),
+          evidence_(evidence),
+          start_(of.bodies_at(std::vector<solid::Pose>(of.robot_.links.size())), of.question()) {}
+
+    Collisions run(std::uint64_t threads) {
+      scene::run_chains(scene::thread_count(threads), {[&](std::size_t place) { return begin(place); },
+                                                       [&](std::size_t place) { run(*chains_[place]); },
+                                                       [&](std::size_t place) {
+                                                         all_.append(chains_[place]->found);
+                                                         return true;
+                                                       }});
+      all_.placements = rows_;
+      return std::move(all_);
+    }
+
+   private:
+    struct Chain {
+      scene::Follower follower;
+      std::vector<solid::Pose> poses;  // of links
+      std::size_t begin = 0, end = 0;
+      Collisions found{};
+    };
+
+    bool begin(std::size_t place) {
+      if (next_ == rows_) return false;
+      if (chains_.size() <= place) chains_.resize(place + 1);
+      if (!chains_[place]) {
+        chains_[place] = std::make_unique<Chain>(Chain{start_, std::vector<solid::Pose>(of_.robot_.links.size())});
+      }
+      chains_[place]->begin = next_;
+      next_ = chains_[place]->end = std::min(next_ + scene::chain_length, rows_);
+      return true;
+    }
+
+    void run(Chain& chain) const {
+      chain.found = {};
+      chain.follower.forget();
+      for (std::size_t k = chain.begin; k < chain.end; ++k) {
+        try {
+          motion_.place(values_.subspan(k * columns_, columns_), chain.poses);
+          std::uint32_t number = 0;
+          for (const io::LinkBody& body : of_.links_.bodies) {
+            for (const io::BodyPart& part : body.parts) {
+              chain.follower.place(number++, io::composed(chain.poses[body.link], part.pose));
+            }
+          }
+        } catch (const Error& error) {
+          throw Error(error.code(), text_of(error), "joints[" + std::to_string(k) + "]");
+        }
+        take(k, chain.follower.ask(), chain.follower.bodies(), chain.found);
+      }
+    }
+
+    void take(std::size_t k, const scene::Answer& answer, std::span<const scene::Body> bodies, Collisions& out) const {
+      constexpr double none = std::numeric_limits<double>::quiet_NaN();
+      for (const scene::PartPair& pair : answer.pairs) {
+        if (!pair.counts && !pair.undecided()) continue;
+        out.placement.push_back(k);
+        out.bodies.push_back({pair.body_a, pair.body_b});
+        out.parts.push_back({pair.part_a, pair.part_b});
+        out.decided.push_back(pair.undecided() ? 0 : 1);
+        if (!evidence_) continue;
+        out.points.push_back(pair.undecided()
+                                 ? Point3{none, none, none}
+                                 : scene::rounded_common_point(pair, bodies[pair.body_a].parts[pair.part_a],
+                                                               bodies[pair.body_b].parts[pair.part_b]));
+      }
+    }
+
+    const Robot& of_;
+    const io::RobotMotion motion_;
+    std::span<const double> values_;
+    const std::size_t columns_, rows_;
+    const bool evidence_;
+    const scene::Follower start_;
+    std::vector<std::unique_ptr<Chain>> chains_;
+    std::size_t next_ = 0;
+    Collisions all_;
+  };
+
+  io::Robot robot_;
+  io::RobotBodies links_;
+  std::vector<std::vector<io::BodyPart>> fixed_;  // the parts of bodies that do not move, after the links
+  Names names_;                                   // of all bodies
+  io::LeftOutList left_out_;
+  InputFiles inputs_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> allowed_;
+  bool touch_ = false;
+};
+
+}  // namespace
+
+void bind_robots(nb::module_& module) {
+  nb::class_<Collisions>(module, "_Collisions")
+      .def_ro("placements", &Collisions::placements)
+      .def_prop_ro(
+          "placement", [](const Collisions& c) { return array_of<std::uint64_t>(c.placement); }, owned)
+      .def_prop_ro(
+          "bodies", [](const Collisions& c) { return array_of<std::uint32_t, 2>(c.bodies); }, owned)
+      .def_prop_ro(
+          "parts", [](const Collisions& c) { return array_of<std::uint32_t, 2>(c.parts); }, owned)
+      .def_prop_ro(
+          "decided", [](const Collisions& c) { return array_of<std::uint8_t>(c.decided); }, owned)
+      .def_prop_ro("points", [](const Collisions& c) { return array_of<double, 3>(c.points); }, owned);
+  nb::class_<Robot>(module, "_Robot")
+      .def(nb::init<const std::string&, const Names&, const std::string&, const std::string&, bool, bool>())
+      .def("allow", &Robot::allow)
+      .def("allow_adjacent", &Robot::allow_adjacent)
+      .def("allow_touch", &Robot::allow_touch)
+      .def_prop_ro("name", &Robot::name)
+      .def_prop_ro("links", &Robot::links)
+      .def_prop_ro("bodies", &Robot::bodies)
+      .def("part_names", &Robot::part_names)
+      .def_prop_ro("hulls", &Robot::hulls)
+      .def_prop_ro("allowed", &Robot::allowed)
+      .def_prop_ro("left_out", &Robot::left_out)
+      .def_prop_ro("joints", &Robot::joints)
+      .def("collisions", &Robot::collisions)
+      .def("certificate", &Robot::certificate);
+}
+
+}  // namespace sunder::python
