@@ -61,7 +61,7 @@ METHODS = {
     "pair cases/planar-pair/plate.wkt cases/planar-pair/wheel.wkt": "difference halving triangles gjk scan",
     "pair cases/outcomes/square.wkt cases/outcomes/lines.csv --feature-b diagonal": "fibonacci scan",
     "pair cases/mesh/cube.obj cases/space/plane.json": "automatic drums scan",
-    "pair cases/polytopes/cross.csv cases/polytopes/box.csv": "automatic gjk scan",
+    "pair cases/polytopes/cross.csv cases/polytopes/box.csv": "automatic gjk scan tree",
     "pair cases/mesh/cube.obj cases/space/line.json": "automatic drums scan",
     "pair cases/mesh/cube.obj cases/space/kite.wkt": "automatic drums gjk scan",
     "scene cases/mesh/cube.obj cases/mesh/cube.obj@0.5,0,0": "automatic gjk hierarchy polar scan",

@@ -101,3 +101,4 @@
 #include <sunder/polytope/object/pose.h>
 #include <sunder/polytope/pair/polytope_point.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
+#include <sunder/polytope/represent/hierarchical_tree.h>

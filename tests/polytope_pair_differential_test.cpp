@@ -24,8 +24,15 @@ using polytope::Polytope;
 using polytope::PolytopeAnswer;
 
 struct Tally {
-  int cases = 0, meets = 0, filter = 0, evidence = 0, finishing = 0;
+  int cases = 0, meets = 0, filter = 0, evidence = 0, finishing = 0, deep = 0, tree_hits = 0;
 };
+
+// Of bodies as small as these: nets and leaves of very few rows, which are taken as they come.
+polytope::HierarchicalTree small_tree(const Polytope& body) {
+  const auto rows = static_cast<std::uint32_t>(body.columns().dimension);
+  return polytope::HierarchicalTree(
+      body, {.net = rows + 2, .leaf = 3, .share = 0.99, .levels = rows < 5 ? 2u : 1u, .samples = 4});
+}
 
 bool holds(const PolytopePair& c, const PolytopeAnswer& answer) {
   const ExactEvidence exact = exact_evidence(c.a, c.pose_a, c.b, c.pose_b, answer);
@@ -89,8 +96,15 @@ TEST(PolytopePairDifferential, MethodsAgreeWithTheScan) {
       const ExactEvidence exact = exact_evidence(c.a, c.pose_a, c.b, c.pose_b, gjk);
       ASSERT_LE(exact.of_a.parts.size() + exact.of_b.parts.size(), c.a.dimension() + 2);
     }
-    if (i % 16 == 0) expect_mutants_refused(c, i % 32 == 0 ? gjk : scan);
     Tally& tally = tallies[c.family];
+    const polytope::HierarchicalTree tree_a = small_tree(c.a), tree_b = small_tree(c.b);
+    const PolytopeAnswer tree = polytope_polytope_by_tree(tree_a, c.pose_a, tree_b, c.pose_b);
+    ASSERT_EQ(scan.meet(), tree.meet());
+    ASSERT_TRUE(holds(c, tree));
+    if (i % 64 == 0) expect_mutants_refused(c, tree);
+    tally.deep += tree_a.depth() + tree_b.depth() > 0;
+    tally.tree_hits += tree.decided_by == DecidedBy::evidence;
+    if (i % 16 == 0) expect_mutants_refused(c, i % 32 == 0 ? gjk : scan);
     ++tally.cases;
     ++of_dimension[c.a.dimension()];
     tally.meets += scan.meet();
@@ -102,6 +116,10 @@ TEST(PolytopePairDifferential, MethodsAgreeWithTheScan) {
     std::printf("%-18s %6d cases %6d meet; decided by filter %6d evidence %6d finishing %6d\n",
                 std::string(name_of(family)).c_str(), tally.cases, tally.meets, tally.filter, tally.evidence,
                 tally.finishing);
+    std::printf("%-18s of these %6d with a tree of some depth; %6d by trees without a node looked at whole\n", "",
+                tally.deep, tally.tree_hits);
+    EXPECT_GT(tally.deep, tally.cases / 10) << name_of(family);
+    EXPECT_GT(tally.tree_hits, tally.cases * 9 / 10) << name_of(family);
     EXPECT_GT(tally.meets, tally.cases / 20) << name_of(family);
     EXPECT_GT(tally.cases - tally.meets, tally.cases / 20 * (family != PolytopeFamily::touching)) << name_of(family);
   }
@@ -115,7 +133,7 @@ TEST(PolytopePairDifferential, HalfSpacesAgreeWithTheScan) {
   const std::uint64_t seed = chosen_seed(20261127);
   SCOPED_TRACE("seed " + std::to_string(seed));
   PolytopePairs pairs(seed);
-  int meets = 0, mixed = 0, mixed_meets = 0, alone = 0;
+  int meets = 0, mixed = 0, mixed_meets = 0, alone = 0, deep = 0, tree_hits = 0;
   for (int i = 0; i < count; ++i) {
     const PolytopePair c = pairs.next_of_half_spaces();
     SCOPED_TRACE(std::to_string(i) + " " + std::string(name_of(c.family)));
@@ -129,7 +147,13 @@ TEST(PolytopePairDifferential, HalfSpacesAgreeWithTheScan) {
       ASSERT_LE(exact.of_a.parts.size() + exact.of_b.parts.size(), c.a.dimension() + 1);
       alone += exact.of_a.parts.empty() || exact.of_b.parts.empty();
     }
-    if (i % 4 == 0) expect_mutants_refused(c, i % 8 == 0 ? front : scan);
+    const polytope::HierarchicalTree tree_a = small_tree(c.a), tree_b = small_tree(c.b);
+    const PolytopeAnswer tree = polytope_polytope_by_tree(tree_a, c.pose_a, tree_b, c.pose_b);
+    ASSERT_EQ(scan.meet(), tree.meet());
+    ASSERT_TRUE(holds(c, tree));
+    deep += tree_a.depth() + tree_b.depth() > 0;
+    tree_hits += tree.decided_by == DecidedBy::evidence;
+    if (i % 4 == 0) expect_mutants_refused(c, i % 8 == 0 ? front : tree);
     const bool is_mixed = c.a.is_of_points() || c.b.is_of_points();
     meets += scan.meet();
     mixed += is_mixed;
@@ -137,6 +161,9 @@ TEST(PolytopePairDifferential, HalfSpacesAgreeWithTheScan) {
   }
   std::printf("%d pairs, %d meet; %d with points, %d of these meet; %d where one body is empty\n", count, meets, mixed,
               mixed_meets, alone);
+  std::printf("%d with a tree of some depth; %d without a node looked at whole\n", deep, tree_hits);
+  EXPECT_GT(deep, count / 4);
+  EXPECT_GT(tree_hits, count * 9 / 10);
   EXPECT_GT(meets - mixed_meets, count / 20);
   EXPECT_GT(count - meets - (mixed - mixed_meets), count / 20);
   EXPECT_GT(mixed_meets, mixed / 10);

@@ -31,11 +31,18 @@ using polytope::RowWeights;
 using PolytopeMethod = PolytopeAnswer (*)(const Polytope&, const polytope::Pose&, const Polytope&,
                                           const polytope::Pose&);
 
+// Trees are for many questions about the same bodies; here they are made for one.
+PolytopeAnswer by_trees_made_now(const Polytope& a, const polytope::Pose& pose_a, const Polytope& b,
+                                 const polytope::Pose& pose_b) {
+  return polytope_polytope_by_tree(polytope::HierarchicalTree(a), pose_a, polytope::HierarchicalTree(b), pose_b);
+}
+
 constexpr std::array<
-    Named<PolytopeAnswer(const Polytope&, const polytope::Pose&, const Polytope&, const polytope::Pose&)>, 3>
+    Named<PolytopeAnswer(const Polytope&, const polytope::Pose&, const Polytope&, const polytope::Pose&)>, 4>
     methods{{{"automatic", polytope::polytope_polytope},
              {"gjk", polytope::polytope_polytope_by_gjk},
-             {"scan", polytope::polytope_polytope_by_scan}}};
+             {"scan", polytope::polytope_polytope_by_scan},
+             {"tree", by_trees_made_now}}};
 
 // d numbers, a translation; or d + 1 a row of the linear part and the translation.
 polytope::Pose parse_polytope_pose(const PairSide& side, std::size_t d) {

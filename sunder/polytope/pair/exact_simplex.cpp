@@ -18,6 +18,12 @@ ExactVector negated(ExactVector v) {
   return v;
 }
 
+// Of trees: are there levels below those that were looked at? Then both go down one.
+bool deepened(Placed& a, Placed& b) {
+  const bool of_first = a.deepen(), of_second = b.deepen();
+  return of_first || of_second;
+}
+
 // ---- Points and points.
 
 struct NamedColumn {
@@ -71,7 +77,7 @@ std::vector<std::size_t> rounded_basis(const std::vector<NamedColumn>& columns, 
 
 class PointsProgram {
  public:
-  PointsProgram(const Placed& a, const Placed& b) : a_(a), b_(b), d_(a.dimension()), program_(d_ + 2, 2) {}
+  PointsProgram(Placed& a, Placed& b) : a_(a), b_(b), d_(a.dimension()), program_(d_ + 2, 2) {}
 
   ExactVector column(Kind kind, std::uint32_t k) const {
     ExactVector column = kind == of_a ? a_.image(k) : negated(b_.image(k));
@@ -107,11 +113,10 @@ class PointsProgram {
   bool solve(Cost& cost) {
     while (!program_.is_solved()) {
       const ExactVector y = program_.multipliers();
-      const ExactFurthest from_a = a_.furthest(y, cost.exact), from_b = b_.furthest(negated(y), cost.exact);
-      cost.probes += std::uint64_t{a_.body().size()} + b_.body().size();
+      const ExactFurthest from_a = a_.furthest(y, cost), from_b = b_.furthest(negated(y), cost);
       ++cost.iterations;
       const bool a_pays = enter_if_it_pays(of_a, from_a.index), b_pays = enter_if_it_pays(of_b, from_b.index);
-      if (!a_pays && !b_pays) return false;
+      if (!a_pays && !b_pays && !deepened(a_, b_)) return false;
     }
     return true;
   }
@@ -136,7 +141,7 @@ class PointsProgram {
   }
 
  private:
-  const Placed &a_, &b_;
+  Placed &a_, &b_;
   std::size_t d_;
   PhaseOne program_;
 };
@@ -157,12 +162,11 @@ ExactDecision decide_half_spaces(Placed& a, Placed& b, Cost& cost) {
     bool pays = false;
     for (const Kind kind : {of_a, of_b}) {
       Placed& body = kind == of_a ? a : b;
-      const auto broken = body.most_broken(place, y[d], cost.exact);
-      cost.probes += body.body().size();
+      const auto broken = body.most_broken(place, y[d], cost);
       if (broken) pays = program.enter_if_it_pays({kind, broken->index}, column_of(kind, broken->index)) || pays;
     }
     ++cost.iterations;
-    if (pays) continue;
+    if (pays || deepened(a, b)) continue;
     ExactEvidence common{.numbers = {place.begin(), place.end()}, .denominator = y[d]};
     common.in_a = {a.unplaced(place, y[d]), y[d] * a.scale()};
     common.in_b = {b.unplaced(place, y[d]), y[d] * b.scale()};
@@ -185,7 +189,7 @@ ExactDecision decide_half_spaces(Placed& a, Placed& b, Cost& cost) {
 // Some half-spaces with all points.
 class MixedProgram {
  public:
-  MixedProgram(Placed& half_spaces, const Placed& points, std::span<const std::uint32_t> some)
+  MixedProgram(Placed& half_spaces, Placed& points, std::span<const std::uint32_t> some)
       : half_spaces_(half_spaces), points_(points), d_(points.dimension()), some_(some), program_(some.size() + 1, 1) {
     for (const std::uint32_t k : some) rows_.push_back(half_spaces.half_space(k));
   }
@@ -208,10 +212,9 @@ class MixedProgram {
         pays = program_.enter_if_it_pays({slack, i}, column) || pays;
       }
       const ExactVector direction = combined(program_.multipliers());
-      const ExactFurthest furthest = points_.furthest(direction, cost.exact);
-      cost.probes += points_.body().size();
+      const ExactFurthest furthest = points_.furthest(direction, cost);
       ++cost.iterations;
-      if (!enter_if_it_pays(furthest.index) && !pays) return false;
+      if (!enter_if_it_pays(furthest.index) && !pays && !points_.deepen()) return false;
     }
     return true;
   }
@@ -250,7 +253,7 @@ class MixedProgram {
 
  private:
   Placed& half_spaces_;
-  const Placed& points_;
+  Placed& points_;
   std::size_t d_;
   std::span<const std::uint32_t> some_;
   PhaseOne program_;
@@ -258,7 +261,7 @@ class MixedProgram {
 };
 
 // A of half-spaces, B of points.
-ExactDecision decide_mixed(Placed& a, const Placed& b, Cost& cost) {
+ExactDecision decide_mixed(Placed& a, Placed& b, Cost& cost) {
   std::vector<std::uint32_t> some, named;
   for (;;) {
     MixedProgram program(a, b, some);
@@ -266,8 +269,10 @@ ExactDecision decide_mixed(Placed& a, const Placed& b, Cost& cost) {
       return {Verdict::apart, std::make_shared<const ExactEvidence>(program.parting())};
     }
     ExactEvidence common = program.common_point();
-    const auto broken = a.most_broken(common.numbers, common.denominator, cost.exact);
-    cost.probes += a.body().size();
+    auto broken = a.most_broken(common.numbers, common.denominator, cost);
+    while (broken && broken->product.sign() != Sign::positive && a.deepen()) {
+      broken = a.most_broken(common.numbers, common.denominator, cost);
+    }
     if (!broken || broken->product.sign() != Sign::positive) {
       common.in_a = {a.unplaced(common.numbers, common.denominator), common.denominator * a.scale()};
       return {Verdict::meet, std::make_shared<const ExactEvidence>(std::move(common))};
@@ -289,8 +294,10 @@ ExactDecision exchanged(ExactDecision decision) {
 
 }  // namespace
 
-ExactDecision decide_exactly(Placed a, Placed b, std::span<const std::uint32_t> named_a,
-                             std::span<const std::uint32_t> named_b, Cost& cost) {
+namespace {
+
+ExactDecision decide(Placed& a, Placed& b, std::span<const std::uint32_t> named_a,
+                     std::span<const std::uint32_t> named_b, Cost& cost) {
   ++cost.exact;
   const bool points_a = a.body().is_of_points(), points_b = b.body().is_of_points();
   if (!points_a && !points_b) return decide_half_spaces(a, b, cost);
@@ -302,7 +309,16 @@ ExactDecision decide_exactly(Placed a, Placed b, std::span<const std::uint32_t> 
           std::make_shared<const ExactEvidence>(meet ? program.common_point() : program.parting())};
 }
 
-ExactEvidence common_point_of(const Placed& a, const Placed& b, std::span<const std::uint32_t> named_a,
+}  // namespace
+
+ExactDecision decide_exactly(Placed a, Placed b, std::span<const std::uint32_t> named_a,
+                             std::span<const std::uint32_t> named_b, Cost& cost, std::uint32_t* tree_scans) {
+  ExactDecision decision = decide(a, b, named_a, named_b, cost);
+  if (tree_scans != nullptr) *tree_scans += a.scans() + b.scans();
+  return decision;
+}
+
+ExactEvidence common_point_of(Placed a, Placed b, std::span<const std::uint32_t> named_a,
                               std::span<const std::uint32_t> named_b) {
   PointsProgram program(a, b);
   [[maybe_unused]] const bool found = program.try_named(named_a, named_b);

@@ -30,12 +30,13 @@ struct ExactDecision {
   std::shared_ptr<const ExactEvidence> evidence;
 };
 
-// Decides; never fails. Of bodies of points, those named are tried first. Allocates.
+// Decides; never fails. Of bodies of points, those named are tried first. tree_scans grows by the nodes of trees that
+// were looked at whole (TreeWalk::scans). Allocates.
 ExactDecision decide_exactly(Placed a, Placed b, std::span<const std::uint32_t> of_a,
-                             std::span<const std::uint32_t> of_b, Cost& cost);
+                             std::span<const std::uint32_t> of_b, Cost& cost, std::uint32_t* tree_scans = nullptr);
 
 // The common point of the hulls of these points. Requires that there is one.
-ExactEvidence common_point_of(const Placed& a, const Placed& b, std::span<const std::uint32_t> of_a,
+ExactEvidence common_point_of(Placed a, Placed b, std::span<const std::uint32_t> of_a,
                               std::span<const std::uint32_t> of_b);
 
 }  // namespace sunder::polytope

@@ -46,9 +46,15 @@ ExactVector Placed::image(std::uint32_t k) const {
   return result;
 }
 
-ExactFurthest Placed::furthest(std::span<const Dyadic> direction, std::uint32_t& exact_looks) const {
+ExactFurthest Placed::furthest_row(std::span<const Dyadic> direction, Cost& cost) {
+  if (walk_) return walk_->furthest(direction, cost);
+  cost.probes += body_.size();
+  return exactly_furthest_along(body_.columns(), direction, cost.exact);
+}
+
+ExactFurthest Placed::furthest(std::span<const Dyadic> direction, Cost& cost) {
   SUNDER_REQUIRE(body_.is_of_points());
-  ExactFurthest result = exactly_furthest_along(body_.columns(), pulled(pose_, direction), exact_looks);
+  ExactFurthest result = furthest_row(pulled(pose_, direction), cost);
   result.product = result.product + dot(direction, pose_.translation());
   return result;
 }
@@ -92,13 +98,12 @@ ExactVector Placed::unplaced(std::span<const Dyadic> p, const Dyadic& w) {
 }
 
 // (a N) . p - w (s b + (a N) . t) = a . (N (p - w t)) - w s b.
-std::optional<ExactFurthest> Placed::most_broken(std::span<const Dyadic> p, const Dyadic& w,
-                                                 std::uint32_t& exact_looks) {
+std::optional<ExactFurthest> Placed::most_broken(std::span<const Dyadic> p, const Dyadic& w, Cost& cost) {
   SUNDER_REQUIRE(!body_.is_of_points());
   if (body_.size() == 0) return std::nullopt;
   ExactVector direction = unplaced(p, w);
   direction.push_back(-(w * scale_));
-  return exactly_furthest_along(body_.columns(), direction, exact_looks);
+  return furthest_row(direction, cost);
 }
 
 }  // namespace sunder::polytope

@@ -2,9 +2,11 @@
 // direction of the body's frame, so rows stay the doubles that they are.
 #pragma once
 
+#include <sunder/base/cost.h>
 #include <sunder/number/dyadic.h>
 #include <sunder/polytope/object/polytope.h>
 #include <sunder/polytope/object/pose.h>
+#include <sunder/polytope/represent/hierarchical_tree.h>
 #include <sunder/predicate/along_columns.h>
 
 #include <cstdint>
@@ -23,32 +25,40 @@ Dyadic dot(std::span<const Dyadic> u, std::span<const double> v);
 ExactVector pulled(const Pose& pose, std::span<const Dyadic> direction);
 ExactVector turned(const Pose& pose, std::span<const Dyadic> vector);
 
-// Keeps references to both.
+// Keeps references to both. What is furthest is found by a scan of all rows, or by a walk down the tree of the body.
 class Placed {
  public:
   Placed(const Polytope& body, const Pose& pose) : body_(body), pose_(pose) {}
+  Placed(const HierarchicalTree& tree, const Pose& pose) : body_(tree.body()), pose_(pose), walk_(tree) {}
 
   const Polytope& body() const { return body_; }
   const Pose& pose() const { return pose_; }
   std::size_t dimension() const { return body_.dimension(); }
 
-  // Of points. The image of point k; the first of the points that are furthest along the direction, and its product.
+  // Of points. The image of point k; one of the points that are furthest along the direction, and its product. Of a
+  // tree: of those points that walks so deep may find.
   ExactVector image(std::uint32_t k) const;
-  ExactFurthest furthest(std::span<const Dyadic> direction, std::uint32_t& exact_looks) const;
+  ExactFurthest furthest(std::span<const Dyadic> direction, Cost& cost);
 
-  // Of half-spaces, times scale(): row k as a1, .., ad, b of the world. The first of those that are broken most at the
+  // Of a tree: from now on walks go a level deeper. False where they went to the leaves already, and of a scan.
+  bool deepen() { return walk_ && walk_->deepen(); }
+  std::uint32_t scans() const { return walk_ ? walk_->scans() : 0; }
+
+  // Of half-spaces, times scale(): row k as a1, .., ad, b of the world. One of those that are broken most at the
   // point p / w, w >= 0, that is, whose a . p - w b is greatest, and that number; nothing where there are none.
   ExactVector half_space(std::uint32_t k);
-  std::optional<ExactFurthest> most_broken(std::span<const Dyadic> p, const Dyadic& w, std::uint32_t& exact_looks);
+  std::optional<ExactFurthest> most_broken(std::span<const Dyadic> p, const Dyadic& w, Cost& cost);
   const Dyadic& scale();  // positive
   // The point p / w in the frame of the body, over w scale().
   ExactVector unplaced(std::span<const Dyadic> p, const Dyadic& w);
 
  private:
   void invert();
+  ExactFurthest furthest_row(std::span<const Dyadic> direction, Cost& cost);
 
   const Polytope& body_;
   const Pose& pose_;
+  std::optional<TreeWalk> walk_;
   ExactVector inverse_;  // of the linear part, over scale_; empty: not made yet
   Dyadic scale_{1.0};
 };

@@ -72,9 +72,8 @@ class Search {
       const ExactVector exact(direction.begin(), direction.begin() + static_cast<std::ptrdiff_t>(d_));
       ExactVector opposite;
       for (const Dyadic& x : exact) opposite.push_back(-x);
-      const Dyadic last = Placed(a_, pose_a_).furthest(exact, answer_.cost.exact).product;
-      const Dyadic first = -Placed(b_, pose_b_).furthest(opposite, answer_.cost.exact).product;
-      answer_.cost.probes += std::uint64_t{a_.size()} + b_.size();
+      const Dyadic last = Placed(a_, pose_a_).furthest(exact, answer_.cost).product;
+      const Dyadic first = -Placed(b_, pose_b_).furthest(opposite, answer_.cost).product;
       holds = (first - last).sign() == Sign::positive;
       answer_.decided_by = DecidedBy::evidence;
     }

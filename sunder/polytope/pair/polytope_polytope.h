@@ -11,6 +11,7 @@
 #pragma once
 
 #include <sunder/polytope/pair/evidence.h>
+#include <sunder/polytope/represent/hierarchical_tree.h>
 
 namespace sunder::polytope {
 
@@ -26,6 +27,17 @@ PolytopeAnswer polytope_polytope(const Polytope& a, const Pose& pose_a, const Po
 // Cost: some 3 to 5 d scans of both bodies. Allocates nothing while filters decide.
 // Source: Gilbert, Johnson & Keerthi 1988; Wolfe 1976, "Finding the nearest point in a polytope".
 PolytopeAnswer polytope_polytope_by_gjk(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b);
+
+// The same of trees that were made before, each by itself: down both at once, by small linear programs in integers. At
+// each level the program is solved over the apexes of the cones that the directions come to, A's of points inside of A,
+// of half-spaces around it; then both trees go a level down, the program goes on with what pays there; at the leaves
+// nothing that was pruned can pay (H1). So the shell-simplices along both last paths, some log n hyperplanes each,
+// prove where the bodies end; the answer is one direction, or one common point, that stands by itself.
+// decided_by: `evidence`; `finishing` where a node had to be looked at whole that is no leaf.
+// Cost: probes are rows, and cones. Some d + 2 to 5 d walks down each tree, whose depth is at most log n (H3).
+// Source: BL15 section 6, Theorem 6.3. Departures: docs/design/polytope.md.
+PolytopeAnswer polytope_polytope_by_tree(const HierarchicalTree& a, const Pose& pose_a, const HierarchicalTree& b,
+                                         const Pose& pose_b);
 
 // The oracle: one linear program with all points and half-spaces, by a full tableau in integers with Bland's rule.
 // Cost: some (d + 2) (n + m) to n (n + m) integers a pivot.

@@ -1,0 +1,138 @@
+// A polytope of R^d, so that what is furthest along a direction is found in some log n looks: the point of a hull, or,
+// of half-spaces, the one that a point breaks most.
+// Also called: extreme-point query, ray shooting among hyperplanes, by epsilon-nets; the tree of Clarkson, of
+// Matousek & Schwarzkopf.
+//
+// A node has rows. Some of them, at random, are its net; the directions are cut into cones, along each of which one of
+// the net, its apex, is furthest (represent/normal_fan.h). The half-spaces {x: r . x <= r . apex} of the rays r of a
+// cone are a shell-simplex: a row in it is along no direction of the cone further than the apex. Those out of it are
+// its conflicts; they are the rows of the cone's child, with the apex.
+//   H1. For any direction, the rows of a node have a furthest one among the rows of the child of each cone that has the
+//       direction, if the node has. So the leaves that a walk comes to are right, whatever the net.
+//   H2. No cone's conflicts are more than a share of the node's rows: then the net is an epsilon-net for these
+//       shell-simplices. It is counted, not assumed: where it does not hold, the node takes another sample. A cone
+//       for
+//       which no sample did is a leaf, if the child has more than the share: it may be large (largest_leaf()).
+//   H3. The depth is at most log n by log of 1 / share, a leaf of at most `leaf` rows but for H2.
+// Departures from the paper. Nets are of vertices, not of faces: what is pruned is never the end of the body along a
+// direction of the cone, which is all that a walk asks. A child loses, too, each row that another is as far as along
+// all rays of the cone: lists that are far shorter (docs/design/polytope.md has figures). A cone that has no direction
+// in common with the cone of its node is left out.
+// A polytope of half-spaces a . x <= b has rows (a, b) of R^(d+1); a point p has the direction (p, -1).
+// Source: BL15 section 6, Lemmas 6.1 and 6.2; Haussler & Welzl 1987.
+#pragma once
+
+#include <sunder/base/cost.h>
+#include <sunder/base/error.h>
+#include <sunder/number/dyadic.h>
+#include <sunder/polytope/object/polytope.h>
+#include <sunder/predicate/along_columns.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace sunder::polytope {
+
+// Of the first three, 0 is what serves rows of this dimension: 8, 16, 32, 16, 12, 11 for 2 to 7 dimensions; 8, 16, 48,
+// 40, 56, 64; and 1/2 up to 4 dimensions, then 3/4, 0.85, 0.9.
+struct TreeOptions {
+  std::uint32_t net = 0;      // rows of a net; at least d + 2, of half-spaces d + 3
+  std::uint32_t leaf = 0;     // rows of a leaf
+  double share = 0;           // of a node's rows, at most so many are in conflict with a cone; below 1
+  std::uint32_t levels = 32;  // of cones, at most; leaves may be large then
+  std::uint32_t samples = 8;  // that a node takes, until one is good
+  std::size_t most_bytes = std::size_t{1} << 30;  // of memory
+  std::uint64_t seed = 20150615;
+};
+
+// Immutable; any number of threads may use it.
+class HierarchicalTree {
+ public:
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  // Throws Error bad_shape where the tree would take, by an estimate from the lists of its root, or does take more
+  // memory than it may. Cost: some cones of a net times d^2 looks at each row of each node.
+  explicit HierarchicalTree(Polytope body, const TreeOptions& options = {});
+
+  const Polytope& body() const { return body_; }
+  std::size_t dimension() const { return d_; }  // of rows: of half-spaces one more than the body's
+  std::uint32_t depth() const { return depth_; }
+  std::size_t node_count() const { return nodes_.size(); }
+  std::size_t cone_count() const { return children_.size(); }
+  std::size_t row_count() const { return rows_.size(); }  // of all nodes
+  std::size_t leaf_count() const { return leaf_count_; }
+  std::uint32_t largest_leaf() const { return largest_leaf_; }
+  // Conflicts of the root's cones, in total, before rows are lost that others are as far as.
+  std::size_t root_conflicts() const { return root_conflicts_; }
+  std::size_t samples() const { return samples_; }        // that all nodes took
+  std::size_t unverified() const { return unverified_; }  // cones that have more conflicts than the share
+  std::size_t estimate() const { return estimate_; }      // bytes, from the root's lists
+  std::size_t memory() const;                             // bytes, without the body
+
+  struct Node {
+    std::uint32_t first_row = 0, rows = 0;
+    std::uint32_t first_cone = 0, cones = 0;  // none: a leaf
+  };
+  const Node& node(std::uint32_t k) const { return nodes_[k]; }
+  std::span<const std::uint32_t> rows(const Node& node) const {
+    return std::span(rows_).subspan(node.first_row, node.rows);
+  }
+  std::uint32_t child(std::uint32_t cone) const { return children_[cone]; }
+  std::uint32_t apex(std::uint32_t cone) const { return apexes_[cone]; }
+  double slack(std::uint32_t cone) const { return slacks_[cone]; }
+  std::uint32_t across(std::uint32_t cone, std::size_t ray) const { return across_[cone * d_ + ray]; }
+  std::span<const double> inverse(std::uint32_t cone) const {
+    return std::span(inverses_).subspan(cone * d_ * d_, d_ * d_);
+  }
+  std::span<const double> ray(std::uint32_t cone, std::size_t k) const {
+    return std::span(rays_).subspan(cone_rays_[cone * d_ + k] * d_, d_);
+  }
+
+ private:
+  friend class TreeBuilder;
+
+  Polytope body_;
+  std::size_t d_;
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> rows_;
+  std::vector<std::uint32_t> children_, apexes_;
+  std::vector<double> slacks_, inverses_;
+  std::vector<std::uint32_t> across_, cone_rays_;
+  std::vector<double> rays_;
+  std::uint32_t depth_ = 0, largest_leaf_ = 0;
+  std::size_t leaf_count_ = 0, samples_ = 0, unverified_ = 0, estimate_ = 0, root_conflicts_ = 0;
+};
+
+// Walks down a tree, from one direction to the next that is like it: at each level the cone of the direction is found
+// from the last one of that node, across facets. Keeps a reference to the tree.
+class TreeWalk {
+ public:
+  explicit TreeWalk(const HierarchicalTree& tree);
+
+  // One of the rows that are furthest along the direction; before deepen() said no, of the apexes down to the level of
+  // walks, at the root to begin with. cost.probes grows by the cones and rows that were looked at, cost.exact by the
+  // signs that took exact numbers.
+  ExactFurthest furthest(std::span<const Dyadic> direction, Cost& cost);
+
+  bool deepen();
+
+  // The cones of the last walk, from the root on: their shell-simplices are all that proves where the body ends.
+  std::span<const std::uint32_t> path() const { return path_; }
+  // Nodes of which all rows were looked at although they are no leaves: no cone was found in floating point.
+  std::uint32_t scans() const { return scans_; }
+
+ private:
+  std::uint32_t cone_of(const HierarchicalTree::Node& node, std::uint32_t from, std::span<const Dyadic> direction,
+                        std::span<const double> rounded, Cost& cost) const;
+  ExactFurthest furthest_of(std::span<const std::uint32_t> rows, std::span<const Dyadic> direction,
+                            std::span<const double> rounded, Cost& cost);
+
+  const HierarchicalTree* tree_;
+  std::uint32_t level_ = 1, scans_ = 0;
+  std::vector<std::uint32_t> path_, last_path_;
+  std::vector<BoundedProduct> products_;
+};
+
+}  // namespace sunder::polytope
