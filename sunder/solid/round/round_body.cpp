@@ -59,8 +59,8 @@ std::shared_ptr<const RoundBox> box_of(const ConvexPolyhedron& core) {
 }
 
 Pose pose_of(const RoundBody& body, const Pose& pose) {
-  std::optional<Pose> room;
-  return pose_in_place(body, pose, room);
+  require_rigid(body, pose);
+  return body.kind() == RoundKind::ellipsoid ? compose(pose, body.frame_pose()) : pose;
 }
 
 }  // namespace
@@ -119,22 +119,16 @@ void require_rigid(const RoundBody& body, const Pose& pose) {
   if (body.is_polyhedron() || body.kind() == RoundKind::ellipsoid) return;
   constexpr double allowed = 0x1p-20;
   const auto& m = pose.affine().linear;
-  const auto product = [&](std::size_t i, std::size_t j) {
-    return m[i] * m[j] + m[3 + i] * m[3 + j] + m[6 + i] * m[6 + j];
+  const auto off = [&](std::size_t i, std::size_t j) {
+    const double product = m[i] * m[j] + m[3 + i] * m[3 + j] + m[6 + i] * m[6 + j];
+    return std::fabs(product - (i == j ? 1 : 0));
   };
-  const auto off = [&](std::size_t i, std::size_t j) { return std::fabs(product(i, j) - (i == j ? 1 : 0)); };
-  const double most = std::max({off(0, 0), off(1, 1), off(2, 2), off(0, 1), off(0, 2), off(1, 2)});
-  const bool is_rigid = most <= allowed;
-  if (is_rigid) return;
+  if (std::max(std::max(std::max(off(0, 0), off(1, 1)), off(2, 2)),
+               std::max(std::max(off(0, 1), off(0, 2)), off(1, 2))) <= allowed)
+    return;
   throw Error(ErrorCode::bad_pose,
               "the pose scales or shears, and a radius stays as it is; give a rotation, and scale the body itself",
               "pose");
-}
-
-const Pose& pose_in_place(const RoundBody& body, const Pose& pose, std::optional<Pose>& room) {
-  require_rigid(body, pose);
-  if (body.kind() != RoundKind::ellipsoid) return pose;
-  return room.emplace(compose(pose, body.frame_pose()));
 }
 
 PlacedRound::PlacedRound(const RoundBody& of, const Pose& at)

@@ -15,7 +15,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 
 namespace sunder::solid {
@@ -80,10 +79,6 @@ class RoundBody {
 // translation, because the radius stays: columns of the linear part may be off being perpendicular and of length 1 by
 // 2^-20 at most, which is a check of what users give, in doubles. Throws Error: bad_pose.
 void require_rigid(const RoundBody& body, const Pose& pose);
-
-// Where what answers are about is: compose(pose, frame) for an ellipsoid, which `room` then holds, else the pose
-// itself. Throws Error as PlacedRound.
-const Pose& pose_in_place(const RoundBody& body, const Pose& pose, std::optional<Pose>& room);
 
 // A body in its place. An ellipsoid's map is compose(pose, frame), in doubles, and these are what answers are exact
 // for.

@@ -1,5 +1,7 @@
 #include <sunder/predicate/along.h>
 #include <sunder/predicate/round_image.h>
+#include <sunder/predicate/round_shape.h>
+#include <sunder/solid/pair/closest_simplex.h>
 #include <sunder/solid/round/round_quick.h>
 
 #include <algorithm>
@@ -157,6 +159,17 @@ Nearest in_cone(const RoundImage& image, const V& x) {
   return {sum(sum(image.from, up, image.axis), far > 0 ? out / far : 0, across)};
 }
 
+// On the way from the centre.
+Nearest in_ellipsoid(const Side& side, const V& x) {
+  const RoundImage& of = side.image;
+  const auto& m = side.pose.linear;
+  const V p{m[0], m[3], m[6]}, q{m[1], m[4], m[7]}, r{m[2], m[5], m[8]};
+  const V way = x - of.from, of_p = cross(q, r);
+  const double far = length({dot(of_p, way), dot(cross(r, p), way), dot(cross(p, q), way)});
+  const double reach = of.radius * std::fabs(dot(p, of_p));
+  return {sum(of.from, far > reach ? reach / far : 1, way)};
+}
+
 bool has_nearest(const Side& side) {
   return side.is_ball() || side.is_capsule() || (side.is_curved() && side.image.kind != RoundKind::ellipsoid) ||
          (side.is_box() && side.image.count > 0);
@@ -183,6 +196,117 @@ double nearest_of_segments(const RoundImage& a, const RoundImage& b) {
   return std::clamp((ab * t - of_a) / aa, 0.0, 1.0);
 }
 
+// ---- For the other pairs: a short search, and Newton's method on what it has found.
+
+// The point of a core that is furthest along a direction, and the smooth piece of the surface that it is of: a vertex,
+// the rim of base (0) or top (1), an apex (1), an ellipsoid (0).
+struct Far {
+  V at{};
+  std::uint32_t piece = 0;
+};
+
+V image(const Side& side, std::uint32_t vertex) {
+  return sum(side.translation(), 1, side.turned(vector(side.body.core().search_graph().vertices[vertex])));
+}
+
+bool is_vertex(const Side& side, std::uint32_t piece) {
+  return !side.is_curved() || (side.image.kind == RoundKind::cone && piece == 1);
+}
+
+// Of one piece.
+V far_on(const Side& side, std::uint32_t piece, const V& d) {
+  const RoundImage& of = side.image;
+  if (!side.is_curved()) return of.ends == 0 ? image(side, piece) : piece == 0 ? of.from : of.to;
+  if (is_vertex(side, piece)) return of.to;
+  if (of.kind == RoundKind::ellipsoid) {
+    const V e = side.pulled(d);
+    return sum(of.from, of.radius / length(e), side.turned(e));
+  }
+  const V across = sum(d, -dot(d, of.axis), of.axis);
+  const double far2 = dot(across, across);
+  return sum(piece == 0 ? of.from : of.to, far2 > 0 ? of.radius / std::sqrt(far2) : 0, across);
+}
+
+Far far_along(const Side& side, const V& d) {
+  const RoundImage& of = side.image;
+  if (of.kind == RoundKind::cylinder || (of.ends == 2 && !side.is_curved())) {
+    const std::uint32_t piece = dot(d, of.axis) > 0 ? 1 : 0;
+    return {far_on(side, piece, d), piece};
+  }
+  if (of.kind == RoundKind::cone) {
+    const V rim = far_on(side, 0, d);
+    return dot(d, of.to - rim) > 0 ? Far{of.to, 1} : Far{rim, 0};
+  }
+  if (of.ends == 1) return {far_on(side, 0, d), 0};
+  const V e = side.pulled(d);
+  std::uint32_t vertex = 0;
+  if (const RoundBox* box = side.body.box()) {
+    std::size_t place = 0;
+    for (std::size_t k = 0; k < 3; ++k) place |= std::size_t{dot(e, vector(box->half[k])) > 0} << k;
+    vertex = box->corners[place];
+  } else {
+    const double *x = of.all, *y = x + of.count, *z = y + of.count;
+    double furthest = e.x * x[0] + e.y * y[0] + e.z * z[0];
+    const std::uint32_t n = static_cast<std::uint32_t>(side.body.core().search_graph().vertices.size());
+    for (std::uint32_t j = 1; j < n; ++j) {
+      const double far = e.x * x[j] + e.y * y[j] + e.z * z[j];
+      if (far > furthest) {
+        furthest = far;
+        vertex = j;
+      }
+    }
+  }
+  return {image(side, vertex), vertex};
+}
+
+// How the furthest point of a piece turns with the direction, of length 1: the second derivative of its reach, in the
+// plane of the directions s and t.
+struct Bend {
+  double ss = 0, st = 0, tt = 0;
+  void add(double by, const Bend& other) {
+    ss += by * other.ss;
+    st += by * other.st;
+    tt += by * other.tt;
+  }
+};
+// False: there is none.
+bool bend_of(const Side& side, std::uint32_t piece, const V& d, const V& s, const V& t, Bend& bend) {
+  bend = {};
+  if (is_vertex(side, piece)) return true;
+  const RoundImage& of = side.image;
+  if (of.kind == RoundKind::ellipsoid) {
+    const V e = side.pulled(d), es = side.pulled(s), et = side.pulled(t);
+    const double far2 = dot(e, e), by = of.radius / std::sqrt(far2), is = dot(es, e), it = dot(et, e);
+    bend = {by * (dot(es, es) - is * is / far2), by * (dot(es, et) - is * it / far2),
+            by * (dot(et, et) - it * it / far2)};
+    return true;
+  }
+  const V around = cross(of.axis, d);
+  const double far2 = dot(around, around);
+  if (!(far2 > 0x1p-40)) return false;
+  const double by = of.radius / (far2 * std::sqrt(far2)), is = dot(around, s), it = dot(around, t);
+  bend = {by * is * is, by * is * it, by * it * it};
+  return true;
+}
+
+// Pieces of one body: those that reach furthest, together.
+struct Pieces {
+  std::array<std::uint32_t, 4> piece{};
+  std::array<double, 4> weight{};  // of the point where the bodies are nearest
+  std::array<V, 4> at{};
+  std::size_t count = 0;
+
+  bool has(std::uint32_t p) const { return std::find(piece.data(), piece.data() + count, p) != piece.data() + count; }
+  std::size_t least() const {
+    return static_cast<std::size_t>(std::min_element(weight.data(), weight.data() + count) - weight.data());
+  }
+  void drop(std::size_t k) {
+    --count;
+    piece[k] = piece[count];
+    weight[k] = weight[count];
+  }
+};
+
 class Quick {
  public:
   Quick(const Side& a, const Side& b, RoundAnswer& answer, Point3& way)
@@ -193,10 +317,11 @@ class Quick {
     const bool first = a_.is_ball() || (a_.is_capsule() && !b_.is_ball());
     if (first || b_.is_ball() || b_.is_capsule()) {
       const Side &own = first ? a_ : b_, &other = first ? b_ : a_;
-      if (!has_nearest(other)) return false;
-      return own.is_ball() ? ball(own, other) : capsule(own, other);
+      if (has_nearest(other)) return own.is_ball() ? ball(own, other) : capsule(own, other);
     }
-    return false;
+    const bool found = search();
+    conclude(answer_, tally_.exact);
+    return found;
   }
 
  private:
@@ -247,6 +372,332 @@ class Quick {
     return false;
   }
 
+  // Gilbert, Johnson and Keerthi's search, and Newton's method where it has come near.
+  bool search() {
+    const V middle_a = a_.middle(), middle_b = b_.middle(), first = middle_b - middle_a;
+    if (parts(first) || meets_near(a_, b_, middle_b) || meets_near(b_, a_, middle_a)) return true;
+    const double reach = a_.radius() + b_.radius();
+    DifferenceSimplex simplex;
+    std::array<std::pair<Far, Far>, 5> slots;
+    Point3 direction = point(first);
+    double distance2 = 0, nearest2 = HUGE_VAL;
+    if (!(sunder::solid::dot(direction, direction) > 0)) direction = {1, 0, 0};
+    for (int i = 0; i < most_searched; ++i) {
+      ++answer_.cost.iterations;
+      const V d = vector(direction);
+      std::uint32_t free = 0;
+      const auto is_used = [&](std::uint32_t slot) {
+        for (int k = 0; k < simplex.count; ++k) {
+          if (simplex.vertex[static_cast<std::size_t>(k)].a == slot) return true;
+        }
+        return false;
+      };
+      while (is_used(free)) ++free;
+      auto& [p, q] = slots[free];
+      p = far_along(a_, d);
+      q = far_along(b_, {-d.x, -d.y, -d.z});
+      const V w = p.at - q.at;
+      const double gap = -dot(d, w), length2 = dot(d, d);
+      if (gap > 0 && gap * gap > reach * reach * length2 && parts(d)) return true;
+      const bool is_new =
+          simplex.count == 0 || dot(d, w - vector(simplex.vertex[0].at)) > 0x1p-50 * size_ * std::sqrt(length2);
+      if (!is_new) return refine(simplex, slots, d);
+      simplex.vertex[static_cast<std::size_t>(simplex.count++)] = {point(w), free, free};
+      const bool is_outside = reduce_to_closest_face(simplex, direction, distance2) && distance2 > 0;
+      if (!is_outside || distance2 < reach * reach) {
+        if (meets_at(simplex, slots)) return true;
+      }
+      if (!is_outside || !(distance2 < nearest2)) return refine(simplex, slots, d);
+      nearest2 = distance2;
+      if (i >= 3 && i % 2 == 1 && refine(simplex, slots, vector(direction))) return true;
+    }
+    return false;
+  }
+
+  using Slots = std::array<std::pair<Far, Far>, 5>;
+
+  // The points that the simplex makes.
+  bool meets_at(const DifferenceSimplex& simplex, const Slots& slots) {
+    const std::array<double, 4> weights = weights_of_nearest(simplex);
+    double total = 0;
+    const std::size_t n = static_cast<std::size_t>(simplex.count);
+    for (std::size_t k = 0; k < n; ++k) total += std::max(weights[k], 0.0);
+    if (!(total > 0)) return false;
+    Nearest p{}, q{};
+    for (std::size_t k = 0; k < n; ++k) {
+      if (!(weights[k] > 0)) continue;
+      const auto& [of_a, of_b] = slots[simplex.vertex[k].a];
+      add(a_, p, of_a, weights[k] / total);
+      add(b_, q, of_b, weights[k] / total);
+    }
+    return holds(p, q);
+  }
+
+  static void add(const Side& side, Nearest& made, const Far& far, double weight) {
+    made.at = sum(made.at, weight, far.at);
+    if (side.is_curved()) return;
+    for (std::size_t k = 0; k < made.made.count; ++k) {
+      if (made.made.vertices[k] != far.piece) continue;
+      made.made.weights[k] += weight;
+      return;
+    }
+    put(made.made, far.piece, weight);
+  }
+
+  // Does the point of `own` that is nearest to the other's middle lie in the other?
+  bool meets_near(const Side& own, const Side& other, const V& middle) {
+    if (!other.is_curved()) return false;
+    if (own.is_box()) return own.image.count > 0 && holds(own, in_box(own, middle), other, {middle});
+    if (!own.is_curved()) return false;
+    const Nearest found = own.image.kind == RoundKind::ellipsoid ? in_ellipsoid(own, middle) : nearest_in(own, middle);
+    return holds(sum(found.at, 0x1p-6, own.middle() - found.at));
+  }
+
+  // Is it the base or the top, flat, that faces the other? d: about, from `own` on, of length 1.
+  bool faces(const Side& own, const Side& other, const V& d) {
+    const RoundImage& of = own.image;
+    if (of.kind != RoundKind::cylinder && of.kind != RoundKind::cone) return false;
+    const double along = dot(d, of.axis);
+    if (along * along < 0.75 || (of.kind == RoundKind::cone && along > 0)) return false;
+    const V out = along > 0 ? of.axis : V{-of.axis.x, -of.axis.y, -of.axis.z};
+    const Far far = far_along(other, {-out.x, -out.y, -out.z});
+    const V& centre = along > 0 ? of.to : of.from;
+    const double gap = dot(far.at - centre, out);
+    const V foot = sum(far.at, -gap, out), from = foot - centre;
+    const double reach = own.radius() + other.radius();
+    if (dot(from, from) > of.radius * of.radius || gap < -0x1p-10 * size_) return false;
+    if (gap > reach) return parts(&own == &a_ ? out : V{-out.x, -out.y, -out.z});
+    Nearest q{};
+    add(other, q, far, 1);
+    is_thorough_ = true;
+    const bool held = &own == &a_ ? holds({foot}, q) : holds(q, {foot});
+    is_thorough_ = false;
+    return held;
+  }
+
+  // Do p of the core of A and q of that of B, which are nearest to each other or deepest in the other body, lead to a
+  // common point?
+  bool holds(const Nearest& p, const Nearest& q) {
+    if (!a_.is_curved()) return b_.is_curved() ? holds(a_, p, b_, q) : settles(a_, p, b_, q);
+    if (!b_.is_curved()) return holds(b_, q, a_, p);
+    const V way = p.at - q.at, middle_a = a_.middle(), middle_b = b_.middle(), between = sum(q.at, 0.5, way);
+    if (holds(between)) return true;
+    const double depth = length(way);
+    const auto inwards = [&](const V& from, const V& to, double part) {
+      const V in = to - from;
+      const double deep = length(in);
+      return sum(from, part > 0 ? part : deep > 0 ? std::min(0.5 * depth / deep, 0.5) : 0, in);
+    };
+    for (const double part : {0.0, 0x1p-6, 0x1p-24}) {
+      if (holds(inwards(p.at, middle_a, part)) || holds(inwards(q.at, middle_b, part)) ||
+          holds(inwards(between, sum(middle_a, 0.5, middle_b - middle_a), part))) {
+        return true;
+      }
+    }
+    return false;
+  }
+  bool holds(const V& x) {
+    ++answer_.cost.proposals;
+    return is_inside(a_, x) && is_inside(b_, x) && meets(RoundEvidence::Source::point, point(x), {}, {});
+  }
+  bool is_inside(const Side& side, const V& x) {
+    const Guess guess = side_guess(side.image, x);
+    if (is_sure(guess) || !is_thorough_) return guess == Guess::positive;
+    return side_of(shape(side), {1, {Posed3{point(x), &in_place, false}}, {1}}, &tally_) == Sign::positive;
+  }
+  static RoundShape shape(const Side& side) {
+    RoundShape made{side.image.kind, {}, &side.pose, side.image.radius};
+    const std::span<const Point3> points = side.body.points();
+    std::copy(points.begin(), points.end(), made.points.begin());
+    return made;
+  }
+  bool holds(const Side& hull, const Nearest& p, const Side& curved, const Nearest& q) {
+    if (p.made.count == 0) return false;
+    if (holds_core(hull, p, curved)) return true;
+    const V way = q.at - p.at;
+    const double far2 = dot(way, way);
+    if (hull.radius() > 0) return far2 < hull.radius() * hull.radius() && settles(hull, p, curved, q);
+    if (!hull.is_box()) return false;
+    const V in = curved.middle() - q.at;
+    const double deep = length(in);
+    return deep > 0 &&
+           holds_core(hull, in_box(hull, sum(q.at, std::min(0.5 * std::sqrt(far2) / deep, 0.5), in)), curved);
+  }
+  // Does the curved body hold a point of the hull's core?
+  bool holds_core(const Side& hull, const Nearest& p, const Side& curved) {
+    ++answer_.cost.proposals;
+    const auto surely = [&] {
+      WeightedPoint x;
+      x.count = p.made.count;
+      for (std::size_t k = 0; k < x.count; ++k) {
+        x.points[k] = {hull.body.core().search_graph().vertices[p.made.vertices[k]], &hull.pose, false};
+        x.weights[k] = p.made.weights[k];
+      }
+      return side_of(shape(curved), x, &tally_) == Sign::positive;
+    };
+    const Guess guess = side_guess(curved.image, p.at, hull.image.size);
+    if (!(is_sure(guess) || !is_thorough_ ? guess == Guess::positive : surely())) return false;
+    return &hull == &a_ ? meets(RoundEvidence::Source::of_a, {}, p.made, {})
+                        : meets(RoundEvidence::Source::of_b, {}, {}, p.made);
+  }
+
+  // The direction along which the pieces that the simplex is of are furthest apart, or least deep in each other: where
+  // the reaches of these are equal, by Newton's method, and the derivative of the gap vanishes along what is left of
+  // the sphere.
+  bool refine(const DifferenceSimplex& simplex, const Slots& slots, V d) {
+    const double far = length(d);
+    const V unit{d.x / far, d.y / far, d.z / far};
+    if (far > 0 && (faces(a_, b_, unit) || faces(b_, a_, {-unit.x, -unit.y, -unit.z}))) return true;
+    Pieces of_a, of_b;
+    const std::array<double, 4> weights = weights_of_nearest(simplex);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(simplex.count); ++k) {
+      const auto& [p, q] = slots[simplex.vertex[k].a];
+      admit(of_a, p.piece, weights[k]);
+      admit(of_b, q.piece, weights[k]);
+    }
+    // Two may be equal to one another beside the first of each.
+    while (of_a.count + of_b.count > 4) {
+      const std::size_t k = of_a.least(), l = of_b.least();
+      const bool is_of_a = of_b.count == 1 || (of_a.count > 1 && of_a.weight[k] < of_b.weight[l]);
+      is_of_a ? of_a.drop(k) : of_b.drop(l);
+    }
+    double last = 1;
+    for (int i = 0; i < most_refined; ++i) {
+      const double long_d = length(d);
+      if (!(long_d > 0)) return false;
+      d = {d.x / long_d, d.y / long_d, d.z / long_d};
+      const V back{-d.x, -d.y, -d.z};
+      // A frame across d.
+      const V e = std::fabs(d.x) < 0.6 ? V{1, 0, 0} : V{0, 1, 0};
+      V s = cross(d, e);
+      const double long_s = length(s);
+      s = {s.x / long_s, s.y / long_s, s.z / long_s};
+      const V t = cross(d, s);
+      for (std::size_t k = 0; k < of_a.count; ++k) of_a.at[k] = far_on(a_, of_a.piece[k], d);
+      for (std::size_t k = 0; k < of_b.count; ++k) of_b.at[k] = far_on(b_, of_b.piece[k], back);
+      const V way = of_a.at[0] - of_b.at[0];
+      const double g_s = dot(way, s), g_t = dot(way, t), gap = -dot(way, d);
+      // What has to be equal: rows.
+      std::array<double, 2> row_s{}, row_t{}, off{};
+      std::size_t rows = 0;
+      const auto demand = [&](const V& more) {
+        row_s[rows] = dot(more, s);
+        row_t[rows] = dot(more, t);
+        off[rows++] = dot(more, d);
+      };
+      for (std::size_t k = 1; k < of_a.count; ++k) demand(of_a.at[k] - of_a.at[0]);
+      for (std::size_t k = 1; k < of_b.count; ++k) demand(of_b.at[0] - of_b.at[k]);
+      std::array<double, 2> weight{};
+      double y_s = 0, y_t = 0;
+      if (rows == 2) {
+        const double det = row_s[0] * row_t[1] - row_s[1] * row_t[0];
+        if (det == 0) return false;
+        y_s = (-off[0] * row_t[1] + off[1] * row_t[0]) / det;
+        y_t = (-row_s[0] * off[1] + row_s[1] * off[0]) / det;
+        weight[0] = (-g_s * row_t[1] + g_t * row_s[1]) / det;
+        weight[1] = (-g_t * row_s[0] + g_s * row_t[0]) / det;
+      } else if (rows == 1) {
+        const double size2 = row_s[0] * row_s[0] + row_t[0] * row_t[0];
+        if (!(size2 > 0)) return false;
+        weight[0] = -(g_s * row_s[0] + g_t * row_t[0]) / size2;
+      }
+      share(of_a, weight, 0);
+      share(of_b, weight, of_a.count - 1);
+      if (rows < 2) {
+        Bend bend, all;
+        for (std::size_t k = 0; k < of_a.count; ++k) {
+          if (!bend_of(a_, of_a.piece[k], d, s, t, bend)) return false;
+          all.add(std::clamp(of_a.weight[k], 0.0, 1.0), bend);
+        }
+        for (std::size_t k = 0; k < of_b.count; ++k) {
+          if (!bend_of(b_, of_b.piece[k], d, s, t, bend)) return false;
+          all.add(std::clamp(of_b.weight[k], 0.0, 1.0), bend);
+        }
+        all.ss += std::max(gap, 0.0);
+        all.tt += std::max(gap, 0.0);
+        if (rows == 1) {
+          const double size2 = row_s[0] * row_s[0] + row_t[0] * row_t[0], size = std::sqrt(size2);
+          const double n_s = -row_t[0] / size, n_t = row_s[0] / size;
+          y_s = -off[0] * row_s[0] / size2;
+          y_t = -off[0] * row_t[0] / size2;
+          const double bent = n_s * n_s * all.ss + 2 * n_s * n_t * all.st + n_t * n_t * all.tt;
+          const double rest =
+              g_s * n_s + g_t * n_t + n_s * (all.ss * y_s + all.st * y_t) + n_t * (all.st * y_s + all.tt * y_t);
+          if (bent > 0) {
+            y_s -= rest / bent * n_s;
+            y_t -= rest / bent * n_t;
+          } else if (rest != 0) {
+            return false;
+          }
+        } else {
+          const double det = all.ss * all.tt - all.st * all.st;
+          if (!(det > 0)) return false;
+          y_s = (-g_s * all.tt + g_t * all.st) / det;
+          y_t = (-g_t * all.ss + g_s * all.st) / det;
+        }
+      }
+      const double step = std::sqrt(y_s * y_s + y_t * y_t), by = step > most_turned ? most_turned / step : 1;
+      if (!(step < HUGE_VAL)) return false;
+      d = sum(sum(d, by * y_s, s), by * y_t, t);
+      if (step > 0x1p-50 && (step > near_enough || step < last)) {
+        last = step;
+        continue;  // where it is near: once more, because what is left is its square
+      }
+      last = 1;
+      if (drop_least(of_a) || drop_least(of_b) || admit_beyond(a_, of_a, d, of_b.count) ||
+          admit_beyond(b_, of_b, {-d.x, -d.y, -d.z}, of_a.count)) {
+        continue;
+      }
+      return concludes(of_a, of_b, d);
+    }
+    return false;
+  }
+  // A piece whose weight is negative does not belong there.
+  static bool drop_least(Pieces& pieces) {
+    const std::size_t k = pieces.least();
+    if (!(pieces.weight[k] < -0x1p-30)) return false;
+    pieces.drop(k);
+    return true;
+  }
+  // A piece that reaches further than these does.
+  bool admit_beyond(const Side& side, Pieces& pieces, const V& d, std::size_t others) {
+    const Far far = far_along(side, d);
+    if (pieces.has(far.piece) || !(dot(d, far.at - pieces.at[0]) > 0x1p-44 * size_)) return false;
+    if (pieces.count + others == 4) return false;
+    admit(pieces, far.piece, 0);
+    return true;
+  }
+  static void admit(Pieces& pieces, std::uint32_t piece, double weight) {
+    std::size_t k = 0;
+    while (k < pieces.count && pieces.piece[k] != piece) ++k;
+    if (k == pieces.count) {
+      pieces.piece[pieces.count++] = piece;
+      pieces.weight[k] = 0;
+    }
+    pieces.weight[k] += weight;
+  }
+  static void share(Pieces& pieces, const std::array<double, 2>& weight, std::size_t from) {
+    pieces.weight[0] = 1;
+    for (std::size_t k = 1; k < pieces.count; ++k) {
+      pieces.weight[k] = weight[from + k - 1];
+      pieces.weight[0] -= pieces.weight[k];
+    }
+  }
+  bool concludes(const Pieces& of_a, const Pieces& of_b, const V& d) {
+    const auto made = [&](const Side& side, const Pieces& of) {
+      Nearest p{};
+      for (std::size_t k = 0; k < of.count; ++k) add(side, p, {of.at[k], of.piece[k]}, std::max(of.weight[k], 0.0));
+      return p;
+    };
+    const Nearest p = made(a_, of_a), q = made(b_, of_b);
+    const double gap = dot(q.at - p.at, d), reach = a_.radius() + b_.radius();
+    if (gap > reach) return parts(d);
+    is_thorough_ = reach - gap > 0x1p-44 * size_;
+    const bool held = holds(p, q);
+    is_thorough_ = false;
+    return held;
+  }
+
   // p of the core of `own`, a ball or a capsule, and q of the other's are nearest to each other.
   bool settles(const Side& own, const Nearest& p, const Side& other, const Nearest& q) {
     V way = q.at - p.at;
@@ -295,13 +746,17 @@ class Quick {
     return true;
   }
 
-  static constexpr int most_steps = 20;
+  static constexpr int most_steps = 20, most_searched = 30, most_refined = 16;
+  static constexpr double near_enough = 0x1p-20, most_turned = 0.5;
+  static constexpr Affine3 in_place{};
 
   const Side& a_;
   const Side& b_;
   RoundAnswer& answer_;
   Point3& way_;
   double size_;
+  StageTally tally_;
+  bool is_thorough_ = false;  // more than doubles tell is asked for
 };
 
 }  // namespace

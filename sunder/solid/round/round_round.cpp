@@ -282,6 +282,18 @@ void search(const PlacedRound& a, const PlacedRound& b, const Point3& way, Round
   conclude(answer, tally.exact, !held);
 }
 
+// Where neither is an ellipsoid: what is decided quickly has no need of a copy of its pose.
+RoundAnswer of_poses_as_given(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b) {
+  require_rigid(a, pose_a);
+  require_rigid(b, pose_b);
+  RoundAnswer answer;
+  Point3 way{};
+  if (!decide_quickly(a, pose_a, b, pose_b, answer, way)) {
+    search(PlacedRound(a, pose_a), PlacedRound(b, pose_b), way, answer);
+  }
+  return answer;
+}
+
 }  // namespace
 
 CommonPoint point_between(const PointOf& p, double radius_p, const PointOf& q, double radius_q) {
@@ -303,18 +315,10 @@ std::string_view name_of(RoundVerdict verdict) {
 }
 
 RoundAnswer round_round(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b) {
-  RoundAnswer answer;
-  if (a.is_polyhedron() && b.is_polyhedron()) {
-    of_polyhedra(PlacedRound(a, pose_a), PlacedRound(b, pose_b), answer);
-    return answer;
-  }
-  std::optional<Pose> room_a, room_b;
-  Point3 way{};
-  const Pose &at_a = pose_in_place(a, pose_a, room_a), &at_b = pose_in_place(b, pose_b, room_b);
-  if (!decide_quickly(a, at_a, b, at_b, answer, way)) {
-    search(PlacedRound(a, pose_a), PlacedRound(b, pose_b), way, answer);
-  }
-  return answer;
+  const bool polyhedra = a.is_polyhedron() && b.is_polyhedron();
+  const bool ellipsoids = a.kind() == RoundKind::ellipsoid || b.kind() == RoundKind::ellipsoid;
+  return polyhedra || ellipsoids ? round_round(PlacedRound(a, pose_a), PlacedRound(b, pose_b))
+                                 : of_poses_as_given(a, pose_a, b, pose_b);
 }
 
 RoundAnswer round_round(const PlacedRound& a, const PlacedRound& b) {

@@ -1,0 +1,124 @@
+// That the closed forms and the short search decide: the general search would hide it if they did not.
+#include <sunder/solid/round/round_closer.h>
+#include <sunder/solid/round/round_quick.h>
+
+#include <sunder/base/random.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
+#include <tests/support/round_pairs.h>
+#include <tests/support/shapes.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace sunder::solid {
+namespace {
+
+constexpr std::array names{"ball", "capsule", "box", "rounded box", "cylinder", "cone", "ellipsoid"};
+
+RoundBody some(std::size_t kind, Random& random) {
+  const auto size = [&] { return random.log_uniform(0.3, 1); };
+  const double x = size(), y = size(), z = size();
+  std::vector<Point3> corners = tests::cube_corners(-1, 1);
+  for (Point3& c : corners) c = {c.x * x + 0.25, c.y * y, c.z * z};
+  switch (kind) {
+    case 0: return RoundBody::ball({0.25, 0, 0}, x);
+    case 1: return RoundBody::capsule({0.25, 0, -y}, {0, 0.25, y}, x);
+    case 2: return RoundBody::rounded(ConvexPolyhedron(corners), 0);
+    case 3: return RoundBody::rounded(ConvexPolyhedron(corners), 0.25);
+    case 4: return RoundBody::cylinder({0.25, 0, -y}, {0, 0.25, y}, x);
+    case 5: return RoundBody::cone({0.25, 0, -y}, {0, 0.25, y}, x);
+    default: return RoundBody::ellipsoid({0.25, 0, 0}, {x, y, z});
+  }
+}
+Pose some_pose(double far, Random& random) {
+  std::array<double, 7> n{};
+  for (double& x : n) x = random.uniform(-1, 1);
+  return Pose::from_quaternion(n[0], n[1], n[2], n[3], {far * n[4], far * n[5], far * n[6]});
+}
+
+struct Tally {
+  int quick = 0, wrong = 0, meet = 0, all = 0;
+};
+void see(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b, bool meet, Tally& tally) {
+  RoundAnswer answer;
+  Point3 way{};
+  const PlacedRound of_a(a, pose_a), of_b(b, pose_b);
+  ++tally.all;
+  tally.meet += meet ? 1 : 0;
+  if (!decide_quickly(a, of_a.pose, b, of_b.pose, answer, way)) return;
+  ++tally.quick;
+  if (answer.meet() != meet || answer.undecided()) ++tally.wrong;
+}
+
+TEST(RoundQuick, EachPairOfKindsIsDecided) {
+  Random random(20261205);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    for (std::size_t j = 0; j < names.size(); ++j) {
+      if ((i == 2 || i == 3) && (j == 2 || j == 3)) continue;
+      Tally far, near;
+      for (int k = 0; k < 60; ++k) {
+        const RoundBody a = some(i, random), b = some(j, random);
+        const Pose pose_a = some_pose(0.9, random), pose_b = some_pose(0.9, random);
+        see(a, pose_a, b, pose_b, round_round(a, pose_a, b, pose_b).meet(), far);
+        // Moved to where they no longer meet, and by 1e-9 to either side.
+        const Point3 u = tests::on_sphere(random), out{8 * u.x, 8 * u.y, 8 * u.z};
+        const Pose middle = some_pose(0.1, random);
+        if (!round_round(a, middle, b, middle).meet()) continue;
+        const double t = tests::last_meeting(a, middle, b, middle, out);
+        for (const double by : {-1e-9, 1e-9}) see(a, middle, b, tests::moved(middle, out, t + by / 8), by < 0, near);
+      }
+      SCOPED_TRACE(std::string(names[i]) + ", " + names[j]);
+      EXPECT_EQ(far.wrong + near.wrong, 0);
+      EXPECT_GE(far.quick, 0.95 * far.all);
+      EXPECT_GT(far.meet, 6);
+      EXPECT_GE(near.quick, 0.9 * near.all);
+      EXPECT_GT(near.all, 60);
+    }
+  }
+}
+
+TEST(RoundCloser, ToTheLastBit) {
+  const RoundBody a = RoundBody::ball({0, 0, 0}, 1), b = RoundBody::ball({3, 4, 0}, 2);
+  const auto closer = [](const RoundBody& p, const RoundBody& q, double least) {
+    return round_closer(p, Pose(), q, Pose(), least).is_closer;
+  };
+  EXPECT_FALSE(closer(a, b, std::nextafter(2, 0)));
+  EXPECT_FALSE(closer(a, b, 2));
+  EXPECT_TRUE(closer(a, b, std::nextafter(2, 3)));
+  EXPECT_TRUE(closer(a, RoundBody::ball({1, 0, 0}, 1), 1e-300));
+  EXPECT_TRUE(closer(a, RoundBody::ball({3, 0, 0}, 2), 1e-300));  // touching
+}
+
+TEST(RoundCloser, AgreesWithTheExactDistance) {
+  Random random(20261206);
+  int yes = 0, quick = 0;
+  for (int k = 0; k < 300; ++k) {
+    std::vector<Point3> p, q;
+    for (int i = 0; i < 40; ++i) {
+      p.push_back(tests::on_sphere(random));
+      q.push_back(tests::on_sphere(random));
+    }
+    const ConvexPolyhedron core_a(p), core_b(q);
+    const Pose pose_a = some_pose(1, random), pose_b = some_pose(2, random);
+    const double of_a = k % 3 == 0 ? 0.25 : 0, of_b = k % 2 == 0 ? 0.125 : 0;
+    const PolyhedronDistance distance = polyhedron_polyhedron_distance(core_a, pose_a, core_b, pose_b);
+    const double about = distance.distance().low - of_a - of_b;
+    const double least = about > 0 && k % 4 != 0 ? about * random.uniform(0.9, 1.1) : 0.5;
+    const bool is_closer = compare_distance(distance, least + of_a + of_b) == Sign::negative;
+    const RoundCloser found =
+        round_closer(RoundBody::rounded(core_a, of_a), pose_a, RoundBody::rounded(core_b, of_b), pose_b, least);
+    EXPECT_EQ(found.is_closer, is_closer) << k;
+    yes += is_closer ? 1 : 0;
+    quick += found.answer.undecided() ? 0 : 1;
+  }
+  EXPECT_GT(yes, 60);
+  EXPECT_LT(yes, 240);
+  EXPECT_GT(quick, 200);
+}
+
+}  // namespace
+}  // namespace sunder::solid
