@@ -2,6 +2,7 @@
 #include <tests/support/program.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -86,8 +87,9 @@ TEST_F(Placements, AreTheSameOnAnyNumberOfThreads) {
     const Run done =
         run(call + " --json-lines " + in_folder("l.jsonl") + " --csv " + in_folder("l.csv") + " --threads " + threads);
     EXPECT_EQ(done.code, 1);
+    (void)run(call + " --meeting-certificate " + in_folder("p.json") + " --threads " + threads);
     outputs.push_back(read_text(in_folder("l.jsonl")) + read_text(in_folder("l.csv")) + done.out +
-                      run(call + " --threads " + threads).out);
+                      read_text(in_folder("p.json")) + run(call + " --threads " + threads).out);
   }
   for (const std::string& output : outputs) EXPECT_EQ(output, outputs.front());
 }
@@ -121,6 +123,41 @@ TEST_F(Placements, ProveWhatTheySay) {
   EXPECT_TRUE(python_accepts(proofs));
 }
 
+// What meets, and nothing else, for both checkers.
+TEST_F(Placements, ProveWhatMeets) {
+  const std::string proofs = in_folder("proofs.json"), lines = in_folder("l.jsonl");
+  const std::string call = arm + "--placements " + table(150) + " --meeting-certificate " + proofs;
+  const Run done = run(call + " --json-lines " + lines);
+  EXPECT_EQ(done.code, 1);
+  std::size_t pairs = 0;
+  for (const std::string& line : lines_of(read_text(lines))) pairs += json::parse(line).value("pairs", json()).size();
+  ASSERT_GT(pairs, 10u);
+  EXPECT_NE(done.out.find("  proofs of " + std::to_string(pairs) + " pairs  " + proofs), std::string::npos) << done.out;
+  const json file = json::parse(read_text(proofs));
+  EXPECT_EQ(file["statements"].size(), pairs);
+  for (const json& statement : file["statements"]) EXPECT_EQ(statement["verdict"], "meet");
+  EXPECT_EQ(file["left_out"], json::array({"all pairs of bodies that no statement is about"}));
+  EXPECT_NE(read_text(proofs).find("t.csv"), std::string::npos);  // among the inputs
+  EXPECT_EQ(run("verify " + proofs).code, 0);
+  EXPECT_TRUE(python_accepts(proofs));
+
+  EXPECT_EQ(run(call + " --classify").code, 1);
+  for (const json& statement : json::parse(read_text(proofs))["statements"]) {
+    EXPECT_TRUE(statement["verdict"] == "touching" || statement["verdict"] == "overlapping");
+  }
+  EXPECT_EQ(run("verify " + proofs).code, 0);
+}
+
+TEST_F(Placements, ProveNothingWhereNothingMeets) {
+  write_text(in_folder("clear.csv"), "panda_joint4,panda_joint6\n-1.5,1.5\n-1.6,1.5\n");
+  const Run none =
+      run(arm + "--placements " + in_folder("clear.csv") + " --meeting-certificate " + in_folder("p.json"));
+  EXPECT_EQ(none.code, 0);
+  EXPECT_EQ(none.out,
+            "2 placements, of which 0 have bodies that meet\n  no proofs are written, as nothing is known to meet\n");
+  EXPECT_FALSE(std::filesystem::exists(in_folder("p.json")));
+}
+
 TEST_F(Placements, AreReadFromNpy) {
   std::string header = "{'descr': '<f4', 'fortran_order': False, 'shape': (2, 2), }";
   header.resize(117, ' ');
@@ -143,6 +180,8 @@ TEST_F(Placements, SayWhatIsWrong) {
   expect_bad(arm + "--first", "--placements");
   expect_bad(call + " --json --csv " + in_folder("l.csv"), "--json");
   expect_bad(call + " --csv " + given, "is the same file as");
+  EXPECT_EQ(run(call + " --csv " + in_folder("l") + " --meeting-certificate " + in_folder("l")).code, 2);
+  EXPECT_EQ(run(arm + " --meeting-certificate " + in_folder("l")).code, 2);
   EXPECT_EQ(run(call + " --csv " + in_folder("l") + " --json-lines " + in_folder("l")).code, 2);
   expect_bad(arm + "--json --placements " + table(10001), "10001 placements are too many");
   write_text(in_folder("t.csv"), "panda_joint1,elbow\n0,0\n");

@@ -169,6 +169,11 @@ TEST_F(Program, SceneOfBodiesWithARadius) {
   EXPECT_EQ(run(crane + " --allow adjacent --placements '" + table + "' --json-lines '" + lines + "'").code, 1);
   EXPECT_NE(read_text(lines).find("{\"placement\": 0, \"answer\": \"none\"}"), std::string::npos);
   EXPECT_NE(read_text(lines).find("\"evidence\": {\"point\": ["), std::string::npos) << read_text(lines);
+  const std::string proofs = in_folder("proofs.json");
+  EXPECT_EQ(run(crane + " --allow adjacent --placements '" + table + "' --meeting-certificate '" + proofs + "'").code,
+            1);
+  EXPECT_EQ(run("verify '" + proofs + "'").code, 0);
+  EXPECT_TRUE(python_accepts(proofs));
 }
 
 // Two cylinders whose rims nearly touch: no verdict is said that is not known.

@@ -5,6 +5,7 @@
 #include <sunder/solid/round/round_claims.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -72,6 +73,40 @@ void add_round_claims(PairClaims& pairs, std::uint32_t of_a, const Part& a, std:
   add_claims(pairs, of_a, in_a, of_b, in_b, *pair.round, contact);
 }
 
+// What the statement of the pair leaves open, if anything.
+std::string open_text(std::span<const Body> bodies, const PartPair& pair) {
+  return part_name(bodies[pair.body_a], pair.part_a) + " and " + part_name(bodies[pair.body_b], pair.part_b) +
+         (pair.undecided() ? ", undecided whether they meet" : ", undecided whether they touch or overlap");
+}
+
+// Of each part its shape.
+Numbers add_shapes(PairClaims& pairs, std::span<const Body> bodies) {
+  return numbers_of(bodies, [&](std::uint32_t b, std::uint32_t p) {
+    const solid::RoundBody& shape = bodies[b].parts[p].shape;
+    const std::string name = part_name(bodies[b], p);
+    return shape.is_polyhedron() ? pairs.add_body(name, shape.points())
+                                 : pairs.add_round_body(name, shape.points(), shape.kind(), shape.radius());
+  });
+}
+
+std::uint32_t add_placed(PairClaims& pairs, const std::string& prefix, std::uint32_t shape, const Body& body,
+                         std::uint32_t part) {
+  const solid::PlacedRound at(body.parts[part].shape, body.parts[part].pose);
+  return pairs.add_placed(prefix + part_name(body, part), shape, at.pose.affine());
+}
+
+// Requires a pair that is not undecided.
+void add_pair_claims(PairClaims& pairs, std::span<const Body> placed, const PartPair& pair, std::uint32_t of_a,
+                     std::uint32_t of_b) {
+  const Part &a = placed[pair.body_a].parts[pair.part_a], &b = placed[pair.body_b].parts[pair.part_b];
+  if (pair.round) {
+    add_round_claims(pairs, of_a, a, of_b, b, pair);
+    return;
+  }
+  solid::add_claims(pairs, {of_a, of_b, a.shape.core(), a.pose, b.shape.core(), b.pose}, pair.answer.certificate(),
+                    pair.meet() ? pair.contact : Contact::none);
+}
+
 }  // namespace
 
 void write_certificate(std::span<const Placement> placements, const Question& question, Origin origin,
@@ -86,47 +121,71 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
   for (const Placement& placed : placements) {
     for (const PartPair& pair : placed.answer.pairs) {
       if (!is_open(pair, question)) continue;
-      origin.left_out.push_back(
-          prefix_of(placed) + part_name(bodies[pair.body_a], pair.part_a) + " and " +
-          part_name(bodies[pair.body_b], pair.part_b) +
-          (pair.undecided() ? ", undecided whether they meet" : ", undecided whether they touch or overlap"));
+      origin.left_out.push_back(prefix_of(placed) + open_text(bodies, pair));
     }
   }
   ClaimsWriter file(sink);
   file.add_origin(origin);
   PairClaims pairs(file);
-  const Numbers shapes = numbers_of(bodies, [&](std::uint32_t b, std::uint32_t p) {
-    const solid::RoundBody& shape = bodies[b].parts[p].shape;
-    const std::string name = part_name(bodies[b], p);
-    return shape.is_polyhedron() ? pairs.add_body(name, shape.points())
-                                 : pairs.add_round_body(name, shape.points(), shape.kind(), shape.radius());
-  });
+  const Numbers shapes = add_shapes(pairs, bodies);
   std::vector<Numbers> numbers;  // by placement
   for (const Placement& placed : placements) {
     const std::string prefix = prefix_of(placed);
     numbers.push_back(numbers_of(placed.bodies, [&](std::uint32_t b, std::uint32_t p) {
-      const Body& body = placed.bodies[b];
-      const solid::PlacedRound at(body.parts[p].shape, body.parts[p].pose);
-      return pairs.add_placed(prefix + part_name(body, p), shapes[b][p], at.pose.affine());
+      return add_placed(pairs, prefix, shapes[b][p], placed.bodies[b], p);
     }));
   }
   for (std::size_t k = 0; k < placements.size(); ++k) {
     const std::span<const Body> placed = placements[k].bodies;
     const Answer& answer = placements[k].answer;
     for (const PartPair& pair : answer.pairs) {
-      const Part &a = placed[pair.body_a].parts[pair.part_a], &b = placed[pair.body_b].parts[pair.part_b];
-      const std::uint32_t of_a = numbers[k][pair.body_a][pair.part_a], of_b = numbers[k][pair.body_b][pair.part_b];
       if (pair.undecided()) continue;
-      if (pair.round) {
-        add_round_claims(pairs, of_a, a, of_b, b, pair);
-        continue;
-      }
-      solid::add_claims(pairs, {of_a, of_b, a.shape.core(), a.pose, b.shape.core(), b.pose}, pair.answer.certificate(),
-                        pair.meet() ? pair.contact : Contact::none);
+      add_pair_claims(pairs, placed, pair, numbers[k][pair.body_a][pair.part_a], numbers[k][pair.body_b][pair.part_b]);
     }
     pairs.add_all_pairs(all_pairs(answer, question, numbers[k]));
     if (placements[k].clearance) add_claims(pairs, placed, numbers[k], clearance, *placements[k].clearance);
     if (placements[k].nearest) add_claims(pairs, placed, numbers[k], question.allowed, *placements[k].nearest);
+  }
+  pairs.end();
+}
+
+void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
+                               const std::function<MeetingPlacement(std::size_t k)>& placement,
+                               const Question& question, Origin origin, const TextSink& sink) {
+  origin.left_out.push_back("all pairs of bodies that no statement is about");
+  for (std::size_t k = 0; k < count; ++k) {
+    const MeetingPlacement placed = placement(k);
+    for (const PartPair& pair : placed.pairs) {
+      if (is_open(pair, question)) origin.left_out.push_back(placed.title + ": " + open_text(placed.bodies, pair));
+    }
+  }
+  ClaimsWriter file(sink);
+  file.add_origin(origin);
+  PairClaims pairs(file);
+  const Numbers shapes = add_shapes(pairs, bodies);
+  std::vector<std::array<std::uint32_t, 2>> numbers;  // of each pair that meets its bodies in the file
+  for (std::size_t k = 0; k < count; ++k) {
+    const MeetingPlacement placed = placement(k);
+    std::map<std::array<std::uint32_t, 2>, std::uint32_t> known;  // by body and part
+    const auto number_of = [&](std::uint32_t body, std::uint32_t part) {
+      const auto [at, is_new] = known.try_emplace({body, part}, 0);
+      if (is_new) at->second = add_placed(pairs, placed.title + ": ", shapes[body][part], placed.bodies[body], part);
+      return at->second;
+    };
+    for (const PartPair& pair : placed.pairs) {
+      if (!pair.meet()) continue;
+      const std::uint32_t of_a = number_of(pair.body_a, pair.part_a);
+      numbers.push_back({of_a, number_of(pair.body_b, pair.part_b)});
+    }
+  }
+  auto next = numbers.begin();
+  for (std::size_t k = 0; k < count; ++k) {
+    const MeetingPlacement placed = placement(k);
+    for (const PartPair& pair : placed.pairs) {
+      if (!pair.meet()) continue;
+      const auto& [of_a, of_b] = *next++;
+      add_pair_claims(pairs, placed.bodies, pair, of_a, of_b);
+    }
   }
   pairs.end();
 }

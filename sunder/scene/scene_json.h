@@ -6,7 +6,10 @@
 #include <sunder/scene/clearance.h>
 #include <sunder/scene/scene.h>
 
+#include <cstddef>
+#include <functional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace sunder::scene {
@@ -25,5 +28,19 @@ struct Placement {
 // what the placements' answers about clearances were asked. Throws what the sink throws.
 void write_certificate(std::span<const Placement> placements, const Question& question, Origin origin,
                        const TextSink& sink, const ClearanceQuestion& clearance = {});
+
+// What meets in one of many placements; the spans hold until the next one is asked for.
+struct MeetingPlacement {
+  std::string title;
+  std::span<const Body> bodies;     // where they are
+  std::span<const PartPair> pairs;  // that meet or are undecided, of an answer to the question
+};
+
+// Of so many placements of the bodies, each of which is asked for three times, the pairs that meet, and nothing of
+// those that are apart; that is told with what the origin leaves out, and so are pairs that are undecided. Requires a
+// pair that meets. Throws what the sink and `placement` throw. Memory: a name and a pose for each part of a pair.
+void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
+                               const std::function<MeetingPlacement(std::size_t k)>& placement,
+                               const Question& question, Origin origin, const TextSink& sink);
 
 }  // namespace sunder::scene

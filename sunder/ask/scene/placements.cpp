@@ -11,6 +11,7 @@
 #include <sunder/scene/chains.h>
 #include <sunder/scene/follower.h>
 #include <sunder/scene/rounded_evidence.h>
+#include <sunder/scene/scene_json.h>
 
 #include <fmt/format.h>
 
@@ -193,6 +194,12 @@ std::string header_line(const SceneInput& input, const scene::Question& question
   return to_line(json) + "\n";
 }
 
+// What meets, or is undecided, in a placement.
+struct Met {
+  std::size_t row;
+  std::vector<PartPair> pairs;
+};
+
 // A chain of placements, and what it came to.
 struct Chain {
   explicit Chain(const scene::Follower& start, std::size_t links) : follower(start), poses(links) {}
@@ -201,20 +208,22 @@ struct Chain {
   std::vector<solid::Pose> poses;  // of links
   std::size_t begin = 0, end = 0;  // rows
   std::string text, json, csv;
+  std::vector<Met> met;
   std::uint64_t some = 0, undecided = 0, meeting = 0;  // as in PlacementsAnswer
 };
 
 class Placements {
  public:
   Placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
-             const io::JointTable& table)
+             const io::JointTable& table, const InputFiles& inputs)
       : call_(call),
+        inputs_(inputs),
         input_(input),
         table_(table),
         motion_(input.robot(option), table.joints),
         start_(input.bodies({}), question),
         lines_(input, question, start_.bodies()),
-        prints_text_(call.json_lines.empty() && call.csv.empty()),
+        prints_text_(call.json_lines.empty() && call.csv.empty() && call.meeting_certificate.empty()),
         threads_(scene::thread_count(call.threads)),
         question_(question) {
     note_limits(table, motion_);
@@ -225,13 +234,16 @@ class Placements {
     open(call_.csv, csv_);
     if (json_) json_->write(header_line(input_, question_, start_.bodies(), table_));
     if (csv_) csv_->write("placement,answer,meeting,pairs\n");
+    practise();
     Progress progress("placements");
     const auto report = progress.reporter();
     scene::run_chains(
         threads_, {[&](std::size_t place) { return begin(place); }, [&](std::size_t place) { run(*chains_[place]); },
                    [&](std::size_t place) { return end(*chains_[place], report); }});
+    if (!call_.meeting_certificate.empty()) write_certificate();
     if (json_) json_->commit();
     if (csv_) csv_->commit();
+    if (certificate_) certificate_->commit();
     return {asked_, some_, undecided_, meeting_, summary()};
   }
 
@@ -245,7 +257,10 @@ class Placements {
     if (asked_ < table_.rows()) {
       text += fmt::format("; not asked about, after the first that meets: {}", table_.rows() - asked_);
     }
-    return text + left_out.clause() + "\n" + file_line("JSON lines", call_.json_lines) + file_line("table", call_.csv);
+    text += left_out.clause() + "\n" + file_line("JSON lines", call_.json_lines) + file_line("table", call_.csv);
+    if (call_.meeting_certificate.empty()) return text;
+    if (!certificate_) return text + "  no proofs are written, as nothing is known to meet\n";
+    return text + file_line(fmt::format("proofs of {}", count_of(meeting_, "pair")), call_.meeting_certificate);
   }
 
   static void open(const std::string& name, std::optional<io::OutputFile>& file) {
@@ -265,7 +280,8 @@ class Placements {
   void run(Chain& chain) const {
     for (std::string* out : {&chain.text, &chain.json, &chain.csv}) out->clear();
     chain.some = chain.undecided = chain.meeting = 0;
-    chain.follower.forget();
+    chain.met.clear();
+    chain.follower = start_;
     for (std::size_t k = chain.begin; k < chain.end; ++k) {
       try {
         motion_.place(table_.row(k), chain.poses);
@@ -279,6 +295,7 @@ class Placements {
       if (json_) lines_.add_json(k, answer, chain.follower.bodies(), chain.json);
       if (csv_) lines_.add_csv(k, answer, chain.csv);
       chain.meeting += answer.counts.meeting;
+      if (!call_.meeting_certificate.empty() && !answer.pairs.empty()) chain.met.push_back({k, answer.pairs});
       if (!answer.some_meet() && !answer.none_meet()) ++chain.undecided;
       if (!answer.some_meet()) continue;
       ++chain.some;
@@ -288,10 +305,46 @@ class Placements {
     }
   }
 
-  bool end(const Chain& chain, const std::function<void(double)>& report) {
+  // What all chains begin from: what the first one leaves of evidence, where there are several. A fixed beginning, so
+  // that nothing depends on threads; and evidence of other placements mostly serves.
+  void practise() {
+    if (table_.rows() < 4 * scene::chain_length) return;
+    std::vector<solid::Pose> links(input_.robot(option).links.size());
+    try {
+      for (std::size_t k = 0; k < scene::chain_length; ++k) {
+        motion_.place(table_.row(k), links);
+        input_.place_links(links, [&](std::uint32_t part, const solid::Pose& pose) { start_.place(part, pose); });
+        (void)start_.ask();
+      }
+    } catch (const Error&) {  // which is told in its turn
+    }
+  }
+
+  // Of what was found to meet; links are placed again, to the same numbers.
+  void write_certificate() {
+    if (meeting_ == 0) return;
+    certificate_.emplace(call_.meeting_certificate);
+    std::vector<scene::Body> bodies(start_.bodies().begin(), start_.bodies().end());
+    std::vector<scene::Part*> parts;
+    for (scene::Body& body : bodies) {
+      for (scene::Part& part : body.parts) parts.push_back(&part);
+    }
+    std::vector<solid::Pose> links(input_.robot(option).links.size());
+    const auto placement = [&](std::size_t k) {
+      motion_.place(table_.row(met_[k].row), links);
+      input_.place_links(links, [&](std::uint32_t part, const solid::Pose& pose) { parts[part]->pose = pose; });
+      return scene::MeetingPlacement{std::to_string(met_[k].row), bodies, met_[k].pairs};
+    };
+    scene::write_meeting_certificate(start_.bodies(), met_.size(), placement, question_,
+                                     {inputs_, input_.left_out().texts()},
+                                     [&](std::string_view text) { certificate_->write(text); });
+  }
+
+  bool end(Chain& chain, const std::function<void(double)>& report) {
     if (prints_text_) print_for_people(chain.text);
     if (json_) json_->write(chain.json);
     if (csv_) csv_->write(chain.csv);
+    std::move(chain.met.begin(), chain.met.end(), std::back_inserter(met_));
     some_ += chain.some;
     undecided_ += chain.undecided;
     meeting_ += chain.meeting;
@@ -301,16 +354,18 @@ class Placements {
   }
 
   const PlacementsCall& call_;
+  const InputFiles& inputs_;
   const SceneInput& input_;
   const io::JointTable& table_;
   const io::RobotMotion motion_;
-  const scene::Follower start_;
+  scene::Follower start_;
   const Lines lines_;
   const bool prints_text_;
   const std::size_t threads_;
   const scene::Question& question_;
-  std::optional<io::OutputFile> json_, csv_;
+  std::optional<io::OutputFile> json_, csv_, certificate_;
   std::vector<std::unique_ptr<Chain>> chains_;
+  std::vector<Met> met_;  // where there is to be a certificate
   std::size_t next_ = 0, asked_ = 0;
   std::uint64_t some_ = 0, undecided_ = 0, meeting_ = 0;
 };
@@ -367,9 +422,9 @@ std::vector<io::JointValues> extremes_of(const io::JointTable& table) {
   return {least, greatest};
 }
 
-PlacementsAnswer answer_placements(const PlacementsCall& call, const SceneInput& input,
-                                   const scene::Question& question, const io::JointTable& table) {
-  return Placements(call, input, question, table).run();
+PlacementsAnswer answer_placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
+                                   const io::JointTable& table, const InputFiles& inputs) {
+  return Placements(call, input, question, table, inputs).run();
 }
 
 }  // namespace sunder::ask

@@ -15,11 +15,12 @@
 namespace sunder::ask {
 
 struct PlacementsCall {
-  std::string table;            // the file of joint values
-  std::string joint_names;      // "a,b,c", of an NPY file; empty: those that can be moved, in the robot's order
-  std::string json_lines, csv;  // files to be written; empty: none
-  bool first = false;           // stop at the first placement that meets
-  std::uint64_t threads = 0;    // 0: all cores
+  std::string table;                // the file of joint values
+  std::string joint_names;          // "a,b,c", of an NPY file; empty: those that can be moved, in the robot's order
+  std::string json_lines, csv;      // files to be written; empty: none
+  std::string meeting_certificate;  // likewise: the proofs of what meets
+  bool first = false;               // stop at the first placement that meets
+  std::uint64_t threads = 0;        // 0: all cores
 };
 
 // How many were asked about, and of these: where something meets, where that is undecided; pairs that meet, in all.
@@ -40,8 +41,9 @@ std::vector<io::JointValues> joint_values_of(const io::JointTable& table);
 std::vector<io::JointValues> extremes_of(const io::JointTable& table);
 
 // Asks the question of each placement, in chains (scene/chains.h), and writes what comes out: lines of text on standard
-// output, or the files that are asked for. Throws Error; then no file is written.
+// output, or the files that are asked for. inputs: what a certificate was made of. Throws Error; then no file is
+// written.
 PlacementsAnswer answer_placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
-                      const io::JointTable& table);
+                                   const io::JointTable& table, const InputFiles& inputs = {});
 
 }  // namespace sunder::ask

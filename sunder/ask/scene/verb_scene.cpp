@@ -87,6 +87,9 @@ void require_apart(const Call& call, const SceneInput& input) {
   if (!call.svg.empty()) outputs.push_back({"--svg", call.svg});
   if (!call.placements.json_lines.empty()) outputs.push_back({"--json-lines", call.placements.json_lines});
   if (!call.placements.csv.empty()) outputs.push_back({"--csv", call.placements.csv});
+  if (!call.placements.meeting_certificate.empty()) {
+    outputs.push_back({"--meeting-certificate", call.placements.meeting_certificate});
+  }
   ask::require_apart(meshes, outputs);
 }
 
@@ -131,7 +134,7 @@ void draw(const Call& call, const SceneReport& report) {
 int run(const Call& call) {
   const PairMethod method = pair_method(call.method);
   InputFiles files;
-  InputFiles* const inputs = call.proves() ? &files : nullptr;
+  InputFiles* const inputs = call.proves() || !call.placements.meeting_certificate.empty() ? &files : nullptr;
   const io::Srdf srdf = call.srdf.empty() ? io::Srdf{} : io::read_srdf(call.srdf, inputs);
   SceneInput input(call.files, call.poses, call.require_convex, call.leave_out, inputs, packages_of(call),
                    call.groups ? io::PartsOf::objects_and_groups : io::PartsOf::objects);
@@ -175,7 +178,7 @@ int run(const Call& call) {
     }
     input.note_limits(extremes_of(table));
     note_hulls(input.meshes());
-    const PlacementsAnswer answer = answer_placements(call.placements, input, question, table);
+    const PlacementsAnswer answer = answer_placements(call.placements, input, question, table, files);
     print_for_people(answer.summary);
     return answer.code();
   }
@@ -249,6 +252,12 @@ Verb scene_verb() {
        {.name = "--csv",
         .value = &call->placements.csv,
         .help = "write a line a placement here, as a table",
+        .type = "FILE",
+        .needs = "--placements",
+        .excludes = {"--json", "--certificate", "--svg"}},
+       {.name = "--meeting-certificate",
+        .value = &call->placements.meeting_certificate,
+        .help = "write the proofs of what meets here, and of nothing else",
         .type = "FILE",
         .needs = "--placements",
         .excludes = {"--json", "--certificate", "--svg"}},
