@@ -119,6 +119,41 @@ TEST_F(Program, SceneOfAGroup) {
             json::parse(R"([["p", "q"]])"));
 }
 
+// A robot without any collision shape: an answer for who says that he knows, and none otherwise.
+TEST_F(Program, SceneOfNoShape) {
+  const std::string ghost = "scene '" + cases + "/scene/ghost.urdf'";
+  expect_bad(ghost, "not read: 1 visual shape of head");
+  const Run r = run(ghost + " --leave-out");
+  EXPECT_EQ(r.code, 0);
+  EXPECT_NE(r.out.find("nothing can meet: no link has a collision shape; left out: 1 visual shape of head"),
+            std::string::npos);
+  EXPECT_NE(r.err.find("has a collision shape, so nothing can meet"), std::string::npos);
+  const json j = report(ghost + " --leave-out --allow adjacent", 0);
+  EXPECT_EQ(j["answer"], "none");
+  EXPECT_EQ(j["bodies"], json::array());
+  EXPECT_EQ(j["notes"].size(), 1u);
+  EXPECT_EQ(j["left_out"][0]["of"], json{"head"});
+  const Run unproved = run(ghost + " --leave-out --certificate '" + in_folder("p.json") + "'");
+  EXPECT_EQ(unproved.code, 2);
+  EXPECT_NE(unproved.err.find("there is nothing to prove"), std::string::npos);
+  write_text(in_folder("t.csv"), "neck\n0\n1\n");
+  EXPECT_EQ(run(ghost + " --leave-out --placements '" + in_folder("t.csv") + "'").code, 0);
+  EXPECT_EQ(report("scene '" + cube + "' " + ghost.substr(6) + " --leave-out", 0)["bodies"].size(), 1u);
+  // Shapes that cannot be read are no such robot: their absence is no answer.
+  write_text(in_folder("lost.urdf"),
+             "<robot name='r'><link name='a'><collision><geometry><mesh filename='gone.stl'/>"
+             "</geometry></collision></link></robot>");
+  expect_bad("scene '" + in_folder("lost.urdf") + "' --leave-out",
+             "there is nothing to ask about; left out: 1 mesh of a");
+  write_text(in_folder("plane.urdf"),
+             "<robot name='r'><link name='a'><collision><geometry><plane/>"
+             "</geometry></collision></link></robot>");
+  expect_bad("scene '" + in_folder("plane.urdf") + "' --leave-out", "there is nothing to ask about");
+  write_text(in_folder("bare.urdf"), "<robot name='r'><link name='a'/></robot>");
+  expect_bad("scene '" + in_folder("bare.urdf") + "'", "or say that you know: --leave-out");
+  EXPECT_EQ(run("scene '" + in_folder("bare.urdf") + "' --leave-out").code, 0);
+}
+
 TEST_F(Program, SceneFilesThatAreBroken) {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(cases + "/broken-scenes")) {

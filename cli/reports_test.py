@@ -139,6 +139,7 @@ scene cases/panda/panda.urdf --allow adjacent --joints-file cases/scene/folded.j
 scene cases/scene/nearly.urdf --joints way=1.3853189754928867
 scene cases/scene/nearly.urdf --joints way=1.3853189754928865 --classify
 scene cases/scene/workcell.json --classify --certificate OUT
+scene cases/scene/ghost.urdf --leave-out
 scene cases/mesh/arm.urdf --leave-out --srdf cases/scene/arm.srdf --group upper_arm
 scene cases/scene/in-cm.json
 scene cases/scene/in-mm.json cases/mesh/cube.obj@9,0,0

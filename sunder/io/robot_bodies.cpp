@@ -103,12 +103,17 @@ class Reader {
 
 }  // namespace
 
+bool has_collision_shapes(const Robot& robot) {
+  return std::any_of(robot.links.begin(), robot.links.end(), [](const Link& link) { return !link.shapes.empty(); }) ||
+         std::any_of(robot.left_out.begin(), robot.left_out.end(),
+                     [](const LeftOut& item) { return item.kind != visual_shape; });
+}
+
 RobotBodies read_robot_bodies(const Robot& robot, const fs::path& file, bool require_convex, LeftOutList& left_out,
                               InputFiles* inputs, const Packages& packages) {
   std::vector<LeftOut> shapes, visuals;
   for (const LeftOut& item : robot.left_out) (item.kind == visual_shape ? visuals : shapes).push_back(item);
-  const bool has_collisions = !shapes.empty() || std::any_of(robot.links.begin(), robot.links.end(),
-                                                             [](const Link& link) { return !link.shapes.empty(); });
+  const bool has_collisions = has_collision_shapes(robot);
   left_out.add(file.string(), has_collisions ? shapes : visuals, "give meshes in their stead");
   RobotBodies bodies = Reader(robot, file, require_convex, left_out, inputs, packages).read();
   if (has_collisions) bodies.told = std::move(visuals);

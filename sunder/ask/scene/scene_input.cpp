@@ -105,12 +105,18 @@ void SceneInput::tell(std::span<const io::LeftOut> left_out) {
   }
 }
 
-// A question about nothing has no answer that could be relied on.
+// A question about nothing has no answer that could be relied on; but that a robot has no collision shape is known, and
+// who says that he knows gets one. (Not so where it has some that are not read: a wrong folder of meshes would be
+// none.)
 void SceneInput::require_some_body() const {
   if (!bodies_.empty()) return;
-  fail_call(left_out_.empty()
-                ? "no link has a shape, so there is nothing to ask about; give the links <collision> shapes"
-                : "there is nothing to ask about; left out: " + left_out_.text(),
+  if (robot_ && left_out_.consent() && !io::has_collision_shapes(*robot_)) {
+    note("no link of " + io::one_line(robot_file_) + " has a collision shape, so nothing can meet");
+    return;
+  }
+  fail_call(left_out_.empty() ? "no link has a shape, so there is nothing to ask about; give the links <collision> "
+                                "shapes, or say that you know: --leave-out"
+                              : "there is nothing to ask about; left out: " + left_out_.text(),
             inputs_.back().name);
 }
 

@@ -178,7 +178,10 @@ std::string meeting_text(const SceneReport& report, const Placed& placed) {
   if (listed == 0 && placed.answer.counts.undecided > 0) {
     text += prefix + "no others meet" + left_out.clause() + "\n";
   } else if (listed == 0) {
-    text += prefix + (left_out.empty() ? "none meet" : "none of the bodies read meet") + left_out.clause() + "\n";
+    const char* const none = placed.bodies.empty() ? "nothing can meet: no link has a collision shape"
+                             : left_out.empty()    ? "none meet"
+                                                   : "none of the bodies read meet";
+    text += prefix + none + left_out.clause() + "\n";
   } else if (!left_out.empty()) {
     text += fmt::format("{}this is of the bodies read{}\n", prefix, left_out.clause());
   }
@@ -304,6 +307,7 @@ std::string scene_text(const SceneReport& report) {
 Json scene_json(const SceneReport& report) {
   Json json = envelope("scene", std::string(report.verdict()), report.method);
   json["decided_by"] = decided_by(report);
+  json["objects"] = Json::array();
   for (const io::BodyPart* part : report.input.parts()) json["objects"].push_back(object_json(*part));
 
   if (!report.input.left_out().empty()) json["left_out"] = to_json(report.input.left_out());
