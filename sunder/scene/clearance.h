@@ -5,7 +5,7 @@
 //   enough. C2. Boxes never hide a pair that is too close: they are widened, and that is rounded outwards. C3. Lists
 //   are ordered by body_a, body_b, part_a, part_b, and are the same for every compiler and machine.
 //
-// Parts that are polyhedra only: bodies with a radius have no distance here yet (of two, solid::round_clearance).
+// Parts that are polyhedra only: bodies with a radius have no distance here yet (of two: solid/round/round_distance.h).
 #pragma once
 
 #include <sunder/scene/scene.h>
