@@ -84,7 +84,7 @@ class DistanceSearch {
     const bool is_some = std::isfinite(d.x) && std::isfinite(d.y) && std::isfinite(d.z);
     search_nearest(second, is_some ? Vector3<DoubleDouble>{d.x, d.y, d.z} : Vector3<DoubleDouble>{}, *this,
                    found_.cost);
-    if (auto points = near_points(second, a_, b_)) take(std::move(*points));
+    if (auto points = near_points(nearest_ ? *nearest_ : second, a_, b_)) take(std::move(*points));
   }
 
   template <class Real>
@@ -101,7 +101,14 @@ class DistanceSearch {
     return false;
   }
   template <class Real>
-  bool nears(const RoundSearch<Real>& search) const {
+  bool nears(const RoundSearch<Real>& search) {
+    if constexpr (std::is_same_v<Real, DoubleDouble>) {
+      const DoubleDouble way2 = way2_of(search);
+      if (way2 < least_way2_) {
+        nearest_.emplace(search);
+        least_way2_ = way2;
+      }
+    }
     // Nothing is won any more where the points are hardly further apart than the direction tells.
     const double length = nearest(round_detail::root_of(search.distance2) - reach(search));
     return std::is_same_v<Real, DoubleDouble> && length - best_gap_ < 0x1p-56 * length;
@@ -144,7 +151,9 @@ class DistanceSearch {
   const PlacedRound& b_;
   RoundDistance& found_;
   StageTally& tally_;
+  std::optional<RoundSearch<DoubleDouble>> nearest_;  // where its simplex is nearest
   double best_gap_ = -infinity, scale_ = 1;
+  DoubleDouble least_way2_ = infinity;
   Point3 best_{};
   std::optional<Vector3<Dyadic>> best_exact_;
   std::uint32_t near_a_ = 0, near_b_ = 0;

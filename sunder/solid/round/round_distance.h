@@ -15,8 +15,7 @@
 //   a
 //       root of a polynomial of high degree, and is searched for, in double-doubles. high - low <= 2^-40 of the size of
 //       the pair is what tests demand.
-//   D4. {0, 0} is said only of what meets, and of what meets always, where round_round decides it. Where that is
-//       undecided low is 0, and high is not.
+//   D4. {0, 0} is said only of what meets, and always where round_round says so. Where that is undecided low is 0.
 #pragma once
 
 #include <sunder/base/cost.h>

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace sunder::solid {
 namespace {
@@ -31,6 +32,30 @@ TEST(RoundDistance, OfEachKind) {
     EXPECT_TRUE(round_clearance(under, at, ball, at, std::nextafter(2, 3)).broken()) << name(under);
   }
   EXPECT_TRUE(round_distance(ball, at, RoundBody::cylinder({-1, 0, 5}, {1, 0, 5}, 1), at).meet());
+}
+
+// Along (2, 3, 6), which is no double: exactly so far is kept.
+TEST(RoundClearance, ExactlySoFarAlongFractions) {
+  const RoundBody ball = RoundBody::ball({4, 6, 12}, 2), other = RoundBody::ellipsoid({0, 0, 0}, {3, 3, 3});
+  EXPECT_EQ(round_distance(ball, Pose(), other, Pose()).distance.low, 9);
+  EXPECT_TRUE(round_clearance(ball, Pose(), other, Pose(), 9).kept());
+  EXPECT_TRUE(round_clearance(other, Pose(), ball, Pose(), std::nextafter(9, 10)).broken());
+}
+
+// Beyond the range of doubles, and far below the size of the bodies.
+TEST(RoundDistance, AtTheEndsOfDoubles) {
+  const double largest = std::numeric_limits<double>::max();
+  const RoundBody a = RoundBody::ball({-largest, 0, 0}, 1), b = RoundBody::ball({largest, 0, 0}, 1);
+  const Interval far = round_distance(a, Pose(), b, Pose()).distance;
+  EXPECT_EQ(far.low, largest);
+  EXPECT_TRUE(std::isinf(far.high));
+  EXPECT_TRUE(round_clearance(a, Pose(), b, Pose(), largest).kept());
+  const RoundBody low = RoundBody::cylinder({0, 0, -1}, {0, 0, 0}, 1), high = RoundBody::cone({0, 0, 1}, {0, 0, 0}, 1);
+  EXPECT_TRUE(round_distance(low, Pose(), high, Pose()).meet());
+  const Pose up = Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 5e-324});
+  const Interval least = round_distance(low, Pose(), high, up).distance;
+  EXPECT_EQ(least.low, 5e-324);
+  EXPECT_TRUE(round_clearance(low, Pose(), high, up, 5e-324).kept());
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -66,6 +67,22 @@ PointOf towards(const PointOf& of_core, double radius, const PointOf& to);
 // which may be infinite. Requires that the cores are further apart than the radii together, and nearer than these and
 // `least`.
 NearPoints points_nearer_than(double least, const ClosestPoints& cores, double radius_a, double radius_b);
+
+// How far the points are apart that the simplex makes of cores and of curved bodies, squared: of one that is nearly
+// flat that is more than search.distance2. Infinite where it makes none.
+template <class Real>
+Real way2_of(const RoundSearch<Real>& search) {
+  const std::array<Real, 4> weights = weights_of_nearest(search.simplex);
+  Real total = 0;
+  VectorOf<Real> way{};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(search.simplex.count); ++k) {
+    if (!(weights[k] > Real(0))) continue;
+    total = total + weights[k];
+    way = round_detail::sum<Real>(way, weights[k], search.simplex.vertex[k].at);
+  }
+  const Real length2 = dot(way, way) / (total * total);
+  return length2 >= Real(0) ? length2 : Real(std::numeric_limits<double>::infinity());
+}
 
 // The points of both bodies that the simplex makes. Nothing where it makes none.
 template <class Real>
