@@ -71,7 +71,8 @@ std::string problem_of(const CLI::App& verb, const Given& given) {
 namespace fs = std::filesystem;
 using ask::NamedFile;
 
-constexpr std::array<std::string_view, 5> output_options{"--certificate", "--csv", "--geojson", "--svg", "--out"};
+constexpr std::array<std::string_view, 7> output_options{"--certificate", "--csv", "--geojson",   "--svg",
+                                                         "--gltf",        "--out", "--json-lines"};
 constexpr std::string_view stream = "-";
 
 template <class List>

@@ -119,6 +119,33 @@ TEST_F(Program, SceneOfAGroup) {
             json::parse(R"([["p", "q"]])"));
 }
 
+// For viewers: what was read comes back, by names; what is read is never written over.
+TEST_F(Program, SceneAsGltf) {
+  const std::string model = in_folder("m.glb"), text = in_folder("m.gltf"),
+                    cell = "scene '" + cases + "/scene/workcell.json'";
+  const Run r = run(cell + " --gltf '" + model + "'");
+  EXPECT_EQ(r.code, 1);
+  EXPECT_NE(r.out.find("model: "), std::string::npos);
+  EXPECT_TRUE(read_text(model).starts_with("glTF"));
+  EXPECT_EQ(run(cell + " --json --gltf '" + text + "'").code, 1);
+  EXPECT_EQ(json::parse(read_text(text))["meshes"].size(), 9u);
+  EXPECT_EQ(report("info '" + text + "'", 0)["objects"][0]["format"], "glTF (metres, Y up)");
+  EXPECT_EQ(report("scene '" + text + "'", 0)["bodies"][0]["parts"].size(), 9u);
+  const json two = report("scene " + panda + " --allow adjacent" + ready + folded + " --gltf '" + text + "'", 1);
+  EXPECT_EQ(json::parse(read_text(text))["scenes"].size(), two["placements"].size());
+  expect_bad("scene '" + text + "' --gltf '" + text + "'", "is the same file as the input");
+  expect_bad(cell + " --gltf '" + text + "' --svg '" + text + "'", "is the same file as");
+  const std::string table = in_folder("t.csv");
+  write_text(table, "hoist\n0\n");
+  const Run lines =
+      run("scene '" + cases + "/scene/primitives.urdf' --placements '" + table + "' --json-lines '" + table + "'");
+  EXPECT_EQ(lines.code, 2);
+  EXPECT_NE(lines.err.find("is the same file as"), std::string::npos) << lines.err;
+  EXPECT_EQ(read_text(table), "hoist\n0\n");
+  expect_bad("scene '" + cases + "/scene/primitives.urdf' --placements '" + table + "' --first --gltf '" + text + "'",
+             "--gltf");
+}
+
 // A robot without any collision shape: an answer for who says that he knows, and none otherwise.
 TEST_F(Program, SceneOfNoShape) {
   const std::string ghost = "scene '" + cases + "/scene/ghost.urdf'";

@@ -26,7 +26,9 @@ namespace {
 
 // Sizes in pixels.
 constexpr double panel_width = 560, panel_height = 540, margin = 44, row_height = 19;
-constexpr std::size_t most_named = 6;  // contacts of a placement that are told in words
+// Contacts of a placement that are told in words: few in one column, more in two of smaller letters.
+constexpr std::size_t most_in_column = 6, most_named = 40, longest_in_two = 38;
+constexpr double small_row_height = 15;
 constexpr std::array<RingKind, 1> meeting{{{Ink::dark, "meeting"}}};
 
 struct Colour {
@@ -254,8 +256,19 @@ class Drawing {
                  : fmt::format("none of {} pairs {}", asked, c.undecided > 0 ? "is known to meet" : "meet"),
         "font-weight='600'");
     if (c.undecided > 0) row(13, text_colour, fmt::format("undecided: {}", c.undecided), "");
-    for (std::size_t k = 0; k < std::min(contacts.size(), most_named); ++k) {
-      row(13, text_colour, fmt::format("{}. {}", k + 1, shortened(told(k), 70)), "");
+    const std::size_t named = std::min(contacts.size(), most_named);
+    if (named <= most_in_column) {
+      for (std::size_t k = 0; k < named; ++k) {
+        row(13, text_colour, fmt::format("{}. {}", k + 1, shortened(told(k), 70)), "");
+      }
+    } else {
+      const std::size_t rows = (named + 1) / 2;
+      for (std::size_t k = 0; k < named; ++k) {
+        const double x = left + margin + (k < rows ? 0 : (panel_width - margin) / 2);
+        canvas_.add(words(x, y + small_row_height * static_cast<double>(k % rows), 11, text_colour,
+                          fmt::format("{}. {}", k + 1, shortened(told(k), longest_in_two))));
+      }
+      y += small_row_height * static_cast<double>(rows) + 4;
     }
     if (contacts.size() > most_named)
       row(13, faint_colour, fmt::format("and {} more", contacts.size() - most_named), "");

@@ -148,7 +148,9 @@ bool is_short(const Json& point) {
 std::string shown(const Json& value) {
   if (!value.is_array()) return plain(value);
   if (!value.empty() && value[0].is_string()) {
-    return is_short(value) ? "(" + joined(value, value.size(), ", ", plain) + ")" : "a point that the file has";
+    if (!is_short(value)) return "a point that the file has";
+    std::string numbers = "(";  // not "(" + ...: g++ 12 warns of that where the library's headers are compiled once
+    return numbers.append(joined(value, value.size(), ", ", plain)).append(")");
   }
   const std::string more =
       value.size() > most_entries ? " and " + std::to_string(value.size() - most_entries) + " more" : "";

@@ -9,6 +9,7 @@
 #include <sunder/io/file.h>
 #include <sunder/io/joint_values.h>
 #include <sunder/io/text.h>
+#include <sunder/picture/gltf.h>
 #include <sunder/picture/round.h>
 #include <sunder/picture/scene.h>
 #include <sunder/scene/scene_json.h>
@@ -30,7 +31,7 @@ struct Call : QuestionCall {
   Call() { svg_limit = 200'000; }  // facets
 
   std::vector<std::string> files, poses, joints, joints_files, allow, states, packages, groups_of_links;
-  std::string srdf;
+  std::string srdf, gltf;
   bool classify = false;
   bool groups = false;
   bool require_convex = false;
@@ -46,8 +47,9 @@ io::Packages packages_of(const Call& call) {
 
 // Reports, proofs and pictures hold all placements at once.
 constexpr std::size_t most_held = 10'000;
+constexpr std::uint64_t most_facets = 5'000'000;  // in a file of --gltf: some hundred MB
 
-bool wants_lines(const Call& call) { return !call.json && !call.proves() && call.svg.empty(); }
+bool wants_lines(const Call& call) { return !call.json && !call.proves() && call.svg.empty() && call.gltf.empty(); }
 
 // table: what --placements names, to be held; srdf, input: for --state.
 std::vector<io::JointValues> joints_of(const Call& call, const io::JointTable& table, const io::Srdf& srdf,
@@ -85,6 +87,7 @@ void require_apart(const Call& call, const SceneInput& input) {
   for (const std::filesystem::path& mesh : input.meshes_read()) meshes.push_back({"", mesh});
   if (!call.certificate.empty()) outputs.push_back({"--certificate", call.certificate});
   if (!call.svg.empty()) outputs.push_back({"--svg", call.svg});
+  if (!call.gltf.empty()) outputs.push_back({"--gltf", call.gltf});
   if (!call.placements.json_lines.empty()) outputs.push_back({"--json-lines", call.placements.json_lines});
   if (!call.placements.csv.empty()) outputs.push_back({"--csv", call.placements.csv});
   if (!call.placements.meeting_certificate.empty()) {
@@ -94,9 +97,16 @@ void require_apart(const Call& call, const SceneInput& input) {
 }
 
 void require_drawable(const Call& call, const SceneInput& input, std::size_t placements) {
+  if (call.svg.empty() && call.gltf.empty()) return;
   std::uint64_t facets = 0;
   for (const io::BodyPart* part : input.parts()) facets += picture::drawn_as(part->shape()).facet_count();
-  ask::require_drawable(facets * placements, "facet", 0, call.svg_limit);
+  facets *= placements;
+  if (!call.svg.empty()) ask::require_drawable(facets, "facet", 0, call.svg_limit);
+  if (!call.gltf.empty() && facets > most_facets) {
+    throw Error(ErrorCode::bad_call,
+                fmt::format("{} facets in all placements: more than {}; ask about fewer", facets, most_facets),
+                "--gltf");
+  }
 }
 
 // Of all pairs but the allowed and the undecided; returns how many. Throws Error bad_call where there is none: such a
@@ -128,7 +138,11 @@ std::size_t write_certificate(const std::string& name, const SceneReport& report
 void draw(const Call& call, const SceneReport& report) {
   std::vector<picture::ScenePanel> panels;
   for (const Placed& placed : report.placements) panels.push_back({placed.title, placed.bodies, placed.answer});
-  io::write_file_atomically(call.svg, picture::scene_svg(panels, call.title));
+  if (!call.svg.empty()) io::write_file_atomically(call.svg, picture::scene_svg(panels, call.title));
+  if (call.gltf.empty()) return;
+  const bool is_binary = io::ending_of(call.gltf) == ".glb";
+  io::write_file_atomically(
+      call.gltf, picture::scene_gltf(panels, is_binary ? picture::GltfForm::binary : picture::GltfForm::json));
 }
 
 int run(const Call& call) {
@@ -145,7 +159,7 @@ int run(const Call& call) {
   const bool is_by_lines = table.rows() > 0 && wants_lines(call);
   std::vector<io::JointValues> placements;
   if (!is_by_lines) placements = joints_of(call, table, srdf, input, inputs);
-  if (!call.svg.empty()) require_drawable(call, input, placements.size());
+  require_drawable(call, input, placements.size());
 
   SceneReport report{input, call.method};
   scene::Question& question = report.question;
@@ -189,7 +203,7 @@ int run(const Call& call) {
   }
 
   const std::size_t proved = call.proves() ? write_certificate(call.certificate, report, files) : 0;
-  if (!call.svg.empty()) draw(call, report);
+  draw(call, report);
   note_hulls(input.meshes());
   if (call.json) {
     print(to_text(scene_json(report)));
@@ -200,6 +214,7 @@ int run(const Call& call) {
                           report.none_undecided() ? "" : " and the undecided", io::one_line(call.certificate));
     }
     if (!call.svg.empty()) text += fmt::format("picture: {}\n", io::one_line(call.svg));
+    if (!call.gltf.empty()) text += fmt::format("model: {}\n", io::one_line(call.gltf));
     report.colour ? print(text) : print_for_people(text);  // colours are control bytes
   }
   return report.none_meet() && report.is_kept() ? exit_code::no : exit_code::yes;
@@ -242,31 +257,31 @@ Verb scene_verb() {
         .value = &call->placements.first,
         .help = "stop at the first placement where bodies meet",
         .needs = "--placements",
-        .excludes = {"--json", "--certificate", "--svg"}},
+        .excludes = {"--json", "--certificate", "--svg", "--gltf"}},
        {.name = "--json-lines",
         .value = &call->placements.json_lines,
         .help = "write a line of JSON a placement here",
         .type = "FILE",
         .needs = "--placements",
-        .excludes = {"--json", "--certificate", "--svg"}},
+        .excludes = {"--json", "--certificate", "--svg", "--gltf"}},
        {.name = "--csv",
         .value = &call->placements.csv,
         .help = "write a line a placement here, as a table",
         .type = "FILE",
         .needs = "--placements",
-        .excludes = {"--json", "--certificate", "--svg"}},
+        .excludes = {"--json", "--certificate", "--svg", "--gltf"}},
        {.name = "--meeting-certificate",
         .value = &call->placements.meeting_certificate,
         .help = "write the proofs of what meets here, and of nothing else",
         .type = "FILE",
         .needs = "--placements",
-        .excludes = {"--json", "--certificate", "--svg"}},
+        .excludes = {"--json", "--certificate", "--svg", "--gltf"}},
        {.name = "--threads",
         .value = &call->placements.threads,
         .help = "how many; the output is the same (unless given: as many as there are cores)",
         .type = "N",
         .needs = "--placements",
-        .excludes = {"--json", "--certificate", "--svg"}},
+        .excludes = {"--json", "--certificate", "--svg", "--gltf"}},
        {"--allow", &call->allow,
         "what may meet: adjacent (links joined by a joint), touch, NAME,NAME, or a file with two names a line", "WHAT"},
        {"--method", &call->method, "automatic, gjk, hierarchy, or scan", "NAME"},
@@ -281,6 +296,10 @@ Verb scene_verb() {
        {"--leave-out", &call->leave_out, leave_out_help},
        certificate_option(call->certificate, "write the proofs of all pairs here"),
        {"--svg", &call->svg, "draw the placements here", "FILE"},
+       {"--gltf", &call->gltf,
+        "write the placements here as glTF, or .glb, with what meets in red, for viewers; bodies with a radius become "
+        "polyhedra in it",
+        "FILE"},
        {"--title", &call->title, "over the picture"},
        svg_limit_option(call->svg_limit),
        json_option(call->json)},

@@ -1,0 +1,62 @@
+#include <sunder/picture/scene.h>
+
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace sunder::picture {
+namespace {
+
+// A row of boxes of which each overlaps the next one.
+std::vector<scene::Body> row_of(std::size_t count) {
+  std::vector<scene::Body> bodies;
+  std::vector<Point3> corners;
+  for (unsigned i = 0; i < 8; ++i) corners.push_back({1.25 * (i & 1u), 1.0 * (i >> 1u & 1u), 1.0 * (i >> 2u)});
+  const solid::RoundBody box{solid::ConvexPolyhedron(corners)};
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto pose = solid::Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {static_cast<double>(k), 0, 0});
+    bodies.push_back({"box" + std::to_string(k), {{"0", box, pose}}});
+  }
+  return bodies;
+}
+
+std::string picture_of(const std::vector<scene::Body>& bodies) {
+  const scene::Answer answer = scene::meeting_pairs(bodies);
+  const ScenePanel panel{"", bodies, answer};
+  return scene_svg(std::span(&panel, 1), "");
+}
+
+// Where the contacts are told in words.
+std::vector<std::pair<std::string, std::string>> places_of(const std::string& svg) {
+  static const std::regex line("<text x='([0-9.]+)' y='([0-9.]+)'[^>]*>[0-9]+\\. box");
+  std::vector<std::pair<std::string, std::string>> places;
+  for (std::sregex_iterator it(svg.begin(), svg.end(), line), end; it != end; ++it)
+    places.emplace_back((*it)[1], (*it)[2]);
+  return places;
+}
+
+TEST(ScenePicture, ManyContactsAreListedByNumber) {
+  const std::string few = picture_of(row_of(5)), some = picture_of(row_of(30)), many = picture_of(row_of(61));
+  EXPECT_EQ(places_of(few).size(), 4u);
+  EXPECT_EQ(places_of(some).size(), 29u);
+  EXPECT_EQ(some.find(" more<"), std::string::npos);
+  EXPECT_NE(many.find("60 of 1830 pairs meet"), std::string::npos);
+  EXPECT_NE(many.find(">1. box0 meets box1<"), std::string::npos);
+  EXPECT_NE(many.find(">40. box39 meets box40<"), std::string::npos);
+  EXPECT_NE(many.find(">and 20 more<"), std::string::npos);
+  for (const std::string& svg : {few, some, many}) {
+    const auto places = places_of(svg);
+    EXPECT_EQ((std::set(places.begin(), places.end()).size()), places.size());  // none over another
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+  }
+  std::set<std::string> columns;
+  for (const auto& [x, y] : places_of(many)) columns.insert(x);
+  EXPECT_EQ(columns.size(), 2u);
+}
+
+}  // namespace
+}  // namespace sunder::picture
