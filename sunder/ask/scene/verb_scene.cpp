@@ -1,6 +1,7 @@
 // sunder scene FILE...: which of these bodies meet?
 #include <sunder/ask/outputs.h>
 #include <sunder/ask/question.h>
+#include <sunder/ask/scene/between.h>
 #include <sunder/ask/scene/placements.h>
 #include <sunder/ask/scene/scene_report.h>
 #include <sunder/ask/verb.h>
@@ -35,6 +36,7 @@ struct Call : QuestionCall {
   bool groups = false;
   bool require_convex = false;
   bool leave_out = false;
+  bool between = false;
   PlacementsCall placements;  // none where it names no table
 };
 
@@ -159,6 +161,7 @@ int run(const Call& call) {
   if (is_by_lines) {
     input.note_limits(extremes_of(table));
     note_hulls(input.meshes());
+    if (call.between) return answer_between(input, question, table);
     return answer_placements(call.placements, input, question, table);
   }
   report.colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
@@ -218,6 +221,13 @@ Verb scene_verb() {
         .help = "stop at the first placement where bodies meet",
         .needs = "--placements",
         .excludes = {"--json", "--certificate", "--svg"}},
+       {.name = "--between",
+        .value = &call->between,
+        .help =
+            "what meets on the way from each placement to the next, where parts go straight and do not turn; others "
+            "are asked about at both ends, and this is said",
+        .needs = "--placements",
+        .excludes = {"--json", "--certificate", "--svg", "--json-lines", "--csv", "--first", "--threads"}},
        {.name = "--json-lines",
         .value = &call->placements.json_lines,
         .help = "write a line of JSON a placement here",
