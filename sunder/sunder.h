@@ -70,6 +70,7 @@
 // Space: bodies, two of them, and scenes of many.
 #include <sunder/scene/scene.h>
 #include <sunder/scene/scene_json.h>
+#include <sunder/scene/sweep.h>
 #include <sunder/solid/hull/convex_hull.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/frame.h>
@@ -89,6 +90,7 @@
 #include <sunder/solid/pair/polyhedron_polygon.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_sweep.h>
 #include <sunder/solid/pair/polyhedron_ray.h>
 #include <sunder/solid/pair/polyhedron_segment.h>
 #include <sunder/solid/round/round_clearance.h>

@@ -223,7 +223,8 @@ def calls():
 
 
 WITH_VALUE = ("plane", "feature_a", "feature_b", "pose_a", "pose_b", "allow", "group", "clearance", "maximize", "feature",
-              "of", "project", "srdf", "radius_a", "radius_b", "joints", "placements", "margin")
+              "of", "project", "srdf", "radius_a", "radius_b", "to_a", "to_b", "joints",
+              "placements", "margin")
 
 
 def test_files_are_asked_as_by_the_program(monkeypatch, tmp_path):

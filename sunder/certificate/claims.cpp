@@ -268,6 +268,11 @@ void ClaimsWriter::numbers(std::string_view name, std::span<const Dyadic> values
   append_list(text_, values, [](std::string& text, const Dyadic& x) { text += '"' + x.hexadecimal() + '"'; });
 }
 
+void ClaimsWriter::fraction(std::string_view name, const Dyadic& value, const Dyadic& denominator) {
+  key(name);
+  append_fraction(text_, value, denominator);
+}
+
 void ClaimsWriter::fractions(std::string_view name, std::span<const Dyadic> values, const Dyadic& denominator) {
   key(name);
   append_fractions(text_, values, denominator);

@@ -63,7 +63,9 @@ class ClaimsWriter {
   void real(std::string_view key, double value);
   void doubles(std::string_view key, std::span<const double> values);
   void numbers(std::string_view key, std::span<const Dyadic> values);
-  // Each divided by the denominator, which is not zero.
+  // Divided by the denominator, which is not zero.
+  void fraction(std::string_view key, const Dyadic& value, const Dyadic& denominator);
+  // Each divided by it.
   void fractions(std::string_view key, std::span<const Dyadic> values, const Dyadic& denominator);
   void begin_list(std::string_view key);
   void end_list();

@@ -210,6 +210,31 @@ void PairClaims::add_meet(std::uint32_t a, std::uint32_t b, const CommonPoint& p
   file_.end_statement();
 }
 
+void PairClaims::begin_motion(std::uint32_t a, std::uint32_t b, std::uint32_t to_a, std::uint32_t to_b,
+                              const char* verdict) {
+  begin_statement("motion", a, b, verdict);
+  file_.index("to_a", to_a);
+  file_.index("to_b", to_b);
+}
+
+void PairClaims::add_motion_apart(std::uint32_t a, std::uint32_t b, std::uint32_t to_a, std::uint32_t to_b,
+                                  const std::array<Dyadic, 3>& direction) {
+  begin_motion(a, b, to_a, to_b, "apart");
+  file_.begin_claims();
+  add_parting("parted_all_along", direction);
+  file_.end_statement();
+}
+
+void PairClaims::add_motion_meet(std::uint32_t a, std::uint32_t b, std::uint32_t to_a, std::uint32_t to_b,
+                                 const Dyadic& time, const Dyadic& denominator, const CommonPoint& point,
+                                 const std::array<Dyadic, 3>* first_along) {
+  begin_motion(a, b, to_a, to_b, first_along == nullptr ? "meet" : "first");
+  file_.fraction("time", time, denominator);
+  add_point_claims("holds_at", point);
+  if (first_along != nullptr) add_parting("not_before", *first_along);
+  file_.end_statement();
+}
+
 void PairClaims::add_touching(std::uint32_t a, std::uint32_t b, const CommonPoint& point,
                               const std::array<Dyadic, 3>& direction) {
   begin_statement("pair", a, b, "touching");

@@ -97,6 +97,16 @@ class PairClaims {
   void add_touching(std::uint32_t a, std::uint32_t b, const CommonPoint& point, const std::array<Dyadic, 3>& direction);
   void add_overlapping(std::uint32_t a, std::uint32_t b, const CommonPoint& point);
 
+  // That A and B, which go straight to where to_a and to_b are, are apart all along, as along the direction; that they
+  // have the point at time / denominator; that this is the first such time, which is not 0, as along the direction (of
+  // which they are before it, and not then). Requires to_a and to_b to be a and b, moved: of one matrix; a time from 0
+  // to 1, and a positive denominator.
+  void add_motion_apart(std::uint32_t a, std::uint32_t b, std::uint32_t to_a, std::uint32_t to_b,
+                        const std::array<Dyadic, 3>& direction);
+  void add_motion_meet(std::uint32_t a, std::uint32_t b, std::uint32_t to_a, std::uint32_t to_b, const Dyadic& time,
+                       const Dyadic& denominator, const CommonPoint& point,
+                       const std::array<Dyadic, 3>* first_along = nullptr);
+
   // That the points are as near to each other as any two of A and B. Requires different ones, and no body with a
   // radius.
   void add_distance(std::uint32_t a, std::uint32_t b, const PointOf& from_a, const PointOf& to_b);
@@ -133,6 +143,7 @@ class PairClaims {
   void begin_entry(const std::string& name);
   void add_points_of_entry(std::span<const Point3> points);
   void begin_statement(const char* question, std::uint32_t a, std::uint32_t b, const char* verdict);
+  void begin_motion(std::uint32_t a, std::uint32_t b, std::uint32_t to_a, std::uint32_t to_b, const char* verdict);
   void add_parting(const char* claim, const std::array<Dyadic, 3>& direction);
   void add_points(const char* claim, const PointOf& from_a, const PointOf& to_b);
   void begin_members(const char* question, const AllPairs& pairs);

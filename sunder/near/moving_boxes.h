@@ -7,6 +7,7 @@
 //   B1. Every wanted pair of boxes that have a common point is among pairs(), exactly: ends of boxes are compared as
 //       they are, and a margin, whatever is rounded in it, only ever widens. Ends may be infinite, not NaN.
 //   B2. pairs() is the same for every compiler and machine, given the same moves.
+// Memory: at most 200 bytes a box and 32 a pair, for 1,000 and more (tested).
 // What one might assume and does not hold: pairs() also has pairs that are merely near, by their margins.
 #pragma once
 

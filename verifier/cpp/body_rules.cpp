@@ -243,6 +243,17 @@ bool holds(const Claim& claim, const HullBody& body, const Numbers& point) {
 
 }  // namespace
 
+bool is_behind(const char* rule, const HullBody& body, const Integers& direction, const Integers& place) {
+  const Integer limit = dot(direction, place);  // of one number more, which does not count
+  const Reach ends = reach(rule, body, direction);
+  return std::all_of(ends.furthest.begin(), ends.furthest.end(), [&](const Furthest& last) {
+    const std::int64_t e = std::min<std::int64_t>(last.e, 0);
+    const Integer gap = shifted(limit, -e) - shifted(last.n * place.back(), last.e - e);
+    const Integer& w = place.back();
+    return sign_less_roots(gap, e, {{last.spread.n * w * w, last.spread.d, last.spread.e}}) >= 0;
+  });
+}
+
 void check_parted(const Claim& claim, const HullBody& a, const HullBody& b) {
   const Parting found = parting("parted", common(claim.direction).integers, a, b);  // along a positive multiple
   require(found.gap > 0, "parted", a.name + " is not strictly less far along the direction than " + b.name);

@@ -16,6 +16,8 @@ namespace {
 struct Said {
   const HullBody *a = nullptr, *b = nullptr;
   std::size_t index_a = 0, index_b = 0;
+  StatedMotion motion_a, motion_b;
+  Number time;
   const RowBody *polytope_a = nullptr, *polytope_b = nullptr;
   Number least;
   AllPairs all_pairs;
@@ -74,6 +76,35 @@ void read_plain_a(const Place& p, Said& said) {
 void read_plain_b(const Place& p, Said& said) {
   read_b(p, said);
   if (said.b->is_round()) refuse_form(p.where + ".b has a radius");
+}
+
+// Is it the same body, placed by the same matrix?
+bool is_moved(const HullBody& begin, const HullBody& end) {
+  if (begin.base != end.base) return false;
+  const std::size_t d = begin.dimension();
+  for (std::size_t k = 0; k < d * d; ++k) {
+    const Integer here = k % (d + 1) == 0 ? 1 : 0;
+    const auto entry = [&](const HullBody& body) {
+      return body.is_image() ? Number{body.linear.rows[0][k], 1, body.linear.e} : Number{here, 1, 0};
+    };
+    const Integers both = common({entry(begin), entry(end)}).integers;
+    if (both[0] != both[1]) return false;
+  }
+  return true;
+}
+
+template <auto Said::* begin, auto Said::* motion>
+void read_end_of(const Place& p, Said& said) {
+  const char* const key = begin == &Said::a ? "to_a" : "to_b";
+  const HullBody& end = p.tables.bodies[index_member(p.item, key, p.tables.bodies.size(), p.where)];
+  if (!is_moved(*(said.*begin), end)) refuse_form(p.where + "." + key + " is not the same body, moved");
+  said.*motion = {said.*begin, &end};
+}
+
+void read_time(const Place& p, Said& said) {
+  said.time = read_number(member(p.item, "time", p.where), p.where + ".time");
+  const Integers ends = common({said.time, {1, 1, 0}}).integers;
+  if (ends[0] < 0 || ends[0] > ends[1]) refuse_form(p.where + ".time is not from 0 to 1");
 }
 
 void read_polytope_a(const Place& p, Said& said) {
@@ -587,6 +618,26 @@ const ClaimNeeded clear{
     }};
 const ClaimNeeded nearer{
     "nearer", {}, of_a, [](const Claim&, const Said& s, const Tables&) { check_nearer(s.from_a, s.to_b, s.least); }};
+const ClaimNeeded parted_all_along{
+    "parted_all_along", {{"direction", read_direction}}, of_a, [](const Claim& c, const Said& s, const Tables&) {
+      check_parted_all_along(c, s.motion_a, s.motion_b);
+    }};
+const ClaimNeeded a_holds_at{
+    "holds_at",
+    {{"weights", read_weights}},
+    of_a,
+    [](const Claim& c, const Said& s, const Tables&) { check_holds_at(c, s.motion_a, s.time, s.point); },
+    &Said::a};
+const ClaimNeeded b_holds_at{
+    "holds_at",
+    {{"weights", read_weights}},
+    of_b,
+    [](const Claim& c, const Said& s, const Tables&) { check_holds_at(c, s.motion_b, s.time, s.point); },
+    &Said::b};
+const ClaimNeeded not_before{
+    "not_before", {{"direction", read_direction}}, of_a, [](const Claim& c, const Said& s, const Tables&) {
+      check_not_before(c, s.motion_a, s.motion_b, s.time, s.point);
+    }};
 const ClaimNeeded each_pair{"each_pair", {}, of_members, [](const Claim&, const Said& s, const Tables&) {
                               check_each_pair(s.all_pairs, s.groups, s.allowed, s.proved->pairs, s.contacts);
                             }};
@@ -821,6 +872,16 @@ const std::vector<Question> questions{
      {},
      {{"kept", {}, {&clear}},
       {"broken", {{"from_a", read_from_a}, {"to_b", read_to_b}}, {&a_holds_from_a, &b_holds_to_b, &nearer}}}},
+    {"motion",
+     "bodies",
+     {{"a", read_a},
+      {"b", read_b},
+      {"to_a", read_end_of<&Said::a, &Said::motion_a>},
+      {"to_b", read_end_of<&Said::b, &Said::motion_b>}},
+     {},
+     {{"apart", {}, {&parted_all_along}},
+      {"meet", {{"time", read_time}, point}, {&a_holds_at, &b_holds_at}},
+      {"first", {{"time", read_time}, point}, {&a_holds_at, &b_holds_at, &not_before}}}},
     {"bodies",
      "bodies",
      {{"members", read_members}, {"allowed", read_allowed}, {"except", read_besides}},

@@ -89,6 +89,17 @@ void check_clear(const Claim& claim, const HullBody& a, const HullBody& b, const
 void check_nearer(const Numbers& from_a, const Numbers& to_b, const Number& least);
 void check_inside(const Claim& claim, const HullBody& body, const Numbers& point);
 
+// Of bodies that move straight to another place (motion_rules.cpp).
+struct StatedMotion {
+  const HullBody *begin = nullptr, *end = nullptr;
+};
+void check_parted_all_along(const Claim& claim, const StatedMotion& a, const StatedMotion& b);
+void check_holds_at(const Claim& claim, const StatedMotion& body, const Number& time, const Numbers& point);
+void check_not_before(const Claim& claim, const StatedMotion& a, const StatedMotion& b, const Number& time,
+                      const Numbers& point);
+// Of all of a body, is none further along the direction than the point x, .., w? No way of it leads on.
+bool is_behind(const char* rule, const HullBody& body, const Integers& direction, const Integers& place);
+
 // Of polytopes (polytope_rules.cpp).
 void check_parted_by(const Claim& claim, const RowBody& a, const RowBody& b);
 void check_keeps(const Claim& claim, const RowBody& body, const Numbers& point);

@@ -28,6 +28,9 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"clearance", "broken", "{a} and {b} are nearer than {least}, at {from_a} and {to_b}"},
     {"clearances", "kept", "all pairs of bodies are {least} apart, or more"},
     {"clearances", "broken", "exactly these pairs of bodies are nearer than {least}: {nearer}"},
+    {"motion", "apart", "{a} and {b} are apart all along their ways"},
+    {"motion", "meet", "{a} and {b} meet on their ways, at time {time}, at {point}"},
+    {"motion", "first", "{a} and {b} first meet on their ways at time {time}, at {point}"},
     {"polytopes", "apart", "{a} and {b} are apart"},
     {"polytopes", "meet", "{a} and {b} meet at {point}"},
     {"hull", "solid", "the hull of {a} is solid, with the faces {faces}"},
@@ -146,7 +149,7 @@ bool is_short(const Json& point) {
 
 // A word, a number, a point of numbers as they stand in the file, or a list of entries.
 std::string shown(const Json& value) {
-  if (!value.is_array()) return plain(value);
+  if (!value.is_array()) return plain(value).size() <= most_digits ? plain(value) : "a number that the file has";
   if (!value.empty() && value[0].is_string()) {
     if (!is_short(value)) return "a point that the file has";
     std::string numbers = "(";  // not "(" + ...: g++ 12 warns of that where the library's headers are compiled once

@@ -21,6 +21,7 @@ struct PairSide {
   std::string file, pose;
   std::string feature;  // planar; empty: the only one
   std::string radius;   // of space: a number, by which the body is larger all around; empty: none
+  std::string to{};     // of space: the pose at the end of a straight motion; empty: it rests
 
   std::string option(const char* name) const { return std::string("--") + name + "-" + letter; }
 };

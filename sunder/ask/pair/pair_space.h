@@ -77,6 +77,12 @@ int run_flat_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b
 // undecided.
 int run_round_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
 
+// Where one of them moves, or both: --to-a, --to-b. Throws Error for what turns, and for options of bodies at rest.
+int run_motion_pair(const PairCall& call, const PlacedBody& a, const PlacedBody& b, const PairFiles& files);
+
+// Throws Error where one of these options is given.
+void require_at_rest(const PairCall& call, const char* of_what);
+
 // A body and a plane, a body and a line or ray.
 int run_plane_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& plane, bool body_is_a,
                    const PairFiles& files);

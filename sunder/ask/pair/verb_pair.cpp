@@ -137,7 +137,10 @@ PairMethod solid_method(const PairCall& call, const PlacedBody& a, const PlacedB
 
 // Of standard input, the other one tells.
 int run(const PairCall& call) {
-  if (are_polytopes(call)) return run_polytope_pair(call);
+  if (are_polytopes(call)) {
+    require_at_rest(call, "polytopes");
+    return run_polytope_pair(call);
+  }
   const bool space_a = is_space_input(call, call.a.file), space_b = is_space_input(call, call.b.file);
   const bool planar_a = io::is_planar(call.a.file) && !space_a, planar_b = io::is_planar(call.b.file) && !space_b;
   if (planar_a || planar_b) {
@@ -155,6 +158,7 @@ int run(const PairCall& call) {
     if (call.require_convex) {
       throw Error(ErrorCode::bad_call, "polygons are always required to be convex; leave it out", "--require-convex");
     }
+    require_at_rest(call, "planar objects");
     return run_planar_pair(call);
   }
   for (const auto& [is_given, option] : {std::pair(!call.svg.empty(), "--svg"),
@@ -175,8 +179,10 @@ int run(const PairCall& call) {
     if (input->round && input->round->core) bodies.push_back(&input->round->core->mesh);
   }
   note_hulls(bodies);
+  if (!a.bounded || !b.bounded) require_at_rest(call, "others");
   if (a.round || b.round) return run_round_pair(call, a, b, files);
   if (a.flat || b.flat) return run_flat_pair(call, a, b, files);
+  if (!call.a.to.empty() || !call.b.to.empty()) return run_motion_pair(call, *a.bounded, *b.bounded, files);
   SolidPair question(call, solid_method(call, *a.bounded, *b.bounded), *a.bounded, *b.bounded, files);
   return answer(question);
 }
@@ -200,6 +206,11 @@ Verb pair_verb() {
        {"--pose-a", &call->a.pose, fmt::format("where A is: {}; in the plane {}", pose_forms, planar_pose_forms),
         "POSE"},
        {"--pose-b", &call->b.pose, "where B is", "POSE"},
+       {"--to-a", &call->a.to,
+        "of space, bounded, without a radius: where A is at the end, to which it goes straight, without a turn; do the "
+        "two meet at any time?",
+        "POSE"},
+       {"--to-b", &call->b.to, "the same of B, at the same time; one that has none rests", "POSE"},
        {"--radius-a", &call->a.radius, "of space, bounded: A is all within this distance of it; 0: A itself", "NUMBER"},
        {"--radius-b", &call->b.radius, "the same of B", "NUMBER"},
        {"--method", &call->method,

@@ -1,6 +1,7 @@
 // sunder scene FILE...: which of these bodies meet?
 #include <sunder/ask/outputs.h>
 #include <sunder/ask/question.h>
+#include <sunder/ask/scene/between.h>
 #include <sunder/ask/scene/placements.h>
 #include <sunder/ask/scene/scene_report.h>
 #include <sunder/ask/verb.h>
@@ -37,6 +38,7 @@ struct Call : QuestionCall {
   bool require_convex = false;
   bool leave_out = false;
   ClearanceCall clearance;
+  bool between = false;
   PlacementsCall placements;  // none where it names no table
 };
 
@@ -192,6 +194,7 @@ int run(const Call& call) {
     }
     input.note_limits(extremes_of(table));
     note_hulls(input.meshes());
+    if (call.between) return answer_between(input, question, table);
     const PlacementsAnswer answer = answer_placements(call.placements, input, question, table, files);
     print_for_people(answer.summary);
     return answer.code();
@@ -258,6 +261,14 @@ Verb scene_verb() {
         .help = "stop at the first placement where bodies meet",
         .needs = "--placements",
         .excludes = {"--json", "--certificate", "--svg", "--gltf"}},
+       {.name = "--between",
+        .value = &call->between,
+        .help =
+            "what meets on the way from each placement to the next, where parts go straight and do not turn; others "
+            "are asked about at both ends, and this is said",
+        .needs = "--placements",
+        .excludes = {"--json", "--certificate", "--svg", "--gltf", "--json-lines", "--csv", "--first", "--threads",
+                     "--meeting-certificate", "--clearance", "--margin", "--distance"}},
        {.name = "--json-lines",
         .value = &call->placements.json_lines,
         .help = "write a line of JSON a placement here",

@@ -2,6 +2,7 @@
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/exact_simplex.h>
+#include <sunder/solid/pair/integer_basis_internal.h>
 #include <sunder/solid/pair/spanning_vertices.h>
 
 #include <algorithm>
@@ -14,7 +15,8 @@ namespace sunder::solid {
 namespace {
 
 constexpr std::size_t most_rows = 5;
-using Column = std::array<Integer, most_rows>;
+using Basis = IntegerBasis<most_rows>;
+using Column = Basis::Column;
 
 // A variable: the weight of a vertex, or an artificial one.
 struct Variable {
@@ -33,22 +35,22 @@ class ExactSimplex {
   }
 
   PairCertificate common_point(const DifferenceSimplex& hint) {
-    rows_ = 5;
-    start({0, 0, 0, 1, 1});
+    basis_.rows = 5;
+    basis_.start({0, 0, 0, 1, 1});
     minimize(hint);
     return certificate();
   }
 
   bool interiors_meet(const std::vector<std::uint32_t>& span_a, const std::vector<std::uint32_t>& span_b) {
-    rows_ = 4;
+    basis_.rows = 4;
     // whole_weight (mean of A's - mean of B's).
     Column c{};
     for (const std::uint32_t v : span_a) add_multiple(c, {Variable::Kind::of_a, v}, whole_weight / span_a.size());
     for (const std::uint32_t v : span_b) add_multiple(c, {Variable::Kind::of_b, v}, whole_weight / span_b.size());
-    start({-c[0], -c[1], -c[2], 0, 0});
+    basis_.start({-c[0], -c[1], -c[2], 0, 0});
     minimize({});
-    for (std::size_t i = 0; i < rows_; ++i) {
-      if (basis_[i].kind == Variable::Kind::artificial && !solution_[i].is_zero()) return false;
+    for (std::size_t i = 0; i < basis_.rows; ++i) {
+      if (variables_[i].kind == Variable::Kind::artificial && !basis_.solution[i].is_zero()) return false;
     }
     return true;
   }
@@ -72,25 +74,16 @@ class ExactSimplex {
   std::array<Dyadic, 3> parting() const { return dyadics(multipliers()); }
 
  private:
-  // The basis of artificial variables, with the signs that make the solution not negative.
-  void start(const Column& right_hand_side) {
-    for (std::size_t i = 0; i < rows_; ++i) {
-      inverse_[i] = {};
-      inverse_[i][i] = right_hand_side[i] < 0 ? -1 : 1;
-      solution_[i] = boost::multiprecision::abs(right_hand_side[i]);
-    }
-  }
-
-  // The weights of the vertices of one body, all times determinant_: of the basis, and of those that span it.
+  // The weights of the vertices of one body, all times basis_.determinant: of the basis, and of those that span it.
   Combination inner_weights(Variable::Kind kind, const std::vector<std::uint32_t>& span) const {
     std::vector<std::pair<std::uint32_t, Integer>> weights;
-    for (const std::uint32_t v : span) weights.push_back({v, determinant_ * (whole_weight / span.size())});
-    for (std::size_t i = 0; i < rows_; ++i) {
-      if (basis_[i].kind != kind || solution_[i].is_zero()) continue;
+    for (const std::uint32_t v : span) weights.push_back({v, basis_.determinant * (whole_weight / span.size())});
+    for (std::size_t i = 0; i < basis_.rows; ++i) {
+      if (variables_[i].kind != kind || basis_.solution[i].is_zero()) continue;
       auto of_vertex =
-          std::find_if(weights.begin(), weights.end(), [&](const auto& w) { return w.first == basis_[i].vertex; });
-      if (of_vertex == weights.end()) of_vertex = weights.insert(of_vertex, {basis_[i].vertex, 0});
-      of_vertex->second += solution_[i];
+          std::find_if(weights.begin(), weights.end(), [&](const auto& w) { return w.first == variables_[i].vertex; });
+      if (of_vertex == weights.end()) of_vertex = weights.insert(of_vertex, {variables_[i].vertex, 0});
+      of_vertex->second += basis_.solution[i];
     }
     Combination combination;
     Integer sum = 0;
@@ -151,15 +144,15 @@ class ExactSimplex {
     const Vector3<Dyadic> p = lift<ExactStage>(of_a ? a_[v.vertex] : b_[v.vertex]);
     const Vector3<Integer> q{scaled(p.x), scaled(p.y), scaled(p.z)};
     if (of_a) return {q.x, q.y, q.z, 1, 0};
-    return {-q.x, -q.y, -q.z, rows_ == 4 ? -1 : 0, 1};
+    return {-q.x, -q.y, -q.z, basis_.rows == 4 ? -1 : 0, 1};
   }
 
-  // The multipliers times determinant_: costs of one on the artificial variables in the basis.
+  // The multipliers times basis_.determinant: costs of one on the artificial variables in the basis.
   Column multipliers() const {
     Column y{};
-    for (std::size_t i = 0; i < rows_; ++i) {
-      if (basis_[i].kind != Variable::Kind::artificial) continue;
-      for (std::size_t k = 0; k < rows_; ++k) y[k] += inverse_[i][k];
+    for (std::size_t i = 0; i < basis_.rows; ++i) {
+      if (variables_[i].kind != Variable::Kind::artificial) continue;
+      for (std::size_t k = 0; k < basis_.rows; ++k) y[k] += basis_.inverse[i][k];
     }
     return y;
   }
@@ -168,48 +161,15 @@ class ExactSimplex {
     const Column c = column(v);
     const Column y = multipliers();
     Integer price = 0;
-    for (std::size_t k = 0; k < rows_; ++k) price += y[k] * c[k];
+    for (std::size_t k = 0; k < basis_.rows; ++k) price += y[k] * c[k];
     ++tally_.exact;
     if (price <= 0) return false;
-    Column t{};  // the column in terms of the basis, times determinant_
-    for (std::size_t i = 0; i < rows_; ++i) {
-      for (std::size_t k = 0; k < rows_; ++k) t[i] += inverse_[i][k] * c[k];
-    }
-    pivot(leaving_row(t), t, v);
+    const Column t = basis_.in_terms(c);
+    const std::size_t row =
+        basis_.leaving_row(t, tally_);  // there is one: the price is the sum of t over artificial rows
+    basis_.pivot(row, t);
+    variables_[row] = v;
     return true;
-  }
-
-  // Among rows with t > 0 (there is one: the price is the sum of t over artificial rows), the lexicographically least
-  // (solution, inverse) / t.
-  std::size_t leaving_row(const Column& t) const {
-    std::optional<std::size_t> best;
-    for (std::size_t i = 0; i < rows_; ++i) {
-      if (t[i] <= 0) continue;
-      if (!best || lexicographically_less(i, *best, t)) best = i;
-    }
-    return *best;
-  }
-
-  bool lexicographically_less(std::size_t i, std::size_t j, const Column& t) const {
-    const auto less = [&](const Integer& at_i, const Integer& at_j) {
-      ++tally_.exact;
-      return (at_i * t[j]).compare(at_j * t[i]);
-    };
-    int order = less(solution_[i], solution_[j]);
-    for (std::size_t k = 0; order == 0 && k < rows_; ++k) order = less(inverse_[i][k], inverse_[j][k]);
-    return order < 0;
-  }
-
-  void pivot(std::size_t r, const Column& t, const Variable& entering) {
-    for (std::size_t i = 0; i < rows_; ++i) {
-      if (i == r) continue;
-      for (std::size_t k = 0; k < rows_; ++k) {
-        inverse_[i][k] = (inverse_[i][k] * t[r] - inverse_[r][k] * t[i]) / determinant_;  // exact
-      }
-      solution_[i] = (solution_[i] * t[r] - solution_[r] * t[i]) / determinant_;
-    }
-    determinant_ = t[r];
-    basis_[r] = entering;
   }
 
   PairCertificate certificate() const {
@@ -226,9 +186,9 @@ class ExactSimplex {
     c.verdict = Verdict::meet;
     std::size_t n = 0;
     for (const Variable::Kind kind : {Variable::Kind::of_a, Variable::Kind::of_b}) {
-      for (std::size_t i = 0; i < rows_; ++i) {
-        if (basis_[i].kind != kind || solution_[i].is_zero()) continue;
-        c.vertices[n++] = basis_[i].vertex;
+      for (std::size_t i = 0; i < basis_.rows; ++i) {
+        if (variables_[i].kind != kind || basis_.solution[i].is_zero()) continue;
+        c.vertices[n++] = variables_[i].vertex;
         ++(kind == Variable::Kind::of_a ? c.count_a : c.count_b);
       }
     }
@@ -239,13 +199,10 @@ class ExactSimplex {
   const Placed& b_;
   Cost& cost_;
   StageTally& tally_;
-  std::int64_t exponent_;  // images are multiples of 2^exponent_, and counted in it
-  std::size_t rows_ = 0;
+  std::int64_t exponent_;              // images are multiples of 2^exponent_, and counted in it
   std::uint32_t at_a_ = 0, at_b_ = 0;  // the extreme vertices along the last direction
-  std::array<Variable, most_rows> basis_{};
-  Integer determinant_ = 1;                  // of the basis, as its absolute value
-  std::array<Column, most_rows> inverse_{};  // of the basis, times determinant_
-  Column solution_{};                        // the values of the basic variables, times determinant_
+  Basis basis_;
+  std::array<Variable, most_rows> variables_{};  // of each row of the basis
 };
 
 }  // namespace

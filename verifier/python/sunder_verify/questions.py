@@ -46,6 +46,29 @@ def body_asked(value, where, read):
     return body
 
 
+def matrix(body):
+    """Of what places a body, as integers in units of 2^e; and e."""
+    d = body.dimension
+    return (body.linear, body.turned) if body.linear else ([int(k % (d + 1) == 0) for k in range(d * d)], 0)
+
+
+def end_of(name):
+    """Where the body of that name is at the end of its way: the same one, placed by the same matrix."""
+    def read_end(value, where, read):
+        begin, end = read[name], entry(read["about"])(value, where, read)
+        (m, e), (n, f) = matrix(begin), matrix(end)
+        form(begin.base == end.base and all(x == y for x, y in (rules.aligned(x, e, y, f) for x, y in zip(m, n))),
+             where + " is not the same body, moved")
+        return end
+    return read_end
+
+
+def part_of_time(value, where, read):
+    n, d, e = number(value, where)
+    form(0 <= n and rules.aligned(n, e, d, 0)[0] <= rules.aligned(n, e, d, 0)[1], where + " is not from 0 to 1")
+    return n, d, e
+
+
 def index_of(name):
     return lambda value, where, read: index(value, len(found(read, name)), where)
 
@@ -194,7 +217,7 @@ ARCS = list_of(subject_index, lambda those, read: 0 < len(those) <= 2 * len(subj
                " is empty, or has more than two arcs a circle")
 FACE = list_of(subject_index, lambda those, read: len(those) > 2, " has fewer than three corners")
 GIVEN = {  # what questions say
-    "a": body_asked, "b": body_asked, "ring": entry("rings"), "parts": parts,
+    "a": body_asked, "b": body_asked, "to_a": end_of("a"), "to_b": end_of("b"), "ring": entry("rings"), "parts": parts,
     "members": members_of("bodies", lambda those: True, " names one twice"), "except": contacts,
     "body": points_alone, "of": points_placed, "plane": plane, "rule": choice(("valid", "simple", polygons.SELF_TOUCH)),
     "allowed": lambda *told: ALLOWED[choice(ALLOWED)(*told)], "groups": for_each(whole(-MOST_NUMBER)),
@@ -213,7 +236,7 @@ SAID = {  # what verdicts and claims say
     "along": list_of(whole(0), lambda those, read: len(those) == len(read["corners"]), " is not as long as the corners"),
     "of_a": some_weights("a", False, MOST_MULTIPLIERS), "of_b": some_weights("b", False, MOST_MULTIPLIERS),
     "at": place_in,
-    "direction": vector, "from": vector, "weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
+    "time": part_of_time, "direction": vector, "from": vector, "weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
     "ends": list_of(end, lambda those, read: len(those) == 2, " is not a list of 2"),
     "order": list_of(subject_index, lambda those, read: len(set(those)) == len(those) == len(subject(read)),
                      " does not name each once"),
@@ -228,12 +251,12 @@ CLAIMS = {
         polygons.circle, polygons.repeated, polygons.rings_touch, rules.each_pair, rules.each_clearance,
         hulls.between, hulls.one_point, sections.beyond, sections.touches)},
     **{rule.__name__: (rule, "weights") for rule in (rules.bounds, rules.contradict, rules.powers)},
-    **{rule.__name__: (rule, "weights", "from") for rule in (rules.holds, rules.inside)},  # from: of ellipsoids only
+    **{rule.__name__: (rule, "weights", "from") for rule in (rules.holds, rules.holds_at, rules.inside)},  # from: of ellipsoids only
     **{name: (polygons.exactly(name), "events") for name in ("none_counts", "these_count", "number_counts")},
     "bounds_only": (partial(rules.bounds, is_only=True), "weights"),
     "keeps": (polytopes.keeps, "weights", "at"),
     "parted_by": (polytopes.parted_by, "direction", "of_a", "of_b"),
-    "parted": (rules.parted, "direction"),
+    **{rule.__name__: (rule, "direction") for rule in (rules.parted, rules.parted_all_along, rules.not_before)},
     "clear": (rules.clear, "direction"),
     "parted_weakly": (partial(rules.parted, is_weak=True), "direction"),
     "surface": (hulls.surface, "homes"),
@@ -277,6 +300,11 @@ QUESTIONS = {
     "clearance": ("bodies", "a b least", {
         "kept": "clear a b least",
         "broken": "holds a from_a, holds b to_b, nearer from_a to_b least",
+    }),
+    "motion": ("bodies", "a b to_a to_b", {
+        "apart": "parted_all_along a b to_a to_b",
+        "meet": "holds_at a to_a time point, holds_at b to_b time point",
+        "first": "holds_at a to_a time point, holds_at b to_b time point, not_before a b to_a to_b time point",
     }),
     "bodies": ("bodies", "members allowed groups except", {
         "these": "each_pair members groups except allowed PROVED contacts"}),

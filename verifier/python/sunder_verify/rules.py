@@ -158,6 +158,43 @@ def inside(steps, weights, origin, body, point):
             break
 
 
+def moved_back(steps, point, time, body, to):
+    """A point, less how far a body that moves straight to another place has come by then."""
+    size = length(point) + length([time]) + body.size + to.size
+    steps.take(16, size, size)
+    (n, d, e), result = time, []
+    for p, x, y in zip(point, body.translation, to.translation):
+        parts, whole, unit = common([p, (n * x, d, e + body.moved), (-n * y, d, e + to.moved)])
+        result.append((sum(parts), whole, unit))
+    return result
+
+
+def parted_all_along(steps, direction, a, b, to_a, to_b):
+    """A direction parts A and B at both ends of their ways."""
+    parted(steps, direction, a, b)
+    parted(steps, direction, to_a, to_b)
+
+
+def holds_at(steps, weights, origin, body, to, time, point):
+    """A body on its way holds a point at that time."""
+    holds(steps, weights, origin, body, moved_back(steps, point, time, body, to))
+
+
+def not_before(steps, direction, a, b, to_a, to_b, time, point):
+    """Along a direction, where A and B have the point at that time, A ends and B begins; and they come nearer."""
+    d, places = common(direction)[0], []
+    for body, to, way in ((a, to_a, d), (b, to_b, [-n for n in d])):
+        (*place, w), (furthest, _) = projective(moved_back(steps, point, time, body, to)), reach(steps, "not_before", body, way)
+        places.append((*place, w))
+        for n, e, (square, whole, k) in furthest:
+            last, limit = aligned(n * w, e, dot(way, place), 0)
+            (left, right), _, _ = common([((limit - last) ** 2, w * w, 2 * min(e, 0)), (square, whole, k)])
+            require(limit >= last and left >= right, "not_before", "%s goes on beyond the point" % body.name)
+    p, q = places
+    between = [y * p[-1] - x * q[-1] for x, y in zip(p, q[:-1])]
+    require(dot(d, between) > 0, "not_before", "along the direction %s and %s do not come nearer" % (a.name, b.name))
+
+
 def look_at_each(steps, rule, members, groups, besides, listed, known_of, counts, others):
     """Of each two members of different groups, but for some, what is known has a word that counts if they are listed,
     and one of the others if not."""

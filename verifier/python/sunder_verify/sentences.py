@@ -1,7 +1,7 @@
 """What a statement says, as a sentence: in the same words as the twin's (verifier/cpp/sentences.cpp)."""
 import json
 
-MOST, LONG = 10, 40  # entries of a list, and characters of a number of a point, that are shown
+MOST, LONG = 10, 40  # entries of a list, and characters of a number, that are shown
 
 SENTENCES = {  # of the members that a statement has
     "pair": {"apart": "{a} and {b} are apart", "meet": "{a} and {b} meet at {point}",
@@ -11,6 +11,9 @@ SENTENCES = {  # of the members that a statement has
                   "broken": "{a} and {b} are nearer than {least}, at {from_a} and {to_b}"},
     "clearances": {"kept": "all pairs of bodies are {least} apart, or more",
                    "broken": "exactly these pairs of bodies are nearer than {least}: {nearer}"},
+    "motion": {"apart": "{a} and {b} are apart all along their ways",
+               "meet": "{a} and {b} meet on their ways, at time {time}, at {point}",
+               "first": "{a} and {b} first meet on their ways at time {time}, at {point}"},
     "polytopes": {"apart": "{a} and {b} are apart", "meet": "{a} and {b} meet at {point}"},
     "hull": {"solid": "the hull of {body} is solid, with the faces {faces}",
              "flat": "the hull of {body} is a polygon with the corners {outline}",
@@ -55,7 +58,7 @@ def in_quotes(text):
 def shown(value):
     """A word, a number, a point of numbers as they stand in the file, or a list of entries."""
     if type(value) is not list:
-        return str(value)
+        return str(value) if len(str(value)) <= LONG else "a number that the file has"
     if value and type(value[0]) is str:
         return "(%s)" % ", ".join(value) if max(map(len, value)) <= LONG else "a point that the file has"
     entries = [" ".join(map(str, entry)) if type(entry) is list else str(entry) for entry in value[:MOST]]
