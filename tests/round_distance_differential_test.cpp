@@ -120,6 +120,9 @@ TEST(RoundDistanceDifferential, EachAnswerIsProved) {
     }
     for (const double least : asked_about(found.distance, size, random)) {
       const RoundClearance clearance = round_clearance(a, b, least);
+      const solid::ClearanceVerdict alone = clearance_verdict(a, b, least);
+      ASSERT_TRUE(alone == clearance.verdict || alone == solid::ClearanceVerdict::undecided || clearance.undecided())
+          << least;
       ASSERT_TRUE(is_proved(of_a, of_b, least, clearance)) << least << " " << name_of(clearance.verdict);
       ++(clearance.kept() ? tally.kept : clearance.broken() ? tally.broken : tally.undecided);
       ASSERT_FALSE(clearance.undecided() && !is_curved(c)) << least << " of " << low << ", " << high;

@@ -407,6 +407,18 @@ Sign nearness(const ExactPoint& p, double radius_p, const ExactPoint& q, double 
   return to_sign(nearness_formula(homogeneous(p), homogeneous(q), Dyadic(radius_p) + Dyadic(radius_q)));
 }
 
+Sign nearness_within(const WeightedPoint& p, double radius_p, const WeightedPoint& q, double radius_q, double least,
+                     StageTally* tally) {
+  SUNDER_REQUIRE(least >= 0 && std::isfinite(least));
+  const Guess first = nearness_in_doubles(p, q, radius_p + radius_q + least);
+  if (is_sure(first)) return counted(&StageTally::rounded, tally, to_sign(first));
+  const Guess guess = nearness_formula(lift<IntervalStage>(p), lift<IntervalStage>(q),
+                                       Interval(radius_p) + Interval(radius_q) + Interval(least));
+  if (is_sure(guess)) return counted(&StageTally::interval, tally, to_sign(guess));
+  const Dyadic reach = Dyadic(radius_p) + Dyadic(radius_q) + Dyadic(least);
+  return counted(&StageTally::exact, tally, to_sign(nearness_formula(lift<ExactStage>(p), lift<ExactStage>(q), reach)));
+}
+
 std::array<Dyadic, 9> adjoint(const Affine3& pose) {
   const auto rows = adjoint_of<ExactStage>(pose).rows;
   return {rows[0].x, rows[0].y, rows[0].z, rows[1].x, rows[1].y, rows[1].z, rows[2].x, rows[2].y, rows[2].z};

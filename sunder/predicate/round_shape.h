@@ -69,6 +69,11 @@ Sign nearness(const WeightedPoint& p, double radius_p, const WeightedPoint& q, d
               StageTally* tally = nullptr);
 Sign nearness(const ExactPoint& p, double radius_p, const ExactPoint& q, double radius_q);
 
+// positive: the points are nearer to each other than both radii and `least` together; zero: so far apart. Requires a
+// finite `least` that is not negative.
+Sign nearness_within(const WeightedPoint& p, double radius_p, const WeightedPoint& q, double radius_q, double least,
+                     StageTally* tally = nullptr);
+
 // The adjoint of the linear part: L^-1 times the determinant; row by row.
 std::array<Dyadic, 9> adjoint(const Affine3& pose);
 

@@ -14,8 +14,10 @@ namespace {
 
 class ClearanceSearch {
  public:
-  ClearanceSearch(const PlacedRound& a, const PlacedRound& b, double least, RoundClearance& found, StageTally& tally)
-      : a_(a), b_(b), least_(least), found_(found), tally_(tally) {}
+  // proves: with points, where it is broken.
+  ClearanceSearch(const PlacedRound& a, const PlacedRound& b, double least, bool proves, RoundClearance& found,
+                  StageTally& tally)
+      : a_(a), b_(b), least_(least), proves_(proves), found_(found), tally_(tally) {}
 
   // True: the evidence is filled in.
   template <class Real>
@@ -75,6 +77,15 @@ class ClearanceSearch {
   }
   template <class Real>
   bool breaks(const RoundSearch<Real>& search) {
+    if (!proves_) {
+      const auto places = near_places(search, a_, b_, tally_);
+      const auto radius = [](const PlacedRound& p) { return p.body.is_curved() ? 0 : p.radius(); };
+      if (places &&
+          nearness_within(places->of_a, radius(a_), places->of_b, radius(b_), least_, &tally_) == Sign::positive) {
+        found_.verdict = ClearanceVerdict::broken;
+        return true;
+      }
+    }
     auto points = near_points(search, a_, b_);
     return points && breaks(std::move(*points));
   }
@@ -82,6 +93,7 @@ class ClearanceSearch {
   const PlacedRound& a_;
   const PlacedRound& b_;
   double least_;
+  bool proves_;
   RoundClearance& found_;
   StageTally& tally_;
   std::uint32_t near_a_ = 0, near_b_ = 0;
@@ -115,22 +127,11 @@ class HullClearance {
   ClearanceSearch& search_;
 };
 
-}  // namespace
-
-std::string_view name_of(ClearanceVerdict verdict) {
-  switch (verdict) {
-    case ClearanceVerdict::kept: return "kept";
-    case ClearanceVerdict::broken: return "broken";
-    case ClearanceVerdict::undecided: break;
-  }
-  return "undecided";
-}
-
-RoundClearance round_clearance(const PlacedRound& a, const PlacedRound& b, double least) {
+RoundClearance decided(const PlacedRound& a, const PlacedRound& b, double least, bool proves) {
   SUNDER_REQUIRE(least > 0 && std::isfinite(least));
   RoundClearance found;
   StageTally tally;
-  ClearanceSearch search(a, b, least, found, tally);
+  ClearanceSearch search(a, b, least, proves, found, tally);
   const auto decide = [&] {
     if (search.run<double>({})) return;
     if (!a.body.is_curved() && !b.body.is_curved()) {
@@ -155,6 +156,25 @@ RoundClearance round_clearance(const PlacedRound& a, const PlacedRound& b, doubl
   decide();
   found.cost.exact += tally.exact;
   return found;
+}
+
+}  // namespace
+
+std::string_view name_of(ClearanceVerdict verdict) {
+  switch (verdict) {
+    case ClearanceVerdict::kept: return "kept";
+    case ClearanceVerdict::broken: return "broken";
+    case ClearanceVerdict::undecided: break;
+  }
+  return "undecided";
+}
+
+RoundClearance round_clearance(const PlacedRound& a, const PlacedRound& b, double least) {
+  return decided(a, b, least, true);
+}
+
+ClearanceVerdict clearance_verdict(const PlacedRound& a, const PlacedRound& b, double least) {
+  return decided(a, b, least, false).verdict;
 }
 
 RoundClearance round_clearance(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b,

@@ -45,6 +45,10 @@ RoundClearance round_clearance(const RoundBody& a, const Pose& pose_a, const Rou
                                double least);
 RoundClearance round_clearance(const PlacedRound& a, const PlacedRound& b, double least);
 
+// The verdict alone, for a half to a tenth of the cost, because exact points are not made. What is decided by both is
+// decided alike. Requires and throws as round_clearance.
+ClearanceVerdict clearance_verdict(const PlacedRound& a, const PlacedRound& b, double least);
+
 // States it of two bodies of a certificate file. Requires that it is decided.
 void add_claims(PairClaims& pairs, std::uint32_t index_a, std::uint32_t index_b, double least,
                 const RoundClearance& clearance);

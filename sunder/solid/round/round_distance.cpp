@@ -84,7 +84,9 @@ class DistanceSearch {
     const bool is_some = std::isfinite(d.x) && std::isfinite(d.y) && std::isfinite(d.z);
     search_nearest(second, is_some ? Vector3<DoubleDouble>{d.x, d.y, d.z} : Vector3<DoubleDouble>{}, *this,
                    found_.cost);
-    if (auto points = near_points(nearest_ ? *nearest_ : second, a_, b_)) take(std::move(*points));
+    // Where the search ends in a tetrahedron that holds the origin, that is the nearest.
+    const bool is_last = !nearest_ || way2_of(second) < least_way2_;
+    if (auto points = near_points(is_last ? second : *nearest_, a_, b_)) take(std::move(*points));
   }
 
   template <class Real>
@@ -116,9 +118,10 @@ class DistanceSearch {
 
   void take(const WorldDirection& direction) {
     const RoundGap gap(a_, b_, direction, near_a_, near_b_, found_.cost, tally_);
+    const double better = std::nextafter(found_.distance.low, infinity);
+    if (!std::isfinite(better) || gap.against(better) == Sign::negative) return;
     const double low =
         greatest(best_gap_ / scale_, [&](double x) { return x == 0 || gap.against(x) != Sign::negative; });
-    if (low <= found_.distance.low) return;
     found_.distance.low = low;
     found_.direction = direction;
   }

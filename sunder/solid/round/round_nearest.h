@@ -17,6 +17,10 @@
 
 namespace sunder::solid {
 
+namespace nearest_detail {
+inline constexpr Affine3 in_place{};
+}
+
 // A direction, and the ends of both bodies along it.
 class RoundGap {
  public:
@@ -117,6 +121,49 @@ std::optional<NearPoints> near_points(const RoundSearch<Real>& search, const Pla
   if (!a.body.is_curved()) p = towards(p, a.radius(), q);
   if (!b.body.is_curved()) q = towards(q, b.radius(), p);
   return NearPoints(std::move(p), std::move(q));
+}
+
+// The same in doubles, so that filters tell of them: of hulls points of the cores; nothing where a curved body does not
+// hold its point.
+struct NearPlaces {
+  WeightedPoint of_a, of_b;
+};
+template <class Real>
+std::optional<NearPlaces> near_places(const RoundSearch<Real>& search, const PlacedRound& a, const PlacedRound& b,
+                                      StageTally& tally) {
+  if (search.simplex.count == 0) return std::nullopt;
+  const std::array<Real, 4> weights = weights_of_nearest(search.simplex);
+  const std::size_t n = static_cast<std::size_t>(search.simplex.count);
+  Real total = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (weights[k] > Real(0)) total = total + weights[k];
+  }
+  if (!(total > Real(0)) || !std::isfinite(nearest(total))) return std::nullopt;
+  const auto place = [&](const PlacedRound& body) -> std::optional<WeightedPoint> {
+    const bool is_a = &body == &a;
+    WeightedPoint point;
+    VectorOf<Real> sum{};
+    for (std::size_t k = 0; k < n; ++k) {
+      const double weight = nearest(weights[k]);
+      if (!(weight > 0)) continue;
+      const auto& slot = search.slots[search.simplex.vertex[k].a];
+      if (body.body.is_curved()) {
+        sum = round_detail::sum<Real>(sum, weights[k] / total, is_a ? slot.of_a : slot.of_b);
+        continue;
+      }
+      point.points[point.count] = body.core[is_a ? slot.vertex_a : slot.vertex_b];
+      point.weights[point.count++] = weight;
+    }
+    if (!body.body.is_curved()) return point.count > 0 ? std::optional(point) : std::nullopt;
+    // A little inwards, because of rounding.
+    const VectorOf<Real> inwards = minus(search.middle_of(is_a), sum);
+    const Point3 x = search.in_world(round_detail::sum<Real>(sum, Real(0x1p-44), inwards));
+    if (!std::isfinite(x.x + x.y + x.z)) return std::nullopt;
+    point = {1, {Posed3{x, &nearest_detail::in_place, false}}, {1}};
+    return side_of(body.shape, point, &tally) == Sign::negative ? std::nullopt : std::optional(point);
+  };
+  const auto p = place(a), q = place(b);
+  return p && q ? std::optional(NearPlaces{*p, *q}) : std::nullopt;
 }
 
 // Runs the search from a direction, until it comes no nearer. After each step it asks whether that will do:

@@ -175,6 +175,9 @@ class RoundSearch {
     return dot(d, d) > Real(0) ? d : Vector{1, 0, 0};
   }
 
+  // A point inside of one of them, about.
+  Vector middle_of(bool of_a) const { return of_a ? a_.middle() : b_.middle(); }
+
   // From now on curved bodies are smaller about their middles, by this part.
   void shrink(double by) {
     a_.shrink = by;
