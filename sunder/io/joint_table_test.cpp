@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -56,6 +57,26 @@ TEST(JointTable, OfCsv) {
   EXPECT_EQ(table.values, (Values{0.1, -2, 3, 0.4}));
   EXPECT_EQ(table.row(1)[1], 0.4);
   EXPECT_EQ(table.place(1), "t:4");
+}
+
+// A quote in the last row: then all rows are read one by one. The same numbers, on the same lines.
+TEST(JointTable, IsTheSameHoweverItIsRead) {
+  for (const std::string rows : {"1,2\n3,4\n", "1, 2\n\n\n\t3,  4e-400\n", "-1.5e3,.5\r\n\r\n0.1,7.\r\n", "1,2\n3,4",
+                                 "1 ,2\n3,4 \n", "1,2\r3,4\r", "+1,2\n  \n3,4\n"}) {
+    for (const char separator : {',', ';'}) {
+      std::string text = "a,b\n" + rows;
+      std::replace(text.begin(), text.end(), ',', separator);
+      const std::string last = std::string(text.ends_with('\n') || text.ends_with('\r') ? "" : "\n") + "9" + separator;
+      const JointTable at_once = parse_joint_table(text + last + "9\n", "t");
+      const JointTable one_by_one = parse_joint_table(text + last + "\"9\"\n", "t");
+      EXPECT_EQ(at_once.values, one_by_one.values) << text;
+      EXPECT_EQ(at_once.lines, one_by_one.lines) << text;
+      EXPECT_EQ(at_once.rows(), 3u) << text;
+    }
+  }
+  for (const std::string rows : {"1,2\n3\n", "1,2,3\n", "1,2\n3,x\n", "1,inf\n", "1,1e400\n", "1;2\n"}) {
+    EXPECT_NE(error_of("a,b\n" + rows), "no error") << rows;
+  }
 }
 
 TEST(JointTable, OfNpy) {

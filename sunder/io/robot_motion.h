@@ -3,6 +3,7 @@
 #pragma once
 
 #include <sunder/base/error.h>
+#include <sunder/base/lanes.h>
 #include <sunder/io/urdf.h>
 #include <sunder/solid/object/pose.h>
 
@@ -39,10 +40,18 @@ class RobotMotion {
   std::uint32_t root_ = 0;             // the link that hangs on none
 };
 
+inline bool is_identity(const solid::Pose& pose) {
+  const auto& [m, t] = pose.affine();
+  const auto at = [&](std::size_t k, double x, double y) { return lanes_at(&m[k]) == Lanes{x, y}; };
+  const auto is_left = at(0, 1, 0) & at(2, 0, 0) & at(4, 1, 0) & at(6, 0, 0) & (lanes_at(&t[0]) == Lanes{0, 0}) &
+                       (Lanes{m[8], t[2]} == Lanes{1, 0});
+  return bits_of(is_left) == 3;
+}
+
 // As compose, without the work where one of them is the identity. (The sign of a zero may be another one.)
 inline solid::Pose composed(const solid::Pose& outer, const solid::Pose& inner) {
-  if (outer.affine() == Affine3{}) return inner;
-  return inner.affine() == Affine3{} ? outer : compose(outer, inner);
+  if (is_identity(outer)) return inner;
+  return is_identity(inner) ? outer : compose(outer, inner);
 }
 
 // The joints that values can be given for: all but the fixed ones and those that follow others; in the order of

@@ -1,10 +1,22 @@
 #include <sunder/base/contract.h>
+#include <sunder/base/lanes.h>
 #include <sunder/scene/follower.h>
 
 #include <algorithm>
 #include <utility>
 
 namespace sunder::scene {
+
+namespace {
+
+// As meet, without branches: which boxes meet, of many, is hard to predict.
+bool have_common_point(const Box3& a, const Box3& b) {
+  const Lanes third_low{a.low.z, b.low.z}, third_high{b.high.z, a.high.z};
+  return bits_of(is_at_most(lanes_at(&a.low.x), lanes_at(&b.high.x)) &
+                 is_at_most(lanes_at(&b.low.x), lanes_at(&a.high.x)) & is_at_most(third_low, third_high)) == 3;
+}
+
+}  // namespace
 
 Follower::Follower(std::span<const Body> bodies, const Question& question)
     : bodies_(bodies.begin(), bodies.end()),
@@ -80,7 +92,7 @@ const Answer& Follower::ask() {
   answer_.pairs.clear();
   answer_.counts = {};
   for (const auto& [i, j, slot] : follow_near()) {
-    if (!meet(boxes_[i], boxes_[j])) continue;
+    if (!have_common_point(boxes_[i], boxes_[j])) continue;
     const Part &a = members_->part(bodies, i), &b = members_->part(bodies, j);
     if (!are_polyhedra(a, b)) {
       look_at_round(i, j);

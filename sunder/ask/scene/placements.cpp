@@ -16,9 +16,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -100,7 +103,11 @@ class Lines {
   // bodies: where they are.
   void add_json(std::size_t number, const scene::Answer& answer, std::span<const scene::Body> bodies,
                 std::string& out) const {
-    fmt::format_to(std::back_inserter(out), R"({{"placement": {}, "answer": "{}")", number, answer.verdict());
+    out += R"({"placement": )";
+    add_number(number, out);
+    out += R"(, "answer": ")";
+    out += answer.verdict();
+    out += '"';
     if (!answer.pairs.empty()) {
       out += R"(, "pairs": [)";
       const char* between = "";
@@ -141,17 +148,25 @@ class Lines {
  private:
   void add_json(const PartPair& pair, std::span<const scene::Body> bodies, std::string& out) const {
     const auto &a = names_[pair.body_a][pair.part_a], &b = names_[pair.body_b][pair.part_b];
-    fmt::format_to(std::back_inserter(out), R"({{"a": {}, "b": {}, "part_a": {}, "part_b": {}, "answer": "{}")",
-                   a.json_body, b.json_body, pair.part_a, pair.part_b, pair.verdict());
+    const auto add = [&](std::string_view key, std::string_view value) { (out += key) += value; };
+    add(R"({"a": )", a.json_body);
+    add(R"(, "b": )", b.json_body);
+    add(R"(, "part_a": )", "");
+    add_number(pair.part_a, out);
+    add(R"(, "part_b": )", "");
+    add_number(pair.part_b, out);
+    add(R"(, "answer": ")", pair.verdict());
+    out += '"';
     if (question_.contacts && pair.meet()) {
       if (has_unknown_contact(pair)) {
         out += R"(, "contact_unknown": true)";
       } else {
-        fmt::format_to(std::back_inserter(out), R"(, "contact": "{}")", name_of(pair.contact));
+        add(R"(, "contact": ")", name_of(pair.contact));
+        out += '"';
       }
     }
-    fmt::format_to(std::back_inserter(out), R"(, "said_of": "{}", "counted": {})",
-                   a.is_hull || b.is_hull ? "hulls" : "bodies", pair.counts);
+    add(R"(, "said_of": ")", a.is_hull || b.is_hull ? "hulls" : "bodies");
+    add(R"(", "counted": )", pair.counts ? "true" : "false");
     if (pair.undecided()) {
       const Json direction = to_json(scene::rounded_direction(*pair.round));
       fmt::format_to(std::back_inserter(out), R"(, "evidence": {{"direction_about": {}}}}})", to_line(direction));
@@ -164,9 +179,26 @@ class Lines {
       return;
     }
     const PairCertificate& c = pair.answer.certificate();
-    const auto begin = c.vertices.begin(), middle = begin + c.count_a;
-    fmt::format_to(std::back_inserter(out), R"(, "evidence": {{"vertices_a": [{}], )", fmt::join(begin, middle, ", "));
-    fmt::format_to(std::back_inserter(out), R"("vertices_b": [{}]}}}})", fmt::join(middle, middle + c.count_b, ", "));
+    const std::span<const std::uint32_t> vertices(c.vertices);
+    add(R"(, "evidence": {"vertices_a": [)", "");
+    add_numbers(vertices.first(c.count_a), out);
+    add(R"(], "vertices_b": [)", "");
+    add_numbers(vertices.subspan(c.count_a, c.count_b), out);
+    out += "]}}";
+  }
+
+  static void add_number(std::size_t number, std::string& out) {
+    std::array<char, 20> digits;
+    out.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+  }
+
+  static void add_numbers(std::span<const std::uint32_t> numbers, std::string& out) {
+    const char* between = "";
+    for (const std::uint32_t number : numbers) {
+      out += between;
+      add_number(number, out);
+      between = ", ";
+    }
   }
 
   static void add_quoted(std::string_view text, std::string& out) {

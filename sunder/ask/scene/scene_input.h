@@ -72,8 +72,13 @@ class SceneInput {
         number += static_cast<std::uint32_t>(body.parts.size());
         continue;
       }
-      const solid::Pose at = io::composed(inputs_[body.input].pose, links[*body.link]);
-      for (const io::BodyPart& part : body.parts) place(number++, io::composed(at, part.pose));
+      const solid::Pose &input = inputs_[body.input].pose, &link = links[*body.link];
+      std::optional<solid::Pose> moved;
+      if (!io::is_identity(input)) moved = compose(input, link);
+      const solid::Pose& at = moved ? *moved : link;
+      for (const io::BodyPart& part : body.parts) {
+        io::is_identity(part.pose) ? place(number++, at) : place(number++, compose(at, part.pose));
+      }
     }
   }
 
