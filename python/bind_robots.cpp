@@ -43,7 +43,7 @@ struct Collisions {
 class Robot {
  public:
   Robot(const std::string& file, const Names& packages, const std::string& srdf, const std::string& scene,
-        bool require_convex, bool leave_out)
+        const Names& groups, bool require_convex, bool leave_out)
       : left_out_(leave_out) {
     const char* search = std::getenv("ROS_PACKAGE_PATH");
     robot_ = io::read_urdf(file, &inputs_);
@@ -53,8 +53,11 @@ class Robot {
     if (links_.bodies.empty()) {
       throw Error(ErrorCode::bad_file, "no link has a shape, so there is nothing to ask about", file);
     }
+    const io::Srdf given = srdf.empty() ? io::Srdf{} : io::read_srdf(srdf, &inputs_);
+    adjacent_ = adjacent_links();
+    if (!groups.empty()) keep_groups(given, groups, file);
     for (const io::LinkBody& body : links_.bodies) names_.push_back(robot_.links[body.link].name);
-    if (!srdf.empty()) read_srdf(srdf);
+    allow_disabled(given);
     if (!scene.empty()) add_scene(scene, require_convex);
   }
 
@@ -65,7 +68,9 @@ class Robot {
     allowed_.insert({std::min(i, j), std::max(i, j)});
   }
   void allow_adjacent() {
-    for (const auto& [a, b] : io::adjacent_bodies(robot_, links_)) allowed_.insert({a, b});
+    for (const auto& [a, b] : adjacent_) {
+      if (is_body(a) && is_body(b)) allow(a, b);
+    }
   }
   void allow_touch() { touch_ = true; }
 
@@ -119,13 +124,39 @@ class Robot {
   }
 
  private:
-  void read_srdf(const std::string& file) {
-    for (const io::Srdf::Pair& pair : io::read_srdf(file, &inputs_).disabled) {
-      std::array<std::size_t, 2> both;
-      for (std::size_t i = 0; i < 2; ++i) {
-        both[i] = static_cast<std::size_t>(std::find(names_.begin(), names_.end(), pair.links[i]) - names_.begin());
-      }
-      if (std::max(both[0], both[1]) < names_.size()) allow(pair.links[0], pair.links[1]);
+  bool is_body(const std::string& name) const { return std::find(names_.begin(), names_.end(), name) != names_.end(); }
+
+  void allow_disabled(const io::Srdf& srdf) {
+    for (const auto& [links, reason] : srdf.disabled) {
+      if (is_body(links[0]) && is_body(links[1])) allow(links[0], links[1]);
+    }
+  }
+
+  // Of all links, so that those on both sides of one that is in no group are not taken for neighbours.
+  std::vector<std::pair<std::string, std::string>> adjacent_links() const {
+    std::vector<std::pair<std::string, std::string>> pairs;
+    const auto name = [&](std::uint32_t body) { return robot_.links[links_.bodies[body].link].name; };
+    for (const auto& [a, b] : io::adjacent_bodies(robot_, links_)) pairs.emplace_back(name(a), name(b));
+    return pairs;
+  }
+
+  void keep_groups(const io::Srdf& srdf, const Names& groups, const std::string& file) {
+    Names remarks;
+    const std::vector<std::uint32_t> kept = io::group_links(srdf, robot_, groups, "groups", remarks);
+    std::vector<io::LeftOut> left_out;
+    std::erase_if(links_.bodies, [&](const io::LinkBody& body) {
+      if (std::binary_search(kept.begin(), kept.end(), body.link)) return false;
+      left_out.push_back({"shape", robot_.links[body.link].name, body.parts.size()});
+      return true;
+    });
+    if (links_.bodies.empty()) {
+      throw Error(ErrorCode::bad_call, "no link of them has a shape, so there is nothing to ask about", "groups");
+    }
+    if (left_out.empty()) return;
+    if (left_out_.consent()) {
+      left_out_.add(file, left_out, "");
+    } else {
+      left_out_ = io::LeftOutList(file, left_out);
     }
   }
 
@@ -297,6 +328,7 @@ class Robot {
   io::LeftOutList left_out_;
   InputFiles inputs_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> allowed_;
+  std::vector<std::pair<std::string, std::string>> adjacent_;  // links
   bool touch_ = false;
 };
 
@@ -315,7 +347,8 @@ void bind_robots(nb::module_& module) {
           "decided", [](const Collisions& c) { return array_of<std::uint8_t>(c.decided); }, owned)
       .def_prop_ro("points", [](const Collisions& c) { return array_of<double, 3>(c.points); }, owned);
   nb::class_<Robot>(module, "_Robot")
-      .def(nb::init<const std::string&, const Names&, const std::string&, const std::string&, bool, bool>())
+      .def(nb::init<const std::string&, const Names&, const std::string&, const std::string&, const Names&, bool,
+                    bool>())
       .def("allow", &Robot::allow)
       .def("allow_adjacent", &Robot::allow_adjacent)
       .def("allow_touch", &Robot::allow_touch)

@@ -70,18 +70,21 @@ class Collisions:
 class Robot:
     """A robot out of a URDF file, and maybe what stands around it.
 
-    packages: folders of packages by name. srdf: pairs that it disables are allowed to meet. scene: a scene file, whose
+    packages: folders of packages by name. srdf: pairs that it disables are allowed to meet. groups: names of groups of
+    the srdf; the shapes of other links are left out. scene: a scene file, whose
     bodies do not move. allow: "adjacent" (links joined by a joint), "touch" (pairs that only touch do not count), and
     pairs of names. require_convex: meshes that are not convex are an error, and not stood for by their hulls; .hulls
     has the bodies of which some are. leave_out: shapes that are not read are left out; .left_out says which.
     """
 
     def __init__(self, file: Path, *, packages: Optional[Mapping[str, Path]] = None, srdf: Optional[Path] = None,
-                 scene: Optional[Path] = None, allow: "str | Iterable[str | Tuple[str, str]]" = (),
-                 require_convex: bool = False, leave_out: bool = False) -> None:
+                 groups: "str | Iterable[str]" = (), scene: Optional[Path] = None,
+                 allow: "str | Iterable[str | Tuple[str, str]]" = (), require_convex: bool = False,
+                 leave_out: bool = False) -> None:
         named = ["%s=%s" % (name, os.fspath(folder)) for name, folder in dict(packages or {}).items()]
         self._robot = _sunder._Robot(os.fspath(file), named, "" if srdf is None else os.fspath(srdf),
-                                     "" if scene is None else os.fspath(scene), require_convex, leave_out)
+                                     "" if scene is None else os.fspath(scene),
+                                     [groups] if isinstance(groups, str) else list(groups), require_convex, leave_out)
         for one in [allow] if isinstance(allow, str) else allow:
             if one == "adjacent":
                 self._robot.allow_adjacent()

@@ -146,11 +146,27 @@ def test_around_it(tmp_path):
 def test_srdf_and_packages(tmp_path):
     arm = sunder.Robot(ARM, srdf=os.path.join(CASES, "scene", "arm.srdf"), leave_out=True)
     assert len(arm.allowed) == 2 and arm.left_out
+    part = sunder.Robot(ARM, srdf=os.path.join(CASES, "scene", "arm.srdf"), leave_out=True, groups="upper_arm")
+    assert part.bodies == ["upper", "lower"] and part.allowed == [] and "1 shape of base" in part.left_out
+    assert part.collisions()[0] == [("upper", "lower")] and b"1 shape of base" in part.certificate()
+    assert "whole" in refused("bad-call", "groups", sunder.Robot, ARM, leave_out=True, groups="frob",
+                              srdf=os.path.join(CASES, "scene", "arm.srdf"))
     (tmp_path / "arm.urdf").write_text('<robot name="r"><link name="a"><collision><geometry>'
                                        '<mesh filename="package://parts/cube.obj"/></geometry></collision></link></robot>')
     robot = sunder.Robot(tmp_path / "arm.urdf", packages={"parts": os.path.join(CASES, "mesh")})
     assert robot.bodies == ["a"] and robot.joints == {}
     assert refused("bad-call", "certificate", robot.certificate)
+
+
+def test_groups_keep_neighbours(tmp_path):
+    (tmp_path / "g.srdf").write_text("<robot><group name='ends'><link name='panda_link0'/><link name='panda_link2'/></group>"
+                                     "<group name='start'><chain base_link='panda_link0' tip_link='panda_link1'/></group>"
+                                     "</robot>")
+    ends = sunder.Robot(PANDA, srdf=tmp_path / "g.srdf", groups=["ends"], allow="adjacent")
+    assert ends.bodies == ["panda_link0", "panda_link2"] and ends.allowed == []  # link1 is between them
+    assert "shapes of panda_link1" in ends.left_out[0]
+    both = sunder.Robot(PANDA, srdf=tmp_path / "g.srdf", groups=["ends", "start"], allow="adjacent")
+    assert both.allowed == [("panda_link0", "panda_link1"), ("panda_link1", "panda_link2")]
 
 
 def test_limits_are_warned_of(panda):
