@@ -92,6 +92,7 @@
 #include <sunder/solid/pair/polyhedron_ray.h>
 #include <sunder/solid/pair/polyhedron_segment.h>
 #include <sunder/solid/round/round_clearance.h>
+#include <sunder/solid/round/round_closer.h>
 #include <sunder/solid/round/round_contact.h>
 #include <sunder/solid/round/round_round.h>
 
