@@ -34,8 +34,8 @@ std::string_view name_of(RoundVerdict);  // "undecided"
 // A point as a combination of points of a body: weight over the sum of the weights, all positive.
 struct RoundCombination {
   std::uint8_t count = 0;
-  std::array<std::uint32_t, 4> vertices{};
-  std::array<double, 4> weights{};
+  std::array<std::uint32_t, 4> vertices;  // `count` of them are set
+  std::array<double, 4> weights;
 };
 
 // Plain data; exact numbers are made when asked for.

@@ -1,0 +1,310 @@
+// A placed body with a radius in doubles, for proposals: the nearest point of it in closed form, and the smooth pieces
+// of its surface with their second derivatives. Nothing here decides anything. For the sources of solid/round.
+#pragma once
+
+#include <sunder/predicate/round_image.h>
+#include <sunder/solid/round/round_round.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+namespace sunder::solid::round_quick {
+
+using V = Vector3<double>;
+
+inline V sum(const V& p, double by, const V& q) { return {p.x + by * q.x, p.y + by * q.y, p.z + by * q.z}; }
+inline double length(const V& v) { return std::sqrt(dot(v, v)); }
+inline Point3 point(const V& v) { return {v.x, v.y, v.z}; }
+inline V vector(const Point3& p) { return {p.x, p.y, p.z}; }
+
+// A body in its place, in doubles. What is said of its core is of a curved body said of itself.
+struct Side {
+  const RoundBody& body;
+  const Affine3& pose;
+  RoundImage image;
+
+  Side(const RoundBody& of, const Pose& at) : body(of), pose(at.affine()) { set(at); }
+
+  bool is_curved() const { return body.is_curved(); }
+  bool is_ball() const { return !is_curved() && image.ends == 1; }
+  bool is_capsule() const { return !is_curved() && image.ends == 2; }
+  bool is_box() const { return body.box() != nullptr; }
+  double radius() const { return is_curved() ? 0 : image.radius; }  // around the core
+
+  V turned(const V& v) const {
+    const auto& m = pose.linear;
+    return {m[0] * v.x + m[1] * v.y + m[2] * v.z, m[3] * v.x + m[4] * v.y + m[5] * v.z,
+            m[6] * v.x + m[7] * v.y + m[8] * v.z};
+  }
+  V pulled(const V& v) const {
+    const auto& m = pose.linear;
+    return {m[0] * v.x + m[3] * v.y + m[6] * v.z, m[1] * v.x + m[4] * v.y + m[7] * v.z,
+            m[2] * v.x + m[5] * v.y + m[8] * v.z};
+  }
+  V translation() const { return {pose.translation[0], pose.translation[1], pose.translation[2]}; }
+
+  V middle() const {
+    if (image.kind == RoundKind::cone) return sum(image.from, 0.25 * image.length, image.axis);
+    if (image.kind == RoundKind::cylinder) return sum(image.from, 0.5 * image.length, image.axis);
+    if (image.ends == 1) return image.from;
+    if (image.ends == 2) return sum(image.from, 0.5, image.axis);
+    return sum(translation(), 1, turned(vector(body.core().search_graph().middle)));
+  }
+
+ private:
+  void set(const Pose& at) {
+    const SearchGraph& graph = body.core().search_graph();
+    const double size = std::max(at.linear_range().greatest * graph.sizes.greatest, at.translation_range().greatest);
+    const std::size_t n = graph.vertices.size();
+    if (body.is_curved()) {
+      const std::span<const Point3> points = body.points();
+      set_image(image, body.kind(), pose, points.data(), static_cast<std::uint32_t>(points.size()), body.radius(),
+                size);
+    } else if (n <= 2) {
+      set_image(image, RoundKind::hull, pose, graph.vertices.data(), static_cast<std::uint32_t>(n), body.radius(),
+                size);
+    } else {
+      set_image(image, pose, graph.all.data(), graph.padded, body.radius(), size);
+      if (graph.padded == 0) image.is_tame = false;  // of many vertices
+    }
+  }
+};
+
+// The point of a core that is nearest to another: what makes it.
+struct Nearest {
+  V at;
+  RoundCombination made{};  // of hulls
+};
+
+inline void put(RoundCombination& made, std::uint32_t vertex, double weight) {
+  if (!(weight > 0)) return;
+  made.vertices[made.count] = vertex;
+  made.weights[made.count++] = weight;
+}
+
+// The point of a segment, from 0 to 1.
+inline Nearest on_segment(const RoundImage& image, double t) {
+  Nearest found{};
+  const double rest = 1 - t;
+  put(found.made, 0, rest);
+  put(found.made, 1, t);
+  found.at = {rest * image.from.x + t * image.to.x, rest * image.from.y + t * image.to.y,
+              rest * image.from.z + t * image.to.z};
+  return found;
+}
+
+// In a box, of the corner at `place` 0 and those after it in the order of the coordinates, of which the greatest comes
+// first: a simplex that holds the point. Source: Freudenthal 1942; Kuhn 1960.
+inline Nearest in_box(const Side& side, const V& x) {
+  const RoundBox& box = *side.body.box();
+  const V local = side.pulled(x - side.translation()) - vector(box.middle);
+  std::array<std::pair<double, std::size_t>, 3> part;  // from 0 to 1 along each side
+  for (std::size_t k = 0; k < 3; ++k) {
+    const V half = vector(box.half[k]);
+    part[k] = {std::clamp(0.5 + 0.5 * dot(local, half) / dot(half, half), 0.0, 1.0), k};
+  }
+  if (part[0].first < part[1].first) std::swap(part[0], part[1]);
+  if (part[1].first < part[2].first) std::swap(part[1], part[2]);
+  if (part[0].first < part[1].first) std::swap(part[0], part[1]);
+  Nearest found{};
+  std::size_t place = 0;
+  put(found.made, box.corners[place], 1 - part[0].first);
+  for (std::size_t k = 0; k < 3; ++k) {
+    place |= std::size_t{1} << part[k].second;
+    put(found.made, box.corners[place], part[k].first - (k < 2 ? part[k + 1].first : 0));
+  }
+  // Of these vertices as they are.
+  V total{0, 0, 0};
+  double weight = 0;
+  for (std::size_t k = 0; k < found.made.count; ++k) {
+    total = sum(total, found.made.weights[k], vector(side.body.core().search_graph().vertices[found.made.vertices[k]]));
+    weight += found.made.weights[k];
+  }
+  found.at = sum(side.translation(), 1, side.turned({total.x / weight, total.y / weight, total.z / weight}));
+  return found;
+}
+
+inline Nearest in_cylinder(const RoundImage& image, const V& x) {
+  const V from = x - image.from;
+  const double along = dot(from, image.axis);
+  const V across = sum(from, -along, image.axis);
+  const double far2 = dot(across, across), r = image.radius;
+  const double by = far2 > r * r ? r / std::sqrt(far2) : 1;
+  return {sum(sum(image.from, std::clamp(along, 0.0, image.length), image.axis), by, across)};
+}
+
+// In the half plane of the axis and the point: of the triangle of base, rim and apex.
+inline Nearest in_cone(const RoundImage& image, const V& x) {
+  const V from = x - image.from;
+  const double along = dot(from, image.axis), l = image.length, r = image.radius;
+  const V across = sum(from, -along, image.axis);
+  const double far = length(across);
+  double up = along, out = far;
+  if (r * along + l * (far - r) > 0) {  // beyond the side
+    const double t = std::clamp((l * along - r * (far - r)) / (l * l + r * r), 0.0, 1.0);
+    up = t * l;
+    out = (1 - t) * r;
+    if (along < 0) {
+      up = 0;
+      out = std::min(far, r);
+    }
+  } else if (along < 0) {
+    up = 0;
+    out = std::min(far, r);
+  }
+  return {sum(sum(image.from, up, image.axis), far > 0 ? out / far : 0, across)};
+}
+
+// On the way from the centre.
+inline Nearest in_ellipsoid(const Side& side, const V& x) {
+  const RoundImage& of = side.image;
+  const auto& m = side.pose.linear;
+  const V p{m[0], m[3], m[6]}, q{m[1], m[4], m[7]}, r{m[2], m[5], m[8]};
+  const V way = x - of.from, of_p = cross(q, r);
+  const double far = length({dot(of_p, way), dot(cross(r, p), way), dot(cross(p, q), way)});
+  const double reach = of.radius * std::fabs(dot(p, of_p));
+  return {sum(of.from, far > reach ? reach / far : 1, way)};
+}
+
+inline bool has_nearest(const Side& side) {
+  return side.is_ball() || side.is_capsule() || (side.is_curved() && side.image.kind != RoundKind::ellipsoid) ||
+         (side.is_box() && side.image.count > 0);
+}
+
+// Requires has_nearest.
+inline Nearest nearest_in(const Side& side, const V& x) {
+  const RoundImage& image = side.image;
+  if (image.kind == RoundKind::cylinder) return in_cylinder(image, x);
+  if (image.kind == RoundKind::cone) return in_cone(image, x);
+  if (side.is_ball()) return {image.from, {1, {0}, {1}}};
+  if (!side.is_capsule()) return in_box(side, x);
+  return on_segment(image, std::clamp(dot(x - image.from, image.axis) / dot(image.axis, image.axis), 0.0, 1.0));
+}
+
+// Where segments are nearest to each other: of the first, from 0 to 1. Source: Ericson 2005, section 5.1.9.
+inline double nearest_of_segments(const RoundImage& a, const RoundImage& b) {
+  const V way = a.from - b.from;
+  const double aa = dot(a.axis, a.axis), bb = dot(b.axis, b.axis), ab = dot(a.axis, b.axis);
+  const double of_a = dot(a.axis, way), of_b = dot(b.axis, way);
+  const double across = aa * bb - ab * ab;
+  const double s = across > 0 ? std::clamp((ab * of_b - of_a * bb) / across, 0.0, 1.0) : 0;
+  const double t = std::clamp((ab * s + of_b) / bb, 0.0, 1.0);
+  return std::clamp((ab * t - of_a) / aa, 0.0, 1.0);
+}
+
+// ---- For the other pairs: a short search, and Newton's method on what it has found.
+
+// The point of a core that is furthest along a direction, and the smooth piece of the surface that it is of: a vertex,
+// the rim of base (0) or top (1), an apex (1), an ellipsoid (0).
+struct Far {
+  V at{};
+  std::uint32_t piece = 0;
+};
+
+inline V image(const Side& side, std::uint32_t vertex) {
+  return sum(side.translation(), 1, side.turned(vector(side.body.core().search_graph().vertices[vertex])));
+}
+
+inline bool is_vertex(const Side& side, std::uint32_t piece) {
+  return !side.is_curved() || (side.image.kind == RoundKind::cone && piece == 1);
+}
+
+// Of one piece.
+inline V far_on(const Side& side, std::uint32_t piece, const V& d) {
+  const RoundImage& of = side.image;
+  if (!side.is_curved()) return of.ends == 0 ? image(side, piece) : piece == 0 ? of.from : of.to;
+  if (is_vertex(side, piece)) return of.to;
+  if (of.kind == RoundKind::ellipsoid) {
+    const V e = side.pulled(d);
+    return sum(of.from, of.radius / length(e), side.turned(e));
+  }
+  const V across = sum(d, -dot(d, of.axis), of.axis);
+  const double far2 = dot(across, across);
+  return sum(piece == 0 ? of.from : of.to, far2 > 0 ? of.radius / std::sqrt(far2) : 0, across);
+}
+
+inline Far far_along(const Side& side, const V& d) {
+  const RoundImage& of = side.image;
+  if (of.kind == RoundKind::cylinder || (of.ends == 2 && !side.is_curved())) {
+    const std::uint32_t piece = dot(d, of.axis) > 0 ? 1 : 0;
+    return {far_on(side, piece, d), piece};
+  }
+  if (of.kind == RoundKind::cone) {
+    const V rim = far_on(side, 0, d);
+    return dot(d, of.to - rim) > 0 ? Far{of.to, 1} : Far{rim, 0};
+  }
+  if (of.ends == 1) return {far_on(side, 0, d), 0};
+  const V e = side.pulled(d);
+  std::uint32_t vertex = 0;
+  if (const RoundBox* box = side.body.box()) {
+    std::size_t place = 0;
+    for (std::size_t k = 0; k < 3; ++k) place |= std::size_t{dot(e, vector(box->half[k])) > 0} << k;
+    vertex = box->corners[place];
+  } else {
+    const double *x = of.all, *y = x + of.count, *z = y + of.count;
+    double furthest = e.x * x[0] + e.y * y[0] + e.z * z[0];
+    const std::uint32_t n = static_cast<std::uint32_t>(side.body.core().search_graph().vertices.size());
+    for (std::uint32_t j = 1; j < n; ++j) {
+      const double far = e.x * x[j] + e.y * y[j] + e.z * z[j];
+      if (far > furthest) {
+        furthest = far;
+        vertex = j;
+      }
+    }
+  }
+  return {image(side, vertex), vertex};
+}
+
+// How the furthest point of a piece turns with the direction, of length 1: the second derivative of its reach, in the
+// plane of the directions s and t.
+struct Bend {
+  double ss = 0, st = 0, tt = 0;
+  void add(double by, const Bend& other) {
+    ss += by * other.ss;
+    st += by * other.st;
+    tt += by * other.tt;
+  }
+};
+// False: there is none.
+inline bool bend_of(const Side& side, std::uint32_t piece, const V& d, const V& s, const V& t, Bend& bend) {
+  bend = {};
+  if (is_vertex(side, piece)) return true;
+  const RoundImage& of = side.image;
+  if (of.kind == RoundKind::ellipsoid) {
+    const V e = side.pulled(d), es = side.pulled(s), et = side.pulled(t);
+    const double far2 = dot(e, e), by = of.radius / std::sqrt(far2), is = dot(es, e), it = dot(et, e);
+    bend = {by * (dot(es, es) - is * is / far2), by * (dot(es, et) - is * it / far2),
+            by * (dot(et, et) - it * it / far2)};
+    return true;
+  }
+  const V around = cross(of.axis, d);
+  const double far2 = dot(around, around);
+  if (!(far2 > 0x1p-40)) return false;
+  const double by = of.radius / (far2 * std::sqrt(far2)), is = dot(around, s), it = dot(around, t);
+  bend = {by * is * is, by * is * it, by * it * it};
+  return true;
+}
+
+// Pieces of one body: those that reach furthest, together.
+struct Pieces {
+  std::array<std::uint32_t, 4> piece{};
+  std::array<double, 4> weight{};  // of the point where the bodies are nearest
+  std::array<V, 4> at{};
+  std::size_t count = 0;
+
+  bool has(std::uint32_t p) const { return std::find(piece.data(), piece.data() + count, p) != piece.data() + count; }
+  std::size_t least() const {
+    return static_cast<std::size_t>(std::min_element(weight.data(), weight.data() + count) - weight.data());
+  }
+  void drop(std::size_t k) {
+    --count;
+    piece[k] = piece[count];
+    weight[k] = weight[count];
+  }
+};
+
+}  // namespace sunder::solid::round_quick
