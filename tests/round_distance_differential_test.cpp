@@ -89,7 +89,7 @@ TEST(RoundDistanceDifferential, EachAnswerIsProved) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   RoundPairs pairs(seed);
   Random random(seed + 1);
-  const int count = scaled_count(4000);
+  const int count = scaled_count(1500);
   std::map<std::string, Tally> tallies;
   for (int i = 0; i < count; ++i) {
     const RoundCase c = pairs.next();
@@ -176,7 +176,7 @@ TEST(RoundDistanceDifferential, TheVerifierAcceptsWhatIsTrueOnly) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   RoundPairs pairs(seed);
   Random random(seed + 1);
-  const int count = scaled_count(2000);
+  const int count = scaled_count(1000);
   int accepted = 0, refused = 0;
   for (int i = 0; i < count; ++i) {
     const RoundCase c = pairs.next();
