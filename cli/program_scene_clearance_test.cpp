@@ -149,11 +149,39 @@ TEST_F(SceneClearance, OfBallsAndCapsules) {
         report("scene '" + balls + "' --clearance " + least + " --distance --certificate '" + proof + "'", code);
     EXPECT_EQ(r["nearest"][0]["a"], "a");
     EXPECT_EQ(r["nearest"][0]["b"], "c");
-    EXPECT_NEAR(r["nearest"][0]["low"].get<double>(), 1, 1e-15);
-    EXPECT_NEAR(r["nearest"][0]["high"].get<double>(), 1, 1e-15);
+    EXPECT_EQ(r["nearest"][0]["low"], 1.0);
+    EXPECT_EQ(r["nearest"][0]["high"], 1.0);
     EXPECT_EQ(r["nearest"][0]["points_about"], json::parse("[[0.0, 0.5, 0.0], [0.0, 1.5, 0.0]]"));
     proof_of(proof);
   }
+}
+
+// A cylinder and a ball whose distance is a double; two cylinders so near that nothing is said that is not known.
+TEST_F(SceneClearance, OfCurvedBodies) {
+  const std::string proof = in_folder("proof.json");
+  const std::string crane = "scene " + cases + "/scene/primitives.urdf --allow adjacent --joints hoist=0.5";
+  const json far = report(crane + " --clearance 1e-3 --distance --certificate '" + proof + "'", 0);
+  EXPECT_TRUE(far["clearance"]["kept"].get<bool>());
+  const json near = far["nearest"][0];
+  EXPECT_LE(near["high"].get<double>() - near["low"].get<double>(), 1e-15);
+  EXPECT_GT(near["low"], 1e-3);
+  EXPECT_EQ(proof_of(proof)["statements"].back()["verdict"], "broken");
+  EXPECT_EQ(run(crane + " --clearance " + near["low"].dump()).code, 0);
+  EXPECT_EQ(run(crane + " --clearance " + std::to_string(near["high"].get<double>() + 1e-5)).code, 1);
+
+  const std::string nearly = "scene " + cases + "/scene/nearly.urdf " + cube + "@9,0,0 --joints way=1.3853189754928867";
+  const json r = report(nearly + " --clearance 1e-33 --distance --certificate '" + proof + "'", 1);
+  EXPECT_FALSE(r["clearance"]["kept"].get<bool>());
+  EXPECT_EQ(r["clearance"]["closer"].size(), 0u);
+  ASSERT_EQ(r["clearance"]["undecided"].size(), 1u);
+  EXPECT_EQ(r["clearance"]["undecided"][0]["low"], 0.0);
+  EXPECT_GT(r["clearance"]["undecided"][0]["high"], 1e-33);
+  EXPECT_EQ(r["clearance"]["totals"]["undecided"], 1);
+  EXPECT_EQ(r["nearest"][0]["low"], 0.0);
+  EXPECT_EQ(proof_of(proof)["left_out"],
+            (json{"one and other, undecided whether they meet", "one and other, undecided whether they are closer"}));
+  EXPECT_NE(run(nearly + " --clearance 1e-33").out.find("none that is known of 3 pairs"), std::string::npos);
+  EXPECT_EQ(report(nearly + " --clearance 1e-32", 1)["clearance"]["closer"].size(), 1u);
 }
 
 TEST_F(SceneClearance, ThatIsNone) {

@@ -49,6 +49,7 @@ OPTIONAL = {
     "cut.last": "end",
     "pairs[]": "contact contact_unknown",
     "clearance.closer[]": "points_about",
+    "clearance.undecided[]": "points_about",
     "nearest[]": "points_about",
     "contacts[]": "groups layers files lines properties",
     "best": "before side after point",
@@ -138,6 +139,7 @@ scene cases/mesh/arm.urdf --leave-out --srdf cases/scene/arm.srdf --state up --s
 scene cases/mesh/two_nodes.dae cases/mesh/two_nodes.wrl@0,0,9 cases/mesh/two_nodes.gltf@0,9,0 --groups
 scene cases/scene/primitives.urdf --joints hoist=1.125 --classify --certificate OUT
 scene cases/panda/panda.urdf --allow adjacent --joints-file cases/scene/folded.joints --joints-file cases/scene/ready.joints --clearance 0.01 --margin panda_link5,panda_link7=0.02 --distance
+scene cases/scene/nearly.urdf --joints way=1.3853189754928867 --clearance 1e-33 --distance
 scene cases/scene/nearly.urdf --joints way=1.3853189754928867
 scene cases/scene/nearly.urdf --joints way=1.3853189754928865 --classify
 scene cases/scene/workcell.json --classify --certificate OUT

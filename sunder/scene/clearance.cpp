@@ -6,6 +6,8 @@
 #include <sunder/scene/part_questions.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
+#include <sunder/solid/round/round_clearance.h>
+#include <sunder/solid/round/round_distance.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,45 +42,31 @@ double squared_gap(const Box3& a, const Box3& b) {
   return sum;
 }
 
-// Of hulls: the cores are apart, and so far apart as their distance is; encloses what is left between the parts.
-Interval between(const PartDistance& pair) {
-  const Interval cores = pair.closest->distance();
-  if (pair.radius_a == 0 && pair.radius_b == 0) return cores;
-  const Interval left = cores - (Interval(pair.radius_a) + Interval(pair.radius_b));
-  return {std::max(left.low, 0.0), left.high};
+PartDistance named(const PartPair& pair) { return {pair.body_a, pair.body_b, pair.part_a, pair.part_b}; }
+
+// Of two polyhedra.
+PartDistance with(PartDistance pair, const solid::PolyhedronDistance& found) {
+  pair.distance = found.distance();
+  pair.closest = found.closest;
+  return pair;
 }
 
-// Are the parts further apart than `least` (positive), exactly so far (zero), or closer? Requires cores that are apart.
-Sign compared(const PartDistance& pair, double least) {
-  const Interval all = Interval(pair.radius_a) + Interval(pair.radius_b) + Interval(least),
-                 cores = pair.closest->distance();
-  if (cores.low > all.high) return Sign::positive;
-  if (cores.high < all.low) return Sign::negative;
-  const Dyadic sum = Dyadic(pair.radius_a) + Dyadic(pair.radius_b) + Dyadic(least);
-  const auto [square, over] = pair.closest->squared();
-  return (square - sum * sum * over).sign();
+// Of others.
+PartDistance with(PartDistance pair, const solid::RoundDistance& found) {
+  pair.distance = found.distance;
+  if (!found.meet()) pair.points = found.points;
+  return pair;
 }
 
-void require_hull(const Body& body, std::uint32_t part) {
-  if (!body.parts[part].shape.is_curved()) return;
-  throw Error(ErrorCode::bad_shape,
-              "a cylinder, a cone or an ellipsoid is asked only whether it meets, not how far apart it is",
-              part_name(body, part));
+solid::PolyhedronDistance distance_of_cores(const Part& a, const Part& b) {
+  return polyhedron_polyhedron_distance(a.shape.core(), a.pose, b.shape.core(), b.pose);
 }
 
 PartDistance distance_of(const Members& members, std::span<const Body> bodies, std::uint32_t i, std::uint32_t j) {
-  const PartPair pair = members.pair(i, j);
   const Part &a = members.part(bodies, i), &b = members.part(bodies, j);
-  require_hull(bodies[pair.body_a], pair.part_a);
-  require_hull(bodies[pair.body_b], pair.part_b);
-  PartDistance found{pair.body_a, pair.body_b, pair.part_a, pair.part_b};
-  found.radius_a = a.shape.radius();
-  found.radius_b = b.shape.radius();
-  found.closest = polyhedron_polyhedron_distance(a.shape.core(), a.pose, b.shape.core(), b.pose).closest;
-  const bool is_round = found.radius_a > 0 || found.radius_b > 0;
-  if (found.closest && is_round && compared(found, 0) != Sign::positive) found.closest.reset();
-  if (found.closest) found.distance = between(found);
-  return found;
+  const PartDistance pair = named(members.pair(i, j));
+  if (are_polyhedra(a, b)) return with(pair, distance_of_cores(a, b));
+  return with(pair, solid::round_distance(a.shape, a.pose, b.shape, b.pose));
 }
 
 bool comes_first(const PartDistance& p, const PartDistance& q) {
@@ -110,10 +98,20 @@ class Margins {
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> own_;
 };
 
+const Part& part_a(std::span<const Body> bodies, const PartDistance& p) { return bodies[p.body_a].parts[p.part_a]; }
+const Part& part_b(std::span<const Body> bodies, const PartDistance& p) { return bodies[p.body_b].parts[p.part_b]; }
+
+bool are_hulls(std::span<const Body> bodies, const PartDistance& p) {
+  return !part_a(bodies, p).shape.is_curved() && !part_b(bodies, p).shape.is_curved();
+}
+
 // sqrt(n / d) - r for hulls whose cores are sqrt(n / d) apart, and whose radii sum to r.
 struct ExactDistance {
-  explicit ExactDistance(const PartDistance& pair)
-      : square(pair.closest->squared()), radii(Dyadic(pair.radius_a) + Dyadic(pair.radius_b)) {}
+  ExactDistance(std::span<const Body> bodies, const PartDistance& pair) {
+    const Part &a = part_a(bodies, pair), &b = part_b(bodies, pair);
+    square = (pair.closest ? *pair.closest : *distance_of_cores(a, b).closest).squared();
+    radii = Dyadic(a.shape.radius()) + Dyadic(b.shape.radius());
+  }
   std::array<Dyadic, 2> square;
   Dyadic radii;
 };
@@ -127,12 +125,13 @@ bool is_less(const std::array<Dyadic, 2>& x, const std::array<Dyadic, 2>& y, con
   return (left * left - right).sign() == Sign::negative;
 }
 
-// Is `one` nearer? Exactly.
-bool is_nearer(const PartDistance& one, const PartDistance& other) {
+// Is `one` nearer? Exactly; where one is curved, and the bounds do not tell, is its upper bound less?
+bool is_nearer(std::span<const Body> bodies, const PartDistance& one, const PartDistance& other) {
   if (one.meet() || other.meet()) return one.meet() && !other.meet();
   const Interval &p = one.distance, &q = other.distance;
   if (p.high < q.low || q.high < p.low) return p.high < q.low;
-  const ExactDistance x(one), y(other);
+  if (!are_hulls(bodies, one) || !are_hulls(bodies, other)) return p.high < q.high;
+  const ExactDistance x(bodies, one), y(bodies, other);
   const Dyadic t = x.radii - y.radii;  // is sqrt(x) < sqrt(y) + t?
   if (t.sign() != Sign::negative) return is_less(x.square, y.square, t);
   // No: iff sqrt(y) - t <= sqrt(x).
@@ -162,12 +161,23 @@ ClearanceAnswer closer_pairs(std::span<const Body> bodies, const ClearanceQuesti
     const double least = margins.of(members.body(i), members.body(j));
     if (least == 0 || apart_by_boxes(boxes[i], boxes[j], least)) continue;
     ++answer.by_method;
-    PartDistance found = distance_of(members, bodies, i, j);
-    if (!found.meet() && compared(found, least) != Sign::negative) continue;
-    found.least = least;
-    answer.closer.push_back(std::move(found));
+    const Part &a = members.part(bodies, i), &b = members.part(bodies, j);
+    PartDistance pair = named(members.pair(i, j));
+    pair.least = least;
+    if (are_polyhedra(a, b)) {
+      const solid::PolyhedronDistance found = distance_of_cores(a, b);
+      if (compare_distance(found, least) == Sign::negative) answer.closer.push_back(with(pair, found));
+      continue;
+    }
+    const solid::PlacedRound in_a(a.shape, a.pose), in_b(b.shape, b.pose);
+    const solid::RoundClearance found = round_clearance(in_a, in_b, least);
+    if (found.kept()) continue;
+    PartDistance distance = with(pair, round_distance(in_a, in_b));
+    if (found.undecided() && distance.distance.low >= least) continue;
+    const bool is_closer = found.broken() || distance.distance.high < least;
+    (is_closer ? answer.closer : answer.undecided).push_back(std::move(distance));
   }
-  std::sort(answer.closer.begin(), answer.closer.end(), comes_first);
+  for (auto* list : {&answer.closer, &answer.undecided}) std::sort(list->begin(), list->end(), comes_first);
   Counts counts;
   counts.by_method = answer.by_method;
   members.complete(counts);
@@ -210,14 +220,17 @@ std::optional<PartDistance> nearest_parts(std::span<const Body> bodies,
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& p, const Candidate& q) {
     return std::tie(p.squared, p.i, p.j) < std::tie(q.squared, q.i, q.j);
   });
+  double low = nearest.distance.low;  // of all that were looked at
   for (const auto& [squared, i, j] : candidates) {
     if (squared > bound()) break;
     PartDistance found = distance_of(members, bodies, i, j);
+    low = std::min(low, found.distance.low);
     const bool is_first = comes_first(found, nearest);
-    if (is_nearer(found, nearest) || (is_first && !is_nearer(nearest, found))) {
+    if (is_nearer(bodies, found, nearest) || (is_first && !is_nearer(bodies, nearest, found))) {
       nearest = std::move(found);
     }
   }
+  nearest.distance.low = low;
   return nearest;
 }
 
@@ -230,21 +243,16 @@ std::optional<AxisApart> apart_by_boxes(const Box3& a, const Box3& b, double lea
 }
 
 std::optional<NearestPoints> rounded_nearest_points(const PartDistance& distance) {
-  if (distance.meet()) return std::nullopt;
-  const solid::ClosestPoints exact = closest_points(*distance.closest);
   const auto rounded = [](const PointOf& p) {
     const auto at = [&](std::size_t k) { return nearest_ratio(p.coordinates[k], p.denominator); };
     return Point3{at(0), at(1), at(2)};
   };
-  NearestPoints points{rounded(exact.of_a), rounded(exact.of_b)};
-  if (distance.radius_a == 0 && distance.radius_b == 0) return points;
-  const double cores = distance.closest->distance().high;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double way = (points.of_b[k] - points.of_a[k]) / cores;
-    points.of_a[k] += way * distance.radius_a;
-    points.of_b[k] -= way * distance.radius_b;
+  if (distance.closest) {
+    const auto [of_a, of_b] = closest_points(*distance.closest);
+    return NearestPoints{rounded(of_a), rounded(of_b)};
   }
-  return points;
+  if (!distance.points) return std::nullopt;
+  return NearestPoints{rounded((*distance.points)[0]), rounded((*distance.points)[1])};
 }
 
 }  // namespace sunder::scene

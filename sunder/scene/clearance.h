@@ -1,20 +1,22 @@
 // Are the bodies of a scene far enough from each other? Which are the nearest?
 // Also called: clearance check, minimum distance query, safety margin, tolerance verification.
 //
-//   C1. A pair is listed iff it is closer than its margin: exactly, for the doubles given; that far apart is far
-//   enough. C2. Boxes never hide a pair that is too close: they are widened, and that is rounded outwards. C3. Lists
-//   are ordered by body_a, body_b, part_a, part_b, and are the same for every compiler and machine.
-//
-// Of polyhedra, balls, capsules and rounded polyhedra. Where boxes do not tell, a cylinder, a cone or an ellipsoid is
-// an error: these have no distance yet.
+//   C1. A pair is listed as closer iff it is closer than its margin: exactly, for the doubles given; that far apart is
+//   far enough. Where one is curved (a cylinder, a cone, an ellipsoid), it may be undecided (round_clearance.h, C2);
+//   then it is listed and counted as that. C2. Boxes never hide a pair that is too close: they are widened, and that is
+//   rounded outwards. C3. Lists are ordered by body_a, body_b, part_a, part_b, and are the same for every compiler and
+//   machine.
 #pragma once
 
 #include <sunder/base/error.h>
+#include <sunder/certificate/pair_claims.h>
+#include <sunder/number/interval.h>
 #include <sunder/scene/scene.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -37,31 +39,34 @@ struct ClearanceQuestion {
 struct PartDistance {
   std::uint32_t body_a = 0, body_b = 0;  // body_a < body_b
   std::uint32_t part_a = 0, part_b = 0;
-  double least = 0;                                 // the margin; meaningless for the nearest pair
-  Interval distance{0, 0};                          // encloses it; both ends are 0 iff they meet
-  std::optional<solid::ClosestFeatures> closest{};  // of their cores, which are apart; none where the parts meet
-  double radius_a = 0, radius_b = 0;                // how far the parts go beyond their cores
+  double least = 0;         // the margin; meaningless for the nearest pair
+  Interval distance{0, 0};  // encloses it (round_distance.h, D1 to D4); both ends are 0 where they meet
+  // Where they are apart, what the nearest points are made of: of two polyhedra; of others.
+  std::optional<solid::ClosestFeatures> closest{};
+  std::shared_ptr<const std::array<PointOf, 2>> points{};
 
-  bool meet() const { return !closest; }
+  bool meet() const { return distance.high == 0; }
 };
 
 struct [[nodiscard]] ClearanceAnswer {
-  std::vector<PartDistance> closer;  // than their margins
-  std::uint64_t pairs = 0;           // of parts of different bodies
-  std::uint64_t allowed = 0;         // of these, not asked about
-  std::uint64_t by_boxes = 0;        // far enough apart by their boxes, or whose margin is 0
-  std::uint64_t by_method = 0;       // whose distance was looked at; pairs = allowed + by_boxes + by_method
+  std::vector<PartDistance> closer;     // than their margins
+  std::vector<PartDistance> undecided;  // whether they are
+  std::uint64_t pairs = 0;              // of parts of different bodies
+  std::uint64_t allowed = 0;            // of these, not asked about
+  std::uint64_t by_boxes = 0;           // far enough apart by their boxes, or whose margin is 0
+  std::uint64_t by_method = 0;          // whose distance was looked at; pairs = allowed + by_boxes + by_method
 };
 
-// Requires indices of bodies in range, and margins as they say. Throws Error: bad_shape as above; bad_pose where a part
-// with a radius is at a pose that scales or shears.
+// Requires indices of bodies in range, and margins as they say. Throws Error: bad_pose where a part with a radius is at
+// a pose that scales or shears.
 // Cost for n parts: n log n, one distance for each pair whose boxes are closer than the greatest margin.
 ClearanceAnswer closer_pairs(std::span<const Body> bodies, const ClearanceQuestion& question);
 
-// The nearest two parts of different bodies, but for the pairs allowed; nothing where there are none. Of pairs that are
-// equally far apart, compared exactly (those that meet are 0 apart), the first. Throws Error as closer_pairs.
-// Cost for n parts: the boxes of n^2 pairs, and a distance for each pair whose boxes are no further apart than the
-// nearest bodies.
+// The nearest two parts of different bodies, but for the pairs allowed; nothing where there are none. Of polyhedra,
+// balls, capsules and rounded polyhedra, of pairs that are equally far apart, compared exactly (those that meet are 0
+// apart), the first. Curved ones are compared by their bounds: then others may be as near, but `distance` encloses the
+// least of all. Throws Error as closer_pairs. Cost for n parts: the boxes of n^2 pairs, and a distance for each pair
+// whose boxes are no further apart than the nearest bodies.
 std::optional<PartDistance> nearest_parts(std::span<const Body> bodies,
                                           std::vector<std::array<std::uint32_t, 2>> allowed = {});
 
@@ -73,7 +78,8 @@ struct AxisApart {
 };
 std::optional<AxisApart> apart_by_boxes(const Box3& a, const Box3& b, double least);
 
-// Two points of the parts that are nearest to each other, rounded; where they meet, nothing.
+// Two points of the parts that are nearest to each other, rounded (of curved ones, about so near as `high`); where they
+// meet, nothing.
 struct NearestPoints {
   Point3 of_a, of_b;
 };

@@ -4,6 +4,7 @@
 #include <sunder/scene/part_questions.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/round/round_clearance.h>
+#include <sunder/solid/round/round_distance.h>
 
 #include <algorithm>
 #include <array>
@@ -47,16 +48,32 @@ class ClearanceClaims {
   std::uint32_t body(std::uint32_t member) const { return members_.body(member); }
   std::uint32_t member(std::uint32_t body, std::uint32_t part) const { return first_[body] + part; }
 
-  // Whether they are `least` apart, or more.
-  void state(std::uint32_t i, std::uint32_t j, double least) {
+  // Whether they are `least` apart, or more. False, and nothing is stated, where that is undecided and cannot be told
+  // from the bounds of their distance either.
+  bool state(std::uint32_t i, std::uint32_t j, double least) {
     const std::uint32_t of_i = all_.members[i], of_j = all_.members[j];
     if (const auto apart = apart_by_boxes(boxes_[i], boxes_[j], least)) {
       std::array<Dyadic, 3> direction{};
       direction[apart->axis] = Dyadic(apart->a_is_lower ? 1.0 : -1.0);
-      return claims_.add_clearance(of_i, of_j, least, direction);
+      claims_.add_clearance(of_i, of_j, least, direction);
+      return true;
     }
     const Part &a = members_.part(bodies_, i), &b = members_.part(bodies_, j);
-    solid::add_claims(claims_, of_i, of_j, least, solid::round_clearance({a.shape, a.pose}, {b.shape, b.pose}, least));
+    const solid::PlacedRound in_a(a.shape, a.pose), in_b(b.shape, b.pose);
+    const solid::RoundClearance found = round_clearance(in_a, in_b, least);
+    if (!found.undecided()) {
+      solid::add_claims(claims_, of_i, of_j, least, found);
+      return true;
+    }
+    const solid::RoundDistance distance = round_distance(in_a, in_b);
+    if (distance.distance.high < least) {  // then the points are nearer (round_distance.h, D1)
+      claims_.add_clearance_broken(of_i, of_j, least, (*distance.points)[0], (*distance.points)[1]);
+      return true;
+    }
+    if (!distance.direction || distance.distance.low < least) return false;
+    const auto [x, y, z] = distance.direction->exact();
+    claims_.add_clearance(of_i, of_j, least, {x, y, z});
+    return true;
   }
 
   // Where only these bodies are spoken of, which are asked about.
@@ -89,10 +106,14 @@ void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumb
   ClearanceClaims scene(claims, bodies, numbers, question.allowed);
   std::map<BodyPair, double> margins;
   for (const auto& [a, b, least] : question.margins) margins[in_order(a, b)] = least;
-  std::set<std::array<std::uint32_t, 2>> closer;
-  for (const PartDistance& pair : answer.closer) {
-    closer.insert({scene.member(pair.body_a, pair.part_a), scene.member(pair.body_b, pair.part_b)});
-  }
+  const auto members_of = [&](const std::vector<PartDistance>& list) {
+    std::set<std::array<std::uint32_t, 2>> pairs;
+    for (const PartDistance& pair : list) {
+      pairs.insert({scene.member(pair.body_a, pair.part_a), scene.member(pair.body_b, pair.part_b)});
+    }
+    return pairs;
+  };
+  const auto closer = members_of(answer.closer), undecided = members_of(answer.undecided);
 
   AllPairs all = scene.all();
   std::map<BodyPair, AllPairs> own;
@@ -102,20 +123,21 @@ void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumb
     const auto margin = margins.find(of);
     const bool is_own = margin != margins.end();
     const double least = is_own ? margin->second : question.least;
-    if (least > 0) scene.state(i, j, least);
+    const bool is_known = !undecided.contains(pair) && (least == 0 || scene.state(i, j, least));
+    if (is_own || !is_known) all.besides.push_back(pair);
     if (!is_own) {
       if (closer.contains(pair)) all.contacts.push_back(pair);
       continue;
     }
-    all.besides.push_back(pair);
     if (least == 0) continue;
     const auto found = own.find(of);
     AllPairs& those = found != own.end() ? found->second : own.emplace(of, scene.of_bodies(of)).first->second;
-    if (!closer.contains(pair)) continue;
     const auto [a, b] = of;
     // Members of the lower body come first.
     const auto count_a = static_cast<std::uint32_t>(bodies[a].parts.size());
-    those.contacts.push_back({i - scene.member(a, 0), count_a + j - scene.member(b, 0)});
+    const std::array<std::uint32_t, 2> here{i - scene.member(a, 0), count_a + j - scene.member(b, 0)};
+    if (!is_known) those.besides.push_back(here);
+    if (closer.contains(pair)) those.contacts.push_back(here);
   }
   std::sort(all.besides.begin(), all.besides.end());
   if (question.least > 0) claims.add_all_clearances(all, question.least);
@@ -127,18 +149,21 @@ void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumb
   if (nearest.meet()) return;
   ClearanceClaims scene(claims, bodies, numbers, allowed);
   if (const double low = nearest.distance.low; low > 0) {
-    for (const auto& [i, j] : scene.asked()) scene.state(i, j, low);
-    claims.add_all_clearances(scene.all(), low);
+    AllPairs all = scene.all();
+    for (const auto& [i, j] : scene.asked()) {
+      if (!scene.state(i, j, low)) all.besides.push_back({i, j});
+    }
+    std::sort(all.besides.begin(), all.besides.end());
+    claims.add_all_clearances(all, low);
   }
-  const std::uint32_t i = scene.member(nearest.body_a, nearest.part_a),
-                      j = scene.member(nearest.body_b, nearest.part_b);
-  const std::uint32_t of_i = numbers[nearest.body_a][nearest.part_a], of_j = numbers[nearest.body_b][nearest.part_b];
-  if (nearest.radius_a == 0 && nearest.radius_b == 0) {
+  const std::uint32_t of_a = numbers[nearest.body_a][nearest.part_a], of_b = numbers[nearest.body_b][nearest.part_b];
+  if (nearest.closest) {
     const auto [from, to] = closest_points(*nearest.closest);
-    return claims.add_distance(of_i, of_j, from, to);
+    return claims.add_distance(of_a, of_b, from, to);
   }
   const double above = std::nextafter(nearest.distance.high, std::numeric_limits<double>::infinity());
-  if (std::isfinite(above)) scene.state(i, j, above);
+  const auto& [from, to] = *nearest.points;
+  if (std::isfinite(above)) claims.add_clearance_broken(of_a, of_b, above, from, to);
 }
 
 }  // namespace sunder::scene

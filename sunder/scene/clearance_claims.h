@@ -13,15 +13,16 @@ namespace sunder::scene {
 // Of each part of each body, its number in the file.
 using PartNumbers = std::vector<std::vector<std::uint32_t>>;
 
-// States of each pair that has a margin whether it keeps it; then, for each margin, that this is of all of them. One
-// statement is of all pairs but the allowed and those with a margin of their own; of these, each has its own. Cost: of
-// each pair whose boxes do not tell, that of its distance, in exact numbers.
+// States of each pair that has a margin, and is not undecided, whether it keeps it; then, for each margin, that this is
+// of all of them. One statement is of all pairs but the allowed, the undecided and those with a margin of their own; of
+// these, each has its own. Cost: of each pair whose boxes do not tell, that of its distance, in exact numbers.
 void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumbers& numbers,
                 const ClearanceQuestion& question, const ClearanceAnswer& answer);
 
-// States that all pairs but the allowed are as far apart as the lower bound of the nearest one's distance, or more; and
-// of the nearest how far apart it is, exactly, or, where one has a radius, that it is nearer than the next double above
-// the upper bound. Of parts that meet nothing: that they do is stated elsewhere. Cost: as above, of all pairs.
+// States that all pairs but the allowed are as far apart as the lower bound of the nearest one's distance, or more
+// (curved ones of which that cannot be told, if there are any, are among its exceptions); and of the nearest how far
+// apart it is, exactly, or, where one has a radius, that it is nearer than the next double above the upper bound. Of
+// parts that meet nothing: that they do is stated elsewhere. Cost: as above, of all pairs.
 void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumbers& numbers,
                 const std::vector<std::array<std::uint32_t, 2>>& allowed, const PartDistance& nearest);
 

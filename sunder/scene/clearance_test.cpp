@@ -1,5 +1,7 @@
 #include <sunder/base/random.h>
 #include <sunder/scene/clearance.h>
+#include <sunder/solid/round/round_clearance.h>
+#include <sunder/solid/round/round_distance.h>
 
 #include <tests/support/scale.h>
 #include <tests/support/shapes.h>
@@ -12,6 +14,7 @@
 #include <cstdint>
 #include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace sunder::scene {
@@ -115,6 +118,103 @@ void compare_with_all_pairs(bool lattice, std::uint64_t seed) {
 
 TEST(Clearance, IsAllPairsInGeneralPosition) { compare_with_all_pairs(false, 81); }
 TEST(Clearance, IsAllPairsOnALattice) { compare_with_all_pairs(true, 82); }
+
+solid::RoundBody random_shape(Random& random, bool curved) {
+  const auto n = [&](double from, double to) { return random.uniform(from, to); };
+  const auto radius = [&] { return 0.25 * static_cast<double>(1 + random.below(3)); };
+  switch (random.below(curved ? 6 : 3)) {
+    case 0: return solid::RoundBody::ball({0, 0, 0}, radius());
+    case 1: return solid::RoundBody::capsule({0, 0, -0.5}, {0, 0, 0.5}, radius());
+    case 2:
+      return solid::RoundBody::rounded(ConvexPolyhedron(tests::cube_corners(0, 0.5)),
+                                       0.25 * static_cast<double>(random.below(2)));
+    case 3: return solid::RoundBody::cylinder({0, 0, -0.5}, {0, 0, 0.5}, n(0.1, 0.7));
+    case 4: return solid::RoundBody::cone({0, 0, -0.5}, {0, 0, 0.5}, n(0.1, 0.7));
+    default: return solid::RoundBody::ellipsoid({0, 0, 0}, {n(0.2, 0.7), n(0.2, 0.7), n(0.2, 0.7)});
+  }
+}
+
+// Against round_clearance and round_distance of each pair. On a lattice many are exactly so far apart as is asked, and
+// many as far as others.
+void compare_with_all_round_pairs(bool curved, std::uint64_t seed) {
+  Random random(tests::chosen_seed(seed));
+  int closer = 0, exactly = 0, ties = 0, by_boxes = 0;
+  const int rounds = tests::scaled_count(100, 10);
+  for (int round = 0; round < rounds; ++round) {
+    std::vector<Body> bodies(4 + random.below(4));
+    const double size = 3;
+    for (Body& body : bodies) {
+      const auto u = [&] { return random.uniform(-1, 1); };
+      const auto n = [&] { return static_cast<double>(random.between(-8, 8)) / 2; };
+      body.parts.push_back({"", random_shape(random, curved),
+                            curved ? Pose::from_quaternion(u(), u(), u(), 1, {size * u(), size * u(), size * u()})
+                                   : tests::shift(n(), 0, random.below(4) == 0 ? n() : 0)});
+    }
+    const double least = curved ? random.uniform(0.1, 2) : 0.5 * static_cast<double>(1 + random.below(3));
+    std::vector<Key> expected;
+    std::optional<std::pair<Key, Interval>> nearest;
+    double low = HUGE_VAL;
+    for (std::uint32_t a = 0; a < bodies.size(); ++a) {
+      for (std::uint32_t b = a + 1; b < bodies.size(); ++b) {
+        const Part &p = bodies[a].parts[0], &q = bodies[b].parts[0];
+        const solid::RoundClearance clearance = solid::round_clearance(p.shape, p.pose, q.shape, q.pose, least);
+        const Interval distance = solid::round_distance(p.shape, p.pose, q.shape, q.pose).distance;
+        if (clearance.broken()) expected.emplace_back(a, b, 0, 0);
+        exactly += clearance.kept() && distance.low == least && distance.high == least;
+        low = std::min(low, distance.low);
+        ties += nearest && distance.low == nearest->second.low && distance.high == nearest->second.high;
+        if (!nearest || distance.high < nearest->second.high) nearest.emplace(Key{a, b, 0, 0}, distance);
+      }
+    }
+    const ClearanceAnswer answer = closer_pairs(bodies, {least, {}, {}});
+    std::vector<Key> found;
+    for (const PartDistance& p : answer.closer) {
+      EXPECT_LT(p.distance.low, least);
+      EXPECT_EQ(p.meet(), p.distance.high == 0);
+      EXPECT_EQ(rounded_nearest_points(p).has_value(), !p.meet());
+      found.push_back(key(p));
+    }
+    ASSERT_EQ(found, expected) << seed << " " << round;
+    ASSERT_EQ(answer.pairs, answer.allowed + answer.by_boxes + answer.by_method);
+    closer += static_cast<int>(found.size());
+    by_boxes += static_cast<int>(answer.by_boxes);
+    const std::optional<PartDistance> of_scene = nearest_parts(bodies);
+    ASSERT_TRUE(of_scene && nearest);
+    EXPECT_EQ(key(*of_scene), nearest->first) << seed << " " << round;
+    EXPECT_EQ(of_scene->distance.high, nearest->second.high);
+    EXPECT_EQ(of_scene->distance.low, low);
+  }
+  EXPECT_GT(closer, rounds / 2);
+  EXPECT_GT(by_boxes, rounds);
+  if (!curved) {
+    EXPECT_GT(exactly, rounds / 10);
+    EXPECT_GT(ties, rounds / 10);
+  }
+}
+
+TEST(Clearance, IsAllPairsOfHullsWithARadiusOnALattice) { compare_with_all_round_pairs(false, 83); }
+TEST(Clearance, IsAllPairsOfCurvedBodies) { compare_with_all_round_pairs(true, 84); }
+
+// Distances of hulls that differ by less than a double tells, or not at all: sqrt(n) - r against sqrt(m) - s.
+TEST(Clearance, ComparesDistancesOfHullsExactly) {
+  const auto scene = [](double far, double radius, double other_far, double other_radius) {
+    return std::vector<Body>{
+        {"a", {{"", solid::RoundBody::ball({0, 0, 0}, 0.5), Pose()}}},
+        {"b", {{"", solid::RoundBody::ball({0, 0, 0}, radius), tests::shift(far, far, 0)}}},
+        {"c", {{"", solid::RoundBody::ball({0, 0, 0}, other_radius), tests::shift(-other_far, 0, other_far)}}}};
+  };
+  const auto nearest = [](const std::vector<Body>& bodies) { return nearest_parts(bodies, {{1, 2}})->body_b; };
+  const double bit = 0x1p-52;
+  EXPECT_EQ(nearest(scene(3, 1, 3, 1)), 1u);  // as far: the first
+  EXPECT_EQ(nearest(scene(3, 1, 3, 1 + bit)), 2u);
+  EXPECT_EQ(nearest(scene(3, 1 + bit, 3, 1)), 1u);
+  EXPECT_EQ(nearest(scene(3, 1, 3 - 2 * bit, 1)), 2u);
+  // sqrt(2) far less radii: of 3 + 1 bits 2^-51 nearer, of a radius that is 2^-51 less further by less than that.
+  EXPECT_EQ(nearest(scene(3, 1, 3 - 2 * bit, 1 - 2 * bit)), 2u);
+  EXPECT_EQ(nearest(scene(3, 1, 3 - 2 * bit, 1 - 3 * bit)), 1u);
+  EXPECT_EQ(nearest(scene(3 - 2 * bit, 1 - 2 * bit, 3, 1)), 1u);
+  EXPECT_EQ(nearest(scene(3 - 2 * bit, 1 - 3 * bit, 3, 1)), 2u);
+}
 
 // Two cubes at the margin, and a last bit to either side.
 TEST(Clearance, TellsTheLastBit) {

@@ -124,6 +124,13 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
       origin.left_out.push_back(prefix_of(placed) + open_text(bodies, pair));
     }
   }
+  for (const Placement& placed : placements) {
+    if (!placed.clearance) continue;
+    for (const PartDistance& pair : placed.clearance->undecided) {
+      origin.left_out.push_back(prefix_of(placed) + part_name(bodies[pair.body_a], pair.part_a) + " and " +
+                                part_name(bodies[pair.body_b], pair.part_b) + ", undecided whether they are closer");
+    }
+  }
   ClaimsWriter file(sink);
   file.add_origin(origin);
   PairClaims pairs(file);

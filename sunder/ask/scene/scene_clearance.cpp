@@ -65,8 +65,8 @@ bool is_of_hulls(const SceneReport& report, const PartDistance& pair) {
 
 // "about 0.25 apart, from (0, 0, 1) to (0, 0, 1.25)", or "they meet"
 std::string distance_text(const PartDistance& pair) {
+  if (pair.meet()) return "they meet";
   const auto points = rounded_nearest_points(pair);
-  if (!points) return "they meet";
   return fmt::format("about {:.12g} apart, from {} to {}", pair.distance.high, about(points->of_a),
                      about(points->of_b));
 }
@@ -82,9 +82,19 @@ std::string closer_text(const SceneReport& report, const Placed& placed, const s
   if (answer.closer.size() > most_listed) {
     text += fmt::format("{}and {} more\n", prefix, count_of(answer.closer.size() - most_listed, "pair"));
   }
-  return text + fmt::format("{}closer than asked for: {} of {} (allowed {}, by boxes {}, by distance {}){}\n", prefix,
-                            answer.closer.empty() ? "none" : std::to_string(answer.closer.size()),
-                            count_of(answer.pairs, "pair"), answer.allowed, answer.by_boxes, answer.by_method,
+  for (std::size_t k = 0; k < answer.undecided.size() && k < most_listed; ++k) {
+    const PartDistance& pair = answer.undecided[k];
+    text += fmt::format("{}undecided: it is not known whether {} and {} are closer than {}: {}\n", prefix,
+                        name_a(placed, pair), name_b(placed, pair), pair.least, distance_text(pair));
+  }
+  if (answer.undecided.size() > most_listed) {
+    text += fmt::format("{}and {} more undecided\n", prefix, count_of(answer.undecided.size() - most_listed, "pair"));
+  }
+  const std::size_t count = answer.closer.size(), undecided = answer.undecided.size();
+  const std::string known = count == 0 ? undecided == 0 ? "none" : "none that is known" : std::to_string(count);
+  return text + fmt::format("{}closer than asked for: {} of {} (allowed {}, by boxes {}, by distance {}{}){}\n", prefix,
+                            known, count_of(answer.pairs, "pair"), answer.allowed, answer.by_boxes, answer.by_method,
+                            undecided == 0 ? "" : fmt::format(", undecided {}", undecided),
                             report.input.left_out().clause());
 }
 
@@ -119,26 +129,27 @@ Json clearance_json(const SceneReport& report) {
   for (const auto& [a, b, least] : question.margins) {
     json["margins"].push_back({{"a", bodies[a].name}, {"b", bodies[b].name}, {"least", least}});
   }
-  json["closer"] = Json::array();
+  for (const char* list : {"closer", "undecided"}) json[list] = Json::array();
   scene::ClearanceAnswer all;
-  std::uint64_t closer = 0;
   for (std::size_t p = 0; p < report.placements.size(); ++p) {
     const scene::ClearanceAnswer& answer = *report.placements[p].near.clearance;
-    for (const PartDistance& pair : answer.closer) {
-      json["closer"].push_back(pair_json(report, p, pair));
-      json["closer"].back()["least"] = pair.least;
+    for (const auto& [key, list] : {std::pair("closer", &answer.closer), std::pair("undecided", &answer.undecided)}) {
+      for (const PartDistance& pair : *list) {
+        json[key].push_back(pair_json(report, p, pair));
+        json[key].back()["least"] = pair.least;
+      }
     }
     all.pairs += answer.pairs;
     all.allowed += answer.allowed;
     all.by_boxes += answer.by_boxes;
     all.by_method += answer.by_method;
-    closer += answer.closer.size();
   }
   json["totals"] = {{"pairs", all.pairs},
                     {"allowed", all.allowed},
                     {"by_boxes", all.by_boxes},
                     {"by_method", all.by_method},
-                    {"closer", closer}};
+                    {"undecided", json["undecided"].size()},
+                    {"closer", json["closer"].size()}};
   return json;
 }
 

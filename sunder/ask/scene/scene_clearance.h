@@ -32,7 +32,8 @@ struct Nearness {
   std::optional<scene::ClearanceAnswer> clearance;
   std::optional<scene::PartDistance> nearest;
 
-  bool is_kept() const { return !clearance || clearance->closer.empty(); }
+  // Is it known that none are closer?
+  bool is_kept() const { return !clearance || (clearance->closer.empty() && clearance->undecided.empty()); }
 };
 
 struct Placed;
