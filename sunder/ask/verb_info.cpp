@@ -36,7 +36,7 @@ struct Format {
   const char *name, *endings, *access, *what;
 };
 
-constexpr std::array<Format, 14> formats{
+constexpr std::array<Format, 15> formats{
     {{"OBJ", ".obj", "read, write", "Wavefront; objects are parts of a body"},
      {"STL", ".stl", "read, write", "binary (read; single precision) and ASCII; equal points are joined"},
      {"PLY", ".ply", "read, write", "ASCII, and binary of either byte order (read)"},
@@ -46,6 +46,7 @@ constexpr std::array<Format, 14> formats{
      {"glTF", ".glb", "read", "the same in one binary file"},
      {"VRML", ".wrl", "read", "VRML 2, sets of faces, each a part, such as convex decompositions"},
      {"URDF", ".urdf", "read", "robots: links with meshes, boxes, cylinders and the like, joints with limits"},
+     {"scene", ".json", "read", "for `sunder scene`: bodies of parts, poses, pairs that may meet"},
      {"CSV", ".csv", "read", "segments: x1,y1,x2,y2; circles: x,y,r; half-planes: a,b,c; others by name"},
      {"WKT", ".wkt", "read", "lines and polygons, a geometry on each line; their edges are segments"},
      {"GeoJSON", ".geojson", "read", "lines and polygons; their edges are segments"},
