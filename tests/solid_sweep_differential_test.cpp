@@ -194,7 +194,7 @@ TEST(SolidSweepDifferential, GeneralMotionsOfBoth) {
   tally.print("general");
   EXPECT_GT(tally.apart, count / 8);
   EXPECT_GT(tally.between, count / 8);
-  EXPECT_GT(tally.at_begin, 0);
+  EXPECT_GE(tally.at_begin, count / 500);
   EXPECT_LT(tally.finished, tally.between + count / 8);  // what is apart is mostly found by the search
 }
 
@@ -222,8 +222,8 @@ TEST(SolidSweepDifferential, GridsWhereAllIsDegenerate) {
   tally.print("grid");
   std::printf("at one time only %d, not before the end %d, at a time that is no double %d\n", at_one_time, first_at_end,
               rational);
-  EXPECT_GT(at_one_time, count / 100);
-  EXPECT_GT(first_at_end, 0);
+  EXPECT_GE(at_one_time, count / 250);
+  EXPECT_GE(first_at_end, count / 2500);
   EXPECT_GT(rational, count / 100);
   EXPECT_GT(tally.apart, count / 10);
 }
