@@ -40,7 +40,7 @@ PolytopeAnswer polytope_polytope_by_tree(const HierarchicalTree& a, const Pose& 
                                          const Pose& pose_b);
 
 // The oracle: one linear program with all points and half-spaces, by a full tableau in integers with Bland's rule.
-// Cost: some (d + 2) (n + m) to n (n + m) integers a pivot.
+// Cost: some (d + 2) (n + m) to n (n + m) integers a pivot. Probes are all rows, at each pivot.
 PolytopeAnswer polytope_polytope_by_scan(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b);
 
 }  // namespace sunder::polytope

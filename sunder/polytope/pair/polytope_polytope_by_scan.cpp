@@ -224,8 +224,8 @@ PolytopeAnswer polytope_polytope_by_scan(const Polytope& a, const Pose& pose_a, 
   PolytopeAnswer answer;
   answer.decided_by = DecidedBy::scan;
   answer.cost.exact = 1;
-  answer.cost.probes = std::uint64_t{a.size()} + b.size();
   const bool meet = tableau.solve(answer.cost.iterations);
+  answer.cost.probes = (std::uint64_t{a.size()} + b.size()) * (std::uint64_t{answer.cost.iterations} + 1);
   ExactEvidence evidence;
   if (meet) {
     answer.evidence.verdict = Verdict::meet;

@@ -59,15 +59,22 @@ struct Split {
 class TreeBuilder {
  public:
   TreeBuilder(HierarchicalTree& tree, const TreeOptions& options)
-      : tree_(tree), body_(tree.body_), d_(tree.d_), options_(options), random_(options.seed) {
-    const auto d = static_cast<std::uint32_t>(d_);
-    net_ = options.net == 0 ? net_of_dimension[d_] : std::max(options.net, d + 2);
-    leaf_ = options.leaf == 0 ? leaf_of_dimension[d_] : options.leaf;
-    share_ = options.share == 0 ? share_of_dimension[d_] : options.share;
-  }
+      : tree_(tree), body_(tree.body_), options_(options), random_(options.seed) {}
 
   void build() {
     Rows rows = distinct_rows();
+    find_flat(rows);
+    if (d_ == 1) {  // a segment, whose ends are all
+      const auto [first, last] = std::minmax_element(rows.begin(), rows.end(), [&](std::uint32_t i, std::uint32_t j) {
+        return tree_.point(i)[0] < tree_.point(j)[0];
+      });
+      rows = {*first, *last};
+    }
+    of_half_spaces_ = !body_.is_of_points() && !tree_.is_flat();
+    const auto d = static_cast<std::uint32_t>(d_);
+    net_ = options_.net == 0 ? net_of_dimension[d_] : std::max(options_.net, d + 2);
+    leaf_ = options_.leaf == 0 ? leaf_of_dimension[d_] : options_.leaf;
+    share_ = options_.share == 0 ? share_of_dimension[d_] : options_.share;
     tree_.nodes_.emplace_back();
     grow(0, std::move(rows), nullptr, 0);
   }
@@ -91,6 +98,17 @@ class TreeBuilder {
     return rows;
   }
 
+  void find_flat(const Rows& rows) {
+    AffineColumns flat =
+        affine_columns(body_.columns().dimension, rows.size(), [&](std::size_t k) { return body_.row(rows[k]); });
+    d_ = tree_.d_ = flat.columns.size();
+    if (!tree_.is_flat()) return;
+    for (std::uint32_t k = 0; k < body_.size(); ++k) {
+      for (const AffineColumns::Column& column : flat.columns) tree_.points_.push_back(body_.row(k)[column.column]);
+    }
+    tree_.flat_ = std::move(flat);
+  }
+
   void grow(std::uint32_t node, Rows rows, const Cone* within, std::uint32_t depth) {
     tree_.depth_ = std::max(tree_.depth_, depth);
     tree_.nodes_[node].first_row = static_cast<std::uint32_t>(tree_.rows_.size());
@@ -98,7 +116,8 @@ class TreeBuilder {
     tree_.rows_.insert(tree_.rows_.end(), rows.begin(), rows.end());
     const auto most = static_cast<std::size_t>(share_ * static_cast<double>(rows.size()));
     std::optional<Split> split;
-    if (rows.size() > leaf_ && rows.size() > d_ + 2 && depth < options_.levels) split = best_split(rows, within, most);
+    if (d_ >= 2 && rows.size() > leaf_ && rows.size() > d_ + 2 && depth < options_.levels)
+      split = best_split(rows, within, most);
     if (!split) {
       ++tree_.leaf_count_;
       tree_.largest_leaf_ = std::max(tree_.largest_leaf_, static_cast<std::uint32_t>(rows.size()));
@@ -139,10 +158,13 @@ class TreeBuilder {
   std::optional<Split> best_split(const Rows& rows, const Cone* within, std::size_t most) {
     std::optional<Split> best;
     for (std::uint32_t k = 0; k < options_.samples; ++k) {
+      // Where the first samples are far from it, others are, too.
+      if (k == 8 && (!best || best->most_conflicts > (most + rows.size()) / 2)) break;
       ++tree_.samples_;
-      // General position is made by noise: little, then much, which makes flat sets round.
+      // Larger nets after some. General position is made by noise: little, or much, which makes rows that are nearly
+      // flat round.
       std::optional<Split> split =
-          split_by_net(sample(rows), rows, within, 2 * k < options_.samples ? 0x1p-24 : 0x1p-5);
+          split_by_net(sample(rows, net_ + k / 8 * net_ / 4), rows, within, k % 8 < 4 ? 0x1p-24 : 0x1p-5);
       if (!split) continue;
       if (!best || split->most_conflicts < best->most_conflicts) best = std::move(split);
       if (best->most_conflicts <= most) return best;
@@ -153,9 +175,9 @@ class TreeBuilder {
     return sum <= most * best->lists.size() ? std::move(best) : std::nullopt;
   }
 
-  Rows sample(const Rows& rows) {
+  Rows sample(const Rows& rows, std::size_t size) {
     Rows some = rows;
-    const std::size_t count = std::min<std::size_t>(net_, rows.size());
+    const std::size_t count = std::min(size, rows.size());
     for (std::size_t k = 0; k < count; ++k) std::swap(some[k], some[k + random_.below(some.size() - k)]);
     some.resize(count);
     return some;
@@ -170,8 +192,8 @@ class TreeBuilder {
       double high = -std::numeric_limits<double>::infinity();
       low[c] = -high;
       for (const std::uint32_t k : rows) {
-        low[c] = std::min(low[c], body_.row(k)[c]);
-        high = std::max(high, body_.row(k)[c]);
+        low[c] = std::min(low[c], tree_.point(k)[c]);
+        high = std::max(high, tree_.point(k)[c]);
       }
       extent[c] = high - low[c];
       if (!std::isfinite(extent[c])) return std::nullopt;
@@ -185,7 +207,7 @@ class TreeBuilder {
     for (const std::uint32_t k : net) {
       for (std::size_t c = 0; c < d_; ++c) {
         if (extent[c] <= 0) unit[c] = greatest;
-        points.push_back(std::ldexp(body_.row(k)[c] - low[c], -unit[c]) - 0.5 + noise * (2 * random_.unit() - 1));
+        points.push_back(std::ldexp(tree_.point(k)[c] - low[c], -unit[c]) - 0.5 + noise * (2 * random_.unit() - 1));
       }
     }
     const std::optional<NormalFan> fan = normal_fan(d_, points);
@@ -208,6 +230,7 @@ class TreeBuilder {
       }
       cone.inverse.resize(d_ * d_);
       cone.slack = cone_inverse(cone.generators, d_, cone.inverse);
+      if (of_half_spaces_ && is_of_no_point(cone)) continue;
       if (within != nullptr && (is_beside(cone, *within, d_) || is_beside(*within, cone, d_))) continue;
       kept[k] = static_cast<std::uint32_t>(split.cones.size());
       split.cones.push_back(std::move(cone));
@@ -220,6 +243,23 @@ class TreeBuilder {
     return split;
   }
 
+  // Of half-spaces, (p, -w) with a w below zero?
+  bool is_of_no_point(const Cone& cone) const {
+    bool is_none = true;
+    for (std::size_t i = 0; i < d_; ++i) is_none = is_none && cone.generators[i * d_ + d_ - 1] > 0;
+    return is_none;
+  }
+
+  // Of half-spaces, is the row kept by all points of the cone, surely?
+  bool is_kept(const Cone& cone, std::uint32_t row) const {
+    const std::array<double, most_columns> zero{};
+    for (std::size_t i = 0; i < d_; ++i) {
+      const std::span<const double> generator = std::span(cone.generators).subspan(i * d_, d_);
+      if (difference_along(generator, tree_.point(row), std::span(zero).first(d_)).most > 0) return false;
+    }
+    return true;
+  }
+
   // The rows out of the shell-simplex, less those that others are as far as; and the apex.
   void list_conflicts(const Cone& cone, const Rows& rows, Split& split) {
     struct Candidate {
@@ -228,17 +268,17 @@ class TreeBuilder {
       std::array<ProductRange, most_columns> along;
     };
     std::vector<Candidate> candidates;
-    const std::span<const double> apex = body_.row(cone.apex);
+    const std::span<const double> apex = tree_.point(cone.apex);
     std::size_t conflicts = 0;
     for (const std::uint32_t k : rows) {
       Candidate candidate{k, 0, {}};
       bool is_out = false;
       for (std::size_t i = 0; i < d_; ++i) {
-        candidate.along[i] = difference_along(std::span(cone.generators).subspan(i * d_, d_), body_.row(k), apex);
+        candidate.along[i] = difference_along(std::span(cone.generators).subspan(i * d_, d_), tree_.point(k), apex);
         candidate.total += (candidate.along[i].least + candidate.along[i].most) / 2;
         is_out = is_out || candidate.along[i].most > 0;
       }
-      if (!is_out && k != cone.apex) continue;
+      if (k != cone.apex && (!is_out || (of_half_spaces_ && is_kept(cone, k)))) continue;
       conflicts += is_out;
       if (!(std::fabs(candidate.total) <= std::numeric_limits<double>::max())) candidate.total = 0;
       candidates.push_back(candidate);
@@ -317,23 +357,27 @@ class TreeBuilder {
 
   HierarchicalTree& tree_;
   const Polytope& body_;
-  std::size_t d_;
+  std::size_t d_ = 0;
   TreeOptions options_;
   Random random_;
   std::uint32_t net_ = 0, leaf_ = 0;
   double share_ = 0;
+  bool of_half_spaces_ = false;  // of half-spaces, whose products with a direction tell which are broken
 };
 
-HierarchicalTree::HierarchicalTree(Polytope body, const TreeOptions& options)
-    : body_(std::move(body)), d_(body_.columns().dimension) {
+HierarchicalTree::HierarchicalTree(Polytope body, const TreeOptions& options) : body_(std::move(body)) {
   SUNDER_REQUIRE(options.share >= 0 && options.share < 1);
   TreeBuilder(*this, options).build();
+}
+
+std::vector<Dyadic> HierarchicalTree::reduced(std::span<const Dyadic> direction) const {
+  return is_flat() ? flat_.reduced(direction) : std::vector<Dyadic>(direction.begin(), direction.end());
 }
 
 std::size_t HierarchicalTree::memory() const {
   const auto bytes = [](const auto& list) { return list.size() * sizeof(list[0]); };
   return bytes(nodes_) + bytes(rows_) + bytes(children_) + bytes(apexes_) + bytes(slacks_) + bytes(inverses_) +
-         bytes(across_) + bytes(cone_rays_) + bytes(rays_);
+         bytes(across_) + bytes(cone_rays_) + bytes(rays_) + bytes(points_);
 }
 
 }  // namespace sunder::polytope

@@ -10,15 +10,16 @@
 //   H1. For any direction, the rows of a node have a furthest one among the rows of the child of each cone that has the
 //       direction, if the node has. So the leaves that a walk comes to are right, whatever the net.
 //   H2. No cone's conflicts are more than a share of the node's rows: then the net is an epsilon-net for these
-//       shell-simplices. It is counted, not assumed: where it does not hold, the node takes another sample. A cone
-//       for
+//       shell-simplices. It is counted, not assumed: where it does not hold, the node takes another sample. A cone for
 //       which no sample did is a leaf, if the child has more than the share: it may be large (largest_leaf()).
 //   H3. The depth is at most log n by log of 1 / share, a leaf of at most `leaf` rows but for H2.
 // Departures from the paper. Nets are of vertices, not of faces: what is pruned is never the end of the body along a
 // direction of the cone, which is all that a walk asks. A child loses, too, each row that another is as far as along
 // all rays of the cone: lists that are far shorter (docs/design/polytope.md has figures). A cone that has no direction
 // in common with the cone of its node is left out.
-// A polytope of half-spaces a . x <= b has rows (a, b) of R^(d+1); a point p has the direction (p, -1).
+// A polytope of half-spaces a . x <= b has rows (a, b) of R^(d+1); a point p has the direction (p, -1). Rows that lie
+// in a flat are points of the flat, exactly: so are lower-dimensional bodies, and half-spaces that all have b = 1. Of
+// other half-spaces, those that no point of a cone breaks are lost, too: where none is broken, a walk ends at any.
 // Source: BL15 section 6, Lemmas 6.1 and 6.2; Haussler & Welzl 1987.
 #pragma once
 
@@ -26,6 +27,7 @@
 #include <sunder/base/error.h>
 #include <sunder/number/dyadic.h>
 #include <sunder/polytope/object/polytope.h>
+#include <sunder/polytope/represent/affine_columns.h>
 #include <sunder/predicate/along_columns.h>
 
 #include <cstddef>
@@ -38,11 +40,11 @@ namespace sunder::polytope {
 // Of the first three, 0 is what serves rows of this dimension: 8, 16, 32, 16, 12, 11 for 2 to 7 dimensions; 8, 16, 48,
 // 40, 56, 64; and 1/2 up to 4 dimensions, then 3/4, 0.85, 0.9.
 struct TreeOptions {
-  std::uint32_t net = 0;      // rows of a net; at least d + 2, of half-spaces d + 3
-  std::uint32_t leaf = 0;     // rows of a leaf
-  double share = 0;           // of a node's rows, at most so many are in conflict with a cone; below 1
-  std::uint32_t levels = 32;  // of cones, at most; leaves may be large then
-  std::uint32_t samples = 8;  // that a node takes, until one is good
+  std::uint32_t net = 0;       // rows of a net; at least d + 2, of half-spaces d + 3
+  std::uint32_t leaf = 0;      // rows of a leaf
+  double share = 0;            // of a node's rows, at most so many are in conflict with a cone; below 1
+  std::uint32_t levels = 32;   // of cones, at most; leaves may be large then
+  std::uint32_t samples = 64;  // that a node takes at most, until one is good
   std::size_t most_bytes = std::size_t{1} << 30;  // of memory
   std::uint64_t seed = 20150615;
 };
@@ -57,7 +59,16 @@ class HierarchicalTree {
   explicit HierarchicalTree(Polytope body, const TreeOptions& options = {});
 
   const Polytope& body() const { return body_; }
-  std::size_t dimension() const { return d_; }  // of rows: of half-spaces one more than the body's
+  // Of the flat of the rows; of half-spaces it may be one more than the body's. A flat of at most one dimension has no
+  // cones.
+  std::size_t dimension() const { return d_; }
+  // A direction of the body (of half-spaces with one component more), as one of the flat; and a row as a point of it:
+  // some of its numbers.
+  std::vector<Dyadic> reduced(std::span<const Dyadic> direction) const;
+  std::span<const double> point(std::uint32_t row) const {
+    return is_flat() ? std::span(points_).subspan(row * d_, d_) : body_.row(row);
+  }
+  bool is_flat() const { return d_ < body_.columns().dimension; }
   std::uint32_t depth() const { return depth_; }
   std::size_t node_count() const { return nodes_.size(); }
   std::size_t cone_count() const { return children_.size(); }
@@ -94,7 +105,9 @@ class HierarchicalTree {
   friend class TreeBuilder;
 
   Polytope body_;
-  std::size_t d_;
+  std::size_t d_ = 0;
+  AffineColumns flat_;
+  std::vector<double> points_;  // of a flat set: d_ each
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> rows_;
   std::vector<std::uint32_t> children_, apexes_;
@@ -111,9 +124,9 @@ class TreeWalk {
  public:
   explicit TreeWalk(const HierarchicalTree& tree);
 
-  // One of the rows that are furthest along the direction; before deepen() said no, of the apexes down to the level of
-  // walks, at the root to begin with. cost.probes grows by the cones and rows that were looked at, cost.exact by the
-  // signs that took exact numbers.
+  // One of the rows that are furthest along the direction, of half-spaces if it has a positive product; before deepen()
+  // said no, of the apexes down to the level of walks, at the root to begin with. cost.probes grows by the cones and
+  // rows that were looked at, cost.exact by the signs that took exact numbers.
   ExactFurthest furthest(std::span<const Dyadic> direction, Cost& cost);
 
   bool deepen();
@@ -126,8 +139,10 @@ class TreeWalk {
  private:
   std::uint32_t cone_of(const HierarchicalTree::Node& node, std::uint32_t from, std::span<const Dyadic> direction,
                         std::span<const double> rounded, Cost& cost) const;
-  ExactFurthest furthest_of(std::span<const std::uint32_t> rows, std::span<const Dyadic> direction,
+  std::uint32_t furthest_of(std::span<const std::uint32_t> rows, std::span<const Dyadic> direction,
                             std::span<const double> rounded, Cost& cost);
+
+  ExactFurthest named(std::uint32_t row, std::span<const Dyadic> direction) const;
 
   const HierarchicalTree* tree_;
   std::uint32_t level_ = 1, scans_ = 0;

@@ -44,8 +44,8 @@ Dyadic product(const Polytope& body, std::uint32_t k, const ExactDirection& dire
 // Down to the leaves, each walk ends where a scan does; before that, at a row that is no further.
 void expect_right(const HierarchicalTree& tree, Random& random, int count, bool small_integers) {
   TreeWalk walk(tree);
-  const std::size_t d = tree.dimension();
   const Polytope& body = tree.body();
+  const std::size_t d = body.columns().dimension;
   for (int i = 0; i < count; ++i) {
     ExactDirection direction;
     for (std::size_t c = 0; c < d; ++c) {
@@ -94,6 +94,55 @@ TEST(HierarchicalTree, GridsAndRepeatedRows) {
     expect_right(tree, random, 200, true);
     expect_right(tree, random, 100, false);
   }
+}
+
+// Half-spaces with b = 1, and bodies in tilted flats: a tree of the flat.
+TEST(HierarchicalTree, FlatSetsAreOfTheirOwnDimension) {
+  Random random(3);
+  std::vector<double> half_spaces, tilted, on_line;
+  const std::vector<double> circle = numbers_on_sphere(random, 2, 500);
+  for (std::size_t k = 0; k < circle.size(); k += 2) {
+    const double x = circle[k], y = circle[k + 1];
+    half_spaces.insert(half_spaces.end(), {x, y, 1});
+    const double u = std::ldexp(std::nearbyint(std::ldexp(x, 30)), -30),
+                 v = std::ldexp(std::nearbyint(std::ldexp(y, 30)), -30);
+    tilted.insert(tilted.end(), {u, u + 2 * v + 1, v, -u - v});  // exact
+    on_line.insert(on_line.end(), {u, 2 * u, 1 - u});
+  }
+  const HierarchicalTree of_half_spaces(Polytope::from_half_spaces(2, half_spaces));
+  const HierarchicalTree of_tilted(Polytope::from_points(4, tilted));
+  const HierarchicalTree of_line(Polytope::from_points(3, on_line)), of_point(Polytope::from_points(2, {1, 2, 1, 2}));
+  EXPECT_EQ(of_half_spaces.dimension(), 2u);
+  EXPECT_EQ(of_tilted.dimension(), 2u);
+  EXPECT_EQ(of_line.dimension(), 1u);
+  EXPECT_EQ(of_point.dimension(), 0u);
+  for (const HierarchicalTree* tree : {&of_half_spaces, &of_tilted, &of_line, &of_point}) {
+    expect_right(*tree, random, 100, true);
+    expect_right(*tree, random, 100, false);
+    EXPECT_EQ(tree->unverified(), 0u);
+    EXPECT_LE(tree->largest_leaf(), 8u);
+  }
+  EXPECT_GE(of_half_spaces.depth(), 2u);
+  EXPECT_GE(of_tilted.depth(), 2u);
+}
+
+TEST(HierarchicalTree, IsRefusedWhereItIsTooLarge) {
+  Random random(4);
+  const Polytope body = Polytope::from_points(4, numbers_on_sphere(random, 4, 400));
+  const auto message = [&](std::size_t most_bytes) {
+    try {
+      const HierarchicalTree tree(body, {.most_bytes = most_bytes});
+      EXPECT_LE(tree.memory(), most_bytes);
+      return std::string();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::bad_shape);
+      return std::string(error.what());
+    }
+  };
+  EXPECT_EQ(message(std::size_t{1} << 30), "");
+  EXPECT_EQ(message(1 << 16),
+            "the tree of 400 rows of dimension 4 takes about 1 MiB, more than the 1 MiB that it may; "
+            "give fewer rows, or use another method");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace sunder::polytope {
@@ -113,16 +114,15 @@ std::uint32_t TreeWalk::cone_of(const HierarchicalTree::Node& node, std::uint32_
   return none;
 }
 
-ExactFurthest TreeWalk::furthest_of(std::span<const std::uint32_t> rows, std::span<const Dyadic> direction,
+std::uint32_t TreeWalk::furthest_of(std::span<const std::uint32_t> rows, std::span<const Dyadic> direction,
                                     std::span<const double> rounded, Cost& cost) {
-  const Polytope& body = tree_->body();
   cost.probes += rows.size();
-  if (rows.size() == 1) return {rows[0], product_of(direction, body.row(rows[0]))};
+  if (rows.size() == 1) return rows[0];
   if (products_.size() < rows.size()) products_.resize(rows.size());
   const auto d = static_cast<double>(rounded.size());
   std::size_t best = 0;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const std::span<const double> row = body.row(rows[k]);
+    const std::span<const double> row = tree_->point(rows[k]);
     double sum = 0, sizes = 0;
     for (std::size_t c = 0; c < rounded.size(); ++c) {
       const double product = rounded[c] * row[c];
@@ -133,39 +133,45 @@ ExactFurthest TreeWalk::furthest_of(std::span<const std::uint32_t> rows, std::sp
     if (sum > products_[best].product) best = k;
   }
   std::size_t found = best;
-  Dyadic product = product_of(direction, body.row(rows[best]));
+  std::optional<Dyadic> product;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     if (k == best || compare(products_[k], products_[best]) == Guess::positive) continue;
     ++cost.exact;
-    Dyadic other = product_of(direction, body.row(rows[k]));
-    if ((other - product).sign() != Sign::positive) continue;
+    if (!product) product = product_of(direction, tree_->point(rows[best]));
+    Dyadic other = product_of(direction, tree_->point(rows[k]));
+    if ((other - *product).sign() != Sign::positive) continue;
     product = std::move(other);
     found = k;
   }
-  return {rows[found], std::move(product)};
+  return rows[found];
 }
 
-ExactFurthest TreeWalk::furthest(std::span<const Dyadic> direction, Cost& cost) {
-  SUNDER_REQUIRE(direction.size() == tree_->dimension());
+ExactFurthest TreeWalk::named(std::uint32_t row, std::span<const Dyadic> direction) const {
+  return {row, product_of(direction, tree_->body().row(row))};
+}
+
+ExactFurthest TreeWalk::furthest(std::span<const Dyadic> given, Cost& cost) {
+  SUNDER_REQUIRE(given.size() == tree_->body().columns().dimension);
+  const std::vector<Dyadic> direction = tree_->reduced(given);
   std::array<double, most_columns> numbers{};
   const std::span<double> rounded(numbers.data(), direction.size());
   const HierarchicalTree::Node* node = &tree_->node(0);
   std::swap(path_, last_path_);
   path_.clear();
   if (!round(direction, rounded)) {
-    ++scans_;
+    scans_ += node->cones > 0;
     const std::span<const std::uint32_t> rows = tree_->rows(*node);
     cost.probes += rows.size();
     cost.exact += static_cast<std::uint32_t>(rows.size());
-    ExactFurthest best{rows[0], product_of(direction, tree_->body().row(rows[0]))};
+    ExactFurthest best = named(rows[0], given);
     for (const std::uint32_t k : rows) {
-      Dyadic product = product_of(direction, tree_->body().row(k));
-      if ((product - best.product).sign() == Sign::positive) best = {k, std::move(product)};
+      ExactFurthest other = named(k, given);
+      if ((other.product - best.product).sign() == Sign::positive) best = std::move(other);
     }
     return best;
   }
   bool is_as_before = true;
-  while (node->cones > 0 && path_.size() < level_) {
+  while (node->cones > 0) {
     const std::size_t level = path_.size();
     is_as_before = is_as_before && level < last_path_.size();
     const std::uint32_t from = is_as_before ? last_path_[level] : node->first_cone;
@@ -178,12 +184,11 @@ ExactFurthest TreeWalk::furthest(std::span<const Dyadic> direction, Cost& cost) 
     path_.push_back(cone);
     if (path_.size() == level_) {
       ++cost.probes;
-      const std::uint32_t row = tree_->apex(cone);
-      return {row, product_of(direction, tree_->body().row(row))};
+      return named(tree_->apex(cone), given);
     }
     node = &tree_->node(tree_->child(cone));
   }
-  return furthest_of(tree_->rows(*node), direction, rounded, cost);
+  return named(furthest_of(tree_->rows(*node), direction, rounded, cost), given);
 }
 
 }  // namespace sunder::polytope
