@@ -116,7 +116,7 @@ Contest contest(RoundShapeKind a, RoundShapeKind b, bool near, std::size_t n, st
 // ---- Closer than a distance? Against whether they meet.
 
 constexpr std::size_t kCloserVertices = 100;
-constexpr double kCloserThan = 0.1, kCloserMost = 2;
+constexpr double kCloserThan = 0.1, kCloserMost = 2, kCloserMostNear = 2.5;
 
 struct CloserPair {
   RoundBody a, b;
@@ -196,7 +196,7 @@ std::vector<Plan> plans(const Options&) {
   std::vector<Plan> list;
   for (const bool near : {false, true}) {
     Demand demand;
-    demand.most_sorts = {{0, kCloserMost}};
+    demand.most_sorts = {{0, near ? kCloserMostNear : kCloserMost}};
     list.push_back(
         {near ? "closer, near" : "closer, random", "closer", demand, {500}, [=](std::size_t n, std::uint64_t seed) {
            return closer_contest(near, n, seed);
