@@ -90,6 +90,8 @@ TEST(ClearanceVerdictTest, ToTheLastBit) {
   EXPECT_FALSE(closer(a, b, 2));
   EXPECT_TRUE(closer(a, b, std::nextafter(2, 3)));
   EXPECT_TRUE(closer(a, RoundBody::ball({1, 0, 0}, 1), 1e-300));
+  // The sum of a radius and the distance is no double, and rounds up: exactly so far apart all the same.
+  EXPECT_FALSE(closer(a, RoundBody::ball({3 + 0x1p-50, 0, 0}, 1 + 0x1p-52), 1 + 3 * 0x1p-52));
   EXPECT_TRUE(closer(a, RoundBody::ball({3, 0, 0}, 2), 1e-300));  // touching
 }
 
