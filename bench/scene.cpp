@@ -12,6 +12,8 @@
 //     forgets it before each step; "all at once" is meeting_pairs, which makes evidence for every pair that it looks
 //     at.
 //   - Sunder's answer has the certificate of every pair that meets; FCL's is a boolean.
+//
+// At the end warm questions about two bodies that move slowly near contact are compared with cold ones.
 #include <bench/contest/program.h>
 #include <bench/peers/scene_peer.h>
 
@@ -21,9 +23,11 @@
 #include <sunder/io/urdf.h>
 #include <sunder/near/box_sweep.h>
 #include <sunder/scene/follower.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_warm.h>
 
 #include <tests/support/shapes.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -177,6 +181,68 @@ std::vector<Plan> plans(const Options& options) {
   return list;
 }
 
+// --- A warm start ----------------------------------------------------------------------------------------------------
+
+constexpr double kMostOfCold = 0.5;
+
+// Pairs of bodies of 100 vertices that pass each other slowly, and turn: near contact all the way.
+struct SlowPairs {
+  struct Step {
+    std::size_t pair;
+    Pose pose_b;
+  };
+  std::vector<ConvexPolyhedron> a, b;
+  std::vector<Step> steps;
+
+  explicit SlowPairs(std::size_t pairs) {
+    Random random(7);
+    for (std::size_t k = 0; k < pairs; ++k) {
+      a.emplace_back(sunder::tests::points_on_sphere(100, random));
+      b.emplace_back(sunder::tests::points_on_sphere(100, random));
+      const Point3 from = sunder::tests::on_sphere(random), way = sunder::tests::on_sphere(random);
+      for (int step = -100; step < 100; ++step) {
+        const double t = 0.003 * step, turn = 0.001 * step;
+        steps.push_back({k, Pose::from_quaternion(
+                                1, turn * way.y, turn * way.z, turn * way.x,
+                                {1.98 * from.x + t * way.x, 1.98 * from.y + t * way.y, 1.98 * from.z + t * way.z})});
+      }
+    }
+  }
+
+  // Seconds a question; meeting: how many meet.
+  double time(bool is_warm, std::uint64_t& meeting) const {
+    std::vector<sunder::solid::WarmStart> last(a.size());
+    meeting = 0;
+    const double start = thread_seconds();
+    for (const Step& step : steps) {
+      const ConvexPolyhedron &p = a[step.pair], &q = b[step.pair];
+      const sunder::PairAnswer answer =
+          is_warm ? sunder::solid::polyhedron_polyhedron_warm(p, Pose(), q, step.pose_b, last[step.pair])
+                  : sunder::solid::polyhedron_polyhedron(p, Pose(), q, step.pose_b);
+      meeting += answer.meet();
+    }
+    return (thread_seconds() - start) / static_cast<double>(steps.size());
+  }
+};
+
+void conclude(const std::vector<Row>&, std::vector<std::string>& failures) {
+  const SlowPairs pairs(100);
+  std::vector<double> cold, part;
+  std::uint64_t meet_cold = 0, meet_warm = 0;
+  for (int round = 0; round < 11; ++round) {
+    cold.push_back(pairs.time(false, meet_cold));
+    part.push_back(pairs.time(true, meet_warm) / cold.back());
+  }
+  std::sort(cold.begin(), cold.end());
+  std::sort(part.begin(), part.end());
+  char text[160];
+  std::snprintf(text, sizeof text, "a warm question about slow bodies near contact takes %.2f of a cold one", part[5]);
+  std::printf("%s (allowed: %.2f), which takes %.0f ns; %.0f %% of them meet\n", text, kMostOfCold, 1e9 * cold[5],
+              100 * static_cast<double>(meet_cold) / static_cast<double>(pairs.steps.size()));
+  if (part[5] > kMostOfCold) failures.emplace_back(text);
+  if (meet_cold != meet_warm) failures.emplace_back("warm answers differ from cold ones");
+}
+
 }  // namespace
 }  // namespace bench
 
@@ -188,5 +254,6 @@ int main(int argc, char** argv) {
   program.questions = {"arm", "swarm"};
   program.plans = bench::plans;
   program.tells_subjects = true;
+  program.conclude = bench::conclude;
   return bench::run(program, argc, argv);
 }

@@ -38,9 +38,9 @@ struct WarmStart {
 // From `last` on, which becomes what this answer leaves. Of bodies that were apart the direction is kept in the frame
 // of A, with which it turns, so that A's extreme vertex stays, and looked at from the extreme vertices on; of bodies
 // that met the vertices are kept, and their weights solved for again. Where that does not hold, by the search of
-// polyhedron_polyhedron_by_gjk, from its beginning: a direction that has just failed is no better one (measured). Cost:
-// where the evidence holds, a walk on each body of as many steps as its extreme vertex is away, mostly none; else that
-// of polyhedron_polyhedron_by_gjk besides.
+// polyhedron_polyhedron_by_gjk, from its beginning: a direction that has just failed is no better one (measured).
+// Cost: where the evidence holds, a walk on each body of as many steps as its extreme vertex is away, mostly none; else
+// that of polyhedron_polyhedron_by_gjk besides.
 PairAnswer polyhedron_polyhedron_warm(const ConvexPolyhedron& a, const Pose& pose_a,  //
                                       const ConvexPolyhedron& b, const Pose& pose_b, WarmStart& last);
 
