@@ -169,7 +169,7 @@ void print_trees() {
   std::printf("| d | n | depth | nodes | cones | rows of nodes | memory | looks a pair | scan's | front door's |\n");
   std::printf("|---|---|---|---|---|---|---|---|---|---|\n");
   const std::vector<std::pair<std::size_t, std::vector<std::size_t>>> plan{
-      {2, {100, 1000, 10000}}, {3, {100, 1000, 10000}}, {4, {100, 300, 1000}}, {5, {45, 60}}, {6, {60}}};
+      {2, {100, 1000, 10000}}, {3, {100, 1000, 10000}}, {4, {100, 300, 1000}}, {5, {60}}, {6, {60}}};
   for (const auto& [d, counts] : plan) {
     std::vector<double> x, y;
     for (const std::size_t n : counts) {
