@@ -10,7 +10,7 @@ namespace {
 
 using V = Vector3<double>;
 
-constexpr double most = 0x1p60, least = 0x1p-300, least_length = 0x1p-100;
+constexpr double most = 0x1p60, least = 0x1p-300, least_length = 0x1p-100, least_entry = 0x1p-500;
 
 double length(const V& v) { return std::sqrt(dot(v, v)); }
 
@@ -72,7 +72,8 @@ void set_image(RoundImage& image, const Affine3& pose, const double* all, std::u
   image.pose = &pose;
   image.radius = radius;
   image.size = size + radius;
-  image.is_tame = is_moderate(image.size);
+  const double greatest = greatest_entry(pose);
+  image.is_tame = is_moderate(image.size) && greatest >= least_entry && greatest <= 1 / least_entry;
   image.all = all;
   image.count = count;
 }

@@ -303,6 +303,7 @@ void read_pairs_of_members(const Place& p, Said& said) {
 
 void read_nearer_members(const Place& p, Said& said) {
   said.contacts = pairs_of(p, "nearer", said.all_pairs.members.size());
+  if (said.contacts.empty()) refuse_form(p.where + ".nearer is empty");
 }
 
 constexpr std::size_t most_number = 999'999'999'999'999;  // all readers of JSON agree about numbers up to this

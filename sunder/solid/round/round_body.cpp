@@ -53,7 +53,10 @@ std::shared_ptr<const RoundBox> box_of(const ConvexPolyhedron& core) {
     const auto is_here = [&](const Point3& v) { return size2(minus(v, at)) <= off * off * all2; };
     const auto corner = std::find_if(vertices.begin(), vertices.end(), is_here);
     if (corner == vertices.end()) return nullptr;
-    box.corners[place] = static_cast<std::uint32_t>(corner - vertices.begin());
+    const auto vertex = static_cast<std::uint32_t>(corner - vertices.begin());
+    const auto end = box.corners.begin() + static_cast<std::ptrdiff_t>(place);
+    if (std::find(box.corners.begin(), end, vertex) != end) return nullptr;  // as good as flat
+    box.corners[place] = vertex;
   }
   return std::make_shared<const RoundBox>(box);
 }

@@ -1,5 +1,6 @@
 // A placed body with a radius in doubles, for proposals: the nearest point of it in closed form, and the smooth pieces
-// of its surface with their second derivatives. Nothing here decides anything. For the sources of solid/round.
+// of its surface with their second derivatives. Nothing here decides anything; but a nearest point of a core and the
+// combination of vertices that makes it have to agree, as predicate/round_image.h says. For the sources of solid/round.
 #pragma once
 
 #include <sunder/predicate/round_image.h>

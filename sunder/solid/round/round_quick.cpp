@@ -147,6 +147,13 @@ class Quick {
     return holds(p, q);
   }
 
+  // Is the point in doubles that of the combination, whose weights are over their sum? (round_image.h)
+  static bool is_whole(const Nearest& p) {
+    double total = 0;
+    for (std::size_t k = 0; k < p.made.count; ++k) total += p.made.weights[k];
+    return std::fabs(total - 1) <= 0x1p-50;
+  }
+
   static void add(const Side& side, Nearest& made, const Far& far, double weight) {
     made.at = sum(made.at, weight, far.at);
     if (side.is_curved()) return;
@@ -179,7 +186,7 @@ class Quick {
     const double gap = dot(far.at - centre, out);
     const V foot = sum(far.at, -gap, out), from = foot - centre;
     const double reach = own.radius() + other.radius();
-    if (dot(from, from) > of.radius * of.radius || gap < -0x1p-10 * size_) return false;
+    if (!(dot(from, from) <= of.radius * of.radius && gap >= -0x1p-10 * size_)) return false;  // NaN too
     if (gap > reach) return parts(&own == &a_ ? out : V{-out.x, -out.y, -out.z});
     Nearest q{};
     add(other, q, far, 1);
@@ -239,6 +246,7 @@ class Quick {
     return is_inside(a_, x) && is_inside(b_, x) && meets(RoundEvidence::Source::point, point(x), {}, {});
   }
   bool is_inside(const Side& side, const V& x) {
+    if (!std::isfinite(x.x) || !std::isfinite(x.y) || !std::isfinite(x.z)) return false;
     const Guess guess = side_guess(side.image, x);
     if (is_sure(guess) || !is_thorough_) return guess == Guess::positive;
     return side_of(shape(side), {1, {Posed3{point(x), &in_place, false}}, {1}}, &tally_) == Sign::positive;
@@ -273,6 +281,7 @@ class Quick {
       }
       return side_of(shape(curved), x, &tally_) == Sign::positive;
     };
+    if (!is_whole(p)) return false;
     const Guess guess = side_guess(curved.image, p.at, hull.image.size);
     if (!(is_sure(guess) || !is_thorough_ ? guess == Guess::positive : surely())) return false;
     return &hull == &a_ ? meets(RoundEvidence::Source::of_a, {}, p.made, {})
@@ -425,7 +434,11 @@ class Quick {
   bool concludes(const Pieces& of_a, const Pieces& of_b, const V& d) {
     const auto made = [&](const Side& side, const Pieces& of) {
       Nearest p{};
-      for (std::size_t k = 0; k < of.count; ++k) add(side, p, {of.at[k], of.piece[k]}, std::max(of.weight[k], 0.0));
+      double total = 0;  // without those that are negative
+      for (std::size_t k = 0; k < of.count; ++k) total += std::max(of.weight[k], 0.0);
+      for (std::size_t k = 0; k < of.count; ++k) {
+        if (of.weight[k] > 0) add(side, p, {of.at[k], of.piece[k]}, of.weight[k] / total);
+      }
       return p;
     };
     const Nearest p = made(a_, of_a), q = made(b_, of_b);
@@ -448,6 +461,7 @@ class Quick {
       return parts(&own == &a_ ? way : V{-way.x, -way.y, -way.z});
     }
     ++answer_.cost.proposals;
+    if (!is_whole(p) || (!other.is_curved() && !is_whole(q))) return false;
     const RoundCombination &of_a = &own == &a_ ? p.made : q.made, &of_b = &own == &a_ ? q.made : p.made;
     if (!other.is_curved()) {
       return nearness_guess(p.at, q.at, reach, size_) == Guess::positive &&

@@ -81,6 +81,54 @@ TEST(RoundQuick, EachPairOfKindsIsDecided) {
   }
 }
 
+// Boxes with the same axes, whose edges and corners face each other, far from the origin: evidence is of weights that
+// have lost some bits.
+TEST(RoundQuick, BoxesWithTheSameAxesFarAway) {
+  Random random(20261126);
+  int quick = 0, meet = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const Pose frame = some_pose(0, random);
+    const auto box = [&](std::vector<Point3>& corners) {
+      const Point3 half{random.uniform(0.05, 0.2), random.uniform(0.05, 0.2), random.uniform(0.05, 0.2)};
+      for (int c = 0; c < 8; ++c) {
+        corners.push_back(
+            {(c & 1) != 0 ? half.x : -half.x, (c & 2) != 0 ? half.y : -half.y, (c & 4) != 0 ? half.z : -half.z});
+      }
+    };
+    std::vector<Point3> p, q;
+    box(p);
+    box(q);
+    const double far = std::ldexp(1.0, static_cast<int>(random.between(0, 12)));
+    const Point3 at = tests::on_sphere(random), way = tests::on_sphere(random);
+    const Pose pose_a = tests::moved(frame, at, far), pose_b = tests::moved(pose_a, way, 0.6);
+    const PolyhedronDistance distance =
+        polyhedron_polyhedron_distance(ConvexPolyhedron(p), pose_a, ConvexPolyhedron(q), pose_b);
+    const double about = distance.distance().low;
+    if (!(about > 0)) continue;
+    const double reach =
+        about * (1 + random.uniform(-1, 1) * std::ldexp(1.0, static_cast<int>(random.between(-44, -28))));
+    const RoundBody a = RoundBody::rounded(ConvexPolyhedron(p), reach), b{ConvexPolyhedron(q)};
+    const bool is_far = compare_distance(distance, reach) == Sign::positive;
+    const RoundAnswer one = round_round(a, pose_a, b, pose_b), other = round_round(b, pose_b, a, pose_a);
+    EXPECT_EQ(one.meet(), !is_far) << k;
+    EXPECT_EQ(other.meet(), !is_far) << k;
+    meet += is_far ? 0 : 1;
+    quick += one.cost.exact == 0 ? 1 : 0;
+  }
+  EXPECT_GT(meet, 1000);
+  EXPECT_GT(quick, 1000);
+}
+
+// Entries of a pose beyond the range of formulas: what is asked is asked exactly.
+TEST(RoundQuick, PosesAtTheEndsOfTheRangeOfDoubles) {
+  const double s = 0x1p-1000, m = 0x1.8p1023, c = m * s;
+  std::vector<Point3> p{{2.5 * s, 1.5 * s, 1.5 * s}};
+  for (int k = 0; k < 8; ++k) p.push_back({(k & 1 ? 2 : 1) * s, (k & 2 ? 2 : 1) * s, (k & 4 ? 2 : 1) * s});
+  const Pose pose = Pose::from_matrix({m, 0, 0, m, m, 0, 0, 0, m}, {0, 0, 0});
+  const RoundBody a{ConvexPolyhedron(p)}, b = RoundBody::ball({1.25 * c, 2.65 * c, 1.5 * c}, 0.25 * c);
+  EXPECT_TRUE(round_round(a, pose, b, Pose()).meet());
+}
+
 TEST(ClearanceVerdictTest, ToTheLastBit) {
   const RoundBody a = RoundBody::ball({0, 0, 0}, 1), b = RoundBody::ball({3, 4, 0}, 2);
   const auto closer = [](const RoundBody& p, const RoundBody& q, double least) {

@@ -107,6 +107,12 @@ def contacts(value, where, read):
     return result
 
 
+def some_contacts(value, where, read):
+    result = contacts(value, where, read)
+    form(result, where + " is empty")
+    return result
+
+
 def vector(value, where, read):
     dimensions = {read[key].dimension for key in "ab" if key in read} or {2}
     form(len(dimensions) == 1, where + " is of bodies of different dimensions")
@@ -225,7 +231,7 @@ GIVEN = {  # what questions say
 }
 SAID = {  # what verdicts and claims say
     "i": subject_index, "j": subject_index, "kind": kind, "point": vector, "from_a": vector, "to_b": vector,
-    "contacts": contacts, "nearer": contacts, "number": whole(0), "sides": list_of(subject_index), "arcs": ARCS,
+    "contacts": contacts, "nearer": some_contacts, "number": whole(0), "sides": list_of(subject_index), "arcs": ARCS,
     "ring": index_of("parts.rings"), "other": index_of("parts.rings"), "edge": index_of("parts.edges"),
     "rings": members_of("parts.rings", lambda those: len(those) > 1, " is not of two rings or more, each once"),
     "points": list_of(vector, lambda those, read: len(those) == len(read["rings"]), " is not as long as the rings"),

@@ -173,7 +173,7 @@ def double(value, where, read=None):
     size = n.bit_length()  # n is odd or zero
     form("x" in value and (n == 0 or (size <= 53 and e >= -1074 and size + e <= 1024)),
          where + " is not a hexadecimal double")
-    return n, d, e
+    return n, d, e if n else 0
 
 
 def numbers(value, count, read_number, where):

@@ -163,8 +163,9 @@ def moved_back(steps, point, time, body, to):
     size = length(point) + length([time]) + body.size + to.size
     steps.take(16, size, size)
     (n, d, e), result = time, []
-    for p, x, y in zip(point, body.translation, to.translation):
-        parts, whole, unit = common([p, (n * x, d, e + body.moved), (-n * y, d, e + to.moved)])
+    for axis, p in enumerate(point):
+        parts, whole, unit = common([p, *((way * n * place.translation[axis], d, e + place.moved)
+                                          for place, way in ((body, 1), (to, -1)) if place.linear)])
         result.append((sum(parts), whole, unit))
     return result
 
@@ -182,10 +183,10 @@ def holds_at(steps, weights, origin, body, to, time, point):
 
 def not_before(steps, direction, a, b, to_a, to_b, time, point):
     """Along a direction, where A and B have the point at that time, A ends and B begins; and they come nearer."""
-    d, places = common(direction)[0], []
-    for body, to, way in ((a, to_a, d), (b, to_b, [-n for n in d])):
-        (*place, w), (furthest, _) = projective(moved_back(steps, point, time, body, to)), reach(steps, "not_before", body, way)
-        places.append((*place, w))
+    d = common(direction)[0]
+    places = [projective(moved_back(steps, point, time, body, to)) for body, to in ((a, to_a), (b, to_b))]
+    for body, (*place, w), way in ((a, places[0], d), (b, places[1], [-n for n in d])):
+        furthest, _ = reach(steps, "not_before", body, way)
         for n, e, (square, whole, k) in furthest:
             last, limit = aligned(n * w, e, dot(way, place), 0)
             (left, right), _, _ = common([((limit - last) ** 2, w * w, 2 * min(e, 0)), (square, whole, k)])
