@@ -45,7 +45,7 @@ BAD = {
     "the verifier from the core": ("sunder/certificate/x.cpp", "#include <verifier/verify.h>\n", "L1"),
     "questions from pictures": ("sunder/picture/x.cpp", "#include <sunder/ask/verb.h>\n", "L1"),
     "CLI11 in questions": ("sunder/ask/x.cpp", "#include <CLI/App.hpp>\n", "L3"),
-    "io from Python": ("python/x.cpp", "#include <sunder/io/file.h>\n", "L1"),
+    "the program from Python": ("python/x.cpp", "#include <sunder/ask/report.h>\n", "L1"),
     "Python from the program": ("cli/x.cpp", "#include <python/bind.h>\n", "L1"),
     "nanobind in the core": ("sunder/scene/x.cpp", "#include <nanobind/nanobind.h>\n", "L3"),
     "the library from the verifier": ("verifier/x.cpp", "#include <sunder/base/error.h>\n", "L1"),
