@@ -26,7 +26,7 @@ struct WarmStart {
     Point3 direction{};
     std::uint32_t extreme_a = 0, extreme_b = 0;
   };
-  static constexpr std::size_t most_partings = 4;
+  static constexpr std::size_t most_partings = 2;
 
   Kind kind = Kind::none;                         // of the last answer
   std::uint8_t count_a = 0, count_b = 0;          // as in PairCertificate; meaningless but for `meet`
