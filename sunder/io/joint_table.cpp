@@ -45,6 +45,7 @@ bool add_plain_rows(std::string_view rows, char separator, std::uint32_t line, J
 }
 
 JointTable of_csv(std::string_view text, std::string_view place) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);  // a byte order mark
   JointTable table;
   table.file = place;
   CsvReader reader(text, place);

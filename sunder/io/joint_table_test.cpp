@@ -57,6 +57,11 @@ TEST(JointTable, OfCsv) {
   EXPECT_EQ(table.values, (Values{0.1, -2, 3, 0.4}));
   EXPECT_EQ(table.row(1)[1], 0.4);
   EXPECT_EQ(table.place(1), "t:4");
+  EXPECT_EQ(parse_joint_table("\xef\xbb\xbf"
+                              "elbow\n1\n",
+                              "t")
+                .joints,
+            Names{"elbow"});  // a byte order mark
 }
 
 // A quote in the last row: then all rows are read one by one. The same numbers, on the same lines.

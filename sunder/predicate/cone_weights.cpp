@@ -76,6 +76,10 @@ ConeWeights cone_weights(std::span<const double> inverse, double slack, std::spa
     }
     result.weight[i] = sum;
     error[i] = (static_cast<double>(d) + 4) * unit * sizes + 0x1p-1060;
+    if (!std::isfinite(sizes)) {
+      result.sign.fill(Guess::unsure);
+      return result;
+    }
     most = std::max(most, std::fabs(sum) + error[i]);
   }
   for (std::size_t i = 0; i < d; ++i) {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -171,6 +172,18 @@ TEST(Follower, ForgetsAllOfIt) {
 TEST(Follower, NothingAndNoParts) {
   EXPECT_FALSE(Follower({}).ask().some_meet());
   EXPECT_EQ(Follower(std::vector<Body>(3)).ask().counts.pairs, 0u);
+}
+
+// Sums of coordinates that overflow, though all images are small.
+TEST(Follower, CoordinatesAtTheEndOfTheRangeOfDoubles) {
+  constexpr double most = std::numeric_limits<double>::max(), small = 0x1p-800;
+  const Pose pose = Pose::from_matrix({small, 0, 0, 0, small, 0, 0, 0, small}, {0, 0, 0});
+  for (const std::vector<Point3>& points :
+       {std::vector<Point3>{{most, 0, 0}, {-most, 0, 0}},
+        std::vector<Point3>{{most, 0, 0}, {most / 1.5, most, 0}, {most, 0, most}}}) {
+    const ConvexPolyhedron shape(points);
+    EXPECT_TRUE(Follower(std::vector<Body>{{"a", {{"", shape, pose}}}, {"b", {{"", shape, pose}}}}).ask().some_meet());
+  }
 }
 
 // Two cubes that come nearer by a last bit at a time, over the moment where they touch.

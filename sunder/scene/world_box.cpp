@@ -126,7 +126,7 @@ Box3 rough_box_in_doubles(const solid::Placed& body) {
 }  // namespace
 
 Box3 rough_world_box(const solid::Placed& body) {
-  if (body.tame) return rough_box_in_doubles(body);
+  if (body.tame && body.graph.sizes.greatest <= 0x1p1021) return rough_box_in_doubles(body);  // sums do not overflow
   Box3 box;
   for (std::size_t k = 0; k < 3; ++k) {
     // Along an axis of the world a corner is furthest that each axis of the body alone takes furthest.
