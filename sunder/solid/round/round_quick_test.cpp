@@ -5,6 +5,7 @@
 #include <sunder/base/random.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 #include <tests/support/round_pairs.h>
+#include <tests/support/scale.h>
 #include <tests/support/shapes.h>
 
 #include <gtest/gtest.h>
@@ -81,42 +82,49 @@ TEST(RoundQuick, EachPairOfKindsIsDecided) {
   }
 }
 
-// Boxes with the same axes, whose edges and corners face each other, far from the origin: evidence is of weights that
-// have lost some bits.
+// Boxes with the same axes, of which sides, edges or corners face each other, near contact and far from the origin:
+// weights of evidence have lost some bits there.
 TEST(RoundQuick, BoxesWithTheSameAxesFarAway) {
   Random random(20261126);
-  int quick = 0, meet = 0;
-  for (int k = 0; k < 4000; ++k) {
-    const Pose frame = some_pose(0, random);
-    const auto box = [&](std::vector<Point3>& corners) {
-      const Point3 half{random.uniform(0.05, 0.2), random.uniform(0.05, 0.2), random.uniform(0.05, 0.2)};
-      for (int c = 0; c < 8; ++c) {
-        corners.push_back(
-            {(c & 1) != 0 ? half.x : -half.x, (c & 2) != 0 ? half.y : -half.y, (c & 4) != 0 ? half.z : -half.z});
+  const auto radius = [&] { return std::round(random.log_uniform(1e-6, 1) * 0x1p24) * 0x1p-24; };  // sums are exact
+  int quick = 0, meet = 0, all = 0;
+  for (int k = 0; k < tests::scaled_count(20000); ++k) {
+    std::array<std::array<double, 3>, 2> half{};
+    std::array<std::vector<Point3>, 2> corners;
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (double& x : half[i]) x = random.log_uniform(0.05, 1);
+      for (Point3& c : corners[i] = tests::cube_corners(-1, 1)) {
+        c = {c.x * half[i][0], c.y * half[i][1], c.z * half[i][2]};
       }
-    };
-    std::vector<Point3> p, q;
-    box(p);
-    box(q);
-    const double far = std::ldexp(1.0, static_cast<int>(random.between(0, 12)));
-    const Point3 at = tests::on_sphere(random), way = tests::on_sphere(random);
-    const Pose pose_a = tests::moved(frame, at, far), pose_b = tests::moved(pose_a, way, 0.6);
-    const PolyhedronDistance distance =
-        polyhedron_polyhedron_distance(ConvexPolyhedron(p), pose_a, ConvexPolyhedron(q), pose_b);
-    const double about = distance.distance().low;
-    if (!(about > 0)) continue;
-    const double reach =
-        about * (1 + random.uniform(-1, 1) * std::ldexp(1.0, static_cast<int>(random.between(-44, -28))));
-    const RoundBody a = RoundBody::rounded(ConvexPolyhedron(p), reach), b{ConvexPolyhedron(q)};
-    const bool is_far = compare_distance(distance, reach) == Sign::positive;
-    const RoundAnswer one = round_round(a, pose_a, b, pose_b), other = round_round(b, pose_b, a, pose_a);
-    EXPECT_EQ(one.meet(), !is_far) << k;
-    EXPECT_EQ(other.meet(), !is_far) << k;
-    meet += is_far ? 0 : 1;
-    quick += one.cost.exact == 0 ? 1 : 0;
+    }
+    const double of_a = radius(), of_b = k % 2 == 0 ? 0 : radius(), far = random.log_uniform(1, 0x1p20);
+    const double gap = random.log_uniform(0x1p-50, 0x1p-8) * far * (k % 3 == 0 ? -1 : 1);
+    if (std::fabs(gap) > 1) continue;
+    std::array<double, 3> way{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double p = half[0][i], q = half[1][i];
+      way[i] = std::array{p - q, q - p, p + q, -p - q, 0.0}[random.below(5)];
+    }
+    const std::size_t across = random.below(3);
+    way[across] = half[0][across] + half[1][across] + of_a + of_b + gap;
+    const Pose pose_a = tests::moved(some_pose(0, random), tests::on_sphere(random), far);
+    const auto& m = pose_a.affine().linear;
+    const Point3 turned{m[0] * way[0] + m[1] * way[1] + m[2] * way[2], m[3] * way[0] + m[4] * way[1] + m[5] * way[2],
+                        m[6] * way[0] + m[7] * way[1] + m[8] * way[2]};
+    const Pose pose_b = tests::moved(pose_a, turned, 1);
+    const ConvexPolyhedron core_a(corners[0]), core_b(corners[1]);
+    const PolyhedronDistance distance = polyhedron_polyhedron_distance(core_a, pose_a, core_b, pose_b);
+    if (!distance.closest) continue;
+    const bool is_meet = compare_distance(distance, of_a + of_b) != Sign::positive;
+    Tally tally;
+    see(RoundBody::rounded(core_a, of_a), pose_a, RoundBody::rounded(core_b, of_b), pose_b, is_meet, tally);
+    ASSERT_EQ(tally.wrong, 0) << k;
+    ++all;
+    meet += tally.meet;
+    quick += tally.quick;
   }
-  EXPECT_GT(meet, 1000);
-  EXPECT_GT(quick, 1000);
+  EXPECT_GT(meet, all / 5);
+  EXPECT_GT(quick, all / 2);
 }
 
 // Entries of a pose beyond the range of formulas: what is asked is asked exactly.
