@@ -175,7 +175,9 @@ Contest closer_contest(bool near, std::size_t n, std::uint64_t seed) {
   made.subjects.push_back({"sunder", "clearance_verdict", [pairs] {
                              return Ready{each([pairs](std::size_t k) {
                                             const CloserPair& p = (*pairs)[k];
-                                            return clearance_verdict(PlacedRound(p.a, p.pose_a), PlacedRound(p.b, p.closer_b), kCloserThan) == ClearanceVerdict::broken;
+                                            return clearance_verdict(PlacedRound(p.a, p.pose_a),
+                                                                     PlacedRound(p.b, p.closer_b),
+                                                                     kCloserThan) == ClearanceVerdict::broken;
                                           }),
                                           {}};
                            }});
