@@ -142,7 +142,8 @@ TEST_F(Placements, ProveWhatMeets) {
   EXPECT_TRUE(python_accepts(proofs));
 
   EXPECT_EQ(run(call + " --classify").code, 1);
-  for (const json& statement : json::parse(read_text(proofs))["statements"]) {
+  const json classified = json::parse(read_text(proofs));
+  for (const json& statement : classified["statements"]) {
     EXPECT_TRUE(statement["verdict"] == "touching" || statement["verdict"] == "overlapping");
   }
   EXPECT_EQ(run("verify " + proofs).code, 0);
