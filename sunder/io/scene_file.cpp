@@ -47,7 +47,8 @@ class SceneParser : JsonShapes {
     }
     require_keys(top, "the scene", keys);
     if (const auto unit = top.find("unit"); unit != top.end()) scene_.unit = unit_of(*unit, "unit").name;
-    const json& bodies = list(top["bodies"], "bodies");
+    const json& bodies = top["bodies"];
+    require_list(bodies, "bodies");
     for (const json& body : bodies) read_body(body, fmt::format("bodies[{}]", scene_.bodies.size()));
     if (const auto allowed = top.find("allowed"); allowed != top.end()) read_allowed(*allowed);
     return std::move(scene_);
@@ -55,10 +56,9 @@ class SceneParser : JsonShapes {
 
  private:
   // A list that is not empty.
-  const json& list(const json& value, const std::string& where) const {
+  void require_list(const json& value, const std::string& where) const {
     if (!value.is_array()) fail(where, "is no list");
     if (value.empty()) fail(where, "is empty; give one or more");
-    return value;
   }
 
   std::string name_of(const json& value, const std::string& where) const {
@@ -84,7 +84,8 @@ class SceneParser : JsonShapes {
            fmt::format("{} is the name of bodies[{}], too; rename one", quote(body.name), first->second));
     }
     const Pose pose = pose_in(value, where);
-    const json& parts = list(member(value, where, "parts", keys), where + ".parts");
+    const json& parts = member(value, where, "parts", keys);
+    require_list(parts, where + ".parts");
     std::set<std::string> names;
     for (const json& part : parts) {
       const std::string at = fmt::format("{}.parts[{}]", where, body.parts.size());
@@ -194,7 +195,8 @@ class SceneParser : JsonShapes {
   }
 
   solid::ConvexPolyhedron hull_of(const json& value, const std::string& where) const {
-    return solid::ConvexPolyhedron(points(list(value, where), where));
+    require_list(value, where);
+    return solid::ConvexPolyhedron(points(value, where));
   }
 
   SceneFile::Mesh mesh_of(const json& value, const std::string& where) const {

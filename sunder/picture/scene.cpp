@@ -265,7 +265,7 @@ class Drawing {
       const std::size_t rows = (named + 1) / 2;
       for (std::size_t k = 0; k < named; ++k) {
         const double x = left + margin + (k < rows ? 0 : (panel_width - margin) / 2);
-        canvas_.add(words(x, y + small_row_height * static_cast<double>(k % rows), 11, text_colour,
+        canvas_.add(words(x, y + small_row_height * static_cast<double>(k < rows ? k : k - rows), 11, text_colour,
                           fmt::format("{}. {}", k + 1, shortened(told(k), longest_in_two))));
       }
       y += small_row_height * static_cast<double>(rows) + 4;

@@ -32,7 +32,7 @@ RoundShape shape_along(const PlacedRound& body, const WorldDirection& direction,
 
 // A point of the body that is well inside, where it has an inside.
 Exact middle_of(const PlacedRound& curved) {
-  const Exact first = image(curved, curved.shape.points[0]);
+  Exact first = image(curved, curved.shape.points[0]);
   if (curved.kind() == RoundKind::ellipsoid) return first;
   const Exact way = image(curved, curved.shape.points[1]) - first;
   return sum(first, times(Dyadic(curved.kind() == RoundKind::cone ? 0.25 : 0.5), way));
@@ -40,7 +40,7 @@ Exact middle_of(const PlacedRound& curved) {
 
 // Of a cylinder's or a cone's axis, or of an ellipsoid the centre: that is nearest to the point.
 ExactPoint on_core(const PlacedRound& curved, const Exact& near) {
-  const Exact first = image(curved, curved.shape.points[0]);
+  Exact first = image(curved, curved.shape.points[0]);
   if (curved.kind() == RoundKind::ellipsoid) return {first, Dyadic(1.0)};
   const Exact way = image(curved, curved.shape.points[1]) - first;
   const Dyadic along = dot(near - first, way), all = dot(way, way);

@@ -13,9 +13,9 @@
 
 namespace sunder::solid {
 
-namespace {
+namespace round_quick {
 
-using namespace round_quick;
+namespace {
 
 class Quick {
  public:
@@ -515,10 +515,12 @@ class Quick {
 
 }  // namespace
 
+}  // namespace round_quick
+
 bool decide_quickly(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b, RoundAnswer& answer,
                     Point3& way) {
-  const Side of_a(a, pose_a), of_b(b, pose_b);
-  return Quick(of_a, of_b, answer, way).run();
+  const round_quick::Side of_a(a, pose_a), of_b(b, pose_b);
+  return round_quick::Quick(of_a, of_b, answer, way).run();
 }
 
 }  // namespace sunder::solid
