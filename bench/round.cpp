@@ -175,9 +175,10 @@ Contest closer_contest(bool near, std::size_t n, std::uint64_t seed) {
   made.subjects.push_back({"sunder", "clearance_verdict", [pairs] {
                              return Ready{each([pairs](std::size_t k) {
                                             const CloserPair& p = (*pairs)[k];
-                                            return clearance_verdict(PlacedRound(p.a, p.pose_a),
-                                                                     PlacedRound(p.b, p.closer_b),
-                                                                     kCloserThan) == ClearanceVerdict::broken;
+                                            return solid::clearance_verdict(solid::PlacedRound(p.a, p.pose_a),
+                                                                            solid::PlacedRound(p.b, p.closer_b),
+                                                                            kCloserThan) ==
+                                                   solid::ClearanceVerdict::broken;
                                           }),
                                           {}};
                            }});
