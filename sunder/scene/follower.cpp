@@ -16,6 +16,13 @@ bool have_common_point(const Box3& a, const Box3& b) {
                  is_at_most(lanes_at(&b.low.x), lanes_at(&a.high.x)) & is_at_most(third_low, third_high)) == 3;
 }
 
+// Where what parted them now can be kept as a parting, it need not be kept twice.
+void keep_parting(const Part& a, PairWarmStart& last, std::span<solid::KeptParting> kept) {
+  if (last.partings_count == 0) return;
+  const auto& [direction, extreme_a, extreme_b] = last.partings[0];
+  if (solid::keep_parting(a.shape.core(), direction, extreme_a, extreme_b, kept)) last.partings_count = 0;
+}
+
 }  // namespace
 
 Follower::Follower(std::span<const Body> bodies, const Question& question)
@@ -25,6 +32,11 @@ Follower::Follower(std::span<const Body> bodies, const Question& question)
       boxes_(members_->size()),
       is_placed_(members_->size()) {
   list_few();
+  for (std::uint32_t i = 0; i < part_count(); ++i) {
+    rigid_.emplace_back(members_->part(std::span<const Body>(bodies_), i).shape.core());
+  }
+  if (!few_.empty()) kept_of_pair_ = most_kept_of_few;
+  asks_warmly_ = question.method == solid::polyhedron_polyhedron;
   forget();
 }
 
@@ -52,6 +64,7 @@ void Follower::place(std::uint32_t part, const solid::Pose& pose) {
 void Follower::forget() {
   near_.reset();
   last_.assign(few_.size(), {});
+  kept_.assign(few_.size() * kept_of_pair_, {});
   placed_.clear();
   for (std::uint32_t i = 0; i < part_count(); ++i) placed_.push_back(i);
   is_placed_.assign(part_count(), true);
@@ -67,7 +80,11 @@ std::span<const MovingBoxes::Pair> Follower::follow_near() {
                   [members = members_](std::uint32_t i, std::uint32_t j) { return members->are_asked_about(i, j); });
   }
   last_.resize(near_->slot_count());
-  for (const std::uint32_t slot : near_->fresh()) last_[slot] = {};
+  kept_.resize(near_->slot_count() * kept_of_pair_);
+  for (const std::uint32_t slot : near_->fresh()) {
+    last_[slot] = {};
+    std::ranges::fill(kept_of(slot), solid::KeptParting{});
+  }
   return near_->pairs();
 }
 
@@ -84,7 +101,9 @@ const Answer& Follower::ask() {
   const std::span<const Body> bodies(bodies_);
   for (const std::uint32_t i : placed_) {
     is_placed_[i] = false;
-    boxes_[i] = rough_box_of(members_->part(bodies, i));
+    const Part& part = members_->part(bodies, i);
+    boxes_[i] = rough_box_of(part);
+    rigid_[i].place(part.pose);
     if (near_) near_->move(i, boxes_[i]);
   }
   placed_.clear();
@@ -98,8 +117,13 @@ const Answer& Follower::ask() {
       look_at_round(i, j);
       continue;
     }
+    if (asks_warmly_ && part_again(rigid_[i], rigid_[j], kept_of(slot))) {
+      ++answer_.counts.by_method;
+      continue;
+    }
     PairAnswer answer = pair_answer(a, b, question_, last_[slot]);
     if (!answer.meet()) {
+      if (asks_warmly_) keep_parting(a, last_[slot], kept_of(slot));
       ++answer_.counts.by_method;
       continue;
     }

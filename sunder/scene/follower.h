@@ -19,6 +19,7 @@
 #include <sunder/scene/members.h>
 #include <sunder/scene/part_questions.h>
 #include <sunder/scene/scene.h>
+#include <sunder/solid/pair/kept_partings.h>
 
 #include <cstdint>
 #include <memory>
@@ -54,7 +55,12 @@ class Follower {
   // Of so many pairs all boxes are compared: that costs less than to follow which are near.
   static constexpr std::size_t few = 1024;
 
+  static constexpr std::size_t most_kept_of_few = 6, most_kept = 2;  // partings of a pair
+
   void list_few();
+  std::span<solid::KeptParting> kept_of(std::uint32_t slot) {
+    return std::span(kept_).subspan(slot * kept_of_pair_, kept_of_pair_);
+  }
   void look_at_round(std::uint32_t i, std::uint32_t j);  // where one has a radius
   std::span<const MovingBoxes::Pair> follow_near();
 
@@ -66,7 +72,11 @@ class Follower {
   std::vector<bool> is_placed_;
   std::vector<MovingBoxes::Pair> few_;  // all that are asked about, where these are few; else none
   std::optional<MovingBoxes> near_;     // where they are many
+  std::vector<solid::RigidlyPlaced> rigid_;  // of each part that is a polyhedron; of others, of their cores
   std::vector<PairWarmStart> last_;     // by the slots of pairs
+  std::vector<solid::KeptParting> kept_;  // kept_of_pair_ of each slot: what parted them
+  std::size_t kept_of_pair_ = most_kept;
+  bool asks_warmly_ = true;  // by the front door
   Answer answer_;
 };
 

@@ -1,8 +1,12 @@
 #include <sunder/base/error.h>
+#include <sunder/base/lanes.h>
 #include <sunder/predicate/orient.h>
+#include <sunder/predicate/regular.h>
 #include <sunder/solid/object/pose.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sunder::solid {
 
@@ -18,21 +22,37 @@ void require_finite(const std::array<double, N>& numbers, const char* what) {
   }
 }
 
+// Two at a time, without branches.
+template <std::size_t N>
+SizeRange range_of(const std::array<double, N>& numbers) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  Lanes least{none, none}, greatest{0, 0};
+  const auto include = [&](Lanes pair) {
+    const Lanes size = absolute(pair);
+    least = smaller_of(least, size == 0 ? Lanes{none, none} : size);
+    greatest = greater_of(greatest, size);
+  };
+  for (std::size_t k = 0; k + 1 < N; k += 2) include(lanes_at(&numbers[k]));
+  if (N % 2 == 1) include(Lanes{numbers[N - 1], 0});
+  return {std::min(least[0], least[1]), greater_lane(greatest)};
+}
+
 }  // namespace
 
 Pose::Pose(const Affine3& affine)
     : affine_(affine),
-      linear_range_(size_range(std::span<const double>(affine.linear))),
-      translation_range_(size_range(std::span<const double>(affine.translation))) {}
+      linear_range_(range_of(affine.linear)),
+      translation_range_(range_of(affine.translation)) {}
 
 Pose Pose::from_matrix(const std::array<double, 9>& linear, const std::array<double, 3>& translation) {
-  require_finite(linear, "the matrix");
+  const Pose made(Affine3{linear, translation});
+  const bool is_regular = is_surely_regular(made.affine_, made.linear_range_.greatest);
+  if (!is_regular) require_finite(linear, "the matrix");
   require_finite(translation, "the translation");
-  const Affine3 affine{linear, translation};
-  if (determinant_sign(affine) == Sign::zero) {
+  if (!is_regular && determinant_sign(made.affine_) == Sign::zero) {
     throw Error(ErrorCode::bad_pose, "the matrix is singular; give an invertible one", "pose");
   }
-  return Pose(affine);
+  return made;
 }
 
 Pose Pose::from_matrix4(const std::array<double, 16>& r) {
