@@ -3,13 +3,29 @@
 #include <sunder/scene/follower.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace sunder::scene {
 
 namespace {
 
-// As meet, without branches: which boxes meet, of many, is hard to predict.
+// In floats, which hold the box: to be compared with many others.
+FollowedBox flat_box(const Box3& box) {
+  constexpr double part = 0x1p-22, tiny = 0x1p-140, most = std::numeric_limits<float>::max();
+  FollowedBox flat;
+  for (std::size_t k = 0; k < 3; ++k) {
+    flat.low[k] = static_cast<float>(std::min(box.low[k] - (part * std::fabs(box.low[k]) + tiny), most));
+    flat.high[k] = static_cast<float>(std::max(box.high[k] + (part * std::fabs(box.high[k]) + tiny), -most));
+  }
+  return flat;
+}
+
+// Without branches: which boxes meet, of many, is hard to predict.
+bool have_common_point(const FollowedBox& a, const FollowedBox& b) {
+  return bits_of_four((a.low <= b.high) & (b.low <= a.high)) == 15;
+}
 bool have_common_point(const Box3& a, const Box3& b) {
   const Lanes third_low{a.low.z, b.low.z}, third_high{b.high.z, a.high.z};
   return bits_of(is_at_most(lanes_at(&a.low.x), lanes_at(&b.high.x)) &
@@ -33,9 +49,14 @@ Follower::Follower(std::span<const Body> bodies, const Question& question)
       is_placed_(members_->size()) {
   list_few();
   for (std::uint32_t i = 0; i < part_count(); ++i) {
-    rigid_.emplace_back(members_->part(std::span<const Body>(bodies_), i).shape.core());
+    const solid::RoundBody& shape = members_->part(std::span<const Body>(bodies_), i).shape;
+    rigid_.emplace_back(shape.core());
+    is_round_.push_back(!shape.is_polyhedron());
   }
-  if (!few_.empty()) kept_of_pair_ = most_kept_of_few;
+  if (!few_.empty()) {
+    kept_of_pair_ = most_kept_of_few;
+    flat_boxes_.resize(part_count());
+  }
   asks_warmly_ = question.method == solid::polyhedron_polyhedron;
   forget();
 }
@@ -70,9 +91,19 @@ void Follower::forget() {
   is_placed_.assign(part_count(), true);
 }
 
-// The pairs whose boxes may meet, and in last_ their last answers.
-std::span<const MovingBoxes::Pair> Follower::follow_near() {
-  if (!few_.empty()) return few_;
+// The pairs whose boxes meet, and in last_ and kept_ what is known of them.
+void Follower::follow_near() {
+  meeting_boxes_.clear();
+  const auto keep_those_of = [this](std::span<const MovingBoxes::Pair> pairs, const auto& boxes) {
+    meeting_boxes_.resize(pairs.size() + 1);
+    std::size_t count = 0;
+    for (const MovingBoxes::Pair& pair : pairs) {
+      meeting_boxes_[count] = pair;
+      count += have_common_point(boxes[pair.i], boxes[pair.j]);
+    }
+    meeting_boxes_.resize(count);
+  };
+  if (!few_.empty()) return keep_those_of(few_, flat_boxes_);
   if (near_) {
     near_->update();
   } else {
@@ -85,7 +116,27 @@ std::span<const MovingBoxes::Pair> Follower::follow_near() {
     last_[slot] = {};
     std::ranges::fill(kept_of(slot), solid::KeptParting{});
   }
-  return near_->pairs();
+  keep_those_of(near_->pairs(), boxes_);
+}
+
+void Follower::look_at(const MovingBoxes::Pair& of) {
+  const auto& [i, j, slot] = of;
+  if (is_round_[i] || is_round_[j]) return look_at_round(i, j);
+  if (asks_warmly_ && part_again(rigid_[i], rigid_[j], kept_of(slot))) {
+    ++answer_.counts.by_method;
+    return;
+  }
+  const std::span<const Body> bodies(bodies_);
+  const Part &a = members_->part(bodies, i), &b = members_->part(bodies, j);
+  PairAnswer answer = pair_answer(a, b, question_, last_[slot]);
+  if (!answer.meet()) {
+    if (asks_warmly_) keep_parting(a, last_[slot], kept_of(slot));
+    ++answer_.counts.by_method;
+    return;
+  }
+  PartPair& pair = answer_.pairs.emplace_back(members_->pair(i, j));
+  pair.answer = std::move(answer);
+  count_answer(pair, a, b, question_, answer_.counts);
 }
 
 void Follower::look_at_round(std::uint32_t i, std::uint32_t j) {
@@ -103,6 +154,7 @@ const Answer& Follower::ask() {
     is_placed_[i] = false;
     const Part& part = members_->part(bodies, i);
     boxes_[i] = rough_box_of(part);
+    if (!few_.empty()) flat_boxes_[i] = flat_box(boxes_[i]);
     rigid_[i].place(part.pose);
     if (near_) near_->move(i, boxes_[i]);
   }
@@ -110,27 +162,8 @@ const Answer& Follower::ask() {
 
   answer_.pairs.clear();
   answer_.counts = {};
-  for (const auto& [i, j, slot] : follow_near()) {
-    if (!have_common_point(boxes_[i], boxes_[j])) continue;
-    const Part &a = members_->part(bodies, i), &b = members_->part(bodies, j);
-    if (!are_polyhedra(a, b)) {
-      look_at_round(i, j);
-      continue;
-    }
-    if (asks_warmly_ && part_again(rigid_[i], rigid_[j], kept_of(slot))) {
-      ++answer_.counts.by_method;
-      continue;
-    }
-    PairAnswer answer = pair_answer(a, b, question_, last_[slot]);
-    if (!answer.meet()) {
-      if (asks_warmly_) keep_parting(a, last_[slot], kept_of(slot));
-      ++answer_.counts.by_method;
-      continue;
-    }
-    PartPair& pair = answer_.pairs.emplace_back(members_->pair(i, j));
-    pair.answer = std::move(answer);
-    count_answer(pair, a, b, question_, answer_.counts);
-  }
+  follow_near();
+  for (const MovingBoxes::Pair& pair : meeting_boxes_) look_at(pair);
   std::sort(answer_.pairs.begin(), answer_.pairs.end(), is_listed_before);
   members_->complete(answer_.counts);
   return answer_;

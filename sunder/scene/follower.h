@@ -15,6 +15,7 @@
 #pragma once
 
 #include <sunder/base/error.h>
+#include <sunder/base/lanes.h>
 #include <sunder/near/moving_boxes.h>
 #include <sunder/scene/members.h>
 #include <sunder/scene/part_questions.h>
@@ -28,6 +29,11 @@
 #include <vector>
 
 namespace sunder::scene {
+
+// A box in floats; the fourth is zero.
+struct FollowedBox {
+  FloatLanes low{}, high{};
+};
 
 class Follower {
  public:
@@ -62,16 +68,19 @@ class Follower {
     return std::span(kept_).subspan(slot * kept_of_pair_, kept_of_pair_);
   }
   void look_at_round(std::uint32_t i, std::uint32_t j);  // where one has a radius
-  std::span<const MovingBoxes::Pair> follow_near();
+  void follow_near();
+  void look_at(const MovingBoxes::Pair& of);
 
   std::vector<Body> bodies_;
   Question question_;
   std::shared_ptr<const Members> members_;  // also of those that look for pairs
   std::vector<Box3> boxes_;                 // of each part, rough
   std::vector<std::uint32_t> placed_;       // parts since the last answer
-  std::vector<bool> is_placed_;
+  std::vector<bool> is_placed_, is_round_;
+  std::vector<FollowedBox> flat_boxes_;  // where pairs are few
   std::vector<MovingBoxes::Pair> few_;  // all that are asked about, where these are few; else none
   std::optional<MovingBoxes> near_;     // where they are many
+  std::vector<MovingBoxes::Pair> meeting_boxes_;
   std::vector<solid::RigidlyPlaced> rigid_;  // of each part that is a polyhedron; of others, of their cores
   std::vector<PairWarmStart> last_;     // by the slots of pairs
   std::vector<solid::KeptParting> kept_;  // kept_of_pair_ of each slot: what parted them
