@@ -2,6 +2,7 @@
 #include <sunder/io/robot_motion.h>
 #include <sunder/io/text.h>
 #include <sunder/io/urdf_kinematics.h>
+#include <sunder/solid/object/affine_product.h>
 
 #include <fmt/format.h>
 
@@ -16,20 +17,6 @@ using solid::Pose;
 
 [[noreturn]] void fail_joint(const std::string& name, const std::string& text) {
   throw Error(ErrorCode::bad_call, text, "joint " + quote(name));
-}
-
-// As compose.
-Affine3 product(const Affine3& a, const Affine3& b) {
-  Affine3 made;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double* row = &a.linear[3 * i];
-    for (std::size_t j = 0; j < 3; ++j) {
-      made.linear[3 * i + j] = row[0] * b.linear[j] + row[1] * b.linear[3 + j] + row[2] * b.linear[6 + j];
-    }
-    made.translation[i] =
-        row[0] * b.translation[0] + row[1] * b.translation[1] + row[2] * b.translation[2] + a.translation[i];
-  }
-  return made;
 }
 
 }  // namespace
@@ -88,8 +75,8 @@ void RobotMotion::place(std::span<const double> values, std::span<Pose> links) c
     const Joint& joint = joints_[i];
     // As bare numbers, of which one pose is made: what overflows does so there, too.
     const Affine3 motion =
-        joint.type == JointType::fixed ? origins_[i] : product(origins_[i], joint_map(joint, all[i]));
-    const Affine3 link = joint.parent == root_ ? motion : product(links[joint.parent].affine(), motion);
+        joint.type == JointType::fixed ? origins_[i] : solid::affine_product(origins_[i], joint_map(joint, all[i]));
+    const Affine3 link = joint.parent == root_ ? motion : solid::affine_product(links[joint.parent].affine(), motion);
     try {
       links[joint.child] = Pose::from_matrix(link.linear, link.translation);
     } catch (const Error& error) {

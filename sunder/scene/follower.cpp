@@ -13,13 +13,11 @@ namespace {
 
 // In floats, which hold the box: to be compared with many others.
 FollowedBox flat_box(const Box3& box) {
-  constexpr double part = 0x1p-22, tiny = 0x1p-140, most = std::numeric_limits<float>::max();
-  FollowedBox flat;
-  for (std::size_t k = 0; k < 3; ++k) {
-    flat.low[k] = static_cast<float>(std::min(box.low[k] - (part * std::fabs(box.low[k]) + tiny), most));
-    flat.high[k] = static_cast<float>(std::max(box.high[k] + (part * std::fabs(box.high[k]) + tiny), -most));
-  }
-  return flat;
+  static constexpr double part = 0x1p-22, tiny = 0x1p-140, most = std::numeric_limits<float>::max();
+  const auto below = [](double x) { return static_cast<float>(std::min(x - (part * std::fabs(x) + tiny), most)); };
+  const auto above = [](double x) { return static_cast<float>(std::max(x + (part * std::fabs(x) + tiny), -most)); };
+  return {FloatLanes{below(box.low.x), below(box.low.y), below(box.low.z), 0},
+          FloatLanes{above(box.high.x), above(box.high.y), above(box.high.z), 0}};
 }
 
 // Without branches: which boxes meet, of many, is hard to predict.
@@ -91,17 +89,17 @@ void Follower::forget() {
   is_placed_.assign(part_count(), true);
 }
 
-// The pairs whose boxes meet, and in last_ and kept_ what is known of them.
-void Follower::follow_near() {
-  meeting_boxes_.clear();
+// Pairs, of which meeting_boxes_ numbers those whose boxes meet; and in last_ and kept_ what is known of them.
+std::span<const MovingBoxes::Pair> Follower::follow_near() {
   const auto keep_those_of = [this](std::span<const MovingBoxes::Pair> pairs, const auto& boxes) {
     meeting_boxes_.resize(pairs.size() + 1);
     std::size_t count = 0;
-    for (const MovingBoxes::Pair& pair : pairs) {
-      meeting_boxes_[count] = pair;
-      count += have_common_point(boxes[pair.i], boxes[pair.j]);
+    for (std::uint32_t k = 0; k < pairs.size(); ++k) {
+      meeting_boxes_[count] = k;
+      count += have_common_point(boxes[pairs[k].i], boxes[pairs[k].j]);
     }
     meeting_boxes_.resize(count);
+    return pairs;
   };
   if (!few_.empty()) return keep_those_of(few_, flat_boxes_);
   if (near_) {
@@ -116,7 +114,7 @@ void Follower::follow_near() {
     last_[slot] = {};
     std::ranges::fill(kept_of(slot), solid::KeptParting{});
   }
-  keep_those_of(near_->pairs(), boxes_);
+  return keep_those_of(near_->pairs(), boxes_);
 }
 
 void Follower::look_at(const MovingBoxes::Pair& of) {
@@ -162,8 +160,8 @@ const Answer& Follower::ask() {
 
   answer_.pairs.clear();
   answer_.counts = {};
-  follow_near();
-  for (const MovingBoxes::Pair& pair : meeting_boxes_) look_at(pair);
+  const std::span<const MovingBoxes::Pair> pairs = follow_near();
+  for (const std::uint32_t k : meeting_boxes_) look_at(pairs[k]);
   std::sort(answer_.pairs.begin(), answer_.pairs.end(), is_listed_before);
   members_->complete(answer_.counts);
   return answer_;

@@ -68,7 +68,7 @@ class Follower {
     return std::span(kept_).subspan(slot * kept_of_pair_, kept_of_pair_);
   }
   void look_at_round(std::uint32_t i, std::uint32_t j);  // where one has a radius
-  void follow_near();
+  std::span<const MovingBoxes::Pair> follow_near();
   void look_at(const MovingBoxes::Pair& of);
 
   std::vector<Body> bodies_;
@@ -80,7 +80,7 @@ class Follower {
   std::vector<FollowedBox> flat_boxes_;  // where pairs are few
   std::vector<MovingBoxes::Pair> few_;  // all that are asked about, where these are few; else none
   std::optional<MovingBoxes> near_;     // where they are many
-  std::vector<MovingBoxes::Pair> meeting_boxes_;
+  std::vector<std::uint32_t> meeting_boxes_;
   std::vector<solid::RigidlyPlaced> rigid_;  // of each part that is a polyhedron; of others, of their cores
   std::vector<PairWarmStart> last_;     // by the slots of pairs
   std::vector<solid::KeptParting> kept_;  // kept_of_pair_ of each slot: what parted them

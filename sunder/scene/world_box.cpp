@@ -1,3 +1,4 @@
+#include <sunder/base/lanes.h>
 #include <sunder/number/interval.h>
 #include <sunder/number/rounded.h>
 #include <sunder/predicate/along.h>
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <utility>
 
 namespace sunder::scene {
@@ -108,7 +110,7 @@ Box3 rough_box_in_doubles(const solid::Placed& body) {
     m[j] = 0.5 * (low[j] + high[j]);
     h[j] = std::max(high[j] - m[j], m[j] - low[j]) * (1 + 0x1p-51);
   }
-  Box3 box;
+  std::array<double, 3> low_ends, high_ends;
   for (std::size_t k = 0; k < 3; ++k) {
     const double* const row = &body.pose.linear[3 * k];
     const auto size = [&](std::size_t j) { return leaf(std::fabs(row[j])); };
@@ -117,10 +119,12 @@ Box3 rough_box_in_doubles(const solid::Placed& body) {
     const auto half = (size(0) * leaf(h.x) + size(1) * leaf(h.y)) + size(2) * leaf(h.z);
     constexpr double error = (4 * decltype(middle)::bound + 6 * decltype(half)::bound + 24 * 0x1p-53) * (1 + 0x1p-40);
     const double reach = half.value + error * body.size;
-    box.low[k] = middle.value - reach;
-    box.high[k] = middle.value + reach;
+    low_ends[k] = middle.value - reach;
+    high_ends[k] = middle.value + reach;
   }
-  return box;
+  static_assert(sizeof(Box3) == 3 * sizeof(Lanes));  // stored as it will be copied
+  return std::bit_cast<Box3>(std::array<Lanes, 3>{Lanes{low_ends[0], low_ends[1]}, Lanes{low_ends[2], high_ends[0]},
+                                                  Lanes{high_ends[1], high_ends[2]}});
 }
 
 }  // namespace

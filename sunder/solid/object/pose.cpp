@@ -2,9 +2,12 @@
 #include <sunder/base/lanes.h>
 #include <sunder/predicate/orient.h>
 #include <sunder/predicate/regular.h>
+#include <sunder/solid/object/affine_product.h>
 #include <sunder/solid/object/pose.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -45,7 +48,12 @@ Pose::Pose(const Affine3& affine)
       translation_range_(range_of(affine.translation)) {}
 
 Pose Pose::from_matrix(const std::array<double, 9>& linear, const std::array<double, 3>& translation) {
-  const Pose made(Affine3{linear, translation});
+  const auto& m = linear;
+  const auto& t = translation;
+  // Two numbers at a time, as they are copied (affine_product.h).
+  const Pose made(
+      std::bit_cast<Affine3>(std::array<Lanes, 6>{Lanes{m[0], m[1]}, Lanes{m[2], m[3]}, Lanes{m[4], m[5]},  //
+                                                  Lanes{m[6], m[7]}, Lanes{m[8], t[0]}, Lanes{t[1], t[2]}}));
   const bool is_regular = is_surely_regular(made.affine_, made.linear_range_.greatest);
   if (!is_regular) require_finite(linear, "the matrix");
   require_finite(translation, "the translation");
@@ -84,19 +92,8 @@ Pose Pose::from_quaternion(double w, double x, double y, double z, const std::ar
 }
 
 Pose compose(const Pose& outer, const Pose& inner) {
-  const Affine3& a = outer.affine();
-  const Affine3& b = inner.affine();
-  std::array<double, 9> linear;
-  std::array<double, 3> translation;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double* row = &a.linear[3 * i];
-    for (std::size_t j = 0; j < 3; ++j) {
-      linear[3 * i + j] = row[0] * b.linear[j] + row[1] * b.linear[3 + j] + row[2] * b.linear[6 + j];
-    }
-    translation[i] =
-        row[0] * b.translation[0] + row[1] * b.translation[1] + row[2] * b.translation[2] + a.translation[i];
-  }
-  return Pose::from_matrix(linear, translation);
+  const Affine3 product = affine_product(outer.affine(), inner.affine());
+  return Pose::from_matrix(product.linear, product.translation);
 }
 
 }  // namespace sunder::solid
