@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/polytope/pair/common_weights.h>
 #include <sunder/polytope/pair/exact_simplex.h>
 #include <sunder/polytope/pair/nearest_search.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
@@ -158,8 +159,10 @@ ExactEvidence exact_evidence(const Polytope& a, const Pose& pose_a, const Polyto
   const Evidence& evidence = answer.evidence;
   if (evidence.exact) return *evidence.exact;
   if (evidence.verdict == Verdict::meet) {
-    return common_point_of({a, pose_a}, {b, pose_b}, std::span(evidence.of_a).first(evidence.count_a),
-                           std::span(evidence.of_b).first(evidence.count_b));
+    const NamedPoints named{std::span(evidence.of_a).first(evidence.count_a),
+                            std::span(evidence.of_b).first(evidence.count_b)};
+    if (auto common = common_point_by_determinants(a, pose_a, b, pose_b, named)) return *std::move(common);
+    return common_point_of({a, pose_a}, {b, pose_b}, named.of_a, named.of_b);
   }
   const auto begin = evidence.direction.begin();
   return {.numbers = ExactVector(begin, begin + static_cast<std::ptrdiff_t>(a.dimension()))};
