@@ -31,50 +31,6 @@ struct NamedColumn {
   ExactVector numbers;
 };
 
-// The columns, by position, that are in the basis where floating point ends phase one; the last two right-hand sides
-// are
-// 1. Only a hint.
-std::vector<std::size_t> rounded_basis(const std::vector<NamedColumn>& columns, std::size_t rows) {
-  const std::size_t count = columns.size();
-  std::vector<std::vector<double>> table(rows + 1, std::vector<double>(count + 1));  // last row: prices
-  std::vector<std::size_t> basis(rows, count);
-  for (std::size_t i = 0; i < rows; ++i) {
-    double greatest = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-      table[i][k] = columns[k].numbers[i].nearest();
-      greatest = std::max(greatest, std::fabs(table[i][k]));
-    }
-    if (!std::isfinite(greatest)) return {};
-    for (std::size_t k = 0; k < count && greatest > 0; ++k) table[i][k] /= greatest;
-    table[i][count] = i + 2 < rows ? 0 : 1;
-    for (std::size_t k = 0; k <= count; ++k) table[rows][k] += table[i][k];
-  }
-  constexpr double small = 0x1p-40;
-  for (std::size_t step = 0; step < 4 * rows; ++step) {
-    const std::size_t entering =
-        static_cast<std::size_t>(std::max_element(table[rows].begin(), table[rows].end() - 1) - table[rows].begin());
-    if (!(table[rows][entering] > small)) break;
-    std::size_t leaving = rows;
-    for (std::size_t i = 0; i < rows; ++i) {
-      if (table[i][entering] > small && (leaving == rows || table[i][count] * table[leaving][entering] <
-                                                                table[leaving][count] * table[i][entering])) {
-        leaving = i;
-      }
-    }
-    if (leaving == rows) break;
-    const double by = 1 / table[leaving][entering];
-    for (double& x : table[leaving]) x *= by;
-    for (std::size_t i = 0; i <= rows; ++i) {
-      if (i == leaving) continue;
-      const double factor = table[i][entering];
-      for (std::size_t k = 0; k <= count; ++k) table[i][k] -= factor * table[leaving][k];
-    }
-    basis[leaving] = entering;
-  }
-  basis.erase(std::remove(basis.begin(), basis.end(), count), basis.end());
-  return basis;
-}
-
 class PointsProgram {
  public:
   PointsProgram(Placed& a, Placed& b) : a_(a), b_(b), d_(a.dimension()), program_(d_ + 2, 2) {}
@@ -88,15 +44,12 @@ class PointsProgram {
 
   bool enter_if_it_pays(Kind kind, std::uint32_t k) { return program_.enter_if_it_pays({kind, k}, column(kind, k)); }
 
-  // Those named, until they are a solution or none pays: first those that floating point has in a solution, which are
-  // mostly all that it takes.
+  // Those named, until they are a solution or none pays.
   bool try_named(std::span<const std::uint32_t> named_a, std::span<const std::uint32_t> named_b) {
     std::vector<NamedColumn> columns;
     for (const std::uint32_t k : named_a) columns.push_back({{of_a, k}, column(of_a, k)});
     for (const std::uint32_t k : named_b) columns.push_back({{of_b, k}, column(of_b, k)});
-    std::vector<NamedColumn> likely;
-    for (const std::size_t k : rounded_basis(columns, d_ + 2)) likely.push_back(columns[k]);
-    return enter_all(likely) || enter_all(columns);
+    return enter_all(columns);
   }
 
   bool enter_all(const std::vector<NamedColumn>& columns) {

@@ -35,7 +35,7 @@ class Search {
       : a_(a), b_(b), pose_a_(pose_a), pose_b_(pose_b), d_(a.dimension()), simplex_(d_) {}
 
   PolytopeAnswer answer() {
-    if (!search()) finish();
+    if (!search() && !holds_origin_exactly()) finish();
     return std::move(answer_);
   }
 
@@ -112,6 +112,22 @@ class Search {
       add(simplex_[k].a, evidence.of_a, evidence.count_a);
       add(simplex_[k].b, evidence.of_b, evidence.count_b);
     }
+  }
+
+  // Does the simplex, which may be of any dimension, hold the origin, by exact weights?
+  bool holds_origin_exactly() {
+    if (simplex_.size() == 0) return false;
+    ++answer_.cost.exact;
+    Evidence evidence{.verdict = Verdict::meet};
+    collect(evidence);
+    auto common = common_point_by_determinants(a_, pose_a_, b_, pose_b_,
+                                               {std::span(evidence.of_a).first(evidence.count_a),
+                                                std::span(evidence.of_b).first(evidence.count_b)});
+    if (!common) return false;
+    evidence.exact = std::make_shared<const ExactEvidence>(*std::move(common));
+    answer_.evidence = std::move(evidence);
+    answer_.decided_by = DecidedBy::evidence;
+    return true;
   }
 
   void finish() {
