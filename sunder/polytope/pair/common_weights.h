@@ -19,11 +19,10 @@ struct NamedPoints {
 // The common point of the hulls of these points, as evidence of `meet`, with at most d + 2 points that have a weight;
 // nothing where none is found, which tells nothing. With more than d + 2 points it is floating point that says which
 // matter. All signs are those of exact numbers.
-//   Weights l of A's points and m of B's that sum to 1 each, with sum l_i a_i = sum m_j b_j, are the solution of
-//   sum_{i>0} l_i (a_i - a_0) + sum_{j>0} m_j (b_0 - b_j) = b_0 - a_0, n <= d unknowns. Floating point says which n of
-//   the d equations to solve; the determinants of these n rows without one of their n + 1 columns are the weights, but
-//   for signs; the other equations are checked.
-// Cost: some n 2^n products of integers; integers of some 60 n bits where coordinates are of one size.
+//   Weights l of A's points and m of B's that sum to 1 each, with sum l_i a_i = sum m_j b_j, are those of a relation
+//   sum_{i>0} l_i (a_i - a_0) + sum_{j>0} m_j (b_0 - b_j) + (a_0 - b_0) = 0 of n + 1 <= d + 1 vectors
+//   (null_vector_internal.h).
+// Cost: that of null_vector().
 // Requires one dimension of all.
 std::optional<ExactEvidence> common_point_by_determinants(const Polytope& a, const Pose& pose_a, const Polytope& b,
                                                           const Pose& pose_b, NamedPoints named);
