@@ -101,7 +101,8 @@ class PointsProgram {
 
 // ---- Half-spaces and half-spaces.
 
-ExactDecision decide_half_spaces(Placed& a, Placed& b, Cost& cost) {
+ExactDecision decide_half_spaces(Placed& a, Placed& b, std::span<const std::uint32_t> named_a,
+                                 std::span<const std::uint32_t> named_b, Cost& cost) {
   const std::size_t d = a.dimension();
   PhaseOne program(d + 1, 1);
   const auto column_of = [&](Kind kind, std::uint32_t k) {
@@ -109,6 +110,11 @@ ExactDecision decide_half_spaces(Placed& a, Placed& b, Cost& cost) {
     column[d] = -column[d];
     return column;
   };
+  for (bool pays = true; pays && !program.is_solved();) {
+    pays = false;
+    for (const std::uint32_t k : named_a) pays = program.enter_if_it_pays({of_a, k}, column_of(of_a, k)) || pays;
+    for (const std::uint32_t k : named_b) pays = program.enter_if_it_pays({of_b, k}, column_of(of_b, k)) || pays;
+  }
   while (!program.is_solved()) {
     const ExactVector y = program.multipliers();
     const std::span<const Dyadic> place(y.data(), d);
@@ -214,8 +220,9 @@ class MixedProgram {
 };
 
 // A of half-spaces, B of points.
-ExactDecision decide_mixed(Placed& a, Placed& b, Cost& cost) {
-  std::vector<std::uint32_t> some, named;
+ExactDecision decide_mixed(Placed& a, Placed& b, std::span<const std::uint32_t> named_a,
+                           std::span<const std::uint32_t> named_b, Cost& cost) {
+  std::vector<std::uint32_t> some(named_a.begin(), named_a.end()), named(named_b.begin(), named_b.end());
   for (;;) {
     MixedProgram program(a, b, some);
     if (!program.solve(named, cost)) {
@@ -236,7 +243,8 @@ ExactDecision decide_mixed(Placed& a, Placed& b, Cost& cost) {
   }
 }
 
-// The same of B and A.
+}  // namespace
+
 ExactDecision exchanged(ExactDecision decision) {
   ExactEvidence evidence = *decision.evidence;
   if (decision.verdict == Verdict::apart) evidence.numbers = negated(std::move(evidence.numbers));
@@ -245,17 +253,15 @@ ExactDecision exchanged(ExactDecision decision) {
   return {decision.verdict, std::make_shared<const ExactEvidence>(std::move(evidence))};
 }
 
-}  // namespace
-
 namespace {
 
 ExactDecision decide(Placed& a, Placed& b, std::span<const std::uint32_t> named_a,
                      std::span<const std::uint32_t> named_b, Cost& cost) {
   ++cost.exact;
   const bool points_a = a.body().is_of_points(), points_b = b.body().is_of_points();
-  if (!points_a && !points_b) return decide_half_spaces(a, b, cost);
-  if (!points_a) return decide_mixed(a, b, cost);
-  if (!points_b) return exchanged(decide_mixed(b, a, cost));
+  if (!points_a && !points_b) return decide_half_spaces(a, b, named_a, named_b, cost);
+  if (!points_a) return decide_mixed(a, b, named_a, named_b, cost);
+  if (!points_b) return exchanged(decide_mixed(b, a, named_b, named_a, cost));
   PointsProgram program(a, b);
   const bool meet = program.try_named(named_a, named_b) || program.solve(cost);
   return {meet ? Verdict::meet : Verdict::apart,

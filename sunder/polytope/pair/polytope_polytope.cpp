@@ -1,6 +1,7 @@
 #include <sunder/base/contract.h>
 #include <sunder/polytope/pair/common_weights.h>
 #include <sunder/polytope/pair/exact_simplex.h>
+#include <sunder/polytope/pair/half_space_search.h>
 #include <sunder/polytope/pair/nearest_search.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
 #include <sunder/polytope/pair/support.h>
@@ -17,18 +18,6 @@ namespace {
 
 constexpr int most_steps = 64;  // of the search; it takes some 2 d to 4 d
 
-// Towards the origin, its greatest component of size 1, those zero that do not matter. False where there is none.
-bool direction_from(const Vector& nearest, std::size_t d, Vector& direction) {
-  double largest = 0;
-  for (std::size_t c = 0; c < d; ++c) largest = std::max(largest, std::fabs(nearest[c]));
-  if (!(largest > 0) || !std::isfinite(largest)) return false;
-  for (std::size_t c = 0; c < d; ++c) {
-    const double part = -nearest[c] / largest;
-    direction[c] = std::fabs(part) < 0x1p-60 ? 0.0 : part;
-  }
-  return true;
-}
-
 class Search {
  public:
   Search(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b)
@@ -43,7 +32,7 @@ class Search {
   // True where a proposal held.
   bool search() {
     Vector direction{};
-    if (!direction_from(difference(0, 0).at, d_, direction)) direction[0] = 1;
+    if (!towards_origin(difference(0, 0).at, d_, direction)) direction[0] = 1;
     for (int step = 0; step < most_steps; ++step) {
       const Support of_a = support(a_, pose_a_, direction, 1), of_b = support(b_, pose_b_, direction, -1);
       answer_.cost.probes += std::uint64_t{a_.size()} + b_.size();
@@ -52,7 +41,7 @@ class Search {
       if (simplex_.has(of_a.index, of_b.index)) return false;
       if (!simplex_.add(difference(of_a.index, of_b.index))) return false;
       if (simplex_.is_full()) return holds_origin();
-      if (!direction_from(simplex_.nearest(), d_, direction)) return false;
+      if (!towards_origin(simplex_.nearest(), d_, direction)) return false;
     }
     return false;
   }
@@ -80,7 +69,7 @@ class Search {
     }
     if (!holds) return false;
     answer_.evidence.verdict = Verdict::apart;
-    std::copy(direction.begin(), direction.end(), answer_.evidence.direction.begin());
+    std::copy_n(direction.begin(), d_, answer_.evidence.direction.begin());
     return true;
   }
 
@@ -159,9 +148,12 @@ PolytopeAnswer polytope_polytope_by_gjk(const Polytope& a, const Pose& pose_a, c
   require_one_dimension(a, pose_a, b, pose_b);
   if (a.is_of_points() && b.is_of_points()) return Search(a, pose_a, b, pose_b).answer();
   PolytopeAnswer answer;
-  ExactDecision decision = decide_exactly({a, pose_a}, {b, pose_b}, {}, {}, answer.cost);
+  HalfSpaceProposal proposal = search_half_spaces(a, pose_a, b, pose_b, answer.cost);
+  answer.decided_by = proposal.decision ? DecidedBy::evidence : DecidedBy::finishing;
+  ExactDecision decision = proposal.decision ? *std::move(proposal.decision)
+                                             : decide_exactly({a, pose_a}, {b, pose_b}, proposal.of_a, proposal.of_b,
+                                                              answer.cost);
   answer.evidence = {.verdict = decision.verdict, .exact = std::move(decision.evidence)};
-  answer.decided_by = DecidedBy::finishing;
   return answer;
 }
 
