@@ -111,13 +111,12 @@ std::optional<ExactEvidence> common_point_by_determinants(const Polytope& a, con
   AllNamed all;
   for (const std::uint32_t k : named.of_a) all.add({true, k});
   for (const std::uint32_t k : named.of_b) all.add({false, k});
-  FewNamed few;
   if (all.count <= a.dimension() + 2) {
+    FewNamed few;
     for (std::size_t k = 0; k < all.count; ++k) few.add(all.item[k]);
-  } else {
-    few = likely(a, pose_a, b, pose_b, all);
+    if (auto found = common_point({a, pose_a}, {b, pose_b}, few)) return found;
   }
-  return common_point({a, pose_a}, {b, pose_b}, few);
+  return common_point({a, pose_a}, {b, pose_b}, likely(a, pose_a, b, pose_b, all));
 }
 
 }  // namespace sunder::polytope

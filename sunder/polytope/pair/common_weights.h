@@ -17,8 +17,8 @@ struct NamedPoints {
 };
 
 // The common point of the hulls of these points, as evidence of `meet`, with at most d + 2 points that have a weight;
-// nothing where none is found, which tells nothing. With more than d + 2 points it is floating point that says which
-// matter. All signs are those of exact numbers.
+// nothing where none is found, which tells nothing. Where not all points have weights, or weights are not unique, it is
+// floating point that says which points matter. All signs are those of exact numbers.
 //   Weights l of A's points and m of B's that sum to 1 each, with sum l_i a_i = sum m_j b_j, are those of a relation
 //   sum_{i>0} l_i (a_i - a_0) + sum_{j>0} m_j (b_0 - b_j) + (a_0 - b_0) = 0 of n + 1 <= d + 1 vectors
 //   (null_vector_internal.h).
