@@ -78,7 +78,7 @@ std::optional<ExactEvidence> common_point(Placed a, Placed b, const FewNamed& na
   }
   vectors[count++] = difference(images[0], images[first_b]);
   auto v = null_vector(std::span(vectors).first(count));
-  if (!v) return std::nullopt;
+  if (!v || (*v)[count - 1].is_zero()) return std::nullopt;
   const Integer& denominator = (*v)[count - 1];
   std::array<Integer, most_points> weights;
   weights[0] = weights[first_b] = denominator;

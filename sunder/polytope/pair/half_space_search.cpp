@@ -17,6 +17,7 @@ namespace sunder::polytope {
 namespace {
 
 constexpr int most_steps = 64;  // of the search for a direction; it takes some 2 d to 4 d
+constexpr double matters = 0x1p-30;  // weights that are less are left out of what is named
 
 // Half-spaces under their pose, as floating point has them: row (a, b) of the body is (a N, b + a N t) in the world,
 // where N is the inverse of the linear part and t the translation.
@@ -123,7 +124,7 @@ class HalfSpaceSearch {
     if (!simplex_.add(point(height, 0))) return std::nullopt;
     for (int step = 0; step < most_steps; ++step) {
       ColumnNumbers y{};
-      if (!towards_origin(simplex_.nearest(), d_ + 1, y)) return std::nullopt;
+      if (simplex_.is_at_origin() || !towards_origin(simplex_.nearest(), d_ + 1, y)) return std::nullopt;
       ColumnNumbers x{};
       for (std::size_t c = 0; c < d_; ++c) x[c] = y[c] * unit_;
       const double w = y[d_];
@@ -224,12 +225,13 @@ class GameSearch {
     HalfSpaceProposal result;
     if (!rounded_.is_usable()) return result;
     result.decision = search();
+    if (!result.decision) result.decision = tight();
     if (result.decision) return result;
     for (std::size_t i = 0; i < game_.rows(); ++i) {
-      if (game_.row_weight(i) > 0) result.of_a.push_back(rows_[i].index);
+      if (game_.row_weight(i) > matters) result.of_a.push_back(rows_[i].index);
     }
     for (std::size_t j = 0; j < game_.columns(); ++j) {
-      if (game_.column_weight(j) > 0) result.of_b.push_back(columns_[j].index);
+      if (game_.column_weight(j) > matters) result.of_b.push_back(columns_[j].index);
     }
     return result;
   }
@@ -278,10 +280,10 @@ class GameSearch {
       cost_.probes += std::uint64_t{half_spaces_.body().size()} + points_.body().size();
       ++cost_.iterations;
       if (broken.product < 0) {
-        if (auto held = inside()) return held;
+        if (auto held = inside(weights_of_points(0))) return held;
       }
       if (least.product.product > offset) {
-        if (auto held = parted()) return held;
+        if (auto held = parted(weights_of_half_spaces(0))) return held;
       }
       const bool new_row = !has(rows_, broken.index), new_column = !has(columns_, least.index);
       if (!new_row && !new_column) return std::nullopt;
@@ -291,19 +293,67 @@ class GameSearch {
     return std::nullopt;
   }
 
-  // Is the combination of points, by these weights, inside?
-  std::optional<ExactDecision> inside() {
+  struct Weighted {
+    std::uint32_t index = 0;
+    Dyadic weight;
+  };
+
+  // The weights of points, and of half-spaces, that are more than `least`.
+  std::vector<Weighted> weights_of_points(double least) const {
+    std::vector<Weighted> result;
+    for (std::size_t j = 0; j < columns_.size(); ++j) {
+      if (game_.column_weight(j) > least) result.push_back({columns_[j].index, game_.column_weight(j)});
+    }
+    return result;
+  }
+  std::vector<Weighted> weights_of_half_spaces(double least) const {
+    std::vector<Weighted> result;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (game_.row_weight(i) > least) result.push_back({rows_[i].index, game_.row_weight(i)});
+    }
+    return result;
+  }
+
+  // Where the bodies only just touch, or do not, those that matter alone: they may be on one flat, exactly, and where
+  // they are not, the exact weights of a point that is on the boundary of all half-spaces that matter.
+  std::optional<ExactDecision> tight() {
+    if (rows_.empty() || columns_.empty()) return std::nullopt;
+    std::vector<Weighted> points = weights_of_points(matters);
+    const std::vector<Weighted> half_spaces = weights_of_half_spaces(matters);
+    if (points.empty() || half_spaces.empty()) return std::nullopt;
+    if (auto held = inside(points)) return held;
+    if (auto held = parted(half_spaces)) return held;
+    if (half_spaces.size() > most_dimension || points.size() > half_spaces.size() + 1) return std::nullopt;
+    std::vector<ExactVector> payoffs;
+    for (const Weighted& point : points) {
+      const ExactVector image = points_.image(point.index);
+      payoffs.emplace_back();
+      for (const Weighted& of : half_spaces) {
+        const ExactVector row = half_spaces_.half_space(of.index);
+        payoffs.back().push_back(dot(row, image) - row[d_]);
+      }
+    }
+    auto numbers = null_vector(payoffs);
+    if (!numbers) return std::nullopt;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if ((*numbers)[k] < 0) return std::nullopt;
+      points[k].weight = dyadic_of(std::move((*numbers)[k]), 0);
+    }
+    return inside(points);
+  }
+
+  // Is the combination of points inside of all half-spaces?
+  std::optional<ExactDecision> inside(const std::vector<Weighted>& weights) {
     ++cost_.proposals;
     ExactEvidence common;
     common.numbers.resize(d_);
     Dyadic total;
-    for (std::size_t j = 0; j < columns_.size(); ++j) {
-      const Dyadic weight = rounded_weight(game_.column_weight(j));
+    for (const auto& [index, weight] : weights) {
       if (weight.sign() == Sign::zero) continue;
       total = total + weight;
-      const ExactVector image = points_.image(columns_[j].index);
+      const ExactVector image = points_.image(index);
       for (std::size_t c = 0; c < d_; ++c) common.numbers[c] = common.numbers[c] + weight * image[c];
-      common.of_b.parts.push_back({columns_[j].index, weight});
+      common.of_b.parts.push_back({index, weight});
     }
     if (half_spaces_.breaks_any(common.numbers, total, cost_)) return std::nullopt;
     common.denominator = common.of_b.denominator = total;
@@ -311,19 +361,17 @@ class GameSearch {
     return ExactDecision{Verdict::meet, std::make_shared<const ExactEvidence>(std::move(common))};
   }
 
-  // Is no point in the combination of half-spaces, by these weights?
-  std::optional<ExactDecision> parted() {
+  // Is no point in the combination of half-spaces?
+  std::optional<ExactDecision> parted(const std::vector<Weighted>& weights) {
     ++cost_.proposals;
     ExactEvidence parting;
     parting.numbers.resize(d_);
     Dyadic side;
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      const Dyadic weight = rounded_weight(game_.row_weight(i));
-      if (weight.sign() == Sign::zero) continue;
-      const ExactVector row = half_spaces_.half_space(rows_[i].index);
+    for (const auto& [index, weight] : weights) {
+      const ExactVector row = half_spaces_.half_space(index);
       for (std::size_t c = 0; c < d_; ++c) parting.numbers[c] = parting.numbers[c] + weight * row[c];
       side = side + weight * row[d_];
-      parting.of_a.parts.push_back({rows_[i].index, weight * half_spaces_.scale()});
+      parting.of_a.parts.push_back({index, weight * half_spaces_.scale()});
     }
     ExactVector opposite;
     for (const Dyadic& x : parting.numbers) opposite.push_back(-x);
@@ -331,9 +379,6 @@ class GameSearch {
     if ((least - side).sign() != Sign::positive) return std::nullopt;
     return ExactDecision{Verdict::apart, std::make_shared<const ExactEvidence>(std::move(parting))};
   }
-
-  // Few bits are enough: what is proposed is strictly right, mostly by far.
-  static Dyadic rounded_weight(double weight) { return weight > 0x1p-60 ? weight : 0.0; }
 
   Placed half_spaces_, points_;
   RoundedHalfSpaces rounded_;

@@ -23,6 +23,15 @@ bool towards_origin(const ColumnNumbers& from, std::size_t d, ColumnNumbers& dir
   return true;
 }
 
+bool NearestSimplex::is_at_origin() const {
+  double size = 0, rest = 0;
+  for (std::size_t c = 0; c < d_; ++c) {
+    rest = std::max(rest, std::fabs(nearest_[c]));
+    for (std::size_t k = 0; k < size_; ++k) size = std::max(size, std::fabs(points_[k].at[c]));
+  }
+  return rest <= size * 0x1p-49;
+}
+
 // With p_0 the first point and e_k = p_k - p_0: the least |p_0 + sum y_k e_k|^2, by the orthogonal parts of the edges
 // (Gram and Schmidt, each edge after those before it), which is stable enough to propose.
 bool NearestSimplex::affine_weights(std::array<double, most_columns + 1>& weights) const {

@@ -28,6 +28,9 @@ class NearestSimplex {
   const DifferencePoint& operator[](std::size_t k) const { return points_[k]; }
   const ColumnNumbers& nearest() const { return nearest_; }
   bool has(std::uint32_t a, std::uint32_t b) const;
+  double weight(std::size_t k) const { return weights_[k]; }
+  // Is the nearest point so near that floating point does not know in which direction the origin is?
+  bool is_at_origin() const;
 
   // Takes in a point, moves to the nearest point of all, and drops points without weight (Wolfe's minor cycles). False
   // where floating point finds no way on. Requires that it is not full.

@@ -49,7 +49,7 @@ bool put_independent_first(System& system) {
     std::size_t row = k, column = 0;
     double greatest = 0;
     for (std::size_t i = k; i < system.equations; ++i) {
-      for (std::size_t j = 0; j < n; ++j) {
+      for (std::size_t j = 0; j <= n; ++j) {
         if (!is_done[j] && std::fabs(m[i][j]) > greatest) {
           greatest = std::fabs(m[i][j]);
           row = i;
@@ -65,7 +65,7 @@ bool put_independent_first(System& system) {
     is_done[column] = true;
     for (std::size_t i = k + 1; i < system.equations; ++i) {
       const double factor = m[i][column] / m[k][column];
-      for (std::size_t j = 0; j < n; ++j) m[i][j] -= factor * m[k][j];
+      for (std::size_t j = 0; j <= n; ++j) m[i][j] -= factor * m[k][j];
     }
   }
   return true;
@@ -110,7 +110,9 @@ std::optional<std::array<Integer, most_vectors>> null_vector(std::span<const Exa
   if (!put_independent_first(system)) return std::nullopt;
   const std::size_t n = system.unknowns;
   std::array<Integer, most_vectors> v = by_determinants(system);
-  if (v[n].is_zero()) return std::nullopt;
+  if (std::all_of(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(n) + 1, [](const Integer& x) { return x.is_zero(); })) {
+    return std::nullopt;
+  }
   for (std::size_t i = n; i < system.equations; ++i) {
     Integer sum = 0;
     for (std::size_t j = 0; j <= n; ++j) sum += v[j] * system.numbers[i][j];

@@ -3,6 +3,7 @@
 #include <sunder/polytope/pair/exact_simplex.h>
 #include <sunder/polytope/pair/half_space_search.h>
 #include <sunder/polytope/pair/nearest_search.h>
+#include <sunder/polytope/pair/null_vector_internal.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
 #include <sunder/polytope/pair/support.h>
 #include <sunder/predicate/simplex_origin.h>
@@ -18,13 +19,19 @@ namespace {
 
 constexpr int most_steps = 64;  // of the search; it takes some 2 d to 4 d
 
+ExactVector opposite(const ExactVector& v) {
+  ExactVector result;
+  for (const Dyadic& x : v) result.push_back(-x);
+  return result;
+}
+
 class Search {
  public:
   Search(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b)
       : a_(a), b_(b), pose_a_(pose_a), pose_b_(pose_b), d_(a.dimension()), simplex_(d_) {}
 
   PolytopeAnswer answer() {
-    if (!search() && !holds_origin_exactly()) finish();
+    if (!search() && !holds_origin_exactly() && !normal_parts()) finish();
     return std::move(answer_);
   }
 
@@ -41,7 +48,7 @@ class Search {
       if (simplex_.has(of_a.index, of_b.index)) return false;
       if (!simplex_.add(difference(of_a.index, of_b.index))) return false;
       if (simplex_.is_full()) return holds_origin();
-      if (!towards_origin(simplex_.nearest(), d_, direction)) return false;
+      if (simplex_.is_at_origin() || !towards_origin(simplex_.nearest(), d_, direction)) return false;
     }
     return false;
   }
@@ -60,10 +67,8 @@ class Search {
     bool holds = guess == Guess::positive;
     if (!is_sure(guess)) {
       const ExactVector exact(direction.begin(), direction.begin() + static_cast<std::ptrdiff_t>(d_));
-      ExactVector opposite;
-      for (const Dyadic& x : exact) opposite.push_back(-x);
       const Dyadic last = Placed(a_, pose_a_).furthest(exact, answer_.cost).product;
-      const Dyadic first = -Placed(b_, pose_b_).furthest(opposite, answer_.cost).product;
+      const Dyadic first = -Placed(b_, pose_b_).furthest(opposite(exact), answer_.cost).product;
       holds = (first - last).sign() == Sign::positive;
       answer_.decided_by = DecidedBy::evidence;
     }
@@ -115,6 +120,38 @@ class Search {
     if (!common) return false;
     evidence.exact = std::make_shared<const ExactEvidence>(*std::move(common));
     answer_.evidence = std::move(evidence);
+    answer_.decided_by = DecidedBy::evidence;
+    return true;
+  }
+
+  // Does the normal of d of the differences, exactly, part the bodies? The differences are those with most weight.
+  bool normal_parts() {
+    std::array<std::size_t, most_dimension + 1> order{};
+    for (std::size_t k = 0; k < simplex_.size(); ++k) order[k] = k;
+    std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(simplex_.size()),
+              [&](std::size_t i, std::size_t j) { return simplex_.weight(i) > simplex_.weight(j); });
+    if (simplex_.size() < d_) return false;
+    Placed a(a_, pose_a_), b(b_, pose_b_);
+    std::array<ExactVector, most_vectors> columns;  // of edges from the first difference, one row each
+    ExactVector first;
+    for (std::size_t k = 0; k < d_; ++k) {
+      const DifferencePoint& point = simplex_[order[k]];
+      const ExactVector of_a = a.image(point.a), of_b = b.image(point.b);
+      for (std::size_t c = 0; c < d_; ++c) {
+        if (k == 0) first.push_back(of_a[c] - of_b[c]);
+        if (k > 0) columns[c].push_back(of_a[c] - of_b[c] - first[c]);
+      }
+    }
+    const auto normal = null_vector(std::span(columns).first(d_));
+    if (!normal) return false;
+    ++answer_.cost.proposals;
+    ExactVector y;
+    for (std::size_t c = 0; c < d_; ++c) y.push_back(dyadic_of((*normal)[c], 0));
+    if (dot(y, first).sign() == Sign::positive) y = opposite(y);  // towards B
+    const Dyadic last = a.furthest(y, answer_.cost).product, least = -b.furthest(opposite(y), answer_.cost).product;
+    if ((least - last).sign() != Sign::positive) return false;
+    answer_.evidence = {.verdict = Verdict::apart,
+                        .exact = std::make_shared<const ExactEvidence>(ExactEvidence{.numbers = std::move(y)})};
     answer_.decided_by = DecidedBy::evidence;
     return true;
   }
