@@ -1,14 +1,16 @@
 // bench_polytopes: do two polytopes of four dimensions meet, and are points in a hull? The times of Sunder's front
-// doors, evidence in exact numbers included; bench/polytopes.py runs it, and asks HiGHS and SciPy about the same
-// inputs.
+// doors, evidence in exact numbers included; bench/polytopes.py runs it, and asks HiGHS, GLPK, Clp and SciPy about the
+// same inputs.
 //
 //   bench_polytopes [--write FILE | --trees]
 //
 // With --trees: what hierarchical trees take and cost, in counts, for docs/design/polytope.md.
 //
 // Writes what it asks about, and its answers, to the file: doubles of this machine, in the order in which the script
-// reads them. Inputs are points on spheres: pairs whose gap, or depth, is some part of their size, from seeds that are
-// fixed. Times are medians over rounds of the mean of a call, of processor time.
+// reads them. Inputs are points on spheres, and half-spaces that touch spheres: pairs whose gap, or depth, is some part
+// of their size, from seeds that are fixed; and pairs that touch, or miss one another by a last bit, by construction.
+// Exits 3 where an answer is not the one that is known. Times are medians over rounds of the mean of a call, of
+// processor time.
 #include <sunder/base/random.h>
 #include <sunder/polytope/pair/polytope_point.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
@@ -76,40 +78,109 @@ void write(std::ofstream& file, const std::vector<double>& numbers) {
              static_cast<std::streamsize>(numbers.size() * sizeof(double)));
 }
 
+enum class Known { no, meet, apart };
+
 struct Pair {
   std::vector<double> rows_a, rows_b;
   Polytope a, b;
 };
 
-// Centres are so far apart along a random direction: 2 is about where the bodies touch.
-std::vector<Pair> pairs_at(Random& random, double distance) {
+struct Regime {
+  const char* name;
+  bool a_of_points, b_of_points;
+  Known known;
   std::vector<Pair> pairs;
+};
+
+Polytope body_of(const std::vector<double>& rows, bool is_of_points) {
+  return is_of_points ? Polytope::from_points(kDimension, rows) : Polytope::from_half_spaces(kDimension, rows);
+}
+
+// Points on the unit sphere about a centre, or half-spaces that touch it.
+std::vector<double> round_body(Random& random, const std::vector<double>& centre, bool is_of_points) {
+  if (is_of_points) return on_sphere(random, kPoints, centre);
+  std::vector<double> rows;
+  for (std::size_t k = 0; k < kPoints; ++k) {
+    const std::vector<double> normal = on_sphere(random, 1, std::vector<double>(kDimension));
+    double side = 1;
+    for (std::size_t c = 0; c < kDimension; ++c) side += normal[c] * centre[c];
+    rows.insert(rows.end(), normal.begin(), normal.end());
+    rows.push_back(side);
+  }
+  return rows;
+}
+
+// Centres are so far apart along a random direction: 2 is about where the bodies touch.
+Regime at_distance(Random& random, const char* name, bool a_of_points, bool b_of_points, double distance) {
+  Regime regime{name, a_of_points, b_of_points, Known::no, {}};
   for (std::size_t k = 0; k < kPairs; ++k) {
     std::vector<double> there = on_sphere(random, 1, std::vector<double>(kDimension));
     for (double& x : there) x *= distance;
-    std::vector<double> a = on_sphere(random, kPoints, std::vector<double>(kDimension)),
-                        b = on_sphere(random, kPoints, there);
-    Polytope body_a = Polytope::from_points(kDimension, a), body_b = Polytope::from_points(kDimension, b);
-    pairs.push_back({std::move(a), std::move(b), std::move(body_a), std::move(body_b)});
+    std::vector<double> a = round_body(random, std::vector<double>(kDimension), a_of_points),
+                        b = round_body(random, there, b_of_points);
+    Polytope body_a = body_of(a, a_of_points), body_b = body_of(b, b_of_points);
+    regime.pairs.push_back({std::move(a), std::move(b), std::move(body_a), std::move(body_b)});
   }
-  return pairs;
+  return regime;
 }
 
-// B shares a point of A and lies on the other side of the plane x1 = 1.
-std::vector<Pair> touching_pairs(Random& random) {
-  std::vector<Pair> pairs = pairs_at(random, 0);
-  for (Pair& pair : pairs) {
+// B shares a point of A and lies on the other side of the plane x1 = 1; or so, but a last bit further.
+Regime sharing_a_point(Random& random, const char* name, bool is_apart) {
+  Regime regime = at_distance(random, name, true, true, 0);
+  regime.known = is_apart ? Known::apart : Known::meet;
+  const double first = is_apart ? std::nextafter(1.0, 2.0) : 1.0;
+  for (Pair& pair : regime.pairs) {
     for (std::size_t k = 0; k < kPoints; ++k) {
       double &x = pair.rows_a[k * kDimension], &y = pair.rows_b[k * kDimension];
       x = 1 - std::fabs(x);
-      y = 1 + std::fabs(y);
+      y = std::max(first, 1 + std::fabs(y));
     }
     pair.rows_a[0] = 1;
     std::copy_n(pair.rows_a.begin(), kDimension, pair.rows_b.begin());
-    pair.a = Polytope::from_points(kDimension, pair.rows_a);
-    pair.b = Polytope::from_points(kDimension, pair.rows_b);
+    pair.rows_b[0] = first;
+    pair.a = body_of(pair.rows_a, true);
+    pair.b = body_of(pair.rows_b, true);
   }
-  return pairs;
+  return regime;
+}
+
+// Integers. A is where x1 <= 0, B where x1 >= gap, and both have points there, or half-spaces that end there, around
+// the origin; x1 stands for another integer combination of what is written. Sizes are at most 2^48, so a gap of 1 is
+// about the last bit.
+Regime of_integers(Random& random, const char* name, bool a_of_points, bool b_of_points, double gap) {
+  Regime regime = at_distance(random, name, a_of_points, b_of_points, 0);
+  regime.known = gap > 0 ? Known::apart : Known::meet;
+  const std::array<double, kDimension> slant{1, 3, -2, 5};  // x1 of a body is x1 - 3 x2 + 2 x3 - 5 x4 of what is written
+  for (Pair& pair : regime.pairs) {
+    for (const bool is_of_a : {true, false}) {
+      std::vector<double>& rows = is_of_a ? pair.rows_a : pair.rows_b;
+      const double side = is_of_a ? -1 : 1;
+      rows.clear();
+      for (std::size_t k = 0; k < kPoints; ++k) {
+        std::array<double, kDimension> x{};
+        for (double& number : x) number = static_cast<double>(random.between(-(std::int64_t{1} << 45), std::int64_t{1} << 45));
+        x[0] = side * std::fabs(x[0]);
+        if (is_of_a ? a_of_points : b_of_points) {
+          if (k < 8) x[0] = 0;
+          if (k < 8 && k % 2 == 1) {  // the opposite of the one before
+            for (std::size_t c = 1; c < kDimension; ++c) x[c] = -rows[(k - 1) * kDimension + c];
+          }
+          if (!is_of_a) x[0] += gap;
+          for (std::size_t c = 1; c < kDimension; ++c) x[0] += slant[c] * x[c];
+          rows.insert(rows.end(), x.begin(), x.end());
+        } else {  // small normals; the origin is deep inside of all but the first
+          for (double& number : x) number = std::floor(number * 0x1p-40);
+          if (k == 0) x = {1, -slant[1], -slant[2], -slant[3]};
+          for (double& number : x) number *= k == 0 && !is_of_a ? -1 : 1;
+          rows.insert(rows.end(), x.begin(), x.end());
+          rows.push_back(k > 0 ? 0x1p40 : is_of_a ? 0.0 : -gap);
+        }
+      }
+    }
+    pair.a = body_of(pair.rows_a, a_of_points);
+    pair.b = body_of(pair.rows_b, b_of_points);
+  }
+  return regime;
 }
 
 std::vector<double> sphere_of(Random& random, std::size_t d, std::size_t count, double shift) {
@@ -226,11 +297,28 @@ int main(int count, char** words) {
   Random random(20261126);
   const Pose here(kDimension);
   std::printf("pairs of %zu points, d = %zu: microseconds a call; with exact evidence\n", kPoints, kDimension);
-  const std::vector<std::pair<const char*, std::vector<Pair>>> regimes{{"far apart", pairs_at(random, 4)},
-                                                                       {"near", pairs_at(random, 1.95)},
-                                                                       {"meet", pairs_at(random, 1.2)},
-                                                                       {"touching", touching_pairs(random)}};
-  for (const auto& [name, pairs] : regimes) {
+  const std::vector<Regime> regimes{
+      at_distance(random, "far apart", true, true, 4),
+      at_distance(random, "near", true, true, 1.95),
+      at_distance(random, "meet", true, true, 1.2),
+      sharing_a_point(random, "touch in a point", false),
+      sharing_a_point(random, "a last bit apart", true),
+      of_integers(random, "facets touch", true, true, 0),
+      of_integers(random, "a last bit apart", true, true, 1),
+      at_distance(random, "apart", false, false, 2.1),
+      at_distance(random, "near", false, false, 2.0),
+      at_distance(random, "meet", false, false, 1.2),
+      of_integers(random, "touch", false, false, 0),
+      of_integers(random, "a last bit apart", false, false, 1),
+      at_distance(random, "apart", false, true, 2.1),
+      at_distance(random, "near", false, true, 2.0),
+      at_distance(random, "meet", false, true, 1.2),
+      of_integers(random, "touch", false, true, 0),
+      of_integers(random, "a last bit apart", false, true, 1),
+  };
+  if (file.is_open()) write(file, {static_cast<double>(regimes.size())});
+  for (const Regime& regime : regimes) {
+    const std::vector<Pair>& pairs = regime.pairs;
     std::vector<double> answers(pairs.size());
     int finished = 0;
     const double plain = microseconds(pairs.size(), [&] {
@@ -248,12 +336,16 @@ int main(int count, char** words) {
         proved += exact_evidence(pair.a, here, pair.b, here, answer).numbers.size();
       }
     });
-    if (proved == 0) return 3;
     const double meets = static_cast<double>(std::count(answers.begin(), answers.end(), 1));
-    std::printf("%-10s %10.2f %10.2f   %2.0f of %zu meet, %d finished\n", name, plain, with_evidence, meets,
-                pairs.size(), finished);
+    const std::string bodies = regime.a_of_points ? "points" : regime.b_of_points ? "half-spaces and points" : "half-spaces";
+    std::printf("%-23s %-17s %10.2f %10.2f   %2.0f of %zu meet, %d finished\n", bodies.c_str(), regime.name, plain,
+                with_evidence, meets, pairs.size(), finished);
+    const double expected = regime.known == Known::meet ? static_cast<double>(pairs.size()) : 0;
+    if (proved == 0 || (regime.known != Known::no && meets != expected)) return 3;
     if (!file.is_open()) continue;
-    write(file, {plain, with_evidence});
+    write(file, {regime.a_of_points ? 1.0 : 0.0, regime.b_of_points ? 1.0 : 0.0, plain, with_evidence});
+    const std::string name = regime.name;
+    write(file, std::vector<double>(name.begin(), name.end()));
     write(file, answers);
     for (const Pair& pair : pairs) {
       write(file, pair.rows_a);

@@ -125,7 +125,8 @@ TEST(PolytopePairDifferential, MethodsAgreeWithTheScan) {
   }
   EXPECT_EQ(of_dimension.size(), 5u);
   EXPECT_GT(tallies[PolytopeFamily::random].filter, tallies[PolytopeFamily::random].cases * 9 / 10);
-  EXPECT_GT(tallies[PolytopeFamily::touching].finishing, tallies[PolytopeFamily::touching].cases / 2);
+  EXPECT_GT(tallies[PolytopeFamily::touching].evidence, tallies[PolytopeFamily::touching].cases / 2);
+  EXPECT_GT(tallies[PolytopeFamily::last_bit].finishing, tallies[PolytopeFamily::last_bit].cases / 20);
 }
 
 TEST(PolytopePairDifferential, HalfSpacesAgreeWithTheScan) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -62,6 +63,29 @@ auto with_dimension(std::size_t dimension, const Visit& visit) {
   }
 }
 
+// A direction times a power of two, rounded, and a bound on the errors of products with it.
+struct RoundedDirection {
+  ColumnNumbers numbers{};
+  double error = 0;
+};
+
+// Nothing where the direction is zero. One rounding each, or less than 2^-1074 where it underflows.
+std::optional<RoundedDirection> rounded_to_doubles(const PointColumns& points, std::span<const Dyadic> direction) {
+  std::int64_t top = std::numeric_limits<std::int64_t>::min();
+  for (std::size_t c = 0; c < points.dimension; ++c) {
+    if (direction[c].sign() != Sign::zero) top = std::max(top, direction[c].top());
+  }
+  if (top == std::numeric_limits<std::int64_t>::min()) return std::nullopt;
+  RoundedDirection result;
+  ColumnNumbers sizes{};
+  for (std::size_t c = 0; c < points.dimension; ++c) {
+    result.numbers[c] = direction[c].scaled(-top).nearest();
+    sizes[c] = std::fabs(result.numbers[c]);
+  }
+  result.error = product_error(points, sizes, 1);
+  return result;
+}
+
 Dyadic exact_product(const PointColumns& points, std::uint32_t k, std::span<const Dyadic> direction) {
   Dyadic sum;
   for (std::size_t c = 0; c < points.dimension; ++c) sum = sum + direction[c] * Dyadic(points.at(k, c));
@@ -89,18 +113,9 @@ double product_error(const PointColumns& points, const ColumnNumbers& sizes, int
 
 ExactFurthest exactly_furthest_along(const PointColumns& points, std::span<const Dyadic> direction,
                                      std::uint32_t& exact_looks) {
-  // The direction, times a power of two, rounded: one rounding each, or less than 2^-1074 where it underflows.
-  std::int64_t top = std::numeric_limits<std::int64_t>::min();
-  for (std::size_t c = 0; c < points.dimension; ++c) {
-    if (direction[c].sign() != Sign::zero) top = std::max(top, direction[c].top());
-  }
-  if (top == std::numeric_limits<std::int64_t>::min()) return {0, Dyadic()};
-  ColumnNumbers rounded{}, sizes{};
-  for (std::size_t c = 0; c < points.dimension; ++c) {
-    rounded[c] = direction[c].scaled(-top).nearest();
-    sizes[c] = std::fabs(rounded[c]);
-  }
-  const double error = product_error(points, sizes, 1);
+  const std::optional<RoundedDirection> rounded_direction = rounded_to_doubles(points, direction);
+  if (!rounded_direction) return {0, Dyadic()};
+  const auto& [rounded, error] = *rounded_direction;
   const double limit = std::isfinite(error) ? furthest_along(points, rounded).product - 2 * error
                                             : -std::numeric_limits<double>::infinity();
   ExactFurthest best;
@@ -120,6 +135,13 @@ ExactFurthest exactly_furthest_along(const PointColumns& points, std::span<const
     }
   });
   return best;
+}
+
+Guess sign_of_furthest(const PointColumns& points, std::span<const Dyadic> direction) {
+  const std::optional<RoundedDirection> rounded = rounded_to_doubles(points, direction);
+  if (!rounded) return Guess::zero;
+  const double product = furthest_along(points, rounded->numbers).product;
+  return product > rounded->error ? Guess::positive : product < -rounded->error ? Guess::negative : Guess::unsure;
 }
 
 }  // namespace sunder

@@ -69,4 +69,7 @@ struct ExactFurthest {
 ExactFurthest exactly_furthest_along(const PointColumns& points, std::span<const Dyadic> direction,
                                      std::uint32_t& exact_looks);
 
+// The sign of that product, by the floating-point bound alone: one look at each number.
+Guess sign_of_furthest(const PointColumns& points, std::span<const Dyadic> direction);
+
 }  // namespace sunder

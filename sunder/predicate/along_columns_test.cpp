@@ -52,7 +52,7 @@ Points points_of(std::size_t d, std::uint32_t count, const Number& number) {
 TEST(AlongColumns, ErrorsAreBoundedAndTheExactFurthestIsFound) {
   const int cases = tests::scaled_count(2000, 200);
   Random random(tests::chosen_seed(20261126));
-  int ties = 0, many_looks = 0;
+  int sure = 0, ties = 0, many_looks = 0;
   for (int i = 0; i < cases; ++i) {
     const std::size_t d = 2 + random.below(6);
     const auto count = static_cast<std::uint32_t>(1 + random.below(100));
@@ -88,6 +88,11 @@ TEST(AlongColumns, ErrorsAreBoundedAndTheExactFurthestIsFound) {
     std::uint32_t looks = 0;
     const std::vector<Dyadic> exact(direction.begin(), direction.end());
     const ExactFurthest furthest = exactly_furthest_along(points.columns(), exact, looks);
+    const Guess guess = sign_of_furthest(points.columns(), exact);
+    if (is_sure(guess)) {
+      ++sure;
+      ASSERT_EQ(to_sign(guess), furthest.product.sign()) << i << " of kind " << kind;
+    }
     bool is_zero = true;
     for (const double x : direction) is_zero = is_zero && x == 0;
     ASSERT_EQ(furthest.index, is_zero ? 0 : best) << i << " of kind " << kind;
@@ -95,6 +100,7 @@ TEST(AlongColumns, ErrorsAreBoundedAndTheExactFurthestIsFound) {
     ties += kind == 1 && looks > 1;
     many_looks += kind == 0 && looks > 2;
   }
+  EXPECT_GT(sure, cases / 2);
   EXPECT_GT(ties, cases / 10);
   EXPECT_LT(many_looks, cases / 50);
 }

@@ -63,8 +63,8 @@ struct [[nodiscard]] PolytopeAnswer {
   bool meet() const { return evidence.verdict == Verdict::meet; }
 };
 
-// The evidence in exact numbers. Requires the answer to be about these. Cost: exact arithmetic; a few pivots where the
-// evidence is of points that meet.
+// The evidence in exact numbers. Requires the answer to be about these. Cost: exact arithmetic; some small determinants
+// where the evidence is of points that meet.
 ExactEvidence exact_evidence(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b,
                              const PolytopeAnswer& answer);
 

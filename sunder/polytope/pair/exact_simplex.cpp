@@ -31,50 +31,6 @@ struct NamedColumn {
   ExactVector numbers;
 };
 
-// The columns, by position, that are in the basis where floating point ends phase one; the last two right-hand sides
-// are
-// 1. Only a hint.
-std::vector<std::size_t> rounded_basis(const std::vector<NamedColumn>& columns, std::size_t rows) {
-  const std::size_t count = columns.size();
-  std::vector<std::vector<double>> table(rows + 1, std::vector<double>(count + 1));  // last row: prices
-  std::vector<std::size_t> basis(rows, count);
-  for (std::size_t i = 0; i < rows; ++i) {
-    double greatest = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-      table[i][k] = columns[k].numbers[i].nearest();
-      greatest = std::max(greatest, std::fabs(table[i][k]));
-    }
-    if (!std::isfinite(greatest)) return {};
-    for (std::size_t k = 0; k < count && greatest > 0; ++k) table[i][k] /= greatest;
-    table[i][count] = i + 2 < rows ? 0 : 1;
-    for (std::size_t k = 0; k <= count; ++k) table[rows][k] += table[i][k];
-  }
-  constexpr double small = 0x1p-40;
-  for (std::size_t step = 0; step < 4 * rows; ++step) {
-    const std::size_t entering =
-        static_cast<std::size_t>(std::max_element(table[rows].begin(), table[rows].end() - 1) - table[rows].begin());
-    if (!(table[rows][entering] > small)) break;
-    std::size_t leaving = rows;
-    for (std::size_t i = 0; i < rows; ++i) {
-      if (table[i][entering] > small && (leaving == rows || table[i][count] * table[leaving][entering] <
-                                                                table[leaving][count] * table[i][entering])) {
-        leaving = i;
-      }
-    }
-    if (leaving == rows) break;
-    const double by = 1 / table[leaving][entering];
-    for (double& x : table[leaving]) x *= by;
-    for (std::size_t i = 0; i <= rows; ++i) {
-      if (i == leaving) continue;
-      const double factor = table[i][entering];
-      for (std::size_t k = 0; k <= count; ++k) table[i][k] -= factor * table[leaving][k];
-    }
-    basis[leaving] = entering;
-  }
-  basis.erase(std::remove(basis.begin(), basis.end(), count), basis.end());
-  return basis;
-}
-
 class PointsProgram {
  public:
   PointsProgram(Placed& a, Placed& b) : a_(a), b_(b), d_(a.dimension()), program_(d_ + 2, 2) {}
@@ -88,15 +44,12 @@ class PointsProgram {
 
   bool enter_if_it_pays(Kind kind, std::uint32_t k) { return program_.enter_if_it_pays({kind, k}, column(kind, k)); }
 
-  // Those named, until they are a solution or none pays: first those that floating point has in a solution, which are
-  // mostly all that it takes.
+  // Those named, until they are a solution or none pays.
   bool try_named(std::span<const std::uint32_t> named_a, std::span<const std::uint32_t> named_b) {
     std::vector<NamedColumn> columns;
     for (const std::uint32_t k : named_a) columns.push_back({{of_a, k}, column(of_a, k)});
     for (const std::uint32_t k : named_b) columns.push_back({{of_b, k}, column(of_b, k)});
-    std::vector<NamedColumn> likely;
-    for (const std::size_t k : rounded_basis(columns, d_ + 2)) likely.push_back(columns[k]);
-    return enter_all(likely) || enter_all(columns);
+    return enter_all(columns);
   }
 
   bool enter_all(const std::vector<NamedColumn>& columns) {
@@ -148,7 +101,8 @@ class PointsProgram {
 
 // ---- Half-spaces and half-spaces.
 
-ExactDecision decide_half_spaces(Placed& a, Placed& b, Cost& cost) {
+ExactDecision decide_half_spaces(Placed& a, Placed& b, std::span<const std::uint32_t> named_a,
+                                 std::span<const std::uint32_t> named_b, Cost& cost) {
   const std::size_t d = a.dimension();
   PhaseOne program(d + 1, 1);
   const auto column_of = [&](Kind kind, std::uint32_t k) {
@@ -156,6 +110,11 @@ ExactDecision decide_half_spaces(Placed& a, Placed& b, Cost& cost) {
     column[d] = -column[d];
     return column;
   };
+  for (bool pays = true; pays && !program.is_solved();) {
+    pays = false;
+    for (const std::uint32_t k : named_a) pays = program.enter_if_it_pays({of_a, k}, column_of(of_a, k)) || pays;
+    for (const std::uint32_t k : named_b) pays = program.enter_if_it_pays({of_b, k}, column_of(of_b, k)) || pays;
+  }
   while (!program.is_solved()) {
     const ExactVector y = program.multipliers();
     const std::span<const Dyadic> place(y.data(), d);
@@ -261,8 +220,9 @@ class MixedProgram {
 };
 
 // A of half-spaces, B of points.
-ExactDecision decide_mixed(Placed& a, Placed& b, Cost& cost) {
-  std::vector<std::uint32_t> some, named;
+ExactDecision decide_mixed(Placed& a, Placed& b, std::span<const std::uint32_t> named_a,
+                           std::span<const std::uint32_t> named_b, Cost& cost) {
+  std::vector<std::uint32_t> some(named_a.begin(), named_a.end()), named(named_b.begin(), named_b.end());
   for (;;) {
     MixedProgram program(a, b, some);
     if (!program.solve(named, cost)) {
@@ -283,7 +243,8 @@ ExactDecision decide_mixed(Placed& a, Placed& b, Cost& cost) {
   }
 }
 
-// The same of B and A.
+}  // namespace
+
 ExactDecision exchanged(ExactDecision decision) {
   ExactEvidence evidence = *decision.evidence;
   if (decision.verdict == Verdict::apart) evidence.numbers = negated(std::move(evidence.numbers));
@@ -292,17 +253,15 @@ ExactDecision exchanged(ExactDecision decision) {
   return {decision.verdict, std::make_shared<const ExactEvidence>(std::move(evidence))};
 }
 
-}  // namespace
-
 namespace {
 
 ExactDecision decide(Placed& a, Placed& b, std::span<const std::uint32_t> named_a,
                      std::span<const std::uint32_t> named_b, Cost& cost) {
   ++cost.exact;
   const bool points_a = a.body().is_of_points(), points_b = b.body().is_of_points();
-  if (!points_a && !points_b) return decide_half_spaces(a, b, cost);
-  if (!points_a) return decide_mixed(a, b, cost);
-  if (!points_b) return exchanged(decide_mixed(b, a, cost));
+  if (!points_a && !points_b) return decide_half_spaces(a, b, named_a, named_b, cost);
+  if (!points_a) return decide_mixed(a, b, named_a, named_b, cost);
+  if (!points_b) return exchanged(decide_mixed(b, a, named_b, named_a, cost));
   PointsProgram program(a, b);
   const bool meet = program.try_named(named_a, named_b) || program.solve(cost);
   return {meet ? Verdict::meet : Verdict::apart,

@@ -12,16 +12,36 @@ bool NearestSimplex::has(std::uint32_t a, std::uint32_t b) const {
                      [&](const DifferencePoint& p) { return p.a == a && p.b == b; });
 }
 
+bool towards_origin(const ColumnNumbers& from, std::size_t d, ColumnNumbers& direction) {
+  double largest = 0;
+  for (std::size_t c = 0; c < d; ++c) largest = std::max(largest, std::fabs(from[c]));
+  if (!(largest > 0) || !std::isfinite(largest)) return false;
+  for (std::size_t c = 0; c < d; ++c) {
+    const double part = -from[c] / largest;
+    direction[c] = std::fabs(part) < 0x1p-60 ? 0.0 : part;
+  }
+  return true;
+}
+
+bool NearestSimplex::is_at_origin() const {
+  double size = 0, rest = 0;
+  for (std::size_t c = 0; c < d_; ++c) {
+    rest = std::max(rest, std::fabs(nearest_[c]));
+    for (std::size_t k = 0; k < size_; ++k) size = std::max(size, std::fabs(points_[k].at[c]));
+  }
+  return rest <= size * 0x1p-49;
+}
+
 // With p_0 the first point and e_k = p_k - p_0: the least |p_0 + sum y_k e_k|^2, by the orthogonal parts of the edges
 // (Gram and Schmidt, each edge after those before it), which is stable enough to propose.
-bool NearestSimplex::affine_weights(std::array<double, most_dimension + 1>& weights) const {
+bool NearestSimplex::affine_weights(std::array<double, most_columns + 1>& weights) const {
   const std::size_t n = size_ - 1;
-  std::array<Vector, most_dimension> orthogonal{};
-  std::array<std::array<double, most_dimension>, most_dimension> share{};  // of orthogonal k in edge j
-  std::array<double, most_dimension> square{}, along{};
-  Vector rest = points_[0].at;
+  std::array<ColumnNumbers, most_columns> orthogonal{};
+  std::array<std::array<double, most_columns>, most_columns> share{};  // of orthogonal k in edge j
+  std::array<double, most_columns> square{}, along{};
+  ColumnNumbers rest = points_[0].at;
   for (std::size_t j = 0; j < n; ++j) {
-    Vector& o = orthogonal[j];
+    ColumnNumbers& o = orthogonal[j];
     double whole = 0;
     for (std::size_t c = 0; c < d_; ++c) {
       o[c] = points_[j + 1].at[c] - points_[0].at[c];
@@ -77,8 +97,8 @@ bool NearestSimplex::add(const DifferencePoint& point) {
   points_[size_] = point;
   weights_[size_] = size_ == 0 ? 1 : 0;
   ++size_;
-  for (std::size_t round = 0; round <= most_dimension + 1; ++round) {
-    std::array<double, most_dimension + 1> target{};
+  for (std::size_t round = 0; round <= most_columns + 1; ++round) {
+    std::array<double, most_columns + 1> target{};
     if (!affine_weights(target)) return false;
     // From the weights towards the target, as far as none is negative.
     double step = 1;

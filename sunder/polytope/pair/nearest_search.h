@@ -3,7 +3,7 @@
 // Source: Wolfe 1976; Gilbert, Johnson & Keerthi 1988.
 #pragma once
 
-#include <sunder/polytope/pair/support.h>
+#include <sunder/predicate/along_columns.h>
 
 #include <array>
 #include <cstddef>
@@ -11,13 +11,14 @@
 
 namespace sunder::polytope {
 
-// A difference of two points, by their numbers, and about where it is.
+// A point, by two numbers (as of A and of B, where it is a difference), and about where it is.
 struct DifferencePoint {
   std::uint32_t a = 0, b = 0;
-  Vector at{};
+  ColumnNumbers at{};
 };
 
-// Points whose affine hull has its nearest point to the origin inside of their hull, with the weights of that point.
+// Points of up to seven dimensions whose affine hull has its nearest point to the origin inside of their hull, with the
+// weights of that point.
 class NearestSimplex {
  public:
   explicit NearestSimplex(std::size_t dimension) : d_(dimension) {}
@@ -25,8 +26,11 @@ class NearestSimplex {
   std::size_t size() const { return size_; }
   bool is_full() const { return size_ == d_ + 1; }  // it holds the origin
   const DifferencePoint& operator[](std::size_t k) const { return points_[k]; }
-  const Vector& nearest() const { return nearest_; }
+  const ColumnNumbers& nearest() const { return nearest_; }
   bool has(std::uint32_t a, std::uint32_t b) const;
+  double weight(std::size_t k) const { return weights_[k]; }
+  // Is the nearest point so near that floating point does not know in which direction the origin is?
+  bool is_at_origin() const;
 
   // Takes in a point, moves to the nearest point of all, and drops points without weight (Wolfe's minor cycles). False
   // where floating point finds no way on. Requires that it is not full.
@@ -34,14 +38,18 @@ class NearestSimplex {
 
  private:
   // The weights, which may be negative, of the point of the affine hull that is nearest to the origin.
-  bool affine_weights(std::array<double, most_dimension + 1>& weights) const;
+  bool affine_weights(std::array<double, most_columns + 1>& weights) const;
   void drop_without_weight();
   void find_nearest();
 
   std::size_t d_, size_ = 0;
-  std::array<DifferencePoint, most_dimension + 1> points_{};
-  std::array<double, most_dimension + 1> weights_{};
-  Vector nearest_{};
+  std::array<DifferencePoint, most_columns + 1> points_{};
+  std::array<double, most_columns + 1> weights_{};
+  ColumnNumbers nearest_{};
 };
+
+// From there towards the origin of R^d, the greatest component of size 1, those zero that do not matter. False where
+// there is no such direction.
+bool towards_origin(const ColumnNumbers& from, std::size_t d, ColumnNumbers& direction);
 
 }  // namespace sunder::polytope

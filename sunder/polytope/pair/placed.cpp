@@ -61,6 +61,11 @@ ExactFurthest Placed::furthest(std::span<const Dyadic> direction, Cost& cost) {
 
 void Placed::invert() {
   if (!inverse_.empty()) return;
+  if (pose_.is_identity()) {
+    inverse_.resize(dimension() * dimension());
+    for (std::size_t k = 0; k < dimension(); ++k) inverse_[k * (dimension() + 1)] = 1.0;
+    return;
+  }
   ExactInverse inverse = *exact_inverse(dimension(), pose_.linear());
   inverse_ = std::move(inverse.numbers);
   scale_ = std::move(inverse.denominator);
@@ -104,6 +109,19 @@ std::optional<ExactFurthest> Placed::most_broken(std::span<const Dyadic> p, cons
   ExactVector direction = unplaced(p, w);
   direction.push_back(-(w * scale_));
   return furthest_row(direction, cost);
+}
+
+bool Placed::breaks_any(std::span<const Dyadic> p, const Dyadic& w, Cost& cost) {
+  SUNDER_REQUIRE(!body_.is_of_points());
+  if (body_.size() == 0) return false;
+  ExactVector direction = unplaced(p, w);
+  direction.push_back(-(w * scale_));
+  if (!walk_) {
+    cost.probes += body_.size();
+    const Guess guess = sign_of_furthest(body_.columns(), direction);
+    if (is_sure(guess)) return guess == Guess::positive;
+  }
+  return furthest_row(direction, cost).product.sign() == Sign::positive;
 }
 
 }  // namespace sunder::polytope

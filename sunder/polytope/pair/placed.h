@@ -45,9 +45,11 @@ class Placed {
   std::uint32_t scans() const { return walk_ ? walk_->scans() : 0; }
 
   // Of half-spaces, times scale(): row k as a1, .., ad, b of the world. One of those that are broken most at the
-  // point p / w, w >= 0, that is, whose a . p - w b is greatest, and that number; nothing where there are none.
+  // point p / w, w >= 0, that is, whose a . p - w b is greatest, and that number; nothing where there are none. Is
+  // any broken, that is, this number positive? (A tree: of those that walks so deep may find.)
   ExactVector half_space(std::uint32_t k);
   std::optional<ExactFurthest> most_broken(std::span<const Dyadic> p, const Dyadic& w, Cost& cost);
+  bool breaks_any(std::span<const Dyadic> p, const Dyadic& w, Cost& cost);
   const Dyadic& scale();  // positive
   // The point p / w in the frame of the body, over w scale().
   ExactVector unplaced(std::span<const Dyadic> p, const Dyadic& w);

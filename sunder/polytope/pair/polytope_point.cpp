@@ -53,7 +53,7 @@ class ManyPoints {
     PolytopeAnswer known;
     if (const KnownDirection* const d = directions_.find([&](const KnownDirection& k) { return parts(k, point); })) {
       known.evidence.verdict = Verdict::apart;
-      known.evidence.direction = d->direction;
+      std::copy_n(d->direction.begin(), point.size(), known.evidence.direction.begin());
       known.cost.proposals = 1;
       return known;
     }
@@ -103,8 +103,10 @@ class ManyPoints {
     const Evidence& evidence = answer.evidence;
     const std::size_t d = polytope_.dimension();
     if (evidence.verdict == Verdict::apart) {
-      const Support far = support(polytope_, pose_, evidence.direction, 1);
-      directions_.add({evidence.direction, far.product});
+      Vector direction{};
+      std::copy_n(evidence.direction.begin(), d, direction.begin());
+      const Support far = support(polytope_, pose_, direction, 1);
+      directions_.add({direction, far.product});
     } else if (evidence.count_a == d + 1) {
       KnownSimplex known{.evidence = evidence};
       if (invert(known)) simplices_.add(std::move(known));

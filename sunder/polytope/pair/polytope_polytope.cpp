@@ -1,6 +1,9 @@
 #include <sunder/base/contract.h>
+#include <sunder/polytope/pair/common_weights.h>
 #include <sunder/polytope/pair/exact_simplex.h>
+#include <sunder/polytope/pair/half_space_search.h>
 #include <sunder/polytope/pair/nearest_search.h>
+#include <sunder/polytope/pair/null_vector_internal.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
 #include <sunder/polytope/pair/support.h>
 #include <sunder/predicate/simplex_origin.h>
@@ -16,16 +19,10 @@ namespace {
 
 constexpr int most_steps = 64;  // of the search; it takes some 2 d to 4 d
 
-// Towards the origin, its greatest component of size 1, those zero that do not matter. False where there is none.
-bool direction_from(const Vector& nearest, std::size_t d, Vector& direction) {
-  double largest = 0;
-  for (std::size_t c = 0; c < d; ++c) largest = std::max(largest, std::fabs(nearest[c]));
-  if (!(largest > 0) || !std::isfinite(largest)) return false;
-  for (std::size_t c = 0; c < d; ++c) {
-    const double part = -nearest[c] / largest;
-    direction[c] = std::fabs(part) < 0x1p-60 ? 0.0 : part;
-  }
-  return true;
+ExactVector opposite(const ExactVector& v) {
+  ExactVector result;
+  for (const Dyadic& x : v) result.push_back(-x);
+  return result;
 }
 
 class Search {
@@ -34,7 +31,7 @@ class Search {
       : a_(a), b_(b), pose_a_(pose_a), pose_b_(pose_b), d_(a.dimension()), simplex_(d_) {}
 
   PolytopeAnswer answer() {
-    if (!search()) finish();
+    if (!search() && !holds_origin_exactly() && !normal_parts()) finish();
     return std::move(answer_);
   }
 
@@ -42,7 +39,7 @@ class Search {
   // True where a proposal held.
   bool search() {
     Vector direction{};
-    if (!direction_from(difference(0, 0).at, d_, direction)) direction[0] = 1;
+    if (!towards_origin(difference(0, 0).at, d_, direction)) direction[0] = 1;
     for (int step = 0; step < most_steps; ++step) {
       const Support of_a = support(a_, pose_a_, direction, 1), of_b = support(b_, pose_b_, direction, -1);
       answer_.cost.probes += std::uint64_t{a_.size()} + b_.size();
@@ -51,7 +48,7 @@ class Search {
       if (simplex_.has(of_a.index, of_b.index)) return false;
       if (!simplex_.add(difference(of_a.index, of_b.index))) return false;
       if (simplex_.is_full()) return holds_origin();
-      if (!direction_from(simplex_.nearest(), d_, direction)) return false;
+      if (simplex_.is_at_origin() || !towards_origin(simplex_.nearest(), d_, direction)) return false;
     }
     return false;
   }
@@ -70,16 +67,14 @@ class Search {
     bool holds = guess == Guess::positive;
     if (!is_sure(guess)) {
       const ExactVector exact(direction.begin(), direction.begin() + static_cast<std::ptrdiff_t>(d_));
-      ExactVector opposite;
-      for (const Dyadic& x : exact) opposite.push_back(-x);
       const Dyadic last = Placed(a_, pose_a_).furthest(exact, answer_.cost).product;
-      const Dyadic first = -Placed(b_, pose_b_).furthest(opposite, answer_.cost).product;
+      const Dyadic first = -Placed(b_, pose_b_).furthest(opposite(exact), answer_.cost).product;
       holds = (first - last).sign() == Sign::positive;
       answer_.decided_by = DecidedBy::evidence;
     }
     if (!holds) return false;
     answer_.evidence.verdict = Verdict::apart;
-    std::copy(direction.begin(), direction.end(), answer_.evidence.direction.begin());
+    std::copy_n(direction.begin(), d_, answer_.evidence.direction.begin());
     return true;
   }
 
@@ -113,6 +108,54 @@ class Search {
     }
   }
 
+  // Does the simplex, which may be of any dimension, hold the origin, by exact weights?
+  bool holds_origin_exactly() {
+    if (simplex_.size() == 0) return false;
+    ++answer_.cost.exact;
+    Evidence evidence{.verdict = Verdict::meet};
+    collect(evidence);
+    auto common = common_point_by_determinants(a_, pose_a_, b_, pose_b_,
+                                               {std::span(evidence.of_a).first(evidence.count_a),
+                                                std::span(evidence.of_b).first(evidence.count_b)});
+    if (!common) return false;
+    evidence.exact = std::make_shared<const ExactEvidence>(*std::move(common));
+    answer_.evidence = std::move(evidence);
+    answer_.decided_by = DecidedBy::evidence;
+    return true;
+  }
+
+  // Does the normal of d of the differences, exactly, part the bodies? The differences are those with most weight.
+  bool normal_parts() {
+    std::array<std::size_t, most_dimension + 1> order{};
+    for (std::size_t k = 0; k < simplex_.size(); ++k) order[k] = k;
+    std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(simplex_.size()),
+              [&](std::size_t i, std::size_t j) { return simplex_.weight(i) > simplex_.weight(j); });
+    if (simplex_.size() < d_) return false;
+    Placed a(a_, pose_a_), b(b_, pose_b_);
+    std::array<ExactVector, most_vectors> columns;  // of edges from the first difference, one row each
+    ExactVector first;
+    for (std::size_t k = 0; k < d_; ++k) {
+      const DifferencePoint& point = simplex_[order[k]];
+      const ExactVector of_a = a.image(point.a), of_b = b.image(point.b);
+      for (std::size_t c = 0; c < d_; ++c) {
+        if (k == 0) first.push_back(of_a[c] - of_b[c]);
+        if (k > 0) columns[c].push_back(of_a[c] - of_b[c] - first[c]);
+      }
+    }
+    const auto normal = null_vector(std::span(columns).first(d_));
+    if (!normal) return false;
+    ++answer_.cost.proposals;
+    ExactVector y;
+    for (std::size_t c = 0; c < d_; ++c) y.push_back(dyadic_of((*normal)[c], 0));
+    if (dot(y, first).sign() == Sign::positive) y = opposite(y);  // towards B
+    const Dyadic last = a.furthest(y, answer_.cost).product, least = -b.furthest(opposite(y), answer_.cost).product;
+    if ((least - last).sign() != Sign::positive) return false;
+    answer_.evidence = {.verdict = Verdict::apart,
+                        .exact = std::make_shared<const ExactEvidence>(ExactEvidence{.numbers = std::move(y)})};
+    answer_.decided_by = DecidedBy::evidence;
+    return true;
+  }
+
   void finish() {
     Evidence hint;
     collect(hint);
@@ -142,9 +185,12 @@ PolytopeAnswer polytope_polytope_by_gjk(const Polytope& a, const Pose& pose_a, c
   require_one_dimension(a, pose_a, b, pose_b);
   if (a.is_of_points() && b.is_of_points()) return Search(a, pose_a, b, pose_b).answer();
   PolytopeAnswer answer;
-  ExactDecision decision = decide_exactly({a, pose_a}, {b, pose_b}, {}, {}, answer.cost);
+  HalfSpaceProposal proposal = search_half_spaces(a, pose_a, b, pose_b, answer.cost);
+  answer.decided_by = proposal.decision ? DecidedBy::evidence : DecidedBy::finishing;
+  ExactDecision decision = proposal.decision ? *std::move(proposal.decision)
+                                             : decide_exactly({a, pose_a}, {b, pose_b}, proposal.of_a, proposal.of_b,
+                                                              answer.cost);
   answer.evidence = {.verdict = decision.verdict, .exact = std::move(decision.evidence)};
-  answer.decided_by = DecidedBy::finishing;
   return answer;
 }
 
@@ -158,8 +204,10 @@ ExactEvidence exact_evidence(const Polytope& a, const Pose& pose_a, const Polyto
   const Evidence& evidence = answer.evidence;
   if (evidence.exact) return *evidence.exact;
   if (evidence.verdict == Verdict::meet) {
-    return common_point_of({a, pose_a}, {b, pose_b}, std::span(evidence.of_a).first(evidence.count_a),
-                           std::span(evidence.of_b).first(evidence.count_b));
+    const NamedPoints named{std::span(evidence.of_a).first(evidence.count_a),
+                            std::span(evidence.of_b).first(evidence.count_b)};
+    if (auto common = common_point_by_determinants(a, pose_a, b, pose_b, named)) return *std::move(common);
+    return common_point_of({a, pose_a}, {b, pose_b}, named.of_a, named.of_b);
   }
   const auto begin = evidence.direction.begin();
   return {.numbers = ExactVector(begin, begin + static_cast<std::ptrdiff_t>(a.dimension()))};

@@ -15,15 +15,16 @@
 
 namespace sunder::polytope {
 
-// The front door. Two bodies of points: by_gjk; else the exact method for half-spaces, below.
+// The front door: by_gjk.
 PolytopeAnswer polytope_polytope(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b);
 
 // Of two bodies of points: the nearest point of the difference A - B to the origin is searched in floating point, with
-// support points found by scans; each direction is a proposal to part the bodies, a simplex of d + 1 differences one
-// that they meet. Filters check these; where they are not sure, exact numbers; where no proposal holds, the simplex
-// method in integers decides. Of half-spaces the latter alone: both of half-spaces, for multipliers that contradict;
-// one, for a common point of the points' hull and some of the half-spaces, to which the one that is broken most is
-// added, until there is none, or these contradict.
+// support points found by scans; each direction is a proposal to part the bodies, a simplex of differences one that
+// they meet. Filters check these; where they are not sure, exact numbers; where no proposal holds, the simplex method
+// in integers decides. With half-spaces (half_space_search.h): where both are of half-spaces, the same search among the
+// rows (a, -b) of R^(d+1), for a point inside of all, or multipliers that contradict; of half-spaces and points, a
+// matrix game of few rows and points, to which the best replies come in. Exact numbers check what is proposed, and
+// where it does not hold, the simplex method in integers decides from there.
 // Cost: some 3 to 5 d scans of both bodies. Allocates nothing while filters decide.
 // Source: Gilbert, Johnson & Keerthi 1988; Wolfe 1976, "Finding the nearest point in a polytope".
 PolytopeAnswer polytope_polytope_by_gjk(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b);

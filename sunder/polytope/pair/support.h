@@ -11,7 +11,7 @@
 
 namespace sunder::polytope {
 
-using Vector = std::array<double, most_dimension>;
+using Vector = ColumnNumbers;
 
 // A point of a body, and the product of its image with a direction of the world.
 struct Support {

@@ -1,0 +1,403 @@
+#include <sunder/polytope/pair/half_space_search.h>
+#include <sunder/polytope/pair/matrix_game.h>
+#include <sunder/polytope/pair/nearest_search.h>
+#include <sunder/polytope/pair/null_vector_internal.h>
+#include <sunder/polytope/pair/rounded_simplex.h>
+#include <sunder/polytope/pair/support.h>
+#include <sunder/predicate/cone_weights.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace sunder::polytope {
+
+namespace {
+
+constexpr int most_steps = 64;  // of the search for a direction; it takes some 2 d to 4 d
+constexpr double matters = 0x1p-30;  // weights that are less are left out of what is named
+
+// Half-spaces under their pose, as floating point has them: row (a, b) of the body is (a N, b + a N t) in the world,
+// where N is the inverse of the linear part and t the translation.
+class RoundedHalfSpaces {
+ public:
+  RoundedHalfSpaces(const Polytope& body, const Pose& pose) : body_(body), pose_(pose), d_(body.dimension()) {
+    for (std::size_t k = 0; k < d_; ++k) inverse_[k * d_ + k] = 1;
+    if (pose.is_identity()) return;
+    // Of the transposed matrix, and so the transposed inverse.
+    is_usable_ = std::isfinite(cone_inverse(pose.linear(), d_, std::span(inverse_).first(d_ * d_)));
+  }
+
+  // Is there anything to search, and an inverse?
+  bool is_usable() const { return is_usable_ && body_.size() > 0; }
+
+  ColumnNumbers row(std::uint32_t k) const {
+    const std::span<const double> numbers = body_.row(k);
+    ColumnNumbers result{};
+    result[d_] = numbers[d_];
+    for (std::size_t c = 0; c < d_; ++c) {
+      if (pose_.is_identity()) {
+        result[c] = numbers[c];
+        continue;
+      }
+      for (std::size_t r = 0; r < d_; ++r) result[c] += numbers[r] * inverse_[c * d_ + r];
+      result[d_] += result[c] * pose_.translation()[c];
+    }
+    return result;
+  }
+
+  // The row whose a . x - w b is greatest, and that number.
+  FurthestPoint most_broken(const ColumnNumbers& x, double w) const {
+    ColumnNumbers direction{};
+    direction[d_] = -w;
+    for (std::size_t c = 0; c < d_; ++c) {
+      if (pose_.is_identity()) {
+        direction[c] = x[c];
+        continue;
+      }
+      const double moved = x[c] - w * pose_.translation()[c];
+      for (std::size_t r = 0; r < d_; ++r) direction[r] += moved * inverse_[c * d_ + r];
+    }
+    return furthest_along(body_.columns(), direction);
+  }
+
+  // About how far from the origin its boundary is.
+  double size() const {
+    double normals = 0, moved = 0;
+    for (std::size_t c = 0; c < d_; ++c) {
+      normals = std::max(normals, body_.columns().reach[c]);
+      moved = std::max(moved, std::fabs(pose_.translation()[c]));
+    }
+    double stretched = 0;
+    for (const double x : pose_.linear()) stretched = std::max(stretched, std::fabs(x));
+    return body_.columns().reach[d_] / normals * stretched + moved;
+  }
+
+ private:
+  const Polytope& body_;
+  const Pose& pose_;
+  std::size_t d_;
+  std::array<double, most_dimension * most_dimension> inverse_{};
+  bool is_usable_ = true;
+};
+
+// ---- Both of half-spaces.
+
+class HalfSpaceSearch {
+ public:
+  HalfSpaceSearch(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b, Cost& cost)
+      : a_(a, pose_a), b_(b, pose_b), rounded_a_(a, pose_a), rounded_b_(b, pose_b), d_(a.dimension()), cost_(cost),
+        simplex_(d_ + 1) {}
+
+  HalfSpaceProposal propose() {
+    HalfSpaceProposal result;
+    if (!rounded_a_.is_usable() || !rounded_b_.is_usable()) return result;
+    choose_unit();
+    result.decision = search();
+    if (result.decision) return result;
+    for (std::size_t k = 0; k < simplex_.size(); ++k) {
+      if (simplex_[k].a == of_a) result.of_a.push_back(simplex_[k].b);
+      if (simplex_[k].a == of_b) result.of_b.push_back(simplex_[k].b);
+    }
+    return result;
+  }
+
+ private:
+  enum Kind : std::uint32_t { of_a, of_b, height };
+
+  // x is searched as a multiple of a power of two, so that rows (a, -b / unit) are of one size.
+  void choose_unit() {
+    const double size = std::max(rounded_a_.size(), rounded_b_.size());
+    if (size > 0x1p-900 && size < 0x1p900) unit_ = std::ldexp(1.0, std::ilogb(size));
+  }
+
+  DifferencePoint point(Kind kind, std::uint32_t k) const {
+    DifferencePoint result{kind, k, {}};
+    if (kind != height) result.at = (kind == of_a ? rounded_a_ : rounded_b_).row(k);
+    result.at[d_] = kind == height ? -1 : -result.at[d_] / unit_;
+    return result;
+  }
+
+  std::optional<ExactDecision> search() {
+    if (!simplex_.add(point(height, 0))) return std::nullopt;
+    for (int step = 0; step < most_steps; ++step) {
+      ColumnNumbers y{};
+      if (simplex_.is_at_origin() || !towards_origin(simplex_.nearest(), d_ + 1, y)) return std::nullopt;
+      ColumnNumbers x{};
+      for (std::size_t c = 0; c < d_; ++c) x[c] = y[c] * unit_;
+      const double w = y[d_];
+      const FurthestPoint from_a = rounded_a_.most_broken(x, w), from_b = rounded_b_.most_broken(x, w);
+      cost_.probes += std::uint64_t{a_.body().size()} + b_.body().size();
+      ++cost_.iterations;
+      if (w > 0 && from_a.product < 0 && from_b.product < 0) {
+        if (auto held = inside(x, w)) return held;
+      }
+      const bool is_of_a = from_a.product >= from_b.product;
+      const FurthestPoint& furthest = is_of_a ? from_a : from_b;
+      const DifferencePoint next = -w * unit_ > furthest.product ? point(height, 0)
+                                   : is_of_a                     ? point(of_a, furthest.index)
+                                                                 : point(of_b, furthest.index);
+      if (simplex_.has(next.a, next.b) || !simplex_.add(next)) return std::nullopt;
+      if (simplex_.is_full()) return contradiction();
+    }
+    return std::nullopt;
+  }
+
+  // Does the point x / w break no half-space?
+  std::optional<ExactDecision> inside(const ColumnNumbers& x, double w) {
+    ++cost_.proposals;
+    ExactEvidence common{.numbers = {x.begin(), x.begin() + static_cast<std::ptrdiff_t>(d_)}, .denominator = w};
+    if (a_.breaks_any(common.numbers, common.denominator, cost_)) return std::nullopt;
+    if (b_.breaks_any(common.numbers, common.denominator, cost_)) return std::nullopt;
+    common.in_a = {a_.unplaced(common.numbers, common.denominator), common.denominator * a_.scale()};
+    common.in_b = {b_.unplaced(common.numbers, common.denominator), common.denominator * b_.scale()};
+    return ExactDecision{Verdict::meet, std::make_shared<const ExactEvidence>(std::move(common))};
+  }
+
+  // Of the simplex's rows those, d + 1 at most, that floating point has in multipliers l >= 0 with sum l a = 0,
+  // sum l b < 0. Are there such ones?
+  std::optional<ExactDecision> contradiction() {
+    ++cost_.proposals;
+    RoundedProgram program;
+    program.rows = d_ + 1;
+    for (std::size_t k = 0; k < simplex_.size(); ++k) {
+      if (simplex_[k].a == height) continue;
+      for (std::size_t i = 0; i <= d_; ++i) program.table[i][program.columns] = simplex_[k].at[i];
+      ++program.columns;
+    }
+    const auto basis = program.basis();
+    std::array<std::pair<Kind, std::uint32_t>, most_vectors> rows;
+    std::array<ExactVector, most_vectors> normals;
+    std::array<Dyadic, most_vectors> sides;
+    std::size_t count = 0;
+    for (std::size_t k = 0, column = 0; k < simplex_.size(); ++k) {
+      if (simplex_[k].a == height || !basis[column++]) continue;
+      rows[count] = {simplex_[k].a == of_a ? of_a : of_b, simplex_[k].b};
+      normals[count] = placed(rows[count].first).half_space(rows[count].second);
+      sides[count] = std::move(normals[count].back());
+      normals[count++].pop_back();
+    }
+    if (count == 0) return std::nullopt;
+    auto multipliers = null_vector(std::span(normals).first(count));
+    if (!multipliers) return std::nullopt;
+    Dyadic side;
+    ExactEvidence parting;
+    parting.numbers.resize(d_);
+    for (std::size_t k = 0; k < count; ++k) {
+      Integer& l = (*multipliers)[k];
+      if (l < 0) return std::nullopt;
+      if (l.is_zero()) continue;
+      const auto [kind, row] = rows[k];
+      const Dyadic weight = dyadic_of(std::move(l), 0);
+      side = side + weight * sides[k];
+      (kind == of_a ? parting.of_a : parting.of_b).parts.push_back({row, weight * placed(kind).scale()});
+      for (std::size_t c = 0; c < d_ && kind == of_a; ++c) {
+        parting.numbers[c] = parting.numbers[c] + weight * normals[k][c];
+      }
+    }
+    if (side.sign() != Sign::negative) return std::nullopt;
+    return ExactDecision{Verdict::apart, std::make_shared<const ExactEvidence>(std::move(parting))};
+  }
+
+  Placed& placed(Kind kind) { return kind == of_a ? a_ : b_; }
+
+  Placed a_, b_;
+  RoundedHalfSpaces rounded_a_, rounded_b_;
+  std::size_t d_;
+  Cost& cost_;
+  NearestSimplex simplex_;
+  double unit_ = 1;
+};
+
+// ---- Half-spaces and points.
+
+class GameSearch {
+ public:
+  GameSearch(const Polytope& half_spaces, const Pose& pose, const Polytope& points, const Pose& pose_of_points,
+             Cost& cost)
+      : half_spaces_(half_spaces, pose), points_(points, pose_of_points), rounded_(half_spaces, pose),
+        d_(points.dimension()), cost_(cost) {}
+
+  // `of_a` are half-spaces, `of_b` points.
+  HalfSpaceProposal propose() {
+    HalfSpaceProposal result;
+    if (!rounded_.is_usable()) return result;
+    result.decision = search();
+    if (!result.decision) result.decision = tight();
+    if (result.decision) return result;
+    for (std::size_t i = 0; i < game_.rows(); ++i) {
+      if (game_.row_weight(i) > matters) result.of_a.push_back(rows_[i].index);
+    }
+    for (std::size_t j = 0; j < game_.columns(); ++j) {
+      if (game_.column_weight(j) > matters) result.of_b.push_back(columns_[j].index);
+    }
+    return result;
+  }
+
+ private:
+  struct Item {
+    std::uint32_t index = 0;
+    ColumnNumbers at{};  // in the world
+  };
+
+  bool has(const std::vector<Item>& items, std::uint32_t index) const {
+    return std::any_of(items.begin(), items.end(), [&](const Item& item) { return item.index == index; });
+  }
+
+  double payoff(const Item& row, const Item& column) const {
+    double sum = -row.at[d_];
+    for (std::size_t c = 0; c < d_; ++c) sum += row.at[c] * column.at[c];
+    return sum;
+  }
+
+  void add_row(std::uint32_t k) {
+    rows_.push_back({k, rounded_.row(k)});
+    game_.add_row([&](std::size_t j) { return payoff(rows_.back(), columns_[j]); });
+  }
+  void add_column(std::uint32_t k) {
+    columns_.push_back({k, rounded_image(points_.body(), points_.pose(), k)});
+    game_.add_column([&](std::size_t i) { return payoff(rows_[i], columns_.back()); });
+  }
+
+  std::optional<ExactDecision> search() {
+    add_column(0);
+    add_row(rounded_.most_broken(columns_[0].at, 1).index);
+    while (game_.rows() < MatrixGame::most && game_.columns() < MatrixGame::most) {
+      if (!game_.solve()) return std::nullopt;
+      ColumnNumbers x{}, direction{};
+      double offset = 0;
+      for (std::size_t j = 0; j < columns_.size(); ++j) {
+        for (std::size_t c = 0; c < d_; ++c) x[c] += game_.column_weight(j) * columns_[j].at[c];
+      }
+      for (std::size_t i = 0; i < rows_.size(); ++i) {
+        for (std::size_t c = 0; c < d_; ++c) direction[c] += game_.row_weight(i) * rows_[i].at[c];
+        offset += game_.row_weight(i) * rows_[i].at[d_];
+      }
+      const FurthestPoint broken = rounded_.most_broken(x, 1);
+      const Support least = support(points_.body(), points_.pose(), direction, -1);
+      cost_.probes += std::uint64_t{half_spaces_.body().size()} + points_.body().size();
+      ++cost_.iterations;
+      if (broken.product < 0) {
+        if (auto held = inside(weights_of_points(0))) return held;
+      }
+      if (least.product.product > offset) {
+        if (auto held = parted(weights_of_half_spaces(0))) return held;
+      }
+      const bool new_row = !has(rows_, broken.index), new_column = !has(columns_, least.index);
+      if (!new_row && !new_column) return std::nullopt;
+      if (new_row) add_row(broken.index);
+      if (new_column) add_column(least.index);
+    }
+    return std::nullopt;
+  }
+
+  struct Weighted {
+    std::uint32_t index = 0;
+    Dyadic weight;
+  };
+
+  // The weights of points, and of half-spaces, that are more than `least`.
+  std::vector<Weighted> weights_of_points(double least) const {
+    std::vector<Weighted> result;
+    for (std::size_t j = 0; j < columns_.size(); ++j) {
+      if (game_.column_weight(j) > least) result.push_back({columns_[j].index, game_.column_weight(j)});
+    }
+    return result;
+  }
+  std::vector<Weighted> weights_of_half_spaces(double least) const {
+    std::vector<Weighted> result;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (game_.row_weight(i) > least) result.push_back({rows_[i].index, game_.row_weight(i)});
+    }
+    return result;
+  }
+
+  // Where the bodies only just touch, or do not, those that matter alone: they may be on one flat, exactly, and where
+  // they are not, the exact weights of a point that is on the boundary of all half-spaces that matter.
+  std::optional<ExactDecision> tight() {
+    if (rows_.empty() || columns_.empty()) return std::nullopt;
+    std::vector<Weighted> points = weights_of_points(matters);
+    const std::vector<Weighted> half_spaces = weights_of_half_spaces(matters);
+    if (points.empty() || half_spaces.empty()) return std::nullopt;
+    if (auto held = inside(points)) return held;
+    if (auto held = parted(half_spaces)) return held;
+    if (half_spaces.size() > most_dimension || points.size() > half_spaces.size() + 1) return std::nullopt;
+    std::vector<ExactVector> payoffs;
+    for (const Weighted& point : points) {
+      const ExactVector image = points_.image(point.index);
+      payoffs.emplace_back();
+      for (const Weighted& of : half_spaces) {
+        const ExactVector row = half_spaces_.half_space(of.index);
+        payoffs.back().push_back(dot(row, image) - row[d_]);
+      }
+    }
+    auto numbers = null_vector(payoffs);
+    if (!numbers) return std::nullopt;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if ((*numbers)[k] < 0) return std::nullopt;
+      points[k].weight = dyadic_of(std::move((*numbers)[k]), 0);
+    }
+    return inside(points);
+  }
+
+  // Is the combination of points inside of all half-spaces?
+  std::optional<ExactDecision> inside(const std::vector<Weighted>& weights) {
+    ++cost_.proposals;
+    ExactEvidence common;
+    common.numbers.resize(d_);
+    Dyadic total;
+    for (const auto& [index, weight] : weights) {
+      if (weight.sign() == Sign::zero) continue;
+      total = total + weight;
+      const ExactVector image = points_.image(index);
+      for (std::size_t c = 0; c < d_; ++c) common.numbers[c] = common.numbers[c] + weight * image[c];
+      common.of_b.parts.push_back({index, weight});
+    }
+    if (half_spaces_.breaks_any(common.numbers, total, cost_)) return std::nullopt;
+    common.denominator = common.of_b.denominator = total;
+    common.in_a = {half_spaces_.unplaced(common.numbers, total), total * half_spaces_.scale()};
+    return ExactDecision{Verdict::meet, std::make_shared<const ExactEvidence>(std::move(common))};
+  }
+
+  // Is no point in the combination of half-spaces?
+  std::optional<ExactDecision> parted(const std::vector<Weighted>& weights) {
+    ++cost_.proposals;
+    ExactEvidence parting;
+    parting.numbers.resize(d_);
+    Dyadic side;
+    for (const auto& [index, weight] : weights) {
+      const ExactVector row = half_spaces_.half_space(index);
+      for (std::size_t c = 0; c < d_; ++c) parting.numbers[c] = parting.numbers[c] + weight * row[c];
+      side = side + weight * row[d_];
+      parting.of_a.parts.push_back({index, weight * half_spaces_.scale()});
+    }
+    ExactVector opposite;
+    for (const Dyadic& x : parting.numbers) opposite.push_back(-x);
+    const Dyadic least = -points_.furthest(opposite, cost_).product;
+    if ((least - side).sign() != Sign::positive) return std::nullopt;
+    return ExactDecision{Verdict::apart, std::make_shared<const ExactEvidence>(std::move(parting))};
+  }
+
+  Placed half_spaces_, points_;
+  RoundedHalfSpaces rounded_;
+  std::size_t d_;
+  Cost& cost_;
+  std::vector<Item> rows_, columns_;
+  MatrixGame game_;
+};
+
+}  // namespace
+
+HalfSpaceProposal search_half_spaces(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b,
+                                     Cost& cost) {
+  if (!a.is_of_points() && !b.is_of_points()) return HalfSpaceSearch(a, pose_a, b, pose_b, cost).propose();
+  if (!a.is_of_points()) return GameSearch(a, pose_a, b, pose_b, cost).propose();
+  HalfSpaceProposal result = GameSearch(b, pose_b, a, pose_a, cost).propose();
+  if (result.decision) result.decision = exchanged(*std::move(result.decision));
+  std::swap(result.of_a, result.of_b);
+  return result;
+}
+
+}  // namespace sunder::polytope

@@ -1,0 +1,142 @@
+#include <sunder/base/random.h>
+#include <sunder/polytope/pair/half_space_search.h>
+#include <sunder/polytope/pair/matrix_game.h>
+#include <sunder/polytope/pair/polytope_polytope.h>
+#include <tests/support/scale.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace sunder::polytope {
+namespace {
+
+// Half-spaces that touch the unit sphere about a centre, about; of points, points about on it.
+std::vector<double> round_rows(Random& random, std::size_t d, std::size_t count, const std::vector<double>& centre,
+                               bool as_points) {
+  std::vector<double> rows;
+  for (std::size_t k = 0; k < count; ++k) {
+    std::vector<double> u(d);
+    double square = 0;
+    for (double& x : u) {
+      x = random.uniform(-1, 1);
+      square += x * x;
+    }
+    double side = 1;
+    for (std::size_t c = 0; c < d; ++c) {
+      u[c] /= std::sqrt(square);
+      side += u[c] * centre[c];
+      rows.push_back(as_points ? u[c] + centre[c] : u[c]);
+    }
+    if (!as_points) rows.push_back(side);
+  }
+  return rows;
+}
+
+Polytope body(std::size_t d, const std::vector<double>& rows, bool is_of_points) {
+  return is_of_points ? Polytope::from_points(d, rows) : Polytope::from_half_spaces(d, rows);
+}
+
+// What is proposed holds, and is the answer of the exact method; what is plain is decided by a proposal.
+TEST(HalfSpaceSearch, DecidesWhatIsPlainUnderAnyPose) {
+  const int count = tests::scaled_count(300, 60);
+  Random random(tests::chosen_seed(20261128));
+  std::array<int, 2> decided{};
+  for (int i = 0; i < count; ++i) {
+    const std::size_t d = 2 + random.below(5), n = 3 * d + random.below(40);
+    const bool a_of_points = i % 3 == 1, b_of_points = i % 3 == 2;
+    std::vector<double> centre(d), linear(d * d), shift(d);
+    centre[random.below(d)] = random.unit() < 0.5 ? random.uniform(0, 0.5) : random.uniform(20, 30);
+    const Polytope a = body(d, round_rows(random, d, n, std::vector<double>(d), a_of_points), a_of_points);
+    const Polytope b = body(d, round_rows(random, d, n, centre, b_of_points), b_of_points);
+    Pose here(d);
+    if (i % 2 == 0) {
+      for (std::size_t k = 0; k < d * d; ++k) linear[k] = random.uniform(-0.2, 0.2) + (k % (d + 1) == 0 ? 1 : 0);
+      for (double& x : shift) x = random.uniform(-1e3, 1e3);
+      here = Pose::from_matrix(d, linear, shift);
+    }
+    Cost cost;
+    const HalfSpaceProposal proposal = search_half_spaces(a, here, b, here, cost);
+    EXPECT_GT(cost.iterations, 0u);
+    const ExactDecision exact = decide_exactly({a, here}, {b, here}, {}, {}, cost);
+    EXPECT_TRUE(check(a, here, b, here, exact.verdict, *exact.evidence));
+    if (!proposal.decision) continue;
+    EXPECT_EQ(proposal.decision->verdict, exact.verdict);
+    EXPECT_TRUE(check(a, here, b, here, exact.verdict, *proposal.decision->evidence));
+    ++decided[exact.verdict == Verdict::meet ? 1 : 0];
+  }
+  EXPECT_GT(decided[0] + decided[1], count * 9 / 10);
+  EXPECT_GT(decided[0], count / 10);
+  EXPECT_GT(decided[1], count / 10);
+}
+
+// Where half-spaces have one point only, or a last bit is in between, rows are named, and the exact method ends.
+TEST(HalfSpaceSearch, LeavesWhatIsNotPlain) {
+  const Polytope at_zero = Polytope::from_half_spaces(2, {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0});
+  const Polytope all = Polytope::from_half_spaces(2, {1, 1, 5}), none = Polytope::from_half_spaces(2, {});
+  const Pose here(2);
+  Cost cost;
+  const HalfSpaceProposal proposal = search_half_spaces(at_zero, here, all, here, cost);
+  EXPECT_FALSE(proposal.decision);
+  EXPECT_FALSE(proposal.of_a.empty());
+  EXPECT_TRUE(polytope_polytope(at_zero, here, all, here).meet());
+  EXPECT_FALSE(search_half_spaces(at_zero, here, none, here, cost).decision);
+  EXPECT_TRUE(polytope_polytope(at_zero, here, none, here).meet());
+  for (const double gap : {0x1p-52, 0.0, -0x1p-52}) {
+    const Polytope beyond = Polytope::from_half_spaces(2, {-1, 0, -1 - gap});
+    const Polytope slab = Polytope::from_half_spaces(2, {1, 0, 1});
+    const Polytope point = Polytope::from_points(2, {1, 7});
+    for (const bool is_exchanged : {false, true}) {
+      const Polytope &a = is_exchanged ? beyond : slab, &b = is_exchanged ? slab : beyond;
+      const PolytopeAnswer answer = polytope_polytope(a, here, b, here);
+      EXPECT_EQ(answer.meet(), gap <= 0);
+      EXPECT_TRUE(check(a, here, b, here, answer.evidence.verdict, exact_evidence(a, here, b, here, answer)));
+      const PolytopeAnswer of_point = is_exchanged ? polytope_polytope(point, here, beyond, here)
+                                                   : polytope_polytope(beyond, here, point, here);
+      EXPECT_EQ(of_point.meet(), gap <= 0);
+    }
+  }
+}
+
+TEST(MatrixGame, BestWeights) {
+  MatrixGame matching;  // of pennies: value 0, each half
+  for (std::size_t k = 0; k < 2; ++k) {
+    matching.add_row([&](std::size_t j) { return j == k ? 1.0 : -1.0; });
+    matching.add_column([&](std::size_t i) { return i == k ? 1.0 : -1.0; });
+  }
+  ASSERT_TRUE(matching.solve());
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_NEAR(matching.row_weight(k), 0.5, 1e-12);
+    EXPECT_NEAR(matching.column_weight(k), 0.5, 1e-12);
+  }
+  Random random(tests::chosen_seed(20261128));
+  for (int round = 0; round < 50; ++round) {
+    MatrixGame game;
+    const std::size_t rows = 1 + random.below(12), columns = 1 + random.below(12);
+    std::vector<double> payoff(rows * columns);
+    for (double& x : payoff) x = static_cast<double>(random.between(-4, 4));
+    for (std::size_t j = 0; j < columns; ++j) game.add_column([](std::size_t) { return 0.0; });
+    for (std::size_t i = 0; i < rows; ++i) game.add_row([&](std::size_t j) { return payoff[i * columns + j]; });
+    ASSERT_TRUE(game.solve());
+    double least = 1e9, most = -1e9, sum = 0;  // what the weights are sure of
+    for (std::size_t j = 0; j < columns; ++j) {
+      double gain = 0;
+      for (std::size_t i = 0; i < rows; ++i) gain += game.row_weight(i) * payoff[i * columns + j];
+      least = std::min(least, gain);
+      sum += game.column_weight(j);
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+      double loss = 0;
+      for (std::size_t j = 0; j < columns; ++j) loss += game.column_weight(j) * payoff[i * columns + j];
+      most = std::max(most, loss);
+    }
+    EXPECT_NEAR(sum, 1, 1e-9);
+    EXPECT_NEAR(least, most, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace sunder::polytope

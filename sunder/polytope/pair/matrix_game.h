@@ -1,0 +1,42 @@
+// Matrix games of few rows and columns, in floating point.
+// Also called: two-person zero-sum games; mixed strategies.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace sunder::polytope {
+
+// The player of columns pays entry (i, j) to the player of rows. Weights of rows, and of columns, sum to 1: about the
+// best of both.
+class MatrixGame {
+ public:
+  std::size_t rows() const { return rows_; }
+  std::size_t columns() const { return columns_; }
+  // Adds a last row, a last column: new entries are given by their other number.
+  template <class Payoff>
+  void add_row(const Payoff& payoff) {
+    for (std::size_t j = 0; j < columns_; ++j) at(rows_, j) = payoff(j);
+    ++rows_;
+  }
+  template <class Payoff>
+  void add_column(const Payoff& payoff) {
+    for (std::size_t i = 0; i < rows_; ++i) at(i, columns_) = payoff(i);
+    ++columns_;
+  }
+
+  // False where floating point finds no way. Requires a row and a column.
+  bool solve();
+  double row_weight(std::size_t i) const { return row_weights_[i]; }
+  double column_weight(std::size_t j) const { return column_weights_[j]; }
+
+  static constexpr std::size_t most = 40;  // of rows, and of columns
+
+ private:
+  double& at(std::size_t i, std::size_t j) { return entries_[i * most + j]; }
+
+  std::size_t rows_ = 0, columns_ = 0;
+  std::vector<double> entries_ = std::vector<double>(most * most), table_{}, row_weights_{}, column_weights_{};
+};
+
+}  // namespace sunder::polytope

@@ -1,0 +1,26 @@
+// Linear relations of few vectors of R^d, in integers, by determinants.
+// Also called: Cramer's rule; kernel (null space) of a matrix with one column more than its rank.
+#pragma once
+
+#include <sunder/number/integer_internal.h>
+#include <sunder/polytope/pair/placed.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+namespace sunder::polytope {
+
+inline constexpr std::size_t most_vectors = most_dimension + 1;
+
+// Numbers v, not all zero and the last one not negative, with sum_j v_j c_j = 0 for these vectors c_j; nothing where
+// not found, which tells nothing.
+//   Floating point says which n of the d equations to solve, of n + 1 vectors; the determinants of these without one of
+//   their columns are the numbers, but for signs; the other equations are checked. So what is returned is right, and of
+//   vectors of which some n are independent there is no other.
+// Requires 1 to d + 1 vectors, of the same d <= 6 numbers. Cost: some n 2^n products of integers, of some 60 n bits
+// where the numbers of an equation are of one size; no divisions.
+std::optional<std::array<Integer, most_vectors>> null_vector(std::span<const ExactVector> vectors);
+
+}  // namespace sunder::polytope
