@@ -87,27 +87,47 @@ double product_error(const PointColumns& points, const ColumnNumbers& sizes, int
   return magnitude < 0x1p1000 && small < 0x1p1000 ? error : std::numeric_limits<double>::infinity();
 }
 
-ExactFurthest exactly_furthest_along(const PointColumns& points, std::span<const Dyadic> direction,
-                                     std::uint32_t& exact_looks) {
-  // The direction, times a power of two, rounded: one rounding each, or less than 2^-1074 where it underflows.
+namespace {
+
+// A direction times a power of two, rounded: one rounding each, or less than 2^-1074 where it underflows; and a bound
+// of the errors of products with it, infinite where there is none.
+struct RoundedDirection {
+  ColumnNumbers numbers{};
+  double error = 0;
+  bool is_zero = false;
+};
+
+RoundedDirection rounded_direction(const PointColumns& points, std::span<const Dyadic> direction) {
   std::int64_t top = std::numeric_limits<std::int64_t>::min();
   for (std::size_t c = 0; c < points.dimension; ++c) {
     if (direction[c].sign() != Sign::zero) top = std::max(top, direction[c].top());
   }
-  if (top == std::numeric_limits<std::int64_t>::min()) return {0, Dyadic()};
-  ColumnNumbers rounded{}, sizes{};
+  RoundedDirection result;
+  result.is_zero = top == std::numeric_limits<std::int64_t>::min();
+  if (result.is_zero) return result;
+  ColumnNumbers sizes{};
   for (std::size_t c = 0; c < points.dimension; ++c) {
-    rounded[c] = direction[c].scaled(-top).nearest();
-    sizes[c] = std::fabs(rounded[c]);
+    result.numbers[c] = direction[c].scaled(-top).nearest();
+    sizes[c] = std::fabs(result.numbers[c]);
   }
-  const double error = product_error(points, sizes, 1);
-  const double limit = std::isfinite(error) ? furthest_along(points, rounded).product - 2 * error
-                                            : -std::numeric_limits<double>::infinity();
+  result.error = product_error(points, sizes, 1);
+  return result;
+}
+
+}  // namespace
+
+ExactFurthest exactly_furthest_along(const PointColumns& points, std::span<const Dyadic> direction,
+                                     std::uint32_t& exact_looks) {
+  const RoundedDirection rounded = rounded_direction(points, direction);
+  if (rounded.is_zero) return {0, Dyadic()};
+  const double limit = std::isfinite(rounded.error)
+                           ? furthest_along(points, rounded.numbers).product - 2 * rounded.error
+                           : -std::numeric_limits<double>::infinity();
   ExactFurthest best;
   bool found = false;
   with_dimension(points.dimension, [&](auto dimension) {
     for (std::size_t first = 0; first < points.stride; first += block) {
-      const std::array<Lanes, lanes> values = products_of_block<dimension()>(points, rounded, first);
+      const std::array<Lanes, lanes> values = products_of_block<dimension()>(points, rounded.numbers, first);
       for (std::size_t k = 0; k < block && first + k < points.count; ++k) {
         if (values[k / 2][k % 2] < limit) continue;
         const auto index = static_cast<std::uint32_t>(first + k);
@@ -120,6 +140,20 @@ ExactFurthest exactly_furthest_along(const PointColumns& points, std::span<const
     }
   });
   return best;
+}
+
+std::vector<std::uint32_t> at_zero_along(const PointColumns& points, std::span<const Dyadic> direction,
+                                         std::uint32_t& exact_looks) {
+  const RoundedDirection rounded = rounded_direction(points, direction);
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t k = 0; k < points.count; ++k) {
+    double product = 0;
+    for (std::size_t c = 0; c < points.dimension; ++c) product += rounded.numbers[c] * points.at(k, c);
+    if (std::fabs(product) > rounded.error) continue;
+    ++exact_looks;
+    if (exact_product(points, k, direction).sign() == Sign::zero) result.push_back(k);
+  }
+  return result;
 }
 
 }  // namespace sunder

@@ -69,4 +69,8 @@ struct ExactFurthest {
 ExactFurthest exactly_furthest_along(const PointColumns& points, std::span<const Dyadic> direction,
                                      std::uint32_t& exact_looks);
 
+// The points whose exact product with the direction is zero, in their order. Cost: as above.
+std::vector<std::uint32_t> at_zero_along(const PointColumns& points, std::span<const Dyadic> direction,
+                                         std::uint32_t& exact_looks);
+
 }  // namespace sunder
