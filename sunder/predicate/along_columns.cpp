@@ -144,4 +144,19 @@ Guess sign_of_furthest(const PointColumns& points, std::span<const Dyadic> direc
   return product > rounded->error ? Guess::positive : product < -rounded->error ? Guess::negative : Guess::unsure;
 }
 
+std::vector<std::uint32_t> at_zero_along(const PointColumns& points, std::span<const Dyadic> direction,
+                                         std::uint32_t& exact_looks) {
+  // Along zero all products are.
+  const RoundedDirection rounded = rounded_to_doubles(points, direction).value_or(RoundedDirection{});
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t k = 0; k < points.count; ++k) {
+    double product = 0;
+    for (std::size_t c = 0; c < points.dimension; ++c) product += rounded.numbers[c] * points.at(k, c);
+    if (std::fabs(product) > rounded.error) continue;
+    ++exact_looks;
+    if (exact_product(points, k, direction).sign() == Sign::zero) result.push_back(k);
+  }
+  return result;
+}
+
 }  // namespace sunder

@@ -72,4 +72,8 @@ ExactFurthest exactly_furthest_along(const PointColumns& points, std::span<const
 // The sign of that product, by the floating-point bound alone: one look at each number.
 Guess sign_of_furthest(const PointColumns& points, std::span<const Dyadic> direction);
 
+// The points whose exact product with the direction is zero, in their order. Cost: as above.
+std::vector<std::uint32_t> at_zero_along(const PointColumns& points, std::span<const Dyadic> direction,
+                                         std::uint32_t& exact_looks);
+
 }  // namespace sunder
