@@ -27,12 +27,6 @@ V image_of(const Affine3& pose, const Point3& p) {
   const V v = turned(pose, p.x, p.y, p.z);
   return {v.x + pose.translation[0], v.y + pose.translation[1], v.z + pose.translation[2]};
 }
-double greatest_entry(const Affine3& pose) {
-  double greatest = 0;
-  for (const double m : pose.linear) greatest = std::max(greatest, std::fabs(m));
-  return greatest;
-}
-bool is_moderate(double size) { return size >= least && size <= most; }
 
 Guess sure(double value, double error) {
   return value > error ? Guess::positive : value < -error ? Guess::negative : Guess::unsure;
@@ -41,22 +35,22 @@ Guess sure(double value, double error) {
 }  // namespace
 
 void set_image(RoundImage& image, RoundKind kind, const Affine3& pose, const Point3* points, std::uint32_t ends,
-               double radius, double size) {
+               double radius, double size, double greatest) {
   image.kind = kind;
   image.ends = ends;
   image.pose = &pose;
   image.radius = radius;
+  image.greatest = greatest;
   image.from = image_of(pose, points[0]);
   image.size = size + radius;
   if (ends == 2) {
     image.to = image_of(pose, points[1]);
     image.axis = turned(pose, points[1].x - points[0].x, points[1].y - points[0].y, points[1].z - points[0].z);
   }
-  image.is_tame = is_moderate(image.size);
+  image.is_tame = is_moderate_size(image.size);
   if (kind == RoundKind::ellipsoid) {
-    const double greatest = greatest_entry(pose);
     image.size = size + 3 * greatest * radius;
-    image.is_tame = is_moderate(image.size) && greatest >= least_length && radius >= least_length;
+    image.is_tame = is_moderate_size(image.size) && greatest >= least_length && radius >= least_length;
   } else if (kind != RoundKind::hull) {
     image.length = length(image.axis);
     if (!(image.length >= least_length && image.length <= most)) image.is_tame = false;
@@ -66,14 +60,14 @@ void set_image(RoundImage& image, RoundKind kind, const Affine3& pose, const Poi
 }
 
 void set_image(RoundImage& image, const Affine3& pose, const double* all, std::uint32_t count, double radius,
-               double size) {
+               double size, double greatest) {
   image.kind = RoundKind::hull;
   image.ends = 0;
   image.pose = &pose;
   image.radius = radius;
   image.size = size + radius;
-  const double greatest = greatest_entry(pose);
-  image.is_tame = is_moderate(image.size) && greatest >= least_entry && greatest <= 1 / least_entry;
+  image.greatest = greatest;
+  image.is_tame = is_moderate_size(image.size) && greatest >= least_entry && greatest <= 1 / least_entry;
   image.all = all;
   image.count = count;
 }
@@ -119,7 +113,7 @@ Guess side_guess(const RoundImage& image, const V& x, double size) {
     const V of_p = cross(q, r);
     const double determinant = std::fabs(dot(p, of_p));
     const double way = length({dot(of_p, from), dot(cross(r, p), from), dot(cross(p, q), from)});
-    const double g = greatest_entry(*image.pose);
+    const double g = image.greatest;
     const double sizes = std::fabs(from.x) + std::fabs(from.y) + std::fabs(from.z) + g * image.radius + 4 * size;
     if (!(sizes <= most)) return Guess::unsure;
     return sure(image.radius * determinant - way, 0x1p-46 * (g * g * sizes) + least);
@@ -140,7 +134,7 @@ Guess side_guess(const RoundImage& image, const V& x, double size) {
 }
 
 Guess nearness_guess(const V& p, const V& q, double reach, double size) {
-  if (!(is_moderate(size) && reach <= most)) return Guess::unsure;
+  if (!(is_moderate_size(size) && reach <= most)) return Guess::unsure;
   const double far = length(q - p);
   return sure(reach - far, round_image_error * (size + far));
 }

@@ -40,6 +40,7 @@ struct RoundImage {
   double length = 0;         // of cylinders and cones: of the axis
   double radius = 0;
   double size = 0;  // as above: the size of the core and that of the radius, together
+  double greatest = 0;  // entry of the linear part of the pose, in size
   const Affine3* pose = nullptr;
   const double* all = nullptr;  // of more than two vertices, as SearchGraph keeps them: x of all, y, z
   std::uint32_t count = 0;      // of these, padded to a multiple of four
@@ -48,14 +49,27 @@ struct RoundImage {
 // An upper bound on the error of sums of such sizes.
 inline constexpr double round_image_error = 0x1p-45;
 
+// Of sizes that are tame, as above.
+inline bool is_moderate_size(double size) { return size >= 0x1p-300 && size <= 0x1p60; }
+
 // A hull of one or two points, a cylinder or cone of base and top, an ellipsoid about the origin. size: of the core, as
-// above. The pose has to stay; of cylinders and cones it is a rotation as far as 2^-19.
+// above; greatest: entry of the linear part, in size. The pose has to stay; of cylinders and cones it is a rotation as far as 2^-19.
 void set_image(RoundImage& image, RoundKind kind, const Affine3& pose, const Point3* points, std::uint32_t ends,
-               double radius, double size);
+               double radius, double size, double greatest);
+
+// A ball, whose centre is `at`, the image of a point.
+inline RoundImage ball_image(const Vector3<double>& at, double radius, double size) {
+  RoundImage image;
+  image.is_tame = is_moderate_size(size + radius);
+  image.from = at;
+  image.radius = radius;
+  image.size = size + radius;
+  return image;
+}
 
 // A hull of more points.
 void set_image(RoundImage& image, const Affine3& pose, const double* all, std::uint32_t count, double radius,
-               double size);
+               double size, double greatest);
 
 // How far the body reaches along d.
 double reach_along(const RoundImage& image, const Vector3<double>& d);
@@ -70,7 +84,9 @@ Guess gap_guess(const Vector3<double>& d, const RoundImage& a, const RoundImage&
 Guess side_guess(const RoundImage& image, const Vector3<double>& x, double size = 0);
 
 // positive: the points are nearer to each other than `reach`; negative: they are further apart. Each is a combination
-// of vertices of a core, as above, or three doubles. size: of both cores and of the reach.
+// of vertices of a core, as above, or three doubles. size: of both cores and of the reach. negative: the way from p to
+// q, in doubles, over its greatest component, is a direction along which they are further apart than that too; for it is
+// off the way between the points themselves by 130 u of the sizes of the cores, and that is all it takes from the gap.
 Guess nearness_guess(const Vector3<double>& p, const Vector3<double>& q, double reach, double size);
 
 }  // namespace sunder

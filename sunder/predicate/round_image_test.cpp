@@ -47,7 +47,7 @@ struct Body {
     for (const double m : pose.linear) linear = std::max(linear, std::fabs(m));
     for (const double t : pose.translation) translation = std::max(translation, std::fabs(t));
     for (const Point3& p : points) coordinate = std::max({coordinate, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-    set_image(made, kind, pose, points.data(), ends, radius, std::max(linear * coordinate, translation));
+    set_image(made, kind, pose, points.data(), ends, radius, std::max(linear * coordinate, translation), linear);
     return made;
   }
 };

@@ -40,12 +40,23 @@ SizeRange range_of(const std::array<double, N>& numbers) {
   return {std::min(least[0], least[1]), greater_lane(greatest)};
 }
 
+bool is_nearly_rigid(const std::array<double, 9>& m) {
+  constexpr double allowed = 0x1p-20;
+  const auto off = [&](std::size_t i, std::size_t j) {
+    const double product = m[i] * m[j] + m[3 + i] * m[3 + j] + m[6 + i] * m[6 + j];
+    return std::fabs(product - (i == j ? 1 : 0));
+  };
+  return std::max(std::max(std::max(off(0, 0), off(1, 1)), off(2, 2)),
+                  std::max(std::max(off(0, 1), off(0, 2)), off(1, 2))) <= allowed;
+}
+
 }  // namespace
 
 Pose::Pose(const Affine3& affine)
     : affine_(affine),
       linear_range_(range_of(affine.linear)),
-      translation_range_(range_of(affine.translation)) {}
+      translation_range_(range_of(affine.translation)),
+      is_rigid_(is_nearly_rigid(affine.linear)) {}
 
 Pose Pose::from_matrix(const std::array<double, 9>& linear, const std::array<double, 3>& translation) {
   const auto& m = linear;

@@ -38,6 +38,7 @@ std::shared_ptr<const RoundBox> box_of(const ConvexPolyhedron& core) {
     const Point3 side = minus(vertices[core.neighbours(0)[k]], vertices[0]);
     box.half[k] = {side.x / 2, side.y / 2, side.z / 2};
     box.middle = {box.middle.x + box.half[k].x, box.middle.y + box.half[k].y, box.middle.z + box.half[k].z};
+    box.over_half2[k] = 1 / size2(box.half[k]);
     all2 += size2(box.half[k]);
   }
   for (std::size_t k = 0; k < 3; ++k) {
@@ -72,6 +73,11 @@ RoundBody::RoundBody(RoundKind kind, const ConvexPolyhedron& core, double radius
     : kind_(kind), radius_(radius), core_(core) {
   require_radius(radius);
   box_ = box_of(core);
+  greatest_ = core.search_graph().sizes.greatest;
+  const std::span<const Point3> vertices = core.vertices();
+  if (vertices.size() > 2) return;
+  count_ = static_cast<std::uint32_t>(vertices.size());
+  std::copy(vertices.begin(), vertices.end(), ends_.begin());
 }
 
 RoundBody::RoundBody(const ConvexPolyhedron& polyhedron) : RoundBody(RoundKind::hull, polyhedron, 0) {}
@@ -88,7 +94,7 @@ RoundBody RoundBody::cylinder(const Point3& base, const Point3& top, double radi
   const ConvexPolyhedron axis = axis_of(base, top, "its ends");
   if (radius == 0) return {RoundKind::hull, axis, 0};
   RoundBody body(RoundKind::cylinder, axis, radius);
-  body.ends_ = std::make_shared<const std::array<Point3, 2>>(std::array{base, top});
+  body.ends_ = {base, top};
   return body;
 }
 
@@ -96,7 +102,7 @@ RoundBody RoundBody::cone(const Point3& base, const Point3& apex, double radius)
   const ConvexPolyhedron axis = axis_of(base, apex, "its base and apex");
   if (radius == 0) return {RoundKind::hull, axis, 0};
   RoundBody body(RoundKind::cone, axis, radius);
-  body.ends_ = std::make_shared<const std::array<Point3, 2>>(std::array{base, apex});
+  body.ends_ = {base, apex};
   return body;
 }
 
@@ -107,28 +113,15 @@ RoundBody RoundBody::ellipsoid(const Point3& centre, const std::array<double, 3>
   }
   hull_of({centre});  // finite
   RoundBody body(RoundKind::ellipsoid, hull_of({Point3{}}), 1);
-  body.ends_ = std::make_shared<const std::array<Point3, 2>>();
   body.frame_ =
       Pose::from_matrix({semi_axes[0], 0, 0, 0, semi_axes[1], 0, 0, 0, semi_axes[2]}, {centre.x, centre.y, centre.z});
   return body;
 }
 
-std::span<const Point3> RoundBody::points() const {
-  if (kind_ == RoundKind::hull) return core_.vertices();
-  return std::span<const Point3>(*ends_).first(kind_ == RoundKind::ellipsoid ? 1 : 2);
-}
+std::span<const Point3> RoundBody::points() const { return kind_ == RoundKind::hull ? core_.vertices() : ends(); }
 
 void require_rigid(const RoundBody& body, const Pose& pose) {
-  if (body.is_polyhedron() || body.kind() == RoundKind::ellipsoid) return;
-  constexpr double allowed = 0x1p-20;
-  const auto& m = pose.affine().linear;
-  const auto off = [&](std::size_t i, std::size_t j) {
-    const double product = m[i] * m[j] + m[3 + i] * m[3 + j] + m[6 + i] * m[6 + j];
-    return std::fabs(product - (i == j ? 1 : 0));
-  };
-  if (std::max(std::max(std::max(off(0, 0), off(1, 1)), off(2, 2)),
-               std::max(std::max(off(0, 1), off(0, 2)), off(1, 2))) <= allowed)
-    return;
+  if (pose.is_rigid() || body.is_polyhedron() || body.kind() == RoundKind::ellipsoid) return;
   throw Error(ErrorCode::bad_pose,
               "the pose scales or shears, and a radius stays as it is; give a rotation, and scale the body itself",
               "pose");

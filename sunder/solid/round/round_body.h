@@ -25,6 +25,7 @@ namespace sunder::solid {
 struct RoundBox {
   Point3 middle;
   std::array<Point3, 3> half;            // from the middle to three facets
+  std::array<double, 3> over_half2;      // 1 over the square of its length
   std::array<std::uint32_t, 8> corners;  // vertices of the core: bit k of the place is set where it is along half[k]
 };
 
@@ -50,8 +51,14 @@ class RoundBody {
   const ConvexPolyhedron& core() const { return core_; }
 
   // As certificates list them: vertices of the core; base, and top or apex; of an ellipsoid the origin, the centre of a
-  // ball of radius 1.
+  // ball of radius 1. Of curved bodies they lie in the body itself.
   std::span<const Point3> points() const;
+
+  // Of a core of one or two points these, as `points` has them; of others none. They lie in the body itself.
+  std::span<const Point3> ends() const { return std::span<const Point3>(ends_).first(count_); }
+
+  // The greatest coordinate of the core, in size.
+  double greatest() const { return greatest_; }
 
   // Where the points are: the identity, but for an ellipsoid, which is the image of its ball under
   // x -> diagonal x + centre.
@@ -72,14 +79,15 @@ class RoundBody {
   RoundKind kind_;
   double radius_;
   ConvexPolyhedron core_;
-  std::shared_ptr<const std::array<Point3, 2>> ends_;  // of cylinders, cones and ellipsoids
+  std::uint32_t count_ = 0;
+  std::array<Point3, 2> ends_{};
+  double greatest_ = 0;
   Pose frame_;
   std::shared_ptr<const RoundBox> box_;
 };
 
 // May the body be placed so? A polyhedron, and an ellipsoid, by any pose. Others by rotations and reflections with a
-// translation, because the radius stays: columns of the linear part may be off being perpendicular and of length 1 by
-// 2^-20 at most, which is a check of what users give, in doubles. Throws Error: bad_pose.
+// translation, because the radius stays: Pose::is_rigid. Throws Error: bad_pose.
 void require_rigid(const RoundBody& body, const Pose& pose);
 
 // A body in its place. An ellipsoid's map is compose(pose, frame), in doubles, and these are what answers are exact

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <utility>
+#include <vector>
 
 namespace sunder::solid::round_quick {
 
@@ -21,6 +21,17 @@ inline V sum(const V& p, double by, const V& q) { return {p.x + by * q.x, p.y + 
 inline double length(const V& v) { return std::sqrt(dot(v, v)); }
 inline Point3 point(const V& v) { return {v.x, v.y, v.z}; }
 inline V vector(const Point3& p) { return {p.x, p.y, p.z}; }
+
+// The image of a point; and the size of a core, as predicate/round_image.h has it.
+inline V image_of(const Affine3& pose, const Point3& p) {
+  const auto& m = pose.linear;
+  const auto& t = pose.translation;
+  return {m[0] * p.x + m[1] * p.y + m[2] * p.z + t[0], m[3] * p.x + m[4] * p.y + m[5] * p.z + t[1],
+          m[6] * p.x + m[7] * p.y + m[8] * p.z + t[2]};
+}
+inline double size_of(const RoundBody& body, const Pose& at) {
+  return std::max(at.linear_range().greatest * body.greatest(), at.translation_range().greatest);
+}
 
 // A body in its place, in doubles. What is said of its core is of a curved body said of itself.
 struct Side {
@@ -58,18 +69,14 @@ struct Side {
 
  private:
   void set(const Pose& at) {
-    const SearchGraph& graph = body.core().search_graph();
-    const double size = std::max(at.linear_range().greatest * graph.sizes.greatest, at.translation_range().greatest);
-    const std::size_t n = graph.vertices.size();
-    if (body.is_curved()) {
-      const std::span<const Point3> points = body.points();
-      set_image(image, body.kind(), pose, points.data(), static_cast<std::uint32_t>(points.size()), body.radius(),
-                size);
-    } else if (n <= 2) {
-      set_image(image, RoundKind::hull, pose, graph.vertices.data(), static_cast<std::uint32_t>(n), body.radius(),
-                size);
+    const double size = size_of(body, at);
+    const std::span<const Point3> ends = body.ends();
+    if (!ends.empty()) {
+      set_image(image, body.kind(), pose, ends.data(), static_cast<std::uint32_t>(ends.size()), body.radius(), size,
+                at.linear_range().greatest);
     } else {
-      set_image(image, pose, graph.all.data(), graph.padded, body.radius(), size);
+      const SearchGraph& graph = body.core().search_graph();
+      set_image(image, pose, graph.all.data(), graph.padded, body.radius(), size, at.linear_range().greatest);
       if (graph.padded == 0) image.is_tame = false;  // of many vertices
     }
   }
@@ -103,29 +110,36 @@ inline Nearest on_segment(const RoundImage& image, double t) {
 inline Nearest in_box(const Side& side, const V& x) {
   const RoundBox& box = *side.body.box();
   const V local = side.pulled(x - side.translation()) - vector(box.middle);
-  std::array<std::pair<double, std::size_t>, 3> part;  // from 0 to 1 along each side
+  std::array<double, 3> part;  // from 0 to 1 along each side
   for (std::size_t k = 0; k < 3; ++k) {
     const V half = vector(box.half[k]);
-    part[k] = {std::clamp(0.5 + 0.5 * dot(local, half) / dot(half, half), 0.0, 1.0), k};
+    part[k] = std::clamp(0.5 + 0.5 * box.over_half2[k] * dot(local, half), 0.0, 1.0);
   }
-  if (part[0].first < part[1].first) std::swap(part[0], part[1]);
-  if (part[1].first < part[2].first) std::swap(part[1], part[2]);
-  if (part[0].first < part[1].first) std::swap(part[0], part[1]);
-  Nearest found{};
-  std::size_t place = 0;
-  put(found.made, box.corners[place], 1 - part[0].first);
-  for (std::size_t k = 0; k < 3; ++k) {
-    place |= std::size_t{1} << part[k].second;
-    put(found.made, box.corners[place], part[k].first - (k < 2 ? part[k + 1].first : 0));
-  }
+  const auto& [x0, x1, x2] = part;
+  // In order, without a branch, because any order is as likely.
+  const unsigned less01 = x0 < x1 ? 1 : 0, less02 = x0 < x2 ? 1 : 0, less12 = x1 < x2 ? 1 : 0;
+  const unsigned rank0 = less01 + less02, rank1 = 1 - less01 + less12, rank2 = 2 - less02 - less12;
+  const auto of_rank = [&](unsigned rank) {
+    return (rank0 == rank ? 1u : 0u) | (rank1 == rank ? 2u : 0u) | (rank2 == rank ? 4u : 0u);
+  };
+  const double most = std::max(std::max(x0, x1), x2), least = std::min(std::min(x0, x1), x2);
+  const double middle = std::max(std::min(x0, x1), std::min(std::max(x0, x1), x2));
+  const unsigned first = of_rank(0);
+  const std::array<std::uint32_t, 4> corner{box.corners[0], box.corners[first], box.corners[first | of_rank(1)],
+                                            box.corners[7]};
+  const std::array<double, 4> weight{1 - most, most - middle, middle - least, least};
   // Of these vertices as they are.
+  Nearest found{};
   V total{0, 0, 0};
-  double weight = 0;
-  for (std::size_t k = 0; k < found.made.count; ++k) {
-    total = sum(total, found.made.weights[k], vector(side.body.core().search_graph().vertices[found.made.vertices[k]]));
-    weight += found.made.weights[k];
+  const std::vector<Point3>& vertices = side.body.core().search_graph().vertices;
+  for (std::size_t k = 0; k < 4; ++k) {
+    total = sum(total, weight[k], vector(vertices[corner[k]]));
+    found.made.vertices[found.made.count] = corner[k];
+    found.made.weights[found.made.count] = weight[k];
+    found.made.count = static_cast<std::uint8_t>(found.made.count + (weight[k] > 0 ? 1 : 0));
   }
-  found.at = sum(side.translation(), 1, side.turned({total.x / weight, total.y / weight, total.z / weight}));
+  const double all = (weight[0] + weight[1]) + (weight[2] + weight[3]);
+  found.at = sum(side.translation(), 1, side.turned({total.x / all, total.y / all, total.z / all}));
   return found;
 }
 
@@ -133,8 +147,7 @@ inline Nearest in_cylinder(const RoundImage& image, const V& x) {
   const V from = x - image.from;
   const double along = dot(from, image.axis);
   const V across = sum(from, -along, image.axis);
-  const double far2 = dot(across, across), r = image.radius;
-  const double by = far2 > r * r ? r / std::sqrt(far2) : 1;
+  const double by = std::min(image.radius / length(across), 1.0);  // on the axis: of infinity
   return {sum(sum(image.from, std::clamp(along, 0.0, image.length), image.axis), by, across)};
 }
 

@@ -1,7 +1,7 @@
-#include <sunder/predicate/along.h>
 #include <sunder/predicate/round_image.h>
 #include <sunder/predicate/round_shape.h>
 #include <sunder/solid/pair/closest_simplex.h>
+#include <sunder/solid/round/round_balls.h>
 #include <sunder/solid/round/round_pieces.h>
 #include <sunder/solid/round/round_quick.h>
 
@@ -309,7 +309,7 @@ class Quick {
       is_of_a ? of_a.drop(k) : of_b.drop(l);
     }
     double last = 1;
-    int changes = 0;
+    int changes = 0, wild = 0;
     for (int i = 0; i < most_refined; ++i) {
       const double long_d = length(d);
       if (!(long_d > 0)) return false;
@@ -351,6 +351,12 @@ class Quick {
       }
       share(of_a, weight, 0);
       share(of_b, weight, of_a.count - 1);
+      // A weight that is far below zero will not come back, and with it what bends is not what it would be.
+      if (changes < most_changes && (drop_least(of_a, -0x1p-4) || drop_least(of_b, -0x1p-4))) {
+        ++changes;
+        last = 1;
+        continue;
+      }
       if (rows < 2) {
         Bend bend, all;
         for (std::size_t k = 0; k < of_a.count; ++k) {
@@ -379,21 +385,28 @@ class Quick {
           }
         } else {
           const double det = all.ss * all.tt - all.st * all.st;
-          if (!(det > 0)) return false;
+          if (!(det > 0)) {
+            if (++changes > most_changes || !(admit_beyond(a_, of_a, d, of_b, s, t) || admit_beyond(b_, of_b, back, of_a, s, t))) {
+              return false;
+            }
+            last = 1;
+            continue;
+          }
           y_s = (-g_s * all.tt + g_t * all.st) / det;
           y_t = (-g_t * all.ss + g_s * all.st) / det;
         }
       }
       const double step = std::sqrt(y_s * y_s + y_t * y_t), by = step > most_turned ? most_turned / step : 1;
-      if (!(step < HUGE_VAL)) return false;
+      if (!(step < HUGE_VAL) || (step > 1 && ++wild > 2)) return false;
       d = sum(sum(d, by * y_s, s), by * y_t, t);
+      if (step < quite_near && gap > a_.radius() + b_.radius() && parts(d)) return true;
       if (step > 0x1p-50 && (step > near_enough || step < last)) {
         last = step;
         continue;  // where it is near: once more, because what is left is its square
       }
       last = 1;
-      if (++changes <= most_changes && (drop_least(of_a) || drop_least(of_b) || admit_beyond(a_, of_a, d, of_b.count) ||
-                                        admit_beyond(b_, of_b, {-d.x, -d.y, -d.z}, of_a.count))) {
+      if (++changes <= most_changes && (drop_least(of_a, -0x1p-30) || drop_least(of_b, -0x1p-30) || admit_beyond(a_, of_a, d, of_b, s, t) ||
+                                        admit_beyond(b_, of_b, {-d.x, -d.y, -d.z}, of_a, s, t))) {
         continue;
       }
       return concludes(of_a, of_b, d);
@@ -401,18 +414,59 @@ class Quick {
     return false;
   }
   // A piece whose weight is negative does not belong there.
-  static bool drop_least(Pieces& pieces) {
+  static bool drop_least(Pieces& pieces, double below) {
     const std::size_t k = pieces.least();
-    if (!(pieces.weight[k] < -0x1p-30)) return false;
+    if (!(pieces.weight[k] < below)) return false;
     pieces.drop(k);
     return true;
   }
   // A piece that reaches further than these does.
-  bool admit_beyond(const Side& side, Pieces& pieces, const V& d, std::size_t others) {
+  bool admit_beyond(const Side& side, Pieces& pieces, const V& d, Pieces& others, const V& s, const V& t) {
     const Far far = far_along(side, d);
     if (pieces.has(far.piece) || !(dot(d, far.at - pieces.at[0]) > 0x1p-44 * size_)) return false;
-    if (pieces.count + others == 4) return false;
+    if (pieces.count + others.count == 4) return exchange(pieces, far, others, s, t);
     admit(pieces, far.piece, 0);
+    return true;
+  }
+  // Of four pieces, whose weights their places in the plane of s and t tell: another one takes the place of that whose
+  // weight is the first to vanish while its own grows. Source: the ratio test of the simplex method, Dantzig 1951.
+  static bool exchange(Pieces& own, const Far& far, Pieces& others, const V& s, const V& t) {
+    std::array<double, 2> row_s{}, row_t{}, rate{};
+    std::size_t rows = 0;
+    const auto demand = [&](const V& more) {
+      row_s[rows] = dot(more, s);
+      row_t[rows++] = dot(more, t);
+    };
+    for (std::size_t k = 1; k < own.count; ++k) demand(own.at[k] - own.at[0]);
+    for (std::size_t k = 1; k < others.count; ++k) demand(others.at[0] - others.at[k]);
+    const V more = far.at - own.at[0];
+    const double of_s = dot(more, s), of_t = dot(more, t), det = row_s[0] * row_t[1] - row_s[1] * row_t[0];
+    if (det == 0) return false;
+    rate = {(of_s * row_t[1] - of_t * row_s[1]) / det, (of_t * row_s[0] - of_s * row_t[0]) / det};
+    Pieces* from = nullptr;
+    std::size_t leaving = 0, row = 0;
+    double grown = HUGE_VAL;
+    const auto look = [&](Pieces& pieces, std::size_t k, double falls) {
+      const double until = std::max(pieces.weight[k], 0.0) / falls;
+      if (!(falls > 0 && until < grown)) return;
+      grown = until;
+      from = &pieces;
+      leaving = k;
+    };
+    double first_own = 1, first_other = 0;
+    for (std::size_t k = 1; k < own.count; ++k, ++row) {
+      look(own, k, rate[row]);
+      first_own -= rate[row];
+    }
+    for (std::size_t k = 1; k < others.count; ++k, ++row) {
+      look(others, k, rate[row]);
+      first_other -= rate[row];
+    }
+    look(own, 0, first_own);
+    if (others.count > 1) look(others, 0, first_other);
+    if (from == nullptr) return false;
+    from->drop(leaving);
+    admit(own, far.piece, grown);
     return true;
   }
   static void admit(Pieces& pieces, std::uint32_t piece, double weight) {
@@ -479,16 +533,7 @@ class Quick {
 
   static V perpendicular(const V& v, const V& axis) { return sum(v, -dot(v, axis) / dot(axis, axis), axis); }
 
-  bool parts(const V& way) {
-    ++answer_.cost.proposals;
-    Point3 d = point(way);
-    if (!make_tame(d)) return false;
-    way_ = d;
-    if (gap_guess(vector(d), a_.image, b_.image) != Guess::positive) return false;
-    answer_.evidence.verdict = RoundVerdict::apart;
-    answer_.evidence.direction = d;
-    return true;
-  }
+  bool parts(const V& way) { return round_quick::parts(way, a_.image, b_.image, answer_, way_); }
 
   bool meets(RoundEvidence::Source source, const Point3& x, const RoundCombination& a, const RoundCombination& b) {
     RoundEvidence& evidence = answer_.evidence;
@@ -501,7 +546,7 @@ class Quick {
   }
 
   static constexpr int most_steps = 20, most_searched = 30, most_refined = 16, most_alternated = 16, most_changes = 3;
-  static constexpr double near_enough = 0x1p-20, most_turned = 0.5;
+  static constexpr double near_enough = 0x1p-20, quite_near = 0x1p-24, most_turned = 0.5;
   static constexpr Affine3 in_place{};
 
   const Side& a_;
@@ -519,6 +564,9 @@ class Quick {
 
 bool decide_quickly(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b, RoundAnswer& answer,
                     Point3& way) {
+  const bool ball_a = round_quick::is_ball(a), ball_b = round_quick::is_ball(b);
+  if (ball_a && ball_b) return round_quick::balls(a, pose_a, b, pose_b, answer, way);
+  if ((ball_a || ball_b) && round_quick::ball_and(a, pose_a, b, pose_b, answer, way)) return true;
   const round_quick::Side of_a(a, pose_a), of_b(b, pose_b);
   return round_quick::Quick(of_a, of_b, answer, way).run();
 }

@@ -1,0 +1,135 @@
+#include <sunder/predicate/along.h>
+#include <sunder/solid/round/round_balls.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunder::solid::round_quick {
+
+namespace {
+
+RoundImage image_of_ball(const RoundBody& ball, const Pose& pose) {
+  return ball_image(image_of(pose.affine(), ball.ends()[0]), ball.radius(), size_of(ball, pose));
+}
+
+class BallAnd {
+ public:
+  BallAnd(const RoundImage& ball, bool is_a, const Side& other, RoundAnswer& answer, Point3& way)
+      : ball_(ball), is_a_(is_a), other_(other), answer_(answer), way_(way) {}
+
+  // In the frame of the box, which is as long as the world's.
+  bool box() {
+    const RoundBox& box = *other_.body.box();
+    const V local = other_.pulled(ball_.from - other_.translation()) - vector(box.middle);
+    V beyond{0, 0, 0};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const V half = vector(box.half[k]);
+      const double along = dot(local, half) * box.over_half2[k];
+      beyond = sum(beyond, along - std::clamp(along, -1.0, 1.0), half);
+    }
+    const double reach = ball_.radius + other_.image.radius;
+    if (dot(beyond, beyond) > reach * reach) return parts_from_other(other_.turned(beyond));
+    ++answer_.cost.proposals;
+    const Nearest found = in_box(other_, ball_.from);
+    if (nearness_guess(ball_.from, found.at, reach, size()) != Guess::positive) return false;
+    RoundEvidence& evidence = answer_.evidence;
+    evidence.verdict = RoundVerdict::meet;
+    evidence.source = RoundEvidence::Source::between;
+    (is_a_ ? evidence.a : evidence.b) = {1, {0}, {1}};
+    (is_a_ ? evidence.b : evidence.a) = found.made;
+    return true;
+  }
+
+  // In the half plane of the axis and the centre of the ball.
+  bool cylinder() {
+    const RoundImage& of = other_.image;
+    const V from = ball_.from - of.from;
+    const double along = dot(from, of.axis);
+    const V across = sum(from, -along, of.axis);
+    const double out = length(across), by = 1 / out;
+    const double far_along = along - std::clamp(along, 0.0, of.length), far_out = std::max(out - of.radius, 0.0);
+    const double far2 = far_along * far_along + far_out * far_out;
+    if (far2 > ball_.radius * ball_.radius) {
+      const V way{far_along * of.axis.x, far_along * of.axis.y, far_along * of.axis.z};
+      return parts_from_other(far_out > 0 ? sum(way, far_out * by, across) : way);
+    }
+    // A point that is inside of the cylinder by a part of what is left over.
+    const double in = 0.25 * std::min(ball_.radius - std::sqrt(far2), std::min(of.length, of.radius));
+    const double up = std::clamp(along, in, of.length - in), reach = std::min((of.radius - in) * by, 1.0);
+    const V x = sum(sum(of.from, up, of.axis), reach, across);
+    ++answer_.cost.proposals;
+    if (!(side_guess(of, x) == Guess::positive &&
+          nearness_guess(ball_.from, x, ball_.radius, ball_.size) == Guess::positive)) {
+      return false;
+    }
+    RoundEvidence& evidence = answer_.evidence;
+    evidence.verdict = RoundVerdict::meet;
+    evidence.source = RoundEvidence::Source::point;
+    evidence.point = point(x);
+    (is_a_ ? evidence.a : evidence.b) = {1, {0}, {1}};
+    return true;
+  }
+
+ private:
+  bool parts_from_other(const V& way) {
+    return is_a_ ? parts({-way.x, -way.y, -way.z}, ball_, other_.image, answer_, way_)
+                 : parts(way, other_.image, ball_, answer_, way_);
+  }
+  double size() const { return ball_.size + other_.image.size; }
+
+  const RoundImage& ball_;
+  bool is_a_;
+  const Side& other_;
+  RoundAnswer& answer_;
+  Point3& way_;
+};
+
+}  // namespace
+
+bool parts(const V& direction, const RoundImage& a, const RoundImage& b, RoundAnswer& answer, Point3& way) {
+  ++answer.cost.proposals;
+  Point3 d = point(direction);
+  if (!make_tame(d)) return false;
+  way = d;
+  if (gap_guess(vector(d), a, b) != Guess::positive) return false;
+  answer.evidence.verdict = RoundVerdict::apart;
+  answer.evidence.direction = d;
+  return true;
+}
+
+bool balls(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b, RoundAnswer& answer,
+           Point3& way) {
+  const RoundImage p = image_of_ball(a, pose_a), q = image_of_ball(b, pose_b);
+  RoundEvidence& evidence = answer.evidence;
+  way = point(q.from - p.from);
+  answer.cost.proposals = 1;
+  switch (nearness_guess(p.from, q.from, a.radius() + b.radius(), p.size + q.size)) {
+    case Guess::positive:
+      evidence.verdict = RoundVerdict::meet;
+      evidence.source = RoundEvidence::Source::between;
+      evidence.a = evidence.b = {1, {0}, {1}};
+      return true;
+    case Guess::negative:
+      if (!make_tame(way)) return false;
+      evidence.verdict = RoundVerdict::apart;
+      evidence.direction = way;
+      return true;
+    default: return false;
+  }
+}
+
+bool ball_and(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b, RoundAnswer& answer,
+              Point3& way) {
+  const bool is_a = is_ball(a);
+  const RoundBody &own = is_a ? a : b, &body = is_a ? b : a;
+  const Pose &own_pose = is_a ? pose_a : pose_b, &pose = is_a ? pose_b : pose_a;
+  const bool is_cylinder = body.kind() == RoundKind::cylinder;
+  if (!is_cylinder && !(body.box() != nullptr && pose.is_rigid())) return false;
+  const RoundImage ball = image_of_ball(own, own_pose);
+  const Side other(body, pose);
+  if (!(ball.is_tame && other.image.is_tame)) return false;
+  BallAnd pair(ball, is_a, other, answer, way);
+  return is_cylinder ? pair.cylinder() : pair.box();
+}
+
+}  // namespace sunder::solid::round_quick
