@@ -87,6 +87,8 @@ pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,4,5 --distance --
 pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,0.25,0.125 --distance
 pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,0.25,0.125 --to-b -3,0.25,0 --certificate OUT
 pair cases/mesh/cube.obj cases/mesh/cube.obj --pose-b 3,2,0 --to-b -3,2,0 --to-a 0,1,0
+pair cases/mesh/cube.obj cases/space/ball.json --pose-b=-9,0.25,0.125 --to-b 9,0.25,0 --certificate OUT
+pair cases/mesh/cube.obj cases/mesh/cube.obj --radius-a 0.5 --pose-b 3,2,0 --to-b -3,2,0
 pair cases/planar-pair/plate.wkt cases/planar-pair/wheel.wkt --distance --clearance 0.1 --classify --svg OUT
 pair cases/planar-pair/plate.wkt cases/planar-pair/wheel.wkt --clearance 1 --certificate OUT
 pair cases/planar-pair/plate.wkt cases/planar-pair/plate.wkt --distance --clearance 1

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <utility>
 
 namespace sunder::scene {
 
@@ -23,11 +25,11 @@ Box3 both(const Box3& p, const Box3& q) {
 class Sweep {
  public:
   Sweep(std::span<const Body> begin, std::span<const Body> end, const Question& question)
-      : bodies_{begin, end}, members_(begin, question.allowed) {
+      : bodies_{begin, end}, members_(begin, question.allowed), every_pair_(question.every_pair) {
     for (std::uint32_t i = 0; i < members_.size(); ++i) {
       const Part &first = part(i, 0), &last = part(i, 1);
       for (const Part* at : {&first, &last}) require_rigid(at->shape, at->pose);
-      goes_straight_.push_back(first.shape.is_polyhedron() && is_translation(first.pose, last.pose));
+      goes_straight_.push_back(is_translation(first.pose, last.pose));
       for (std::size_t k = 0; k < 2; ++k) boxes_[k].push_back(rough_box_of(part(i, k)));
     }
   }
@@ -54,17 +56,32 @@ class Sweep {
   void look_at(std::uint32_t i, std::uint32_t j) {
     if (!goes_straight_[i] || !goes_straight_[j]) return look_at_ends(i, j);
     // All of a way that is straight is in the hull of both ends, and so in the box around their boxes.
-    if (!meet(both(boxes_[0][i], boxes_[1][i]), both(boxes_[0][j], boxes_[1][j]))) {
+    const Box3 of_a = both(boxes_[0][i], boxes_[1][i]), of_b = both(boxes_[0][j], boxes_[1][j]);
+    if (!meet(of_a, of_b)) {
       ++answer_.counts.by_boxes;
+      if (every_pair_) list_apart(i, j, axis_between(of_a, of_b));
       return;
     }
     ++answer_.counts.by_method;
-    const solid::ConvexPolyhedron &a = part(i, 0).shape.core(), &b = part(j, 0).shape.core();
-    const solid::Translation of_a(part(i, 0).pose, part(i, 1).pose), of_b(part(j, 0).pose, part(j, 1).pose);
-    const solid::SweepAnswer swept = polyhedron_polyhedron_sweep(a, of_a, b, of_b);
-    if (!swept.meet()) return;
-    if (swept.found == solid::SweepAnswer::Found::at_begin) return list(i, j, true, 0.0);
-    list(i, j, true, polyhedron_polyhedron_first_contact(a, of_a, b, of_b)->about());
+    const solid::RoundBody &a = part(i, 0).shape, &b = part(j, 0).shape;
+    const solid::Translation way_a(part(i, 0).pose, part(i, 1).pose), way_b(part(j, 0).pose, part(j, 1).pose);
+    if (a.is_polyhedron() && b.is_polyhedron() && !every_pair_) {  // evidence costs more than the answer
+      if (!polyhedron_polyhedron_sweep(a.core(), way_a, b.core(), way_b).meet()) return;
+    }
+    solid::RoundSweepAnswer swept = round_round_sweep(a, way_a, b, way_b);
+    if (swept.verdict == solid::RoundVerdict::apart) {
+      if (every_pair_) list_apart(i, j, std::move(swept.direction));
+      return;
+    }
+    SweptPair& pair = list(i, j, true);
+    pair.verdict = swept.verdict;
+    if (swept.undecided()) {
+      ++answer_.counts.undecided;
+      return;
+    }
+    ++answer_.counts.meeting;
+    pair.first = std::make_shared<const solid::RoundFirstContact>(round_round_first_contact(a, way_a, b, way_b, swept));
+    pair.time = pair.first->time;
   }
 
   void look_at_ends(std::uint32_t i, std::uint32_t j) {
@@ -72,32 +89,64 @@ class Sweep {
     bool is_undecided = false;
     for (std::size_t at = 0; at < 2; ++at) {
       if (!meet(boxes_[at][i], boxes_[at][j])) continue;
-      PartPair pair = members_.pair(i, j);
+      PartPair found = members_.pair(i, j);
       const Part &a = part(i, at), &b = part(j, at);
       if (are_polyhedra(a, b)) {
-        pair.answer = pair_answer(a, b, {});
+        found.answer = pair_answer(a, b, {});
       } else {
-        take_round_answer(pair, a, b);
+        take_round_answer(found, a, b);
       }
-      if (pair.meet()) return list(i, j, false, static_cast<double>(at));
-      is_undecided = is_undecided || pair.undecided();
+      is_undecided = is_undecided || found.undecided();
+      if (!found.meet()) continue;
+      ++answer_.counts.meeting;
+      SweptPair& pair = list(i, j, false);
+      pair.time = {static_cast<double>(at), static_cast<double>(at)};
+      pair.at_an_end = std::make_shared<const PartPair>(std::move(found));
+      return;
     }
-    answer_.counts.undecided += is_undecided;
+    if (!is_undecided) return;
+    ++answer_.counts.undecided;
+    list(i, j, false).verdict = solid::RoundVerdict::undecided;
   }
 
-  void list(std::uint32_t i, std::uint32_t j, bool all_the_way, const Interval& time) {
-    const PartPair pair = members_.pair(i, j);
-    answer_.pairs.push_back({pair.body_a, pair.body_b, pair.part_a, pair.part_b, all_the_way, time});
+  SweptPair& list(std::uint32_t i, std::uint32_t j, bool all_the_way) {
+    const PartPair named = members_.pair(i, j);
+    SweptPair& pair = answer_.pairs.emplace_back();
+    pair.body_a = named.body_a, pair.body_b = named.body_b;
+    pair.part_a = named.part_a, pair.part_b = named.part_b;
+    pair.all_the_way = all_the_way;
+    return pair;
+  }
+
+  void list_apart(std::uint32_t i, std::uint32_t j, std::array<Dyadic, 3> direction) {
+    SweptPair& pair = list(i, j, true);
+    pair.verdict = solid::RoundVerdict::apart;
+    pair.direction = std::make_shared<const std::array<Dyadic, 3>>(std::move(direction));
+  }
+
+  // From A to B. Requires boxes that are apart.
+  static std::array<Dyadic, 3> axis_between(const Box3& a, const Box3& b) {
+    std::array<Dyadic, 3> axis{Dyadic(0.0), Dyadic(0.0), Dyadic(0.0)};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (a.high[k] < b.low[k] || b.high[k] < a.low[k]) {
+        axis[k] = Dyadic(a.high[k] < b.low[k] ? 1.0 : -1.0);
+        break;
+      }
+    }
+    return axis;
   }
 
   std::array<std::span<const Body>, 2> bodies_;
   Members members_;
+  bool every_pair_;
   std::vector<bool> goes_straight_;
   std::array<std::vector<Box3>, 2> boxes_;  // of each part at both ends
   SweptAnswer answer_;
 };
 
 }  // namespace
+
+std::string_view SweptAnswer::verdict() const { return some_meet() ? "some" : none_meet() ? "none" : "undecided"; }
 
 SweptAnswer meeting_on_the_way(std::span<const Body> begin, std::span<const Body> end, const Question& question) {
   SUNDER_REQUIRE(begin.size() == end.size());

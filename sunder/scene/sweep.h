@@ -2,19 +2,24 @@
 // Also called: continuous collision detection; swept broad phase.
 //
 // The question of scene.h between two placements of the same bodies, in which all parts move at once, from time 0 to 1.
-//   W1. A pair of parts that are both polyhedra and do not turn is asked about all the way, the ends included, as
-//       polyhedron_polyhedron_sweep says; boxes never hide one that meets.
-//   W2. Any other pair, of which a part turns, changes its size, or has a radius, is asked about at both ends only, and
-//       counted as that: what it does between is not known. (One placement and the next do not say how a part turns.)
+//   W1. A pair of parts that do not turn is asked about all the way, the ends included, as round_round_sweep says (of
+//       polyhedra polyhedron_polyhedron_sweep); boxes never hide one that meets. Where one is curved it may be
+//       undecided (round_round_sweep.h, W3): then it is listed and counted as that.
+//   W2. Any other pair, of which a part turns or changes its size, is asked about at both ends only, and counted as
+//       that: what it does between is not known. (One placement and the next do not say how a part turns.)
 // Touching is meeting.
 #pragma once
 
 #include <sunder/base/error.h>
 #include <sunder/number/interval.h>
 #include <sunder/scene/scene.h>
+#include <sunder/solid/round/round_round_sweep.h>
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace sunder::scene {
@@ -22,8 +27,18 @@ namespace sunder::scene {
 struct SweptPair {
   std::uint32_t body_a = 0, body_b = 0;  // body_a < body_b
   std::uint32_t part_a = 0, part_b = 0;
+  solid::RoundVerdict verdict = solid::RoundVerdict::meet;
   bool all_the_way = true;  // false: asked at its ends only
-  Interval time;            // of neighbouring doubles around the first time; of one asked at its ends, that end
+  Interval time{0, 0};      // meet: encloses the first time; of one asked at its ends, that end. Else meaningless
+
+  // The evidence, one of these; of undecided ones none. Meet: the first contact; of one asked at its ends the pair at
+  // that end. Apart: the direction from A to B, all the way.
+  std::shared_ptr<const solid::RoundFirstContact> first{};
+  std::shared_ptr<const PartPair> at_an_end{};
+  std::shared_ptr<const std::array<Dyadic, 3>> direction{};
+
+  bool meet() const { return verdict == solid::RoundVerdict::meet; }
+  bool undecided() const { return verdict == solid::RoundVerdict::undecided; }
 };
 
 struct SweptCounts {
@@ -32,20 +47,25 @@ struct SweptCounts {
   std::uint64_t by_boxes = 0;      // parted all the way by the boxes of their ways
   std::uint64_t by_method = 0;     // asked about all the way
   std::uint64_t at_ends_only = 0;  // pairs = allowed + by_boxes + by_method + at_ends_only
-  std::uint64_t undecided = 0;  // of those at their ends only, undecided there, and meeting at no end (round_round.h)
+  std::uint64_t meeting = 0;
+  std::uint64_t undecided = 0;  // all the way; or at an end, of those asked there, that meet at no end
 };
 
 struct [[nodiscard]] SweptAnswer {
-  std::vector<SweptPair> pairs;  // those that meet, in the order of S3
+  std::vector<SweptPair>
+      pairs;  // those that meet or are undecided, in the order of S3; with every_pair also apart ones
   SweptCounts counts;
 
-  bool some_meet() const { return !pairs.empty(); }
-  bool none_meet() const { return pairs.empty() && counts.at_ends_only == 0; }  // all are known to be apart, or allowed
+  bool some_meet() const { return counts.meeting > 0; }
+  // All are known to be apart, or allowed.
+  bool none_meet() const { return counts.meeting == 0 && counts.undecided == 0 && counts.at_ends_only == 0; }
+  std::string_view verdict() const;  // "some", "none", "undecided"
 };
 
-// question: its method is not looked at, nor what it says of contacts and of lists. Requires the same bodies with the
-// same parts in both placements, and indices of bodies in question.allowed to be in range. Throws Error as
-// meeting_pairs does. Cost for n parts: n^2 comparisons of boxes, and a sweep for each pair whose boxes meet.
+// question: its method is not looked at, nor what it says of contacts. With every_pair all that are apart all the way
+// are listed, too, with their directions. Requires the same bodies with the same parts in both placements, and indices
+// of bodies in question.allowed to be in range. Throws Error as meeting_pairs does. Cost for n parts: n^2 comparisons
+// of boxes, and a sweep for each pair whose boxes meet.
 SweptAnswer meeting_on_the_way(std::span<const Body> begin, std::span<const Body> end, const Question& question = {});
 
 }  // namespace sunder::scene

@@ -63,22 +63,46 @@ TEST(SceneSweep, SeesWhatIsBetween) {
   EXPECT_TRUE(meeting_on_the_way(begin, all).none_meet());
 }
 
-TEST(SceneSweep, SaysWhatTurnsAndWhatHasARadius) {
-  const Pose turned = Pose::from_quaternion(1, 0, 0, 1, {-3, 0, 0});
+TEST(SceneSweep, SaysWhatTurns) {
   std::vector<Body> begin{body("a", cube()), body("b", cube(), shift(-3, 0, 0)),
                           body("ball", RoundBody::ball({}, 1), shift(-3, 8, 0))};
   std::vector<Body> end = begin;
-  end[1].parts[0].pose = turned;
-  end[2].parts[0].pose = shift(3, -8, 0);
+  end[1].parts[0].pose = Pose::from_quaternion(1, 0, 0, 1, {-3, 0, 0});
   SweptAnswer answer = meeting_on_the_way(begin, end);
-  EXPECT_EQ(listed(answer), "");  // the ball goes through the cube
-  EXPECT_EQ(answer.counts.at_ends_only, 3u);
+  EXPECT_EQ(listed(answer), "");
+  EXPECT_EQ(answer.counts.at_ends_only, 2u);
+  EXPECT_EQ(answer.verdict(), "undecided");
   EXPECT_FALSE(answer.none_meet());
   EXPECT_FALSE(answer.some_meet());
   end[1].parts[0].pose = Pose::from_quaternion(1, 0, 0, 1, {1, 0, 0});
-  EXPECT_EQ(listed(meeting_on_the_way(begin, end)), "0-1@1.!");
-  begin[2].parts[0].pose = shift(2, 0, 0);
-  EXPECT_EQ(listed(meeting_on_the_way(begin, end)), "0-1@1.! 0-2@0.!");
+  answer = meeting_on_the_way(begin, end);
+  EXPECT_EQ(listed(answer), "0-1@1.!");
+  ASSERT_TRUE(answer.pairs[0].at_an_end != nullptr);
+  EXPECT_TRUE(answer.pairs[0].at_an_end->meet());
+}
+
+TEST(SceneSweep, TakesBodiesWithARadiusAllTheWay) {
+  std::vector<Body> begin{body("a", cube()), body("ball", RoundBody::ball({}, 1), shift(-3, 8, 0)),
+                          body("post", RoundBody::cylinder({0, 0, -4}, {0, 0, 4}, 0.25), shift(3, 8, 0))};
+  std::vector<Body> end = begin;
+  end[1].parts[0].pose = shift(3, -8, 0);
+  Question question;
+  question.every_pair = true;
+  const SweptAnswer answer = meeting_on_the_way(begin, end, question);
+  ASSERT_EQ(answer.pairs.size(), 3u);
+  const SweptPair& through = answer.pairs[0];  // the ball goes through the cube
+  EXPECT_TRUE(through.meet());
+  EXPECT_GT(through.time.low, 0.3);
+  EXPECT_LE(through.time.high - through.time.low, 0x1p-40);
+  ASSERT_TRUE(through.first != nullptr);
+  for (const std::size_t k : {1u, 2u}) {
+    EXPECT_EQ(answer.pairs[k].verdict, solid::RoundVerdict::apart);
+    EXPECT_TRUE(answer.pairs[k].direction != nullptr);
+  }
+  EXPECT_EQ(answer.counts.meeting, 1u);
+  EXPECT_EQ(answer.counts.by_boxes, 1u);  // cube and post; the ball begins beside the post
+  EXPECT_EQ(answer.counts.at_ends_only, 0u);
+  EXPECT_EQ(meeting_on_the_way(begin, end).pairs.size(), 1u);
 }
 
 // W1: against times that are looked at one by one.

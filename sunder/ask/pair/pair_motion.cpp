@@ -20,37 +20,16 @@ namespace {
 using solid::SweepContact;
 using solid::Translation;
 
-Translation motion_of(const PlacedBody& body, const PairSide& side) {
-  if (side.to.empty()) return Translation(body.pose);
-  if (body.object && body.object->frame) {
-    throw Error(ErrorCode::bad_call, "is not for a polygon in a frame; give its vertices in space", side.option("to"));
-  }
-  const solid::Pose end = parse_pose(side.to, side.option("to"));
-  if (!is_translation(body.pose, end)) {
-    throw Error(ErrorCode::bad_pose,
-                fmt::format("the body turns, or changes its size, between {} and this pose; only straight motions "
-                            "without a turn are answered: give both the same matrix, or the same rotation",
-                            side.option("pose")),
-                side.option("to"));
-  }
-  return {body.pose, end};
-}
-
 class MotionPair : public PairQuestion {
  public:
   MotionPair(const PairCall& asked, const PlacedBody& a, const PlacedBody& b, const PairFiles& files)
       : PairQuestion(asked, object_of(a), object_of(b), files),
         body_a_(a),
         body_b_(b),
-        of_a_(motion_of(a, asked.a)),
-        of_b_(motion_of(b, asked.b)) {
-    for (const auto& [motion, object] : {std::pair(&of_a_, &a_), std::pair(&of_b_, &b_)}) {
-      if (motion->rests()) continue;
-      const auto& [from, to] = std::pair(motion->begin().affine().translation, motion->end().affine().translation);
-      object->text += fmt::format("\nmoves straight from ({}, {}, {}) to ({}, {}, {})", from[0], from[1], from[2],
-                                  to[0], to[1], to[2]);
-      object->json["moves"] = {{"from", from}, {"to", to}};
-    }
+        of_a_(motion_of(a.pose, asked.a)),
+        of_b_(motion_of(b.pose, asked.b)) {
+    tell_motion(of_a_, a_);
+    tell_motion(of_b_, b_);
   }
 
   static std::uint64_t drawn() { return 0; }
@@ -135,24 +114,55 @@ class MotionPair : public PairQuestion {
 
 }  // namespace
 
+solid::Translation motion_of(const solid::Pose& begin, const PairSide& side) {
+  if (side.to.empty()) return Translation(begin);
+  const solid::Pose end = parse_pose(side.to, side.option("to"));
+  if (!is_translation(begin, end)) {
+    throw Error(ErrorCode::bad_pose,
+                fmt::format("the body turns, or changes its size, between {} and this pose; only straight motions "
+                            "without a turn are answered: give both the same matrix, or the same rotation",
+                            side.option("pose")),
+                side.option("to"));
+  }
+  return {begin, end};
+}
+
+void require_no_frame(const PlacedBody& body, const PairSide& side) {
+  if (side.to.empty() || !body.object || !body.object->frame) return;
+  throw Error(ErrorCode::bad_call, "is not for a polygon in a frame; give its vertices in space", side.option("to"));
+}
+
+void tell_motion(const solid::Translation& motion, PairObject& object) {
+  if (motion.rests()) return;
+  const auto &from = motion.begin().affine().translation, &to = motion.end().affine().translation;
+  object.text +=
+      fmt::format("\nmoves straight from ({}, {}, {}) to ({}, {}, {})", from[0], from[1], from[2], to[0], to[1], to[2]);
+  object.json["moves"] = {{"from", from}, {"to", to}};
+}
+
 void require_at_rest(const PairCall& call, const char* of_what) {
   for (const PairSide* side : {&call.a, &call.b}) {
     if (side->to.empty()) continue;
     throw Error(ErrorCode::bad_call,
-                fmt::format("is for two bodies, polygons, segments or points of space, without a radius, not for {}; "
+                fmt::format("is for two bodies, polygons, segments or points of space, not for {}; "
                             "leave it out",
                             of_what),
                 side->option("to"));
   }
 }
 
-int run_motion_pair(const PairCall& call, const PlacedBody& a, const PlacedBody& b, const PairFiles& files) {
+void require_motion_alone(const PairCall& call) {
   for (const auto& [is_given, option] : {std::pair(call.distance, "--distance"),
                                          {!call.clearance.empty(), "--clearance"},
                                          {call.classify, "--classify"},
                                          {call.method != "automatic", "--method"}}) {
     if (is_given) throw Error(ErrorCode::bad_call, "is not for bodies that move; leave it out", option);
   }
+}
+
+int run_motion_pair(const PairCall& call, const PlacedBody& a, const PlacedBody& b, const PairFiles& files) {
+  require_motion_alone(call);
+  for (const auto& [body, side] : {std::pair(&a, &call.a), std::pair(&b, &call.b)}) require_no_frame(*body, *side);
   MotionPair question(call, a, b, files);
   return answer(question);
 }

@@ -28,8 +28,6 @@ PlacedRoundBody rounded(const PlacedBody& body) {
   return round;
 }
 
-PlacedRoundBody round_of(const SpaceInput& input) { return input.round ? *input.round : rounded(*input.bounded); }
-
 class RoundPair : public PairQuestion {
  public:
   RoundPair(const PairCall& asked, const PlacedRoundBody& a, const PlacedRoundBody& b, const PairFiles& files)
@@ -141,6 +139,8 @@ class RoundPair : public PairQuestion {
 };
 
 }  // namespace
+
+PlacedRoundBody round_of(const SpaceInput& input) { return input.round ? *input.round : rounded(*input.bounded); }
 
 PairObject PlacedRoundBody::object_of() const {
   if (core) {

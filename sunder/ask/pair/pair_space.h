@@ -9,6 +9,7 @@
 #include <sunder/solid/object/pose.h>
 #include <sunder/solid/pair/flat_body.h>
 #include <sunder/solid/pair/polyhedron_cut.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_sweep.h>
 
 #include <optional>
 #include <string>
@@ -57,6 +58,9 @@ struct SpaceInput {
   std::optional<PlacedRoundBody> round{};
 };
 
+// As a body with a radius, which of a bounded one without is 0. Requires one of the two.
+PlacedRoundBody round_of(const SpaceInput& input);
+
 // The image of the point, where its coordinates are doubles. (Decided exactly.)
 std::optional<Point3> exact_image(const solid::Pose& pose, const Point3& p);
 
@@ -79,6 +83,16 @@ int run_round_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& 
 
 // Where one of them moves, or both: --to-a, --to-b. Throws Error for what turns, and for options of bodies at rest.
 int run_motion_pair(const PairCall& call, const PlacedBody& a, const PlacedBody& b, const PairFiles& files);
+
+// The same where one of them has a radius, or both. Throws Error, also for a certificate of what is undecided.
+int run_round_motion_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
+
+// What these two share: where the side goes, told with its object; throw Error for what turns, for a polygon in a frame
+// that moves, for options of bodies at rest.
+solid::Translation motion_of(const solid::Pose& begin, const PairSide& side);
+void tell_motion(const solid::Translation& motion, PairObject& object);
+void require_no_frame(const PlacedBody& body, const PairSide& side);
+void require_motion_alone(const PairCall& call);
 
 // Throws Error where one of these options is given.
 void require_at_rest(const PairCall& call, const char* of_what);

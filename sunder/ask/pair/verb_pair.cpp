@@ -179,10 +179,12 @@ int run(const PairCall& call) {
     if (input->round && input->round->core) bodies.push_back(&input->round->core->mesh);
   }
   note_hulls(bodies);
-  if (!a.bounded || !b.bounded) require_at_rest(call, "others");
+  if (a.flat || b.flat) require_at_rest(call, "others");
+  const bool is_motion = !call.a.to.empty() || !call.b.to.empty();
+  if (is_motion && (a.round || b.round)) return run_round_motion_pair(call, a, b, files);
   if (a.round || b.round) return run_round_pair(call, a, b, files);
   if (a.flat || b.flat) return run_flat_pair(call, a, b, files);
-  if (!call.a.to.empty() || !call.b.to.empty()) return run_motion_pair(call, *a.bounded, *b.bounded, files);
+  if (is_motion) return run_motion_pair(call, *a.bounded, *b.bounded, files);
   SolidPair question(call, solid_method(call, *a.bounded, *b.bounded), *a.bounded, *b.bounded, files);
   return answer(question);
 }
@@ -207,8 +209,8 @@ Verb pair_verb() {
         "POSE"},
        {"--pose-b", &call->b.pose, "where B is", "POSE"},
        {"--to-a", &call->a.to,
-        "of space, bounded, without a radius: where A is at the end, to which it goes straight, without a turn; do the "
-        "two meet at any time?",
+        "of space, bounded: where A is at the end, to which it goes straight, without a turn; do the two meet at any "
+        "time?",
         "POSE"},
        {"--to-b", &call->b.to, "the same of B, at the same time; one that has none rests", "POSE"},
        {"--radius-a", &call->a.radius, "of space, bounded: A is all within this distance of it; 0: A itself", "NUMBER"},

@@ -1,13 +1,24 @@
+#include <sunder/ask/list_stream.h>
 #include <sunder/ask/progress.h>
 #include <sunder/ask/report.h>
 #include <sunder/ask/scene/between.h>
 
 #include <sunder/base/error.h>
+#include <sunder/io/file.h>
 #include <sunder/io/robot_motion.h>
+#include <sunder/scene/chains.h>
 #include <sunder/scene/sweep.h>
+#include <sunder/scene/sweep_claims.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,76 +27,298 @@ namespace sunder::ask {
 
 namespace {
 
-std::vector<scene::Body> placed(const SceneInput& input, const io::RobotMotion& motion, const io::JointTable& table,
-                                std::size_t row, std::vector<scene::Body> bodies) {
-  std::vector<scene::Part*> parts;
-  for (scene::Body& body : bodies) {
-    for (scene::Part& part : body.parts) parts.push_back(&part);
+using scene::Body;
+using scene::SweptAnswer;
+using scene::SweptPair;
+
+constexpr const char* option = "--between";
+
+// What is said of a step. With every_pair the answers have pairs that are apart; these are for proofs alone.
+class Lines {
+ public:
+  Lines(const SceneInput& input, std::span<const Body> bodies) : input_(input), bodies_(bodies) {}
+
+  // "3 to 4: hand and link1 meet from about 0.25 of the way on; hand and post undecided"
+  void add_text(std::size_t step, const SweptAnswer& answer, std::string& out) const {
+    fmt::format_to(std::back_inserter(out), "{} to {}: ", step, step + 1);
+    const char* between = "";
+    for (const SweptPair& pair : answer.pairs) {
+      if (is_apart(pair)) continue;
+      fmt::format_to(std::back_inserter(out), "{}{} and {} {}{}", between, name_a(pair), name_b(pair),
+                     pair.meet() ? "meet" : "undecided", is_hull(pair) ? " as hulls" : "");
+      if (pair.meet()) out += " " + time_text(pair);
+      between = "; ";
+    }
+    if (*between == 0) out += answer.none_meet() ? "none meet" : "none is known to meet";
+    out += '\n';
   }
-  std::vector<solid::Pose> links(input.robot("--between").links.size());
-  try {
-    motion.place(table.row(row), links);
-    input.place_links(links, [&](std::uint32_t part, const solid::Pose& pose) { parts[part]->pose = pose; });
-  } catch (const Error& error) {
-    throw Error(error.code(), error.what(), table.place(row));
+
+  void add_json(std::size_t step, const SweptAnswer& answer, std::string& out) const {
+    Json json{{"step", step}, {"answer", answer.verdict()}, {"at_ends_only", answer.counts.at_ends_only}};
+    for (const SweptPair& pair : answer.pairs) {
+      if (is_apart(pair)) continue;
+      Json of_pair{{"a", bodies_[pair.body_a].name},
+                   {"b", bodies_[pair.body_b].name},
+                   {"part_a", pair.part_a},
+                   {"part_b", pair.part_b},
+                   {"answer", pair.meet() ? "meet" : "undecided"},
+                   {"said_of", is_hull(pair) ? "hulls" : "bodies"},
+                   {"all_the_way", pair.all_the_way}};
+      if (pair.meet()) of_pair["time"] = {{"low", pair.time.low}, {"high", pair.time.high}};
+      if (pair.first) {
+        const CommonPoint& point = pair.first->contact.point;
+        const auto at = [&](std::size_t k) { return nearest_ratio(point.coordinates[k], point.denominator) + 0.0; };
+        of_pair["evidence"] = {{"point", {at(0), at(1), at(2)}}};
+      }
+      json["pairs"].push_back(std::move(of_pair));
+    }
+    out += to_line(json) + "\n";
   }
-  return bodies;
+
+  // step,answer,meeting,pairs
+  void add_csv(std::size_t step, const SweptAnswer& answer, std::string& out) const {
+    fmt::format_to(std::back_inserter(out), "{},{},{},", step, answer.verdict(), answer.counts.meeting);
+    std::string list;
+    for (const SweptPair& pair : answer.pairs) {
+      if (is_apart(pair)) continue;
+      list += fmt::format("{}{} and {} ({})", list.empty() ? "" : "; ", name_a(pair), name_b(pair),
+                          pair.meet() ? time_text(pair) : "undecided");
+    }
+    if (!list.empty()) {
+      out += '"';
+      for (const char c : list) out.append(c == '"' ? 2 : 1, c);
+      out += '"';
+    }
+    out += '\n';
+  }
+
+ private:
+  static bool is_apart(const SweptPair& pair) { return !pair.meet() && !pair.undecided(); }
+  static std::string time_text(const SweptPair& pair) {
+    if (!pair.all_the_way) return fmt::format("at the {}", pair.time.low == 0 ? "begin" : "end");
+    return fmt::format("from {}{:.6g} of the way on", pair.time.low == pair.time.high ? "" : "about ", pair.time.high);
+  }
+  std::string name_a(const SweptPair& pair) const { return part_name(bodies_[pair.body_a], pair.part_a); }
+  std::string name_b(const SweptPair& pair) const { return part_name(bodies_[pair.body_b], pair.part_b); }
+  bool is_hull(const SweptPair& pair) const {
+    return input_.is_hull(pair.body_a, pair.part_a) || input_.is_hull(pair.body_b, pair.part_b);
+  }
+
+  const SceneInput& input_;
+  std::span<const Body> bodies_;
+};
+
+// What all steps have in common: the first line of JSON lines.
+std::string header_line(const SceneInput& input, const scene::Question& question, std::span<const Body> bodies,
+                        const io::JointTable& table) {
+  Json json{{"verb", "scene"}, {"between", true}, {"joints", table.joints}, {"placements", table.rows()}};
+  json["bodies"] = Json::array();
+  for (const Body& body : bodies) {
+    Json parts = Json::array();
+    for (const scene::Part& part : body.parts) parts.push_back(part.name);
+    json["bodies"].push_back({{"name", body.name}, {"parts", parts}});
+  }
+  json["allowed_pairs"] = Json::array();
+  for (const auto& [a, b] : question.allowed) json["allowed_pairs"].push_back({bodies[a].name, bodies[b].name});
+  if (!input.left_out().empty()) json["left_out"] = to_json(input.left_out());
+  return to_line(json) + "\n";
 }
 
-std::string line_of(std::size_t number, const scene::SweptAnswer& answer, std::span<const scene::Body> bodies,
-                    const SceneInput& input) {
-  std::string text = fmt::format("{} to {}: ", number, number + 1);
-  const char* between = "";
-  for (const scene::SweptPair& pair : answer.pairs) {
-    const bool is_hull = input.is_hull(pair.body_a, pair.part_a) || input.is_hull(pair.body_b, pair.part_b);
-    text += fmt::format("{}{} and {} meet{} ", between, part_name(bodies[pair.body_a], pair.part_a),
-                        part_name(bodies[pair.body_b], pair.part_b), is_hull ? " as hulls" : "");
-    text += !pair.all_the_way ? fmt::format("at the {}", pair.time.low == 0 ? "begin" : "end")
-                              : fmt::format("from {}{:.6g} of the way on",
-                                            pair.time.low == pair.time.high ? "" : "about ", pair.time.high);
-    between = "; ";
+struct Stated {
+  std::size_t step;
+  std::vector<SweptPair> pairs;
+};
+
+struct Totals {
+  std::uint64_t some = 0, unknown = 0, all_the_way = 0, at_ends_only = 0, stated = 0;
+
+  void add(const Totals& other) {
+    some += other.some;
+    unknown += other.unknown;
+    all_the_way += other.all_the_way;
+    at_ends_only += other.at_ends_only;
+    stated += other.stated;
   }
-  if (answer.pairs.empty()) text += answer.none_meet() ? "none meet" : "none is known to meet";
-  return text + "\n";
-}
+};
+
+struct Chain {
+  explicit Chain(const std::vector<Body>& bodies) : last(bodies), next(bodies) {}
+
+  std::size_t begin = 0, end = 0;  // steps
+  std::vector<Body> last, next;
+  std::string text, json, csv;
+  std::vector<Stated> stated;
+  Totals totals;
+};
+
+class Between {
+ public:
+  Between(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
+          const io::JointTable& table, const InputFiles& inputs)
+      : call_(call),
+        inputs_(inputs),
+        input_(input),
+        table_(table),
+        question_(question),
+        motion_(input.robot(option), table.joints),
+        bodies_(input.bodies({})),
+        lines_(input, bodies_),
+        steps_(table.rows() - 1),
+        prints_text_(call.json_lines.empty() && call.csv.empty() && call.meeting_certificate.empty()) {
+    question_.every_pair = call.parted;
+  }
+
+  int run() {
+    open(call_.json_lines, json_);
+    open(call_.csv, csv_);
+    if (json_) json_->write(header_line(input_, question_, bodies_, table_));
+    if (csv_) csv_->write("step,answer,meeting,pairs\n");
+    Progress progress("placements");
+    const auto report = progress.reporter();
+    scene::run_chains(
+        scene::thread_count(call_.threads),
+        {[&](std::size_t place) { return begin(place); }, [&](std::size_t place) { run(*chains_[place]); },
+         [&](std::size_t place) { return end(*chains_[place], report); }});
+    if (!call_.meeting_certificate.empty()) write_certificate();
+    for (auto* file : {&json_, &csv_, &certificate_}) {
+      if (*file) (*file)->commit();
+    }
+    print_for_people(summary());
+    return totals_.some + totals_.unknown > 0 ? exit_code::yes : exit_code::no;
+  }
+
+ private:
+  static void open(const std::string& name, std::optional<io::OutputFile>& file) {
+    if (!name.empty()) file.emplace(name);
+  }
+
+  void place(std::size_t row, std::vector<Body>& bodies) const {
+    std::vector<scene::Part*> parts;
+    for (Body& body : bodies) {
+      for (scene::Part& part : body.parts) parts.push_back(&part);
+    }
+    std::vector<solid::Pose> links(input_.robot(option).links.size());
+    try {
+      motion_.place(table_.row(row), links);
+      input_.place_links(links, [&](std::uint32_t part, const solid::Pose& pose) { parts[part]->pose = pose; });
+    } catch (const Error& error) {
+      throw Error(error.code(), error.what(), table_.place(row));
+    }
+  }
+
+  bool begin(std::size_t place) {
+    if (next_ == steps_) return false;
+    if (chains_.size() <= place) chains_.resize(place + 1);
+    auto& chain = chains_[place];
+    if (!chain) chain = std::make_unique<Chain>(bodies_);
+    chain->begin = next_;
+    next_ = chain->end = std::min(next_ + scene::chain_length, steps_);
+    return true;
+  }
+
+  void run(Chain& chain) const {
+    for (std::string* out : {&chain.text, &chain.json, &chain.csv}) out->clear();
+    chain.stated.clear();
+    chain.totals = {};
+    place(chain.begin, chain.next);
+    for (std::size_t k = chain.begin; k < chain.end; ++k) {
+      std::swap(chain.last, chain.next);
+      place(k + 1, chain.next);
+      SweptAnswer answer = meeting_on_the_way(chain.last, chain.next, question_);
+      if (prints_text_) lines_.add_text(k, answer, chain.text);
+      if (json_) lines_.add_json(k, answer, chain.json);
+      if (csv_) lines_.add_csv(k, answer, chain.csv);
+      Totals& totals = chain.totals;
+      totals.some += answer.some_meet();
+      totals.unknown += !answer.some_meet() && !answer.none_meet();
+      totals.all_the_way += answer.counts.by_boxes + answer.counts.by_method;
+      totals.at_ends_only += answer.counts.at_ends_only;
+      const bool is_last = call_.first && answer.some_meet();
+      if (!call_.meeting_certificate.empty() && !answer.pairs.empty()) {
+        for (const SweptPair& pair : answer.pairs) totals.stated += !pair.undecided();
+        chain.stated.push_back({k, std::move(answer.pairs)});
+      }
+      if (!is_last) continue;
+      chain.end = k + 1;
+      return;
+    }
+  }
+
+  bool end(Chain& chain, const std::function<void(double)>& report) {
+    if (prints_text_) print_for_people(chain.text);
+    if (json_) json_->write(chain.json);
+    if (csv_) csv_->write(chain.csv);
+    std::move(chain.stated.begin(), chain.stated.end(), std::back_inserter(stated_));
+    totals_.add(chain.totals);
+    asked_ = chain.end;
+    if (report) report(static_cast<double>(asked_) / static_cast<double>(steps_));
+    return !call_.first || totals_.some == 0;
+  }
+
+  void write_certificate() {
+    if (totals_.stated == 0) return;
+    certificate_.emplace(call_.meeting_certificate);
+    std::vector<Body> last = bodies_, next = bodies_;
+    auto stated = stated_.cbegin();
+    const auto step = [&](std::size_t k) {
+      if (k == 0) stated = stated_.cbegin();
+      while (stated != stated_.cend() && stated->step < k) ++stated;
+      const bool has_some = stated != stated_.cend() && stated->step == k;
+      if (!has_some) return scene::SweptStep{last, next, {}};
+      place(k, last);
+      place(k + 1, next);
+      return scene::SweptStep{last, next, stated->pairs};
+    };
+    write_motion_certificate(bodies_, asked_, step, question_, {inputs_, input_.left_out().texts()},
+                             [&](std::string_view text) { certificate_->write(text); });
+  }
+
+  std::string summary() const {
+    const LeftOutList& left_out = input_.left_out();
+    std::string text = fmt::format(
+        "{}, of which {} {}", count_of(asked_, "step"), totals_.some,
+        left_out.empty() ? "have bodies that meet on the way" : "have bodies, of those read, that meet on the way");
+    if (totals_.unknown > 0) text += fmt::format("; where that is not known: {}", totals_.unknown);
+    if (asked_ < steps_) text += fmt::format("; not asked about, after the first that meets: {}", steps_ - asked_);
+    text += fmt::format("; pairs asked about all the way: {}", totals_.all_the_way);
+    if (totals_.at_ends_only > 0) {
+      text += fmt::format("; at their ends only, as a part turns: {}", totals_.at_ends_only);
+    }
+    text += left_out.clause() + "\n" + file_line("JSON lines", call_.json_lines) + file_line("table", call_.csv);
+    if (call_.meeting_certificate.empty()) return text;
+    if (!certificate_) return text + "  no proofs are written, as there is nothing to be stated\n";
+    return text + file_line(fmt::format("proofs of {}", count_of(totals_.stated, "pair")), call_.meeting_certificate);
+  }
+
+  const PlacementsCall& call_;
+  const InputFiles& inputs_;
+  const SceneInput& input_;
+  const io::JointTable& table_;
+  scene::Question question_;
+  const io::RobotMotion motion_;
+  const std::vector<Body> bodies_;
+  const Lines lines_;
+  const std::size_t steps_;
+  const bool prints_text_;
+  std::optional<io::OutputFile> json_, csv_, certificate_;
+  std::vector<std::unique_ptr<Chain>> chains_;
+  std::vector<Stated> stated_;  // where there is to be a certificate
+  std::size_t next_ = 0, asked_ = 0;
+  Totals totals_;
+};
 
 }  // namespace
 
-int answer_between(const SceneInput& input, const scene::Question& question, const io::JointTable& table) {
+int answer_between(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
+                   const io::JointTable& table, const InputFiles& inputs) {
   if (question.contacts) {
     throw Error(ErrorCode::bad_call, "does not tell touching from overlapping; leave out --classify and --allow touch",
-                "--between");
+                option);
   }
   if (table.rows() < 2) {
-    throw Error(ErrorCode::bad_call, "is for two placements or more; there is one, so leave it out", "--between");
+    throw Error(ErrorCode::bad_call, "is for two placements or more; there is one, so leave it out", option);
   }
-  const io::RobotMotion motion(input.robot("--between"), table.joints);
-  std::vector<scene::Body> last = placed(input, motion, table, 0, input.bodies({}));
-  const std::size_t steps = table.rows() - 1;
-  std::uint64_t some = 0, all_the_way = 0, at_ends_only = 0, unknown = 0;
-  Progress progress("placements");
-  const auto report = progress.reporter();
-  for (std::size_t k = 0; k < steps; ++k) {
-    std::vector<scene::Body> next = placed(input, motion, table, k + 1, last);
-    const scene::SweptAnswer answer = meeting_on_the_way(last, next, question);
-    print_for_people(line_of(k, answer, next, input));
-    some += answer.some_meet();
-    unknown += !answer.some_meet() && !answer.none_meet();
-    all_the_way += answer.counts.by_boxes + answer.counts.by_method;
-    at_ends_only += answer.counts.at_ends_only;
-    last = std::move(next);
-    if (report) report(static_cast<double>(k + 1) / static_cast<double>(steps));
-  }
-  std::string text = fmt::format("{}, of which {} {}", count_of(steps, "step"), some,
-                                 input.left_out().empty() ? "have bodies that meet on the way"
-                                                          : "have bodies, of those read, that meet on the way");
-  if (unknown > 0) text += fmt::format("; where that is not known: {}", unknown);
-  text += fmt::format("; pairs asked about all the way: {}", all_the_way);
-  if (at_ends_only > 0) {
-    text += fmt::format("; at their ends only, as a part turns or has a radius: {}", at_ends_only);
-  }
-  print_for_people(text + input.left_out().clause() + "\n");
-  return some + unknown > 0 ? exit_code::yes : exit_code::no;
+  return Between(call, input, question, table, inputs).run();
 }
 
 }  // namespace sunder::ask

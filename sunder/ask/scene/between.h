@@ -1,6 +1,7 @@
 // What meets on the way from each placement of a table to the next one: `sunder scene --placements FILE --between`.
 #pragma once
 
+#include <sunder/ask/scene/placements.h>
 #include <sunder/ask/scene/scene_input.h>
 
 #include <sunder/io/joint_table.h>
@@ -8,9 +9,12 @@
 
 namespace sunder::ask {
 
-// A line a step on standard output. Parts that turn are asked about at both ends only, and this is said. Returns the
-// exit code: `yes` where some meet, and where, because of such parts, it is not known. Throws Error where there are no
-// two placements, and for a question that tells touching from overlapping.
-int answer_between(const SceneInput& input, const scene::Question& question, const io::JointTable& table);
+// Asks about each step, in chains (scene/chains.h): a line a step on standard output, or the files that are asked for.
+// Parts that turn are asked about at both ends only, and this is said. Returns the exit code: `yes` where some meet,
+// and where, because of such parts, or of a pair that is undecided, it is not known. inputs: what a certificate was
+// made of. Throws Error where there are no two placements, and for a question that tells touching from overlapping;
+// then no file is written.
+int answer_between(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
+                   const io::JointTable& table, const InputFiles& inputs);
 
 }  // namespace sunder::ask

@@ -19,6 +19,7 @@ struct PlacementsCall {
   std::string joint_names;          // "a,b,c", of an NPY file; empty: those that can be moved, in the robot's order
   std::string json_lines, csv;      // files to be written; empty: none
   std::string meeting_certificate;  // likewise: the proofs of what meets
+  bool parted = false;              // and the proofs of what is apart, too
   bool first = false;               // stop at the first placement that meets
   std::uint64_t threads = 0;        // 0: all cores
 };

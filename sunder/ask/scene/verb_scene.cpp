@@ -194,7 +194,7 @@ int run(const Call& call) {
     }
     input.note_limits(extremes_of(table));
     note_hulls(input.meshes());
-    if (call.between) return answer_between(input, question, table);
+    if (call.between) return answer_between(call.placements, input, question, table, files);
     const PlacementsAnswer answer = answer_placements(call.placements, input, question, table, files);
     print_for_people(answer.summary);
     return answer.code();
@@ -267,8 +267,7 @@ Verb scene_verb() {
             "what meets on the way from each placement to the next, where parts go straight and do not turn; others "
             "are asked about at both ends, and this is said",
         .needs = "--placements",
-        .excludes = {"--json", "--certificate", "--svg", "--gltf", "--json-lines", "--csv", "--first", "--threads",
-                     "--meeting-certificate", "--clearance", "--margin", "--distance"}},
+        .excludes = {"--json", "--certificate", "--svg", "--gltf", "--clearance", "--margin", "--distance"}},
        {.name = "--json-lines",
         .value = &call->placements.json_lines,
         .help = "write a line of JSON a placement here",
@@ -287,6 +286,10 @@ Verb scene_verb() {
         .type = "FILE",
         .needs = "--placements",
         .excludes = {"--json", "--certificate", "--svg", "--gltf"}},
+       {.name = "--parted",
+        .value = &call->placements.parted,
+        .help = "the same file proves what is apart, too: all of each placement, or of each way",
+        .needs = "--meeting-certificate"},
        {.name = "--threads",
         .value = &call->placements.threads,
         .help = "how many; the output is the same (unless given: as many as there are cores)",

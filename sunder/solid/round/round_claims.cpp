@@ -3,12 +3,13 @@
 
 namespace sunder::solid {
 
+std::uint32_t add_shape(PairClaims& pairs, const std::string& name, const RoundBody& body) {
+  return body.is_polyhedron() ? pairs.add_body(name, body.points())
+                              : pairs.add_round_body(name, body.points(), body.kind(), body.radius());
+}
+
 std::uint32_t add_round(PairClaims& pairs, const std::string& name, const PlacedRound& placed) {
-  const RoundBody& body = placed.body;
-  const std::uint32_t index = body.is_polyhedron()
-                                  ? pairs.add_body(name, body.points())
-                                  : pairs.add_round_body(name, body.points(), body.kind(), body.radius());
-  return pairs.add_placed(name, index, placed.pose.affine());
+  return pairs.add_placed(name, add_shape(pairs, name, placed.body), placed.pose.affine());
 }
 
 void add_claims(PairClaims& pairs, std::uint32_t index_a, const PlacedRound& a, std::uint32_t index_b,

@@ -10,6 +10,9 @@
 
 namespace sunder::solid {
 
+// Adds the body to the table, where its points are; returns its index. Keeps a view of the points, which must stay.
+std::uint32_t add_shape(PairClaims& pairs, const std::string& name, const RoundBody& body);
+
 // Adds the placed body to the table; returns its index. Keeps a view of the body's points, which must stay.
 std::uint32_t add_round(PairClaims& pairs, const std::string& name, const PlacedRound& body);
 

@@ -1,0 +1,468 @@
+#include <sunder/base/contract.h>
+#include <sunder/predicate/stages.h>
+#include <sunder/solid/round/nearest_on_the_way.h>
+#include <sunder/solid/round/round_finish.h>
+#include <sunder/solid/round/round_nearest.h>
+#include <sunder/solid/round/round_round_sweep.h>
+#include <sunder/solid/round/round_search.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace sunder::solid {
+
+namespace {
+
+using Exact = Vector3<Dyadic>;
+
+Exact sum(const Exact& p, const Exact& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
+Exact times(const Dyadic& w, const Exact& v) { return {w * v.x, w * v.y, w * v.z}; }
+Exact vector(const std::array<Dyadic, 3>& v) { return {v[0], v[1], v[2]}; }
+std::array<Dyadic, 3> numbers(const Exact& v) { return {v.x, v.y, v.z}; }
+
+// A time from 0 to 1.
+struct Time {
+  Dyadic numerator, denominator{1.0};
+};
+
+// What a translation adds from the begin to the end.
+Exact way_of(const PlacedRound& begin, const PlacedRound& end) {
+  const auto part = [&](std::size_t k) {
+    return Dyadic(end.pose.affine().translation[k]) - Dyadic(begin.pose.affine().translation[k]);
+  };
+  return {part(0), part(1), part(2)};
+}
+
+// Where the body is then, rounded.
+Pose pose_at(const Translation& of, double time) {
+  const auto &from = of.begin().affine().translation, &to = of.end().affine().translation;
+  const auto part = [&](std::size_t k) { return (1 - time) * from[k] + time * to[k]; };
+  return Pose::from_matrix(of.begin().affine().linear, {part(0), part(1), part(2)});
+}
+
+// A little smaller, within itself: what has a point in common with it then has one inside of it.
+RoundBody smaller(const RoundBody& body) {
+  constexpr double part = 1 - 0x1p-43;
+  const std::span<const Point3> p = body.points();
+  const double r = body.radius() * part;
+  if (!body.is_curved()) return RoundBody::rounded(body.core(), r);
+  if (body.kind() == RoundKind::ellipsoid) {
+    const auto& [m, t] = body.frame();
+    return RoundBody::ellipsoid({t[0], t[1], t[2]}, {m[0] * part, m[4] * part, m[8] * part});
+  }
+  const bool is_cone = body.kind() == RoundKind::cone;
+  const auto inwards = [&](const Point3& from, const Point3& to, double by) {
+    return Point3{from.x + by * (to.x - from.x), from.y + by * (to.y - from.y), from.z + by * (to.z - from.z)};
+  };
+  const Point3 from = inwards(p[0], p[1], 0x1p-44), to = inwards(p[1], p[0], is_cone ? 0x1p-42 : 0x1p-44);
+  if (from.x == to.x && from.y == to.y && from.z == to.z) return body;
+  return is_cone ? RoundBody::cone(from, to, r) : RoundBody::cylinder(from, to, r);
+}
+
+// Never stops a search before its end.
+struct Nearest {
+  template <class Search, class Corner>
+  static bool parts(const Search&, const Corner&) {
+    return false;
+  }
+  template <class Search>
+  static bool nears(const Search&) {
+    return false;
+  }
+};
+
+// A direction of doubles, and how far it parts the bodies at the begin and at the end, about, over its length.
+struct Cut {
+  Point3 direction{};
+  double at_begin = 0, at_end = 0;
+
+  double at(double time) const { return (1 - time) * at_begin + time * at_end; }
+  double root() const { return at_begin / (at_begin - at_end); }
+};
+
+class RoundSweep {
+ public:
+  RoundSweep(const RoundBody& a, const Translation& of_a, const RoundBody& b, const Translation& of_b)
+      : of_a_(of_a),
+        of_b_(of_b),
+        a_(a, of_a.begin()),
+        b_(b, of_b.begin()),
+        to_a_(a, of_a.end()),
+        to_b_(b, of_b.end()),
+        way_a_(way_of(a_, to_a_)),
+        way_b_(way_of(b_, to_b_)),
+        path_(way_a_ - way_b_) {}
+
+  RoundSweepAnswer decide() {
+    if (ends_decide() || cuts_decide()) {
+      conclude(answer_, tally_.exact);
+    } else {
+      if (!a_.body.is_curved() && !b_.body.is_curved()) hulls_decide();
+      conclude(answer_, tally_.exact, true);
+    }
+    return std::move(answer_);
+  }
+
+  // The first time, from the contact that was found.
+  RoundFirstContact first(const SweepContact& found) {
+    double low = 0;
+    for (int step = 0; step < 60; ++step) {
+      const std::optional<Cut> cut = nearest_cut(low);
+      if (!cut || !(cut->at_begin > cut->at_end)) break;
+      const double root = cut->root();
+      bool goes_on = false;
+      for (const double part : {1 - 0x1p-50, 1 - 0x1p-46, 1 - 0x1p-40}) {
+        const double time = root * part;
+        if (!(time > low) || !is_parted_before(*cut, time)) continue;
+        goes_on = time > low * (1 + 0x1p-50);
+        low = time;
+        break;
+      }
+      if (!goes_on) break;
+    }
+    for (double ahead = std::max(low * 0x1p-50, 0x1p-60); low + ahead < found.about().low; ahead *= 4) {
+      if (!meets_about(low + ahead) && !hulls_meet_at(low + ahead)) continue;
+      return {{low, low + ahead}, *answer_.contact};
+    }
+    SweepContact contact = found;
+    contact.direction = {};
+    const double high = found.about().high;
+    return {{std::min(low, high), high}, std::move(contact)};
+  }
+
+ private:
+  void meet(const Time& time, CommonPoint point) {
+    answer_.verdict = RoundVerdict::meet;
+    answer_.contact =
+        std::make_shared<const SweepContact>(SweepContact{time.numerator, time.denominator, std::move(point), {}});
+  }
+
+  bool parts(const WorldDirection& d) {
+    ++answer_.cost.proposals;
+    for (const auto& [a, b] : {std::pair(&a_, &b_), std::pair(&to_a_, &to_b_)}) {
+      const RoundGap gap(*a, *b, d, 0, 0, answer_.cost, tally_);
+      if (gap.against(0) != Sign::positive) return false;
+    }
+    answer_.verdict = RoundVerdict::apart;
+    answer_.direction = numbers(d.exact());
+    return true;
+  }
+  bool parts(Point3 direction) { return make_tame(direction) && parts(WorldDirection(direction)); }
+
+  void count(const RoundAnswer& of) {
+    answer_.cost.probes += of.cost.probes;
+    answer_.cost.iterations += of.cost.iterations;
+    answer_.cost.proposals += of.cost.proposals;
+    tally_.exact += static_cast<std::uint32_t>(of.cost.exact);
+  }
+
+  // As round_round says of them, whose poses are exact; what it finds is tried all along.
+  bool ends_decide() {
+    const bool at_rest = of_a_.rests() && of_b_.rests();
+    for (const bool at_end : {false, true}) {
+      if (at_end && at_rest) break;
+      const PlacedRound &a = at_end ? to_a_ : a_, &b = at_end ? to_b_ : b_;
+      const RoundAnswer here = round_round(a, b);
+      count(here);
+      if (here.meet()) {
+        CommonPoint point = common_point_of(a, b, here.evidence);
+        meet({Dyadic(at_end ? 1.0 : 0.0)}, std::move(point));
+        return true;
+      }
+      if (!here.undecided() && parts(WorldDirection(vector(direction_of(here.evidence))))) return true;
+      if (!here.undecided()) directions_[at_end] = here.evidence.direction;
+    }
+    return at_rest;
+  }
+
+  // The point of a hull's core that the weights make, then.
+  ExactPoint at(const PlacedRound& body, const Exact& way, const Combination& of, const Time& time) const {
+    Exact all{};
+    Dyadic weight(0.0);
+    for (const auto& [vertex, numerator] : of.parts) {
+      all = sum(all, times(numerator, lift<ExactStage>(body.core[vertex])));
+      weight = weight + numerator;
+    }
+    return {sum(times(time.denominator, all), times(time.numerator * weight, way)), weight * time.denominator};
+  }
+
+  // The same point, where the body has not moved yet.
+  static ExactPoint before(const ExactPoint& x, const Exact& way, const Time& time) {
+    const Dyadic by = time.numerator * x.weight;
+    return {times(time.denominator, x.at) - times(by, way), x.weight * time.denominator};
+  }
+
+  // Do both hold, at that time, a point that is made as this one is, which is one of theirs about then?
+  bool meets_at(const Time& time, const CommonPoint& near) {
+    ++answer_.cost.proposals;
+    ++tally_.exact;
+    const bool hull_a = !a_.body.is_curved(), hull_b = !b_.body.is_curved();
+    const ExactPoint given{vector(near.coordinates), near.denominator};
+    std::optional<ExactPoint> of_a, of_b;
+    if (hull_a) of_a = at(a_, way_a_, near.of_a, time);
+    if (hull_b) of_b = at(b_, way_b_, near.of_b, time);
+    const auto holds = [&](const PlacedRound& body, const Exact& way, const std::optional<ExactPoint>& of_core,
+                           const ExactPoint& x) {
+      if (of_core) return nearness(*of_core, body.radius(), x, 0) != Sign::negative;
+      return side_of(body.shape, before(x, way, time)) != Sign::negative;
+    };
+    std::vector<ExactPoint> points;
+    if (hull_a && hull_b) {
+      const PointOf p{numbers(of_a->at), of_a->weight, {}}, q{numbers(of_b->at), of_b->weight, {}};
+      const CommonPoint between = point_between(p, a_.radius(), q, b_.radius());
+      points.push_back({vector(between.coordinates), between.denominator});
+    } else {
+      points.push_back(given);
+      if (hull_a) points.push_back(*of_a);
+      if (hull_b) points.push_back(*of_b);
+    }
+    for (const ExactPoint& x : points) {
+      if (!holds(a_, way_a_, of_a, x) || !holds(b_, way_b_, of_b, x)) continue;
+      CommonPoint point{numbers(x.at), x.weight, near.of_a, near.of_b};
+      if (!hull_a) point.of_a = combination_of(a_, before(x, way_a_, time));
+      if (!hull_b) point.of_b = combination_of(b_, before(x, way_b_, time));
+      meet(time, std::move(point));
+      return true;
+    }
+    return false;
+  }
+
+  // Do they meet at that time, as poses say that are rounded, and then exactly?
+  bool meets_about(double time) {
+    const Pose at_a = pose_at(of_a_, time), at_b = pose_at(of_b_, time);
+    for (const bool shrinks : {false, true}) {
+      const RoundBody of_a = shrinks ? smaller(a_.body) : a_.body, of_b = shrinks ? smaller(b_.body) : b_.body;
+      const PlacedRound a(of_a, at_a), b(of_b, at_b);
+      const RoundAnswer here = round_round(a, b);
+      count(here);
+      if (!here.undecided()) found_ = here.evidence.direction;
+      is_undecided_ = here.undecided();
+      if (!here.meet()) return false;
+      if (meets_at({Dyadic(time)}, common_point_of(a, b, here.evidence))) return true;
+    }
+    return false;
+  }
+
+  std::optional<Cut> cut_of(const Point3& direction) {
+    const double length = std::hypot(direction.x, direction.y, direction.z);
+    const Point3 d{direction.x / length, direction.y / length, direction.z / length};
+    if (!std::isfinite(d.x + d.y + d.z)) return std::nullopt;
+    const auto gap = [&](const PlacedRound& a, const PlacedRound& b) {
+      RoundSearch<DoubleDouble> search(a, b);
+      search.simplex.count = 0;
+      search.direction = {d.x, d.y, d.z};
+      const DoubleDouble all = dot(search.direction, search.direction);
+      const DoubleDouble far = search.gap_at(search.probe(answer_.cost)) - search.reach * round_detail::root_of(all);
+      return nearest(far) / search.simplex.scale;
+    };
+    const Cut cut{d, gap(a_, b_), gap(to_a_, to_b_)};
+    if (!std::isfinite(cut.at_begin) || !std::isfinite(cut.at_end)) return std::nullopt;
+    return cut;
+  }
+
+  // Across the shortest way between them at that time. Nothing where they are not apart, as far as this tells.
+  std::optional<Cut> nearest_cut(double time) {
+    const PlacedRound a(a_.body, pose_at(of_a_, time)), b(b_.body, pose_at(of_b_, time));
+    RoundSearch<DoubleDouble> search(a, b);
+    const Nearest never;
+    (void)search_nearest(search, search.first_direction(), never, answer_.cost);
+    const std::optional<Cut> cut = cut_of(rounded(search.direction));
+    return cut && cut->at(time) > 0 ? cut : std::nullopt;
+  }
+
+  // The cut that rules out times up to the latest one, and the cut that rules out those from the earliest one on.
+  // Between, they are asked about.
+  bool cuts_decide() {
+    std::optional<Cut> first, last;
+    const auto take = [&](const std::optional<Cut>& cut) {
+      if (!cut) return;
+      const bool falls = cut->at_begin > cut->at_end;
+      if (falls && cut->at_begin > 0 && (!first || cut->root() > first->root())) first = cut;
+      if (!falls && cut->at_end > 0 && (!last || cut->root() < last->root())) last = cut;
+    };
+    for (const bool at_end : {false, true}) {
+      if (!directions_[at_end]) continue;
+      const std::optional<Cut> near = nearest_cut(at_end ? 1 : 0);
+      if (near && parts(near->direction)) return true;
+      take(cut_of(*directions_[at_end]));
+      take(near);
+    }
+    double tried = -1;
+    for (int step = 0; step < 60; ++step) {
+      if (first && last && mixture_parts(*first, *last)) return true;
+      const double low = first ? first->root() : 0, high = last ? last->root() : 1;
+      if (!(low <= high)) return false;
+      double time = low + (high - low) / 2;
+      if (first && last && step % 2 == 0) {  // where the two are equal
+        const double fall = first->at_begin - first->at_end, rise = last->at_end - last->at_begin;
+        time = std::clamp((first->at_begin - last->at_begin) / (fall + rise), low, high);
+      }
+      if (time == tried || !(time >= 0 && time <= 1)) return false;
+      tried = time;
+      if (meets_about(time)) return true;
+      if (is_undecided_) return false;
+      const std::optional<Cut> near = nearest_cut(time), other = found_ ? cut_of(*found_) : std::nullopt;
+      for (const auto& cut : {near, other}) {
+        if (!cut || !(cut->at(time) > 0)) continue;
+        if (cut->at_begin > 0 && cut->at_end > 0 && parts(cut->direction)) return true;
+        take(cut);
+      }
+    }
+    return false;
+  }
+
+  // Of a direction whose gap falls with time and one whose gap rises: the sum of so much of each that it does neither.
+  bool mixture_parts(const Cut& falls, const Cut& rises) {
+    const auto exact = [](const Point3& d) { return Exact{Dyadic(d.x), Dyadic(d.y), Dyadic(d.z)}; };
+    const Exact d = exact(falls.direction), e = exact(rises.direction);
+    const Dyadic of_d = dot(path_, d), of_e = dot(path_, e);
+    if (of_d.sign() != Sign::positive || of_e.sign() != Sign::negative) return false;
+    if (!(falls.root() > rises.root() - 0x1p-40)) return false;
+    const Exact mixed = sum(times(-of_e, d), times(of_d, e));
+    if (mixed.x.sign() == Sign::zero && mixed.y.sign() == Sign::zero && mixed.z.sign() == Sign::zero) return false;
+    return parts(WorldDirection(mixed));
+  }
+
+  // Are they apart at all times before this one, as along the direction? Exact: at the begin the gap along it is at
+  // least as long as what of the path goes along it until then.
+  bool is_parted_before(const Cut& cut, double time) {
+    Point3 direction = cut.direction;
+    if (!make_tame(direction)) return false;
+    const WorldDirection d(direction);
+    const Exact exact = d.exact();
+    const Dyadic far = Dyadic(time) * dot(path_, exact), square = dot(exact, exact);
+    if (far.sign() != Sign::positive) return false;
+    const double least = far.nearest() / std::hypot(direction.x, direction.y, direction.z) * (1 + 0x1p-51);
+    if (!std::isfinite(least)) return false;
+    if ((Dyadic(least) * Dyadic(least) * square - far * far).sign() == Sign::negative) return false;
+    return RoundGap(a_, b_, d, 0, 0, answer_.cost, tally_).against(least) != Sign::negative;
+  }
+
+  // Exactly: the cores' nearest points on their ways against both radii.
+  void hulls_decide() {
+    const auto nearest = nearest_on_the_way(a_.core, b_.core, Exact{}, path_, answer_.cost, tally_);
+    if (!nearest) return cores_meet();
+    if (!are_within_reach(*nearest)) {
+      answer_.verdict = RoundVerdict::apart;
+      answer_.direction = numbers(times(Dyadic(-1.0), nearest->way));
+      return;
+    }
+    Time time{Dyadic(0.0), nearest->weight};
+    for (const WayCorner& corner : nearest->corners) {
+      if (corner.at_end) time.numerator = time.numerator + corner.weight;
+    }
+    const bool held = meets_at(time, made_by(*nearest));
+    SUNDER_REQUIRE(held);
+    (void)held;
+  }
+
+  // Exactly: the same at one time. Not where the cores themselves meet then.
+  bool hulls_meet_at(double time) {
+    if (a_.body.is_curved() || b_.body.is_curved()) return false;
+    const Exact then = times(Dyadic(time), path_);
+    const auto nearest = nearest_on_the_way(a_.core, b_.core, then, then, answer_.cost, tally_);
+    return nearest && are_within_reach(*nearest) && meets_at({Dyadic(time)}, made_by(*nearest));
+  }
+
+  bool are_within_reach(const NearestOnTheWay& nearest) const {
+    const Dyadic far = (Dyadic(a_.radius()) + Dyadic(b_.radius())) * nearest.weight;
+    return (dot(nearest.way, nearest.way) - far * far).sign() != Sign::positive;
+  }
+
+  // How the cores make the two points; where these are is not filled in.
+  static CommonPoint made_by(const NearestOnTheWay& nearest) {
+    CommonPoint made{{}, Dyadic(1.0), {{}, nearest.weight}, {{}, nearest.weight}};
+    const auto add = [](Combination& to, std::uint32_t vertex, const Dyadic& weight) {
+      for (auto& part : to.parts) {
+        if (part.entry != vertex) continue;
+        part.numerator = part.numerator + weight;
+        return;
+      }
+      to.parts.push_back({vertex, weight});
+    };
+    for (const WayCorner& corner : nearest.corners) {
+      add(made.of_a, corner.a, corner.weight);
+      add(made.of_b, corner.b, corner.weight);
+    }
+    return made;
+  }
+
+  void cores_meet() {
+    const SweepAnswer cores = polyhedron_polyhedron_sweep(a_.body.core(), of_a_, b_.body.core(), of_b_);
+    answer_.verdict = RoundVerdict::meet;
+    if (cores.contact) {
+      answer_.contact = cores.contact;
+      return;
+    }
+    const auto first = polyhedron_polyhedron_first_contact(a_.body.core(), of_a_, b_.body.core(), of_b_);
+    SUNDER_REQUIRE(first.has_value());
+    answer_.contact = std::make_shared<const SweepContact>(*first);
+  }
+
+  const Translation &of_a_, &of_b_;
+  const PlacedRound a_, b_, to_a_, to_b_;            // at the begin, and at the end
+  const Exact way_a_, way_b_, path_;                 // what each adds, and A's as seen from B
+  std::array<std::optional<Point3>, 2> directions_;  // that part them at the begin and at the end
+  std::optional<Point3> found_;                      // of the last question at a time between
+  bool is_undecided_ = false;
+  RoundSweepAnswer answer_;
+  StageTally tally_;
+};
+
+}  // namespace
+
+RoundSweepAnswer round_round_sweep(const RoundBody& a, const Translation& of_a,  //
+                                   const RoundBody& b, const Translation& of_b) {
+  if (!a.is_polyhedron() || !b.is_polyhedron()) return RoundSweep(a, of_a, b, of_b).decide();
+  const ConvexPolyhedron &of_hull_a = a.core(), &of_hull_b = b.core();
+  const SweepAnswer found = polyhedron_polyhedron_sweep(of_hull_a, of_a, of_hull_b, of_b);
+  RoundSweepAnswer answer;
+  answer.decided_by = found.decided_by;
+  answer.cost = found.cost;
+  answer.verdict = found.meet() ? RoundVerdict::meet : RoundVerdict::apart;
+  if (!found.meet()) {
+    answer.direction = parting_direction(found, of_hull_a, of_a, of_hull_b, of_b);
+  } else if (found.contact) {
+    answer.contact = found.contact;
+  } else {
+    const bool at_end = found.found == SweepAnswer::Found::at_end;
+    const PlacedRound in_a(a, at_end ? of_a.end() : of_a.begin()), in_b(b, at_end ? of_b.end() : of_b.begin());
+    RoundEvidence evidence;
+    evidence.verdict = RoundVerdict::meet;
+    evidence.of_cores = found.evidence;
+    answer.contact = std::make_shared<const SweepContact>(
+        SweepContact{Dyadic(at_end ? 1.0 : 0.0), Dyadic(1.0), common_point_of(in_a, in_b, evidence), {}});
+  }
+  return answer;
+}
+
+RoundFirstContact round_round_first_contact(const RoundBody& a, const Translation& of_a,  //
+                                            const RoundBody& b, const Translation& of_b,  //
+                                            const RoundSweepAnswer& answer) {
+  SUNDER_REQUIRE(answer.meet());
+  if (answer.contact->time.sign() == Sign::zero) return {{0, 0}, *answer.contact};
+  if (!a.is_polyhedron() || !b.is_polyhedron()) return RoundSweep(a, of_a, b, of_b).first(*answer.contact);
+  SweepContact first = *polyhedron_polyhedron_first_contact(a.core(), of_a, b.core(), of_b);
+  const Interval time = first.about();
+  return {time, std::move(first)};
+}
+
+void add_claims(PairClaims& pairs, const ClaimedMotion& bodies, const RoundSweepAnswer& answer) {
+  SUNDER_REQUIRE(!answer.undecided());
+  const auto [a, b, to_a, to_b] = bodies;
+  if (!answer.meet()) return pairs.add_motion_apart(a, b, to_a, to_b, answer.direction);
+  const SweepContact& contact = *answer.contact;
+  pairs.add_motion_meet(a, b, to_a, to_b, contact.time, contact.denominator, contact.point);
+}
+
+void add_claims(PairClaims& pairs, const ClaimedMotion& bodies, const RoundFirstContact& first) {
+  const auto& [time, denominator, point, along] = first.contact;
+  const bool is_proved =
+      std::any_of(along.begin(), along.end(), [](const Dyadic& x) { return x.sign() != Sign::zero; });
+  const auto [a, b, to_a, to_b] = bodies;
+  pairs.add_motion_meet(a, b, to_a, to_b, time, denominator, point, is_proved ? &along : nullptr);
+}
+
+}  // namespace sunder::solid
