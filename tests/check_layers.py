@@ -49,7 +49,7 @@ FRONT_DOORS = {"sunder/sunder.h", "sunder/version.h"}
 ORDER = {
     "planar": ["represent", "object", "pair", "sweep", "set", "region"],
     "solid": ["hull", "represent", "object", "pair", "round"],
-    "polytope": ["object", "represent", "hull", "pair"],
+    "polytope": ["object", "represent", "pair", "hull"],
     "ask": ["set", "scene", "pair", "region"],
 }
 

@@ -4,9 +4,11 @@
 
 #include <sunder/base/random.h>
 #include <sunder/number/integer_internal.h>
+#include <sunder/planar/object/convex_polygon.h>
 #include <sunder/polytope/hull/convex_hull.h>
 #include <sunder/polytope/hull/hull_claims.h>
 #include <sunder/polytope/represent/affine_columns.h>
+#include <sunder/solid/hull/convex_hull.h>
 
 #include <verifier/cpp/verify.h>
 
@@ -261,6 +263,71 @@ TEST(PolytopeHullDifferential, EachHullIsThatOfAllPlanesAndIsProved) {
   }
   EXPECT_GT(with_merged, count / 50);
   EXPECT_GT(with_others, count / 10);
+}
+
+std::vector<double> many_points(std::size_t d, int family, int count, Random& random) {
+  std::vector<double> numbers;
+  for (int k = 0; k < count; ++k) {
+    double square = 0;
+    for (std::size_t c = 0; c < d; ++c) {
+      const double x = random.uniform(-1, 1);
+      square += x * x;
+      numbers.push_back(family == 0   ? x
+                        : family == 1 ? static_cast<double>(random.between(-4, 4)) * 0.3
+                                      : x * 0x1p-40 + (c == 0));
+    }
+    if (family != 3) continue;
+    for (std::size_t c = numbers.size() - d; c < numbers.size(); ++c)
+      numbers[c] = numbers[c] / std::sqrt(square) - (c % d == 0);
+  }
+  return numbers;
+}
+
+// The hulls of the plane and of space are made by other code.
+TEST(PolytopeHullDifferential, InThePlaneAndInSpaceHullsAreThoseOfTheOtherLayers) {
+  Random random(sunder::tests::chosen_seed(20261130));
+  for (int turn = 0; turn < sunder::tests::scaled_count(200); ++turn) {
+    const int count = static_cast<int>(random.between(1, 400)), family = turn / 2 % 4;
+    const std::size_t d = turn % 2 == 0 ? 2 : 3;
+    SCOPED_TRACE(turn);
+    const Polytope points = Polytope::from_points(d, many_points(d, family, count, random));
+    const ConvexHull hull = convex_hull(points);
+    if (d == 2) {
+      std::vector<Point2> planar;
+      for (std::uint32_t k = 0; k < points.size(); ++k) planar.push_back({points.row(k)[0], points.row(k)[1]});
+      const auto polygon = planar::ConvexPolygon::hull_of(planar);
+      std::set<std::pair<double, double>> ours, theirs;
+      for (const std::uint32_t v : hull.vertices) ours.insert({planar[v].x, planar[v].y});
+      for (std::uint32_t v = 0; v < polygon.size(); ++v)
+        theirs.insert({polygon.vertices()[v].x, polygon.vertices()[v].y});
+      EXPECT_EQ(ours, theirs);
+      EXPECT_EQ(hull.vertices.size(), polygon.size());
+      continue;
+    }
+    std::vector<Point3> solid;
+    for (std::uint32_t k = 0; k < points.size(); ++k) {
+      const auto p = points.row(k);
+      solid.push_back({p[0], p[1], p[2]});
+    }
+    const solid::ConvexHull other = solid::convex_hull(solid);
+    EXPECT_EQ(static_cast<int>(hull.dimension), other.dimension);
+    EXPECT_EQ(hull.vertices, other.vertices);
+    if (other.dimension < 3) continue;
+    std::set<std::vector<std::uint32_t>> ours, theirs;
+    for (std::size_t f = 0; f < hull.facet_count(); ++f) {
+      const auto here = hull.facet_vertices(f);
+      ours.insert({here.begin(), here.end()});
+    }
+    for (std::size_t f = 0; f + 1 < other.facet_begin.size(); ++f) {
+      std::vector<std::uint32_t> face;
+      for (std::uint32_t at = other.facet_begin[f]; at < other.facet_begin[f + 1]; ++at) {
+        face.push_back(other.vertices[other.facet_vertices[at]]);
+      }
+      std::sort(face.begin(), face.end());
+      theirs.insert(face);
+    }
+    EXPECT_EQ(ours, theirs);
+  }
 }
 
 }  // namespace
