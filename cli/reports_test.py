@@ -33,7 +33,7 @@ NEVER_SEEN = {
 
 # Keys that may be missing, by the object that holds them: "" is the report.
 OPTIONAL = {
-    "": "left_out skipped mended remarks contact said_of distance clearance nearest time cut group layer across_layers count counts "
+    "": "hull left_out skipped mended remarks contact said_of distance clearance nearest time cut group layer across_layers count counts "
         "contact_unknown unit "
         "best contradiction formats",
     "objects[]": "why_hull frame moves moved_about departure groups layers left_out remarks properties box without inputs made_of not_made_of "
@@ -192,6 +192,13 @@ kernel cases/outcomes/mixed.wkt --leave-out --certificate OUT
 kernel cases/outcomes/hourglasses.wkt --skip-invalid
 hull cases/mesh/cube.stl --out OUT.off --certificate OUT
 hull two_points.obj
+hull cases/polytopes/pyramid.csv --out OUT.csv --certificate OUT
+hull cases/polytopes/line.csv
+hull cases/polytopes/place.csv
+hull cases/polytopes/square.csv
+hull cases/polytopes/octahedron.csv
+hull cases/polytopes/box.csv
+hull cases/polytopes/cube.csv --out OUT.obj
 section cases/mesh/cube.obj --plane 1,1,1,1.5 --plane 1,1,0,1 --plane x=0.25 --out OUT.obj --certificate OUT --svg OUT.svg
 section cases/mesh/cube.obj --plane cases/space/tilted.json --plane cases/space/plane.json --certificate OUT
 section cases/mesh/cube.obj --plane cases/space/line.json
@@ -388,7 +395,7 @@ class Reports(unittest.TestCase):
             "pair": {"apart", "meet", "undecided", "error"}, "scene": set_verb | {"undecided"}, "segments": set_verb, "circles": set_verb,
             "boxes": set_verb, "polygons": set_verb,
             "simple": {"valid", "not valid", "simple", "not simple", "error"}, "region": some,
-            "kernel": some, "hull": {"point", "segment", "polygon", "body", "error"}, "section": set_verb,
+            "kernel": some, "hull": {"point", "segment", "polygon", "body", "polytope", "error"}, "section": set_verb,
             "info": {"read", "error"},
             "verify": {"accepted", "refused", "error"}, None: {"error"}})
         self.assertGreater(sum(self.count.values()), 4000)

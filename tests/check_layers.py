@@ -49,7 +49,7 @@ FRONT_DOORS = {"sunder/sunder.h", "sunder/version.h"}
 ORDER = {
     "planar": ["represent", "object", "pair", "sweep", "set", "region"],
     "solid": ["hull", "represent", "object", "pair", "round"],
-    "polytope": ["object", "represent", "pair", "region"],
+    "polytope": ["object", "represent", "pair", "hull", "region"],
     "ask": ["set", "scene", "pair", "region"],
 }
 

@@ -1,10 +1,12 @@
 // sunder hull FILE: the exact convex hull of a mesh or a set of points.
+#include <sunder/ask/hull_polytope.h>
 #include <sunder/ask/objects.h>
 #include <sunder/ask/report.h>
 #include <sunder/ask/verb.h>
 
 #include <sunder/io/file.h>
 #include <sunder/io/mesh_write.h>
+#include <sunder/io/polytopes.h>
 #include <sunder/io/text.h>
 #include <sunder/solid/object/hull_json.h>
 
@@ -20,19 +22,14 @@ namespace sunder::ask {
 
 namespace {
 
-struct Call {
-  std::string file, out, certificate;
-  bool leave_out = false;
-  bool json = false;
-};
-
 std::size_t edge_count(const solid::ConvexPolyhedron& hull) {
   std::size_t ends = 0;
   for (std::uint32_t v = 0; v < hull.vertices().size(); ++v) ends += hull.neighbours(v).size();
   return ends / 2;
 }
 
-int run(const Call& call) {
+int run(const HullCall& call) {
+  if (io::names_polytope(call.file)) return run_polytope_hull(call);
   const io::MeshFormat format = call.out.empty() ? io::MeshFormat::obj : io::mesh_format_of_name(call.out);
   LeftOutList left_out(call.leave_out);
   InputFiles inputs;
@@ -75,16 +72,17 @@ int run(const Call& call) {
 }  // namespace
 
 Verb hull_verb() {
-  const auto call = std::make_shared<Call>();
-  return {"hull",
-          "The exact convex hull of a mesh or a set of points.",
-          codes_of_reports,
-          {{"FILE", &call->file, "a mesh or a set of points: OBJ, STL, PLY, OFF, DAE, glTF, WRL", "", true},
-           {"-o,--out", &call->out, "write the hull here: .obj, .off, .ply or .stl", "FILE"},
-           certificate_option(call->certificate),
-           {"--leave-out", &call->leave_out, leave_out_help},
-           json_option(call->json)},
-          [call] { return run(*call); }};
+  const auto call = std::make_shared<HullCall>();
+  return {
+      "hull",
+      "The exact convex hull of a mesh or a set of points, of up to six dimensions.",
+      codes_of_reports,
+      {{"FILE", &call->file, "a mesh or a set of points: OBJ, STL, PLY, OFF, DAE, glTF, WRL; CSV x1,..,xd", "", true},
+       {"-o,--out", &call->out, "write the hull here: .obj, .off, .ply or .stl; of CSV: .csv", "FILE"},
+       certificate_option(call->certificate),
+       {"--leave-out", &call->leave_out, leave_out_help},
+       json_option(call->json)},
+      [call] { return run(*call); }};
 }
 
 }  // namespace sunder::ask

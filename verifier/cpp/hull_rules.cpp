@@ -152,9 +152,14 @@ class Surface {
 }  // namespace
 
 bool is_between(const Integers& first, const Integers& last, const Integers& point) {
-  const Vector way = minus(last, first), here = minus(point, first), none(3);
-  const Integer along = dot(way, here);
-  return cross(way, here) == none && along >= 0 && along <= dot(way, way) && (way != none || here == none);
+  std::size_t axis = 0;
+  while (axis < first.size() && first[axis] == last[axis]) ++axis;
+  if (axis == first.size()) return point == first;
+  const Integer part = point[axis] - first[axis], whole = last[axis] - first[axis];
+  for (std::size_t c = 0; c < first.size(); ++c) {
+    if ((point[c] - first[c]) * whole != (last[c] - first[c]) * part) return false;
+  }
+  return whole > 0 ? part >= 0 && part <= whole : part <= 0 && part >= whole;
 }
 
 void check_surface(const Claim& claim, const HullBody& body, const std::vector<std::vector<std::size_t>>& faces) {

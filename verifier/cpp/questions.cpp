@@ -26,6 +26,7 @@ struct Said {
   StatedPlane plane;
   std::vector<std::pair<std::size_t, std::size_t>> corners;
   std::vector<std::vector<std::size_t>> faces;
+  std::vector<std::vector<std::vector<std::size_t>>> facets;  // of simplices
   std::vector<std::size_t> outline;
   Numbers objective, point, from_a, to_b;
   AllowedContacts allowed;
@@ -149,6 +150,12 @@ void read_body(const Place& p, Said& said) {
   if (said.body->is_image() || !is_of_points(*said.body)) refuse_form(p.where + ".body is not of points in space");
 }
 
+void read_body_of_any_dimension(const Place& p, Said& said) {
+  said.body = &p.tables.bodies[index_member(p.item, "body", p.tables.bodies.size(), p.where)];
+  const bool is_of_points = said.body->count == said.body->rows().size() && !said.body->is_round();
+  if (said.body->is_image() || !is_of_points) refuse_form(p.where + ".body is not of points in space");
+}
+
 void read_of(const Place& p, Said& said) {
   said.body = &p.tables.bodies[index_member(p.item, "of", p.tables.bodies.size(), p.where)];
   if (!is_of_points(*said.body)) refuse_form(p.where + ".of is not of points in space");
@@ -198,6 +205,29 @@ void read_faces(const Place& p, Said& said) {
 
 void read_outline(const Place& p, Said& said) {
   said.outline = corners_of(p.item["outline"], said.body->rows().size(), p.where + ".outline");
+}
+
+// Lists of simplices, which are lists of corners, all of as many.
+void read_facets(const Place& p, Said& said) {
+  const std::string where = p.where + ".facets";
+  std::size_t size = 0;
+  for (const Json& facet : list_member(p.item, "facets", p.where)) {
+    said.facets.emplace_back();
+    if (!facet.is_array() || facet.empty()) refuse_form(where + " entry is empty, or no list");
+    for (const Json& simplex : facet) {
+      if (!simplex.is_array()) refuse_form(where + " entry entry is not a list");
+      std::vector<std::size_t> corners;
+      for (const Json& entry : simplex) {
+        corners.push_back(read_index(entry, said.body->rows().size(), where + " entry"));
+      }
+      const bool are_different = std::set(corners.begin(), corners.end()).size() == corners.size();
+      if (!are_different || (size != 0 && corners.size() != size))
+        refuse_form(where + " are no simplices of as many corners");
+      size = corners.size();
+      said.facets.back().push_back(std::move(corners));
+    }
+  }
+  if (size < 2 || size > said.body->dimension()) refuse_form(where + " are no simplices of as many corners");
 }
 
 void read_ends_of_body(const Place& p, Said& said) {
@@ -528,6 +558,15 @@ void read_sectors(const Json& item, const Said& said, std::size_t size, const st
   }
 }
 
+// size: of points
+void read_simplices(const Json& item, const Said& said, std::size_t size, const std::string& where, Claim& claim) {
+  std::size_t count = 0;
+  for (const auto& facet : said.facets) count += facet.size();
+  for (const Json& entry : list_for_each(item, "simplices", size, where)) {
+    claim.simplices.push_back(entry.is_null() ? no_index : read_index(entry, count, where + ".simplices entry"));
+  }
+}
+
 void read_along(const Json& item, const Said& said, std::size_t, const std::string& where, Claim& claim) {
   claim.along = index_list(item, "along", most_number + 1, said.corners.size(), where);
 }
@@ -653,6 +692,10 @@ const ClaimNeeded surface{
 const ClaimNeeded outline{
     "outline", {{"sectors", read_sectors}}, of_body, [](const Claim& c, const Said& s, const Tables&) {
       check_outline(c, *s.body, s.outline);
+    }};
+const ClaimNeeded boundary{
+    "boundary", {{"simplices", read_simplices}}, of_body, [](const Claim& c, const Said& s, const Tables&) {
+      check_boundary(c, *s.body, s.facets);
     }};
 const ClaimNeeded between{"between", {}, of_body, [](const Claim&, const Said& s, const Tables&) {
                             check_between(*s.body, s.contact.i, s.contact.j);
@@ -904,6 +947,13 @@ const std::vector<Question> questions{
      {},
      {{"solid", {{"faces", read_faces}}, {&surface}},
       {"flat", {{"outline", read_outline}}, {&outline}},
+      {"segment", {{"i", read_ends_of_body}, {"j", read_nothing}}, {&between}},
+      {"point", {}, {&one_point}}}},
+    {"polytope_hull",
+     "bodies",
+     {{"body", read_body_of_any_dimension}},
+     {},
+     {{"facets", {{"facets", read_facets}}, {&boundary}},
       {"segment", {{"i", read_ends_of_body}, {"j", read_nothing}}, {&between}},
       {"point", {}, {&one_point}}}},
     {"section",

@@ -70,6 +70,7 @@ struct Claim {
   std::array<std::optional<EndOnLine>, 2> ends;
   SweepEvents events;
   std::vector<std::size_t> order, cones, sectors, along;  // of sectors some are no_index
+  std::vector<std::size_t> simplices;                     // likewise
   std::vector<FaceHome> homes;
   std::vector<std::vector<std::size_t>> parts;
   Numbers at;             // of a polytope of half-spaces
@@ -108,6 +109,9 @@ void check_surface(const Claim& claim, const HullBody& body, const std::vector<s
 void check_outline(const Claim& claim, const HullBody& body, const std::vector<std::size_t>& outline);
 void check_between(const HullBody& body, std::size_t i, std::size_t j);
 void check_one_point(const HullBody& body);
+// Facets are lists of simplices, which are lists of corners (boundary_rules.cpp).
+void check_boundary(const Claim& claim, const HullBody& body,
+                    const std::vector<std::vector<std::vector<std::size_t>>>& facets);
 // Is the point on the segment between the other two, or, where these are one, there?
 bool is_between(const Integers& first, const Integers& last, const Integers& point);
 

@@ -37,6 +37,9 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"hull", "flat", "the hull of {a} is a polygon with the corners {outline}"},
     {"hull", "segment", "the hull of {a} is the segment between its points {i} and {j}"},
     {"hull", "point", "the hull of {a} is a point"},
+    {"polytope_hull", "facets", "the hull of {a} has exactly {facets}"},
+    {"polytope_hull", "segment", "the hull of {a} is the segment between its points {i} and {j}"},
+    {"polytope_hull", "point", "the hull of {a} is a point"},
     {"section", "nothing", "the plane {plane} does not meet {a}"},
     {"section", "touching", "the plane {plane} touches {a} at the points {corners}"},
     {"section", "outlined", "the section of {a} by the plane {plane} has the corners {corners}"},
@@ -191,6 +194,14 @@ std::string region_text(const Json& item, const std::string& verdict) {
   return item.contains("sides") && !item["sides"].empty() ? kind + ", of sides " + shown(item["sides"]) : kind;
 }
 
+// Of facets, which are lists of simplices.
+std::string facets_text(const Json& facets) {
+  std::size_t simplices = 0;
+  for (const Json& facet : facets) simplices += facet.size();
+  return std::to_string(facets.size()) + " facets, made of " + std::to_string(simplices) + " simplices of " +
+         std::to_string(facets[0][0].size()) + " corners";
+}
+
 std::string rules_text(const Json& item) {
   std::string text;
   if (item.contains("allowed") && item["allowed"].text() != "nothing")
@@ -214,7 +225,8 @@ std::string sentence_of(const Json& item, const NamedBody& a, const NamedBody& b
   if (verdict == "these" || verdict == "count") return count_text(item, question) + rules_text(item);
   Words words{{"region", region_text(item, verdict)}};
   for (const auto& [name, value] : item.members()) {
-    if (name != "claims" && name != "points") words[std::string(name)] = shown(*value);
+    if (name == "claims" || name == "points") continue;
+    words[std::string(name)] = name == "facets" ? facets_text(*value) : shown(*value);
   }
   if (!a.name.empty()) words["a"] = titled(a);
   if (!b.name.empty()) words["b"] = titled(b);

@@ -78,7 +78,10 @@ def outline(steps, sectors, body, ring):
 def is_between(first, last, point):
     """Is a point on the segment between two others, or, where these are one, there?"""
     way, here = minus(last, first), minus(point, first)
-    return not any(cross(way, here)) and 0 <= dot(way, here) <= dot(way, way) and (any(way) or not any(here))
+    axis = next((c for c, x in enumerate(way) if x), None)
+    if axis is None:
+        return not any(here)
+    return all(way[axis] * y == here[axis] * x for x, y in zip(way, here)) and 0 <= dot(way, here) <= dot(way, way)
 
 
 def between(steps, body, i, j):

@@ -5,7 +5,7 @@ checked by its rule, told what the table binds it to: so a true claim about some
 """
 from functools import partial
 
-from . import arcs, hulls, polygons, polytopes, rules, sections
+from . import arcs, boundaries, hulls, polygons, polytopes, rules, sections
 from .reader import (LIST, MOST_NUMBER, OBJECT, anything, common, double, form, index, list_of, members, number,
                      numbers, row_of)
 from .sentences import sentence
@@ -185,8 +185,22 @@ def is_of_points(body):
 
 def points_alone(value, where, read):
     body = entry("bodies")(value, where, read)
-    form(body.linear is None and is_of_points(body), where + " is not of points in space")
+    is_any = read["question"] == "polytope_hull" and body.count == len(body) and not body.kind
+    form(body.linear is None and (is_any or is_of_points(body)), where + " is not of points in space")
     return body
+
+
+def facets(value, where, read):
+    """Lists of simplices, which are lists of corners, all of as many: two, or up to as many as there are dimensions."""
+    result = list_of(list_of(list_of(subject_index)))(value, where, read)
+    sizes = {len(simplex) if len({*simplex}) == len(simplex) else 0 for facet in result for simplex in facet}
+    form(all(result) and len(sizes) == 1 and 2 <= max(sizes) <= subject(read).dimension,
+         where + " are no simplices of as many corners")
+    return result
+
+
+def home_simplex(value, where, read):
+    return None if value is None else index(value, sum(map(len, read["facets"])), where)
 
 
 def points_placed(value, where, read):
@@ -236,6 +250,7 @@ SAID = {  # what verdicts and claims say
     "rings": members_of("parts.rings", lambda those: len(those) > 1, " is not of two rings or more, each once"),
     "points": list_of(vector, lambda those, read: len(those) == len(read["rings"]), " is not as long as the rings"),
     "faces": list_of(FACE, lambda those, read: those, " is empty"), "homes": for_each(home), "outline": FACE,
+    "facets": facets, "simplices": for_each(home_simplex),
     "sectors": for_each(lambda value, where, read: None if value is None else index_of("outline")(value, where, read)),
     "corners": list_of(corner_of_section, lambda those, read: 0 < len(set(those)) == len(those),
                        " is empty, or names one twice"),
@@ -267,6 +282,7 @@ CLAIMS = {
     "parted_weakly": (partial(rules.parted, is_weak=True), "direction"),
     "surface": (hulls.surface, "homes"),
     "outline": (hulls.outline, "sectors"),
+    "boundary": (boundaries.boundary, "simplices"),
     "outlined": (sections.outlined, "along"),
     "goes_on": (rules.goes_on, "direction"),
     "ends": (rules.ends, "ends"),
@@ -324,6 +340,11 @@ QUESTIONS = {
     "hull": ("bodies", "body", {
         "solid": "surface body faces",
         "flat": "outline body outline",
+        "segment": "between body i j",
+        "point": "one_point body",
+    }),
+    "polytope_hull": ("bodies", "body", {
+        "facets": "boundary body facets",
         "segment": "between body i j",
         "point": "one_point body",
     }),

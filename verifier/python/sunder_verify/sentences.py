@@ -19,6 +19,9 @@ SENTENCES = {  # of the members that a statement has
              "flat": "the hull of {body} is a polygon with the corners {outline}",
              "segment": "the hull of {body} is the segment between its points {i} and {j}",
              "point": "the hull of {body} is a point"},
+    "polytope_hull": {"facets": "the hull of {body} has exactly {facets}",
+                      "segment": "the hull of {body} is the segment between its points {i} and {j}",
+                      "point": "the hull of {body} is a point"},
     "section": {"nothing": "the plane {plane} does not meet {of}",
                 "touching": "the plane {plane} touches {of} at the points {corners}",
                 "outlined": "the section of {of} by the plane {plane} has the corners {corners}"},
@@ -70,6 +73,9 @@ def sentence(item, bodies):
     question, verdict = item["question"], item["verdict"]
     said = {key: shown(value) for key, value in item.items() if key != "claims"}
     said.update({key: (body.title() + " " + in_quotes(body.name)).lstrip() for key, body in bodies.items()})
+    if item.get("facets"):
+        said["facets"] = "%d facets, made of %d simplices of %d corners" % (
+            len(item["facets"]), sum(map(len, item["facets"])), len(item["facets"][0][0]))
     said["region"] = REGIONS.get(verdict, "") + (", of sides " + said["sides"] if item.get("sides") else "")
     if verdict in ("these", "count"):
         count = len(item["contacts"]) if verdict == "these" else item["number"]

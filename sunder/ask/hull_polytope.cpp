@@ -1,0 +1,125 @@
+#include <sunder/ask/hull_polytope.h>
+#include <sunder/ask/objects.h>
+#include <sunder/ask/report.h>
+
+#include <sunder/base/error.h>
+#include <sunder/io/file.h>
+#include <sunder/io/polytopes.h>
+#include <sunder/io/text.h>
+#include <sunder/polytope/hull/convex_hull.h>
+#include <sunder/polytope/hull/hull_claims.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace sunder::ask {
+
+namespace {
+
+using polytope::ConvexHull;
+using polytope::Polytope;
+
+const char* name_of(std::size_t dimension) {
+  return dimension > 3 ? "polytope" : dimension_name(static_cast<int>(dimension));
+}
+
+// A row a1, .., ad, b, so that a is of length 1, about.
+std::vector<double> about_unit(const std::vector<Dyadic>& row) {
+  std::int64_t top = 0;
+  bool found = false;
+  for (std::size_t c = 0; c + 1 < row.size(); ++c) {
+    if (row[c].sign() == Sign::zero) continue;
+    top = found ? std::max(top, row[c].top()) : row[c].top();
+    found = true;
+  }
+  double square = 0;
+  for (std::size_t c = 0; c + 1 < row.size(); ++c) square += std::pow(row[c].scaled(-top).nearest(), 2);
+  const Dyadic length = Dyadic(std::sqrt(square)).scaled(top);
+  std::vector<double> result;
+  for (const Dyadic& x : row) result.push_back(nearest_ratio(x, length));
+  return result;
+}
+
+// A line for each simplex: the facet, and the points.
+std::string table_of(const ConvexHull& hull) {
+  std::string text = "facet";
+  for (std::size_t i = 1; i <= hull.dimension; ++i) text += fmt::format(",v{}", i);
+  text += '\n';
+  for (std::size_t f = 0; f < hull.facet_count(); ++f) {
+    const auto simplices = hull.simplices(f);
+    for (std::size_t k = 0; k < simplices.size(); ++k) {
+      if (k % hull.dimension == 0) text += fmt::format("{}{}", k == 0 ? "" : "\n", f);
+      text += fmt::format(",{}", simplices[k]);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+Json json_of(const Polytope& points, const ConvexHull& hull) {
+  Json facets = Json::array(), equations = Json::array();
+  for (std::size_t f = 0; f < hull.facet_count(); ++f) {
+    const auto vertices = hull.facet_vertices(f);
+    facets.push_back({{"vertices", std::vector<std::uint32_t>(vertices.begin(), vertices.end())},
+                      {"simplices", hull.simplices(f).size() / hull.dimension},
+                      {"half_space_about", about_unit(facet_half_space(hull, points, f))}});
+  }
+  for (const auto& row : flat_equations(hull, points)) equations.push_back(about_unit(row));
+  return {{"dimension", hull.dimension},
+          {"vertices", hull.vertices},
+          {"facets", std::move(facets)},
+          {"equations_about", std::move(equations)}};
+}
+
+}  // namespace
+
+int run_polytope_hull(const HullCall& call) {
+  if (call.leave_out) throw Error(ErrorCode::bad_call, "is not for polytopes; leave it out", "--leave-out");
+  const bool is_table = std::filesystem::path(call.out).extension() == ".csv";
+  if (!call.out.empty() && !is_table) {
+    throw Error(ErrorCode::bad_call, "of a hull of points out of CSV the facets are written as .csv", "--out");
+  }
+  InputFiles inputs;
+  const Polytope points = io::read_polytope(call.file, call.certificate.empty() ? nullptr : &inputs);
+  const std::string file = io::one_line(call.file);
+  if (!points.is_of_points()) {
+    throw Error(ErrorCode::bad_call, "half-spaces; give points, columns x1,..,xd", file);
+  }
+  const ConvexHull hull = convex_hull(points);
+  const std::string name = io::one_line(std::filesystem::path(call.file).stem().string());
+  if (!call.out.empty()) io::write_file_atomically(call.out, table_of(hull));
+  if (!call.certificate.empty()) {
+    write_proof(call.certificate, {inputs, {}}, [&](ClaimsWriter& claims) { write_hull(claims, name, points, hull); });
+  }
+  if (call.json) {
+    Json json = envelope("hull", name_of(hull.dimension));
+    json["objects"].push_back({{"file", file},
+                               {"name", name},
+                               {"format", "CSV"},
+                               {"shape", "points"},
+                               {"dimension", points.dimension()},
+                               {"rows", points.size()}});
+    json["hull"] = json_of(points, hull);
+    json["out"] = call.out.empty() ? Json(nullptr) : Json(call.out);
+    print(to_text(json));
+    return exit_code::no;
+  }
+  std::string text = fmt::format("{}: hull of dimension {}: a {}\n", file, hull.dimension, name_of(hull.dimension));
+  text += fmt::format("  points    {}, of {} numbers\n", points.size(), points.dimension());
+  text += fmt::format("  vertices  {}\n  facets    {}", hull.vertices.size(), hull.facet_count());
+  if (hull.simplex_count() > hull.facet_count()) text += fmt::format(", cut into {} simplices", hull.simplex_count());
+  text += '\n';
+  if (!call.out.empty()) text += fmt::format("  written   {}\n", io::one_line(call.out));
+  if (!call.certificate.empty()) text += fmt::format("  proof     {}\n", io::one_line(call.certificate));
+  print_for_people(text);
+  return exit_code::no;
+}
+
+}  // namespace sunder::ask

@@ -1,0 +1,20 @@
+// The facets and vertices of the hull of points that span their space, of doubles or of fractions: what convex_hull.h
+// and vertices.h have in common.
+#pragma once
+
+#include <sunder/polytope/hull/convex_hull.h>
+#include <sunder/predicate/simplex_plane.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace sunder::polytope {
+
+// Some of the points that span what all of these do, one more than its dimension. Exact.
+std::vector<std::uint32_t> spanning(const PlanePoints& points, const std::vector<std::uint32_t>& among);
+
+// Fills in vertices, facets, simplices and cost (C2 to C4 of ConvexHull), of the points `all`, which span their space.
+// Of equal ones it takes any. Throws as convex_hull().
+void hull_of_full(const PlanePoints& points, std::vector<std::uint32_t> all, std::uint64_t most, ConvexHull& hull);
+
+}  // namespace sunder::polytope

@@ -1,0 +1,132 @@
+#include <sunder/base/contract.h>
+#include <sunder/polytope/hull/full_hull.h>
+#include <sunder/polytope/hull/vertices.h>
+#include <sunder/polytope/pair/phase_one_internal.h>
+#include <sunder/polytope/pair/polytope_polytope.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace sunder::polytope {
+
+namespace {
+
+// What a half-space leaves to the point x / w, times w: b w - a x.
+Dyadic slack(std::span<const double> row, std::span<const Dyadic> point) {
+  const std::size_t d = row.size() - 1;
+  Dyadic sum = Dyadic(row[d]) * point[d];
+  for (std::size_t c = 0; c < d; ++c) {
+    if (row[c] != 0) sum = sum - point[c] * row[c];
+  }
+  return sum;
+}
+
+bool is_inside(const Polytope& half_spaces, std::span<const Dyadic> point) {
+  for (std::uint32_t k = 0; k < half_spaces.size(); ++k) {
+    if (slack(half_spaces.row(k), point).sign() != Sign::positive) return false;
+  }
+  return true;
+}
+
+// The nearest point of doubles, if it is inside too: numbers that are as short make all others short.
+std::vector<Dyadic> rounded_inside(const Polytope& half_spaces, std::vector<Dyadic> point) {
+  std::vector<Dyadic> rounded;
+  for (std::size_t c = 0; c < half_spaces.dimension(); ++c) {
+    const double x = nearest_ratio(point[c], point.back());
+    if (!std::isfinite(x)) return point;
+    rounded.emplace_back(x);
+  }
+  rounded.emplace_back(1.0);
+  return is_inside(half_spaces, rounded) ? rounded : point;
+}
+
+[[noreturn]] void refuse(const char* what) { throw Error(ErrorCode::bad_shape, what); }
+
+}  // namespace
+
+std::vector<Dyadic> point_inside(const Polytope& half_spaces) {
+  SUNDER_REQUIRE(!half_spaces.is_of_points());
+  const std::size_t d = half_spaces.dimension();
+  // Rows: the coordinates, b, and one for the sum of the multipliers, which is 1. Columns: (a, b, 1); and (0, 1, 0).
+  PhaseOne program(d + 2, 1);
+  std::vector<Dyadic> unit(d + 2), column(d + 2);
+  unit[d] = 1.0;
+  column[d + 1] = 1.0;
+  while (!program.is_solved()) {
+    if (program.enter_if_it_pays({1, 0}, unit)) continue;
+    const std::vector<Dyadic> y = program.multipliers();
+    std::optional<std::uint32_t> best;
+    Dyadic greatest;
+    for (std::uint32_t k = 0; k < half_spaces.size(); ++k) {
+      const auto row = half_spaces.row(k);
+      Dyadic price = y[d + 1];
+      for (std::size_t c = 0; c <= d; ++c) {
+        if (row[c] != 0) price = price + y[c] * row[c];
+      }
+      if (price.sign() != Sign::positive || (best && (price - greatest).sign() != Sign::positive)) continue;
+      best = k;
+      greatest = std::move(price);
+    }
+    if (!best) {  // y a + y_b b + y_1 <= 0 for all, y_b <= 0, and y_1 > 0
+      std::vector<Dyadic> point(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(d));
+      point.push_back(-y[d]);
+      return point;
+    }
+    const auto row = half_spaces.row(*best);
+    for (std::size_t c = 0; c <= d; ++c) column[c] = row[c];
+    program.enter_if_it_pays({0, *best}, column);
+  }
+  return {};
+}
+
+PolytopeVertices vertices_of(const Polytope& half_spaces, std::uint64_t most) {
+  constexpr const char* unbounded = "the half-spaces are not bounded; give bounded ones";
+  const std::size_t d = half_spaces.dimension();
+  PolytopeVertices result;
+  result.inside = point_inside(half_spaces);
+  if (result.inside.empty()) {
+    const bool is_empty = !polytope_polytope(half_spaces, Pose(d), half_spaces, Pose(d)).meet();
+    refuse(is_empty ? "the half-spaces have no common point"
+                    : "what the half-spaces have in common lies in a hyperplane");
+  }
+  if (result.inside[d].sign() == Sign::zero) refuse(unbounded);
+  result.inside = rounded_inside(half_spaces, std::move(result.inside));
+  // Seen from the point c = n / w inside, a half-space is a (x - c) <= b - a c = s / w, so its point of the polar is
+  // a w / s. A plane n y = h of the polar, h > 0, is the point c + n / h.
+  const Dyadic& w = result.inside[d];
+  std::vector<Dyadic> polar;
+  for (std::uint32_t k = 0; k < half_spaces.size(); ++k) {
+    const auto row = half_spaces.row(k);
+    for (std::size_t c = 0; c < d; ++c) polar.push_back(w * row[c]);
+    polar.push_back(slack(row, result.inside));
+  }
+  const PlanePoints points(d, std::move(polar));
+  std::vector<std::uint32_t> all(half_spaces.size());
+  std::iota(all.begin(), all.end(), 0u);
+  if (spanning(points, all).size() <= d) refuse(unbounded);
+  ConvexHull hull;
+  hull.space = hull.dimension = d;
+  hull_of_full(points, std::move(all), most, hull);
+  result.side_tests = hull.side_tests;
+  result.exact_tests = hull.exact_tests;
+  result.bounding = hull.vertices;
+  for (std::size_t f = 0; f < hull.facet_count(); ++f) {
+    SimplexCorners corners{};
+    std::copy_n(hull.simplices(f).begin(), d, corners.begin());
+    const std::vector<Dyadic> plane = points.exact_plane(corners);
+    const Dyadic height = -plane[d];
+    if (height.sign() != Sign::positive) refuse(unbounded);
+    std::vector<Dyadic> vertex;
+    for (std::size_t c = 0; c < d; ++c) vertex.push_back(result.inside[c] * height + plane[c] * w);
+    vertex.push_back(w * height);
+    result.vertices.push_back(std::move(vertex));
+    const auto on = hull.facet_vertices(f);
+    result.at.emplace_back(on.begin(), on.end());
+  }
+  return result;
+}
+
+}  // namespace sunder::polytope

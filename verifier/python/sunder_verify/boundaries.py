@@ -1,0 +1,126 @@
+"""What is the convex hull of points of R^d, as facets: docs/claims.md, "Boundaries".
+
+Points are seen from the mean of the corners, and as many times as far from it as there are of these.
+"""
+import itertools
+
+from .reader import require
+from .tables import dot
+
+
+def is_odd(order):
+    """Does it take an odd number of exchanges to sort different numbers?"""
+    return sum(i > j for i, j in itertools.combinations(order, 2)) % 2 == 1
+
+
+def eliminated(rows, columns):
+    """Of independent rows: for each a column, and combinations of them that have in their columns the number that is
+    returned last, and in those of the others 0. Of others None. Only the first columns are chosen from."""
+    rows, pivots, before = [list(row) for row in rows], [], 1
+    for r, row in enumerate(rows):
+        column = next((c for c in range(columns) if row[c]), None)
+        if column is None:
+            return None
+        pivot = row[column]
+        for i, other in enumerate(rows):
+            if i != r:
+                by = other[column]
+                rows[i] = [(pivot * x - by * y) // before for x, y in zip(other, row)]  # exact: Bareiss, Jordan
+        before = pivot
+        pivots.append(column)
+    return pivots, rows, before
+
+
+def flat(points, some):
+    """The columns that tell the others of all points, if these are combinations of some, which are independent."""
+    found = eliminated(some, len(some[0]))
+    require(found, "boundary", "the corners of the first simplex and the mean of all are in a flat")
+    pivots, rows, unit = found
+    others = [c for c in range(len(some[0])) if c not in pivots]
+    for k, p in enumerate(points):
+        is_in = all(unit * p[c] == sum(p[column] * row[c] for column, row in zip(pivots, rows)) for c in others)
+        require(is_in, "boundary", "point %d is not in the flat of the first simplex" % k)
+    return sorted(pivots)
+
+
+def plane(corners):
+    """The normal and the height, which is positive, of the plane of independent points; and on which side it is."""
+    k = len(corners)
+    found = eliminated([(*p, 1) for p in corners], k)
+    if not found:
+        return None
+    pivots, rows, unit = found
+    sign = 1 if unit > 0 else -1
+    normal = [0] * k
+    for column, row in zip(pivots, rows):
+        normal[column] = sign * row[k]
+    return normal, sign * unit, is_odd(pivots) == (unit > 0)
+
+
+def is_in_cone(corners, point):
+    """Is a point a combination of independent ones, with no number less than zero?"""
+    pivots, rows, unit = eliminated(zip(*corners, point), len(corners))
+    return all(row[-1] * unit >= 0 for row in rows)
+
+
+def beside(at, middle):
+    """Of each point the signs of some products that are zero of the middle."""
+    axis = max(range(len(middle)), key=lambda c: abs(middle[c]))
+    rest = [c for c in range(len(middle)) if c != axis]
+    return {k: [p[c] * middle[axis] - p[axis] * middle[c] for c in rest] for k, p in at.items()}
+
+
+def boundary(steps, homes, body, facets):
+    """The facets are those of the hull of a body's points: each a list of simplices, which are lists of points."""
+    simplices = [simplex for facet in facets for simplex in facet]
+    facet_of = [f for f, facet in enumerate(facets) for _ in facet]
+    corners, k = {*itertools.chain(*simplices)}, len(simplices[0])
+    size = k * (body.bits + len(corners).bit_length() + 1) // 2
+    steps.take((len(body) + len(simplices)) * k ** 3, size, size)
+    mean = [sum(axis) for axis in zip(*(body.rows[v] for v in corners))]
+    points = [[len(corners) * x - y for x, y in zip(row, mean)] for row in body.rows]
+    columns = flat(points, [points[v] for v in simplices[0]])
+    points = [[p[c] for c in columns] for p in points]
+    planes, ridges, held = [], {}, [{*itertools.chain(*facet)} for facet in facets]
+    for s, simplex in enumerate(simplices):
+        found = plane([points[v] for v in simplex])
+        require(found and (not planes or found[2] == planes[0][2]), "boundary",
+                "simplex %d is not seen from the mean as the first one is" % s)
+        planes.append(found)
+        normal, height, _ = found
+        if s == 0 or facet_of[s - 1] < facet_of[s]:
+            require(all(dot(normal, points[v]) == height for v in held[facet_of[s]]), "boundary",
+                    "facet %d is not in one plane" % facet_of[s])
+        for i, v in enumerate(simplex):
+            ridge = simplex[:i] + simplex[i + 1:]
+            key = (*sorted(ridge), is_odd(ridge) == (i % 2 == 0))
+            require(key not in ridges, "boundary", "two simplices are on one side of a ridge of simplex %d" % s)
+            ridges[key] = s, v
+    for (*ridge, side), (s, v) in ridges.items():
+        require((*ridge, not side) in ridges, "boundary", "one simplex only is at a ridge of simplex %d" % s)
+        t, w = ridges[(*ridge, not side)]
+        normal, height, _ = planes[s]
+        require(facet_of[s] == facet_of[t] or dot(normal, points[w]) < height, "boundary",
+                "facets %d and %d are not convex at a ridge" % (facet_of[s], facet_of[t]))
+    middle = [sum(axis) for axis in zip(*(points[v] for v in simplices[0]))]
+    signs = beside({v: points[v] for v in corners}, middle)
+    for s, simplex in enumerate(simplices[1:], 1):
+        is_beside = any(all(x > 0 for x in xs) or all(x < 0 for x in xs) for xs in zip(*(signs[v] for v in simplex)))
+        require(is_beside or not is_in_cone([points[v] for v in simplex], middle), "boundary",
+                "simplex %d is in the way of the first" % s)
+    facets_at = {v: [] for v in corners}
+    for f, those in enumerate(held):
+        for v in those:
+            facets_at[v].append(f)
+    for v in sorted(corners):
+        those = sorted((held[f] for f in facets_at[v]), key=len)
+        steps.take(len(those) * len(those[0]), 0, 0)
+        common = set.intersection(*those)
+        require(common == {v}, "boundary", "point %d is between others" % v)
+    for q, home in enumerate(homes):
+        if home is None:
+            require(q in corners, "boundary", "point %d has no home" % q)
+            continue
+        normal, height, _ = planes[home]
+        require(dot(normal, points[q]) <= height and is_in_cone([points[v] for v in simplices[home]], points[q]),
+                "boundary", "point %d is not in its home" % q)
