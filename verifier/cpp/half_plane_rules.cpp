@@ -68,7 +68,7 @@ void check_bounds_only(const Claim& claim, const Tables& tables, const Numbers& 
 }
 
 void check_no_objective(const Numbers& objective) {
-  require(objective[0].n == 0 && objective[1].n == 0, "no_objective", "there is an objective");
+  for (const Number& x : objective) require(x.n == 0, "no_objective", "there is an objective");
 }
 
 void check_contradict(const Claim& claim, const Constraints& given) {

@@ -19,6 +19,10 @@ struct Said {
   StatedMotion motion_a, motion_b;
   Number time;
   const RowBody *polytope_a = nullptr, *polytope_b = nullptr;
+  const RowBody* half_spaces = nullptr;
+  std::size_t dimension = 0;
+  std::vector<Numbers> spanned_by;
+  Numbers as_good;
   Number least;
   AllPairs all_pairs;
   const Proved* proved = nullptr;
@@ -119,7 +123,15 @@ void read_polytope_b(const Place& p, Said& said) {
   }
 }
 
+void read_half_spaces(const Place& p, Said& said) {
+  said.half_spaces = &p.tables.polytopes[index_member(p.item, "half_spaces", p.tables.polytopes.size(), p.where)];
+  if (said.half_spaces->is_of_points || said.half_spaces->is_image()) {
+    refuse_form(p.where + ".half_spaces is not of half-spaces, or placed");
+  }
+}
+
 std::size_t dimension(const Said& said) {
+  if (said.half_spaces != nullptr) return said.half_spaces->dimension;
   if (said.polytope_a != nullptr) return said.polytope_a->dimension;
   return said.a != nullptr ? said.a->dimension() : 2;
 }
@@ -134,6 +146,22 @@ void read_from_a(const Place& p, Said& said) {
 
 void read_to_b(const Place& p, Said& said) {
   said.to_b = read_numbers(list_member(p.item, "to_b", p.where), dimension(said), p.where + ".to_b");
+}
+
+void read_as_good(const Place& p, Said& said) {
+  said.as_good = read_numbers(list_member(p.item, "as_good", p.where), dimension(said), p.where + ".as_good");
+}
+
+void read_dimension(const Place& p, Said& said) {
+  said.dimension = index_member(p.item, "dimension", said.half_spaces->dimension + 1, p.where);
+}
+
+void read_spanned_by(const Place& p, Said& said) {
+  for (const Json& entry : list_member(p.item, "spanned_by", p.where)) {
+    const std::string where = p.where + ".spanned_by entry";
+    require_members(entry, {"point"}, {}, where);
+    said.spanned_by.push_back(read_numbers(list_member(entry, "point", where), dimension(said), where));
+  }
 }
 
 void read_least(const Place& p, Said& said) {
@@ -236,7 +264,8 @@ void read_ends_of_body(const Place& p, Said& said) {
 }
 
 void read_objective(const Place& p, Said& said) {
-  for (const Double& d : read_doubles(list_member(p.item, "objective", p.where), 2, p.where + ".objective")) {
+  const Json& list = list_member(p.item, "objective", p.where);
+  for (const Double& d : read_doubles(list, dimension(said), p.where + ".objective")) {
     said.objective.push_back(number_of(d));
   }
 }
@@ -480,6 +509,11 @@ void read_multipliers(const Json& item, const Said& said, std::size_t, const std
   const RowBody& of = *(said.*body);
   const std::size_t most = of.is_of_points ? 0 : most_multipliers;
   claim.*list = weight_list(item, key, of.given->rows.size(), 0, most, where);
+}
+
+void read_own_multipliers(const Json& item, const Said& said, std::size_t, const std::string& where, Claim& claim) {
+  claim.multipliers =
+      weight_list(item, "multipliers", said.half_spaces->given->rows.size(), 0, most_of_half_spaces, where);
 }
 
 // Of points weights, of half-spaces a place.
@@ -856,6 +890,51 @@ const ClaimNeeded parted_by{
     [](const Said&, const Tables&) { return std::size_t{0}; },
     [](const Claim& c, const Said& s, const Tables&) { check_parted_by(c, *s.polytope_a, *s.polytope_b); }};
 
+// Of half-spaces.
+std::size_t of_half_spaces(const Said& said, const Tables&) { return said.half_spaces->given->rows.size(); }
+template <auto Said::* where>
+const ClaimNeeded half_spaces_keep{
+    "keeps",
+    {{"weights", read_row_weights<&Said::half_spaces>}, {"at", read_place<&Said::half_spaces>}},
+    of_half_spaces,
+    [](const Claim& c, const Said& s, const Tables&) { check_keeps(c, *s.half_spaces, s.*where); }};
+const ClaimNeeded contradicted{
+    "contradicted",
+    {{"multipliers", read_own_multipliers}},
+    of_half_spaces,
+    [](const Claim& c, const Said& s, const Tables&) { check_contradicted(c, *s.half_spaces); }};
+const ClaimNeeded spans{
+    "spans",
+    {{"multipliers", read_own_multipliers}},
+    of_half_spaces,
+    [](const Claim& c, const Said& s, const Tables&) { check_spans(c, *s.half_spaces, s.dimension, s.spanned_by); }};
+const ClaimNeeded enclosed{
+    "enclosed",
+    {{"multipliers", read_own_multipliers}},
+    of_half_spaces,
+    [](const Claim& c, const Said& s, const Tables&) { check_enclosed(c, *s.half_spaces); }};
+const ClaimNeeded recedes{
+    "recedes", {{"direction", read_direction}}, of_half_spaces, [](const Claim& c, const Said& s, const Tables&) {
+      check_recedes(c, *s.half_spaces);
+    }};
+const ClaimNeeded rises{
+    "rises", {{"direction", read_direction}}, of_half_spaces, [](const Claim& c, const Said& s, const Tables&) {
+      check_rises(c, *s.half_spaces, s.objective);
+    }};
+const ClaimNeeded tops{
+    "tops",
+    {{"multipliers", read_own_multipliers}},
+    of_half_spaces,
+    [](const Claim& c, const Said& s, const Tables&) { check_tops(c, *s.half_spaces, s.objective, s.point); }};
+const ClaimNeeded tops_only{
+    "tops_only",
+    {{"multipliers", read_own_multipliers}},
+    of_half_spaces,
+    [](const Claim& c, const Said& s, const Tables&) { check_tops_only(c, *s.half_spaces, s.objective, s.point); }};
+const ClaimNeeded another{"another", {}, of_half_spaces, [](const Claim&, const Said& s, const Tables&) {
+                            check_another(s.objective, s.point, s.as_good);
+                          }};
+
 struct VerdictNeeds {
   const char* name;
   std::vector<MemberReader> says;
@@ -941,6 +1020,24 @@ const std::vector<Question> questions{
      {{"a", read_polytope_a}, {"b", read_polytope_b}},
      {},
      {{"apart", {}, {&parted_by}}, {"meet", {point}, {&keeps<&Said::polytope_a>, &keeps<&Said::polytope_b>}}}},
+    {"half_spaces",
+     "polytopes",
+     {{"half_spaces", read_half_spaces}},
+     {},
+     {{"empty", {}, {&contradicted}},
+      {"bounded", {{"dimension", read_dimension}, {"spanned_by", read_spanned_by}}, {&spans, &enclosed}},
+      {"unbounded", {{"dimension", read_dimension}, {"spanned_by", read_spanned_by}}, {&spans, &recedes}}}},
+    {"half_spaces_program",
+     "polytopes",
+     {{"half_spaces", read_half_spaces}, {"objective", read_objective}},
+     {},
+     {{"one", {point}, {&half_spaces_keep<&Said::point>, &tops_only}},
+      {"many",
+       {point, {"as_good", read_as_good}},
+       {&half_spaces_keep<&Said::point>, &tops, &half_spaces_keep<&Said::as_good>, &another}},
+      {"all", {point}, {&half_spaces_keep<&Said::point>, &no_objective}},
+      {"unbounded", {point}, {&half_spaces_keep<&Said::point>, &rises}},
+      {"infeasible", {}, {&contradicted}}}},
     {"hull",
      "bodies",
      {{"body", read_body}},
@@ -1080,7 +1177,8 @@ ClaimedStatement read_statement(const Json& item, const Tables& tables, const Pr
     if (!said.outline.empty()) result.hull.faces = {said.outline};
     if (result.verdict == "segment") result.hull.faces = {{said.contact.i, said.contact.j}};
   }
-  const bool is_of_polytopes = said.polytope_a != nullptr;
+  if (said.half_spaces != nullptr) result.a = said.half_spaces->name;
+  const bool is_of_polytopes = said.polytope_a != nullptr || said.half_spaces != nullptr;
   result.sentence = is_of_polytopes
                         ? sentence_of(item, {"", result.a}, {"", result.b})
                         : sentence_of(item, named(said.body != nullptr ? said.body : said.a), named(said.b));

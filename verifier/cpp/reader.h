@@ -15,6 +15,7 @@ namespace sunder_verifier {
 
 constexpr std::size_t most_weights = 16;  // of one body or polygon; d + 1 are always enough
 constexpr std::size_t most_multipliers = 64;
+constexpr std::size_t most_of_half_spaces = 256;
 constexpr std::size_t most_name = 4000;  // characters
 
 // A double that is a number: n * 2^e, with n odd or zero.

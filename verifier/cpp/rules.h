@@ -75,6 +75,7 @@ struct Claim {
   std::vector<std::vector<std::size_t>> parts;
   Numbers at;             // of a polytope of half-spaces
   WeightList of_a, of_b;  // multipliers of half-spaces
+  WeightList multipliers;
 };
 
 // What does not count.
@@ -104,6 +105,16 @@ bool is_behind(const char* rule, const HullBody& body, const Integers& direction
 // Of polytopes (polytope_rules.cpp).
 void check_parted_by(const Claim& claim, const RowBody& a, const RowBody& b);
 void check_keeps(const Claim& claim, const RowBody& body, const Numbers& point);
+
+// Of half-spaces, which are not placed (half_space_rules.cpp).
+void check_contradicted(const Claim& claim, const RowBody& given);
+void check_spans(const Claim& claim, const RowBody& given, std::size_t dimension, const std::vector<Numbers>& points);
+void check_enclosed(const Claim& claim, const RowBody& given);
+void check_recedes(const Claim& claim, const RowBody& given);
+void check_rises(const Claim& claim, const RowBody& given, const Numbers& objective);
+void check_tops(const Claim& claim, const RowBody& given, const Numbers& objective, const Numbers& point);
+void check_tops_only(const Claim& claim, const RowBody& given, const Numbers& objective, const Numbers& point);
+void check_another(const Numbers& objective, const Numbers& point, const Numbers& as_good);
 
 void check_surface(const Claim& claim, const HullBody& body, const std::vector<std::vector<std::size_t>>& faces);
 void check_outline(const Claim& claim, const HullBody& body, const std::vector<std::size_t>& outline);

@@ -84,9 +84,13 @@ class RegionQuestion : public FeasibilityQuestion {
   std::size_t corner_count_ = 0;
 };
 
+// By --of, or by the names in the first line of the file.
+bool is_of_half_spaces(const RegionCall& call);
+
 // Each answers about a kind of things; returns the exit code. Throws Error for bad input, also where a polygon is not
 // convex.
 int run_region_half_planes(const RegionCall& call);
+int run_region_half_spaces(const RegionCall& call);
 int run_region_circles(const RegionCall& call);
 int run_region_polygons(const RegionCall& call);
 

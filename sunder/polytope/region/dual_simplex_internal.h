@@ -26,7 +26,8 @@ inline constexpr std::uint32_t first_box_side = 0xffffffc0u;
 
 struct RowBasis {
   std::array<std::uint32_t, most_dimension> rows{};
-  std::uint32_t proposal_probes = 0, steps = 0;
+  std::uint64_t proposal_probes = 0;
+  std::uint32_t steps = 0;
 };
 
 class DualSimplex {

@@ -26,6 +26,7 @@ bool ExactSpan::add(std::span<const Dyadic> vector) {
   for (const Dyadic& x : vector) {
     if (x.sign() != Sign::zero) unit = std::min(unit, x.exponent());
   }
+  if (unit == std::numeric_limits<std::int64_t>::max()) return false;
   std::vector<Integer> numbers(width_);
   for (std::size_t k = 0; k < width_; ++k) {
     if (vector[k].sign() == Sign::zero) continue;

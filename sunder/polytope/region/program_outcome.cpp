@@ -159,4 +159,9 @@ LinearProgramAnswer linear_program(const Polytope& half_spaces, std::span<const 
   return decide_from(half_spaces, doubles_of(objective), basis_by_scans(half_spaces, objective));
 }
 
+LinearProgramAnswer linear_program_by_seidel(const Polytope& half_spaces, std::span<const double> objective) {
+  SUNDER_REQUIRE(!half_spaces.is_of_points() && objective.size() == half_spaces.dimension());
+  return decide_from(half_spaces, doubles_of(objective), basis_by_seidel(half_spaces, objective));
+}
+
 }  // namespace sunder::polytope

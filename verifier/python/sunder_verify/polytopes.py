@@ -1,4 +1,6 @@
 """The rules about polytopes of R^d, of points or of half-spaces: docs/claims.md, "Polytopes"."""
+import math
+
 from .reader import bits, common, length, projective, require
 from .rules import aligned, weighted_sum
 from .tables import dot, products_of
@@ -58,3 +60,98 @@ def parted_by(steps, direction, of_a, of_b, a, b):
     steps.take(16, length(ends), length(ends))
     require(sum(common(ends)[0]) < 0, "parted_by", "%s is not strictly less far along the direction than %s" % (
         a.name, b.name))
+
+
+# ---- Half-spaces: a polytope of these, not placed.
+
+def rank(steps, rows):
+    """How many of these rows of integers are independent."""
+    wide = len(rows[0]) * max(map(bits, rows)) if rows else 0
+    steps.take(len(rows), wide, wide)
+    known = []
+    for row in map(list, rows):
+        for pivot, other in known:
+            if row[pivot]:
+                row = [x * other[pivot] - y * row[pivot] for x, y in zip(row, other)]
+        pivot = next((k for k, x in enumerate(row) if x), None)
+        if pivot is not None:
+            shared = math.gcd(*row)
+            known.append((pivot, [x // shared for x in row]))
+    return len(known)
+
+
+def combined(steps, rule, multipliers, given):
+    """The sum of the rows by multipliers: its normal and its b, which are to be divided by n, times 2^e."""
+    if not multipliers:
+        return [0] * given.dimension, 0, 1, 0
+    (*normal, b), n, e = weighted_sum(steps, multipliers, lambda k: (*given.rows[k], given.exponent), 1, rule,
+                                      "a multiplier is not positive")
+    return normal, b, n, e
+
+
+def normals_of(multipliers, given):
+    return [given.rows[k][:-1] for k, _ in multipliers]
+
+
+def contradicted(steps, multipliers, given):
+    """No point keeps the rows."""
+    normal, b, _, _ = combined(steps, "contradicted", multipliers, given)
+    require(not any(normal) and b < 0, "contradicted", "the combined rows have a common point")
+
+
+def spans(steps, multipliers, given, dimension, points):
+    """The common part has that dimension: that of these points of it, and rows that hold it there have all the rest."""
+    require(len(points) == dimension + 1, "spans", "there are not so many points as the dimension needs")
+    places = [projective(point) for point in points]
+    for point, place in zip(points, places):
+        steps.take(len(given), length(point), given.bits)
+        for k, row in enumerate(given.rows):
+            require(dot(row[:-1], place) <= row[-1] * place[-1], "spans", "half-space %d does not hold a point" % k)
+    require(rank(steps, places) == len(places), "spans", "the points are in a flat of less dimensions")
+    normal, b, _, _ = combined(steps, "spans", multipliers, given)
+    require(not any(normal) and b == 0, "spans", "the combined rows are not zero")
+    require(rank(steps, normals_of(multipliers, given)) + dimension == given.dimension, "spans",
+            "the rows leave more dimensions")
+
+
+def enclosed(steps, multipliers, given):
+    """No direction leads on in all half-spaces."""
+    normal, _, _, _ = combined(steps, "enclosed", multipliers, given)
+    require(not any(normal), "enclosed", "the combined normals are not zero")
+    require(rank(steps, normals_of(multipliers, given)) == given.dimension, "enclosed", "the normals do not span all")
+
+
+def recedes(steps, direction, given, rule="recedes"):
+    """A direction leads on in all half-spaces."""
+    way = common(direction)[0]
+    require(any(way), rule, "there is no direction")
+    steps.take(len(given), bits(way), given.bits)
+    for k, row in enumerate(given.rows):
+        require(dot(way, row) <= 0, rule, "the direction leaves half-space %d" % k)
+
+
+def rises(steps, direction, given, objective):
+    """The same, and it leads further along the objective."""
+    recedes(steps, direction, given, "rises")
+    require(dot(common(objective)[0], common(direction)[0]) > 0, "rises", "the direction does not lead further")
+
+
+def tops(steps, multipliers, given, objective, point, is_only=False):
+    """No common point is further along the objective than the point; nor, if is_only, as far."""
+    rule = "tops_only" if is_only else "tops"
+    normal, b, n, e = combined(steps, rule, multipliers, given)
+    up, _, f = common(objective)
+    require(any(up), rule, "there is no objective")
+    *p, w = projective(point)
+    for m, wanted in [*zip(normal, up), (b * w, dot(up, p))]:
+        m, wanted = aligned(m, e, wanted * n, f)
+        require(m == wanted, rule, "the combined rows do not bound the objective at the point")
+    if is_only:
+        require(rank(steps, normals_of(multipliers, given)) == given.dimension, rule, "the normals do not span all")
+
+
+def another(steps, given, objective, point, as_good):
+    """Another point, as far along the objective."""
+    up, (*p, w), (*q, v) = common(objective)[0], projective(point), projective(as_good)
+    require([x * v for x in p] != [x * w for x in q], "another", "it is the same point")
+    require(dot(up, p) * v == dot(up, q) * w, "another", "it is not as far along the objective")

@@ -13,6 +13,7 @@ from .tables import dot
 
 MOST_WEIGHTS = 16  # of one combination; d + 1 are always enough
 MOST_MULTIPLIERS = 64
+MOST_OF_HALF_SPACES = 256
 ALLOWED = {  # which kinds of contact do not count
     "nothing": (),
     "shared-endpoint": ("shared-endpoint", "touching"),
@@ -113,8 +114,18 @@ def some_contacts(value, where, read):
     return result
 
 
+def half_spaces(value, where, read):
+    given = entry("polytopes")(value, where, read)
+    form(not given.is_of_points and not given.linear, where + " is not of half-spaces, or placed")
+    return given
+
+
+def objective(value, where, read):
+    return numbers(value, read["half_spaces"].dimension if "half_spaces" in read else 2, double, where)
+
+
 def vector(value, where, read):
-    dimensions = {read[key].dimension for key in "ab" if key in read} or {2}
+    dimensions = {read[key].dimension for key in ("a", "b", "half_spaces") if key in read} or {2}
     form(len(dimensions) == 1, where + " is of bodies of different dimensions")
     return numbers(value, dimensions.pop(), number, where)
 
@@ -156,6 +167,14 @@ def some_weights(whose, of_points, most):
         form(len({k for k, _ in result}) == len(result), where + " names something twice")
         return result
     return read_some_weights
+
+
+def multipliers(value, where, read):
+    given = read["half_spaces"]
+    result = list_of(row_of(lambda k, place, _: index(k, len(given), place), number))(value, where, read)
+    form(len(result) <= MOST_OF_HALF_SPACES, "%s has not 0 to %d entries" % (where, MOST_OF_HALF_SPACES))
+    form(len({k for k, _ in result}) == len(result), where + " names something twice")
+    return result
 
 
 def place_in(value, where, read):
@@ -241,7 +260,7 @@ GIVEN = {  # what questions say
     "members": members_of("bodies", lambda those: True, " names one twice"), "except": contacts,
     "body": points_alone, "of": points_placed, "plane": plane, "rule": choice(("valid", "simple", polygons.SELF_TOUCH)),
     "allowed": lambda *told: ALLOWED[choice(ALLOWED)(*told)], "groups": for_each(whole(-MOST_NUMBER)),
-    "least": positive, "objective": lambda value, where, read: numbers(value, 2, double, where),
+    "least": positive, "objective": objective, "half_spaces": half_spaces,
 }
 SAID = {  # what verdicts and claims say
     "i": subject_index, "j": subject_index, "kind": kind, "point": vector, "from_a": vector, "to_b": vector,
@@ -256,7 +275,9 @@ SAID = {  # what verdicts and claims say
                        " is empty, or names one twice"),
     "along": list_of(whole(0), lambda those, read: len(those) == len(read["corners"]), " is not as long as the corners"),
     "of_a": some_weights("a", False, MOST_MULTIPLIERS), "of_b": some_weights("b", False, MOST_MULTIPLIERS),
-    "at": place_in,
+    "at": place_in, "multipliers": multipliers, "as_good": vector, "spanned_by": list_of(
+        lambda value, where, read: members(value, {"point": vector}, where, dict(read))["point"]),
+    "dimension": lambda value, where, read: index(value, read["half_spaces"].dimension + 1, where),
     "time": part_of_time, "direction": vector, "from": vector, "weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
     "ends": list_of(end, lambda those, read: len(those) == 2, " is not a list of 2"),
     "order": list_of(subject_index, lambda those, read: len(set(those)) == len(those) == len(subject(read)),
@@ -277,6 +298,11 @@ CLAIMS = {
     "bounds_only": (partial(rules.bounds, is_only=True), "weights"),
     "keeps": (polytopes.keeps, "weights", "at"),
     "parted_by": (polytopes.parted_by, "direction", "of_a", "of_b"),
+    **{rule.__name__: (rule, "multipliers") for rule in (
+        polytopes.contradicted, polytopes.spans, polytopes.enclosed, polytopes.tops)},
+    "tops_only": (partial(polytopes.tops, is_only=True), "multipliers"),
+    "recedes": (polytopes.recedes, "direction"), "rises": (polytopes.rises, "direction"),
+    "another": (polytopes.another,),
     **{rule.__name__: (rule, "direction") for rule in (rules.parted, rules.parted_all_along, rules.not_before)},
     "clear": (rules.clear, "direction"),
     "parted_weakly": (partial(rules.parted, is_weak=True), "direction"),
@@ -336,6 +362,19 @@ QUESTIONS = {
     "polytopes": ("polytopes", "a b", {
         "apart": "parted_by a b",
         "meet": "keeps a point, keeps b point",
+    }),
+    "half_spaces": ("polytopes", "half_spaces", {
+        "empty": "contradicted half_spaces",
+        "bounded": "spans half_spaces dimension spanned_by, enclosed half_spaces",
+        "unbounded": "spans half_spaces dimension spanned_by, recedes half_spaces",
+    }),
+    "half_spaces_program": ("polytopes", "half_spaces objective", {
+        "one": "keeps half_spaces point, tops_only half_spaces objective point",
+        "many": "keeps half_spaces point, tops half_spaces objective point, keeps half_spaces as_good, "
+                "another half_spaces objective point as_good",
+        "all": "keeps half_spaces point, no_objective half_spaces objective",
+        "unbounded": "keeps half_spaces point, rises half_spaces objective",
+        "infeasible": "contradicted half_spaces",
     }),
     "hull": ("bodies", "body", {
         "solid": "surface body faces",
@@ -414,4 +453,4 @@ def statement(item, where, read):
         shapes = {"claim": anything, **{key: SAID[key] for key in has}}
         brought = members(claim, shapes, place, {**scope, "subject": bound[0]})
         checks.append((rule, [brought.get(key) for key in brings] + [found(scope, key) for key in bound]))
-    return item, sentence(item, {key: scope[key] for key in ("a", "b", "body", "of") if key in item}), checks
+    return item, sentence(item, {key: scope[key] for key in ("a", "b", "body", "of", "half_spaces") if key in item}), checks

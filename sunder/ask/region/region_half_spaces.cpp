@@ -1,0 +1,263 @@
+// sunder region: of half-spaces of two to six dimensions.
+#include <sunder/ask/progress.h>
+#include <sunder/ask/region/region_question.h>
+
+#include <sunder/base/error.h>
+#include <sunder/io/polytopes.h>
+#include <sunder/io/text.h>
+#include <sunder/polytope/region/half_space_region.h>
+#include <sunder/polytope/region/linear_program.h>
+#include <sunder/polytope/region/region_claims.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace sunder::ask {
+
+namespace {
+
+using polytope::ExactEvidence;
+using polytope::HalfSpaceRegion;
+using polytope::LinearProgramAnswer;
+using polytope::Optimum;
+using polytope::Polytope;
+using polytope::RowWeights;
+
+using Method = LinearProgramAnswer(const Polytope&, std::span<const double>);
+constexpr std::array<Named<Method>, 3> methods{{{"automatic", polytope::linear_program},
+                                                {"seidel", polytope::linear_program_by_seidel},
+                                                {"scan", polytope::linear_program_by_scan}}};
+
+Polytope read(const RegionCall& call, Origin& origin) {
+  Progress progress("reading");
+  Polytope polytope = io::read_polytope(call.file, call.proves() ? &origin.inputs : nullptr);
+  if (polytope.is_of_points()) {
+    throw Error(ErrorCode::bad_file,
+                fmt::format("{}: points; give half-spaces, in columns a1, .., ad, b that the first line names",
+                            io::one_line(call.file)));
+  }
+  return polytope;
+}
+
+std::vector<double> objective_of(const std::string& text, std::size_t d) {
+  if (text.empty()) return {};
+  std::vector<double> numbers = parse_numbers(text, "--maximize");
+  if (numbers.size() != d) {
+    throw Error(ErrorCode::bad_call, fmt::format("{}; give {}, one a dimension", count_of(numbers.size(), "number"), d),
+                "--maximize");
+  }
+  return numbers;
+}
+
+// "2 x1 - 3 x3"
+std::string form_text(std::span<const double> numbers) {
+  std::string text;
+  for (std::size_t c = 0; c < numbers.size(); ++c) {
+    if (numbers[c] == 0) continue;
+    const char* const sign = numbers[c] < 0 ? (text.empty() ? "-" : " - ") : (text.empty() ? "" : " + ");
+    text += fmt::format("{}{:.10g} x{}", sign, std::fabs(numbers[c]), c + 1);
+  }
+  return text.empty() ? "0" : text;
+}
+
+std::vector<double> nearest(const std::vector<Dyadic>& numbers, const Dyadic& denominator) {
+  constexpr double most = std::numeric_limits<double>::max();  // JSON has no infinity
+  std::vector<double> result;
+  for (const Dyadic& n : numbers) result.push_back(std::clamp(nearest_ratio(n, denominator), -most, most));
+  return result;
+}
+
+// Its greatest number is about 1.
+std::vector<double> direction_about(const std::vector<Dyadic>& direction) {
+  std::optional<std::int64_t> top;
+  for (const Dyadic& x : direction) {
+    if (x.sign() != Sign::zero) top = top ? std::max(*top, x.top()) : x.top();
+  }
+  std::vector<double> result;
+  for (const Dyadic& x : direction) result.push_back(x.scaled(-top.value_or(0)).nearest());
+  return result;
+}
+
+std::string numbers_text(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double x : numbers) text += fmt::format("{}{:.10g}", text.empty() ? "" : ", ", x);
+  return "(" + text + ")";
+}
+
+std::vector<std::uint32_t> rows_of(const RowWeights& weights) {
+  std::vector<std::uint32_t> rows;
+  for (const RowWeights::Part& part : weights.parts) rows.push_back(part.row);
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
+class HalfSpacesQuestion final : public FeasibilityQuestion {
+ public:
+  static constexpr const char* verb = "region";
+  static constexpr const char* drawn_noun = "half-space";
+
+  explicit HalfSpacesQuestion(const RegionCall& asked)
+      : FeasibilityQuestion(asked),
+        method_(method_by(asked.method, methods, ", for half-spaces")),
+        half_spaces_(read(asked, origin_)),
+        d_(half_spaces_.dimension()),
+        objective_(objective_of(asked.maximize, d_)) {
+    if (objective_.empty() && method_ != polytope::linear_program) {
+      throw Error(ErrorCode::bad_call, "methods of half-spaces are for --maximize; leave it out", "--method");
+    }
+    counted_ = "half-space";
+  }
+
+  static std::uint64_t drawn() { return 0; }
+  static std::string picture() { return ""; }
+
+  void ask() {
+    if (objective_.empty()) {
+      region_ = polytope::half_space_region(half_spaces_);
+      is_empty_ = region_.empty();
+      cost_ = region_.cost;
+      rows_ = rows_of(is_empty_ ? region_.contradiction : region_.flat);
+    } else {
+      best_ = method_(half_spaces_, objective_);
+      is_empty_ = !best_.feasible();
+      cost_ = best_.cost;
+      rows_ = rows_of(best_.multipliers);
+    }
+  }
+
+  std::string certificate() const {
+    return claims_text(origin_, [&](ClaimsWriter& file) {
+      const std::string name = std::filesystem::path(call.file).stem().string();
+      if (objective_.empty()) {
+        add_claims(file, name, half_spaces_, region_);
+      } else {
+        add_claims(file, name, half_spaces_, objective_, best_);
+      }
+    });
+  }
+
+  std::string text() const {
+    const std::string text = fmt::format("{}: {} of dimension {}\n", io::one_line(call.file),
+                                         count_of(half_spaces_.size(), "half-space"), d_);
+    if (is_empty_) {
+      return text + "empty: these contradict each other\n" + rows_text("") +
+             "  certain positive multiples of them add up to 0 <= a negative number\n";
+    }
+    return text + (objective_.empty() ? region_text() : best_text());
+  }
+
+  void add_to(Json& json) const {
+    json["objects"] = Json::array({{{"file", io::one_line(call.file)},
+                                    {"format", "CSV"},
+                                    {"half_spaces", half_spaces_.size()},
+                                    {"dimension", d_}}});
+    if (!objective_.empty()) {
+      json["best"] = {{"objective", objective_}, {"outcome", name_of(best_.outcome)}, {"rows", rows_}};
+      if (best_.feasible()) json["best"]["point"] = point_of(best_.point);
+      return;
+    }
+    Json extents = Json::array(), points = Json::array();
+    for (std::size_t c = 0; c < d_ && !is_empty_; ++c) {
+      const auto number = [](const std::optional<double>& x) {
+        constexpr double most = std::numeric_limits<double>::max();
+        return x ? Json(std::clamp(*x, -most, most)) : Json();
+      };
+      extents.push_back({number(region_.extents[c].least), number(region_.extents[c].greatest)});
+    }
+    for (const ExactEvidence::Place& point : region_.points) points.push_back(point_of(point));
+    json["region"] = {{"kind", name_of(region_.kind)}, {"rows", rows_}, {"points", points}, {"extents", extents}};
+    if (!is_empty_) json["region"]["dimension"] = region_.dimension;
+    if (!region_.direction.empty()) json["region"]["direction_about"] = direction_about(region_.direction);
+  }
+
+ private:
+  static std::vector<double> point_of(const ExactEvidence::Place& place) {
+    return nearest(place.numbers, place.denominator);
+  }
+
+  std::string rows_text(const char* before) const {
+    std::string text;
+    for (const std::uint32_t k : rows_) {
+      const std::span<const double> row = half_spaces_.row(k);
+      text += fmt::format("    {}half-space {}: {} <= {:.10g}\n", before, k, form_text(row.first(d_)), row[d_]);
+    }
+    return text;
+  }
+
+  std::string region_text() const {
+    std::string text = fmt::format("{}, of dimension {}\n", name_of(region_.kind), region_.dimension);
+    if (!rows_.empty()) text += "  all is on the hyperplanes of these:\n" + rows_text("");
+    for (std::size_t c = 0; c < d_; ++c) {
+      const auto& [least, greatest] = region_.extents[c];
+      const std::string from = least ? fmt::format(" from about {:.10g}", *least) : "",
+                        to = greatest ? fmt::format(" to about {:.10g}", *greatest) : "";
+      text += fmt::format("  x{}{}\n", c + 1,
+                          least && greatest ? from + to
+                          : least           ? from + " on"
+                          : greatest        ? " up" + to
+                                            : " takes all values");
+    }
+    if (!region_.direction.empty()) {
+      text += fmt::format("  it goes on for ever along the direction of about {}\n",
+                          numbers_text(direction_about(region_.direction)));
+    }
+    return text;
+  }
+
+  // From the exact point: of rounded coordinates nothing may be left where products cancel. Infinite beyond doubles.
+  double best_value() const {
+    Dyadic sum;
+    for (std::size_t c = 0; c < d_; ++c) sum = sum + Dyadic(objective_[c]) * best_.point.numbers[c];
+    return nearest_ratio(sum, best_.point.denominator);
+  }
+
+  std::string best_text() const {
+    const std::string aim = form_text(objective_);
+    if (best_.outcome == Optimum::unbounded) {
+      return fmt::format("{} is as great as one likes, from {} on along the direction of about {}\n", aim,
+                         numbers_text(point_of(best_.point)), numbers_text(direction_about(best_.direction)));
+    }
+    if (best_.outcome == Optimum::all) {
+      return fmt::format("{} is zero everywhere: every common point is an optimum, such as about {}\n", aim,
+                         numbers_text(point_of(best_.point)));
+    }
+    const double value = best_value();
+    return fmt::format("{} is greatest, {}, {} about {}\n", aim,
+                       std::isfinite(value) ? fmt::format("about {:.10g}", value) : "beyond the range of doubles",
+                       best_.outcome == Optimum::one ? "at" : "at more points than one, such as",
+                       numbers_text(point_of(best_.point))) +
+           rows_text("held by ");
+  }
+
+  Method* method_;
+  Origin origin_;
+  Polytope half_spaces_;
+  std::size_t d_;
+  std::vector<double> objective_;
+  HalfSpaceRegion region_;
+  LinearProgramAnswer best_;
+  std::vector<std::uint32_t> rows_;
+};
+
+}  // namespace
+
+bool is_of_half_spaces(const RegionCall& call) {
+  return call.of == "half-spaces" || (call.of == "half-planes" && io::names_polytope(call.file));
+}
+
+int run_region_half_spaces(const RegionCall& call) {
+  if (!call.svg.empty()) throw Error(ErrorCode::bad_call, "is for the plane; leave it out", "--svg");
+  HalfSpacesQuestion question(call);
+  return answer(question);
+}
+
+}  // namespace sunder::ask

@@ -1,0 +1,190 @@
+#include <sunder/base/contract.h>
+#include <sunder/polytope/region/exact_rank_internal.h>
+#include <sunder/polytope/region/half_space_region.h>
+#include <sunder/polytope/region/program_outcome_internal.h>
+#include <sunder/polytope/region/program_search.h>
+#include <sunder/polytope/region/rows_check_internal.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace sunder::polytope {
+
+namespace {
+
+using Place = ExactEvidence::Place;
+
+// x, .., w: in the span of others iff it is in their affine hull.
+ExactVector homogeneous(const Place& place) {
+  ExactVector result = place.numbers;
+  result.push_back(place.denominator);
+  return result;
+}
+
+// Of two groups whose sums are u and -u: numbers whose sum is zero.
+void add_opposite(RowWeights& to, const RowWeights& first, const RowWeights& second) {
+  for (const auto& [group, other] : {std::pair(&first, &second), {&second, &first}}) {
+    for (const auto& [row, numerator] : group->parts) {
+      const auto found =
+          std::find_if(to.parts.begin(), to.parts.end(), [&](const RowWeights::Part& part) { return part.row == row; });
+      RowWeights::Part& part = found != to.parts.end() ? *found : to.parts.emplace_back(row, Dyadic());
+      part.numerator = part.numerator + numerator * other->denominator;
+    }
+  }
+}
+
+class RegionSearch {
+ public:
+  explicit RegionSearch(const Polytope& body)
+      : body_(body), d_(body.dimension()), points_(d_ + 1), across_(d_) {}
+
+  HalfSpaceRegion find() {
+    region_.kind = RegionKind::bounded;
+    for (std::size_t c = 0; c < d_; ++c) {
+      if (!add_coordinate(c)) return std::move(region_);
+    }
+    while (points_.rank() + across_.rank() < d_ + 1) widen();
+    region_.dimension = points_.rank() - 1;
+    if (region_.kind == RegionKind::unbounded) region_.enclosing = {};
+    return std::move(region_);
+  }
+
+ private:
+  LinearProgramAnswer best_along(const ExactVector& objective) {
+    std::array<double, most_dimension> rounded{};
+    std::int64_t top = 0;
+    for (const Dyadic& x : objective) {
+      if (x.sign() != Sign::zero) top = std::max(top, x.top());
+    }
+    for (std::size_t c = 0; c < d_; ++c) rounded[c] = objective[c].scaled(-top).nearest();
+    LinearProgramAnswer answer =
+        decide_from(body_, objective, basis_by_scans(body_, std::span<const double>(rounded).first(d_)));
+    region_.cost.probes += answer.cost.probes;
+    region_.cost.iterations += answer.cost.iterations;
+    region_.cost.exact += answer.cost.exact;
+    region_.cost.proposals += answer.cost.proposals;
+    return answer;
+  }
+
+  void add_point(const Place& point) {
+    if (points_.add(homogeneous(point))) region_.points.push_back(point);
+  }
+
+  void add_points(const LinearProgramAnswer& answer) {
+    add_point(answer.point);
+    if (answer.outcome == Optimum::many) add_point(answer.other);
+    if (answer.outcome != Optimum::unbounded) return;
+    Place further = answer.point;
+    for (std::size_t c = 0; c < d_; ++c) further.numbers[c] = further.numbers[c] + answer.direction[c];
+    add_point(further);
+    if (region_.kind != RegionKind::unbounded) region_.direction = answer.direction;
+    region_.kind = RegionKind::unbounded;
+  }
+
+  // Some rows hold the direction u where the points are.
+  void add_flat(const LinearProgramAnswer& first, const LinearProgramAnswer& second) {
+    add_opposite(region_.flat, first.multipliers, second.multipliers);
+    for (const RowWeights* const group : {&first.multipliers, &second.multipliers}) {
+      for (const RowWeights::Part& part : group->parts) {
+        const std::span<const double> normal = body_.row(part.row).first(d_);
+        across_.add(ExactVector(normal.begin(), normal.end()));
+      }
+    }
+  }
+
+  // False where there is no common point.
+  bool add_coordinate(std::size_t c) {
+    ExactVector up(d_), down(d_);
+    up[c] = 1.0;
+    down[c] = -1.0;
+    const LinearProgramAnswer greatest = best_along(up);
+    if (!greatest.feasible()) {
+      region_.kind = RegionKind::empty;
+      region_.contradiction = greatest.multipliers;
+      return false;
+    }
+    const LinearProgramAnswer least = best_along(down);
+    add_points(greatest);
+    add_points(least);
+    HalfSpaceRegion::Extent& extent = region_.extents[c];
+    if (greatest.outcome != Optimum::unbounded) {
+      extent.greatest = nearest_ratio(greatest.point.numbers[c], greatest.point.denominator);
+    }
+    if (least.outcome != Optimum::unbounded) {
+      extent.least = nearest_ratio(least.point.numbers[c], least.point.denominator);
+    }
+    if (extent.greatest && extent.least) {
+      if (region_.kind == RegionKind::bounded) add_opposite(region_.enclosing, greatest.multipliers, least.multipliers);
+      if (greatest.point.numbers[c] * least.point.denominator == least.point.numbers[c] * greatest.point.denominator) {
+        add_flat(greatest, least);
+      }
+    }
+    return true;
+  }
+
+  // Across the points that there are, and rows that are known to be flat: further points, or a row.
+  void widen() {
+    ExactSpan known(d_);
+    const Place& first = region_.points.front();
+    for (const Place& point : region_.points) {
+      ExactVector difference(d_);
+      for (std::size_t c = 0; c < d_; ++c) {
+        difference[c] = point.numbers[c] * first.denominator - first.numbers[c] * point.denominator;
+      }
+      known.add(difference);
+    }
+    for (const RowWeights::Part& part : region_.flat.parts) {
+      const std::span<const double> normal = body_.row(part.row).first(d_);
+      known.add(ExactVector(normal.begin(), normal.end()));
+    }
+    const ExactVector along = *known.across();
+    ExactVector back;
+    for (const Dyadic& x : along) back.push_back(-x);
+    const std::size_t rank = points_.rank();
+    const LinearProgramAnswer greatest = best_along(along);
+    add_points(greatest);
+    if (points_.rank() > rank) return;
+    const LinearProgramAnswer least = best_along(back);
+    add_points(least);
+    if (points_.rank() == rank) add_flat(greatest, least);
+  }
+
+  const Polytope& body_;
+  std::size_t d_;
+  HalfSpaceRegion region_;
+  ExactSpan points_, across_;
+};
+
+}  // namespace
+
+std::string_view name_of(RegionKind kind) {
+  switch (kind) {
+    case RegionKind::empty: return "empty";
+    case RegionKind::bounded: return "bounded";
+    case RegionKind::unbounded: return "unbounded";
+  }
+  return "";
+}
+
+HalfSpaceRegion half_space_region(const Polytope& half_spaces) {
+  SUNDER_REQUIRE(!half_spaces.is_of_points());
+  return RegionSearch(half_spaces).find();
+}
+
+bool check(const Polytope& half_spaces, const HalfSpaceRegion& region) {
+  const std::size_t d = half_spaces.dimension();
+  if (region.empty()) return contradicts(half_spaces, region.contradiction);
+  ExactSpan points(d + 1);
+  for (const Place& point : region.points) {
+    if (!keeps(half_spaces, point) || !points.add(homogeneous(point))) return false;
+  }
+  const auto is_zero = [](const Dyadic& x) { return x.sign() == Sign::zero; };
+  const auto flat = sum_of(half_spaces, region.flat);
+  if (!flat || !std::all_of(flat->row.begin(), flat->row.end(), is_zero)) return false;
+  if (points.rank() != region.dimension + 1 || flat->rank + region.dimension != d) return false;
+  if (region.kind == RegionKind::unbounded) return recedes(half_spaces, region.direction);
+  const auto around = sum_of(half_spaces, region.enclosing);
+  return around && around->rank == d && std::all_of(around->row.begin(), around->row.end() - 1, is_zero);
+}
+
+}  // namespace sunder::polytope

@@ -1,0 +1,105 @@
+#include <sunder/polytope/region/region_claims.h>
+
+namespace sunder::polytope {
+
+namespace {
+
+using Place = ExactEvidence::Place;
+
+void begin(ClaimsWriter& file, const std::string& name, const Polytope& half_spaces, const char* question) {
+  file.begin_table("polytopes");
+  file.begin_entry();
+  file.text("name", name.empty() ? "unnamed" : cut_text(name));
+  file.number("dimension", half_spaces.dimension());
+  file.begin_list("half_spaces");
+  for (std::uint32_t k = 0; k < half_spaces.size(); ++k) file.add_row(half_spaces.row(k));
+  file.end_list();
+  file.end_entry();
+  file.end_table();
+  file.begin_statement(question);
+  file.index("half_spaces", 0);
+}
+
+void add_multipliers(ClaimsWriter& file, const char* claim, const RowWeights& multipliers) {
+  file.begin_claim(claim);
+  file.begin_list("multipliers");
+  for (const auto& [row, numerator] : multipliers.parts) file.add_weight(row, numerator, multipliers.denominator);
+  file.end_list();
+  file.end_claim();
+}
+
+void add_keeps(ClaimsWriter& file, const Place& point) {
+  file.begin_claim("keeps");
+  file.begin_list("weights");
+  file.end_list();
+  file.fractions("at", point.numbers, point.denominator);
+  file.end_claim();
+}
+
+void add_direction(ClaimsWriter& file, const char* claim, std::span<const Dyadic> direction) {
+  file.begin_claim(claim);
+  file.numbers("direction", direction);
+  file.end_claim();
+}
+
+}  // namespace
+
+void add_claims(ClaimsWriter& file, const std::string& name, const Polytope& half_spaces,
+                const HalfSpaceRegion& region) {
+  begin(file, name, half_spaces, "half_spaces");
+  file.text("verdict", name_of(region.kind));
+  if (region.empty()) {
+    file.begin_claims();
+    add_multipliers(file, "contradicted", region.contradiction);
+    file.end_statement();
+    return;
+  }
+  file.number("dimension", region.dimension);
+  file.begin_list("spanned_by");
+  for (const Place& point : region.points) {
+    file.begin_entry();
+    file.fractions("point", point.numbers, point.denominator);
+    file.end_entry();
+  }
+  file.end_list();
+  file.begin_claims();
+  add_multipliers(file, "spans", region.flat);
+  if (region.kind == RegionKind::bounded) {
+    add_multipliers(file, "enclosed", region.enclosing);
+  } else {
+    add_direction(file, "recedes", region.direction);
+  }
+  file.end_statement();
+}
+
+void add_claims(ClaimsWriter& file, const std::string& name, const Polytope& half_spaces,
+                std::span<const double> objective, const LinearProgramAnswer& answer) {
+  begin(file, name, half_spaces, "half_spaces_program");
+  file.doubles("objective", objective);
+  file.text("verdict", name_of(answer.outcome));
+  if (!answer.feasible()) {
+    file.begin_claims();
+    add_multipliers(file, "contradicted", answer.multipliers);
+    file.end_statement();
+    return;
+  }
+  const bool is_many = answer.outcome == Optimum::many;
+  file.fractions("point", answer.point.numbers, answer.point.denominator);
+  if (is_many) file.fractions("as_good", answer.other.numbers, answer.other.denominator);
+  file.begin_claims();
+  add_keeps(file, answer.point);
+  switch (answer.outcome) {
+    case Optimum::one: add_multipliers(file, "tops_only", answer.multipliers); break;
+    case Optimum::many:
+      add_multipliers(file, "tops", answer.multipliers);
+      add_keeps(file, answer.other);
+      file.claim("another");
+      break;
+    case Optimum::all: file.claim("no_objective"); break;
+    case Optimum::unbounded: add_direction(file, "rises", answer.direction); break;
+    case Optimum::infeasible: break;
+  }
+  file.end_statement();
+}
+
+}  // namespace sunder::polytope
