@@ -14,15 +14,15 @@
 using sunder::fuzz::require;
 namespace {
 
-// Of pairs, distances, clearances and motions; of sections; of sets; of common parts; of linear programs; of valid
-// polygons; of hulls.
-constexpr std::array<std::string_view, 41> verdicts{
-    "apart",       "meet",       "touching",   "overlapping", "closest",        "none",       "some",
-    "these",       "count",      "empty",      "point",       "segment",        "ray",        "line",
-    "strip",       "half-plane", "unbounded",  "bounded",     "plane",          "region",     "one",
-    "many",        "all",        "infeasible", "valid",       "too_few_points", "edges_meet", "comes_twice",
-    "misplaced",   "circle",     "repeated",   "rings_touch", "kept",           "broken",     "crosses",
-    "falls_apart", "solid",      "flat",       "nothing",     "outlined",       "first"};
+// Of pairs, distances, clearances, depths and motions; of sections; of sets; of common parts; of linear programs; of
+// valid polygons; of hulls.
+constexpr std::array<std::string_view, 43> verdicts{
+    "apart",     "meet",           "touching",   "overlapping", "closest",   "none",   "some",     "these",
+    "count",     "empty",          "point",      "segment",     "ray",       "line",   "strip",    "half-plane",
+    "unbounded", "bounded",        "plane",      "region",      "one",       "many",   "all",      "infeasible",
+    "valid",     "too_few_points", "edges_meet", "comes_twice", "misplaced", "circle", "repeated", "rings_touch",
+    "kept",      "broken",         "crosses",    "falls_apart", "solid",     "flat",   "nothing",  "outlined",
+    "first",     "at_most",        "at_least"};
 
 }  // namespace
 

@@ -148,6 +148,7 @@ void require_at_rest(const PairCall& call, const char* of_what) {
 
 int run_motion_pair(const PairCall& call, const PlacedBody& a, const PlacedBody& b, const PairFiles& files) {
   for (const auto& [is_given, option] : {std::pair(call.distance, "--distance"),
+                                         {call.depth, "--depth"},
                                          {!call.clearance.empty(), "--clearance"},
                                          {call.classify, "--classify"},
                                          {call.method != "automatic", "--method"}}) {

@@ -5,7 +5,7 @@ checked by its rule, told what the table binds it to: so a true claim about some
 """
 from functools import partial
 
-from . import arcs, hulls, polygons, polytopes, rules, sections
+from . import arcs, depths, hulls, polygons, polytopes, rules, sections
 from .reader import (LIST, MOST_NUMBER, OBJECT, anything, common, double, form, index, list_of, members, number,
                      numbers, row_of)
 from .sentences import sentence
@@ -158,6 +158,34 @@ def some_weights(whose, of_points, most):
     return read_some_weights
 
 
+def surface_end(name):
+    """Of a hull the index of a point, or weights; of others the weights, the point and, of an ellipsoid, where it is from."""
+    def read_end(value, where, read):
+        body, told = read[name], {**read, "subject": name}
+        if body.kind in (None, "radius") and type(value) is not dict:
+            return [(index(value, len(body), where), (1, 1, 0))], None, None
+        shapes = {"weights": weights}
+        if body.kind not in (None, "radius"):
+            shapes["point"] = vector
+        if body.kind == "ellipsoid":
+            shapes["from"] = vector
+        end = members(value, shapes, where, told)
+        return end["weights"], end.get("point"), end.get("from")
+    return read_end
+
+
+def bounded(value, where, read):
+    body = entry(read["about"])(value, where, read)
+    form(body.dimension == 3 and body.count == len(body), where + " is not bounded, in space")
+    return body
+
+
+def not_negative(value, where, read):
+    result = double(value, where)
+    form(result[0] >= 0, where + " is negative")
+    return result
+
+
 def place_in(value, where, read):
     """Of a polytope of half-spaces; of others none."""
     body = read[read["subject"]]
@@ -241,7 +269,9 @@ SAID = {  # what verdicts and claims say
                        " is empty, or names one twice"),
     "along": list_of(whole(0), lambda those, read: len(those) == len(read["corners"]), " is not as long as the corners"),
     "of_a": some_weights("a", False, MOST_MULTIPLIERS), "of_b": some_weights("b", False, MOST_MULTIPLIERS),
-    "at": place_in,
+    "at": place_in, "most": not_negative, "least": positive,
+    "differences": list_of(row_of(surface_end("a"), surface_end("b"))),
+    "triangles": list_of(row_of(*3 * [index_of("differences")])),
     "time": part_of_time, "direction": vector, "from": vector, "weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
     "ends": list_of(end, lambda those, read: len(those) == 2, " is not a list of 2"),
     "order": list_of(subject_index, lambda those, read: len(set(those)) == len(those) == len(subject(read)),
@@ -264,6 +294,8 @@ CLAIMS = {
     "parted_by": (polytopes.parted_by, "direction", "of_a", "of_b"),
     **{rule.__name__: (rule, "direction") for rule in (rules.parted, rules.parted_all_along, rules.not_before)},
     "clear": (rules.clear, "direction"),
+    "leaves": (depths.leaves, "direction"),
+    "surrounds": (depths.surrounds, "differences", "triangles"),
     "parted_weakly": (partial(rules.parted, is_weak=True), "direction"),
     "surface": (hulls.surface, "homes"),
     "outline": (hulls.outline, "sectors"),
@@ -307,6 +339,7 @@ QUESTIONS = {
         "kept": "clear a b least",
         "broken": "holds a from_a, holds b to_b, nearer from_a to_b least",
     }),
+    "depth": ("bodies", "a b", {"at_most": "leaves a b most", "at_least": "surrounds a b least"}),
     "motion": ("bodies", "a b to_a to_b", {
         "apart": "parted_all_along a b to_a to_b",
         "meet": "holds_at a to_a time point, holds_at b to_b time point",
