@@ -33,13 +33,14 @@ NEVER_SEEN = {
 
 # Keys that may be missing, by the object that holds them: "" is the report.
 OPTIONAL = {
-    "": "hull left_out skipped mended remarks contact said_of distance clearance nearest time cut group layer across_layers count counts "
+    "": "hull left_out skipped mended remarks contact said_of distance depth clearance nearest time cut group layer across_layers count counts "
         "contact_unknown unit "
         "best contradiction formats",
     "objects[]": "why_hull frame moves moved_about departure groups layers left_out remarks properties box without inputs made_of not_made_of "
                  "proved",
     "objects[].departure": "volume_missing_about volume_of_hull_about",
     "distance": "a b",
+    "depth": "square a b",
     "clearance": "undecided",
     "common": "edge surface nearest furthest point first last",
     "common.first": "along_edge beginning",
@@ -85,6 +86,8 @@ pair cases/mesh/cube.obj cases/mesh/cube.obj --pose-b 2,0,0 --classify --certifi
 pair cases/mesh/cube.obj cases/panda/meshes/collision/link3.stl
 pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,4,5 --distance --clearance 1 --certificate OUT
 pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,0.25,0.125 --distance
+pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 0.25,0,0 --depth --certificate OUT
+pair cases/space/ball.json cases/space/capsule.json --pose-b 1,0,-2 --depth --certificate OUT
 pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,0.25,0.125 --to-b -3,0.25,0 --certificate OUT
 pair cases/mesh/cube.obj cases/mesh/cube.obj --pose-b 3,2,0 --to-b -3,2,0 --to-a 0,1,0
 pair cases/mesh/cube.obj cases/space/ball.json --pose-b=-9,0.25,0.125 --to-b 9,0.25,0 --certificate OUT

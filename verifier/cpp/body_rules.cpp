@@ -109,6 +109,31 @@ int sign_less_roots(const Integer& n, std::int64_t e, const Numbers& roots) {
   return s < u ? -1 : sign_less_roots(s + u - v - w, 4 * s * u, 4 * v * w);
 }
 
+// Is m - sqrt(u) - sqrt(v) not negative? No number under a root is.
+bool covers(const Integer& m, const Integer& u, const Integer& v) {
+  const Integer rest = m * m - u - v;
+  return m >= 0 && rest >= 0 && rest * rest >= 4 * u * v;
+}
+
+// Is m + sqrt(u) - sqrt(v) not negative?
+bool covers_with(const Integer& m, const Integer& u, const Integer& v) {
+  if (m < 0) {  // sqrt(u) against sqrt(m m) + sqrt(v)
+    const Integer rest = u - m * m - v;
+    return rest >= 0 && rest * rest >= 4 * m * m * v;
+  }
+  const Integer rest = v - m * m - u;  // sqrt(v) against sqrt(m m) + sqrt(u)
+  return rest <= 0 || 4 * m * m * u >= rest * rest;
+}
+
+// Is n * 2^e + sqrt(most) - sqrt(u) - sqrt(v) not negative?
+bool covers_with(const Integer& n, std::int64_t e, const Number& most, const Number& u, const Number& v) {
+  const Integers all = common({{n * n, 1, 2 * e}, most, u, v}).integers;
+  const Integer &s = all[0], &w = all[1], &x = all[2], &y = all[3];
+  // sqrt(s) + sqrt(w), or sqrt(w) - sqrt(s), against sqrt(x) + sqrt(y): if none is negative, as their squares do.
+  if (n < 0) return w >= s && covers(s + w - x - y, 4 * s * w, 4 * x * y);
+  return covers_with(s + w - x - y, 4 * s * w, 4 * x * y);
+}
+
 // The sign of how much further B begins along the direction than A ends, less a length, which is in units of that of
 // the direction; and whether both are flat.
 struct Parting {
@@ -289,6 +314,23 @@ void check_nearer(const Numbers& from_a, const Numbers& to_b, const Number& leas
   const Integers p = projective(from_a), q = projective(to_b), way = way_between(p, q);
   const Integer limit = least.n * p.back() * q.back();
   require(compare(dot(way, way), 0, limit * limit, 2 * least.e) < 0, "nearer", "the points are as far apart");
+}
+
+void check_leaves(const Claim& claim, const HullBody& a, const HullBody& b, const Number& most) {
+  const Integers direction = common(claim.direction).integers;
+  const Reach of_a = reach("leaves", a, direction), of_b = reach("leaves", b, opposite(direction));
+  const Number length_of{most.n * most.n * dot(direction, direction), 1, 2 * most.e};
+  bool leaves = std::any_of(direction.begin(), direction.end(), [](const Integer& n) { return n != 0; });
+  for (const Furthest& last : of_a.furthest) {
+    for (const Furthest& first : of_b.furthest) {
+      const std::size_t size = bits(direction) + a.size() + b.size() + length({most});
+      take_steps(16, size, size);
+      const std::int64_t e = std::min(last.e, first.e);
+      const Integer gap = -shifted(first.n, first.e - e) - shifted(last.n, last.e - e);
+      leaves = leaves && covers_with(gap, e, length_of, last.spread, first.spread);
+    }
+  }
+  require(leaves, "leaves", "along the direction they are deeper in each other");
 }
 
 void check_inside(const Claim& claim, const HullBody& body, const Numbers& point) {

@@ -169,6 +169,23 @@ void read_least(const Place& p, Said& said) {
   if (said.least.n <= 0) refuse_form(p.where + ".least is not positive");
 }
 
+void read_most(const Place& p, Said& said) {
+  said.least = number_of(read_double(p.item["most"], p.where + ".most"));
+  if (said.least.n < 0) refuse_form(p.where + ".most is negative");
+}
+
+void read_solid_a(const Place& p, Said& said) {
+  read_a(p, said);
+  if (said.a->dimension() != 3 || said.a->count != said.a->rows().size()) {
+    refuse_form(p.where + ".a is not bounded, in space");
+  }
+}
+
+void read_solid_b(const Place& p, Said& said) {
+  read_b(p, said);
+  if (said.b->count != said.b->rows().size()) refuse_form(p.where + ".b is not bounded, in space");
+}
+
 bool is_of_points(const HullBody& body) {
   return body.count == body.rows().size() && body.dimension() == 3 && !body.is_round();
 }
@@ -529,6 +546,45 @@ void read_place(const Json& item, const Said& said, std::size_t, const std::stri
   claim.at = read_numbers(list_member(item, "at", where), count, where + ".at");
 }
 
+// Of a hull the index of a point, or weights; of others the weights, the point and, of an ellipsoid, where it is from.
+SurfaceEnd read_surface_end(const Json& value, const HullBody& body, const std::string& where) {
+  SurfaceEnd end;
+  const std::size_t size = body.rows().size();
+  if (body.around != Around::nothing && body.around != Around::hull) {
+    const bool has_from = body.around == Around::ellipsoid;
+    require_members(
+        value,
+        has_from ? std::vector<std::string>{"point", "weights", "from"} : std::vector<std::string>{"point", "weights"},
+        {}, where);
+    end.weights = weight_list(value, "weights", size, 1, most_weights, where);
+    end.point = read_numbers(list_member(value, "point", where), 3, where + ".point");
+    if (has_from) end.from = read_numbers(list_member(value, "from", where), 3, where + ".from");
+  } else if (value.is_object()) {
+    require_members(value, {"weights"}, {}, where);
+    end.weights = weight_list(value, "weights", size, 1, most_weights, where);
+  } else {
+    end.weights = {{read_index(value, size, where)}, {{1, 1, 0}}};
+  }
+  return end;
+}
+
+void read_differences(const Json& item, const Said& said, std::size_t, const std::string& where, Claim& claim) {
+  const std::string of = where + ".differences entry";
+  for (const Json& entry : list_member(item, "differences", where)) {
+    if (!entry.is_array() || entry.size() != 2) refuse_form(of + " is not a list of 2");
+    claim.corners.push_back({read_surface_end(entry[0], *said.a, of), read_surface_end(entry[1], *said.b, of)});
+  }
+}
+
+void read_triangles(const Json& item, const Said&, std::size_t, const std::string& where, Claim& claim) {
+  const std::string of = where + ".triangles entry";
+  for (const Json& entry : list_member(item, "triangles", where)) {
+    if (!entry.is_array() || entry.size() != 3) refuse_form(of + " is not a list of 3");
+    const auto corner = [&](std::size_t k) { return read_index(entry[k], claim.corners.size(), of); };
+    claim.triangles.push_back({corner(0), corner(1), corner(2)});
+  }
+}
+
 void read_ends(const Json& item, const Said&, std::size_t size, const std::string& where, Claim& claim) {
   const Json& list = list_member(item, "ends", where);
   if (list.size() != 2) refuse_form(where + ".ends is not a list of 2");
@@ -692,6 +748,15 @@ const ClaimNeeded clear{
     }};
 const ClaimNeeded nearer{
     "nearer", {}, of_a, [](const Claim&, const Said& s, const Tables&) { check_nearer(s.from_a, s.to_b, s.least); }};
+const ClaimNeeded leaves{
+    "leaves", {{"direction", read_direction}}, of_a, [](const Claim& c, const Said& s, const Tables&) {
+      check_leaves(c, *s.a, *s.b, s.least);
+    }};
+const ClaimNeeded surrounds{
+    "surrounds",
+    {{"differences", read_differences}, {"triangles", read_triangles}},
+    of_a,
+    [](const Claim& c, const Said& s, const Tables&) { check_surrounds(c, *s.a, *s.b, s.least); }};
 const ClaimNeeded parted_all_along{
     "parted_all_along", {{"direction", read_direction}}, of_a, [](const Claim& c, const Said& s, const Tables&) {
       check_parted_all_along(c, s.motion_a, s.motion_b);
@@ -995,6 +1060,11 @@ const std::vector<Question> questions{
      {},
      {{"kept", {}, {&clear}},
       {"broken", {{"from_a", read_from_a}, {"to_b", read_to_b}}, {&a_holds_from_a, &b_holds_to_b, &nearer}}}},
+    {"depth",
+     "bodies",
+     {{"a", read_solid_a}, {"b", read_solid_b}},
+     {},
+     {{"at_most", {{"most", read_most}}, {&leaves}}, {"at_least", {{"least", read_least}}, {&surrounds}}}},
     {"motion",
      "bodies",
      {{"a", read_a},

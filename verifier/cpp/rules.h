@@ -62,6 +62,18 @@ struct EndOnLine {
   std::size_t side = 0;
 };
 
+// A point of a body: of a hull, with a radius or without, one of its core, which the weights make; of others any, which
+// the body holds by them.
+struct SurfaceEnd {
+  WeightList weights;
+  Numbers point, from;  // not of a hull; from: of an ellipsoid only
+};
+
+// A point of A less one of B.
+struct SurfaceCorner {
+  SurfaceEnd of_a, of_b;
+};
+
 // What a claim brings; the rest is empty.
 struct Claim {
   Numbers direction;
@@ -76,6 +88,8 @@ struct Claim {
   Numbers at;             // of a polytope of half-spaces
   WeightList of_a, of_b;  // multipliers of half-spaces
   WeightList multipliers;
+  std::vector<SurfaceCorner> corners;
+  std::vector<std::array<std::size_t, 3>> triangles;
 };
 
 // What does not count.
@@ -90,6 +104,10 @@ void check_slab(const HullBody& a, const HullBody& b, const Numbers& from_a, con
 void check_clear(const Claim& claim, const HullBody& a, const HullBody& b, const Number& least);
 void check_nearer(const Numbers& from_a, const Numbers& to_b, const Number& least);
 void check_inside(const Claim& claim, const HullBody& body, const Numbers& point);
+
+// How deep bodies are in each other (check_surrounds: depth_rules.cpp).
+void check_leaves(const Claim& claim, const HullBody& a, const HullBody& b, const Number& most);
+void check_surrounds(const Claim& claim, const HullBody& a, const HullBody& b, const Number& least);
 
 // Of bodies that move straight to another place (motion_rules.cpp).
 struct StatedMotion {

@@ -26,6 +26,8 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"distance", "closest", "{a} and {b} are closest at {from_a} and {to_b}"},
     {"clearance", "kept", "{a} and {b} are {least} apart, or more"},
     {"clearance", "broken", "{a} and {b} are nearer than {least}, at {from_a} and {to_b}"},
+    {"depth", "at_most", "{a} moved by {most}, in a direction, does not overlap {b}"},
+    {"depth", "at_least", "{a} moved by {least}, in any direction, meets {b}"},
     {"clearances", "kept", "all pairs of bodies are {least} apart, or more"},
     {"clearances", "broken", "exactly these pairs of bodies are nearer than {least}: {nearer}"},
     {"motion", "apart", "{a} and {b} are apart all along their ways"},

@@ -153,6 +153,7 @@ void require_at_rest(const PairCall& call, const char* of_what) {
 
 void require_motion_alone(const PairCall& call) {
   for (const auto& [is_given, option] : {std::pair(call.distance, "--distance"),
+                                         {call.depth, "--depth"},
                                          {!call.clearance.empty(), "--clearance"},
                                          {call.classify, "--classify"},
                                          {call.method != "automatic", "--method"}}) {

@@ -31,6 +31,7 @@ struct PairCall : QuestionCall {
   PairSide a{"a", {}, {}, {}, {}}, b{"b", {}, {}, {}, {}};
   bool classify = false;
   bool distance = false;
+  bool depth = false;               // of bodies of space that are bounded
   std::string clearance;            // a number: is one that far from the other? Empty: it is not asked
   bool mend = false, hull = false;  // planar: what to do with vertices that are not those of a convex polygon
   bool drop_z = false;
@@ -117,6 +118,9 @@ class PairQuestion {
   Cost cost_;
   std::vector<Fact> facts_;
 };
+
+// Throws Error bad_call where the depth is asked for.
+void require_no_depth(const PairCall& call, const char* of_what);
 
 // The clearance that is asked about; 0: none. Throws Error bad_call for what is no number above zero.
 double least_clearance(const PairCall& call);

@@ -2,6 +2,7 @@
 #include <sunder/ask/pair/pair_space.h>
 
 #include <sunder/solid/round/round_claims.h>
+#include <sunder/solid/round/round_depth.h>
 #include <sunder/solid/round/round_distance.h>
 
 #include <fmt/format.h>
@@ -72,6 +73,11 @@ class RoundPair : public PairQuestion {
     }
     const char* of_hulls = is_hull && !meet_ ? " (of the hulls)" : "";
     if (call.distance) facts_.push_back(distance(of_hulls));
+    if (call.depth && meet_) {
+      depth_ = round_depth(placed_a_, placed_b_);
+      facts_.push_back(
+          {"depth", depth_report(depth_.depth, *depth_.direction), depth_told(depth_.depth, *depth_.direction)});
+    }
     if (least_ == 0) return;
     facts_.push_back(clearance(least_, clearance_.kept(), distance_.distance.high));
     Fact& fact = facts_.back();
@@ -92,6 +98,7 @@ class RoundPair : public PairQuestion {
       const std::uint32_t a = add_round(pairs, a_.name, placed_a_), b = add_round(pairs, b_.name, placed_b_);
       add_claims(pairs, a, placed_a_, b, placed_b_, answer_.evidence, found_);
       if (call.distance && !distance_.meet()) solid::add_claims(pairs, a, b, distance_);
+      if (call.depth) add_depth(file, a, b, depth_);
       if (least_ > 0) solid::add_claims(pairs, a, b, least_, clearance_);
     });
   }
@@ -135,6 +142,7 @@ class RoundPair : public PairQuestion {
   solid::RoundAnswer answer_;
   solid::RoundContact found_;
   solid::RoundDistance distance_;
+  solid::RoundDepth depth_;
   solid::RoundClearance clearance_;
 };
 

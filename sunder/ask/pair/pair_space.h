@@ -97,6 +97,10 @@ void require_motion_alone(const PairCall& call);
 // Throws Error where one of these options is given.
 void require_at_rest(const PairCall& call, const char* of_what);
 
+// A depth between these ends, and the direction that A is moved along, to people and in a report.
+std::string depth_told(const Interval& depth, const WorldDirection& from_a_to_b);
+Json depth_report(const Interval& depth, const WorldDirection& from_a_to_b);
+
 // A body and a plane, a body and a line or ray.
 int run_plane_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& plane, bool body_is_a,
                    const PairFiles& files);

@@ -8,6 +8,7 @@
 #include <sunder/base/error.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/polyhedron_polygon.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_depth.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -75,6 +77,10 @@ class SolidPair : public PairQuestion {
     const auto cut = is_of_a ? segment_told(of_b_, "B", of_a_) : segment_told(of_a_, "A", of_b_);
     if (cut) facts_.push_back({"cut", cut->json, cut->text});
     if (call.distance) facts_.push_back({"distance", distance_json(), distance_text() + of_hulls});
+    if (call.depth && meet_) {
+      depth_ = solid::polyhedron_polyhedron_depth(a, of_a_.pose, b, of_b_.pose);
+      facts_.push_back({"depth", depth_json(), depth_text()});
+    }
     if (least_ == 0) return;
     facts_.push_back(clearance(least_, is_kept_, distance_.distance().high));
     if (!is_kept_) facts_.back().text += of_hulls;
@@ -82,13 +88,18 @@ class SolidPair : public PairQuestion {
   bool yes() const { return least_ > 0 ? !is_kept_ : meet_; }
 
   std::string certificate() const {
-    return certificate_of(
-        PairClaims::Space::solid, a_, b_, [this](PairClaims& pairs, std::uint32_t a, std::uint32_t b) {
-          const solid::ClaimedPair pair{a, b, of_a_.mesh.hull, of_a_.pose, of_b_.mesh.hull, of_b_.pose};
-          add_claims(pairs, pair, answer_.certificate(), contact_);
-          if (call.distance) add_distance(pairs, pair, distance_);
-          if (least_ > 0) add_clearance(pairs, pair, distance_, least_);
-        });
+    return claims_text({files_.read, files_.left_out.texts()}, [this](ClaimsWriter& file) {
+      PairClaims pairs(file);
+      const auto add = [&](const PairObject& object) {
+        return pairs.add_placed(object.name, pairs.add_body(object.name, object.vertices), object.pose);
+      };
+      const std::uint32_t a = add(a_), b = add(b_);
+      const solid::ClaimedPair pair{a, b, of_a_.mesh.hull, of_a_.pose, of_b_.mesh.hull, of_b_.pose};
+      add_claims(pairs, pair, answer_.certificate(), contact_);
+      if (call.distance) add_distance(pairs, pair, distance_);
+      if (call.depth) add_depth(file, a, b, depth_);
+      if (least_ > 0) add_clearance(pairs, pair, distance_, least_);
+    });
   }
 
  private:
@@ -113,11 +124,33 @@ class SolidPair : public PairQuestion {
     return json;
   }
 
+  // Of A and of B, at the nearest facet of their difference; none where that is flat.
+  std::optional<std::array<SurfacePart, 2>> deepest() const {
+    const auto& [a, b] = depth_.features;
+    if (a.empty()) return std::nullopt;
+    return std::array{SurfacePart{of_a_.mesh.hull, a}, SurfacePart{of_b_.mesh.hull, b}};
+  }
+  std::string depth_text() const {
+    const auto parts = deepest();
+    return depth_told(depth_.depth, *depth_.direction) +
+           (parts ? fmt::format(", {} against {}", (*parts)[0].text("A"), (*parts)[1].text("B")) : "");
+  }
+  Json depth_json() const {
+    Json json = depth_report(depth_.depth, *depth_.direction);
+    if (depth_.is_exact) json["square"] = fraction_text(depth_.squared[0], depth_.squared[1]);
+    if (const auto parts = deepest()) {
+      json["a"] = (*parts)[0].json();
+      json["b"] = (*parts)[1].json();
+    }
+    return json;
+  }
+
   PairMethod method_;
   const PlacedBody &of_a_, &of_b_;
   double least_;  // the clearance that is asked about; 0: none
   solid::PairAnswer answer_;
   solid::PolyhedronDistance distance_;
+  solid::PolyhedronDepth depth_;
   bool is_kept_ = false;
 };
 
@@ -139,6 +172,7 @@ PairMethod solid_method(const PairCall& call, const PlacedBody& a, const PlacedB
 int run(const PairCall& call) {
   if (are_polytopes(call)) {
     require_at_rest(call, "polytopes");
+    require_no_depth(call, "polytopes");
     return run_polytope_pair(call);
   }
   const bool space_a = is_space_input(call, call.a.file), space_b = is_space_input(call, call.b.file);
@@ -159,6 +193,7 @@ int run(const PairCall& call) {
       throw Error(ErrorCode::bad_call, "polygons are always required to be convex; leave it out", "--require-convex");
     }
     require_at_rest(call, "planar objects");
+    require_no_depth(call, "planar objects");
     return run_planar_pair(call);
   }
   for (const auto& [is_given, option] : {std::pair(!call.svg.empty(), "--svg"),
@@ -183,7 +218,10 @@ int run(const PairCall& call) {
   const bool is_motion = !call.a.to.empty() || !call.b.to.empty();
   if (is_motion && (a.round || b.round)) return run_round_motion_pair(call, a, b, files);
   if (a.round || b.round) return run_round_pair(call, a, b, files);
-  if (a.flat || b.flat) return run_flat_pair(call, a, b, files);
+  if (a.flat || b.flat) {
+    require_no_depth(call, "lines, rays and planes");
+    return run_flat_pair(call, a, b, files);
+  }
   if (is_motion) return run_motion_pair(call, *a.bounded, *b.bounded, files);
   SolidPair question(call, solid_method(call, *a.bounded, *b.bounded), *a.bounded, *b.bounded, files);
   return answer(question);
@@ -226,6 +264,8 @@ Verb pair_verb() {
        certificate_option(call->certificate),
        json_option(call->json),
        {"--distance", &call->distance, "both bounded: tell exactly how far apart they are, and the closest features"},
+       {"--depth", &call->depth,
+        "bounded, of space, and they meet: tell how far A has to be moved until they do not overlap, and which way"},
        {"--clearance", &call->clearance, "both bounded: are they so far apart, or further? If not, the exit code is 1",
         "NUMBER"},
        {"--feature-a", &call->a.feature, "planar: which object of the file A is", "NAME"},

@@ -5,6 +5,7 @@
 // far than q, for all x of A and y of B d (y - x) >= d (q - p) = |d|^2: so none are nearer to each other.
 #include <sunder/base/contract.h>
 #include <sunder/number/estimate.h>
+#include <sunder/number/root.h>
 #include <sunder/solid/pair/extreme_vertex.h>
 #include <sunder/solid/pair/gjk_search.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
@@ -12,7 +13,6 @@
 #include <sunder/solid/represent/search_graph_walk.h>
 
 #include <cmath>
-#include <limits>
 
 namespace sunder::solid {
 
@@ -160,39 +160,6 @@ bool propose(const Placed& a, const Placed& b, std::uint32_t from_a, std::uint32
 struct EstimateStage {
   static Estimate read(double x) { return x; }
 };
-
-// The doubles next to the root of numerator / denominator, both positive.
-Interval root(const Dyadic& numerator, const Dyadic& denominator) {
-  std::int64_t shift = numerator.top() - denominator.top();
-  shift -= shift & 1;
-  constexpr double largest = std::numeric_limits<double>::max(), infinity = std::numeric_limits<double>::infinity();
-  const int power = static_cast<int>(std::clamp<std::int64_t>(shift / 2, -2000, 2000));
-  double low = std::min(std::ldexp(std::sqrt(nearest_ratio(numerator.scaled(-shift), denominator)), power), largest);
-  const auto compared = [&](double x) {
-    const Dyadic exact(x);
-    return (exact * exact * denominator - numerator).sign();
-  };
-  while (compared(low) == Sign::positive) low = std::nextafter(low, 0.0);
-  while (low < largest && compared(std::nextafter(low, infinity)) != Sign::positive)
-    low = std::nextafter(low, infinity);
-  return {low, compared(low) == Sign::zero ? low : std::nextafter(low, infinity)};
-}
-
-// The same of estimates, where they are sure. Never of a root that is a double.
-std::optional<Interval> sure_root(const Estimate& numerator, const Estimate& denominator) {
-  const double root = std::sqrt(numerator.value.high / denominator.value.high);
-  if (!(root > 0 && root < 0x1p1000)) return std::nullopt;
-  const auto compared = [&](double x) { return sign(Estimate(x) * Estimate(x) * denominator - numerator); };
-  double low = root, high = root;
-  switch (compared(root)) {
-    case Guess::negative: high = std::nextafter(root, HUGE_VAL); break;
-    case Guess::positive: low = std::nextafter(root, 0.0); break;
-    default: return std::nullopt;
-  }
-  // Is it between them?
-  if (compared(low) != Guess::negative || compared(high) != Guess::positive) return std::nullopt;
-  return Interval{low, high};
-}
 
 }  // namespace
 

@@ -5,7 +5,7 @@ checked by its rule, told what the table binds it to: so a true claim about some
 """
 from functools import partial
 
-from . import arcs, boundaries, hulls, polygons, polytopes, rules, sections
+from . import arcs, boundaries, depths, hulls, polygons, polytopes, rules, sections
 from .reader import (LIST, MOST_NUMBER, OBJECT, anything, common, double, form, index, list_of, members, number,
                      numbers, row_of)
 from .sentences import sentence
@@ -177,6 +177,34 @@ def multipliers(value, where, read):
     return result
 
 
+def surface_end(name):
+    """Of a hull the index of a point, or weights; of others the weights, the point and, of an ellipsoid, where it is from."""
+    def read_end(value, where, read):
+        body, told = read[name], {**read, "subject": name}
+        if body.kind in (None, "radius") and type(value) is not dict:
+            return [(index(value, len(body), where), (1, 1, 0))], None, None
+        shapes = {"weights": weights}
+        if body.kind not in (None, "radius"):
+            shapes["point"] = vector
+        if body.kind == "ellipsoid":
+            shapes["from"] = vector
+        end = members(value, shapes, where, told)
+        return end["weights"], end.get("point"), end.get("from")
+    return read_end
+
+
+def bounded(value, where, read):
+    body = entry(read["about"])(value, where, read)
+    form(body.dimension == 3 and body.count == len(body), where + " is not bounded, in space")
+    return body
+
+
+def not_negative(value, where, read):
+    result = double(value, where)
+    form(result[0] >= 0, where + " is negative")
+    return result
+
+
 def place_in(value, where, read):
     """Of a polytope of half-spaces; of others none."""
     body = read[read["subject"]]
@@ -278,6 +306,9 @@ SAID = {  # what verdicts and claims say
     "at": place_in, "multipliers": multipliers, "as_good": vector, "spanned_by": list_of(
         lambda value, where, read: members(value, {"point": vector}, where, dict(read))["point"]),
     "dimension": lambda value, where, read: index(value, read["half_spaces"].dimension + 1, where),
+    "at": place_in, "most": not_negative, "least": positive,
+    "differences": list_of(row_of(surface_end("a"), surface_end("b"))),
+    "triangles": list_of(row_of(*3 * [index_of("differences")])),
     "time": part_of_time, "direction": vector, "from": vector, "weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
     "ends": list_of(end, lambda those, read: len(those) == 2, " is not a list of 2"),
     "order": list_of(subject_index, lambda those, read: len(set(those)) == len(those) == len(subject(read)),
@@ -305,6 +336,8 @@ CLAIMS = {
     "another": (polytopes.another,),
     **{rule.__name__: (rule, "direction") for rule in (rules.parted, rules.parted_all_along, rules.not_before)},
     "clear": (rules.clear, "direction"),
+    "leaves": (depths.leaves, "direction"),
+    "surrounds": (depths.surrounds, "differences", "triangles"),
     "parted_weakly": (partial(rules.parted, is_weak=True), "direction"),
     "surface": (hulls.surface, "homes"),
     "outline": (hulls.outline, "sectors"),
@@ -349,6 +382,7 @@ QUESTIONS = {
         "kept": "clear a b least",
         "broken": "holds a from_a, holds b to_b, nearer from_a to_b least",
     }),
+    "depth": ("bodies", "a b", {"at_most": "leaves a b most", "at_least": "surrounds a b least"}),
     "motion": ("bodies", "a b to_a to_b", {
         "apart": "parted_all_along a b to_a to_b",
         "meet": "holds_at a to_a time point, holds_at b to_b time point",

@@ -9,6 +9,8 @@ SENTENCES = {  # of the members that a statement has
     "distance": {"closest": "{a} and {b} are closest at {from_a} and {to_b}"},
     "clearance": {"kept": "{a} and {b} are {least} apart, or more",
                   "broken": "{a} and {b} are nearer than {least}, at {from_a} and {to_b}"},
+    "depth": {"at_most": "{a} moved by {most}, in a direction, does not overlap {b}",
+              "at_least": "{a} moved by {least}, in any direction, meets {b}"},
     "clearances": {"kept": "all pairs of bodies are {least} apart, or more",
                    "broken": "exactly these pairs of bodies are nearer than {least}: {nearer}"},
     "motion": {"apart": "{a} and {b} are apart all along their ways",

@@ -1,0 +1,42 @@
+// Writes how deep two convex bodies are in each other into a certificate file (docs/claims.md, "depth"): statements
+// `depth`. Each requires that the two stand in the table `bodies`, and that PairClaims (pair_claims.h) has written a
+// statement to the file before: that they meet, say.
+// None throws, but for want of memory, or what the writer's sink throws.
+#pragma once
+
+#include <sunder/certificate/claims.h>
+#include <sunder/certificate/pair_claims.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace sunder {
+
+// A closed surface around the origin. Corner k is the difference of point corners[k][0] of a body A and corners[k][1]
+// of a body B; triangles are of corners, counterclockwise from outside; each edge is there once in each direction.
+struct DepthSurface {
+  std::vector<std::array<std::uint32_t, 2>> corners;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  // The points that corners name of a cylinder, cone or ellipsoid; of hulls, whose vertices they name, none.
+  std::vector<PointOf> of_a{}, of_b{};
+};
+
+// A point of each body, of hulls of its core.
+struct DepthPoints {
+  PointOf of_a, of_b;
+  bool a_is_curved = false, b_is_curved = false;  // a cylinder, cone or ellipsoid
+};
+
+// That A, moved back by `most` along the direction, which is from A to B, does not overlap B. Requires a finite
+// most >= 0.
+void add_depth_at_most(ClaimsWriter& file, std::uint32_t a, std::uint32_t b, double most,
+                       const std::array<Dyadic, 3>& direction);
+
+// That A, moved anyhow by `least` or less, meets B: as the surface shows; as the points do, which are no further apart
+// than the radii of the hulls exceed `least`. Requires a finite least > 0.
+void add_depth_at_least(ClaimsWriter& file, std::uint32_t a, std::uint32_t b, double least,
+                        const DepthSurface& surface);
+void add_depth_at_least(ClaimsWriter& file, std::uint32_t a, std::uint32_t b, double least, const DepthPoints& points);
+
+}  // namespace sunder

@@ -1,0 +1,11 @@
+// The depth of two bodies of which one is a cylinder, a cone or an ellipsoid. For round_depth.cpp.
+#pragma once
+
+#include <sunder/solid/round/round_depth.h>
+
+namespace sunder::solid {
+
+// Sets depth, direction, surface and points. Requires that the bodies meet, and that one is curved.
+void depth_of_curved(const PlacedRound& a, const PlacedRound& b, RoundDepth& found);
+
+}  // namespace sunder::solid
