@@ -12,11 +12,10 @@
 // Nothing underflows: where images are tame (predicate/posed.h) and entries are zero or at least 2^-200, d is a multiple
 // of 2^-112, e of 2^-364, f of 2^-616, and a product of f and a coordinate of 2^-869.
 #include <sunder/base/contract.h>
-#include <sunder/base/lanes.h>
 #include <sunder/predicate/along.h>
 #include <sunder/solid/pair/kept_partings.h>
 #include <sunder/solid/pair/search_vector.h>
-#include <sunder/solid/represent/search_graph_walk.h>
+#include <sunder/solid/pair/sure_support.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +24,6 @@
 namespace sunder::solid {
 
 namespace {
-
-constexpr double rounding = 1024 * 0x1p-53;
 
 Point3 turned(const Affine3& pose, const Point3& d) {
   const auto& m = pose.linear;
@@ -48,36 +45,6 @@ double departure_from_rotation(const std::array<double, 9>& m) {
   return std::max(xx + xy + zx, std::max(xy + yy + yz, zx + yz + zz));
 }
 
-// Are all neighbours of this block's vertex surely further along f?
-bool is_surely_least(const VertexBlock& block, const Point3& f, double error) {
-  const Point3 at = block.at();
-  const double *x = block.x(), *y = block.y(), *z = block.z();
-  LanesMask all{-1, -1};
-  for (std::uint32_t j = 0; j < block.padded(); j += 2) {
-    all &= f.x * (lanes_at(x + j) - at.x) + f.y * (lanes_at(y + j) - at.y) + f.z * (lanes_at(z + j) - at.z) > error;
-  }
-  return (all[0] & all[1]) != 0;
-}
-
-// Not more than f w for any vertex w, but for what `error` allows; minus infinity where it is not sure.
-double least_along(const SearchGraph& graph, const Point3& f, std::uint32_t& near) {
-  constexpr double unsure = -std::numeric_limits<double>::infinity();
-  if (graph.padded != 0) {
-    const double* const x = graph.all.data();
-    return -greatest_along(negated(f), x, x + graph.padded, x + 2 * std::size_t{graph.padded}, graph.padded);
-  }
-  if (graph.is_slow) return unsure;
-  std::uint64_t probes = 0;
-  const std::uint32_t here = graph.place[near], there = table_start(graph, negated(f));
-  const bool is_far = dot(f, graph.block(here).at()) > dot(f, graph.block(there).at());
-  const VertexBlock end = graph.block(walk(graph, negated(f), is_far ? there : here, probes).place);
-  near = end.vertex();
-  // Where all neighbours are further, so are all vertices. A difference is at most 2 S in each component: an error of f
-  // costs 168 u S, rounding 280 u S.
-  if (!is_surely_least(end, f, rounding * graph.sizes.greatest)) return unsure;
-  return dot(f, end.at());
-}
-
 bool part_along(const RigidlyPlaced& a, const RigidlyPlaced& b, KeptParting& kept, double least_gap,
                 const Point3& way) {
   const Point3 e = turned(a.pose, kept.direction), f = turned_back(b.pose, e);
@@ -86,7 +53,7 @@ bool part_along(const RigidlyPlaced& a, const RigidlyPlaced& b, KeptParting& kep
   if ((dot(f, b.middle) - beside) + between > least_gap) return true;
   // Other vertices only come nearer.
   if (!(dot(f, b.graph->vertices[kept.near_b]) + between > least_gap)) return false;
-  return least_along(*b.graph, f, kept.near_b) + between > least_gap;
+  return surely_least_along(*b.graph, f, kept.near_b) + between > least_gap;
 }
 
 }  // namespace
@@ -105,7 +72,7 @@ void RigidlyPlaced::place(const Pose& at) {
   const bool holds = linear.least >= 0x1p-200 && linear.greatest <= 1 + 0x1p-20 &&
                      images_are_tame(linear, translation, graph->sizes);
   const double size = graph->sizes.greatest;
-  error = holds ? 3 * departure_from_rotation(pose.linear) * size + rounding * (size + translation.greatest)
+  error = holds ? 3 * departure_from_rotation(pose.linear) * size + sure_rounding * (size + translation.greatest)
                 : std::numeric_limits<double>::infinity();
 }
 
@@ -132,7 +99,7 @@ bool keep_parting(const ConvexPolyhedron& a, const Point3& direction, std::uint3
   const VertexBlock block = graph.block(graph.place[extreme_a]);
   double reach = dot(direction, graph.vertices[extreme_a]);
   if (block.padded() == 0 || block.count() > most_around ||
-      !is_surely_least(block, negated(direction), rounding * graph.sizes.greatest)) {
+      !is_surely_least(block, negated(direction), sure_rounding * graph.sizes.greatest)) {
     if (graph.vertices.size() > most) return false;
     for (const Point3& v : graph.vertices) reach = std::max(reach, dot(direction, v));
   }

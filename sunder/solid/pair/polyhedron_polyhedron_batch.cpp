@@ -10,6 +10,7 @@
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_batch.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_warm.h>
+#include <sunder/solid/pair/sure_support.h>
 
 #include <algorithm>
 #include <array>
@@ -36,7 +37,9 @@ using Column = std::array<double, chain_length>;
 struct Side {
   std::array<Column, 9> linear;
   std::array<Column, 3> translation, middle, half;
-  Column error;
+  Column error;  // infinite where nothing is sure
+  std::array<const SearchGraph*, chain_length> graph;
+  std::array<bool, chain_length> is_rotated;  // no entry of its linear part is greater than those of a rotation
 
   void take(std::size_t k, const ConvexPolyhedron& body, const Pose& pose) {
     const Placed placed(body, pose);
@@ -48,6 +51,8 @@ struct Side {
       middle[j][k] = m;
       half[j][k] = std::max(high[j] - m, m - low[j]) * (1 + 0x1p-51);
     }
+    graph[k] = &placed.graph;
+    is_rotated[k] = pose.linear_range().greatest <= 1 + 0x1p-20;
     error[k] = placed.tame ? 1024 * 0x1p-53 * placed.size : std::numeric_limits<double>::infinity();
   }
 
@@ -61,27 +66,59 @@ struct Side {
   }
 };
 
-// Which pairs are surely parted by the direction between the middles of their boxes?
-void part_between_middles(const Side& a, const Side& b, std::size_t count, std::array<std::uint8_t, chain_length>& are) {
-  Column gap;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double x = b.image_of_middle(0, k) - a.image_of_middle(0, k);
-    const double y = b.image_of_middle(1, k) - a.image_of_middle(1, k);
-    const double z = b.image_of_middle(2, k) - a.image_of_middle(2, k);
-    const double greatest = std::max(std::fabs(x), std::max(std::fabs(y), std::fabs(z)));
-    const double ex = x / greatest, ey = y / greatest, ez = z / greatest;  // not numbers, where all are zero
-    double along = ex * (b.translation[0][k] - a.translation[0][k]) + ey * (b.translation[1][k] - a.translation[1][k]) +
-                   ez * (b.translation[2][k] - a.translation[2][k]);
-    double beside = 0;
-    for (std::size_t j = 0; j < 3; ++j) {
-      const double of_a = a.pulled(j, ex, ey, ez, k), of_b = b.pulled(j, ex, ey, ez, k);
-      along += of_b * b.middle[j][k] - of_a * a.middle[j][k];
-      beside += std::fabs(of_b) * b.half[j][k] + std::fabs(of_a) * a.half[j][k];
+// Of a chain, which pairs are surely parted by the direction between the middles of their boxes.
+class BetweenMiddles {
+ public:
+  BetweenMiddles(const Side& a, const Side& b, std::size_t count) : a_(a), b_(b) {
+    Column gap;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double x = b.image_of_middle(0, k) - a.image_of_middle(0, k);
+      const double y = b.image_of_middle(1, k) - a.image_of_middle(1, k);
+      const double z = b.image_of_middle(2, k) - a.image_of_middle(2, k);
+      const double greatest = std::max(std::fabs(x), std::max(std::fabs(y), std::fabs(z)));
+      const double ex = x / greatest, ey = y / greatest, ez = z / greatest;  // not numbers, where all are zero
+      const double way = ex * (b.translation[0][k] - a.translation[0][k]) +
+                         ey * (b.translation[1][k] - a.translation[1][k]) +
+                         ez * (b.translation[2][k] - a.translation[2][k]);
+      double along = way, beside = 0;
+      for (std::size_t j = 0; j < 3; ++j) {
+        const double of_a = a.pulled(j, ex, ey, ez, k), of_b = b.pulled(j, ex, ey, ez, k);
+        of_a_[j][k] = of_a;
+        of_b_[j][k] = of_b;
+        along += of_b * b.middle[j][k] - of_a * a.middle[j][k];
+        beside += std::fabs(of_b) * b.half[j][k] + std::fabs(of_a) * a.half[j][k];
+      }
+      way_[k] = way;
+      gap[k] = along - beside - (a.error[k] + b.error[k]);
     }
-    gap[k] = along - beside - (a.error[k] + b.error[k]);
+    for (std::size_t k = 0; k < count; ++k) parts_boxes_[k] = gap[k] > 0;
   }
-  for (std::size_t k = 0; k < count; ++k) are[k] = gap[k] > 0;
-}
+
+  // By the boxes; else by the vertices.
+  bool part(std::size_t k) const { return parts_boxes_[k] || part_vertices(k); }
+
+ private:
+  bool part_vertices(std::size_t k) const {
+    if (!a_.is_rotated[k] || !b_.is_rotated[k]) return false;
+    const SearchGraph &p = *a_.graph[k], &q = *b_.graph[k];
+    const Point3 f{-of_a_[0][k], -of_a_[1][k], -of_a_[2][k]}, g{of_b_[0][k], of_b_[1][k], of_b_[2][k]};
+    std::uint32_t near_p = start(p, f), near_q = start(q, g);
+    const double least = a_.error[k] + b_.error[k] - way_[k];
+    // Other vertices only come nearer.
+    if (!(dot(f, p.vertices[near_p]) + dot(g, q.vertices[near_q]) > least)) return false;
+    return surely_least_along(p, f, near_p) + surely_least_along(q, g, near_q) > least;
+  }
+
+  static std::uint32_t start(const SearchGraph& graph, const Point3& f) {
+    if (graph.padded != 0 || graph.is_slow) return 0;
+    return graph.block(table_start(graph, negated(f))).vertex();
+  }
+
+  const Side &a_, &b_;
+  std::array<Column, 3> of_a_, of_b_;  // the direction as the bodies see it
+  Column way_;                         // along it, between the frames
+  std::array<bool, chain_length> parts_boxes_{};
+};
 
 // The questions about two bodies that follow each other, from one placement to the next.
 class Run {
@@ -94,7 +131,10 @@ class Run {
   bool meet(const PlacedPair& pair, PairAnswer* evidence) {
     at_a_.place(*pair.pose_a);
     at_b_.place(*pair.pose_b);
-    if (part_again(at_a_, at_b_, kept_)) return false;
+    // Where bodies jump, what parted them is of no use: then fewer are tried.
+    const bool is_parted = part_again(at_a_, at_b_, std::span(kept_).first(tried_));
+    tried_ = is_parted ? std::min(tried_ + 1, most_kept) : std::max(tried_ - 1, std::size_t{1});
+    if (is_parted) return false;
     PairAnswer answer = polyhedron_polyhedron_warm(a_, *pair.pose_a, b_, *pair.pose_b, last_);
     if (answer.meet()) {
       if (evidence != nullptr) *evidence = std::move(answer);
@@ -111,6 +151,7 @@ class Run {
   RigidlyPlaced at_a_, at_b_;
   WarmStart last_;
   std::array<KeptParting, most_kept> kept_{};
+  std::size_t tried_ = 2;
 };
 
 void ask_chain(std::span<const PlacedPair> pairs, std::span<std::uint8_t> meet, std::span<PairAnswer> of_meeting) {
@@ -119,12 +160,11 @@ void ask_chain(std::span<const PlacedPair> pairs, std::span<std::uint8_t> meet, 
     a.take(k, *pairs[k].a, *pairs[k].pose_a);
     b.take(k, *pairs[k].b, *pairs[k].pose_b);
   }
-  std::array<std::uint8_t, chain_length> are_apart;
-  part_between_middles(a, b, pairs.size(), are_apart);
+  const BetweenMiddles between_middles(a, b, pairs.size());
   std::optional<Run> run;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     meet[k] = 0;
-    if (are_apart[k] != 0) continue;
+    if (between_middles.part(k)) continue;
     const PlacedPair& pair = pairs[k];
     PairAnswer* const evidence = of_meeting.empty() ? nullptr : &of_meeting[k];
     if (!run || !run->is_of(pair)) {
