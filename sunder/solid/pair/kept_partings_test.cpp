@@ -10,7 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
+#include <cstdint>
+#include <span>
 #include <string>
 
 namespace sunder::solid {
@@ -102,6 +103,16 @@ TEST(KeptPartings, TakeWhatIsNoRotationForIt) {
   EXPECT_FALSE(part(cube, grown, cube, tests::shift(1 + 0x1p-22, 0, 0), kept));
   EXPECT_FALSE(part(cube, grown, cube, tests::shift(by, 0, 0), kept));
   EXPECT_TRUE(part(cube, grown, cube, tests::shift(1 + 0x1p-16, 0, 0), kept));
+}
+
+// Any vertex does to begin with: where it is not surely the extreme one, all are looked at.
+TEST(KeptPartings, ReachAsFarAsTheBody) {
+  const ConvexPolyhedron cube(tests::cube_corners(0, 1));
+  std::array<KeptParting, 1> kept{};
+  for (std::uint32_t v = 0; v < 8; ++v) {
+    ASSERT_TRUE(keep_parting(cube, {1, 0.5, 0}, v, 0, kept));
+    EXPECT_EQ(kept[0].reach, 1.5);
+  }
 }
 
 // What held becomes the first, and the oldest is forgotten.

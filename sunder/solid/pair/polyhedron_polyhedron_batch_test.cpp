@@ -124,6 +124,32 @@ TEST(PolyhedronPolyhedronBatch, TellsTheLastBit) {
   EXPECT_EQ(meet, expected);
 }
 
+// Rods end to end but for rounding, turned anyhow: what decides is far below what floating point tells, and the rods are
+// so thin, and so far from where their frames begin, that it does not matter how the direction between their middles
+// departs from theirs.
+TEST(PolyhedronPolyhedronBatch, TellsEndsApartUnderAnyRotation) {
+  std::vector<Point3> corners = tests::cube_corners(0, 1);
+  for (Point3& p : corners) p = {1000 + p.x, 0x1p-20 * p.y, 0x1p-20 * p.z};
+  const ConvexPolyhedron rod(corners);
+  Random random(tests::chosen_seed(85));
+  const auto u = [&] { return random.uniform(-1, 1); };
+  Asked asked;
+  for (int k = 0; k < 500; ++k) {
+    const Pose turn = Pose::from_quaternion(u(), u(), u(), u(), {u(), u(), u()});
+    asked.add(rod, turn, rod, compose(turn, tests::shift(1, 0, 0)), std::to_string(k));
+  }
+  std::vector<std::uint8_t> meet(asked.pairs.size());
+  polyhedron_polyhedron_batch(asked.pairs, meet);
+  int meeting = 0;
+  for (std::size_t k = 0; k < asked.pairs.size(); ++k) {
+    const auto& [a, pose_a, b, pose_b] = asked.pairs[k];
+    ASSERT_EQ(meet[k], polyhedron_polyhedron(*a, *pose_a, *b, *pose_b).meet() ? 1 : 0) << k;
+    meeting += meet[k];
+  }
+  EXPECT_GT(meeting, 50);
+  EXPECT_LT(meeting, 450);
+}
+
 TEST(PolyhedronPolyhedronBatch, OfNone) { EXPECT_NO_THROW(polyhedron_polyhedron_batch({}, {}, {3, {}})); }
 
 }  // namespace
