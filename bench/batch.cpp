@@ -1,7 +1,7 @@
 // bench_batch: pairs of convex bodies in one call against a loop over single calls, on one thread: of other bodies each
 // time, and of one pair in many placements, as it jumps and as it moves slowly. Sunder against itself: there are no
-// peers. Bodies and poses are prepared; both tell which pairs meet, and the loop makes evidence, which a batch makes for
-// pairs that meet.
+// peers. Bodies and poses are prepared; both tell which pairs meet, and the loop makes evidence, which a batch makes
+// for pairs that meet.
 #include <bench/contest/clock.h>
 #include <bench/inputs/body_scenarios.h>
 

@@ -23,7 +23,8 @@ void keep_parting(const Part& a, PairWarmStart& last, std::span<solid::KeptParti
 // They hold the box: a float is within 2^-24 of what is rounded to it, or 2^-150. What is beyond all floats becomes the
 // last of them, at both ends of all boxes: so an order may be lost there, but none is made.
 Follower::FlatBox Follower::flat_box(const Box3& box) {
-  static constexpr double part = 0x1p-22, tiny = 0x1p-140, most = std::numeric_limits<float>::max();
+  static constexpr double part = 0x1p-22, tiny = 0x1p-140,
+                          most = static_cast<double>(std::numeric_limits<float>::max());
   const auto rounded = [](double x) { return static_cast<float>(std::clamp(x, -most, most)); };
   const auto below = [&](double x) { return rounded(x - (part * std::fabs(x) + tiny)); };
   const auto above = [&](double x) { return rounded(x + (part * std::fabs(x) + tiny)); };

@@ -2,8 +2,8 @@
 // Also called: continuous monitoring; incremental collision checking; coherence in time.
 //
 // The question of scene.h, of bodies that move: kept are the boxes, the pairs of parts that are near
-// (near/moving_boxes.h), and for each of these what parted them (solid/pair/kept_partings.h), and what the last answer was
-// (solid/pair/polyhedron_polyhedron_warm.h); so that a placement costs what has changed since the one before.
+// (near/moving_boxes.h), and for each of these what parted them (solid/pair/kept_partings.h), and what the last answer
+// was (solid/pair/polyhedron_polyhedron_warm.h); so that a placement costs what has changed since the one before.
 //   F1. What meets, what is undecided, what counts, and how many pairs do, is as meeting_pairs says of the same
 //       placement. Boxes are rougher here, and warm questions cheap: so fewer pairs are parted by boxes, and more
 //       by the method.

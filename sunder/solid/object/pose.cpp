@@ -43,9 +43,7 @@ SizeRange range_of(const std::array<double, N>& numbers) {
 }  // namespace
 
 Pose::Pose(const Affine3& affine)
-    : affine_(affine),
-      linear_range_(range_of(affine.linear)),
-      translation_range_(range_of(affine.translation)) {}
+    : affine_(affine), linear_range_(range_of(affine.linear)), translation_range_(range_of(affine.translation)) {}
 
 Pose Pose::from_matrix(const std::array<double, 9>& linear, const std::array<double, 3>& translation) {
   const auto& m = linear;

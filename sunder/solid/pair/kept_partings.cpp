@@ -2,15 +2,15 @@
 // translation; entries m of its linear part L are at most 1 + 2^-20, a direction d is tame, so at most 1 in each
 // component. All sums are of three products, each within 3 u of the sum of their sizes.
 //   e = L_a d, rounded, so |e_i| <= 3.01, and within 10 u of L_a d. Along e, a vertex v of A is at (L_a^T e) v + e t_a,
-//   where L_a^T e = d + R d + L_a^T (e - L_a d), R = L_a^T L_a - 1, whose rows have sums of sizes of at most `departure`
-//   and 39 u for their rounding. So it is at most d v + e t_a, and beyond that 3 S (departure + 39 u + 31 u).
-//   `reach` is d v, within 10 u S.
-//   f = L_b^T e, rounded, within 28 u, and |f_j| <= 9.1. A vertex w of B: f w, within 84 u S for f and 83 u S for
-//   rounding; of the box, whose middle is at most S and whose half at most 2 S, within 420 u S in all.
-//   e (t_b - t_a) is within 37 u (T_a + T_b); the last sum of three numbers within 3 u (82 S_b + 10 (T_a + T_b) + 3 S_a).
+//   where L_a^T e = d + R d + L_a^T (e - L_a d), R = L_a^T L_a - 1, whose rows have sums of sizes of at most
+//   `departure` and 39 u for their rounding. So it is at most d v + e t_a, and beyond that 3 S (departure + 39 u + 31
+//   u). `reach` is d v, within 10 u S. f = L_b^T e, rounded, within 28 u, and |f_j| <= 9.1. A vertex w of B: f w,
+//   within 84 u S for f and 83 u S for rounding; of the box, whose middle is at most S and whose half at most 2 S,
+//   within 420 u S in all. e (t_b - t_a) is within 37 u (T_a + T_b); the last sum of three numbers within 3 u (82 S_b +
+//   10 (T_a + T_b) + 3 S_a).
 // Together at most 3 departure S + 1024 u (S + T) for each of the two, the rounding of this included.
-// Nothing underflows: where images are tame (predicate/posed.h) and entries are zero or at least 2^-200, d is a multiple
-// of 2^-112, e of 2^-364, f of 2^-616, and a product of f and a coordinate of 2^-869.
+// Nothing underflows: where images are tame (predicate/posed.h) and entries are zero or at least 2^-200, d is a
+// multiple of 2^-112, e of 2^-364, f of 2^-616, and a product of f and a coordinate of 2^-869.
 #include <sunder/base/contract.h>
 #include <sunder/predicate/along.h>
 #include <sunder/solid/pair/kept_partings.h>
@@ -69,8 +69,8 @@ RigidlyPlaced::RigidlyPlaced(const ConvexPolyhedron& body) : graph(&body.search_
 void RigidlyPlaced::place(const Pose& at) {
   pose = at.affine();
   const SizeRange &linear = at.linear_range(), &translation = at.translation_range();
-  const bool holds = linear.least >= 0x1p-200 && linear.greatest <= 1 + 0x1p-20 &&
-                     images_are_tame(linear, translation, graph->sizes);
+  const bool holds =
+      linear.least >= 0x1p-200 && linear.greatest <= 1 + 0x1p-20 && images_are_tame(linear, translation, graph->sizes);
   const double size = graph->sizes.greatest;
   error = holds ? 3 * departure_from_rotation(pose.linear) * size + sure_rounding * (size + translation.greatest)
                 : std::numeric_limits<double>::infinity();

@@ -47,7 +47,8 @@ TEST(KeptPartings, NeverPartWhatMeets) {
       const double by = random.log_uniform(1e-16, 1);
       const auto u = [&] { return by * random.uniform(-1, 1); };
       const bool is_tiny = c.family == tests::Family::tiny_or_huge;
-      const Pose pose_b = step == 0 || is_tiny ? c.pose_b : compose(Pose::from_quaternion(1, u(), u(), u(), {u(), u(), u()}), c.pose_b);
+      const Pose pose_b =
+          step == 0 || is_tiny ? c.pose_b : compose(Pose::from_quaternion(1, u(), u(), u(), {u(), u(), u()}), c.pose_b);
       const bool meet = polyhedron_polyhedron(c.a, c.pose_a, c.b, pose_b).meet();
       const bool is_parted = part(c.a, c.pose_a, c.b, pose_b, kept);
       ASSERT_FALSE(is_parted && meet) << round << " " << tests::name_of(c.family);

@@ -1,5 +1,5 @@
-// The bound of the error of what is asked of all at once. Let u = 2^-53, `size` be the reach of a body (Placed), and e a
-// direction of components of at most 1 (1 + 2 u). f = L^T e, rounded, times a coordinate of the body's own box, whose
+// The bound of the error of what is asked of all at once. Let u = 2^-53, `size` be the reach of a body (Placed), and e
+// a direction of components of at most 1 (1 + 2 u). f = L^T e, rounded, times a coordinate of the body's own box, whose
 // middle is within its coordinates and whose half is at most twice them: three products of three factors each, 9 size
 // and 18 size, within 8 roundings each; e t: 3 size, within 5; the sum of all, within 5 of 60 size. That is less than
 // 1024 u size for each of the two bodies. What underflows, where images are tame, loses less than 2^-800 of a size that

@@ -124,9 +124,9 @@ TEST(PolyhedronPolyhedronBatch, TellsTheLastBit) {
   EXPECT_EQ(meet, expected);
 }
 
-// Rods end to end but for rounding, turned anyhow: what decides is far below what floating point tells, and the rods are
-// so thin, and so far from where their frames begin, that it does not matter how the direction between their middles
-// departs from theirs.
+// Rods end to end but for rounding, turned anyhow: what decides is far below what floating point tells, and the rods
+// are so thin, and so far from where their frames begin, that it does not matter how the direction between their
+// middles departs from theirs.
 TEST(PolyhedronPolyhedronBatch, TellsEndsApartUnderAnyRotation) {
   std::vector<Point3> corners = tests::cube_corners(0, 1);
   for (Point3& p : corners) p = {1000 + p.x, 0x1p-20 * p.y, 0x1p-20 * p.z};
