@@ -3,6 +3,7 @@
 #include <sunder/planar/pair/polygon_polygon.h>
 #include <sunder/solid/object/hull_json.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_batch.h>
 
 #include "common.h"
 
@@ -127,10 +128,32 @@ auto meet_many(const std::vector<const typename Kind::Object*>& a, const Doubles
     std::optional<typename Kind::Pose> one_a, one_b;
     if (at_a == 1) one_a = pose_of_rows<Kind>(poses_a.data(), "poses_a", 0);
     if (at_b == 1) one_b = pose_of_rows<Kind>(poses_b.data(), "poses_b", 0);
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto pose_a = one_a ? *one_a : pose_of_rows<Kind>(poses_a.data() + numbers * k, "poses_a", k);
-      const auto pose_b = one_b ? *one_b : pose_of_rows<Kind>(poses_b.data() + numbers * k, "poses_b", k);
-      meet[k] = intersect(*a[a.size() == 1 ? 0 : k], pose_a, *b[b.size() == 1 ? 0 : k], pose_b).meet();
+    const auto object_a = [&](std::size_t k) -> const auto& { return *a[a.size() == 1 ? 0 : k]; };
+    const auto object_b = [&](std::size_t k) -> const auto& { return *b[b.size() == 1 ? 0 : k]; };
+    const auto pose_a = [&](std::size_t k) {
+      return one_a ? *one_a : pose_of_rows<Kind>(poses_a.data() + numbers * k, "poses_a", k);
+    };
+    const auto pose_b = [&](std::size_t k) {
+      return one_b ? *one_b : pose_of_rows<Kind>(poses_b.data() + numbers * k, "poses_b", k);
+    };
+    if constexpr (Kind::dimension == 3) {
+      // In blocks, so that memory does not grow with the poses.
+      constexpr std::size_t block = 1024;
+      std::vector<solid::Pose> poses(2 * std::min(block, count));
+      std::vector<solid::PlacedPair> pairs(std::min(block, count));
+      for (std::size_t begin = 0; begin < count; begin += block) {
+        const std::size_t length = std::min(block, count - begin);
+        for (std::size_t k = 0; k < length; ++k) {
+          poses[2 * k] = pose_a(begin + k);
+          poses[2 * k + 1] = pose_b(begin + k);
+          pairs[k] = {&object_a(begin + k), &poses[2 * k], &object_b(begin + k), &poses[2 * k + 1]};
+        }
+        polyhedron_polyhedron_batch(std::span(pairs).first(length), std::span(meet).subspan(begin, length));
+      }
+    } else {
+      for (std::size_t k = 0; k < count; ++k) {
+        meet[k] = intersect(object_a(k), pose_a(k), object_b(k), pose_b(k)).meet();
+      }
     }
   });
   return array_of<bool>(std::move(meet));

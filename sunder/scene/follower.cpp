@@ -11,25 +11,6 @@ namespace sunder::scene {
 
 namespace {
 
-// In floats, which hold the box: to be compared with many others.
-FollowedBox flat_box(const Box3& box) {
-  static constexpr double part = 0x1p-22, tiny = 0x1p-140, most = std::numeric_limits<float>::max();
-  const auto below = [](double x) { return static_cast<float>(std::min(x - (part * std::fabs(x) + tiny), most)); };
-  const auto above = [](double x) { return static_cast<float>(std::max(x + (part * std::fabs(x) + tiny), -most)); };
-  return {FloatLanes{below(box.low.x), below(box.low.y), below(box.low.z), 0},
-          FloatLanes{above(box.high.x), above(box.high.y), above(box.high.z), 0}};
-}
-
-// Without branches: which boxes meet, of many, is hard to predict.
-bool have_common_point(const FollowedBox& a, const FollowedBox& b) {
-  return bits_of_four((a.low <= b.high) & (b.low <= a.high)) == 15;
-}
-bool have_common_point(const Box3& a, const Box3& b) {
-  const Lanes third_low{a.low.z, b.low.z}, third_high{b.high.z, a.high.z};
-  return bits_of(is_at_most(lanes_at(&a.low.x), lanes_at(&b.high.x)) &
-                 is_at_most(lanes_at(&b.low.x), lanes_at(&a.high.x)) & is_at_most(third_low, third_high)) == 3;
-}
-
 // Where what parted them now can be kept as a parting, it need not be kept twice.
 void keep_parting(const Part& a, PairWarmStart& last, std::span<solid::KeptParting> kept) {
   if (last.partings_count == 0) return;
@@ -39,12 +20,35 @@ void keep_parting(const Part& a, PairWarmStart& last, std::span<solid::KeptParti
 
 }  // namespace
 
+// They hold the box: a float is within 2^-24 of what is rounded to it, or 2^-150. What is beyond all floats becomes the
+// last of them, at both ends of all boxes: so an order may be lost there, but none is made.
+Follower::FlatBox Follower::flat_box(const Box3& box) {
+  static constexpr double part = 0x1p-22, tiny = 0x1p-140,
+                          most = static_cast<double>(std::numeric_limits<float>::max());
+  const auto rounded = [](double x) { return static_cast<float>(std::clamp(x, -most, most)); };
+  const auto below = [&](double x) { return rounded(x - (part * std::fabs(x) + tiny)); };
+  const auto above = [&](double x) { return rounded(x + (part * std::fabs(x) + tiny)); };
+  return {FloatLanes{below(box.low.x), below(box.low.y), below(box.low.z), 0},
+          FloatLanes{above(box.high.x), above(box.high.y), above(box.high.z), 0}};
+}
+
+// Without branches: which boxes meet, of many, is hard to predict.
+bool Follower::have_common_point(const FlatBox& a, const FlatBox& b) {
+  return bits_of_four((a.low <= b.high) & (b.low <= a.high)) == 15;
+}
+bool Follower::have_common_point(const Box3& a, const Box3& b) {
+  const Lanes third_low{a.low.z, b.low.z}, third_high{b.high.z, a.high.z};
+  return bits_of(is_at_most(lanes_at(&a.low.x), lanes_at(&b.high.x)) &
+                 is_at_most(lanes_at(&b.low.x), lanes_at(&a.high.x)) & is_at_most(third_low, third_high)) == 3;
+}
+
 Follower::Follower(std::span<const Body> bodies, const Question& question)
     : bodies_(bodies.begin(), bodies.end()),
       question_(question),
+      asks_warmly_(question.method == solid::polyhedron_polyhedron),
       members_(std::make_shared<const Members>(bodies, question.allowed)),
-      boxes_(members_->size()),
-      is_placed_(members_->size()) {
+      is_placed_(members_->size()),
+      boxes_(members_->size()) {
   list_few();
   for (std::uint32_t i = 0; i < part_count(); ++i) {
     const solid::RoundBody& shape = members_->part(std::span<const Body>(bodies_), i).shape;
@@ -55,7 +59,6 @@ Follower::Follower(std::span<const Body> bodies, const Question& question)
     kept_of_pair_ = most_kept_of_few;
     flat_boxes_.resize(part_count());
   }
-  asks_warmly_ = question.method == solid::polyhedron_polyhedron;
   forget();
 }
 
@@ -89,16 +92,16 @@ void Follower::forget() {
   is_placed_.assign(part_count(), true);
 }
 
-// Pairs, of which meeting_boxes_ numbers those whose boxes meet; and in last_ and kept_ what is known of them.
+// Pairs, of which meeting_ numbers those whose boxes meet; and in last_ and kept_ what is known of them.
 std::span<const MovingBoxes::Pair> Follower::follow_near() {
   const auto keep_those_of = [this](std::span<const MovingBoxes::Pair> pairs, const auto& boxes) {
-    meeting_boxes_.resize(pairs.size() + 1);
+    meeting_.resize(pairs.size() + 1);
     std::size_t count = 0;
     for (std::uint32_t k = 0; k < pairs.size(); ++k) {
-      meeting_boxes_[count] = k;
+      meeting_[count] = k;
       count += have_common_point(boxes[pairs[k].i], boxes[pairs[k].j]);
     }
-    meeting_boxes_.resize(count);
+    meeting_.resize(count);
     return pairs;
   };
   if (!few_.empty()) return keep_those_of(few_, flat_boxes_);
@@ -161,7 +164,7 @@ const Answer& Follower::ask() {
   answer_.pairs.clear();
   answer_.counts = {};
   const std::span<const MovingBoxes::Pair> pairs = follow_near();
-  for (const std::uint32_t k : meeting_boxes_) look_at(pairs[k]);
+  for (const std::uint32_t k : meeting_) look_at(pairs[k]);
   std::sort(answer_.pairs.begin(), answer_.pairs.end(), is_listed_before);
   members_->complete(answer_.counts);
   return answer_;

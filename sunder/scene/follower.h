@@ -2,14 +2,14 @@
 // Also called: continuous monitoring; incremental collision checking; coherence in time.
 //
 // The question of scene.h, of bodies that move: kept are the boxes, the pairs of parts that are near
-// (near/moving_boxes.h), and for each of these what the last answer was (solid/pair/polyhedron_polyhedron_warm.h); so
-// that a placement costs what has changed since the one before.
+// (near/moving_boxes.h), and for each of these what parted them (solid/pair/kept_partings.h), and what the last answer
+// was (solid/pair/polyhedron_polyhedron_warm.h); so that a placement costs what has changed since the one before.
 //   F1. What meets, what is undecided, what counts, and how many pairs do, is as meeting_pairs says of the same
 //       placement. Boxes are rougher here, and warm questions cheap: so fewer pairs are parted by boxes, and more
 //       by the method.
 //   F2. Listed are the pairs that meet or are undecided, in the order of S3. Each that meets has its certificate, which
 //       may depend on the placements before, back to forget(); after forget() answers depend on no placement before.
-// Memory: at most 700 bytes a part, beyond its shape and its name, and 420 a pair that meets, for 1,000 parts and more
+// Memory: at most 950 bytes a part, beyond its shape and its name, and 500 a pair that meets, for 1,000 parts and more
 // (tested); none by vertex: parts share their shapes.
 // A part's shape stays; its pose is what moves. Not for several threads at once; a copy is a follower of its own.
 #pragma once
@@ -30,11 +30,6 @@
 
 namespace sunder::scene {
 
-// A box in floats; the fourth is zero.
-struct FollowedBox {
-  FloatLanes low{}, high{};
-};
-
 class Follower {
  public:
   // The bodies where they are. Requires indices of bodies in question.allowed to be in range; every_pair is not looked
@@ -51,7 +46,8 @@ class Follower {
 
   // Which meet now? Holds until the next call. Allocates where more pairs come near, or meet, than ever before.
   // Cost: for each part that was placed a rough box, and as MovingBoxes::update says, or, of up to 1,024 pairs that are
-  // asked about, a look at each; for each pair whose boxes meet, moved or not, the warm question.
+  // asked about, a look at each; for each pair whose boxes meet, moved or not, a look along what parted them, or
+  // else the warm question.
   const Answer& ask();
 
   // Starts cold: as if it were made anew with the bodies where they are.
@@ -60,32 +56,41 @@ class Follower {
  private:
   // Of so many pairs all boxes are compared: that costs less than to follow which are near.
   static constexpr std::size_t few = 1024;
+  // Partings that are kept of a pair, of few pairs and of many.
+  static constexpr std::size_t most_kept_of_few = 6, most_kept = 2;
 
-  static constexpr std::size_t most_kept_of_few = 6, most_kept = 2;  // partings of a pair
+  // A box in floats, rounded outwards; the fourth number is zero.
+  struct FlatBox {
+    FloatLanes low{}, high{};
+  };
+
+  static FlatBox flat_box(const Box3& box);
+  static bool have_common_point(const FlatBox& a, const FlatBox& b);
+  static bool have_common_point(const Box3& a, const Box3& b);
 
   void list_few();
+  std::span<const MovingBoxes::Pair> follow_near();
+  void look_at(const MovingBoxes::Pair& of);
+  void look_at_round(std::uint32_t i, std::uint32_t j);  // where one has a radius
   std::span<solid::KeptParting> kept_of(std::uint32_t slot) {
     return std::span(kept_).subspan(slot * kept_of_pair_, kept_of_pair_);
   }
-  void look_at_round(std::uint32_t i, std::uint32_t j);  // where one has a radius
-  std::span<const MovingBoxes::Pair> follow_near();
-  void look_at(const MovingBoxes::Pair& of);
 
   std::vector<Body> bodies_;
   Question question_;
-  std::shared_ptr<const Members> members_;  // also of those that look for pairs
-  std::vector<Box3> boxes_;                 // of each part, rough
-  std::vector<std::uint32_t> placed_;       // parts since the last answer
-  std::vector<bool> is_placed_, is_round_;
-  std::vector<FollowedBox> flat_boxes_;  // where pairs are few
-  std::vector<MovingBoxes::Pair> few_;  // all that are asked about, where these are few; else none
-  std::optional<MovingBoxes> near_;     // where they are many
-  std::vector<std::uint32_t> meeting_boxes_;
-  std::vector<solid::RigidlyPlaced> rigid_;  // of each part that is a polyhedron; of others, of their cores
-  std::vector<PairWarmStart> last_;     // by the slots of pairs
-  std::vector<solid::KeptParting> kept_;  // kept_of_pair_ of each slot: what parted them
+  bool asks_warmly_;                         // polyhedra: by the front door
+  std::shared_ptr<const Members> members_;   // also of those that look for pairs
+  std::vector<std::uint32_t> placed_;        // parts since the last answer
+  std::vector<bool> is_placed_, is_round_;   // of each part; is_round_: with a radius
+  std::vector<Box3> boxes_;                  // of each part, rough
+  std::vector<FlatBox> flat_boxes_;          // the same, where pairs are few
+  std::vector<solid::RigidlyPlaced> rigid_;  // of each part; of one with a radius its core, which nothing looks at
+  std::vector<MovingBoxes::Pair> few_;       // all that are asked about, where these are few; else none
+  std::optional<MovingBoxes> near_;          // where they are many
+  std::vector<std::uint32_t> meeting_;       // of the pairs that follow_near returns, those whose boxes meet
+  std::vector<PairWarmStart> last_;          // by the slots of pairs
+  std::vector<solid::KeptParting> kept_;     // kept_of_pair_ of each slot: what parted them
   std::size_t kept_of_pair_ = most_kept;
-  bool asks_warmly_ = true;  // by the front door
   Answer answer_;
 };
 

@@ -2,21 +2,20 @@
 // translation; entries m of its linear part L are at most 1 + 2^-20, a direction d is tame, so at most 1 in each
 // component. All sums are of three products, each within 3 u of the sum of their sizes.
 //   e = L_a d, rounded, so |e_i| <= 3.01, and within 10 u of L_a d. Along e, a vertex v of A is at (L_a^T e) v + e t_a,
-//   where L_a^T e = d + R d + L_a^T (e - L_a d), R = L_a^T L_a - 1, whose rows have sums of sizes of at most `departure`
-//   and 39 u for their rounding. So it is at most d v + e t_a, and beyond that 3 S (departure + 39 u + 31 u).
-//   `reach` is d v, within 10 u S.
-//   f = L_b^T e, rounded, within 28 u, and |f_j| <= 9.1. A vertex w of B: f w, within 84 u S for f and 83 u S for
-//   rounding; of the box, whose middle is at most S and whose half at most 2 S, within 420 u S in all.
-//   e (t_b - t_a) is within 37 u (T_a + T_b); the last sum of three numbers within 3 u (82 S_b + 10 (T_a + T_b) + 3 S_a).
+//   where L_a^T e = d + R d + L_a^T (e - L_a d), R = L_a^T L_a - 1, whose rows have sums of sizes of at most
+//   `departure` and 39 u for their rounding. So it is at most d v + e t_a, and beyond that 3 S (departure + 39 u + 31
+//   u). `reach` is d v, within 10 u S. f = L_b^T e, rounded, within 28 u, and |f_j| <= 9.1. A vertex w of B: f w,
+//   within 84 u S for f and 83 u S for rounding; of the box, whose middle is at most S and whose half at most 2 S,
+//   within 420 u S in all. e (t_b - t_a) is within 37 u (T_a + T_b); the last sum of three numbers within 3 u (82 S_b +
+//   10 (T_a + T_b) + 3 S_a).
 // Together at most 3 departure S + 1024 u (S + T) for each of the two, the rounding of this included.
-// Nothing underflows: where images are tame (predicate/posed.h) and entries are zero or at least 2^-200, d is a multiple
-// of 2^-112, e of 2^-364, f of 2^-616, and a product of f and a coordinate of 2^-869.
+// Nothing underflows: where images are tame (predicate/posed.h) and entries are zero or at least 2^-200, d is a
+// multiple of 2^-112, e of 2^-364, f of 2^-616, and a product of f and a coordinate of 2^-869.
 #include <sunder/base/contract.h>
-#include <sunder/base/lanes.h>
 #include <sunder/predicate/along.h>
 #include <sunder/solid/pair/kept_partings.h>
 #include <sunder/solid/pair/search_vector.h>
-#include <sunder/solid/represent/search_graph_walk.h>
+#include <sunder/solid/pair/sure_support.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +24,6 @@
 namespace sunder::solid {
 
 namespace {
-
-constexpr double rounding = 1024 * 0x1p-53;
 
 Point3 turned(const Affine3& pose, const Point3& d) {
   const auto& m = pose.linear;
@@ -48,36 +45,6 @@ double departure_from_rotation(const std::array<double, 9>& m) {
   return std::max(xx + xy + zx, std::max(xy + yy + yz, zx + yz + zz));
 }
 
-// Are all neighbours of this block's vertex surely further along f?
-bool is_surely_least(const VertexBlock& block, const Point3& f, double error) {
-  const Point3 at = block.at();
-  const double *x = block.x(), *y = block.y(), *z = block.z();
-  LanesMask all{-1, -1};
-  for (std::uint32_t j = 0; j < block.padded(); j += 2) {
-    all &= f.x * (lanes_at(x + j) - at.x) + f.y * (lanes_at(y + j) - at.y) + f.z * (lanes_at(z + j) - at.z) > error;
-  }
-  return (all[0] & all[1]) != 0;
-}
-
-// Not more than f w for any vertex w, but for what `error` allows; minus infinity where it is not sure.
-double least_along(const SearchGraph& graph, const Point3& f, std::uint32_t& near) {
-  constexpr double unsure = -std::numeric_limits<double>::infinity();
-  if (graph.padded != 0) {
-    const double* const x = graph.all.data();
-    return -greatest_along(negated(f), x, x + graph.padded, x + 2 * std::size_t{graph.padded}, graph.padded);
-  }
-  if (graph.is_slow) return unsure;
-  std::uint64_t probes = 0;
-  const std::uint32_t here = graph.place[near], there = table_start(graph, negated(f));
-  const bool is_far = dot(f, graph.block(here).at()) > dot(f, graph.block(there).at());
-  const VertexBlock end = graph.block(walk(graph, negated(f), is_far ? there : here, probes).place);
-  near = end.vertex();
-  // Where all neighbours are further, so are all vertices. A difference is at most 2 S in each component: an error of f
-  // costs 168 u S, rounding 280 u S.
-  if (!is_surely_least(end, f, rounding * graph.sizes.greatest)) return unsure;
-  return dot(f, end.at());
-}
-
 bool part_along(const RigidlyPlaced& a, const RigidlyPlaced& b, KeptParting& kept, double least_gap,
                 const Point3& way) {
   const Point3 e = turned(a.pose, kept.direction), f = turned_back(b.pose, e);
@@ -86,7 +53,7 @@ bool part_along(const RigidlyPlaced& a, const RigidlyPlaced& b, KeptParting& kep
   if ((dot(f, b.middle) - beside) + between > least_gap) return true;
   // Other vertices only come nearer.
   if (!(dot(f, b.graph->vertices[kept.near_b]) + between > least_gap)) return false;
-  return least_along(*b.graph, f, kept.near_b) + between > least_gap;
+  return surely_least_along(*b.graph, f, kept.near_b) + between > least_gap;
 }
 
 }  // namespace
@@ -102,10 +69,10 @@ RigidlyPlaced::RigidlyPlaced(const ConvexPolyhedron& body) : graph(&body.search_
 void RigidlyPlaced::place(const Pose& at) {
   pose = at.affine();
   const SizeRange &linear = at.linear_range(), &translation = at.translation_range();
-  const bool holds = linear.least >= 0x1p-200 && linear.greatest <= 1 + 0x1p-20 &&
-                     images_are_tame(linear, translation, graph->sizes);
+  const bool holds =
+      linear.least >= 0x1p-200 && linear.greatest <= 1 + 0x1p-20 && images_are_tame(linear, translation, graph->sizes);
   const double size = graph->sizes.greatest;
-  error = holds ? 3 * departure_from_rotation(pose.linear) * size + rounding * (size + translation.greatest)
+  error = holds ? 3 * departure_from_rotation(pose.linear) * size + sure_rounding * (size + translation.greatest)
                 : std::numeric_limits<double>::infinity();
 }
 
@@ -132,7 +99,7 @@ bool keep_parting(const ConvexPolyhedron& a, const Point3& direction, std::uint3
   const VertexBlock block = graph.block(graph.place[extreme_a]);
   double reach = dot(direction, graph.vertices[extreme_a]);
   if (block.padded() == 0 || block.count() > most_around ||
-      !is_surely_least(block, negated(direction), rounding * graph.sizes.greatest)) {
+      !is_surely_least(block, negated(direction), sure_rounding * graph.sizes.greatest)) {
     if (graph.vertices.size() > most) return false;
     for (const Point3& v : graph.vertices) reach = std::max(reach, dot(direction, v));
   }
