@@ -368,6 +368,20 @@ TEST_F(Program, BadScenes) {
   expect_bad(arm + " --joints-file " + in_folder("bad.joints"), "bad.joints:3");
 }
 
+TEST_F(Program, SceneFilesAreToldByInfo) {
+  const std::string file = cases + "/scene/workcell.json";
+  const json told = report("info " + file, 0)["objects"][0];
+  EXPECT_EQ(told["format"], "scene");
+  EXPECT_EQ(told["unit"], "m");
+  ASSERT_EQ(told["bodies"].size(), 4u);
+  EXPECT_EQ(told["bodies"][1]["parts"][0]["mesh"], "../mesh/cube.obj");
+  EXPECT_EQ(told["allowed_pairs"], json::parse(R"([["lamp", "hand"]])"));
+  EXPECT_NE(run("info " + file).out.find("scene of 4 bodies and 9 parts, lengths in m"), std::string::npos);
+  write_text(in_folder("s.json"),
+             R"({"bodies": [{"name": "a", "parts": [{"ball": {"center": [0, 0], "radius": 1}}]}]})");
+  expect_bad("info " + in_folder("s.json"), "bodies[0].parts[0].ball");
+}
+
 }  // namespace
 
 }  // namespace sunder::tests

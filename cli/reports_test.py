@@ -90,7 +90,7 @@ pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 0.25,0,0 --depth --
 pair cases/space/ball.json cases/space/capsule.json --pose-b 1,0,-2 --depth --certificate OUT
 pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,0.25,0.125 --to-b -3,0.25,0 --certificate OUT
 pair cases/mesh/cube.obj cases/mesh/cube.obj --pose-b 3,2,0 --to-b -3,2,0 --to-a 0,1,0
-pair cases/mesh/cube.obj cases/space/ball.json --pose-b=-9,0.25,0.125 --to-b 9,0.25,0 --certificate OUT
+pair cases/mesh/cube.obj cases/space/ball.json --pose-b 9,0.25,0.125 --to-b -9,0.25,0 --certificate OUT
 pair cases/mesh/cube.obj cases/mesh/cube.obj --radius-a 0.5 --pose-b 3,2,0 --to-b -3,2,0
 pair cases/planar-pair/plate.wkt cases/planar-pair/wheel.wkt --distance --clearance 0.1 --classify --svg OUT
 pair cases/planar-pair/plate.wkt cases/planar-pair/wheel.wkt --clearance 1 --certificate OUT
@@ -155,6 +155,7 @@ scene cases/scene/in-mm.json cases/mesh/cube.obj@9,0,0
 scene cases/scene/in-inches.json
 scene cases/scene/in-feet.json
 info cases/scene/primitives.urdf
+info cases/scene/workcell.json
 scene cases/mesh/cube.obj cases/mesh/cube.obj@1,0,0 cases/mesh/cube.obj@9,0,0 --allow cube,cube#2 --certificate OUT
 segments cases/boards/two_nets.kicad_pcb --centre-lines
 segments cases/boards/crossing_nets.kicad_pcb --centre-lines --all --across-layers --geojson OUT
@@ -462,7 +463,7 @@ class Reports(unittest.TestCase):
 
 SIMPLE = ["count", "position", "line", "text", "property", "about", "point2", "point3", "fraction"]
 SHARED = ["cost", "error", "left_out", "skipped", "mended", "feature", "body", "planar_body", "unbounded", "flat", "mesh",
-          "evidence", "common", "closest", "end", "pairs_of_parts", "near_parts", "info_of_mesh", "info_of_robot", "info_of_lines",
+          "evidence", "common", "closest", "end", "pairs_of_parts", "near_parts", "info_of_mesh", "info_of_robot", "info_of_scene", "info_of_lines",
           "info_of_rows", "info_of_objects", "certificate_file"]
 VERBS = [one["$ref"].split("/")[-1] for one in SCHEMA["else"]["oneOf"]]
 

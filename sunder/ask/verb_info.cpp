@@ -10,6 +10,7 @@
 #include <sunder/io/lines.h>
 #include <sunder/io/mesh.h>
 #include <sunder/io/planar_objects.h>
+#include <sunder/io/scene_file.h>
 #include <sunder/io/text.h>
 #include <sunder/io/triples.h>
 #include <sunder/io/urdf.h>
@@ -144,6 +145,52 @@ Info describe_robot(const std::string& file, std::string_view bytes) {
                              type_name(joint.type), range);
   }
   if (!left_out.empty()) info.text += fmt::format("  not read: {}\n", left_out.text());
+  return info;
+}
+
+// A file of JSON with the key of scenes; GeoJSON has a type, and certificates say what they are.
+bool is_scene(const std::string& file, std::string_view bytes) {
+  if (file != "-" && !io::is_scene_file(file)) return false;
+  if (bytes.find("\"bodies\"") == std::string_view::npos || bytes.find("\"type\"") != std::string_view::npos)
+    return false;
+  return bytes.substr(0, 200).find("\"sunder_certificate\"") == std::string_view::npos;
+}
+
+Info describe_scene(const std::string& file, std::string_view bytes) {
+  const std::string shown = io::one_line(file);
+  const io::SceneFile scene = io::parse_scene_file(bytes, shown);
+  Info info;
+  info.json = {{"file", shown}, {"format", "scene"}, {"unit", scene.unit.empty() ? Json(nullptr) : Json(scene.unit)}};
+  info.json["bodies"] = Json::array();
+  info.json["allowed_pairs"] = Json::array();
+  std::size_t width = 0, parts = 0;
+  for (const io::SceneFile::Body& body : scene.bodies) {
+    width = std::max(width, body.name.size());
+    parts += body.parts.size();
+  }
+  info.text = fmt::format("{}: scene of {} and {}, {}\n", shown,
+                          scene.bodies.size() == 1 ? "1 body" : fmt::format("{} bodies", scene.bodies.size()),
+                          count_of(parts, "part"),
+                          scene.unit.empty() ? "which names no unit of lengths" : "lengths in " + scene.unit);
+  for (const io::SceneFile::Body& body : scene.bodies) {
+    Json list = Json::array();
+    std::string text;
+    for (const io::SceneFile::Part& part : body.parts) {
+      Json of_part{{"name", part.name}, {"shape", part.format}};
+      text += (text.empty() ? "" : ", ") + (part.name.empty() ? "" : part.name + " (") +
+              (part.mesh ? io::one_line(part.mesh->file) : part.format) + (part.name.empty() ? "" : ")");
+      if (part.mesh) of_part["mesh"] = part.mesh->file;
+      list.push_back(std::move(of_part));
+    }
+    info.json["bodies"].push_back({{"name", body.name}, {"parts", list}});
+    info.text += fmt::format("  body   {:<{}}  {}\n", body.name, width, text);
+  }
+  for (const auto& [a, b] : scene.allowed) {
+    const std::string &name_a = scene.bodies[a].name, &name_b = scene.bodies[b].name;
+    info.json["allowed_pairs"].push_back({name_a, name_b});
+    info.text += fmt::format("  may meet: {} and {}\n", name_a, name_b);
+  }
+  info.add("ask", "sunder scene");
   return info;
 }
 
@@ -291,6 +338,7 @@ Info describe_planar(const std::string& file, std::string_view text) {
 Info describe(const std::string& file) {
   const std::string bytes = io::read_file(file);
   if (is_robot(file, bytes)) return describe_robot(file, bytes);
+  if (is_scene(file, bytes)) return describe_scene(file, bytes);
   return is_planar(file, bytes) ? describe_planar(file, bytes) : describe_mesh(file, bytes);
 }
 
@@ -323,7 +371,7 @@ Verb info_verb() {
   return {"info",
           "What is in these files? Which formats are read?",
           codes_of_reports,
-          {{"FILE", &call->files, "meshes, sets of points, robots, files of the plane", ""},
+          {{"FILE", &call->files, "meshes, sets of points, robots, scenes, files of the plane", ""},
            {"--formats", &call->formats, "list the formats that are in"},
            json_option(call->json)},
           [call] { return run(*call); }};

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -41,6 +42,38 @@ double squared_gap(const Box3& a, const Box3& b) {
   }
   return sum;
 }
+
+// Boxes by their lower ends along the axis on which these are spread most: which come near a box?
+class BoxOrder {
+ public:
+  explicit BoxOrder(const std::vector<WorldBox>& boxes)
+      : boxes_(boxes), axis_(widest_axis(std::span<const WorldBox>(boxes))), order_(boxes.size()) {
+    std::iota(order_.begin(), order_.end(), 0u);
+    std::sort(order_.begin(), order_.end(), [&](std::uint32_t i, std::uint32_t j) {
+      const double p = boxes[i].low[axis_], q = boxes[j].low[axis_];
+      return p != q ? p < q : i < j;
+    });
+  }
+
+  // of_pair(i, j), i < j, once for each pair whose squared_gap is at most `most`, and for some others. `most` may
+  // become less meanwhile.
+  template <class OfPair>
+  void for_each_near(const double& most, const OfPair& of_pair) const {
+    for (std::size_t p = 0; p < order_.size(); ++p) {
+      for (std::size_t q = p + 1; q < order_.size(); ++q) {
+        const std::uint32_t i = order_[p], j = order_[q];
+        const double gap = boxes_[j].low[axis_] - boxes_[i].high[axis_];  // of boxes further on it is no less
+        if (gap > 0 && gap * gap * (1 - 0x1p-48) > most) break;           // below what squared_gap rounds down to
+        of_pair(std::min(i, j), std::max(i, j));
+      }
+    }
+  }
+
+ private:
+  const std::vector<WorldBox>& boxes_;
+  std::size_t axis_;
+  std::vector<std::uint32_t> order_;
+};
 
 PartDistance named(const PartPair& pair) { return {pair.body_a, pair.body_b, pair.part_a, pair.part_b}; }
 
@@ -192,20 +225,26 @@ std::optional<PartDistance> nearest_parts(std::span<const Body> bodies,
   const Members members(bodies, std::move(allowed));
   std::vector<WorldBox> boxes;
   for (std::uint32_t i = 0; i < members.size(); ++i) boxes.push_back(box_of(members.part(bodies, i)));
-  const auto for_each_pair = [&](const auto& of_pair) {
-    for (std::uint32_t i = 0; i < members.size(); ++i) {
-      for (std::uint32_t j = i + 1; j < members.size(); ++j) {
-        if (members.are_asked_about(i, j)) of_pair(i, j, squared_gap(boxes[i], boxes[j]));
-      }
-    }
+  const BoxOrder order(boxes);
+  // Of the pairs that are asked about; of some whose boxes are further apart than the square says it may be left out.
+  const auto for_each_pair = [&](const double& most, const auto& of_pair) {
+    order.for_each_near(most, [&](std::uint32_t i, std::uint32_t j) {
+      if (members.are_asked_about(i, j)) of_pair(i, j, squared_gap(boxes[i], boxes[j]));
+    });
   };
   struct Candidate {
     double squared = infinity;
     std::uint32_t i = 0, j = 0;
   };
+  const auto comes_before = [](const Candidate& p, const Candidate& q) {
+    return std::tie(p.squared, p.i, p.j) < std::tie(q.squared, q.i, q.j);
+  };
   std::optional<Candidate> first;  // whose boxes are nearest
-  for_each_pair([&](std::uint32_t i, std::uint32_t j, double squared) {
-    if (!first || squared < first->squared) first = Candidate{squared, i, j};
+  double least = infinity;
+  for_each_pair(least, [&](std::uint32_t i, std::uint32_t j, double squared) {
+    const Candidate here{squared, i, j};
+    if (!first || comes_before(here, *first)) first = here;
+    least = first->squared;
   });
   if (!first) return std::nullopt;
   PartDistance nearest = distance_of(members, bodies, first->i, first->j);
@@ -214,12 +253,11 @@ std::optional<PartDistance> nearest_parts(std::span<const Body> bodies,
     return high == 0 ? 0.0 : above(high * high);
   };
   std::vector<Candidate> candidates;
-  for_each_pair([&, most = bound()](std::uint32_t i, std::uint32_t j, double squared) {
+  const double most = bound();
+  for_each_pair(most, [&](std::uint32_t i, std::uint32_t j, double squared) {
     if (squared <= most && (i != first->i || j != first->j)) candidates.push_back({squared, i, j});
   });
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& p, const Candidate& q) {
-    return std::tie(p.squared, p.i, p.j) < std::tie(q.squared, q.i, q.j);
-  });
+  std::sort(candidates.begin(), candidates.end(), comes_before);
   double low = nearest.distance.low;  // of all that were looked at
   for (const auto& [squared, i, j] : candidates) {
     if (squared > bound()) break;

@@ -2,7 +2,9 @@
 #include <sunder/scene/clearance.h>
 #include <sunder/solid/round/round_clearance.h>
 #include <sunder/solid/round/round_distance.h>
+#include <sunder/solid/round/round_round.h>
 
+#include <tests/support/round_pairs.h>
 #include <tests/support/scale.h>
 #include <tests/support/shapes.h>
 
@@ -214,6 +216,59 @@ TEST(Clearance, ComparesDistancesOfHullsExactly) {
   EXPECT_EQ(nearest(scene(3, 1, 3 - 2 * bit, 1 - 3 * bit)), 1u);
   EXPECT_EQ(nearest(scene(3 - 2 * bit, 1 - 2 * bit, 3, 1)), 1u);
   EXPECT_EQ(nearest(scene(3 - 2 * bit, 1 - 3 * bit, 3, 1)), 2u);
+}
+
+// Two points that are hardly apart, and cylinders of which it is not known whether they meet: the points are nearest,
+// as far as bounds tell, but the lower bound that is told is that of all.
+TEST(Clearance, TheLowerBoundIsThatOfAll) {
+  Random random(tests::chosen_seed(85));
+  const solid::RoundBody cylinder = solid::RoundBody::cylinder({0, 0, -0.5}, {0, 0, 0.5}, 0.5);
+  const double apart = 0x1p-200;
+  int undecided = 0;
+  for (int round = 0; round < 60; ++round) {
+    const auto n = [&] { return random.uniform(-1, 1); };
+    const Pose turned = Pose::from_quaternion(n(), n(), n(), n(), {});
+    const Point3 way{n(), n(), 4};
+    const double t = tests::last_meeting(cylinder, Pose(), cylinder, turned, way);
+    const Pose at = tests::moved(turned, way, t);
+    if (!round_round(cylinder, Pose(), cylinder, at).undecided()) continue;
+    ++undecided;
+    const solid::RoundBody point = solid::RoundBody::ball({0, 0, 0}, 0);
+    const std::vector<Body> bodies{{"a", {{"", cylinder, Pose()}}},
+                                   {"b", {{"", cylinder, at}}},
+                                   {"c", {{"", point, tests::shift(0, 9, 0)}}},
+                                   {"d", {{"", point, tests::shift(apart, 9, 0)}}}};
+    const PartDistance nearest = *nearest_parts(bodies);
+    EXPECT_EQ(key(nearest), (Key{2, 3, 0, 0}));
+    EXPECT_EQ(nearest.distance.high, apart);
+    EXPECT_EQ(nearest.distance.low, 0);
+  }
+  EXPECT_GT(undecided, 0);
+}
+
+// Bodies in all directions, of all sizes, some endless along the axis that is sorted: none is passed over.
+TEST(Clearance, NearestOfManyIsNearestOfAll) {
+  Random random(tests::chosen_seed(86));
+  for (int round = 0; round < tests::scaled_count(8, 2); ++round) {
+    std::vector<Body> bodies;
+    const double wide = round % 2 == 0 ? 40 : 8;
+    for (int i = 0; i < 60; ++i) {
+      const double long_one = random.below(10) == 0 ? 10 : 0.25;
+      const solid::RoundBody shape = solid::RoundBody::capsule({0, 0, 0}, {long_one, 0.5, 0}, 0.25);
+      bodies.push_back(
+          {"",
+           {{"", shape,
+             tests::shift(random.uniform(-wide, wide), random.uniform(-wide, wide), random.uniform(-wide, wide))}}});
+    }
+    double least = HUGE_VAL;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      for (std::size_t j = i + 1; j < bodies.size(); ++j) {
+        const Part &a = bodies[i].parts[0], &b = bodies[j].parts[0];
+        least = std::min(least, solid::round_distance(a.shape, a.pose, b.shape, b.pose).distance.low);
+      }
+    }
+    EXPECT_EQ(nearest_parts(bodies)->distance.low, least) << round;
+  }
 }
 
 // Two cubes at the margin, and a last bit to either side.

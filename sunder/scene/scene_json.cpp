@@ -197,4 +197,42 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
   pairs.end();
 }
 
+void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
+                             const std::function<MeetingPlacement(std::size_t k)>& placement, const Question& question,
+                             Origin origin, const TextSink& sink) {
+  for (const auto& [a, b] : question.allowed) {
+    origin.left_out.push_back(bodies[a].name + " and " + bodies[b].name + ", which may meet");
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    const MeetingPlacement placed = placement(k);
+    for (const PartPair& pair : placed.pairs) {
+      if (is_open(pair, question)) origin.left_out.push_back(placed.title + ": " + open_text(placed.bodies, pair));
+    }
+  }
+  ClaimsWriter file(sink);
+  file.add_origin(origin);
+  PairClaims pairs(file);
+  const Numbers shapes = add_shapes(pairs, bodies);
+  std::vector<Numbers> numbers;  // by placement
+  for (std::size_t k = 0; k < count; ++k) {
+    const MeetingPlacement placed = placement(k);
+    numbers.push_back(numbers_of(bodies, [&](std::uint32_t b, std::uint32_t p) {
+      return add_placed(pairs, placed.title + ": ", shapes[b][p], placed.bodies[b], p);
+    }));
+  }
+  Question of_all = question;
+  of_all.every_pair = true;
+  for (std::size_t k = 0; k < count; ++k) {
+    const MeetingPlacement placed = placement(k);
+    const Answer answer = meeting_pairs(placed.bodies, of_all);
+    for (const PartPair& pair : answer.pairs) {
+      if (pair.undecided()) continue;
+      add_pair_claims(pairs, placed.bodies, pair, numbers[k][pair.body_a][pair.part_a],
+                      numbers[k][pair.body_b][pair.part_b]);
+    }
+    pairs.add_all_pairs(all_pairs(answer, question, numbers[k]));
+  }
+  pairs.end();
+}
+
 }  // namespace sunder::scene

@@ -43,4 +43,12 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
                                const std::function<MeetingPlacement(std::size_t k)>& placement,
                                const Question& question, Origin origin, const TextSink& sink);
 
+// Of so many placements, each of which is asked for three times: all that write_certificate states, whether or not
+// pairs meet; but for clearances. `pairs` of a placement need hold no more than those that meet or are undecided: the
+// others are asked about again, one placement after another. Throws what the sink and `placement` throw. Memory: a name
+// and a pose for each part in each placement, and one answer.
+void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
+                             const std::function<MeetingPlacement(std::size_t k)>& placement, const Question& question,
+                             Origin origin, const TextSink& sink);
+
 }  // namespace sunder::scene

@@ -241,20 +241,22 @@ struct Chain {
   std::size_t begin = 0, end = 0;  // rows
   std::string text, json, csv;
   std::vector<Met> met;
-  std::uint64_t some = 0, undecided = 0, meeting = 0;  // as in PlacementsAnswer
+  std::uint64_t some = 0, undecided = 0, meeting = 0, not_kept = 0;  // as in PlacementsAnswer
 };
 
 class Placements {
  public:
   Placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
-             const io::JointTable& table, const InputFiles& inputs)
+             const io::JointTable& table, const InputFiles& inputs, const NearnessQuestion& near)
       : call_(call),
         inputs_(inputs),
+        near_(near),
         input_(input),
         table_(table),
         motion_(input.robot(option), table.joints),
         start_(input.bodies({}), question),
         lines_(input, question, start_.bodies()),
+        near_lines_(near, input, start_.bodies(), question.allowed),
         prints_text_(call.json_lines.empty() && call.csv.empty() && call.meeting_certificate.empty()),
         threads_(scene::thread_count(call.threads)),
         question_(question) {
@@ -264,8 +266,16 @@ class Placements {
   PlacementsAnswer run() {
     open(call_.json_lines, json_);
     open(call_.csv, csv_);
-    if (json_) json_->write(header_line(input_, question_, start_.bodies(), table_));
-    if (csv_) csv_->write("placement,answer,meeting,pairs\n");
+    if (json_) {
+      std::string header = header_line(input_, question_, start_.bodies(), table_);
+      near_lines_.add_json_header(header);
+      json_->write(header);
+    }
+    if (csv_) {
+      std::string header = "placement,answer,meeting,pairs\n";
+      near_lines_.add_csv_header(header);
+      csv_->write(header);
+    }
     practise();
     Progress progress("placements");
     const auto report = progress.reporter();
@@ -276,7 +286,7 @@ class Placements {
     if (json_) json_->commit();
     if (csv_) csv_->commit();
     if (certificate_) certificate_->commit();
-    return {asked_, some_, undecided_, meeting_, summary()};
+    return {asked_, some_, undecided_, meeting_, not_kept_, summary()};
   }
 
  private:
@@ -286,13 +296,16 @@ class Placements {
         fmt::format("{}, of which {} {}", count_of(asked_, "placement"), some_,
                     left_out.empty() ? "have bodies that meet" : "have bodies, of those read, that meet");
     if (undecided_ > 0) text += fmt::format("; where that is undecided: {}", undecided_);
+    if (near_.clearance) text += fmt::format("; closer than asked for, or undecided: {}", not_kept_);
     if (asked_ < table_.rows()) {
-      text += fmt::format("; not asked about, after the first that meets: {}", table_.rows() - asked_);
+      text += fmt::format("; not asked about, after the first that meets{}: {}", near_.clearance ? " or is closer" : "",
+                          table_.rows() - asked_);
     }
     text += left_out.clause() + "\n" + file_line("JSON lines", call_.json_lines) + file_line("table", call_.csv);
     if (call_.meeting_certificate.empty()) return text;
     if (!certificate_) return text + "  no proofs are written, as nothing is known to meet\n";
-    return text + file_line(fmt::format("proofs of {}", count_of(meeting_, "pair")), call_.meeting_certificate);
+    const std::string of = call_.parted ? count_of(asked_, "placement") : count_of(meeting_, "pair");
+    return text + file_line(fmt::format("proofs of {}", of), call_.meeting_certificate);
   }
 
   static void open(const std::string& name, std::optional<io::OutputFile>& file) {
@@ -311,7 +324,7 @@ class Placements {
 
   void run(Chain& chain) const {
     for (std::string* out : {&chain.text, &chain.json, &chain.csv}) out->clear();
-    chain.some = chain.undecided = chain.meeting = 0;
+    chain.some = chain.undecided = chain.meeting = chain.not_kept = 0;
     chain.met.clear();
     chain.follower = start_;
     for (std::size_t k = chain.begin; k < chain.end; ++k) {
@@ -326,15 +339,25 @@ class Placements {
       if (prints_text_) lines_.add_text(k, answer, chain.text);
       if (json_) lines_.add_json(k, answer, chain.follower.bodies(), chain.json);
       if (csv_) lines_.add_csv(k, answer, chain.csv);
+      const bool is_kept = !near_.asks() || look_near(chain);
       chain.meeting += answer.counts.meeting;
       if (!call_.meeting_certificate.empty() && !answer.pairs.empty()) chain.met.push_back({k, answer.pairs});
       if (!answer.some_meet() && !answer.none_meet()) ++chain.undecided;
-      if (!answer.some_meet()) continue;
-      ++chain.some;
-      if (!call_.first) continue;
+      chain.some += answer.some_meet();
+      if (!call_.first || (!answer.some_meet() && is_kept)) continue;
       chain.end = k + 1;
       return;
     }
+  }
+
+  // Adds to the lines of the placement. Is nothing closer than it has to be?
+  bool look_near(Chain& chain) const {
+    const Nearness found = near_lines_.ask(chain.follower.bodies());
+    if (prints_text_) near_lines_.add_text(found, chain.text);
+    if (json_) near_lines_.add_json(found, chain.json);
+    if (csv_) near_lines_.add_csv(found, chain.csv);
+    chain.not_kept += !found.is_kept();
+    return found.is_kept();
   }
 
   // What all chains begin from: what the first one leaves of evidence, where there are several. A fixed beginning, so
@@ -354,7 +377,7 @@ class Placements {
 
   // Of what was found to meet; links are placed again, to the same numbers.
   void write_certificate() {
-    if (meeting_ == 0) return;
+    if (meeting_ == 0 && !call_.parted) return;
     certificate_.emplace(call_.meeting_certificate);
     std::vector<scene::Body> bodies(start_.bodies().begin(), start_.bodies().end());
     std::vector<scene::Part*> parts;
@@ -362,14 +385,26 @@ class Placements {
       for (scene::Part& part : body.parts) parts.push_back(&part);
     }
     std::vector<solid::Pose> links(input_.robot(option).links.size());
-    const auto placement = [&](std::size_t k) {
-      motion_.place(table_.row(met_[k].row), links);
+    const auto placement_of = [&](std::size_t row, std::span<const PartPair> pairs) {
+      motion_.place(table_.row(row), links);
       input_.place_links(links, [&](std::uint32_t part, const solid::Pose& pose) { parts[part]->pose = pose; });
-      return scene::MeetingPlacement{std::to_string(met_[k].row), bodies, met_[k].pairs};
+      return scene::MeetingPlacement{std::to_string(row), bodies, pairs};
     };
+    const auto write = [&](std::string_view text) { certificate_->write(text); };
+    if (call_.parted) {
+      const auto any = [&](std::size_t k) {
+        const auto met =
+            std::lower_bound(met_.begin(), met_.end(), k, [](const Met& m, std::size_t row) { return m.row < row; });
+        const bool is_some = met != met_.end() && met->row == k;
+        return placement_of(k, is_some ? std::span<const PartPair>(met->pairs) : std::span<const PartPair>());
+      };
+      scene::write_whole_certificate(start_.bodies(), asked_, any, question_, {inputs_, input_.left_out().texts()},
+                                     write);
+      return;
+    }
+    const auto placement = [&](std::size_t k) { return placement_of(met_[k].row, met_[k].pairs); };
     scene::write_meeting_certificate(start_.bodies(), met_.size(), placement, question_,
-                                     {inputs_, input_.left_out().texts()},
-                                     [&](std::string_view text) { certificate_->write(text); });
+                                     {inputs_, input_.left_out().texts()}, write);
   }
 
   bool end(Chain& chain, const std::function<void(double)>& report) {
@@ -380,18 +415,21 @@ class Placements {
     some_ += chain.some;
     undecided_ += chain.undecided;
     meeting_ += chain.meeting;
+    not_kept_ += chain.not_kept;
     asked_ = chain.end;
     if (report) report(static_cast<double>(asked_) / static_cast<double>(table_.rows()));
-    return !call_.first || some_ == 0;
+    return !call_.first || some_ + not_kept_ == 0;
   }
 
   const PlacementsCall& call_;
   const InputFiles& inputs_;
+  const NearnessQuestion& near_;
   const SceneInput& input_;
   const io::JointTable& table_;
   const io::RobotMotion motion_;
   scene::Follower start_;
   const Lines lines_;
+  const NearnessLines near_lines_;
   const bool prints_text_;
   const std::size_t threads_;
   const scene::Question& question_;
@@ -399,7 +437,7 @@ class Placements {
   std::vector<std::unique_ptr<Chain>> chains_;
   std::vector<Met> met_;  // where there is to be a certificate
   std::size_t next_ = 0, asked_ = 0;
-  std::uint64_t some_ = 0, undecided_ = 0, meeting_ = 0;
+  std::uint64_t some_ = 0, undecided_ = 0, meeting_ = 0, not_kept_ = 0;
 };
 
 }  // namespace
@@ -455,8 +493,9 @@ std::vector<io::JointValues> extremes_of(const io::JointTable& table) {
 }
 
 PlacementsAnswer answer_placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
-                                   const io::JointTable& table, const InputFiles& inputs) {
-  return Placements(call, input, question, table, inputs).run();
+                                   const io::JointTable& table, const InputFiles& inputs,
+                                   const NearnessQuestion& near) {
+  return Placements(call, input, question, table, inputs, near).run();
 }
 
 }  // namespace sunder::ask

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sunder/ask/report.h>
+#include <sunder/ask/scene/nearness_lines.h>
 #include <sunder/ask/scene/scene_input.h>
 
 #include <sunder/io/joint_table.h>
@@ -24,12 +25,13 @@ struct PlacementsCall {
   std::uint64_t threads = 0;        // 0: all cores
 };
 
-// How many were asked about, and of these: where something meets, where that is undecided; pairs that meet, in all.
+// How many were asked about, and of these: where something meets, where that is undecided; pairs that meet, in all;
+// where something is closer than it has to be, or where that is undecided.
 struct PlacementsAnswer {
-  std::uint64_t asked = 0, some = 0, undecided = 0, meeting = 0;
+  std::uint64_t asked = 0, some = 0, undecided = 0, meeting = 0, not_kept = 0;
   std::string summary;  // for people
 
-  int code() const { return some + undecided > 0 ? exit_code::yes : exit_code::no; }
+  int code() const { return some + undecided + not_kept > 0 ? exit_code::yes : exit_code::no; }
 };
 
 // The table with the names of its joints. Throws Error, also where they are not so many as there are columns.
@@ -42,9 +44,10 @@ std::vector<io::JointValues> joint_values_of(const io::JointTable& table);
 std::vector<io::JointValues> extremes_of(const io::JointTable& table);
 
 // Asks the question of each placement, in chains (scene/chains.h), and writes what comes out: lines of text on standard
-// output, or the files that are asked for. inputs: what a certificate was made of. Throws Error; then no file is
-// written.
+// output, or the files that are asked for. inputs: what a certificate was made of. near: what else is asked; then no
+// certificate is written. Throws Error; then no file is written.
 PlacementsAnswer answer_placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
-                                   const io::JointTable& table, const InputFiles& inputs = {});
+                                   const io::JointTable& table, const InputFiles& inputs = {},
+                                   const NearnessQuestion& near = {});
 
 }  // namespace sunder::ask

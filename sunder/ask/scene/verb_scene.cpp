@@ -187,15 +187,17 @@ int run(const Call& call) {
   report.clearance = clearance_question(call.clearance, input, question.allowed);
   report.asks_for_nearest = call.clearance.nearest;
   if (is_by_lines) {
-    if (call.clearance.asks()) {
+    if (call.clearance.asks() && !call.placements.meeting_certificate.empty()) {
       throw Error(ErrorCode::bad_call,
-                  "how near the bodies are is told in a report of all placements: give --json or --certificate",
-                  "--placements");
+                  "proves what meets, and not how near the bodies are: leave out --clearance, --margin and --distance, "
+                  "or give --certificate, for all",
+                  "--meeting-certificate");
     }
     input.note_limits(extremes_of(table));
     note_hulls(input.meshes());
     if (call.between) return answer_between(call.placements, input, question, table, files);
-    const PlacementsAnswer answer = answer_placements(call.placements, input, question, table, files);
+    const NearnessQuestion near{report.clearance, report.asks_for_nearest};
+    const PlacementsAnswer answer = answer_placements(call.placements, input, question, table, files, near);
     print_for_people(answer.summary);
     return answer.code();
   }
@@ -258,7 +260,7 @@ Verb scene_verb() {
         .needs = "--placements"},
        {.name = "--first",
         .value = &call->placements.first,
-        .help = "stop at the first placement where bodies meet",
+        .help = "stop at the first placement where bodies meet, or are closer than --clearance",
         .needs = "--placements",
         .excludes = {"--json", "--certificate", "--svg", "--gltf"}},
        {.name = "--between",
