@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 namespace sunder {
@@ -16,10 +17,6 @@ constexpr std::size_t most_masks = std::size_t{1} << (most_of_simplex + 1);
 // there, but that roundings are counted for all at once.
 struct Sized {
   double value = 0, size = 0;
-
-  friend Sized operator+(const Sized& a, const Sized& b) { return {a.value + b.value, a.size + b.size}; }
-  friend Sized operator-(const Sized& a, const Sized& b) { return {a.value - b.value, a.size + b.size}; }
-  friend Sized operator*(const Sized& a, const Sized& b) { return {a.value * b.value, a.size * b.size}; }
 };
 
 // Monomials of a minor of k rows have as many factors (1 + e) as one of k - 1 rows and, for the leaf, which is a
@@ -56,6 +53,65 @@ void all_minors(std::size_t rows, std::size_t columns, const Entry& entry, Numbe
       is_minus = !is_minus;
     }
     minor[mask] = std::move(sum);
+  }
+}
+
+// The same without loops.
+template <std::size_t Rows, std::size_t Columns>
+class SizedMinors {
+ public:
+  template <class Entry>
+  explicit SizedMinors(const Entry& entry) {
+    for (std::size_t r = 0; r < Rows; ++r) {
+      for (std::size_t c = 0; c < Columns; ++c) entry_[r][c] = entry(r, c);
+    }
+    [&]<unsigned... masks>(std::integer_sequence<unsigned, masks...>) {
+      (take<masks + 1>(std::make_index_sequence<Columns>{}), ...);
+    }(std::make_integer_sequence<unsigned, (1u << Columns) - 1>{});
+  }
+
+  const Sized& operator[](unsigned mask) const { return minor_[mask]; }
+
+ private:
+  template <unsigned mask, std::size_t... columns>
+  void take(std::index_sequence<columns...>) {
+    if constexpr (static_cast<std::size_t>(std::popcount(mask)) <= Rows) {
+      Sized sum{};
+      (add<mask, columns>(sum), ...);
+      minor_[mask] = sum;
+    }
+  }
+
+  template <unsigned mask, std::size_t c>
+  void add(Sized& sum) const {
+    if constexpr ((mask >> c & 1) != 0) {
+      constexpr auto r = static_cast<std::size_t>(std::popcount(mask)) - 1;
+      constexpr auto before = static_cast<std::size_t>(std::popcount(mask & ((1u << c) - 1)));
+      const Sized& entry = entry_[r][c];
+      if constexpr (r == 0) {
+        sum = entry;
+      } else {
+        const Sized& rest = minor_[mask & ~(1u << c)];
+        const Sized product{entry.value * rest.value, entry.size * rest.size};
+        sum.value = ((r + before) & 1) == 0 ? sum.value + product.value : sum.value - product.value;
+        sum.size += product.size;
+      }
+    }
+  }
+
+  std::array<std::array<Sized, Columns>, Rows> entry_;
+  std::array<Sized, 1u << Columns> minor_;
+};
+
+// Calls with a constant 2 to 6 that is d.
+template <class Call>
+auto with_dimension(std::size_t d, const Call& call) {
+  switch (d) {
+    case 2: return call(std::integral_constant<std::size_t, 2>{});
+    case 3: return call(std::integral_constant<std::size_t, 3>{});
+    case 4: return call(std::integral_constant<std::size_t, 4>{});
+    case 5: return call(std::integral_constant<std::size_t, 5>{});
+    default: return call(std::integral_constant<std::size_t, 6>{});
   }
 }
 
@@ -150,36 +206,39 @@ std::vector<Dyadic> PlanePoints::row(std::uint32_t k) const {
 }
 
 RoundedPlane PlanePoints::rounded_plane(const SimplexCorners& corners) const {
-  RoundedPlane plane;
-  std::array<Sized, most_masks> minor;
   const double* const origin = rounded(corners[0]);
   const auto entry = [&](std::size_t r, std::size_t c) {
     const double x = rounded(corners[r + 1])[c] - origin[c];
     return Sized{x, std::fabs(x) + uncertainty_};
   };
-  all_minors(d_ - 1, d_, entry, minor.data(), Sized{1, 1});
-  const unsigned all = (1u << d_) - 1;
-  double sizes = 0;
-  for (std::size_t c = 0; c < d_; ++c) {
-    const Sized& without = minor[all & ~(1u << c)];
-    plane.normal[c] = (c & 1) == 0 ? without.value : -without.value;
-    plane.offset += plane.normal[c] * origin[c];
-    sizes += without.size;
-  }
-  // Of q and p0 together 2, and what is uncertain about them.
-  plane.error = is_exact_ ? 0 : relative * (sizes * (2 + 2 * uncertainty_)) + absolute;
-  return plane;
+  return with_dimension(d_, [&](auto dimension) {
+    constexpr std::size_t d = dimension;
+    const SizedMinors<d - 1, d> minor(entry);
+    constexpr unsigned all = (1u << d) - 1;
+    RoundedPlane plane;
+    double sizes = 0;
+    for (std::size_t c = 0; c < d; ++c) {
+      const Sized& without = minor[all & ~(1u << c)];
+      plane.normal[c] = (c & 1) == 0 ? without.value : -without.value;
+      plane.offset += plane.normal[c] * origin[c];
+      sizes += without.size;
+    }
+    // Of q and p0 together 2, and what is uncertain about them.
+    plane.error = is_exact_ ? 0 : relative * (sizes * (2 + 2 * uncertainty_)) + absolute;
+    return plane;
+  });
 }
 
 Guess PlanePoints::closer_side(const SimplexCorners& corners, std::uint32_t k) const {
-  std::array<Sized, most_masks> minor;
   const double* const origin = rounded(corners[0]);
   const auto entry = [&](std::size_t r, std::size_t c) {
     const double x = (r + 1 < d_ ? rounded(corners[r + 1]) : rounded(k))[c] - origin[c];
     return Sized{x, std::fabs(x) + uncertainty_};
   };
-  all_minors(d_, d_, entry, minor.data(), Sized{1, 1});
-  Sized sum = minor[(1u << d_) - 1];  // its row is the last, not the first
+  Sized sum = with_dimension(d_, [&](auto dimension) {
+    constexpr std::size_t d = dimension;
+    return SizedMinors<d, d>(entry)[(1u << d) - 1];
+  });  // its row is the last, not the first
   if ((d_ & 1) == 0) sum.value = -sum.value;
   const double error = is_exact_ ? 0 : relative * sum.size + absolute;
   if (sum.value > error) return Guess::positive;

@@ -153,6 +153,31 @@ def circle_in_space(n):
     return [["0x%xp0" % (i * i), "0x%xp0" % i, "0x0p0"] for i in range(n)]
 
 
+def simplex(d, n, size, point, count):
+    """A simplex of d dimensions around one point, n times."""
+    corners = [["0x0p0"] * d] + [[size if r == c else "0x0p0" for c in range(d)] for r in range(d)]
+    facets = []
+    for i in range(d + 1):
+        those = [v for v in range(d + 1) if v != i]
+        facets.append([those if i % 2 else those[1::-1] + those[2:]])
+    return claimed("bodies", [{"name": "a", "points": corners + [[point] * d] * n}], *[
+        {"question": "polytope_hull", "body": 0, "verdict": "facets", "facets": facets,
+         "claims": [{"claim": "boundary", "simplices": [None] * (d + 1) + [1] * n}]}] * count)
+
+
+def drum(n, cut):
+    """A prism over n points of a parabola, without some of its caps."""
+    points = [["0x%xp0" % i, "0x%xp0" % (i * i), "0x%xp0" % z] for z in (0, 1) for i in range(n)]
+    caps = [[[0, i, i + 1][::step] for i in range(1, n - 1)] for step in (-1, 1)]
+    facets = [caps[0], [[v + n for v in s] for s in caps[1]]]
+    for i in range(n):
+        j = (i + 1) % n
+        facets.append([[i, j, j + n], [i, j + n, i + n]])
+    return claimed("bodies", [{"name": "a", "points": points}], {
+        "question": "polytope_hull", "body": 0, "verdict": "facets", "facets": facets[cut:],
+        "claims": [{"claim": "boundary", "simplices": [None] * 2 * n}]})
+
+
 def all_pairs(n, groups):
     return {"question": "bodies", "members": list(range(n)), "allowed": "nothing", "groups": list(groups), "except": [],
             "verdict": "these", "contacts": [], "claims": [{"claim": "each_pair"}]}
@@ -237,6 +262,11 @@ HOSTILE = {  # about 1 MB each, but for those that need less
     "a ring around many points": lambda: claimed("bodies", [{"name": "a", "points": circle_in_space(6000)}], {
         "question": "hull", "body": 0, "verdict": "flat", "outline": list(range(6000)),
         "claims": [{"claim": "outline", "sectors": [None] * 6000}]}),
+    "a simplex around many points": lambda: simplex(6, 18000, "0x1p10", "0x1p0", 1),
+    "a simplex around a point, often": lambda: simplex(6, 1, "0x1p10", "0x1p0", 4000),
+    "a simplex of long integers": lambda: simplex(6, 4000, "0x1p1023", "0x1p-1074", 1),
+    "a drum": lambda: drum(5000, 0),
+    "a drum without a cap": lambda: drum(5000, 1),
     "a circle of far points": lambda: claimed(
         "polygons", [[[["0x1p0", "0x0p0"], ["0x1p0", "0x1p0"]]] * 12000],
         {"question": "valid", "parts": [0], "rule": "valid", "verdict": "circle", "rings": list(range(12000)),
