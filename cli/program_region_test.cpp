@@ -36,6 +36,37 @@ TEST_F(Program, Regions) {
   EXPECT_EQ(run("region " + some + " --maximize 1").code, 2);
 }
 
+TEST_F(Program, RegionsOfHalfSpaces) {
+  const std::string box = cases + "/polytopes/box.csv", proof = in_folder("proof.json"), file = in_folder("rows.csv");
+  for (const std::string method : {"automatic", "seidel", "scan"}) {
+    const Run best = run("region " + box + " --maximize 1,2,3,4 --json --method " + method + " --certificate " + proof);
+    EXPECT_EQ(best.code, 0) << best.err;
+    EXPECT_EQ(json::parse(best.out)["best"]["outcome"], "one");
+    EXPECT_EQ(json::parse(best.out)["best"]["point"], json({1, 1, 1, 1}));
+    EXPECT_EQ(run("verify " + proof + " --against " + box).code, 0);
+  }
+  const Run part = run("region " + box + " --json --certificate " + proof);
+  EXPECT_EQ(json::parse(part.out)["region"]["kind"], "bounded");
+  EXPECT_EQ(json::parse(part.out)["region"]["extents"][3], json({-1, 1}));
+  EXPECT_EQ(run("verify " + proof).code, 0);
+  EXPECT_EQ(run("region " + cases + "/polytopes/empty.csv").code, 1);
+  EXPECT_EQ(run("region " + cases + "/polytopes/empty.csv --maximize 1,1,1,1").code, 1);
+  const auto expect_refused = [&](const std::string& rows, const std::string& options, const std::string& what) {
+    write_text(file, rows);
+    const Run bad = run("region " + file + options);
+    EXPECT_EQ(bad.code, 2);
+    EXPECT_NE(bad.err.find(what), std::string::npos) << bad.err;
+  };
+  expect_refused("a1,a2,b\n1,nan,3\n", "", "rows.csv:2: 'nan' is NaN");
+  expect_refused("a1,a2,b\n1,2,3\n1,2\n", "", "rows.csv:3: has 2 numbers");
+  expect_refused("a1,b\n1,2\n", " --of half-spaces", "for a d from 2 to 6");
+  expect_refused("a1,a2,a3,a4,a5,a6,a7,b\n", " --of half-spaces", "for a d from 2 to 6");
+  expect_refused("x1,x2\n1,2\n", "", "points; give half-spaces");
+  expect_refused("a1,a2,b\n1,2,3\n", " --maximize 1,2,3", "3 numbers; give 2");
+  expect_refused("a1,a2,b\n1,2,3\n", " --method scan", "for --maximize");
+  expect_refused("a1,a2,b\n1,2,3\n", " --svg x.svg", "for the plane");
+}
+
 TEST_F(Program, RegionsOfPolygons) {
   const std::string file = in_folder("convex.wkt"), proof = in_folder("proof.json");
   const auto ask = [&](const std::string& rest) {

@@ -54,6 +54,7 @@ OPTIONAL = {
     "nearest[]": "points_about",
     "contacts[]": "groups layers files lines properties",
     "best": "before side after point",
+    "region": "dimension direction_about",
     "sections[]": "through",
     "sections[].corners[]": "vertex edge",
 }
@@ -74,6 +75,7 @@ METHODS = {
     "boxes cases/outcomes/boxes.csv": "automatic scan",
     "polygons cases/outcomes/polygons.wkt": "automatic boxes grid sweep scan",
     "region cases/outcomes/half_planes_bounded.csv": "automatic sort division scan",
+    "region cases/polytopes/box.csv --maximize 1,2,3,4": "automatic seidel scan",
     "region --of circles cases/outcomes/discs_region.csv": "automatic division scan",
     "region --of polygons cases/outcomes/convex_bounded.wkt": "automatic edges division scan",
     "kernel cases/outcomes/star_bounded.wkt": "automatic half-planes lee-preparata scan",
@@ -188,6 +190,16 @@ region cases/outcomes/half_planes_unbounded.csv --maximize -1,-1
 region cases/outcomes/half_planes_bounded.csv --maximize 0,-1
 region cases/outcomes/half_planes_bounded.csv --maximize 0,0
 region cases/outcomes/half_planes_empty.csv --maximize 1,0
+region cases/polytopes/wedge.csv
+region cases/polytopes/wedge.csv --maximize 1,1,1 --certificate OUT
+region cases/polytopes/wedge.csv --maximize -1,-1,0
+region cases/polytopes/facet.csv --certificate OUT
+region cases/polytopes/box.csv --maximize 1,0,0,0
+region cases/polytopes/box.csv --maximize 0,0,0,0
+region cases/polytopes/empty.csv --maximize 1,0,0,0
+region cases/polytopes/box.csv --method seidel
+region cases/polytopes/box.csv --maximize 1,0
+region cases/polytopes/cube.csv --of half-spaces
 region --of polygons empty.wkt --mend
 region --of polygons cases/outcomes/star_bounded.wkt cases/planar-pair/panes.wkt --skip-invalid
 kernel empty.wkt --svg OUT

@@ -103,4 +103,6 @@
 #include <sunder/polytope/object/pose.h>
 #include <sunder/polytope/pair/polytope_point.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
+#include <sunder/polytope/region/half_space_region.h>
+#include <sunder/polytope/region/linear_program.h>
 #include <sunder/polytope/represent/hierarchical_tree.h>

@@ -52,7 +52,7 @@ Points points_of(std::size_t d, std::uint32_t count, const Number& number) {
 TEST(AlongColumns, ErrorsAreBoundedAndTheExactFurthestIsFound) {
   const int cases = tests::scaled_count(2000, 200);
   Random random(tests::chosen_seed(20261126));
-  int sure = 0, ties = 0, many_looks = 0;
+  int sure = 0, ties = 0, many_looks = 0, zeros = 0;
   for (int i = 0; i < cases; ++i) {
     const std::size_t d = 2 + random.below(6);
     const auto count = static_cast<std::uint32_t>(1 + random.below(100));
@@ -97,11 +97,20 @@ TEST(AlongColumns, ErrorsAreBoundedAndTheExactFurthestIsFound) {
     for (const double x : direction) is_zero = is_zero && x == 0;
     ASSERT_EQ(furthest.index, is_zero ? 0 : best) << i << " of kind " << kind;
     ASSERT_TRUE(Exact(furthest.product) == points.product(best, direction));
+    std::vector<std::uint32_t> at_zero;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      if (points.product(k, direction) == Exact(0.0)) at_zero.push_back(k);
+    }
+    zeros += static_cast<int>(at_zero.size());
+    std::uint32_t looks_at_zero = 0;
+    ASSERT_EQ(at_zero_along(points.columns(), exact, looks_at_zero), at_zero) << i << " of kind " << kind;
+    ASSERT_GE(looks_at_zero, at_zero.size());
     ties += kind == 1 && looks > 1;
     many_looks += kind == 0 && looks > 2;
   }
   EXPECT_GT(sure, cases / 2);
   EXPECT_GT(ties, cases / 10);
+  EXPECT_GT(zeros, cases);
   EXPECT_LT(many_looks, cases / 50);
 }
 

@@ -99,10 +99,7 @@ HalfSpaceSet HalfSpaceSets::next(HalfSpaceFamily family, std::size_t d, std::siz
   // A direction of small whole numbers, of a row, or any.
   const std::uint64_t kind = random_.below(8);
   for (std::size_t c = 0; c < d; ++c) {
-    objective[c] = kind == 0   ? 0
-                   : kind < 4  ? whole(2)
-                   : kind == 7 ? random_.uniform(-1, 1)
-                               : 0;
+    objective[c] = kind == 0 ? 0 : kind < 4 ? whole(2) : kind == 7 ? random_.uniform(-1, 1) : 0;
   }
   if (kind >= 4 && kind < 7 && !rows.empty()) {
     const std::size_t sum = kind == 4 ? 1 : 2;

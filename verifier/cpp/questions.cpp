@@ -969,15 +969,13 @@ const ClaimNeeded contradicted{
     of_half_spaces,
     [](const Claim& c, const Said& s, const Tables&) { check_contradicted(c, *s.half_spaces); }};
 const ClaimNeeded spans{
-    "spans",
-    {{"multipliers", read_own_multipliers}},
-    of_half_spaces,
-    [](const Claim& c, const Said& s, const Tables&) { check_spans(c, *s.half_spaces, s.dimension, s.spanned_by); }};
-const ClaimNeeded enclosed{
-    "enclosed",
-    {{"multipliers", read_own_multipliers}},
-    of_half_spaces,
-    [](const Claim& c, const Said& s, const Tables&) { check_enclosed(c, *s.half_spaces); }};
+    "spans", {{"multipliers", read_own_multipliers}}, of_half_spaces, [](const Claim& c, const Said& s, const Tables&) {
+      check_spans(c, *s.half_spaces, s.dimension, s.spanned_by);
+    }};
+const ClaimNeeded enclosed{"enclosed",
+                           {{"multipliers", read_own_multipliers}},
+                           of_half_spaces,
+                           [](const Claim& c, const Said& s, const Tables&) { check_enclosed(c, *s.half_spaces); }};
 const ClaimNeeded recedes{
     "recedes", {{"direction", read_direction}}, of_half_spaces, [](const Claim& c, const Said& s, const Tables&) {
       check_recedes(c, *s.half_spaces);
@@ -987,10 +985,9 @@ const ClaimNeeded rises{
       check_rises(c, *s.half_spaces, s.objective);
     }};
 const ClaimNeeded tops{
-    "tops",
-    {{"multipliers", read_own_multipliers}},
-    of_half_spaces,
-    [](const Claim& c, const Said& s, const Tables&) { check_tops(c, *s.half_spaces, s.objective, s.point); }};
+    "tops", {{"multipliers", read_own_multipliers}}, of_half_spaces, [](const Claim& c, const Said& s, const Tables&) {
+      check_tops(c, *s.half_spaces, s.objective, s.point);
+    }};
 const ClaimNeeded tops_only{
     "tops_only",
     {{"multipliers", read_own_multipliers}},

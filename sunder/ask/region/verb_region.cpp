@@ -18,13 +18,14 @@ int run(const RegionCall& call) {
   const bool of_half_planes = call.of == "half-planes", of_polygons = call.of == "polygons";
   const bool of_half_spaces = is_of_half_spaces(call);
   if (!of_half_planes && !of_half_spaces && !of_polygons && call.of != "circles") {
-    throw Error(
-        ErrorCode::bad_call,
-        fmt::format("there is no common part of {}; there are half-planes, half-spaces, circles, polygons", io::quote(call.of)),
-        "--of");
+    throw Error(ErrorCode::bad_call,
+                fmt::format("there is no common part of {}; there are half-planes, half-spaces, circles, polygons",
+                            io::quote(call.of)),
+                "--of");
   }
   if (!of_half_planes && !of_half_spaces && !call.maximize.empty()) {
-    throw Error(ErrorCode::bad_call, "only half-planes and half-spaces have a best point here; leave it out", "--maximize");
+    throw Error(ErrorCode::bad_call, "only half-planes and half-spaces have a best point here; leave it out",
+                "--maximize");
   }
   for (const auto& [given, option] : {std::pair(call.polygons.mend, "--mend"),
                                       {call.polygons.drop_z, "--drop-z"},
@@ -33,10 +34,10 @@ int run(const RegionCall& call) {
                                       {!call.polygons.name.empty(), "--name"}}) {
     if (given && !of_polygons) throw Error(ErrorCode::bad_call, "is for polygons; leave it out", option);
   }
-  return of_half_spaces ? run_region_half_spaces(call)
+  return of_half_spaces   ? run_region_half_spaces(call)
          : of_half_planes ? run_region_half_planes(call)
-         : of_polygons  ? run_region_polygons(call)
-                        : run_region_circles(call);
+         : of_polygons    ? run_region_polygons(call)
+                          : run_region_circles(call);
 }
 
 }  // namespace
@@ -45,13 +46,18 @@ Verb region_verb() {
   const auto call = std::make_shared<RegionCall>();
   return {
       "region",
-      "What is the common part of half-planes, half-spaces, circles, or convex polygons? Its best point? Which contradict each "
+      "What is the common part of half-planes, half-spaces, circles, or convex polygons? Its best point? Which "
+      "contradict each "
       "other?",
       "0 something is common to all; 1 nothing is",
-      {{"FILE", &call->file, "half-planes a x + b y <= c: CSV (a,b,c, and a name if you like); or half-spaces: CSV a1,..,ad,b", "", true},
-       {"--of", &call->of, "half-planes; half-spaces of 2 to 6 dimensions; circles: CSV x,y,r; or convex polygons: WKT, GeoJSON", "KIND"},
-       {"--maximize", &call->maximize, "two numbers p,q: where is p x + q y greatest? Of half-spaces one a dimension", "P,Q"},
-       {"--method", &call->method, "automatic, sort (of half-planes), edges (of polygons), seidel (of half-spaces), division, or scan", "NAME"},
+      {{"FILE", &call->file,
+        "half-planes a x + b y <= c: CSV (a,b,c, and a name if you like); or half-spaces: CSV a1,..,ad,b", "", true},
+       {"--of", &call->of,
+        "half-planes; half-spaces of 2 to 6 dimensions; circles: CSV x,y,r; or convex polygons: WKT, GeoJSON", "KIND"},
+       {"--maximize", &call->maximize, "two numbers p,q: where is p x + q y greatest? Of half-spaces one a dimension",
+        "P,Q"},
+       {"--method", &call->method,
+        "automatic, sort (of half-planes), edges (of polygons), seidel (of half-spaces), division, or scan", "NAME"},
        certificate_option(call->certificate,
                           "write the proof here: of the region, or with --maximize of the best point"),
        {"--svg", &call->svg, "draw the common part here", "FILE"},

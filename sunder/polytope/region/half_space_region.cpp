@@ -2,7 +2,7 @@
 #include <sunder/polytope/region/exact_rank_internal.h>
 #include <sunder/polytope/region/half_space_region.h>
 #include <sunder/polytope/region/program_outcome_internal.h>
-#include <sunder/polytope/region/program_search.h>
+#include <sunder/polytope/region/program_search_internal.h>
 #include <sunder/polytope/region/rows_check_internal.h>
 
 #include <algorithm>
@@ -35,8 +35,7 @@ void add_opposite(RowWeights& to, const RowWeights& first, const RowWeights& sec
 
 class RegionSearch {
  public:
-  explicit RegionSearch(const Polytope& body)
-      : body_(body), d_(body.dimension()), points_(d_ + 1), across_(d_) {}
+  explicit RegionSearch(const Polytope& body) : body_(body), d_(body.dimension()), points_(d_ + 1), across_(d_) {}
 
   HalfSpaceRegion find() {
     region_.kind = RegionKind::bounded;

@@ -1,7 +1,7 @@
-// What is the common part of N half-spaces of R^d, 2 <= d <= 6: is it empty, bounded, unbounded, of which dimension, and
-// how far does it reach along each coordinate?
-// In the plane, with its sides in order: planar/region/half_plane_intersection.h.
-// Also called: feasibility of linear inequalities; bounding box and affine hull of a polyhedron (H-polytope).
+// What is the common part of N half-spaces of R^d, 2 <= d <= 6: is it empty, bounded, unbounded, of which dimension,
+// and how far does it reach along each coordinate? In the plane, with its sides in order:
+// planar/region/half_plane_intersection.h. Also called: feasibility of linear inequalities; bounding box and affine
+// hull of a polyhedron (H-polytope).
 //
 // The answer is exactly right for the doubles given, whatever the position, and stands by itself:
 //   R1. check() accepts it.
@@ -54,7 +54,8 @@ struct [[nodiscard]] HalfSpaceRegion {
 // Cost: some 20 d^2 scans at most. Allocates.
 HalfSpaceRegion half_space_region(const Polytope& half_spaces);
 
-// Is the region what it says it is, by its evidence alone? Extents are not proved by it. Cost: linear, exact arithmetic.
+// Is the region what it says it is, by its evidence alone? Extents are not proved by it. Cost: linear, exact
+// arithmetic.
 bool check(const Polytope& half_spaces, const HalfSpaceRegion& region);
 
 }  // namespace sunder::polytope

@@ -61,9 +61,13 @@ class Dictionary {
   // After that: is there a best one?
   bool find_best(Cost& cost) { return climb(size_, cost); }
 
-  ExactVector point() const { return coordinates([&](std::size_t i) { return table_[i][columns_]; }, columns_); }
+  ExactVector point() const {
+    return coordinates([&](std::size_t i) { return table_[i][columns_]; }, columns_);
+  }
   // After find_best() denied it.
-  ExactVector way() const { return coordinates([&](std::size_t i) { return -table_[i][along_]; }, along_); }
+  ExactVector way() const {
+    return coordinates([&](std::size_t i) { return -table_[i][along_]; }, along_);
+  }
   Dyadic denominator() const { return dyadic_of(determinant_, 0); }
 
   // Of rows, over the denominator: of the best point, or of what contradicts.
@@ -204,7 +208,8 @@ void decide_uniqueness(Rows rows, std::span<const double> objective, LinearProgr
       }
       sides[side] = {program.multipliers(true), program.denominator()};
     }
-    // Their sum is zero, but for the row of the objective, whose multiplier is one of the objective's on the other side.
+    // Their sum is zero, but for the row of the objective, whose multiplier is one of the objective's on the other
+    // side.
     for (const std::size_t side : {0u, 1u}) {
       for (const auto& [row, numerator] : sides[side].parts) {
         const Dyadic by = numerator * sides[1 - side].denominator;

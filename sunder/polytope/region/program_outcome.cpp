@@ -1,6 +1,6 @@
 #include <sunder/base/contract.h>
 #include <sunder/polytope/region/program_outcome_internal.h>
-#include <sunder/polytope/region/program_search.h>
+#include <sunder/polytope/region/program_search_internal.h>
 
 #include <algorithm>
 #include <utility>

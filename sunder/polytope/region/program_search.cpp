@@ -1,5 +1,5 @@
 #include <sunder/base/random.h>
-#include <sunder/polytope/region/program_search.h>
+#include <sunder/polytope/region/program_search_internal.h>
 
 #include <algorithm>
 #include <cmath>

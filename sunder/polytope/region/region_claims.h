@@ -1,7 +1,6 @@
-// Writes what is proved of half-spaces into a certificate file (docs/claims.md): a table `polytopes` of one entry, and a
-// statement `half_spaces` or `half_spaces_program` about it.
-// Also called: proof logging.
-// None throws, but for want of memory, or what the writer's sink throws. Cost: linear.
+// Writes what is proved of half-spaces into a certificate file (docs/claims.md): a table `polytopes` of one entry, and
+// a statement `half_spaces` or `half_spaces_program` about it. Also called: proof logging. None throws, but for want of
+// memory, or what the writer's sink throws. Cost: linear.
 #pragma once
 
 #include <sunder/certificate/claims.h>

@@ -9,8 +9,8 @@
 
 namespace sunder::polytope {
 
-// A maximum of c . x over the half-spaces, and the box (dual_simplex_internal.h), by the dual simplex method. Requires a
-// polytope of half-spaces. Cost: a scan a step, at most some 60 d. Allocates nothing.
+// A maximum of c . x over the half-spaces, and the box (dual_simplex_internal.h), by the dual simplex method. Requires
+// a polytope of half-spaces. Cost: a scan a step, at most some 60 d. Allocates nothing.
 RowBasis basis_by_scans(const Polytope& half_spaces, std::span<const double> objective);
 
 // By Seidel's method. Cost: O(d! N) expected rows. Allocates some d N numbers.
