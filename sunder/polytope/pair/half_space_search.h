@@ -29,7 +29,8 @@ struct HalfSpaceProposal {
   std::vector<std::uint32_t> of_a, of_b{};  // where not: rows that matter, likely
 };
 
-// Requires that one of them is of half-spaces. Cost: a scan of both bodies a step, some 2 d to 4 d steps.
+// Requires that one of them is of half-spaces. Cost: a scan of both bodies, or of samples, a step; some 2 d to 4 d
+// steps.
 HalfSpaceProposal search_half_spaces(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b,
                                      Cost& cost);
 
