@@ -16,7 +16,7 @@ namespace sunder::polytope {
 
 namespace {
 
-constexpr int most_steps = 64;  // of the search for a direction; it takes some 2 d to 4 d
+constexpr int most_steps = 64;       // of the search for a direction; it takes some 2 d to 4 d
 constexpr double matters = 0x1p-30;  // weights that are less are left out of what is named
 
 // Half-spaces under their pose, as floating point has them: row (a, b) of the body is (a N, b + a N t) in the world,
@@ -102,7 +102,12 @@ struct Samples {
 class HalfSpaceSearch {
  public:
   HalfSpaceSearch(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b, Cost& cost)
-      : a_(a, pose_a), b_(b, pose_b), rounded_a_(a, pose_a), rounded_b_(b, pose_b), d_(a.dimension()), cost_(cost),
+      : a_(a, pose_a),
+        b_(b, pose_b),
+        rounded_a_(a, pose_a),
+        rounded_b_(b, pose_b),
+        d_(a.dimension()),
+        cost_(cost),
         simplex_(d_ + 1) {}
 
   HalfSpaceProposal propose() {
@@ -238,8 +243,11 @@ class GameSearch {
  public:
   GameSearch(const Polytope& half_spaces, const Pose& pose, const Polytope& points, const Pose& pose_of_points,
              Cost& cost)
-      : half_spaces_(half_spaces, pose), points_(points, pose_of_points), rounded_(half_spaces, pose),
-        d_(points.dimension()), cost_(cost) {}
+      : half_spaces_(half_spaces, pose),
+        points_(points, pose_of_points),
+        rounded_(half_spaces, pose),
+        d_(points.dimension()),
+        cost_(cost) {}
 
   // `of_a` are half-spaces, `of_b` points.
   HalfSpaceProposal propose() {
@@ -396,8 +404,8 @@ class GameSearch {
         for (std::size_t c = 0; c < d_; ++c) x[c] += weight * columns[j].at[c];
       }
       const std::uint32_t broken = rounded_.most_broken(x, total, 1).index;
-      const bool is_boundary = std::any_of(half_spaces.begin(), half_spaces.end(),
-                                           [&](const Weighted& of) { return of.index == broken; });
+      const bool is_boundary =
+          std::any_of(half_spaces.begin(), half_spaces.end(), [&](const Weighted& of) { return of.index == broken; });
       if (is_boundary || has(rows, broken)) break;
       rows.push_back({broken, rounded_.row(broken)});
       game.add_row([&](std::size_t j) { return payoff(rows.back(), columns[j]); });

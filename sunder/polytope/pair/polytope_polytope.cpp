@@ -122,9 +122,9 @@ class Search {
     ++answer_.cost.exact;
     Evidence evidence{.verdict = Verdict::meet};
     collect(evidence);
-    auto common = common_point_by_determinants(a_, pose_a_, b_, pose_b_,
-                                               {std::span(evidence.of_a).first(evidence.count_a),
-                                                std::span(evidence.of_b).first(evidence.count_b)});
+    auto common = common_point_by_determinants(
+        a_, pose_a_, b_, pose_b_,
+        {std::span(evidence.of_a).first(evidence.count_a), std::span(evidence.of_b).first(evidence.count_b)});
     if (!common) return false;
     evidence.exact = std::make_shared<const ExactEvidence>(*std::move(common));
     answer_.evidence = std::move(evidence);
@@ -195,9 +195,9 @@ PolytopeAnswer polytope_polytope_by_gjk(const Polytope& a, const Pose& pose_a, c
   PolytopeAnswer answer;
   HalfSpaceProposal proposal = search_half_spaces(a, pose_a, b, pose_b, answer.cost);
   answer.decided_by = proposal.decision ? DecidedBy::evidence : DecidedBy::finishing;
-  ExactDecision decision = proposal.decision ? *std::move(proposal.decision)
-                                             : decide_exactly({a, pose_a}, {b, pose_b}, proposal.of_a, proposal.of_b,
-                                                              answer.cost);
+  ExactDecision decision = proposal.decision
+                               ? *std::move(proposal.decision)
+                               : decide_exactly({a, pose_a}, {b, pose_b}, proposal.of_a, proposal.of_b, answer.cost);
   answer.evidence = {.verdict = decision.verdict, .exact = std::move(decision.evidence)};
   return answer;
 }

@@ -4,8 +4,7 @@
 
 namespace sunder::polytope {
 
-Support support(const Polytope& body, const Pose& pose, const Vector& direction, double side,
-                std::size_t every) {
+Support support(const Polytope& body, const Pose& pose, const Vector& direction, double side, std::size_t every) {
   const std::size_t d = body.dimension();
   ColumnNumbers pulled{}, sizes{};
   int roundings = 0;
@@ -67,7 +66,7 @@ std::array<Interval, most_dimension> enclosed_image(const Polytope& body, const 
 
 std::size_t first_sample(const Polytope& body) {
   std::size_t every = 1;
-  while (body.columns().stride / PointColumns::block / every >= 16) every *= 4;
+  while (body.columns().stride / PointColumns::block / every >= 8) every *= 4;
   return every;
 }
 

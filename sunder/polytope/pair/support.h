@@ -24,7 +24,7 @@ struct Support {
 Support support(const Polytope& body, const Pose& pose, const Vector& direction, double side, std::size_t every = 1);
 
 // A search looks at samples first: at a quarter of what comes next, each time. The first such step, for a body of so
-// many rows: some 128 rows are looked at, or all where there are few.
+// many rows: 64 to 256 rows are looked at, or all where there are few.
 std::size_t first_sample(const Polytope& body);
 
 // The image of a point: as floating point has it, and enclosed.
