@@ -150,7 +150,8 @@ Regime sharing_a_point(Random& random, const char* name, bool is_apart) {
 Regime of_integers(Random& random, const char* name, bool a_of_points, bool b_of_points, double gap) {
   Regime regime = at_distance(random, name, a_of_points, b_of_points, 0);
   regime.known = gap > 0 ? Known::apart : Known::meet;
-  const std::array<double, kDimension> slant{1, 3, -2, 5};  // x1 of a body is x1 - 3 x2 + 2 x3 - 5 x4 of what is written
+  const std::array<double, kDimension> slant{1, 3, -2,
+                                             5};  // x1 of a body is x1 - 3 x2 + 2 x3 - 5 x4 of what is written
   for (Pair& pair : regime.pairs) {
     for (const bool is_of_a : {true, false}) {
       std::vector<double>& rows = is_of_a ? pair.rows_a : pair.rows_b;
@@ -158,7 +159,8 @@ Regime of_integers(Random& random, const char* name, bool a_of_points, bool b_of
       rows.clear();
       for (std::size_t k = 0; k < kPoints; ++k) {
         std::array<double, kDimension> x{};
-        for (double& number : x) number = static_cast<double>(random.between(-(std::int64_t{1} << 45), std::int64_t{1} << 45));
+        for (double& number : x)
+          number = static_cast<double>(random.between(-(std::int64_t{1} << 45), std::int64_t{1} << 45));
         x[0] = side * std::fabs(x[0]);
         if (is_of_a ? a_of_points : b_of_points) {
           if (k < 8) x[0] = 0;
@@ -337,7 +339,9 @@ int main(int count, char** words) {
       }
     });
     const double meets = static_cast<double>(std::count(answers.begin(), answers.end(), 1));
-    const std::string bodies = regime.a_of_points ? "points" : regime.b_of_points ? "half-spaces and points" : "half-spaces";
+    const std::string bodies = regime.a_of_points   ? "points"
+                               : regime.b_of_points ? "half-spaces and points"
+                                                    : "half-spaces";
     std::printf("%-23s %-17s %10.2f %10.2f   %2.0f of %zu meet, %d finished\n", bodies.c_str(), regime.name, plain,
                 with_evidence, meets, pairs.size(), finished);
     const double expected = regime.known == Known::meet ? static_cast<double>(pairs.size()) : 0;
@@ -352,7 +356,11 @@ int main(int count, char** words) {
       write(file, pair.rows_b);
     }
   }
-  const std::vector<double> rows = on_sphere(random, kHull, std::vector<double>(kDimension));
+  std::vector<double> rows = on_sphere(random, kHull, std::vector<double>(kDimension));  // then in the ball
+  for (std::size_t k = 0; k < kHull; ++k) {
+    const double scale = std::pow(random.unit(), 0.25);
+    for (std::size_t c = 0; c < kDimension; ++c) rows[k * kDimension + c] *= scale;
+  }
   const Polytope hull = Polytope::from_points(kDimension, rows);
   std::vector<double> points;  // from the middle to a little outside
   for (std::size_t k = 0; k < kAsked; ++k) {
@@ -374,8 +382,9 @@ int main(int count, char** words) {
     }
   });
   if (proved == 0) return 3;
-  std::printf("points in a hull of %zu points: %.2f microseconds a point, %.2f with exact evidence; %ld of %zu are in it\n",
-              kHull, many, with_evidence, static_cast<long>(std::count(inside.begin(), inside.end(), 1)), kAsked);
+  std::printf(
+      "points in a hull of %zu points: %.2f microseconds a point, %.2f with exact evidence; %ld of %zu are in it\n",
+      kHull, many, with_evidence, static_cast<long>(std::count(inside.begin(), inside.end(), 1)), kAsked);
   if (file.is_open()) {
     write(file, {many, with_evidence});
     write(file, inside);

@@ -30,10 +30,10 @@ std::array<Lanes, lanes> products_of_block(const PointColumns& points, const Col
 }
 
 template <std::size_t D>
-FurthestPoint furthest(const PointColumns& points, const ColumnNumbers& g) {
+FurthestPoint furthest(const PointColumns& points, const ColumnNumbers& g, std::size_t every) {
   double best = -std::numeric_limits<double>::infinity();
   std::size_t where = 0;
-  for (std::size_t first = 0; first < points.stride; first += block) {
+  for (std::size_t first = 0; first < points.stride; first += every * block) {
     const std::array<Lanes, lanes> values = products_of_block<D>(points, g, first);
     Lanes left = values[0], right = values[1];
     for (std::size_t k = 2; k < lanes; k += 2) {
@@ -94,9 +94,10 @@ Dyadic exact_product(const PointColumns& points, std::uint32_t k, std::span<cons
 
 }  // namespace
 
-FurthestPoint furthest_along(const PointColumns& points, const ColumnNumbers& direction) {
-  SUNDER_REQUIRE(points.count > 0 && points.stride % block == 0);
-  return with_dimension(points.dimension, [&](auto dimension) { return furthest<dimension()>(points, direction); });
+FurthestPoint furthest_along(const PointColumns& points, const ColumnNumbers& direction, std::size_t every) {
+  SUNDER_REQUIRE(points.count > 0 && points.stride % block == 0 && every > 0);
+  return with_dimension(points.dimension,
+                        [&](auto dimension) { return furthest<dimension()>(points, direction, every); });
 }
 
 double product_error(const PointColumns& points, const ColumnNumbers& sizes, int roundings) {

@@ -38,9 +38,10 @@ struct FurthestPoint {
   double product = 0;  // as floating point has it
 };
 
-// The point with the greatest product of floating point: of equals the first. Where products are no numbers, any.
-// Cost: one look at each number.
-FurthestPoint furthest_along(const PointColumns& points, const ColumnNumbers& direction);
+// The point with the greatest product of floating point: of equals the first. Where products are no numbers, any. With
+// `every`, of a sample: of each block whose number is a multiple of it.
+// Cost: one look at each number, or each of the sample.
+FurthestPoint furthest_along(const PointColumns& points, const ColumnNumbers& direction, std::size_t every = 1);
 
 // A bound on the errors of such products, if the direction's components had `roundings` each (at most 16), and sizes
 // (before rounding) of at most `sizes`. Let u = 2^-53: a sum of d <= 7 products of such components is a sum of

@@ -126,6 +126,15 @@ TEST(AlongColumns, OfEqualsTheFirst) {
   }
 }
 
+TEST(AlongColumns, ASampleIsEverySomeBlock) {
+  std::uint32_t k = 0;
+  const Points points = points_of(2, 300, [&] { return static_cast<double>(k++); });  // later points are further
+  EXPECT_EQ(furthest_along(points.columns(), {1, 0}).index, 299u);
+  EXPECT_EQ(furthest_along(points.columns(), {1, 0}, 2).index, 9u * 32 - 1);  // of blocks 0, 2, .., 8
+  EXPECT_EQ(furthest_along(points.columns(), {1, 0}, 7).index, 8u * 32 - 1);
+  EXPECT_EQ(furthest_along(points.columns(), {-1, 0}, 7).index, 0u);
+}
+
 TEST(AlongColumns, ProductsThatMayOverflowAreNotBounded) {
   const Points points = points_of(2, 1, [] { return 1e308; });
   EXPECT_EQ(product_error(points.columns(), {1, 1}, 0), std::numeric_limits<double>::infinity());

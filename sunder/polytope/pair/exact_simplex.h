@@ -33,8 +33,8 @@ struct ExactDecision {
 // The same of B and A.
 ExactDecision exchanged(ExactDecision decision);
 
-// Decides; never fails. Rows named are tried first: they need not be of any use. tree_scans grows by the nodes of trees that
-// were looked at whole (TreeWalk::scans). Allocates.
+// Decides; never fails. Rows named are tried first: they need not be of any use. tree_scans grows by the nodes of trees
+// that were looked at whole (TreeWalk::scans). Allocates.
 ExactDecision decide_exactly(Placed a, Placed b, std::span<const std::uint32_t> of_a,
                              std::span<const std::uint32_t> of_b, Cost& cost, std::uint32_t* tree_scans = nullptr);
 

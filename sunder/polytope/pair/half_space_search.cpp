@@ -16,7 +16,7 @@ namespace sunder::polytope {
 
 namespace {
 
-constexpr int most_steps = 64;  // of the search for a direction; it takes some 2 d to 4 d
+constexpr int most_steps = 64;       // of the search for a direction; it takes some 2 d to 4 d
 constexpr double matters = 0x1p-30;  // weights that are less are left out of what is named
 
 // Half-spaces under their pose, as floating point has them: row (a, b) of the body is (a N, b + a N t) in the world,
@@ -48,8 +48,8 @@ class RoundedHalfSpaces {
     return result;
   }
 
-  // The row whose a . x - w b is greatest, and that number.
-  FurthestPoint most_broken(const ColumnNumbers& x, double w) const {
+  // The row, of a sample, whose a . x - w b is greatest, and that number.
+  FurthestPoint most_broken(const ColumnNumbers& x, double w, std::size_t every) const {
     ColumnNumbers direction{};
     direction[d_] = -w;
     for (std::size_t c = 0; c < d_; ++c) {
@@ -60,7 +60,7 @@ class RoundedHalfSpaces {
       const double moved = x[c] - w * pose_.translation()[c];
       for (std::size_t r = 0; r < d_; ++r) direction[r] += moved * inverse_[c * d_ + r];
     }
-    return furthest_along(body_.columns(), direction);
+    return furthest_along(body_.columns(), direction, every);
   }
 
   // About how far from the origin its boundary is.
@@ -83,12 +83,31 @@ class RoundedHalfSpaces {
   bool is_usable_ = true;
 };
 
+// Of what samples of two bodies a search looks at (support.h): in the end all rows.
+struct Samples {
+  std::size_t of_a, of_b;
+
+  Samples(const Polytope& a, const Polytope& b) : of_a(first_sample(a)), of_b(first_sample(b)) {}
+  // To larger ones; false where they are all rows.
+  bool refine() {
+    if (of_a == 1 && of_b == 1) return false;
+    of_a = std::max(of_a / 4, std::size_t{1});
+    of_b = std::max(of_b / 4, std::size_t{1});
+    return true;
+  }
+};
+
 // ---- Both of half-spaces.
 
 class HalfSpaceSearch {
  public:
   HalfSpaceSearch(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b, Cost& cost)
-      : a_(a, pose_a), b_(b, pose_b), rounded_a_(a, pose_a), rounded_b_(b, pose_b), d_(a.dimension()), cost_(cost),
+      : a_(a, pose_a),
+        b_(b, pose_b),
+        rounded_a_(a, pose_a),
+        rounded_b_(b, pose_b),
+        d_(a.dimension()),
+        cost_(cost),
         simplex_(d_ + 1) {}
 
   HalfSpaceProposal propose() {
@@ -122,16 +141,19 @@ class HalfSpaceSearch {
 
   std::optional<ExactDecision> search() {
     if (!simplex_.add(point(height, 0))) return std::nullopt;
+    Samples samples(a_.body(), b_.body());
     for (int step = 0; step < most_steps; ++step) {
       ColumnNumbers y{};
       if (simplex_.is_at_origin() || !towards_origin(simplex_.nearest(), d_ + 1, y)) return std::nullopt;
       ColumnNumbers x{};
       for (std::size_t c = 0; c < d_; ++c) x[c] = y[c] * unit_;
       const double w = y[d_];
-      const FurthestPoint from_a = rounded_a_.most_broken(x, w), from_b = rounded_b_.most_broken(x, w);
-      cost_.probes += std::uint64_t{a_.body().size()} + b_.body().size();
+      const FurthestPoint from_a = rounded_a_.most_broken(x, w, samples.of_a),
+                          from_b = rounded_b_.most_broken(x, w, samples.of_b);
+      cost_.probes += a_.body().size() / samples.of_a + b_.body().size() / samples.of_b;
       ++cost_.iterations;
       if (w > 0 && from_a.product < 0 && from_b.product < 0) {
+        if (samples.refine()) continue;
         if (auto held = inside(x, w)) return held;
       }
       const bool is_of_a = from_a.product >= from_b.product;
@@ -139,7 +161,11 @@ class HalfSpaceSearch {
       const DifferencePoint next = -w * unit_ > furthest.product ? point(height, 0)
                                    : is_of_a                     ? point(of_a, furthest.index)
                                                                  : point(of_b, furthest.index);
-      if (simplex_.has(next.a, next.b) || !simplex_.add(next)) return std::nullopt;
+      if (simplex_.has(next.a, next.b)) {
+        if (samples.refine()) continue;
+        return std::nullopt;
+      }
+      if (!simplex_.add(next)) return std::nullopt;
       if (simplex_.is_full()) return contradiction();
     }
     return std::nullopt;
@@ -217,8 +243,11 @@ class GameSearch {
  public:
   GameSearch(const Polytope& half_spaces, const Pose& pose, const Polytope& points, const Pose& pose_of_points,
              Cost& cost)
-      : half_spaces_(half_spaces, pose), points_(points, pose_of_points), rounded_(half_spaces, pose),
-        d_(points.dimension()), cost_(cost) {}
+      : half_spaces_(half_spaces, pose),
+        points_(points, pose_of_points),
+        rounded_(half_spaces, pose),
+        d_(points.dimension()),
+        cost_(cost) {}
 
   // `of_a` are half-spaces, `of_b` points.
   HalfSpaceProposal propose() {
@@ -263,7 +292,8 @@ class GameSearch {
 
   std::optional<ExactDecision> search() {
     add_column(0);
-    add_row(rounded_.most_broken(columns_[0].at, 1).index);
+    Samples samples(half_spaces_.body(), points_.body());
+    add_row(rounded_.most_broken(columns_[0].at, 1, samples.of_a).index);
     while (game_.rows() < MatrixGame::most && game_.columns() < MatrixGame::most) {
       if (!game_.solve()) return std::nullopt;
       ColumnNumbers x{}, direction{};
@@ -275,10 +305,11 @@ class GameSearch {
         for (std::size_t c = 0; c < d_; ++c) direction[c] += game_.row_weight(i) * rows_[i].at[c];
         offset += game_.row_weight(i) * rows_[i].at[d_];
       }
-      const FurthestPoint broken = rounded_.most_broken(x, 1);
-      const Support least = support(points_.body(), points_.pose(), direction, -1);
-      cost_.probes += std::uint64_t{half_spaces_.body().size()} + points_.body().size();
+      const FurthestPoint broken = rounded_.most_broken(x, 1, samples.of_a);
+      const Support least = support(points_.body(), points_.pose(), direction, -1, samples.of_b);
+      cost_.probes += half_spaces_.body().size() / samples.of_a + points_.body().size() / samples.of_b;
       ++cost_.iterations;
+      if ((broken.product < 0 || least.product.product > offset) && samples.refine()) continue;
       if (broken.product < 0) {
         if (auto held = inside(weights_of_points(0))) return held;
       }
@@ -286,7 +317,10 @@ class GameSearch {
         if (auto held = parted(weights_of_half_spaces(0))) return held;
       }
       const bool new_row = !has(rows_, broken.index), new_column = !has(columns_, least.index);
-      if (!new_row && !new_column) return std::nullopt;
+      if (!new_row && !new_column) {
+        if (samples.refine()) continue;
+        return std::nullopt;
+      }
       if (new_row) add_row(broken.index);
       if (new_column) add_column(least.index);
     }
@@ -314,8 +348,8 @@ class GameSearch {
     return result;
   }
 
-  // Where the bodies only just touch, or do not, those that matter alone: they may be on one flat, exactly, and where
-  // they are not, the exact weights of a point that is on the boundary of all half-spaces that matter.
+  // Where the bodies only just touch, or do not, those that matter alone: points may be on the boundaries of the
+  // half-spaces, exactly; where they are not, the exact weights of a point that is.
   std::optional<ExactDecision> tight() {
     if (rows_.empty() || columns_.empty()) return std::nullopt;
     std::vector<Weighted> points = weights_of_points(matters);
@@ -323,6 +357,7 @@ class GameSearch {
     if (points.empty() || half_spaces.empty()) return std::nullopt;
     if (auto held = inside(points)) return held;
     if (auto held = parted(half_spaces)) return held;
+    if (auto held = inside(weights_within(half_spaces))) return held;
     if (half_spaces.size() > most_dimension || points.size() > half_spaces.size() + 1) return std::nullopt;
     std::vector<ExactVector> payoffs;
     for (const Weighted& point : points) {
@@ -342,8 +377,46 @@ class GameSearch {
     return inside(points);
   }
 
+  // Weights of those points that are on the boundaries of all of these half-spaces, about, for a point that is as deep
+  // inside of the others as may be: a game without these.
+  std::vector<Weighted> weights_within(const std::vector<Weighted>& half_spaces) const {
+    std::vector<Item> rows, columns = columns_;
+    for (const Weighted& of : half_spaces) {
+      const Item row{of.index, rounded_.row(of.index)};
+      double greatest = 0;
+      for (const Item& column : columns_) greatest = std::max(greatest, std::fabs(payoff(row, column)));
+      std::erase_if(columns, [&](const Item& column) { return std::fabs(payoff(row, column)) > greatest * 0x1p-40; });
+    }
+    if (columns.empty()) return {};
+    MatrixGame game;
+    std::vector<Weighted> result;
+    for (const Item& column : columns) {
+      game.add_column([](std::size_t) { return 0.0; });
+      result.push_back({column.index, 1.0});
+    }
+    while (game.rows() < MatrixGame::most) {
+      ColumnNumbers x{};
+      double total = 0;
+      for (std::size_t j = 0; j < columns.size(); ++j) {
+        const double weight = rows.empty() ? 1 : game.column_weight(j);
+        result[j].weight = weight;
+        total += weight;
+        for (std::size_t c = 0; c < d_; ++c) x[c] += weight * columns[j].at[c];
+      }
+      const std::uint32_t broken = rounded_.most_broken(x, total, 1).index;
+      const bool is_boundary =
+          std::any_of(half_spaces.begin(), half_spaces.end(), [&](const Weighted& of) { return of.index == broken; });
+      if (is_boundary || has(rows, broken)) break;
+      rows.push_back({broken, rounded_.row(broken)});
+      game.add_row([&](std::size_t j) { return payoff(rows.back(), columns[j]); });
+      if (!game.solve()) break;
+    }
+    return result;
+  }
+
   // Is the combination of points inside of all half-spaces?
   std::optional<ExactDecision> inside(const std::vector<Weighted>& weights) {
+    if (weights.empty()) return std::nullopt;
     ++cost_.proposals;
     ExactEvidence common;
     common.numbers.resize(d_);

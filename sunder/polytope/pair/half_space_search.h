@@ -2,8 +2,8 @@
 // common point, which exact numbers dispose of.
 //
 // Both of half-spaces a . x <= b: the rows (a, -b), with (0, -1), are points of R^(d+1). A direction y = (x, w) along
-// which all of them are negative has w > 0, and x / w is inside of all half-spaces; it is searched as the direction from
-// the nearest point of their hull to the origin. A simplex of rows that holds the origin is a contradiction. Also
+// which all of them are negative has w > 0, and x / w is inside of all half-spaces; it is searched as the direction
+// from the nearest point of their hull to the origin. A simplex of rows that holds the origin is a contradiction. Also
 // called: theorem of the alternative (Gordan, Motzkin).
 //
 // Half-spaces and points: the payoff of point b_j against half-space a_i . x <= b_i is a_i . b_j - b_i. Where the value
@@ -29,7 +29,8 @@ struct HalfSpaceProposal {
   std::vector<std::uint32_t> of_a, of_b{};  // where not: rows that matter, likely
 };
 
-// Requires that one of them is of half-spaces. Cost: a scan of both bodies a step, some 2 d to 4 d steps.
+// Requires that one of them is of half-spaces. Cost: a scan of both bodies, or of samples, a step; some 2 d to 4 d
+// steps.
 HalfSpaceProposal search_half_spaces(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b,
                                      Cost& cost);
 

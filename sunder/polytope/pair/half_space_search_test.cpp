@@ -94,11 +94,36 @@ TEST(HalfSpaceSearch, LeavesWhatIsNotPlain) {
       const PolytopeAnswer answer = polytope_polytope(a, here, b, here);
       EXPECT_EQ(answer.meet(), gap <= 0);
       EXPECT_TRUE(check(a, here, b, here, answer.evidence.verdict, exact_evidence(a, here, b, here, answer)));
-      const PolytopeAnswer of_point = is_exchanged ? polytope_polytope(point, here, beyond, here)
-                                                   : polytope_polytope(beyond, here, point, here);
+      const PolytopeAnswer of_point =
+          is_exchanged ? polytope_polytope(point, here, beyond, here) : polytope_polytope(beyond, here, point, here);
       EXPECT_EQ(of_point.meet(), gap <= 0);
     }
   }
+}
+
+// Bodies of many rows are looked at in samples first, which changes no answer.
+TEST(HalfSpaceSearch, SamplesOfLargeBodiesComeFirst) {
+  Random random(tests::chosen_seed(20261128));
+  const int count = tests::scaled_count(60, 24);
+  int sampled = 0, plain = 0, meets = 0;
+  for (int i = 0; i < count; ++i) {
+    const std::size_t d = 2 + random.below(4), n = 260 + random.below(900);
+    const bool a_of_points = i % 4 < 2, b_of_points = i % 2 == 0;
+    std::vector<double> centre(d);
+    centre[0] = random.uniform(1.2, 2.8);
+    const Polytope a = body(d, round_rows(random, d, n, std::vector<double>(d), a_of_points), a_of_points);
+    const Polytope b = body(d, round_rows(random, d, 300, centre, b_of_points), b_of_points);
+    const Pose here(d);
+    const PolytopeAnswer answer = polytope_polytope(a, here, b, here);
+    EXPECT_TRUE(check(a, here, b, here, answer.evidence.verdict, exact_evidence(a, here, b, here, answer)));
+    sampled += answer.cost.probes < std::uint64_t{answer.cost.iterations} * (a.size() + b.size());
+    plain += answer.decided_by != DecidedBy::finishing;
+    meets += answer.meet();
+  }
+  EXPECT_GT(sampled, count * 3 / 4);
+  EXPECT_GT(plain, count * 9 / 10);
+  EXPECT_GT(meets, count / 10);
+  EXPECT_LT(meets, count * 9 / 10);
 }
 
 TEST(MatrixGame, BestWeights) {

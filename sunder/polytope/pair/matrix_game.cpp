@@ -36,9 +36,8 @@ bool MatrixGame::solve() {
     }
     if (!(cell(rows_, entering) < -small)) break;
     for (std::size_t i = 0; i < rows_; ++i) {
-      if (cell(i, entering) > small &&
-          (leaving == rows_ ||
-           cell(i, width - 1) * cell(leaving, entering) < cell(leaving, width - 1) * cell(i, entering))) {
+      if (cell(i, entering) > small && (leaving == rows_ || cell(i, width - 1) * cell(leaving, entering) <
+                                                                cell(leaving, width - 1) * cell(i, entering))) {
         leaving = i;
       }
     }

@@ -12,114 +12,228 @@ namespace sunder::polytope {
 
 namespace {
 
-// Of each equation n + 1 integers, and about what they are.
-struct System {
-  std::size_t equations = 0, unknowns = 0;
-  std::array<std::array<Integer, most_vectors>, most_dimension> numbers{};
-  std::array<std::array<double, most_vectors>, most_dimension> rounded{};
+// ---- Two arithmetics: of integers of any size, and of few words, which is several times as fast.
+
+struct Wide {
+  using Entry = Integer;
+  using Number = Integer;
+
+  // x 2^shift, and about what it is over 2^bits.
+  static Entry entry(const Dyadic& x, std::int64_t shift) { return mantissa_of(x) << static_cast<unsigned>(shift); }
+  static double rounded(const Entry& e, std::int64_t bits) { return dyadic_of(e, -bits).nearest(); }
+  static Number one() { return 1; }
+  static bool is_zero(const Number& x) { return x.is_zero(); }
+  // sum += e x, or -= e x.
+  static void add_product(Number& sum, const Entry& e, const Number& x, bool is_negative) {
+    if (e.is_zero() || x.is_zero()) return;
+    if (is_negative) {
+      sum -= e * x;
+    } else {
+      sum += e * x;
+    }
+  }
+  static Integer integer(Number&& x) { return std::move(x); }
 };
 
-// Each equation times a power of two.
-void fill(System& system, std::span<const ExactVector> vectors) {
-  system.equations = vectors[0].size();
-  system.unknowns = vectors.size() - 1;
-  for (std::size_t r = 0; r < system.equations; ++r) {
-    std::int64_t unit = std::numeric_limits<std::int64_t>::max(), top = std::numeric_limits<std::int64_t>::min();
+// Entries of at most 126 bits; numbers modulo 2^512, as two's complement.
+struct Narrow {
+  __extension__ using Word2 = unsigned __int128;
+  static constexpr std::size_t words = 8, most_bits = 126;
+  struct Entry {
+    Word2 size = 0;
+    bool is_negative = false;
+  };
+  using Number = std::array<std::uint64_t, words>;
+
+  static Entry entry(const Dyadic& x, std::int64_t shift) {
+    const auto& mantissa = mantissa_of(x).backend();
+    Word2 size = mantissa.limbs()[0];
+    if (mantissa.size() > 1) size |= Word2{mantissa.limbs()[1]} << 64;
+    return {size << shift, mantissa.sign()};
+  }
+  static double rounded(const Entry& e, std::int64_t bits) {
+    const double size = std::ldexp(static_cast<double>(e.size), -static_cast<int>(bits));
+    return e.is_negative ? -size : size;
+  }
+  static Number one() { return {1}; }
+  static bool is_zero(const Number& x) {
+    return std::all_of(x.begin(), x.end(), [](std::uint64_t word) { return word == 0; });
+  }
+  static void add_product(Number& sum, const Entry& e, const Number& x, bool is_negative) {
+    add_times_word(sum, static_cast<std::uint64_t>(e.size), x, 0, is_negative != e.is_negative);
+    add_times_word(sum, static_cast<std::uint64_t>(e.size >> 64), x, 1, is_negative != e.is_negative);
+  }
+  static Integer integer(const Number& x) {
+    const bool is_negative = (x[words - 1] >> 63) != 0;
+    Number size{};
+    if (is_negative) {
+      add_times_word(size, 1, x, 0, true);
+    } else {
+      size = x;
+    }
+    Integer result;
+    boost::multiprecision::import_bits(result, size.begin(), size.end(), 64, false);
+    if (is_negative) result.backend().negate();
+    return result;
+  }
+
+ private:
+  static void add_times_word(Number& sum, std::uint64_t by, const Number& x, std::size_t at, bool is_negative) {
+    if (by == 0) return;
+    std::uint64_t carry = 0;  // of the product and the sum together
+    for (std::size_t k = at; k < words; ++k) {
+      const Word2 product = Word2{by} * x[k - at] + carry;
+      const auto low = static_cast<std::uint64_t>(product);
+      const std::uint64_t before = sum[k];
+      sum[k] = is_negative ? before - low : before + low;
+      const bool is_over = is_negative ? before < low : sum[k] < low;
+      carry = static_cast<std::uint64_t>(product >> 64) + (is_over ? 1u : 0u);
+    }
+  }
+};
+
+// ---- Equations.
+
+// Of each the power of two that its integers are multiples of, and the greatest bit of one, in sizes of it.
+struct Scale {
+  std::int64_t unit = std::numeric_limits<std::int64_t>::max(), bits = 0;
+};
+
+using Scales = std::array<Scale, most_dimension>;
+
+Scales scales_of(std::span<const ExactVector> vectors) {
+  Scales scales;
+  for (std::size_t r = 0; r < vectors[0].size(); ++r) {
+    std::int64_t top = std::numeric_limits<std::int64_t>::min();
     for (const ExactVector& v : vectors) {
       if (v[r].sign() == Sign::zero) continue;
-      unit = std::min(unit, v[r].exponent());
+      scales[r].unit = std::min(scales[r].unit, v[r].exponent());
       top = std::max(top, v[r].top());
     }
-    for (std::size_t j = 0; j < vectors.size(); ++j) {
-      const Dyadic& x = vectors[j][r];
-      if (x.sign() == Sign::zero) continue;
-      system.numbers[r][j] = mantissa_of(x) << static_cast<unsigned>(x.exponent() - unit);
-      system.rounded[r][j] = x.scaled(-top).nearest();
-    }
+    if (top >= scales[r].unit) scales[r].bits = top - scales[r].unit + 1;
   }
+  return scales;
 }
 
-// Puts equations first that floating point has as independent, by elimination; false where it finds fewer than there
-// are unknowns.
-bool put_independent_first(System& system) {
-  auto& m = system.rounded;
-  const std::size_t n = system.unknowns;
-  std::array<bool, most_vectors> is_done{};
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t row = k, column = 0;
-    double greatest = 0;
-    for (std::size_t i = k; i < system.equations; ++i) {
-      for (std::size_t j = 0; j <= n; ++j) {
-        if (!is_done[j] && std::fabs(m[i][j]) > greatest) {
-          greatest = std::fabs(m[i][j]);
-          row = i;
-          column = j;
+// A determinant of d <= 6 rows is at most d! < 2^10 times the product of their greatest numbers; so is the sum that an
+// equation is checked by.
+bool is_narrow(const Scales& scales) {
+  std::int64_t sum = 10;
+  for (const Scale& scale : scales) {
+    if (scale.bits > static_cast<std::int64_t>(Narrow::most_bits)) return false;
+    sum += scale.bits;
+  }
+  return sum < static_cast<std::int64_t>(64 * Narrow::words - 1);
+}
+
+// Of each equation n + 1 integers, and about what they are, the greatest of size 1.
+template <class Arithmetic>
+struct System {
+  std::size_t equations = 0, unknowns = 0;
+  std::array<std::array<typename Arithmetic::Entry, most_vectors>, most_dimension> numbers{};
+  std::array<std::array<double, most_vectors>, most_dimension> rounded{};
+
+  System(std::span<const ExactVector> vectors, const Scales& scales)
+      : equations(vectors[0].size()), unknowns(vectors.size() - 1) {
+    for (std::size_t r = 0; r < equations; ++r) {
+      for (std::size_t j = 0; j < vectors.size(); ++j) {
+        const Dyadic& x = vectors[j][r];
+        if (x.sign() == Sign::zero) continue;
+        numbers[r][j] = Arithmetic::entry(x, x.exponent() - scales[r].unit);
+        rounded[r][j] = Arithmetic::rounded(numbers[r][j], scales[r].bits);
+      }
+    }
+  }
+
+  // Puts equations first that floating point has as independent, by elimination; false where it finds fewer than there
+  // are unknowns.
+  bool put_independent_first() {
+    auto& m = rounded;
+    const std::size_t n = unknowns;
+    std::array<bool, most_vectors> is_done{};
+    for (std::size_t k = 0; k < n; ++k) {
+      std::size_t row = k, column = 0;
+      double greatest = 0;
+      for (std::size_t i = k; i < equations; ++i) {
+        for (std::size_t j = 0; j <= n; ++j) {
+          if (!is_done[j] && std::fabs(m[i][j]) > greatest) {
+            greatest = std::fabs(m[i][j]);
+            row = i;
+            column = j;
+          }
         }
       }
-    }
-    if (!(greatest > 0)) return false;
-    if (row != k) {
-      std::swap(m[row], m[k]);
-      std::swap(system.numbers[row], system.numbers[k]);
-    }
-    is_done[column] = true;
-    for (std::size_t i = k + 1; i < system.equations; ++i) {
-      const double factor = m[i][column] / m[k][column];
-      for (std::size_t j = 0; j <= n; ++j) m[i][j] -= factor * m[k][j];
-    }
-  }
-  return true;
-}
-
-// By expansion along rows, each set of columns once.
-std::array<Integer, most_vectors> by_determinants(const System& system) {
-  const std::size_t n = system.unknowns;
-  std::array<Integer, std::size_t{1} << most_vectors> minor;
-  minor[0] = 1;
-  const std::size_t all = (std::size_t{1} << (n + 1)) - 1;
-  for (std::size_t set = 1; set < all; ++set) {  // of columns; their number is that of rows
-    const auto row = static_cast<std::size_t>(std::popcount(set)) - 1;
-    bool is_negative = row % 2 != 0;
-    for (std::size_t rest = set; rest != 0; rest &= rest - 1, is_negative = !is_negative) {
-      const auto column = static_cast<std::size_t>(std::countr_zero(rest));
-      const Integer &entry = system.numbers[row][column], &other = minor[set ^ (std::size_t{1} << column)];
-      if (entry.is_zero() || other.is_zero()) continue;
-      if (is_negative) {
-        minor[set] -= entry * other;
-      } else {
-        minor[set] += entry * other;
+      if (!(greatest > 0)) return false;
+      if (row != k) {
+        std::swap(m[row], m[k]);
+        std::swap(numbers[row], numbers[k]);
+      }
+      is_done[column] = true;
+      for (std::size_t i = k + 1; i < equations; ++i) {
+        const double factor = m[i][column] / m[k][column];
+        for (std::size_t j = 0; j <= n; ++j) m[i][j] -= factor * m[k][j];
       }
     }
+    return true;
   }
-  std::array<Integer, most_vectors> v;
-  bool is_negative = n % 2 != 0;
-  for (std::size_t j = 0; j <= n; ++j, is_negative = !is_negative) {
-    v[j] = std::move(minor[all ^ (std::size_t{1} << j)]);
-    if (is_negative) v[j].backend().negate();
+
+  // By expansion along rows, each set of columns once: v_j is the determinant without column j, but for its sign.
+  std::array<typename Arithmetic::Number, most_vectors> by_determinants() const {
+    using Number = typename Arithmetic::Number;
+    const std::size_t n = unknowns, all = (std::size_t{1} << (n + 1)) - 1;
+    std::array<Number, std::size_t{1} << most_vectors> minor;
+    minor[0] = Arithmetic::one();
+    for (std::size_t set = 1; set < all; ++set) {  // of columns; their number is that of rows
+      const auto row = static_cast<std::size_t>(std::popcount(set)) - 1;
+      minor[set] = Number{};
+      bool is_negative = row % 2 != 0;
+      for (std::size_t rest = set; rest != 0; rest &= rest - 1, is_negative = !is_negative) {
+        const auto column = static_cast<std::size_t>(std::countr_zero(rest));
+        Arithmetic::add_product(minor[set], numbers[row][column], minor[set ^ (std::size_t{1} << column)], is_negative);
+      }
+    }
+    std::array<Number, most_vectors> v{};
+    bool is_negative = n % 2 != 0;
+    for (std::size_t j = 0; j <= n; ++j, is_negative = !is_negative) {
+      Number& determinant = minor[all ^ (std::size_t{1} << j)];
+      if (is_negative) {
+        Arithmetic::add_product(v[j], Arithmetic::entry(Dyadic(1.0), 0), determinant, true);
+      } else {
+        v[j] = std::move(determinant);
+      }
+    }
+    return v;
   }
-  return v;
-}
+
+  std::optional<std::array<Integer, most_vectors>> solve() {
+    if (!put_independent_first()) return std::nullopt;
+    auto v = by_determinants();
+    for (std::size_t i = unknowns; i < equations; ++i) {
+      typename Arithmetic::Number sum{};
+      for (std::size_t j = 0; j <= unknowns; ++j) Arithmetic::add_product(sum, numbers[i][j], v[j], false);
+      if (!Arithmetic::is_zero(sum)) return std::nullopt;
+    }
+    std::array<Integer, most_vectors> result;
+    bool is_zero = true;
+    for (std::size_t j = 0; j <= unknowns; ++j) {
+      is_zero = is_zero && Arithmetic::is_zero(v[j]);
+      result[j] = Arithmetic::integer(std::move(v[j]));
+    }
+    if (is_zero) return std::nullopt;
+    return result;
+  }
+};
 
 }  // namespace
 
 std::optional<std::array<Integer, most_vectors>> null_vector(std::span<const ExactVector> vectors) {
   SUNDER_REQUIRE(!vectors.empty() && vectors.size() <= most_vectors && vectors[0].size() <= most_dimension);
   SUNDER_REQUIRE(vectors.size() <= vectors[0].size() + 1);
-  System system;
-  fill(system, vectors);
-  if (!put_independent_first(system)) return std::nullopt;
-  const std::size_t n = system.unknowns;
-  std::array<Integer, most_vectors> v = by_determinants(system);
-  if (std::all_of(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(n) + 1, [](const Integer& x) { return x.is_zero(); })) {
-    return std::nullopt;
-  }
-  for (std::size_t i = n; i < system.equations; ++i) {
-    Integer sum = 0;
-    for (std::size_t j = 0; j <= n; ++j) sum += v[j] * system.numbers[i][j];
-    if (!sum.is_zero()) return std::nullopt;
-  }
-  if (v[n] < 0) {
-    for (std::size_t j = 0; j <= n; ++j) v[j].backend().negate();
+  const Scales scales = scales_of(vectors);
+  auto v = is_narrow(scales) ? System<Narrow>(vectors, scales).solve() : System<Wide>(vectors, scales).solve();
+  const std::size_t n = vectors.size() - 1;
+  if (v && (*v)[n] < 0) {
+    for (std::size_t j = 0; j <= n; ++j) (*v)[j].backend().negate();
   }
   return v;
 }

@@ -36,15 +36,23 @@ class Search {
   }
 
  private:
-  // True where a proposal held.
+  // True where a proposal held. First among samples of the points: whatever their simplex is, it goes on with more.
   bool search() {
     Vector direction{};
     if (!towards_origin(difference(0, 0).at, d_, direction)) direction[0] = 1;
+    std::size_t every_a = first_sample(a_), every_b = first_sample(b_);
     for (int step = 0; step < most_steps; ++step) {
-      const Support of_a = support(a_, pose_a_, direction, 1), of_b = support(b_, pose_b_, direction, -1);
-      answer_.cost.probes += std::uint64_t{a_.size()} + b_.size();
+      const Support of_a = support(a_, pose_a_, direction, 1, every_a),
+                    of_b = support(b_, pose_b_, direction, -1, every_b);
+      answer_.cost.probes += a_.size() / every_a + b_.size() / every_b;
       ++answer_.cost.iterations;
-      if (of_a.product.product < of_b.product.product && parts(direction, of_a, of_b)) return true;
+      const bool is_all = every_a == 1 && every_b == 1, is_apart = of_a.product.product < of_b.product.product;
+      if (is_all && is_apart && parts(direction, of_a, of_b)) return true;
+      if ((is_apart || simplex_.has(of_a.index, of_b.index)) && !is_all) {
+        every_a = std::max(every_a / 4, std::size_t{1});
+        every_b = std::max(every_b / 4, std::size_t{1});
+        continue;
+      }
       if (simplex_.has(of_a.index, of_b.index)) return false;
       if (!simplex_.add(difference(of_a.index, of_b.index))) return false;
       if (simplex_.is_full()) return holds_origin();
@@ -114,9 +122,9 @@ class Search {
     ++answer_.cost.exact;
     Evidence evidence{.verdict = Verdict::meet};
     collect(evidence);
-    auto common = common_point_by_determinants(a_, pose_a_, b_, pose_b_,
-                                               {std::span(evidence.of_a).first(evidence.count_a),
-                                                std::span(evidence.of_b).first(evidence.count_b)});
+    auto common = common_point_by_determinants(
+        a_, pose_a_, b_, pose_b_,
+        {std::span(evidence.of_a).first(evidence.count_a), std::span(evidence.of_b).first(evidence.count_b)});
     if (!common) return false;
     evidence.exact = std::make_shared<const ExactEvidence>(*std::move(common));
     answer_.evidence = std::move(evidence);
@@ -187,9 +195,9 @@ PolytopeAnswer polytope_polytope_by_gjk(const Polytope& a, const Pose& pose_a, c
   PolytopeAnswer answer;
   HalfSpaceProposal proposal = search_half_spaces(a, pose_a, b, pose_b, answer.cost);
   answer.decided_by = proposal.decision ? DecidedBy::evidence : DecidedBy::finishing;
-  ExactDecision decision = proposal.decision ? *std::move(proposal.decision)
-                                             : decide_exactly({a, pose_a}, {b, pose_b}, proposal.of_a, proposal.of_b,
-                                                              answer.cost);
+  ExactDecision decision = proposal.decision
+                               ? *std::move(proposal.decision)
+                               : decide_exactly({a, pose_a}, {b, pose_b}, proposal.of_a, proposal.of_b, answer.cost);
   answer.evidence = {.verdict = decision.verdict, .exact = std::move(decision.evidence)};
   return answer;
 }

@@ -4,7 +4,7 @@
 
 namespace sunder::polytope {
 
-Support support(const Polytope& body, const Pose& pose, const Vector& direction, double side) {
+Support support(const Polytope& body, const Pose& pose, const Vector& direction, double side, std::size_t every) {
   const std::size_t d = body.dimension();
   ColumnNumbers pulled{}, sizes{};
   int roundings = 0;
@@ -24,7 +24,7 @@ Support support(const Polytope& body, const Pose& pose, const Vector& direction,
       }
     }
   }
-  const FurthestPoint furthest = furthest_along(body.columns(), pulled);
+  const FurthestPoint furthest = furthest_along(body.columns(), pulled, every);
   Support result{furthest.index, {side * furthest.product, product_error(body.columns(), sizes, roundings + 2)}};
   if (pose.is_identity()) return result;
   double moved = 0, size = 0;
@@ -62,6 +62,12 @@ std::array<Interval, most_dimension> enclosed_image(const Polytope& body, const 
     for (std::size_t c = 0; c < d; ++c) image[r] = image[r] + Interval(pose.linear(r, c)) * Interval(row[c]);
   }
   return image;
+}
+
+std::size_t first_sample(const Polytope& body) {
+  std::size_t every = 1;
+  while (body.columns().stride / PointColumns::block / every >= 8) every *= 4;
+  return every;
 }
 
 }  // namespace sunder::polytope
