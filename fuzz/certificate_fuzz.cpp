@@ -16,13 +16,13 @@ namespace {
 
 // Of pairs, distances, clearances and motions; of sections; of sets; of common parts; of linear programs; of valid
 // polygons; of hulls.
-constexpr std::array<std::string_view, 41> verdicts{
+constexpr std::array<std::string_view, 42> verdicts{
     "apart",       "meet",       "touching",   "overlapping", "closest",        "none",       "some",
     "these",       "count",      "empty",      "point",       "segment",        "ray",        "line",
     "strip",       "half-plane", "unbounded",  "bounded",     "plane",          "region",     "one",
     "many",        "all",        "infeasible", "valid",       "too_few_points", "edges_meet", "comes_twice",
     "misplaced",   "circle",     "repeated",   "rings_touch", "kept",           "broken",     "crosses",
-    "falls_apart", "solid",      "flat",       "nothing",     "outlined",       "first"};
+    "falls_apart", "solid",      "flat",       "nothing",     "outlined",       "first",      "apart_by_hyperplanes"};
 
 }  // namespace
 

@@ -72,8 +72,9 @@ struct Claim {
   std::vector<std::size_t> order, cones, sectors, along;  // of sectors some are no_index
   std::vector<FaceHome> homes;
   std::vector<std::vector<std::size_t>> parts;
-  Numbers at;             // of a polytope of half-spaces
-  WeightList of_a, of_b;  // multipliers of half-spaces
+  Numbers at;                               // of a polytope of half-spaces
+  WeightList of_a, of_b;                    // multipliers of half-spaces
+  std::vector<Numbers> planes_a, planes_b;  // half-spaces around polytopes of points
 };
 
 // What does not count.
@@ -102,6 +103,7 @@ bool is_behind(const char* rule, const HullBody& body, const Integers& direction
 
 // Of polytopes (polytope_rules.cpp).
 void check_parted_by(const Claim& claim, const RowBody& a, const RowBody& b);
+void check_parted_by_hyperplanes(const Claim& claim, const RowBody& a, const RowBody& b);
 void check_keeps(const Claim& claim, const RowBody& body, const Numbers& point);
 
 void check_surface(const Claim& claim, const HullBody& body, const std::vector<std::vector<std::size_t>>& faces);

@@ -17,6 +17,10 @@ struct DifferencePoint {
   Vector at{};
 };
 
+// Of a point, the direction towards the origin, its greatest component of size 1, those zero that do not matter. False
+// where there is none.
+bool direction_from(const Vector& nearest, std::size_t d, Vector& direction);
+
 // Points whose affine hull has its nearest point to the origin inside of their hull, with the weights of that point.
 class NearestSimplex {
  public:

@@ -16,18 +16,6 @@ namespace {
 
 constexpr int most_steps = 64;  // of the search; it takes some 2 d to 4 d
 
-// Towards the origin, its greatest component of size 1, those zero that do not matter. False where there is none.
-bool direction_from(const Vector& nearest, std::size_t d, Vector& direction) {
-  double largest = 0;
-  for (std::size_t c = 0; c < d; ++c) largest = std::max(largest, std::fabs(nearest[c]));
-  if (!(largest > 0) || !std::isfinite(largest)) return false;
-  for (std::size_t c = 0; c < d; ++c) {
-    const double part = -nearest[c] / largest;
-    direction[c] = std::fabs(part) < 0x1p-60 ? 0.0 : part;
-  }
-  return true;
-}
-
 class Search {
  public:
   Search(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b)

@@ -158,6 +158,29 @@ def some_weights(whose, of_points, most):
     return read_some_weights
 
 
+def planes_around(whose):
+    """Of a polytope of points half-spaces; of others none."""
+    def read_planes(value, where, read):
+        form(read[whose].is_of_points or value == [], where + " is not empty")
+        width = read[whose].dimension + 1
+        form(len(LIST(value, where)) % width == 0, where + " is no whole number of half-spaces")
+        row = numbers(value, len(value), number, where)
+        return [row[k:k + width] for k in range(0, len(row), width)]
+    return read_planes
+
+
+def some_multipliers(whose):
+    """Of half-spaces: those of the polytope, or around it."""
+    def read_some_multipliers(value, where, read):
+        body = read[whose]
+        size = len(read["planes_" + whose]) if body.is_of_points else len(body)
+        result = list_of(row_of(lambda k, place, _: index(k, size, place), number))(value, where, read)
+        form(len(result) <= MOST_MULTIPLIERS, "%s has not 0 to %d entries" % (where, MOST_MULTIPLIERS))
+        form(len({k for k, _ in result}) == len(result), where + " names something twice")
+        return result
+    return read_some_multipliers
+
+
 def place_in(value, where, read):
     """Of a polytope of half-spaces; of others none."""
     body = read[read["subject"]]
@@ -241,7 +264,8 @@ SAID = {  # what verdicts and claims say
                        " is empty, or names one twice"),
     "along": list_of(whole(0), lambda those, read: len(those) == len(read["corners"]), " is not as long as the corners"),
     "of_a": some_weights("a", False, MOST_MULTIPLIERS), "of_b": some_weights("b", False, MOST_MULTIPLIERS),
-    "at": place_in,
+    "planes_a": planes_around("a"), "planes_b": planes_around("b"), "by_a": some_multipliers("a"),
+    "by_b": some_multipliers("b"), "at": place_in,
     "time": part_of_time, "direction": vector, "from": vector, "weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
     "ends": list_of(end, lambda those, read: len(those) == 2, " is not a list of 2"),
     "order": list_of(subject_index, lambda those, read: len(set(those)) == len(those) == len(subject(read)),
@@ -262,6 +286,7 @@ CLAIMS = {
     "bounds_only": (partial(rules.bounds, is_only=True), "weights"),
     "keeps": (polytopes.keeps, "weights", "at"),
     "parted_by": (polytopes.parted_by, "direction", "of_a", "of_b"),
+    "parted_by_hyperplanes": (polytopes.parted_by_hyperplanes, "direction", "planes_a", "by_a", "planes_b", "by_b"),
     **{rule.__name__: (rule, "direction") for rule in (rules.parted, rules.parted_all_along, rules.not_before)},
     "clear": (rules.clear, "direction"),
     "parted_weakly": (partial(rules.parted, is_weak=True), "direction"),
@@ -319,6 +344,7 @@ QUESTIONS = {
         "broken": "each_clearance members groups except least PROVED nearer"}),
     "polytopes": ("polytopes", "a b", {
         "apart": "parted_by a b",
+        "apart_by_hyperplanes": "parted_by_hyperplanes a b",
         "meet": "keeps a point, keeps b point",
     }),
     "hull": ("bodies", "body", {
