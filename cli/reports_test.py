@@ -33,7 +33,7 @@ NEVER_SEEN = {
 
 # Keys that may be missing, by the object that holds them: "" is the report.
 OPTIONAL = {
-    "": "hull left_out skipped mended remarks contact said_of distance depth clearance nearest time cut group layer across_layers count counts "
+    "": "hull left_out skipped mended remarks contact said_of distance depth clearance nearest time cut planes group layer across_layers count counts "
         "contact_unknown unit "
         "best contradiction formats",
     "objects[]": "why_hull frame moves moved_about departure groups layers left_out remarks properties box without inputs made_of not_made_of "
@@ -136,6 +136,7 @@ pair cases/mesh/cube.obj cases/space/bent.json --project 0,0,0,1,0,0,0,1,0
 pair cases/mesh/cube.obj cases/space/bent.json
 pair cases/polytopes/cross.csv cases/polytopes/cube.csv --pose-b 2.5,0,0,0 --certificate OUT
 pair cases/polytopes/cross.csv cases/polytopes/simplex.csv
+pair cases/polytopes/cross.csv cases/polytopes/box.npy --half-spaces-b --pose-b 2.5,0,0,0 --method tree --hyperplanes
 pair shapes.csv shapes.csv --feature-a p --feature-b s --distance
 pair mixed.wkt cases/planar-pair/plate.wkt --leave-out
 pair repeated.wkt cases/planar-pair/plate.wkt --mend

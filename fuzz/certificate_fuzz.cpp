@@ -14,16 +14,16 @@
 using sunder::fuzz::require;
 namespace {
 
-// Of pairs, distances, clearances, depths and motions; of sections; of sets; of common parts; of linear programs; of valid
-// polygons; of hulls.
-constexpr std::array<std::string_view, 44> verdicts{
+// Of pairs, distances, clearances, depths and motions; of sections; of sets; of common parts; of linear programs;
+// of valid polygons; of hulls.
+constexpr std::array<std::string_view, 45> verdicts{
     "apart",       "meet",       "touching",   "overlapping", "closest",        "none",       "some",
     "these",       "count",      "empty",      "point",       "segment",        "ray",        "line",
     "strip",       "half-plane", "unbounded",  "bounded",     "plane",          "region",     "one",
     "many",        "all",        "infeasible", "valid",       "too_few_points", "edges_meet", "comes_twice",
     "misplaced",   "circle",     "repeated",   "rings_touch", "kept",           "broken",     "crosses",
     "falls_apart", "solid",      "flat",       "nothing",     "outlined",       "first",      "facets",
-    "at_most",     "at_least"};
+    "at_most",     "at_least",   "apart_by_hyperplanes"};
 
 }  // namespace
 

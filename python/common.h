@@ -39,6 +39,7 @@ void bind_regions(nb::module_& planar);
 void bind_solid(nb::module_& module, nb::module_& solid);
 void bind_sections(nb::module_& solid);
 void bind_flats(nb::module_& module, nb::module_& solid);
+void bind_polytopes(nb::module_& module, nb::module_& polytope);
 void bind_robots(nb::module_& module);
 
 // C++ errors become sunder.Error of Python.

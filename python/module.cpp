@@ -86,12 +86,14 @@ NB_MODULE(_sunder, module) {
   module.attr("__version__") = std::string(sunder::version);
   translate_errors();
   bind_answers(module);
-  nb::module_ planar = module.def_submodule("planar"), solid = module.def_submodule("solid");
+  nb::module_ planar = module.def_submodule("planar"), solid = module.def_submodule("solid"),
+              polytope = module.def_submodule("polytope");
   bind_planar(module, planar);
   bind_polygons(planar);
   bind_sets(planar);
   bind_regions(planar);
   bind_solid(module, solid);
   bind_flats(module, solid);
+  bind_polytopes(module, polytope);
   bind_robots(module);
 }

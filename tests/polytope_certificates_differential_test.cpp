@@ -3,12 +3,14 @@
 #include <tests/support/polytope_pairs.h>
 #include <tests/support/scale.h>
 
+#include <sunder/polytope/pair/hyperplanes.h>
 #include <sunder/polytope/pair/polytope_claims.h>
 
 #include <verifier/cpp/verify.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <string_view>
@@ -18,7 +20,8 @@ namespace {
 
 using polytope::PolytopeAnswer;
 
-std::string written(const PolytopePair& c, const PolytopeAnswer& answer) {
+template <class Answer>
+std::string written(const PolytopePair& c, const Answer& answer) {
   std::string text;
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
   add_claims(file, {"a", c.a, c.pose_a}, {"b", c.b, c.pose_b}, answer);
@@ -46,11 +49,10 @@ std::map<std::string, std::string> mutants(const std::string& text) {
 }
 
 struct Counts {
-  int meet = 0, apart = 0, refused = 0;
+  int meet = 0, apart = 0, refused = 0, hyperplanes = 0;
 };
 
-void expect_accepted(const PolytopePair& c, Counts& counts) {
-  const PolytopeAnswer answer = polytope_polytope(c.a, c.pose_a, c.b, c.pose_b);
+void expect_answer_accepted(const PolytopePair& c, const PolytopeAnswer& answer, Counts& counts) {
   const std::string text = written(c, answer);
   const sunder_verifier::FileResult report = sunder_verifier::verify_text(text, "pair");
   ASSERT_EQ(report.statements.size(), 1u) << report.failed_form << text;
@@ -64,6 +66,51 @@ void expect_accepted(const PolytopePair& c, Counts& counts) {
   }
 }
 
+// The list of this key exchanged for another one.
+std::string with(const std::string& text, const std::string& key, const std::string& list) {
+  const std::size_t begin = text.rfind("\"" + key + "\": [");
+  if (begin == std::string::npos) return "";
+  std::size_t end = text.find('[', begin);
+  int depth = 0;
+  do {
+    depth += (text[end] == '[') - (text[end] == ']');
+    ++end;
+  } while (depth > 0);
+  return text.substr(0, begin) + "\"" + key + "\": " + list + text.substr(end);
+}
+
+// By several hyperplanes; mutants are refused by the rule.
+void expect_hyperplanes_accepted(const PolytopePair& c, const polytope::HierarchicalTree& a,
+                                 const polytope::HierarchicalTree& b, const PolytopeAnswer& answer, Counts& counts) {
+  const polytope::HyperplaneEvidence evidence = parting_hyperplanes(a, c.pose_a, b, c.pose_b, answer);
+  const std::string text = written(c, evidence);
+  const sunder_verifier::FileResult report = sunder_verifier::verify_text(text, "pair");
+  ASSERT_EQ(report.statements.size(), 1u) << report.failed_form << text;
+  ASSERT_TRUE(report.accepted()) << report.statements[0].reason << text;
+  ASSERT_NE(report.statements[0].sentence.find("by half-spaces that hold them"), std::string::npos);
+  ++counts.hyperplanes;
+  const bool is_one_alone = std::all_of(evidence.direction.begin(), evidence.direction.end(),
+                                        [](const Dyadic& x) { return x.sign() == Sign::zero; });
+  for (const char* key : {"by_a", "by_b"}) {
+    const std::string mutant = with(text, key, "[]");
+    if (mutant == text || is_one_alone) continue;
+    const sunder_verifier::FileResult refused = sunder_verifier::verify_text(mutant, key);
+    ASSERT_EQ(refused.statements.size(), 1u) << refused.failed_form << mutant;
+    EXPECT_EQ(refused.statements[0].failed_check, "parted_by_hyperplanes") << mutant;
+    ++counts.refused;
+  }
+  const sunder_verifier::FileResult refused = sunder_verifier::verify_text(with(text, "planes_a", "[\"1\"]"), "F");
+  EXPECT_FALSE(refused.failed_form.empty());
+}
+
+void expect_accepted(const PolytopePair& c, Counts& counts) {
+  expect_answer_accepted(c, polytope_polytope(c.a, c.pose_a, c.b, c.pose_b), counts);
+  const polytope::HierarchicalTree a = small_tree(c.a), b = small_tree(c.b);
+  const PolytopeAnswer answer = polytope_polytope_by_tree(a, c.pose_a, b, c.pose_b);
+  expect_answer_accepted(c, answer, counts);
+  if (!answer.meet()) expect_hyperplanes_accepted(c, a, b, answer, counts);
+}
+
 TEST(PolytopeCertificatesDifferential, OfPoints) {
   const int count = scaled_count(3000, 200);
   PolytopePairs pairs(chosen_seed(20261130));
@@ -74,6 +121,7 @@ TEST(PolytopeCertificatesDifferential, OfPoints) {
   }
   EXPECT_GT(counts.meet, count / 10);
   EXPECT_GT(counts.apart, count / 10);
+  EXPECT_GT(counts.hyperplanes, count / 10);
   EXPECT_GE(counts.refused, 2 * count);
 }
 
@@ -87,6 +135,7 @@ TEST(PolytopeCertificatesDifferential, OfHalfSpaces) {
   }
   EXPECT_GT(counts.meet, count / 10);
   EXPECT_GT(counts.apart, count / 10);
+  EXPECT_GT(counts.hyperplanes, count / 10);
 }
 
 }  // namespace

@@ -5,12 +5,14 @@
 
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/pair/polygon_polygon.h>
+#include <sunder/polytope/pair/hyperplanes.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <string>
@@ -24,19 +26,43 @@ using polytope::Polytope;
 using polytope::PolytopeAnswer;
 
 struct Tally {
-  int cases = 0, meets = 0, filter = 0, evidence = 0, finishing = 0, deep = 0, tree_hits = 0;
+  int cases = 0, meets = 0, filter = 0, evidence = 0, finishing = 0, deep = 0, tree_hits = 0, parted = 0, by_shells = 0;
 };
-
-// Of bodies as small as these: nets and leaves of very few rows, which are taken as they come.
-polytope::HierarchicalTree small_tree(const Polytope& body) {
-  const auto rows = static_cast<std::uint32_t>(body.columns().dimension);
-  return polytope::HierarchicalTree(
-      body, {.net = rows + 2, .leaf = 3, .share = 0.99, .levels = rows < 5 ? 2u : 1u, .samples = 4});
-}
 
 bool holds(const PolytopePair& c, const PolytopeAnswer& answer) {
   const ExactEvidence exact = exact_evidence(c.a, c.pose_a, c.b, c.pose_b, answer);
   return check(c.a, c.pose_a, c.b, c.pose_b, answer.evidence.verdict, exact);
+}
+
+// By several hyperplanes; and where a multiplier, or what a plane holds, is another one, nothing is proved. Are they of
+// shell-simplices?
+bool expect_parted_by_hyperplanes(const PolytopePair& c, const polytope::HierarchicalTree& a,
+                                  const polytope::HierarchicalTree& b, const PolytopeAnswer& answer) {
+  using polytope::HyperplaneEvidence;
+  const HyperplaneEvidence evidence = parting_hyperplanes(a, c.pose_a, b, c.pose_b, answer);
+  const auto accepted = [&](const HyperplaneEvidence& said) { return check(c.a, c.pose_a, c.b, c.pose_b, said); };
+  EXPECT_TRUE(accepted(evidence));
+  for (const auto side : {&HyperplaneEvidence::a, &HyperplaneEvidence::b}) {
+    const HyperplaneEvidence::Around& around = evidence.*side;
+    const polytope::HierarchicalTree& tree = side == &HyperplaneEvidence::a ? a : b;
+    EXPECT_LE(around.planes.size(), tree.dimension() * tree.depth() + 1);
+    if (!around.planes.empty()) {
+      HyperplaneEvidence mutant = evidence;
+      Dyadic& most = (mutant.*side).planes.back().back();
+      most = most - Dyadic(0x1p-1070);  // it is the greatest product
+      EXPECT_FALSE(accepted(mutant));
+    }
+    if (around.multipliers.parts.empty()) continue;
+    HyperplaneEvidence mutant = evidence;
+    Dyadic& multiplier = (mutant.*side).multipliers.parts[0].numerator;
+    multiplier = -multiplier;
+    EXPECT_FALSE(accepted(mutant));
+    const auto& d = evidence.direction;
+    if (std::all_of(d.begin(), d.end(), [](const Dyadic& x) { return x.sign() == Sign::zero; })) continue;  // one alone
+    (mutant.*side).multipliers.parts.clear();
+    EXPECT_FALSE(accepted(mutant));
+  }
+  return evidence.a.are_shells && evidence.b.are_shells;
 }
 
 // The other verdict, and numbers that are a little different, prove nothing.
@@ -102,6 +128,10 @@ TEST(PolytopePairDifferential, MethodsAgreeWithTheScan) {
     ASSERT_EQ(scan.meet(), tree.meet());
     ASSERT_TRUE(holds(c, tree));
     if (i % 64 == 0) expect_mutants_refused(c, tree);
+    if (!tree.meet() && i % 4 == 0) {
+      ++tally.parted;
+      tally.by_shells += expect_parted_by_hyperplanes(c, tree_a, tree_b, tree);
+    }
     tally.deep += tree_a.depth() + tree_b.depth() > 0;
     tally.tree_hits += tree.decided_by == DecidedBy::evidence;
     if (i % 16 == 0) expect_mutants_refused(c, i % 32 == 0 ? gjk : scan);
@@ -118,6 +148,8 @@ TEST(PolytopePairDifferential, MethodsAgreeWithTheScan) {
                 tally.finishing);
     std::printf("%-18s of these %6d with a tree of some depth; %6d by trees without a node looked at whole\n", "",
                 tally.deep, tally.tree_hits);
+    std::printf("%-18s parted by several hyperplanes %6d, by those of shell-simplices alone %6d\n", "", tally.parted,
+                tally.by_shells);
     EXPECT_GT(tally.deep, tally.cases / 10) << name_of(family);
     EXPECT_GT(tally.tree_hits, tally.cases * 9 / 10) << name_of(family);
     EXPECT_GT(tally.meets, tally.cases / 20) << name_of(family);
@@ -152,6 +184,7 @@ TEST(PolytopePairDifferential, HalfSpacesAgreeWithTheScan) {
     const PolytopeAnswer tree = polytope_polytope_by_tree(tree_a, c.pose_a, tree_b, c.pose_b);
     ASSERT_EQ(scan.meet(), tree.meet());
     ASSERT_TRUE(holds(c, tree));
+    if (!tree.meet()) expect_parted_by_hyperplanes(c, tree_a, tree_b, tree);
     deep += tree_a.depth() + tree_b.depth() > 0;
     tree_hits += tree.decided_by == DecidedBy::evidence;
     if (i % 4 == 0) expect_mutants_refused(c, i % 8 == 0 ? front : tree);
@@ -189,6 +222,8 @@ TEST(PolytopePairDifferential, AgreesWithThePlane) {
     };
     const bool expected = polygon_polygon_by_scan(polygon(c.a), pose(c.pose_a), polygon(c.b), pose(c.pose_b)).meet();
     ASSERT_EQ(expected, polytope_polytope(c.a, c.pose_a, c.b, c.pose_b).meet()) << i << " " << name_of(c.family);
+    const polytope::HierarchicalTree a = small_tree(c.a), b = small_tree(c.b);
+    ASSERT_EQ(expected, polytope_polytope_by_tree(a, c.pose_a, b, c.pose_b).meet()) << i << " " << name_of(c.family);
     meets += expected;
   }
   EXPECT_GT(meets, count / 5);
@@ -215,6 +250,8 @@ TEST(PolytopePairDifferential, AgreesWithSpace) {
     };
     const bool expected = polyhedron_polyhedron_by_scan(body(c.a), pose(c.pose_a), body(c.b), pose(c.pose_b)).meet();
     ASSERT_EQ(expected, polytope_polytope(c.a, c.pose_a, c.b, c.pose_b).meet()) << i << " " << name_of(c.family);
+    const polytope::HierarchicalTree a = small_tree(c.a), b = small_tree(c.b);
+    ASSERT_EQ(expected, polytope_polytope_by_tree(a, c.pose_a, b, c.pose_b).meet()) << i << " " << name_of(c.family);
     meets += expected;
   }
   EXPECT_GT(meets, count / 5);

@@ -1,14 +1,14 @@
 """Sunder tells whether things meet, and proves it: exact answers for the doubles given, each with its certificate.
 
-Objects and questions are in sunder.planar and sunder.solid, under the names of the C++ library. All of
+Objects and questions are in sunder.planar, sunder.solid and sunder.polytope, under the names of the C++ library. All of
 them are immutable. Arrays are copied, and refused where a number would be rounded. Bad input raises sunder.Error.
 """
 from sunder._error import Error
 from sunder._sunder import Cost, PairAnswer, __version__, intersect
-from sunder import planar, solid
+from sunder import planar, polytope, solid
 from sunder._ask import Report, ask
 from sunder._many import intersect_many
 from sunder._robot import Collisions, Robot
 
 __all__ = ["Collisions", "Cost", "Error", "PairAnswer", "Report", "Robot", "ask", "intersect", "intersect_many",
-           "planar", "solid", "__version__"]
+           "planar", "polytope", "solid", "__version__"]

@@ -26,8 +26,8 @@ struct JointTable {
   std::string place(std::size_t row) const;  // "FILE:7", or "FILE: row 6", from 0
 };
 
-// CSV (RFC 4180): the first line has the names of the joints. NPY: an array of two dimensions of float64 or float32, in
-// C order and little-endian, as NumPy's save() writes it. It is NPY iff it begins as such files do.
+// CSV (RFC 4180): the first line has the names of the joints. NPY: an array of two dimensions, as io/npy.h reads it.
+// It is NPY iff it begins as such files do.
 // Throws Error bad_file with file and line, or row: no name is a joint's, a name comes twice, a row with too few or too
 // many fields, what is no finite number; an array of another kind or shape; a file that is cut off or goes on too long;
 // no row. inputs: as of read_file. Cost: linear.

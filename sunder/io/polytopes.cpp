@@ -1,6 +1,7 @@
 #include <sunder/io/csv.h>
 #include <sunder/io/file.h>
 #include <sunder/io/foreign.h>
+#include <sunder/io/npy.h>
 #include <sunder/io/polytopes.h>
 #include <sunder/io/text.h>
 
@@ -36,10 +37,33 @@ std::optional<Columns> named_columns(const CsvReader::Fields& fields) {
   return Columns{of_points ? Form::points : Form::half_spaces, d};
 }
 
+Polytope of_rows(Form form, std::size_t width, std::vector<double> numbers) {
+  return form == Form::points ? Polytope::from_points(width, std::move(numbers))
+                              : Polytope::from_half_spaces(width - 1, std::move(numbers));
+}
+
+// What is wrong with rows of so many numbers; empty where nothing is.
+std::string wrong_width(Form form, std::size_t width) {
+  const bool of_points = form == Form::points;
+  const std::size_t d = width - (of_points ? 0 : 1);
+  if (width > 0 && d >= polytope::least_dimension && d <= polytope::most_dimension) return "";
+  return of_points ? fmt::format("a point of dimension {}; give points of dimension 2 to 6", width)
+                   : fmt::format("of {}, and a half-space of 3 to 7, a1,..,ad,b; give such", count_of(width, "number"));
+}
+
+Polytope of_npy(std::string_view bytes, std::string_view place, Form form) {
+  NpyArray array = parse_npy(bytes, place);
+  if (const std::string wrong = wrong_width(form, array.columns); !wrong.empty()) {
+    fail_file(place, "a row is " + wrong);
+  }
+  return of_rows(form, array.columns, std::move(array.values));
+}
+
 }  // namespace
 
 bool names_polytope(const std::filesystem::path& path) {
   std::error_code error;
+  if (ending_of(path.string()) == ".npy") return true;
   if (ending_of(path.string()) != ".csv" || !std::filesystem::is_regular_file(path, error)) return false;
   std::ifstream stream(path, std::ios::binary);
   std::string line(200, '\0');  // longer lines name others
@@ -56,7 +80,8 @@ bool names_polytope(const std::filesystem::path& path) {
   return reader.next() && named_columns(reader.fields());
 }
 
-Polytope parse_polytope(std::string_view text, std::string_view place) {
+Polytope parse_polytope(std::string_view text, std::string_view place, Form unnamed) {
+  if (is_npy(text)) return of_npy(text, place, unnamed);
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
   refuse_foreign(text, place);
   CsvReader reader(text, place);
@@ -66,14 +91,17 @@ Polytope parse_polytope(std::string_view text, std::string_view place) {
     const CsvReader::Fields& fields = reader.fields();
     if (reader.is_first()) {
       columns = named_columns(fields);
-      if (columns) continue;
+      if (columns) {
+        if (columns->form == Form::points && unnamed == Form::half_spaces) {
+          reader.fail("names points, and half-spaces were asked for; ask for points");
+        }
+        continue;
+      }
       if (are_names(fields, fields.size())) {
         reader.fail("has names that are neither x1,..,xd nor a1,..,ad,b; name the columns so, for a d from 2 to 6");
       }
-      columns = {Form::points, fields.size()};
-      if (fields.size() < polytope::least_dimension || fields.size() > polytope::most_dimension) {
-        reader.fail(fmt::format("is a point of dimension {}; give points of dimension 2 to 6", fields.size()));
-      }
+      if (const std::string wrong = wrong_width(unnamed, fields.size()); !wrong.empty()) reader.fail("is " + wrong);
+      columns = {unnamed, fields.size() - (unnamed == Form::points ? 0 : 1)};
     }
     const std::size_t width = columns->dimension + (columns->form == Form::points ? 0 : 1);
     if (fields.size() != width) {
@@ -91,12 +119,11 @@ Polytope parse_polytope(std::string_view text, std::string_view place) {
   if (!columns || (columns->form == Form::points && numbers.empty())) {
     fail_file(place, "has no points; give lines x1,..,xd, or name the columns of half-spaces a1,..,ad,b");
   }
-  return columns->form == Form::points ? Polytope::from_points(columns->dimension, std::move(numbers))
-                                       : Polytope::from_half_spaces(columns->dimension, std::move(numbers));
+  return of_rows(columns->form, columns->dimension + (columns->form == Form::points ? 0 : 1), std::move(numbers));
 }
 
-Polytope read_polytope(const std::filesystem::path& path, InputFiles* inputs) {
-  return parse_polytope(read_file(path, inputs), path.string());
+Polytope read_polytope(const std::filesystem::path& path, InputFiles* inputs, Form unnamed) {
+  return parse_polytope(read_file(path, inputs), path.string(), unnamed);
 }
 
 }  // namespace sunder::io

@@ -145,6 +145,12 @@ PolytopePair PolytopePairs::touching(std::size_t d, PolytopeFamily family) {
           Pose::from_matrix(d, linear, translation)};
 }
 
+polytope::HierarchicalTree small_tree(const Polytope& body) {
+  const auto rows = static_cast<std::uint32_t>(body.columns().dimension);
+  return polytope::HierarchicalTree(
+      body, {.net = rows + 2, .leaf = 3, .share = 0.99, .levels = rows < 5 ? 2u : 1u, .samples = 4});
+}
+
 PolytopePair PolytopePairs::next() { return next(polytope::least_dimension + random_.below(5)); }
 
 PolytopePair PolytopePairs::next(std::size_t d) {

@@ -5,6 +5,7 @@
 #include <sunder/base/random.h>
 #include <sunder/polytope/object/polytope.h>
 #include <sunder/polytope/object/pose.h>
+#include <sunder/polytope/represent/hierarchical_tree.h>
 
 #include <array>
 #include <cstddef>
@@ -28,6 +29,9 @@ struct PolytopePair {
   polytope::Polytope a, b;
   polytope::Pose pose_a, pose_b;
 };
+
+// A tree of a body as small as these: nets and leaves of very few rows, which are taken as they come.
+polytope::HierarchicalTree small_tree(const polytope::Polytope& body);
 
 class PolytopePairs {
  public:

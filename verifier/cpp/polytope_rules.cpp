@@ -42,8 +42,54 @@ WeightedRows weighted_rows(const char* rule, const char* noun, const WeightList&
   return result;
 }
 
-// Numbers whose sum the body does not exceed along the direction, or (side -1) along its opposite.
-Numbers limit(const RowBody& body, const WeightList& multipliers, const Numbers& direction, int side) {
+using Planes = std::vector<Common>;  // half-spaces a1, .., ad, b
+
+// Half-spaces that hold all of a polytope of points, where it is no image.
+Planes planes_around(const RowBody& body, const std::vector<Numbers>& given) {
+  Planes planes;
+  for (const Numbers& plane : given) {
+    take_steps(plane.size(), length(plane), length(plane));
+    planes.push_back(common(plane));
+    const Integers& row = planes.back().integers;
+    take_steps(body.given->rows.size(), bits(row), body.given->bits);
+    const Integers normal(row.begin(), row.end() - 1);
+    Integer furthest = dot(normal, body.given->rows[0]);
+    for (const Integers& point : body.given->rows) furthest = std::max<Integer>(furthest, dot(normal, point));
+    require(sum_of({{furthest, 1, body.given->e}, {-row.back(), 1, 0}}) <= 0, "parted_by_hyperplanes",
+            "hyperplane " + std::to_string(planes.size() - 1) + " of " + body.name + " does not hold all of it");
+  }
+  return planes;
+}
+
+// Of planes times multipliers, the sum.
+Numbers combined(const WeightList& multipliers, const Planes& planes, const RowBody& body) {
+  Numbers result(body.dimension + 1);
+  if (multipliers.named.empty()) return result;
+  Numbers values = multipliers.values;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    values[k].d *= planes[multipliers.named[k]].d;
+  }
+  const std::size_t whole = length(values);
+  take_steps(values.size() / 4 + 1, whole, whole);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    require(values[k].n >= 0, "parted_by_hyperplanes", "a multiplier of " + body.name + " is negative");
+    values[k].e += planes[multipliers.named[k]].e;
+  }
+  const Common weights = common(values);
+  for (std::size_t c = 0; c < result.size(); ++c) {
+    result[c] = {0, weights.d, weights.e};
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      result[c].n += weights.integers[k] * planes[multipliers.named[k]].integers[c];
+    }
+  }
+  return result;
+}
+
+// Numbers whose sum the body does not exceed along the direction, or (side -1) along its opposite. Of planes around a
+// body of points: as of half-spaces.
+Numbers limit(const RowBody& body, const WeightList& multipliers, const Numbers& direction, int side,
+              const Planes* planes = nullptr) {
+  const char* const rule = planes == nullptr ? "parted_by" : "parted_by_hyperplanes";
   const std::size_t d = body.dimension;
   const Common given = common(direction);
   Integers along = given.integers;
@@ -59,19 +105,20 @@ Numbers limit(const RowBody& body, const WeightList& multipliers, const Numbers&
     }
     e += body.linear.e;
   }
-  if (body.is_of_points) {
+  if (body.is_of_points && planes == nullptr) {
     take_steps(body.given->rows.size(), bits(along), body.given->bits);
     Integer greatest = dot(along, body.given->rows[0]);
     for (const Integers& row : body.given->rows) greatest = std::max<Integer>(greatest, dot(along, row));
     result.push_back({greatest, given.d, e + body.given->e});
     return result;
   }
-  const WeightedRows combined = weighted_rows("parted_by", "multiplier", multipliers, body);
+  const Numbers sum = body.is_of_points ? combined(multipliers, *planes, body)
+                                        : weighted_rows(rule, "multiplier", multipliers, body).row;
   for (std::size_t c = 0; c < d; ++c) {
-    require(are_equal(combined.row[c], {along[c], given.d, e}), "parted_by",
+    require(are_equal(sum[c], {along[c], given.d, e}), rule,
             "the multipliers of " + body.name + " do not make the direction");
   }
-  result.push_back(combined.row[d]);
+  result.push_back(sum[d]);
   return result;
 }
 
@@ -82,6 +129,15 @@ void check_parted_by(const Claim& claim, const RowBody& a, const RowBody& b) {
   for (const Number& end : limit(b, claim.of_b, claim.direction, -1)) ends.push_back(end);
   take_steps(16, length(ends), length(ends));
   require(sum_of(ends) < 0, "parted_by", a.name + " is not strictly less far along the direction than " + b.name);
+}
+
+void check_parted_by_hyperplanes(const Claim& claim, const RowBody& a, const RowBody& b) {
+  const Planes planes_a = planes_around(a, claim.planes_a), planes_b = planes_around(b, claim.planes_b);
+  Numbers ends = limit(a, claim.of_a, claim.direction, 1, &planes_a);
+  for (const Number& end : limit(b, claim.of_b, claim.direction, -1, &planes_b)) ends.push_back(end);
+  take_steps(16, length(ends), length(ends));
+  require(sum_of(ends) < 0, "parted_by_hyperplanes",
+          "the half-spaces around " + a.name + " and " + b.name + " do not contradict");
 }
 
 void check_keeps(const Claim& claim, const RowBody& body, const Numbers& point) {

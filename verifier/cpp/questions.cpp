@@ -533,6 +533,32 @@ void read_own_multipliers(const Json& item, const Said& said, std::size_t, const
       weight_list(item, "multipliers", said.half_spaces->given->rows.size(), 0, most_of_half_spaces, where);
 }
 
+// Of points half-spaces around them, of half-spaces none.
+template <auto Said::* body, auto Claim::* planes>
+void read_planes(const Json& item, const Said& said, std::size_t, const std::string& where, Claim& claim) {
+  const char* const key = planes == &Claim::planes_a ? "planes_a" : "planes_b";
+  const RowBody& of = *(said.*body);
+  const Json& list = list_member(item, key, where);
+  const std::string place = where + "." + key;
+  if (!of.is_of_points && !list.empty()) refuse_form(place + " is not empty");
+  const std::size_t width = of.dimension + 1;
+  if (list.size() % width != 0) refuse_form(place + " is no whole number of half-spaces");
+  const Numbers numbers = read_numbers(list, list.size(), place);
+  for (auto at = numbers.begin(); at != numbers.end(); at += static_cast<std::ptrdiff_t>(width)) {
+    (claim.*planes).emplace_back(at, at + static_cast<std::ptrdiff_t>(width));
+  }
+}
+
+// Of half-spaces: those of the body, or around it.
+template <auto Said::* body, auto Claim::* planes, auto Claim::* list>
+void read_multipliers_of_planes(const Json& item, const Said& said, std::size_t, const std::string& where,
+                                Claim& claim) {
+  const char* const key = list == &Claim::of_a ? "by_a" : "by_b";
+  const RowBody& of = *(said.*body);
+  const std::size_t size = of.is_of_points ? (claim.*planes).size() : of.given->rows.size();
+  claim.*list = weight_list(item, key, size, 0, most_multipliers, where);
+}
+
 // Of points weights, of half-spaces a place.
 template <auto Said::* body>
 void read_row_weights(const Json& item, const Said& said, std::size_t size, const std::string& where, Claim& claim) {
@@ -955,6 +981,16 @@ const ClaimNeeded parted_by{
     [](const Said&, const Tables&) { return std::size_t{0}; },
     [](const Claim& c, const Said& s, const Tables&) { check_parted_by(c, *s.polytope_a, *s.polytope_b); }};
 
+const ClaimNeeded parted_by_hyperplanes{
+    "parted_by_hyperplanes",
+    {{"direction", read_direction},
+     {"planes_a", read_planes<&Said::polytope_a, &Claim::planes_a>},
+     {"by_a", read_multipliers_of_planes<&Said::polytope_a, &Claim::planes_a, &Claim::of_a>},
+     {"planes_b", read_planes<&Said::polytope_b, &Claim::planes_b>},
+     {"by_b", read_multipliers_of_planes<&Said::polytope_b, &Claim::planes_b, &Claim::of_b>}},
+    [](const Said&, const Tables&) { return std::size_t{0}; },
+    [](const Claim& c, const Said& s, const Tables&) { check_parted_by_hyperplanes(c, *s.polytope_a, *s.polytope_b); }};
+
 // Of half-spaces.
 std::size_t of_half_spaces(const Said& said, const Tables&) { return said.half_spaces->given->rows.size(); }
 template <auto Said::* where>
@@ -1086,7 +1122,9 @@ const std::vector<Question> questions{
      "polytopes",
      {{"a", read_polytope_a}, {"b", read_polytope_b}},
      {},
-     {{"apart", {}, {&parted_by}}, {"meet", {point}, {&keeps<&Said::polytope_a>, &keeps<&Said::polytope_b>}}}},
+     {{"apart", {}, {&parted_by}},
+      {"apart_by_hyperplanes", {}, {&parted_by_hyperplanes}},
+      {"meet", {point}, {&keeps<&Said::polytope_a>, &keeps<&Said::polytope_b>}}}},
     {"half_spaces",
      "polytopes",
      {{"half_spaces", read_half_spaces}},

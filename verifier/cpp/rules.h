@@ -85,8 +85,9 @@ struct Claim {
   std::vector<std::size_t> simplices;                     // likewise
   std::vector<FaceHome> homes;
   std::vector<std::vector<std::size_t>> parts;
-  Numbers at;             // of a polytope of half-spaces
-  WeightList of_a, of_b;  // multipliers of half-spaces
+  Numbers at;                               // of a polytope of half-spaces
+  WeightList of_a, of_b;                    // multipliers of half-spaces
+  std::vector<Numbers> planes_a, planes_b;  // half-spaces around polytopes of points
   WeightList multipliers;
   std::vector<SurfaceCorner> corners;
   std::vector<std::array<std::size_t, 3>> triangles;
@@ -122,6 +123,7 @@ bool is_behind(const char* rule, const HullBody& body, const Integers& direction
 
 // Of polytopes (polytope_rules.cpp).
 void check_parted_by(const Claim& claim, const RowBody& a, const RowBody& b);
+void check_parted_by_hyperplanes(const Claim& claim, const RowBody& a, const RowBody& b);
 void check_keeps(const Claim& claim, const RowBody& body, const Numbers& point);
 
 // Of half-spaces, which are not placed (half_space_rules.cpp).

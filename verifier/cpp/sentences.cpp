@@ -43,6 +43,7 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"half_spaces_program", "infeasible", "no point is in all half-spaces of {a}"},
     {"polytopes", "apart", "{a} and {b} are apart"},
     {"polytopes", "meet", "{a} and {b} meet at {point}"},
+    {"polytopes", "apart_by_hyperplanes", "{a} and {b} are apart, by half-spaces that hold them"},
     {"hull", "solid", "the hull of {a} is solid, with the faces {faces}"},
     {"hull", "flat", "the hull of {a} is a polygon with the corners {outline}"},
     {"hull", "segment", "the hull of {a} is the segment between its points {i} and {j}"},

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -24,6 +25,7 @@ namespace sunder::ask {
 namespace {
 
 using polytope::ExactEvidence;
+using polytope::HyperplaneEvidence;
 using polytope::Polytope;
 using polytope::PolytopeAnswer;
 using polytope::RowWeights;
@@ -78,7 +80,8 @@ struct PolytopeInput {
 };
 
 PolytopeInput read_input(const PairSide& side, PairFiles& files) {
-  Polytope read = io::read_polytope(side.file, files.inputs());
+  const auto unnamed = side.half_spaces ? polytope::Form::half_spaces : polytope::Form::points;
+  Polytope read = io::read_polytope(side.file, files.inputs(), unnamed);
   polytope::Pose pose = parse_polytope_pose(side, read.dimension());
   const std::string file = io::one_line(side.file);
   const std::string name = io::one_line(std::filesystem::path(side.file).stem().string());
@@ -88,7 +91,7 @@ PolytopeInput read_input(const PairSide& side, PairFiles& files) {
                     .text = fmt::format("{}: {} of dimension {}", name, count_of(read.size(), noun), read.dimension()),
                     .json = {{"file", file},
                              {"name", name},
-                             {"format", "CSV"},
+                             {"format", io::ending_of(side.file) == ".npy" ? "NPY" : "CSV"},
                              {"shape", read.is_of_points() ? "points" : "half-spaces"},
                              {"dimension", read.dimension()},
                              {"rows", read.size()}},
@@ -144,20 +147,42 @@ class PolytopePair : public PairQuestion {
   static std::string picture() { return ""; }
 
   void ask() {
-    answer_ = method_(of_a_.polytope, of_a_.pose, of_b_.polytope, of_b_.pose);
+    if (call.hyperplanes) {
+      const polytope::HierarchicalTree a(of_a_.polytope), b(of_b_.polytope);
+      answer_ = polytope_polytope_by_tree(a, of_a_.pose, b, of_b_.pose);
+      if (!answer_.meet()) hyperplanes_ = parting_hyperplanes(a, of_a_.pose, b, of_b_.pose, answer_);
+    } else {
+      answer_ = method_(of_a_.polytope, of_a_.pose, of_b_.polytope, of_b_.pose);
+    }
     const bool are_points = of_a_.polytope.is_of_points() && of_b_.polytope.is_of_points();
     const bool is_program = !are_points && answer_.decided_by == DecidedBy::finishing;
     take(answer_, is_program ? "a linear program in exact arithmetic" : decided_text(answer_.decided_by));
     facts_ = {told()};
+    if (hyperplanes_) facts_.push_back(hyperplanes_told());
   }
 
   std::string certificate() const {
     return claims_text({files_.read, files_.left_out.texts()}, [&](ClaimsWriter& file) {
-      add_claims(file, {a_.name, of_a_.polytope, of_a_.pose}, {b_.name, of_b_.polytope, of_b_.pose}, answer_);
+      const polytope::NamedPolytope a{a_.name, of_a_.polytope, of_a_.pose}, b{b_.name, of_b_.polytope, of_b_.pose};
+      if (hyperplanes_) {
+        add_claims(file, a, b, *hyperplanes_);
+      } else {
+        add_claims(file, a, b, answer_);
+      }
     });
   }
 
  private:
+  Fact hyperplanes_told() const {
+    const std::size_t of_a = HyperplaneEvidence::count(hyperplanes_->a),
+                      of_b = HyperplaneEvidence::count(hyperplanes_->b);
+    const std::size_t named = hyperplanes_->a.multipliers.parts.size() + hyperplanes_->b.multipliers.parts.size();
+    return {"planes",
+            {{"a", of_a}, {"b", of_b}, {"multiplied", named}},
+            fmt::format("{} that {} A, {} B; multiples of {} contradict", count_of(of_a, "half-space"),
+                        of_a == 1 ? "holds" : "hold", of_b, named)};
+  }
+
   Fact told() const {
     const ExactEvidence evidence = exact_evidence(of_a_.polytope, of_a_.pose, of_b_.polytope, of_b_.pose, answer_);
     const std::vector<std::uint32_t> of_a = rows_of(evidence.of_a), of_b = rows_of(evidence.of_b);
@@ -188,6 +213,7 @@ class PolytopePair : public PairQuestion {
   PolytopeMethod method_;
   const PolytopeInput &of_a_, &of_b_;
   PolytopeAnswer answer_;
+  std::optional<HyperplaneEvidence> hyperplanes_;
 };
 
 }  // namespace
@@ -209,6 +235,9 @@ int run_polytope_pair(const PairCall& call) {
                                          {!call.a.feature.empty(), "--feature-a"},
                                          {!call.b.feature.empty(), "--feature-b"}}) {
     if (is_given) throw Error(ErrorCode::bad_call, "is not for polytopes; leave it out", option);
+  }
+  if (call.hyperplanes && call.method != "tree") {
+    throw Error(ErrorCode::bad_call, "is of --method tree; give that, too", "--hyperplanes");
   }
   PolytopeMethod const method = method_by(call.method, methods, ", for polytopes");
   PairFiles files(call);

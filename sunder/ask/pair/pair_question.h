@@ -19,9 +19,10 @@ namespace sunder::ask {
 struct PairSide {
   std::string letter;  // "a"
   std::string file, pose;
-  std::string feature;  // planar; empty: the only one
-  std::string radius;   // of space: a number, by which the body is larger all around; empty: none
-  std::string to{};     // of space: the pose at the end of a straight motion; empty: it rests
+  std::string feature;       // planar; empty: the only one
+  std::string radius;        // of space: a number, by which the body is larger all around; empty: none
+  std::string to{};          // of space: the pose at the end of a straight motion; empty: it rests
+  bool half_spaces = false;  // of polytopes: rows without names are half-spaces
 
   std::string option(const char* name) const { return std::string("--") + name + "-" + letter; }
 };
@@ -38,7 +39,8 @@ struct PairCall : QuestionCall {
   std::string project;     // of space: a frame, nine numbers, that polygons are projected on; empty: none
   bool leave_out = false;  // what is no object here; of meshes, what is not read
   bool require_convex = false;
-  bool polytopes = false;  // both are polytopes of any dimension
+  bool polytopes = false;    // both are polytopes of any dimension
+  bool hyperplanes = false;  // of polytopes, by trees: several hyperplanes are the evidence that they are apart
 };
 
 // What the files are, and what of them is left out.

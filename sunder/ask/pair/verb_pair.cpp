@@ -175,6 +175,11 @@ int run(const PairCall& call) {
     require_no_depth(call, "polytopes");
     return run_polytope_pair(call);
   }
+  for (const auto& [is_given, option] : {std::pair(call.hyperplanes, "--hyperplanes"),
+                                         {call.a.half_spaces, "--half-spaces-a"},
+                                         {call.b.half_spaces, "--half-spaces-b"}}) {
+    if (is_given) throw Error(ErrorCode::bad_call, "is for polytopes; leave it out, or give --polytopes", option);
+  }
   const bool space_a = is_space_input(call, call.a.file), space_b = is_space_input(call, call.b.file);
   const bool planar_a = io::is_planar(call.a.file) && !space_a, planar_b = io::is_planar(call.b.file) && !space_b;
   if (planar_a || planar_b) {
@@ -278,7 +283,15 @@ Verb pair_verb() {
        {"--drop-z", &call->drop_z, "planar: ignore third coordinates"},
        {"--polytopes", &call->polytopes,
         "the files are polytopes of two to six dimensions, CSV with a row for each point x1,..,xd or half-space "
-        "a1,..,ad,b; so they are, too, where the first line has these names, without which rows are points"},
+        "a1,..,ad,b; so they are, too, where the first line has these names, without which rows are points, and NPY "
+        "files"},
+       {"--half-spaces-a", &call->a.half_spaces,
+        "of polytopes: the rows of A, which have no names, are half-spaces a1,..,ad,b; a .npy file, a row of the array "
+        "for each, is of points without this"},
+       {"--half-spaces-b", &call->b.half_spaces, "the same of B"},
+       {"--hyperplanes", &call->hyperplanes,
+        "of polytopes, with --method tree: that they are apart is proved by several half-spaces that hold A, and such "
+        "that hold B, as the trees were walked down"},
        {"--svg", &call->svg, "planar: draw the objects and the evidence here", "FILE"},
        title_option(call->title),
        svg_limit_option(call->svg_limit)},

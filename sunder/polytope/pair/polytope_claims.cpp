@@ -1,6 +1,7 @@
 #include <sunder/polytope/pair/polytope_claims.h>
 
 #include <span>
+#include <vector>
 
 namespace sunder::polytope {
 
@@ -44,6 +45,12 @@ void add_keeps(ClaimsWriter& file, const RowWeights& weights, const ExactEvidenc
   file.end_claim();
 }
 
+void add_planes(ClaimsWriter& file, const char* key, const std::vector<std::vector<Dyadic>>& planes) {
+  std::vector<Dyadic> numbers;
+  for (const std::vector<Dyadic>& plane : planes) numbers.insert(numbers.end(), plane.begin(), plane.end());
+  file.numbers(key, numbers);
+}
+
 void add_holds(ClaimsWriter& file, const RowWeights& weights) {
   file.begin_claim("holds");
   add_weights(file, "weights", weights);
@@ -83,6 +90,27 @@ void add_claims(ClaimsWriter& file, const NamedPolytope& a, const NamedPolytope&
     }
     file.end_claim();
   }
+  file.end_statement();
+}
+
+void add_claims(ClaimsWriter& file, const NamedPolytope& a, const NamedPolytope& b,
+                const HyperplaneEvidence& evidence) {
+  file.begin_table("polytopes");
+  const std::uint32_t index_a = add_placed(file, a, true, 0);
+  const std::uint32_t index_b = add_placed(file, b, true, index_a + 1);
+  file.end_table();
+  file.begin_statement("polytopes");
+  file.index("a", index_a);
+  file.index("b", index_b);
+  file.text("verdict", "apart_by_hyperplanes");
+  file.begin_claims();
+  file.begin_claim("parted_by_hyperplanes");
+  file.numbers("direction", evidence.direction);
+  add_planes(file, "planes_a", evidence.a.planes);
+  add_weights(file, "by_a", evidence.a.multipliers);
+  add_planes(file, "planes_b", evidence.b.planes);
+  add_weights(file, "by_b", evidence.b.multipliers);
+  file.end_claim();
   file.end_statement();
 }
 

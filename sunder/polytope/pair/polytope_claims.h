@@ -5,6 +5,7 @@
 #pragma once
 
 #include <sunder/certificate/claims.h>
+#include <sunder/polytope/pair/hyperplanes.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
 
 #include <string>
@@ -20,5 +21,9 @@ struct NamedPolytope {
 // The table, and the statement: all of a file but its origin and its end. Requires the answer to be about these.
 // Cost: linear, and exact_evidence().
 void add_claims(ClaimsWriter& file, const NamedPolytope& a, const NamedPolytope& b, const PolytopeAnswer& answer);
+
+// The same by several hyperplanes, as a statement `polytopes` `apart_by_hyperplanes`. Requires the evidence to be about
+// these.
+void add_claims(ClaimsWriter& file, const NamedPolytope& a, const NamedPolytope& b, const HyperplaneEvidence& evidence);
 
 }  // namespace sunder::polytope

@@ -1,10 +1,80 @@
 #include <sunder/base/contract.h>
 #include <sunder/polytope/pair/exact_simplex.h>
+#include <sunder/polytope/pair/nearest_search.h>
+#include <sunder/polytope/pair/placed.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace sunder::polytope {
+
+namespace {
+
+constexpr int most_steps = 64;
+
+// The search of by_gjk, with walks to the leaves for scans. What a walk finds is the end of its body, exactly: so two
+// of them tell whether their direction parts the bodies.
+class TreeSearch {
+ public:
+  TreeSearch(const HierarchicalTree& a, const Pose& pose_a, const HierarchicalTree& b, const Pose& pose_b)
+      : a_(a, pose_a), b_(b, pose_b), d_(pose_a.dimension()), simplex_(d_) {
+    for (Placed* const body : {&a_, &b_}) {
+      while (body->deepen()) continue;
+    }
+  }
+
+  // True where a direction parts the bodies: it is written down. Else they may meet.
+  bool parts(PolytopeAnswer& answer) {
+    Vector direction{};
+    if (!direction_from(difference(0, 0).at, d_, direction)) direction[0] = 1;
+    for (int step = 0; step < most_steps && !simplex_.is_full(); ++step) {
+      const auto first = direction.begin(), last = first + static_cast<std::ptrdiff_t>(d_);
+      ExactVector along(first, last), opposite;
+      for (const Dyadic& x : along) opposite.push_back(-x);
+      const ExactFurthest of_a = a_.furthest(along, answer.cost), of_b = b_.furthest(opposite, answer.cost);
+      ++answer.cost.iterations;
+      ++answer.cost.proposals;
+      if ((of_a.product + of_b.product).sign() == Sign::negative) {
+        answer.evidence.verdict = Verdict::apart;
+        answer.evidence.exact = std::make_shared<const ExactEvidence>(ExactEvidence{.numbers = std::move(along)});
+        return true;
+      }
+      if (simplex_.has(of_a.index, of_b.index) || !simplex_.add(difference(of_a.index, of_b.index))) break;
+      if (!simplex_.is_full() && !direction_from(simplex_.nearest(), d_, direction)) break;
+    }
+    return false;
+  }
+
+  // The points of the simplex, of A or of B, each once.
+  std::vector<std::uint32_t> named(std::uint32_t DifferencePoint::* of) const {
+    std::vector<std::uint32_t> rows;
+    for (std::size_t k = 0; k < simplex_.size(); ++k) {
+      if (std::find(rows.begin(), rows.end(), simplex_[k].*of) == rows.end()) rows.push_back(simplex_[k].*of);
+    }
+    return rows;
+  }
+
+  std::uint32_t scans() const { return a_.scans() + b_.scans(); }
+
+ private:
+  DifferencePoint difference(std::uint32_t i, std::uint32_t j) const {
+    DifferencePoint point{i, j, rounded_image(a_.body(), a_.pose(), i)};
+    const Vector of_b = rounded_image(b_.body(), b_.pose(), j);
+    for (std::size_t c = 0; c < d_; ++c) point.at[c] -= of_b[c];
+    return point;
+  }
+
+  Placed a_, b_;
+  std::size_t d_;
+  NearestSimplex simplex_;
+};
+
+}  // namespace
 
 PolytopeAnswer polytope_polytope_by_tree(const HierarchicalTree& a, const Pose& pose_a, const HierarchicalTree& b,
                                          const Pose& pose_b) {
@@ -13,7 +83,17 @@ PolytopeAnswer polytope_polytope_by_tree(const HierarchicalTree& a, const Pose& 
   SUNDER_REQUIRE(pose_b.dimension() == a.body().dimension());
   PolytopeAnswer answer;
   std::uint32_t scans = 0;
-  ExactDecision decision = decide_exactly({a, pose_a}, {b, pose_b}, {}, {}, answer.cost, &scans);
+  std::vector<std::uint32_t> of_a, of_b;
+  if (a.body().is_of_points() && b.body().is_of_points()) {
+    TreeSearch search(a, pose_a, b, pose_b);
+    const bool are_apart = search.parts(answer);
+    scans = search.scans();
+    answer.decided_by = scans == 0 ? DecidedBy::evidence : DecidedBy::finishing;
+    if (are_apart) return answer;
+    of_a = search.named(&DifferencePoint::a);
+    of_b = search.named(&DifferencePoint::b);
+  }
+  ExactDecision decision = decide_exactly({a, pose_a}, {b, pose_b}, of_a, of_b, answer.cost, &scans);
   answer.evidence = {.verdict = decision.verdict, .exact = std::move(decision.evidence)};
   answer.decided_by = scans == 0 ? DecidedBy::evidence : DecidedBy::finishing;
   return answer;

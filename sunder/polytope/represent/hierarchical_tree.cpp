@@ -327,8 +327,8 @@ class TreeBuilder {
     }
   }
 
-  // The lists of the root tell how many children a node has, and which part of its rows each; all levels are taken to
-  // be alike.
+  // The lists of the root tell how many children a node has, and which part of its rows each; the levels below them are
+  // taken to be alike.
   std::size_t estimate(const Split& split, std::size_t rows) const {
     double sum = 0;
     for (const Rows& list : split.lists) sum += static_cast<double>(list.size());
@@ -336,12 +336,16 @@ class TreeBuilder {
     const double part = std::min(sum / cones / static_cast<double>(rows), share_);
     const auto d = static_cast<double>(d_);
     const double cone_bytes = 8 * d * d + 8 * d + 16 + sizeof(HierarchicalTree::Node);
-    double bytes = 0, nodes = 1, size = static_cast<double>(rows);
-    for (std::uint32_t level = 0; size > leaf_ && level < options_.levels; size *= part, ++level) {
-      bytes += nodes * (4 * size + cones * cone_bytes);
-      nodes *= cones;
+    const double most = std::max(share_ * static_cast<double>(rows), static_cast<double>(leaf_));
+    double bytes = 4 * static_cast<double>(rows) + cones * cone_bytes;
+    for (const Rows& list : split.lists) {
+      double nodes = 1, size = static_cast<double>(list.size());
+      for (std::uint32_t level = 1; size > leaf_ && size <= most && level < options_.levels; size *= part, ++level) {
+        bytes += nodes * (4 * size + cones * cone_bytes);
+        nodes *= cones;
+      }
+      bytes += nodes * 4 * size;
     }
-    bytes += nodes * 4 * size;
     return static_cast<std::size_t>(std::min(bytes, 0x1p60));
   }
 
@@ -372,6 +376,12 @@ HierarchicalTree::HierarchicalTree(Polytope body, const TreeOptions& options) : 
 
 std::vector<Dyadic> HierarchicalTree::reduced(std::span<const Dyadic> direction) const {
   return is_flat() ? flat_.reduced(direction) : std::vector<Dyadic>(direction.begin(), direction.end());
+}
+
+std::vector<std::size_t> HierarchicalTree::columns() const {
+  std::vector<std::size_t> result;
+  for (const AffineColumns::Column& column : flat_.columns) result.push_back(column.column);
+  return result;
 }
 
 std::size_t HierarchicalTree::memory() const {

@@ -68,6 +68,8 @@ class HierarchicalTree {
   std::span<const double> point(std::uint32_t row) const {
     return is_flat() ? std::span(points_).subspan(row * d_, d_) : body_.row(row);
   }
+  // Of a flat set, which numbers of a row are those of the point.
+  std::vector<std::size_t> columns() const;
   bool is_flat() const { return d_ < body_.columns().dimension; }
   std::uint32_t depth() const { return depth_; }
   std::size_t node_count() const { return nodes_.size(); }

@@ -205,6 +205,29 @@ def not_negative(value, where, read):
     return result
 
 
+def planes_around(whose):
+    """Of a polytope of points half-spaces; of others none."""
+    def read_planes(value, where, read):
+        form(read[whose].is_of_points or value == [], where + " is not empty")
+        width = read[whose].dimension + 1
+        form(len(LIST(value, where)) % width == 0, where + " is no whole number of half-spaces")
+        row = numbers(value, len(value), number, where)
+        return [row[k:k + width] for k in range(0, len(row), width)]
+    return read_planes
+
+
+def some_multipliers(whose):
+    """Of half-spaces: those of the polytope, or around it."""
+    def read_some_multipliers(value, where, read):
+        body = read[whose]
+        size = len(read["planes_" + whose]) if body.is_of_points else len(body)
+        result = list_of(row_of(lambda k, place, _: index(k, size, place), number))(value, where, read)
+        form(len(result) <= MOST_MULTIPLIERS, "%s has not 0 to %d entries" % (where, MOST_MULTIPLIERS))
+        form(len({k for k, _ in result}) == len(result), where + " names something twice")
+        return result
+    return read_some_multipliers
+
+
 def place_in(value, where, read):
     """Of a polytope of half-spaces; of others none."""
     body = read[read["subject"]]
@@ -303,10 +326,12 @@ SAID = {  # what verdicts and claims say
                        " is empty, or names one twice"),
     "along": list_of(whole(0), lambda those, read: len(those) == len(read["corners"]), " is not as long as the corners"),
     "of_a": some_weights("a", False, MOST_MULTIPLIERS), "of_b": some_weights("b", False, MOST_MULTIPLIERS),
+    "planes_a": planes_around("a"), "planes_b": planes_around("b"), "by_a": some_multipliers("a"),
+    "by_b": some_multipliers("b"),
     "at": place_in, "multipliers": multipliers, "as_good": vector, "spanned_by": list_of(
         lambda value, where, read: members(value, {"point": vector}, where, dict(read))["point"]),
     "dimension": lambda value, where, read: index(value, read["half_spaces"].dimension + 1, where),
-    "at": place_in, "most": not_negative, "least": positive,
+    "most": not_negative, "least": positive,
     "differences": list_of(row_of(surface_end("a"), surface_end("b"))),
     "triangles": list_of(row_of(*3 * [index_of("differences")])),
     "time": part_of_time, "direction": vector, "from": vector, "weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
@@ -329,6 +354,7 @@ CLAIMS = {
     "bounds_only": (partial(rules.bounds, is_only=True), "weights"),
     "keeps": (polytopes.keeps, "weights", "at"),
     "parted_by": (polytopes.parted_by, "direction", "of_a", "of_b"),
+    "parted_by_hyperplanes": (polytopes.parted_by_hyperplanes, "direction", "planes_a", "by_a", "planes_b", "by_b"),
     **{rule.__name__: (rule, "multipliers") for rule in (
         polytopes.contradicted, polytopes.spans, polytopes.enclosed, polytopes.tops)},
     "tops_only": (partial(polytopes.tops, is_only=True), "multipliers"),
@@ -395,6 +421,7 @@ QUESTIONS = {
         "broken": "each_clearance members groups except least PROVED nearer"}),
     "polytopes": ("polytopes", "a b", {
         "apart": "parted_by a b",
+        "apart_by_hyperplanes": "parted_by_hyperplanes a b",
         "meet": "keeps a point, keeps b point",
     }),
     "half_spaces": ("polytopes", "half_spaces", {

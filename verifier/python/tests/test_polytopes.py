@@ -56,13 +56,51 @@ class Body:
         return [] if self.of_points else [[k, fraction(-y)] for k, y in enumerate(proof) if y]
 
 
-def honest(a, b, i, j):
+def around(body, direction, proof, dice):
+    """Planes around a body of points, in its frame, and multipliers that make the direction: by that alone, or by two
+    that sum to it, among others that nothing is made of. And how far it goes along the direction, by these."""
+    shift = product(direction, body.shift)
+    if not body.of_points:
+        multipliers = body.multipliers(proof)
+        return [], multipliers, shift + sum(Fraction(m) * body.rows[k][-1] for k, m in multipliers)
+    pulled = [product(direction, [row[c] for row in body.linear]) for c in range(body.d)]
+    part = [dice.randint(-1, 1) if dice.random() < .3 else 0 for _ in pulled]
+    normals = [pulled] if not any(part) else [part, [x - y for x, y in zip(pulled, part)]]
+    planes = []
+    for normal in normals:
+        factor = dice.choice([Fraction(1), Fraction(2), Fraction(1, 3)])
+        planes.append(([factor * x for x in normal + [max(product(normal, p) for p in body.rows)]], 1 / factor))
+    limit = shift + sum(m * plane[-1] for plane, m in planes)
+    for _ in range(dice.randint(0, 3)):
+        normal = [dice.randint(-2, 2) for _ in range(body.d)]
+        planes.append((normal + [max(product(normal, p) for p in body.rows) + dice.randint(0, 1)], 0))
+    dice.shuffle(planes)
+    return ([fraction(x) for plane, _ in planes for x in plane],
+            [[k, fraction(m)] for k, (_, m) in enumerate(planes) if m or dice.random() < .2], limit)
+
+
+def by_hyperplanes(statement, direction, a, b, proof_a, proof_b, dice):
+    """The same by planes, if these suffice."""
+    planes_a, by_a, limit_a = around(a, direction, proof_a, dice)
+    planes_b, by_b, limit_b = around(b, [-x for x in direction], proof_b, dice)
+    if limit_a + limit_b >= 0:
+        return None
+    return {**statement, "verdict": "apart_by_hyperplanes", "claims": [
+        {"claim": "parted_by_hyperplanes", "direction": [fraction(x) for x in direction], "planes_a": planes_a,
+         "by_a": by_a, "planes_b": planes_b, "by_b": by_b}]}
+
+
+def honest(a, b, i, j, dice=None):
     d, first, second = a.d, a.columns(), b.columns()
     rows_a, rows_b = len(a.wanted()), len(b.wanted())
     columns = [c + [0] * rows_b for c in first] + [[-x for x in c[:d]] + [0] * rows_a + c[d:] for c in second]
     weights, proof = solution_or_proof(columns, [t - s for s, t in zip(a.shift, b.shift)] + a.wanted() + b.wanted())
     statement = {"question": "polytopes", "a": i, "b": j}
     if weights is None:
+        proof_a, proof_b = proof[d:d + rows_a], proof[d + rows_a:]
+        by = dice and dice.random() < .5 and by_hyperplanes(statement, proof[:d], a, b, proof_a, proof_b, dice)
+        if by:
+            return by
         return {**statement, "verdict": "apart", "claims": [
             {"claim": "parted_by", "direction": [fraction(y) for y in proof[:d]],
              "of_a": a.multipliers(proof[d:d + rows_a]), "of_b": b.multipliers(proof[d + rows_a:])}]}
@@ -77,7 +115,7 @@ def some_file(dice):
     entries = a.entries("a", 0)
     i, at = len(entries) - 1, len(entries)
     entries += b.entries("b", at)
-    return file_of({"polytopes": entries}, honest(a, b, i, len(entries) - 1))
+    return file_of({"polytopes": entries}, honest(a, b, i, len(entries) - 1, dice))
 
 
 def holds(entries, k, point, claim):
@@ -109,16 +147,16 @@ class Polytopes(unittest.TestCase):
         self.twins.compare()
 
     def test_honest_ones_are_accepted(self):
-        dice, count = dice_of(2026), {"apart": 0, "meet": 0}
-        for _ in range(some(300)):
+        dice, count = dice_of(2026), {"apart": 0, "apart_by_hyperplanes": 0, "meet": 0}
+        for _ in range(some(400)):
             top = some_file(dice)
             self.assertEqual(self.twins.force(top), "accepted", top)
             count[top["statements"][0]["verdict"]] += 1
-        self.assertGreater(min(count.values()), some(300) // 8)
+        self.assertGreater(min(count.values()), some(400) // 10)
 
     def test_untrue_ones_are_refused(self):
         """A number of the claims is another one; what is then true is told by fractions, or no more is known of it."""
-        dice, refused = dice_of(2027), {"keeps": 0, "parted_by": 0}
+        dice, refused = dice_of(2027), {"keeps": 0, "parted_by": 0, "parted_by_hyperplanes": 0}
         tries = 0
         while tries < some(300) or lacking(FORCED, "polytopes"):
             tries += 1
@@ -135,6 +173,27 @@ class Polytopes(unittest.TestCase):
                 said = self.twins.force(top)
                 self.assertEqual(said, "accepted" if is_true else "keeps", top)
                 refused["keeps"] += not is_true
+            elif one["verdict"] == "apart_by_hyperplanes":
+                claim, change = one["claims"][0], dice.randrange(3)
+                sides = [side for side in "ab" if claim["planes_" + side]]
+                multiplied = [side for side in "ab" if any(Fraction(m) for _, m in claim["by_" + side])]
+                if change == 0 and sides:  # a plane that does not hold all
+                    side = dice.choice(sides)
+                    k, planes = one[side], claim["planes_" + side]
+                    entry = top["tables"]["polytopes"][k]
+                    rows = top["tables"]["polytopes"][entry.get("of", k)]["points"]
+                    last = len(rows[0]) + dice.randrange(len(planes) // (len(rows[0]) + 1)) * (len(rows[0]) + 1)
+                    normal = [Fraction(x) for x in planes[last - len(rows[0]):last]]
+                    furthest = max(product(normal, list(map(value_of, p))) for p in rows)
+                    planes[last] = fraction(furthest - Fraction(1, dice.choice([1, 10 ** 9])))
+                elif change == 1 and multiplied:  # another multiplier: of another direction, or of normals that are zero
+                    row = dice.choice([row for row in claim["by_" + dice.choice(multiplied)] if Fraction(row[1])])
+                    row[1] = fraction(-Fraction(row[1]))
+                else:
+                    for key in ("by_a", "by_b"):
+                        claim[key] = [[k, "0"] for k, _ in claim[key]]
+                self.assertEqual(self.twins.force(top), "parted_by_hyperplanes", top)
+                refused["parted_by_hyperplanes"] += 1
             else:
                 claim = one["claims"][0]
                 lists = [claim[key] for key in ("of_a", "of_b") if claim[key]]
