@@ -189,9 +189,9 @@ Contest closer_contest(bool near, std::size_t n, std::uint64_t seed) {
 double demanded(RoundShapeKind a, RoundShapeKind b, bool near) {
   using enum RoundShapeKind;
   const auto is = [&](RoundShapeKind p, RoundShapeKind q) { return a == p && b == q; };
-  if (is(ball, ball) || is(ball, box) || is(ball, cylinder)) return 0.5;  // FCL has a formula
-  if (is(box, cone) || is(cone, cone) || (near && is(cylinder, cone))) return 0.5;
-  if (is(box, cylinder) || is(cylinder, cone) || (near && (is(cylinder, cylinder) || is(cone, ellipsoid)))) return 0.75;
+  if (is(ball, box) || is(ball, cylinder)) return 0.8;  // FCL has a formula
+  if (is(box, cone)) return 0.7;
+  if (near && (is(box, cylinder) || is(cylinder, cylinder) || is(cylinder, cone) || is(cone, cone))) return 0.7;
   return 1;
 }
 

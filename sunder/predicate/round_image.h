@@ -39,7 +39,7 @@ struct RoundImage {
   Vector3<double> axis;      // of two ends: the way between them; of cylinders and cones of length 1
   double length = 0;         // of cylinders and cones: of the axis
   double radius = 0;
-  double size = 0;  // as above: the size of the core and that of the radius, together
+  double size = 0;      // as above: the size of the core and that of the radius, together
   double greatest = 0;  // entry of the linear part of the pose, in size
   const Affine3* pose = nullptr;
   const double* all = nullptr;  // of more than two vertices, as SearchGraph keeps them: x of all, y, z
@@ -53,7 +53,8 @@ inline constexpr double round_image_error = 0x1p-45;
 inline bool is_moderate_size(double size) { return size >= 0x1p-300 && size <= 0x1p60; }
 
 // A hull of one or two points, a cylinder or cone of base and top, an ellipsoid about the origin. size: of the core, as
-// above; greatest: entry of the linear part, in size. The pose has to stay; of cylinders and cones it is a rotation as far as 2^-19.
+// above; greatest: entry of the linear part, in size. The pose has to stay; of cylinders and cones it is a rotation as
+// far as 2^-19.
 void set_image(RoundImage& image, RoundKind kind, const Affine3& pose, const Point3* points, std::uint32_t ends,
                double radius, double size, double greatest);
 
@@ -85,8 +86,9 @@ Guess side_guess(const RoundImage& image, const Vector3<double>& x, double size 
 
 // positive: the points are nearer to each other than `reach`; negative: they are further apart. Each is a combination
 // of vertices of a core, as above, or three doubles. size: of both cores and of the reach. negative: the way from p to
-// q, in doubles, over its greatest component, is a direction along which they are further apart than that too; for it is
-// off the way between the points themselves by 130 u of the sizes of the cores, and that is all it takes from the gap.
+// q, in doubles, over its greatest component, is a direction along which they are further apart than that too; for it
+// is off the way between the points themselves by 130 u of the sizes of the cores, and that is all it takes from the
+// gap.
 Guess nearness_guess(const Vector3<double>& p, const Vector3<double>& q, double reach, double size);
 
 }  // namespace sunder

@@ -141,6 +141,7 @@ TEST(RoundImage, NoSureSideIsWrong) {
 TEST(RoundImage, NoSureNearnessIsWrong) {
   Random random(20261203);
   Count near;
+  int parted = 0;
   for (int i = 0; i < 2000; ++i) {
     const Body a(random, RoundKind::hull), b(random, RoundKind::hull);
     const RoundImage of_a = a.image(), of_b = b.image();
@@ -150,8 +151,19 @@ TEST(RoundImage, NoSureNearnessIsWrong) {
     const double reach = std::sqrt(dot(way, way)) + random.uniform(-16, 16) * 0x1p-50;
     near.see(nearness_guess(of_a.from, of_b.from, reach, of_a.size + of_b.size), nearness(p, reach, q, 0));
     near.see(nearness_guess(of_a.from, of_b.from, 2 * reach, of_a.size + of_b.size), nearness(p, 2 * reach, q, 0));
+    // Further apart: the way between them is a direction that parts what is around them.
+    const double less = reach * (1 - random.log_uniform(0x1p-45, 0x1p-40));
+    if (nearness_guess(of_a.from, of_b.from, less, of_a.size + of_b.size) != Guess::negative) continue;
+    ++parted;
+    Point3 d{way.x, way.y, way.z};
+    ASSERT_TRUE(make_tame(d));
+    RoundShape around_a = a.shape(), around_b = b.shape();
+    around_a.radius = less;
+    around_b.radius = 0;
+    EXPECT_EQ(gap_sign(WorldDirection(d), around_a, around_b), Sign::positive);
   }
   EXPECT_GE(near.sure, 2000);
+  EXPECT_GT(parted, 500);
   EXPECT_GT(near.unsure, 1000);
 }
 

@@ -1,5 +1,5 @@
-// A ball and a ball, a box or a cylinder, in closed form: the first of what is quick (round_quick.h). For the sources of
-// solid/round.
+// A ball and a ball, a box or a cylinder, in closed form: the first of what is quick (round_quick.h). For the sources
+// of solid/round.
 #pragma once
 
 #include <sunder/solid/round/round_pieces.h>

@@ -2,6 +2,7 @@
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/round/round_clearance.h>
+#include <sunder/solid/round/round_distance.h>
 #include <sunder/solid/round/round_nearest.h>
 #include <sunder/solid/round/round_round.h>
 
@@ -152,6 +153,11 @@ RoundClearance decided(const PlacedRound& a, const PlacedRound& b, double least,
     for (const WorldDirection& d : simple_directions(a, b, search.last_direction)) {
       if (search.keeps(d)) return;
     }
+    // What encloses the distance most tightly, whatever is asked about it.
+    const RoundDistance enclosed = round_distance(a, b);
+    found.cost.exact += enclosed.cost.exact;
+    if (enclosed.distance.low >= least && search.keeps(*enclosed.direction)) return;
+    if (enclosed.points) search.breaks(NearPoints((*enclosed.points)[0], (*enclosed.points)[1]));
   };
   decide();
   found.cost.exact += tally.exact;

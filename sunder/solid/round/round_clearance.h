@@ -39,6 +39,9 @@ struct [[nodiscard]] RoundClearance {
 //   C2. Decided always: two hulls, of any radii. Where a body is curved: where the distance differs from `least` by
 //   more
 //       than some 2^-40 of their size, and mostly nearer.
+//   C3. Never undecided where round_distance's enclosure tells: kept where `least` is at most its `low`, broken where
+//   it
+//       is above its `high`.
 // Requires a finite positive `least`. Throws Error: bad_pose (round_body.h). Cost: that of round_round
 // (round_round.h), and of two hulls no more than that of polyhedron_polyhedron_distance besides.
 RoundClearance round_clearance(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b,

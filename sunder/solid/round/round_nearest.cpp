@@ -2,6 +2,7 @@
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/round/round_finish.h>
 #include <sunder/solid/round/round_nearest.h>
+#include <sunder/solid/round/simple_numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,28 +48,6 @@ ExactPoint on_core(const PlacedRound& curved, const Exact& near) {
   if (along.sign() != Sign::positive) return {first, Dyadic(1.0)};
   if ((all - along).sign() != Sign::positive) return {sum(first, way), Dyadic(1.0)};
   return {sum(times(all, first), times(along, way)), all};
-}
-
-// Times a number: near each coordinate a fraction with a small denominator, by continued fractions. Requires sizes of
-// at most 1.
-Exact simple_fractions(const Point3& d) {
-  constexpr double most = 0x1p20;
-  std::array<double, 3> n{}, over{1, 1, 1};
-  for (std::size_t k = 0; k < 3; ++k) {
-    double rest = d[k], last_n = 1, last_over = 0;
-    n[k] = std::floor(rest);
-    for (int i = 0; i < 30; ++i) {
-      const double part = rest - std::floor(rest);
-      if (!(part > 0x1p-24)) break;
-      rest = 1 / part;
-      const double next_n = std::floor(rest) * n[k] + last_n, next_over = std::floor(rest) * over[k] + last_over;
-      if (!(next_over <= most)) break;
-      last_n = std::exchange(n[k], next_n);
-      last_over = std::exchange(over[k], next_over);
-    }
-  }
-  const Dyadic x(over[0]), y(over[1]), z(over[2]);
-  return {Dyadic(n[0]) * y * z, x * Dyadic(n[1]) * z, x * y * Dyadic(n[2])};
 }
 
 // p + part (q - p)
@@ -175,11 +154,8 @@ std::vector<WorldDirection> simple_directions(const PlacedRound& a, const Placed
   const double largest = std::max({std::fabs(near.x), std::fabs(near.y), std::fabs(near.z)});
   if (!(largest > 0) || !std::isfinite(largest)) return found;
   const Point3 d{near.x / largest, near.y / largest, near.z / largest};
-  for (const int bits : {40, 20, 10}) {
-    const auto part = [&](double x) { return std::ldexp(std::nearbyint(std::ldexp(x, bits)), -bits); };
-    found.emplace_back(Point3{part(d.x), part(d.y), part(d.z)});
-  }
-  found.emplace_back(simple_fractions(d));
+  for (const int bits : {40, 20, 10}) found.emplace_back(snapped(d, bits));
+  found.emplace_back(simple_fractions(d).at);
   for (const PlacedRound* body : {&a, &b}) {
     if (body->shape.ends() != 2 || !body->body.is_curved()) continue;
     const Exact axis = image(*body, body->shape.points[1]) - image(*body, body->shape.points[0]);

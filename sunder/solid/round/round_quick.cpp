@@ -265,9 +265,11 @@ class Quick {
     if (hull.radius() > 0) return far2 < hull.radius() * hull.radius() && settles(hull, p, curved, q);
     if (!hull.is_box()) return false;
     const V in = curved.middle() - q.at;
-    const double deep = length(in);
-    return deep > 0 &&
-           holds_core(hull, in_box(hull, sum(q.at, std::min(0.5 * std::sqrt(far2) / deep, 0.5), in)), curved);
+    const double deep = length(in), far = std::sqrt(far2);
+    const auto inwards = [&](double part) { return holds_core(hull, in_box(hull, sum(q.at, part, in)), curved); };
+    if (far > 0x1p-44 * size_) return deep > 0 && inwards(std::min(0.5 * far / deep, 0.5));
+    // The same point of both, which may be of the surface of the curved one.
+    return inwards(0x1p-6) || inwards(0x1p-12) || inwards(0x1p-20);
   }
   // Does the curved body hold a point of the hull's core?
   bool holds_core(const Side& hull, const Nearest& p, const Side& curved) {
@@ -386,7 +388,8 @@ class Quick {
         } else {
           const double det = all.ss * all.tt - all.st * all.st;
           if (!(det > 0)) {
-            if (++changes > most_changes || !(admit_beyond(a_, of_a, d, of_b, s, t) || admit_beyond(b_, of_b, back, of_a, s, t))) {
+            if (++changes > most_changes ||
+                !(admit_beyond(a_, of_a, d, of_b, s, t) || admit_beyond(b_, of_b, back, of_a, s, t))) {
               return false;
             }
             last = 1;
@@ -405,8 +408,9 @@ class Quick {
         continue;  // where it is near: once more, because what is left is its square
       }
       last = 1;
-      if (++changes <= most_changes && (drop_least(of_a, -0x1p-30) || drop_least(of_b, -0x1p-30) || admit_beyond(a_, of_a, d, of_b, s, t) ||
-                                        admit_beyond(b_, of_b, {-d.x, -d.y, -d.z}, of_a, s, t))) {
+      if (++changes <= most_changes &&
+          (drop_least(of_a, -0x1p-30) || drop_least(of_b, -0x1p-30) || admit_beyond(a_, of_a, d, of_b, s, t) ||
+           admit_beyond(b_, of_b, {-d.x, -d.y, -d.z}, of_a, s, t))) {
         continue;
       }
       return concludes(of_a, of_b, d);

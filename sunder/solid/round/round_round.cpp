@@ -9,6 +9,7 @@
 #include <sunder/solid/round/round_propose.h>
 #include <sunder/solid/round/round_quick.h>
 #include <sunder/solid/round/round_round.h>
+#include <sunder/solid/round/simple_numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -143,6 +144,14 @@ class RoundFinish {
     const PlacedRound &own = of_a ? a_ : b_, &other = of_a ? b_ : a_;
     const RoundBody as_body = RoundBody::rounded(own.body.core(), 0);
     const PlacedRound core(as_body, own.pose);
+    // Where a body touches another by its radius, its core is mostly far from it, which is seen at once.
+    if (!own.body.is_polyhedron() && !other.body.is_polyhedron()) {
+      RoundAnswer of_core;
+      StageTally tally;
+      RoundDisposal dispose(core, other, of_core, tally);
+      RoundProposer<double> proposer(core, other, dispose, of_core.cost);
+      if (proposer.propose(proposer.search.first_direction(), 0x1p-20) && !of_core.meet()) return false;
+    }
     ++tally_.exact;
     std::optional<CommonPoint> point;
     if (other.body.is_curved()) {
@@ -197,33 +206,6 @@ class RoundFinish {
   RoundAnswer& answer_;
   StageTally& tally_;
 };
-
-// To multiples of 2^-bits.
-Point3 snapped(const Point3& p, int bits) {
-  const auto part = [bits](double x) { return std::ldexp(std::nearbyint(std::ldexp(x, bits)), -bits); };
-  return {part(p.x), part(p.y), part(p.z)};
-}
-
-// Near the coordinates, with small denominators: by continued fractions.
-ExactPoint simple_fractions(const Point3& p) {
-  constexpr double most = 0x1p20;
-  std::array<double, 3> n{}, d{1, 1, 1};
-  for (std::size_t k = 0; k < 3; ++k) {
-    double rest = p[k], last_n = 1, last_d = 0;
-    n[k] = std::floor(rest);
-    for (int i = 0; i < 30; ++i) {
-      const double part = rest - std::floor(rest);
-      if (!(part > 0x1p-24) || std::fabs(n[k]) > most) break;
-      rest = 1 / part;
-      const double next_n = std::floor(rest) * n[k] + last_n, next_d = std::floor(rest) * d[k] + last_d;
-      if (!(next_d <= most)) break;
-      last_n = std::exchange(n[k], next_n);
-      last_d = std::exchange(d[k], next_d);
-    }
-  }
-  const Dyadic x(d[0]), y(d[1]), z(d[2]);
-  return {{Dyadic(n[0]) * y * z, x * Dyadic(n[1]) * z, x * y * Dyadic(n[2])}, x * y * z};
-}
 
 void of_polyhedra(const PlacedRound& a, const PlacedRound& b, RoundAnswer& answer) {
   const PairAnswer found = polyhedron_polyhedron(a.body.core(), a.pose, b.body.core(), b.pose);
