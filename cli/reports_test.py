@@ -38,6 +38,7 @@ OPTIONAL = {
         "best contradiction formats",
     "objects[]": "why_hull frame moves moved_about departure groups layers left_out remarks properties box without inputs made_of not_made_of "
                  "proved",
+    "objects[].bodies[].parts[]": "mesh",
     "objects[].departure": "volume_missing_about volume_of_hull_about",
     "distance": "a b",
     "depth": "square a b",
