@@ -2,12 +2,15 @@
 
 #include <sunder/base/random.h>
 #include <sunder/polytope/hull/convex_hull.h>
+#include <sunder/polytope/pair/polytope_point.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -115,6 +118,31 @@ TEST(ConvexHullOfPolytope, TooManySimplicesAreRefused) {
     EXPECT_EQ(error.code(), ErrorCode::bad_shape);
     EXPECT_STREQ(error.what(),
                  "a hull of more than 300 simplices at once, the limit; give fewer points, or fewer columns");
+  }
+}
+
+// Many points on facets: some are added before what they are between of, and are no vertices in the end.
+TEST(ConvexHullOfPolytope, VerticesAreThoseThatAreNotInTheHullOfTheOthers) {
+  Random random(sunder::tests::chosen_seed(5));
+  for (int turn = 0; turn < std::max(6, sunder::tests::scaled_count(20)); ++turn) {
+    const std::size_t d = 3 + static_cast<std::size_t>(turn % 2);
+    std::set<std::vector<double>> rows;
+    while (rows.size() < 50) {
+      std::vector<double> p;
+      for (std::size_t c = 0; c < d; ++c) p.push_back(static_cast<double>(random.between(-3, 3)));
+      rows.insert(p);
+    }
+    std::vector<double> numbers;
+    for (const auto& row : rows) numbers.insert(numbers.end(), row.begin(), row.end());
+    const ConvexHull hull = convex_hull(Polytope::from_points(d, numbers));
+    for (std::uint32_t k = 0; k < rows.size(); ++k) {
+      std::vector<double> others = numbers;
+      const auto begin = others.begin() + static_cast<std::ptrdiff_t>(k * d);
+      others.erase(begin, begin + static_cast<std::ptrdiff_t>(d));
+      const std::span point(numbers.data() + k * d, d);
+      const bool is_vertex = std::binary_search(hull.vertices.begin(), hull.vertices.end(), k);
+      EXPECT_EQ(polytope_point(Polytope::from_points(d, others), point).meet(), !is_vertex) << turn << " " << k;
+    }
   }
 }
 
