@@ -383,8 +383,8 @@ int main(int count, char** words) {
   });
   if (proved == 0) return 3;
   std::printf(
-      "points in a hull of %zu points: %.2f microseconds a point, %.2f with exact evidence; %ld of %zu are in it\n",
-      kHull, many, with_evidence, static_cast<long>(std::count(inside.begin(), inside.end(), 1)), kAsked);
+      "points in a hull of %zu points: %.2f microseconds a point, %.2f with exact evidence; %td of %zu are in it\n",
+      kHull, many, with_evidence, std::count(inside.begin(), inside.end(), 1), kAsked);
   if (file.is_open()) {
     write(file, {many, with_evidence});
     write(file, inside);
