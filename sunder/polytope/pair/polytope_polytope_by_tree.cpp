@@ -3,6 +3,7 @@
 #include <sunder/polytope/pair/nearest_search.h>
 #include <sunder/polytope/pair/placed.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
+#include <sunder/polytope/pair/support.h>
 
 #include <algorithm>
 #include <cstdint>
