@@ -101,7 +101,7 @@ TEST_F(NearPlacements, StopAtTheFirstThatIsCloser) {
 
 // Two cylinders that nearly touch: listed and counted, and nothing that is known.
 TEST_F(NearPlacements, TellWhatIsUndecided) {
-  write_text(in_folder("t.csv"), "way\n4\n1.385318975492887\n");
+  write_text(in_folder("t.csv"), "way\n4\n1.3853189754928872\n");
   const std::string call =
       "scene " + cases + "/scene/nearly.urdf --placements " + in_folder("t.csv") + " --clearance 1e-33 ";
   const Run done = run(call + "--json-lines -");

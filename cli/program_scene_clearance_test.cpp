@@ -169,7 +169,7 @@ TEST_F(SceneClearance, OfCurvedBodies) {
   EXPECT_EQ(run(crane + " --clearance " + near["low"].dump()).code, 0);
   EXPECT_EQ(run(crane + " --clearance " + std::to_string(near["high"].get<double>() + 1e-5)).code, 1);
 
-  const std::string nearly = "scene " + cases + "/scene/nearly.urdf " + cube + "@9,0,0 --joints way=1.385318975492887";
+  const std::string nearly = "scene " + cases + "/scene/nearly.urdf " + cube + "@9,0,0 --joints way=1.3853189754928872";
   const json r = report(nearly + " --clearance 1e-33 --distance --certificate '" + proof + "'", 1);
   EXPECT_FALSE(r["clearance"]["kept"].get<bool>());
   EXPECT_EQ(r["clearance"]["closer"].size(), 0u);

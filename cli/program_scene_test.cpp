@@ -240,7 +240,7 @@ TEST_F(Program, SceneOfBodiesWithARadius) {
 
 // Two cylinders whose rims nearly touch: no verdict is said that is not known.
 TEST_F(Program, SceneThatIsUndecided) {
-  const std::string nearly = "scene " + cases + "/scene/nearly.urdf", joints = " --joints way=1.385318975492887";
+  const std::string nearly = "scene " + cases + "/scene/nearly.urdf", joints = " --joints way=1.3853189754928872";
   const Run r = run(nearly + joints);
   EXPECT_EQ(r.code, 1);
   EXPECT_NE(r.out.find("undecided: one and other"), std::string::npos) << r.out;
@@ -264,7 +264,7 @@ TEST_F(Program, SceneThatIsUndecided) {
   EXPECT_EQ(run("verify '" + proof + "'").code, 0);
   EXPECT_TRUE(python_accepts(proof));
   const std::string table = in_folder("table.csv"), lines = in_folder("lines");
-  write_text(table, "way\n1.385318975492887\n");
+  write_text(table, "way\n1.3853189754928872\n");
   const Run placed = run(nearly + " --placements '" + table + "'");
   EXPECT_EQ(placed.code, 1);
   EXPECT_NE(placed.out.find("0: one and other undecided\n"), std::string::npos) << placed.out;

@@ -54,11 +54,11 @@ std::string table_of(const ConvexHull& hull) {
   text += '\n';
   for (std::size_t f = 0; f < hull.facet_count(); ++f) {
     const auto simplices = hull.simplices(f);
-    for (std::size_t k = 0; k < simplices.size(); ++k) {
-      if (k % hull.dimension == 0) text += fmt::format("{}{}", k == 0 ? "" : "\n", f);
-      text += fmt::format(",{}", simplices[k]);
+    for (std::size_t k = 0; k < simplices.size(); k += hull.dimension) {
+      text += fmt::format("{}", f);
+      for (const std::uint32_t v : simplices.subspan(k, hull.dimension)) text += fmt::format(",{}", v);
+      text += '\n';
     }
-    text += '\n';
   }
   return text;
 }
