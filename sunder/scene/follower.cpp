@@ -145,6 +145,8 @@ void Follower::look_at_round(std::uint32_t i, std::uint32_t j) {
   const Part &a = members_->part(bodies, i), &b = members_->part(bodies, j);
   PartPair pair = members_->pair(i, j);
   take_round_answer(pair, a, b);
+  // The boxes that meeting_pairs looks at first are tighter than the rough ones.
+  if (pair.undecided() && apart_by_boxes(box_of(a), box_of(b))) return;
   count_answer(pair, a, b, question_, answer_.counts);
   if (pair.meet() || pair.undecided()) answer_.pairs.push_back(std::move(pair));
 }
