@@ -132,8 +132,8 @@ void compare_with_meeting_pairs(bool lattice, std::uint64_t seed) {
 TEST(Follower, IsMeetingPairsInGeneralPosition) { compare_with_meeting_pairs(false, 71); }
 TEST(Follower, IsMeetingPairsOnALattice) { compare_with_meeting_pairs(true, 72); }
 
-// F1, of what is undecided: a cone hundreds of orders of magnitude smaller than the cube over it. Boxes that are exact to
-// some roundings of their ends part them, and rough ones do not.
+// F1, of what is undecided: a cone hundreds of orders of magnitude smaller than the cube over it. Boxes that are exact
+// to some roundings of their ends part them, and rough ones do not.
 TEST(Follower, LeavesNothingUndecidedThatBoxesTell) {
   const double tiny = 0x1p-1000, huge = 0x1p128;
   std::vector<Point3> corners = tests::cube_corners(0, 1);
