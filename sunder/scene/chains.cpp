@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -133,10 +134,11 @@ void run_chains(std::size_t threads, const ChainWork& work) {
   if (threads == 1) return run_on_this_thread(work);
   Chains chains(chain_places(threads), work);
   std::vector<std::thread> others;
-  // Where the system gives no more threads, those that there are do the work.
+  // Where the system gives no more threads, or no memory for them, those that there are do the work.
   try {
     while (others.size() + 1 < threads) others.emplace_back([&] { chains.work(); });
   } catch (const std::system_error&) {
+  } catch (const std::bad_alloc&) {
   }
   chains.work();
   for (std::thread& other : others) other.join();

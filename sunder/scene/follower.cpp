@@ -65,7 +65,8 @@ Follower::Follower(std::span<const Body> bodies, const Question& question)
 void Follower::list_few() {
   Counts counts;
   members_->complete(counts);
-  if (counts.pairs - counts.allowed > few) return;
+  // Of more parts than that, to look through their pairs for those few would cost more.
+  if (counts.pairs - counts.allowed > few || part_count() > 2 * few) return;
   for (std::uint32_t j = 0; j < part_count(); ++j) {
     for (std::uint32_t i = 0; i < j; ++i) {
       if (members_->are_asked_about(i, j)) few_.push_back({i, j, static_cast<std::uint32_t>(few_.size())});
@@ -145,6 +146,8 @@ void Follower::look_at_round(std::uint32_t i, std::uint32_t j) {
   const Part &a = members_->part(bodies, i), &b = members_->part(bodies, j);
   PartPair pair = members_->pair(i, j);
   take_round_answer(pair, a, b);
+  // The boxes that meeting_pairs looks at first are tighter than the rough ones.
+  if (pair.undecided() && apart_by_boxes(box_of(a), box_of(b))) return;
   count_answer(pair, a, b, question_, answer_.counts);
   if (pair.meet() || pair.undecided()) answer_.pairs.push_back(std::move(pair));
 }

@@ -54,7 +54,8 @@ class Follower {
   void forget();
 
  private:
-  // Of so many pairs all boxes are compared: that costs less than to follow which are near.
+  // Of so many pairs, of at most twice as many parts, all boxes are compared: that costs less than to follow which are
+  // near.
   static constexpr std::size_t few = 1024;
   // Partings that are kept of a pair, of few pairs and of many.
   static constexpr std::size_t most_kept_of_few = 6, most_kept = 2;

@@ -132,6 +132,25 @@ void compare_with_meeting_pairs(bool lattice, std::uint64_t seed) {
 TEST(Follower, IsMeetingPairsInGeneralPosition) { compare_with_meeting_pairs(false, 71); }
 TEST(Follower, IsMeetingPairsOnALattice) { compare_with_meeting_pairs(true, 72); }
 
+// F1, of what is undecided: a cone hundreds of orders of magnitude smaller than the cube over it. Boxes that are exact
+// to some roundings of their ends part them, and rough ones do not.
+TEST(Follower, LeavesNothingUndecidedThatBoxesTell) {
+  const double tiny = 0x1p-1000, huge = 0x1p128;
+  std::vector<Point3> corners = tests::cube_corners(0, 1);
+  for (Point3& p : corners) p = {huge * p.x, huge * p.y, huge * p.z};
+  const ConvexPolyhedron cube(corners);
+  const auto cone = solid::RoundBody::cone({1.5 * tiny, -2 * tiny, -6 * tiny}, {tiny, -3 * tiny, 5 * tiny}, 5 * tiny);
+  const std::vector<Body> bodies{{"", {{"", cone, Pose()}}},
+                                 {"", {{"", cube, tests::shift(-0x1p-499, -0x1p-498, 0x1p-498)}}}};
+  ASSERT_TRUE(round_round(cone, Pose(), cube, bodies[1].parts[0].pose).undecided());
+  Follower follower(bodies);
+  const Answer& answer = follower.ask();
+  EXPECT_TRUE(meeting_pairs(bodies).none_meet());
+  EXPECT_TRUE(answer.none_meet());
+  EXPECT_TRUE(answer.pairs.empty());
+  EXPECT_EQ(answer.counts.by_boxes, 1);
+}
+
 // F2: the evidence after forget() is that of a new follower, to the vertex.
 TEST(Follower, ForgetsAllOfIt) {
   Random random(tests::chosen_seed(73));

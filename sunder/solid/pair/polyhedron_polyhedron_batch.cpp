@@ -19,6 +19,7 @@
 #include <exception>
 #include <limits>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <system_error>
 #include <thread>
@@ -225,10 +226,11 @@ void polyhedron_polyhedron_batch(std::span<const PlacedPair> pairs, std::span<st
   Chains chains(pairs, meet, options.of_meeting);
   const std::size_t threads = std::min(options.threads, chains.count());
   std::vector<std::thread> others;
-  // Where the system gives no more threads, those that there are do the work.
+  // Where the system gives no more threads, or no memory for them, those that there are do the work.
   try {
     while (others.size() + 1 < threads) others.emplace_back([&] { chains.work(); });
   } catch (const std::system_error&) {
+  } catch (const std::bad_alloc&) {
   }
   chains.work();
   for (std::thread& other : others) other.join();

@@ -3,6 +3,7 @@
 #include <sunder/base/random.h>
 #include <sunder/certificate/check.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_batch.h>
 #include <tests/support/scale.h>
 #include <tests/support/shapes.h>
 #include <tests/support/solid_pairs.h>
@@ -23,10 +24,11 @@
 
 // Counts what this thread allocates, in the whole program of tests. (Inlined, GCC takes the pair for a mismatch.)
 static thread_local std::uint64_t allocations = 0;
+static thread_local std::uint64_t most_allocations = UINT64_MAX;  // what is beyond is refused
 
 #if !SUNDER_UNDER_THREAD_SANITIZER
 [[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
+  if (++allocations > most_allocations) throw std::bad_alloc();
   if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
   throw std::bad_alloc();
 }
@@ -398,6 +400,26 @@ TEST(PolyhedronPolyhedronTest, FiltersDecideInGeneral) {
   EXPECT_LT(iterations / count, 8);
   EXPECT_GT(meets, count / 10);
   EXPECT_LT(meets, count - count / 10);
+}
+
+// Here, because memory is refused here. Where there is none for more threads, those that there are do the work.
+TEST(PolyhedronPolyhedronBatch, DoesWithoutTheThreadsThatThereIsNoMemoryFor) {
+  const ConvexPolyhedron cube(tests::cube_corners(0, 1));
+  const Pose here, there = tests::shift(50, 0, 0);
+  const std::vector<PlacedPair> pairs(1000, PlacedPair{&cube, &here, &cube, &there});
+  for (std::uint64_t more = 0; more < 12; ++more) {
+    std::vector<std::uint8_t> meet(pairs.size(), 7);
+    bool has_thrown = false;
+    most_allocations = allocations + more;
+    try {
+      polyhedron_polyhedron_batch(pairs, meet, {6, {}});
+    } catch (const std::bad_alloc&) {
+      has_thrown = true;
+    }
+    most_allocations = UINT64_MAX;
+    EXPECT_FALSE(has_thrown) << more;
+    EXPECT_EQ(meet, std::vector<std::uint8_t>(pairs.size(), 0)) << more;
+  }
 }
 
 // No cliff between the tame range and the scales at which the search works in another unit.
