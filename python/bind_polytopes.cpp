@@ -220,6 +220,9 @@ void bind_polytopes(nb::module_& module, nb::module_& chapter) {
           "from_matrix",
           [](const ArrayLike& linear, const ArrayLike& translation) {
             const Doubles t = doubles_of(translation, "translation", {{any_length}});
+            if (t.size() > polytope::most_dimension) {
+              throw Error(ErrorCode::bad_pose, "a pose is of dimension 2 to 6", "translation");
+            }
             const int d = static_cast<int>(t.size());
             const Doubles m = doubles_of(linear, "linear", {{d, d}, {d * d}});
             return Pose::from_matrix(t.size(), {m.data(), m.size()}, {t.data(), t.size()});

@@ -57,7 +57,7 @@ std::array<std::size_t, 2> shape_of(const Header& header) {
   return {sizes[0], sizes[1]};
 }
 
-// The number as a double; nothing where it would be rounded.
+// The number as a double; nothing where near-by whole numbers would be rounded.
 using Load = std::optional<double> (*)(const char*, ByteOrder);
 
 template <class Number>

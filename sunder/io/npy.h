@@ -20,7 +20,8 @@ bool is_npy(std::string_view bytes);
 // The array, of float64, float32 or whole numbers of 1 to 8 bytes, in either byte order, in C or Fortran order. place:
 // the file's name, for messages.
 // Throws Error bad_file with the file, or its row: an array of another kind or shape, or of no numbers; one that is not
-// finite, or would be rounded to a double; a file that is cut off or goes on too long. Cost: linear.
+// finite, or a whole number beyond 2^53, as near-by ones are no doubles; a file that is cut off or goes on too long.
+// Cost: linear.
 NpyArray parse_npy(std::string_view bytes, std::string_view place);
 
 }  // namespace sunder::io

@@ -428,7 +428,7 @@ class GameSearch {
       for (std::size_t c = 0; c < d_; ++c) common.numbers[c] = common.numbers[c] + weight * image[c];
       common.of_b.parts.push_back({index, weight});
     }
-    if (half_spaces_.breaks_any(common.numbers, total, cost_)) return std::nullopt;
+    if (total.sign() != Sign::positive || half_spaces_.breaks_any(common.numbers, total, cost_)) return std::nullopt;
     common.denominator = common.of_b.denominator = total;
     common.in_a = {half_spaces_.unplaced(common.numbers, total), total * half_spaces_.scale()};
     return ExactDecision{Verdict::meet, std::make_shared<const ExactEvidence>(std::move(common))};

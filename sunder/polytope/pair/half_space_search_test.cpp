@@ -101,6 +101,22 @@ TEST(HalfSpaceSearch, LeavesWhatIsNotPlain) {
   }
 }
 
+// Payoffs that are infinite, or whose difference has no inverse: the game has no weights, and the exact method decides.
+TEST(HalfSpaceSearch, LeavesGamesThatDoublesCannotHold) {
+  const Pose here(2);
+  const auto meet = [&](const std::vector<double>& half_spaces, const std::vector<double>& points) {
+    const Polytope a = body(2, half_spaces, false), b = body(2, points, true);
+    const PolytopeAnswer answer = polytope_polytope(a, here, b, here), exchanged = polytope_polytope(b, here, a, here);
+    EXPECT_EQ(answer.meet(), exchanged.meet());
+    EXPECT_TRUE(check(a, here, b, here, answer.evidence.verdict, exact_evidence(a, here, b, here, answer)));
+    return answer.meet();
+  };
+  EXPECT_TRUE(meet({1e300, 0, 0, 0, 1e300, 0}, {1e300, 1e300, 1e300, -1e300, -1e300, -1e300}));
+  EXPECT_FALSE(meet({1e300, 0, 0, 0, 1e300, 0}, {1e300, 1e300, 1e300, -1e300}));
+  EXPECT_FALSE(meet({1, 0, 0, 0, 1, 0}, {1e-310, 1e-310, 0, 1e-310}));
+  EXPECT_TRUE(meet({1, 0, 0, 0, 1, 0}, {1e-310, 1e-310, 0, -1e-310}));
+}
+
 // Bodies of many rows are looked at in samples first, which changes no answer.
 TEST(HalfSpaceSearch, SamplesOfLargeBodiesComeFirst) {
   Random random(tests::chosen_seed(20261128));
@@ -124,6 +140,23 @@ TEST(HalfSpaceSearch, SamplesOfLargeBodiesComeFirst) {
   EXPECT_GT(plain, count * 9 / 10);
   EXPECT_GT(meets, count / 10);
   EXPECT_LT(meets, count * 9 / 10);
+}
+
+TEST(MatrixGame, WhatIsNotSolvedHasNoWeight) {
+  MatrixGame game;
+  game.add_column([](std::size_t) { return 0.0; });
+  game.add_row([](std::size_t) { return HUGE_VAL; });
+  EXPECT_FALSE(game.solve());
+  EXPECT_EQ(game.row_weight(0), 0);
+  EXPECT_EQ(game.column_weight(0), 0);
+  MatrixGame growing;
+  growing.add_column([](std::size_t) { return 0.0; });
+  growing.add_row([](std::size_t) { return 1.0; });
+  EXPECT_TRUE(growing.solve());
+  growing.add_row([](std::size_t) { return HUGE_VAL; });
+  EXPECT_FALSE(growing.solve());
+  EXPECT_EQ(growing.row_weight(0), 1);
+  EXPECT_EQ(growing.row_weight(1), 0);
 }
 
 TEST(MatrixGame, BestWeights) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <utility>
 
 namespace sunder::polytope {
 
@@ -53,12 +53,15 @@ bool MatrixGame::solve() {
   }
   const double sum = cell(rows_, width - 1);
   if (!(sum > 0)) return false;
-  row_weights_.assign(rows_, 0);
-  column_weights_.assign(columns_, 0);
+  std::vector<double> of_rows(rows_), of_columns(columns_);
+  double all_rows = 0, all_columns = 0;
   for (std::size_t i = 0; i < rows_; ++i) {
-    row_weights_[i] = std::max(0.0, cell(rows_, columns_ + i) / sum);
-    if (basic[i] < columns_) column_weights_[basic[i]] = std::max(0.0, cell(i, width - 1) / sum);
+    all_rows += of_rows[i] = std::max(0.0, cell(rows_, columns_ + i) / sum);
+    if (basic[i] < columns_) all_columns += of_columns[basic[i]] = std::max(0.0, cell(i, width - 1) / sum);
   }
+  if (!(all_rows > 0 && all_columns > 0 && std::isfinite(all_rows + all_columns))) return false;
+  row_weights_ = std::move(of_rows);
+  column_weights_ = std::move(of_columns);
   return true;
 }
 

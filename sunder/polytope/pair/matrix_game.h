@@ -25,10 +25,11 @@ class MatrixGame {
     ++columns_;
   }
 
-  // False where floating point finds no way. Requires a row and a column.
+  // False where floating point finds no way; then weights stay what they were. Requires a row and a column.
   bool solve();
-  double row_weight(std::size_t i) const { return row_weights_[i]; }
-  double column_weight(std::size_t j) const { return column_weights_[j]; }
+  // Finite, not negative, and some of them positive. Of what came after the last solution, and before the first: 0.
+  double row_weight(std::size_t i) const { return i < row_weights_.size() ? row_weights_[i] : 0; }
+  double column_weight(std::size_t j) const { return j < column_weights_.size() ? column_weights_[j] : 0; }
 
   static constexpr std::size_t most = 40;  // of rows, and of columns
 

@@ -125,15 +125,4 @@ bool NearestSimplex::add(const DifferencePoint& point) {
   return false;
 }
 
-bool direction_from(const ColumnNumbers& nearest, std::size_t d, ColumnNumbers& direction) {
-  double largest = 0;
-  for (std::size_t c = 0; c < d; ++c) largest = std::max(largest, std::fabs(nearest[c]));
-  if (!(largest > 0) || !std::isfinite(largest)) return false;
-  for (std::size_t c = 0; c < d; ++c) {
-    const double part = -nearest[c] / largest;
-    direction[c] = std::fabs(part) < 0x1p-60 ? 0.0 : part;
-  }
-  return true;
-}
-
 }  // namespace sunder::polytope

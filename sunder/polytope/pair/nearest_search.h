@@ -17,10 +17,6 @@ struct DifferencePoint {
   ColumnNumbers at{};
 };
 
-// Of a point, the direction towards the origin, its greatest component of size 1, those zero that do not matter. False
-// where there is none.
-bool direction_from(const ColumnNumbers& nearest, std::size_t d, ColumnNumbers& direction);
-
 // Points of up to seven dimensions whose affine hull has its nearest point to the origin inside of their hull, with the
 // weights of that point.
 class NearestSimplex {

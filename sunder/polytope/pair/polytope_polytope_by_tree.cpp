@@ -32,7 +32,7 @@ class TreeSearch {
   // True where a direction parts the bodies: it is written down. Else they may meet.
   bool parts(PolytopeAnswer& answer) {
     Vector direction{};
-    if (!direction_from(difference(0, 0).at, d_, direction)) direction[0] = 1;
+    if (!towards_origin(difference(0, 0).at, d_, direction)) direction[0] = 1;
     for (int step = 0; step < most_steps && !simplex_.is_full(); ++step) {
       const auto first = direction.begin(), last = first + static_cast<std::ptrdiff_t>(d_);
       ExactVector along(first, last), opposite;
@@ -46,7 +46,7 @@ class TreeSearch {
         return true;
       }
       if (simplex_.has(of_a.index, of_b.index) || !simplex_.add(difference(of_a.index, of_b.index))) break;
-      if (!simplex_.is_full() && !direction_from(simplex_.nearest(), d_, direction)) break;
+      if (!simplex_.is_full() && !towards_origin(simplex_.nearest(), d_, direction)) break;
     }
     return false;
   }
