@@ -183,6 +183,24 @@ class DepthsTest(unittest.TestCase):
                     self.assertEqual(said, "leaves", twins.last)
         twins.compare()
 
+    def test_bodies_that_are_not_bounded_or_not_in_space(self):
+        """Seen without their last coordinates, or without ways, some of these would be proved by false claims."""
+        twins, corners = Twins(self), [(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)]
+        around = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]]
+        for d, ways in ((3, []), (3, [[1, 0, 0]]), (4, []), (5, []), (6, []), (2, [])):
+            bodies = [{"name": "a", "points": [list(map(hexadecimal, (*c, 0, 0, 0)[:d])) for c in corners]},
+                      {"name": "b", "points": [[hexadecimal(0)] * d]}]
+            said = set()
+            for k in (0, 1):
+                some_ways = [list(map(hexadecimal, way)) for way in ways]
+                those = [{**body, "ways": some_ways} if j == k and ways else body for j, body in enumerate(bodies)]
+                for triangles in (around, [t[::-1] for t in around]):
+                    one = at_least(2 ** 1000, {"differences": [[j, 0] for j in range(4)], "triangles": triangles})
+                    said.add(self.look(twins, those, one))
+                said.add(self.look(twins, those, at_most(9, [0, 1, 0, 0, 0, 0][:d])))
+            self.assertEqual(said, {"surrounds", "accepted"} if d == 3 and not ways else {"F"}, twins.last)
+        twins.compare()
+
     def test_the_twins_agree_on_spoilt_files(self):
         dice, twins = dice_of(4), Twins(self)
         while lacking(MUTANT, QUESTION):
