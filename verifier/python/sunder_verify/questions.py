@@ -44,8 +44,8 @@ def entry(table):
 def body_asked(value, where, read):
     body = entry(read["about"])(value, where, read)
     form(read["question"] != "distance" or not body.kind, where + " has a radius")
-    is_solid = body.dimension == 3 and body.count == len(body)
-    form(read["question"] != "depth" or is_solid, where + " is not bounded, in space")
+    form(read["question"] != "depth" or (body.dimension == 3 and body.count == len(body)),
+         where + " is not bounded, in space")
     return body
 
 
