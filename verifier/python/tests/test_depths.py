@@ -201,6 +201,18 @@ class DepthsTest(unittest.TestCase):
             self.assertEqual(said, {"surrounds", "accepted"} if d == 3 and not ways else {"F"}, twins.last)
         twins.compare()
 
+    def test_the_twins_count_alike(self):
+        """Weights of long numbers, in more and more statements: from the same one on it takes too many steps."""
+        twins, said = Twins(self), []
+        bodies = [{"name": name, "points": [list(map(hexadecimal, p)) for p in points], "radius": hexadecimal(3)}
+                  for name, points in (("ball", [(8, 0, 0)]), ("capsule", [(4, -4, 0), (4, 8, 0)]))]
+        third, rest = ("%d/%d" % (k * 10 ** 3000, 3 * 10 ** 3000) for k in (1, 2))
+        one = at_least(2, {"differences": [[{"weights": [[0, "1"]]}, {"weights": [[0, rest], [1, third]]}]], "triangles": []})
+        for count in range(1, 12):
+            said.append(twins.look(file_of({"bodies": bodies}, *count * [one])))
+        self.assertEqual({*said}, {"accepted", "not checked"})
+        twins.compare()
+
     def test_the_twins_agree_on_spoilt_files(self):
         dice, twins = dice_of(4), Twins(self)
         while lacking(MUTANT, QUESTION):
