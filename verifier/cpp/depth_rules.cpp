@@ -3,6 +3,7 @@
 #include <verifier/cpp/rules.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <set>
 #include <utility>
 
@@ -34,10 +35,11 @@ Numbers place_of(const SurfaceEnd& end, const HullBody& body) {
   Numbers place(3);
   for (std::size_t k = 0; k < end.weights.named.size(); ++k) {
     const auto [at, e] = image(body, end.weights.named[k]);  // of each point in the same unit
+    const std::int64_t up = std::max<std::int64_t>(e, 0);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      place[axis].n += weights.integers[k] * at[axis];
+      place[axis].n += weights.integers[k] * shifted(at[axis], up);
       place[axis].d = weights.d;
-      place[axis].e = weights.e + e;
+      place[axis].e = weights.e + e - up;
     }
   }
   return place;
@@ -47,10 +49,10 @@ Numbers place_of(const SurfaceEnd& end, const HullBody& body) {
 Integers difference_of(const SurfaceCorner& corner, const HullBody& a, const HullBody& b) {
   const Numbers p = place_of(corner.of_a, a), q = place_of(corner.of_b, b);
   take_steps(16, a.size() + b.size() + length(p) + length(q), a.size() + b.size() + length(p) + length(q));
-  const Common both = common({p[0], p[1], p[2], q[0], q[1], q[2]});
   Numbers way;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    way.push_back({both.integers[axis] - both.integers[axis + 3], both.d, both.e});
+    const Common both = common({p[axis], q[axis]});
+    way.push_back({both.integers[0] - both.integers[1], both.d, both.e});
   }
   return projective(way);
 }

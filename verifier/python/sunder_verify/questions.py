@@ -44,6 +44,8 @@ def entry(table):
 def body_asked(value, where, read):
     body = entry(read["about"])(value, where, read)
     form(read["question"] != "distance" or not body.kind, where + " has a radius")
+    form(read["question"] != "depth" or (body.dimension == 3 and body.count == len(body)),
+         where + " is not bounded, in space")
     return body
 
 
@@ -191,12 +193,6 @@ def surface_end(name):
         end = members(value, shapes, where, told)
         return end["weights"], end.get("point"), end.get("from")
     return read_end
-
-
-def bounded(value, where, read):
-    body = entry(read["about"])(value, where, read)
-    form(body.dimension == 3 and body.count == len(body), where + " is not bounded, in space")
-    return body
 
 
 def not_negative(value, where, read):

@@ -69,7 +69,8 @@ def told_by_twin(texts):
                 stream.write(text)
         run = subprocess.run([PROGRAM, "verify", "--json", *names], capture_output=True, text=True, check=False)
         objects = json.loads(run.stdout)["objects"] if run.stdout else [{"answer": "not checked"}] * len(names)
-        return [(o["refused"][0]["check"] if o["answer"] == "refused" else o["answer"], o.get("proved", [])) for o in objects]
+        return [(o["refused"][0]["check"] if o["answer"] == "refused" else o["answer"] or "not checked", o.get("proved", []))
+                for o in objects]
 
 
 VALUES = ["0", "1", "-1", "1/2", "-1/3", "0x1p+0", "-0x1p-1", "0x3p+0", "7", "nothing", "touch", "0x1p+20001", "1/0", ".5"]

@@ -183,6 +183,36 @@ class DepthsTest(unittest.TestCase):
                     self.assertEqual(said, "leaves", twins.last)
         twins.compare()
 
+    def test_bodies_that_are_not_bounded_or_not_in_space(self):
+        """Seen without their last coordinates, or without ways, some of these would be proved by false claims."""
+        twins, corners = Twins(self), [(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)]
+        around = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]]
+        for d, ways in ((3, []), (3, [[1, 0, 0]]), (4, []), (5, []), (6, []), (2, [])):
+            bodies = [{"name": "a", "points": [list(map(hexadecimal, (*c, 0, 0, 0)[:d])) for c in corners]},
+                      {"name": "b", "points": [[hexadecimal(0)] * d]}]
+            said = set()
+            for k in (0, 1):
+                some_ways = [list(map(hexadecimal, way)) for way in ways]
+                those = [{**body, "ways": some_ways} if j == k and ways else body for j, body in enumerate(bodies)]
+                for triangles in (around, [t[::-1] for t in around]):
+                    one = at_least(2 ** 1000, {"differences": [[j, 0] for j in range(4)], "triangles": triangles})
+                    said.add(self.look(twins, those, one))
+                said.add(self.look(twins, those, at_most(9, [0, 1, 0, 0, 0, 0][:d])))
+            self.assertEqual(said, {"surrounds", "accepted"} if d == 3 and not ways else {"F"}, twins.last)
+        twins.compare()
+
+    def test_the_twins_count_alike(self):
+        """Weights of long numbers, in more and more statements: from the same one on it takes too many steps."""
+        twins, said = Twins(self), []
+        bodies = [{"name": name, "points": [list(map(hexadecimal, p)) for p in points], "radius": hexadecimal(3)}
+                  for name, points in (("ball", [(8, 0, 0)]), ("capsule", [(4, -4, 0), (4, 8, 0)]))]
+        third, rest = ("%d/%d" % (k * 10 ** 3000, 3 * 10 ** 3000) for k in (1, 2))
+        one = at_least(2, {"differences": [[{"weights": [[0, "1"]]}, {"weights": [[0, rest], [1, third]]}]], "triangles": []})
+        for count in range(1, 12):
+            said.append(twins.look(file_of({"bodies": bodies}, *count * [one])))
+        self.assertEqual({*said}, {"accepted", "not checked"})
+        twins.compare()
+
     def test_the_twins_agree_on_spoilt_files(self):
         dice, twins = dice_of(4), Twins(self)
         while lacking(MUTANT, QUESTION):
