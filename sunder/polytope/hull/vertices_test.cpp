@@ -86,7 +86,7 @@ TEST(PolytopeVertices, WhatHasNoVerticesOrNoInsideIsRefused) {
 TEST(PolytopeVertices, HalfSpacesOfAHullHaveItsVertices) {
   Random random(sunder::tests::chosen_seed(20261128));
   int turns = 0;
-  for (int turn = 0; turn < sunder::tests::scaled_count(60); ++turn) {
+  for (int turn = 0; turn < sunder::tests::scaled_count(60, 10); ++turn) {
     const std::size_t d = 2 + static_cast<std::size_t>(turn % 5);
     std::vector<double> numbers;
     const int count = static_cast<int>(d) + static_cast<int>(random.between(1, d == 6 ? 5 : 10));
