@@ -19,6 +19,14 @@ namespace sunder::cli {
 
 namespace {
 
+constexpr std::array<std::string_view, 8> output_options{
+    "--certificate", "--csv", "--geojson", "--svg", "--gltf", "--out", "--json-lines", "--meeting-certificate"};
+
+template <class List>
+bool is_in(const List& list, std::string_view name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
 // ---- Words.
 
 // An option as a call gives it.
@@ -26,7 +34,12 @@ struct Given {
   std::string word;                                                          // "--svg", without what follows "="
   const CLI::Option* option = nullptr;                                       // null: there is none of that name
   enum class Value : std::uint8_t { none, here, next } value = Value::none;  // where it stands
+  bool is_empty = false;                                                     // the value is there, and has no character
 };
+
+std::string name_of(const CLI::Option& option) {
+  return option.get_lnames().empty() ? "" : "--" + option.get_lnames().front();
+}
 
 Given given(const CLI::App& verb, const std::string& word, bool is_last) {
   const bool is_long = word.starts_with("--");
@@ -35,6 +48,7 @@ Given given(const CLI::App& verb, const std::string& word, bool is_last) {
   if (result.option == nullptr && !is_long) result.word = word;
   if (size < word.size()) {
     result.value = Given::Value::here;
+    result.is_empty = is_long && size + 1 == word.size();
   } else if (result.option != nullptr && takes_value(*result.option) && !is_last) {
     result.value = Given::Value::next;
   }
@@ -46,7 +60,9 @@ std::vector<Given> given_options(const CLI::App& verb, std::span<const std::stri
   for (std::size_t k = 0; k < words.size() && words[k] != "--"; ++k) {
     if (!words[k].starts_with('-') || words[k] == "-") continue;
     options.push_back(given(verb, words[k], k + 1 == words.size()));
-    if (options.back().value == Given::Value::next) ++k;
+    if (options.back().value != Given::Value::next) continue;
+    ++k;
+    options.back().is_empty = words[k].empty();
   }
   return options;
 }
@@ -63,6 +79,13 @@ std::string problem_of(const CLI::App& verb, const Given& given) {
   const bool takes = takes_value(*given.option), has = given.value != Given::Value::none;
   if (takes && !has) return fmt::format("{} has no value; give {}", given.word, given.option->get_type_name());
   if (!takes && has) return given.word + " takes no value; leave it out";
+  // Mostly a variable of a shell that is not set: it must not be as if the option were not there. Names of outputs are
+  // looked at where files are.
+  const std::string name = name_of(*given.option);
+  const bool may_be_empty = given.value == Given::Value::next && (name == "--title" || is_in(output_options, name));
+  if (given.is_empty && !may_be_empty) {
+    return fmt::format("the value of {} is empty; give {}", given.word, given.option->get_type_name());
+  }
   return "";
 }
 
@@ -71,21 +94,10 @@ std::string problem_of(const CLI::App& verb, const Given& given) {
 namespace fs = std::filesystem;
 using ask::NamedFile;
 
-constexpr std::array<std::string_view, 7> output_options{"--certificate", "--csv", "--geojson",   "--svg",
-                                                         "--gltf",        "--out", "--json-lines"};
 constexpr std::string_view stream = "-";
-
-template <class List>
-bool is_in(const List& list, std::string_view name) {
-  return std::find(list.begin(), list.end(), name) != list.end();
-}
 
 // "cube.obj" of "cube.obj@1,0,0".
 std::string without_pose(const std::string& word) { return word.substr(0, word.rfind('@')); }
-
-std::string name_of(const CLI::Option& option) {
-  return option.get_lnames().empty() ? "" : "--" + option.get_lnames().front();
-}
 
 bool is_there(const std::string& file) {
   std::error_code problem;

@@ -19,16 +19,17 @@ bool takes_value(const CLI::Option& option);
 // All long names of options, with their dashes.
 std::vector<std::string> names_of_options(const CLI::App& app);
 
-// The first option that the verb does not have (with the one that was meant), that lacks its value, has one and takes
-// none, or is given twice and may be once. Empty: none; or help is asked for.
+// The first option that the verb does not have (with the one that was meant), that lacks its value, has one that is
+// empty (but for a title, and for outputs), has one and takes none, or is given twice and may be once. Empty: none; or
+// help is asked for.
 std::string option_problem(const CLI::App& verb, std::span<const std::string> words);
 
 // Is a report in JSON asked for? What is the value of another option asks for nothing.
 bool asks_for_json(const CLI::App& verb, std::span<const std::string> words);
 
 // ask::require_apart for the options of a verb, after they are parsed: outputs are --certificate, --csv, --geojson,
-// --svg and --out; inputs are what stands without an option, the values of other options that take a FILE, and those of
-// --allow. Throws also where standard input is named twice.
+// --svg, --gltf, --out, --json-lines and --meeting-certificate; inputs are what stands without an option, the values of
+// other options that take a FILE, and those of --allow. Throws also where standard input is named twice.
 void require_apart(const CLI::App& verb);
 
 // Does an option ask for an output on standard output, as "-"? Throws Error bad_call where two do, where a report in

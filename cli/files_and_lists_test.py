@@ -92,6 +92,17 @@ class Outputs(InFolder):
             self.expect_bad("soft.svg' is the same file as the input", *scene, option, "soft.svg")
         self.assertIn(self.run_here(*scene, "--svg", "y.svg", "--certificate", "y.json").returncode, (0, 1))
 
+    def test_outputs_of_placements_are_no_inputs(self):
+        with open(os.path.join(CASES, "scene", "primitives.urdf"), encoding="utf-8") as robot:
+            self.write("robot.urdf", robot.read())
+        self.write("t.csv", "hoist\n0\n1\n")
+        scene = ("scene", "robot.urdf", "--placements", "t.csv")
+        for more in ((), ("--between",)):
+            for option in ("--json-lines", "--csv", "--meeting-certificate"):
+                self.expect_bad("is the same file as --placements 't.csv'", *scene, *more, option, "t.csv")
+                self.expect_bad("is the same file as the input 'robot.urdf'", *scene, *more, option, "robot.urdf")
+                self.expect_bad("the name of the file is empty", *scene, *more, option, "")
+
     def test_an_output_is_no_other_output(self):
         self.expect_bad("is the same file as --geojson 'y'", "segments", "x.csv", "--svg", "y", "--geojson", "y")
         self.expect_bad("is the same file as", "circles", "x.csv", "--svg", "y", "--certificate", "./y")
@@ -165,6 +176,18 @@ class Outputs(InFolder):
         for option in ("--certificate", "--svg", "--geojson"):
             self.expect_bad("the name of the file is empty", "segments", "x.csv", option, "")
         self.expect_bad("the name of the file is empty", "hull", "cube.obj", "-o", "")
+
+    def test_values_are_not_empty(self):
+        """As of a variable that is not set: what was to be asked would be left out, and nobody told."""
+        for option in ("--clearance", "--pose-b", "--to-b", "--radius-a", "--method", "--certificate="):
+            value = () if "=" in option else ("",)
+            self.expect_bad("the value of %s is empty; give" % option.rstrip("="), "pair", "cube.obj", "cube.obj", option,
+                            *value)
+        for option in ("--clearance", "--margin", "--placements", "--joints", "--srdf", "--allow"):
+            self.expect_bad("the value of %s is empty; give" % option, "scene", "cube.obj", "cube.obj@3,0,0", option, "")
+        self.expect_bad("the value of --clearance is empty; give", "scene", "cube.obj", "cube.obj@3,0,0", "--clearance=")
+        done = self.run_here("scene", "cube.obj", "cube.obj@3,0,0", "--svg", "y.svg", "--title", "")
+        self.assertEqual(done.returncode, 0, done)
 
     def test_certificates_of_layers(self):
         board = os.path.join(CASES, "boards", "tinyfpga", "TinyFPGA-BX.kicad_pcb")

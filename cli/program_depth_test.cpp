@@ -44,6 +44,19 @@ TEST_F(Depth, IsToldAndProved) {
   EXPECT_TRUE(python_accepts(proof));
   EXPECT_EQ(run("verify '" + proof + "'").code, 0);
 
+  // Beyond the range of doubles: told as that, and null.
+  const std::string vast = in_folder("vast.obj");
+  std::string vertices;
+  for (const char* x : {"-1.7e308 ", "1.7e308 "}) {
+    for (const char* y : {"-1.7e308 ", "1.7e308 "}) {
+      for (const char* z : {"-1.7e308\n", "1.7e308\n"}) vertices.append("v ").append(x).append(y).append(z);
+    }
+  }
+  write_text(vast, vertices);
+  const std::string beyond = "pair '" + vast + "' '" + vast + "' --depth";
+  EXPECT_TRUE(report(beyond, 1)["depth"]["high"].is_null());
+  EXPECT_NE(run(beyond).out.find("at least 1.79769313486e+308, A to be moved"), std::string::npos);
+
   for (const char* b : {"planar-pair/plate.wkt", "space/line.json"}) {
     const std::string a = std::string(b) == "space/line.json" ? "mesh/cube.obj" : b;
     expect_bad("pair '" + case_file(a) + "' '" + case_file(b) + "' --depth", "--depth");

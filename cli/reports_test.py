@@ -5,6 +5,7 @@ reports_test.py --write brings the tables of the page up to date.
 """
 import collections
 import concurrent.futures
+import itertools
 import json
 import math
 import os
@@ -91,6 +92,10 @@ pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,4,5 --distance --
 pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,0.25,0.125 --distance
 pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 0.25,0,0 --depth --certificate OUT
 pair cases/space/ball.json cases/space/capsule.json --pose-b 1,0,-2 --depth --certificate OUT
+pair vast.obj vast.obj --depth
+pair left.obj right.obj --distance --clearance 1
+pair left.obj right.obj --radius-a 1 --distance --clearance 1
+scene left.obj right.obj --distance
 pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,0.25,0.125 --to-b -3,0.25,0 --certificate OUT
 pair cases/mesh/cube.obj cases/mesh/cube.obj --pose-b 3,2,0 --to-b -3,2,0 --to-a 0,1,0
 pair cases/mesh/cube.obj cases/space/ball.json --pose-b 9,0.25,0.125 --to-b -9,0.25,0 --certificate OUT
@@ -262,6 +267,10 @@ FILES = {
     "two_points.obj": "v 0 0 0\nv 1 0 0\n",
     "pyramid.obj": "".join("v %r %r 0\n" % (math.cos(math.pi * i / 2), math.sin(math.pi * i / 2)) for i in range(4))
                    + "v 0 0 1\n",
+    # Lengths beyond the range of doubles.
+    "vast.obj": "".join("v %d.7e308 %d.7e308 %d.7e308\n" % xyz for xyz in itertools.product((-1, 1), repeat=3)),
+    "left.obj": "v -1.7e308 0 0\nv -1.6e308 0 0\nv -1.7e308 1e307 0\nv -1.7e308 0 1e307\n",
+    "right.obj": "v 1.7e308 0 0\nv 1.6e308 0 0\nv 1.7e308 1e307 0\nv 1.7e308 0 1e307\n",
     "parcels.geojson": json.dumps({"type": "FeatureCollection", "features": [
         {"type": "Feature", "properties": properties, "geometry": {"type": "Polygon", "coordinates": [
             [[at, 0], [at + 2, 0], [at + 2, 2], [at, 0]]]}}

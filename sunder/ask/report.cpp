@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <system_error>
 #include <type_traits>
@@ -187,6 +188,11 @@ std::string file_line(std::string_view title, const std::string& file, std::stri
 }
 
 std::string about(double x) { return fmt::format("{:.4g}", x == 0 ? 0.0 : x); }
+
+std::string about_length(const Interval& length) {
+  const auto [low, high] = length;
+  return std::isfinite(high) ? fmt::format("about {:.12g}", high) : fmt::format("at least {:.12g}", low);
+}
 
 std::string about(const Point3& p) { return fmt::format("({}, {}, {})", about(p.x), about(p.y), about(p.z)); }
 

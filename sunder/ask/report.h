@@ -6,6 +6,7 @@
 #include <sunder/io/left_out.h>
 #include <sunder/io/pose_text.h>
 #include <sunder/io/text.h>
+#include <sunder/number/interval.h>
 #include <sunder/planar/set/contact_rule.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 
@@ -120,5 +121,8 @@ std::string file_line(std::string_view title, const std::string& file, std::stri
 // "about" numbers for people: four digits.
 std::string about(double x);
 std::string about(const Point3& p);  // "(x, y, z)"
+
+// "about 0.25": a length, by its upper end; "at least 1.79769313486e+308" where that is beyond the range of doubles.
+std::string about_length(const Interval& length);
 
 }  // namespace sunder::ask

@@ -26,7 +26,7 @@ Point3 way_out(const WorldDirection& from_a_to_b) {
 std::string depth_told(const Interval& depth, const WorldDirection& from_a_to_b) {
   const auto [low, high] = depth;
   const std::string size = high == 0                      ? "0"
-                           : high - low <= 0x1p-40 * high ? fmt::format("about {:.12g}", high)
+                           : high - low <= 0x1p-40 * high ? about_length(depth)
                                                           : fmt::format("between {:.12g} and {:.12g}", low, high);
   return fmt::format("{}, A to be moved along about {}", size, about(way_out(from_a_to_b)));
 }

@@ -49,7 +49,7 @@ class BoundedPair : public PairQuestion {
     if (least_ == 0) return;
     is_kept_ = compare_distance(distance_, least_) != Sign::negative;
     const auto& closest = distance_.closest;
-    facts_.push_back(clearance(least_, is_kept_, closest ? closest->distance.high : 0));
+    facts_.push_back(clearance(least_, is_kept_, closest ? closest->distance : Interval(0.0)));
   }
   bool yes() const { return least_ > 0 ? !is_kept_ : meet_; }
 
@@ -71,7 +71,7 @@ class BoundedPair : public PairQuestion {
   std::string distance_text() const {
     const auto& d = distance_.closest;
     return !d ? "0"
-              : fmt::format("about {:.12g}, from {} to {}", d->distance.high,
+              : fmt::format("{}, from {} to {}", about_length(d->distance),
                             of_a_.feature_text("A", d->a, d->edge_of_a), of_b_.feature_text("B", d->b, d->edge_of_b));
   }
   Json distance_json() const {

@@ -85,11 +85,11 @@ PairQuestion::Fact PairQuestion::evidence(const PairCertificate& certificate, in
   return {"evidence", std::move(json), evidence_text(certificate, a, b, dimension == 2)};
 }
 
-PairQuestion::Fact PairQuestion::clearance(double least, bool is_kept, double distance) {
+PairQuestion::Fact PairQuestion::clearance(double least, bool is_kept, const Interval& distance) {
   return {"clearance",
           {{"least", least}, {"kept", is_kept}},
           fmt::format("{}: {}; {}", least, is_kept ? "kept" : "not kept",
-                      distance > 0 ? fmt::format("about {:.12g} apart", distance) : "they meet")};
+                      distance.high > 0 ? about_length(distance) + " apart" : "they meet")};
 }
 
 std::string PairQuestion::certificate_of(PairClaims::Space space, const PairObject& first, const PairObject& second,

@@ -104,7 +104,7 @@ class PairQuestion {
   Fact evidence(const PairCertificate& certificate, int dimension) const;
 
   // Is it kept, and how far are they apart, about? 0: they meet.
-  static Fact clearance(double least, bool is_kept, double distance);
+  static Fact clearance(double least, bool is_kept, const Interval& distance);
 
   // A certificate about two bodies: write adds the statements about those of these numbers.
   using Write = std::function<void(PairClaims&, std::uint32_t first, std::uint32_t second)>;

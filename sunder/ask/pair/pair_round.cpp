@@ -79,7 +79,7 @@ class RoundPair : public PairQuestion {
           {"depth", depth_report(depth_.depth, *depth_.direction), depth_told(depth_.depth, *depth_.direction)});
     }
     if (least_ == 0) return;
-    facts_.push_back(clearance(least_, clearance_.kept(), distance_.distance.high));
+    facts_.push_back(clearance(least_, clearance_.kept(), distance_.distance));
     Fact& fact = facts_.back();
     if (clearance_.undecided()) {
       fact.json["undecided"] = true;
@@ -128,7 +128,7 @@ class RoundPair : public PairQuestion {
 
   std::string distance_text() const {
     const auto [low, high] = distance_.distance;
-    if (high - low <= 0x1p-40 * high) return high == 0 ? "0" : fmt::format("about {:.12g}", high);
+    if (high - low <= 0x1p-40 * high) return high == 0 ? "0" : about_length(distance_.distance);
     return fmt::format("between {:.12g} and {:.12g}", low, high);
   }
   Fact distance(const char* of_hulls) const {

@@ -82,7 +82,7 @@ class SolidPair : public PairQuestion {
       facts_.push_back({"depth", depth_json(), depth_text()});
     }
     if (least_ == 0) return;
-    facts_.push_back(clearance(least_, is_kept_, distance_.distance().high));
+    facts_.push_back(clearance(least_, is_kept_, distance_.distance()));
     if (!is_kept_) facts_.back().text += of_hulls;
   }
   bool yes() const { return least_ > 0 ? !is_kept_ : meet_; }
@@ -112,7 +112,7 @@ class SolidPair : public PairQuestion {
   std::string distance_text() const {
     if (meet_) return "0";
     const auto [a, b] = closest();
-    return fmt::format("about {:.12g}, from {} to {}", distance_.distance().high, a.text("A"), b.text("B"));
+    return fmt::format("{}, from {} to {}", about_length(distance_.distance()), a.text("A"), b.text("B"));
   }
   Json distance_json() const {
     const Interval distance = distance_.distance();

@@ -17,7 +17,7 @@ namespace {
 using scene::PartDistance;
 
 std::string distance_text(const PartDistance& pair) {
-  return pair.meet() ? std::string("they meet") : fmt::format("about {:.12g} apart", pair.distance.high);
+  return pair.meet() ? "they meet" : about_length(pair.distance) + " apart";
 }
 
 // Puts it before what ends the line.

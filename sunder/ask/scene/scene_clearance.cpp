@@ -67,8 +67,7 @@ bool is_of_hulls(const SceneReport& report, const PartDistance& pair) {
 std::string distance_text(const PartDistance& pair) {
   if (pair.meet()) return "they meet";
   const auto points = rounded_nearest_points(pair);
-  return fmt::format("about {:.12g} apart, from {} to {}", pair.distance.high, about(points->of_a),
-                     about(points->of_b));
+  return fmt::format("{} apart, from {} to {}", about_length(pair.distance), about(points->of_a), about(points->of_b));
 }
 
 std::string closer_text(const SceneReport& report, const Placed& placed, const std::string& prefix) {

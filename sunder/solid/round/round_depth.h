@@ -9,9 +9,9 @@
 //   P2. Of two hulls of any radii they are both ends where a double is the depth, else neighbouring doubles, where the
 //       depth of their cores is exact.
 //   P3. Of curved bodies high - low is mostly at most `width` times the depth, or 2^-40 of the size of the pair. It is
-//       more, some 1e-3 of the depth, where the difference ends as soon along very many directions: of an ellipsoid
-//       that is nearly a ball, or a cylinder about the other body, and one centre or axis. low is 0 where the bodies
-//       hardly meet, and where the difference is flat, or as thin as 2^-40 of its size.
+//       more, up to some 5e-3 of the depth, where the difference ends as soon along very many directions: of an
+//       ellipsoid that is nearly a ball, or a cylinder or a cone about the other body, and one centre or axis. low is
+//       0 where the bodies hardly meet, and where the difference is flat, or as thin as 2^-40 of its size.
 #pragma once
 
 #include <sunder/base/cost.h>
