@@ -114,16 +114,16 @@ double product_error(const PointColumns& points, const ColumnNumbers& sizes, int
 
 ExactFurthest exactly_furthest_along(const PointColumns& points, std::span<const Dyadic> direction,
                                      std::uint32_t& exact_looks) {
-  const std::optional<RoundedDirection> rounded_direction = rounded_to_doubles(points, direction);
-  if (!rounded_direction) return {0, Dyadic()};
-  const auto& [rounded, error] = *rounded_direction;
-  const double limit = std::isfinite(error) ? furthest_along(points, rounded).product - 2 * error
-                                            : -std::numeric_limits<double>::infinity();
+  const std::optional<RoundedDirection> rounded = rounded_to_doubles(points, direction);
+  if (!rounded) return {0, Dyadic()};
+  const double limit = std::isfinite(rounded->error)
+                           ? furthest_along(points, rounded->numbers).product - 2 * rounded->error
+                           : -std::numeric_limits<double>::infinity();
   ExactFurthest best;
   bool found = false;
   with_dimension(points.dimension, [&](auto dimension) {
     for (std::size_t first = 0; first < points.stride; first += block) {
-      const std::array<Lanes, lanes> values = products_of_block<dimension()>(points, rounded, first);
+      const std::array<Lanes, lanes> values = products_of_block<dimension()>(points, rounded->numbers, first);
       for (std::size_t k = 0; k < block && first + k < points.count; ++k) {
         if (values[k / 2][k % 2] < limit) continue;
         const auto index = static_cast<std::uint32_t>(first + k);

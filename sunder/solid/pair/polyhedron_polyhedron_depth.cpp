@@ -96,7 +96,7 @@ class DepthSearch {
     if (!add_off(across, [&](const Vector3<Dyadic>& way) { return !is_zero(cross(first, way)); })) {
       return is_zero(across[0]) ? across[1] : across[0];
     }
-    const Vector3<Dyadic> normal = cross(first, polytope_.exact(2) - polytope_.exact(0));
+    Vector3<Dyadic> normal = cross(first, polytope_.exact(2) - polytope_.exact(0));
     if (!add_off({normal}, [&](const Vector3<Dyadic>& way) { return dot(normal, way).sign() != Sign::zero; })) {
       return normal;
     }
