@@ -53,9 +53,9 @@ double held(const Make& make) {
   return static_cast<double>(live - before);
 }
 
-constexpr double bytes_a_vertex = 420;                            // as round_body.h says
+constexpr double bytes_a_vertex = 420;                             // as round_body.h says
 constexpr double bytes_a_part = 1100, bytes_a_meeting_pair = 500;  // as follower.h says
-constexpr double bytes_a_box = 200, bytes_a_pair = 32;            // as moving_boxes.h says
+constexpr double bytes_a_box = 200, bytes_a_pair = 32;             // as moving_boxes.h says
 
 class SceneMemory : public testing::Test {
   void SetUp() override {

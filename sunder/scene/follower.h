@@ -9,9 +9,9 @@
 //       by the method.
 //   F2. Listed are the pairs that meet or are undecided, in the order of S3. Each that meets has its certificate, which
 //       may depend on the placements before, back to forget(); after forget() answers depend on no placement before.
-// Memory: at most 1,100 bytes a part, beyond its shape and its name, and 500 a pair that meets, for 1,000 parts and more
-// (tested); none by vertex: parts share their shapes.
-// A part's shape stays; its pose is what moves. Not for several threads at once; a copy is a follower of its own.
+// Memory: at most 1,100 bytes a part, beyond its shape and its name, and 500 a pair that meets, for 1,000 parts and
+// more (tested); none by vertex: parts share their shapes. A part's shape stays; its pose is what moves. Not for
+// several threads at once; a copy is a follower of its own.
 #pragma once
 
 #include <sunder/base/error.h>

@@ -71,8 +71,8 @@ class BoundedPair : public PairQuestion {
   std::string distance_text() const {
     const auto& d = distance_.closest;
     return !d ? "0"
-              : fmt::format("{}, from {} to {}", about_length(d->distance),
-                            of_a_.feature_text("A", d->a, d->edge_of_a), of_b_.feature_text("B", d->b, d->edge_of_b));
+              : fmt::format("{}, from {} to {}", about_length(d->distance), of_a_.feature_text("A", d->a, d->edge_of_a),
+                            of_b_.feature_text("B", d->b, d->edge_of_b));
   }
   Json distance_json() const {
     const Interval distance = distance_.distance();

@@ -30,10 +30,10 @@ PolytopeAnswer polytope_polytope(const Polytope& a, const Pose& pose_a, const Po
 PolytopeAnswer polytope_polytope_by_gjk(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b);
 
 // The same of trees that were made before, each by itself. Two bodies of points: first the search of by_gjk with walks
-// to the leaves for scans; since walks are exact, so is each direction. Where that ends in no direction, and where a body
-// is of half-spaces: down both at once, by small linear programs in integers, from the simplex of the search on. At each
-// level the program is solved over the apexes of the cones that the directions come to, A's of points inside of A,
-// of half-spaces around it; then both trees go a level down, the program goes on with what pays there; at the leaves
+// to the leaves for scans; since walks are exact, so is each direction. Where that ends in no direction, and where a
+// body is of half-spaces: down both at once, by small linear programs in integers, from the simplex of the search on.
+// At each level the program is solved over the apexes of the cones that the directions come to, A's of points inside of
+// A, of half-spaces around it; then both trees go a level down, the program goes on with what pays there; at the leaves
 // nothing that was pruned can pay (H1). So the shell-simplices along both last paths, some log n hyperplanes each,
 // prove where the bodies end; the answer is one direction, or one common point, that stands by itself.
 // decided_by: `evidence`; `finishing` where a node had to be looked at whole that is no leaf.

@@ -5,9 +5,9 @@
 //       pairs at once, what they part surely, by a derived bound, is apart, and the others are asked about one by one.
 //   B2. Verdicts and evidence are the same for every number of threads, compiler and vector unit: pairs are taken in
 //       chains of 64, and each chain begins cold.
-// What one might assume and does not hold: that a batch is always faster than a loop. It is, 1.2 to 4 times, where bodies
-// are far apart, or where the same two bodies follow each other and move slowly; near contact at random, or deep in each
-// other, it is not, and may be a fifth slower (docs/design/solid-pair.md has the figures).
+// What one might assume and does not hold: that a batch is always faster than a loop. It is, 1.2 to 4 times, where
+// bodies are far apart, or where the same two bodies follow each other and move slowly; near contact at random, or deep
+// in each other, it is not, and may be a fifth slower (docs/design/solid-pair.md has the figures).
 #pragma once
 
 #include <sunder/certificate/pair_answer.h>
