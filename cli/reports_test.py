@@ -42,6 +42,7 @@ OPTIONAL = {
     "objects[].bodies[].parts[]": "mesh",
     "objects[].departure": "volume_missing_about volume_of_hull_about",
     "distance": "a b",
+    "evidence": "gap_about",
     "depth": "square a b",
     "clearance": "undecided",
     "common": "edge surface nearest furthest point first last",
