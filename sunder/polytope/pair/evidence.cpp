@@ -94,10 +94,8 @@ bool check(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose&
     return holds(a, pose_a, evidence, evidence.of_a, evidence.in_a) &&
            holds(b, pose_b, evidence, evidence.of_b, evidence.in_b);
   }
-  ExactVector opposite;
-  for (const Dyadic& x : evidence.numbers) opposite.push_back(-x);
   const auto of_a = bound_along(a, pose_a, evidence.numbers, evidence.of_a);
-  const auto of_b = bound_along(b, pose_b, opposite, evidence.of_b);
+  const auto of_b = bound_along(b, pose_b, negated(evidence.numbers), evidence.of_b);
   // greatest of A < least of B = -(greatest of B along the opposite)
   return of_a && of_b && is_negative(of_a->numerator * of_b->denominator + of_b->numerator * of_a->denominator);
 }

@@ -13,11 +13,6 @@ namespace {
 
 enum Kind : std::uint32_t { of_a = 0, of_b = 1, slack = 2 };
 
-ExactVector negated(ExactVector v) {
-  for (Dyadic& x : v) x = -x;
-  return v;
-}
-
 // Of trees: are there levels below those that were looked at? Then both go down one.
 bool deepened(Placed& a, Placed& b) {
   const bool of_first = a.deepen(), of_second = b.deepen();

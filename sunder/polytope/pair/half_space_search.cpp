@@ -446,9 +446,7 @@ class GameSearch {
       side = side + weight * row[d_];
       parting.of_a.parts.push_back({index, weight * half_spaces_.scale()});
     }
-    ExactVector opposite;
-    for (const Dyadic& x : parting.numbers) opposite.push_back(-x);
-    const Dyadic least = -points_.furthest(opposite, cost_).product;
+    const Dyadic least = -points_.furthest(negated(parting.numbers), cost_).product;
     if ((least - side).sign() != Sign::positive) return std::nullopt;
     return ExactDecision{Verdict::apart, std::make_shared<const ExactEvidence>(std::move(parting))};
   }

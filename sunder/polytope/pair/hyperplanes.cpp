@@ -18,11 +18,6 @@ bool is_zero(const ExactVector& v) {
   return std::all_of(v.begin(), v.end(), [](const Dyadic& x) { return x.sign() == Sign::zero; });
 }
 
-ExactVector negated(ExactVector v) {
-  for (Dyadic& x : v) x = -x;
-  return v;
-}
-
 // Half-spaces around a body, in its frame and in the world.
 class Enclosure {
  public:

@@ -19,6 +19,11 @@ Dyadic dot(std::span<const Dyadic> u, std::span<const double> v) {
   return sum;
 }
 
+ExactVector negated(ExactVector v) {
+  for (Dyadic& x : v) x = -x;
+  return v;
+}
+
 ExactVector pulled(const Pose& pose, std::span<const Dyadic> direction) {
   const std::size_t d = pose.dimension();
   ExactVector result(d);

@@ -21,6 +21,8 @@ using ExactVector = std::vector<Dyadic>;
 Dyadic dot(std::span<const Dyadic> u, std::span<const Dyadic> v);  // of as many numbers as the shorter one has
 Dyadic dot(std::span<const Dyadic> u, std::span<const double> v);
 
+ExactVector negated(ExactVector v);
+
 // linear^T times a direction of the world, and linear times a vector of the body.
 ExactVector pulled(const Pose& pose, std::span<const Dyadic> direction);
 ExactVector turned(const Pose& pose, std::span<const Dyadic> vector);

@@ -19,12 +19,6 @@ namespace {
 
 constexpr int most_steps = 64;  // of the search; it takes some 2 d to 4 d
 
-ExactVector opposite(const ExactVector& v) {
-  ExactVector result;
-  for (const Dyadic& x : v) result.push_back(-x);
-  return result;
-}
-
 class Search {
  public:
   Search(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b)
@@ -76,7 +70,7 @@ class Search {
     if (!is_sure(guess)) {
       const ExactVector exact(direction.begin(), direction.begin() + static_cast<std::ptrdiff_t>(d_));
       const Dyadic last = Placed(a_, pose_a_).furthest(exact, answer_.cost).product;
-      const Dyadic first = -Placed(b_, pose_b_).furthest(opposite(exact), answer_.cost).product;
+      const Dyadic first = -Placed(b_, pose_b_).furthest(negated(exact), answer_.cost).product;
       holds = (first - last).sign() == Sign::positive;
       answer_.decided_by = DecidedBy::evidence;
     }
@@ -155,8 +149,8 @@ class Search {
     ++answer_.cost.proposals;
     ExactVector y;
     for (std::size_t c = 0; c < d_; ++c) y.push_back(dyadic_of((*normal)[c], 0));
-    if (dot(y, first).sign() == Sign::positive) y = opposite(y);  // towards B
-    const Dyadic last = a.furthest(y, answer_.cost).product, least = -b.furthest(opposite(y), answer_.cost).product;
+    if (dot(y, first).sign() == Sign::positive) y = negated(std::move(y));  // towards B
+    const Dyadic last = a.furthest(y, answer_.cost).product, least = -b.furthest(negated(y), answer_.cost).product;
     if ((least - last).sign() != Sign::positive) return false;
     answer_.evidence = {.verdict = Verdict::apart,
                         .exact = std::make_shared<const ExactEvidence>(ExactEvidence{.numbers = std::move(y)})};

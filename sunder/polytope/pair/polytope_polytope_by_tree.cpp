@@ -35,9 +35,8 @@ class TreeSearch {
     if (!towards_origin(difference(0, 0).at, d_, direction)) direction[0] = 1;
     for (int step = 0; step < most_steps && !simplex_.is_full(); ++step) {
       const auto first = direction.begin(), last = first + static_cast<std::ptrdiff_t>(d_);
-      ExactVector along(first, last), opposite;
-      for (const Dyadic& x : along) opposite.push_back(-x);
-      const ExactFurthest of_a = a_.furthest(along, answer.cost), of_b = b_.furthest(opposite, answer.cost);
+      ExactVector along(first, last);
+      const ExactFurthest of_a = a_.furthest(along, answer.cost), of_b = b_.furthest(negated(along), answer.cost);
       ++answer.cost.iterations;
       ++answer.cost.proposals;
       if ((of_a.product + of_b.product).sign() == Sign::negative) {
