@@ -1,12 +1,11 @@
 #include <sunder/base/contract.h>
+#include <sunder/base/threads.h>
 #include <sunder/scene/chains.h>
 
 #include <algorithm>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
-#include <new>
-#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -133,15 +132,7 @@ void run_chains(std::size_t threads, const ChainWork& work) {
   SUNDER_REQUIRE(threads >= 1);
   if (threads == 1) return run_on_this_thread(work);
   Chains chains(chain_places(threads), work);
-  std::vector<std::thread> others;
-  // Where the system gives no more threads, or no memory for them, those that there are do the work.
-  try {
-    while (others.size() + 1 < threads) others.emplace_back([&] { chains.work(); });
-  } catch (const std::system_error&) {
-  } catch (const std::bad_alloc&) {
-  }
-  chains.work();
-  for (std::thread& other : others) other.join();
+  on_threads(threads, [&] { chains.work(); });
   chains.rethrow();
 }
 

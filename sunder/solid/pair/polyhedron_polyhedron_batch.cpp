@@ -5,6 +5,7 @@
 // 1024 u size for each of the two bodies. What underflows, where images are tame, loses less than 2^-800 of a size that
 // is zero, and then all is, or at least 2^-250.
 #include <sunder/base/contract.h>
+#include <sunder/base/threads.h>
 #include <sunder/solid/pair/kept_partings.h>
 #include <sunder/solid/pair/placed.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
@@ -19,10 +20,7 @@
 #include <exception>
 #include <limits>
 #include <mutex>
-#include <new>
 #include <optional>
-#include <system_error>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -224,16 +222,7 @@ void polyhedron_polyhedron_batch(std::span<const PlacedPair> pairs, std::span<st
   SUNDER_REQUIRE(meet.size() == pairs.size());
   SUNDER_REQUIRE(options.of_meeting.empty() || options.of_meeting.size() == pairs.size());
   Chains chains(pairs, meet, options.of_meeting);
-  const std::size_t threads = std::min(options.threads, chains.count());
-  std::vector<std::thread> others;
-  // Where the system gives no more threads, or no memory for them, those that there are do the work.
-  try {
-    while (others.size() + 1 < threads) others.emplace_back([&] { chains.work(); });
-  } catch (const std::system_error&) {
-  } catch (const std::bad_alloc&) {
-  }
-  chains.work();
-  for (std::thread& other : others) other.join();
+  on_threads(std::min(options.threads, chains.count()), [&] { chains.work(); });
   chains.rethrow();
 }
 
