@@ -107,6 +107,17 @@ void add_pair_claims(PairClaims& pairs, std::span<const Body> placed, const Part
                     pair.meet() ? pair.contact : Contact::none);
 }
 
+// What the statements of all placements leave open.
+void add_open(Origin& origin, std::size_t count, const std::function<MeetingPlacement(std::size_t k)>& placement,
+              const Question& question) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const MeetingPlacement placed = placement(k);
+    for (const PartPair& pair : placed.pairs) {
+      if (is_open(pair, question)) origin.left_out.push_back(placed.title + ": " + open_text(placed.bodies, pair));
+    }
+  }
+}
+
 }  // namespace
 
 void write_certificate(std::span<const Placement> placements, const Question& question, Origin origin,
@@ -160,12 +171,7 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
                                const std::function<MeetingPlacement(std::size_t k)>& placement,
                                const Question& question, Origin origin, const TextSink& sink) {
   origin.left_out.push_back("all pairs of bodies that no statement is about");
-  for (std::size_t k = 0; k < count; ++k) {
-    const MeetingPlacement placed = placement(k);
-    for (const PartPair& pair : placed.pairs) {
-      if (is_open(pair, question)) origin.left_out.push_back(placed.title + ": " + open_text(placed.bodies, pair));
-    }
-  }
+  add_open(origin, count, placement, question);
   ClaimsWriter file(sink);
   file.add_origin(origin);
   PairClaims pairs(file);
@@ -203,12 +209,7 @@ void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
   for (const auto& [a, b] : question.allowed) {
     origin.left_out.push_back(bodies[a].name + " and " + bodies[b].name + ", which may meet");
   }
-  for (std::size_t k = 0; k < count; ++k) {
-    const MeetingPlacement placed = placement(k);
-    for (const PartPair& pair : placed.pairs) {
-      if (is_open(pair, question)) origin.left_out.push_back(placed.title + ": " + open_text(placed.bodies, pair));
-    }
-  }
+  add_open(origin, count, placement, question);
   ClaimsWriter file(sink);
   file.add_origin(origin);
   PairClaims pairs(file);
