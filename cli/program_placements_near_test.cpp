@@ -1,20 +1,12 @@
 // The verb scene with --placements, by lines: how near the bodies are, and the proofs of whole placements.
 #include <tests/support/program.h>
 
-#include <sstream>
 #include <string>
 #include <vector>
 
 namespace sunder::tests {
 
 namespace {
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
 
 class NearPlacements : public Program {
  protected:

@@ -22,6 +22,13 @@ std::string read_text(const fs::path& path) {
 
 void write_text(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
 void Program::SetUp() {
   std::string name = (fs::temp_directory_path() / "sunder_program_XXXXXX").string();
   ASSERT_NE(mkdtemp(name.data()), nullptr);

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace sunder::tests {
 
@@ -24,6 +25,7 @@ inline const std::string folded = " --joints-file " + cases + "/scene/folded.joi
 
 std::string read_text(const fs::path& path);
 void write_text(const fs::path& path, const std::string& text);
+std::vector<std::string> lines_of(const std::string& text);
 
 // A folder of its own for each test, removed at the end.
 class Program : public testing::Test {

@@ -242,6 +242,27 @@ PairCase SolidPairs::touching_case(Family family, const ConvexPolyhedron& body) 
   return result;
 }
 
+Pose reflected(const Pose& pose) {
+  Affine3 m = pose.affine();
+  for (std::size_t k = 0; k < 3; ++k) m.linear[k] = -m.linear[k];
+  m.translation[0] = -m.translation[0];
+  return Pose::from_matrix(m.linear, m.translation);
+}
+
+Pose scaled(const Pose& pose, double by) {
+  Affine3 m = pose.affine();
+  for (double& x : m.linear) x *= by;
+  for (double& x : m.translation) x *= by;
+  return Pose::from_matrix(m.linear, m.translation);
+}
+
+Pose shifted(const Pose& pose, double by) {
+  Affine3 m = pose.affine();
+  m.translation[0] += by;
+  m.translation[2] -= by;
+  return Pose::from_matrix(m.linear, m.translation);
+}
+
 PairCase SolidPairs::next() { return next(static_cast<Family>(turn_++ % family_count)); }
 
 PairCase SolidPairs::next(Family family) {
