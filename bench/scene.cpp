@@ -121,7 +121,7 @@ Scenario arm(bool is_slow, std::size_t steps, std::uint64_t seed) {
   Random random(seed);
   std::vector<double> values(joints.size()), phase(joints.size());
   for (double& p : phase) p = random.uniform(0, 6);
-  std::vector<Pose> links(robot.links.size());
+  std::vector<sunder::Affine3> links(robot.links.size());
   for (std::size_t k = 0; k < steps; ++k) {
     for (std::size_t j = 0; j < joints.size(); ++j) {
       const auto& joint = motion.joint_of(j);
@@ -132,7 +132,8 @@ Scenario arm(bool is_slow, std::size_t steps, std::uint64_t seed) {
     motion.place(values, links);
     made->steps.emplace_back();
     for (const auto& body : bodies.bodies) {
-      made->steps.back().push_back(compose(links[body.link], body.parts.front().pose));
+      const sunder::Affine3& link = links[body.link];
+      made->steps.back().push_back(compose(Pose::from_matrix(link.linear, link.translation), body.parts.front().pose));
     }
   }
   return made;

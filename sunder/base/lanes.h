@@ -23,10 +23,18 @@ inline Lanes lanes_at(const double* p) {
 
 inline Lanes swapped(Lanes a) { return Lanes{a[1], a[0]}; }
 
-// Lane by lane; a where they are equal.
+// Lane by lane; a where they are equal, or one is no number.
+#ifdef __SSE2__
+inline Lanes greater_of(Lanes a, Lanes b) { return __builtin_ia32_maxpd(b, a); }
+inline Lanes smaller_of(Lanes a, Lanes b) { return __builtin_ia32_minpd(b, a); }
+#else
 inline Lanes greater_of(Lanes a, Lanes b) { return b > a ? b : a; }
 inline Lanes smaller_of(Lanes a, Lanes b) { return b < a ? b : a; }
-inline Lanes absolute(Lanes a) { return greater_of(a, -a); }  // of a zero, either
+#endif
+inline Lanes absolute(Lanes a) {
+  constexpr std::int64_t all_but_sign = 0x7fffffffffffffff;
+  return reinterpret_cast<Lanes>(reinterpret_cast<LanesMask>(a) & all_but_sign);
+}
 // As bits, the first lane's the lowest.
 inline std::uint32_t bits_of(LanesMask mask) {
 #ifdef __SSE2__
@@ -51,6 +59,11 @@ inline LanesMask is_at_most(Lanes a, Lanes b) {
 #else
   return a <= b;
 #endif
+}
+
+inline FloatLanes absolute(FloatLanes a) {
+  constexpr std::int32_t all_but_sign = 0x7fffffff;
+  return reinterpret_cast<FloatLanes>(reinterpret_cast<FloatLanesMask>(a) & all_but_sign);
 }
 
 inline double greater_lane(Lanes a) { return a[1] > a[0] ? a[1] : a[0]; }

@@ -1,3 +1,4 @@
+#include <sunder/base/threads.h>
 #include <sunder/io/csv.h>
 #include <sunder/io/file.h>
 #include <sunder/io/joint_table.h>
@@ -8,41 +9,103 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <exception>
 #include <utility>
 
 namespace sunder::io {
 
 namespace {
 
-// Rows as they mostly are, read at once: numbers, separators and line feeds, with blanks before numbers at most. False
-// where there is anything else, wrong or only unusual; then nothing is added that counts.
-bool add_plain_rows(std::string_view rows, char separator, std::uint32_t line, JointTable& table) {
-  const char* at = rows.data();
-  const char* const end = at + rows.size();
-  for (; at != end; ++line) {
+// Rows as they mostly are: numbers, separators and line feeds, with blanks before numbers at most.
+struct PlainRows {
+  std::vector<double> values;
+  std::vector<std::uint32_t> lines;  // counted from the first of these
+  std::uint32_t line_feeds = 0;
+  bool are_all = false;  // is there nothing else, wrong or only unusual?
+};
+
+PlainRows plain_rows(std::string_view text, char separator, std::size_t columns) {
+  PlainRows rows;
+  rows.line_feeds = static_cast<std::uint32_t>(std::count(text.begin(), text.end(), '\n'));
+  rows.values.reserve((rows.line_feeds + 1) * columns);
+  rows.lines.reserve(rows.line_feeds + 1);
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (std::uint32_t line = 0; at != end; ++line) {
     if (*at == '\n') {
       ++at;
       continue;
     }
-    for (std::size_t k = 0; k < table.columns; ++k) {
+    for (std::size_t k = 0; k < columns; ++k) {
       while (at != end && (*at == ' ' || *at == '\t')) ++at;
       double value = 0;
       const auto result = fast_float::from_chars(at, end, value);
-      if (result.ec == std::errc::invalid_argument || !std::isfinite(value)) return false;
-      table.values.push_back(value);
+      if (result.ec == std::errc::invalid_argument || !std::isfinite(value)) return rows;
+      rows.values.push_back(value);
       at = result.ptr;
-      if (k + 1 == table.columns) break;
-      if (at == end || *at++ != separator) return false;
+      if (k + 1 == columns) break;
+      if (at == end || *at++ != separator) return rows;
     }
-    table.lines.push_back(line);
+    rows.lines.push_back(line);
     if (at != end && *at == '\r') ++at;
-    if (at != end && *at++ != '\n') return false;
+    if (at != end && *at++ != '\n') return rows;
+  }
+  rows.are_all = true;
+  return rows;
+}
+
+// Several pieces of whole lines, of about the same length.
+std::vector<std::string_view> pieces_of(std::string_view text, std::size_t count) {
+  std::vector<std::string_view> pieces;
+  for (; count > 1; --count) {
+    const std::size_t end = text.find('\n', text.size() / count);
+    if (end == std::string_view::npos) break;
+    pieces.push_back(text.substr(0, end + 1));
+    text.remove_prefix(end + 1);
+  }
+  pieces.push_back(text);
+  return pieces;
+}
+
+// Reads all rows on so many threads, the first of them in this line. False where they are not all plain; then nothing
+// is added.
+bool add_plain_rows(std::string_view text, char separator, std::uint32_t line, std::size_t threads, JointTable& table) {
+  constexpr std::size_t worth_a_thread = 1 << 16;  // bytes
+  const std::vector<std::string_view> pieces =
+      pieces_of(text, std::min(threads, std::max<std::size_t>(text.size() / worth_a_thread, 1)));
+  std::vector<PlainRows> read(pieces.size());
+  std::vector<std::exception_ptr> thrown(pieces.size());
+  std::atomic<std::size_t> next = 0;
+  on_threads(pieces.size(), [&] {
+    for (std::size_t k = next++; k < pieces.size(); k = next++) {
+      try {
+        read[k] = plain_rows(pieces[k], separator, table.columns);
+      } catch (...) {
+        thrown[k] = std::current_exception();
+      }
+    }
+  });
+  for (const std::exception_ptr& what : thrown) {
+    if (what) std::rethrow_exception(what);
+  }
+  for (const PlainRows& rows : read) {
+    if (!rows.are_all) return false;
+  }
+  for (PlainRows& rows : read) {
+    if (table.values.empty()) {
+      table.values = std::move(rows.values);
+    } else {
+      table.values.insert(table.values.end(), rows.values.begin(), rows.values.end());
+    }
+    for (const std::uint32_t of : rows.lines) table.lines.push_back(line + of);
+    line += rows.line_feeds;
   }
   return true;
 }
 
-JointTable of_csv(std::string_view text, std::string_view place) {
+JointTable of_csv(std::string_view text, std::string_view place, std::size_t threads) {
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);  // a byte order mark
   JointTable table;
   table.file = place;
@@ -67,9 +130,7 @@ JointTable of_csv(std::string_view text, std::string_view place) {
       if (reader.line() == 1 && first != std::string_view::npos && names.find('"') == std::string_view::npos) {
         const std::size_t rows = first + (text.substr(first).starts_with("\r\n") ? 2 : 1);
         const char separator = names.find(';') == std::string_view::npos ? ',' : ';';
-        if (add_plain_rows(text.substr(rows), separator, 2, table)) return table;
-        table.values.clear();
-        table.lines.clear();
+        if (add_plain_rows(text.substr(rows), separator, 2, threads, table)) return table;
       }
       continue;
     }
@@ -104,14 +165,14 @@ std::string JointTable::place(std::size_t row) const {
   return lines.empty() ? fmt::format("{}: row {}", file, row) : fmt::format("{}:{}", file, lines[row]);
 }
 
-JointTable parse_joint_table(std::string_view bytes, std::string_view place) {
-  JointTable table = is_npy(bytes) ? of_npy(bytes, place) : of_csv(bytes, place);
+JointTable parse_joint_table(std::string_view bytes, std::string_view place, std::size_t threads) {
+  JointTable table = is_npy(bytes) ? of_npy(bytes, place) : of_csv(bytes, place, threads);
   if (table.rows() == 0) fail_file(place, "there is no placement; give a line of values, after that of the names");
   return table;
 }
 
-JointTable read_joint_table(const std::string& file, InputFiles* inputs) {
-  return parse_joint_table(read_file(file, inputs), one_line(file));
+JointTable read_joint_table(const std::string& file, InputFiles* inputs, std::size_t threads) {
+  return parse_joint_table(read_file(file, inputs), one_line(file), threads);
 }
 
 }  // namespace sunder::io

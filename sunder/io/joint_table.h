@@ -30,10 +30,10 @@ struct JointTable {
 // It is NPY iff it begins as such files do.
 // Throws Error bad_file with file and line, or row: no name is a joint's, a name comes twice, a row with too few or too
 // many fields, what is no finite number; an array of another kind or shape; a file that is cut off or goes on too long;
-// no row. inputs: as of read_file. Cost: linear.
-JointTable read_joint_table(const std::string& file, InputFiles* inputs = nullptr);
+// no row. inputs: as of read_file. threads: numbers of a CSV file are read on so many. Cost: linear.
+JointTable read_joint_table(const std::string& file, InputFiles* inputs = nullptr, std::size_t threads = 1);
 
 // The same, from memory.
-JointTable parse_joint_table(std::string_view bytes, std::string_view place);
+JointTable parse_joint_table(std::string_view bytes, std::string_view place, std::size_t threads = 1);
 
 }  // namespace sunder::io

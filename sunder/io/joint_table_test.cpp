@@ -131,5 +131,37 @@ TEST(JointTable, SaysWhatIsWrong) {
   for (const auto& [is, begins] : expected) EXPECT_TRUE(is.starts_with(begins)) << is << "\n" << begins;
 }
 
+// Long enough for several pieces, of lines of many lengths, some blank.
+TEST(JointTable, SameOnAnyNumberOfThreads) {
+  std::string text = "a,b\n";
+  for (int k = 0; k < 60000; ++k) {
+    text += std::to_string(k) + "," + (k % 3 == 0 ? "-0.1234567890123456" : "7") + (k % 5 == 0 ? "\r\n" : "\n");
+    if (k % 7 == 0) text += "\n";
+  }
+  const auto expect_same = [&](const std::string& of, const std::string& name) {
+    const JointTable one = parse_joint_table(of, "t");
+    ASSERT_GE(one.rows(), 60000u) << name;
+    for (const std::size_t threads : {2u, 3u, 7u}) {
+      const JointTable several = parse_joint_table(of, "t", threads);
+      EXPECT_EQ(several.values, one.values) << name << " on " << threads;
+      EXPECT_EQ(several.lines, one.lines) << name << " on " << threads;
+    }
+  };
+  expect_same(text, "plain");
+  expect_same(text + "1,2", "the last line open");
+  expect_same(text + "\"1\",2\n", "a quoted field, which is not plain");
+  EXPECT_EQ(parse_joint_table(text, "t").lines[1], 4u);
+  const auto error_on = [&](std::size_t threads) {
+    try {
+      (void)parse_joint_table(text + "1\n" + text.substr(4), "t", threads);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_EQ(error_on(3), error_on(1));
+  EXPECT_TRUE(error_on(3).find("1 field") != std::string::npos) << error_on(3);
+}
+
 }  // namespace
 }  // namespace sunder::io

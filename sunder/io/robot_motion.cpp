@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/io/joint_map.h>
 #include <sunder/io/robot_motion.h>
 #include <sunder/io/text.h>
 #include <sunder/io/urdf_kinematics.h>
@@ -13,10 +14,19 @@ namespace sunder::io {
 
 namespace {
 
-using solid::Pose;
-
 [[noreturn]] void fail_joint(const std::string& name, const std::string& text) {
   throw Error(ErrorCode::bad_call, text, "joint " + quote(name));
+}
+
+bool is_finite(const Affine3& map) {
+  Lanes differences{0, 0};  // not zero iff some number is not finite
+  const auto& m = map.linear;
+  const auto& t = map.translation;
+  for (const Lanes lanes : {Lanes{m[0], m[1]}, Lanes{m[2], m[3]}, Lanes{m[4], m[5]}, Lanes{m[6], m[7]},
+                            Lanes{m[8], t[0]}, Lanes{t[1], t[2]}}) {
+    differences += lanes - lanes;
+  }
+  return bits_of(differences == 0) == 3;
 }
 
 }  // namespace
@@ -54,7 +64,7 @@ RobotMotion::RobotMotion(const Robot& robot, std::span<const std::string> joints
   }
 }
 
-void RobotMotion::place(std::span<const double> values, std::span<Pose> links) const {
+void RobotMotion::place(std::span<const double> values, std::span<Affine3> links) const {
   SUNDER_REQUIRE(values.size() == given_.size());
   // Few robots have more joints: their values need no memory of the heap.
   constexpr std::size_t usual = 64;
@@ -70,17 +80,15 @@ void RobotMotion::place(std::span<const double> values, std::span<Pose> links) c
       fail_joint(joints_[i].name, "its value overflows; look at its mimic's multiplier and offset");
     }
   }
-  links[root_] = Pose();
+  links[root_] = {};
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const Joint& joint = joints_[i];
-    // As bare numbers, of which one pose is made: what overflows does so there, too.
     const Affine3 motion =
         joint.type == JointType::fixed ? origins_[i] : solid::affine_product(origins_[i], joint_map(joint, all[i]));
-    const Affine3 link = joint.parent == root_ ? motion : solid::affine_product(links[joint.parent].affine(), motion);
-    try {
-      links[joint.child] = Pose::from_matrix(link.linear, link.translation);
-    } catch (const Error& error) {
-      throw Error(error.code(), error.what(), "joint " + quote(joint.name));
+    Affine3& link = links[joint.child];
+    link = joint.parent == root_ ? motion : solid::affine_product(links[joint.parent], motion);
+    if (!is_finite(link)) {
+      throw Error(ErrorCode::bad_pose, "its pose overflows; give smaller numbers", "joint " + quote(joint.name));
     }
   }
 }

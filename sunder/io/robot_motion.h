@@ -22,11 +22,12 @@ class RobotMotion {
   // of this name, it is fixed, or it follows another one.
   RobotMotion(const Robot& robot, std::span<const std::string> joints);
 
-  // The poses of all links, as link_poses of urdf_kinematics.h has them for the same values, bit by bit but for the
-  // signs of zeros; limits are not looked at. Requires as many values as joints, each finite, and as many poses as
+  // The maps of all links, as link_poses of urdf_kinematics.h has them for the same values, bit by bit but for the
+  // signs of zeros; limits are not looked at. Requires as many values as joints, each finite, and as many maps as
   // links. Allocates nothing for robots of up to 64 joints. Throws Error bad_call where a mimic's value overflows,
-  // bad_pose where a pose does, naming the joint.
-  void place(std::span<const double> values, std::span<solid::Pose> links) const;
+  // bad_pose where a map does, naming the joint. All its numbers are finite, then; it is a product of rotations, but
+  // for rounding: who makes a pose of it is told if that is singular.
+  void place(std::span<const double> values, std::span<Affine3> links) const;
 
   // The joint of a value, with its limits.
   const Joint& joint_of(std::size_t value) const { return joints_[given_[value]]; }
@@ -40,8 +41,8 @@ class RobotMotion {
   std::uint32_t root_ = 0;             // the link that hangs on none
 };
 
-inline bool is_identity(const solid::Pose& pose) {
-  const auto& [m, t] = pose.affine();
+inline bool is_identity(const Affine3& map) {
+  const auto& [m, t] = map;
   const auto at = [&](std::size_t k, double x, double y) { return lanes_at(&m[k]) == Lanes{x, y}; };
   const auto is_left = at(0, 1, 0) & at(2, 0, 0) & at(4, 1, 0) & at(6, 0, 0) & (lanes_at(&t[0]) == Lanes{0, 0}) &
                        (Lanes{m[8], t[2]} == Lanes{1, 0});
@@ -50,8 +51,8 @@ inline bool is_identity(const solid::Pose& pose) {
 
 // As compose, without the work where one of them is the identity. (The sign of a zero may be another one.)
 inline solid::Pose composed(const solid::Pose& outer, const solid::Pose& inner) {
-  if (is_identity(outer)) return inner;
-  return is_identity(inner) ? outer : compose(outer, inner);
+  if (is_identity(outer.affine())) return inner;
+  return is_identity(inner.affine()) ? outer : compose(outer, inner);
 }
 
 // The joints that values can be given for: all but the fixed ones and those that follow others; in the order of

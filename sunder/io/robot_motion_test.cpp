@@ -34,7 +34,7 @@ TEST(RobotMotion, IsLinkPosesBitByBit) {
     const std::vector<std::string> joints =
         is_all ? std::vector<std::string>{"slide", "turn", "bend"} : std::vector<std::string>{"turn"};
     const RobotMotion motion(robot, joints);
-    std::vector<solid::Pose> links(robot.links.size());
+    std::vector<Affine3> links(robot.links.size());
     for (int round = 0; round < 100; ++round) {
       std::vector<double> values{random.uniform(-1, 1), random.uniform(-4, 4), random.uniform(0.5, 2)};
       if (!is_all) values.resize(1);
@@ -46,7 +46,7 @@ TEST(RobotMotion, IsLinkPosesBitByBit) {
       motion.place(values, links);
       const std::vector<solid::Pose> expected = link_poses(robot, named);
       ASSERT_EQ(links.size(), expected.size());
-      for (std::size_t k = 0; k < links.size(); ++k) ASSERT_EQ(links[k].affine(), expected[k].affine());
+      for (std::size_t k = 0; k < links.size(); ++k) ASSERT_EQ(links[k], expected[k].affine());
     }
   }
 }
@@ -56,7 +56,7 @@ TEST(RobotMotion, NamesTheJointThatIsWrong) {
   const auto error_of = [&](const std::string& joint, double value) {
     const std::vector<std::string> joints{joint};
     try {
-      std::vector<solid::Pose> links(robot.links.size());
+      std::vector<Affine3> links(robot.links.size());
       RobotMotion(robot, joints).place(std::vector<double>{value}, links);
     } catch (const Error& error) {
       return std::string(error.what());
@@ -67,6 +67,26 @@ TEST(RobotMotion, NamesTheJointThatIsWrong) {
   EXPECT_TRUE(error_of("none", 0).starts_with("joint 'none': the robot has no joint of this name"));
   EXPECT_TRUE(error_of("follows", 0).starts_with("joint 'follows': follows joint 'slide'"));
   EXPECT_TRUE(error_of("slide", 1e308).starts_with("joint 'follows': its value overflows"));
+}
+
+TEST(RobotMotion, NamesTheJointWhereAPoseOverflows) {
+  const Robot robot = parse_urdf(R"(<robot name="r"><link name="base"/><link name="one"/><link name="two"/>
+    <joint name="first" type="prismatic"><parent link="base"/><child link="one"/><axis xyz="1 0 0"/>
+      <limit lower="0" upper="1"/></joint>
+    <joint name="second" type="prismatic"><parent link="one"/><child link="two"/><axis xyz="1 0 0"/>
+      <limit lower="0" upper="1"/></joint></robot>)",
+                                 "r.urdf");
+  const RobotMotion motion(robot, std::vector<std::string>{"first", "second"});
+  std::vector<Affine3> links(robot.links.size());
+  motion.place(std::vector<double>{1e308, -1e308}, links);
+  EXPECT_EQ(links[2].translation[0], 0);
+  try {
+    motion.place(std::vector<double>{1e308, 1e308}, links);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::bad_pose);
+    EXPECT_EQ(error.what(), std::string("joint 'second': its pose overflows; give smaller numbers"));
+  }
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <sunder/base/error.h>
+#include <sunder/io/joint_map.h>
 #include <sunder/io/text.h>
 #include <sunder/io/urdf_kinematics.h>
 
@@ -11,15 +12,6 @@ namespace sunder::io {
 namespace {
 
 using solid::Pose;
-
-// Entries are exactly 0, 1, +-sine and cosine where the axis is a coordinate axis.
-std::array<double, 9> turn(const std::array<double, 3>& axis, double angle) {
-  const double x = axis[0], y = axis[1], z = axis[2];
-  const double c = std::cos(angle), s = std::sin(angle), d = 1 - c;
-  return {x * x + c * (1 - x * x), x * y * d - z * s,       x * z * d + y * s,  //
-          x * y * d + z * s,       y * y + c * (1 - y * y), y * z * d - x * s,  //
-          x * z * d - y * s,       y * z * d + x * s,       z * z + c * (1 - z * z)};
-}
 
 [[noreturn]] void fail_joint(const std::string& name, const std::string& text) {
   throw Error(ErrorCode::bad_call, text, "joint " + quote(name));
@@ -47,17 +39,6 @@ double own_value(const Joint& joint, const std::map<std::string, double>& values
 }
 
 }  // namespace
-
-Affine3 joint_map(const Joint& joint, double value) {
-  switch (joint.type) {
-    case JointType::fixed: break;
-    case JointType::revolute:
-    case JointType::continuous: return {turn(joint.axis, value), {}};
-    case JointType::prismatic:
-      return {Affine3{}.linear, {joint.axis[0] * value, joint.axis[1] * value, joint.axis[2] * value}};
-  }
-  return {};
-}
 
 solid::Pose joint_motion(const Joint& joint, double value) {
   const Affine3 map = joint_map(joint, value);

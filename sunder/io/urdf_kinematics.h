@@ -42,6 +42,5 @@ solid::Pose shape_pose(const CollisionShape& shape);
 
 // Where a joint of this value has its child, within its frame at value 0.
 solid::Pose joint_motion(const Joint& joint, double value);
-Affine3 joint_map(const Joint& joint, double value);  // its numbers alone
 
 }  // namespace sunder::io

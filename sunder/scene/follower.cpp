@@ -3,7 +3,8 @@
 #include <sunder/scene/follower.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <bit>
 #include <limits>
 #include <utility>
 
@@ -20,23 +21,24 @@ void keep_parting(const Part& a, PairWarmStart& last, std::span<solid::KeptParti
 
 }  // namespace
 
-// They hold the box: a float is within 2^-24 of what is rounded to it, or 2^-150. What is beyond all floats becomes the
-// last of them, at both ends of all boxes: so an order may be lost there, but none is made.
+// They hold the box: a float is within 2^-24 of what is rounded to it, or 2^-150; the sums cost 2^-24 each, and 2^-22
+// is added. What is beyond all floats becomes the last of them, or infinite on the outer side.
 Follower::FlatBox Follower::flat_box(const Box3& box) {
-  static constexpr double part = 0x1p-22, tiny = 0x1p-140,
-                          most = static_cast<double>(std::numeric_limits<float>::max());
-  const auto rounded = [](double x) { return static_cast<float>(std::clamp(x, -most, most)); };
-  const auto below = [&](double x) { return rounded(x - (part * std::fabs(x) + tiny)); };
-  const auto above = [&](double x) { return rounded(x + (part * std::fabs(x) + tiny)); };
-  return {FloatLanes{below(box.low.x), below(box.low.y), below(box.low.z), 0},
-          FloatLanes{above(box.high.x), above(box.high.y), above(box.high.z), 0}};
+  static constexpr float part = 0x1p-22f, tiny = 0x1p-120f;
+  static constexpr double most = static_cast<double>(std::numeric_limits<float>::max());
+  std::array<Lanes, 3> ends = std::bit_cast<std::array<Lanes, 3>>(box);
+  for (Lanes& of : ends) of = smaller_of(greater_of(of, Lanes{-most, -most}), Lanes{most, most});
+  const auto rounded = [&](std::size_t k) { return static_cast<float>(ends[k / 2][k % 2]); };
+  const FloatLanes low{rounded(0), rounded(1), rounded(2), 0}, high{rounded(3), rounded(4), rounded(5), 0};
+  const auto beyond = [](FloatLanes x) { return absolute(x) * part + tiny; };
+  return {low - beyond(low), high + beyond(high)};
 }
 
 // Without branches: which boxes meet, of many, is hard to predict.
-bool Follower::have_common_point(const FlatBox& a, const FlatBox& b) {
+inline bool Follower::have_common_point(const FlatBox& a, const FlatBox& b) {
   return bits_of_four((a.low <= b.high) & (b.low <= a.high)) == 15;
 }
-bool Follower::have_common_point(const Box3& a, const Box3& b) {
+inline bool Follower::have_common_point(const Box3& a, const Box3& b) {
   const Lanes third_low{a.low.z, b.low.z}, third_high{b.high.z, a.high.z};
   return bits_of(is_at_most(lanes_at(&a.low.x), lanes_at(&b.high.x)) &
                  is_at_most(lanes_at(&b.low.x), lanes_at(&a.high.x)) & is_at_most(third_low, third_high)) == 3;

@@ -60,7 +60,7 @@ class Follower {
   // Partings that are kept of a pair, of few pairs and of many.
   static constexpr std::size_t most_kept_of_few = 6, most_kept = 2;
 
-  // A box in floats, rounded outwards; the fourth number is zero.
+  // A box in floats, rounded outwards; its fourth side holds zero.
   struct FlatBox {
     FloatLanes low{}, high{};
   };

@@ -197,7 +197,7 @@ class Between {
     for (Body& body : bodies) {
       for (scene::Part& part : body.parts) parts.push_back(&part);
     }
-    std::vector<solid::Pose> links(input_.robot(option).links.size());
+    std::vector<Affine3> links(input_.robot(option).links.size());
     try {
       motion_.place(table_.row(row), links);
       input_.place_links(links, [&](std::uint32_t part, const solid::Pose& pose) { parts[part]->pose = pose; });

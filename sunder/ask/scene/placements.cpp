@@ -234,10 +234,10 @@ struct Met {
 
 // A chain of placements, and what it came to.
 struct Chain {
-  explicit Chain(const scene::Follower& start, std::size_t links) : follower(start), poses(links) {}
+  Chain(const scene::Follower& start, std::size_t link_count) : follower(start), links(link_count) {}
 
   scene::Follower follower;
-  std::vector<solid::Pose> poses;  // of links
+  std::vector<Affine3> links;      // where they are
   std::size_t begin = 0, end = 0;  // rows
   std::string text, json, csv;
   std::vector<Met> met;
@@ -329,8 +329,8 @@ class Placements {
     chain.follower = start_;
     for (std::size_t k = chain.begin; k < chain.end; ++k) {
       try {
-        motion_.place(table_.row(k), chain.poses);
-        input_.place_links(chain.poses,
+        motion_.place(table_.row(k), chain.links);
+        input_.place_links(chain.links,
                            [&](std::uint32_t part, const solid::Pose& pose) { chain.follower.place(part, pose); });
       } catch (const Error& error) {
         throw Error(error.code(), error.what(), table_.place(k));
@@ -364,7 +364,7 @@ class Placements {
   // that nothing depends on threads; and evidence of other placements mostly serves.
   void practise() {
     if (table_.rows() < 4 * scene::chain_length) return;
-    std::vector<solid::Pose> links(input_.robot(option).links.size());
+    std::vector<Affine3> links(input_.robot(option).links.size());
     try {
       for (std::size_t k = 0; k < scene::chain_length; ++k) {
         motion_.place(table_.row(k), links);
@@ -384,7 +384,7 @@ class Placements {
     for (scene::Body& body : bodies) {
       for (scene::Part& part : body.parts) parts.push_back(&part);
     }
-    std::vector<solid::Pose> links(input_.robot(option).links.size());
+    std::vector<Affine3> links(input_.robot(option).links.size());
     const auto placement_of = [&](std::size_t row, std::span<const PartPair> pairs) {
       motion_.place(table_.row(row), links);
       input_.place_links(links, [&](std::uint32_t part, const solid::Pose& pose) { parts[part]->pose = pose; });
@@ -444,7 +444,7 @@ class Placements {
 
 io::JointTable read_placements(const PlacementsCall& call, const SceneInput& input, InputFiles* inputs) {
   const io::Robot& robot = input.robot(option);
-  io::JointTable table = io::read_joint_table(call.table, inputs);
+  io::JointTable table = io::read_joint_table(call.table, inputs, scene::thread_count(call.threads));
   if (!table.joints.empty()) {
     if (!call.joint_names.empty()) {
       throw Error(ErrorCode::bad_call, "the file names its joints itself; leave it out", names_option);

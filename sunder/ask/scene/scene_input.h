@@ -10,6 +10,7 @@
 #include <sunder/io/srdf.h>
 #include <sunder/io/urdf.h>
 #include <sunder/scene/scene.h>
+#include <sunder/solid/object/affine_product.h>
 
 #include <array>
 #include <cstdint>
@@ -62,22 +63,22 @@ class SceneInput {
   // The robot, whose links are some of the bodies. Throws Error bad_call, for this option, where there is none.
   const io::Robot& robot(const std::string& option) const;
 
-  // Calls place(part, pose) for each part of each link, where the links are at these poses in the robot's frame. Parts
-  // are numbered through all bodies. Throws Error bad_pose where a pose overflows.
+  // Calls place(part, pose) for each part of each link, where the links are at these places in the robot's frame. Parts
+  // are numbered through all bodies. Throws Error bad_pose where a pose overflows or is singular.
   template <class Place>
-  void place_links(std::span<const solid::Pose> links, const Place& place) const {
+  void place_links(std::span<const Affine3> links, const Place& place) const {
     std::uint32_t number = 0;
     for (const Body& body : bodies_) {
       if (!body.link) {
         number += static_cast<std::uint32_t>(body.parts.size());
         continue;
       }
-      const solid::Pose &input = inputs_[body.input].pose, &link = links[*body.link];
-      std::optional<solid::Pose> moved;
-      if (!io::is_identity(input)) moved = compose(input, link);
-      const solid::Pose& at = moved ? *moved : link;
+      const Affine3 &input = inputs_[body.input].pose.affine(), &link = links[*body.link];
+      const Affine3 body_at = io::is_identity(input) ? link : solid::affine_product(input, link);
       for (const io::BodyPart& part : body.parts) {
-        io::is_identity(part.pose) ? place(number++, at) : place(number++, compose(at, part.pose));
+        const Affine3& inner = part.pose.affine();
+        const Affine3 at = io::is_identity(inner) ? body_at : solid::affine_product(body_at, inner);
+        place(number++, solid::Pose::from_matrix(at.linear, at.translation));
       }
     }
   }

@@ -6,6 +6,7 @@
 #include <sunder/predicate/orient.h>
 #include <sunder/solid/hull/brute_force_hull_test.h>
 
+#include <tests/support/scale.h>
 #include <tests/support/shapes.h>
 
 #include <gtest/gtest.h>
@@ -404,7 +405,7 @@ TEST(ConvexHull, AnySizesAgainstBruteForce) {
   Random random(33);
   std::array<int, 4> of_dimension{};
   int large_facet = 0;
-  const int runs = 200;
+  const int runs = tests::scaled_count(200, 50);
   for (int run = 0; run < runs; ++run) {
     SCOPED_TRACE("seed 33, run " + std::to_string(run));
     const bool mixed = run % 2 == 0;

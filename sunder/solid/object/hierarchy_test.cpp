@@ -106,7 +106,9 @@ void check_structure(const ConvexPolyhedron& body, const Hierarchy& h, bool all_
 }
 
 // Bodies of so many vertices are for whole runs of the tests; of a million, for ./do soak.
-bool is_asked_for(std::size_t n) { return n <= 20000 || tests::scaled_count(50) >= (n < 1000000 ? 50 : 1000); }
+bool is_asked_for(std::size_t n) {
+  return n <= 1000 || tests::scaled_count(1000) >= (n <= 20000 ? 50 : n < 1000000 ? 1000 : 20000);
+}
 
 std::size_t triangle_count(const Hierarchy& h) {
   std::size_t count = 0;

@@ -229,7 +229,7 @@ TEST(PolarHierarchy, AWalkFindsTheFacetOfARay) {
 TEST(PolarHierarchy, ABodyTakesAtMostAThousandBytesAVertex) {
   Random random(tests::chosen_seed(34));
   for (const SolidShape& shape : tests::all_solid_shapes()) {
-    const ConvexPolyhedron body(shape.make(20000, random));
+    const ConvexPolyhedron body(shape.make(static_cast<std::size_t>(tests::scaled_count(20000, 4000)), random));
     const std::size_t n = body.vertices().size();
     if (n < 1000) continue;  // the grid
     const double each = static_cast<double>(body.memory()) / static_cast<double>(n);

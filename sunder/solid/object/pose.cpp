@@ -32,7 +32,8 @@ SizeRange range_of(const std::array<double, N>& numbers) {
   Lanes least{none, none}, greatest{0, 0};
   const auto include = [&](Lanes pair) {
     const Lanes size = absolute(pair);
-    least = smaller_of(least, size == 0 ? Lanes{none, none} : size);
+    // All bits of a lane make it no number, which is never the smaller one.
+    least = smaller_of(least, reinterpret_cast<Lanes>(reinterpret_cast<LanesMask>(size) | (size == 0)));
     greatest = greater_of(greatest, size);
   };
   for (std::size_t k = 0; k + 1 < N; k += 2) include(lanes_at(&numbers[k]));
@@ -40,8 +41,14 @@ SizeRange range_of(const std::array<double, N>& numbers) {
   return {std::min(least[0], least[1]), greater_lane(greatest)};
 }
 
-bool is_nearly_rigid(const std::array<double, 9>& m) {
+}  // namespace
+
+Pose::Pose(const Affine3& affine)
+    : affine_(affine), linear_range_(range_of(affine.linear)), translation_range_(range_of(affine.translation)) {}
+
+bool Pose::is_rigid() const {
   constexpr double allowed = 0x1p-20;
+  const auto& m = affine_.linear;
   const auto off = [&](std::size_t i, std::size_t j) {
     const double product = m[i] * m[j] + m[3 + i] * m[3 + j] + m[6 + i] * m[6 + j];
     return std::fabs(product - (i == j ? 1 : 0));
@@ -49,14 +56,6 @@ bool is_nearly_rigid(const std::array<double, 9>& m) {
   return std::max(std::max(std::max(off(0, 0), off(1, 1)), off(2, 2)),
                   std::max(std::max(off(0, 1), off(0, 2)), off(1, 2))) <= allowed;
 }
-
-}  // namespace
-
-Pose::Pose(const Affine3& affine)
-    : affine_(affine),
-      linear_range_(range_of(affine.linear)),
-      translation_range_(range_of(affine.translation)),
-      is_rigid_(is_nearly_rigid(affine.linear)) {}
 
 Pose Pose::from_matrix(const std::array<double, 9>& linear, const std::array<double, 3>& translation) {
   const auto& m = linear;

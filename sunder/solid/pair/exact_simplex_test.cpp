@@ -36,7 +36,7 @@ DifferenceSimplex hint_of(const std::vector<std::array<std::uint32_t, 2>>& verti
 }
 
 TEST(ExactSimplexTest, DecidesAllPairsLikeTheScan) {
-  const int count = std::max(1000, tests::scaled_count(2000));
+  const int count = tests::scaled_count(2000, 100);
   SolidPairs pairs(tests::chosen_seed(79));
   std::map<Family, std::array<int, 2>> verdicts;
   for (int i = 0; i < count; ++i) {
@@ -60,6 +60,7 @@ TEST(ExactSimplexTest, DecidesAllPairsLikeTheScan) {
       ASSERT_EQ(check(answer, a, b), CheckResult::accepted) << i << " " << name_of(c.family) << " hint " << hint.count;
     }
   }
+  if (count < 1000) return;  // a smaller run may miss a verdict
   for (const auto& [family, counts] : verdicts) {
     if (family == Family::touching || family == Family::shapes_touching || family == Family::contained) continue;
     EXPECT_GT(counts[0], count / 400) << name_of(family);
@@ -138,7 +139,7 @@ TEST(ExactSimplexTest, TwoPoints) {
 // coordinates 2^-24 is little enough, and all is exact: multiplied by the numbers of vertices, centroids are integers.
 TEST(ExactSimplexTest, InteriorsMeetIffSlightlySmallerBodiesDo) {
   Random random(tests::chosen_seed(83));
-  const int count = std::max(4000, tests::scaled_count(4000));
+  const int count = tests::scaled_count(4000, 400);
   std::map<std::array<int, 2>, std::array<int, 2>> seen;  // by dimensions
   for (int i = 0; i < count; ++i) {
     const std::int64_t side = random.below(2) ? 1 : random.between(2, 3);

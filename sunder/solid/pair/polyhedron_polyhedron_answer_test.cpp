@@ -154,7 +154,8 @@ TEST_F(PolyhedronPolyhedronAnswerTest, WhatIsAcceptedHolds) {
   std::map<Direction::Kind, int> kinds;
   std::map<int, int> counts, finer_counts, perpendicular;
   int refused = 0;
-  for (int i = 0; i < 30000; ++i) {
+  const int runs = tests::scaled_count(30000, 1000);
+  for (int i = 0; i < runs; ++i) {
     const ConvexPolyhedron body_a = some_body(), body_b = some_body();
     const Pose here = random_.below(2) ? Pose() : Pose::from_matrix({1, 0.5, 0, 0, 1, 0.25, 0.1, 0, -1}, {0.1, 0, 0});
     const Pose there = shift(static_cast<double>(random_.between(0, 5)), 0, 0);
@@ -192,6 +193,8 @@ TEST_F(PolyhedronPolyhedronAnswerTest, WhatIsAcceptedHolds) {
       ++refused;
     }
   }
+  EXPECT_EQ(perpendicular[4], 0);
+  if (runs < 30000) return;  // a smaller run may miss a kind
   for (const auto kind : {Direction::Kind::normal_of_a, Direction::Kind::normal_of_b, Direction::Kind::edge_cross_edge,
                           Direction::Kind::difference}) {
     EXPECT_GT(kinds[kind], 20) << static_cast<int>(kind);
@@ -201,8 +204,7 @@ TEST_F(PolyhedronPolyhedronAnswerTest, WhatIsAcceptedHolds) {
     EXPECT_GT(finer_counts[count], 5) << count;
   }
   for (const int count : {1, 2, 3}) EXPECT_GT(perpendicular[count], 100) << count;
-  EXPECT_EQ(perpendicular[4], 0);
-  EXPECT_GT(refused, 10000);
+  EXPECT_GT(refused, runs / 3);
 }
 
 // Gaps that no direction of doubles can show: 5e-324 beyond a facet, an edge, a vertex.

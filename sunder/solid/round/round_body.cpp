@@ -121,7 +121,7 @@ RoundBody RoundBody::ellipsoid(const Point3& centre, const std::array<double, 3>
 std::span<const Point3> RoundBody::points() const { return kind_ == RoundKind::hull ? core_.vertices() : ends(); }
 
 void require_rigid(const RoundBody& body, const Pose& pose) {
-  if (pose.is_rigid() || body.is_polyhedron() || body.kind() == RoundKind::ellipsoid) return;
+  if (body.is_polyhedron() || body.kind() == RoundKind::ellipsoid || pose.is_rigid()) return;
   throw Error(ErrorCode::bad_pose,
               "the pose scales or shears, and a radius stays as it is; give a rotation, and scale the body itself",
               "pose");
