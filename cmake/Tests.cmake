@@ -181,3 +181,12 @@ if(NOT SUNDER_SANITIZE AND NOT SUNDER_COVERAGE AND NOT SUNDER_FUZZ)
     -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DBUILD_DIR=${PROJECT_BINARY_DIR} -DGENERATOR=${CMAKE_GENERATOR}
     -DCXX=${CMAKE_CXX_COMPILER} -DBUILD_TYPE=${CMAKE_BUILD_TYPE} -P ${PROJECT_SOURCE_DIR}/tests/consumer/run.cmake)
 endif()
+
+# The longest are begun first, so that no core waits for them at the end.
+foreach(name unit_solid unit_planar unit_predicate solid_drums_complexity_test solid_hierarchy_complexity_test
+             segments_growth_complexity_test polygon_sets_complexity_test solid_line_complexity_test reports_test_py
+             claims_limits_py program_simple_test program_sets_test program_space_test files_and_lists_test_py)
+  if(TEST ${name})
+    set_tests_properties(${name} PROPERTIES COST 100)
+  endif()
+endforeach()
