@@ -4,6 +4,7 @@
 #include <sunder/predicate/along_columns.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -81,9 +82,12 @@ void find_tops(const PointColumns& points, const ColumnNumbers& g, Tops& tops) {
       const Lanes left = greater_of(greater_of(p[0], p[2]), greater_of(p[4], p[6])),
                   right = greater_of(greater_of(p[1], p[3]), greater_of(p[5], p[7]));
       const double top = greater_lane(greater_of(left, right));
+      std::uint32_t found = 1u << (piece - 1);
+      for (std::uint32_t k = 0; k < lanes / 2; ++k) found |= bits_of(p[k] == top) << (2 * k);
       if (top > tops.products[place]) {
         tops.products[place] = top;
-        tops.indices[place] = static_cast<std::uint32_t>(first + half * piece) + first_of_greatest(p, lanes / 2);
+        tops.indices[place] =
+            static_cast<std::uint32_t>(first + half * piece) + static_cast<std::uint32_t>(std::countr_zero(found));
       }
       place = (place + 1) % Shortlist::most;
     }
@@ -182,6 +186,7 @@ ExactFurthest exactly_furthest_along(const PointColumns& points, std::span<const
   bool found = false;
   with_dimension(points.dimension, [&](auto dimension) {
     for (std::size_t first = 0; first < points.stride; first += block) {
+      if (greatest_of_block<dimension()>(points, rounded->numbers, first) < limit) continue;
       const std::array<Lanes, lanes> values = products_of_block<dimension()>(points, rounded->numbers, first);
       for (std::size_t k = 0; k < block && first + k < points.count; ++k) {
         if (values[k / 2][k % 2] < limit) continue;
