@@ -12,6 +12,7 @@
 // Exits 3 where an answer is not the one that is known. Times are medians over rounds of the mean of a call, of
 // processor time.
 #include <sunder/base/random.h>
+#include <sunder/polytope/hull/convex_hull.h>
 #include <sunder/polytope/pair/polytope_point.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
 #include <sunder/polytope/represent/normal_fan.h>
@@ -23,6 +24,7 @@
 #include <cstring>
 #include <ctime>
 #include <fstream>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -183,6 +185,30 @@ Regime of_integers(Random& random, const char* name, bool a_of_points, bool b_of
     pair.b = body_of(pair.rows_b, b_of_points);
   }
   return regime;
+}
+
+// Points about on the boundary of the hull: vertices, the means of the vertices of a simplex of a facet, which rounding
+// puts in or out by a last bit, and both with each coordinate a last bit further from zero.
+std::vector<double> about_on_boundary(const Polytope& body) {
+  const ConvexHull hull = convex_hull(body);
+  std::vector<double> result;
+  const auto add = [&](const std::array<double, kDimension>& p) {
+    result.insert(result.end(), p.begin(), p.end());
+    for (const double x : p) result.push_back(std::nextafter(x, 2 * x));
+  };
+  const std::size_t vertex_step = hull.vertices.size() / (kAsked / 4), facet_step = hull.facet_count() / (kAsked / 4);
+  for (std::size_t k = 0; k < kAsked / 4; ++k) {
+    std::array<double, kDimension> vertex{}, mean{};
+    const std::span<const double> row = body.row(hull.vertices[k * vertex_step]);
+    std::copy(row.begin(), row.end(), vertex.begin());
+    const std::span<const std::uint32_t> corners = hull.simplices(k * facet_step);
+    for (std::size_t i = 0; i < kDimension; ++i) {
+      for (std::size_t c = 0; c < kDimension; ++c) mean[c] += body.row(corners[i])[c] / kDimension;
+    }
+    add(vertex);
+    add(mean);
+  }
+  return result;
 }
 
 std::vector<double> sphere_of(Random& random, std::size_t d, std::size_t count, double shift) {
@@ -367,29 +393,36 @@ int main(int count, char** words) {
     const double scale = std::sqrt(random.uniform(0, 1.2));
     for (const double x : on_sphere(random, 1, std::vector<double>(kDimension))) points.push_back(scale * x);
   }
-  std::vector<double> inside(kAsked);
-  const double many = microseconds(kAsked, [&] {
-    const std::vector<PolytopeAnswer> answers = polytope_points(hull, points);
-    for (std::size_t k = 0; k < kAsked; ++k) inside[k] = answers[k].meet() ? 1 : 0;
-  });
-  std::size_t proved = 0;
-  const double with_evidence = microseconds(kAsked, [&] {
-    const std::vector<PolytopeAnswer> answers = polytope_points(hull, points);
-    for (std::size_t k = 0; k < kAsked; ++k) {
-      const auto p = points.begin() + static_cast<std::ptrdiff_t>(k * kDimension);
-      const Polytope one = Polytope::from_points(kDimension, {p, p + kDimension});
-      proved += exact_evidence(hull, here, one, here, answers[k]).numbers.size();
+  if (file.is_open()) write(file, rows);
+  for (const bool is_boundary : {false, true}) {
+    if (is_boundary) points = about_on_boundary(hull);
+    std::vector<double> inside(kAsked);
+    const double many = microseconds(kAsked, [&] {
+      const std::vector<PolytopeAnswer> answers = polytope_points(hull, points);
+      for (std::size_t k = 0; k < kAsked; ++k) inside[k] = answers[k].meet() ? 1 : 0;
+    });
+    std::size_t proved = 0;
+    const double with_evidence = microseconds(kAsked, [&] {
+      const std::vector<PolytopeAnswer> answers = polytope_points(hull, points);
+      for (std::size_t k = 0; k < kAsked; ++k) {
+        const auto p = points.begin() + static_cast<std::ptrdiff_t>(k * kDimension);
+        const Polytope one = Polytope::from_points(kDimension, {p, p + kDimension});
+        proved += exact_evidence(hull, here, one, here, answers[k]).numbers.size();
+      }
+    });
+    if (proved == 0) return 3;
+    for (std::size_t k = 0; is_boundary && k < kAsked; k += 4) {
+      if (inside[k] < 1) return 3;  // vertices
     }
-  });
-  if (proved == 0) return 3;
-  std::printf(
-      "points in a hull of %zu points: %.2f microseconds a point, %.2f with exact evidence; %td of %zu are in it\n",
-      kHull, many, with_evidence, std::count(inside.begin(), inside.end(), 1), kAsked);
-  if (file.is_open()) {
-    write(file, {many, with_evidence});
-    write(file, inside);
-    write(file, rows);
-    write(file, points);
+    std::printf(
+        "points %s a hull of %zu points: %.2f microseconds a point, %.2f with exact evidence; %td of %zu are in it\n",
+        is_boundary ? "about on" : "in", kHull, many, with_evidence, std::count(inside.begin(), inside.end(), 1),
+        kAsked);
+    if (file.is_open()) {
+      write(file, {many, with_evidence});
+      write(file, inside);
+      write(file, points);
+    }
   }
   return 0;
 }

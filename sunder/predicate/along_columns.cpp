@@ -4,6 +4,7 @@
 #include <sunder/predicate/along_columns.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -29,18 +30,29 @@ std::array<Lanes, lanes> products_of_block(const PointColumns& points, const Col
   return values;
 }
 
+// The greatest product of the points from `first` on; only sums stay in registers.
+template <std::size_t D>
+double greatest_of_block(const PointColumns& points, const ColumnNumbers& g, std::size_t first) {
+  const double* const p = points.column + first;
+  const auto product = [&](std::size_t k) {
+    Lanes sum = g[0] * lanes_at(p + 2 * k);
+    for (std::size_t c = 1; c < D; ++c) sum += g[c] * lanes_at(p + c * points.stride + 2 * k);
+    return sum;
+  };
+  Lanes left = product(0), right = product(1);
+  for (std::size_t k = 2; k < lanes; k += 2) {
+    left = greater_of(left, product(k));
+    right = greater_of(right, product(k + 1));
+  }
+  return greater_lane(greater_of(left, right));
+}
+
 template <std::size_t D>
 FurthestPoint furthest(const PointColumns& points, const ColumnNumbers& g, std::size_t every) {
   double best = -std::numeric_limits<double>::infinity();
   std::size_t where = 0;
   for (std::size_t first = 0; first < points.stride; first += every * block) {
-    const std::array<Lanes, lanes> values = products_of_block<D>(points, g, first);
-    Lanes left = values[0], right = values[1];
-    for (std::size_t k = 2; k < lanes; k += 2) {
-      left = greater_of(left, values[k]);
-      right = greater_of(right, values[k + 1]);
-    }
-    const double top = greater_lane(greater_of(left, right));
+    const double top = greatest_of_block<D>(points, g, first);
     if (top > best) {
       best = top;
       where = first;
@@ -49,6 +61,37 @@ FurthestPoint furthest(const PointColumns& points, const ColumnNumbers& g, std::
   const std::array<Lanes, lanes> values = products_of_block<D>(points, g, where);
   const auto index = static_cast<std::uint32_t>(where) + first_of_greatest(values.data(), lanes);
   return {std::min(index, points.count - 1), best};
+}
+
+constexpr std::size_t piece = block / 2;  // of points
+
+// Of each piece the furthest point, where its place has none that is as far; which point that is in its piece stands in
+// `tops` as a number of its own.
+struct Tops {
+  std::array<double, Shortlist::most> products;
+  std::array<std::uint32_t, Shortlist::most> indices;
+};
+
+template <std::size_t D>
+void find_tops(const PointColumns& points, const ColumnNumbers& g, Tops& tops) {
+  std::size_t place = 0;
+  for (std::size_t first = 0; first < points.stride; first += block) {
+    const std::array<Lanes, lanes> values = products_of_block<D>(points, g, first);
+    for (std::size_t half = 0; half < 2; ++half) {
+      const Lanes* const p = values.data() + half * (lanes / 2);
+      const Lanes left = greater_of(greater_of(p[0], p[2]), greater_of(p[4], p[6])),
+                  right = greater_of(greater_of(p[1], p[3]), greater_of(p[5], p[7]));
+      const double top = greater_lane(greater_of(left, right));
+      std::uint32_t found = 1u << (piece - 1);
+      for (std::uint32_t k = 0; k < lanes / 2; ++k) found |= bits_of(p[k] == top) << (2 * k);
+      if (top > tops.products[place]) {
+        tops.products[place] = top;
+        tops.indices[place] =
+            static_cast<std::uint32_t>(first + half * piece) + static_cast<std::uint32_t>(std::countr_zero(found));
+      }
+      place = (place + 1) % Shortlist::most;
+    }
+  }
 }
 
 template <class Visit>
@@ -100,6 +143,26 @@ FurthestPoint furthest_along(const PointColumns& points, const ColumnNumbers& di
                         [&](auto dimension) { return furthest<dimension()>(points, direction, every); });
 }
 
+FurthestPoint furthest_along(const PointColumns& points, const ColumnNumbers& direction, Shortlist& list) {
+  SUNDER_REQUIRE(points.count > 0 && points.stride % block == 0);
+  Tops tops;
+  tops.products.fill(-std::numeric_limits<double>::infinity());
+  tops.indices.fill(0);
+  with_dimension(points.dimension, [&](auto dimension) { find_tops<dimension()>(points, direction, tops); });
+  list.count_ = static_cast<std::uint32_t>(std::min(points.stride / piece, Shortlist::most));
+  list.stride_ = (list.count_ + block - 1) / block * block;
+  list.dimension_ = points.dimension;
+  std::size_t best = 0;
+  for (std::size_t k = 0; k < list.stride_; ++k) {
+    const std::size_t from = std::min(k, std::size_t{list.count_} - 1);
+    const std::uint32_t index = std::min(tops.indices[from], points.count - 1);
+    list.indices_[k] = index;
+    for (std::size_t c = 0; c < points.dimension; ++c) list.numbers_[c * list.stride_ + k] = points.at(index, c);
+    if (tops.products[from] > tops.products[best]) best = from;
+  }
+  return {list.indices_[best], tops.products[best]};
+}
+
 double product_error(const PointColumns& points, const ColumnNumbers& sizes, int roundings) {
   SUNDER_REQUIRE(roundings >= 0 && roundings <= 16);
   constexpr double lost = 0x1p-1068;  // 2^-1074 for each of up to 7 components and products, and what rounds up
@@ -123,6 +186,7 @@ ExactFurthest exactly_furthest_along(const PointColumns& points, std::span<const
   bool found = false;
   with_dimension(points.dimension, [&](auto dimension) {
     for (std::size_t first = 0; first < points.stride; first += block) {
+      if (greatest_of_block<dimension()>(points, rounded->numbers, first) < limit) continue;
       const std::array<Lanes, lanes> values = products_of_block<dimension()>(points, rounded->numbers, first);
       for (std::size_t k = 0; k < block && first + k < points.count; ++k) {
         if (values[k / 2][k % 2] < limit) continue;

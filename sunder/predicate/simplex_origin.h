@@ -1,5 +1,5 @@
 // Does the simplex of d + 1 points of R^d hold the origin inside of it? By a linear system that is solved in floating
-// point, and then verified in intervals.
+// point, and then verified: all roundings are bounded.
 // Also called: verified (self-validating) solution of a linear system; Krawczyk, Rump.
 #pragma once
 

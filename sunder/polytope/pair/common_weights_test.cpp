@@ -53,6 +53,81 @@ TEST(NullVector, IsARelation) {
   EXPECT_FALSE(null_vector(std::vector<ExactVector>{{1.0, 0.0}, {1.0, 0x1p-1074}}));
 }
 
+Integer random_integer(Random& random, std::size_t bits) {
+  Integer x = 0;
+  for (std::size_t k = 0; k < bits; ++k) x = 2 * x + static_cast<int>(random.below(2));
+  return random.below(2) == 0 ? x : -x;
+}
+FewWords::Entry entry_of(const Integer& x) {
+  const Integer size = boost::multiprecision::abs(x), low = size % (Integer(1) << 64), high = size >> 64;
+  return {FewWords::Word2{static_cast<std::uint64_t>(high)} << 64 | static_cast<std::uint64_t>(low), x < 0};
+}
+
+// Sums of products are those of integers of any size, in all words and in as few as hold them.
+TEST(FewWords, AreIntegers) {
+  Random random(tests::chosen_seed(20261127));
+  for (int round = 0; round < tests::scaled_count(2000, 200); ++round) {
+    FewWords::Number sum{}, power{1}, words{};
+    Integer expected = 0, expected_power = 1;
+    for (int k = 0; k < 3; ++k) {
+      const Integer e = random_integer(random, random.below(127));
+      FewWords::Number next{};
+      FewWords::add_product(next, entry_of(e), power, false);
+      power = next;
+      expected_power *= e;
+      const Integer f = random_integer(random, random.below(60));
+      const bool is_negative = random.below(2) == 0;
+      FewWords::add_product(sum, entry_of(f), power, is_negative);
+      expected += is_negative ? -f * expected_power : f * expected_power;
+    }
+    ASSERT_EQ(FewWords::integer(sum), expected);
+    ASSERT_EQ(FewWords::is_negative(sum), expected < 0);
+    ASSERT_EQ(FewWords::is_zero(sum), expected == 0);
+    // A product of 126 + 60 bits and a sign, in three words.
+    const Integer e = random_integer(random, random.below(127)), f = random_integer(random, random.below(60));
+    FewWords::Number x{};
+    FewWords::add_product(x, entry_of(f), {1}, false);
+    FewWords::add_product(words, entry_of(e), x, true, 3);
+    FewWords::extend(words, 3);
+    ASSERT_EQ(FewWords::integer(words), -e * f);
+  }
+}
+
+// Of vectors of integers of up to 85 bits.
+TEST(NullVector, OfFewWordsIsThatOfIntegersOfAnySize) {
+  Random random(tests::chosen_seed(20261127));
+  const int count = tests::scaled_count(1000, 100);
+  int found = 0;
+  for (int round = 0; round < count; ++round) {
+    FewWordVectors few;
+    few.equations = 2 + random.below(5);
+    few.count = few.equations + 1;
+    std::vector<ExactVector> vectors(few.count, ExactVector(few.equations));
+    for (std::size_t r = 0; r < few.equations; ++r) {
+      few.bits[r] = static_cast<std::int64_t>(1 + random.below(480 / few.equations));
+      few.bits[r] = std::min(few.bits[r], static_cast<std::int64_t>(FewWords::most_bits));
+      for (std::size_t j = 0; j < few.count; ++j) {
+        const Integer x = random_integer(random, static_cast<std::size_t>(few.bits[r]));
+        few.numbers[r][j] = entry_of(x);
+        vectors[j][r] = dyadic_of(x, 0);
+      }
+    }
+    ASSERT_TRUE(few.fit());
+    const auto numbers = null_vector(few);
+    if (!numbers) continue;
+    ++found;
+    EXPECT_FALSE(FewWords::is_negative((*numbers)[few.count - 1]));
+    for (std::size_t r = 0; r < few.equations; ++r) {
+      Dyadic sum;
+      for (std::size_t j = 0; j < few.count; ++j) {
+        sum = sum + dyadic_of(FewWords::integer((*numbers)[j]), 0) * vectors[j][r];
+      }
+      EXPECT_EQ(sum.sign(), Sign::zero);
+    }
+  }
+  EXPECT_GT(found, count / 2);
+}
+
 std::vector<std::uint32_t> all_of(const Polytope& body) {
   std::vector<std::uint32_t> rows(body.size());
   std::iota(rows.begin(), rows.end(), 0u);
@@ -87,6 +162,39 @@ TEST(CommonWeights, AreAProof) {
   }
   EXPECT_GT(meets, count / 20);
   EXPECT_GT(found, meets / 2);
+}
+
+// Doubles of all bits, of one size (integers of few words) and of many (of any size); each is a proof.
+TEST(CommonWeights, OfDoublesOfAllBits) {
+  const int count = tests::scaled_count(1000, 100);
+  Random random(tests::chosen_seed(20261127));
+  int meets = 0, found = 0, few = 0;
+  for (int round = 0; round < count; ++round) {
+    const std::size_t d = 2 + random.below(5);
+    const bool is_of_one_size = round % 2 == 0;
+    const auto simplex = [&](std::size_t points) {
+      std::vector<double> rows(d * points);
+      for (double& x : rows) {
+        x = is_of_one_size ? random.uniform(-1, 1) : random.uniform(-1, 1) * random.log_uniform(1e-30, 1);
+      }
+      return Polytope::from_points(d, rows);
+    };
+    const Polytope a = simplex(1 + random.below(d + 1)), b = simplex(d + 1);
+    const Pose here(d);
+    const std::vector<std::uint32_t> rows_a = all_of(a), rows_b = all_of(b);
+    const auto common = common_point_by_determinants(a, here, b, here, {rows_a, rows_b});
+    const bool meet = polytope_polytope_by_scan(a, here, b, here).meet();
+    meets += meet;
+    if (!common) continue;
+    ASSERT_TRUE(meet);
+    ++found;
+    few += is_of_one_size;
+    EXPECT_TRUE(check(a, here, b, here, Verdict::meet, *common));
+  }
+  EXPECT_GT(meets, count / 10);
+  EXPECT_GT(found, meets / 2);
+  EXPECT_GT(few, count / 50);
+  EXPECT_GT(found - few, count / 50);
 }
 
 // Bodies with the same centre meet where the search's simplex is of few points.

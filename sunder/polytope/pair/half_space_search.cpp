@@ -1,4 +1,5 @@
 #include <sunder/polytope/pair/half_space_search.h>
+#include <sunder/polytope/pair/looks.h>
 #include <sunder/polytope/pair/matrix_game.h>
 #include <sunder/polytope/pair/nearest_search.h>
 #include <sunder/polytope/pair/null_vector_internal.h>
@@ -48,8 +49,8 @@ class RoundedHalfSpaces {
     return result;
   }
 
-  // The row, of a sample, whose a . x - w b is greatest, and that number.
-  FurthestPoint most_broken(const ColumnNumbers& x, double w, std::size_t every) const {
+  // The row, of those looked at, whose a . x - w b is greatest, and that number.
+  FurthestPoint most_broken(const ColumnNumbers& x, double w, Looks& looks, Cost& cost) const {
     ColumnNumbers direction{};
     direction[d_] = -w;
     for (std::size_t c = 0; c < d_; ++c) {
@@ -60,7 +61,7 @@ class RoundedHalfSpaces {
       const double moved = x[c] - w * pose_.translation()[c];
       for (std::size_t r = 0; r < d_; ++r) direction[r] += moved * inverse_[c * d_ + r];
     }
-    return furthest_along(body_.columns(), direction, every);
+    return looks.furthest(direction, cost);
   }
 
   // About how far from the origin its boundary is.
@@ -81,20 +82,6 @@ class RoundedHalfSpaces {
   std::size_t d_;
   std::array<double, most_dimension * most_dimension> inverse_{};
   bool is_usable_ = true;
-};
-
-// Of what samples of two bodies a search looks at (support.h): in the end all rows.
-struct Samples {
-  std::size_t of_a, of_b;
-
-  Samples(const Polytope& a, const Polytope& b) : of_a(first_sample(a)), of_b(first_sample(b)) {}
-  // To larger ones; false where they are all rows.
-  bool refine() {
-    if (of_a == 1 && of_b == 1) return false;
-    of_a = std::max(of_a / 4, std::size_t{1});
-    of_b = std::max(of_b / 4, std::size_t{1});
-    return true;
-  }
 };
 
 // ---- Both of half-spaces.
@@ -141,19 +128,18 @@ class HalfSpaceSearch {
 
   std::optional<ExactDecision> search() {
     if (!simplex_.add(point(height, 0))) return std::nullopt;
-    Samples samples(a_.body(), b_.body());
+    LooksAtBoth looks(a_.body(), b_.body());
     for (int step = 0; step < most_steps; ++step) {
       ColumnNumbers y{};
       if (simplex_.is_at_origin() || !towards_origin(simplex_.nearest(), d_ + 1, y)) return std::nullopt;
       ColumnNumbers x{};
       for (std::size_t c = 0; c < d_; ++c) x[c] = y[c] * unit_;
       const double w = y[d_];
-      const FurthestPoint from_a = rounded_a_.most_broken(x, w, samples.of_a),
-                          from_b = rounded_b_.most_broken(x, w, samples.of_b);
-      cost_.probes += a_.body().size() / samples.of_a + b_.body().size() / samples.of_b;
+      const FurthestPoint from_a = rounded_a_.most_broken(x, w, looks.a, cost_),
+                          from_b = rounded_b_.most_broken(x, w, looks.b, cost_);
       ++cost_.iterations;
       if (w > 0 && from_a.product < 0 && from_b.product < 0) {
-        if (samples.refine()) continue;
+        if (looks.widen()) continue;
         if (auto held = inside(x, w)) return held;
       }
       const bool is_of_a = from_a.product >= from_b.product;
@@ -162,11 +148,12 @@ class HalfSpaceSearch {
                                    : is_of_a                     ? point(of_a, furthest.index)
                                                                  : point(of_b, furthest.index);
       if (simplex_.has(next.a, next.b)) {
-        if (samples.refine()) continue;
+        if (looks.widen()) continue;
         return std::nullopt;
       }
       if (!simplex_.add(next)) return std::nullopt;
       if (simplex_.is_full()) return contradiction();
+      looks.narrow();
     }
     return std::nullopt;
   }
@@ -292,8 +279,8 @@ class GameSearch {
 
   std::optional<ExactDecision> search() {
     add_column(0);
-    Samples samples(half_spaces_.body(), points_.body());
-    add_row(rounded_.most_broken(columns_[0].at, 1, samples.of_a).index);
+    LooksAtBoth looks(half_spaces_.body(), points_.body());
+    add_row(rounded_.most_broken(columns_[0].at, 1, looks.a, cost_).index);
     while (game_.rows() < MatrixGame::most && game_.columns() < MatrixGame::most) {
       if (!game_.solve()) return std::nullopt;
       ColumnNumbers x{}, direction{};
@@ -305,24 +292,24 @@ class GameSearch {
         for (std::size_t c = 0; c < d_; ++c) direction[c] += game_.row_weight(i) * rows_[i].at[c];
         offset += game_.row_weight(i) * rows_[i].at[d_];
       }
-      const FurthestPoint broken = rounded_.most_broken(x, 1, samples.of_a);
-      const Support least = support(points_.body(), points_.pose(), direction, -1, samples.of_b);
-      cost_.probes += half_spaces_.body().size() / samples.of_a + points_.body().size() / samples.of_b;
+      const FurthestPoint broken = rounded_.most_broken(x, 1, looks.a, cost_);
+      const FurthestPoint least = likely_support(looks.b, points_.pose(), direction, -1, cost_);
       ++cost_.iterations;
-      if ((broken.product < 0 || least.product.product > offset) && samples.refine()) continue;
+      if ((broken.product < 0 || least.product > offset) && looks.widen()) continue;
       if (broken.product < 0) {
         if (auto held = inside(weights_of_points(0))) return held;
       }
-      if (least.product.product > offset) {
+      if (least.product > offset) {
         if (auto held = parted(weights_of_half_spaces(0))) return held;
       }
       const bool new_row = !has(rows_, broken.index), new_column = !has(columns_, least.index);
       if (!new_row && !new_column) {
-        if (samples.refine()) continue;
+        if (looks.widen()) continue;
         return std::nullopt;
       }
       if (new_row) add_row(broken.index);
       if (new_column) add_column(least.index);
+      looks.narrow();
     }
     return std::nullopt;
   }
@@ -394,6 +381,7 @@ class GameSearch {
       game.add_column([](std::size_t) { return 0.0; });
       result.push_back({column.index, 1.0});
     }
+    Looks looks(half_spaces_.body());
     while (game.rows() < MatrixGame::most) {
       ColumnNumbers x{};
       double total = 0;
@@ -403,13 +391,18 @@ class GameSearch {
         total += weight;
         for (std::size_t c = 0; c < d_; ++c) x[c] += weight * columns[j].at[c];
       }
-      const std::uint32_t broken = rounded_.most_broken(x, total, 1).index;
+      const std::uint32_t broken = rounded_.most_broken(x, total, looks, cost_).index;
       const bool is_boundary =
           std::any_of(half_spaces.begin(), half_spaces.end(), [&](const Weighted& of) { return of.index == broken; });
-      if (is_boundary || has(rows, broken)) break;
+      if (is_boundary || has(rows, broken)) {
+        if (looks.are_all()) break;
+        looks.widen();
+        continue;
+      }
       rows.push_back({broken, rounded_.row(broken)});
       game.add_row([&](std::size_t j) { return payoff(rows.back(), columns[j]); });
       if (!game.solve()) break;
+      if (looks.are_all()) looks.narrow();
     }
     return result;
   }

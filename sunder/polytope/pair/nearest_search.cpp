@@ -33,16 +33,17 @@ bool NearestSimplex::is_at_origin() const {
 }
 
 // With p_0 the first point and e_k = p_k - p_0: the least |p_0 + sum y_k e_k|^2, by the orthogonal parts of the edges
-// (Gram and Schmidt, each edge after those before it), which is stable enough to propose.
-bool NearestSimplex::affine_weights(std::array<double, most_columns + 1>& weights) const {
+// (Gram and Schmidt, each edge after those before it), which is stable enough to propose. Edges that were there the
+// last time, with all before them, keep theirs.
+bool NearestSimplex::affine_weights(std::array<double, most_columns + 1>& weights) {
   const std::size_t n = size_ - 1;
-  std::array<ColumnNumbers, most_columns> orthogonal{};
-  std::array<std::array<double, most_columns>, most_columns> share{};  // of orthogonal k in edge j
-  std::array<double, most_columns> square{}, along{};
-  ColumnNumbers rest = points_[0].at;
-  for (std::size_t j = 0; j < n; ++j) {
-    ColumnNumbers& o = orthogonal[j];
-    double whole = 0;
+  for (; known_edges_ < n; ++known_edges_) {
+    const std::size_t j = known_edges_;
+    OrthogonalEdge& edge = edges_[j];
+    ColumnNumbers& o = edge.part;
+    edge.share = {};
+    edge.rest = j == 0 ? points_[0].at : edges_[j - 1].rest;
+    double whole = 0, square = 0;
     for (std::size_t c = 0; c < d_; ++c) {
       o[c] = points_[j + 1].at[c] - points_[0].at[c];
       whole += o[c] * o[c];
@@ -50,25 +51,28 @@ bool NearestSimplex::affine_weights(std::array<double, most_columns + 1>& weight
     for (int pass = 0; pass < 2; ++pass) {  // twice is enough
       for (std::size_t k = 0; k < j; ++k) {
         double product = 0;
-        for (std::size_t c = 0; c < d_; ++c) product += o[c] * orthogonal[k][c];
-        const double part = product / square[k];
-        share[j][k] += part;
-        for (std::size_t c = 0; c < d_; ++c) o[c] -= part * orthogonal[k][c];
+        for (std::size_t c = 0; c < d_; ++c) product += o[c] * edges_[k].part[c];
+        const double part = product * edges_[k].inverse_square;
+        edge.share[k] += part;
+        for (std::size_t c = 0; c < d_; ++c) o[c] -= part * edges_[k].part[c];
       }
     }
     double product = 0;
     for (std::size_t c = 0; c < d_; ++c) {
-      square[j] += o[c] * o[c];
-      product += rest[c] * o[c];
+      square += o[c] * o[c];
+      product += edge.rest[c] * o[c];
     }
-    if (!(square[j] > whole * 0x1p-90)) return false;
-    along[j] = -product / square[j];
-    for (std::size_t c = 0; c < d_; ++c) rest[c] += along[j] * o[c];
+    if (!(square > whole * 0x1p-90)) return false;
+    edge.inverse_square = 1 / square;
+    edge.along = -product * edge.inverse_square;
+    for (std::size_t c = 0; c < d_; ++c) edge.rest[c] += edge.along * o[c];
   }
   // p_0 + sum along_j o_j, in terms of edges: o_j = e_j - sum share_jk o_k, from the last one back.
+  std::array<double, most_columns> along{};
+  for (std::size_t j = 0; j < n; ++j) along[j] = edges_[j].along;
   weights[0] = 1;
   for (std::size_t j = n; j-- > 0;) {
-    for (std::size_t k = 0; k < j; ++k) along[k] -= along[j] * share[j][k];
+    for (std::size_t k = 0; k < j; ++k) along[k] -= along[j] * edges_[j].share[k];
     weights[j + 1] = along[j];
     weights[0] -= along[j];
   }
@@ -79,8 +83,11 @@ bool NearestSimplex::affine_weights(std::array<double, most_columns + 1>& weight
 void NearestSimplex::drop_without_weight() {
   std::size_t kept = 0;
   for (std::size_t k = 0; k < size_; ++k) {
-    if (!(weights_[k] > 0)) continue;
-    points_[kept] = points_[k];
+    if (!(weights_[k] > 0)) {
+      known_edges_ = std::min(known_edges_, kept == 0 ? 0 : kept - 1);
+      continue;
+    }
+    if (kept != k) points_[kept] = points_[k];
     weights_[kept++] = weights_[k];
   }
   size_ = kept;

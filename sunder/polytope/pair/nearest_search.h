@@ -38,7 +38,7 @@ class NearestSimplex {
 
  private:
   // The weights, which may be negative, of the point of the affine hull that is nearest to the origin.
-  bool affine_weights(std::array<double, most_columns + 1>& weights) const;
+  bool affine_weights(std::array<double, most_columns + 1>& weights);
   void drop_without_weight();
   void find_nearest();
 
@@ -46,6 +46,15 @@ class NearestSimplex {
   std::array<DifferencePoint, most_columns + 1> points_{};
   std::array<double, most_columns + 1> weights_{};
   ColumnNumbers nearest_{};
+  // Of the edges from the first point the orthogonal parts, as far as they still hold: edge j less its `share` of those
+  // before it; and what is left of the first point less its parts along them.
+  struct OrthogonalEdge {
+    ColumnNumbers part{}, rest{};
+    std::array<double, most_columns> share{};
+    double inverse_square = 0, along = 0;
+  };
+  std::size_t known_edges_ = 0;
+  std::array<OrthogonalEdge, most_columns> edges_;
 };
 
 // From there towards the origin of R^d, the greatest component of size 1, those zero that do not matter. False where

@@ -24,7 +24,7 @@ struct Wide {
   static Number one() { return 1; }
   static bool is_zero(const Number& x) { return x.is_zero(); }
   // sum += e x, or -= e x.
-  static void add_product(Number& sum, const Entry& e, const Number& x, bool is_negative) {
+  static void add_product(Number& sum, const Entry& e, const Number& x, bool is_negative, std::size_t = 0) {
     if (e.is_zero() || x.is_zero()) return;
     if (is_negative) {
       sum -= e * x;
@@ -32,19 +32,11 @@ struct Wide {
       sum += e * x;
     }
   }
-  static Integer integer(Number&& x) { return std::move(x); }
+  static void extend(Number&, std::size_t) {}
+  static bool is_negative(const Number& x) { return x < 0; }
 };
 
-// Entries of at most 126 bits; numbers modulo 2^512, as two's complement.
-struct Narrow {
-  __extension__ using Word2 = unsigned __int128;
-  static constexpr std::size_t words = 8, most_bits = 126;
-  struct Entry {
-    Word2 size = 0;
-    bool is_negative = false;
-  };
-  using Number = std::array<std::uint64_t, words>;
-
+struct Narrow : FewWords {
   static Entry entry(const Dyadic& x, std::int64_t shift) {
     const auto& mantissa = mantissa_of(x).backend();
     Word2 size = mantissa.limbs()[0];
@@ -52,44 +44,10 @@ struct Narrow {
     return {size << shift, mantissa.sign()};
   }
   static double rounded(const Entry& e, std::int64_t bits) {
-    const double size = std::ldexp(static_cast<double>(e.size), -static_cast<int>(bits));
+    const double size = static_cast<double>(e.size) * std::ldexp(1.0, -static_cast<int>(bits));
     return e.is_negative ? -size : size;
   }
   static Number one() { return {1}; }
-  static bool is_zero(const Number& x) {
-    return std::all_of(x.begin(), x.end(), [](std::uint64_t word) { return word == 0; });
-  }
-  static void add_product(Number& sum, const Entry& e, const Number& x, bool is_negative) {
-    add_times_word(sum, static_cast<std::uint64_t>(e.size), x, 0, is_negative != e.is_negative);
-    add_times_word(sum, static_cast<std::uint64_t>(e.size >> 64), x, 1, is_negative != e.is_negative);
-  }
-  static Integer integer(const Number& x) {
-    const bool is_negative = (x[words - 1] >> 63) != 0;
-    Number size{};
-    if (is_negative) {
-      add_times_word(size, 1, x, 0, true);
-    } else {
-      size = x;
-    }
-    Integer result;
-    boost::multiprecision::import_bits(result, size.begin(), size.end(), 64, false);
-    if (is_negative) result.backend().negate();
-    return result;
-  }
-
- private:
-  static void add_times_word(Number& sum, std::uint64_t by, const Number& x, std::size_t at, bool is_negative) {
-    if (by == 0) return;
-    std::uint64_t carry = 0;  // of the product and the sum together
-    for (std::size_t k = at; k < words; ++k) {
-      const Word2 product = Word2{by} * x[k - at] + carry;
-      const auto low = static_cast<std::uint64_t>(product);
-      const std::uint64_t before = sum[k];
-      sum[k] = is_negative ? before - low : before + low;
-      const bool is_over = is_negative ? before < low : sum[k] < low;
-      carry = static_cast<std::uint64_t>(product >> 64) + (is_over ? 1u : 0u);
-    }
-  }
 };
 
 // ---- Equations.
@@ -115,15 +73,17 @@ Scales scales_of(std::span<const ExactVector> vectors) {
   return scales;
 }
 
-// A determinant of d <= 6 rows is at most d! < 2^10 times the product of their greatest numbers; so is the sum that an
+// A determinant of k <= 6 rows is at most k! < 2^10 times the product of their greatest numbers; so is the sum that an
 // equation is checked by.
+constexpr std::int64_t bits_of_factorial = 10;
+
 bool is_narrow(const Scales& scales) {
-  std::int64_t sum = 10;
+  std::int64_t sum = bits_of_factorial;
   for (const Scale& scale : scales) {
-    if (scale.bits > static_cast<std::int64_t>(Narrow::most_bits)) return false;
+    if (scale.bits > static_cast<std::int64_t>(FewWords::most_bits)) return false;
     sum += scale.bits;
   }
-  return sum < static_cast<std::int64_t>(64 * Narrow::words - 1);
+  return sum < static_cast<std::int64_t>(64 * FewWords::words - 1);
 }
 
 // Of each equation n + 1 integers, and about what they are, the greatest of size 1.
@@ -133,15 +93,24 @@ struct System {
   std::array<std::array<typename Arithmetic::Entry, most_vectors>, most_dimension> numbers{};
   std::array<std::array<double, most_vectors>, most_dimension> rounded{};
 
+  std::array<std::int64_t, most_dimension> bits{};  // of the integers of each equation, at most
+
   System(std::span<const ExactVector> vectors, const Scales& scales)
       : equations(vectors[0].size()), unknowns(vectors.size() - 1) {
     for (std::size_t r = 0; r < equations; ++r) {
+      bits[r] = scales[r].bits;
       for (std::size_t j = 0; j < vectors.size(); ++j) {
         const Dyadic& x = vectors[j][r];
         if (x.sign() == Sign::zero) continue;
         numbers[r][j] = Arithmetic::entry(x, x.exponent() - scales[r].unit);
         rounded[r][j] = Arithmetic::rounded(numbers[r][j], scales[r].bits);
       }
+    }
+  }
+  explicit System(const FewWordVectors& vectors)
+      : equations(vectors.equations), unknowns(vectors.count - 1), numbers(vectors.numbers), bits(vectors.bits) {
+    for (std::size_t r = 0; r < equations; ++r) {
+      for (std::size_t j = 0; j <= unknowns; ++j) rounded[r][j] = Arithmetic::rounded(numbers[r][j], bits[r]);
     }
   }
 
@@ -167,6 +136,7 @@ struct System {
       if (row != k) {
         std::swap(m[row], m[k]);
         std::swap(numbers[row], numbers[k]);
+        std::swap(bits[row], bits[k]);
       }
       is_done[column] = true;
       for (std::size_t i = k + 1; i < equations; ++i) {
@@ -183,43 +153,54 @@ struct System {
     const std::size_t n = unknowns, all = (std::size_t{1} << (n + 1)) - 1;
     std::array<Number, std::size_t{1} << most_vectors> minor;
     minor[0] = Arithmetic::one();
+    std::array<std::size_t, most_dimension> words{};  // of a minor whose last row is this
+    std::int64_t sum = bits_of_factorial;
+    for (std::size_t r = 0; r < n; ++r) {
+      sum += bits[r];
+      words[r] = static_cast<std::size_t>(sum) / 64 + 1;
+    }
     for (std::size_t set = 1; set < all; ++set) {  // of columns; their number is that of rows
       const auto row = static_cast<std::size_t>(std::popcount(set)) - 1;
       minor[set] = Number{};
       bool is_negative = row % 2 != 0;
       for (std::size_t rest = set; rest != 0; rest &= rest - 1, is_negative = !is_negative) {
         const auto column = static_cast<std::size_t>(std::countr_zero(rest));
-        Arithmetic::add_product(minor[set], numbers[row][column], minor[set ^ (std::size_t{1} << column)], is_negative);
+        Arithmetic::add_product(minor[set], numbers[row][column], minor[set ^ (std::size_t{1} << column)], is_negative,
+                                words[row]);
       }
+      Arithmetic::extend(minor[set], words[row]);
     }
     std::array<Number, most_vectors> v{};
     bool is_negative = n % 2 != 0;
     for (std::size_t j = 0; j <= n; ++j, is_negative = !is_negative) {
       Number& determinant = minor[all ^ (std::size_t{1} << j)];
-      if (is_negative) {
-        Arithmetic::add_product(v[j], Arithmetic::entry(Dyadic(1.0), 0), determinant, true);
-      } else {
-        v[j] = std::move(determinant);
-      }
+      v[j] = is_negative ? opposite(determinant) : std::move(determinant);
     }
     return v;
   }
 
-  std::optional<std::array<Integer, most_vectors>> solve() {
+  // The last number is not negative.
+  std::optional<std::array<typename Arithmetic::Number, most_vectors>> solve() {
+    using Number = typename Arithmetic::Number;
     if (!put_independent_first()) return std::nullopt;
     auto v = by_determinants();
+    bool is_zero = true;
+    for (std::size_t j = 0; j <= unknowns; ++j) is_zero = is_zero && Arithmetic::is_zero(v[j]);
+    if (is_zero) return std::nullopt;
     for (std::size_t i = unknowns; i < equations; ++i) {
-      typename Arithmetic::Number sum{};
+      Number sum{};
       for (std::size_t j = 0; j <= unknowns; ++j) Arithmetic::add_product(sum, numbers[i][j], v[j], false);
       if (!Arithmetic::is_zero(sum)) return std::nullopt;
     }
-    std::array<Integer, most_vectors> result;
-    bool is_zero = true;
-    for (std::size_t j = 0; j <= unknowns; ++j) {
-      is_zero = is_zero && Arithmetic::is_zero(v[j]);
-      result[j] = Arithmetic::integer(std::move(v[j]));
-    }
-    if (is_zero) return std::nullopt;
+    if (!Arithmetic::is_negative(v[unknowns])) return v;
+    for (std::size_t j = 0; j <= unknowns; ++j) v[j] = opposite(v[j]);
+    return v;
+  }
+
+ private:
+  static typename Arithmetic::Number opposite(const typename Arithmetic::Number& x) {
+    typename Arithmetic::Number result{};
+    Arithmetic::add_product(result, Arithmetic::entry(Dyadic(1.0), 0), x, true);
     return result;
   }
 };
@@ -230,12 +211,27 @@ std::optional<std::array<Integer, most_vectors>> null_vector(std::span<const Exa
   SUNDER_REQUIRE(!vectors.empty() && vectors.size() <= most_vectors && vectors[0].size() <= most_dimension);
   SUNDER_REQUIRE(vectors.size() <= vectors[0].size() + 1);
   const Scales scales = scales_of(vectors);
-  auto v = is_narrow(scales) ? System<Narrow>(vectors, scales).solve() : System<Wide>(vectors, scales).solve();
-  const std::size_t n = vectors.size() - 1;
-  if (v && (*v)[n] < 0) {
-    for (std::size_t j = 0; j <= n; ++j) (*v)[j].backend().negate();
+  if (!is_narrow(scales)) return System<Wide>(vectors, scales).solve();
+  const auto v = System<Narrow>(vectors, scales).solve();
+  if (!v) return std::nullopt;
+  std::array<Integer, most_vectors> result;
+  for (std::size_t j = 0; j < vectors.size(); ++j) result[j] = FewWords::integer((*v)[j]);
+  return result;
+}
+
+bool FewWordVectors::fit(std::int64_t more) const {
+  std::int64_t sum = bits_of_factorial + more;
+  for (std::size_t r = 0; r < equations; ++r) {
+    if (bits[r] > static_cast<std::int64_t>(FewWords::most_bits)) return false;
+    sum += bits[r];
   }
-  return v;
+  return sum < static_cast<std::int64_t>(64 * FewWords::words - 1);
+}
+
+std::optional<std::array<FewWords::Number, most_vectors>> null_vector(const FewWordVectors& vectors) {
+  SUNDER_REQUIRE(vectors.count > 0 && vectors.count <= vectors.equations + 1 && vectors.equations <= most_dimension);
+  SUNDER_REQUIRE(vectors.fit());
+  return System<Narrow>(vectors).solve();
 }
 
 }  // namespace sunder::polytope

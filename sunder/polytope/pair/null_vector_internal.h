@@ -3,10 +3,12 @@
 #pragma once
 
 #include <sunder/number/integer_internal.h>
+#include <sunder/polytope/pair/few_words_internal.h>
 #include <sunder/polytope/pair/placed.h>
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -22,5 +24,18 @@ inline constexpr std::size_t most_vectors = most_dimension + 1;
 // Requires 1 to d + 1 vectors, of the same d <= 6 numbers. Cost: some n 2^n products of integers, of some 60 n bits
 // where the numbers of an equation are of one size; no divisions.
 std::optional<std::array<Integer, most_vectors>> null_vector(std::span<const ExactVector> vectors);
+
+// Vectors whose equations are of integers of at most so many bits each: entry [r][j] is that of vector j in equation r.
+struct FewWordVectors {
+  std::size_t equations = 0, count = 0;
+  std::array<std::array<FewWords::Entry, most_vectors>, most_dimension> numbers{};
+  std::array<std::int64_t, most_dimension> bits{};
+
+  // Do determinants fit, and sums of their products with numbers of `more` bits?
+  bool fit(std::int64_t more = 0) const;
+};
+
+// The same of these. Requires that they fit.
+std::optional<std::array<FewWords::Number, most_vectors>> null_vector(const FewWordVectors& vectors);
 
 }  // namespace sunder::polytope

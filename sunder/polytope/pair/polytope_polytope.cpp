@@ -30,27 +30,24 @@ class Search {
   }
 
  private:
-  // True where a proposal held. First among samples of the points: whatever their simplex is, it goes on with more.
+  // True where a proposal held. First among samples of the points, then among shortlists: whatever their simplex is, it
+  // goes on with all.
   bool search() {
     Vector direction{};
     if (!towards_origin(difference(0, 0).at, d_, direction)) direction[0] = 1;
-    std::size_t every_a = first_sample(a_), every_b = first_sample(b_);
+    LooksAtBoth looks(a_, b_);
     for (int step = 0; step < most_steps; ++step) {
-      const Support of_a = support(a_, pose_a_, direction, 1, every_a),
-                    of_b = support(b_, pose_b_, direction, -1, every_b);
-      answer_.cost.probes += a_.size() / every_a + b_.size() / every_b;
+      const FurthestPoint of_a = likely_support(looks.a, pose_a_, direction, 1, answer_.cost),
+                          of_b = likely_support(looks.b, pose_b_, direction, -1, answer_.cost);
       ++answer_.cost.iterations;
-      const bool is_all = every_a == 1 && every_b == 1, is_apart = of_a.product.product < of_b.product.product;
-      if (is_all && is_apart && parts(direction, of_a, of_b)) return true;
-      if ((is_apart || simplex_.has(of_a.index, of_b.index)) && !is_all) {
-        every_a = std::max(every_a / 4, std::size_t{1});
-        every_b = std::max(every_b / 4, std::size_t{1});
-        continue;
-      }
-      if (simplex_.has(of_a.index, of_b.index)) return false;
+      const bool is_apart = of_a.product < of_b.product, is_known = simplex_.has(of_a.index, of_b.index);
+      if (looks.are_all() && is_apart && parts(direction, of_a.product, of_b.product)) return true;
+      if ((is_apart || is_known) && looks.widen()) continue;
+      if (is_known) return false;
       if (!simplex_.add(difference(of_a.index, of_b.index))) return false;
       if (simplex_.is_full()) return holds_origin();
       if (simplex_.is_at_origin() || !towards_origin(simplex_.nearest(), d_, direction)) return false;
+      looks.narrow();
     }
     return false;
   }
@@ -63,9 +60,10 @@ class Search {
   }
 
   // Is all of A less far along the direction than all of B?
-  bool parts(const Vector& direction, const Support& of_a, const Support& of_b) {
+  bool parts(const Vector& direction, double of_a, double of_b) {
     ++answer_.cost.proposals;
-    const Guess guess = compare(of_a.product, of_b.product);
+    const Guess guess = compare(BoundedProduct{of_a, support_error(a_, pose_a_, direction)},
+                                BoundedProduct{of_b, support_error(b_, pose_b_, direction)});
     bool holds = guess == Guess::positive;
     if (!is_sure(guess)) {
       const ExactVector exact(direction.begin(), direction.begin() + static_cast<std::ptrdiff_t>(d_));

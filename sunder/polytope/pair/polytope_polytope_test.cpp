@@ -1,3 +1,4 @@
+#include <sunder/base/random.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
 
 #include <gtest/gtest.h>
@@ -75,6 +76,42 @@ TEST(PolytopePolytope, FiltersDecideWhatIsPlain) {
     EXPECT_FALSE(apart.meet());
     EXPECT_EQ(apart.decided_by, DecidedBy::filter);
     EXPECT_EQ(apart.cost.exact, 0u);
+  }
+}
+
+// Of spheres of 1,000 points that meet, nearly meet, or are near: the evidence stands by itself, and after the sample
+// some two to four looks at all points do.
+TEST(PolytopePolytope, LargeBodiesTakeFewLooksAtAllPoints) {
+  Random random(20261127);
+  constexpr std::size_t count = 1000;
+  for (const std::size_t d : {3u, 4u, 5u}) {
+    std::size_t looks = 0, meets = 0, pairs = 0;
+    for (const double distance : {1.2, 1.9, 1.95, 1.98, 2.1}) {
+      const auto sphere = [&](double shift) {
+        std::vector<double> rows;
+        for (std::size_t k = 0; k < count; ++k) {
+          std::vector<double> p(d);
+          double square = 0;
+          for (double& x : p) {
+            x = random.uniform(-1, 1);
+            square += x * x;
+          }
+          for (std::size_t c = 0; c < d; ++c) rows.push_back(p[c] / std::sqrt(square) + (c == 0 ? shift : 0));
+        }
+        return Polytope::from_points(d, rows);
+      };
+      const Polytope a = sphere(0), b = sphere(distance);
+      const Pose here(d);
+      const PolytopeAnswer answer = polytope_polytope(a, here, b, here);
+      EXPECT_TRUE(check(a, here, b, here, answer.evidence.verdict, exact_evidence(a, here, b, here, answer)));
+      EXPECT_EQ(answer.decided_by, DecidedBy::filter);
+      looks += answer.cost.probes;
+      meets += answer.meet();
+      ++pairs;
+    }
+    EXPECT_GT(meets, 0u);
+    EXPECT_LT(meets, pairs);
+    EXPECT_LT(looks, 4 * pairs * 2 * count);
   }
 }
 

@@ -1,40 +1,61 @@
 #include <sunder/polytope/pair/support.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace sunder::polytope {
 
-Support support(const Polytope& body, const Pose& pose, const Vector& direction, double side, std::size_t every) {
-  const std::size_t d = body.dimension();
-  ColumnNumbers pulled{}, sizes{};
-  int roundings = 0;
+namespace {
+
+// The direction times `side` in the frame of the body.
+ColumnNumbers pulled_back(const Pose& pose, const Vector& direction, double side) {
+  const std::size_t d = pose.dimension();
+  ColumnNumbers pulled{};
   if (pose.is_identity()) {
-    for (std::size_t c = 0; c < d; ++c) {
-      pulled[c] = side * direction[c];
-      sizes[c] = std::fabs(direction[c]);
-    }
-  } else {  // sums of d products
-    roundings = static_cast<int>(d);
-    for (std::size_t r = 0; r < d; ++r) {
-      const double along = side * direction[r];
-      for (std::size_t c = 0; c < d; ++c) {
-        const double product = along * pose.linear(r, c);
-        pulled[c] += product;
-        sizes[c] += std::fabs(product);
-      }
-    }
+    for (std::size_t c = 0; c < d; ++c) pulled[c] = side * direction[c];
+    return pulled;
   }
-  const FurthestPoint furthest = furthest_along(body.columns(), pulled, every);
-  Support result{furthest.index, {side * furthest.product, product_error(body.columns(), sizes, roundings + 2)}};
-  if (pose.is_identity()) return result;
-  double moved = 0, size = 0;
   for (std::size_t r = 0; r < d; ++r) {
-    const double product = direction[r] * pose.translation()[r];
-    moved += product;
-    size += std::fabs(product);
+    const double along = side * direction[r];
+    for (std::size_t c = 0; c < d; ++c) pulled[c] += along * pose.linear(r, c);
   }
-  result.product.product += moved;
-  result.product.error += (static_cast<double>(d) + 8) * 0x1p-53 * size + 0x1p-1060;
+  return pulled;
+}
+
+// A product of the frame of the body in the world.
+double moved(const Pose& pose, const Vector& direction, double side, double product) {
+  if (pose.is_identity()) return side * product;
+  double sum = 0;
+  for (std::size_t r = 0; r < pose.dimension(); ++r) sum += direction[r] * pose.translation()[r];
+  return side * product + sum;
+}
+
+}  // namespace
+
+Support support(const Polytope& body, const Pose& pose, const Vector& direction, double side) {
+  const FurthestPoint furthest = furthest_along(body.columns(), pulled_back(pose, direction, side));
+  return {furthest.index, {moved(pose, direction, side, furthest.product), support_error(body, pose, direction)}};
+}
+
+double support_error(const Polytope& body, const Pose& pose, const Vector& direction) {
+  const std::size_t d = body.dimension();
+  ColumnNumbers sizes{};
+  if (pose.is_identity()) {
+    for (std::size_t c = 0; c < d; ++c) sizes[c] = std::fabs(direction[c]);
+    return product_error(body.columns(), sizes, 2);
+  }
+  double size = 0;
+  for (std::size_t r = 0; r < d; ++r) {
+    for (std::size_t c = 0; c < d; ++c) sizes[c] += std::fabs(direction[r] * pose.linear(r, c));
+    size += std::fabs(direction[r] * pose.translation()[r]);
+  }
+  return product_error(body.columns(), sizes, static_cast<int>(d) + 2) +  // sums of d products
+         ((static_cast<double>(d) + 8) * 0x1p-53 * size + 0x1p-1060);
+}
+
+FurthestPoint likely_support(Looks& looks, const Pose& pose, const Vector& direction, double side, Cost& cost) {
+  FurthestPoint result = looks.furthest(pulled_back(pose, direction, side), cost);
+  result.product = moved(pose, direction, side, result.product);
   return result;
 }
 
@@ -42,6 +63,10 @@ Vector rounded_image(const Polytope& body, const Pose& pose, std::uint32_t k) {
   const std::size_t d = body.dimension();
   const std::span<const double> row = body.row(k);
   Vector image{};
+  if (pose.is_identity()) {
+    std::copy_n(row.begin(), d, image.begin());
+    return image;
+  }
   for (std::size_t r = 0; r < d; ++r) {
     image[r] = pose.translation()[r];
     for (std::size_t c = 0; c < d; ++c) image[r] += pose.linear(r, c) * row[c];
@@ -62,12 +87,6 @@ std::array<Interval, most_dimension> enclosed_image(const Polytope& body, const 
     for (std::size_t c = 0; c < d; ++c) image[r] = image[r] + Interval(pose.linear(r, c)) * Interval(row[c]);
   }
   return image;
-}
-
-std::size_t first_sample(const Polytope& body) {
-  std::size_t every = 1;
-  while (body.columns().stride / PointColumns::block / every >= 8) every *= 4;
-  return every;
 }
 
 }  // namespace sunder::polytope

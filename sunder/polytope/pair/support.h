@@ -1,9 +1,11 @@
 // What a search in floating point asks of a polytope of points under its pose.
 #pragma once
 
+#include <sunder/base/cost.h>
 #include <sunder/number/interval.h>
 #include <sunder/polytope/object/polytope.h>
 #include <sunder/polytope/object/pose.h>
+#include <sunder/polytope/pair/looks.h>
 #include <sunder/predicate/along_columns.h>
 
 #include <array>
@@ -19,13 +21,14 @@ struct Support {
   BoundedProduct product;  // no product of the body is further than this, error included
 };
 
-// The point that is furthest along the direction (side 1), or least far (side -1), as floating point has it. With
-// `every`, of a sample (furthest_along); then the product bounds nothing.
-Support support(const Polytope& body, const Pose& pose, const Vector& direction, double side, std::size_t every = 1);
+// The point that is furthest along the direction (side 1), or least far (side -1), as floating point has it.
+Support support(const Polytope& body, const Pose& pose, const Vector& direction, double side);
 
-// A search looks at samples first: at a quarter of what comes next, each time. The first such step, for a body of so
-// many rows: 64 to 256 rows are looked at, or all where there are few.
-std::size_t first_sample(const Polytope& body);
+// The same of those points that are looked at, and without a bound.
+FurthestPoint likely_support(Looks& looks, const Pose& pose, const Vector& direction, double side, Cost& cost);
+
+// A bound on the error of the products of support points.
+double support_error(const Polytope& body, const Pose& pose, const Vector& direction);
 
 // The image of a point: as floating point has it, and enclosed.
 Vector rounded_image(const Polytope& body, const Pose& pose, std::uint32_t k);
