@@ -125,6 +125,11 @@ class VerticesTest(unittest.TestCase):
                 self.assertEqual(twins.look(given.file(*rest)), "normal_fan")
                 rest[1][0] = rest[1][0] + fans[v]
                 self.assertEqual(twins.look(given.file(*rest)), "normal_fan")
+            v = dice.randrange(len(points))  # and a half-space more cuts it off
+            given.rows.append([sum(given.rows[k][c] for k in fans[v][0]) for c in range(given.d + 1)])
+            self.assertEqual(twins.look(given.file(points, fans)), "accepted")
+            given.rows[-1][-1] -= 1
+            self.assertEqual(twins.look(given.file(points, fans)), "normal_fan")
         twins.compare()
 
     def test_no_forced_claim_proves_what_is_not_so(self):
