@@ -221,7 +221,14 @@ hull cases/polytopes/line.csv
 hull cases/polytopes/place.csv
 hull cases/polytopes/square.csv
 hull cases/polytopes/octahedron.csv
-hull cases/polytopes/box.csv
+hull cases/polytopes/box.csv --out OUT.csv --certificate OUT
+hull cases/polytopes/facet.csv
+hull cases/polytopes/apex.csv
+hull cases/polytopes/empty.csv
+hull cases/polytopes/wedge.csv --certificate OUT
+hull cases/polytopes/interval.csv
+hull cases/polytopes/corner.csv
+hull cases/polytopes/box.npy --half-spaces
 hull cases/polytopes/cube.csv --out OUT.obj
 section cases/mesh/cube.obj --plane 1,1,1,1.5 --plane 1,1,0,1 --plane x=0.25 --out OUT.obj --certificate OUT --svg OUT.svg
 section cases/mesh/cube.obj --plane cases/space/tilted.json --plane cases/space/plane.json --certificate OUT
@@ -423,7 +430,7 @@ class Reports(unittest.TestCase):
             "pair": {"apart", "meet", "undecided", "error"}, "scene": set_verb | {"undecided"}, "segments": set_verb, "circles": set_verb,
             "boxes": set_verb, "polygons": set_verb,
             "simple": {"valid", "not valid", "simple", "not simple", "error"}, "region": some,
-            "kernel": some, "hull": {"point", "segment", "polygon", "body", "polytope", "error"}, "section": set_verb,
+            "kernel": some, "hull": {"point", "segment", "polygon", "body", "polytope", "empty", "unbounded", "error"}, "section": set_verb,
             "info": {"read", "error"},
             "verify": {"accepted", "refused", "error"}, None: {"error"}})
         self.assertGreater(sum(self.count.values()), 4000)

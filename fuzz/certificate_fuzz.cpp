@@ -16,7 +16,7 @@ namespace {
 
 // Of pairs, distances, clearances, depths and motions; of sections; of sets; of common parts; of linear programs;
 // of valid polygons; of hulls.
-constexpr std::array<std::string_view, 45> verdicts{"apart",
+constexpr std::array<std::string_view, 46> verdicts{"apart",
                                                     "meet",
                                                     "touching",
                                                     "overlapping",
@@ -60,7 +60,8 @@ constexpr std::array<std::string_view, 45> verdicts{"apart",
                                                     "facets",
                                                     "at_most",
                                                     "at_least",
-                                                    "apart_by_hyperplanes"};
+                                                    "apart_by_hyperplanes",
+                                                    "vertices"};
 
 }  // namespace
 

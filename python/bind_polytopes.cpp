@@ -4,7 +4,7 @@
 #include <sunder/polytope/pair/polytope_point.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
 
-#include "common.h"
+#include "polytopes.h"
 
 #include <algorithm>
 #include <optional>
@@ -52,24 +52,6 @@ PythonPolytopeAnswer answer_of(std::shared_ptr<const PlacedPair> pair, const Pol
     return file_of(
         [&](ClaimsWriter& file) { add_claims(file, {"A", a, pair->pose_a}, {"B", b, pair->pose_b}, answer); });
   };
-  return result;
-}
-
-nb::object fraction_of(const Dyadic& numerator, const Dyadic& denominator) {
-  return nb::module_::import_("fractions").attr("Fraction")(fraction_text(numerator, denominator));
-}
-
-nb::tuple fractions_of(const std::vector<Dyadic>& numbers, const Dyadic& denominator) {
-  nb::list list;
-  for (const Dyadic& n : numbers) list.append(fraction_of(n, denominator));
-  return nb::tuple(list);
-}
-
-nb::dict weights_of(const RowWeights& weights) {
-  nb::dict result;
-  for (const RowWeights::Part& part : weights.parts) {
-    result[nb::int_(part.row)] = fraction_of(part.numerator, weights.denominator);
-  }
   return result;
 }
 
@@ -182,6 +164,24 @@ auto numbers_of(std::span<const double> given, std::size_t rows) {
 }
 
 }  // namespace
+
+nb::object fraction_of(const Dyadic& numerator, const Dyadic& denominator) {
+  return nb::module_::import_("fractions").attr("Fraction")(fraction_text(numerator, denominator));
+}
+
+nb::tuple fractions_of(std::span<const Dyadic> numbers, const Dyadic& denominator) {
+  nb::list list;
+  for (const Dyadic& n : numbers) list.append(fraction_of(n, denominator));
+  return nb::tuple(list);
+}
+
+nb::dict weights_of(const RowWeights& weights) {
+  nb::dict result;
+  for (const RowWeights::Part& part : weights.parts) {
+    result[nb::int_(part.row)] = fraction_of(part.numerator, weights.denominator);
+  }
+  return result;
+}
 
 void bind_polytopes(nb::module_& module, nb::module_& chapter) {
   const nb::arg a("a"), pose_a("pose_a"), b("b"), pose_b("pose_b");
@@ -305,6 +305,7 @@ void bind_polytopes(nb::module_& module, nb::module_& chapter) {
         return meet(first, Pose(first->dimension()), second, Pose(second->dimension()), "automatic");
       },
       a, b, doc);
+  bind_hulls(chapter);
 }
 
 }  // namespace sunder::python

@@ -99,10 +99,13 @@
 #include <sunder/solid/round/round_round.h>
 
 // Any dimension.
+#include <sunder/polytope/hull/convex_hull.h>
+#include <sunder/polytope/hull/vertices.h>
 #include <sunder/polytope/object/polytope.h>
 #include <sunder/polytope/object/pose.h>
 #include <sunder/polytope/pair/polytope_point.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
 #include <sunder/polytope/region/half_space_region.h>
 #include <sunder/polytope/region/linear_program.h>
+#include <sunder/polytope/region/region_vertices.h>
 #include <sunder/polytope/represent/hierarchical_tree.h>

@@ -26,10 +26,6 @@ namespace {
 using polytope::ConvexHull;
 using polytope::Polytope;
 
-const char* name_of(std::size_t dimension) {
-  return dimension > 3 ? "polytope" : dimension_name(static_cast<int>(dimension));
-}
-
 // A row a1, .., ad, b, so that a is of length 1, about.
 std::vector<double> about_unit(const std::vector<Dyadic>& row) {
   std::int64_t top = 0;
@@ -80,18 +76,30 @@ Json json_of(const Polytope& points, const ConvexHull& hull) {
 
 }  // namespace
 
+const char* name_of_hull(std::size_t dimension) {
+  return dimension > 3 ? "polytope" : dimension_name(static_cast<int>(dimension));
+}
+
+Json object_of(const HullCall& call, const Polytope& polytope) {
+  return {{"file", io::one_line(call.file)},
+          {"name", io::one_line(std::filesystem::path(call.file).stem().string())},
+          {"format", std::filesystem::path(call.file).extension() == ".npy" ? "NPY" : "CSV"},
+          {"shape", polytope.is_of_points() ? "points" : "half-spaces"},
+          {"dimension", polytope.dimension()},
+          {"rows", polytope.size()}};
+}
+
 int run_polytope_hull(const HullCall& call) {
   if (call.leave_out) throw Error(ErrorCode::bad_call, "is not for polytopes; leave it out", "--leave-out");
   const bool is_table = std::filesystem::path(call.out).extension() == ".csv";
   if (!call.out.empty() && !is_table) {
-    throw Error(ErrorCode::bad_call, "of a hull of points out of CSV the facets are written as .csv", "--out");
+    throw Error(ErrorCode::bad_call, "of polytopes out of CSV or NPY facets and vertices are written as .csv", "--out");
   }
   InputFiles inputs;
-  const Polytope points = io::read_polytope(call.file, call.certificate.empty() ? nullptr : &inputs);
+  const Polytope points = io::read_polytope(call.file, call.certificate.empty() ? nullptr : &inputs,
+                                            call.half_spaces ? polytope::Form::half_spaces : polytope::Form::points);
+  if (!points.is_of_points()) return run_half_space_hull(call, points, inputs);
   const std::string file = io::one_line(call.file);
-  if (!points.is_of_points()) {
-    throw Error(ErrorCode::bad_call, "half-spaces; give points, columns x1,..,xd", file);
-  }
   const ConvexHull hull = convex_hull(points);
   const std::string name = io::one_line(std::filesystem::path(call.file).stem().string());
   if (!call.out.empty()) io::write_file_atomically(call.out, table_of(hull));
@@ -99,19 +107,15 @@ int run_polytope_hull(const HullCall& call) {
     write_proof(call.certificate, {inputs, {}}, [&](ClaimsWriter& claims) { write_hull(claims, name, points, hull); });
   }
   if (call.json) {
-    Json json = envelope("hull", name_of(hull.dimension));
-    json["objects"].push_back({{"file", file},
-                               {"name", name},
-                               {"format", "CSV"},
-                               {"shape", "points"},
-                               {"dimension", points.dimension()},
-                               {"rows", points.size()}});
+    Json json = envelope("hull", name_of_hull(hull.dimension));
+    json["objects"].push_back(object_of(call, points));
     json["hull"] = json_of(points, hull);
     json["out"] = call.out.empty() ? Json(nullptr) : Json(call.out);
     print(to_text(json));
     return exit_code::no;
   }
-  std::string text = fmt::format("{}: hull of dimension {}: a {}\n", file, hull.dimension, name_of(hull.dimension));
+  std::string text =
+      fmt::format("{}: hull of dimension {}: a {}\n", file, hull.dimension, name_of_hull(hull.dimension));
   text += fmt::format("  points    {}, of {} numbers\n", points.size(), points.dimension());
   text += fmt::format("  vertices  {}\n  facets    {}", hull.vertices.size(), hull.facet_count());
   if (hull.simplex_count() > hull.facet_count()) text += fmt::format(", cut into {} simplices", hull.simplex_count());

@@ -1,5 +1,9 @@
-// sunder hull of points of two to six dimensions, out of CSV.
+// sunder hull of points or half-spaces of two to six dimensions, out of CSV or NPY.
 #pragma once
+
+#include <sunder/ask/report.h>
+#include <sunder/certificate/origin.h>
+#include <sunder/polytope/object/polytope.h>
 
 #include <string>
 
@@ -8,11 +12,18 @@ namespace sunder::ask {
 // What `sunder hull` was asked.
 struct HullCall {
   std::string file, out, certificate;
-  bool leave_out = false;
+  bool leave_out = false, half_spaces = false;
   bool json = false;
 };
 
 // Answers; returns the exit code. Throws Error for bad input, and for options that are not for polytopes.
 int run_polytope_hull(const HullCall& call);
+
+// The same of half-spaces that have been read: the vertices of what they have in common.
+int run_half_space_hull(const HullCall& call, const polytope::Polytope& half_spaces, const InputFiles& inputs);
+
+// "polygon", "polytope"; and what the report says of the file.
+const char* name_of_hull(std::size_t dimension);
+Json object_of(const HullCall& call, const polytope::Polytope& polytope);
 
 }  // namespace sunder::ask

@@ -29,7 +29,7 @@ std::size_t edge_count(const solid::ConvexPolyhedron& hull) {
 }
 
 int run(const HullCall& call) {
-  if (io::names_polytope(call.file)) return run_polytope_hull(call);
+  if (call.half_spaces || io::names_polytope(call.file)) return run_polytope_hull(call);
   const io::MeshFormat format = call.out.empty() ? io::MeshFormat::obj : io::mesh_format_of_name(call.out);
   LeftOutList left_out(call.leave_out);
   InputFiles inputs;
@@ -75,11 +75,13 @@ Verb hull_verb() {
   const auto call = std::make_shared<HullCall>();
   return {
       "hull",
-      "The exact convex hull of a mesh or a set of points, of up to six dimensions.",
-      codes_of_reports,
-      {{"FILE", &call->file, "a mesh or a set of points: OBJ, STL, PLY, OFF, DAE, glTF, WRL; CSV x1,..,xd", "", true},
-       {"-o,--out", &call->out, "write the hull here: .obj, .off, .ply or .stl; of CSV: .csv", "FILE"},
+      "The exact convex hull of a mesh or a set of points, or the vertices of half-spaces, of up to six dimensions.",
+      "0; of half-spaces 1 if they are empty, or unbounded",
+      {{"FILE", &call->file, "a mesh or points: OBJ, STL, PLY, OFF, DAE, glTF, WRL; CSV, NPY x1,..,xd; or a1,..,ad,b",
+        "", true},
+       {"-o,--out", &call->out, "write the hull here: .obj, .off, .ply or .stl; of CSV or NPY: .csv", "FILE"},
        certificate_option(call->certificate),
+       {"--half-spaces", &call->half_spaces, "rows of FILE are half-spaces a1,..,ad,b, where it does not name them"},
        {"--leave-out", &call->leave_out, leave_out_help},
        json_option(call->json)},
       [call] { return run(*call); }};

@@ -21,7 +21,7 @@ struct Said {
   const RowBody *polytope_a = nullptr, *polytope_b = nullptr;
   const RowBody* half_spaces = nullptr;
   std::size_t dimension = 0;
-  std::vector<Numbers> spanned_by;
+  std::vector<Numbers> spanned_by, vertices;
   Numbers as_good;
   Number least;
   AllPairs all_pairs;
@@ -156,12 +156,21 @@ void read_dimension(const Place& p, Said& said) {
   said.dimension = index_member(p.item, "dimension", said.half_spaces->dimension + 1, p.where);
 }
 
-void read_spanned_by(const Place& p, Said& said) {
-  for (const Json& entry : list_member(p.item, "spanned_by", p.where)) {
-    const std::string where = p.where + ".spanned_by entry";
+std::vector<Numbers> read_places(const Place& p, const char* key, const Said& said) {
+  std::vector<Numbers> result;
+  for (const Json& entry : list_member(p.item, key, p.where)) {
+    const std::string where = p.where + "." + key + " entry";
     require_members(entry, {"point"}, {}, where);
-    said.spanned_by.push_back(read_numbers(list_member(entry, "point", where), dimension(said), where));
+    result.push_back(read_numbers(list_member(entry, "point", where), dimension(said), where));
   }
+  return result;
+}
+
+void read_spanned_by(const Place& p, Said& said) { said.spanned_by = read_places(p, "spanned_by", said); }
+
+void read_vertices(const Place& p, Said& said) {
+  said.vertices = read_places(p, "vertices", said);
+  if (said.vertices.empty()) refuse_form(p.where + ".vertices is empty");
 }
 
 void read_least(const Place& p, Said& said) {
@@ -531,6 +540,25 @@ void read_multipliers(const Json& item, const Said& said, std::size_t, const std
 void read_own_multipliers(const Json& item, const Said& said, std::size_t, const std::string& where, Claim& claim) {
   claim.multipliers =
       weight_list(item, "multipliers", said.half_spaces->given->rows.size(), 0, most_of_half_spaces, where);
+}
+
+// Of each vertex lists of half-spaces, as many as there are dimensions.
+void read_fans(const Json& item, const Said& said, std::size_t size, const std::string& where, Claim& claim) {
+  const std::string place = where + ".fans";
+  for (const Json& fan : list_member(item, "fans", where)) {
+    if (!fan.is_array() || fan.empty()) refuse_form(place + " entry is empty, or no list");
+    claim.fans.emplace_back();
+    for (const Json& cone : fan) {
+      if (!cone.is_array()) refuse_form(place + " entry entry is not a list");
+      std::vector<std::size_t> rows;
+      for (const Json& entry : cone) rows.push_back(read_index(entry, size, place + " entry"));
+      if (rows.size() != dimension(said) || std::set(rows.begin(), rows.end()).size() != rows.size()) {
+        refuse_form(place + " has not as many half-spaces as there are dimensions, each once");
+      }
+      claim.fans.back().push_back(std::move(rows));
+    }
+  }
+  if (claim.fans.size() != said.vertices.size()) refuse_form(place + " is not as long as the vertices");
 }
 
 // Of points half-spaces around them, of half-spaces none.
@@ -1008,6 +1036,10 @@ const ClaimNeeded spans{
     "spans", {{"multipliers", read_own_multipliers}}, of_half_spaces, [](const Claim& c, const Said& s, const Tables&) {
       check_spans(c, *s.half_spaces, s.dimension, s.spanned_by);
     }};
+const ClaimNeeded normal_fan{
+    "normal_fan", {{"fans", read_fans}}, of_half_spaces, [](const Claim& c, const Said& s, const Tables&) {
+      check_normal_fan(c, *s.half_spaces, s.vertices);
+    }};
 const ClaimNeeded enclosed{"enclosed",
                            {{"multipliers", read_own_multipliers}},
                            of_half_spaces,
@@ -1132,6 +1164,11 @@ const std::vector<Question> questions{
      {{"empty", {}, {&contradicted}},
       {"bounded", {{"dimension", read_dimension}, {"spanned_by", read_spanned_by}}, {&spans, &enclosed}},
       {"unbounded", {{"dimension", read_dimension}, {"spanned_by", read_spanned_by}}, {&spans, &recedes}}}},
+    {"half_spaces_vertices",
+     "polytopes",
+     {{"half_spaces", read_half_spaces}},
+     {},
+     {{"vertices", {{"vertices", read_vertices}}, {&normal_fan}}}},
     {"half_spaces_program",
      "polytopes",
      {{"half_spaces", read_half_spaces}, {"objective", read_objective}},

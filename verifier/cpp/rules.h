@@ -89,6 +89,7 @@ struct Claim {
   WeightList of_a, of_b;                    // multipliers of half-spaces
   std::vector<Numbers> planes_a, planes_b;  // half-spaces around polytopes of points
   WeightList multipliers;
+  std::vector<std::vector<std::vector<std::size_t>>> fans;  // of vertices, cones of half-spaces
   std::vector<SurfaceCorner> corners;
   std::vector<std::array<std::size_t, 3>> triangles;
 };
@@ -134,6 +135,8 @@ void check_recedes(const Claim& claim, const RowBody& given);
 void check_rises(const Claim& claim, const RowBody& given, const Numbers& objective);
 void check_tops(const Claim& claim, const RowBody& given, const Numbers& objective, const Numbers& point);
 void check_tops_only(const Claim& claim, const RowBody& given, const Numbers& objective, const Numbers& point);
+// Cones of half-spaces that end in each vertex (vertex_rules.cpp).
+void check_normal_fan(const Claim& claim, const RowBody& given, const std::vector<Numbers>& vertices);
 void check_another(const Numbers& objective, const Numbers& point, const Numbers& as_good);
 
 void check_surface(const Claim& claim, const HullBody& body, const std::vector<std::vector<std::size_t>>& faces);

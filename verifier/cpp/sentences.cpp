@@ -36,6 +36,8 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"half_spaces", "empty", "the common part of the half-spaces of {a} is empty"},
     {"half_spaces", "bounded", "the common part of the half-spaces of {a} is bounded, of dimension {dimension}"},
     {"half_spaces", "unbounded", "the common part of the half-spaces of {a} is unbounded, of dimension {dimension}"},
+    {"half_spaces_vertices", "vertices",
+     "the common part of the half-spaces of {a} is bounded, and has exactly {vertices}"},
     {"half_spaces_program", "one", "{point} is the best point of the half-spaces of {a} along {objective}"},
     {"half_spaces_program", "many", "{point} is one of many best points of the half-spaces of {a} along {objective}"},
     {"half_spaces_program", "all", "{point} is as good as all others of the half-spaces of {a} along {objective}"},
@@ -213,6 +215,10 @@ std::string facets_text(const Json& facets) {
          std::to_string(facets[0][0].size()) + " corners";
 }
 
+std::string vertices_text(const Json& vertices) {
+  return std::to_string(vertices.size()) + (vertices.size() == 1 ? " vertex" : " vertices");
+}
+
 std::string rules_text(const Json& item) {
   std::string text;
   if (item.contains("allowed") && item["allowed"].text() != "nothing")
@@ -237,7 +243,9 @@ std::string sentence_of(const Json& item, const NamedBody& a, const NamedBody& b
   Words words{{"region", region_text(item, verdict)}};
   for (const auto& [name, value] : item.members()) {
     if (name == "claims" || name == "points") continue;
-    words[std::string(name)] = name == "facets" ? facets_text(*value) : shown(*value);
+    words[std::string(name)] = name == "facets"     ? facets_text(*value)
+                               : name == "vertices" ? vertices_text(*value)
+                                                    : shown(*value);
   }
   if (!a.name.empty()) words["a"] = titled(a);
   if (!b.name.empty()) words["b"] = titled(b);

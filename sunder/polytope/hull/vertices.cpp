@@ -1,6 +1,7 @@
 #include <sunder/base/contract.h>
 #include <sunder/polytope/hull/full_hull.h>
 #include <sunder/polytope/hull/vertices.h>
+#include <sunder/polytope/hull/vertices_internal.h>
 #include <sunder/polytope/pair/phase_one_internal.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
 
@@ -24,9 +25,14 @@ Dyadic slack(std::span<const double> row, std::span<const Dyadic> point) {
   return sum;
 }
 
+// 0 x <= 0: all of space, of which no point is strictly inside.
+bool is_zero(std::span<const double> row) {
+  return std::all_of(row.begin(), row.end(), [](double x) { return x == 0; });
+}
+
 bool is_inside(const Polytope& half_spaces, std::span<const Dyadic> point) {
   for (std::uint32_t k = 0; k < half_spaces.size(); ++k) {
-    if (slack(half_spaces.row(k), point).sign() != Sign::positive) return false;
+    if (!is_zero(half_spaces.row(k)) && slack(half_spaces.row(k), point).sign() != Sign::positive) return false;
   }
   return true;
 }
@@ -42,6 +48,8 @@ std::vector<Dyadic> rounded_inside(const Polytope& half_spaces, std::vector<Dyad
   rounded.emplace_back(1.0);
   return is_inside(half_spaces, rounded) ? rounded : point;
 }
+
+constexpr const char* unbounded = "the half-spaces are not bounded; give bounded ones";
 
 [[noreturn]] void refuse(const char* what) { throw Error(ErrorCode::bad_shape, what); }
 
@@ -62,6 +70,7 @@ std::vector<Dyadic> point_inside(const Polytope& half_spaces) {
     Dyadic greatest;
     for (std::uint32_t k = 0; k < half_spaces.size(); ++k) {
       const auto row = half_spaces.row(k);
+      if (is_zero(row)) continue;
       Dyadic price = y[d + 1];
       for (std::size_t c = 0; c <= d; ++c) {
         if (row[c] != 0) price = price + y[c] * row[c];
@@ -82,8 +91,47 @@ std::vector<Dyadic> point_inside(const Polytope& half_spaces) {
   return {};
 }
 
+void add_vertices(std::size_t d, std::span<const Dyadic> rows, std::uint64_t most, PolytopeVertices& result) {
+  // Seen from the point c = n / w inside, a half-space is a (x - c) <= b - a c = s / w, so its point of the polar is
+  // a w / s. A plane n y = h of the polar, h > 0, is the point c + n / h.
+  const Dyadic& w = result.inside[d];
+  std::vector<Dyadic> polar;
+  for (std::size_t k = 0; k < rows.size(); k += d + 1) {
+    Dyadic slack = rows[k + d] * w;
+    for (std::size_t c = 0; c < d; ++c) {
+      polar.push_back(w * rows[k + c]);
+      slack = slack - result.inside[c] * rows[k + c];
+    }
+    polar.push_back(std::move(slack));
+  }
+  std::vector<std::uint32_t> all(rows.size() / (d + 1));
+  const PlanePoints points(d, std::move(polar));
+  std::iota(all.begin(), all.end(), 0u);
+  if (spanning(points, all).size() <= d) refuse(unbounded);
+  ConvexHull hull;
+  hull.space = hull.dimension = d;
+  hull_of_full(points, std::move(all), most, hull);
+  result.side_tests = hull.side_tests;
+  result.exact_tests = hull.exact_tests;
+  result.bounding = hull.vertices;
+  for (std::size_t f = 0; f < hull.facet_count(); ++f) {
+    const auto simplices = hull.simplices(f);
+    SimplexCorners corners{};
+    std::copy_n(simplices.begin(), d, corners.begin());
+    const std::vector<Dyadic> plane = points.exact_plane(corners);
+    const Dyadic height = -plane[d];
+    if (height.sign() != Sign::positive) refuse(unbounded);
+    std::vector<Dyadic> vertex;
+    for (std::size_t c = 0; c < d; ++c) vertex.push_back(result.inside[c] * height + plane[c] * w);
+    vertex.push_back(w * height);
+    result.vertices.push_back(std::move(vertex));
+    const auto on = hull.facet_vertices(f);
+    result.at.emplace_back(on.begin(), on.end());
+    result.fans.emplace_back(simplices.begin(), simplices.end());
+  }
+}
+
 PolytopeVertices vertices_of(const Polytope& half_spaces, std::uint64_t most) {
-  constexpr const char* unbounded = "the half-spaces are not bounded; give bounded ones";
   const std::size_t d = half_spaces.dimension();
   PolytopeVertices result;
   result.inside = point_inside(half_spaces);
@@ -94,38 +142,13 @@ PolytopeVertices vertices_of(const Polytope& half_spaces, std::uint64_t most) {
   }
   if (result.inside[d].sign() == Sign::zero) refuse(unbounded);
   result.inside = rounded_inside(half_spaces, std::move(result.inside));
-  // Seen from the point c = n / w inside, a half-space is a (x - c) <= b - a c = s / w, so its point of the polar is
-  // a w / s. A plane n y = h of the polar, h > 0, is the point c + n / h.
-  const Dyadic& w = result.inside[d];
-  std::vector<Dyadic> polar;
+  std::vector<Dyadic> rows;
   for (std::uint32_t k = 0; k < half_spaces.size(); ++k) {
     const auto row = half_spaces.row(k);
-    for (std::size_t c = 0; c < d; ++c) polar.push_back(w * row[c]);
-    polar.push_back(slack(row, result.inside));
+    rows.insert(rows.end(), row.begin(), row.end());
+    if (is_zero(row)) rows.back() = 1.0;
   }
-  const PlanePoints points(d, std::move(polar));
-  std::vector<std::uint32_t> all(half_spaces.size());
-  std::iota(all.begin(), all.end(), 0u);
-  if (spanning(points, all).size() <= d) refuse(unbounded);
-  ConvexHull hull;
-  hull.space = hull.dimension = d;
-  hull_of_full(points, std::move(all), most, hull);
-  result.side_tests = hull.side_tests;
-  result.exact_tests = hull.exact_tests;
-  result.bounding = hull.vertices;
-  for (std::size_t f = 0; f < hull.facet_count(); ++f) {
-    SimplexCorners corners{};
-    std::copy_n(hull.simplices(f).begin(), d, corners.begin());
-    const std::vector<Dyadic> plane = points.exact_plane(corners);
-    const Dyadic height = -plane[d];
-    if (height.sign() != Sign::positive) refuse(unbounded);
-    std::vector<Dyadic> vertex;
-    for (std::size_t c = 0; c < d; ++c) vertex.push_back(result.inside[c] * height + plane[c] * w);
-    vertex.push_back(w * height);
-    result.vertices.push_back(std::move(vertex));
-    const auto on = hull.facet_vertices(f);
-    result.at.emplace_back(on.begin(), on.end());
-  }
+  add_vertices(d, rows, most, result);
   return result;
 }
 

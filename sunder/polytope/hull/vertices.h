@@ -18,19 +18,22 @@ namespace sunder::polytope {
 // E3. at[k]: those of `bounding` whose boundary holds vertex k, ascending: d at least. Vertices are in the
 // lexicographic
 //     order of these.
-// E4. inside: a point x / w likewise, strictly inside of all half-spaces.
+// E4. inside: a point x / w likewise, strictly inside of all half-spaces, but of 0 x <= 0, which are all of space.
+// E5. fans[k]: d at a time, some of at[k] whose normals are independent. The cones of these normals cut the cone of all
+//     directions along which vertex k is furthest; those of all vertices are a triangulation of all directions: each
+//     d - 1 of a cone are those of one other, too, on the other side.
 struct PolytopeVertices {
   std::vector<std::vector<Dyadic>> vertices;
   std::vector<std::uint32_t> bounding;
-  std::vector<std::vector<std::uint32_t>> at;
+  std::vector<std::vector<std::uint32_t>> at, fans;
   std::vector<Dyadic> inside;
   std::uint64_t side_tests = 0, exact_tests = 0;  // as of ConvexHull
 };
 
-// A point strictly inside of all half-spaces, as d + 1 numbers as above; nothing where there is none. Where the common
-// part is not bounded, it may say so instead: then the last number is zero, and the others are a direction that goes on
-// strictly inside of all. By linear programming in integers (pair/phase_one_internal.h): multipliers m >= 0, not all
-// zero, with sum m_i a_i = 0 and sum m_i b_i <= 0 are what a point inside contradicts, and the other way round.
+// A point strictly inside of all half-spaces (E4), as d + 1 numbers as above; nothing where there is none. Where the
+// common part is not bounded, it may say so instead: then the last number is zero, and the others are a direction that
+// goes on strictly inside of all. By linear programming in integers (pair/phase_one_internal.h): multipliers m >= 0,
+// not all zero, with sum m_i a_i = 0 and sum m_i b_i <= 0 are what a point inside contradicts, and the other way round.
 std::vector<Dyadic> point_inside(const Polytope& half_spaces);
 
 // Requires half-spaces. Throws Error bad_shape where their common part is empty, is not bounded, or has no inside (lies

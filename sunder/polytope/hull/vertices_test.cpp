@@ -78,6 +78,7 @@ TEST(PolytopeVertices, WhatHasNoVerticesOrNoInsideIsRefused) {
   EXPECT_EQ(refusal(2, {1, 0, 1, -1, 0, -1, 0, 1, 1, 0, -1, 1}),
             "what the half-spaces have in common lies in a hyperplane");
   EXPECT_EQ(refusal(2, {1, 0, 1, -1, 0, 1, 0, 1, 1, 0, -1, 1, 0, 0, 3}), "none");
+  EXPECT_EQ(refusal(2, {1, 0, 1, -1, 0, 1, 0, 1, 1, 0, -1, 1, 0, 0, 0}), "none");  // one that is all of space
   const std::vector<double> simplex{-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0, 1, 1, 1, 1};
   EXPECT_EQ(refusal(3, simplex), "none");
 }

@@ -102,4 +102,30 @@ void add_claims(ClaimsWriter& file, const std::string& name, const Polytope& hal
   file.end_statement();
 }
 
+void add_claims(ClaimsWriter& file, const std::string& name, const Polytope& half_spaces,
+                const RegionVertices& answer) {
+  if (answer.region.kind != RegionKind::bounded) return add_claims(file, name, half_spaces, answer.region);
+  const std::size_t d = half_spaces.dimension();
+  begin(file, name, half_spaces, "half_spaces_vertices");
+  file.text("verdict", "vertices");
+  file.begin_list("vertices");
+  for (const std::vector<Dyadic>& vertex : answer.found.vertices) {
+    file.begin_entry();
+    file.fractions("point", std::span(vertex).first(d), vertex[d]);
+    file.end_entry();
+  }
+  file.end_list();
+  file.begin_claims();
+  file.begin_claim("normal_fan");
+  file.begin_list("fans");
+  for (const std::vector<std::uint32_t>& fan : answer.found.fans) {
+    file.begin_list();
+    for (std::size_t k = 0; k < fan.size(); k += d) file.add_list(std::span(fan).subspan(k, d));
+    file.end_list();
+  }
+  file.end_list();
+  file.end_claim();
+  file.end_statement();
+}
+
 }  // namespace sunder::polytope

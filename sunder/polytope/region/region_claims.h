@@ -1,11 +1,12 @@
 // Writes what is proved of half-spaces into a certificate file (docs/claims.md): a table `polytopes` of one entry, and
-// a statement `half_spaces` or `half_spaces_program` about it. Also called: proof logging. None throws, but for want of
-// memory, or what the writer's sink throws. Cost: linear.
+// a statement `half_spaces`, `half_spaces_vertices` or `half_spaces_program` about it. Also called: proof logging. None
+// throws, but for want of memory, or what the writer's sink throws. Cost: linear.
 #pragma once
 
 #include <sunder/certificate/claims.h>
 #include <sunder/polytope/region/half_space_region.h>
 #include <sunder/polytope/region/linear_program.h>
+#include <sunder/polytope/region/region_vertices.h>
 
 #include <span>
 #include <string>
@@ -18,5 +19,7 @@ void add_claims(ClaimsWriter& file, const std::string& name, const Polytope& hal
                 const HalfSpaceRegion& region);
 void add_claims(ClaimsWriter& file, const std::string& name, const Polytope& half_spaces,
                 std::span<const double> objective, const LinearProgramAnswer& answer);
+// Of bounded ones their vertices; else what the region is.
+void add_claims(ClaimsWriter& file, const std::string& name, const Polytope& half_spaces, const RegionVertices& answer);
 
 }  // namespace sunder::polytope

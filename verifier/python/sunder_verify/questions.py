@@ -5,7 +5,7 @@ checked by its rule, told what the table binds it to: so a true claim about some
 """
 from functools import partial
 
-from . import arcs, boundaries, depths, hulls, polygons, polytopes, rules, sections
+from . import arcs, boundaries, depths, hulls, polygons, polytopes, rules, sections, vertices
 from .reader import (LIST, MOST_NUMBER, OBJECT, anything, common, double, form, index, list_of, members, number,
                      numbers, row_of)
 from .sentences import sentence
@@ -179,6 +179,26 @@ def multipliers(value, where, read):
     return result
 
 
+def cones_of_vertices(value, where, read):
+    """Of each vertex lists of half-spaces, as many as there are dimensions."""
+    given = read["half_spaces"]
+    cone = list_of(lambda k, place, _: index(k, len(given), place),
+                   lambda those, _: len({*those}) == len(those) == given.dimension,
+                   " has not as many half-spaces as there are dimensions, each once")
+    fan = list_of(cone, lambda those, _: those, " is empty")
+    return list_of(fan, lambda those, _: len(those) == len(read["vertices"]), " is not as long as the vertices")(value, where, read)
+
+
+def places(value, where, read):
+    return list_of(lambda entry, place, _: members(entry, {"point": vector}, place, dict(read))["point"])(value, where, read)
+
+
+def some_places(value, where, read):
+    result = places(value, where, read)
+    form(result, where + " is empty")
+    return result
+
+
 def surface_end(name):
     """Of a hull the index of a point, or weights; of others the weights, the point and, of an ellipsoid, where it is from."""
     def read_end(value, where, read):
@@ -324,8 +344,8 @@ SAID = {  # what verdicts and claims say
     "of_a": some_weights("a", False, MOST_MULTIPLIERS), "of_b": some_weights("b", False, MOST_MULTIPLIERS),
     "planes_a": planes_around("a"), "planes_b": planes_around("b"), "by_a": some_multipliers("a"),
     "by_b": some_multipliers("b"),
-    "at": place_in, "multipliers": multipliers, "as_good": vector, "spanned_by": list_of(
-        lambda value, where, read: members(value, {"point": vector}, where, dict(read))["point"]),
+    "at": place_in, "multipliers": multipliers, "as_good": vector, "spanned_by": places,
+    "vertices": some_places, "fans": cones_of_vertices,
     "dimension": lambda value, where, read: index(value, read["half_spaces"].dimension + 1, where),
     "most": not_negative, "least": positive,
     "differences": list_of(row_of(surface_end("a"), surface_end("b"))),
@@ -354,6 +374,7 @@ CLAIMS = {
     **{rule.__name__: (rule, "multipliers") for rule in (
         polytopes.contradicted, polytopes.spans, polytopes.enclosed, polytopes.tops)},
     "tops_only": (partial(polytopes.tops, is_only=True), "multipliers"),
+    "normal_fan": (vertices.normal_fan, "fans"),
     "recedes": (polytopes.recedes, "direction"), "rises": (polytopes.rises, "direction"),
     "another": (polytopes.another,),
     **{rule.__name__: (rule, "direction") for rule in (rules.parted, rules.parted_all_along, rules.not_before)},
@@ -425,6 +446,7 @@ QUESTIONS = {
         "bounded": "spans half_spaces dimension spanned_by, enclosed half_spaces",
         "unbounded": "spans half_spaces dimension spanned_by, recedes half_spaces",
     }),
+    "half_spaces_vertices": ("polytopes", "half_spaces", {"vertices": "normal_fan half_spaces vertices"}),
     "half_spaces_program": ("polytopes", "half_spaces objective", {
         "one": "keeps half_spaces point, tops_only half_spaces objective point",
         "many": "keeps half_spaces point, tops half_spaces objective point, keeps half_spaces as_good, "

@@ -21,6 +21,7 @@ SENTENCES = {  # of the members that a statement has
     "half_spaces": {"empty": "the common part of the half-spaces of {half_spaces} is empty",
                     "bounded": "the common part of the half-spaces of {half_spaces} is bounded, of dimension {dimension}",
                     "unbounded": "the common part of the half-spaces of {half_spaces} is unbounded, of dimension {dimension}"},
+    "half_spaces_vertices": {"vertices": "the common part of the half-spaces of {half_spaces} is bounded, and has exactly {vertices}"},
     "half_spaces_program": {"one": "{point} is the best point of the half-spaces of {half_spaces} along {objective}",
                             "many": "{point} is one of many best points of the half-spaces of {half_spaces} along {objective}",
                             "all": "{point} is as good as all others of the half-spaces of {half_spaces} along {objective}",
@@ -87,6 +88,8 @@ def sentence(item, bodies):
     if item.get("facets"):
         said["facets"] = "%d facets, made of %d simplices of %d corners" % (
             len(item["facets"]), sum(map(len, item["facets"])), len(item["facets"][0][0]))
+    if item.get("vertices"):
+        said["vertices"] = "%d %s" % (len(item["vertices"]), "vertex" if len(item["vertices"]) == 1 else "vertices")
     said["region"] = REGIONS.get(verdict, "") + (", of sides " + said["sides"] if item.get("sides") else "")
     if verdict in ("these", "count"):
         count = len(item["contacts"]) if verdict == "these" else item["number"]

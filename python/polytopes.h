@@ -1,0 +1,19 @@
+// Exact numbers of polytopes as Python has them.
+#pragma once
+
+#include <sunder/polytope/pair/evidence.h>
+
+#include "common.h"
+
+#include <span>
+
+namespace sunder::python {
+
+nb::object fraction_of(const Dyadic& numerator, const Dyadic& denominator);
+nb::tuple fractions_of(std::span<const Dyadic> numbers, const Dyadic& denominator);
+nb::dict weights_of(const polytope::RowWeights& weights);  // by rows
+
+// Hulls, vertices, regions and linear programs, after what bind_polytopes() has.
+void bind_hulls(nb::module_& polytope);
+
+}  // namespace sunder::python

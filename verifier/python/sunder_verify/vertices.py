@@ -1,0 +1,44 @@
+"""Which are the vertices of the common part of half-spaces: docs/claims.md, "Half-spaces"."""
+import math
+
+from .boundaries import eliminated, is_odd
+from .reader import length, projective, require
+from .tables import dot
+
+
+def ridges_of(cone):
+    """Of half-spaces, ascending, all but one, and the place of that one."""
+    return [(cone[:i] + cone[i + 1:], i) for i in range(len(cone))]
+
+
+def normal_fan(steps, fans, given, vertices):
+    """These are the vertices: each is in all half-spaces, and the end of those of its cones, which are all directions."""
+    d = given.dimension
+    size = d * given.bits // 2
+    steps.take(sum(map(len, fans)) * d ** 3, size, size)
+    known, sides = {}, {}
+    for v, (point, fan) in enumerate(zip(vertices, fans)):
+        steps.take(len(given), length(point), given.bits)
+        place, on = projective(point), set()
+        for k, row in enumerate(given.rows):
+            excess = dot(row[:-1], place) - row[-1] * place[-1]
+            require(excess <= 0, "normal_fan", "half-space %d does not hold vertex %d" % (k, v))
+            if excess == 0:
+                on.add(k)
+        steps.take(16, length(point), length(point))
+        shared = math.gcd(*place)
+        before = known.setdefault(tuple(x // shared for x in place), v)
+        require(before == v, "normal_fan", "vertex %d is vertex %d once more" % (v, before))
+        for cone in fan:
+            for k in cone:
+                require(k in on, "normal_fan", "vertex %d is not where half-space %d ends" % (v, k))
+            cone = tuple(sorted(cone))
+            found = eliminated([given.rows[k][:-1] for k in cone], d)
+            require(found, "normal_fan", "the normals of a cone of vertex %d are in a hyperplane" % v)
+            pivots, _, unit = found
+            for ridge, i in ridges_of(cone):
+                sides.setdefault(ridge, set()).add((is_odd(pivots) == (unit > 0)) == (i % 2 == 0))
+    for v, fan in enumerate(fans):
+        for cone in fan:
+            for ridge, _ in ridges_of(tuple(sorted(cone))):
+                require(len(sides[ridge]) == 2, "normal_fan", "there is no cone beyond a ridge of one of vertex %d" % v)
