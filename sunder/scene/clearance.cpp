@@ -5,7 +5,6 @@
 #include <sunder/scene/members.h>
 #include <sunder/scene/part_clearance.h>
 #include <sunder/scene/part_questions.h>
-#include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 #include <sunder/solid/round/round_distance.h>
 
@@ -231,15 +230,15 @@ std::optional<AxisApart> apart_by_boxes(const Box3& a, const Box3& b, double lea
 }
 
 std::optional<NearestPoints> rounded_nearest_points(const PartDistance& distance) {
+  if (distance.closest) {
+    const auto [of_a, of_b] = distance.closest->nearest_points();
+    return NearestPoints{of_a, of_b};
+  }
+  if (!distance.points) return std::nullopt;
   const auto rounded = [](const PointOf& p) {
     const auto at = [&](std::size_t k) { return nearest_ratio(p.coordinates[k], p.denominator); };
     return Point3{at(0), at(1), at(2)};
   };
-  if (distance.closest) {
-    const auto [of_a, of_b] = closest_points(*distance.closest);
-    return NearestPoints{rounded(of_a), rounded(of_b)};
-  }
-  if (!distance.points) return std::nullopt;
   return NearestPoints{rounded((*distance.points)[0]), rounded((*distance.points)[1])};
 }
 

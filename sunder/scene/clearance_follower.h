@@ -32,34 +32,40 @@ class ClearanceFollower {
   ClearanceFollower(std::span<const Body> bodies, const ClearanceQuestion& question);
 
   // Where the bodies are now. Requires bodies of the same shapes. Throws Error as closer_pairs. Cost for n parts:
-  // n log n; for each pair whose boxes are closer than the greatest margin a look along what parted them, or else as
-  // closer_pairs.
+  // n log n, or, of up to 1,024 pairs that are asked about, a look at each; for each pair whose boxes are too close a
+  // look along what parted them, or else as closer_pairs.
   ClearanceAnswer ask(std::span<const Body> bodies);
 
   // How often the distance of a pair was asked for, since it was made: where what is kept did not tell.
   std::uint64_t looks() const { return looks_; }
 
  private:
+  // Of so many pairs, all boxes are compared, as in Follower.
+  static constexpr std::size_t few = 1024;
   static constexpr std::size_t most_kept = 4;  // partings of a pair
 
-  // What is known of two parts that were near.
+  // Two parts that are, or were, near.
   struct Near {
-    double least = 0;   // how far apart they have to be
-    double needed = 0;  // and their cores, for that; infinite where these do not tell
+    std::uint32_t i = 0, j = 0;  // i < j
+    double least = 0;            // how far apart they have to be
+    double needed = 0;           // and their cores, for that; infinite where these do not tell
     std::array<solid::KeptParting, most_kept> kept{};
   };
 
+  Near near(std::uint32_t i, std::uint32_t j) const;
+  void list_few();
   void place(std::span<const Body> bodies);
-  Near& near(std::uint32_t i, std::uint32_t j);
+  void look_at(Near& pair, std::span<const Body> bodies, ClearanceAnswer& answer);
 
   Members members_;
   Margins margins_;
   std::vector<double> radii_;                // of each part: it is within that of its core
   std::vector<solid::RigidlyPlaced> rigid_;  // of each part its core
-  std::vector<Box3> boxes_, wide_;           // of each part, rough; and wider by half the greatest margin
-  bool is_placed_ = false;
+  std::vector<Box3> boxes_;                  // of each part, rough
+  std::vector<Near> near_;                   // where pairs are few, all that are asked about
+  bool is_few_ = false, is_placed_ = false;
+  std::unordered_map<std::uint64_t, std::uint32_t> places_;  // where they are many: in near_, by pairs of parts
   std::uint64_t looks_ = 0;
-  std::unordered_map<std::uint64_t, Near> near_;  // by pairs of parts
 };
 
 }  // namespace sunder::scene
