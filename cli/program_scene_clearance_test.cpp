@@ -202,9 +202,8 @@ TEST_F(SceneClearance, ThatIsNone) {
            {"--margin cube,cube#2=1 --margin cube#2,cube=2", "has a margin already"}}) {
     expect_bad(two + options, words);
   }
-  expect_bad(
-      "scene " + panda + " --clearance 1 --meeting-certificate p.json --placements " + cases + "/scene/bends.csv",
-      "--meeting-certificate: proves what meets");
+  expect_bad("scene " + panda + " --distance --meeting-certificate p.json --placements " + cases + "/scene/bends.csv",
+             "--meeting-certificate: proves what meets");
 }
 
 }  // namespace

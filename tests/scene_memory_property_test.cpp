@@ -3,6 +3,7 @@
 #include <tests/support/thread_sanitizer.h>
 
 #include <sunder/near/moving_boxes.h>
+#include <sunder/scene/clearance_follower.h>
 #include <sunder/scene/follower.h>
 #include <sunder/scene/scene.h>
 #include <sunder/solid/round/round_body.h>
@@ -53,9 +54,10 @@ double held(const Make& make) {
   return static_cast<double>(live - before);
 }
 
-constexpr double bytes_a_vertex = 420;                             // as round_body.h says
-constexpr double bytes_a_part = 1100, bytes_a_meeting_pair = 500;  // as follower.h says
-constexpr double bytes_a_box = 200, bytes_a_pair = 32;             // as moving_boxes.h says
+constexpr double bytes_a_vertex = 420;                                   // as round_body.h says
+constexpr double bytes_a_part = 1100, bytes_a_meeting_pair = 500;        // as follower.h says
+constexpr double bytes_a_clearance_part = 250, bytes_a_near_pair = 450;  // as clearance_follower.h says
+constexpr double bytes_a_box = 200, bytes_a_pair = 32;                   // as moving_boxes.h says
 
 class SceneMemory : public testing::Test {
   void SetUp() override {
@@ -117,6 +119,29 @@ TEST_F(SceneMemory, OfAFollowerByPartAndMeetingPair) {
     EXPECT_GE(by_part, bytes_a_part / 2);
     EXPECT_LE(by_pair, bytes_a_meeting_pair);
     EXPECT_GE(by_pair, bytes_a_meeting_pair / 4);
+  }
+}
+
+TEST_F(SceneMemory, OfAClearanceFollowerByPartAndNearPair) {
+  for (const std::size_t n : {1000u, 10000u}) {
+    const auto bytes_of = [&](double apart, std::size_t& near) {
+      const std::vector<Body> bodies = cubes_in_line(n, apart);
+      return held([&] {
+        scene::ClearanceFollower follower(bodies, {0.5, {}, {}});
+        near = follower.ask(bodies).by_method;
+        return follower;
+      });
+    };
+    std::size_t none = 0, some = 0;
+    const double far = bytes_of(8, none), close = bytes_of(1.25, some);
+    EXPECT_EQ(none, 0u);
+    EXPECT_EQ(some, n - 1);
+    const double by_part = far / static_cast<double>(n), by_pair = (close - far) / static_cast<double>(some);
+    std::printf("%zu parts: %.0f bytes a part; %zu near pairs: %.0f bytes a pair\n", n, by_part, some, by_pair);
+    EXPECT_LE(by_part, bytes_a_clearance_part);
+    EXPECT_GE(by_part, bytes_a_clearance_part / 2);
+    EXPECT_LE(by_pair, bytes_a_near_pair);
+    EXPECT_GE(by_pair, bytes_a_near_pair / 4);
   }
 }
 

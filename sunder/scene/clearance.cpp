@@ -3,16 +3,14 @@
 #include <sunder/number/interval.h>
 #include <sunder/scene/clearance.h>
 #include <sunder/scene/members.h>
+#include <sunder/scene/part_clearance.h>
 #include <sunder/scene/part_questions.h>
-#include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
-#include <sunder/solid/round/round_clearance.h>
 #include <sunder/solid/round/round_distance.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -106,31 +104,6 @@ bool comes_first(const PartDistance& p, const PartDistance& q) {
   return std::tie(p.body_a, p.body_b, p.part_a, p.part_b) < std::tie(q.body_a, q.body_b, q.part_a, q.part_b);
 }
 
-[[maybe_unused]] bool is_margin(double x) { return x >= 0 && x <= std::numeric_limits<double>::max(); }
-
-// By pairs of bodies, the lower first.
-class Margins {
- public:
-  explicit Margins(const ClearanceQuestion& question) : least_(question.least), greatest_(question.least) {
-    SUNDER_REQUIRE(is_margin(question.least));
-    for (const auto& [a, b, least] : question.margins) {
-      SUNDER_REQUIRE(is_margin(least));
-      own_[std::minmax(a, b)] = least;
-      greatest_ = std::max(greatest_, least);
-    }
-  }
-
-  double of(std::uint32_t body_a, std::uint32_t body_b) const {
-    const auto own = own_.find({body_a, body_b});
-    return own == own_.end() ? least_ : own->second;
-  }
-  double greatest() const { return greatest_; }
-
- private:
-  double least_, greatest_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, double> own_;
-};
-
 const Part& part_a(std::span<const Body> bodies, const PartDistance& p) { return bodies[p.body_a].parts[p.part_a]; }
 const Part& part_b(std::span<const Body> bodies, const PartDistance& p) { return bodies[p.body_b].parts[p.part_b]; }
 
@@ -182,11 +155,7 @@ ClearanceAnswer closer_pairs(std::span<const Body> bodies, const ClearanceQuesti
   std::vector<WorldBox> boxes;
   std::vector<Box3> wide;
   for (std::uint32_t i = 0; i < members.size(); ++i) {
-    const Box3& box = wide.emplace_back(boxes.emplace_back(box_of(members.part(bodies, i))));
-    for (std::size_t k = 0; k < 3; ++k) {
-      wide.back().low[k] = below(box.low[k] - margins.greatest() / 2);
-      wide.back().high[k] = above(box.high[k] + margins.greatest() / 2);
-    }
+    wide.push_back(widened(boxes.emplace_back(box_of(members.part(bodies, i))), margins.greatest()));
   }
   ClearanceAnswer answer;
   for (const auto& [i, j] : meeting_boxes(std::span<const Box3>(wide))) {
@@ -194,29 +163,9 @@ ClearanceAnswer closer_pairs(std::span<const Body> bodies, const ClearanceQuesti
     const double least = margins.of(members.body(i), members.body(j));
     if (least == 0 || apart_by_boxes(boxes[i], boxes[j], least)) continue;
     ++answer.by_method;
-    const Part &a = members.part(bodies, i), &b = members.part(bodies, j);
-    PartDistance pair = named(members.pair(i, j));
-    pair.least = least;
-    if (are_polyhedra(a, b)) {
-      const solid::PolyhedronDistance found = distance_of_cores(a, b);
-      if (compare_distance(found, least) == Sign::negative) answer.closer.push_back(with(pair, found));
-      continue;
-    }
-    const solid::PlacedRound in_a(a.shape, a.pose), in_b(b.shape, b.pose);
-    const solid::RoundClearance found = round_clearance(in_a, in_b, least);
-    if (found.kept()) continue;
-    PartDistance distance = with(pair, round_distance(in_a, in_b));
-    if (found.undecided() && distance.distance.low >= least) continue;
-    const bool is_closer = found.broken() || distance.distance.high < least;
-    (is_closer ? answer.closer : answer.undecided).push_back(std::move(distance));
+    look_whether_closer(members, bodies, i, j, least, answer);
   }
-  for (auto* list : {&answer.closer, &answer.undecided}) std::sort(list->begin(), list->end(), comes_first);
-  Counts counts;
-  counts.by_method = answer.by_method;
-  members.complete(counts);
-  answer.pairs = counts.pairs;
-  answer.allowed = counts.allowed;
-  answer.by_boxes = counts.by_boxes;
+  complete(members, answer);
   return answer;
 }
 
@@ -281,15 +230,15 @@ std::optional<AxisApart> apart_by_boxes(const Box3& a, const Box3& b, double lea
 }
 
 std::optional<NearestPoints> rounded_nearest_points(const PartDistance& distance) {
+  if (distance.closest) {
+    const auto [of_a, of_b] = distance.closest->nearest_points();
+    return NearestPoints{of_a, of_b};
+  }
+  if (!distance.points) return std::nullopt;
   const auto rounded = [](const PointOf& p) {
     const auto at = [&](std::size_t k) { return nearest_ratio(p.coordinates[k], p.denominator); };
     return Point3{at(0), at(1), at(2)};
   };
-  if (distance.closest) {
-    const auto [of_a, of_b] = closest_points(*distance.closest);
-    return NearestPoints{rounded(of_a), rounded(of_b)};
-  }
-  if (!distance.points) return std::nullopt;
   return NearestPoints{rounded((*distance.points)[0]), rounded((*distance.points)[1])};
 }
 

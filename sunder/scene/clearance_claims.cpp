@@ -58,22 +58,7 @@ class ClearanceClaims {
       claims_.add_clearance(of_i, of_j, least, direction);
       return true;
     }
-    const Part &a = members_.part(bodies_, i), &b = members_.part(bodies_, j);
-    const solid::PlacedRound in_a(a.shape, a.pose), in_b(b.shape, b.pose);
-    const solid::RoundClearance found = round_clearance(in_a, in_b, least);
-    if (!found.undecided()) {
-      solid::add_claims(claims_, of_i, of_j, least, found);
-      return true;
-    }
-    const solid::RoundDistance distance = round_distance(in_a, in_b);
-    if (distance.distance.high < least) {  // then the points are nearer (round_distance.h, D1)
-      claims_.add_clearance_broken(of_i, of_j, least, (*distance.points)[0], (*distance.points)[1]);
-      return true;
-    }
-    if (!distance.direction || distance.distance.low < least) return false;
-    const auto [x, y, z] = distance.direction->exact();
-    claims_.add_clearance(of_i, of_j, least, {x, y, z});
-    return true;
+    return add_claims(claims_, of_i, members_.part(bodies_, i), of_j, members_.part(bodies_, j), least);
   }
 
   // Where only these bodies are spoken of, which are asked about.
@@ -100,6 +85,25 @@ class ClearanceClaims {
 BodyPair in_order(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
 }  // namespace
+
+bool add_claims(PairClaims& claims, std::uint32_t of_a, const Part& a, std::uint32_t of_b, const Part& b,
+                double least) {
+  const solid::PlacedRound in_a(a.shape, a.pose), in_b(b.shape, b.pose);
+  const solid::RoundClearance found = round_clearance(in_a, in_b, least);
+  if (!found.undecided()) {
+    solid::add_claims(claims, of_a, of_b, least, found);
+    return true;
+  }
+  const solid::RoundDistance distance = round_distance(in_a, in_b);
+  if (distance.distance.high < least) {  // then the points are nearer (round_distance.h, D1)
+    claims.add_clearance_broken(of_a, of_b, least, (*distance.points)[0], (*distance.points)[1]);
+    return true;
+  }
+  if (!distance.direction || distance.distance.low < least) return false;
+  const auto [x, y, z] = distance.direction->exact();
+  claims.add_clearance(of_a, of_b, least, {x, y, z});
+  return true;
+}
 
 void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumbers& numbers,
                 const ClearanceQuestion& question, const ClearanceAnswer& answer) {

@@ -13,6 +13,10 @@ namespace sunder::scene {
 // Of each part of each body, its number in the file.
 using PartNumbers = std::vector<std::vector<std::uint32_t>>;
 
+// States whether two parts, of these numbers in the file, are `least` apart, or more. False, and nothing is stated,
+// where that is undecided and cannot be told from the bounds of their distance either. Cost: that of their distance.
+bool add_claims(PairClaims& claims, std::uint32_t of_a, const Part& a, std::uint32_t of_b, const Part& b, double least);
+
 // States of each pair that has a margin, and is not undecided, whether it keeps it; then, for each margin, that this is
 // of all of them. One statement is of all pairs but the allowed, the undecided and those with a margin of their own; of
 // these, each has its own. Cost: of each pair whose boxes do not tell, that of its distance, in exact numbers.

@@ -79,6 +79,12 @@ std::string open_text(std::span<const Body> bodies, const PartPair& pair) {
          (pair.undecided() ? ", undecided whether they meet" : ", undecided whether they touch or overlap");
 }
 
+template <class Pair>  // PartDistance, CloserPair
+std::string closer_open_text(std::span<const Body> bodies, const Pair& pair) {
+  return part_name(bodies[pair.body_a], pair.part_a) + " and " + part_name(bodies[pair.body_b], pair.part_b) +
+         ", undecided whether they are closer";
+}
+
 // Of each part its shape.
 Numbers add_shapes(PairClaims& pairs, std::span<const Body> bodies) {
   return numbers_of(bodies, [&](std::uint32_t b, std::uint32_t p) {
@@ -116,6 +122,12 @@ void add_open(Origin& origin, std::size_t count, const std::function<MeetingPlac
       if (is_open(pair, question)) origin.left_out.push_back(placed.title + ": " + open_text(placed.bodies, pair));
     }
   }
+  for (std::size_t k = 0; k < count; ++k) {
+    const MeetingPlacement placed = placement(k);
+    for (const CloserPair& pair : placed.closer) {
+      if (pair.is_undecided) origin.left_out.push_back(placed.title + ": " + closer_open_text(placed.bodies, pair));
+    }
+  }
 }
 
 }  // namespace
@@ -138,8 +150,7 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
   for (const Placement& placed : placements) {
     if (!placed.clearance) continue;
     for (const PartDistance& pair : placed.clearance->undecided) {
-      origin.left_out.push_back(prefix_of(placed) + part_name(bodies[pair.body_a], pair.part_a) + " and " +
-                                part_name(bodies[pair.body_b], pair.part_b) + ", undecided whether they are closer");
+      origin.left_out.push_back(prefix_of(placed) + closer_open_text(bodies, pair));
     }
   }
   ClaimsWriter file(sink);
@@ -176,7 +187,7 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
   file.add_origin(origin);
   PairClaims pairs(file);
   const Numbers shapes = add_shapes(pairs, bodies);
-  std::vector<std::array<std::uint32_t, 2>> numbers;  // of each pair that meets its bodies in the file
+  std::vector<std::array<std::uint32_t, 2>> numbers;  // of each pair that is stated its bodies in the file
   for (std::size_t k = 0; k < count; ++k) {
     const MeetingPlacement placed = placement(k);
     std::map<std::array<std::uint32_t, 2>, std::uint32_t> known;  // by body and part
@@ -185,10 +196,15 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
       if (is_new) at->second = add_placed(pairs, placed.title + ": ", shapes[body][part], placed.bodies[body], part);
       return at->second;
     };
-    for (const PartPair& pair : placed.pairs) {
-      if (!pair.meet()) continue;
+    const auto add = [&](const auto& pair) {
       const std::uint32_t of_a = number_of(pair.body_a, pair.part_a);
       numbers.push_back({of_a, number_of(pair.body_b, pair.part_b)});
+    };
+    for (const PartPair& pair : placed.pairs) {
+      if (pair.meet()) add(pair);
+    }
+    for (const CloserPair& pair : placed.closer) {
+      if (!pair.is_undecided) add(pair);
     }
   }
   auto next = numbers.begin();
@@ -199,13 +215,19 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
       const auto& [of_a, of_b] = *next++;
       add_pair_claims(pairs, placed.bodies, pair, of_a, of_b);
     }
+    for (const CloserPair& pair : placed.closer) {
+      if (pair.is_undecided) continue;
+      const auto& [of_a, of_b] = *next++;
+      add_claims(pairs, of_a, placed.bodies[pair.body_a].parts[pair.part_a], of_b,
+                 placed.bodies[pair.body_b].parts[pair.part_b], pair.least);
+    }
   }
   pairs.end();
 }
 
 void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
                              const std::function<MeetingPlacement(std::size_t k)>& placement, const Question& question,
-                             Origin origin, const TextSink& sink) {
+                             Origin origin, const TextSink& sink, const ClearanceQuestion* clearance) {
   for (const auto& [a, b] : question.allowed) {
     origin.left_out.push_back(bodies[a].name + " and " + bodies[b].name + ", which may meet");
   }
@@ -232,6 +254,9 @@ void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
                       numbers[k][pair.body_b][pair.part_b]);
     }
     pairs.add_all_pairs(all_pairs(answer, question, numbers[k]));
+    if (clearance != nullptr) {
+      add_claims(pairs, placed.bodies, numbers[k], *clearance, closer_pairs(placed.bodies, *clearance));
+    }
   }
   pairs.end();
 }

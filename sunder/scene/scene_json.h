@@ -7,6 +7,7 @@
 #include <sunder/scene/scene.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -29,26 +30,36 @@ struct Placement {
 void write_certificate(std::span<const Placement> placements, const Question& question, Origin origin,
                        const TextSink& sink, const ClearanceQuestion& clearance = {});
 
-// What meets in one of many placements; the spans hold until the next one is asked for.
+// Two parts that are closer than they have to be, or of which that is undecided.
+struct CloserPair {
+  std::uint32_t body_a = 0, body_b = 0;  // body_a < body_b
+  std::uint32_t part_a = 0, part_b = 0;
+  double least = 0;
+  bool is_undecided = false;
+};
+
+// What meets, and what is closer, in one of many placements; the spans hold until the next one is asked for.
 struct MeetingPlacement {
   std::string title;
   std::span<const Body> bodies;     // where they are
   std::span<const PartPair> pairs;  // that meet or are undecided, of an answer to the question
+  std::span<const CloserPair> closer{};
 };
 
-// Of so many placements of the bodies, each of which is asked for three times, the pairs that meet, and nothing of
-// those that are apart; that is told with what the origin leaves out, and so are pairs that are undecided. Requires a
-// pair that meets. Throws what the sink and `placement` throw. Memory: a name and a pose for each part of a pair.
+// Of so many placements of the bodies, each of which is asked for a few times, the pairs that meet, and those that are
+// closer than they have to be, and nothing of others; that is told with what the origin leaves out, and so are pairs
+// that are undecided. Requires a pair to state. Throws what the sink and `placement` throw. Memory: a name and a pose
+// for each part of a pair.
 void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
                                const std::function<MeetingPlacement(std::size_t k)>& placement,
                                const Question& question, Origin origin, const TextSink& sink);
 
-// Of so many placements, each of which is asked for three times: all that write_certificate states, whether or not
-// pairs meet; but for clearances. `pairs` of a placement need hold no more than those that meet or are undecided: the
-// others are asked about again, one placement after another. Throws what the sink and `placement` throw. Memory: a name
-// and a pose for each part in each placement, and one answer.
+// Of so many placements, each of which is asked for a few times: all that write_certificate states, whether or not
+// pairs meet; of clearances, where they were asked about. `pairs` and `closer` of a placement need hold no more than
+// those that meet, are closer or undecided: the others are asked about again, one placement after another. Throws what
+// the sink and `placement` throw. Memory: a name and a pose for each part in each placement, and one answer.
 void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
                              const std::function<MeetingPlacement(std::size_t k)>& placement, const Question& question,
-                             Origin origin, const TextSink& sink);
+                             Origin origin, const TextSink& sink, const ClearanceQuestion* clearance = nullptr);
 
 }  // namespace sunder::scene

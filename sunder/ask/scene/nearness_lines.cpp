@@ -36,9 +36,15 @@ std::string quoted_csv(std::string_view list) {
 
 }  // namespace
 
-Nearness NearnessLines::ask(std::span<const scene::Body> placed) const {
+std::optional<scene::ClearanceFollower> NearnessLines::follower() const {
+  if (!question_.clearance) return std::nullopt;
+  return scene::ClearanceFollower(bodies_, *question_.clearance);
+}
+
+Nearness NearnessLines::ask(std::span<const scene::Body> placed,
+                            std::optional<scene::ClearanceFollower>& follower) const {
   Nearness found;
-  if (question_.clearance) found.clearance = closer_pairs(placed, *question_.clearance);
+  if (follower) found.clearance = follower->ask(placed);
   if (question_.nearest) found.nearest = scene::nearest_parts(placed, allowed_);
   return found;
 }
@@ -139,6 +145,16 @@ void NearnessLines::add_csv(const Nearness& found, std::string& text) const {
     piece += ",,,";
   }
   insert("\n", piece, text);
+}
+
+std::size_t list_closer(const Nearness& found, std::vector<scene::CloserPair>& list) {
+  if (!found.clearance) return 0;
+  const auto add = [&](const PartDistance& pair, bool is_undecided) {
+    list.push_back({pair.body_a, pair.body_b, pair.part_a, pair.part_b, pair.least, is_undecided});
+  };
+  for (const PartDistance& pair : found.clearance->closer) add(pair, false);
+  for (const PartDistance& pair : found.clearance->undecided) add(pair, true);
+  return found.clearance->closer.size();
 }
 
 }  // namespace sunder::ask

@@ -6,8 +6,11 @@
 #include <sunder/ask/scene/scene_input.h>
 
 #include <sunder/scene/clearance.h>
+#include <sunder/scene/clearance_follower.h>
+#include <sunder/scene/scene_json.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -32,8 +35,12 @@ class NearnessLines {
                 const std::vector<std::array<std::uint32_t, 2>>& allowed)
       : question_(question), input_(input), bodies_(bodies), allowed_(allowed) {}
 
-  // Of one placement. Requires a question that asks. Throws Error as closer_pairs does.
-  Nearness ask(std::span<const scene::Body> placed) const;
+  // Of one placement. follower: what is kept from placement to placement; nothing where no clearance is asked for.
+  // Requires a question that asks. Throws Error as closer_pairs does.
+  Nearness ask(std::span<const scene::Body> placed, std::optional<scene::ClearanceFollower>& follower) const;
+
+  // One that has been asked nothing.
+  std::optional<scene::ClearanceFollower> follower() const;
 
   // Each adds to the line that stands at the end of the text.
   void add_text(const Nearness& found, std::string& text) const;
@@ -51,5 +58,8 @@ class NearnessLines {
   std::span<const scene::Body> bodies_;
   const std::vector<std::array<std::uint32_t, 2>>& allowed_;
 };
+
+// Appends what is closer than it has to be, or may be, as certificates take it. Returns how many pairs are.
+std::size_t list_closer(const Nearness& found, std::vector<scene::CloserPair>& list);
 
 }  // namespace sunder::ask

@@ -226,10 +226,11 @@ std::string header_line(const SceneInput& input, const scene::Question& question
   return to_line(json) + "\n";
 }
 
-// What meets, or is undecided, in a placement.
+// What meets, or is undecided, in a placement; and what is closer than it has to be, likewise.
 struct Met {
   std::size_t row;
   std::vector<PartPair> pairs;
+  std::vector<scene::CloserPair> closer;
 };
 
 // A chain of placements, and what it came to.
@@ -237,11 +238,13 @@ struct Chain {
   Chain(const scene::Follower& start, std::size_t link_count) : follower(start), links(link_count) {}
 
   scene::Follower follower;
+  std::optional<scene::ClearanceFollower> near{};
   std::vector<Affine3> links;      // where they are
   std::size_t begin = 0, end = 0;  // rows
   std::string text, json, csv;
   std::vector<Met> met;
   std::uint64_t some = 0, undecided = 0, meeting = 0, not_kept = 0;  // as in PlacementsAnswer
+  std::uint64_t closer = 0;                                          // pairs that are known to be
 };
 
 class Placements {
@@ -257,6 +260,7 @@ class Placements {
         start_(input.bodies({}), question),
         lines_(input, question, start_.bodies()),
         near_lines_(near, input, start_.bodies(), question.allowed),
+        near_start_(near_lines_.follower()),
         prints_text_(call.json_lines.empty() && call.csv.empty() && call.meeting_certificate.empty()),
         threads_(scene::thread_count(call.threads)),
         question_(question) {
@@ -303,8 +307,11 @@ class Placements {
     }
     text += left_out.clause() + "\n" + file_line("JSON lines", call_.json_lines) + file_line("table", call_.csv);
     if (call_.meeting_certificate.empty()) return text;
-    if (!certificate_) return text + "  no proofs are written, as nothing is known to meet\n";
-    const std::string of = call_.parted ? count_of(asked_, "placement") : count_of(meeting_, "pair");
+    if (!certificate_)
+      return text + fmt::format("  no proofs are written, as nothing is known to meet{}\n",
+                                near_.clearance ? ", or to be closer" : "");
+    std::string of = call_.parted ? count_of(asked_, "placement") : count_of(meeting_, "pair");
+    if (near_.clearance && !call_.parted) of += fmt::format(" that meet, and of {} closer", closer_);
     return text + file_line(fmt::format("proofs of {}", of), call_.meeting_certificate);
   }
 
@@ -324,9 +331,10 @@ class Placements {
 
   void run(Chain& chain) const {
     for (std::string* out : {&chain.text, &chain.json, &chain.csv}) out->clear();
-    chain.some = chain.undecided = chain.meeting = chain.not_kept = 0;
+    chain.some = chain.undecided = chain.meeting = chain.not_kept = chain.closer = 0;
     chain.met.clear();
     chain.follower = start_;
+    chain.near = near_start_;
     for (std::size_t k = chain.begin; k < chain.end; ++k) {
       try {
         motion_.place(table_.row(k), chain.links);
@@ -339,9 +347,12 @@ class Placements {
       if (prints_text_) lines_.add_text(k, answer, chain.text);
       if (json_) lines_.add_json(k, answer, chain.follower.bodies(), chain.json);
       if (csv_) lines_.add_csv(k, answer, chain.csv);
-      const bool is_kept = !near_.asks() || look_near(chain);
+      std::vector<scene::CloserPair> closer;
+      const bool is_kept = !near_.asks() || look_near(chain, closer);
       chain.meeting += answer.counts.meeting;
-      if (!call_.meeting_certificate.empty() && !answer.pairs.empty()) chain.met.push_back({k, answer.pairs});
+      if (!call_.meeting_certificate.empty() && !(answer.pairs.empty() && closer.empty())) {
+        chain.met.push_back({k, answer.pairs, std::move(closer)});
+      }
       if (!answer.some_meet() && !answer.none_meet()) ++chain.undecided;
       chain.some += answer.some_meet();
       if (!call_.first || (!answer.some_meet() && is_kept)) continue;
@@ -350,13 +361,14 @@ class Placements {
     }
   }
 
-  // Adds to the lines of the placement. Is nothing closer than it has to be?
-  bool look_near(Chain& chain) const {
-    const Nearness found = near_lines_.ask(chain.follower.bodies());
+  // Adds to the lines of the placement, and lists what is closer than it has to be, or may be. Is there nothing?
+  bool look_near(Chain& chain, std::vector<scene::CloserPair>& closer) const {
+    const Nearness found = near_lines_.ask(chain.follower.bodies(), chain.near);
     if (prints_text_) near_lines_.add_text(found, chain.text);
     if (json_) near_lines_.add_json(found, chain.json);
     if (csv_) near_lines_.add_csv(found, chain.csv);
     chain.not_kept += !found.is_kept();
+    chain.closer += list_closer(found, closer);
     return found.is_kept();
   }
 
@@ -370,14 +382,15 @@ class Placements {
         motion_.place(table_.row(k), links);
         input_.place_links(links, [&](std::uint32_t part, const solid::Pose& pose) { start_.place(part, pose); });
         (void)start_.ask();
+        if (near_start_) (void)near_start_->ask(start_.bodies());
       }
     } catch (const Error&) {  // which is told in its turn
     }
   }
 
-  // Of what was found to meet; links are placed again, to the same numbers.
+  // Of what was found to meet, or to be closer; links are placed again, to the same numbers.
   void write_certificate() {
-    if (meeting_ == 0 && !call_.parted) return;
+    if (meeting_ + closer_ == 0 && !call_.parted) return;
     certificate_.emplace(call_.meeting_certificate);
     std::vector<scene::Body> bodies(start_.bodies().begin(), start_.bodies().end());
     std::vector<scene::Part*> parts;
@@ -385,24 +398,24 @@ class Placements {
       for (scene::Part& part : body.parts) parts.push_back(&part);
     }
     std::vector<Affine3> links(input_.robot(option).links.size());
-    const auto placement_of = [&](std::size_t row, std::span<const PartPair> pairs) {
+    const Met nothing{};
+    const auto placement_of = [&](std::size_t row, const Met& met) {
       motion_.place(table_.row(row), links);
       input_.place_links(links, [&](std::uint32_t part, const solid::Pose& pose) { parts[part]->pose = pose; });
-      return scene::MeetingPlacement{std::to_string(row), bodies, pairs};
+      return scene::MeetingPlacement{std::to_string(row), bodies, met.pairs, met.closer};
     };
     const auto write = [&](std::string_view text) { certificate_->write(text); };
     if (call_.parted) {
       const auto any = [&](std::size_t k) {
         const auto met =
             std::lower_bound(met_.begin(), met_.end(), k, [](const Met& m, std::size_t row) { return m.row < row; });
-        const bool is_some = met != met_.end() && met->row == k;
-        return placement_of(k, is_some ? std::span<const PartPair>(met->pairs) : std::span<const PartPair>());
+        return placement_of(k, met != met_.end() && met->row == k ? *met : nothing);
       };
       scene::write_whole_certificate(start_.bodies(), asked_, any, question_, {inputs_, input_.left_out().texts()},
-                                     write);
+                                     write, near_.clearance ? &*near_.clearance : nullptr);
       return;
     }
-    const auto placement = [&](std::size_t k) { return placement_of(met_[k].row, met_[k].pairs); };
+    const auto placement = [&](std::size_t k) { return placement_of(met_[k].row, met_[k]); };
     scene::write_meeting_certificate(start_.bodies(), met_.size(), placement, question_,
                                      {inputs_, input_.left_out().texts()}, write);
   }
@@ -416,6 +429,7 @@ class Placements {
     undecided_ += chain.undecided;
     meeting_ += chain.meeting;
     not_kept_ += chain.not_kept;
+    closer_ += chain.closer;
     asked_ = chain.end;
     if (report) report(static_cast<double>(asked_) / static_cast<double>(table_.rows()));
     return !call_.first || some_ + not_kept_ == 0;
@@ -430,6 +444,7 @@ class Placements {
   scene::Follower start_;
   const Lines lines_;
   const NearnessLines near_lines_;
+  std::optional<scene::ClearanceFollower> near_start_;
   const bool prints_text_;
   const std::size_t threads_;
   const scene::Question& question_;
@@ -437,7 +452,7 @@ class Placements {
   std::vector<std::unique_ptr<Chain>> chains_;
   std::vector<Met> met_;  // where there is to be a certificate
   std::size_t next_ = 0, asked_ = 0;
-  std::uint64_t some_ = 0, undecided_ = 0, meeting_ = 0, not_kept_ = 0;
+  std::uint64_t some_ = 0, undecided_ = 0, meeting_ = 0, not_kept_ = 0, closer_ = 0;
 };
 
 }  // namespace

@@ -19,7 +19,7 @@ struct PlacementsCall {
   std::string table;                // the file of joint values
   std::string joint_names;          // "a,b,c", of an NPY file; empty: those that can be moved, in the robot's order
   std::string json_lines, csv;      // files to be written; empty: none
-  std::string meeting_certificate;  // likewise: the proofs of what meets
+  std::string meeting_certificate;  // likewise: the proofs of what meets, and of what is closer
   bool parted = false;              // and the proofs of what is apart, too
   bool first = false;               // stop at the first placement that meets
   std::uint64_t threads = 0;        // 0: all cores
@@ -44,8 +44,8 @@ std::vector<io::JointValues> joint_values_of(const io::JointTable& table);
 std::vector<io::JointValues> extremes_of(const io::JointTable& table);
 
 // Asks the question of each placement, in chains (scene/chains.h), and writes what comes out: lines of text on standard
-// output, or the files that are asked for. inputs: what a certificate was made of. near: what else is asked; then no
-// certificate is written. Throws Error; then no file is written.
+// output, or the files that are asked for. inputs: what a certificate was made of. near: what else is asked; of the
+// nearest no certificate is written. Throws Error; then no file is written.
 PlacementsAnswer answer_placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
                                    const io::JointTable& table, const InputFiles& inputs = {},
                                    const NearnessQuestion& near = {});

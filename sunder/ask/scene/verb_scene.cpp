@@ -187,10 +187,10 @@ int run(const Call& call) {
   report.clearance = clearance_question(call.clearance, input, question.allowed);
   report.asks_for_nearest = call.clearance.nearest;
   if (is_by_lines) {
-    if (call.clearance.asks() && !call.placements.meeting_certificate.empty()) {
+    if (call.clearance.nearest && !call.placements.meeting_certificate.empty()) {
       throw Error(ErrorCode::bad_call,
-                  "proves what meets, and not how near the bodies are: leave out --clearance, --margin and --distance, "
-                  "or give --certificate, for all",
+                  "proves what meets, and what is closer than --clearance, and not which are the nearest: leave out "
+                  "--distance, or give --certificate, for all",
                   "--meeting-certificate");
     }
     input.note_limits(extremes_of(table));
@@ -284,7 +284,7 @@ Verb scene_verb() {
         .excludes = {"--json", "--certificate", "--svg", "--gltf"}},
        {.name = "--meeting-certificate",
         .value = &call->placements.meeting_certificate,
-        .help = "write the proofs of what meets here, and of nothing else",
+        .help = "write the proofs of what meets here, and of what is closer than --clearance or --margin",
         .type = "FILE",
         .needs = "--placements",
         .excludes = {"--json", "--certificate", "--svg", "--gltf"}},

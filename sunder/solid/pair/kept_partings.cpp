@@ -10,7 +10,10 @@
 //   10 (T_a + T_b) + 3 S_a).
 // Together at most 3 departure S + 1024 u (S + T) for each of the two, the rounding of this included.
 // Nothing underflows: where images are tame (predicate/posed.h) and entries are zero or at least 2^-200, d is a
-// multiple of 2^-112, e of 2^-364, f of 2^-616, and a product of f and a coordinate of 2^-869.
+// multiple of 2^-112, e of 2^-364, f of 2^-616, and a product of f and a coordinate of 2^-869. Where a distance is
+// asked for, the gap along e has to be more than |e| times that: |e| is rounded within 3 u of itself, the product and
+// the sum another 2 u; 2^-46 is 128 u. A distance below 2^-200 counts as that, so that the product does not underflow
+// either.
 #include <sunder/base/contract.h>
 #include <sunder/predicate/along.h>
 #include <sunder/solid/pair/kept_partings.h>
@@ -45,15 +48,33 @@ double departure_from_rotation(const std::array<double, 9>& m) {
   return std::max(xx + xy + zx, std::max(xy + yy + yz, zx + yz + zz));
 }
 
-bool part_along(const RigidlyPlaced& a, const RigidlyPlaced& b, KeptParting& kept, double least_gap,
+bool part_along(const RigidlyPlaced& a, const RigidlyPlaced& b, KeptParting& kept, double error, double least,
                 const Point3& way) {
   const Point3 e = turned(a.pose, kept.direction), f = turned_back(b.pose, e);
+  const double least_gap = least == 0 ? error : error + least * std::sqrt(dot(e, e)) * (1 + 0x1p-46);
   const double between = dot(e, way) - kept.reach;
   const double beside = std::fabs(f.x) * b.half.x + std::fabs(f.y) * b.half.y + std::fabs(f.z) * b.half.z;
   if ((dot(f, b.middle) - beside) + between > least_gap) return true;
   // Other vertices only come nearer.
   if (!(dot(f, b.graph->vertices[kept.near_b]) + between > least_gap)) return false;
   return surely_least_along(*b.graph, f, kept.near_b) + between > least_gap;
+}
+
+bool keep_along(const SearchGraph& graph, const Point3& direction, std::uint32_t extreme_a, std::uint32_t near_b,
+                std::span<KeptParting> kept) {
+  constexpr std::size_t most = 512;
+  SUNDER_REQUIRE(extreme_a < graph.vertices.size());
+  const VertexBlock block = graph.block(graph.place[extreme_a]);
+  double reach = dot(direction, graph.vertices[extreme_a]);
+  if (block.padded() == 0 || block.count() > most_around ||
+      !is_surely_least(block, negated(direction), sure_rounding * graph.sizes.greatest)) {
+    if (graph.vertices.size() > most) return false;
+    for (const Point3& v : graph.vertices) reach = std::max(reach, dot(direction, v));
+  }
+  if (!std::isfinite(reach)) return false;
+  std::copy_backward(kept.begin(), kept.end() - 1, kept.end());
+  kept.front() = {direction, reach, near_b};
+  return true;
 }
 
 }  // namespace
@@ -76,13 +97,15 @@ void RigidlyPlaced::place(const Pose& at) {
                 : std::numeric_limits<double>::infinity();
 }
 
-bool part_again(const RigidlyPlaced& a, const RigidlyPlaced& b, std::span<KeptParting> kept) {
-  const double least_gap = a.error + b.error;
-  if (!std::isfinite(least_gap)) return false;
+bool part_again(const RigidlyPlaced& a, const RigidlyPlaced& b, std::span<KeptParting> kept, double least) {
+  SUNDER_REQUIRE(least >= 0);
+  const double error = a.error + b.error;
+  if (!std::isfinite(error)) return false;
+  if (least > 0) least = std::max(least, 0x1p-200);
   const auto &s = a.pose.translation, &t = b.pose.translation;
   const Point3 way{t[0] - s[0], t[1] - s[1], t[2] - s[2]};
   for (std::size_t k = 0; k < kept.size() && std::isfinite(kept[k].reach); ++k) {
-    if (!part_along(a, b, kept[k], least_gap, way)) continue;
+    if (!part_along(a, b, kept[k], error, least, way)) continue;
     const KeptParting held = kept[k];
     for (std::size_t i = k; i > 0; --i) kept[i] = kept[i - 1];
     kept[0] = held;
@@ -93,20 +116,15 @@ bool part_again(const RigidlyPlaced& a, const RigidlyPlaced& b, std::span<KeptPa
 
 bool keep_parting(const ConvexPolyhedron& a, const Point3& direction, std::uint32_t extreme_a, std::uint32_t near_b,
                   std::span<KeptParting> kept) {
-  constexpr std::size_t most = 512;
-  const SearchGraph& graph = a.search_graph();
-  SUNDER_REQUIRE(extreme_a < graph.vertices.size());
-  const VertexBlock block = graph.block(graph.place[extreme_a]);
-  double reach = dot(direction, graph.vertices[extreme_a]);
-  if (block.padded() == 0 || block.count() > most_around ||
-      !is_surely_least(block, negated(direction), sure_rounding * graph.sizes.greatest)) {
-    if (graph.vertices.size() > most) return false;
-    for (const Point3& v : graph.vertices) reach = std::max(reach, dot(direction, v));
-  }
-  if (!std::isfinite(reach)) return false;
-  std::copy_backward(kept.begin(), kept.end() - 1, kept.end());
-  kept.front() = {direction, reach, near_b};
-  return true;
+  return keep_along(a.search_graph(), direction, extreme_a, near_b, kept);
+}
+
+bool keep_parting_of_world(const RigidlyPlaced& a, const Point3& direction, std::span<KeptParting> kept) {
+  Point3 d = turned_back(a.pose, direction);
+  if (!make_tame(d)) return false;
+  std::uint32_t extreme = 0;
+  (void)surely_least_along(*a.graph, negated(d), extreme);
+  return keep_along(*a.graph, d, extreme, 0, kept);
 }
 
 }  // namespace sunder::solid

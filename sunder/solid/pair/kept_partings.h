@@ -1,7 +1,7 @@
-// Are two polyhedra surely apart, along a direction that parted them elsewhere? In doubles alone, and without evidence:
-// for those who ask about the same two bodies again and again, and want to know of most of them only that they are
-// apart. Where it is not sure, they ask polyhedron_polyhedron or its kin.
-// Also called: caching of separating axes; temporal coherence.
+// Are two polyhedra surely apart, or surely further apart than a distance, along a direction that parted them
+// elsewhere? In doubles alone, and without evidence: for those who ask about the same two bodies again and again, and
+// want to know of most of them only that they are apart. Where it is not sure, they ask polyhedron_polyhedron or its
+// kin. Also called: caching of separating axes; temporal coherence.
 #pragma once
 
 #include <sunder/predicate/point.h>
@@ -38,10 +38,10 @@ struct KeptParting {
   std::uint32_t near_b = 0;                                // a vertex of B that was extreme
 };
 
-// Does one of these part A from B, surely? It becomes the first of them. False: not sure. Requires partings that were
-// kept for these two bodies, or none.
-// Cost: for each two turned directions and a look at the box of B, or, where that does not tell, a walk on B.
-bool part_again(const RigidlyPlaced& a, const RigidlyPlaced& b, std::span<KeptParting> kept);
+// Does one of these part A from B, surely, by more than `least`? It becomes the first of them. False: not sure.
+// Requires partings that were kept for these two bodies, or none, and least >= 0, which may be infinite (then it is not
+// sure). Cost: for each two turned directions and a look at the box of B, or, where that does not tell, a walk on B.
+bool part_again(const RigidlyPlaced& a, const RigidlyPlaced& b, std::span<KeptParting> kept, double least = 0);
 
 // Keeps a direction of the frame of A as the first, and forgets the last. Requires it to be tame (predicate/along.h),
 // and vertices of A and of B, of which the one of A is extreme along it as far as a search tells. False where that is
@@ -49,5 +49,9 @@ bool part_again(const RigidlyPlaced& a, const RigidlyPlaced& b, std::span<KeptPa
 // are about as far, a look at all.
 bool keep_parting(const ConvexPolyhedron& a, const Point3& direction, std::uint32_t extreme_a, std::uint32_t near_b,
                   std::span<KeptParting> kept);
+
+// The same of a direction of the world, from A to B, as A sees it where it is; A's extreme vertex is looked for. Where
+// the direction is zero or not finite, nothing is kept. Cost: a walk on A besides.
+bool keep_parting_of_world(const RigidlyPlaced& a, const Point3& direction, std::span<KeptParting> kept);
 
 }  // namespace sunder::solid

@@ -1,6 +1,8 @@
 #include <sunder/base/random.h>
+#include <sunder/predicate/along.h>
 #include <sunder/solid/pair/kept_partings.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_warm.h>
 
 #include <tests/support/scale.h>
@@ -10,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -27,11 +30,11 @@ bool keep(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron&
 }
 
 bool part(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b,
-          std::span<KeptParting> kept) {
+          std::span<KeptParting> kept, double least = 0) {
   RigidlyPlaced at_a(a), at_b(b);
   at_a.place(pose_a);
   at_b.place(pose_b);
-  return part_again(at_a, at_b, kept);
+  return part_again(at_a, at_b, kept, least);
 }
 
 // Of all families: what parted them serves around where it did, and never parts what meets.
@@ -73,6 +76,75 @@ TEST(KeptPartings, AreSureDownToRounding) {
   for (const double x : {1 + 0x1p-52, 1.0, 1 - 0x1p-53, 0.5}) {
     EXPECT_FALSE(part(cube, Pose(), cube, tests::shift(x, 0, 0), kept)) << x;
   }
+}
+
+// Of all families: what is surely further apart than a distance is, exactly; at distances of all sizes, and at what is
+// just above or below what is between them.
+TEST(KeptPartings, NeverPartWhatIsCloser) {
+  tests::SolidPairs pairs(tests::chosen_seed(85));
+  Random& random = pairs.random();
+  int parted = 0, closer = 0, by_a_part = 0, asked = 0;
+  for (int round = 0; round < tests::scaled_count(1000, 200); ++round) {
+    const tests::PairCase c = pairs.next();
+    if (tests::is_stretched(c.family)) continue;
+    std::array<KeptParting, 3> kept{};
+    for (int step = 0; step < 6; ++step) {
+      const double by = random.log_uniform(1e-16, 0.1);
+      const auto u = [&] { return by * random.uniform(-1, 1); };
+      const bool is_tiny = c.family == tests::Family::tiny_or_huge;
+      const Pose pose_b =
+          step == 0 || is_tiny ? c.pose_b : compose(Pose::from_quaternion(1, u(), u(), u(), {u(), u(), u()}), c.pose_b);
+      const PolyhedronDistance distance = polyhedron_polyhedron_distance(c.a, c.pose_a, c.b, pose_b);
+      if (distance.meet()) continue;
+      const double about = distance.distance().low;
+      RigidlyPlaced at_a(c.a);
+      at_a.place(c.pose_a);
+      const ExactWay way = distance.closest->way();
+      const Vector3<Interval> along = WorldDirection(way.way.way).enclosure();
+      (void)keep_parting_of_world(at_a, {along.x.low, along.y.low, along.z.low}, kept);
+      for (const double part_of : {1e-9, 0.5, 1 - 1e-10, 1 - 0x1p-50, 1.0, 1 + 0x1p-52, 1 + 0x1p-45, 2.0}) {
+        const double least = about * part_of;
+        if (!(least <= 1e300)) continue;
+        const bool is_closer = compare_distance(distance, least) == Sign::negative;
+        const bool is_parted = part(c.a, c.pose_a, c.b, pose_b, kept, least);
+        ASSERT_FALSE(is_parted && is_closer) << round << " " << tests::name_of(c.family) << " " << part_of;
+        ++asked;
+        closer += is_closer;
+        parted += is_parted;
+        by_a_part += is_parted && part_of > 0.9;
+      }
+    }
+  }
+  EXPECT_GT(closer, asked / 8);
+  EXPECT_GT(parted, asked / 8);
+  EXPECT_GT(by_a_part, asked / 50);
+}
+
+// A gap of 2 against distances: sure down to some roundings, along directions that are not of length one, too.
+TEST(KeptPartings, AreSureOfDistancesDownToRounding) {
+  const ConvexPolyhedron cube(tests::cube_corners(0, 1));
+  for (const Point3& way : {Point3{1, 0, 0}, Point3{5, 0, 0}}) {
+    std::array<KeptParting, 1> kept{};
+    RigidlyPlaced at(cube);
+    at.place(Pose());
+    ASSERT_TRUE(keep_parting_of_world(at, way, kept));
+    for (const double least : {0x1p-1070, 1.0, 2 - 0x1p-36}) {
+      EXPECT_TRUE(part(cube, Pose(), cube, tests::shift(3, 0, 0), kept, least)) << least;
+    }
+    for (const double least : {2 - 0x1p-52, 2.0, 2 + 0x1p-51, 1e308, HUGE_VAL}) {
+      EXPECT_FALSE(part(cube, Pose(), cube, tests::shift(3, 0, 0), kept, least)) << least;
+    }
+  }
+  // Along (1, 1, 0) the gap is 2 in length, 2 sqrt(2) as the product tells.
+  std::array<KeptParting, 1> kept{};
+  RigidlyPlaced at(cube);
+  at.place(Pose());
+  ASSERT_TRUE(keep_parting_of_world(at, {1, 1, 0}, kept));
+  const double root = std::sqrt(2.0);
+  EXPECT_TRUE(part(cube, Pose(), cube, tests::shift(1 + root, 1 + root, 0), kept, 2 - 0x1p-36));
+  EXPECT_FALSE(part(cube, Pose(), cube, tests::shift(1 + root, 1 + root, 0), kept, 2 + 0x1p-36));
+  EXPECT_FALSE(keep_parting_of_world(at, {0, 0, 0}, kept));
+  EXPECT_FALSE(keep_parting_of_world(at, {HUGE_VAL, 0, 0}, kept));
 }
 
 // The direction turns with the first body; where that does not move rigidly nothing is sure.

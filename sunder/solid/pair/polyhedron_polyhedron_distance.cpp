@@ -4,7 +4,7 @@
 // As no vertex of A is further along d than those of the feature, all of which are as far as p, and no vertex of B less
 // far than q, for all x of A and y of B d (y - x) >= d (q - p) = |d|^2: so none are nearer to each other.
 #include <sunder/base/contract.h>
-#include <sunder/number/estimate.h>
+#include <sunder/number/estimate_ratio.h>
 #include <sunder/number/root.h>
 #include <sunder/solid/pair/extreme_vertex.h>
 #include <sunder/solid/pair/gjk_search.h>
@@ -186,11 +186,57 @@ ExactWay ClosestFeatures::way() const {
 }
 
 template <class Stage>
-auto ClosestFeatures::way_in() const {
+auto ClosestFeatures::arrows_in() const {
   const std::array<Posed3, 4> posed = images();
   const std::span<const Posed3> all(posed);
-  return shortest_way(
-      flat_arrows<Stage>(all.first(features_.count_a), all.subspan(features_.count_a, features_.count_b)));
+  return flat_arrows<Stage>(all.first(features_.count_a), all.subspan(features_.count_a, features_.count_b));
+}
+
+template <class Stage>
+auto ClosestFeatures::way_in() const {
+  return shortest_way(arrows_in<Stage>());
+}
+
+// The nearest points, of A and of B, over a denominator.
+template <class Stage>
+auto ClosestFeatures::ends_in() const {
+  using T = decltype(Stage::read(0.0));
+  const auto arrows = arrows_in<Stage>();
+  const ShortestWay<T> way = shortest_way(arrows);
+  const std::array<T, 4> weights = weights_of(arrows, way);
+  const std::array<Posed3, 4> posed = images();
+  struct Ends {
+    std::array<std::array<T, 3>, 2> of;
+    T denominator;
+  };
+  const T zero = Stage::read(0.0);
+  Ends ends{{{{zero, zero, zero}, {zero, zero, zero}}}, way.denominator};
+  for (std::size_t k = 0; k < std::size_t{features_.count_a} + features_.count_b; ++k) {
+    auto& [x, y, z] = ends.of[k < features_.count_a ? 0 : 1];
+    const auto at = lift<Stage>(posed[k]);
+    x = x + at.x * weights[k];
+    y = y + at.y * weights[k];
+    z = z + at.z * weights[k];
+  }
+  return ends;
+}
+
+std::array<Point3, 2> ClosestFeatures::nearest_points() const {
+  const auto sure = ends_in<EstimateStage>();
+  std::array<Point3, 2> points;
+  bool is_sure = true;
+  for (std::size_t k = 0; k < 6 && is_sure; ++k) {
+    const Estimate quotient = ratio(sure.of[k / 3][k % 3], sure.denominator);
+    const std::optional<double> nearest = surely_nearest(quotient.value, quotient.error);
+    is_sure = nearest.has_value();
+    points[k / 3][k % 3] = nearest.value_or(0) + 0.0;  // no zero below zero
+  }
+  if (is_sure) return points;
+  const auto exact = ends_in<ExactStage>();
+  for (std::size_t k = 0; k < 6; ++k) {
+    points[k / 3][k % 3] = nearest_ratio(exact.of[k / 3][k % 3], exact.denominator);
+  }
+  return points;
 }
 
 std::array<Dyadic, 2> ClosestFeatures::squared() const {

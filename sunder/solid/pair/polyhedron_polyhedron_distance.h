@@ -40,12 +40,19 @@ class ClosestFeatures {
   std::array<Dyadic, 2> squared() const;  // of the distance: numerator over denominator; both are positive
   ExactWay way() const;                   // from A to B, and the weights of the vertices
 
+  // The nearest points, of A and of B, each coordinate rounded to the nearest double; as `distance` is made.
+  std::array<Point3, 2> nearest_points() const;
+
   // The images of the vertices named.
   std::array<Posed3, 4> images() const;
 
  private:
   template <class Stage>
+  auto arrows_in() const;
+  template <class Stage>
   auto way_in() const;
+  template <class Stage>
+  auto ends_in() const;
 
   FeatureVertices features_;
   std::array<Point3, 4> points_;

@@ -1,5 +1,8 @@
+#include <tests/support/scale.h>
 #include <tests/support/shapes.h>
+#include <tests/support/solid_pairs.h>
 
+#include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 
 #include <gtest/gtest.h>
@@ -66,6 +69,31 @@ TEST(PolyhedronPolyhedronDistanceTest, Features) {
       distance(body({{0, 1, -9}, {0, 1, 9}, {-5, 0, 0}}), body({{3, -9, 0}, {3, 9, 0}, {9, 0, 1}}));
   EXPECT_EQ(counts(edges), (std::array{2, 2}));
   expect_exactly(edges, 3);
+}
+
+// Of all families: the nearest doubles of the exact points.
+TEST(PolyhedronPolyhedronDistanceTest, NearestPointsAreRounded) {
+  tests::SolidPairs pairs(tests::chosen_seed(87));
+  int apart = 0;
+  std::array<int, 4> of_features{};
+  for (int round = 0; round < tests::scaled_count(1500, 300); ++round) {
+    const tests::PairCase c = pairs.next();
+    const PolyhedronDistance d = polyhedron_polyhedron_distance(c.a, c.pose_a, c.b, c.pose_b);
+    if (d.meet()) continue;
+    ++apart;
+    ++of_features[static_cast<std::size_t>(counts(d)[0] + counts(d)[1] - 1)];
+    const auto [of_a, of_b] = closest_points(*d.closest);
+    const std::array<Point3, 2> points = d.closest->nearest_points();
+    for (std::size_t k = 0; k < 3; ++k) {
+      ASSERT_EQ(points[0][k], nearest_ratio(of_a.coordinates[k], of_a.denominator)) << tests::name_of(c.family);
+      ASSERT_EQ(points[1][k], nearest_ratio(of_b.coordinates[k], of_b.denominator)) << tests::name_of(c.family);
+      ASSERT_FALSE(points[0][k] == 0 && std::signbit(points[0][k]));
+    }
+  }
+  EXPECT_GT(apart, 100);
+  EXPECT_GT(of_features[1], apart / 50);
+  EXPECT_GT(of_features[2], apart / 50);
+  EXPECT_GT(of_features[3], apart / 50);
 }
 
 TEST(PolyhedronPolyhedronDistanceTest, ParallelFeatures) {

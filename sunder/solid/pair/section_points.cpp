@@ -1,4 +1,4 @@
-#include <sunder/number/estimate.h>
+#include <sunder/number/estimate_ratio.h>
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/pair/polyhedron_plane_section.h>
 
@@ -33,24 +33,6 @@ auto see(const Point3& vertex, const Affine3& pose, const Plane& plane) {
 template <class Number>
 Number between(const Seen<Number>& a, const Seen<Number>& b, const Number& of_a, const Number& of_b) {
   return a.height * of_b - b.height * of_a;
-}
-
-// The double that a number rounds to, if all that are as near as the error says round to it.
-std::optional<double> surely_nearest(const DoubleDouble& value, double error) {
-  const double e = error * (1 + 0x1p-50) + std::fabs(value.low) * 0x1p-50;
-  const double nearest = value.high;
-  if (nearest + (value.low + e) == nearest && nearest + (value.low - e) == nearest) return nearest;
-  return {};
-}
-
-// What is left of the numerator after this quotient bounds the error of it. Infinite, or no number, where the
-// denominator may be zero.
-Estimate ratio(const Estimate& numerator, const Estimate& denominator) {
-  const DoubleDouble quotient = numerator.value / denominator.value;
-  const Estimate rest = numerator - Estimate(quotient, 0) * denominator;
-  const double least = std::fabs(denominator.value.high) * (1 - 0x1p-50) - denominator.error;
-  if (!(least > 0)) return {quotient, std::numeric_limits<double>::infinity()};
-  return {quotient, (std::fabs(rest.value.high) * (1 + 0x1p-50) + rest.error) / least * (1 + 0x1p-50)};
 }
 
 // As see(), without terms that are zero.
