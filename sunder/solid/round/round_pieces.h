@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace sunder::solid::round_quick {
@@ -227,6 +228,13 @@ inline bool is_vertex(const Side& side, std::uint32_t piece) {
   return !side.is_curved() || (side.image.kind == RoundKind::cone && piece == 1);
 }
 
+// Of a rim, from its centre.
+inline V far_on_rim(const RoundImage& of, const V& d) {
+  const V across = sum(d, -dot(d, of.axis), of.axis);
+  const double far2 = dot(across, across), by = far2 > 0 ? of.radius / std::sqrt(far2) : 0;
+  return {by * across.x, by * across.y, by * across.z};
+}
+
 // Of one piece.
 inline V far_on(const Side& side, std::uint32_t piece, const V& d) {
   const RoundImage& of = side.image;
@@ -236,9 +244,7 @@ inline V far_on(const Side& side, std::uint32_t piece, const V& d) {
     const V e = side.pulled(d);
     return sum(of.from, of.radius / length(e), side.turned(e));
   }
-  const V across = sum(d, -dot(d, of.axis), of.axis);
-  const double far2 = dot(across, across);
-  return sum(piece == 0 ? of.from : of.to, far2 > 0 ? of.radius / std::sqrt(far2) : 0, across);
+  return sum(piece == 0 ? of.from : of.to, 1, far_on_rim(of, d));
 }
 
 inline Far far_along(const Side& side, const V& d) {
@@ -283,24 +289,35 @@ struct Bend {
     tt += by * other.tt;
   }
 };
-// False: there is none.
-inline bool bend_of(const Side& side, std::uint32_t piece, const V& d, const V& s, const V& t, Bend& bend) {
-  bend = {};
-  if (is_vertex(side, piece)) return true;
+
+// Of a curved body, along a direction of length 1: where its rims or its ellipsoid are furthest, from their centres, and
+// how they bend. Both rims of a cylinder are alike.
+struct Turn {
+  V out{0, 0, 0};
+  Bend bend;
+  bool has_bend = true;  // false: the rims are as good as across the direction
+};
+inline Turn turn_of(const Side& side, const V& d, const V& s, const V& t) {
+  if (!side.is_curved()) return {};
   const RoundImage& of = side.image;
   if (of.kind == RoundKind::ellipsoid) {
     const V e = side.pulled(d), es = side.pulled(s), et = side.pulled(t);
-    const double far2 = dot(e, e), by = of.radius / std::sqrt(far2), is = dot(es, e), it = dot(et, e);
-    bend = {by * (dot(es, es) - is * is / far2), by * (dot(es, et) - is * it / far2),
-            by * (dot(et, et) - it * it / far2)};
-    return true;
+    const double far2 = dot(e, e), by = of.radius / std::sqrt(far2), is = dot(es, e), it = dot(et, e), over = 1 / far2;
+    return {sum({0, 0, 0}, by, side.turned(e)),
+            {by * (dot(es, es) - is * is * over), by * (dot(es, et) - is * it * over),
+             by * (dot(et, et) - it * it * over)}};
   }
-  const V around = cross(of.axis, d);
-  const double far2 = dot(around, around);
-  if (!(far2 > 0x1p-40)) return false;
-  const double by = of.radius / (far2 * std::sqrt(far2)), is = dot(around, s), it = dot(around, t);
-  bend = {by * is * is, by * is * it, by * it * it};
-  return true;
+  const double is = dot(of.axis, s), it = dot(of.axis, t), far2 = is * is + it * it;  // of the axis x d
+  if (!(far2 > 0x1p-40)) return {far_on_rim(of, d), {}, false};
+  const double by = of.radius / std::sqrt(far2), bent = by / far2, along = by * dot(d, of.axis);
+  return {{by * d.x - along * of.axis.x, by * d.y - along * of.axis.y, by * d.z - along * of.axis.z},
+          {bent * it * it, -bent * is * it, bent * is * is}};
+}
+
+// Two directions that are perpendicular to d, of length 1, and to each other. Source: Duff et al. 2017.
+inline std::pair<V, V> frame_across(const V& d) {
+  const double sign = std::copysign(1.0, d.z), by = -1 / (sign + d.z), xy = d.x * d.y * by;
+  return {{1 + sign * d.x * d.x * by, sign * xy, -sign * d.x}, {xy, sign + d.y * d.y * by, -d.y}};
 }
 
 // Pieces of one body: those that reach furthest, together.
@@ -318,6 +335,7 @@ struct Pieces {
     --count;
     piece[k] = piece[count];
     weight[k] = weight[count];
+    at[k] = at[count];
   }
 };
 

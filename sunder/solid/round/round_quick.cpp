@@ -295,14 +295,15 @@ class Quick {
   // the sphere.
   bool refine(const DifferenceSimplex& simplex, const Slots& slots, V d) {
     const double far = length(d);
-    const V unit{d.x / far, d.y / far, d.z / far};
-    if (far > 0 && (faces(a_, b_, unit) || faces(b_, a_, {-unit.x, -unit.y, -unit.z}))) return true;
+    if (!(far > 0)) return false;
+    d = {d.x / far, d.y / far, d.z / far};
+    if (faces(a_, b_, d) || faces(b_, a_, {-d.x, -d.y, -d.z})) return true;
     Pieces of_a, of_b;
     const std::array<double, 4> weights = weights_of_nearest(simplex);
     for (std::size_t k = 0; k < static_cast<std::size_t>(simplex.count); ++k) {
       const auto& [p, q] = slots[simplex.vertex[k].a];
-      admit(of_a, p.piece, weights[k]);
-      admit(of_b, q.piece, weights[k]);
+      admit(of_a, p, weights[k]);
+      admit(of_b, q, weights[k]);
     }
     // Two may be equal to one another beside the first of each.
     while (of_a.count + of_b.count > 4) {
@@ -310,21 +311,15 @@ class Quick {
       const bool is_of_a = of_b.count == 1 || (of_a.count > 1 && of_a.weight[k] < of_b.weight[l]);
       is_of_a ? of_a.drop(k) : of_b.drop(l);
     }
-    double last = 1;
+    double last2 = 0;  // the square of the step before this one, of the same pieces
     int changes = 0, wild = 0;
+    bool has_looked = false, is_last = false;  // for pieces that reach further; d is as good as doubles can make it
     for (int i = 0; i < most_refined; ++i) {
-      const double long_d = length(d);
-      if (!(long_d > 0)) return false;
-      d = {d.x / long_d, d.y / long_d, d.z / long_d};
       const V back{-d.x, -d.y, -d.z};
-      // A frame across d.
-      const V e = std::fabs(d.x) < 0.6 ? V{1, 0, 0} : V{0, 1, 0};
-      V s = cross(d, e);
-      const double long_s = length(s);
-      s = {s.x / long_s, s.y / long_s, s.z / long_s};
-      const V t = cross(d, s);
-      for (std::size_t k = 0; k < of_a.count; ++k) of_a.at[k] = far_on(a_, of_a.piece[k], d);
-      for (std::size_t k = 0; k < of_b.count; ++k) of_b.at[k] = far_on(b_, of_b.piece[k], back);
+      const auto& [s, t] = frame_across(d);
+      const Turn turn_a = turn_of(a_, d, s, t), turn_b = turn_of(b_, back, s, t);
+      turn_to(a_, of_a, turn_a.out);
+      turn_to(b_, of_b, turn_b.out);
       const V way = of_a.at[0] - of_b.at[0];
       const double g_s = dot(way, s), g_t = dot(way, t), gap = -dot(way, d);
       // What has to be equal: rows.
@@ -353,22 +348,29 @@ class Quick {
       }
       share(of_a, weight, 0);
       share(of_b, weight, of_a.count - 1);
+      if (is_last) {
+        is_last = has_looked = false;
+        last2 = 0;
+        if (++changes <= most_changes &&
+            (drop_least(of_a, -0x1p-30) || drop_least(of_b, -0x1p-30) || admit_beyond(a_, of_a, d, of_b, s, t) ||
+             admit_beyond(b_, of_b, back, of_a, s, t))) {
+          continue;
+        }
+        return concludes(of_a, of_b, d);
+      }
       // A weight that is far below zero will not come back, and with it what bends is not what it would be.
       if (changes < most_changes && (drop_least(of_a, -0x1p-4) || drop_least(of_b, -0x1p-4))) {
         ++changes;
-        last = 1;
+        last2 = 0;
+        has_looked = false;
         continue;
       }
       if (rows < 2) {
-        Bend bend, all;
-        for (std::size_t k = 0; k < of_a.count; ++k) {
-          if (!bend_of(a_, of_a.piece[k], d, s, t, bend)) return false;
-          all.add(std::clamp(of_a.weight[k], 0.0, 1.0), bend);
-        }
-        for (std::size_t k = 0; k < of_b.count; ++k) {
-          if (!bend_of(b_, of_b.piece[k], d, s, t, bend)) return false;
-          all.add(std::clamp(of_b.weight[k], 0.0, 1.0), bend);
-        }
+        const double smooth_a = smooth_weight(a_, of_a), smooth_b = smooth_weight(b_, of_b);
+        if ((smooth_a > 0 && !turn_a.has_bend) || (smooth_b > 0 && !turn_b.has_bend)) return false;
+        Bend all;
+        all.add(smooth_a, turn_a.bend);
+        all.add(smooth_b, turn_b.bend);
         all.ss += std::max(gap, 0.0);
         all.tt += std::max(gap, 0.0);
         if (rows == 1) {
@@ -392,30 +394,53 @@ class Quick {
                 !(admit_beyond(a_, of_a, d, of_b, s, t) || admit_beyond(b_, of_b, back, of_a, s, t))) {
               return false;
             }
-            last = 1;
+            last2 = 0;
+            has_looked = false;
             continue;
           }
           y_s = (-g_s * all.tt + g_t * all.st) / det;
           y_t = (-g_t * all.ss + g_s * all.st) / det;
         }
       }
-      const double step = std::sqrt(y_s * y_s + y_t * y_t), by = step > most_turned ? most_turned / step : 1;
-      if (!(step < HUGE_VAL) || (step > 1 && ++wild > 2)) return false;
+      const double step2 = y_s * y_s + y_t * y_t;
+      if (!(step2 < HUGE_VAL) || (step2 > 1 && ++wild > 2)) return false;
+      const bool is_far = step2 > most_turned * most_turned;
+      const double by = is_far ? most_turned / std::sqrt(step2) : 1;
+      const double over = 1 / std::sqrt(1 + (is_far ? most_turned * most_turned : step2));
       d = sum(sum(d, by * y_s, s), by * y_t, t);
-      if (step < quite_near && gap > a_.radius() + b_.radius() && parts(d)) return true;
-      if (step > 0x1p-50 && (step > near_enough || step < last)) {
-        last = step;
-        continue;  // where it is near: once more, because what is left is its square
+      d = {over * d.x, over * d.y, over * d.z};
+      if (step2 < quite_near2 && gap > a_.radius() + b_.radius() && parts(d)) return true;
+      // Newton's method: what is left is as the square of the step, and so were the steps.
+      const auto left2 = [&] { return step2 * step2 * std::max(step2 / (last2 * last2), 1.0); };
+      is_last = step2 <= 0x1p-100 || (rows == 2 && !is_far && are_vertices(a_, of_a) && are_vertices(b_, of_b)) ||
+                (last2 > 0 && step2 < near_enough2 && (step2 >= last2 || left2() < 0x1p-104));
+      last2 = step2;
+      if (is_last || step2 > well_near2 || has_looked) continue;
+      has_looked = true;
+      if (changes < most_changes && (admit_beyond(a_, of_a, d, of_b, s, t) ||
+                                     admit_beyond(b_, of_b, {-d.x, -d.y, -d.z}, of_a, s, t))) {
+        ++changes;
+        last2 = 0;
+        has_looked = false;
       }
-      last = 1;
-      if (++changes <= most_changes &&
-          (drop_least(of_a, -0x1p-30) || drop_least(of_b, -0x1p-30) || admit_beyond(a_, of_a, d, of_b, s, t) ||
-           admit_beyond(b_, of_b, {-d.x, -d.y, -d.z}, of_a, s, t))) {
-        continue;
-      }
-      return concludes(of_a, of_b, d);
     }
     return false;
+  }
+  static void turn_to(const Side& side, Pieces& pieces, const V& out) {
+    for (std::size_t k = 0; k < pieces.count; ++k) {
+      if (!is_vertex(side, pieces.piece[k])) pieces.at[k] = sum(pieces.piece[k] == 0 ? side.image.from : side.image.to, 1, out);
+    }
+  }
+  static bool are_vertices(const Side& side, const Pieces& pieces) {
+    return std::all_of(pieces.piece.data(), pieces.piece.data() + pieces.count,
+                       [&](std::uint32_t piece) { return is_vertex(side, piece); });
+  }
+  static double smooth_weight(const Side& side, const Pieces& pieces) {
+    double all = 0;
+    for (std::size_t k = 0; k < pieces.count; ++k) {
+      all += is_vertex(side, pieces.piece[k]) ? 0 : std::clamp(pieces.weight[k], 0.0, 1.0);
+    }
+    return all;
   }
   // A piece whose weight is negative does not belong there.
   static bool drop_least(Pieces& pieces, double below) {
@@ -429,7 +454,7 @@ class Quick {
     const Far far = far_along(side, d);
     if (pieces.has(far.piece) || !(dot(d, far.at - pieces.at[0]) > 0x1p-44 * size_)) return false;
     if (pieces.count + others.count == 4) return exchange(pieces, far, others, s, t);
-    admit(pieces, far.piece, 0);
+    admit(pieces, far, 0);
     return true;
   }
   // Of four pieces, whose weights their places in the plane of s and t tell: another one takes the place of that whose
@@ -470,14 +495,15 @@ class Quick {
     if (others.count > 1) look(others, 0, first_other);
     if (from == nullptr) return false;
     from->drop(leaving);
-    admit(own, far.piece, grown);
+    admit(own, far, grown);
     return true;
   }
-  static void admit(Pieces& pieces, std::uint32_t piece, double weight) {
+  static void admit(Pieces& pieces, const Far& far, double weight) {
     std::size_t k = 0;
-    while (k < pieces.count && pieces.piece[k] != piece) ++k;
+    while (k < pieces.count && pieces.piece[k] != far.piece) ++k;
     if (k == pieces.count) {
-      pieces.piece[pieces.count++] = piece;
+      pieces.piece[pieces.count++] = far.piece;
+      pieces.at[k] = far.at;
       pieces.weight[k] = 0;
     }
     pieces.weight[k] += weight;
@@ -550,7 +576,7 @@ class Quick {
   }
 
   static constexpr int most_steps = 20, most_searched = 30, most_refined = 16, most_alternated = 16, most_changes = 3;
-  static constexpr double near_enough = 0x1p-20, quite_near = 0x1p-24, most_turned = 0.5;
+  static constexpr double near_enough2 = 0x1p-40, quite_near2 = 0x1p-48, well_near2 = 0x1p-8, most_turned = 0.5;
   static constexpr Affine3 in_place{};
 
   const Side& a_;
