@@ -1,3 +1,4 @@
+// long because: each step of the search is a few lines that share the bodies, the answer and what is left to try.
 #include <sunder/predicate/round_image.h>
 #include <sunder/predicate/round_shape.h>
 #include <sunder/solid/pair/closest_simplex.h>
