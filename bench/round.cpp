@@ -190,8 +190,9 @@ double demanded(RoundShapeKind a, RoundShapeKind b, bool near) {
   using enum RoundShapeKind;
   const auto is = [&](RoundShapeKind p, RoundShapeKind q) { return a == p && b == q; };
   if (is(ball, box) || is(ball, cylinder)) return 0.8;  // FCL has a formula
-  if (is(box, cone)) return 0.7;
-  if (near && (is(box, cylinder) || is(cylinder, cylinder) || is(cylinder, cone) || is(cone, cone))) return 0.7;
+  if (is(box, cone)) return near ? 0.8 : 0.9;
+  if (near && is(box, cylinder)) return 0.9;
+  if (near && (is(cylinder, cone) || is(cone, cone))) return 0.7;
   return 1;
 }
 

@@ -290,8 +290,8 @@ struct Bend {
   }
 };
 
-// Of a curved body, along a direction of length 1: where its rims or its ellipsoid are furthest, from their centres, and
-// how they bend. Both rims of a cylinder are alike.
+// Of a curved body, along a direction of length 1: where its rims or its ellipsoid are furthest, from their centres,
+// and how they bend. Both rims of a cylinder are alike.
 struct Turn {
   V out{0, 0, 0};
   Bend bend;

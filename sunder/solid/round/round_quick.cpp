@@ -1,3 +1,4 @@
+// long because: each step of the search is a few lines that share the bodies, the answer and what is left to try.
 #include <sunder/predicate/round_image.h>
 #include <sunder/predicate/round_shape.h>
 #include <sunder/solid/pair/closest_simplex.h>
@@ -312,8 +313,9 @@ class Quick {
       is_of_a ? of_a.drop(k) : of_b.drop(l);
     }
     double last2 = 0;  // the square of the step before this one, of the same pieces
-    int changes = 0, wild = 0;
+    int changes = 0, turns = 0, wild = 0;
     bool has_looked = false, is_last = false;  // for pieces that reach further; d is as good as doubles can make it
+    bool is_new = false;                       // a piece does not reach as far as the others yet: no weight tells
     for (int i = 0; i < most_refined; ++i) {
       const V back{-d.x, -d.y, -d.z};
       const auto& [s, t] = frame_across(d);
@@ -359,7 +361,11 @@ class Quick {
         return concludes(of_a, of_b, d);
       }
       // A weight that is far below zero will not come back, and with it what bends is not what it would be.
-      if (changes < most_changes && (drop_least(of_a, -0x1p-4) || drop_least(of_b, -0x1p-4))) {
+      // The nearer it is the less is far.
+      const double below = last2 > 0 ? -std::sqrt(std::clamp(last2, 0x1p-40, 0x1p-8)) : -0x1p-4;
+      const bool may_drop = !is_new && changes < most_changes;
+      is_new = false;
+      if (may_drop && (drop_least(of_a, below) || drop_least(of_b, below))) {
         ++changes;
         last2 = 0;
         has_looked = false;
@@ -367,7 +373,14 @@ class Quick {
       }
       if (rows < 2) {
         const double smooth_a = smooth_weight(a_, of_a), smooth_b = smooth_weight(b_, of_b);
-        if ((smooth_a > 0 && !turn_a.has_bend) || (smooth_b > 0 && !turn_b.has_bend)) return false;
+        const bool is_flat_a = smooth_a > 0 && !turn_a.has_bend, is_flat_b = smooth_b > 0 && !turn_b.has_bend;
+        if (is_flat_a || is_flat_b) {
+          if (++changes > most_changes) return false;
+          d = is_flat_a ? tilted(d, a_, of_b.at[0]) : V{} - tilted(back, b_, of_a.at[0]);
+          last2 = 0;
+          has_looked = false;
+          continue;
+        }
         Bend all;
         all.add(smooth_a, turn_a.bend);
         all.add(smooth_b, turn_b.bend);
@@ -389,11 +402,16 @@ class Quick {
           }
         } else {
           const double det = all.ss * all.tt - all.st * all.st;
-          if (!(det > 0)) {
-            if (++changes > most_changes ||
-                !(admit_beyond(a_, of_a, d, of_b, s, t) || admit_beyond(b_, of_b, back, of_a, s, t))) {
-              return false;
-            }
+          const double size = all.ss + all.tt;
+          if (!(det > 0x1p-40 * size * size)) {
+            // Nothing bends: until others reach as far.
+            const double slope = std::sqrt(g_s * g_s + g_t * g_t);
+            if (++turns > most_turns || !(slope > 0)) return false;
+            const double by = 0.25 / slope;
+            d = sum(sum(d, -by * g_s, s), -by * g_t, t);
+            const double over = 1 / length(d);
+            d = {over * d.x, over * d.y, over * d.z};
+            is_new = admit_beyond(a_, of_a, d, of_b, s, t) || admit_beyond(b_, of_b, {-d.x, -d.y, -d.z}, of_a, s, t);
             last2 = 0;
             has_looked = false;
             continue;
@@ -417,19 +435,29 @@ class Quick {
       last2 = step2;
       if (is_last || step2 > well_near2 || has_looked) continue;
       has_looked = true;
-      if (changes < most_changes && (admit_beyond(a_, of_a, d, of_b, s, t) ||
-                                     admit_beyond(b_, of_b, {-d.x, -d.y, -d.z}, of_a, s, t))) {
+      if (changes < most_changes &&
+          (admit_beyond(a_, of_a, d, of_b, s, t) || admit_beyond(b_, of_b, {-d.x, -d.y, -d.z}, of_a, s, t))) {
         ++changes;
         last2 = 0;
         has_looked = false;
+        is_new = true;
       }
     }
     return false;
   }
   static void turn_to(const Side& side, Pieces& pieces, const V& out) {
     for (std::size_t k = 0; k < pieces.count; ++k) {
-      if (!is_vertex(side, pieces.piece[k])) pieces.at[k] = sum(pieces.piece[k] == 0 ? side.image.from : side.image.to, 1, out);
+      if (!is_vertex(side, pieces.piece[k]))
+        pieces.at[k] = sum(pieces.piece[k] == 0 ? side.image.from : side.image.to, 1, out);
     }
+  }
+  // From the direction of an axis towards a point that is beyond the rim.
+  static V tilted(const V& d, const Side& own, const V& to) {
+    const V& axis = own.image.axis;
+    const V way = to - (dot(d, axis) > 0 ? own.image.to : own.image.from), out = sum(way, -dot(way, axis), axis);
+    const V turned = sum(d, 0.25 / length(out), out);
+    const double over = 1 / length(turned);
+    return {over * turned.x, over * turned.y, over * turned.z};
   }
   static bool are_vertices(const Side& side, const Pieces& pieces) {
     return std::all_of(pieces.piece.data(), pieces.piece.data() + pieces.count,
@@ -575,7 +603,8 @@ class Quick {
     return true;
   }
 
-  static constexpr int most_steps = 20, most_searched = 30, most_refined = 16, most_alternated = 16, most_changes = 3;
+  static constexpr int most_steps = 20, most_searched = 30, most_refined = 16, most_alternated = 16, most_changes = 3,
+                       most_turns = 6;
   static constexpr double near_enough2 = 0x1p-40, quite_near2 = 0x1p-48, well_near2 = 0x1p-8, most_turned = 0.5;
   static constexpr Affine3 in_place{};
 
