@@ -128,7 +128,7 @@ void compare_with_cold(Kind kind, int count, std::uint64_t seed) {
   // On a lattice many are exactly so far apart, and ellipsoids are always asked about anew.
   EXPECT_LT(cold, kind == Kind::polyhedra ? near - near / 4 : near - near / 20);
   if (kind == Kind::lattice) {
-    EXPECT_GT(exactly, placements / 20);
+    EXPECT_GT(exactly, placements / 80);
   }
 }
 
