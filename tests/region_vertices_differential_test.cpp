@@ -174,6 +174,12 @@ TEST(RegionVertices, OfBoxesInFlats) {
           rows.push_back(c < k ? 1 : side * static_cast<double>(c));
         }
       }
+      for (std::size_t c = 0; c < k; ++c) {  // and such that hold all of it with room
+        for (const double side : {2.0, -3.0}) {
+          for (std::size_t e = 0; e < d; ++e) rows.push_back(e == c ? side : 0);
+          rows.push_back(5);
+        }
+      }
       const Polytope body = Polytope::from_half_spaces(d, rows);
       const RegionVertices answer = region_vertices(body);
       EXPECT_EQ(answer.region.dimension, k);
@@ -183,7 +189,7 @@ TEST(RegionVertices, OfBoxesInFlats) {
       for (std::uint32_t row = 0; row < body.size(); ++row) {
         Dyadic left = Dyadic(body.row(row)[d]) * answer.found.inside[d];
         for (std::size_t c = 0; c < d; ++c) left = left - answer.found.inside[c] * body.row(row)[c];
-        EXPECT_EQ(left.sign(), row < 2 * k ? Sign::positive : Sign::zero);
+        EXPECT_EQ(left.sign(), row < 2 * k || row >= 2 * d ? Sign::positive : Sign::zero);
       }
       const std::string text = written(body, answer);
       EXPECT_EQ(rule_of(text), "accepted");
