@@ -46,9 +46,10 @@ namespace {
 using sunder::Random;
 namespace fs = std::filesystem;
 
-// At most a fifth of FCL's time was wanted. FCL's manager was seen to take 3.9 to 5.3 times as long, the other ways
-// that find a point of contact 3.3 to 4.8 times, meshes, which are wrong, 3.3 to 6: what is demanded is always reached.
-constexpr double kByManager = 3.5, kByOthers = 3;
+// At most a fifth of the time of FCL's manager, of 100,000 placements on a quiet machine, where it was seen to take 5.2
+// to 5.4 times as long; where others work, and of few, it was 4.1 to 6.4. The other ways that find a point of contact
+// took 3.1 to 5.5 times as long, meshes, which are wrong, 3.2 to 7.8.
+constexpr double kByManager = 5, kByManagerOfFew = 4, kByOthers = 3;
 // Of two threads: at most so many times the processor time of one.
 constexpr double kMostByThreads = 1.1, kLeastByTwoCores = 1.8;
 
@@ -215,7 +216,8 @@ double median(std::vector<double> values) {
 void conclude(const Arm& arm, const std::vector<Row>& rows, std::vector<std::string>& failures) {
   for (const Row& row : rows) {
     for (const Result& peer : row.peers) {
-      const double demanded = peer.library == "fcl" ? kByManager : kByOthers;
+      const double by_manager = row.n < 100'000 ? kByManagerOfFew : kByManager;
+      const double demanded = peer.library == "fcl" ? by_manager : kByOthers;
       if (peer.library == "fcl-bare" || peer.state != Result::State::measured || row.ratio(peer) >= demanded) continue;
       failures.push_back(fmt::format("{}: {} takes {:.2f} of Sunder's time (demanded: {:.2f})", row.input, peer.library,
                                      row.ratio(peer), demanded));
