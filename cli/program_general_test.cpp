@@ -228,7 +228,7 @@ TEST_F(Program, ExitCodesOfVerbs) {
                                     {"polygons", "0 none meet; 1 some meet"},
                                     {"region", "0 something is common to all; 1 nothing is"},
                                     {"kernel", "0 each polygon has a kernel; 1 some have none"},
-                                    {"hull", "0; 2 bad"},
+                                    {"hull", "0; of half-spaces 1 if they are empty, or unbounded"},
                                     {"section", "0 no plane meets the body; 1 some do"},
                                     {"info", "0; 2 bad"},
                                     {"verify", "0 all accepted; 1 some refused"}}) {

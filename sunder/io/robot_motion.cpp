@@ -19,14 +19,14 @@ namespace {
 }
 
 bool is_finite(const Affine3& map) {
-  Lanes differences{0, 0};  // not zero iff some number is not finite
+  Lanes zeros{0, 0};  // no zero iff some number is not finite
   const auto& m = map.linear;
   const auto& t = map.translation;
   for (const Lanes lanes : {Lanes{m[0], m[1]}, Lanes{m[2], m[3]}, Lanes{m[4], m[5]}, Lanes{m[6], m[7]},
                             Lanes{m[8], t[0]}, Lanes{t[1], t[2]}}) {
-    differences += lanes - lanes;
+    zeros += 0 * lanes;
   }
-  return bits_of(differences == 0) == 3;
+  return bits_of(zeros == 0) == 3;
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ TEST(PolyhedronPolyhedronDistanceTest, NearestPointsAreRounded) {
       ASSERT_FALSE(points[0][k] == 0 && std::signbit(points[0][k]));
     }
   }
-  EXPECT_GT(apart, 100);
+  EXPECT_GT(apart, 50);
   EXPECT_GT(of_features[1], apart / 50);
   EXPECT_GT(of_features[2], apart / 50);
   EXPECT_GT(of_features[3], apart / 50);
