@@ -183,9 +183,8 @@ void bind_flats(nb::module_& module, nb::module_& solid) {
           [](const PythonCut& a) {
             nb::list fractions;
             if (!a.ends) return fractions;
-            const nb::object fraction = nb::module_::import_("fractions").attr("Fraction");
             for (const solid::ExactEnd& end : *a.ends) {
-              fractions.append(fraction(fraction_text(end.along_line.numerator, end.along_line.denominator)));
+              fractions.append(fraction_of(end.along_line.numerator, end.along_line.denominator));
             }
             return fractions;
           },

@@ -165,10 +165,6 @@ auto numbers_of(std::span<const double> given, std::size_t rows) {
 
 }  // namespace
 
-nb::object fraction_of(const Dyadic& numerator, const Dyadic& denominator) {
-  return nb::module_::import_("fractions").attr("Fraction")(fraction_text(numerator, denominator));
-}
-
 nb::tuple fractions_of(std::span<const Dyadic> numbers, const Dyadic& denominator) {
   nb::list list;
   for (const Dyadic& n : numbers) list.append(fraction_of(n, denominator));

@@ -7,6 +7,7 @@
 #include <sunder/scene/follower.h>
 #include <sunder/scene/rounded_evidence.h>
 #include <sunder/scene/scene_json.h>
+#include <sunder/solid/object/affine_product.h>
 
 #include "common.h"
 
@@ -210,9 +211,11 @@ class Robot {
     std::vector<std::vector<scene::Body>> bodies;
     std::vector<scene::Answer> answers;
     Names titles;
-    std::vector<solid::Pose> poses(robot_.links.size());
+    std::vector<Affine3> links(robot_.links.size());
     for (std::size_t k = 0; k < values.shape(0); ++k) {
-      motion.place({values.data() + k * joints.size(), joints.size()}, poses);
+      motion.place({values.data() + k * joints.size(), joints.size()}, links);
+      std::vector<solid::Pose> poses;
+      for (const Affine3& link : links) poses.push_back(solid::Pose::from_matrix(link.linear, link.translation));
       bodies.push_back(bodies_at(poses));
       answers.push_back(scene::meeting_pairs(bodies.back(), asked));
       titles.push_back(std::to_string(k));
@@ -259,7 +262,7 @@ class Robot {
    private:
     struct Chain {
       scene::Follower follower;
-      std::vector<solid::Pose> poses;  // of links
+      std::vector<Affine3> links;  // where they are
       std::size_t begin = 0, end = 0;
       Collisions found{};
     };
@@ -268,7 +271,7 @@ class Robot {
       if (next_ == rows_) return false;
       if (chains_.size() <= place) chains_.resize(place + 1);
       if (!chains_[place]) {
-        chains_[place] = std::make_unique<Chain>(Chain{start_, std::vector<solid::Pose>(of_.robot_.links.size())});
+        chains_[place] = std::make_unique<Chain>(Chain{start_, std::vector<Affine3>(of_.robot_.links.size())});
       }
       chains_[place]->begin = next_;
       next_ = chains_[place]->end = std::min(next_ + scene::chain_length, rows_);
@@ -280,11 +283,13 @@ class Robot {
       chain.follower.forget();
       for (std::size_t k = chain.begin; k < chain.end; ++k) {
         try {
-          motion_.place(values_.subspan(k * columns_, columns_), chain.poses);
+          motion_.place(values_.subspan(k * columns_, columns_), chain.links);
           std::uint32_t number = 0;
           for (const io::LinkBody& body : of_.links_.bodies) {
             for (const io::BodyPart& part : body.parts) {
-              chain.follower.place(number++, io::composed(chain.poses[body.link], part.pose));
+              const Affine3 &link = chain.links[body.link], &inner = part.pose.affine();
+              const Affine3 at = io::is_identity(inner) ? link : solid::affine_product(link, inner);
+              chain.follower.place(number++, solid::Pose::from_matrix(at.linear, at.translation));
             }
           }
         } catch (const Error& error) {

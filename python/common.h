@@ -126,7 +126,9 @@ auto matrix_of(const std::array<double, D * D>& numbers) {
   return array_of<double, D>(std::move(rows));
 }
 
-// A pair of fractions.Fraction.
+// numerator / denominator as a fractions.Fraction, of any length.
+nb::object fraction_of(const Dyadic& numerator, const Dyadic& denominator);
+// A pair of them.
 nb::tuple fractions_of(const ExactPoint2& p);
 
 // The nearest doubles.

@@ -54,9 +54,35 @@ std::vector<std::uint32_t> groups_of(nb::handle given, std::size_t size) {
   return {numbers.data(), numbers.data() + numbers.size()};
 }
 
+namespace {
+
+struct MantissaAndExponent {
+  nb::object mantissa;
+  std::int64_t exponent;
+};
+
+// By hexadecimal digits: of decimal ones Python reads 4300 at most.
+MantissaAndExponent parts_of(const Dyadic& x) {
+  const std::string text = x.hexadecimal();
+  const std::size_t p = text.find('p');
+  PyObject* const mantissa = PyLong_FromString(text.substr(0, p).c_str(), nullptr, 16);
+  if (mantissa == nullptr) throw nb::python_error();
+  return {nb::steal(mantissa), std::stoll(text.substr(p + 1))};
+}
+
+}  // namespace
+
+nb::object fraction_of(const Dyadic& numerator, const Dyadic& denominator) {
+  auto [n, n_exponent] = parts_of(numerator);
+  auto [d, d_exponent] = parts_of(denominator);
+  const std::int64_t shift = n_exponent - d_exponent;
+  if (shift > 0) n = n << nb::int_(shift);
+  if (shift < 0) d = d << nb::int_(-shift);
+  return nb::module_::import_("fractions").attr("Fraction")(n, d);
+}
+
 nb::tuple fractions_of(const ExactPoint2& p) {
-  const nb::object fraction = nb::module_::import_("fractions").attr("Fraction");
-  return nb::make_tuple(fraction(fraction_text(p.x, p.denominator)), fraction(fraction_text(p.y, p.denominator)));
+  return nb::make_tuple(fraction_of(p.x, p.denominator), fraction_of(p.y, p.denominator));
 }
 
 nb::bytes Answer::certificate() const {

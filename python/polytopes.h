@@ -9,7 +9,6 @@
 
 namespace sunder::python {
 
-nb::object fraction_of(const Dyadic& numerator, const Dyadic& denominator);
 nb::tuple fractions_of(std::span<const Dyadic> numbers, const Dyadic& denominator);
 nb::dict weights_of(const polytope::RowWeights& weights);  // by rows
 

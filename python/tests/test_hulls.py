@@ -1,4 +1,5 @@
 """Hulls, vertices, regions and linear programs of any dimension, as fractions."""
+import sys
 from fractions import Fraction
 
 import numpy as np
@@ -104,6 +105,25 @@ def test_linear_programs(method):
     assert not none and (none.outcome, none.point, none.value, len(none.multipliers)) == ("infeasible", None, None, 2)
     for answer in (one, many, every, far, none):
         proved(answer.certificate())
+
+
+def test_fractions_of_any_length():
+    """Of doubles of all sizes: numbers of more digits than Python reads of a text unless told to."""
+    d, some = 6, np.random.default_rng(6).uniform(.5, 1, (7, 7))
+    sizes = np.full((d, d + 1), -1020)
+    sizes[range(d), range(d)] = sizes[1::2, d] = 1023
+    rows = np.vstack([np.ldexp(some[:d], sizes), [-1] * d + [1]])
+    up = np.ldexp(some[d, :d], [1020 if c % 2 else -1020 for c in range(d)])
+    limit = getattr(sys, "get_int_max_str_digits", int)()
+    if limit == 0 and hasattr(sys, "set_int_max_str_digits"):
+        sys.set_int_max_str_digits(4300)  # as Python begins; sunder_verify lifts it
+    try:
+        best = polytope.linear_program(Polytope.from_half_spaces(rows), up)
+        assert best.outcome == "one" and best.value == product(best.point, up)
+        assert best.value.numerator.bit_length() > 14300
+    finally:
+        if hasattr(sys, "set_int_max_str_digits"):
+            sys.set_int_max_str_digits(limit)
 
 
 def test_programs_against_vertices():
