@@ -131,6 +131,20 @@ TEST(JointTable, SaysWhatIsWrong) {
   for (const auto& [is, begins] : expected) EXPECT_TRUE(is.starts_with(begins)) << is << "\n" << begins;
 }
 
+// Memory is in proportion to the file: what so many lines of so many columns could hold would be 64 GB.
+TEST(JointTable, AsksForNoMemoryForBlankLines) {
+  std::string text = "j0", row = "0";
+  for (int k = 1; k < 4000; ++k) {
+    text += ",j" + std::to_string(k);
+    row += ",1";
+  }
+  text += std::string(2000000, '\n') + row;
+  const JointTable table = parse_joint_table(text, "t");
+  EXPECT_EQ(table.rows(), 1u);
+  EXPECT_EQ(table.lines.front(), 2000001u);
+  EXPECT_LE(table.values.capacity() * sizeof(double), 8 * text.size());
+}
+
 // Long enough for several pieces, of lines of many lengths, some blank.
 TEST(JointTable, SameOnAnyNumberOfThreads) {
   std::string text = "a,b\n";

@@ -61,14 +61,14 @@ void ClearanceFollower::list_few() {
   }
 }
 
-// What rests has its box.
+// What rests has its box: a part that throws has none for this pose, so it is placed last.
 void ClearanceFollower::place(std::span<const Body> bodies) {
   for (std::uint32_t i = 0; i < members_.size(); ++i) {
     const Part& part = members_.part(bodies, i);
     if (is_placed_ && part.pose.affine() == rigid_[i].pose) continue;
     require_rigid(part.shape, part.pose);
-    rigid_[i].place(part.pose);
     boxes_[i] = rough_box_of(part);
+    rigid_[i].place(part.pose);
   }
   is_placed_ = true;
 }

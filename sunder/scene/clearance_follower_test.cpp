@@ -175,5 +175,26 @@ TEST(ClearanceFollower, EllipsoidsAreLongerThanTheirCores) {
   }
 }
 
+// A part that cannot be placed is told each time, and then nothing is left of where it was to be.
+TEST(ClearanceFollower, ThrowsAsOftenAsItIsAsked) {
+  const ConvexPolyhedron cube(tests::cube_corners(0, 1));
+  const solid::RoundBody far_off = solid::RoundBody::ellipsoid({1e308, 0, 0}, {1, 1, 1});
+  const Pose beyond = tests::shift(1.5e308, 0, 0);
+  std::vector<Body> bodies{{"a", {{"", far_off, tests::shift(-1e308, 0, 0)}}},
+                           {"b", {{"", cube, tests::shift(9, 0, 0)}}}};
+  const ClearanceQuestion question{0.25, {}, {}};
+  ClearanceFollower follower(bodies, question);
+  const Pose here = bodies[0].parts[0].pose;
+  for (int round = 0; round < 2; ++round) {
+    bodies[0].parts[0].pose = here;
+    EXPECT_EQ(told(follower.ask(bodies).closer), told(closer_pairs(bodies, question).closer));
+    bodies[0].parts[0].pose = beyond;
+    for (int time = 0; time < 2; ++time) {
+      EXPECT_THROW((void)closer_pairs(bodies, question), Error);
+      EXPECT_THROW((void)follower.ask(bodies), Error) << round << " " << time;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace sunder::scene
