@@ -72,6 +72,12 @@ void set_image(RoundImage& image, const Affine3& pose, const double* all, std::u
   image.count = count;
 }
 
+void set_image(RoundImage& image, const Affine3& pose, const Point3* range, double radius, double size,
+               double greatest) {
+  set_image(image, pose, nullptr, 0, radius, size, greatest);
+  image.range = range;
+}
+
 double reach_along(const RoundImage& image, const V& d) {
   switch (image.kind) {
     case RoundKind::hull: {
@@ -79,13 +85,20 @@ double reach_along(const RoundImage& image, const V& d) {
       if (image.ends == 1) return dot(d, image.from) + round;
       if (image.ends == 2) return std::max(dot(d, image.from), dot(d, image.to)) + round;
       const V e = pulled(*image.pose, d);
+      const auto& t = image.pose->translation;
+      const double moved = d.x * t[0] + d.y * t[1] + d.z * t[2];
+      if (image.range != nullptr) {
+        // The same sum as of each corner, and rounding is monotone: so this is the greatest of them.
+        const Point3 &low = image.range[0], &high = image.range[1];
+        return std::max(e.x * low.x, e.x * high.x) + std::max(e.y * low.y, e.y * high.y) +
+               std::max(e.z * low.z, e.z * high.z) + moved + round;
+      }
       const double *x = image.all, *y = x + image.count, *z = y + image.count;
       Lanes furthest = e.x * lanes_at(x) + e.y * lanes_at(y) + e.z * lanes_at(z);
       for (std::uint32_t j = 2; j < image.count; j += 2) {
         furthest = greater_of(furthest, e.x * lanes_at(x + j) + e.y * lanes_at(y + j) + e.z * lanes_at(z + j));
       }
-      const auto& t = image.pose->translation;
-      return std::max(furthest[0], furthest[1]) + (d.x * t[0] + d.y * t[1] + d.z * t[2]) + round;
+      return std::max(furthest[0], furthest[1]) + moved + round;
     }
     case RoundKind::ellipsoid: return dot(d, image.from) + image.radius * length(pulled(*image.pose, d));
     case RoundKind::cylinder:

@@ -42,8 +42,9 @@ struct RoundImage {
   double size = 0;      // as above: the size of the core and that of the radius, together
   double greatest = 0;  // entry of the linear part of the pose, in size
   const Affine3* pose = nullptr;
-  const double* all = nullptr;  // of more than two vertices, as SearchGraph keeps them: x of all, y, z
-  std::uint32_t count = 0;      // of these, padded to a multiple of four
+  const double* all = nullptr;    // of more than two vertices, as SearchGraph keeps them: x of all, y, z
+  std::uint32_t count = 0;        // of these, padded to a multiple of four
+  const Point3* range = nullptr;  // of a box along the axes of its frame instead: its lowest corner and its highest
 };
 
 // An upper bound on the error of sums of such sizes.
@@ -71,6 +72,10 @@ inline RoundImage ball_image(const Vector3<double>& at, double radius, double si
 // A hull of more points.
 void set_image(RoundImage& image, const Affine3& pose, const double* all, std::uint32_t count, double radius,
                double size, double greatest);
+
+// A hull of the corners of a box along the axes of its frame: `range` holds the lowest and the highest, and stays.
+void set_image(RoundImage& image, const Affine3& pose, const Point3* range, double radius, double size,
+               double greatest);
 
 // How far the body reaches along d.
 double reach_along(const RoundImage& image, const Vector3<double>& d);

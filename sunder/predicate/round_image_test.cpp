@@ -99,6 +99,30 @@ TEST(RoundImage, NoSureGapIsWrong) {
   }
 }
 
+// Six doubles of a box instead of its corners: to the last bit.
+TEST(RoundImage, BoxesReachAsFarAsTheirCorners) {
+  Random random(20261203);
+  for (int i = 0; i < 1000; ++i) {
+    const Body body(random, RoundKind::hull);
+    const auto part = [&] { return random.uniform(-1, 1); };
+    const std::array<Point3, 2> range{Point3{part() - 1, part() - 1, part() - 1},
+                                      Point3{part() + 1, part() + 1, part() + 1}};
+    std::array<double, 24> corners{};
+    for (std::size_t k = 0; k < 8; ++k) {
+      corners[k] = range[k & 1].x;
+      corners[8 + k] = range[k >> 1 & 1].y;
+      corners[16 + k] = range[k >> 2].z;
+    }
+    RoundImage of_range, of_corners;
+    set_image(of_range, body.pose, range.data(), body.radius, 3, 1);
+    set_image(of_corners, body.pose, corners.data(), 8, body.radius, 3, 1);
+    const Vector3<double> d{part(), part(), part()};
+    EXPECT_EQ(reach_along(of_range, d), reach_along(of_corners, d));
+    EXPECT_EQ(of_range.is_tame, of_corners.is_tame);
+    EXPECT_EQ(of_range.size, of_corners.size);
+  }
+}
+
 TEST(RoundImage, NoSureSideIsWrong) {
   Random random(20261202);
   for (const RoundKind kind : {RoundKind::cylinder, RoundKind::cone, RoundKind::ellipsoid}) {

@@ -19,14 +19,7 @@ class BallAnd {
 
   // In the frame of the box, which is as long as the world's.
   bool box() {
-    const RoundBox& box = *other_.body.box();
-    const V local = other_.pulled(ball_.from - other_.translation()) - vector(box.middle);
-    V beyond{0, 0, 0};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const V half = vector(box.half[k]);
-      const double along = dot(local, half) * box.over_half2[k];
-      beyond = sum(beyond, along - std::clamp(along, -1.0, 1.0), half);
-    }
+    const V beyond = beyond_box(other_.pulled(ball_.from - other_.translation()));
     const double reach = ball_.radius + other_.image.radius;
     if (dot(beyond, beyond) > reach * reach) return parts_from_other(other_.turned(beyond));
     ++answer_.cost.proposals;
@@ -71,6 +64,21 @@ class BallAnd {
   }
 
  private:
+  // From the box to a point of its frame.
+  V beyond_box(const V& x) const {
+    const auto beyond = [](double along, double low, double high) { return along - std::clamp(along, low, high); };
+    if (const AxisBox* box = other_.body.axis_box()) {
+      const auto& [low, high] = box->range;
+      return {beyond(x.x, low.x, high.x), beyond(x.y, low.y, high.y), beyond(x.z, low.z, high.z)};
+    }
+    const RoundBox& box = *other_.body.box();
+    V way{0, 0, 0};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const V half = vector(box.half[k]);
+      way = sum(way, beyond(dot(x - vector(box.middle), half) * box.over_half2[k], -1.0, 1.0), half);
+    }
+    return way;
+  }
   bool parts_from_other(const V& way) {
     return is_a_ ? parts({-way.x, -way.y, -way.z}, ball_, other_.image, answer_, way_)
                  : parts(way, other_.image, ball_, answer_, way_);

@@ -62,6 +62,22 @@ std::shared_ptr<const RoundBox> box_of(const ConvexPolyhedron& core) {
   return std::make_shared<const RoundBox>(box);
 }
 
+// Of a box, as above. False: some coordinate is another one.
+bool is_along_axes(const ConvexPolyhedron& core, AxisBox& box) {
+  const std::span<const Point3> vertices = core.vertices();
+  box.range = core.box();
+  const auto& [low, high] = box.range;
+  box.over_side = {1 / (high.x - low.x), 1 / (high.y - low.y), 1 / (high.z - low.z)};
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const Point3& p = vertices[v];
+    const auto is_end = [](double x, double least, double most) { return x == least || x == most; };
+    if (!(is_end(p.x, low.x, high.x) && is_end(p.y, low.y, high.y) && is_end(p.z, low.z, high.z))) return false;
+    const std::size_t place = (p.x == high.x ? 1u : 0u) | (p.y == high.y ? 2u : 0u) | (p.z == high.z ? 4u : 0u);
+    box.corners[place] = static_cast<std::uint8_t>(v);
+  }
+  return true;
+}
+
 Pose pose_of(const RoundBody& body, const Pose& pose) {
   require_rigid(body, pose);
   return body.kind() == RoundKind::ellipsoid ? compose(pose, body.frame_pose()) : pose;
@@ -73,6 +89,7 @@ RoundBody::RoundBody(RoundKind kind, const ConvexPolyhedron& core, double radius
     : kind_(kind), radius_(radius), core_(core) {
   require_radius(radius);
   box_ = box_of(core);
+  is_along_axes_ = box_ && is_along_axes(core, axis_box_);
   greatest_ = core.search_graph().sizes.greatest;
   const std::span<const Point3> vertices = core.vertices();
   if (vertices.size() > 2) return;

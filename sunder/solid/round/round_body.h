@@ -29,6 +29,14 @@ struct RoundBox {
   std::array<std::uint32_t, 8> corners;  // vertices of the core: bit k of the place is set where it is along half[k]
 };
 
+// A box along the axes of its frame, exactly: its corners have no other coordinates than these. Searches that read it
+// need not go to the core.
+struct AxisBox {
+  std::array<Point3, 2> range{};          // the lowest corner and the highest
+  std::array<double, 3> over_side{};      // 1 over its length, about
+  std::array<std::uint8_t, 8> corners{};  // vertices of the core: bit k of the place is set where coordinate k is high
+};
+
 // Immutable, and cheap to copy (copies share one block of memory); any number of threads may use one at once. Radii are
 // in the unit of the world. What one might assume and does not hold: a radius of zero is allowed, but for ellipsoids; a
 // cylinder or a cone of radius zero is its axis, a segment, and of kind `hull`.
@@ -68,6 +76,9 @@ class RoundBody {
   // Where the core is a box, as far as doubles tell: for proposals. Else nullptr.
   const RoundBox* box() const { return box_.get(); }
 
+  // Where it is one along the axes, exactly. Else nullptr.
+  const AxisBox* axis_box() const { return is_along_axes_ ? &axis_box_ : nullptr; }
+
   bool is_polyhedron() const { return kind_ == RoundKind::hull && radius_ == 0; }
 
   // Cylinders, cones and ellipsoids. (Points within a radius of a polyhedron are decided through their cores.)
@@ -80,10 +91,12 @@ class RoundBody {
   double radius_;
   ConvexPolyhedron core_;
   std::uint32_t count_ = 0;
+  bool is_along_axes_ = false;
   std::array<Point3, 2> ends_{};
   double greatest_ = 0;
-  Pose frame_;
+  AxisBox axis_box_;
   std::shared_ptr<const RoundBox> box_;
+  Pose frame_;
 };
 
 // May the body be placed so? A polyhedron, and an ellipsoid, by any pose. Others by rotations and reflections with a

@@ -65,6 +65,10 @@ struct Side {
     if (image.kind == RoundKind::cylinder) return sum(image.from, 0.5 * image.length, image.axis);
     if (image.ends == 1) return image.from;
     if (image.ends == 2) return sum(image.from, 0.5, image.axis);
+    if (const AxisBox* box = body.axis_box()) {
+      const auto& [low, high] = box->range;
+      return sum(translation(), 0.5, turned({low.x + high.x, low.y + high.y, low.z + high.z}));
+    }
     return sum(translation(), 1, turned(vector(body.core().search_graph().middle)));
   }
 
@@ -75,6 +79,8 @@ struct Side {
     if (!ends.empty()) {
       set_image(image, body.kind(), pose, ends.data(), static_cast<std::uint32_t>(ends.size()), body.radius(), size,
                 at.linear_range().greatest);
+    } else if (const AxisBox* box = body.axis_box()) {
+      set_image(image, pose, box->range.data(), body.radius(), size, at.linear_range().greatest);
     } else {
       const SearchGraph& graph = body.core().search_graph();
       set_image(image, pose, graph.all.data(), graph.padded, body.radius(), size, at.linear_range().greatest);
@@ -106,15 +112,37 @@ inline Nearest on_segment(const RoundImage& image, double t) {
   return found;
 }
 
+// A corner of a box, as it is in its frame; and the number of the vertex. Requires that it is a box.
+struct Corner {
+  V at;
+  std::uint32_t vertex;
+};
+inline Corner corner_of(const AxisBox& box, std::uint32_t place) {
+  const auto& range = box.range;
+  return {{range[place & 1].x, range[place >> 1 & 1].y, range[place >> 2].z}, box.corners[place]};
+}
+inline Corner corner_of(const RoundBody& body, std::uint32_t place) {
+  const std::uint32_t vertex = body.box()->corners[place];
+  return {vector(body.core().search_graph().vertices[vertex]), vertex};
+}
+
 // In a box, of the corner at `place` 0 and those after it in the order of the coordinates, of which the greatest comes
 // first: a simplex that holds the point. Source: Freudenthal 1942; Kuhn 1960.
 inline Nearest in_box(const Side& side, const V& x) {
-  const RoundBox& box = *side.body.box();
-  const V local = side.pulled(x - side.translation()) - vector(box.middle);
+  const V local = side.pulled(x - side.translation());
   std::array<double, 3> part;  // from 0 to 1 along each side
-  for (std::size_t k = 0; k < 3; ++k) {
-    const V half = vector(box.half[k]);
-    part[k] = std::clamp(0.5 + 0.5 * box.over_half2[k] * dot(local, half), 0.0, 1.0);
+  const AxisBox* along_axes = side.body.axis_box();
+  if (along_axes != nullptr) {
+    const V from = local - vector(along_axes->range[0]);
+    const auto& over = along_axes->over_side;
+    part = {std::clamp(from.x * over[0], 0.0, 1.0), std::clamp(from.y * over[1], 0.0, 1.0),
+            std::clamp(from.z * over[2], 0.0, 1.0)};
+  } else {
+    const RoundBox& box = *side.body.box();
+    const V from = local - vector(box.middle);
+    for (std::size_t k = 0; k < 3; ++k) {
+      part[k] = std::clamp(0.5 + 0.5 * box.over_half2[k] * dot(from, vector(box.half[k])), 0.0, 1.0);
+    }
   }
   const auto& [x0, x1, x2] = part;
   // In order, without a branch, because any order is as likely.
@@ -126,16 +154,15 @@ inline Nearest in_box(const Side& side, const V& x) {
   const double most = std::max(std::max(x0, x1), x2), least = std::min(std::min(x0, x1), x2);
   const double middle = std::max(std::min(x0, x1), std::min(std::max(x0, x1), x2));
   const unsigned first = of_rank(0);
-  const std::array<std::uint32_t, 4> corner{box.corners[0], box.corners[first], box.corners[first | of_rank(1)],
-                                            box.corners[7]};
+  const std::array<std::uint32_t, 4> place{0, first, first | of_rank(1), 7};
   const std::array<double, 4> weight{1 - most, most - middle, middle - least, least};
   // Of these vertices as they are.
   Nearest found{};
   V total{0, 0, 0};
-  const std::vector<Point3>& vertices = side.body.core().search_graph().vertices;
   for (std::size_t k = 0; k < 4; ++k) {
-    total = sum(total, weight[k], vector(vertices[corner[k]]));
-    found.made.vertices[found.made.count] = corner[k];
+    const Corner corner = along_axes != nullptr ? corner_of(*along_axes, place[k]) : corner_of(side.body, place[k]);
+    total = sum(total, weight[k], corner.at);
+    found.made.vertices[found.made.count] = corner.vertex;
     found.made.weights[found.made.count] = weight[k];
     found.made.count = static_cast<std::uint8_t>(found.made.count + (weight[k] > 0 ? 1 : 0));
   }
@@ -187,7 +214,7 @@ inline Nearest in_ellipsoid(const Side& side, const V& x) {
 
 inline bool has_nearest(const Side& side) {
   return side.is_ball() || side.is_capsule() || (side.is_curved() && side.image.kind != RoundKind::ellipsoid) ||
-         (side.is_box() && side.image.count > 0);
+         side.is_box();
 }
 
 // Requires has_nearest.
@@ -259,6 +286,11 @@ inline Far far_along(const Side& side, const V& d) {
   }
   if (of.ends == 1) return {far_on(side, 0, d), 0};
   const V e = side.pulled(d);
+  if (const AxisBox* box = side.body.axis_box()) {
+    const auto bit = [](double x, std::uint32_t k) { return std::uint32_t{x > 0} << k; };
+    const Corner corner = corner_of(*box, bit(e.x, 0) | bit(e.y, 1) | bit(e.z, 2));
+    return {sum(side.translation(), 1, side.turned(corner.at)), corner.vertex};
+  }
   std::uint32_t vertex = 0;
   if (const RoundBox* box = side.body.box()) {
     std::size_t place = 0;

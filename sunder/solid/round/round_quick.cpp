@@ -169,7 +169,7 @@ class Quick {
   // Does the point of `own` that is nearest to the other's middle lie in the other?
   bool meets_near(const Side& own, const Side& other, const V& middle) {
     if (!other.is_curved()) return false;
-    if (own.is_box()) return own.image.count > 0 && holds(own, in_box(own, middle), other, {middle});
+    if (own.is_box()) return holds(own, in_box(own, middle), other, {middle});
     if (!own.is_curved()) return false;
     const Nearest found = own.image.kind == RoundKind::ellipsoid ? in_ellipsoid(own, middle) : nearest_in(own, middle);
     return holds(sum(found.at, 0x1p-6, own.middle() - found.at));
@@ -206,7 +206,7 @@ class Quick {
     };
     const bool hulls = !a_.is_curved() || !b_.is_curved();
     const Side &own = a_.is_curved() ? b_ : a_, &other = a_.is_curved() ? a_ : b_;
-    if (hulls && !(own.is_box() && own.image.count > 0 && other.is_curved())) return false;
+    if (hulls && !(own.is_box() && other.is_curved())) return false;
     for (int i = 0; i < most_alternated; ++i) {
       if (hulls) {
         const Nearest found = in_box(own, x);

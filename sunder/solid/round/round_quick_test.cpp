@@ -18,13 +18,16 @@
 namespace sunder::solid {
 namespace {
 
-constexpr std::array names{"ball", "capsule", "box", "rounded box", "cylinder", "cone", "ellipsoid"};
+constexpr std::array names{"ball", "capsule", "box", "rounded box", "cylinder", "cone", "ellipsoid", "turned box"};
 
 RoundBody some(std::size_t kind, Random& random) {
   const auto size = [&] { return random.log_uniform(0.3, 1); };
   const double x = size(), y = size(), z = size();
-  std::vector<Point3> corners = tests::cube_corners(-1, 1);
-  for (Point3& c : corners) c = {c.x * x + 0.25, c.y * y, c.z * z};
+  std::vector<Point3> corners = tests::cube_corners(-1, 1), turned;
+  for (Point3& c : corners) {
+    c = {c.x * x + 0.25, c.y * y, c.z * z};
+    turned.push_back({0.6 * c.x - 0.8 * c.y, 0.8 * c.x + 0.6 * c.y, c.z});
+  }
   switch (kind) {
     case 0: return RoundBody::ball({0.25, 0, 0}, x);
     case 1: return RoundBody::capsule({0.25, 0, -y}, {0, 0.25, y}, x);
@@ -32,6 +35,7 @@ RoundBody some(std::size_t kind, Random& random) {
     case 3: return RoundBody::rounded(ConvexPolyhedron(corners), 0.25);
     case 4: return RoundBody::cylinder({0.25, 0, -y}, {0, 0.25, y}, x);
     case 5: return RoundBody::cone({0.25, 0, -y}, {0, 0.25, y}, x);
+    case 7: return RoundBody::rounded(ConvexPolyhedron(turned), 0);
     default: return RoundBody::ellipsoid({0.25, 0, 0}, {x, y, z});
   }
 }
@@ -59,7 +63,8 @@ TEST(RoundQuick, EachPairOfKindsIsDecided) {
   Random random(20261205);
   for (std::size_t i = 0; i < names.size(); ++i) {
     for (std::size_t j = 0; j < names.size(); ++j) {
-      if ((i == 2 || i == 3) && (j == 2 || j == 3)) continue;
+      const auto is_box = [](std::size_t kind) { return kind == 2 || kind == 3 || kind == 7; };
+      if (is_box(i) && is_box(j)) continue;
       Tally far, near;
       for (int k = 0; k < 25; ++k) {
         const RoundBody a = some(i, random), b = some(j, random);
@@ -80,6 +85,38 @@ TEST(RoundQuick, EachPairOfKindsIsDecided) {
       EXPECT_GT(near.all, 30);
     }
   }
+}
+
+// What searches read instead of the core is of its vertices, and only where these are all of it.
+TEST(RoundQuick, BoxesAlongTheAxesAreTheirCorners) {
+  Random random(20261127);
+  for (int k = 0; k < 100; ++k) {
+    const Point3 low{random.uniform(-2, 1), random.uniform(-2, 1), random.uniform(-2, 1)};
+    const Point3 side{random.log_uniform(0.1, 4), random.log_uniform(0.1, 4), random.log_uniform(0.1, 4)};
+    std::vector<Point3> corners = tests::cube_corners(0, 1);
+    for (Point3& c : corners) c = {c.x * side.x + low.x, c.y * side.y + low.y, c.z * side.z + low.z};
+    const RoundBody body = RoundBody::rounded(ConvexPolyhedron(corners), 0.25);
+    ASSERT_NE(body.box(), nullptr);
+    const AxisBox* box = body.axis_box();
+    ASSERT_NE(box, nullptr);
+    for (std::size_t place = 0; place < 8; ++place) {
+      const Point3 corner{box->range[place & 1].x, box->range[place >> 1 & 1].y, box->range[place >> 2].z};
+      EXPECT_EQ(body.core().vertices()[box->corners[place]], corner);
+    }
+    EXPECT_EQ(box->range, body.core().box());
+    EXPECT_DOUBLE_EQ(box->over_side[0] * (box->range[1].x - low.x), 1);
+    EXPECT_DOUBLE_EQ(box->over_side[1] * (box->range[1].y - low.y), 1);
+    EXPECT_DOUBLE_EQ(box->over_side[2] * (box->range[1].z - low.z), 1);
+    // A corner that is off by a last bit: a box for proposals, but not one of six doubles.
+    Point3& c = corners[random.below(8)];
+    c.y = std::nextafter(c.y, c.y > low.y ? low.y : 10);
+    const RoundBody other = RoundBody::rounded(ConvexPolyhedron(corners), 0.25);
+    EXPECT_EQ(other.axis_box(), nullptr);
+  }
+  const RoundBody turned = some(7, random);
+  EXPECT_NE(turned.box(), nullptr);
+  EXPECT_EQ(turned.axis_box(), nullptr);
+  EXPECT_EQ(RoundBody::ball({}, 1).axis_box(), nullptr);
 }
 
 // Boxes with the same axes, of which sides, edges or corners face each other, near contact and far from the origin:
