@@ -2,6 +2,7 @@
 #include <tests/support/program.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <string>
 #include <utility>
@@ -91,6 +92,16 @@ TEST_F(Vertices, AreWritten) {
   EXPECT_EQ(lines[0], "x1,x2,x3,half_spaces");
   EXPECT_EQ(std::count(lines.begin(), lines.end(), "0,0,1,1 2 3 4"), 1);
   EXPECT_EQ(std::count(lines.begin(), lines.end(), "1/3,1/3,0,0 1 3"), 1);
+}
+
+TEST_F(Vertices, BeyondAllDoublesAreSaidToBeSo) {
+  const std::string given = file("a1,a2,b\n5e-324,0,1e308\n-5e-324,0,1e308\n0,3,1\n0,-3,1\n");
+  const json corner = proved(given, 0, "half_spaces_vertices vertices")["region"]["vertices"][0];
+  EXPECT_EQ(corner["point_about"], json({std::numeric_limits<double>::max(), 1.0 / 3}));
+  EXPECT_GT(corner["point"][0].get<std::string>().size(), 600u);
+  const std::string said = run("hull " + given).out;
+  EXPECT_NE(said.find("about (above 1.797693134e+308, 0.3333333333)"), std::string::npos) << said;
+  EXPECT_NE(said.find("about (below -1.797693134e+308, 0.3333333333)"), std::string::npos) << said;
 }
 
 TEST_F(Vertices, SayWhatIsWrong) {

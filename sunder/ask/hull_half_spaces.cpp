@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -53,12 +54,21 @@ std::string table_of(const PolytopeVertices& found, std::size_t d) {
   return text;
 }
 
+// About n / w; of numbers that no doubles are near, on which side of these they are.
+std::string about_text(const Dyadic& n, const Dyadic& w) {
+  const double x = nearest_ratio(n, w);
+  if (std::isfinite(x)) return fmt::format("{:.10g}", x);
+  return x > 0 ? "above 1.797693134e+308" : "below -1.797693134e+308";
+}
+
 // Fractions that are long are told about.
 std::string place_of(std::span<const Dyadic> vertex) {
   const std::vector<std::string> fractions = fractions_of(vertex);
   const bool is_short = std::all_of(fractions.begin(), fractions.end(), [](const auto& x) { return x.size() <= 20; });
   if (is_short) return fmt::format("({})", fmt::join(fractions, ", "));
-  return fmt::format("about ({:.10g})", fmt::join(about(vertex), ", "));
+  std::vector<std::string> numbers;
+  for (const Dyadic& n : vertex.first(vertex.size() - 1)) numbers.push_back(about_text(n, vertex.back()));
+  return fmt::format("about ({})", fmt::join(numbers, ", "));
 }
 
 std::string text_of(const RegionVertices& answer) {
