@@ -36,6 +36,8 @@ Combination in_points(const PlacedRound& body, Combination of_core) {
 }
 
 class RoundFinish {
+  using Exact = Vector3<Dyadic>;
+
  public:
   RoundFinish(const PlacedRound& a, const PlacedRound& b, RoundAnswer& answer, StageTally& tally)
       : a_(a), b_(b), answer_(answer), tally_(tally) {}
@@ -117,8 +119,28 @@ class RoundFinish {
     return true;
   }
 
-  // True: both hold a point near `x`, which is in the middle of those that are thin, exactly: doubles hold no point of
-  // a disc of some 2^-53 of its radius. `made`: points of the cores of hulls, near x; thin: against what is wide.
+  // True: both hold a point near those of `near`, which is in the middle of those that are thin, exactly: doubles hold
+  // no point of a disc of some 2^-53 of its radius. `made`: of hulls, these points of their cores. At a rim the search
+  // ends on the surface; so from there on a little towards the first point of each core too.
+  bool meet_in_the_middle(const std::array<Point3, 2>& near, const std::array<RoundCombination, 2>& made) {
+    for (const double thin : {0x1p-20, 0x1p-40}) {
+      for (const Point3& x : near) {
+        if (meet_in_the_middle(x, made, thin)) return true;
+        for (const PlacedRound* body : {&a_, &b_}) {
+          const Exact end = lift<ExactStage>(body->core[0]);
+          const Point3 to{end.x.nearest(), end.y.nearest(), end.z.nearest()};
+          for (const double part : {0x1p-40, 0x1p-32, 0x1p-26, 0x1p-23, 0x1p-20}) {
+            const auto inwards = [&](double from, double there) { return from + part * (there - from); };
+            const Point3 in{inwards(x.x, to.x), inwards(x.y, to.y), inwards(x.z, to.z)};
+            if (meet_in_the_middle(in, made, thin)) return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  // thin: against what is wide, or the coordinates.
   bool meet_in_the_middle(const Point3& x, const std::array<RoundCombination, 2>& made, double thin) {
     if (!is_finite(x)) return false;
     Middle middle(x, thin);
@@ -172,8 +194,6 @@ class RoundFinish {
   }
 
  private:
-  using Exact = Vector3<Dyadic>;
-
   // Planes, none of which the others make, and the point in all of them that is nearest to x.
   struct Middle {
     struct Plane {
@@ -364,11 +384,7 @@ void search(const PlacedRound& a, const PlacedRound& b, const Point3& way, Round
       }
       if (answer.undecided() && is_simple(a) && is_simple(b) && is_finite(x)) finish.meet_at(simple_fractions(x));
     }
-    for (const double thin : {0x1p-20, 0x1p-40}) {
-      for (const Point3& x : second.nearest_points) {
-        if (answer.undecided()) finish.meet_in_the_middle(x, second.nearest_made, thin);
-      }
-    }
+    if (answer.undecided()) finish.meet_in_the_middle(second.nearest_points, second.nearest_made);
     if (answer.undecided()) answer.evidence.direction = second.best_direction;
   }
   conclude(answer, tally.exact, !held);
