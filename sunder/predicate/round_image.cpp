@@ -127,7 +127,7 @@ Guess side_guess(const RoundImage& image, const V& x, double size) {
     const double determinant = std::fabs(dot(p, of_p));
     const double way = length({dot(of_p, from), dot(cross(r, p), from), dot(cross(p, q), from)});
     const double g = image.greatest;
-    const double sizes = std::fabs(from.x) + std::fabs(from.y) + std::fabs(from.z) + g * image.radius + 4 * size;
+    const double sizes = std::fabs(from.x) + std::fabs(from.y) + std::fabs(from.z) + g * image.radius + 5 * size;
     if (!(sizes <= most)) return Guess::unsure;
     return sure(image.radius * determinant - way, 0x1p-46 * (g * g * sizes) + least);
   }

@@ -6,14 +6,15 @@
 // translation, is above R; and E that of what is around it: the radius, of an ellipsoid three times the greatest entry
 // times the radius. Components of d are at most 1 in size.
 //   - A component of an image sums terms of 4 R at most, with three roundings; of a combination of vertices there are 8
-//     more. So a point is off by at most 65 u R, and P d, of at most 7 R |d|, by 45 u R |d|.
+//     more. So a point is off by at most 65 u R, and P d, of at most 7 R |d|, by 45 u R |d|. A combination of images,
+//     whose weights sum to 1 but for 8 u as sums of doubles tell, so but for 11 u, has 4 more of 4 R: off by 125 u R.
 //   - The pose of a cylinder or cone is a rotation, as far as 2^-19: so its axis, of four roundings, is off by at most
 //     7 u of its length, the axis of length 1 by 18 u; what is along it of a vector, and what is perpendicular, by 28 u
 //     of the vector. The axis is at most 6.2 R long, so its length is off by 62 u R.
 //   - |L^T d| of an ellipsoid is off by at most 22 u of the greatest entry times |d|. Whether a point is in one is
 //   asked
 //     where it is a ball, through the adjoint: by the spectral norm, of 4.5 times the square of the greatest entry,
-//     that is off by at most 507 u where 512 u are paid.
+//     that is off by at most 563 u of the point's size where 640 u are paid.
 // So reaches along d are off by at most 128 u (R + E), and distances, those to a slope aside, by 128 u (R + E + F),
 // where F is the distance of the point; what is along a slope by 160 u, times the slope. 2^-45 is 256 u: it pays for
 // the last sums and for computing the bound too. No formula overflows where sizes are at most 2^60, and what underflows

@@ -179,9 +179,11 @@ class RoundProposer {
     if (run(first)) return true;
     if (!is_near_ || !(a_.body.is_curved() || b_.body.is_curved())) return false;
     const std::array<Point3, 2> found = nearest_points;
+    const std::array<RoundCombination, 2> made = nearest_made;
     search.shrink(shrink);
     if (run(search.direction)) return true;
     nearest_points = found;
+    nearest_made = made;
     return false;
   }
 
@@ -219,8 +221,9 @@ class RoundProposer {
 
  public:
   std::uint32_t near_a = 0, near_b = 0;
-  std::array<Point3, 2> nearest_points{};  // of A and of B, about
-  Point3 best_direction{};                 // which parts them furthest, about
+  std::array<Point3, 2> nearest_points{};          // of A and of B, about
+  std::array<RoundCombination, 2> nearest_made{};  // of hulls: these of their cores
+  Point3 best_direction{};                         // which parts them furthest, about
 
  private:
   // By more than rounding may be wrong?
@@ -267,6 +270,7 @@ class RoundProposer {
     };
     const Real slack = search.reach - length;
     nearest_points = {search.in_world(made->of_a), search.in_world(made->of_b)};
+    nearest_made = {of_a, of_b};
     for (const double part : {0.5, 0.0625, 0.0, 1.0}) {
       const Real depth = slack > Real(0) ? slack * Real(part) : Real(0);
       const Vector& from = curved_a ? made->of_a : made->of_b;

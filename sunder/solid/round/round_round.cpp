@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace sunder::solid {
 
@@ -35,6 +36,8 @@ Combination in_points(const PlacedRound& body, Combination of_core) {
 }
 
 class RoundFinish {
+  using Exact = Vector3<Dyadic>;
+
  public:
   RoundFinish(const PlacedRound& a, const PlacedRound& b, RoundAnswer& answer, StageTally& tally)
       : a_(a), b_(b), answer_(answer), tally_(tally) {}
@@ -116,6 +119,57 @@ class RoundFinish {
     return true;
   }
 
+  // True: both hold a point near those of `near`, which is in the middle of those that are thin, exactly: doubles hold
+  // no point of a disc of some 2^-53 of its radius. `made`: of hulls, these points of their cores. At a rim the search
+  // ends on the surface; so from there on a little towards the first point of each core too.
+  bool meet_in_the_middle(const std::array<Point3, 2>& near, const std::array<RoundCombination, 2>& made) {
+    for (const double thin : {0x1p-20, 0x1p-40}) {
+      for (const Point3& x : near) {
+        if (meet_in_the_middle(x, made, thin)) return true;
+        for (const PlacedRound* body : {&a_, &b_}) {
+          const Exact end = lift<ExactStage>(body->core[0]);
+          const Point3 to{end.x.nearest(), end.y.nearest(), end.z.nearest()};
+          for (const double part : {0x1p-40, 0x1p-32, 0x1p-26, 0x1p-23, 0x1p-20}) {
+            const auto inwards = [&](double from, double there) { return from + part * (there - from); };
+            const Point3 in{inwards(x.x, to.x), inwards(x.y, to.y), inwards(x.z, to.z)};
+            if (meet_in_the_middle(in, made, thin)) return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  // thin: against what is wide, or the coordinates.
+  bool meet_in_the_middle(const Point3& x, const std::array<RoundCombination, 2>& made, double thin) {
+    if (!is_finite(x)) return false;
+    Middle middle(x, thin);
+    for (const PlacedRound* body : {&a_, &b_}) add_middle(*body, middle);
+    if (middle.planes.empty() || middle.planes.size() > 3) return false;
+    const ExactPoint at = middle.nearest();
+    CommonPoint common{{at.at.x, at.at.y, at.at.z}, at.weight, {}, {}};
+    for (const PlacedRound* body : {&a_, &b_}) {
+      ++tally_.exact;
+      if (body->body.is_curved()) {
+        if (side_of(body->shape, at) == Sign::negative) return false;
+        (body == &a_ ? common.of_a : common.of_b) = combination_of(*body, at);
+        continue;
+      }
+      const RoundCombination& of = made[body == &a_ ? 0 : 1];
+      if (of.count == 0 || nearness(exact_point(weighted(*body, of)), body->radius(), at, 0) == Sign::negative) {
+        return false;
+      }
+      Combination& sum = body == &a_ ? common.of_a : common.of_b;
+      sum.denominator = Dyadic(0.0);
+      for (std::size_t k = 0; k < of.count; ++k) {
+        sum.parts.push_back({of.vertices[k], Dyadic(of.weights[k])});
+        sum.denominator = sum.denominator + Dyadic(of.weights[k]);
+      }
+    }
+    meet(std::move(common));
+    return true;
+  }
+
   // True: both hold the point, of curved bodies by their own formulas, of hulls by the exact distance of the core.
   bool meet_at(const Point3& point) {
     if (!is_finite(point)) return false;
@@ -140,6 +194,77 @@ class RoundFinish {
   }
 
  private:
+  // Planes, none of which the others make, and the point in all of them that is nearest to x.
+  struct Middle {
+    struct Plane {
+      Exact normal;
+      Dyadic lacks;  // what normal x is short of
+    };
+    Exact x;
+    double size, thin;  // of the coordinates of x; what is thin, against this or what is wide
+    std::vector<Plane> planes;
+
+    Middle(const Point3& at, double is_thin)
+        : x{Dyadic(at.x), Dyadic(at.y), Dyadic(at.z)},
+          size(std::max({std::fabs(at.x), std::fabs(at.y), std::fabs(at.z)})),
+          thin(is_thin) {}
+
+    void add(const Exact& normal, const Exact& through) {
+      planes.push_back({normal, dot(normal, through - x)});
+      if (planes.size() <= 3 && determinant(planes.size()).sign() == Sign::zero) planes.pop_back();
+    }
+    // Along the normals, by what solves the equations of their products: Cramer's rule.
+    ExactPoint nearest() const {
+      const Dyadic all = determinant(planes.size());
+      ExactPoint at{{all * x.x, all * x.y, all * x.z}, all};
+      for (std::size_t k = 0; k < planes.size(); ++k) {
+        const Dyadic by = determinant(k);
+        const Exact& n = planes[k].normal;
+        at.at = {at.at.x + by * n.x, at.at.y + by * n.y, at.at.z + by * n.z};
+      }
+      return at;
+    }
+
+   private:
+    // Of the products of the normals; those with normal `lacking` replaced by what is lacking.
+    Dyadic determinant(std::size_t lacking) const {
+      const std::size_t n = planes.size();
+      const auto at = [&](std::size_t i, std::size_t j) {
+        return j == lacking ? planes[i].lacks : dot(planes[i].normal, planes[j].normal);
+      };
+      if (n == 1) return at(0, 0);
+      const auto minor = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
+        return at(i, k) * at(j, l) - at(i, l) * at(j, k);
+      };
+      if (n == 2) return minor(0, 1, 0, 1);
+      return at(0, 0) * minor(1, 2, 1, 2) - at(1, 0) * minor(0, 2, 1, 2) + at(2, 0) * minor(0, 1, 1, 2);
+    }
+  };
+
+  // Half way between base and top, the base of a cone, across the short axes of an ellipsoid.
+  static void add_middle(const PlacedRound& body, Middle& middle) {
+    const Affine3& pose = body.core.pose;
+    const auto is_thin = [&](double thick, double wide) { return thick <= middle.thin * std::max(wide, middle.size); };
+    if (body.kind() == RoundKind::ellipsoid) {
+      const auto& m = pose.linear;
+      std::array<double, 3> lengths{};
+      for (std::size_t k = 0; k < 3; ++k) lengths[k] = std::hypot(m[k], m[3 + k], m[6 + k]);
+      const double wide = *std::max_element(lengths.begin(), lengths.end());
+      const std::array<Dyadic, 9> rows = adjoint(pose);
+      const Exact centre = lift<ExactStage>(body.core[0]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (is_thin(lengths[k], wide)) middle.add({rows[3 * k], rows[3 * k + 1], rows[3 * k + 2]}, centre);
+      }
+    } else if (body.body.is_curved()) {
+      const auto end = [&](std::size_t k) { return lift<ExactStage>(Posed3{body.shape.points[k], &pose, false}); };
+      const Exact from = end(0), to = end(1), axis = to - from;
+      const double length = std::hypot(axis.x.nearest(), axis.y.nearest(), axis.z.nearest());
+      if (!is_thin(length, body.radius())) return;
+      const Dyadic half(body.kind() == RoundKind::cone ? 0.0 : 0.5);
+      middle.add(axis, {from.x + half * axis.x, from.y + half * axis.y, from.z + half * axis.z});
+    }
+  }
+
   bool core_decides(bool of_a, std::uint32_t near) {
     const PlacedRound &own = of_a ? a_ : b_, &other = of_a ? b_ : a_;
     const RoundBody as_body = RoundBody::rounded(own.body.core(), 0);
@@ -259,6 +384,7 @@ void search(const PlacedRound& a, const PlacedRound& b, const Point3& way, Round
       }
       if (answer.undecided() && is_simple(a) && is_simple(b) && is_finite(x)) finish.meet_at(simple_fractions(x));
     }
+    if (answer.undecided()) finish.meet_in_the_middle(second.nearest_points, second.nearest_made);
     if (answer.undecided()) answer.evidence.direction = second.best_direction;
   }
   conclude(answer, tally.exact, !held);

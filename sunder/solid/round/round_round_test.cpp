@@ -2,10 +2,12 @@
 #include <sunder/solid/round/round_contact.h>
 #include <sunder/solid/round/round_finish.h>
 #include <sunder/solid/round/round_round.h>
+#include <tests/support/round_oracle.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace sunder::solid {
@@ -113,6 +115,51 @@ CurvedVerdict finished(const RoundBody& curved, const RoundBody& polyhedron) {
     }
   }
   return found;
+}
+
+// Deep in each other, and so thin that hardly a point of doubles is in either; far away they are thin sooner.
+TEST(RoundRound, WhatIsThinnerThanDoublesTell) {
+  for (const double far : {0.0, 1e6}) {
+    const double x = far, y = far / 4;
+    const Pose pose_a = Pose::from_quaternion(0.3, 0.5, -0.2, 0.7, {x + 0.1, y + 0.2, 0.3});
+    const Pose pose_b = Pose::from_quaternion(0.9, 0.1, 0.4, -0.2, {x + 0.35, y + 0.5, 0.35});
+    const Pose pose_c = Pose::from_quaternion(0.9, 0.1, 0.4, -0.2, {x + 6.35, y + 0.5, 0.35});
+    for (const double h : {0x1p-45, 0x1p-60, 0x1p-130, 0x1p-1000}) {
+      const RoundBody coin = RoundBody::cylinder({0, 0, -h}, {0, 0, h}, 1);
+      const RoundBody hat = RoundBody::cone({0, 0, 0}, {0, 0, h}, 1);
+      const RoundBody lens = RoundBody::ellipsoid({0, 0, 0}, {1, 1, h});
+      const RoundBody needle = RoundBody::ellipsoid({0, 0, 0}, {1, h, h});
+      const RoundBody bar = RoundBody::capsule({-1, -0.2, 0.25}, {1, 0.3, 0.25}, 0.5);
+      int k = 0;
+      for (const RoundBody* a : {&coin, &hat, &lens, &needle, &bar}) {
+        for (const RoundBody* b : {&coin, &hat, &lens, &bar}) {
+          SCOPED_TRACE(std::to_string(std::ilogb(h)) + " " + std::to_string(far) + " " + std::to_string(k++));
+          const RoundAnswer answer = round_round(*a, pose_a, *b, pose_b);
+          ASSERT_EQ(answer.verdict(), RoundVerdict::meet);
+          EXPECT_TRUE(tests::is_proved(PlacedRound(*a, pose_a), PlacedRound(*b, pose_b), answer.evidence));
+          EXPECT_EQ(round_round(*a, pose_a, *b, pose_c).verdict(), RoundVerdict::apart);
+        }
+      }
+    }
+  }
+}
+
+// A cone of 5e-9 of its width, whose rim is 8e-7 deep in a ball: the point of the search is of the rim.
+TEST(RoundRound, TheRimOfAFlatCone) {
+  const RoundBody ball = RoundBody::ball(
+      {0x1.2fed9741b6306p-1, 0x1.a0bef3f17f0dcp-1, 0x1.eee5a2aafd088p-1}, 0x1.60f2a608d024bp+1);
+  const RoundBody cone = RoundBody::cone({0, 0, 0x1.6d054aa99d1a4p-28}, {0, 0, 0}, 0x1.08ed37c000a23p+0);
+  const Pose pose_a = Pose::from_matrix({0, 0, -1, -1, 0, 0, 0, -1, 0}, {0, 0, 0});
+  const Pose pose_b = Pose::from_matrix(
+      {
+          0x1.4df6b8f01164bp-1, 0x1.b8cee5814325bp-2, -0x1.3f6d90eb31796p-1, 0x1.050682a694e17p-1,
+          -0x1.b76c156abf19ap-1, -0x1.e4bcc5f75a518p-5, -0x1.1f309115ba20ap-1, -0x1.1e2d08c53996p-2,
+          -0x1.8efd15089d413p-1
+      },
+      {-0x1.1f50fd9f9da9ep+2, 0, 0});
+  const RoundAnswer answer = round_round(ball, pose_a, cone, pose_b);
+  ASSERT_EQ(answer.verdict(), RoundVerdict::meet);
+  EXPECT_TRUE(tests::is_proved(PlacedRound(ball, pose_a), PlacedRound(cone, pose_b), answer.evidence));
 }
 
 TEST(RoundFinish, ACylinderAndAnEdgeThatLeavesItsSlab) {
