@@ -404,11 +404,21 @@ class Quick {
           const double det = all.ss * all.tt - all.st * all.st;
           const double size = all.ss + all.tt;
           if (!(det > 0x1p-40 * size * size)) {
-            // Nothing bends: until others reach as far.
-            const double slope = std::sqrt(g_s * g_s + g_t * g_t);
-            if (++turns > most_turns || !(slope > 0)) return false;
-            const double by = 0.25 / slope;
-            d = sum(sum(d, -by * g_s, s), -by * g_t, t);
+            // One way bends, if rims are there: that by Newton's method. The other, `up`, lies in the plane of d and an
+            // axis: there no furthest point turns, until another one reaches as far, or a base or top faces the other.
+            const bool bends = size > 0, by_first = all.ss >= all.tt;
+            const V2 bent = unit(bends ? (by_first ? V2{all.ss, all.st} : V2{all.st, all.tt}) : V2{g_t, -g_s});
+            const double slope = g_t * bent.s - g_s * bent.t;
+            if (++turns > most_turns || !(std::fabs(slope) > 0)) return false;
+            const V along = sum(sum({0, 0, 0}, -bent.t, s), bent.s, t), up = slope > 0 ? V{} - along : along,
+                    down = V{} - up;
+            const double other = std::min(until_other(a_, d, up), until_other(b_, back, down));
+            if (smooth_a > 0 && until_axis(a_, d, up) < other) return faces(a_, b_, axis_towards(a_, up));
+            if (smooth_b > 0 && until_axis(b_, back, down) < other) return faces(b_, a_, axis_towards(b_, down));
+            const double step = bends ? -(g_s * bent.s + g_t * bent.t) / size : 0;
+            const double by = std::clamp(step, -most_turned, most_turned);
+            d = sum(d, std::tan(std::min(other, most_turned) + a_little), up);
+            d = sum(sum(d, by * bent.s, s), by * bent.t, t);
             const double over = 1 / length(d);
             d = {over * d.x, over * d.y, over * d.z};
             is_new = admit_beyond(a_, of_a, d, of_b, s, t) || admit_beyond(b_, of_b, {-d.x, -d.y, -d.z}, of_a, s, t);
@@ -445,11 +455,41 @@ class Quick {
     }
     return false;
   }
+  // Of the plane across d.
+  struct V2 {
+    double s, t;
+  };
+  static V2 unit(const V2& v) {
+    const double over = 1 / std::hypot(v.s, v.t);
+    return {over * v.s, over * v.t};
+  }
   static void turn_to(const Side& side, Pieces& pieces, const V& out) {
     for (std::size_t k = 0; k < pieces.count; ++k) {
       if (!is_vertex(side, pieces.piece[k]))
         pieces.at[k] = sum(pieces.piece[k] == 0 ? side.image.from : side.image.to, 1, out);
     }
+  }
+  // How far d has to turn towards `up`, which is perpendicular to it and of length 1, until the other rim, or apex or
+  // rim, reaches as far: there the cosine with the axis is that of the normal of the side.
+  static double until_other(const Side& side, const V& d, const V& up) {
+    const RoundImage& of = side.image;
+    if (of.kind != RoundKind::cylinder && of.kind != RoundKind::cone) return HUGE_VAL;
+    const double along = dot(d, of.axis), gain = dot(up, of.axis), size = std::hypot(along, gain);
+    const double cosine = of.kind == RoundKind::cylinder ? 0 : of.radius / std::hypot(of.radius, of.length);
+    if (!(cosine < size)) return HUGE_VAL;
+    const double top = std::atan2(gain, along),
+                 half = std::acos(cosine / size);  // beyond it from top - half to top + half
+    return along > cosine ? top + half : top > half ? top - half : HUGE_VAL;
+  }
+  // And until it is along the axis; which way that is then.
+  static double until_axis(const Side& side, const V& d, const V& up) {
+    if (side.image.kind == RoundKind::ellipsoid) return HUGE_VAL;
+    const V axis = axis_towards(side, up);
+    return std::atan2(dot(up, axis), dot(d, axis));
+  }
+  static V axis_towards(const Side& side, const V& up) {
+    const V& axis = side.image.axis;
+    return dot(up, axis) > 0 ? axis : V{} - axis;
   }
   // From the direction of an axis towards a point that is beyond the rim.
   static V tilted(const V& d, const Side& own, const V& to) {
@@ -605,7 +645,8 @@ class Quick {
 
   static constexpr int most_steps = 20, most_searched = 30, most_refined = 16, most_alternated = 16, most_changes = 3,
                        most_turns = 6;
-  static constexpr double near_enough2 = 0x1p-40, quite_near2 = 0x1p-48, well_near2 = 0x1p-8, most_turned = 0.5;
+  static constexpr double near_enough2 = 0x1p-40, quite_near2 = 0x1p-48, well_near2 = 0x1p-8, most_turned = 0.5,
+                          a_little = 0x1p-30;
   static constexpr Affine3 in_place{};
 
   const Side& a_;

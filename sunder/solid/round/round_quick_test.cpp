@@ -87,6 +87,25 @@ TEST(RoundQuick, EachPairOfKindsIsDecided) {
   }
 }
 
+// Where a rim and an apex are in each other and nothing bends along one way: few of these are left to the slow search.
+TEST(RoundQuick, ConesNearContact) {
+  Random random(20261207);
+  for (const std::size_t other : {std::size_t{4}, std::size_t{5}}) {
+    Tally near;
+    while (near.all < tests::scaled_count(1000)) {
+      const RoundBody a = some(5, random), b = some(other, random);
+      const Pose pose_a = some_pose(0.1, random), pose_b = some_pose(0.1, random);
+      if (!round_round(a, pose_a, b, pose_b).meet()) continue;
+      const Point3 u = tests::on_sphere(random), out{8 * u.x, 8 * u.y, 8 * u.z};
+      const double t = tests::last_meeting(a, pose_a, b, pose_b, out), by = near.all % 2 == 0 ? 1e-12 : -1e-12;
+      see(a, pose_a, b, tests::moved(pose_b, out, t + by / 8), by < 0, near);
+    }
+    SCOPED_TRACE(names[other]);
+    EXPECT_EQ(near.wrong, 0);
+    EXPECT_LE(near.all - near.quick, 1);
+  }
+}
+
 // What searches read instead of the core is of its vertices, and only where these are all of it.
 TEST(RoundQuick, BoxesAlongTheAxesAreTheirCorners) {
   Random random(20261127);
