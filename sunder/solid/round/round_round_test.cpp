@@ -146,16 +146,13 @@ TEST(RoundRound, WhatIsThinnerThanDoublesTell) {
 
 // A cone of 5e-9 of its width, whose rim is 8e-7 deep in a ball: the point of the search is of the rim.
 TEST(RoundRound, TheRimOfAFlatCone) {
-  const RoundBody ball = RoundBody::ball(
-      {0x1.2fed9741b6306p-1, 0x1.a0bef3f17f0dcp-1, 0x1.eee5a2aafd088p-1}, 0x1.60f2a608d024bp+1);
+  const RoundBody ball =
+      RoundBody::ball({0x1.2fed9741b6306p-1, 0x1.a0bef3f17f0dcp-1, 0x1.eee5a2aafd088p-1}, 0x1.60f2a608d024bp+1);
   const RoundBody cone = RoundBody::cone({0, 0, 0x1.6d054aa99d1a4p-28}, {0, 0, 0}, 0x1.08ed37c000a23p+0);
   const Pose pose_a = Pose::from_matrix({0, 0, -1, -1, 0, 0, 0, -1, 0}, {0, 0, 0});
   const Pose pose_b = Pose::from_matrix(
-      {
-          0x1.4df6b8f01164bp-1, 0x1.b8cee5814325bp-2, -0x1.3f6d90eb31796p-1, 0x1.050682a694e17p-1,
-          -0x1.b76c156abf19ap-1, -0x1.e4bcc5f75a518p-5, -0x1.1f309115ba20ap-1, -0x1.1e2d08c53996p-2,
-          -0x1.8efd15089d413p-1
-      },
+      {0x1.4df6b8f01164bp-1, 0x1.b8cee5814325bp-2, -0x1.3f6d90eb31796p-1, 0x1.050682a694e17p-1, -0x1.b76c156abf19ap-1,
+       -0x1.e4bcc5f75a518p-5, -0x1.1f309115ba20ap-1, -0x1.1e2d08c53996p-2, -0x1.8efd15089d413p-1},
       {-0x1.1f50fd9f9da9ep+2, 0, 0});
   const RoundAnswer answer = round_round(ball, pose_a, cone, pose_b);
   ASSERT_EQ(answer.verdict(), RoundVerdict::meet);
