@@ -248,13 +248,15 @@ class Robot {
           evidence_(evidence),
           start_(of.bodies_at(std::vector<solid::Pose>(of.robot_.links.size())), of.question()) {}
 
-    Collisions run(std::uint64_t threads) {
-      scene::run_chains(scene::thread_count(threads), {[&](std::size_t place) { return begin(place); },
-                                                       [&](std::size_t place) { run(*chains_[place]); },
-                                                       [&](std::size_t place) {
-                                                         all_.append(chains_[place]->found);
-                                                         return true;
-                                                       }});
+    Collisions run(std::uint64_t wish) {
+      const std::size_t threads = scene::thread_count(wish);
+      chains_.resize(scene::chain_places(threads));
+      scene::run_chains(
+          threads, {[&](std::size_t place) { return begin(place); }, [&](std::size_t place) { run(*chains_[place]); },
+                    [&](std::size_t place) {
+                      all_.append(chains_[place]->found);
+                      return true;
+                    }});
       all_.placements = rows_;
       return std::move(all_);
     }
@@ -269,7 +271,6 @@ class Robot {
 
     bool begin(std::size_t place) {
       if (next_ == rows_) return false;
-      if (chains_.size() <= place) chains_.resize(place + 1);
       if (!chains_[place]) {
         chains_[place] = std::make_unique<Chain>(Chain{start_, std::vector<Affine3>(of_.robot_.links.size())});
       }

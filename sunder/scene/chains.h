@@ -24,7 +24,8 @@ struct ChainWork {
   std::function<bool(std::size_t place)> end;
 };
 
-// How many chains there are at once, at most: places are less than that.
+// How many chains there are at once, at most: places are less than that. What is kept by places has to have room for
+// all of them before: to make more while chains run would move what others look at.
 std::size_t chain_places(std::size_t threads);
 
 // Runs the chains on so many threads. Between begin and end a place belongs to one chain alone; so memory is bounded

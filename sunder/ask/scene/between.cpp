@@ -175,10 +175,11 @@ class Between {
     if (csv_) csv_->write("step,answer,meeting,pairs\n");
     Progress progress("placements");
     const auto report = progress.reporter();
+    const std::size_t threads = scene::thread_count(call_.threads);
+    chains_.resize(scene::chain_places(threads));
     scene::run_chains(
-        scene::thread_count(call_.threads),
-        {[&](std::size_t place) { return begin(place); }, [&](std::size_t place) { run(*chains_[place]); },
-         [&](std::size_t place) { return end(*chains_[place], report); }});
+        threads, {[&](std::size_t place) { return begin(place); }, [&](std::size_t place) { run(*chains_[place]); },
+                  [&](std::size_t place) { return end(*chains_[place], report); }});
     if (!call_.meeting_certificate.empty()) write_certificate();
     for (auto* file : {&json_, &csv_, &certificate_}) {
       if (*file) (*file)->commit();
@@ -208,7 +209,6 @@ class Between {
 
   bool begin(std::size_t place) {
     if (next_ == steps_) return false;
-    if (chains_.size() <= place) chains_.resize(place + 1);
     auto& chain = chains_[place];
     if (!chain) chain = std::make_unique<Chain>(bodies_);
     chain->begin = next_;

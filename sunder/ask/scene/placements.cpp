@@ -283,6 +283,7 @@ class Placements {
     practise();
     Progress progress("placements");
     const auto report = progress.reporter();
+    chains_.resize(scene::chain_places(threads_));
     scene::run_chains(
         threads_, {[&](std::size_t place) { return begin(place); }, [&](std::size_t place) { run(*chains_[place]); },
                    [&](std::size_t place) { return end(*chains_[place], report); }});
@@ -321,7 +322,6 @@ class Placements {
 
   bool begin(std::size_t place) {
     if (next_ == table_.rows()) return false;
-    if (chains_.size() <= place) chains_.resize(place + 1);
     auto& chain = chains_[place];
     if (!chain) chain = std::make_unique<Chain>(start_, input_.robot(option).links.size());
     chain->begin = next_;
