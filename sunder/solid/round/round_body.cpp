@@ -94,7 +94,7 @@ RoundBody::RoundBody(RoundKind kind, const ConvexPolyhedron& core, double radius
   const std::span<const Point3> vertices = core.vertices();
   if (vertices.size() > 2) return;
   count_ = static_cast<std::uint32_t>(vertices.size());
-  std::copy(vertices.begin(), vertices.end(), ends_.begin());
+  std::copy(vertices.begin(), vertices.end(), axis_box_.range.begin());
 }
 
 RoundBody::RoundBody(const ConvexPolyhedron& polyhedron) : RoundBody(RoundKind::hull, polyhedron, 0) {}
@@ -111,7 +111,7 @@ RoundBody RoundBody::cylinder(const Point3& base, const Point3& top, double radi
   const ConvexPolyhedron axis = axis_of(base, top, "its ends");
   if (radius == 0) return {RoundKind::hull, axis, 0};
   RoundBody body(RoundKind::cylinder, axis, radius);
-  body.ends_ = {base, top};
+  body.axis_box_.range = {base, top};
   return body;
 }
 
@@ -119,7 +119,7 @@ RoundBody RoundBody::cone(const Point3& base, const Point3& apex, double radius)
   const ConvexPolyhedron axis = axis_of(base, apex, "its base and apex");
   if (radius == 0) return {RoundKind::hull, axis, 0};
   RoundBody body(RoundKind::cone, axis, radius);
-  body.ends_ = {base, apex};
+  body.axis_box_.range = {base, apex};
   return body;
 }
 

@@ -63,7 +63,7 @@ class RoundBody {
   std::span<const Point3> points() const;
 
   // Of a core of one or two points these, as `points` has them; of others none. They lie in the body itself.
-  std::span<const Point3> ends() const { return std::span<const Point3>(ends_).first(count_); }
+  std::span<const Point3> ends() const { return std::span<const Point3>(axis_box_.range).first(count_); }
 
   // The greatest coordinate of the core, in size.
   double greatest() const { return greatest_; }
@@ -89,12 +89,11 @@ class RoundBody {
 
   RoundKind kind_;
   double radius_;
-  ConvexPolyhedron core_;
+  double greatest_ = 0;
   std::uint32_t count_ = 0;
   bool is_along_axes_ = false;
-  std::array<Point3, 2> ends_{};
-  double greatest_ = 0;
-  AxisBox axis_box_;
+  AxisBox axis_box_;  // of others its range keeps the ends: what a question reads lies together
+  ConvexPolyhedron core_;
   std::shared_ptr<const RoundBox> box_;
   Pose frame_;
 };
