@@ -47,14 +47,17 @@ Pose::Pose(const Affine3& affine)
     : affine_(affine), linear_range_(range_of(affine.linear)), translation_range_(range_of(affine.translation)) {}
 
 bool Pose::is_rigid() const {
-  constexpr double allowed = 0x1p-20;
+  constexpr Lanes allowed{0x1p-20, 0x1p-20};
   const auto& m = affine_.linear;
-  const auto off = [&](std::size_t i, std::size_t j) {
-    const double product = m[i] * m[j] + m[3 + i] * m[3 + j] + m[6 + i] * m[6 + j];
-    return std::fabs(product - (i == j ? 1 : 0));
-  };
-  return std::max(std::max(std::max(off(0, 0), off(1, 1)), off(2, 2)),
-                  std::max(std::max(off(0, 1), off(0, 2)), off(1, 2))) <= allowed;
+  Lanes same{0, 0}, third{0, 0}, rest{0, 0};  // of columns: 00 and 11, 02 and 12, 01 and 22
+  for (std::size_t k = 0; k < 9; k += 3) {
+    const Lanes first{m[k], m[k + 1]};
+    same += first * first;
+    third += first * m[k + 2];
+    rest += Lanes{m[k], m[k + 2]} * Lanes{m[k + 1], m[k + 2]};
+  }
+  const auto is_near = [&](Lanes x, Lanes to) { return is_at_most(absolute(x - to), allowed); };
+  return bits_of(is_near(same, Lanes{1, 1}) & is_near(third, Lanes{0, 0}) & is_near(rest, Lanes{0, 1})) == 3;
 }
 
 Pose Pose::from_matrix(const std::array<double, 9>& linear, const std::array<double, 3>& translation) {

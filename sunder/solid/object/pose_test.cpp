@@ -275,5 +275,24 @@ TEST(PoseTest, ComposeRefusesWhatOverflowsOrBecomesSingular) {
   expect_refused([&] { compose(thin, Pose::from_matrix({1, 2, 0, 1, 1, 0, 0, 0, 1}, nowhere)); }, "singular");
 }
 
+// Each pair of columns, and each column's length, within 2^-20.
+TEST(Pose, IsRigid) {
+  const Pose turned = Pose::from_quaternion(1, 2, -3, 4, {5, 6, 7});
+  EXPECT_TRUE(Pose().is_rigid());
+  EXPECT_TRUE(turned.is_rigid());
+  EXPECT_TRUE(Pose::from_matrix({0, 1, 0, 1, 0, 0, 0, 0, 1}, {1e300, 0, 0}).is_rigid());  // a reflection
+  EXPECT_TRUE(Pose::from_matrix({1 + 0x1p-22, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}).is_rigid());
+  EXPECT_TRUE(Pose::from_matrix({1, 0x1p-20, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}).is_rigid());
+  for (std::size_t k = 0; k < 9; ++k) {
+    for (const double by : {0x1p-18, -0x1p-18, 1e300}) {
+      Rows axes = identity, m = turned.affine().linear;
+      axes[k] += by;
+      m[k] += by;
+      EXPECT_FALSE(Pose::from_matrix(axes, nowhere).is_rigid()) << k << ' ' << by;
+      EXPECT_FALSE(Pose::from_matrix(m, nowhere).is_rigid()) << k << ' ' << by;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace sunder::solid
