@@ -41,24 +41,30 @@ SizeRange range_of(const std::array<double, N>& numbers) {
   return {std::min(least[0], least[1]), greater_lane(greatest)};
 }
 
-}  // namespace
-
-Pose::Pose(const Affine3& affine)
-    : affine_(affine), linear_range_(range_of(affine.linear)), translation_range_(range_of(affine.translation)) {}
-
-bool Pose::is_rigid() const {
+// Read as they are stored (affine_product.h).
+bool is_nearly_rigid(const std::array<double, 9>& m) {
   constexpr Lanes allowed{0x1p-20, 0x1p-20};
-  const auto& m = affine_.linear;
+  const Lanes p = lanes_at(&m[0]), q = lanes_at(&m[2]), r = lanes_at(&m[4]), s = lanes_at(&m[6]);
   Lanes same{0, 0}, third{0, 0}, rest{0, 0};  // of columns: 00 and 11, 02 and 12, 01 and 22
-  for (std::size_t k = 0; k < 9; k += 3) {
-    const Lanes first{m[k], m[k + 1]};
+  const auto add_row = [&](Lanes first, double last) {
     same += first * first;
-    third += first * m[k + 2];
-    rest += Lanes{m[k], m[k + 2]} * Lanes{m[k + 1], m[k + 2]};
-  }
+    third += first * last;
+    rest += Lanes{first[0], last} * Lanes{first[1], last};
+  };
+  add_row(p, q[0]);
+  add_row(Lanes{q[1], r[0]}, r[1]);
+  add_row(s, m[8]);
   const auto is_near = [&](Lanes x, Lanes to) { return is_at_most(absolute(x - to), allowed); };
   return bits_of(is_near(same, Lanes{1, 1}) & is_near(third, Lanes{0, 0}) & is_near(rest, Lanes{0, 1})) == 3;
 }
+
+}  // namespace
+
+Pose::Pose(const Affine3& affine)
+    : affine_(affine),
+      linear_range_(range_of(affine.linear)),
+      translation_range_(range_of(affine.translation)),
+      is_rigid_(is_nearly_rigid(affine.linear)) {}
 
 Pose Pose::from_matrix(const std::array<double, 9>& linear, const std::array<double, 3>& translation) {
   const auto& m = linear;

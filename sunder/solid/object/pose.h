@@ -37,14 +37,15 @@ class Pose {
   const SizeRange& translation_range() const { return translation_range_; }
 
   // A rotation or a reflection, but for the translation? Columns of the linear part may be off being perpendicular and
-  // of length 1 by 2^-20 at most: a check of what users give, in doubles, each time.
-  bool is_rigid() const;
+  // of length 1 by 2^-20 at most: a check of what users give, in doubles.
+  bool is_rigid() const { return is_rigid_; }
 
  private:
   explicit Pose(const Affine3& affine);
   Affine3 affine_;
   SizeRange linear_range_;
   SizeRange translation_range_;
+  bool is_rigid_;
 };
 
 // The pose that applies `inner` first, then `outer`, rounded to doubles (one rounding of each sum of products is not
