@@ -6,7 +6,7 @@
 //   K1. What is closer, what is undecided, their distances and points are as closer_pairs says of the same placement,
 //       whatever was asked before: only what is surely far enough apart is not asked about anew.
 //   K2. Of the counts, pairs and allowed are as there; fewer are by_boxes, which are rougher here, and more by_method.
-// Memory: 220 bytes a part, and 250 a pair that was near since it was made. Not for several threads at once; a copy is
+// Memory: 230 bytes a part, and 250 a pair that was near since it was made. Not for several threads at once; a copy is
 // a follower of its own.
 #pragma once
 
