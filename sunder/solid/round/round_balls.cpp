@@ -12,13 +12,13 @@ RoundImage image_of_ball(const RoundBody& ball, const Pose& pose) {
   return ball_image(image_of(pose.affine(), ball.ends()[0]), ball.radius(), size_of(ball, pose));
 }
 
-class BallAnd {
+class BallAndBox {
  public:
-  BallAnd(const RoundImage& ball, bool is_a, const Side& other, RoundAnswer& answer, Point3& way)
+  BallAndBox(const RoundImage& ball, bool is_a, const Side& other, RoundAnswer& answer, Point3& way)
       : ball_(ball), is_a_(is_a), other_(other), answer_(answer), way_(way) {}
 
   // In the frame of the box, which is as long as the world's.
-  bool box() {
+  bool decide() {
     const V beyond = beyond_box(other_.pulled(ball_.from - other_.translation()));
     const double reach = ball_.radius + other_.image.radius;
     if (dot(beyond, beyond) > reach * reach) return parts_from_other(other_.turned(beyond));
@@ -30,36 +30,6 @@ class BallAnd {
     evidence.source = RoundEvidence::Source::between;
     (is_a_ ? evidence.a : evidence.b) = {1, {0}, {1}};
     (is_a_ ? evidence.b : evidence.a) = found.made;
-    return true;
-  }
-
-  // In the half plane of the axis and the centre of the ball.
-  bool cylinder() {
-    const RoundImage& of = other_.image;
-    const V from = ball_.from - of.from;
-    const double along = dot(from, of.axis);
-    const V across = sum(from, -along, of.axis);
-    const double out = length(across), by = 1 / out;
-    const double far_along = along - std::clamp(along, 0.0, of.length), far_out = std::max(out - of.radius, 0.0);
-    const double far2 = far_along * far_along + far_out * far_out;
-    if (far2 > ball_.radius * ball_.radius) {
-      const V way{far_along * of.axis.x, far_along * of.axis.y, far_along * of.axis.z};
-      return parts_from_other(far_out > 0 ? sum(way, far_out * by, across) : way);
-    }
-    // A point that is inside of the cylinder by a part of what is left over.
-    const double in = 0.25 * std::min(ball_.radius - std::sqrt(far2), std::min(of.length, of.radius));
-    const double up = std::clamp(along, in, of.length - in), reach = std::min((of.radius - in) * by, 1.0);
-    const V x = sum(sum(of.from, up, of.axis), reach, across);
-    ++answer_.cost.proposals;
-    if (!(side_guess(of, x) == Guess::positive &&
-          nearness_guess(ball_.from, x, ball_.radius, ball_.size) == Guess::positive)) {
-      return false;
-    }
-    RoundEvidence& evidence = answer_.evidence;
-    evidence.verdict = RoundVerdict::meet;
-    evidence.source = RoundEvidence::Source::point;
-    evidence.point = point(x);
-    (is_a_ ? evidence.a : evidence.b) = {1, {0}, {1}};
     return true;
   }
 
@@ -91,6 +61,38 @@ class BallAnd {
   RoundAnswer& answer_;
   Point3& way_;
 };
+
+// In the half plane of the axis and the centre of the ball. A proposal waits for one root and no quotient: so what is
+// along the axis and across it comes times the square of the axis, as it is.
+bool ball_and_cylinder(const RoundImage& ball, bool is_a, const RoundImage& of, RoundAnswer& answer, Point3& way) {
+  const V axis = of.to - of.from, from = ball.from - of.from;
+  const double whole = dot(axis, axis), along = dot(from, axis);
+  const V across{whole * from.x - along * axis.x, whole * from.y - along * axis.y, whole * from.z - along * axis.z};
+  const double out = length(across), rim = whole * of.radius, reach = whole * ball.radius;
+  const double far_along = along - std::clamp(along, 0.0, whole), far_out = std::max(out - rim, 0.0);
+  const double far2 = whole * far_along * far_along + far_out * far_out;
+  if (far2 > reach * reach) {
+    const double up = far_out > 0 ? far_along * out : far_along;
+    const V d{up * axis.x + far_out * across.x, up * axis.y + far_out * across.y, up * axis.z + far_out * across.z};
+    return is_a ? parts({-d.x, -d.y, -d.z}, ball, of, answer, way) : parts(d, of, ball, answer, way);
+  }
+  // A point that is inside of the cylinder by a part of what is left over.
+  const double over = 1 / whole,
+               in = 0.25 * std::min(ball.radius - over * std::sqrt(far2), std::min(of.length, of.radius));
+  const double in_along = in * of.length * over, by = std::min((of.radius - in) / out, over);
+  const V x = sum(sum(of.from, std::clamp(over * along, in_along, 1 - in_along), axis), by, across);
+  ++answer.cost.proposals;
+  if (!(side_guess(of, x) == Guess::positive &&
+        nearness_guess(ball.from, x, ball.radius, ball.size) == Guess::positive)) {
+    return false;
+  }
+  RoundEvidence& evidence = answer.evidence;
+  evidence.verdict = RoundVerdict::meet;
+  evidence.source = RoundEvidence::Source::point;
+  evidence.point = point(x);
+  (is_a ? evidence.a : evidence.b) = {1, {0}, {1}};
+  return true;
+}
 
 }  // namespace
 
@@ -131,13 +133,17 @@ bool ball_and(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const 
   const bool is_a = is_ball(a);
   const RoundBody &own = is_a ? a : b, &body = is_a ? b : a;
   const Pose &own_pose = is_a ? pose_a : pose_b, &pose = is_a ? pose_b : pose_a;
-  const bool is_cylinder = body.kind() == RoundKind::cylinder;
-  if (!is_cylinder && !(body.box() != nullptr && pose.is_rigid())) return false;
+  if (body.kind() == RoundKind::cylinder) {
+    const RoundImage ball = image_of_ball(own, own_pose);
+    RoundImage cylinder;
+    set_image(cylinder, RoundKind::cylinder, pose.affine(), body.ends().data(), 2, body.radius(), size_of(body, pose),
+              pose.linear_range().greatest);
+    return ball.is_tame && cylinder.is_tame && ball_and_cylinder(ball, is_a, cylinder, answer, way);
+  }
+  if (!(body.box() != nullptr && pose.is_rigid())) return false;
   const RoundImage ball = image_of_ball(own, own_pose);
-  const Side other(body, pose);
-  if (!(ball.is_tame && other.image.is_tame)) return false;
-  BallAnd pair(ball, is_a, other, answer, way);
-  return is_cylinder ? pair.cylinder() : pair.box();
+  const Side box(body, pose);
+  return ball.is_tame && box.image.is_tame && BallAndBox(ball, is_a, box, answer, way).decide();
 }
 
 }  // namespace sunder::solid::round_quick

@@ -193,6 +193,32 @@ TEST(RoundQuick, PosesAtTheEndsOfTheRangeOfDoubles) {
   EXPECT_TRUE(round_round(a, pose, b, Pose()).meet());
 }
 
+// Side, top and rim, by 2^-30 to both sides of contact; in lengths from the least to the greatest that are quick.
+TEST(RoundQuick, ABallBesideAboveAndAtTheRimOfACylinder) {
+  const double little = 0x1p-30;
+  struct Place {
+    double x, z, radius;
+  };
+  const std::array<Place, 4> places{{{3, 0.5, 1}, {0.25, 2, 1}, {2 + 0.375, 1 + 0.5, 0.625}, {0, -1.5, 0.5}}};
+  for (const double unit : {0x1p-98, 0x1p-40, 1.0, 0x1p40, 0x1p56}) {
+    const RoundBody cylinder = RoundBody::cylinder({0, 0, -unit}, {0, 0, unit}, 2 * unit);
+    for (const Place& at : places) {
+      for (const bool is_meet : {true, false}) {
+        const double radius = unit * (at.radius + (is_meet ? little : -little));
+        const RoundBody ball = RoundBody::ball({unit * at.x, 0, unit * at.z}, radius);
+        for (const bool is_a : {true, false}) {
+          const Pose pose = Pose::from_quaternion(1, 2, 3, 4, {unit, -3 * unit, 2 * unit});
+          const RoundAnswer answer =
+              is_a ? round_round(ball, pose, cylinder, pose) : round_round(cylinder, pose, ball, pose);
+          EXPECT_EQ(answer.meet(), is_meet) << unit << " " << at.x << " " << at.z << " " << is_a;
+          EXPECT_FALSE(answer.undecided());
+          EXPECT_EQ(answer.cost.proposals, 1);
+        }
+      }
+    }
+  }
+}
+
 TEST(ClearanceVerdictTest, ToTheLastBit) {
   const RoundBody a = RoundBody::ball({0, 0, 0}, 1), b = RoundBody::ball({3, 4, 0}, 2);
   const auto closer = [](const RoundBody& p, const RoundBody& q, double least) {
