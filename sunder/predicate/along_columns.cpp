@@ -135,6 +135,24 @@ Dyadic exact_product(const PointColumns& points, std::uint32_t k, std::span<cons
   return sum;
 }
 
+// Visits, in their order, the points that floating point does not rule out as the furthest; along zero, all.
+template <class Visit>
+void for_likely_furthest(const PointColumns& points, std::span<const Dyadic> direction, const Visit& visit) {
+  const RoundedDirection rounded = rounded_to_doubles(points, direction).value_or(RoundedDirection{});
+  const double limit = std::isfinite(rounded.error)
+                           ? furthest_along(points, rounded.numbers).product - 2 * rounded.error
+                           : -std::numeric_limits<double>::infinity();
+  with_dimension(points.dimension, [&](auto dimension) {
+    for (std::size_t first = 0; first < points.stride; first += block) {
+      if (greatest_of_block<dimension()>(points, rounded.numbers, first) < limit) continue;
+      const std::array<Lanes, lanes> values = products_of_block<dimension()>(points, rounded.numbers, first);
+      for (std::size_t k = 0; k < block && first + k < points.count; ++k) {
+        if (!(values[k / 2][k % 2] < limit)) visit(static_cast<std::uint32_t>(first + k));
+      }
+    }
+  });
+}
+
 }  // namespace
 
 FurthestPoint furthest_along(const PointColumns& points, const ColumnNumbers& direction, std::size_t every) {
@@ -177,27 +195,29 @@ double product_error(const PointColumns& points, const ColumnNumbers& sizes, int
 
 ExactFurthest exactly_furthest_along(const PointColumns& points, std::span<const Dyadic> direction,
                                      std::uint32_t& exact_looks) {
-  const std::optional<RoundedDirection> rounded = rounded_to_doubles(points, direction);
-  if (!rounded) return {0, Dyadic()};
-  const double limit = std::isfinite(rounded->error)
-                           ? furthest_along(points, rounded->numbers).product - 2 * rounded->error
-                           : -std::numeric_limits<double>::infinity();
   ExactFurthest best;
+  const auto is_zero = [](const Dyadic& x) { return x.sign() == Sign::zero; };
+  if (std::all_of(direction.begin(), direction.end(), is_zero)) return best;
   bool found = false;
-  with_dimension(points.dimension, [&](auto dimension) {
-    for (std::size_t first = 0; first < points.stride; first += block) {
-      if (greatest_of_block<dimension()>(points, rounded->numbers, first) < limit) continue;
-      const std::array<Lanes, lanes> values = products_of_block<dimension()>(points, rounded->numbers, first);
-      for (std::size_t k = 0; k < block && first + k < points.count; ++k) {
-        if (values[k / 2][k % 2] < limit) continue;
-        const auto index = static_cast<std::uint32_t>(first + k);
-        ++exact_looks;
-        Dyadic product = exact_product(points, index, direction);
-        if (found && (product - best.product).sign() != Sign::positive) continue;
-        best = {index, std::move(product)};
-        found = true;
-      }
-    }
+  for_likely_furthest(points, direction, [&](std::uint32_t index) {
+    ++exact_looks;
+    Dyadic product = exact_product(points, index, direction);
+    if (found && (product - best.product).sign() != Sign::positive) return;
+    best = {index, std::move(product)};
+    found = true;
+  });
+  return best;
+}
+
+ExactFace exact_face_along(const PointColumns& points, std::span<const Dyadic> direction, std::uint32_t& exact_looks) {
+  ExactFace best;
+  for_likely_furthest(points, direction, [&](std::uint32_t index) {
+    ++exact_looks;
+    Dyadic product = exact_product(points, index, direction);
+    const Sign sign = best.indices.empty() ? Sign::positive : (product - best.product).sign();
+    if (sign == Sign::negative) return;
+    if (sign == Sign::positive) best = {{}, std::move(product)};
+    best.indices.push_back(index);
   });
   return best;
 }

@@ -93,7 +93,14 @@ struct ExactFurthest {
 ExactFurthest exactly_furthest_along(const PointColumns& points, std::span<const Dyadic> direction,
                                      std::uint32_t& exact_looks);
 
-// The sign of that product, by the floating-point bound alone: one look at each number.
+// The same, and all points that have it, in their order: the face that is furthest. Cost: as above.
+struct ExactFace {
+  std::vector<std::uint32_t> indices;
+  Dyadic product;
+};
+ExactFace exact_face_along(const PointColumns& points, std::span<const Dyadic> direction, std::uint32_t& exact_looks);
+
+// The sign of the greatest product, by the floating-point bound alone: one look at each number.
 Guess sign_of_furthest(const PointColumns& points, std::span<const Dyadic> direction);
 
 // The points whose exact product with the direction is zero, in their order. Cost: as above.

@@ -97,6 +97,15 @@ TEST(AlongColumns, ErrorsAreBoundedAndTheExactFurthestIsFound) {
     for (const double x : direction) is_zero = is_zero && x == 0;
     ASSERT_EQ(furthest.index, is_zero ? 0 : best) << i << " of kind " << kind;
     ASSERT_TRUE(Exact(furthest.product) == points.product(best, direction));
+    std::vector<std::uint32_t> at_greatest;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      if (points.product(k, direction) == points.product(best, direction)) at_greatest.push_back(k);
+    }
+    std::uint32_t looks_at_face = 0;
+    const ExactFace face = exact_face_along(points.columns(), exact, looks_at_face);
+    ASSERT_EQ(face.indices, at_greatest) << i << " of kind " << kind;
+    ASSERT_TRUE(Exact(face.product) == points.product(best, direction));
+    ASSERT_GE(looks_at_face, at_greatest.size());
     std::vector<std::uint32_t> at_zero;
     for (std::uint32_t k = 0; k < count; ++k) {
       if (points.product(k, direction) == Exact(0.0)) at_zero.push_back(k);

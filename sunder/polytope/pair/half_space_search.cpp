@@ -17,8 +17,9 @@ namespace sunder::polytope {
 
 namespace {
 
-constexpr int most_steps = 64;       // of the search for a direction; it takes some 2 d to 4 d
-constexpr double matters = 0x1p-30;  // weights that are less are left out of what is named
+constexpr int most_steps = 64;          // of the search for a direction; it takes some 2 d to 4 d
+constexpr double matters = 0x1p-30;     // weights that are less are left out of what is named
+constexpr double about_zero = 0x1p-40;  // of the greatest payoff: more is not taken for one on a boundary
 
 // Half-spaces under their pose, as floating point has them: row (a, b) of the body is (a N, b + a N t) in the world,
 // where N is the inverse of the linear part and t the translation.
@@ -268,12 +269,13 @@ class GameSearch {
     return sum;
   }
 
+  Item point(std::uint32_t k) const { return {k, rounded_image(points_.body(), points_.pose(), k)}; }
   void add_row(std::uint32_t k) {
     rows_.push_back({k, rounded_.row(k)});
     game_.add_row([&](std::size_t j) { return payoff(rows_.back(), columns_[j]); });
   }
   void add_column(std::uint32_t k) {
-    columns_.push_back({k, rounded_image(points_.body(), points_.pose(), k)});
+    columns_.push_back(point(k));
     game_.add_column([&](std::size_t i) { return payoff(rows_[i], columns_.back()); });
   }
 
@@ -281,6 +283,7 @@ class GameSearch {
     add_column(0);
     LooksAtBoth looks(half_spaces_.body(), points_.body());
     add_row(rounded_.most_broken(columns_[0].at, 1, looks.a, cost_).index);
+    std::optional<std::uint32_t> tried;  // half-space that alone had weight
     while (game_.rows() < MatrixGame::most && game_.columns() < MatrixGame::most) {
       if (!game_.solve()) return std::nullopt;
       ColumnNumbers x{}, direction{};
@@ -295,16 +298,22 @@ class GameSearch {
       const FurthestPoint broken = rounded_.most_broken(x, 1, looks.a, cost_);
       const FurthestPoint least = likely_support(looks.b, points_.pose(), direction, -1, cost_);
       ++cost_.iterations;
-      if ((broken.product < 0 || least.product > offset) && looks.widen()) continue;
+      const std::optional<std::uint32_t> only = half_space_reached(least.product - offset);
+      const bool may_touch = only && only != tried;
+      if ((broken.product < 0 || least.product > offset || may_touch) && looks.widen()) continue;
       if (broken.product < 0) {
         if (auto held = inside(weights_of_points(0))) return held;
       }
-      if (least.product > offset) {
+      if (may_touch) {
+        if (auto held = decide_at(*only)) return held;
+        tried = only;
+      } else if (least.product > offset) {
         if (auto held = parted(weights_of_half_spaces(0))) return held;
       }
       const bool new_row = !has(rows_, broken.index), new_column = !has(columns_, least.index);
       if (!new_row && !new_column) {
         if (looks.widen()) continue;
+        game_.solve_anew();
         return std::nullopt;
       }
       if (new_row) add_row(broken.index);
@@ -312,6 +321,42 @@ class GameSearch {
       looks.narrow();
     }
     return std::nullopt;
+  }
+
+  // The half-space that alone has weight, where the points reach just to its boundary, as far as doubles tell.
+  std::optional<std::uint32_t> half_space_reached(double least_payoff) const {
+    std::optional<std::size_t> only;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (!(game_.row_weight(i) > 0)) continue;
+      if (only) return std::nullopt;
+      only = i;
+    }
+    if (!only) return std::nullopt;
+    double greatest = 0;
+    for (const Item& column : columns_) greatest = std::max(greatest, std::fabs(payoff(rows_[*only], column)));
+    if (!(std::fabs(least_payoff) <= greatest * about_zero)) return std::nullopt;
+    return rows_[*only].index;
+  }
+
+  // Is no point in the half-space? Or is there a point in its boundary, and in all others?
+  std::optional<ExactDecision> decide_at(std::uint32_t half_space) {
+    ExactVector normal = half_spaces_.half_space(half_space);
+    const Dyadic side = std::move(normal.back());
+    normal.pop_back();
+    const ExactFace face = points_.face(negated(normal), cost_);
+    const Sign gap = (-face.product - side).sign();
+    if (gap == Sign::positive) {
+      ++cost_.proposals;
+      ExactEvidence parting{.numbers = std::move(normal)};
+      parting.of_a.parts.push_back({half_space, half_spaces_.scale()});
+      return ExactDecision{Verdict::apart, std::make_shared<const ExactEvidence>(std::move(parting))};
+    }
+    if (gap == Sign::negative) return std::nullopt;
+    std::vector<Item> corners;
+    for (const std::uint32_t k : face.indices) {
+      if (corners.size() < MatrixGame::most) corners.push_back(point(k));
+    }
+    return inside(weights_within({{half_space, 1.0}}, corners));
   }
 
   struct Weighted {
@@ -344,7 +389,7 @@ class GameSearch {
     if (points.empty() || half_spaces.empty()) return std::nullopt;
     if (auto held = inside(points)) return held;
     if (auto held = parted(half_spaces)) return held;
-    if (auto held = inside(weights_within(half_spaces))) return held;
+    if (auto held = inside(weights_within(half_spaces, columns_at(half_spaces)))) return held;
     if (half_spaces.size() > most_dimension || points.size() > half_spaces.size() + 1) return std::nullopt;
     std::vector<ExactVector> payoffs;
     for (const Weighted& point : points) {
@@ -364,16 +409,24 @@ class GameSearch {
     return inside(points);
   }
 
-  // Weights of those points that are on the boundaries of all of these half-spaces, about, for a point that is as deep
-  // inside of the others as may be: a game without these.
-  std::vector<Weighted> weights_within(const std::vector<Weighted>& half_spaces) const {
-    std::vector<Item> rows, columns = columns_;
+  // Those points that are on the boundaries of all of these half-spaces, about.
+  std::vector<Item> columns_at(const std::vector<Weighted>& half_spaces) const {
+    std::vector<Item> columns = columns_;
     for (const Weighted& of : half_spaces) {
       const Item row{of.index, rounded_.row(of.index)};
       double greatest = 0;
       for (const Item& column : columns_) greatest = std::max(greatest, std::fabs(payoff(row, column)));
-      std::erase_if(columns, [&](const Item& column) { return std::fabs(payoff(row, column)) > greatest * 0x1p-40; });
+      std::erase_if(columns,
+                    [&](const Item& column) { return std::fabs(payoff(row, column)) > greatest * about_zero; });
     }
+    return columns;
+  }
+
+  // Weights of the points, at most MatrixGame::most, for a point that is as deep inside of all half-spaces but these as
+  // may be: a game without these.
+  std::vector<Weighted> weights_within(const std::vector<Weighted>& half_spaces,
+                                       const std::vector<Item>& columns) const {
+    std::vector<Item> rows;
     if (columns.empty()) return {};
     MatrixGame game;
     std::vector<Weighted> result;

@@ -142,6 +142,42 @@ TEST(HalfSpaceSearch, SamplesOfLargeBodiesComeFirst) {
   EXPECT_LT(meets, count * 9 / 10);
 }
 
+// Integers. A half-space ends in the plane x1 = 0, and points are in it, about the origin, and beyond; or a unit
+// beyond. x1 stands for a slanted combination of what is written.
+TEST(HalfSpaceSearch, FacetsThatTouchAreToldWithoutPhaseOne) {
+  Random random(tests::chosen_seed(20261129));
+  const int count = tests::scaled_count(80, 24);
+  int plain = 0;
+  for (int i = 0; i < count; ++i) {
+    const std::size_t d = 2 + random.below(4), n = 40 + random.below(400);
+    const bool is_apart = i % 2 == 0;
+    const auto large = [&] {
+      return static_cast<double>(random.between(-(std::int64_t{1} << 45), std::int64_t{1} << 45));
+    };
+    std::vector<double> slant(d, 1), points, half_spaces;
+    for (std::size_t c = 1; c < d; ++c) slant[c] = static_cast<double>(random.between(-5, 5));
+    for (std::size_t k = 0; k < n; ++k) {
+      std::vector<double> x(d);
+      for (double& number : x) number = large();
+      x[0] = (k < 2 * d ? 0 : std::fabs(x[0])) + (is_apart ? 1 : 0);
+      for (std::size_t c = 1; c < d && k < 2 * d && k % 2 == 1; ++c) x[c] = -points[(k - 1) * d + c];
+      for (std::size_t c = 1; c < d; ++c) x[0] += slant[c] * x[c];
+      points.insert(points.end(), x.begin(), x.end());
+      for (std::size_t c = 0; c < d; ++c) {
+        half_spaces.push_back(k > 0 ? std::floor(large() * 0x1p-40) : c == 0 ? 1 : -slant[c]);
+      }
+      half_spaces.push_back(k > 0 ? 0x1p40 : 0);
+    }
+    const Polytope a = body(d, half_spaces, false), b = body(d, points, true);
+    const Pose here(d);
+    const PolytopeAnswer answer = polytope_polytope(a, here, b, here);
+    EXPECT_EQ(answer.meet(), !is_apart);
+    EXPECT_TRUE(check(a, here, b, here, answer.evidence.verdict, exact_evidence(a, here, b, here, answer)));
+    plain += answer.decided_by != DecidedBy::finishing;
+  }
+  EXPECT_GE(plain, count - count / 20);
+}
+
 TEST(MatrixGame, WhatIsNotSolvedHasNoWeight) {
   MatrixGame game;
   game.add_column([](std::size_t) { return 0.0; });
@@ -193,6 +229,44 @@ TEST(MatrixGame, BestWeights) {
     }
     EXPECT_NEAR(sum, 1, 1e-9);
     EXPECT_NEAR(least, most, 1e-9);
+  }
+}
+
+// A game that grows has at each size what nobody can do better against, also of payoffs that differ much in size.
+TEST(MatrixGame, GrowsByRowsAndColumns) {
+  Random random(tests::chosen_seed(20261127));
+  for (int round = 0; round < 300; ++round) {
+    const auto number = [&]() -> double {
+      const double x = random.uniform(-1, 1);
+      return round % 3 == 0 ? x : round % 3 == 1 ? std::round(3 * x) : x * random.log_uniform(1e-6, 1);
+    };
+    MatrixGame game;
+    std::vector<std::vector<double>> payoffs;
+    double greatest = 0;
+    const auto payoff = [&](std::size_t i, std::size_t j) -> double {
+      if (i == payoffs.size()) payoffs.emplace_back();
+      if (j == payoffs[i].size()) payoffs[i].push_back(number());
+      greatest = std::max(greatest, std::fabs(payoffs[i][j]));
+      return payoffs[i][j];
+    };
+    game.add_column([](std::size_t) { return 0.0; });
+    for (int step = 0; step < 24; ++step) {
+      if (step % 3 != 2) game.add_row([&](std::size_t j) { return payoff(game.rows(), j); });
+      if (step % 3 != 1) game.add_column([&](std::size_t i) { return payoff(i, game.columns()); });
+      ASSERT_TRUE(game.solve()) << round << " " << step;
+      double least = HUGE_VAL, most = -HUGE_VAL;
+      for (std::size_t j = 0; j < game.columns(); ++j) {
+        double gain = 0;
+        for (std::size_t i = 0; i < game.rows(); ++i) gain += game.row_weight(i) * payoffs[i][j];
+        least = std::min(least, gain);
+      }
+      for (std::size_t i = 0; i < game.rows(); ++i) {
+        double loss = 0;
+        for (std::size_t j = 0; j < game.columns(); ++j) loss += game.column_weight(j) * payoffs[i][j];
+        most = std::max(most, loss);
+      }
+      ASSERT_NEAR(least, most, 1e-9 * greatest) << round << " " << step;
+    }
   }
 }
 

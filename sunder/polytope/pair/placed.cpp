@@ -64,6 +64,14 @@ ExactFurthest Placed::furthest(std::span<const Dyadic> direction, Cost& cost) {
   return result;
 }
 
+ExactFace Placed::face(std::span<const Dyadic> direction, Cost& cost) const {
+  SUNDER_REQUIRE(body_.is_of_points() && !walk_);
+  cost.probes += body_.size();
+  ExactFace result = exact_face_along(body_.columns(), pulled(pose_, direction), cost.exact);
+  result.product = result.product + dot(direction, pose_.translation());
+  return result;
+}
+
 void Placed::invert() {
   if (!inverse_.empty()) return;
   if (pose_.is_identity()) {

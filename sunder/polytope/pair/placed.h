@@ -41,6 +41,8 @@ class Placed {
   // tree: of those points that walks so deep may find.
   ExactVector image(std::uint32_t k) const;
   ExactFurthest furthest(std::span<const Dyadic> direction, Cost& cost);
+  // All points that are furthest. Of a body that is scanned.
+  ExactFace face(std::span<const Dyadic> direction, Cost& cost) const;
 
   // Of a tree: from now on walks go a level deeper. False where they went to the leaves already, and of a scan.
   bool deepen() { return walk_ && walk_->deepen(); }
