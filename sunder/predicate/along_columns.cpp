@@ -1,110 +1,21 @@
 #include <sunder/base/contract.h>
-#include <sunder/base/lanes.h>
 #include <sunder/number/rounded.h>
 #include <sunder/predicate/along_columns.h>
+#include <sunder/predicate/column_kernels_internal.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
 namespace sunder {
 
 namespace {
 
-constexpr std::size_t block = PointColumns::block, lanes = block / 2;
+constexpr std::size_t block = PointColumns::block;
 
-// The products of the points from `first` on.
-template <std::size_t D>
-std::array<Lanes, lanes> products_of_block(const PointColumns& points, const ColumnNumbers& g, std::size_t first) {
-  std::array<Lanes, lanes> values;
-  const double* const p = points.column + first;
-  for (std::size_t k = 0; k < lanes; ++k) {
-    Lanes sum = g[0] * lanes_at(p + 2 * k);
-    for (std::size_t c = 1; c < D; ++c) sum += g[c] * lanes_at(p + c * points.stride + 2 * k);
-    values[k] = sum;
-  }
-  return values;
-}
-
-// The greatest product of the points from `first` on; only sums stay in registers.
-template <std::size_t D>
-double greatest_of_block(const PointColumns& points, const ColumnNumbers& g, std::size_t first) {
-  const double* const p = points.column + first;
-  const auto product = [&](std::size_t k) {
-    Lanes sum = g[0] * lanes_at(p + 2 * k);
-    for (std::size_t c = 1; c < D; ++c) sum += g[c] * lanes_at(p + c * points.stride + 2 * k);
-    return sum;
-  };
-  Lanes left = product(0), right = product(1);
-  for (std::size_t k = 2; k < lanes; k += 2) {
-    left = greater_of(left, product(k));
-    right = greater_of(right, product(k + 1));
-  }
-  return greater_lane(greater_of(left, right));
-}
-
-template <std::size_t D>
-FurthestPoint furthest(const PointColumns& points, const ColumnNumbers& g, std::size_t every) {
-  double best = -std::numeric_limits<double>::infinity();
-  std::size_t where = 0;
-  for (std::size_t first = 0; first < points.stride; first += every * block) {
-    const double top = greatest_of_block<D>(points, g, first);
-    if (top > best) {
-      best = top;
-      where = first;
-    }
-  }
-  const std::array<Lanes, lanes> values = products_of_block<D>(points, g, where);
-  const auto index = static_cast<std::uint32_t>(where) + first_of_greatest(values.data(), lanes);
-  return {std::min(index, points.count - 1), best};
-}
-
-constexpr std::size_t piece = block / 2;  // of points
-
-// Of each piece the furthest point, where its place has none that is as far; which point that is in its piece stands in
-// `tops` as a number of its own.
-struct Tops {
-  std::array<double, Shortlist::most> products;
-  std::array<std::uint32_t, Shortlist::most> indices;
-};
-
-template <std::size_t D>
-void find_tops(const PointColumns& points, const ColumnNumbers& g, Tops& tops) {
-  std::size_t place = 0;
-  for (std::size_t first = 0; first < points.stride; first += block) {
-    const std::array<Lanes, lanes> values = products_of_block<D>(points, g, first);
-    for (std::size_t half = 0; half < 2; ++half) {
-      const Lanes* const p = values.data() + half * (lanes / 2);
-      const Lanes left = greater_of(greater_of(p[0], p[2]), greater_of(p[4], p[6])),
-                  right = greater_of(greater_of(p[1], p[3]), greater_of(p[5], p[7]));
-      const double top = greater_lane(greater_of(left, right));
-      std::uint32_t found = 1u << (piece - 1);
-      for (std::uint32_t k = 0; k < lanes / 2; ++k) found |= bits_of(p[k] == top) << (2 * k);
-      if (top > tops.products[place]) {
-        tops.products[place] = top;
-        tops.indices[place] =
-            static_cast<std::uint32_t>(first + half * piece) + static_cast<std::uint32_t>(std::countr_zero(found));
-      }
-      place = (place + 1) % Shortlist::most;
-    }
-  }
-}
-
-template <class Visit>
-auto with_dimension(std::size_t dimension, const Visit& visit) {
-  switch (dimension) {
-    case 2: return visit(std::integral_constant<std::size_t, 2>());
-    case 3: return visit(std::integral_constant<std::size_t, 3>());
-    case 4: return visit(std::integral_constant<std::size_t, 4>());
-    case 5: return visit(std::integral_constant<std::size_t, 5>());
-    case 6: return visit(std::integral_constant<std::size_t, 6>());
-    default: return visit(std::integral_constant<std::size_t, 7>());
-  }
-}
+using BlockProducts = std::array<double, block>;
 
 // A direction times a power of two, rounded, and a bound on the errors of products with it.
 struct RoundedDirection {
@@ -142,32 +53,38 @@ void for_likely_furthest(const PointColumns& points, std::span<const Dyadic> dir
   const double limit = std::isfinite(rounded.error)
                            ? furthest_along(points, rounded.numbers).product - 2 * rounded.error
                            : -std::numeric_limits<double>::infinity();
-  with_dimension(points.dimension, [&](auto dimension) {
-    for (std::size_t first = 0; first < points.stride; first += block) {
-      if (greatest_of_block<dimension()>(points, rounded.numbers, first) < limit) continue;
-      const std::array<Lanes, lanes> values = products_of_block<dimension()>(points, rounded.numbers, first);
-      for (std::size_t k = 0; k < block && first + k < points.count; ++k) {
-        if (!(values[k / 2][k % 2] < limit)) visit(static_cast<std::uint32_t>(first + k));
-      }
+  const ColumnKernels& kernels = column_kernels(points.dimension);
+  BlockProducts products;
+  for (std::size_t first = 0;; first += block) {
+    first = kernels.next_block(points, rounded.numbers, first, limit);
+    if (first >= points.stride) return;
+    kernels.products_of_block(points, rounded.numbers, first, products.data());
+    for (std::size_t k = 0; k < block && first + k < points.count; ++k) {
+      if (!(products[k] < limit)) visit(static_cast<std::uint32_t>(first + k));
     }
-  });
+  }
 }
 
 }  // namespace
 
 FurthestPoint furthest_along(const PointColumns& points, const ColumnNumbers& direction, std::size_t every) {
   SUNDER_REQUIRE(points.count > 0 && points.stride % block == 0 && every > 0);
-  return with_dimension(points.dimension,
-                        [&](auto dimension) { return furthest<dimension()>(points, direction, every); });
+  const ColumnKernels& kernels = column_kernels(points.dimension);
+  const FurthestBlock best = kernels.furthest_block(points, direction, every);
+  BlockProducts products;
+  kernels.products_of_block(points, direction, best.first, products.data());
+  std::uint32_t index = 0;
+  while (index + 1 < block && !(products[index] == best.product)) ++index;
+  return {std::min(static_cast<std::uint32_t>(best.first) + index, points.count - 1), best.product};
 }
 
 FurthestPoint furthest_along(const PointColumns& points, const ColumnNumbers& direction, Shortlist& list) {
   SUNDER_REQUIRE(points.count > 0 && points.stride % block == 0);
-  Tops tops;
+  ColumnTops tops;
   tops.products.fill(-std::numeric_limits<double>::infinity());
   tops.indices.fill(0);
-  with_dimension(points.dimension, [&](auto dimension) { find_tops<dimension()>(points, direction, tops); });
-  list.count_ = static_cast<std::uint32_t>(std::min(points.stride / piece, Shortlist::most));
+  column_kernels(points.dimension).find_tops(points, direction, tops);
+  list.count_ = static_cast<std::uint32_t>(std::min(points.stride / ColumnTops::piece, Shortlist::most));
   list.stride_ = (list.count_ + block - 1) / block * block;
   list.dimension_ = points.dimension;
   std::size_t best = 0;

@@ -1,13 +1,16 @@
 #include <sunder/predicate/along_columns.h>
 
 #include <sunder/base/random.h>
+#include <sunder/predicate/column_kernels_internal.h>
 #include <tests/support/exact.h>
 #include <tests/support/scale.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -132,6 +135,54 @@ TEST(AlongColumns, OfEqualsTheFirst) {
       std::uint32_t looks = 0;
       EXPECT_EQ(exactly_furthest_along(points.columns(), std::vector<Dyadic>{1.0, 0.0}, looks).index, first);
     }
+  }
+}
+
+// Registers of four hold the same numbers as those of two, bit for bit: ties and infinities included. (Of what is no
+// number either may say another.)
+TEST(AlongColumns, WiderRegistersSayTheSame) {
+  if (column_kernels_of_four(2) == nullptr) GTEST_SKIP() << "this machine has none";
+  Random random(tests::chosen_seed(20261127));
+  for (int round = 0; round < tests::scaled_count(2000, 200); ++round) {
+    const std::size_t d = 2 + random.below(6);
+    const std::uint32_t count = 1 + static_cast<std::uint32_t>(random.below(2500));
+    const int kind = round % 4;
+    const Points points = points_of(d, count, [&]() -> double {
+      if (kind == 0) return random.uniform(-1, 1);
+      if (kind == 1) return static_cast<double>(random.between(-2, 2));
+      if (kind == 2) return random.below(50) == 0 ? HUGE_VAL : random.uniform(-1, 1);
+      return random.log_uniform(1e-320, 1e300);
+    });
+    const PointColumns columns = points.columns();
+    ColumnNumbers direction{};
+    for (std::size_t c = 0; c < d; ++c) {
+      direction[c] = kind == 1   ? static_cast<double>(random.between(-1, 1))
+                     : kind == 2 ? random.uniform(0.5, 1)
+                                 : random.uniform(-1, 1);
+    }
+    const ColumnKernels &two = column_kernels_of_two(d), &four = *column_kernels_of_four(d);
+    const std::size_t every = 1 + random.below(4);
+    const FurthestBlock best = two.furthest_block(columns, direction, every),
+                        other = four.furthest_block(columns, direction, every);
+    ASSERT_EQ(best.first, other.first);
+    ASSERT_EQ(best.product, other.product);
+    std::array<double, PointColumns::block> products, others;
+    two.products_of_block(columns, direction, best.first, products.data());
+    four.products_of_block(columns, direction, best.first, others.data());
+    ASSERT_EQ(std::memcmp(products.data(), others.data(), sizeof products), 0);
+    const double limit = products[random.below(products.size())];
+    for (std::size_t first = 0; first < columns.stride; first += PointColumns::block) {
+      ASSERT_EQ(two.next_block(columns, direction, first, limit), four.next_block(columns, direction, first, limit));
+    }
+    ColumnTops tops, wide_tops;
+    for (ColumnTops* of : {&tops, &wide_tops}) {
+      of->products.fill(-HUGE_VAL);
+      of->indices.fill(0);
+    }
+    two.find_tops(columns, direction, tops);
+    four.find_tops(columns, direction, wide_tops);
+    ASSERT_EQ(tops.products, wide_tops.products);
+    ASSERT_EQ(tops.indices, wide_tops.indices);
   }
 }
 
