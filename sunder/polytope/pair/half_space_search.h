@@ -9,7 +9,8 @@
 // Half-spaces and points: the payoff of point b_j against half-space a_i . x <= b_i is a_i . b_j - b_i. Where the value
 // of this matrix game is negative, the weights of points make a point inside of all half-spaces; where it is positive,
 // the weights of half-spaces make one that no point is in. It is solved for few rows and columns, and the best replies
-// of either side, found by scans, come in. Also called: double oracle method (McMahan, Gordon & Blum 2003); column and
+// of either side, found by scans, come in. Where one half-space has all weight and the points reach just to it, exact
+// products tell whether they touch it. Also called: double oracle method (McMahan, Gordon & Blum 2003); column and
 // row generation.
 //
 // Both stop as soon as the proposal is strictly right, so weights need not be solutions of anything: any doubles that
