@@ -73,12 +73,7 @@ ExactFace Placed::face(std::span<const Dyadic> direction, Cost& cost) const {
 }
 
 void Placed::invert() {
-  if (!inverse_.empty()) return;
-  if (pose_.is_identity()) {
-    inverse_.resize(dimension() * dimension());
-    for (std::size_t k = 0; k < dimension(); ++k) inverse_[k * (dimension() + 1)] = 1.0;
-    return;
-  }
+  if (!inverse_.empty() || pose_.is_identity()) return;
   ExactInverse inverse = *exact_inverse(dimension(), pose_.linear());
   inverse_ = std::move(inverse.numbers);
   scale_ = std::move(inverse.denominator);
@@ -93,9 +88,10 @@ const Dyadic& Placed::scale() {
 // (a N) . y <= s b + (a N) . t.
 ExactVector Placed::half_space(std::uint32_t k) {
   SUNDER_REQUIRE(!body_.is_of_points());
+  const std::span<const double> row = body_.row(k);
+  if (pose_.is_identity()) return {row.begin(), row.end()};
   invert();
   const std::size_t d = dimension();
-  const std::span<const double> row = body_.row(k);
   ExactVector result(d + 1);
   for (std::size_t c = 0; c < d; ++c) {
     for (std::size_t r = 0; r < d; ++r) {
@@ -107,6 +103,7 @@ ExactVector Placed::half_space(std::uint32_t k) {
 }
 
 ExactVector Placed::unplaced(std::span<const Dyadic> p, const Dyadic& w) {
+  if (pose_.is_identity()) return {p.begin(), p.begin() + static_cast<std::ptrdiff_t>(dimension())};
   invert();
   const std::size_t d = dimension();
   ExactVector moved(d), result(d);
