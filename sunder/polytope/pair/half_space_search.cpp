@@ -52,17 +52,16 @@ class RoundedHalfSpaces {
 
   // The row, of those looked at, whose a . x - w b is greatest, and that number.
   FurthestPoint most_broken(const ColumnNumbers& x, double w, Looks& looks, Cost& cost) const {
-    ColumnNumbers direction{};
-    direction[d_] = -w;
-    for (std::size_t c = 0; c < d_; ++c) {
-      if (pose_.is_identity()) {
-        direction[c] = x[c];
-        continue;
-      }
-      const double moved = x[c] - w * pose_.translation()[c];
-      for (std::size_t r = 0; r < d_; ++r) direction[r] += moved * inverse_[c * d_ + r];
-    }
-    return looks.furthest(direction, cost);
+    return looks.furthest(pulled(x, w), cost);
+  }
+
+  // Is the greatest such number of all rows, which doubles have as `product`, surely below zero? Nothing is said of
+  // half-spaces that are moved.
+  bool surely_holds(const ColumnNumbers& x, double w, double product) const {
+    if (!pose_.is_identity()) return false;
+    ColumnNumbers sizes = pulled(x, w);
+    for (double& size : sizes) size = std::fabs(size);
+    return product < -product_error(body_.columns(), sizes, 0);
   }
 
   // About how far from the origin its boundary is.
@@ -78,6 +77,21 @@ class RoundedHalfSpaces {
   }
 
  private:
+  // The direction of rows along which a . x - w b is.
+  ColumnNumbers pulled(const ColumnNumbers& x, double w) const {
+    ColumnNumbers direction{};
+    direction[d_] = -w;
+    for (std::size_t c = 0; c < d_; ++c) {
+      if (pose_.is_identity()) {
+        direction[c] = x[c];
+        continue;
+      }
+      const double moved = x[c] - w * pose_.translation()[c];
+      for (std::size_t r = 0; r < d_; ++r) direction[r] += moved * inverse_[c * d_ + r];
+    }
+    return direction;
+  }
+
   const Polytope& body_;
   const Pose& pose_;
   std::size_t d_;
@@ -141,7 +155,7 @@ class HalfSpaceSearch {
       ++cost_.iterations;
       if (w > 0 && from_a.product < 0 && from_b.product < 0) {
         if (looks.widen()) continue;
-        if (auto held = inside(x, w)) return held;
+        if (auto held = inside(x, w, from_a.product, from_b.product)) return held;
       }
       const bool is_of_a = from_a.product >= from_b.product;
       const FurthestPoint& furthest = is_of_a ? from_a : from_b;
@@ -159,12 +173,14 @@ class HalfSpaceSearch {
     return std::nullopt;
   }
 
-  // Does the point x / w break no half-space?
-  std::optional<ExactDecision> inside(const ColumnNumbers& x, double w) {
+  // Does the point x / w break no half-space? The products are the greatest of each body, in doubles.
+  std::optional<ExactDecision> inside(const ColumnNumbers& x, double w, double greatest_a, double greatest_b) {
     ++cost_.proposals;
     ExactEvidence common{.numbers = {x.begin(), x.begin() + static_cast<std::ptrdiff_t>(d_)}, .denominator = w};
-    if (a_.breaks_any(common.numbers, common.denominator, cost_)) return std::nullopt;
-    if (b_.breaks_any(common.numbers, common.denominator, cost_)) return std::nullopt;
+    const auto holds = [&](Placed& placed, const RoundedHalfSpaces& rounded, double product) {
+      return rounded.surely_holds(x, w, product) || !placed.breaks_any(common.numbers, common.denominator, cost_);
+    };
+    if (!holds(a_, rounded_a_, greatest_a) || !holds(b_, rounded_b_, greatest_b)) return std::nullopt;
     common.in_a = {a_.unplaced(common.numbers, common.denominator), common.denominator * a_.scale()};
     common.in_b = {b_.unplaced(common.numbers, common.denominator), common.denominator * b_.scale()};
     return ExactDecision{Verdict::meet, std::make_shared<const ExactEvidence>(std::move(common))};
