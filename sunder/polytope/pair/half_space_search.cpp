@@ -18,8 +18,8 @@ namespace sunder::polytope {
 namespace {
 
 constexpr int most_steps = 64;          // of the search for a direction; it takes some 2 d to 4 d
-constexpr double matters = 0x1p-30;     // weights that are less are left out of what is named
-constexpr double about_zero = 0x1p-40;  // of the greatest payoff: more is not taken for one on a boundary
+constexpr double matters = 0x1p-30;     // of weights, and of the greatest payoff: less may be roundings
+constexpr double about_zero = 0x1p-40;  // of the greatest payoff: more is not taken for a point on a boundary
 
 // Half-spaces under their pose, as floating point has them: row (a, b) of the body is (a N, b + a N t) in the world,
 // where N is the inverse of the linear part and t the translation.
@@ -343,14 +343,14 @@ class GameSearch {
   std::optional<std::uint32_t> half_space_reached(double least_payoff) const {
     std::optional<std::size_t> only;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (!(game_.row_weight(i) > 0)) continue;
+      if (!(game_.row_weight(i) > matters)) continue;
       if (only) return std::nullopt;
       only = i;
     }
     if (!only) return std::nullopt;
     double greatest = 0;
     for (const Item& column : columns_) greatest = std::max(greatest, std::fabs(payoff(rows_[*only], column)));
-    if (!(std::fabs(least_payoff) <= greatest * about_zero)) return std::nullopt;
+    if (!(std::fabs(least_payoff) <= greatest * matters)) return std::nullopt;
     return rows_[*only].index;
   }
 
