@@ -148,6 +148,7 @@ TEST(HalfSpaceSearch, FacetsThatTouchAreToldWithoutPhaseOne) {
   Random random(tests::chosen_seed(20261129));
   const int count = tests::scaled_count(80, 24);
   int plain = 0;
+  std::uint32_t proposals = 0;
   for (int i = 0; i < count; ++i) {
     const std::size_t d = 2 + random.below(4), n = 40 + random.below(400);
     const bool is_apart = i % 2 == 0;
@@ -173,9 +174,11 @@ TEST(HalfSpaceSearch, FacetsThatTouchAreToldWithoutPhaseOne) {
     const PolytopeAnswer answer = polytope_polytope(a, here, b, here);
     EXPECT_EQ(answer.meet(), !is_apart);
     EXPECT_TRUE(check(a, here, b, here, answer.evidence.verdict, exact_evidence(a, here, b, here, answer)));
+    proposals += answer.cost.proposals;
     plain += answer.decided_by != DecidedBy::finishing;
   }
   EXPECT_GE(plain, count - count / 20);
+  EXPECT_LE(proposals, static_cast<std::uint32_t>(count + count / 3));
 }
 
 TEST(MatrixGame, WhatIsNotSolvedHasNoWeight) {
