@@ -23,8 +23,8 @@ bool towards_origin(const ColumnNumbers& from, std::size_t d, ColumnNumbers& dir
   return true;
 }
 
-bool NearestSimplex::is_at_origin() const {
-  double size = 0, rest = 0;
+bool NearestSimplex::is_at_origin(double size) const {
+  double rest = 0;
   for (std::size_t c = 0; c < d_; ++c) {
     rest = std::max(rest, std::fabs(nearest_[c]));
     for (std::size_t k = 0; k < size_; ++k) size = std::max(size, std::fabs(points_[k].at[c]));

@@ -29,8 +29,9 @@ class NearestSimplex {
   const ColumnNumbers& nearest() const { return nearest_; }
   bool has(std::uint32_t a, std::uint32_t b) const;
   double weight(std::size_t k) const { return weights_[k]; }
-  // Is the nearest point so near that floating point does not know in which direction the origin is?
-  bool is_at_origin() const;
+  // Is the nearest point so near that floating point does not know in which direction the origin is? Points have errors
+  // as those of numbers of this size have, or of their own where that is greater.
+  bool is_at_origin(double size = 0) const;
 
   // Takes in a point, moves to the nearest point of all, and drops points without weight (Wolfe's minor cycles). False
   // where floating point finds no way on. Requires that it is not full.

@@ -1,9 +1,9 @@
 #include <sunder/base/contract.h>
 #include <sunder/polytope/pair/common_weights.h>
 #include <sunder/polytope/pair/exact_simplex.h>
+#include <sunder/polytope/pair/facet_normal.h>
 #include <sunder/polytope/pair/half_space_search.h>
 #include <sunder/polytope/pair/nearest_search.h>
-#include <sunder/polytope/pair/null_vector_internal.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
 #include <sunder/polytope/pair/support.h>
 #include <sunder/predicate/simplex_origin.h>
@@ -124,34 +124,17 @@ class Search {
     return true;
   }
 
-  // Does the normal of d of the differences, exactly, part the bodies? The differences are those with most weight.
+  // Does the exact normal of a facet near the origin part the bodies?
   bool normal_parts() {
-    std::array<std::size_t, most_dimension + 1> order{};
-    for (std::size_t k = 0; k < simplex_.size(); ++k) order[k] = k;
-    std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(simplex_.size()),
-              [&](std::size_t i, std::size_t j) { return simplex_.weight(i) > simplex_.weight(j); });
-    if (simplex_.size() < d_) return false;
+    if (simplex_.size() == 0) return false;
     Placed a(a_, pose_a_), b(b_, pose_b_);
-    std::array<ExactVector, most_vectors> columns;  // of edges from the first difference, one row each
-    ExactVector first;
-    for (std::size_t k = 0; k < d_; ++k) {
-      const DifferencePoint& point = simplex_[order[k]];
-      const ExactVector of_a = a.image(point.a), of_b = b.image(point.b);
-      for (std::size_t c = 0; c < d_; ++c) {
-        if (k == 0) first.push_back(of_a[c] - of_b[c]);
-        if (k > 0) columns[c].push_back(of_a[c] - of_b[c] - first[c]);
-      }
-    }
-    const auto normal = null_vector(std::span(columns).first(d_));
-    if (!normal) return false;
+    auto y = facet_normal(a, b, simplex_, answer_.cost);
+    if (!y) return false;
     ++answer_.cost.proposals;
-    ExactVector y;
-    for (std::size_t c = 0; c < d_; ++c) y.push_back(dyadic_of((*normal)[c], 0));
-    if (dot(y, first).sign() == Sign::positive) y = negated(std::move(y));  // towards B
-    const Dyadic last = a.furthest(y, answer_.cost).product, least = -b.furthest(negated(y), answer_.cost).product;
+    const Dyadic last = a.furthest(*y, answer_.cost).product, least = -b.furthest(negated(*y), answer_.cost).product;
     if ((least - last).sign() != Sign::positive) return false;
     answer_.evidence = {.verdict = Verdict::apart,
-                        .exact = std::make_shared<const ExactEvidence>(ExactEvidence{.numbers = std::move(y)})};
+                        .exact = std::make_shared<const ExactEvidence>(ExactEvidence{.numbers = *std::move(y)})};
     answer_.decided_by = DecidedBy::evidence;
     return true;
   }
