@@ -126,6 +126,42 @@ TEST(AlongColumns, ErrorsAreBoundedAndTheExactFurthestIsFound) {
   EXPECT_LT(many_looks, cases / 50);
 }
 
+// Products that differ by less than their roundings, and such as overflow, where all exact ones are negative.
+TEST(AlongColumns, ExactLooksDecideWhereFloatingPointMayErr) {
+  Random random(tests::chosen_seed(20261130));
+  int misled = 0;
+  const int cases = tests::scaled_count(600, 100);
+  for (int i = 0; i < cases; ++i) {
+    const std::size_t d = 2 + random.below(6);
+    const auto count = static_cast<std::uint32_t>(2 + random.below(100));
+    const bool is_huge = i % 4 == 0;
+    Points points =
+        points_of(d, count, [&] { return is_huge ? -random.uniform(0.5, 1) * 0x1p1023 : random.uniform(-1, 1); });
+    std::vector<double> direction(d);
+    for (double& x : direction) x = random.uniform(0.5, 1);
+    const std::size_t stride = points.numbers.size() / d;
+    for (std::size_t k = 0; k < stride && !is_huge; ++k) {
+      double rest = 1;
+      for (std::size_t c = 1; c < d; ++c) rest -= direction[c] * points.numbers[c * stride + k];
+      points.numbers[k] = rest / direction[0];
+    }
+    std::uint32_t best = 0;
+    for (std::uint32_t k = 1; k < count; ++k) {
+      if (!(points.product(k, direction) <= points.product(best, direction))) best = k;
+    }
+    ColumnNumbers rounded{};
+    std::copy(direction.begin(), direction.end(), rounded.begin());
+    misled += furthest_along(points.columns(), rounded).index != best;
+    const std::vector<Dyadic> exact(direction.begin(), direction.end());
+    std::uint32_t looks = 0;
+    const ExactFurthest furthest = exactly_furthest_along(points.columns(), exact, looks);
+    ASSERT_EQ(furthest.index, best) << i;
+    ASSERT_TRUE(Exact(furthest.product) == points.product(best, direction)) << i;
+    ASSERT_EQ(exact_face_along(points.columns(), exact, looks).indices.at(0), best) << i;
+  }
+  EXPECT_GT(misled, cases / 4);
+}
+
 TEST(AlongColumns, OfEqualsTheFirst) {
   for (std::uint32_t count = 1; count < 70; ++count) {
     for (std::uint32_t first = 0; first < count; ++first) {
@@ -146,11 +182,12 @@ TEST(AlongColumns, WiderRegistersSayTheSame) {
   for (int round = 0; round < tests::scaled_count(2000, 200); ++round) {
     const std::size_t d = 2 + random.below(6);
     const std::uint32_t count = 1 + static_cast<std::uint32_t>(random.below(2500));
-    const int kind = round % 4;
+    const int kind = round % 5;
     const Points points = points_of(d, count, [&]() -> double {
       if (kind == 0) return random.uniform(-1, 1);
       if (kind == 1) return static_cast<double>(random.between(-2, 2));
       if (kind == 2) return random.below(50) == 0 ? HUGE_VAL : random.uniform(-1, 1);
+      if (kind == 4) return random.below(2) == 0 ? -1.0 : random.below(2) == 0 ? -0.0 : 0.0;
       return random.log_uniform(1e-320, 1e300);
     });
     const PointColumns columns = points.columns();
@@ -158,6 +195,7 @@ TEST(AlongColumns, WiderRegistersSayTheSame) {
     for (std::size_t c = 0; c < d; ++c) {
       direction[c] = kind == 1   ? static_cast<double>(random.between(-1, 1))
                      : kind == 2 ? random.uniform(0.5, 1)
+                     : kind == 4 ? static_cast<double>(random.below(2))
                                  : random.uniform(-1, 1);
     }
     const ColumnKernels &two = column_kernels_of_two(d), &four = *column_kernels_of_four(d);
@@ -165,7 +203,7 @@ TEST(AlongColumns, WiderRegistersSayTheSame) {
     const FurthestBlock best = two.furthest_block(columns, direction, every),
                         other = four.furthest_block(columns, direction, every);
     ASSERT_EQ(best.first, other.first);
-    ASSERT_EQ(best.product, other.product);
+    ASSERT_EQ(std::memcmp(&best.product, &other.product, sizeof(double)), 0);
     std::array<double, PointColumns::block> products, others;
     two.products_of_block(columns, direction, best.first, products.data());
     four.products_of_block(columns, direction, best.first, others.data());
@@ -181,7 +219,7 @@ TEST(AlongColumns, WiderRegistersSayTheSame) {
     }
     two.find_tops(columns, direction, tops);
     four.find_tops(columns, direction, wide_tops);
-    ASSERT_EQ(tops.products, wide_tops.products);
+    ASSERT_EQ(std::memcmp(tops.products.data(), wide_tops.products.data(), sizeof tops.products), 0);
     ASSERT_EQ(tops.indices, wide_tops.indices);
   }
 }

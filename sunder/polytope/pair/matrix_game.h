@@ -2,6 +2,8 @@
 // Also called: two-person zero-sum games; mixed strategies.
 #pragma once
 
+#include <sunder/base/contract.h>
+
 #include <array>
 #include <cstddef>
 
@@ -18,19 +20,21 @@ class MatrixGame {
   // column before the first row.
   template <class Payoff>
   void add_row(const Payoff& payoff) {
+    SUNDER_REQUIRE(rows_ < most && columns_ > 0);
     for (std::size_t j = 0; j < columns_; ++j) entry(rows_, j) = payoff(j);
     ++rows_;
     grow_by_row();
   }
   template <class Payoff>
   void add_column(const Payoff& payoff) {
+    SUNDER_REQUIRE(columns_ < most);
     for (std::size_t i = 0; i < rows_; ++i) entry(i, columns_) = payoff(i);
     ++columns_;
     grow_by_column();
   }
 
-  // Sets the weights. False where floating point finds none; then they stay what they were. Requires a row and a
-  // column.
+  // Sets the weights. False where floating point finds none; then they stay what they were, or are not the best.
+  // Requires a row and a column.
   bool solve();
   // The same from the beginning, without what many pivots have rounded away.
   bool solve_anew();

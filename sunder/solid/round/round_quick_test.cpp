@@ -4,6 +4,7 @@
 
 #include <sunder/base/random.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
+#include <tests/support/exact.h>
 #include <tests/support/round_pairs.h>
 #include <tests/support/scale.h>
 #include <tests/support/shapes.h>
@@ -217,6 +218,63 @@ TEST(RoundQuick, ABallBesideAboveAndAtTheRimOfACylinder) {
       }
     }
   }
+}
+
+// Centre on the axis to the last bit; flat and long cylinders with a ball that is deep in them.
+TEST(RoundQuick, ABallOnTheAxisOrDeepInACylinder) {
+  struct Case {
+    RoundBody cylinder, ball;
+    bool meet;
+  };
+  const std::array<Case, 6> cases{{
+      {RoundBody::cylinder({0, 0, -1}, {0, 0, 1}, 2), RoundBody::ball({0, 0, 1.5}, 0.375), false},
+      {RoundBody::cylinder({0, 0, -1}, {0, 0, 1}, 2), RoundBody::ball({0, 0, 1.5}, 0.625), true},
+      {RoundBody::cylinder({0, 0, 0}, {0, 0, 1}, 64), RoundBody::ball({3, 0, 0.5}, 32), true},
+      {RoundBody::cylinder({0, 0, 0}, {0, 0, 1}, 64), RoundBody::ball({65, 0, 0.5}, 32), true},
+      {RoundBody::cylinder({0, 0, 0}, {0, 0, 64}, 1), RoundBody::ball({0, 0, 2}, 32), true},
+      {RoundBody::cylinder({0, 0, 0}, {0, 0, 64}, 1), RoundBody::ball({2, 0, 60}, 32), true},
+  }};
+  for (const Case& of : cases) {
+    for (const bool is_a : {true, false}) {
+      RoundAnswer answer;
+      Point3 way{};
+      const RoundBody &a = is_a ? of.ball : of.cylinder, &b = is_a ? of.cylinder : of.ball;
+      EXPECT_TRUE(decide_quickly(a, Pose(), b, Pose(), answer, way));
+      EXPECT_EQ(answer.meet(), of.meet);
+      EXPECT_EQ(answer.cost.proposals, 1);
+      if (!of.meet) continue;
+      // Of the ball its centre, of the cylinder the common point.
+      EXPECT_EQ(answer.evidence.source, RoundEvidence::Source::point);
+      EXPECT_EQ((is_a ? answer.evidence.a : answer.evidence.b).count, 1U);
+      EXPECT_EQ((is_a ? answer.evidence.b : answer.evidence.a).count, 0U);
+    }
+  }
+}
+
+// Beside and above a cylinder along an axis they meet where a sum of doubles is not negative. Either may be so large
+// that its roundings are more than what doubles tell of the other.
+TEST(RoundQuick, ABallWithinRoundingsOfACylinder) {
+  Random random(tests::chosen_seed(20261130));
+  std::array<int, 2> seen{};
+  const int count = tests::scaled_count(3000, 300);
+  for (int i = 0; i < count; ++i) {
+    const int large = i / 4 % 3;  // 1: the ball, 2: the cylinder, then beside the ball, which is about the origin
+    const bool is_beside = large == 2 || i % 2 == 0;
+    const double half = random.uniform(1, 2), around = random.uniform(1, 2) * (large == 2 ? 0x1p40 : 1),
+                 radius = random.uniform(0.1, 3) * (large == 1 ? 0x1p40 : 1), reached = is_beside ? around : half;
+    double far = reached + radius;
+    for (std::uint64_t k = random.below(3); k > 0; --k) far = std::nextafter(far, i % 4 < 2 ? HUGE_VAL : 0.0);
+    const double axis = large == 2 ? -far : 0;
+    const Point3 centre = !is_beside ? Point3{0.5, 0, far} : Point3{far + axis, 0, random.uniform(-1, 1)};
+    const RoundBody cylinder = RoundBody::cylinder({axis, 0, -half}, {axis, 0, half}, around),
+                    ball = RoundBody::ball(centre, radius);
+    const bool meet = tests::Exact(far) <= tests::Exact(reached) + tests::Exact(radius);
+    ++seen[meet ? 1 : 0];
+    EXPECT_EQ(round_round(cylinder, Pose(), ball, Pose()).meet(), meet) << i;
+    EXPECT_EQ(round_round(ball, Pose(), cylinder, Pose()).meet(), meet) << i;
+  }
+  EXPECT_GT(seen[0], count / 5);
+  EXPECT_GT(seen[1], count / 5);
 }
 
 TEST(ClearanceVerdictTest, ToTheLastBit) {
