@@ -39,7 +39,7 @@ Polytope with_face(Random& random, std::size_t d, std::size_t face, double side,
 // to do.
 TEST(FacetNormal, PartsFacesALastBitApart) {
   Random random(tests::chosen_seed(20261127));
-  const int count = tests::scaled_count(40, 4);
+  const int count = tests::scaled_count(40, 10);
   for (std::size_t d = 2; d <= 6; ++d) {
     int finished = 0, pairs = 0;
     for (std::size_t face = 0; face < d; ++face) {
@@ -54,7 +54,7 @@ TEST(FacetNormal, PartsFacesALastBitApart) {
       }
     }
     RecordProperty("finished_" + std::to_string(d), finished);
-    EXPECT_LE(finished, pairs / 20) << "of " << pairs << " where d = " << d;
+    EXPECT_LE(finished, pairs / 20 + 1) << "of " << pairs << " where d = " << d;
   }
 }
 
