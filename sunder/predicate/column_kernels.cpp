@@ -10,10 +10,14 @@ namespace sunder {
 
 namespace {
 
+// WideAt by typedef: in `using` Clang passes over `aligned`, and then loads as if addresses were those of whole
+// registers.
+
 namespace of_two {
 
 using Wide = Lanes;
-using WideAt = double __attribute__((vector_size(16), aligned(8), may_alias));
+typedef double WideAt __attribute__((vector_size(16), aligned(8), may_alias));  // NOLINT(modernize-use-using)
+static_assert(alignof(WideAt) == alignof(double));
 #define SUNDER_KERNEL
 #define SUNDER_GREATER(a, b) greater_of(a, b)
 #define SUNDER_BITS(mask) bits_of(mask)
@@ -30,7 +34,8 @@ using WideAt = double __attribute__((vector_size(16), aligned(8), may_alias));
 namespace of_four {
 
 using Wide = double __attribute__((vector_size(32)));
-using WideAt = double __attribute__((vector_size(32), aligned(8), may_alias));
+typedef double WideAt __attribute__((vector_size(32), aligned(8), may_alias));  // NOLINT(modernize-use-using)
+static_assert(alignof(WideAt) == alignof(double));
 #define SUNDER_KERNEL __attribute__((target("avx2")))
 #define SUNDER_GREATER(a, b) __builtin_ia32_maxpd256(b, a)
 #define SUNDER_BITS(mask) static_cast<std::uint32_t>(__builtin_ia32_movmskpd256(reinterpret_cast<Wide>(mask)))
