@@ -288,6 +288,7 @@ TEST(MatrixGame, BestWeights) {
 // A game that grows has at each size what nobody can do better against, also of payoffs that differ much in size.
 TEST(MatrixGame, GrowsByRowsAndColumns) {
   Random random(tests::chosen_seed(20261127));
+  std::array<std::size_t, 3> grown{}, anew{};  // by kinds of payoffs
   for (int round = 0; round < 300; ++round) {
     const auto number = [&]() -> double {
       const double x = random.uniform(-1, 1);
@@ -320,6 +321,12 @@ TEST(MatrixGame, GrowsByRowsAndColumns) {
       }
       ASSERT_NEAR(least, most, 1e-9 * greatest) << round << " " << step;
     }
+    const std::size_t kind = static_cast<std::size_t>(round % 3);
+    grown[kind] += game.rows() + game.columns();
+    anew[kind] += game.solved_anew();
+  }
+  for (std::size_t kind = 0; kind < 3; ++kind) {
+    EXPECT_LE(anew[kind], grown[kind] / 5) << "of " << grown[kind] << ", kind " << kind;
   }
 }
 

@@ -31,6 +31,7 @@ bool MatrixGame::set_scale() {
 }
 
 void MatrixGame::rebuild() {
+  ++solved_anew_;
   is_solved_ = set_scale();
   if (!is_solved_) return;
   const std::size_t rows = rows_;

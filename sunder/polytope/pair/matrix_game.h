@@ -42,6 +42,9 @@ class MatrixGame {
   double row_weight(std::size_t i) const { return i < weighted_rows_ ? row_weights_[i] : 0; }
   double column_weight(std::size_t j) const { return j < weighted_columns_ ? column_weights_[j] : 0; }
 
+  // How often the game was solved from the beginning so far.
+  std::size_t solved_anew() const { return solved_anew_; }
+
   static constexpr std::size_t most = 40;  // of rows, and of columns
 
  private:
@@ -65,7 +68,7 @@ class MatrixGame {
   double gap() const;
   bool set_weights();
 
-  std::size_t rows_ = 0, columns_ = 0, variables_ = 0, weighted_rows_ = 0, weighted_columns_ = 0;
+  std::size_t rows_ = 0, columns_ = 0, variables_ = 0, weighted_rows_ = 0, weighted_columns_ = 0, solved_anew_ = 0;
   bool is_solved_ = false;
   double low_ = 0, by_ = 0;  // of the scale of entries
   // Row i of the table is constraint i, with its right side; the last one, apart, prices. A variable is one of a
