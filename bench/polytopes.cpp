@@ -332,7 +332,7 @@ int main(int count, char** words) {
       sharing_a_point(random, "touch in a point", false),
       sharing_a_point(random, "a last bit apart", true),
       of_integers(random, "facets touch", true, true, 0),
-      of_integers(random, "a last bit apart", true, true, 1),
+      of_integers(random, "facets, a last bit apart", true, true, 1),
       at_distance(random, "apart", false, false, 2.1),
       at_distance(random, "near", false, false, 2.0),
       at_distance(random, "meet", false, false, 1.2),
@@ -368,7 +368,7 @@ int main(int count, char** words) {
     const std::string bodies = regime.a_of_points   ? "points"
                                : regime.b_of_points ? "half-spaces and points"
                                                     : "half-spaces";
-    std::printf("%-23s %-17s %10.2f %10.2f   %2.0f of %zu meet, %d finished\n", bodies.c_str(), regime.name, plain,
+    std::printf("%-23s %-25s %9.2f %10.2f   %2.0f of %zu meet, %d finished\n", bodies.c_str(), regime.name, plain,
                 with_evidence, meets, pairs.size(), finished);
     const double expected = regime.known == Known::meet ? static_cast<double>(pairs.size()) : 0;
     if (proved == 0 || (regime.known != Known::no && meets != expected)) return 3;
