@@ -202,11 +202,27 @@ ExactFurthest exactly_furthest_along(const PointColumns& points, std::span<const
   return best;
 }
 
-Guess sign_of_furthest(const PointColumns& points, std::span<const Dyadic> direction) {
+bool is_any_positive_along(const PointColumns& points, std::span<const Dyadic> direction, std::uint32_t& exact_looks) {
   const std::optional<RoundedDirection> rounded = rounded_to_doubles(points, direction);
-  if (!rounded) return Guess::zero;
-  const double product = furthest_along(points, rounded->numbers).product;
-  return product > rounded->error ? Guess::positive : product < -rounded->error ? Guess::negative : Guess::unsure;
+  if (!rounded) return false;
+  const bool is_bounded = std::isfinite(rounded->error);
+  const double limit = is_bounded ? -rounded->error : -std::numeric_limits<double>::infinity();
+  return with_dimension(points.dimension, [&](auto dimension) {
+    std::vector<std::uint32_t> unsure;
+    for (std::size_t first = 0; first < points.stride; first += block) {
+      const double greatest = greatest_of_block<dimension()>(points, rounded->numbers, first);
+      if (greatest < limit) continue;
+      if (is_bounded && greatest > rounded->error) return true;
+      const std::array<Lanes, lanes> values = products_of_block<dimension()>(points, rounded->numbers, first);
+      for (std::size_t k = 0; k < block && first + k < points.count; ++k) {
+        if (!(values[k / 2][k % 2] < limit)) unsure.push_back(static_cast<std::uint32_t>(first + k));
+      }
+    }
+    return std::any_of(unsure.begin(), unsure.end(), [&](std::uint32_t k) {
+      ++exact_looks;
+      return exact_product(points, k, direction).sign() == Sign::positive;
+    });
+  });
 }
 
 std::vector<std::uint32_t> at_zero_along(const PointColumns& points, std::span<const Dyadic> direction,

@@ -26,6 +26,7 @@ ExactVector negated(ExactVector v) {
 
 ExactVector pulled(const Pose& pose, std::span<const Dyadic> direction) {
   const std::size_t d = pose.dimension();
+  if (pose.is_identity()) return {direction.begin(), direction.begin() + static_cast<std::ptrdiff_t>(d)};
   ExactVector result(d);
   for (std::size_t c = 0; c < d; ++c) {
     for (std::size_t r = 0; r < d; ++r) {
@@ -59,18 +60,14 @@ ExactFurthest Placed::furthest_row(std::span<const Dyadic> direction, Cost& cost
 
 ExactFurthest Placed::furthest(std::span<const Dyadic> direction, Cost& cost) {
   SUNDER_REQUIRE(body_.is_of_points());
+  if (pose_.is_identity()) return furthest_row(direction.first(dimension()), cost);
   ExactFurthest result = furthest_row(pulled(pose_, direction), cost);
   result.product = result.product + dot(direction, pose_.translation());
   return result;
 }
 
 void Placed::invert() {
-  if (!inverse_.empty()) return;
-  if (pose_.is_identity()) {
-    inverse_.resize(dimension() * dimension());
-    for (std::size_t k = 0; k < dimension(); ++k) inverse_[k * (dimension() + 1)] = 1.0;
-    return;
-  }
+  if (!inverse_.empty() || pose_.is_identity()) return;
   ExactInverse inverse = *exact_inverse(dimension(), pose_.linear());
   inverse_ = std::move(inverse.numbers);
   scale_ = std::move(inverse.denominator);
@@ -85,9 +82,10 @@ const Dyadic& Placed::scale() {
 // (a N) . y <= s b + (a N) . t.
 ExactVector Placed::half_space(std::uint32_t k) {
   SUNDER_REQUIRE(!body_.is_of_points());
-  invert();
   const std::size_t d = dimension();
   const std::span<const double> row = body_.row(k);
+  if (pose_.is_identity()) return {row.begin(), row.end()};
+  invert();
   ExactVector result(d + 1);
   for (std::size_t c = 0; c < d; ++c) {
     for (std::size_t r = 0; r < d; ++r) {
@@ -99,8 +97,9 @@ ExactVector Placed::half_space(std::uint32_t k) {
 }
 
 ExactVector Placed::unplaced(std::span<const Dyadic> p, const Dyadic& w) {
-  invert();
   const std::size_t d = dimension();
+  if (pose_.is_identity()) return {p.begin(), p.begin() + static_cast<std::ptrdiff_t>(d)};
+  invert();
   ExactVector moved(d), result(d);
   for (std::size_t r = 0; r < d; ++r) moved[r] = p[r] - w * Dyadic(pose_.translation()[r]);
   for (std::size_t r = 0; r < d; ++r) result[r] = dot(moved, std::span<const Dyadic>(inverse_).subspan(r * d, d));
@@ -123,8 +122,7 @@ bool Placed::breaks_any(std::span<const Dyadic> p, const Dyadic& w, Cost& cost) 
   direction.push_back(-(w * scale_));
   if (!walk_) {
     cost.probes += body_.size();
-    const Guess guess = sign_of_furthest(body_.columns(), direction);
-    if (is_sure(guess)) return guess == Guess::positive;
+    return is_any_positive_along(body_.columns(), direction, cost.exact);
   }
   return furthest_row(direction, cost).product.sign() == Sign::positive;
 }

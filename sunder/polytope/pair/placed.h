@@ -63,7 +63,7 @@ class Placed {
   const Polytope& body_;
   const Pose& pose_;
   std::optional<TreeWalk> walk_;
-  ExactVector inverse_;  // of the linear part, over scale_; empty: not made yet
+  ExactVector inverse_;  // of the linear part, over scale_; empty: not made yet, or the identity
   Dyadic scale_{1.0};
 };
 
