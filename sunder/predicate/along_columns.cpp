@@ -46,23 +46,29 @@ Dyadic exact_product(const PointColumns& points, std::uint32_t k, std::span<cons
   return sum;
 }
 
-// Visits, in their order, the points that floating point does not rule out as the furthest; along zero, all.
+// Visits, in their order, the points whose product of floating point is not below the limit.
+template <class Visit>
+void for_not_below(double limit, const PointColumns& points, const ColumnNumbers& direction, const Visit& visit) {
+  const ColumnKernels& kernels = column_kernels(points.dimension);
+  BlockProducts products;
+  for (std::size_t first = 0;; first += block) {
+    first = kernels.next_block(points, direction, first, limit);
+    if (first >= points.stride) return;
+    kernels.products_of_block(points, direction, first, products.data());
+    for (std::size_t k = 0; k < block && first + k < points.count; ++k) {
+      if (!(products[k] < limit)) visit(static_cast<std::uint32_t>(first + k));
+    }
+  }
+}
+
+// Those that floating point does not rule out as the furthest; along zero, all.
 template <class Visit>
 void for_likely_furthest(const PointColumns& points, std::span<const Dyadic> direction, const Visit& visit) {
   const RoundedDirection rounded = rounded_to_doubles(points, direction).value_or(RoundedDirection{});
   const double limit = std::isfinite(rounded.error)
                            ? furthest_along(points, rounded.numbers).product - 2 * rounded.error
                            : -std::numeric_limits<double>::infinity();
-  const ColumnKernels& kernels = column_kernels(points.dimension);
-  BlockProducts products;
-  for (std::size_t first = 0;; first += block) {
-    first = kernels.next_block(points, rounded.numbers, first, limit);
-    if (first >= points.stride) return;
-    kernels.products_of_block(points, rounded.numbers, first, products.data());
-    for (std::size_t k = 0; k < block && first + k < points.count; ++k) {
-      if (!(products[k] < limit)) visit(static_cast<std::uint32_t>(first + k));
-    }
-  }
+  for_not_below(limit, points, rounded.numbers, visit);
 }
 
 }  // namespace
@@ -139,11 +145,23 @@ ExactFace exact_face_along(const PointColumns& points, std::span<const Dyadic> d
   return best;
 }
 
-Guess sign_of_furthest(const PointColumns& points, std::span<const Dyadic> direction) {
+bool is_any_positive_along(const PointColumns& points, std::span<const Dyadic> direction, std::uint32_t& exact_looks) {
   const std::optional<RoundedDirection> rounded = rounded_to_doubles(points, direction);
-  if (!rounded) return Guess::zero;
-  const double product = furthest_along(points, rounded->numbers).product;
-  return product > rounded->error ? Guess::positive : product < -rounded->error ? Guess::negative : Guess::unsure;
+  if (!rounded) return false;
+  double limit = -std::numeric_limits<double>::infinity();
+  if (std::isfinite(rounded->error)) {
+    const double greatest = furthest_along(points, rounded->numbers).product;
+    if (greatest > rounded->error) return true;
+    if (greatest < -rounded->error) return false;
+    limit = -rounded->error;
+  }
+  bool found = false;
+  for_not_below(limit, points, rounded->numbers, [&](std::uint32_t index) {
+    if (found) return;
+    ++exact_looks;
+    found = exact_product(points, index, direction).sign() == Sign::positive;
+  });
+  return found;
 }
 
 std::vector<std::uint32_t> at_zero_along(const PointColumns& points, std::span<const Dyadic> direction,

@@ -100,8 +100,9 @@ struct ExactFace {
 };
 ExactFace exact_face_along(const PointColumns& points, std::span<const Dyadic> direction, std::uint32_t& exact_looks);
 
-// The sign of the greatest product, by the floating-point bound alone: one look at each number.
-Guess sign_of_furthest(const PointColumns& points, std::span<const Dyadic> direction);
+// Is the greatest product positive? Cost: one look at each number, and exact arithmetic for points whose product is
+// about zero, where no other is further.
+bool is_any_positive_along(const PointColumns& points, std::span<const Dyadic> direction, std::uint32_t& exact_looks);
 
 // The points whose exact product with the direction is zero, in their order. Cost: as above.
 std::vector<std::uint32_t> at_zero_along(const PointColumns& points, std::span<const Dyadic> direction,

@@ -1,3 +1,4 @@
+#include <sunder/polytope/pair/complement.h>
 #include <sunder/polytope/pair/half_space_search.h>
 #include <sunder/polytope/pair/looks.h>
 #include <sunder/polytope/pair/matrix_game.h>
@@ -55,13 +56,13 @@ class RoundedHalfSpaces {
     return looks.furthest(pulled(x, w), cost);
   }
 
-  // Is the greatest such number of all rows, which doubles have as `product`, surely below zero? Nothing is said of
-  // half-spaces that are moved.
-  bool surely_holds(const ColumnNumbers& x, double w, double product) const {
+  // Does no row break the point x / w, surely, where this was the greatest number of all rows?
+  bool keeps(const ColumnNumbers& x, double w, double greatest) const {
     if (!pose_.is_identity()) return false;
-    ColumnNumbers sizes = pulled(x, w);
-    for (double& size : sizes) size = std::fabs(size);
-    return product < -product_error(body_.columns(), sizes, 0);
+    ColumnNumbers sizes{};
+    for (std::size_t c = 0; c < d_; ++c) sizes[c] = std::fabs(x[c]);
+    sizes[d_] = w;
+    return greatest < -product_error(body_.columns(), sizes, 0);
   }
 
   // About how far from the origin its boundary is.
@@ -146,7 +147,7 @@ class HalfSpaceSearch {
     LooksAtBoth looks(a_.body(), b_.body());
     for (int step = 0; step < most_steps; ++step) {
       ColumnNumbers y{};
-      if (simplex_.is_at_origin() || !towards_origin(simplex_.nearest(), d_ + 1, y)) return std::nullopt;
+      if (simplex_.is_at_origin() || !towards_origin(simplex_.nearest(), d_ + 1, y)) return decide_at_origin();
       ColumnNumbers x{};
       for (std::size_t c = 0; c < d_; ++c) x[c] = y[c] * unit_;
       const double w = y[d_];
@@ -173,62 +174,223 @@ class HalfSpaceSearch {
     return std::nullopt;
   }
 
-  // Does the point x / w break no half-space? The products are the greatest of each body, in doubles.
+  // Does the point x / w break no half-space? The greatest numbers of each body's rows were these.
   std::optional<ExactDecision> inside(const ColumnNumbers& x, double w, double greatest_a, double greatest_b) {
     ++cost_.proposals;
     ExactEvidence common{.numbers = {x.begin(), x.begin() + static_cast<std::ptrdiff_t>(d_)}, .denominator = w};
-    const auto holds = [&](Placed& placed, const RoundedHalfSpaces& rounded, double product) {
-      return rounded.surely_holds(x, w, product) || !placed.breaks_any(common.numbers, common.denominator, cost_);
+    const auto breaks = [&](Placed& body, const RoundedHalfSpaces& rounded, double greatest) {
+      return !rounded.keeps(x, w, greatest) && body.breaks_any(common.numbers, common.denominator, cost_);
     };
-    if (!holds(a_, rounded_a_, greatest_a) || !holds(b_, rounded_b_, greatest_b)) return std::nullopt;
-    common.in_a = {a_.unplaced(common.numbers, common.denominator), common.denominator * a_.scale()};
-    common.in_b = {b_.unplaced(common.numbers, common.denominator), common.denominator * b_.scale()};
-    return ExactDecision{Verdict::meet, std::make_shared<const ExactEvidence>(std::move(common))};
+    if (breaks(a_, rounded_a_, greatest_a) || breaks(b_, rounded_b_, greatest_b)) return std::nullopt;
+    return met_in(std::move(common));
   }
 
-  // Of the simplex's rows those, d + 1 at most, that floating point has in multipliers l >= 0 with sum l a = 0,
-  // sum l b < 0. Are there such ones?
+  ExactDecision met_in(ExactEvidence common) {
+    common.in_a = {a_.unplaced(common.numbers, common.denominator), common.denominator * a_.scale()};
+    common.in_b = {b_.unplaced(common.numbers, common.denominator), common.denominator * b_.scale()};
+    return {Verdict::meet, std::make_shared<const ExactEvidence>(std::move(common))};
+  }
+
+  // A row, exactly.
+  struct Row {
+    Kind kind = of_a;
+    std::uint32_t index = 0;
+    ExactVector normal{};
+    Dyadic side{};
+  };
+
+  // Rows of the simplex that are to be in a relation.
+  struct Related {
+    std::array<Row, most_vectors> rows;
+    std::size_t count = 0;
+  };
+
+  void add(Related& related, const DifferencePoint& point) {
+    Row& row = related.rows[related.count++];
+    row.kind = point.a == of_a ? of_a : of_b;
+    row.index = point.b;
+    row.normal = placed(row.kind).half_space(row.index);
+    row.side = std::move(row.normal.back());
+    row.normal.pop_back();
+  }
+
+  // Are the rows of a full simplex a contradiction? All of them, or those, d + 1 at most, that floating point has in
+  // multipliers l >= 0 with sum l a = 0, sum l b < 0.
   std::optional<ExactDecision> contradiction() {
     ++cost_.proposals;
     RoundedProgram program;
     program.rows = d_ + 1;
+    Related all;
     for (std::size_t k = 0; k < simplex_.size(); ++k) {
       if (simplex_[k].a == height) continue;
+      if (simplex_.has(height, 0)) add(all, simplex_[k]);
       for (std::size_t i = 0; i <= d_; ++i) program.table[i][program.columns] = simplex_[k].at[i];
       ++program.columns;
     }
-    const auto basis = program.basis();
-    std::array<std::pair<Kind, std::uint32_t>, most_vectors> rows;
-    std::array<ExactVector, most_vectors> normals;
-    std::array<Dyadic, most_vectors> sides;
-    std::size_t count = 0;
-    for (std::size_t k = 0, column = 0; k < simplex_.size(); ++k) {
-      if (simplex_[k].a == height || !basis[column++]) continue;
-      rows[count] = {simplex_[k].a == of_a ? of_a : of_b, simplex_[k].b};
-      normals[count] = placed(rows[count].first).half_space(rows[count].second);
-      sides[count] = std::move(normals[count].back());
-      normals[count++].pop_back();
+    if (all.count > 0) {
+      const Relation relation = related(all);
+      if (relation.decision) return relation.decision;
     }
-    if (count == 0) return std::nullopt;
-    auto multipliers = null_vector(std::span(normals).first(count));
-    if (!multipliers) return std::nullopt;
+    const auto basis = program.basis();
+    Related some;
+    for (std::size_t k = 0, column = 0; k < simplex_.size(); ++k) {
+      if (simplex_[k].a != height && basis[column++]) add(some, simplex_[k]);
+    }
+    return related(some).decision;
+  }
+
+  // Multipliers l > 0 of all rows with sum l a = 0: sum l b is negative, and so a contradiction; or zero, and then no
+  // common point is off the boundary of any of them.
+  struct Relation {
+    std::optional<ExactDecision> decision{};
+    bool is_tight = false;
+  };
+
+  Relation related(const Related& of) {
+    if (of.count == 0) return {};
+    std::array<ExactVector, most_vectors> normals;
+    for (std::size_t k = 0; k < of.count; ++k) normals[k] = of.rows[k].normal;
+    auto multipliers = null_vector(std::span(normals).first(of.count));
+    if (!multipliers) return {};
     Dyadic side;
     ExactEvidence parting;
     parting.numbers.resize(d_);
-    for (std::size_t k = 0; k < count; ++k) {
+    bool is_positive = true;
+    for (std::size_t k = 0; k < of.count; ++k) {
       Integer& l = (*multipliers)[k];
-      if (l < 0) return std::nullopt;
+      if (l < 0) return {};
+      is_positive = is_positive && !l.is_zero();
       if (l.is_zero()) continue;
-      const auto [kind, row] = rows[k];
+      const Row& row = of.rows[k];
       const Dyadic weight = dyadic_of(std::move(l), 0);
-      side = side + weight * sides[k];
-      (kind == of_a ? parting.of_a : parting.of_b).parts.push_back({row, weight * placed(kind).scale()});
-      for (std::size_t c = 0; c < d_ && kind == of_a; ++c) {
-        parting.numbers[c] = parting.numbers[c] + weight * normals[k][c];
+      side = side + weight * row.side;
+      (row.kind == of_a ? parting.of_a : parting.of_b).parts.push_back({row.index, weight * placed(row.kind).scale()});
+      for (std::size_t c = 0; c < d_ && row.kind == of_a; ++c) {
+        parting.numbers[c] = parting.numbers[c] + weight * row.normal[c];
       }
     }
-    if (side.sign() != Sign::negative) return std::nullopt;
-    return ExactDecision{Verdict::apart, std::make_shared<const ExactEvidence>(std::move(parting))};
+    if (side.sign() != Sign::negative) return {{}, is_positive && side.sign() == Sign::zero};
+    return {ExactDecision{Verdict::apart, std::make_shared<const ExactEvidence>(std::move(parting))}};
+  }
+
+  // Where the rows that have weight hold the origin, about, and are fewer than a full simplex: is that a contradiction;
+  // or else, is a point on the boundaries of them all in the bodies?
+  std::optional<ExactDecision> decide_at_origin() {
+    ++cost_.proposals;
+    Related of;
+    Complement complement(d_ + 1);
+    for (std::size_t k = 0; k < simplex_.size(); ++k) {
+      if (simplex_[k].a == height || !(simplex_.weight(k) > matters)) continue;
+      if (of.count == most_vectors || of.count == d_ + 1) return std::nullopt;
+      add(of, simplex_[k]);
+      complement.take_out(simplex_[k].at);
+    }
+    Relation relation = related(of);
+    if (relation.decision || !relation.is_tight) return std::move(relation.decision);
+    return search_on_boundaries(of, complement);
+  }
+
+  // The search for a direction in the complement of these rows: all of them have product zero there.
+  std::optional<ExactDecision> search_on_boundaries(const Related& of, const Complement& complement) {
+    const auto is_related = [&](Kind kind, std::uint32_t index) {
+      return std::any_of(of.rows.begin(), of.rows.begin() + static_cast<std::ptrdiff_t>(of.count),
+                         [&](const Row& row) { return row.kind == kind && row.index == index; });
+    };
+    const auto projected = [&](Kind kind, std::uint32_t index) {
+      DifferencePoint result = point(kind, index);
+      result.at = complement.coordinates(result.at);
+      return result;
+    };
+    if (complement.dimension() == 0) return std::nullopt;
+    NearestSimplex simplex(complement.dimension());
+    if (!simplex.add(projected(height, 0))) return std::nullopt;
+    LooksAtBoth looks(a_.body(), b_.body());
+    for (int step = 0; step < most_steps; ++step) {
+      ColumnNumbers y{}, x{};
+      if (simplex.is_full() || simplex.is_at_origin(1)) return std::nullopt;
+      if (!towards_origin(simplex.nearest(), complement.dimension(), y)) return std::nullopt;
+      y = complement.vector(y);
+      for (std::size_t c = 0; c < d_; ++c) x[c] = y[c] * unit_;
+      const double w = y[d_];
+      const FurthestPoint from_a = rounded_a_.most_broken(x, w, looks.a, cost_),
+                          from_b = rounded_b_.most_broken(x, w, looks.b, cost_);
+      ++cost_.iterations;
+      const bool keeps_a = from_a.product < 0 || is_related(of_a, from_a.index),
+                 keeps_b = from_b.product < 0 || is_related(of_b, from_b.index);
+      if (w > 0 && keeps_a && keeps_b) {
+        if (auto held = inside_on_boundaries(of, x, w)) return held;
+        if (looks.widen()) continue;
+        return std::nullopt;
+      }
+      const bool is_of_a = !keeps_a && (keeps_b || from_a.product >= from_b.product);
+      const DifferencePoint next = keeps_a && keeps_b ? projected(height, 0)
+                                   : is_of_a          ? projected(of_a, from_a.index)
+                                                      : projected(of_b, from_b.index);
+      if (simplex.has(next.a, next.b)) {
+        if (looks.widen()) continue;
+        return std::nullopt;
+      }
+      if (!simplex.add(next)) return std::nullopt;
+      looks.narrow();
+    }
+    return std::nullopt;
+  }
+
+  // A point on the boundaries of these rows, near x / w: for some coordinates, as many as rows are independent, the
+  // equations are solved; the others stay what they are, rounded. Does it break no half-space?
+  std::optional<ExactDecision> inside_on_boundaries(const Related& of, const ColumnNumbers& x, double w) {
+    ++cost_.proposals;
+    std::array<ColumnNumbers, most_vectors> m{};
+    for (std::size_t k = 0; k < of.count; ++k)
+      m[k] = (of.rows[k].kind == of_a ? rounded_a_ : rounded_b_).row(of.rows[k].index);
+    std::array<std::size_t, most_vectors> rows{};
+    for (std::size_t k = 0; k < of.count; ++k) rows[k] = k;
+    std::array<bool, most_dimension> is_solved{};
+    std::array<std::size_t, most_dimension> solved{};
+    std::size_t rank = 0;
+    double first = 0;
+    for (; rank < of.count && rank < d_; ++rank) {  // elimination; of all numbers the greatest
+      std::size_t row = rank, column = 0;
+      double greatest = 0;
+      for (std::size_t k = rank; k < of.count; ++k) {
+        for (std::size_t c = 0; c < d_; ++c) {
+          if (is_solved[c] || !(std::fabs(m[rows[k]][c]) > greatest)) continue;
+          greatest = std::fabs(m[rows[k]][c]);
+          row = k;
+          column = c;
+        }
+      }
+      if (rank == 0) first = greatest;
+      if (!(greatest > first * 0x1p-40)) break;
+      std::swap(rows[row], rows[rank]);
+      is_solved[column] = true;
+      solved[rank] = column;
+      for (std::size_t k = rank + 1; k < of.count; ++k) {
+        const double factor = m[rows[k]][column] / m[rows[rank]][column];
+        for (std::size_t c = 0; c < d_; ++c) m[rows[k]][c] -= factor * m[rows[rank]][c];
+      }
+    }
+    if (rank == 0) return std::nullopt;
+    ExactVector at(d_);
+    for (std::size_t c = 0; c < d_; ++c) {
+      if (!is_solved[c]) at[c] = std::nearbyint(x[c] / w / unit_ * 0x1p40) * 0x1p-40 * unit_;
+    }
+    std::array<ExactVector, most_vectors> vectors;  // of the coordinates, and what the others leave
+    for (std::size_t k = 0; k < rank; ++k) {
+      const Row& row = of.rows[rows[k]];
+      for (std::size_t i = 0; i < rank; ++i) vectors[i].push_back(row.normal[solved[i]]);
+      vectors[rank].push_back(dot(row.normal, at) - row.side);
+    }
+    auto solution = null_vector(std::span(vectors).first(rank + 1));
+    if (!solution || !((*solution)[rank] > 0)) return std::nullopt;
+    ExactEvidence common{.numbers = std::move(at), .denominator = dyadic_of(std::move((*solution)[rank]), 0)};
+    for (std::size_t c = 0; c < d_; ++c) {
+      if (!is_solved[c]) common.numbers[c] = common.numbers[c] * common.denominator;
+    }
+    for (std::size_t i = 0; i < rank; ++i) common.numbers[solved[i]] = dyadic_of(std::move((*solution)[i]), 0);
+    if (a_.breaks_any(common.numbers, common.denominator, cost_)) return std::nullopt;
+    if (b_.breaks_any(common.numbers, common.denominator, cost_)) return std::nullopt;
+    return met_in(std::move(common));
   }
 
   Placed& placed(Kind kind) { return kind == of_a ? a_ : b_; }

@@ -5,6 +5,8 @@
 // which all of them are negative has w > 0, and x / w is inside of all half-spaces; it is searched as the direction
 // from the nearest point of their hull to the origin. A simplex of rows that holds the origin is a contradiction. Also
 // called: theorem of the alternative (Gordan, Motzkin).
+// Where fewer rows hold it, all common points are on the boundaries of these: the search goes on in their orthogonal
+// complement, and determinants make a point of those boundaries of what it finds.
 //
 // Half-spaces and points: the payoff of point b_j against half-space a_i . x <= b_i is a_i . b_j - b_i. Where the value
 // of this matrix game is negative, the weights of points make a point inside of all half-spaces; where it is positive,
@@ -14,7 +16,8 @@
 // row generation.
 //
 // Both stop as soon as the proposal is strictly right, so weights need not be solutions of anything: any doubles that
-// are near enough do. Only those of a contradiction of half-spaces are a solution, by determinants.
+// are near enough do. Only those of a contradiction of half-spaces, and points on boundaries that touch, are solutions,
+// by determinants.
 #pragma once
 
 #include <sunder/polytope/pair/exact_simplex.h>

@@ -74,13 +74,22 @@ TEST(HalfSpaceSearch, DecidesWhatIsPlainUnderAnyPose) {
   EXPECT_GT(decided[1], count / 10);
 }
 
-// Where half-spaces have one point only, or a last bit is in between, rows are named, and the exact method ends.
+// A point on the boundaries of half-spaces that touch is proposed. Where such touch in several ways at once, rows are
+// named, and the exact method ends.
 TEST(HalfSpaceSearch, LeavesWhatIsNotPlain) {
   const Polytope at_zero = Polytope::from_half_spaces(2, {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0});
   const Polytope all = Polytope::from_half_spaces(2, {1, 1, 5}), none = Polytope::from_half_spaces(2, {});
   const Pose here(2);
   Cost cost;
-  const HalfSpaceProposal proposal = search_half_spaces(at_zero, here, all, here, cost);
+  const Polytope at_sevenths = Polytope::from_half_spaces(2, {1, 3, 1, 1, -4, -1, -2, 1, 0});
+  for (const Polytope& one : {at_zero, at_sevenths}) {
+    const HalfSpaceProposal on_boundaries = search_half_spaces(one, here, all, here, cost);
+    ASSERT_TRUE(on_boundaries.decision);
+    EXPECT_EQ(on_boundaries.decision->verdict, Verdict::meet);
+    EXPECT_TRUE(check(one, here, all, here, Verdict::meet, *on_boundaries.decision->evidence));
+  }
+  const Polytope at_a_third = Polytope::from_half_spaces(2, {1, 0, 0, -1, 0, 0, 0, 3, 1, 0, -3, -1});
+  const HalfSpaceProposal proposal = search_half_spaces(at_a_third, here, all, here, cost);
   EXPECT_FALSE(proposal.decision);
   EXPECT_FALSE(proposal.of_a.empty());
   EXPECT_TRUE(polytope_polytope(at_zero, here, all, here).meet());
@@ -98,6 +107,36 @@ TEST(HalfSpaceSearch, LeavesWhatIsNotPlain) {
       const PolytopeAnswer of_point =
           is_exchanged ? polytope_polytope(point, here, beyond, here) : polytope_polytope(beyond, here, point, here);
       EXPECT_EQ(of_point.meet(), gap <= 0);
+    }
+  }
+}
+
+// Integers: A is where x1 <= 0, B where x1 >= gap, of another combination of what is written; other half-spaces hold
+// the origin deep inside. What touches, and what does by a last bit not, is proposed, and the simplex method has
+// nothing to do.
+TEST(HalfSpaceSearch, ProposesWhereOneBoundaryTouchesAnother) {
+  Random random(tests::chosen_seed(20261127));
+  const int count = tests::scaled_count(40, 4);
+  for (std::size_t d = 2; d <= 6; ++d) {
+    for (int i = 0; i < count; ++i) {
+      const auto one = [&](double side, double gap) {
+        std::vector<double> rows;
+        for (std::size_t k = 0; k < 50; ++k) {
+          for (std::size_t c = 0; c < d; ++c) {
+            rows.push_back(k == 0 ? side * (c == 0 ? 1 : -2.0 * static_cast<double>(c) - 1)
+                                  : static_cast<double>(random.between(-32, 32)));
+          }
+          rows.push_back(k == 0 ? gap : 0x1p40);
+        }
+        return Polytope::from_half_spaces(d, rows);
+      };
+      const double gap = i % 2 == 0 ? 0 : 1;
+      const Polytope a = one(1, 0), b = one(-1, -gap);
+      const Pose here(d);
+      const PolytopeAnswer answer = polytope_polytope(a, here, b, here);
+      EXPECT_EQ(answer.meet(), gap == 0);
+      EXPECT_EQ(answer.decided_by, DecidedBy::evidence);
+      EXPECT_TRUE(check(a, here, b, here, answer.evidence.verdict, exact_evidence(a, here, b, here, answer)));
     }
   }
 }

@@ -26,6 +26,7 @@ ExactVector negated(ExactVector v) {
 
 ExactVector pulled(const Pose& pose, std::span<const Dyadic> direction) {
   const std::size_t d = pose.dimension();
+  if (pose.is_identity()) return {direction.begin(), direction.begin() + static_cast<std::ptrdiff_t>(d)};
   ExactVector result(d);
   for (std::size_t c = 0; c < d; ++c) {
     for (std::size_t r = 0; r < d; ++r) {
@@ -59,6 +60,7 @@ ExactFurthest Placed::furthest_row(std::span<const Dyadic> direction, Cost& cost
 
 ExactFurthest Placed::furthest(std::span<const Dyadic> direction, Cost& cost) {
   SUNDER_REQUIRE(body_.is_of_points());
+  if (pose_.is_identity()) return furthest_row(direction.first(dimension()), cost);
   ExactFurthest result = furthest_row(pulled(pose_, direction), cost);
   result.product = result.product + dot(direction, pose_.translation());
   return result;
@@ -88,10 +90,10 @@ const Dyadic& Placed::scale() {
 // (a N) . y <= s b + (a N) . t.
 ExactVector Placed::half_space(std::uint32_t k) {
   SUNDER_REQUIRE(!body_.is_of_points());
+  const std::size_t d = dimension();
   const std::span<const double> row = body_.row(k);
   if (pose_.is_identity()) return {row.begin(), row.end()};
   invert();
-  const std::size_t d = dimension();
   ExactVector result(d + 1);
   for (std::size_t c = 0; c < d; ++c) {
     for (std::size_t r = 0; r < d; ++r) {
@@ -103,9 +105,9 @@ ExactVector Placed::half_space(std::uint32_t k) {
 }
 
 ExactVector Placed::unplaced(std::span<const Dyadic> p, const Dyadic& w) {
-  if (pose_.is_identity()) return {p.begin(), p.begin() + static_cast<std::ptrdiff_t>(dimension())};
-  invert();
   const std::size_t d = dimension();
+  if (pose_.is_identity()) return {p.begin(), p.begin() + static_cast<std::ptrdiff_t>(d)};
+  invert();
   ExactVector moved(d), result(d);
   for (std::size_t r = 0; r < d; ++r) moved[r] = p[r] - w * Dyadic(pose_.translation()[r]);
   for (std::size_t r = 0; r < d; ++r) result[r] = dot(moved, std::span<const Dyadic>(inverse_).subspan(r * d, d));
@@ -128,8 +130,7 @@ bool Placed::breaks_any(std::span<const Dyadic> p, const Dyadic& w, Cost& cost) 
   direction.push_back(-(w * scale_));
   if (!walk_) {
     cost.probes += body_.size();
-    const Guess guess = sign_of_furthest(body_.columns(), direction);
-    if (is_sure(guess)) return guess == Guess::positive;
+    return is_any_positive_along(body_.columns(), direction, cost.exact);
   }
   return furthest_row(direction, cost).product.sign() == Sign::positive;
 }
