@@ -1,12 +1,13 @@
+#include <sunder/polytope/pair/boundary_point.h>
 #include <sunder/polytope/pair/complement.h>
 #include <sunder/polytope/pair/half_space_search.h>
 #include <sunder/polytope/pair/looks.h>
 #include <sunder/polytope/pair/matrix_game.h>
 #include <sunder/polytope/pair/nearest_search.h>
 #include <sunder/polytope/pair/null_vector_internal.h>
+#include <sunder/polytope/pair/rounded_half_spaces.h>
 #include <sunder/polytope/pair/rounded_simplex.h>
 #include <sunder/polytope/pair/support.h>
-#include <sunder/predicate/cone_weights.h>
 
 #include <algorithm>
 #include <array>
@@ -21,84 +22,6 @@ namespace {
 constexpr int most_steps = 64;          // of the search for a direction; it takes some 2 d to 4 d
 constexpr double matters = 0x1p-30;     // of weights, and of the greatest payoff: less may be roundings
 constexpr double about_zero = 0x1p-40;  // of the greatest payoff: more is not taken for a point on a boundary
-
-// Half-spaces under their pose, as floating point has them: row (a, b) of the body is (a N, b + a N t) in the world,
-// where N is the inverse of the linear part and t the translation.
-class RoundedHalfSpaces {
- public:
-  RoundedHalfSpaces(const Polytope& body, const Pose& pose) : body_(body), pose_(pose), d_(body.dimension()) {
-    for (std::size_t k = 0; k < d_; ++k) inverse_[k * d_ + k] = 1;
-    if (pose.is_identity()) return;
-    // Of the transposed matrix, and so the transposed inverse.
-    is_usable_ = std::isfinite(cone_inverse(pose.linear(), d_, std::span(inverse_).first(d_ * d_)));
-  }
-
-  // Is there anything to search, and an inverse?
-  bool is_usable() const { return is_usable_ && body_.size() > 0; }
-
-  ColumnNumbers row(std::uint32_t k) const {
-    const std::span<const double> numbers = body_.row(k);
-    ColumnNumbers result{};
-    result[d_] = numbers[d_];
-    for (std::size_t c = 0; c < d_; ++c) {
-      if (pose_.is_identity()) {
-        result[c] = numbers[c];
-        continue;
-      }
-      for (std::size_t r = 0; r < d_; ++r) result[c] += numbers[r] * inverse_[c * d_ + r];
-      result[d_] += result[c] * pose_.translation()[c];
-    }
-    return result;
-  }
-
-  // The row, of those looked at, whose a . x - w b is greatest, and that number.
-  FurthestPoint most_broken(const ColumnNumbers& x, double w, Looks& looks, Cost& cost) const {
-    return looks.furthest(pulled(x, w), cost);
-  }
-
-  // Does no row break the point x / w, surely, where this was the greatest number of all rows?
-  bool keeps(const ColumnNumbers& x, double w, double greatest) const {
-    if (!pose_.is_identity()) return false;
-    ColumnNumbers sizes{};
-    for (std::size_t c = 0; c < d_; ++c) sizes[c] = std::fabs(x[c]);
-    sizes[d_] = w;
-    return greatest < -product_error(body_.columns(), sizes, 0);
-  }
-
-  // About how far from the origin its boundary is.
-  double size() const {
-    double normals = 0, moved = 0;
-    for (std::size_t c = 0; c < d_; ++c) {
-      normals = std::max(normals, body_.columns().reach[c]);
-      moved = std::max(moved, std::fabs(pose_.translation()[c]));
-    }
-    double stretched = 0;
-    for (const double x : pose_.linear()) stretched = std::max(stretched, std::fabs(x));
-    return body_.columns().reach[d_] / normals * stretched + moved;
-  }
-
- private:
-  // The direction of rows along which a . x - w b is.
-  ColumnNumbers pulled(const ColumnNumbers& x, double w) const {
-    ColumnNumbers direction{};
-    direction[d_] = -w;
-    for (std::size_t c = 0; c < d_; ++c) {
-      if (pose_.is_identity()) {
-        direction[c] = x[c];
-        continue;
-      }
-      const double moved = x[c] - w * pose_.translation()[c];
-      for (std::size_t r = 0; r < d_; ++r) direction[r] += moved * inverse_[c * d_ + r];
-    }
-    return direction;
-  }
-
-  const Polytope& body_;
-  const Pose& pose_;
-  std::size_t d_;
-  std::array<double, most_dimension * most_dimension> inverse_{};
-  bool is_usable_ = true;
-};
 
 // ---- Both of half-spaces.
 
@@ -336,58 +259,19 @@ class HalfSpaceSearch {
     return std::nullopt;
   }
 
-  // A point on the boundaries of these rows, near x / w: for some coordinates, as many as rows are independent, the
-  // equations are solved; the others stay what they are, rounded. Does it break no half-space?
+  // Does a point on the boundaries of these rows, near x / w, break no half-space?
   std::optional<ExactDecision> inside_on_boundaries(const Related& of, const ColumnNumbers& x, double w) {
     ++cost_.proposals;
-    std::array<ColumnNumbers, most_vectors> m{};
-    for (std::size_t k = 0; k < of.count; ++k)
-      m[k] = (of.rows[k].kind == of_a ? rounded_a_ : rounded_b_).row(of.rows[k].index);
-    std::array<std::size_t, most_vectors> rows{};
-    for (std::size_t k = 0; k < of.count; ++k) rows[k] = k;
-    std::array<bool, most_dimension> is_solved{};
-    std::array<std::size_t, most_dimension> solved{};
-    std::size_t rank = 0;
-    double first = 0;
-    for (; rank < of.count && rank < d_; ++rank) {  // elimination; of all numbers the greatest
-      std::size_t row = rank, column = 0;
-      double greatest = 0;
-      for (std::size_t k = rank; k < of.count; ++k) {
-        for (std::size_t c = 0; c < d_; ++c) {
-          if (is_solved[c] || !(std::fabs(m[rows[k]][c]) > greatest)) continue;
-          greatest = std::fabs(m[rows[k]][c]);
-          row = k;
-          column = c;
-        }
-      }
-      if (rank == 0) first = greatest;
-      if (!(greatest > first * 0x1p-40)) break;
-      std::swap(rows[row], rows[rank]);
-      is_solved[column] = true;
-      solved[rank] = column;
-      for (std::size_t k = rank + 1; k < of.count; ++k) {
-        const double factor = m[rows[k]][column] / m[rows[rank]][column];
-        for (std::size_t c = 0; c < d_; ++c) m[rows[k]][c] -= factor * m[rows[rank]][c];
-      }
+    std::array<ExactVector, most_vectors> rows;
+    for (std::size_t k = 0; k < of.count; ++k) {
+      rows[k] = of.rows[k].normal;
+      rows[k].push_back(of.rows[k].side);
     }
-    if (rank == 0) return std::nullopt;
-    ExactVector at(d_);
-    for (std::size_t c = 0; c < d_; ++c) {
-      if (!is_solved[c]) at[c] = std::nearbyint(x[c] / w / unit_ * 0x1p40) * 0x1p-40 * unit_;
-    }
-    std::array<ExactVector, most_vectors> vectors;  // of the coordinates, and what the others leave
-    for (std::size_t k = 0; k < rank; ++k) {
-      const Row& row = of.rows[rows[k]];
-      for (std::size_t i = 0; i < rank; ++i) vectors[i].push_back(row.normal[solved[i]]);
-      vectors[rank].push_back(dot(row.normal, at) - row.side);
-    }
-    auto solution = null_vector(std::span(vectors).first(rank + 1));
-    if (!solution || !((*solution)[rank] > 0)) return std::nullopt;
-    ExactEvidence common{.numbers = std::move(at), .denominator = dyadic_of(std::move((*solution)[rank]), 0)};
-    for (std::size_t c = 0; c < d_; ++c) {
-      if (!is_solved[c]) common.numbers[c] = common.numbers[c] * common.denominator;
-    }
-    for (std::size_t i = 0; i < rank; ++i) common.numbers[solved[i]] = dyadic_of(std::move((*solution)[i]), 0);
+    ColumnNumbers near{};
+    for (std::size_t c = 0; c < d_; ++c) near[c] = x[c] / w;
+    auto point = boundary_point(std::span(rows).first(of.count), near, unit_);
+    if (!point) return std::nullopt;
+    ExactEvidence common{.numbers = std::move(point->numbers), .denominator = std::move(point->denominator)};
     if (a_.breaks_any(common.numbers, common.denominator, cost_)) return std::nullopt;
     if (b_.breaks_any(common.numbers, common.denominator, cost_)) return std::nullopt;
     return met_in(std::move(common));

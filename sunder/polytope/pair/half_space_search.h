@@ -16,8 +16,8 @@
 // row generation.
 //
 // Both stop as soon as the proposal is strictly right, so weights need not be solutions of anything: any doubles that
-// are near enough do. Only those of a contradiction of half-spaces, and points on boundaries that touch, are solutions,
-// by determinants.
+// are near enough do. Only those of a contradiction of half-spaces, and points on boundaries that touch, are
+// solutions, by determinants.
 #pragma once
 
 #include <sunder/polytope/pair/exact_simplex.h>

@@ -1,0 +1,86 @@
+#include <sunder/base/contract.h>
+#include <sunder/polytope/pair/boundary_point.h>
+#include <sunder/polytope/pair/null_vector_internal.h>
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace sunder::polytope {
+
+namespace {
+
+// Which rows are independent, and by which coordinates, as elimination in floating point has it, of all numbers the
+// greatest first.
+struct Independent {
+  std::array<std::size_t, most_vectors> rows{};
+  std::array<std::size_t, most_dimension> coordinates{};
+  std::array<bool, most_dimension> is_chosen{};  // of coordinates
+  std::size_t count = 0;
+};
+
+Independent independent(std::span<const ExactVector> rows, std::size_t d) {
+  Independent result;
+  std::array<std::array<double, most_dimension>, most_vectors> m{};
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    result.rows[k] = k;
+    for (std::size_t c = 0; c < d; ++c) m[k][c] = rows[k][c].nearest();
+  }
+  double first = 0;
+  for (std::size_t& n = result.count; n < rows.size() && n < d; ++n) {
+    std::size_t row = n, column = 0;
+    double greatest = 0;
+    for (std::size_t k = n; k < rows.size(); ++k) {
+      for (std::size_t c = 0; c < d; ++c) {
+        if (result.is_chosen[c] || !(std::fabs(m[k][c]) > greatest)) continue;
+        greatest = std::fabs(m[k][c]);
+        row = k;
+        column = c;
+      }
+    }
+    if (n == 0) first = greatest;
+    if (!(greatest > first * 0x1p-40)) break;
+    std::swap(m[row], m[n]);
+    std::swap(result.rows[row], result.rows[n]);
+    result.is_chosen[column] = true;
+    result.coordinates[n] = column;
+    for (std::size_t k = n + 1; k < rows.size(); ++k) {
+      const double factor = m[k][column] / m[n][column];
+      for (std::size_t c = 0; c < d; ++c) m[k][c] -= factor * m[n][c];
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<BoundaryPoint> boundary_point(std::span<const ExactVector> rows, const ColumnNumbers& near, double unit) {
+  SUNDER_REQUIRE(!rows.empty() && rows.size() <= most_vectors && rows[0].size() <= most_dimension + 1);
+  const std::size_t d = rows[0].size() - 1;
+  const Independent of = independent(rows, d);
+  if (of.count == 0) return std::nullopt;
+  BoundaryPoint result{.numbers = ExactVector(d)};
+  for (std::size_t c = 0; c < d; ++c) {
+    const double part = std::nearbyint(near[c] / unit * 0x1p40) * 0x1p-40 * unit;
+    if (!std::isfinite(part)) return std::nullopt;
+    if (!of.is_chosen[c]) result.numbers[c] = part;
+  }
+  std::array<ExactVector, most_vectors> vectors;  // of the coordinates chosen, and what the others leave
+  for (std::size_t k = 0; k < of.count; ++k) {
+    const ExactVector& row = rows[of.rows[k]];
+    for (std::size_t i = 0; i < of.count; ++i) vectors[i].push_back(row[of.coordinates[i]]);
+    vectors[of.count].push_back(dot(row, result.numbers) - row[d]);
+  }
+  auto solution = null_vector(std::span(vectors).first(of.count + 1));
+  if (!solution || !((*solution)[of.count] > 0)) return std::nullopt;
+  result.denominator = dyadic_of(std::move((*solution)[of.count]), 0);
+  for (std::size_t c = 0; c < d; ++c) {
+    if (!of.is_chosen[c]) result.numbers[c] = result.numbers[c] * result.denominator;
+  }
+  for (std::size_t i = 0; i < of.count; ++i) {
+    result.numbers[of.coordinates[i]] = dyadic_of(std::move((*solution)[i]), 0);
+  }
+  return result;
+}
+
+}  // namespace sunder::polytope
