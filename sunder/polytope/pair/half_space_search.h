@@ -4,34 +4,20 @@
 // Both of half-spaces a . x <= b: the rows (a, -b), with (0, -1), are points of R^(d+1). A direction y = (x, w) along
 // which all of them are negative has w > 0, and x / w is inside of all half-spaces; it is searched as the direction
 // from the nearest point of their hull to the origin. A simplex of rows that holds the origin is a contradiction. Also
-// called: theorem of the alternative (Gordan, Motzkin).
-// Where fewer rows hold it, all common points are on the boundaries of these: the search goes on in their orthogonal
-// complement, and determinants make a point of those boundaries of what it finds.
+// called: theorem of the alternative (Gordan, Motzkin). Where fewer rows hold it, all common points are on the
+// boundaries of these: the search goes on in their orthogonal complement, and determinants make a point of those
+// boundaries of what it finds.
 //
-// Half-spaces and points: the payoff of point b_j against half-space a_i . x <= b_i is a_i . b_j - b_i. Where the value
-// of this matrix game is negative, the weights of points make a point inside of all half-spaces; where it is positive,
-// the weights of half-spaces make one that no point is in. It is solved for few rows and columns, and the best replies
-// of either side, found by scans, come in. Where one half-space has all weight and the points reach just to it, exact
-// products tell whether they touch it. Also called: double oracle method (McMahan, Gordon & Blum 2003); column and
-// row generation.
+// Half-spaces and points: by a game (half_space_game.h).
 //
 // Both stop as soon as the proposal is strictly right, so weights need not be solutions of anything: any doubles that
 // are near enough do. Only those of a contradiction of half-spaces, and points on boundaries that touch, are
 // solutions, by determinants.
 #pragma once
 
-#include <sunder/polytope/pair/exact_simplex.h>
-
-#include <cstdint>
-#include <optional>
-#include <vector>
+#include <sunder/polytope/pair/half_space_game.h>
 
 namespace sunder::polytope {
-
-struct HalfSpaceProposal {
-  std::optional<ExactDecision> decision;    // proved; else nothing is known
-  std::vector<std::uint32_t> of_a, of_b{};  // where not: rows that matter, likely
-};
 
 // Requires that one of them is of half-spaces. Cost: a scan of both bodies, or of samples, a step; some 2 d to 4 d
 // steps.
