@@ -141,6 +141,105 @@ TEST(HalfSpaceSearch, ProposesWhereOneBoundaryTouchesAnother) {
   }
 }
 
+// The point that is proposed for a half-space and one about the origin; then, for the second, one that the point is a
+// last bit inside of, beyond, or on: floating point takes it for inside, and exact products tell.
+TEST(HalfSpaceSearch, ProposesNothingThatOneOfThemBreaksByALastBit) {
+  Random random(tests::chosen_seed(20261127));
+  const int count = tests::scaled_count(3000, 1000);
+  int misled = 0;
+  for (int i = 0; i < count; ++i) {
+    const std::size_t d = 2 + random.below(5);
+    std::vector<double> row(d + 1, -1), around(d + 1, 0), beyond(d + 1, 0);
+    for (std::size_t c = 0; c < d; ++c) {
+      row[c] = random.uniform(-1, 1);
+      around[c] = beyond[c] = random.uniform(-1, 1);
+    }
+    around[d] = 0.5;
+    const Polytope one = body(d, row, false), other = body(d, around, false);
+    const Pose here(d);
+    Cost cost;
+    const HalfSpaceProposal proposal = search_half_spaces(one, here, other, here, cost);
+    if (!proposal.decision || proposal.decision->verdict != Verdict::meet) continue;
+    const ExactEvidence& common = *proposal.decision->evidence;
+    const double w = common.denominator.nearest();
+    double level = 0;
+    for (std::size_t c = 0; c < d; ++c) level += beyond[c] * common.numbers[c].nearest();
+    beyond[d] = level / w * (1 + static_cast<double>(random.between(-2, 2)) * 0x1p-53);
+    double product = 0;
+    for (std::size_t c = 0; c < d; ++c) product += beyond[c] * common.numbers[c].nearest();
+    const Dyadic exact = dot(common.numbers, beyond) - common.denominator * Dyadic(beyond[d]);
+    misled += product - w * beyond[d] < 0 && exact.sign() != Sign::negative;
+    const Polytope last = body(d, beyond, false);
+    for (const bool is_exchanged : {false, true}) {
+      const Polytope &a = is_exchanged ? last : one, &b = is_exchanged ? one : last;
+      const PolytopeAnswer answer = polytope_polytope(a, here, b, here);
+      EXPECT_TRUE(answer.meet()) << i;
+      EXPECT_TRUE(check(a, here, b, here, answer.evidence.verdict, exact_evidence(a, here, b, here, answer))) << i;
+    }
+  }
+  EXPECT_GT(misled, count / 100);
+}
+
+// Normals that cancel with some weights, or do so but for last bits; sides that do, too, or leave a gap; and others
+// about at a point of all these boundaries. Each answer is proved.
+TEST(HalfSpaceSearch, NormalsThatNearlyCancel) {
+  Random random(tests::chosen_seed(20261128));
+  const int count = tests::scaled_count(2000, 1000);
+  std::array<int, 2> decided{};
+  for (int i = 0; i < count; ++i) {
+    const std::size_t d = 2 + random.below(4);
+    const bool is_of_integers = i % 3 == 0;
+    const auto number = [&] {
+      return is_of_integers ? static_cast<double>(random.between(-9, 9)) : random.uniform(-1, 1);
+    };
+    const auto last_bits = [&] {
+      return static_cast<double>(random.between(-4, 4)) * std::ldexp(1.0, -static_cast<int>(random.between(44, 54)));
+    };
+    std::vector<double> at(d), opposite(d + 1), rows_a, rows_b;
+    for (double& x : at) x = number();
+    const auto add = [&](const std::vector<double>& row) {
+      std::vector<double>& rows = random.below(2) == 0 ? rows_a : rows_b;
+      rows.insert(rows.end(), row.begin(), row.end());
+    };
+    const auto through = [&] {
+      std::vector<double> row(d + 1);
+      for (std::size_t c = 0; c < d; ++c) {
+        row[c] = number();
+        row[d] += row[c] * at[c];
+      }
+      return row;
+    };
+    for (std::size_t k = 1 + random.below(d); k > 0; --k) {
+      const std::vector<double> row = through();
+      const double weight = is_of_integers ? 1 + static_cast<double>(random.below(3)) : random.uniform(0.1, 1);
+      for (std::size_t c = 0; c <= d; ++c) opposite[c] -= weight * row[c];
+      add(row);
+    }
+    for (std::size_t c = 0; c < d && i % 2 == 0; ++c) opposite[c] += random.below(2) == 0 ? last_bits() : 0;
+    const std::uint64_t kind = random.below(4);
+    opposite[d] += kind == 0 ? last_bits() : kind == 1 ? -random.unit() : 0;
+    add(opposite);
+    for (std::size_t k = random.below(d + 3); k > 0; --k) {
+      std::vector<double> row = through();
+      const std::uint64_t side = random.below(3);
+      row[d] += side == 0 ? random.unit() : side == 1 ? last_bits() : 0;
+      add(row);
+    }
+    const Polytope a = body(d, rows_a, false), b = body(d, rows_b, false);
+    const Pose here(d);
+    for (const bool is_exchanged : {false, true}) {
+      const Polytope &one = is_exchanged ? b : a, &other = is_exchanged ? a : b;
+      const PolytopeAnswer answer = polytope_polytope(one, here, other, here);
+      ASSERT_TRUE(
+          check(one, here, other, here, answer.evidence.verdict, exact_evidence(one, here, other, here, answer)))
+          << i;
+      decided[answer.meet() ? 1 : 0] += answer.decided_by == DecidedBy::evidence;
+    }
+  }
+  EXPECT_GT(decided[0], count / 12);
+  EXPECT_GT(decided[1], count / 12);
+}
+
 // Payoffs that are infinite, or whose difference has no inverse: the game has no weights, and the exact method decides.
 TEST(HalfSpaceSearch, LeavesGamesThatDoublesCannotHold) {
   const Pose here(2);
