@@ -45,9 +45,10 @@ bool Complement::take_out(const ColumnNumbers& vector) {
     square += h[k] * h[k];
     if (std::fabs(h[k]) > std::fabs(h[greatest])) greatest = k;
   }
-  if (!(square > whole * (nothing * nothing)) || !std::isfinite(whole)) return false;
+  if (!(square > whole * (nothing * nothing))) return false;
   h[greatest] += std::copysign(std::sqrt(square), h[greatest]);
   const double square_of_h = 2 * std::fabs(h[greatest]) * std::sqrt(square);  // |h|^2 = 2 |u| (|u| + |u_j|)
+  if (!std::isfinite(square_of_h)) return false;
   const ColumnNumbers along = this->vector(h);
   for (std::size_t k = 0; k < dimension_; ++k) {
     for (std::size_t c = 0; c < n_; ++c) base_[k][c] -= 2 * h[k] / square_of_h * along[c];

@@ -1,4 +1,5 @@
 #include <sunder/base/random.h>
+#include <sunder/polytope/pair/complement.h>
 #include <sunder/polytope/pair/facet_normal.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
 #include <tests/support/scale.h>
@@ -70,6 +71,39 @@ TEST(FacetNormal, OfTwoEdgesIsOrthogonalToBoth) {
   EXPECT_TRUE(check(a, here, b, here, Verdict::apart, evidence));
   EXPECT_EQ(evidence.numbers[0].sign(), Sign::zero);
   EXPECT_EQ(evidence.numbers[1].sign(), Sign::zero);
+}
+
+// Vectors whose squares doubles can hold only just: what is taken out is so, and all stays finite.
+TEST(FacetNormal, ComplementsOfVectorsThatNearlyOverflow) {
+  Random random(tests::chosen_seed(20261127));
+  int refused = 0, taken = 0;
+  for (int round = 0; round < 40000; ++round) {
+    const std::size_t n = 2 + random.below(6);
+    Complement complement(n);
+    ColumnNumbers first{}, last{};
+    double square = 0;
+    for (std::size_t c = 0; c < n; ++c) {
+      first[c] = random.uniform(-1, 1);
+      last[c] = static_cast<double>(random.between(-1, 1));
+      square += last[c] * last[c];
+    }
+    if (square == 0) continue;
+    const double length = std::sqrt(1.7976931348623157e308) * (round % 2 == 0 ? 1 : 0.6);
+    for (double& x : last) x *= length / std::sqrt(square);
+    ASSERT_TRUE(complement.take_out(first));
+    const bool is_taken = complement.take_out(last);
+    for (std::size_t k = 0; k < complement.dimension(); ++k) {
+      double product = 0;
+      for (std::size_t c = 0; c < n; ++c) {
+        ASSERT_LE(std::fabs(complement.base(k)[c]), 1 + 0x1p-40) << round;
+        product += complement.base(k)[c] * (last[c] / length);
+      }
+      ASSERT_TRUE(!is_taken || std::fabs(product) < 0x1p-40) << round;
+    }
+    ++(is_taken ? taken : refused);
+  }
+  EXPECT_GT(taken, 1000);
+  EXPECT_GT(refused, 1000);
 }
 
 }  // namespace
