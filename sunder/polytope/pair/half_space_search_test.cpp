@@ -240,6 +240,45 @@ TEST(HalfSpaceSearch, NormalsThatNearlyCancel) {
   EXPECT_GT(decided[1], count / 12);
 }
 
+// Two boundaries are one, and others are about parallel to it, or a last bit from it: a point on the first is proposed,
+// which these may exclude.
+TEST(HalfSpaceSearch, PointsOnBoundariesThatOthersBreakByALastBit) {
+  Random random(tests::chosen_seed(20261129));
+  const int count = tests::scaled_count(600, 200);
+  int decided = 0;
+  for (int i = 0; i < count; ++i) {
+    const std::size_t d = 2 + random.below(5);
+    std::vector<double> row(d + 1), opposite(d + 1), rows_a, rows_b;
+    for (std::size_t c = 0; c <= d; ++c) {
+      row[c] = random.uniform(-1, 1);
+      opposite[c] = -row[c];
+    }
+    rows_a = row;
+    rows_b = opposite;
+    for (std::size_t k = random.below(4) + random.below(2 * d); k > 0; --k) {
+      std::vector<double> more = random.below(2) == 0 ? row : opposite;
+      const double by = random.uniform(0.1, 0.9);
+      const bool is_parallel = k <= 3;
+      for (double& x : more) x = is_parallel ? x * by : random.uniform(-1, 1);
+      if (is_parallel && random.below(2) == 0) more[d] = std::nextafter(more[d], random.below(2) == 0 ? -9.0 : 9.0);
+      if (!is_parallel) more[d] *= 4;
+      std::vector<double>& rows = random.below(2) == 0 ? rows_a : rows_b;
+      rows.insert(rows.end(), more.begin(), more.end());
+    }
+    const Polytope a = body(d, rows_a, false), b = body(d, rows_b, false);
+    const Pose here(d);
+    for (const bool is_exchanged : {false, true}) {
+      const Polytope &one = is_exchanged ? b : a, &other = is_exchanged ? a : b;
+      const PolytopeAnswer answer = polytope_polytope(one, here, other, here);
+      ASSERT_TRUE(
+          check(one, here, other, here, answer.evidence.verdict, exact_evidence(one, here, other, here, answer)))
+          << i;
+      decided += answer.decided_by == DecidedBy::evidence;
+    }
+  }
+  EXPECT_GT(decided, count / 5);
+}
+
 // Payoffs that are infinite, or whose difference has no inverse: the game has no weights, and the exact method decides.
 TEST(HalfSpaceSearch, LeavesGamesThatDoublesCannotHold) {
   const Pose here(2);
