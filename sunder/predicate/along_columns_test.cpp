@@ -161,6 +161,48 @@ TEST(AlongColumns, ExactLooksDecideWhereFloatingPointMayErr) {
   EXPECT_GT(misled, cases / 4);
 }
 
+// Products that are zero but for roundings, along directions that are doubles, or have more bits than these.
+TEST(AlongColumns, TheSignOfTheGreatestIsThatOfTheExactOne) {
+  Random random(tests::chosen_seed(20261128));
+  const int cases = tests::scaled_count(4000, 1000);
+  int too_high = 0, too_low = 0, zero = 0;
+  for (int i = 0; i < cases; ++i) {
+    const std::size_t d = 2 + random.below(6);
+    const auto count = static_cast<std::uint32_t>(1 + random.below(i % 8 == 0 ? 80 : 3));
+    const double size = std::ldexp(1.0, static_cast<int>(i % 3 == 0 ? random.between(-1060, 1010) : 0));
+    Points points = points_of(d, count, [&] { return random.uniform(-1, 1) * size; });
+    ColumnNumbers rounded{};
+    for (std::size_t c = 0; c < d; ++c) rounded[c] = random.uniform(0.5, 1);
+    std::vector<Dyadic> direction(rounded.begin(), rounded.begin() + static_cast<std::ptrdiff_t>(d));
+    const std::size_t stride = points.numbers.size() / d;
+    for (std::size_t k = 0; k < stride; ++k) {
+      double rest = 0;
+      for (std::size_t c = 1; c < d; ++c) rest -= rounded[c] * points.numbers[c * stride + k];
+      points.numbers[k] = rest / rounded[0];
+    }
+    if (i % 7 == 0) std::fill(points.numbers.begin(), points.numbers.end(), 0.0);
+    for (std::size_t c = 0; c < d && i % 2 == 0; ++c) {
+      direction[c] =
+          direction[c] + Dyadic(std::ldexp(random.uniform(-1, 1), -static_cast<int>(random.between(52, 70))));
+    }
+    Sign greatest = Sign::negative;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      Dyadic product;
+      for (std::size_t c = 0; c < d; ++c) product = product + direction[c] * Dyadic(points.columns().at(k, c));
+      greatest = std::max(greatest, product.sign());
+    }
+    std::uint32_t looks = 0;
+    ASSERT_EQ(is_any_positive_along(points.columns(), direction, looks), greatest == Sign::positive) << i;
+    const double said = furthest_along(points.columns(), rounded).product;
+    too_high += said > 0 && greatest != Sign::positive;
+    too_low += said < 0 && greatest == Sign::positive;
+    zero += greatest == Sign::zero;
+  }
+  EXPECT_GT(too_high, cases / 100);
+  EXPECT_GT(too_low, cases / 100);
+  EXPECT_GT(zero, cases / 100);
+}
+
 TEST(AlongColumns, OfEqualsTheFirst) {
   for (std::uint32_t count = 1; count < 70; ++count) {
     for (std::uint32_t first = 0; first < count; ++first) {
