@@ -203,6 +203,15 @@ TEST(AlongColumns, TheSignOfTheGreatestIsThatOfTheExactOne) {
   EXPECT_GT(zero, cases / 100);
 }
 
+// Of many points one is about at zero: only that is looked at exactly.
+TEST(AlongColumns, TheSignTakesFewExactLooks) {
+  std::uint32_t k = 0;
+  const Points points = points_of(2, 300, [&] { return k++ % 300 == 177 ? 0.0 : -1.0; });
+  std::uint32_t looks = 0;
+  EXPECT_FALSE(is_any_positive_along(points.columns(), std::vector<Dyadic>{1.0, 0x1p-60}, looks));
+  EXPECT_EQ(looks, 1u);
+}
+
 TEST(AlongColumns, OfEqualsTheFirst) {
   for (std::uint32_t count = 1; count < 70; ++count) {
     for (std::uint32_t first = 0; first < count; ++first) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -14,9 +15,9 @@ namespace {
 
 // Integers: a body where x1 <= 0, or x1 >= gap, of which the first points lie in a face of so many dimensions there,
 // around the origin, each with its opposite; x1 stands for another combination of what is written.
-Polytope with_face(Random& random, std::size_t d, std::size_t face, double side, double gap) {
+Polytope with_face(Random& random, std::size_t d, std::size_t face, double side, double gap, std::size_t count = 60) {
   std::vector<double> rows;
-  for (std::size_t k = 0; k < 60; ++k) {
+  for (std::size_t k = 0; k < count; ++k) {
     std::vector<double> x(d);
     for (double& number : x) {
       number = static_cast<double>(random.between(-(std::int64_t{1} << 45), std::int64_t{1} << 45));
@@ -33,6 +34,8 @@ Polytope with_face(Random& random, std::size_t d, std::size_t face, double side,
     for (std::size_t c = 1; c < d; ++c) x[0] += static_cast<double>(2 * c + 1) * x[c];
     rows.insert(rows.end(), x.begin(), x.end());
   }
+  // Of many points, no sample has those of the face.
+  if (count > 256) std::rotate(rows.begin(), rows.end() - static_cast<std::ptrdiff_t>(32 * d), rows.end());
   return Polytope::from_points(d, rows);
 }
 
@@ -57,6 +60,28 @@ TEST(FacetNormal, PartsFacesALastBitApart) {
     RecordProperty("finished_" + std::to_string(d), finished);
     EXPECT_LE(finished, pairs / 20 + 1) << "of " << pairs << " where d = " << d;
   }
+}
+
+// The search for what is further than a flat looks at all points before it ends.
+TEST(FacetNormal, PartsFacesOfManyPoints) {
+  Random random(tests::chosen_seed(20261128));
+  const int count = tests::scaled_count(20, 5);
+  int finished = 0, pairs = 0;
+  for (std::size_t d = 2; d <= 6; ++d) {
+    for (std::size_t face = 0; face < d; ++face) {
+      for (int i = 0; i < count; ++i) {
+        const Polytope a = with_face(random, d, face, -1, 0, 600), b = with_face(random, d, d - 1 - face, 1, 1, 600);
+        const Pose here(d);
+        const PolytopeAnswer answer = polytope_polytope(a, here, b, here);
+        EXPECT_FALSE(answer.meet());
+        EXPECT_TRUE(check(a, here, b, here, answer.evidence.verdict, exact_evidence(a, here, b, here, answer)));
+        finished += answer.decided_by == DecidedBy::finishing;
+        ++pairs;
+      }
+    }
+  }
+  RecordProperty("finished", finished);
+  EXPECT_LE(finished, pairs / 8) << "of " << pairs;
 }
 
 // The normal is that of the points that matter exactly, whatever completes them: an edge against an edge.
