@@ -39,32 +39,37 @@ if(sources)
   list(APPEND libraries sunder_test_support)
 endif()
 
-# Tests compile at -O1, with the headers of others compiled once; those in which most of the time is run (differentials,
-# and what counts) as the library does.
-add_library(sunder_test_headers OBJECT ${PROJECT_SOURCE_DIR}/tests/support/places.cpp)
-target_link_libraries(sunder_test_headers PRIVATE ${libraries})
-set_target_properties(sunder_test_headers PROPERTIES POSITION_INDEPENDENT_CODE OFF)  # but as executables are compiled:
-target_compile_options(sunder_test_headers PRIVATE -fPIE)
-function(sunder_light target)
+# Tests compile at -O1, those in which most of the time is run (FAST: differentials, and what counts) as the library
+# does; both with the headers of others compiled once.
+function(sunder_test_code target speed)
   sunder_own_code(${target})
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>
-    $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)  # at -O1 it warns of what is set
+  if(speed STREQUAL "light")
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>
+      $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)  # at -O1 it warns of what is set
+  endif()
 endfunction()
-sunder_light(sunder_test_headers)
-sunder_precompile(sunder_test_headers <gtest/gtest.h> <nlohmann/json.hpp> <boost/multiprecision/cpp_int.hpp>)
+foreach(speed light fast)
+  set(headers sunder_${speed}_test_headers)
+  add_library(${headers} OBJECT ${PROJECT_SOURCE_DIR}/tests/support/places.cpp)
+  target_link_libraries(${headers} PRIVATE ${libraries})
+  set_target_properties(${headers} PROPERTIES POSITION_INDEPENDENT_CODE OFF)  # but as executables are compiled:
+  target_compile_options(${headers} PRIVATE -fPIE)
+  sunder_test_code(${headers} ${speed})
+  sunder_precompile(${headers} <gtest/gtest.h> <nlohmann/json.hpp> <boost/multiprecision/cpp_int.hpp>)
+endforeach()
 
 function(sunder_add_executable target folder)
   cmake_parse_arguments(PARSE_ARGV 2 arg "FAST" "" "SOURCES;LINK")
   add_executable(${target} ${arg_SOURCES})
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${folder})
   target_link_libraries(${target} PRIVATE ${libraries} ${arg_LINK})
+  set(speed light)
   if(arg_FAST)
-    sunder_own_code(${target})
-    return()
+    set(speed fast)
   endif()
-  sunder_light(${target})
+  sunder_test_code(${target} ${speed})
   if(SUNDER_PRECOMPILED_HEADERS)
-    target_precompile_headers(${target} REUSE_FROM sunder_test_headers)
+    target_precompile_headers(${target} REUSE_FROM sunder_${speed}_test_headers)
   endif()
 endfunction()
 
