@@ -393,17 +393,40 @@ command_format() {
   sources sunder cli python verifier tests fuzz bench examples | xargs -0 "clang-format-$clang" -i
 }
 
+# Of the library's headers those that have changed since the commit of scripts/lint.base, and those that include them.
+# All, where git does not know that commit.
 part_headers() {
+  local header objects changed includers targets
   configure release "$CXX" -DSUNDER_TESTS=ON || return 1
-  run headers "Every header stands alone" \
-    cmake --build build --parallel "$(job_count)" --target all_verify_interface_header_sets
+  if ! knows_lint_base; then
+    run headers "Every header stands alone" build_headers all_verify_interface_header_sets
+    return
+  fi
+  changed=$(changed_since_lint_base sunder | grep -E '\.h$' || true)
+  includers=$(for header in $changed; do grep -rlF --include='*.h' "<$header>" sunder || true; done)
+  targets=$(ninja -C build -t targets all)
+  mapfile -t objects < <(for header in $(printf '%s\n' $changed $includers | sort -u); do
+    sed -n "s|^\([^ ]*verify_interface_header_sets/$header\.cxx\.o\): .*|\1|p" <<<"$targets"  # tests' own: none
+  done)
+  if [ ${#objects[@]} -eq 0 ]; then
+    say "No header has changed since $(cat scripts/lint.base)."
+    return 0
+  fi
+  run headers "${#objects[@]} headers stand alone" build_headers "${objects[@]}"
+}
+build_headers() { cmake --build build --parallel "$(job_count)" --target "$@"; }
+
+knows_lint_base() { git cat-file -e "$(cat scripts/lint.base)^{commit}" 2>/dev/null; }
+changed_since_lint_base() {
+  git diff --name-only --diff-filter=d "$(cat scripts/lint.base)" -- "$@"
+  git ls-files --others --exclude-standard -- "$@"
 }
 
 # lint_files NAME...: clang-tidy on these sources.
 lint_files() {
   configure asan-ubsan "clang++-$clang" || return 1
   run precompile "The headers that sources are compiled with" \
-    cmake --build build/asan-ubsan --target CMakeFiles/sunder_{ask,picture,verifier}.dir/cmake_pch.hxx.pch || return 1
+    cmake --build build/asan-ubsan --target CMakeFiles/sunder_{core,io,ask,picture,verifier}.dir/cmake_pch.hxx.pch || return 1
   check_tidy() { printf '%s\0' "$@" | xargs -0 -n 1 -P "$(job_count)" "clang-tidy-$clang" -p build/asan-ubsan --quiet; }
   run tidy "clang-tidy-$clang on $# files" check_tidy "$@"
 }
@@ -413,12 +436,9 @@ all_to_lint() { find sunder cli verifier -name '*.cpp' ! -name '*_test.cpp' | so
 # What has changed since the commit of scripts/lint.base, at which all was linted; of a header, the source beside it or
 # else the first that includes it. All, where git does not know that commit.
 changed_to_lint() {
-  local base file beside
-  base=$(cat scripts/lint.base)
-  git cat-file -e "$base^{commit}" 2>/dev/null || { all_to_lint; return; }
-  { git diff --name-only --diff-filter=d "$base" -- sunder cli verifier
-    git ls-files --others --exclude-standard -- sunder cli verifier
-  } | grep -E '\.(h|cpp)$' | grep -vE '_test\.(h|cpp)$' | while read -r file; do
+  local file beside
+  knows_lint_base || { all_to_lint; return; }
+  changed_since_lint_base sunder cli verifier | grep -E '\.(h|cpp)$' | grep -vE '_test\.(h|cpp)$' | while read -r file; do
     beside=${file%.*}.cpp
     [ -f "$beside" ] || beside=$(grep -rlF --include='*.cpp' --exclude='*_test.cpp' "${file##*/}>" sunder cli verifier | sort | head -n 1 || true)
     [ -z "$beside" ] || echo "$beside"
@@ -438,6 +458,8 @@ part_tidy() {
 part_lint() {
   local files
   mapfile -t files < <(all_to_lint)
+  configure release "$CXX" -DSUNDER_TESTS=ON || return 1
+  run headers "Every header stands alone" build_headers all_verify_interface_header_sets || return 1
   lint_files "${files[@]}" && say "All is linted: git rev-parse HEAD may go into scripts/lint.base"
 }
 

@@ -18,6 +18,23 @@ function(sunder_own_code target)
     $<$<BOOL:${SUNDER_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
 
+# Large headers of others that our own code sees, compiled once. What a source needs it includes all the same:
+# ./do soak builds without, and every header is compiled alone by ./do check.
+function(sunder_precompile target)
+  if(SUNDER_PRECOMPILED_HEADERS)  # never in a consumer's build
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+    target_compile_options(${target} PRIVATE  # so that the compiler cache takes part
+      $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
+  endif()
+endfunction()
+
+# What fuzzers are to find their way through counts its branches for them.
+function(sunder_fuzzed target)
+  if(SUNDER_FUZZ)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
+endfunction()
+
 # Arithmetic that is not IEEE double, through flags or by the machine (x87), is refused before anything is compiled.
 include(CheckCXXSourceCompiles)
 check_cxx_source_compiles("

@@ -14,9 +14,12 @@ find_package(GTest REQUIRED)
 find_package(rapidcheck REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
+# Itself, not what chooses it at every call, as pyenv does; and what it compiles is kept here, beside no source.
+execute_process(COMMAND ${Python3_EXECUTABLE} -c "import sys; print(sys.executable)" OUTPUT_VARIABLE python
+                OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 
 set(environment SUNDER_CASES_DIR=${PROJECT_SOURCE_DIR}/cases SUNDER_SOURCE_DIR=${PROJECT_SOURCE_DIR}
-                PYTHONDONTWRITEBYTECODE=1)
+                PYTHONDONTWRITEBYTECODE= PYTHONPYCACHEPREFIX=${PROJECT_BINARY_DIR}/bytecode)
 set(libraries sunder_core)
 foreach(target sunder_io sunder_verifier)
   if(TARGET ${target})
@@ -24,7 +27,7 @@ foreach(target sunder_io sunder_verifier)
   endif()
 endforeach()
 # One file knows the names of folders, so that a compiler cache serves all clones.
-set(places SUNDER_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+set(places SUNDER_SOURCE_DIR="${PROJECT_SOURCE_DIR}" SUNDER_PYTHON="${python}")
 if(TARGET sunder_cli)
   list(APPEND places SUNDER_PROGRAM="$<TARGET_FILE:sunder_cli>")
   list(APPEND environment SUNDER_PROGRAM=$<TARGET_FILE:sunder_cli>)
@@ -39,32 +42,46 @@ if(sources)
   list(APPEND libraries sunder_test_support)
 endif()
 
-# Tests compile at -O1, with the headers of others compiled once; those in which most of the time is run (differentials,
-# and what counts) as the library does.
-add_library(sunder_test_headers OBJECT ${PROJECT_SOURCE_DIR}/tests/support/places.cpp)
-target_link_libraries(sunder_test_headers PRIVATE ${libraries})
-set_target_properties(sunder_test_headers PROPERTIES POSITION_INDEPENDENT_CODE OFF)  # but as executables are compiled:
-target_compile_options(sunder_test_headers PRIVATE -fPIE)
-function(sunder_light target)
+# Tests compile at -O1; those in which most of the time is run (FAST: differentials, and what counts) as the library
+# does; those that call the program, or read small files, at -O0 (PLAIN). The headers of others are compiled
+# once, but for FAST by GCC, whose -O3 may take them for the place of what it warns of.
+set(precompiled plain light)
+if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  list(APPEND precompiled fast)
+endif()
+function(sunder_test_code target speed)
   sunder_own_code(${target})
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>
-    $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)  # at -O1 it warns of what is set
+  if(speed STREQUAL "plain")
+    target_compile_options(${target} PRIVATE -O0)
+  elseif(speed STREQUAL "light")
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>
+      $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)  # at -O1 it warns of what is set
+  endif()
 endfunction()
-sunder_light(sunder_test_headers)
-sunder_precompile(sunder_test_headers <gtest/gtest.h> <nlohmann/json.hpp> <boost/multiprecision/cpp_int.hpp>)
+foreach(speed ${precompiled})
+  set(headers sunder_${speed}_test_headers)
+  add_library(${headers} OBJECT ${PROJECT_SOURCE_DIR}/tests/support/places.cpp)
+  target_link_libraries(${headers} PRIVATE ${libraries})
+  set_target_properties(${headers} PROPERTIES POSITION_INDEPENDENT_CODE OFF)  # but as executables are compiled:
+  target_compile_options(${headers} PRIVATE -fPIE)
+  sunder_test_code(${headers} ${speed})
+  sunder_precompile(${headers} <gtest/gtest.h> <nlohmann/json.hpp> <boost/multiprecision/cpp_int.hpp>)
+endforeach()
 
 function(sunder_add_executable target folder)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "FAST" "" "SOURCES;LINK")
+  cmake_parse_arguments(PARSE_ARGV 2 arg "FAST;PLAIN" "" "SOURCES;LINK")
   add_executable(${target} ${arg_SOURCES})
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${folder})
   target_link_libraries(${target} PRIVATE ${libraries} ${arg_LINK})
+  set(speed light)
   if(arg_FAST)
-    sunder_own_code(${target})
-    return()
+    set(speed fast)
+  elseif(arg_PLAIN)
+    set(speed plain)
   endif()
-  sunder_light(${target})
-  if(SUNDER_PRECOMPILED_HEADERS)
-    target_precompile_headers(${target} REUSE_FROM sunder_test_headers)
+  sunder_test_code(${target} ${speed})
+  if(SUNDER_PRECOMPILED_HEADERS AND speed IN_LIST precompiled)
+    target_precompile_headers(${target} REUSE_FROM sunder_${speed}_test_headers)
   endif()
 endfunction()
 
@@ -78,6 +95,10 @@ endfunction()
 foreach(folder ${SUNDER_CORE_LAYERS} io picture ask verifier cli)
   set(place sunder/${folder})
   set(link GTest::gtest_main rapidcheck)
+  set(speed "")
+  if(folder MATCHES "^(io|picture|ask|cli)$")
+    set(speed PLAIN)
+  endif()
   if(folder STREQUAL "verifier")
     set(place verifier)
   elseif(folder MATCHES "picture|ask")
@@ -89,7 +110,7 @@ foreach(folder ${SUNDER_CORE_LAYERS} io picture ask verifier cli)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${place}/*_test.cpp)
   list(FILTER sources EXCLUDE REGEX "/cli/program_[^/]*$")
   if(sources)
-    sunder_add_executable(sunder_unit_${folder} tests SOURCES ${sources} LINK ${link})
+    sunder_add_executable(sunder_unit_${folder} tests ${speed} SOURCES ${sources} LINK ${link})
     sunder_add_test(unit_${folder} COMMAND sunder_unit_${folder} TIMEOUT 600 LABELS unit ${folder})
   endif()
 endforeach()
@@ -97,7 +118,7 @@ endforeach()
 file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cli/program_*_test.cpp)
 foreach(source ${sources})
   cmake_path(GET source STEM name)
-  sunder_add_executable(${name} tests SOURCES ${source} LINK GTest::gtest_main)
+  sunder_add_executable(${name} tests PLAIN SOURCES ${source} LINK GTest::gtest_main)
   add_dependencies(${name} sunder_cli)
   sunder_add_test(${name} COMMAND ${name} TIMEOUT 600 LABELS unit program)
 endforeach()
@@ -144,16 +165,16 @@ endforeach()
 
 # Scripts: what they say about this tree, and their own tests.
 foreach(name check_layers check_links check_contracts)
-  sunder_add_test(${name} COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/${name}.py ${PROJECT_SOURCE_DIR}
+  sunder_add_test(${name} COMMAND ${python} ${PROJECT_SOURCE_DIR}/tests/${name}.py ${PROJECT_SOURCE_DIR}
     TIMEOUT 60 LABELS script)
 endforeach()
 if(TARGET sunder_cli)
   set(program $<TARGET_FILE:sunder_cli>)
 endif()
-sunder_add_test(check_papers_table COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/check_papers_table.py
+sunder_add_test(check_papers_table COMMAND ${python} ${PROJECT_SOURCE_DIR}/tests/check_papers_table.py
   ${PROJECT_SOURCE_DIR} ${program} TIMEOUT 60 LABELS script)
 if(TARGET sunder_cli)
-  sunder_add_test(check_pages COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/check_pages.py
+  sunder_add_test(check_pages COMMAND ${python} ${PROJECT_SOURCE_DIR}/tests/check_pages.py
     ${PROJECT_SOURCE_DIR} $<TARGET_FILE:sunder_cli> TIMEOUT 120 LABELS script)
 endif()
 set(sources "")
@@ -167,13 +188,13 @@ foreach(source ${sources})
   if(folder MATCHES "verifier/python/tests$")
     string(REPLACE "test_" "claims_" name ${name})
   endif()
-  sunder_add_test(${name}_py COMMAND Python3::Interpreter ${source} TIMEOUT 600 LABELS script)
+  sunder_add_test(${name}_py COMMAND ${python} ${source} TIMEOUT 600 LABELS script)
 endforeach()
 
 # The Python package, installed as users do; what this build has compiled comes from the compiler cache. And a tiny
 # outside project finds the installed package. Not from instrumented builds, whose flags they would have to know.
 if(NOT SUNDER_SANITIZE AND NOT SUNDER_COVERAGE AND NOT SUNDER_FUZZ)
-  sunder_add_test(python TIMEOUT 1200 LABELS python slow COMMAND Python3::Interpreter
+  sunder_add_test(python TIMEOUT 1200 LABELS python slow COMMAND ${python}
     ${PROJECT_SOURCE_DIR}/python/tests/run.py ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR} ${CMAKE_CXX_COMPILER}
     ${SUNDER_WARNINGS_AS_ERRORS})
   set_tests_properties(python PROPERTIES PROCESSORS 2)

@@ -14,22 +14,9 @@ if(SUNDER_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
       CCACHE_SLOPPINESS=pch_defines,time_macros ${SUNDER_CCACHE})
 endif()
 
-# Large headers of others that tests and the program see, compiled once. What a source needs it includes all the same:
-# ./do soak builds without.
-option(SUNDER_PRECOMPILED_HEADERS "Compile the headers of others once, for tests and program" ON)
-function(sunder_precompile target)
-  if(SUNDER_PRECOMPILED_HEADERS)
-    target_precompile_headers(${target} PRIVATE ${ARGN})
-    target_compile_options(${target} PRIVATE  # so that the compiler cache takes part
-      $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
-  endif()
-endfunction()
-
-if(SUNDER_FUZZ)
-  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-    message(FATAL_ERROR "Fuzzers need Clang: cmake --preset asan-ubsan -DCMAKE_CXX_COMPILER=clang++-19, or ./do build asan-ubsan")
-  endif()
-  add_compile_options(-fsanitize=fuzzer-no-link)
+option(SUNDER_PRECOMPILED_HEADERS "Compile the headers of others once" ON)
+if(SUNDER_FUZZ AND NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  message(FATAL_ERROR "Fuzzers need Clang: cmake --preset asan-ubsan -DCMAKE_CXX_COMPILER=clang++-19, or ./do build asan-ubsan")
 endif()
 if(SUNDER_SANITIZE)
   add_compile_options(-fsanitize=${SUNDER_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)

@@ -1,4 +1,6 @@
 #include <sunder/base/contract.h>
+#include <sunder/number/few_words_internal.h>
+#include <sunder/number/integer_internal.h>
 #include <sunder/number/rounded.h>
 #include <sunder/predicate/along_columns.h>
 #include <sunder/predicate/column_kernels_internal.h>
@@ -45,6 +47,92 @@ Dyadic exact_product(const PointColumns& points, std::uint32_t k, std::span<cons
   for (std::size_t c = 0; c < points.dimension; ++c) sum = sum + direction[c] * Dyadic(points.at(k, c));
   return sum;
 }
+
+// Exact products of few points with a direction, in integers of few words: all are multiples of 2^unit().
+class WordProducts {
+ public:
+  // False where numbers are of sizes that are too different.
+  bool read(const PointColumns& points, std::span<const Dyadic> direction, std::span<const std::uint32_t> some) {
+    constexpr auto most = std::numeric_limits<std::int64_t>::max();
+    unit_ = most;
+    std::int64_t top = -most;
+    for (std::size_t c = 0; c < points.dimension; ++c) {
+      column_unit_[c] = most;
+      std::int64_t column_top = -most;
+      for (const std::uint32_t k : some) {
+        const OddMantissa x(points.at(k, c));
+        if (x.size == 0) continue;
+        column_unit_[c] = std::min(column_unit_[c], x.exponent);
+        column_top = std::max(column_top, x.top());
+      }
+      if (direction[c].sign() == Sign::zero || column_unit_[c] == most) {
+        column_unit_[c] = most;
+        continue;
+      }
+      if (column_top - column_unit_[c] > static_cast<std::int64_t>(FewWords::most_bits)) return false;
+      unit_ = std::min(unit_, direction[c].exponent() + column_unit_[c]);
+      top = std::max(top, direction[c].top() + 1 + column_top);
+    }
+    if (unit_ == most) return false;
+    if (top - unit_ + 3 >= static_cast<std::int64_t>(64 * FewWords::words)) return false;  // sums of seven, and a sign
+    for (std::size_t c = 0; c < points.dimension; ++c) {
+      if (column_unit_[c] == most) continue;
+      const std::int64_t shift = direction[c].exponent() + column_unit_[c] - unit_;
+      direction_[c] = FewWords::number(mantissa_of(direction[c]), static_cast<unsigned>(shift));
+    }
+    return true;
+  }
+
+  FewWords::Number product(const PointColumns& points, std::uint32_t k) const {
+    FewWords::Number sum{};
+    for (std::size_t c = 0; c < points.dimension; ++c) {
+      if (column_unit_[c] == std::numeric_limits<std::int64_t>::max()) continue;
+      const OddMantissa x(points.at(k, c));
+      if (x.size == 0) continue;
+      const FewWords::Entry entry{FewWords::Word2{x.size} << (x.exponent - column_unit_[c]), x.is_negative};
+      FewWords::add_product(sum, entry, direction_[c], false);
+    }
+    return sum;
+  }
+
+  std::int64_t unit() const { return unit_; }
+
+ private:
+  std::int64_t unit_ = 0;
+  std::array<std::int64_t, most_columns> column_unit_{};  // the greatest number: all products are zero
+  std::array<FewWords::Number, most_columns> direction_{};
+};
+
+// Of these points the first of those that are furthest, exactly.
+ExactFurthest exactly_furthest_of(const PointColumns& points, std::span<const Dyadic> direction,
+                                  std::span<const std::uint32_t> some) {
+  WordProducts words;
+  if (some.size() > 1 && words.read(points, direction, some)) {
+    std::uint32_t best = some[0];
+    FewWords::Number product = words.product(points, best);
+    for (const std::uint32_t k : some.subspan(1)) {
+      const FewWords::Number next = words.product(points, k);
+      if (!FewWords::is_less(product, next)) continue;
+      best = k;
+      product = next;
+    }
+    return {best, dyadic_of(FewWords::integer(product), words.unit())};
+  }
+  ExactFurthest best;
+  for (const std::uint32_t k : some) {
+    Dyadic product = exact_product(points, k, direction);
+    if (k != some[0] && (product - best.product).sign() != Sign::positive) continue;
+    best = {k, std::move(product)};
+  }
+  return best;
+}
+
+// Points that may be the furthest, as they are found: their products are compared by some at once.
+struct NearEnd {
+  static constexpr std::size_t most = 32;
+  std::array<std::uint32_t, most> some{};
+  std::size_t count = 0;
+};
 
 // Visits, in their order, the points whose product of floating point is not below the limit.
 template <class Visit>
@@ -121,14 +209,21 @@ ExactFurthest exactly_furthest_along(const PointColumns& points, std::span<const
   ExactFurthest best;
   const auto is_zero = [](const Dyadic& x) { return x.sign() == Sign::zero; };
   if (std::all_of(direction.begin(), direction.end(), is_zero)) return best;
+  NearEnd near;
   bool found = false;
+  const auto take = [&] {
+    if (near.count == 0) return;
+    ExactFurthest next = exactly_furthest_of(points, direction, std::span(near.some).first(near.count));
+    near.count = 0;
+    if (!found || (next.product - best.product).sign() == Sign::positive) best = std::move(next);
+    found = true;
+  };
   for_likely_furthest(points, direction, [&](std::uint32_t index) {
     ++exact_looks;
-    Dyadic product = exact_product(points, index, direction);
-    if (found && (product - best.product).sign() != Sign::positive) return;
-    best = {index, std::move(product)};
-    found = true;
+    near.some[near.count++] = index;
+    if (near.count == NearEnd::most) take();
   });
+  take();
   return best;
 }
 

@@ -212,6 +212,51 @@ TEST(AlongColumns, TheSignTakesFewExactLooks) {
   EXPECT_EQ(looks, 1u);
 }
 
+// Directions of many bits, along which many points are about equally far, some of them exactly.
+TEST(AlongColumns, TheFurthestAlongDirectionsOfManyBits) {
+  const int cases = tests::scaled_count(400, 60);
+  Random random(tests::chosen_seed(20261127));
+  int ties = 0, nearly = 0;
+  for (int i = 0; i < cases; ++i) {
+    const std::size_t d = 2 + random.below(6);
+    const auto count = static_cast<std::uint32_t>(40 + random.below(60));
+    const double unit = std::ldexp(1.0, static_cast<int>(random.below(200)) - 100);
+    Points points =
+        points_of(d, count, [&] { return static_cast<double>(random.between(-(1 << 20), 1 << 20)) * unit; });
+    // Along (1, s, s^2, ..) x1 makes of each product 0 or 1, and along what differs from it by a 2^-70th about that.
+    std::vector<Dyadic> direction(d, Dyadic(1.0));
+    const Dyadic slant(static_cast<double>(random.between(-9, 9)));
+    for (std::size_t c = 1; c < d; ++c) direction[c] = direction[c - 1] * slant;
+    const std::size_t stride = points.numbers.size() / d;
+    for (std::uint32_t k = 0; k < stride; ++k) {
+      double sum = 0;
+      for (std::size_t c = 1; c < d; ++c) sum += direction[c].nearest() * points.numbers[c * stride + k];
+      points.numbers[k] = -sum + (std::min(k, count - 1) % 3 == 0 ? unit : 0);
+    }
+    const Dyadic large(static_cast<double>(random.between(1, 1 << 30)));
+    for (Dyadic& x : direction) x = x * large * large * large;
+    if (i % 2 == 0) direction[d - 1] = direction[d - 1] + Dyadic(0x1p-70);
+    std::uint32_t looks = 0, best = 0;
+    const ExactFurthest found = exactly_furthest_along(points.columns(), direction, looks);
+    const auto product = [&](std::uint32_t k) {
+      Dyadic sum;
+      for (std::size_t c = 0; c < d; ++c) sum = sum + direction[c] * Dyadic(points.columns().at(k, c));
+      return sum;
+    };
+    for (std::uint32_t k = 1; k < count; ++k) {
+      if ((product(k) - product(best)).sign() == Sign::positive) best = k;
+    }
+    ASSERT_EQ(found.index, best) << i;
+    ASSERT_TRUE(found.product == product(best)) << i;
+    ties += i % 2 != 0 && looks > 12;
+    nearly += i % 2 == 0 && looks > 12;
+    std::uint32_t more = 0;
+    ASSERT_EQ(is_any_positive_along(points.columns(), direction, more), found.product.sign() == Sign::positive);
+  }
+  EXPECT_GT(ties, cases / 4);
+  EXPECT_GT(nearly, cases / 4);
+}
+
 TEST(AlongColumns, OfEqualsTheFirst) {
   for (std::uint32_t count = 1; count < 70; ++count) {
     for (std::uint32_t first = 0; first < count; ++first) {

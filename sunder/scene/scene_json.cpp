@@ -181,7 +181,7 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
 void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
                                const std::function<MeetingPlacement(std::size_t k)>& placement,
                                const Question& question, Origin origin, const TextSink& sink) {
-  origin.left_out.push_back("all pairs of bodies that no statement is about");
+  origin.left_out.emplace_back("all pairs of bodies that no statement is about");
   add_open(origin, count, placement, question);
   ClaimsWriter file(sink);
   file.add_origin(origin);

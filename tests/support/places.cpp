@@ -10,6 +10,8 @@ std::string cases_folder() { return SUNDER_SOURCE_DIR "/cases"; }
 
 std::string source_folder() { return SUNDER_SOURCE_DIR; }
 
+std::string python() { return SUNDER_PYTHON; }
+
 std::string program() { return SUNDER_PROGRAM; }
 
 }  // namespace sunder::tests

@@ -85,7 +85,7 @@ json Program::report(const std::string& arguments, int code) const {
 
 bool Program::python_accepts(const std::string& file) {
   const std::string verifier = source_folder() + "/verifier/python/sunder_verify";
-  return std::system(("python3 '" + verifier + "' --quiet '" + file + "' > /dev/null").c_str()) == 0;
+  return std::system(("'" + python() + "' '" + verifier + "' --quiet '" + file + "' > /dev/null").c_str()) == 0;
 }
 
 }  // namespace sunder::tests

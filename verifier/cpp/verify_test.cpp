@@ -459,10 +459,11 @@ std::string summary(const FileResult& result, const std::string& place) {
 
 // What the Python twin prints for the files in a folder that are named 0, 1, 2, ..., in the form of summary().
 std::string python_summary(const fs::path& folder, std::size_t count) {
-  std::string command = "cd '" + folder.string() + "' && python3 '" + kPythonTwin.string() + "'";
+  std::string command =
+      "cd '" + folder.string() + "' && '" + sunder::tests::python() + "' '" + kPythonTwin.string() + "'";
   for (std::size_t i = 0; i < count; ++i) command += " " + std::to_string(i);
   FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  if (pipe == nullptr) return "no python3";
+  if (pipe == nullptr) return "no interpreter";
   std::string output;
   std::array<char, 4096> block{};
   while (const std::size_t size = std::fread(block.data(), 1, block.size(), pipe)) output.append(block.data(), size);

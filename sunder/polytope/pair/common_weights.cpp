@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -91,26 +90,6 @@ std::optional<std::array<Number, most_points>> weights_of(const std::array<Numbe
 }
 
 // ---- Bodies that are not moved, in integers of few words.
-
-// A double is mantissa 2^exponent, the mantissa odd or zero.
-struct OddMantissa {
-  std::uint64_t size = 0;
-  std::int64_t exponent = 0;
-  bool is_negative = false;
-
-  OddMantissa() = default;
-  explicit OddMantissa(double x) : is_negative(std::signbit(x)) {
-    const auto bits = std::bit_cast<std::uint64_t>(x);
-    const auto field = static_cast<std::int64_t>(bits >> 52 & 0x7ff);
-    size = bits & ((std::uint64_t{1} << 52) - 1);
-    if (field != 0) size |= std::uint64_t{1} << 52;
-    if (size == 0) return;
-    const int zeros = std::countr_zero(size);
-    size >>= zeros;
-    exponent = std::max<std::int64_t>(field, 1) - 1075 + zeros;
-  }
-  std::int64_t top() const { return exponent + static_cast<std::int64_t>(std::bit_width(size)); }
-};
 
 __extension__ using SignedWord2 = __int128;
 

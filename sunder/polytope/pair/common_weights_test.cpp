@@ -90,6 +90,13 @@ TEST(FewWords, AreIntegers) {
     FewWords::add_product(words, entry_of(e), x, true, 3);
     FewWords::extend(words, 3);
     ASSERT_EQ(FewWords::integer(words), -e * f);
+    const Integer g = random_integer(random, random.below(300)), h = random_integer(random, random.below(300));
+    const auto shift = static_cast<unsigned>(random.below(200));
+    const FewWords::Number of_g = FewWords::number(g, shift), of_h = FewWords::number(h, 0);
+    ASSERT_EQ(FewWords::integer(of_g), g << shift);
+    ASSERT_EQ(FewWords::is_less(of_g, of_h), (g << shift) < h);
+    ASSERT_EQ(FewWords::is_less(of_h, FewWords::number(h + 1, 0)), true);
+    ASSERT_EQ(FewWords::is_less(of_h, of_h), false);
   }
 }
 

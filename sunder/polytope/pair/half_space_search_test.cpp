@@ -1,8 +1,11 @@
 #include <sunder/base/random.h>
+#include <sunder/polytope/pair/boundary_point.h>
+#include <sunder/polytope/pair/complement.h>
 #include <sunder/polytope/pair/half_space_search.h>
 #include <sunder/polytope/pair/matrix_game.h>
 #include <sunder/polytope/pair/placed.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
+#include <sunder/polytope/pair/rounded_half_spaces.h>
 #include <tests/support/scale.h>
 
 #include <gtest/gtest.h>
@@ -277,6 +280,52 @@ TEST(HalfSpaceSearch, PointsOnBoundariesThatOthersBreakByALastBit) {
     }
   }
   EXPECT_GT(decided, count / 5);
+}
+
+// A point is kept by what floating point has only where that is surely negative: 1/3 and 1/3 rounded are on x + 2 y = 1
+// or beyond by less than the errors.
+TEST(HalfSpaceSearch, WhatFloatingPointCannotTellIsNotKept) {
+  const Polytope body = Polytope::from_half_spaces(2, {1, 2, 1, -1, -1, 4});
+  const Pose here(2), moved = Pose::from_matrix(2, here.linear(), std::vector<double>{0, 1});
+  const RoundedHalfSpaces rounded(body, here);
+  Looks looks(body);
+  Cost cost;
+  const double third = 1.0 / 3;
+  const FurthestPoint furthest = rounded.most_broken({third, third}, 1, looks, cost);
+  EXPECT_EQ(furthest.index, 0u);
+  EXPECT_FALSE(rounded.keeps({third, third}, 1, furthest.product));
+  EXPECT_FALSE(rounded.keeps({third, third}, 1, -0x1p-53));
+  EXPECT_TRUE(rounded.keeps({third, third}, 1, -0x1p-40));
+  EXPECT_FALSE(RoundedHalfSpaces(body, moved).keeps({third, third}, 1, -0x1p-40));
+}
+
+// Points on boundaries are so exactly, and near the one given in what the boundaries leave free.
+TEST(HalfSpaceSearch, PointsOnBoundaries) {
+  Random random(tests::chosen_seed(20261128));
+  for (int round = 0; round < tests::scaled_count(200, 40); ++round) {
+    const std::size_t d = 2 + random.below(5), count = 1 + random.below(d);
+    std::vector<ExactVector> rows;
+    for (Complement complement(d); rows.size() < count;) {
+      ColumnNumbers normal{};
+      for (std::size_t c = 0; c < d; ++c) normal[c] = static_cast<double>(random.between(-50, 50));
+      if (!complement.take_out(normal)) continue;
+      rows.emplace_back(normal.begin(), normal.begin() + static_cast<std::ptrdiff_t>(d));
+      rows.back().emplace_back(static_cast<double>(random.between(-50, 50)));
+    }
+    ColumnNumbers near{};
+    for (std::size_t c = 0; c < d; ++c) near[c] = random.uniform(-4, 4);
+    const auto point = boundary_point(rows, near, 1);
+    ASSERT_TRUE(point);
+    std::size_t as_given = 0;
+    for (std::size_t c = 0; c < d; ++c) {
+      as_given += std::fabs(nearest_ratio(point->numbers[c], point->denominator) - near[c]) < 0x1p-39 ? 1u : 0u;
+    }
+    EXPECT_GE(as_given, d - count);
+    for (const ExactVector& row : rows) {
+      EXPECT_TRUE(dot(row, point->numbers) == row[d] * point->denominator);
+    }
+  }
+  EXPECT_FALSE(boundary_point(std::vector<ExactVector>{{0.0, 0.0, 1.0}}, {1, 1}, 1));
 }
 
 // Payoffs that are infinite, or whose difference has no inverse: the game has no weights, and the exact method decides.

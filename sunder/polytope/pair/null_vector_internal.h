@@ -2,8 +2,8 @@
 // Also called: Cramer's rule; kernel (null space) of a matrix with one column more than its rank.
 #pragma once
 
+#include <sunder/number/few_words_internal.h>
 #include <sunder/number/integer_internal.h>
-#include <sunder/polytope/pair/few_words_internal.h>
 #include <sunder/polytope/pair/placed.h>
 
 #include <array>

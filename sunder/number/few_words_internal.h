@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
-namespace sunder::polytope {
+namespace sunder {
 
 struct FewWords {
   __extension__ using Word2 = unsigned __int128;
@@ -36,6 +38,28 @@ struct FewWords {
   // Makes the words from `count` on those of the same number.
   static void extend(Number& x, std::size_t count) {
     std::fill(x.begin() + static_cast<std::ptrdiff_t>(count), x.end(), std::uint64_t{0} - (x[count - 1] >> 63));
+  }
+
+  // x < y.
+  static bool is_less(const Number& x, const Number& y) {
+    if (is_negative(x) != is_negative(y)) return is_negative(x);
+    return std::lexicographical_compare(x.rbegin(), x.rend(), y.rbegin(), y.rend());
+  }
+
+  // x 2^shift. Requires that this fits.
+  static Number number(const Integer& x, unsigned shift) {
+    const auto& backend = x.backend();
+    Number result{};
+    const std::size_t whole = shift / 64, part = shift % 64;
+    for (std::size_t k = 0; k < backend.size() && k + whole < words; ++k) {
+      const std::uint64_t limb = backend.limbs()[k];
+      result[k + whole] |= limb << part;
+      if (part != 0 && k + whole + 1 < words) result[k + whole + 1] = limb >> (64 - part);
+    }
+    if (!backend.sign()) return result;
+    Number negated{};
+    add_product(negated, {1, false}, result, true);
+    return negated;
   }
 
   static Integer integer(const Number& x) {
@@ -72,4 +96,24 @@ struct FewWords {
   }
 };
 
-}  // namespace sunder::polytope
+// A double is mantissa 2^exponent, the mantissa odd or zero.
+struct OddMantissa {
+  std::uint64_t size = 0;
+  std::int64_t exponent = 0;
+  bool is_negative = false;
+
+  OddMantissa() = default;
+  explicit OddMantissa(double x) : is_negative(std::signbit(x)) {
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    const auto field = static_cast<std::int64_t>(bits >> 52 & 0x7ff);
+    size = bits & ((std::uint64_t{1} << 52) - 1);
+    if (field != 0) size |= std::uint64_t{1} << 52;
+    if (size == 0) return;
+    const int zeros = std::countr_zero(size);
+    size >>= zeros;
+    exponent = std::max<std::int64_t>(field, 1) - 1075 + zeros;
+  }
+  std::int64_t top() const { return exponent + static_cast<std::int64_t>(std::bit_width(size)); }
+};
+
+}  // namespace sunder
