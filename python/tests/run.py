@@ -68,11 +68,12 @@ def main(source, build, compiler, warnings_as_errors, *options):
     if compiler_of(compiled) not in (None, compiler):
         shutil.rmtree(compiled)
     pip = [python, "-m", "pip", "--disable-pip-version-check", "--quiet", "install"]
-    run(*pip, *requirements(source))
+    own = {"PYTHONPYCACHEPREFIX": ""}  # what is installed has its bytecode beside it
+    run(*pip, *requirements(source), **own)
     # Without isolation: pip's own environments have another name each time, and the compiler cache would know nothing.
     run(*pip, "--no-build-isolation", "--no-deps", "-C", "build-dir=" + compiled,
         "-C", "cmake.define.SUNDER_WARNINGS_AS_ERRORS=" + warnings_as_errors, source,
-        CXX=compiler, CMAKE_BUILD_PARALLEL_LEVEL=os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", "2"))
+        CXX=compiler, CMAKE_BUILD_PARALLEL_LEVEL=os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", "2"), **own)
     run(python, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-c", os.path.join(source, "pyproject.toml"),
         os.path.join(source, "python", "tests"), *options)
 
