@@ -257,6 +257,47 @@ TEST(AlongColumns, TheFurthestAlongDirectionsOfManyBits) {
   EXPECT_GT(nearly, cases / 4);
 }
 
+// Products that differ in the last bits of one number, and far below these: more bits than integers of few words have,
+// of one column or of all together.
+TEST(AlongColumns, TheFurthestOfNumbersOfVeryDifferentSizes) {
+  Random random(tests::chosen_seed(20261201));
+  const int cases = tests::scaled_count(400, 80);
+  int near = 0;
+  for (int i = 0; i < cases; ++i) {
+    const std::size_t d = 2 + random.below(6);
+    const auto count = static_cast<std::uint32_t>(2 + random.below(60));
+    const auto odd = [&] { return static_cast<double>(random.between(-9, 9)); };
+    Points points = points_of(d, count, [&] { return odd(); });
+    const std::size_t stride = points.numbers.size() / d;
+    const int far = 60 + static_cast<int>(random.below(800));
+    for (std::size_t k = 0; k < stride; ++k) {
+      const std::size_t of = std::min<std::size_t>(k, count - 1);
+      points.numbers[k] = 1 - static_cast<double>(of % 3) * 0x1p-53;
+      // In one column: of one point in two far below the others.
+      for (std::size_t c = 1; c < d; ++c) {
+        double& x = points.numbers[c * stride + k];
+        if (i % 2 == 0) x = std::ldexp(x, of % 2 == 0 ? -60 : -60 - far);
+      }
+    }
+    std::vector<Dyadic> direction(d, Dyadic(1.0));
+    for (std::size_t c = 1; c < d && i % 2 == 1; ++c) direction[c] = Dyadic(std::ldexp(1.0, -60 - far));
+    const auto product = [&](std::uint32_t k) {
+      Dyadic sum;
+      for (std::size_t c = 0; c < d; ++c) sum = sum + direction[c] * Dyadic(points.columns().at(k, c));
+      return sum;
+    };
+    std::uint32_t best = 0, looks = 0;
+    for (std::uint32_t k = 1; k < count; ++k) {
+      if ((product(k) - product(best)).sign() == Sign::positive) best = k;
+    }
+    const ExactFurthest found = exactly_furthest_along(points.columns(), direction, looks);
+    ASSERT_EQ(found.index, best) << i;
+    ASSERT_TRUE(found.product == product(best)) << i;
+    near += looks > 1;
+  }
+  EXPECT_GT(near, cases * 9 / 10);
+}
+
 TEST(AlongColumns, OfEqualsTheFirst) {
   for (std::uint32_t count = 1; count < 70; ++count) {
     for (std::uint32_t first = 0; first < count; ++first) {
