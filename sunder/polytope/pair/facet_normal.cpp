@@ -33,10 +33,7 @@ class FacetSearch {
 
  private:
   DifferencePoint difference(std::uint32_t i, std::uint32_t j) const {
-    DifferencePoint point{i, j, rounded_image(a_.body(), a_.pose(), i)};
-    const Vector of_b = rounded_image(b_.body(), b_.pose(), j);
-    for (std::size_t c = 0; c < d_; ++c) point.at[c] -= of_b[c];
-    return point;
+    return rounded_difference(a_.body(), a_.pose(), i, b_.body(), b_.pose(), j);
   }
 
   // Takes points into the flat whose weight is more than that, those with most weight first.

@@ -53,10 +53,7 @@ class Search {
   }
 
   DifferencePoint difference(std::uint32_t i, std::uint32_t j) const {
-    DifferencePoint point{i, j, rounded_image(a_, pose_a_, i)};
-    const Vector of_b = rounded_image(b_, pose_b_, j);
-    for (std::size_t c = 0; c < d_; ++c) point.at[c] -= of_b[c];
-    return point;
+    return rounded_difference(a_, pose_a_, i, b_, pose_b_, j);
   }
 
   // Is all of A less far along the direction than all of B?

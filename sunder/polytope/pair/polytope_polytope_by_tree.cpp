@@ -63,10 +63,7 @@ class TreeSearch {
 
  private:
   DifferencePoint difference(std::uint32_t i, std::uint32_t j) const {
-    DifferencePoint point{i, j, rounded_image(a_.body(), a_.pose(), i)};
-    const Vector of_b = rounded_image(b_.body(), b_.pose(), j);
-    for (std::size_t c = 0; c < d_; ++c) point.at[c] -= of_b[c];
-    return point;
+    return rounded_difference(a_.body(), a_.pose(), i, b_.body(), b_.pose(), j);
   }
 
   Placed a_, b_;

@@ -89,4 +89,12 @@ std::array<Interval, most_dimension> enclosed_image(const Polytope& body, const 
   return image;
 }
 
+DifferencePoint rounded_difference(const Polytope& a, const Pose& pose_a, std::uint32_t i, const Polytope& b,
+                                   const Pose& pose_b, std::uint32_t j) {
+  DifferencePoint point{i, j, rounded_image(a, pose_a, i)};
+  const Vector of_b = rounded_image(b, pose_b, j);
+  for (std::size_t c = 0; c < a.dimension(); ++c) point.at[c] -= of_b[c];
+  return point;
+}
+
 }  // namespace sunder::polytope

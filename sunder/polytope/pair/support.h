@@ -6,6 +6,7 @@
 #include <sunder/polytope/object/polytope.h>
 #include <sunder/polytope/object/pose.h>
 #include <sunder/polytope/pair/looks.h>
+#include <sunder/polytope/pair/nearest_search.h>
 #include <sunder/predicate/along_columns.h>
 
 #include <array>
@@ -33,5 +34,9 @@ double support_error(const Polytope& body, const Pose& pose, const Vector& direc
 // The image of a point: as floating point has it, and enclosed.
 Vector rounded_image(const Polytope& body, const Pose& pose, std::uint32_t k);
 std::array<Interval, most_dimension> enclosed_image(const Polytope& body, const Pose& pose, std::uint32_t k);
+
+// The image of point i of A less that of point j of B, as floating point has it.
+DifferencePoint rounded_difference(const Polytope& a, const Pose& pose_a, std::uint32_t i, const Polytope& b,
+                                   const Pose& pose_b, std::uint32_t j);
 
 }  // namespace sunder::polytope
