@@ -25,7 +25,7 @@ class FacetSearch {
     const bool is_at_origin = simplex.is_at_origin();
     if (simplex.size() < d_ && !is_at_origin) return std::nullopt;
     take(simplex, is_at_origin ? matters : -1);
-    while (complement_.dimension() > 1) {
+    while (complement_.dimension() > 1 && missing_ == 0) {
       if (!search()) return std::nullopt;
     }
     return exact_normal();
@@ -98,7 +98,6 @@ class FacetSearch {
         others_[missing_][c] = std::nearbyint(complement_.base(missing_)[c] * 0x1p40) * 0x1p-40;
       }
     }
-    complement_ = Complement(1);
     return true;
   }
 
@@ -130,7 +129,7 @@ class FacetSearch {
   Complement complement_;
   std::array<DifferencePoint, most_dimension> flat_{};
   std::array<Vector, most_dimension> others_{};  // that the plane has the directions of
-  std::size_t count_ = 0, missing_ = 0;
+  std::size_t count_ = 0, missing_ = 0;          // of the flat; of the others, which complete it
 };
 
 }  // namespace
