@@ -43,7 +43,7 @@ void MatrixGame::rebuild() {
   primal_steps();
 }
 
-// Of a row whose number is rows_.
+// Row i is the first that is not in the table.
 void MatrixGame::append_row(std::size_t i) {
   const std::size_t slack = variables_++;
   slack_of_row_[i] = slack;
