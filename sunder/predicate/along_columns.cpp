@@ -127,13 +127,6 @@ ExactFurthest exactly_furthest_of(const PointColumns& points, std::span<const Dy
   return best;
 }
 
-// Points that may be the furthest, as they are found: their products are compared by some at once.
-struct NearEnd {
-  static constexpr std::size_t most = 32;
-  std::array<std::uint32_t, most> some{};
-  std::size_t count = 0;
-};
-
 // Visits, in their order, the points whose product of floating point is not below the limit.
 template <class Visit>
 void for_not_below(double limit, const PointColumns& points, const ColumnNumbers& direction, const Visit& visit) {
@@ -209,19 +202,20 @@ ExactFurthest exactly_furthest_along(const PointColumns& points, std::span<const
   ExactFurthest best;
   const auto is_zero = [](const Dyadic& x) { return x.sign() == Sign::zero; };
   if (std::all_of(direction.begin(), direction.end(), is_zero)) return best;
-  NearEnd near;
+  std::array<std::uint32_t, 32> some;  // not compared yet
+  std::size_t count = 0;
   bool found = false;
   const auto take = [&] {
-    if (near.count == 0) return;
-    ExactFurthest next = exactly_furthest_of(points, direction, std::span(near.some).first(near.count));
-    near.count = 0;
+    if (count == 0) return;
+    ExactFurthest next = exactly_furthest_of(points, direction, std::span(some).first(count));
+    count = 0;
     if (!found || (next.product - best.product).sign() == Sign::positive) best = std::move(next);
     found = true;
   };
   for_likely_furthest(points, direction, [&](std::uint32_t index) {
     ++exact_looks;
-    near.some[near.count++] = index;
-    if (near.count == NearEnd::most) take();
+    some[count++] = index;
+    if (count == some.size()) take();
   });
   take();
   return best;
