@@ -2,6 +2,7 @@
 #   sunder/<layer>/**/x_test.cpp   one executable a layer, ctest unit_<layer>                 labels unit, <layer>
 #   verifier/, cli/ x_test.cpp     the same: unit_verifier, unit_cli
 #   cli/program_x_test.cpp         runs the program; an executable and a ctest entry each     labels unit, program
+#   cli/calls/x.toml               calls of the program as data, run by cli/calls_test.py: calls_x   labels unit, program
 #   tests/x_<kind>_test.cpp        an executable and a ctest entry each: x_<kind>_test        labels tests, <kind>
 #   tests/support/*.cpp            linked to all of these
 #   tests/tools/x.cpp              an executable each, in <build>/tools
@@ -123,6 +124,15 @@ foreach(source ${sources})
   sunder_add_test(${name} COMMAND ${name} TIMEOUT 600 LABELS unit program)
 endforeach()
 
+if(TARGET sunder_cli)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cli/calls/*.toml)
+  foreach(source ${sources})
+    cmake_path(GET source STEM name)
+    sunder_add_test(calls_${name} COMMAND ${python} ${PROJECT_SOURCE_DIR}/cli/calls_test.py --jobs 1 ${name}
+      TIMEOUT 600 LABELS unit program)
+  endforeach()
+endif()
+
 # What is not one file's unit test. Tests against GEOS (LGPL) are built where it is found: Debian's libgeos-dev.
 find_path(SUNDER_GEOS_INCLUDE geos_c.h)
 find_library(SUNDER_GEOS_LIBRARY geos_c)
@@ -182,6 +192,7 @@ foreach(folder tests verifier/python/tests cli)
   file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*_test.py ${PROJECT_SOURCE_DIR}/${folder}/test_*.py)
   list(APPEND sources ${files})
 endforeach()
+list(FILTER sources EXCLUDE REGEX "/cli/calls_test\\.py$")  # above
 foreach(source ${sources})
   cmake_path(GET source STEM name)
   cmake_path(GET source PARENT_PATH folder)

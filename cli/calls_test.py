@@ -1,0 +1,573 @@
+#!/usr/bin/env python3
+"""Runs the calls of the program that cli/calls/*.toml list, and checks what they say of each.
+
+    calls_test.py [--jobs N] [--only PART] [SUBJECT...]     all subjects, on all cores, if none is named
+
+A file holds tests, a test holds steps, a step is a call with what must be so. Tests run side by side, each in a new
+folder with a link `cases` to the cases; the steps of a test share that folder, in their order. Unknown keys, unknown
+variables, and tests that check nothing are errors.
+
+    [let]                                   # variables of the file: $cube stands for the text, in all texts below
+    cube = "cases/mesh/cube.obj"
+
+    [[test]]
+    name = "Moved"
+    let = {pair = "pair $cube $cube"}       # variables of the test
+    for = {method = ["gjk", "scan"]}        # the test once for each value, for each pair of values of two variables;
+                                            # or once for each row: for = [{at = 1, code = 0}, {at = 2, code = 1}]
+    files = {"a.wkt" = "POINT (1 1)"}       # written first; a name with / at its end is a folder
+    bad = [["pair a", "B is required"]]     # calls that fail: code 2, nothing on standard output (with --json, the
+                                            # same text), one line on standard error that begins "sunder: " and holds
+                                            # the part, no file left behind
+    [[test.step]]                           # or step = [{...}, {...}], a line each
+    run = "$pair --method $method"          # the arguments as a shell reads them, but run by none
+    code = 1                                # of exit; 0 if not given
+    out = ["meet", "decided by"]            # parts of standard output; or {...}, see below
+    err = {is = ""}                         # of standard error
+    report = ['answer = "meet"']            # facts of the report: the call is made with --json too, or only so if there
+                                            # is no `out` or `err`; the keys that all reports have are looked for
+    accepted = "proof.json"                 # both verifiers accept the file; refused: both refuse it with code 1
+
+Other keys of a step: `shell` in the place of `run`: for bash, where $SUNDER is the program and variables are those of
+the environment; `for`, `let`, `files`, `bad` as above; `make = {"a.csv" = "name 1 2"}` files that a function of
+calls/made.py writes; `edit = {"a.json" = ["statements[0].number += 1"]}` changes a JSON file first (=, +=, append,
+delete); `replace = {"a.txt" = ["old", "new"]}` a text; `file = {"a.svg" = ["parts"]}` what a file holds; `absent =
+[files]`; `keep = {x = "a.b"}` a variable from the report for the steps that follow; `as = "first"` a name for what the
+call wrote; `check = "name"` a function of calls/checks.py, for what no key can say. A test may have `slow = "why"`
+or `unsanitized = "why"`: it is left out with a scale below 0.05, or of an instrumented program.
+
+A text is checked by parts that it has, or by a table: has, has_not, is, starts, ends, lines (their number), matches (a
+pattern for each line), same_as ("first", or "first.err", or a file), json (facts).
+
+A fact is `PATH = JSON`; also !=, <, <=, >, >=, has (a part of a text; of another value, of its JSON), starts, ends,
+`is number`, absent, present. A path is like pairs[0].a; [*] is every element, and there must be one; [a="cube"] those
+elements that have this; .length the number of elements. `@NAME:PATH` in the place of the JSON is a value of the report
+of the step NAME, of a file, or with no NAME of the same document; `@sha256:FILE` is a digest.
+"""
+import argparse
+import concurrent.futures
+import contextlib
+import hashlib
+import importlib.util
+import itertools
+import json
+import operator
+import os
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+import tomllib
+import traceback
+
+sys.dont_write_bytecode = True
+ROOT = os.environ.get("SUNDER_SOURCE_DIR") or os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+CASES = os.environ.get("SUNDER_CASES_DIR") or os.path.join(ROOT, "cases")
+PROGRAM = os.environ.get("SUNDER_PROGRAM", "")
+FOLDER = os.path.join(ROOT, "cli", "calls")
+IS_SANITIZED = "asan" in PROGRAM or "tsan" in PROGRAM
+# A sanitizer's report must not look like an exit code of the program.
+ENVIRONMENT = {**os.environ, "SUNDER": PROGRAM, "LC_ALL": "C"}
+for sanitizer in ("ASAN", "UBSAN", "TSAN", "LSAN"):
+    ENVIRONMENT[sanitizer + "_OPTIONS"] = ENVIRONMENT.get(sanitizer + "_OPTIONS", "") + ":exitcode=86"
+
+FILE_KEYS = {"let", "test"}
+TEST_KEYS = {"name", "let", "for", "files", "bad", "step", "slow", "unsanitized"}
+CALL_KEYS = {"code", "out", "err", "report", "keep", "as"}  # those that need a call
+STEP_KEYS = CALL_KEYS | {"run", "shell", "let", "for", "files", "make", "edit", "replace", "bad", "file", "absent",
+                         "accepted", "refused", "check"}
+TEXT_KEYS = {"has", "has_not", "is", "starts", "ends", "lines", "matches", "same_as", "json"}
+REPORT_KEYS = ("sunder", "verb", "answer", "method", "decided_by", "cost", "objects", "notes")
+
+
+class Wrong(Exception):
+    """The data are not as the format is."""
+
+
+# Values inside of JSON.
+
+STEP_OF_PATH = re.compile(r'\.?([A-Za-z0-9_ /-]+)|\[(-?\d+)\]|\[(\*)\]|\[([A-Za-z0-9_]+)=((?:"[^"]*"|[^\]"])+)\]')
+
+
+def steps_of(path):
+    steps, at = [], 0
+    while at < len(path):
+        match = STEP_OF_PATH.match(path, at)
+        if not match:
+            raise Wrong("the path '%s' is none from '%s' on" % (path, path[at:]))
+        name, index, every, key, value = match.groups()
+        steps.append(name if name is not None else int(index) if index is not None else
+                     "*" if every else (key, json.loads(value)))
+        at = match.end()
+    return steps
+
+
+def same(a, b):
+    """Equal as JSON: true is not 1, but 1 is 1.0."""
+    if isinstance(a, bool) or isinstance(b, bool):
+        return a is b
+    if isinstance(a, list) and isinstance(b, list):
+        return len(a) == len(b) and all(same(x, y) for x, y in zip(a, b))
+    if isinstance(a, dict) and isinstance(b, dict):
+        return a.keys() == b.keys() and all(same(a[k], b[k]) for k in a)
+    return a == b
+
+
+def values_at(value, steps):
+    """All values there: one, or as many as [*] has elements; none where a key or an element is missing."""
+    if not steps:
+        return [value]
+    step, rest = steps[0], steps[1:]
+    if isinstance(step, tuple):
+        chosen = [v for v in value if isinstance(v, dict) and step[0] in v and same(v[step[0]], step[1])]
+        return values_at(chosen, rest)
+    if step == "*":
+        return [found for v in (value.values() if isinstance(value, dict) else value) for found in values_at(v, rest)]
+    if step == "length" and not (isinstance(value, dict) and "length" in value):
+        return values_at(len(value), rest)
+    if isinstance(step, int) and isinstance(value, list):
+        return values_at(value[step], rest) if -len(value) <= step < len(value) else []
+    return values_at(value[step], rest) if isinstance(value, dict) and step in value else []
+
+
+FACT = re.compile(r"^(.*?) (!?=|[<>]=?|has|starts|ends|is) (.*)$|^(.*) (absent|present)$", re.S)
+ORDERS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
+TYPES = {"number": (int, float), "text": str, "list": list, "object": dict, "true or false": bool, "null": type(None)}
+
+
+def is_so(found, how, value):
+    if how in ORDERS:
+        return not isinstance(found, bool) and isinstance(found, (int, float)) and ORDERS[how](found, value)
+    if how == "has":
+        return value in (found if isinstance(found, str) else json.dumps(found, ensure_ascii=False))
+    if how == "starts":
+        return isinstance(found, str) and found.startswith(value)
+    if how == "ends":
+        return isinstance(found, str) and found.endswith(value)
+    if how == "is":
+        return isinstance(found, TYPES[value]) and (value == "true or false" or not isinstance(found, bool))
+    return same(found, value) == (how == "=")
+
+
+def no_nan(word):
+    raise ValueError("%s is not JSON" % word)
+
+
+def read_json(text):
+    return json.loads(text, parse_constant=no_nan)
+
+
+def inserted(text, variables):
+    """The text with its variables; $$ is $."""
+    def value(match):
+        name = match.group(1) or match.group(2)
+        if name is None:
+            return "$"
+        if name not in variables:
+            raise Wrong("there is no variable '%s'" % name)
+        found = variables[name]
+        return found if isinstance(found, str) else json.dumps(found)
+    return re.sub(r"\$(?:(\w+)|\{(\w+)\}|\$)", value, text)
+
+
+def filled(value, variables):
+    """The same with all texts in it, keys too."""
+    if isinstance(value, str):
+        return inserted(value, variables)
+    if isinstance(value, list):
+        return [filled(v, variables) for v in value]
+    if isinstance(value, dict):
+        return {inserted(k, variables): filled(v, variables) for k, v in value.items()}
+    return value
+
+
+def with_lets(variables, lets):
+    variables = dict(variables)
+    for name, value in lets.items():
+        variables[name] = filled(value, variables)
+    return variables
+
+
+def rows_of(loop, variables):
+    """The variables of each turn: of each row, or of each way to choose a value for each name."""
+    if isinstance(loop, list):
+        rows = loop
+    else:
+        rows = [dict(zip(loop, values)) for values in itertools.product(*loop.values())]
+    if not rows:
+        raise Wrong("'for' has no turn")
+    return [{**variables, **filled(row, variables)} for row in rows]
+
+
+def known(table, keys, where):
+    if not isinstance(table, dict):
+        raise Wrong("%s: a table is expected" % where)
+    for key in table:
+        if key not in keys:
+            raise Wrong("%s: there is no key '%s'; there are %s" % (where, key, ", ".join(sorted(keys))))
+
+
+class Done:
+    def __init__(self, call, code, out, err):
+        self.call, self.code, self.out, self.err = call, code, out, err
+
+
+class Test:
+    """One run of one test: its folder, its variables, and what was found so far."""
+
+    def __init__(self, name, variables, folder):
+        self.name, self.variables, self.folder = name, variables, folder
+        self.calls = self.facts = 0
+        self.faults, self.saved = [], {}
+        os.symlink(CASES, self.path("cases"))
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def read(self, name):
+        with open(self.path(name), encoding="utf-8", errors="surrogateescape", newline="") as stream:
+            return stream.read()
+
+    def write(self, name, text):
+        if name.endswith("/"):
+            os.makedirs(self.path(name))
+            return
+        data = text if isinstance(text, bytes) else text.encode("utf-8", "surrogateescape")
+        with open(self.path(name), "wb") as stream:
+            stream.write(data)
+
+    def expect(self, is_right, words):
+        """One fact."""
+        self.facts += 1
+        if not is_right:
+            self.faults.append("%s: %s" % (self.name, words() if callable(words) else words))
+        return is_right
+
+    def execute(self, command, words, is_program=True):
+        done = subprocess.run(command, cwd=self.folder, capture_output=True, stdin=subprocess.DEVNULL, check=False,
+                              env={**ENVIRONMENT, **{k: v for k, v in self.variables.items() if isinstance(v, str)}})
+        found = Done(words, done.returncode, *(s.decode("utf-8", "surrogateescape") for s in (done.stdout, done.stderr)))
+        if is_program:
+            self.calls += 1
+            if "Sanitizer" in found.err or "runtime error:" in found.err:
+                self.faults.append("%s: %s: %s" % (self.name, words, found.err))
+        return found
+
+    def run(self, arguments):
+        return self.execute([PROGRAM, *shlex.split(arguments)], "sunder " + arguments)
+
+    def shell(self, text):
+        return self.execute(["bash", "-c", text], text)
+
+    def verdicts(self, name):
+        """The codes of both verifiers."""
+        python = self.execute([sys.executable, os.path.join(ROOT, "verifier", "python", "sunder_verify"), "--quiet",
+                               name], name, is_program=False)
+        return self.run("verify " + shlex.quote(name)).code, python.code
+
+    def expect_verdict(self, name, code):
+        codes = self.verdicts(name)
+        for verifier, found in zip(("sunder verify", "sunder_verify of Python"), codes):
+            self.expect(found == code, "%s of %s ends with code %d, not %d" % (verifier, name, found, code))
+
+    def expect_bad(self, arguments, part):
+        before = sorted(os.listdir(self.folder))
+        done = self.run(arguments)
+
+        def fault(words):
+            return "sunder %s: %s\n%s%s" % (arguments, words, done.out, done.err)
+        self.expect(done.code == 2, lambda: fault("code %d, not 2" % done.code))
+        if "--json" in shlex.split(arguments):
+            with contextlib.suppress(ValueError, KeyError, TypeError):
+                self.expect("sunder: %s\n" % read_json(done.out)["error"]["text"] == done.err,
+                            lambda: fault("the report's error is another"))
+        else:
+            self.expect(done.out == "", lambda: fault("something is on standard output"))
+        self.expect(done.err.startswith("sunder: "), lambda: fault("the line does not begin with 'sunder: '"))
+        self.expect(done.err.count("\n") == 1, lambda: fault("not one line"))
+        self.expect(part in done.err, lambda: fault("expected: " + part))
+        self.expect(sorted(os.listdir(self.folder)) == before, lambda: fault("the folder has changed"))
+
+    def referred(self, text, own):
+        """The value that the right side of a fact is."""
+        if not text.startswith("@"):
+            return json.loads(text)
+        name, _, path = text[1:].partition(":")
+        if name == "sha256":
+            with open(self.path(path), "rb") as stream:
+                return hashlib.sha256(stream.read()).hexdigest()
+        if not name:
+            document = own
+        elif name in self.saved:
+            document = read_json(self.saved[name].out)
+        else:
+            document = read_json(self.read(name))
+        values = values_at(document, steps_of(path))
+        if len(values) != 1:
+            raise Wrong("%s: %d values are there" % (text, len(values)))
+        return values[0]
+
+    def expect_fact(self, document, fact, where):
+        match = FACT.match(fact)
+        if not match:
+            raise Wrong("'%s' is no fact" % fact)
+        path, how, right = match.group(1) or match.group(4), match.group(2) or match.group(5), match.group(3)
+        values = values_at(document, steps_of(path))
+        if how in ("absent", "present"):
+            self.expect(bool(values) == (how == "present"), "%s: not so: %s" % (where, fact))
+            return
+        value = right if how == "is" else self.referred(right, document)
+        if how == "is" and value not in TYPES:
+            raise Wrong("'%s' is no type; there are %s" % (value, ", ".join(TYPES)))
+        if not values:
+            self.expect(False, "%s: nothing is at %s" % (where, path))
+        for found in values:
+            self.expect(is_so(found, how, value),
+                        lambda: "%s: not so: %s\n  found %s" % (where, fact, json.dumps(found)[:2000]))
+
+    def expect_facts(self, text, facts, where):
+        try:
+            document = read_json(text)
+        except ValueError as error:
+            self.expect(False, "%s: no JSON: %s\n%s" % (where, error, text[:2000]))
+            return
+        for fact in facts:
+            self.expect_fact(document, fact, where)
+
+    def expect_text(self, text, wanted, where):
+        wanted = wanted if isinstance(wanted, dict) else {"has": wanted}
+        known(wanted, TEXT_KEYS, where)
+
+        def fault(words):
+            return "%s: %s\n%s" % (where, words, text[:4000])
+
+        def list_of(key):
+            value = wanted.get(key, [])
+            return [value] if isinstance(value, str) else value
+        for part in list_of("has"):
+            self.expect(part in text, lambda: fault("has no part " + repr(part)))
+        for part in list_of("has_not"):
+            self.expect(part not in text, lambda: fault("has a part " + repr(part)))
+        if "is" in wanted:
+            self.expect(text == wanted["is"], lambda: fault("is not " + repr(wanted["is"])))
+        if "starts" in wanted:
+            self.expect(text.startswith(wanted["starts"]), lambda: fault("does not begin with " + repr(wanted["starts"])))
+        if "ends" in wanted:
+            self.expect(text.endswith(wanted["ends"]), lambda: fault("does not end with " + repr(wanted["ends"])))
+        if "lines" in wanted:
+            self.expect(len(text.splitlines()) == int(wanted["lines"]), lambda: fault("not %s lines" % wanted["lines"]))
+        for line in text.splitlines() if "matches" in wanted else ():
+            self.expect(re.fullmatch(wanted["matches"], line), lambda: fault("another line: " + line))
+        for name in list_of("same_as"):
+            other, _, stream = name.partition(".")
+            if other in self.saved:
+                expected = self.saved[other].err if stream == "err" else self.saved[other].out
+            else:
+                expected = self.read(name)
+            self.expect(text == expected, lambda: fault("is not as %s:\n%s" % (name, expected[:4000])))
+        if "json" in wanted:
+            self.expect_facts(text, list_of("json"), where)
+
+    def expect_report(self, arguments, code, facts):
+        done = self.run(arguments + " --json")
+        where = "sunder %s --json" % arguments
+        self.expect(done.code == code, lambda: "%s: code %d, not %d\n%s" % (where, done.code, code, done.err))
+        try:
+            document = read_json(done.out)
+            self.expect(True, "")
+        except ValueError as error:
+            self.expect(False, "%s: no JSON: %s\n%s" % (where, error, done.out[:2000]))
+            return done
+        for key in REPORT_KEYS:
+            self.expect(key in document, lambda: "%s: no key '%s'" % (where, key))
+        self.expect(document.get("sunder") == 1, lambda: where + ": sunder is not 1")
+        self.expect(document.get("verb") == shlex.split(arguments)[0], lambda: where + ": the verb is another")
+        for fact in facts:
+            self.expect_fact(document, fact, where)
+        return done
+
+    def edit(self, name, changes):
+        """Changes a JSON file; each path must be there, but for a key that is set."""
+        document = read_json(self.read(name))
+        for change in changes:
+            match = re.match(r"^(?:(delete) (.*)|(.*?) (=|\+=|append) (.*))$", change, re.S)
+            if not match:
+                raise Wrong("'%s' is no change" % change)
+            how = match.group(1) or match.group(4)
+            *before, last = steps_of(match.group(2) or match.group(3))
+            places = values_at(document, before)
+            if len(places) != 1:
+                raise Wrong("%s: there are %d such places" % (change, len(places)))
+            place = places[0]
+            if how != "=" and not values_at(place, [last]):
+                raise Wrong("%s: nothing is there" % change)
+            if how == "delete":
+                del place[last]
+            elif how == "append":
+                place[last].append(json.loads(match.group(5)))
+            else:
+                value = self.referred(match.group(5), document)
+                place[last] = place[last] + value if how == "+=" else value
+        self.write(name, json.dumps(document))
+
+    def prepare(self, step):
+        """What a step does to files before its call."""
+        for name, text in step.get("files", {}).items():
+            self.write(name, text)
+        for name, words in step.get("make", {}).items():
+            function, *arguments = words.split()
+            self.write(name, getattr(MADE, function)(*(json.loads(a) for a in arguments)))
+        for name, changes in step.get("edit", {}).items():
+            self.edit(name, changes)
+        for name, (old, new) in step.get("replace", {}).items():
+            text = self.read(name)
+            if old not in text:
+                raise Wrong("%s has no part %r to replace" % (name, old))
+            self.write(name, text.replace(old, new, 1))
+
+    def call(self, step):
+        """The call of a step, once or with --json too."""
+        code, words = int(step.get("code", 0)), step.get("run", step.get("shell"))
+        told = done = None
+        if "run" in step and ("report" in step or "keep" in step):
+            told = self.expect_report(words, code, step.get("report", []))
+        if told is None or "out" in step or "err" in step:
+            done = self.run(words) if "run" in step else self.shell(words)
+            self.expect(done.code == code,
+                        lambda: "%s: code %d, not %d\n%s%s" % (done.call, done.code, code, done.out[:4000], done.err))
+        for stream in ("out", "err"):
+            if stream in step:
+                self.expect_text(getattr(done, stream), step[stream], "%s: standard %s" % (
+                    done.call, "output" if stream == "out" else "error"))
+        if "as" in step:
+            self.saved[step["as"]] = told or done
+        for name, path in step.get("keep", {}).items():
+            self.variables[name] = self.referred("@:" + path, read_json(told.out))
+
+    def take(self, step):
+        """One step, for each turn of its loop."""
+        for variables in rows_of(step["for"], self.variables) if "for" in step else [self.variables]:
+            own = with_lets(variables, step.get("let", {}))
+            now = filled({k: v for k, v in step.items() if k not in ("for", "let", "shell")}, own)
+            if "shell" in step:
+                now["shell"] = step["shell"]
+            outer, self.variables = self.variables, own
+            self.prepare(now)
+            for arguments, part in now.get("bad", []):
+                self.expect_bad(arguments, part)
+            if "run" in now or "shell" in now:
+                self.call(now)
+            for name in listed(now.get("accepted", [])):
+                self.expect_verdict(name, 0)
+            for name in listed(now.get("refused", [])):
+                self.expect_verdict(name, 1)
+            for name, wanted in now.get("file", {}).items():
+                if self.expect(os.path.exists(self.path(name)), "there is no file " + name):
+                    self.expect_text(self.read(name), wanted, name)
+            for name in now.get("absent", []):
+                self.expect(not os.path.exists(self.path(name)), "there is a file " + name)
+            if "check" in now:
+                function, *arguments = now["check"].split()
+                getattr(CHECKS, function)(self, *arguments)
+            kept = {name: self.variables[name] for name in now.get("keep", {})}
+            self.variables = {**outer, **kept}
+
+
+def listed(value):
+    return [value] if isinstance(value, str) else value
+
+
+def module(name):
+    specification = importlib.util.spec_from_file_location(name, os.path.join(FOLDER, name + ".py"))
+    made = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(made)
+    return made
+
+
+MADE, CHECKS = module("made"), module("checks")
+
+
+def check_step(step, where):
+    known(step, STEP_KEYS, where)
+    if "run" in step and "shell" in step:
+        raise Wrong(where + ": 'run' excludes 'shell'")
+    if not ("run" in step or "shell" in step):
+        for key in CALL_KEYS & set(step):
+            raise Wrong("%s: '%s' needs 'run'" % (where, key))
+    if "shell" in step and ("report" in step or "keep" in step):
+        raise Wrong(where + ": a report is of 'run'")
+
+
+def tests_of(subject):
+    """Each test of the file, once for each turn: (name, test, variables)."""
+    path = os.path.join(FOLDER, subject + ".toml")
+    with open(path, "rb") as stream:
+        data = tomllib.load(stream)
+    known(data, FILE_KEYS, path)
+    lets = with_lets({}, data.get("let", {}))
+    found, names = [], set()
+    for test in data.get("test", []):
+        where = "%s: %s" % (os.path.basename(path), test.get("name"))
+        known(test, TEST_KEYS, where)
+        if not test.get("name") or test["name"] in names:
+            raise Wrong(where + ": each test has a name of its own")
+        names.add(test["name"])
+        steps = test.get("step", [])
+        for k, step in enumerate(steps):
+            check_step(step, "%s: step %d" % (where, k))
+        for variables in rows_of(test["for"], lets) if "for" in test else [lets]:
+            turn = " ".join("%s=%s" % (k, v) for k, v in variables.items() if k not in lets)
+            first = {k: test[k] for k in ("files", "bad") if k in test}
+            found.append((where + (" (%s)" % turn if turn else ""), test, [first, *steps],
+                          with_lets(variables, test.get("let", {}))))
+    if not found:
+        raise Wrong(path + ": has no test")
+    return found
+
+
+def run_test(name, test, steps, variables):
+    if "slow" in test and float(os.environ.get("SUNDER_TEST_SCALE") or 1) < 0.05:
+        return None
+    if "unsanitized" in test and IS_SANITIZED:
+        return None
+    with tempfile.TemporaryDirectory(prefix="sunder_calls_") as folder:
+        one = Test(name, variables, folder)
+        try:
+            for step in steps:
+                one.take(step)
+        except Exception as error:  # pylint: disable=broad-except
+            words = str(error) if isinstance(error, Wrong) else traceback.format_exc()
+            one.faults.append("%s: %s" % (name, words))
+        if one.facts == 0:
+            one.faults.append(name + ": nothing was checked")
+        return one
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="how many tests run side by side")
+    parser.add_argument("--only", default="", help="tests whose name has this part")
+    parser.add_argument("subjects", nargs="*")
+    options = parser.parse_args()
+    if not PROGRAM:
+        print("skipped: SUNDER_PROGRAM does not name the program")
+        return 0
+    subjects = options.subjects or sorted(n[:-5] for n in os.listdir(FOLDER) if n.endswith(".toml"))
+    tests = [test for subject in subjects for test in tests_of(subject) if options.only in test[0]]
+    with concurrent.futures.ThreadPoolExecutor(max(1, min(options.jobs, os.cpu_count()))) as pool:
+        done = list(pool.map(lambda test: run_test(*test), tests))
+    run = [one for one in done if one]
+    faults = [fault for one in run for fault in one.faults]
+    for fault in faults:
+        print(fault.encode("utf-8", "surrogateescape").decode("utf-8", "replace"))
+    calls, facts = sum(one.calls for one in run), sum(one.facts for one in run)
+    print("%d tests, %d calls, %d facts, %d not so" % (len(run), calls, facts, len(faults)) +
+          (", %d tests left out" % (len(done) - len(run)) if len(done) > len(run) else ""))
+    if calls == 0:
+        print("no call was made")
+    return 1 if faults or calls == 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
