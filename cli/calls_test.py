@@ -7,14 +7,16 @@ A file holds tests, a test holds steps, a step is a call with what must be so. T
 folder with a link `cases` to the cases; the steps of a test share that folder, in their order. Unknown keys, unknown
 variables, and tests that check nothing are errors.
 
-    [let]                                   # variables of the file: $cube stands for the text, in all texts below
+    [let]                                   # variables of the file: $cube is replaced by the text, in all texts below;
+                                            # $source is the folder of the sources, $$ a dollar
     cube = "cases/mesh/cube.obj"
 
     [[test]]
     name = "Moved"
     let = {pair = "pair $cube $cube"}       # variables of the test
     for = {method = ["gjk", "scan"]}        # the test once for each value, for each pair of values of two variables;
-                                            # or once for each row: for = [{at = 1, code = 0}, {at = 2, code = 1}]
+                                            # or once for each row: for = [{at = 1, code = 0}, {at = 2, code = 1}];
+                                            # files: for = {file = {glob = "cases/mesh/*.obj", least = 9, except = []}}
     files = {"a.wkt" = "POINT (1 1)"}       # written first; a name with / at its end is a folder
     bad = [["pair a", "B is required"]]     # calls that fail: code 2, nothing on standard output (with --json, the
                                             # same text), one line on standard error that begins "sunder: " and holds
@@ -37,16 +39,17 @@ call wrote; `check = "name"` a function of calls/checks.py, for what no key can 
 or `unsanitized = "why"`: it is left out with a scale below 0.05, or of an instrumented program.
 
 A text is checked by parts that it has, or by a table: has, has_not, is, starts, ends, lines (their number), matches (a
-pattern for each line), same_as ("first", or "first.err", or a file), json (facts).
+pattern for each line), same_as (the output of the step "first", or a file), json (facts), json_lines (facts of the list of its lines).
 
 A fact is `PATH = JSON`; also !=, <, <=, >, >=, has (a part of a text; of another value, of its JSON), starts, ends,
 `is number`, absent, present. A path is like pairs[0].a; [*] is every element, and there must be one; [a="cube"] those
 elements that have this; .length the number of elements. `@NAME:PATH` in the place of the JSON is a value of the report
-of the step NAME, of a file, or with no NAME of the same document; `@sha256:FILE` is a digest.
+of the step NAME, of a file, or with no NAME of the same document, to which a number may be added: `@:low + 1e-9`;
+`@sha256:FILE` is a digest. `each PATH: FACT` is the fact of every element there.
 """
 import argparse
 import concurrent.futures
-import contextlib
+import glob
 import hashlib
 import importlib.util
 import itertools
@@ -77,7 +80,7 @@ TEST_KEYS = {"name", "let", "for", "files", "bad", "step", "slow", "unsanitized"
 CALL_KEYS = {"code", "out", "err", "report", "keep", "as"}  # those that need a call
 STEP_KEYS = CALL_KEYS | {"run", "shell", "let", "for", "files", "make", "edit", "replace", "bad", "file", "absent",
                          "accepted", "refused", "check"}
-TEXT_KEYS = {"has", "has_not", "is", "starts", "ends", "lines", "matches", "same_as", "json"}
+TEXT_KEYS = {"has", "has_not", "is", "starts", "ends", "lines", "matches", "same_as", "json", "json_lines"}
 REPORT_KEYS = ("sunder", "verb", "answer", "method", "decided_by", "cost", "objects", "notes")
 
 
@@ -87,7 +90,7 @@ class Wrong(Exception):
 
 # Values inside of JSON.
 
-STEP_OF_PATH = re.compile(r'\.?([A-Za-z0-9_ /-]+)|\[(-?\d+)\]|\[(\*)\]|\[([A-Za-z0-9_]+)=((?:"[^"]*"|[^\]"])+)\]')
+STEP_OF_PATH = re.compile(r'\.?([A-Za-z0-9_ /-]+)|\[(-?\d+)\]|\[(\*)\]|\[(\w+)=((?:"[^"]*"|[^\]"])+)\]')
 
 
 def steps_of(path):
@@ -98,7 +101,7 @@ def steps_of(path):
             raise Wrong("the path '%s' is none from '%s' on" % (path, path[at:]))
         name, index, every, key, value = match.groups()
         steps.append(name if name is not None else int(index) if index is not None else
-                     "*" if every else (key, json.loads(value)))
+                     "*" if every else (int(key) if key.isdigit() else key, json.loads(value)))
         at = match.end()
     return steps
 
@@ -120,11 +123,13 @@ def values_at(value, steps):
         return [value]
     step, rest = steps[0], steps[1:]
     if isinstance(step, tuple):
-        chosen = [v for v in value if isinstance(v, dict) and step[0] in v and same(v[step[0]], step[1])]
-        return values_at(chosen, rest)
+        if not isinstance(value, list):
+            return []
+        return values_at([v for v in value if any(same(x, step[1]) for x in values_at(v, [step[0]]))], rest)
     if step == "*":
-        return [found for v in (value.values() if isinstance(value, dict) else value) for found in values_at(v, rest)]
-    if step == "length" and not (isinstance(value, dict) and "length" in value):
+        elements = value.values() if isinstance(value, dict) else value if isinstance(value, list) else []
+        return [found for v in elements for found in values_at(v, rest)]
+    if step == "length" and isinstance(value, (list, str, dict)) and not (isinstance(value, dict) and "length" in value):
         return values_at(len(value), rest)
     if isinstance(step, int) and isinstance(value, list):
         return values_at(value[step], rest) if -len(value) <= step < len(value) else []
@@ -158,6 +163,14 @@ def read_json(text):
     return json.loads(text, parse_constant=no_nan)
 
 
+def read_lines(text):
+    return [read_json(line) for line in text.splitlines()]
+
+
+def as_text(value):
+    return value if isinstance(value, str) else json.dumps(value)
+
+
 def inserted(text, variables):
     """The text with its variables; $$ is $."""
     def value(match):
@@ -166,8 +179,7 @@ def inserted(text, variables):
             return "$"
         if name not in variables:
             raise Wrong("there is no variable '%s'" % name)
-        found = variables[name]
-        return found if isinstance(found, str) else json.dumps(found)
+        return as_text(variables[name])
     return re.sub(r"\$(?:(\w+)|\{(\w+)\}|\$)", value, text)
 
 
@@ -189,12 +201,22 @@ def with_lets(variables, lets):
     return variables
 
 
+def files_of(choice):
+    """The paths of cases that a pattern chooses."""
+    known(choice, {"glob", "except", "least"}, "for")
+    found = sorted(set(glob.glob(choice["glob"], root_dir=os.path.dirname(CASES))) - set(choice.get("except", [])))
+    if len(found) < choice["least"]:
+        raise Wrong("%s: %d files, and %d are expected" % (choice["glob"], len(found), choice["least"]))
+    return found
+
+
 def rows_of(loop, variables):
     """The variables of each turn: of each row, or of each way to choose a value for each name."""
     if isinstance(loop, list):
         rows = loop
     else:
-        rows = [dict(zip(loop, values)) for values in itertools.product(*loop.values())]
+        choices = [files_of(v) if isinstance(v, dict) else v for v in loop.values()]
+        rows = [dict(zip(loop, values)) for values in itertools.product(*choices)]
     if not rows:
         raise Wrong("'for' has no turn")
     return [{**variables, **filled(row, variables)} for row in rows]
@@ -246,7 +268,7 @@ class Test:
 
     def execute(self, command, words, is_program=True):
         done = subprocess.run(command, cwd=self.folder, capture_output=True, stdin=subprocess.DEVNULL, check=False,
-                              env={**ENVIRONMENT, **{k: v for k, v in self.variables.items() if isinstance(v, str)}})
+                              env={**ENVIRONMENT, **{k: as_text(v) for k, v in self.variables.items()}})
         found = Done(words, done.returncode, *(s.decode("utf-8", "surrogateescape") for s in (done.stdout, done.stderr)))
         if is_program:
             self.calls += 1
@@ -278,10 +300,12 @@ class Test:
         def fault(words):
             return "sunder %s: %s\n%s%s" % (arguments, words, done.out, done.err)
         self.expect(done.code == 2, lambda: fault("code %d, not 2" % done.code))
-        if "--json" in shlex.split(arguments):
-            with contextlib.suppress(ValueError, KeyError, TypeError):
-                self.expect("sunder: %s\n" % read_json(done.out)["error"]["text"] == done.err,
-                            lambda: fault("the report's error is another"))
+        if "--json" in arguments:
+            try:
+                told = read_json(done.out)["error"]["text"]
+            except (ValueError, KeyError, TypeError):
+                told = None
+            self.expect("sunder: %s\n" % told == done.err, lambda: fault("the report's error is another"))
         else:
             self.expect(done.out == "", lambda: fault("something is on standard output"))
         self.expect(done.err.startswith("sunder: "), lambda: fault("the line does not begin with 'sunder: '"))
@@ -293,6 +317,7 @@ class Test:
         """The value that the right side of a fact is."""
         if not text.startswith("@"):
             return json.loads(text)
+        text, sign, more = re.match(r"^(.*?)(?: ([+-]) (\S+))?$", text).groups()
         name, _, path = text[1:].partition(":")
         if name == "sha256":
             with open(self.path(path), "rb") as stream:
@@ -302,13 +327,20 @@ class Test:
         elif name in self.saved:
             document = read_json(self.saved[name].out)
         else:
-            document = read_json(self.read(name))
+            document = (read_lines if name.endswith(".jsonl") else read_json)(self.read(name))
         values = values_at(document, steps_of(path))
         if len(values) != 1:
             raise Wrong("%s: %d values are there" % (text, len(values)))
-        return values[0]
+        return values[0] + (-1 if sign == "-" else 1) * float(more) if sign else values[0]
 
     def expect_fact(self, document, fact, where):
+        each = re.match(r"^each (.*?): (.*)$", fact, re.S)
+        if each:
+            values = values_at(document, steps_of(each.group(1)))
+            self.expect(values, "%s: there is none: %s" % (where, fact))
+            for value in values:
+                self.expect_fact(value, each.group(2), where)
+            return
         match = FACT.match(fact)
         if not match:
             raise Wrong("'%s' is no fact" % fact)
@@ -326,9 +358,9 @@ class Test:
             self.expect(is_so(found, how, value),
                         lambda: "%s: not so: %s\n  found %s" % (where, fact, json.dumps(found)[:2000]))
 
-    def expect_facts(self, text, facts, where):
+    def expect_facts(self, text, facts, where, read=read_json):
         try:
-            document = read_json(text)
+            document = read(text)
         except ValueError as error:
             self.expect(False, "%s: no JSON: %s\n%s" % (where, error, text[:2000]))
             return
@@ -340,7 +372,7 @@ class Test:
         known(wanted, TEXT_KEYS, where)
 
         def fault(words):
-            return "%s: %s\n%s" % (where, words, text[:4000])
+            return "%s: %s\n%s" % (where, words, text[:2000])
 
         def list_of(key):
             value = wanted.get(key, [])
@@ -360,14 +392,14 @@ class Test:
         for line in text.splitlines() if "matches" in wanted else ():
             self.expect(re.fullmatch(wanted["matches"], line), lambda: fault("another line: " + line))
         for name in list_of("same_as"):
-            other, _, stream = name.partition(".")
-            if other in self.saved:
-                expected = self.saved[other].err if stream == "err" else self.saved[other].out
+            if name in self.saved:
+                expected = self.saved[name].out
             else:
                 expected = self.read(name)
-            self.expect(text == expected, lambda: fault("is not as %s:\n%s" % (name, expected[:4000])))
-        if "json" in wanted:
-            self.expect_facts(text, list_of("json"), where)
+            self.expect(text == expected, lambda: fault("is not as %s:\n%s" % (name, expected[:2000])))
+        for key, read in (("json", read_json), ("json_lines", read_lines)):
+            if key in wanted:
+                self.expect_facts(text, list_of(key), where, read)
 
     def expect_report(self, arguments, code, facts):
         done = self.run(arguments + " --json")
@@ -505,7 +537,7 @@ def tests_of(subject):
     with open(path, "rb") as stream:
         data = tomllib.load(stream)
     known(data, FILE_KEYS, path)
-    lets = with_lets({}, data.get("let", {}))
+    lets = with_lets({"source": ROOT}, data.get("let", {}))
     found, names = [], set()
     for test in data.get("test", []):
         where = "%s: %s" % (os.path.basename(path), test.get("name"))

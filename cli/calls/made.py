@@ -1,1 +1,34 @@
 """Files that are too long to be written into the data: `make = {"file" = "name 1 2"}` calls name(1, 2)."""
+import math
+import random
+
+
+def _polygon(rings):
+    return "POLYGON (%s)\n" % ", ".join("(%s)" % ", ".join("%f %f" % p for p in ring) for ring in rings)
+
+
+def pie(count):
+    """Slices about one point, neighbours of which share a side."""
+    rim = [(1000 * math.cos(2 * math.pi * k / count), 1000 * math.sin(2 * math.pi * k / count)) for k in range(count)]
+    return "".join(_polygon([[(0, 0), rim[k], rim[(k + 1) % count], (0, 0)]]) for k in range(count))
+
+
+def frames(count):
+    """Frames around one another: none meets another."""
+    def square(d):
+        return [(-d, -d), (d, -d), (d, d), (-d, d), (-d, -d)]
+    return "".join(_polygon([square(k), square(k - 0.5)]) for k in range(1, count + 1))
+
+
+def sphere(dimension, count, seed):
+    """Points of a sphere, as CSV."""
+    source, text = random.Random(seed), ""
+    for _ in range(count):
+        p = [source.uniform(-1, 1) for _ in range(dimension)]
+        text += ",".join("%f" % (x / math.hypot(*p)) for x in p) + "\n"
+    return text
+
+
+def rails(count):
+    """Placements of two boxes on rails, and an arm that turns twice."""
+    return "to_x,to_y,to_arm\n" + "".join("%d,%d,%d\n" % (k * 7 % 11 - 5, k * 5 % 7 - 3, k % 50 == 0) for k in range(count))
