@@ -90,7 +90,7 @@ class Wrong(Exception):
 
 # Values inside of JSON.
 
-STEP_OF_PATH = re.compile(r'\.?([A-Za-z0-9_ /-]+)|\[(-?\d+)\]|\[(\*)\]|\[(\w+)=((?:"[^"]*"|[^\]"])+)\]')
+STEP_OF_PATH = re.compile(r"\.?([A-Za-z0-9_ /-]+)|\[(-?\d+)\]|\[(\*)\]|\[(\w+)=")
 
 
 def steps_of(path):
@@ -99,10 +99,16 @@ def steps_of(path):
         match = STEP_OF_PATH.match(path, at)
         if not match:
             raise Wrong("the path '%s' is none from '%s' on" % (path, path[at:]))
-        name, index, every, key, value = match.groups()
-        steps.append(name if name is not None else int(index) if index is not None else
-                     "*" if every else (int(key) if key.isdigit() else key, json.loads(value)))
+        name, index, every, key = match.groups()
         at = match.end()
+        if key is not None:
+            value, at = json.JSONDecoder().raw_decode(path, at)
+            if path[at:at + 1] != "]":
+                raise Wrong("the path '%s' has no ] before '%s'" % (path, path[at:]))
+            steps.append((int(key) if key.isdigit() else key, value))
+            at += 1
+        else:
+            steps.append(name if name is not None else int(index) if index is not None else every)
     return steps
 
 
@@ -449,7 +455,7 @@ class Test:
             self.write(name, text)
         for name, words in step.get("make", {}).items():
             function, *arguments = words.split()
-            self.write(name, getattr(MADE, function)(*(json.loads(a) for a in arguments)))
+            self.write(name, getattr(MADE, function)(*(int(a) if a.isdigit() else a for a in arguments)))
         for name, changes in step.get("edit", {}).items():
             self.edit(name, changes)
         for name, (old, new) in step.get("replace", {}).items():

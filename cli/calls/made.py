@@ -1,6 +1,10 @@
 """Files that are too long to be written into the data: `make = {"file" = "name 1 2"}` calls name(1, 2)."""
 import math
+import os
 import random
+import struct
+
+CASES = os.environ.get("SUNDER_CASES_DIR") or os.path.join(os.path.dirname(__file__), "..", "..", "cases")
 
 
 def _polygon(rings):
@@ -32,3 +36,17 @@ def sphere(dimension, count, seed):
 def rails(count):
     """Placements of two boxes on rails, and an arm that turns twice."""
     return "to_x,to_y,to_arm\n" + "".join("%d,%d,%d\n" % (k * 7 % 11 - 5, k * 5 % 7 - 3, k % 50 == 0) for k in range(count))
+
+
+def box_npy(how):
+    """The case box.npy, made wrong."""
+    with open(os.path.join(CASES, "polytopes", "box.npy"), "rb") as stream:
+        data = stream.read()
+    return {"cut": data[:-1], "nan": data[:-8] + struct.pack("<d", math.nan), "wide": data.replace(b"(8, 5)", b"(4,10)"),
+            "complex": data.replace(b"<f8", b"<c8"), "none": b"no array"}[how]
+
+
+def poses_npy():
+    """Two placements of two joints in single precision."""
+    header = "{'descr': '<f4', 'fortran_order': False, 'shape': (2, 2), }".ljust(117) + "\n"
+    return b"\x93NUMPY\x01\x00\x76\x00" + header.encode() + struct.pack("<4f", -1.5, 1.5, -1.75, 1.5)
