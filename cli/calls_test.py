@@ -43,9 +43,10 @@ pattern for each line), same_as (the output of the step "first", or a file), jso
 
 A fact is `PATH = JSON`; also !=, <, <=, >, >=, has (a part of a text; of another value, of its JSON), starts, ends,
 `is number`, absent, present. A path is like pairs[0].a; [*] is every element, and there must be one; [a="cube"] those
-elements that have this; .length the number of elements. `@NAME:PATH` in the place of the JSON is a value of the report
-of the step NAME, of a file, or with no NAME of the same document, to which a number may be added: `@:low + 1e-9`;
-`@sha256:FILE` is a digest. `each PATH: FACT` is the fact of every element there.
+elements that have this; .length the number of elements, and .values at its end the list of all that is there.
+`@NAME:PATH` in the place of the JSON is a value of the report of the step NAME, of a file, or with no NAME of the same
+document, to which a number may be added: `@:low + 1e-9`; `@sha256:FILE` is a digest. `each PATH: FACT` is the fact of
+every element there.
 """
 import argparse
 import concurrent.futures
@@ -192,6 +193,9 @@ def inserted(text, variables):
 def filled(value, variables):
     """The same with all texts in it, keys too."""
     if isinstance(value, str):
+        whole = re.fullmatch(r"\$(\w+)", value)
+        if whole and isinstance(variables.get(whole.group(1)), (list, dict)):
+            return variables[whole.group(1)]
         return inserted(value, variables)
     if isinstance(value, list):
         return [filled(v, variables) for v in value]
@@ -351,7 +355,9 @@ class Test:
         if not match:
             raise Wrong("'%s' is no fact" % fact)
         path, how, right = match.group(1) or match.group(4), match.group(2) or match.group(5), match.group(3)
-        values = values_at(document, steps_of(path))
+        values = values_at(document, steps_of(path.removesuffix(".values")))
+        if path.endswith(".values"):
+            values = [values]
         if how in ("absent", "present"):
             self.expect(bool(values) == (how == "present"), "%s: not so: %s" % (where, fact))
             return

@@ -217,7 +217,7 @@ endif()
 # The longest are begun first, so that no core waits for them at the end.
 foreach(name unit_solid unit_planar unit_predicate solid_drums_complexity_test solid_hierarchy_complexity_test
              segments_growth_complexity_test polygon_sets_complexity_test solid_line_complexity_test reports_test_py
-             claims_limits_py program_simple_test program_sets_test program_space_test files_and_lists_test_py)
+             claims_limits_py calls_simple calls_sets calls_space files_and_lists_test_py)
   if(TEST ${name})
     set_tests_properties(${name} PROPERTIES COST 100)
   endif()
