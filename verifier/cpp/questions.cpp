@@ -275,9 +275,9 @@ void read_facets(const Place& p, Said& said) {
         corners.push_back(read_index(entry, said.body->rows().size(), where + " entry"));
       }
       const bool are_different = std::set(corners.begin(), corners.end()).size() == corners.size();
-      if (!are_different || (size != 0 && corners.size() != size))
+      if (size == 0) size = corners.size();
+      if (!are_different || corners.size() < 2 || corners.size() != size)
         refuse_form(where + " are no simplices of as many corners");
-      size = corners.size();
       said.facets.back().push_back(std::move(corners));
     }
   }
@@ -874,7 +874,7 @@ const ClaimNeeded these_count{
     }};
 const ClaimNeeded number_counts{
     "number_counts", {{"events", read_events}}, of_segments, [](const Claim& c, const Said& s, const Tables& t) {
-      check_number("number_counts", contacts_of_segments(c, t, s.groups, s.allowed), s.number);
+      check_number("number_counts", number_of_segments(c, t, s.groups, s.allowed), s.number);
     }};
 const ClaimNeeded no_polygons_meet{
     "none_counts", {{"events", read_events}}, of_edges, [](const Claim& c, const Said& s, const Tables& t) {
@@ -886,7 +886,7 @@ const ClaimNeeded these_polygons_meet{
     }};
 const ClaimNeeded so_many_polygons_meet{
     "number_counts", {{"events", read_events}}, of_edges, [](const Claim& c, const Said& s, const Tables& t) {
-      check_number("number_counts", contacts_of_polygons(c, t, s.groups, s.allowed), s.number);
+      check_number("number_counts", number_of(contacts_of_polygons(c, t, s.groups, s.allowed)), s.number);
     }};
 const ClaimNeeded parts_valid{
     "valid", {{"events", read_events}}, of_parts, [](const Claim& c, const Said& s, const Tables&) {
@@ -1277,7 +1277,8 @@ std::function<void()> read_claim(const Json& item, const ClaimNeeded& needed, co
   return [claim = std::move(claim), &needed, said, &tables] { needed.check(claim, said, tables); };
 }
 
-NamedBody named(const HullBody* body) { return body == nullptr ? NamedBody{} : NamedBody{body->title(), body->name}; }
+NamedBody named(const HullBody* body) { return body == nullptr ? NamedBody{} : NamedBody{body->title(), body->quoted}; }
+NamedBody named(const RowBody* body) { return body == nullptr ? NamedBody{} : NamedBody{"", body->quoted}; }
 
 }  // namespace
 
@@ -1320,9 +1321,9 @@ ClaimedStatement read_statement(const Json& item, const Tables& tables, const Pr
     if (result.verdict == "segment") result.hull.faces = {{said.contact.i, said.contact.j}};
   }
   if (said.half_spaces != nullptr) result.a = said.half_spaces->name;
-  const bool is_of_polytopes = said.polytope_a != nullptr || said.half_spaces != nullptr;
-  result.sentence = is_of_polytopes
-                        ? sentence_of(item, {"", result.a}, {"", result.b})
+  const RowBody* const polytope = said.half_spaces != nullptr ? said.half_spaces : said.polytope_a;
+  result.sentence = polytope != nullptr
+                        ? sentence_of(item, named(polytope), named(said.polytope_b))
                         : sentence_of(item, named(said.body != nullptr ? said.body : said.a), named(said.b));
   const Json& claims = list_member(item, "claims", where);
   if (claims.size() != verdict.claims.size()) {

@@ -243,7 +243,12 @@ ContactsOf contacts_of_polygons(const Claim& claim, const Tables& tables, const 
 
 // Those that count are those listed, by i, then j; or are so many. Refuses by that rule.
 void check_listed(const char* rule, const ContactsOf& contacts, const std::vector<StatedContact>& listed);
-void check_number(const char* rule, const ContactsOf& contacts, std::uint64_t number);
+void check_number(const char* rule, std::uint64_t count, std::uint64_t number);
+
+// How many contacts there are: visited; of segments, in time of those at each event.
+std::uint64_t number_of(const ContactsOf& contacts);
+std::uint64_t number_of_segments(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
+                                 const AllowedContacts& allowed);
 
 // These bound the common part of the half-planes, which is of that kind.
 void check_cones(const Claim& claim, const Constraints& given, const std::string& verdict,

@@ -102,6 +102,15 @@ constexpr std::array<std::array<const char*, 2>, 10> regions{{
     {"bounded", "a bounded region"},
 }};
 
+// The bytes of so many characters.
+std::size_t bytes_of(const std::string& text, std::size_t most) {
+  std::size_t k = 0;
+  for (std::size_t seen = 0; k < text.size(); ++k) {
+    if ((text[k] & 0xC0) != 0x80 && seen++ == most) break;
+  }
+  return k;
+}
+
 // What an ASCII escape of a code point looks like: "\u00e4", of those beyond 16 bits two of them.
 void add_escaped(std::uint32_t code, std::string& text) {
   constexpr std::string_view digits = "0123456789abcdef";
@@ -113,29 +122,8 @@ void add_escaped(std::uint32_t code, std::string& text) {
   for (int shift = 12; shift >= 0; shift -= 4) text += digits[(code >> shift) & 15];
 }
 
-// The text, which is UTF-8, in quotes as in JSON: one line of ASCII without control characters.
-std::string in_quotes(const std::string& text) {
-  constexpr std::string_view escaped = "\"\\\b\f\n\r\t", letters = "\"\\bfnrt";
-  std::string result = "\"";
-  for (std::size_t k = 0; k < text.size();) {
-    const auto first = static_cast<unsigned char>(text[k]);
-    const std::size_t length = first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
-    std::uint32_t code = length == 1 ? first : first & (0x7fu >> length);
-    for (std::size_t m = 1; m < length; ++m) code = (code << 6) | (static_cast<unsigned char>(text[k + m]) & 0x3fu);
-    if (const std::size_t known = escaped.find(text[k]); known != std::string_view::npos) {
-      (result += '\\') += letters[known];
-    } else if (code >= ' ' && code < 0x7f) {
-      result += text[k];
-    } else {
-      add_escaped(code, result);
-    }
-    k += length;
-  }
-  return result + "\"";
-}
-
 std::string titled(const NamedBody& body) {
-  return (body.title.empty() ? "" : body.title + " ") + in_quotes(body.name);
+  return (body.title.empty() ? "" : body.title + " ") + body.quoted;
 }
 
 std::string plain(const Json& value) {
@@ -237,6 +225,32 @@ std::string rules_text(const Json& item) {
 
 }  // namespace
 
+std::string shortened(const std::string& text, std::size_t most) {
+  const std::size_t size = bytes_of(text, most);
+  return size < text.size() ? text.substr(0, size) + "..." : text;
+}
+
+std::string in_quotes(const std::string& text, std::size_t most) {
+  const std::size_t size = bytes_of(text, most);
+  constexpr std::string_view escaped = "\"\\\b\f\n\r\t", letters = "\"\\bfnrt";
+  std::string result = "\"";
+  for (std::size_t k = 0; k < size;) {
+    const auto first = static_cast<unsigned char>(text[k]);
+    const std::size_t length = first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+    std::uint32_t code = length == 1 ? first : first & (0x7fu >> length);
+    for (std::size_t m = 1; m < length; ++m) code = (code << 6) | (static_cast<unsigned char>(text[k + m]) & 0x3fu);
+    if (const std::size_t known = escaped.find(text[k]); known != std::string_view::npos) {
+      (result += '\\') += letters[known];
+    } else if (code >= ' ' && code < 0x7f) {
+      result += text[k];
+    } else {
+      add_escaped(code, result);
+    }
+    k += length;
+  }
+  return result + (size < text.size() ? "\"..." : "\"");
+}
+
 std::string sentence_of(const Json& item, const NamedBody& a, const NamedBody& b) {
   const std::string question(item["question"].text()), verdict(item["verdict"].text());
   if (verdict == "these" || verdict == "count") return count_text(item, question) + rules_text(item);
@@ -247,8 +261,8 @@ std::string sentence_of(const Json& item, const NamedBody& a, const NamedBody& b
                                : name == "vertices" ? vertices_text(*value)
                                                     : shown(*value);
   }
-  if (!a.name.empty()) words["a"] = titled(a);
-  if (!b.name.empty()) words["b"] = titled(b);
+  if (!a.quoted.empty()) words["a"] = titled(a);
+  if (!b.quoted.empty()) words["b"] = titled(b);
   const auto known = std::find_if(sentences.begin(), sentences.end(), [&](const Sentence& sentence) {
     return sentence.question == question && (sentence.verdict == verdict || *sentence.verdict == '\0');
   });

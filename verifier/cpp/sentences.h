@@ -3,13 +3,21 @@
 
 #include <verifier/cpp/json.h>
 
+#include <cstddef>
 #include <string>
 
 namespace sunder_verifier {
 
-// Of a body with a radius the title is a word for what it is; without a name there is none.
+constexpr std::size_t most_shown = 100;  // characters of a name
+
+// The text, which is UTF-8; of a longer one so many characters, and dots.
+std::string shortened(const std::string& text, std::size_t most);
+// The same in quotes, as in JSON: one line of ASCII without control characters.
+std::string in_quotes(const std::string& text, std::size_t most);
+
+// Of a body with a radius the title is a word for what it is; the name is in quotes; without one there is none.
 struct NamedBody {
-  std::string title, name;
+  std::string title, quoted;
 };
 
 // Of a statement whose form is right; the names are those of the bodies a and b, or of the one that it is about, as the

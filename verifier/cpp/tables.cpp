@@ -1,4 +1,5 @@
 #include <verifier/cpp/reader.h>
+#include <verifier/cpp/sentences.h>
 #include <verifier/cpp/tables.h>
 
 #include <algorithm>
@@ -57,6 +58,13 @@ Scaled read_row(const Json& row, std::size_t count, const std::string& where) {
   Doubles doubles;
   add_doubles(row, count, where, 0, doubles);
   return rows_of(doubles, count);
+}
+
+template <class Body>
+void set_name(const Json& item, const std::string& where, Body& body) {
+  const std::string name = text_member(item, "name", where);
+  body.name = shortened(name, most_shown);
+  body.quoted = in_quotes(name, most_shown);
 }
 
 HullBody read_image(const Json& item, const std::vector<HullBody>& bodies, const std::string& where) {
@@ -138,7 +146,7 @@ HullBody read_body(const Json& item, const std::vector<HullBody>& bodies, const 
     body.axis = turned(body, {top[0] - base[0], top[1] - base[1], top[2] - base[2]});
     if (dot(body.axis, body.axis) == 0) refuse_form(where + " has no axis");
   }
-  body.name = text_member(item, "name", where);
+  set_name(item, where, body);
   return body;
 }
 
@@ -162,7 +170,7 @@ RowBody read_polytope(const Json& item, const std::vector<RowBody>& polytopes, c
     const std::size_t count = body.dimension + (body.is_of_points ? 0 : 1);
     body.given = std::make_shared<const Scaled>(rows_of(read_lists(rows, count, where + " row"), count));
   }
-  body.name = text_member(item, "name", where);
+  set_name(item, where, body);
   return body;
 }
 

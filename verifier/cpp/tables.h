@@ -29,7 +29,7 @@ enum class Around : std::uint8_t { nothing, hull, cylinder, cone, ellipsoid };
 
 // A convex hull of points, with the ways that go on from there for ever, or with a radius; or the image of one.
 struct HullBody {
-  std::string name;
+  std::string name, quoted;             // cut, as it is told; and in quotes, as in sentences
   std::size_t base = 0;                 // its own index, or that of the body that it is the image of
   std::shared_ptr<const Scaled> given;  // its points, then its ways; an image has those of the body that it is of
   std::size_t count = 0;                // of points
@@ -66,7 +66,7 @@ std::pair<Integers, std::int64_t> products(const HullBody& body, const Integers&
 
 // The hull of points of R^d, or the common part of half-spaces a x <= b, of rows a1, .., ad, b; or the image of one.
 struct RowBody {
-  std::string name;
+  std::string name, quoted;  // as of HullBody
   std::size_t dimension = 0;
   bool is_of_points = false;
   std::shared_ptr<const Scaled> given;  // the rows; an image has those of what it is of

@@ -132,7 +132,7 @@ TEST(Corpus, ResultsNameTheStatements) {
   EXPECT_EQ(result.statements[1].name_b, "third");
   EXPECT_EQ(result.statements[1].verdict, "apart");
   EXPECT_EQ(result.statements[1].failed_check, "parted");
-  EXPECT_EQ(result.statements[1].reason, "first is not strictly less far along the direction than third");
+  EXPECT_EQ(result.statements[1].reason, "\"first\" is not strictly less far along the direction than \"third\"");
   EXPECT_EQ(result.statements[2].verdict, "meet");
   EXPECT_TRUE(result.statements[0].accepted && result.statements[2].accepted && result.statements[3].accepted);
   EXPECT_FALSE(result.accepted());

@@ -12,6 +12,7 @@ if not __package__:  # called by the folder's path
     sys.path[0] = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 from sunder_verify import Refused, Unreadable, verify  # noqa: E402
+from sunder_verify.reader import MAX_TEXT  # noqa: E402
 from sunder_verify.sentences import in_quotes  # noqa: E402
 
 MAX_STREAM = 1 << 28  # bytes of what is no regular file
@@ -46,9 +47,9 @@ def check_file(file, options):
         print("%s: %s" % (name, getattr(error, "strerror", None) or error), file=sys.stderr)
         return 2, 0, 0
     for given, digest in report.inputs:
-        print("%s: of %s, SHA-256 %s" % (name, in_quotes(given), digest))
+        print("%s: of %s, SHA-256 %s" % (name, in_quotes(given, MAX_TEXT), digest))
     for text in report.left_out:
-        print("%s: left out: %s" % (name, in_quotes(text)))
+        print("%s: left out: %s" % (name, in_quotes(text, MAX_TEXT)))
     bad = 0
     for i, (sentence, refusal) in enumerate(report.statements):
         bad += refusal is not None

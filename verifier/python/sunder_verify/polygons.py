@@ -5,7 +5,8 @@ import itertools
 
 from .arcs import Way
 from .reader import length, projective, require
-from .rules import before, contacts_by_cover, contacts_of_segments, ends_at, is_on, lines_of, side, sweep
+from .rules import (before, contacts_by_cover, contacts_of_segments, ends_at, is_on, lines_of, number_of_segments, side,
+                    sweep)
 from .tables import Polygons, Segments, around
 
 
@@ -248,18 +249,20 @@ def rings_touch(steps, parts, rule, ring, other, point):
 # ---- Lists of what meets.
 
 CONTACTS = {Segments: contacts_of_segments, Polygons: contacts_of_polygons}  # of others by a cover
+NUMBER = {Segments: number_of_segments}  # of others the contacts are counted
 
 
 def exactly(rule):
     """The rule that the contacts that count are those wanted, which may be none, or are so many."""
     def check(steps, evidence, table, groups, allowed, wanted=()):
-        contacts = CONTACTS.get(type(table), contacts_by_cover)(steps, evidence, table, groups, allowed)
+        told = steps, evidence, table, groups, allowed
+        contacts_of = CONTACTS.get(type(table), contacts_by_cover)
         if type(wanted) is int:
-            number = sum(1 for _ in contacts)
+            number = NUMBER[type(table)](*told) if type(table) in NUMBER else sum(1 for _ in contacts_of(*told))
             require(number == wanted, rule, "%d contacts count" % number)
             return
         left = {(i, j): kind for i, j, *kind in wanted}
-        for i, j, *kind in contacts:
+        for i, j, *kind in contacts_of(*told):
             is_listed = left.pop((i, j), None) == kind
             require(is_listed, rule, "%d and %d have a contact that counts, and is not listed" % (i, j))
         for pair in left:

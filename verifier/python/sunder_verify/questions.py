@@ -285,8 +285,10 @@ def facets(value, where, read):
     return result
 
 
-def home_simplex(value, where, read):
-    return None if value is None else index(value, sum(map(len, read["facets"])), where)
+def homes_in_simplices(value, where, read):
+    """For each point null, or a simplex, counted through facets."""
+    count = sum(map(len, read["facets"]))
+    return for_each(lambda home, place, _: None if home is None else index(home, count, place))(value, where, read)
 
 
 def points_placed(value, where, read):
@@ -336,7 +338,7 @@ SAID = {  # what verdicts and claims say
     "rings": members_of("parts.rings", lambda those: len(those) > 1, " is not of two rings or more, each once"),
     "points": list_of(vector, lambda those, read: len(those) == len(read["rings"]), " is not as long as the rings"),
     "faces": list_of(FACE, lambda those, read: those, " is empty"), "homes": for_each(home), "outline": FACE,
-    "facets": facets, "simplices": for_each(home_simplex),
+    "facets": facets, "simplices": homes_in_simplices,
     "sectors": for_each(lambda value, where, read: None if value is None else index_of("outline")(value, where, read)),
     "corners": list_of(corner_of_section, lambda those, read: 0 < len(set(those)) == len(those),
                        " is empty, or names one twice"),

@@ -1,7 +1,7 @@
 """What a statement says, as a sentence: in the same words as the twin's (verifier/cpp/sentences.cpp)."""
 import json
 
-MOST, LONG = 10, 40  # entries of a list, and characters of a number, that are shown
+MOST, LONG, LONGEST = 10, 40, 100  # entries of a list, characters of a number, and of a name, that are shown
 
 SENTENCES = {  # of the members that a statement has
     "pair": {"apart": "{a} and {b} are apart", "meet": "{a} and {b} meet at {point}",
@@ -65,9 +65,9 @@ REGIONS = {"empty": "empty", "plane": "the plane", "point": "a point", "segment"
            "unbounded": "a region without bounds", "bounded": "a bounded region"}
 
 
-def in_quotes(text):
-    """The text in quotes, as one line of ASCII without control characters."""
-    return json.dumps(text).replace("\x7f", "\\u007f")
+def in_quotes(text, most=LONGEST):
+    """The text in quotes, as one line of ASCII without control characters; of a longer one its beginning."""
+    return json.dumps(text[:most]).replace("\x7f", "\\u007f") + ("..." if len(text) > most else "")
 
 
 def shown(value):
@@ -84,7 +84,7 @@ def sentence(item, bodies):
     """Of a statement whose form is right, and of the bodies that it says."""
     question, verdict = item["question"], item["verdict"]
     said = {key: shown(value) for key, value in item.items() if key != "claims"}
-    said.update({key: (body.title() + " " + in_quotes(body.name)).lstrip() for key, body in bodies.items()})
+    said.update({key: (body.title() + " " + body.name).lstrip() for key, body in bodies.items()})
     if item.get("facets"):
         said["facets"] = "%d facets, made of %d simplices of %d corners" % (
             len(item["facets"]), sum(map(len, item["facets"])), len(item["facets"][0][0]))

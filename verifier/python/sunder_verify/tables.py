@@ -4,6 +4,7 @@ import itertools
 import operator
 
 from .reader import LIST, anything, bits, common, double, form, index, length, list_of, members, numbers, text_of
+from .sentences import in_quotes
 
 
 def dot(u, v):
@@ -48,7 +49,7 @@ class Body:
             form(body.linear is None, where + " is of one that is placed itself")
             self.base = read["of"]
             self.rows, self.count, self.exponent, d = body.rows, body.count, body.exponent, body.dimension
-            self.kind, self.radius, self.size = body.kind, body.radius, body.size
+            self.kind, self.radius, self.size, self.bits = body.kind, body.radius, body.size, body.bits
             (self.linear,), self.turned = rows_of([read["linear"]], d * d, where + ".linear")
             (self.translation,), self.moved = rows_of([read["translation"]], d, where + ".translation")
             self.size += bits(self.linear) + abs(self.turned) + bits(self.translation) + abs(self.moved)
@@ -70,8 +71,9 @@ class Body:
             self.kind, self.radius = (kinds[0], read[kinds[0]]) if kinds else (None, (0, 1, 0))
             form(not kinds or (len(kinds) == 1 and d == 3 and not read["ways"] and self.radius[0] >= 0 and
                                ROUND[self.kind] in (None, self.count)), where + " is no body with a radius")
-            self.size = max(map(bits, self.rows)) + abs(self.exponent) + length([self.radius])
-        self.name, self.dimension, self.bits = read["name"], d, max(map(bits, self.rows))
+            self.bits = max(map(bits, self.rows))
+            self.size = self.bits + abs(self.exponent) + length([self.radius])
+        self.name, self.dimension = in_quotes(read["name"]), d
         self.axis = self.turn(list(map(operator.sub, self.rows[1], self.rows[0]))) if ROUND.get(self.kind) == 2 else ()
         form(not self.axis or any(self.axis), where + " has no axis")
 
@@ -150,6 +152,7 @@ class Polytope:
             of = polytopes[index(read["of"], len(polytopes), where + ".of")]
             form(of.linear is None, where + " is of one that is placed itself")
             self.rows, self.exponent, self.dimension, self.is_of_points = of.rows, of.exponent, of.dimension, of.is_of_points
+            self.bits = of.bits
             (self.linear,), self.turned = rows_of([read["linear"]], of.dimension ** 2, where + ".linear")
             (self.translation,), self.moved = rows_of([read["translation"]], of.dimension, where + ".translation")
         else:
@@ -159,7 +162,8 @@ class Polytope:
             self.dimension = index(read["dimension"], 7, where + ".dimension", 2)
             form(read[key] or not self.is_of_points, where + ".points is empty")
             self.rows, self.exponent = rows_of(read[key], self.dimension + (not self.is_of_points), where + " row")
-        self.name, self.bits = read["name"], max(map(bits, self.rows), default=0)
+            self.bits = max(map(bits, self.rows), default=0)
+        self.name = in_quotes(read["name"])
 
     def title(self):
         return ""  # as of a body without a radius

@@ -68,7 +68,7 @@ class Calls(unittest.TestCase):
         code, out, err = self.call("refused/parted_second_statement.json", "accepted/segments.json", "--quiet")
         self.assertEqual((code, err), (1, ""))
         self.assertEqual(out, 'refused/parted_second_statement.json: statement 1: refused: "first" and "third" are apart: '
-                              'parted: first is not strictly less far along the direction than third\n')
+                              'parted: "first" is not strictly less far along the direction than "third"\n')
         for file in ("refused/F_version_1.json", "refused/F_version_1_of_a_set.json"):
             self.assertEqual(self.call(file, "--quiet"), (
                 1, file + ": refused: F: this is a certificate of version 1, which is no longer read; make it again\n", ""))

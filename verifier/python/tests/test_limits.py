@@ -501,6 +501,25 @@ class Around(unittest.TestCase):
             self.expect_line(done, 2)
             self.assertIn(b"256 MiB", done.stderr)
 
+    @unittest.skipIf(IS_SANITIZED, "a sanitizer needs more memory than that")
+    def test_too_little_memory(self):
+        """Code 3 of both, and one line."""
+        text = json.dumps(bodies([ZEROS] * 60000, [apart(["1", "0", "0"])] * 30000))
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "large.json")
+            with open(path, "w", encoding="utf-8") as stream:
+                stream.write(text)
+            for command in twins().values():
+                most = 16 << 20
+                while self.within(most, [*command, self.files[0]]).returncode != 0:  # what the program itself needs
+                    most += 8 << 20
+                self.expect_line(self.within(most + (16 << 20), [*command, path]), 3)
+
+    def within(self, most, command):
+        """The call, with so many bytes of memory."""
+        return subprocess.run(command, capture_output=True,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (most, most)))
+
     def test_each_file_is_told_about(self):
         done = subprocess.run([*PYTHON, self.files[0], "missing", self.files[1]], capture_output=True)
         self.expect_line(done, 2)
