@@ -43,7 +43,7 @@ pattern for each line), same_as (the output of the step "first", or a file), jso
 
 A fact is `PATH = JSON`; also !=, <, <=, >, >=, has (a part of a text; of another value, of its JSON), starts, ends,
 `is number`, absent, present. A path is like pairs[0].a; [*] is every element, and there must be one; [a="cube"] those
-elements that have this; .length the number of elements, and .values at its end the list of all that is there.
+elements that have this; .length the number of elements; .values the list of all values before it.
 `@NAME:PATH` in the place of the JSON is a value of the report of the step NAME, of a file, or with no NAME of the same
 document, to which a number may be added: `@:low + 1e-9`; `@sha256:FILE` is a digest. `each PATH: FACT` is the fact of
 every element there.
@@ -141,6 +141,13 @@ def values_at(value, steps):
     if isinstance(step, int) and isinstance(value, list):
         return values_at(value[step], rest) if -len(value) <= step < len(value) else []
     return values_at(value[step], rest) if isinstance(value, dict) and step in value else []
+
+
+def found_at(value, path):
+    """All values at a path; before .values, a list of them."""
+    path, collected, rest = path.partition(".values")
+    values = values_at(value, steps_of(path))
+    return values_at(values, steps_of(rest)) if collected else values
 
 
 FACT = re.compile(r"^(.*?) (!?=|[<>]=?|has|starts|ends|is) (.*)$|^(.*) (absent|present)$", re.S)
@@ -310,7 +317,7 @@ class Test:
         def fault(words):
             return "sunder %s: %s\n%s%s" % (arguments, words, done.out, done.err)
         self.expect(done.code == 2, lambda: fault("code %d, not 2" % done.code))
-        if "--json" in arguments:
+        if re.search(r"--json(?!-)", arguments):
             try:
                 told = read_json(done.out)["error"]["text"]
             except (ValueError, KeyError, TypeError):
@@ -338,7 +345,7 @@ class Test:
             document = read_json(self.saved[name].out)
         else:
             document = (read_lines if name.endswith(".jsonl") else read_json)(self.read(name))
-        values = values_at(document, steps_of(path))
+        values = found_at(document, path)
         if len(values) != 1:
             raise Wrong("%s: %d values are there" % (text, len(values)))
         return values[0] + (-1 if sign == "-" else 1) * float(more) if sign else values[0]
@@ -355,9 +362,7 @@ class Test:
         if not match:
             raise Wrong("'%s' is no fact" % fact)
         path, how, right = match.group(1) or match.group(4), match.group(2) or match.group(5), match.group(3)
-        values = values_at(document, steps_of(path.removesuffix(".values")))
-        if path.endswith(".values"):
-            values = [values]
+        values = found_at(document, path)
         if how in ("absent", "present"):
             self.expect(bool(values) == (how == "present"), "%s: not so: %s" % (where, fact))
             return
@@ -614,4 +619,7 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except (Wrong, tomllib.TOMLDecodeError) as error:
+        sys.exit(str(error))

@@ -1,8 +1,7 @@
 # Tests by the place and name of their files (see CONTRIBUTING.md):
 #   sunder/<layer>/**/x_test.cpp   one executable a layer, ctest unit_<layer>                 labels unit, <layer>
 #   verifier/, cli/ x_test.cpp     the same: unit_verifier, unit_cli
-#   cli/program_x_test.cpp         runs the program; an executable and a ctest entry each     labels unit, program
-#   cli/calls/x.toml               calls of the program as data, run by cli/calls_test.py: calls_x   labels unit, program
+#   cli/calls/x.toml               calls of the program, run by cli/calls_test.py: calls_x    labels unit, program
 #   tests/x_<kind>_test.cpp        an executable and a ctest entry each: x_<kind>_test        labels tests, <kind>
 #   tests/support/*.cpp            linked to all of these
 #   tests/tools/x.cpp              an executable each, in <build>/tools
@@ -44,7 +43,7 @@ if(sources)
 endif()
 
 # Tests compile at -O1; those in which most of the time is run (FAST: differentials, and what counts) as the library
-# does; those that call the program, or read small files, at -O0 (PLAIN). The headers of others are compiled
+# does; those that read small files at -O0 (PLAIN). The headers of others are compiled
 # once, but for FAST by GCC, whose -O3 may take them for the place of what it warns of.
 set(precompiled plain light)
 if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -109,19 +108,10 @@ foreach(folder ${SUNDER_CORE_LAYERS} io picture ask verifier cli)
     list(APPEND link sunder_cli_verbs)
   endif()
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${place}/*_test.cpp)
-  list(FILTER sources EXCLUDE REGEX "/cli/program_[^/]*$")
   if(sources)
     sunder_add_executable(sunder_unit_${folder} tests ${speed} SOURCES ${sources} LINK ${link})
     sunder_add_test(unit_${folder} COMMAND sunder_unit_${folder} TIMEOUT 600 LABELS unit ${folder})
   endif()
-endforeach()
-
-file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cli/program_*_test.cpp)
-foreach(source ${sources})
-  cmake_path(GET source STEM name)
-  sunder_add_executable(${name} tests PLAIN SOURCES ${source} LINK GTest::gtest_main)
-  add_dependencies(${name} sunder_cli)
-  sunder_add_test(${name} COMMAND ${name} TIMEOUT 600 LABELS unit program)
 endforeach()
 
 if(TARGET sunder_cli)

@@ -86,3 +86,80 @@ def corners_are_in_the_plane(test, report):
     for corner in corners:
         x, y, z = corner["point"]
         test.expect(abs(x + 2 * y + 2 * z - 0.7) < 1e-15, "not in the plane: %s" % corner)
+
+
+def _lines(test, name):
+    return [json.loads(line) for line in test.read(name).splitlines()]
+
+
+def placements_are_as_the_report_says(test, report, text, lines):
+    """The lines of all placements have what the report of all has, and each pair that meets has evidence."""
+    held = json.loads(test.saved[report].out)
+    words = test.saved[text].out.splitlines()
+    for k, line in enumerate(_lines(test, lines)[1:]):
+        test.expect(line["answer"] == held["placements"][k]["answer"], "placement %d has another answer" % k)
+        expected = [p for p in held["pairs"] if p["placement"] == k and p["answer"] == "meet"]
+        pairs = line.get("pairs", [])
+        if not test.expect(len(pairs) == len(expected), "%d pairs, not %d" % (len(pairs), len(expected))):
+            continue
+        for pair, other in zip(pairs, expected):
+            for key in ("a", "b", "part_a", "part_b", "answer", "contact", "said_of", "counted"):
+                test.expect(pair[key] == other[key], "placement %d: %s is %s, not %s" % (k, key, pair[key], other[key]))
+            named = len(pair["evidence"]["vertices_a"]) + len(pair["evidence"]["vertices_b"])
+            test.expect(2 <= named <= 5, "%d vertices of the evidence" % named)
+        test.expect(words[k].startswith("%d: " % k), words[k])
+        test.expect(words[k].endswith(": none meet") == (not pairs), words[k])
+
+
+def stops_at_the_first(test, everything, first):
+    """The lines are those of all, up to the first that meets, and a sum."""
+    lines = test.saved[everything].out.splitlines()
+    end = next(k for k, line in enumerate(lines) if not line.endswith(": none meet")) + 1
+    found = test.saved[first].out.splitlines()
+    test.expect(len(found) == end + 1, "%d lines, not %d" % (len(found), end + 1))
+    test.expect(found[:end] == lines[:end], "other lines: %s" % found)
+
+
+def nearness_is_as_the_report_says(test, report, text, lines, table):
+    """What is closer in each placement, and what is nearest, in lines, rows and words."""
+    held = json.loads(test.saved[report].out)
+    words, rows = test.saved[text].out.splitlines(), test.read(table).splitlines()
+    not_kept = listed = 0
+    for k, line in enumerate(_lines(test, lines)[1:]):
+        expected = [{key: v for key, v in p.items() if key != "placement"}
+                    for p in held["clearance"]["closer"] if p["placement"] == k]
+        nearest = {key: v for key, v in held["nearest"][k].items() if key != "placement"}
+        test.expect(line["closer"] == expected, "placement %d: %s is closer" % (k, line["closer"]))
+        test.expect(line["nearest"] == nearest, "placement %d: %s is nearest" % (k, line["nearest"]))
+        test.expect("closer_undecided" not in line, "placement %d is undecided" % k)
+        test.expect(("; none are closer; nearest: " in words[k]) == (not expected), words[k])
+        test.expect(",%d," % len(expected) in rows[k + 1], rows[k + 1])
+        not_kept += bool(expected)
+        listed += len(expected)
+    test.expect(listed > not_kept, "%d pairs of %d placements" % (listed, not_kept))
+    test.expect(10 < not_kept < 70, "%d placements" % not_kept)
+    test.expect("; closer than asked for, or undecided: %d" % not_kept in words[-1], words[-1])
+
+
+def statements_are_what_is_closer(test, lines, proof):
+    """The statements are of the pairs that the lines tell, with their distances, and of no others."""
+    told, statements = _lines(test, lines)[1:], json.loads(test.read(proof))["statements"]
+    meeting = sum(len(line.get("pairs", [])) for line in told)
+    least = [pair["least"] for line in told for pair in line["closer"]]
+    stated = [float.fromhex(s["least"]) for s in statements if s["verdict"] == "broken"]
+    met = sum(s["verdict"] == "meet" for s in statements)
+    own = least.count(0.03)
+    test.expect(met == meeting > 10, "%d of %d meet" % (met, meeting))
+    test.expect(stated == least, "%s, not %s" % (stated, least))
+    test.expect(len(statements) == met + len(stated), "%d statements" % len(statements))
+    test.expect(own > 0, "no pair has a margin of its own")
+    test.expect(len(least) > meeting + own, "%d are closer" % len(least))
+
+
+def forget_one_that_is_nearer(test, proof):
+    """Takes a pair out of a statement that lists two or more pairs that are nearer."""
+    document = json.loads(test.read(proof))
+    found = [s for s in document["statements"] if s["question"] == "clearances" and len(s.get("nearer", [])) > 1]
+    if test.expect(found, "no statement has two that are nearer"):
+        del found[0]["nearer"][0]
+        test.write(proof, json.dumps(document))

@@ -50,3 +50,22 @@ def poses_npy():
     """Two placements of two joints in single precision."""
     header = "{'descr': '<f4', 'fortran_order': False, 'shape': (2, 2), }".ljust(117) + "\n"
     return b"\x93NUMPY\x01\x00\x76\x00" + header.encode() + struct.pack("<4f", -1.5, 1.5, -1.75, 1.5)
+
+
+def bends(count):
+    """Values of four joints of the arm that sweep them; every tenth row or so is folded into itself."""
+    text = "panda_joint2,panda_joint4,panda_joint6,panda_joint1\n"
+    for k in range(count):
+        part = k * 37 % 100 / 100
+        text += "%f,%f,%f,%f\n" % (-1.7 + 3.4 * part, -3.0 + 2.9 * part * part, 3.7 * part, k / 500)
+    return text
+
+
+def bends_of_three(count):
+    """The same of three joints."""
+    return "".join(line.rpartition(",")[0] + "\n" for line in bends(count).splitlines())
+
+
+def far(count, at):
+    """Values of one joint, of which one is too large."""
+    return "j\n" + "".join("1e308\n" if k == at else "1\n" for k in range(count))

@@ -2,12 +2,12 @@
 
 #include <sunder/planar/pair/segment_segment.h>
 
-#include <tests/support/program.h>
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <string>
 
@@ -17,6 +17,11 @@ namespace {
 using nlohmann::json;
 using planar::Segment;
 using planar::Segments;
+
+std::string read_text(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
 
 ContactRow crossing() {
   return {0, 1, "crossing", {1, 1}, {}, {{"names", {"A", "B"}}, {"lines", {"1", "null"}, false}}};
@@ -81,7 +86,7 @@ TEST(ContactRow, PropertiesThatWereAskedFor) {
   ContactTable table(file);
   table.add(row);
   table.close();
-  EXPECT_EQ(tests::read_text(file),
+  EXPECT_EQ(read_text(file),
             "i,j,contact,x,y,name_i,name_j,line_i,line_j,\"a \"\"b\"\"_i\",\"a \"\"b\"\"_j\",size_i,size_j\r\n"
             "0,1,crossing,1,1,A,B,1,,\"x, y\",,1.5,\r\n");
   std::filesystem::remove(file);
@@ -96,13 +101,13 @@ TEST(ContactRow, AsATable) {
   table.add(row);
   table.add(row);
   table.close();
-  EXPECT_EQ(tests::read_text(file),
+  EXPECT_EQ(read_text(file),
             "i,j,contact,x,y,name_i,name_j,line_i,line_j,shown_by\r\n"
             "0,1,crossing,1,1,A,\"a \"\"b\"\", c\",1,,a vertex inside\r\n"
             "0,1,crossing,1,1,A,\"a \"\"b\"\", c\",1,,a vertex inside\r\n");
   ContactTable empty(file);
   empty.close();
-  EXPECT_EQ(tests::read_text(file), "i,j,contact,x,y\r\n");
+  EXPECT_EQ(read_text(file), "i,j,contact,x,y\r\n");
   std::filesystem::remove(file);
 }
 
