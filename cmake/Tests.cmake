@@ -29,7 +29,6 @@ endforeach()
 # One file knows the names of folders, so that a compiler cache serves all clones.
 set(places SUNDER_SOURCE_DIR="${PROJECT_SOURCE_DIR}" SUNDER_PYTHON="${python}")
 if(TARGET sunder_cli)
-  list(APPEND places SUNDER_PROGRAM="$<TARGET_FILE:sunder_cli>")
   list(APPEND environment SUNDER_PROGRAM=$<TARGET_FILE:sunder_cli>)
 endif()
 set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/support/places.cpp PROPERTIES COMPILE_DEFINITIONS "${places}")

@@ -8,6 +8,5 @@ namespace sunder::tests {
 std::string cases_folder();   // cases/, without a slash at the end
 std::string source_folder();  // the folder of the whole project
 std::string python();         // the interpreter
-std::string program();        // the program `sunder` of this build; empty where it is not built
 
 }  // namespace sunder::tests
