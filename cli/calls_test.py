@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs the calls of the program that cli/calls/*.toml list, and checks what they say of each.
 
-    calls_test.py [--jobs N] [--only PART] [SUBJECT...]     all subjects, on all cores, if none is named
+    calls_test.py [--jobs N] [--only PART] [SUBJECT...]     all subjects, on all cores, if none is named; or files *.toml
 
 A file holds tests, a test holds steps, a step is a call with what must be so. Tests run side by side, each in a new
 folder with a link `cases` to the cases; the steps of a test share that folder, in their order. Unknown keys, unknown
@@ -52,10 +52,8 @@ import argparse
 import concurrent.futures
 import glob
 import hashlib
-import importlib.util
 import itertools
 import json
-import operator
 import os
 import re
 import shlex
@@ -68,11 +66,16 @@ import traceback
 sys.dont_write_bytecode = True
 ROOT = os.environ.get("SUNDER_SOURCE_DIR") or os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 CASES = os.environ.get("SUNDER_CASES_DIR") or os.path.join(ROOT, "cases")
-PROGRAM = os.environ.get("SUNDER_PROGRAM", "")
+PROGRAM = os.environ.get("SUNDER_PROGRAM") and os.path.abspath(os.environ["SUNDER_PROGRAM"])
 FOLDER = os.path.join(ROOT, "cli", "calls")
-IS_SANITIZED = "asan" in PROGRAM or "tsan" in PROGRAM
+sys.path.insert(0, FOLDER)
+import checks  # noqa: E402
+import made  # noqa: E402
+from facts import FACT, TYPES, Wrong, found_at, is_so, read_json, read_lines, steps_of, values_at  # noqa: E402
+
+IS_SANITIZED = "asan" in (PROGRAM or "") or "tsan" in (PROGRAM or "")
 # A sanitizer's report must not look like an exit code of the program.
-ENVIRONMENT = {**os.environ, "SUNDER": PROGRAM, "LC_ALL": "C"}
+ENVIRONMENT = {**os.environ, "SUNDER": PROGRAM or "", "LC_ALL": "C"}
 for sanitizer in ("ASAN", "UBSAN", "TSAN", "LSAN"):
     ENVIRONMENT[sanitizer + "_OPTIONS"] = ENVIRONMENT.get(sanitizer + "_OPTIONS", "") + ":exitcode=86"
 
@@ -83,102 +86,6 @@ STEP_KEYS = CALL_KEYS | {"run", "shell", "let", "for", "files", "make", "edit", 
                          "accepted", "refused", "check"}
 TEXT_KEYS = {"has", "has_not", "is", "starts", "ends", "lines", "matches", "same_as", "json", "json_lines"}
 REPORT_KEYS = ("sunder", "verb", "answer", "method", "decided_by", "cost", "objects", "notes")
-
-
-class Wrong(Exception):
-    """The data are not as the format is."""
-
-
-# Values inside of JSON.
-
-STEP_OF_PATH = re.compile(r"\.?([A-Za-z0-9_ /-]+)|\[(-?\d+)\]|\[(\*)\]|\[(\w+)=")
-
-
-def steps_of(path):
-    steps, at = [], 0
-    while at < len(path):
-        match = STEP_OF_PATH.match(path, at)
-        if not match:
-            raise Wrong("the path '%s' is none from '%s' on" % (path, path[at:]))
-        name, index, every, key = match.groups()
-        at = match.end()
-        if key is not None:
-            value, at = json.JSONDecoder().raw_decode(path, at)
-            if path[at:at + 1] != "]":
-                raise Wrong("the path '%s' has no ] before '%s'" % (path, path[at:]))
-            steps.append((int(key) if key.isdigit() else key, value))
-            at += 1
-        else:
-            steps.append(name if name is not None else int(index) if index is not None else every)
-    return steps
-
-
-def same(a, b):
-    """Equal as JSON: true is not 1, but 1 is 1.0."""
-    if isinstance(a, bool) or isinstance(b, bool):
-        return a is b
-    if isinstance(a, list) and isinstance(b, list):
-        return len(a) == len(b) and all(same(x, y) for x, y in zip(a, b))
-    if isinstance(a, dict) and isinstance(b, dict):
-        return a.keys() == b.keys() and all(same(a[k], b[k]) for k in a)
-    return a == b
-
-
-def values_at(value, steps):
-    """All values there: one, or as many as [*] has elements; none where a key or an element is missing."""
-    if not steps:
-        return [value]
-    step, rest = steps[0], steps[1:]
-    if isinstance(step, tuple):
-        if not isinstance(value, list):
-            return []
-        return values_at([v for v in value if any(same(x, step[1]) for x in values_at(v, [step[0]]))], rest)
-    if step == "*":
-        elements = value.values() if isinstance(value, dict) else value if isinstance(value, list) else []
-        return [found for v in elements for found in values_at(v, rest)]
-    if step == "length" and isinstance(value, (list, str, dict)) and not (isinstance(value, dict) and "length" in value):
-        return values_at(len(value), rest)
-    if isinstance(step, int) and isinstance(value, list):
-        return values_at(value[step], rest) if -len(value) <= step < len(value) else []
-    return values_at(value[step], rest) if isinstance(value, dict) and step in value else []
-
-
-def found_at(value, path):
-    """All values at a path; before .values, a list of them."""
-    path, collected, rest = path.partition(".values")
-    values = values_at(value, steps_of(path))
-    return values_at(values, steps_of(rest)) if collected else values
-
-
-FACT = re.compile(r"^(.*?) (!?=|[<>]=?|has|starts|ends|is) (.*)$|^(.*) (absent|present)$", re.S)
-ORDERS = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
-TYPES = {"number": (int, float), "text": str, "list": list, "object": dict, "true or false": bool, "null": type(None)}
-
-
-def is_so(found, how, value):
-    if how in ORDERS:
-        return not isinstance(found, bool) and isinstance(found, (int, float)) and ORDERS[how](found, value)
-    if how == "has":
-        return value in (found if isinstance(found, str) else json.dumps(found, ensure_ascii=False))
-    if how == "starts":
-        return isinstance(found, str) and found.startswith(value)
-    if how == "ends":
-        return isinstance(found, str) and found.endswith(value)
-    if how == "is":
-        return isinstance(found, TYPES[value]) and (value == "true or false" or not isinstance(found, bool))
-    return same(found, value) == (how == "=")
-
-
-def no_nan(word):
-    raise ValueError("%s is not JSON" % word)
-
-
-def read_json(text):
-    return json.loads(text, parse_constant=no_nan)
-
-
-def read_lines(text):
-    return [read_json(line) for line in text.splitlines()]
 
 
 def as_text(value):
@@ -466,7 +373,7 @@ class Test:
             self.write(name, text)
         for name, words in step.get("make", {}).items():
             function, *arguments = words.split()
-            self.write(name, getattr(MADE, function)(*(int(a) if a.isdigit() else a for a in arguments)))
+            self.write(name, getattr(made, function)(*(int(a) if a.isdigit() else a for a in arguments)))
         for name, changes in step.get("edit", {}).items():
             self.edit(name, changes)
         for name, (old, new) in step.get("replace", {}).items():
@@ -518,23 +425,13 @@ class Test:
                 self.expect(not os.path.exists(self.path(name)), "there is a file " + name)
             if "check" in now:
                 function, *arguments = now["check"].split()
-                getattr(CHECKS, function)(self, *arguments)
+                getattr(checks, function)(self, *arguments)
             kept = {name: self.variables[name] for name in now.get("keep", {})}
             self.variables = {**outer, **kept}
 
 
 def listed(value):
     return [value] if isinstance(value, str) else value
-
-
-def module(name):
-    specification = importlib.util.spec_from_file_location(name, os.path.join(FOLDER, name + ".py"))
-    made = importlib.util.module_from_spec(specification)
-    specification.loader.exec_module(made)
-    return made
-
-
-MADE, CHECKS = module("made"), module("checks")
 
 
 def check_step(step, where):
@@ -550,7 +447,7 @@ def check_step(step, where):
 
 def tests_of(subject):
     """Each test of the file, once for each turn: (name, test, variables)."""
-    path = os.path.join(FOLDER, subject + ".toml")
+    path = subject if subject.endswith(".toml") else os.path.join(FOLDER, subject + ".toml")
     with open(path, "rb") as stream:
         data = tomllib.load(stream)
     known(data, FILE_KEYS, path)

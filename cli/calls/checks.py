@@ -19,7 +19,7 @@ def guide_names_all_options(test):
         section = sections.get("sunder " + verb, "")
         test.expect(section, "no section of " + verb)
         test.expect("\n    sunder %s " % verb in section, "no call of " + verb)
-        for option in re.findall(r"^  -.*?(--[a-z-]+)", words, re.M):
+        for option in re.findall(r"^  (?=-).*?(--[a-z-]+)", words, re.M):
             test.expect(option in ("--help", "--quiet", "--out") or option in section,
                         "the section of %s does not name %s" % (verb, option))
 
@@ -31,7 +31,9 @@ def rows_are_lines(test, lines, table, key):
     test.expect(len(rows) == len(told) > 10, "%d rows, %d lines" % (len(rows), len(told)))
     for k, (line, row) in enumerate(zip(told, rows)):
         test.expect(line[key] == k, "line %d is of %s" % (k, line[key]))
-        begin = "%d,%s,%d," % (k, line["answer"], len(line.get("pairs", [])))
+        pairs = line.get("pairs", [])
+        test.expect((line["answer"] == "some") == bool(pairs), "line %d: %s, %d pairs" % (k, line["answer"], len(pairs)))
+        begin = "%d,%s,%d," % (k, line["answer"], len(pairs))
         test.expect(row.startswith(begin), "row %d does not begin %s: %s" % (k, begin, row))
 
 
@@ -106,7 +108,8 @@ def placements_are_as_the_report_says(test, report, text, lines):
             for key in ("a", "b", "part_a", "part_b", "answer", "contact", "said_of", "counted"):
                 test.expect(pair[key] == other[key], "placement %d: %s is %s, not %s" % (k, key, pair[key], other[key]))
             named = len(pair["evidence"]["vertices_a"]) + len(pair["evidence"]["vertices_b"])
-            test.expect(2 <= named <= 5, "%d vertices of the evidence" % named)
+            test.expect(named >= 2, "%d vertices of the evidence" % named)
+            test.expect(named <= 5, "%d vertices of the evidence" % named)
         test.expect(words[k].startswith("%d: " % k), words[k])
         test.expect(words[k].endswith(": none meet") == (not pairs), words[k])
 
