@@ -11,6 +11,7 @@
 #include <sunder/planar/pair/segment_segment.h>
 #include <sunder/planar/set/segments_all.h>
 #include <sunder/planar/set/segments_json.h>
+#include <sunder/planar/sweep/sweep_events.h>
 
 #include <fmt/ranges.h>
 
@@ -159,7 +160,7 @@ Block in_sheet(const Sheet& sheet, const Block& block) {
   return {number(block.first), number(block.last)};
 }
 
-// A proof of a list, or of its length, has an event for each place where some meet.
+// A proof of a list has the list, and an event for each place where some meet.
 void require_provable(const Sheet& sheet, SetOptions options) {
   options.transcript = false;
   const std::uint64_t count = planar::segments_count(sheet.segments, options).count;
@@ -170,6 +171,19 @@ void require_provable(const Sheet& sheet, SetOptions options) {
               fmt::format("{} pairs meet, and the proof would have about {:.1f} GB; of more than {} pairs none is "
                           "written; leave it out, or ask about less",
                           count, gigabytes, most_proved),
+              "--certificate");
+}
+
+// What proves how many pairs meet, or that none do: the events alone, few where many meet in one place.
+planar::SweepEvents events_of(const Sheet& sheet) {
+  const std::uint64_t most = std::max(4 * most_proved, 8 * std::uint64_t{sheet.segments.size()});
+  std::optional<planar::SweepEvents> events = planar::sweep_events(sheet.segments, most);
+  if (events) return std::move(*events);
+  const std::size_t digits = std::to_string(sheet.segments.size()).size();
+  throw Error(ErrorCode::bad_call,
+              fmt::format("segments meet in so many places that the proof would have {:.1f} GB or more; leave it out, or "
+                          "ask about less",
+                          static_cast<double>(most * (digits + 1)) / 1e9),
               "--certificate");
 }
 
@@ -238,6 +252,8 @@ class SegmentsSet {
   void ask(Result& result) {
     if (!call_.counts()) {
       find_any(result);
+    } else if (call_.proves() && call_.lists()) {
+      list_and_prove(result);
     } else if (call_.proves()) {
       count_and_prove(result);
     } else {
@@ -383,8 +399,26 @@ class SegmentsSet {
     }
   }
 
-  // With --count or --all, and a proof.
+  // With --count and a proof: contacts are counted, and not kept.
   void count_and_prove(Result& result) {
+    options_.transcript = false;
+    std::uint64_t before = 0;
+    for (const Sheet& sheet : sheets_) {
+      planar::SweepEvents events = events_of(sheet);
+      const Cost cost = of_sheet(sheet, [&](const SetOptions& options) {
+        return contact_method(call_.method)(sheet.segments, options, [&](const SegmentsContact& c) {
+          result.add(c);
+          return true;
+        });
+      });
+      result.cost.probes += cost.probes;
+      hold_proof(sheet, planar::SegmentsCountAnswer{{result.pairs() - before, cost}, std::move(events)});
+      before = result.pairs();
+    }
+  }
+
+  // With --all and a proof.
+  void list_and_prove(Result& result) {
     std::vector<SegmentsContact> all;
     for (const Sheet& sheet : sheets_) {
       planar::SegmentsAllAnswer answer = of_sheet(sheet, [&](const SetOptions& options) {
@@ -394,16 +428,10 @@ class SegmentsSet {
       result.cost.probes += answer.cost.probes;
       for (const SegmentsContact& c : answer.contacts) {
         result.add(c);
-        if (call_.lists()) all.push_back(in_file(sheet, c));
+        all.push_back(in_file(sheet, c));
       }
-      if (call_.lists()) {
-        hold_proof(sheet, std::move(answer));
-      } else {
-        hold_proof(sheet,
-                   planar::SegmentsCountAnswer{{answer.contacts.size(), answer.cost}, std::move(answer.transcript)});
-      }
+      hold_proof(sheet, std::move(answer));
     }
-    if (!call_.lists()) return;
     std::sort(all.begin(), all.end());
     result.hold(std::move(all));
   }
