@@ -125,14 +125,14 @@ class ValidQuestion {
     if (!call_.svg.empty()) ask::require_drawable(file().segments.size(), "segment", defects_, call_.svg_limit);
   }
 
-  Cost visit_by_method(std::span<const PolygonRings> parts, const PolygonDefectVisitor& visit) const {
+  planar::DefectCount visit_by_method(std::span<const PolygonRings> parts, const PolygonDefectVisitor& visit) const {
     planar::ValidOptions options{call_.rule()};
     if (call_.method == "automatic" && call_.lists()) return visit_polygon_defects(parts, options, visit);
     if (!call_.lists()) options.most = 1;
     const planar::PolygonDefects answer =
         call_.method == "scan" ? polygon_defects_by_scan(parts, options) : polygon_defects(parts, options);
     static_cast<void>(std::all_of(answer.defects.begin(), answer.defects.end(), visit));
-    return answer.cost;
+    return {answer.defects.size(), answer.cost};
   }
 
   void ask() {
@@ -157,12 +157,12 @@ class ValidQuestion {
         continue;
       }
       std::vector<PolygonDefect> defects;
-      const Cost cost = visit_by_method(parts.rings, [&](const PolygonDefect& defect) {
-        ++result.count;
-        if (held + result.count <= most_held) defects.push_back(defect);
-        return true;
+      const auto [count, cost] = visit_by_method(parts.rings, [&](const PolygonDefect& defect) {
+        defects.push_back(defect);
+        return held + defects.size() <= most_held;
       });
-      if (defects.size() == result.count) {
+      result.count = count;
+      if (held + result.count <= most_held) {
         held += defects.size();
         result.held = std::move(defects);
       }
@@ -209,9 +209,10 @@ class ValidQuestion {
       std::uint32_t first = 0;
       for_each_feature([&](const Result& result, const auto& parts, const VisitDefects& visit) {
         if (parts.empty()) return;
-        if (result.valid()) planar::write_valid(claims, parts, first, call_.rule());
+        planar::ValidClaims valid(claims, parts, first, call_.rule());
+        if (result.valid()) valid.write_valid();
         visit([&](const PolygonDefect& defect) {
-          if (planar::write_defect(claims, parts, first, call_.rule(), defect)) return true;
+          if (valid.write_defect(defect)) return true;
           throw Error(ErrorCode::bad_call,
                       fmt::format("{}: one of its defects, {}, has no proof here; leave it out", feature_text(result),
                                   text_of(defect, result.has_parts())),
