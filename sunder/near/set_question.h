@@ -41,6 +41,9 @@ inline bool may_meet(Groups groups, std::uint32_t i, std::uint32_t j) {
   return !groups.empty() && groups[i] == groups[j];
 }
 
+// Are all members of one group? Then no contact counts.
+bool are_one_group(Groups groups);
+
 struct SetOptions {
   Allowed allowed = Allowed::nothing;
   Groups groups{};                                 // members of one group may meet

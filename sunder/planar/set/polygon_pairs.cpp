@@ -319,7 +319,7 @@ std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, con
   };
   const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {
     ++pairs.cost.probes;
-    if ((end != nullptr && i >= *end) || may_meet(options.groups, i, j)) return !pairs.gave_up();
+    if (end != nullptr && i >= *end) return !pairs.gave_up();
     prefetch(&polygons[i], sizeof(Polygon));
     prefetch(&polygons[j], sizeof(Polygon));
     if (known > 0) {
@@ -328,7 +328,7 @@ std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, con
     waiting[known++ % most_waiting] = {i, j};
     return known - compared < most_waiting || compare_next();
   };
-  bool all = for_each_box_pair(boxes, of_pair, options.progress, &cost.probes);
+  bool all = for_each_box_pair(boxes, of_pair, options.progress, &cost.probes, options.groups);
   while (all && compared != known) all = compare_next();
   cost.probes += pairs.cost.probes;
   if (!all && !was_stopped) return std::nullopt;
