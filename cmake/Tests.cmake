@@ -1,8 +1,10 @@
 # Tests by the place and name of their files (see CONTRIBUTING.md):
-#   sunder/<layer>/**/x_test.cpp   one executable a layer, ctest unit_<layer>                 labels unit, <layer>
+#   sunder/<layer>/**/x_test.cpp   one executable a layer, ctest unit_<layer>, or in shards:   labels unit, <layer>
+#                                  unit_<layer>_1, ..
 #   verifier/, cli/ x_test.cpp     the same: unit_verifier, unit_cli
 #   cli/calls/x.toml               calls of the program, run by cli/calls_test.py: calls_x    labels unit, program
-#   tests/x_<kind>_test.cpp        an executable and a ctest entry each: x_<kind>_test        labels tests, <kind>
+#   tests/<layer>/x_<kind>_test.cpp   a ctest entry each: x_<kind>_test                       labels tests, <kind>
+#                                  all of a layer are two executables: <layer>_fast and <layer>_light (see below)
 #   tests/support/*.cpp            linked to all of these
 #   tests/tools/x.cpp              an executable each, in <build>/tools
 #   examples/x.cpp                 an executable each, run: example_x                         label example
@@ -68,7 +70,7 @@ foreach(speed ${precompiled})
 endforeach()
 
 function(sunder_add_executable target folder)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "FAST;PLAIN" "" "SOURCES;LINK")
+  cmake_parse_arguments(PARSE_ARGV 2 arg "FAST;LIGHT;PLAIN" "" "SOURCES;LINK")
   add_executable(${target} ${arg_SOURCES})
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${folder})
   target_link_libraries(${target} PRIVATE ${libraries} ${arg_LINK})
@@ -85,15 +87,16 @@ function(sunder_add_executable target folder)
 endfunction()
 
 function(sunder_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT" "COMMAND;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT" "COMMAND;LABELS;ENVIRONMENT")
   add_test(NAME ${name} COMMAND ${arg_COMMAND} WORKING_DIRECTORY ${PROJECT_BINARY_DIR})
-  set_tests_properties(${name} PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}" ENVIRONMENT "${environment}")
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}"
+    ENVIRONMENT "${environment};${arg_ENVIRONMENT}")
 endfunction()
 
 # Beside the sources.
 foreach(folder ${SUNDER_CORE_LAYERS} io picture ask verifier cli)
   set(place sunder/${folder})
-  set(link GTest::gtest_main rapidcheck)
+  set(link rapidcheck)
   set(speed "")
   if(folder MATCHES "^(io|picture|ask|cli)$")
     set(speed PLAIN)
@@ -109,7 +112,17 @@ foreach(folder ${SUNDER_CORE_LAYERS} io picture ask verifier cli)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${place}/*_test.cpp)
   if(sources)
     sunder_add_executable(sunder_unit_${folder} tests ${speed} SOURCES ${sources} LINK ${link})
-    sunder_add_test(unit_${folder} COMMAND sunder_unit_${folder} TIMEOUT 600 LABELS unit ${folder})
+    list(LENGTH sources shards)
+    math(EXPR shards "(${shards} + 59) / 60")
+    foreach(shard RANGE 1 ${shards})
+      set(name unit_${folder})
+      if(shards GREATER 1)
+        string(APPEND name _${shard})
+      endif()
+      math(EXPR index "${shard} - 1")
+      sunder_add_test(${name} COMMAND sunder_unit_${folder} TIMEOUT 600 LABELS unit ${folder}
+        ENVIRONMENT GTEST_TOTAL_SHARDS=${shards} GTEST_SHARD_INDEX=${index})
+    endforeach()
   endif()
 endforeach()
 
@@ -126,27 +139,44 @@ endif()
 find_path(SUNDER_GEOS_INCLUDE geos_c.h)
 find_library(SUNDER_GEOS_LIBRARY geos_c)
 mark_as_advanced(SUNDER_GEOS_INCLUDE SUNDER_GEOS_LIBRARY)
-file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/*_test.cpp)
 if(NOT SUNDER_GEOS_INCLUDE OR NOT SUNDER_GEOS_LIBRARY)
   message(STATUS "GEOS is not found: tests against it are left out (Debian: libgeos-dev)")
-  list(FILTER sources EXCLUDE REGEX "_geos_[a-z]+_test\\.cpp$")
 endif()
-if(SUNDER_SANITIZE)  # counts are the same there, and what is counted runs in the differentials too
-  list(FILTER sources EXCLUDE REGEX "_complexity_test\\.cpp$")
+file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/*_test.cpp)
+if(sources)
+  message(FATAL_ERROR "A test lies in the folder of its layer, tests/<layer>/: ${sources}")
 endif()
-foreach(source ${sources})
-  cmake_path(GET source STEM name)
-  string(REGEX REPLACE "^(.*_)?([a-z]+)_test$" "\\2" kind ${name})
-  set(fast "")
-  if(kind MATCHES "differential|complexity")
-    set(fast FAST)
+foreach(folder planar solid polytope scene support)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${folder}/*_test.cpp)
+  if(SUNDER_SANITIZE)  # counts are the same there, and what is counted runs in the differentials too
+    list(FILTER sources EXCLUDE REGEX "_complexity_test\\.cpp$")
   endif()
-  sunder_add_executable(${name} tests ${fast} SOURCES ${source} LINK GTest::gtest_main rapidcheck)
-  if(name MATCHES "_geos_[a-z]+_test$")
-    target_include_directories(${name} SYSTEM PRIVATE ${SUNDER_GEOS_INCLUDE})
-    target_link_libraries(${name} PRIVATE ${SUNDER_GEOS_LIBRARY})
+  set(with_geos ${sources})
+  list(FILTER with_geos INCLUDE REGEX "_geos_[a-z]+_test\\.cpp$")
+  if(with_geos AND NOT (SUNDER_GEOS_INCLUDE AND SUNDER_GEOS_LIBRARY))
+    list(REMOVE_ITEM sources ${with_geos})
+    set(with_geos "")
   endif()
-  sunder_add_test(${name} COMMAND ${name} TIMEOUT 900 LABELS tests ${kind})
+  set(fast ${sources})
+  list(FILTER fast INCLUDE REGEX "_(differential|complexity)_test\\.cpp$")
+  set(light ${sources})
+  list(REMOVE_ITEM light "" ${fast})
+  foreach(speed fast light)
+    if(NOT ${speed})
+      continue()
+    endif()
+    string(TOUPPER ${speed} upper)
+    sunder_add_executable(${folder}_${speed} tests ${upper} SOURCES ${${speed}} LINK rapidcheck)
+    foreach(source ${${speed}})
+      cmake_path(GET source STEM name)
+      string(REGEX REPLACE "^(.*_)?([a-z]+)_test$" "\\2" kind ${name})
+      sunder_add_test(${name} COMMAND ${folder}_${speed} --file=${name} TIMEOUT 900 LABELS tests ${kind})
+    endforeach()
+  endforeach()
+  if(with_geos)
+    target_include_directories(${folder}_fast SYSTEM PRIVATE ${SUNDER_GEOS_INCLUDE})
+    target_link_libraries(${folder}_fast PRIVATE ${SUNDER_GEOS_LIBRARY})
+  endif()
 endforeach()
 
 file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/tools/*.cpp)
@@ -204,9 +234,10 @@ if(NOT SUNDER_SANITIZE AND NOT SUNDER_COVERAGE AND NOT SUNDER_FUZZ)
 endif()
 
 # The longest are begun first, so that no core waits for them at the end.
-foreach(name unit_solid unit_planar unit_predicate solid_drums_complexity_test solid_hierarchy_complexity_test
-             segments_growth_complexity_test polygon_sets_complexity_test solid_line_complexity_test reports_test_py
-             claims_limits_py calls_simple calls_sets calls_space files_and_lists_test_py)
+foreach(name unit_solid_1 unit_solid_2 unit_solid_3 unit_solid_4 unit_planar_1 unit_planar_2 unit_predicate
+             solid_drums_complexity_test solid_hierarchy_complexity_test segments_growth_complexity_test
+             polygon_sets_complexity_test solid_line_complexity_test reports_test_py claims_limits_py calls_simple
+             calls_sets calls_space files_and_lists_test_py)
   if(TEST ${name})
     set_tests_properties(${name} PROPERTIES COST 100)
   endif()

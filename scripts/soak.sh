@@ -17,19 +17,17 @@ command_soak() {
 
 # 20 slices of 25 times the usual number of instances, each with seeds of its own: 10 million of what has 20,000.
 part_differential() {
-  local from=1 to=20 slice program result=0 found=
+  local from=1 to=20 slice source name result=0
   case $1 in *-*) from=${1%-*} to=${1#*-} ;; esac
   configure release "$CXX" -DSUNDER_TESTS=ON || return 1
   build release || return 1
   for ((slice = from; slice <= to; ++slice)); do
-    for program in build/tests/*_differential_test; do
-      [ -x "$program" ] || continue
-      found=1
-      SUNDER_TEST_SCALE=${SUNDER_TEST_SCALE:-25} SUNDER_TEST_SEED=$slice \
-        run "soak-$(basename "$program")-$slice" "$(basename "$program"), slice $slice" "$program" || result=1
+    for source in tests/*/*_differential_test.cpp; do
+      name=$(basename "$source" .cpp)
+      SUNDER_TEST_SCALE=${SUNDER_TEST_SCALE:-25} SUNDER_TEST_SEED=$slice run "soak-$name-$slice" "$name, slice $slice" \
+        "build/tests/$(basename "$(dirname "$source")")_fast" "--file=$name" || result=1
     done
   done
-  [ -n "$found" ] || { say "There is no test named *_differential_test."; return 1; }
   return "$result"
 }
 
@@ -37,10 +35,11 @@ part_differential() {
 part_structure() {
   local result=0
   configure release "$CXX" -DSUNDER_TESTS=ON || return 1
-  build release sunder_unit_solid solid_hierarchy_complexity_test || return 1
+  build release sunder_unit_solid solid_fast || return 1
   SUNDER_TEST_SCALE=25 run soak-structure "Hierarchies of a million vertices" build/tests/sunder_unit_solid \
     --gtest_filter=HierarchyTest.StructureOfEveryFamily:PolarHierarchy.SizeAndDepth || result=1
-  SUNDER_TEST_SCALE=40 run soak-probes "Probes of 276,000 pairs" build/tests/solid_hierarchy_complexity_test || result=1
+  SUNDER_TEST_SCALE=40 run soak-probes "Probes of 276,000 pairs" build/tests/solid_fast \
+    --file=solid_hierarchy_complexity_test || result=1
   return "$result"
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Draws the growth of probes: reads the table that tests/planar_pair_complexity_test prints, writes an SVG.
+"""Draws the growth of probes: reads the table that tests/planar/planar_pair_complexity_test prints, writes an SVG.
 
-    build/tests/planar_pair_complexity_test | docs/images/plot_probes.py > docs/images/planar-probes.svg
+    build/tests/planar_fast --file=planar_pair_complexity_test | docs/images/plot_probes.py > docs/images/planar-probes.svg
 """
 import math
 import sys

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Draws the growth of probes in space: reads the table that a test prints, writes an SVG.
 
-    SUNDER_TEST_SCALE=40 build/tests/solid_hierarchy_complexity_test |
+    SUNDER_TEST_SCALE=40 build/tests/solid_fast --file=solid_hierarchy_complexity_test |
         docs/images/plot_solid_probes.py hierarchy > docs/images/solid-probes.svg
-    build/tests/solid_drums_complexity_test | docs/images/plot_solid_probes.py drums > docs/images/drum-probes.svg
+    build/tests/solid_fast --file=solid_drums_complexity_test | docs/images/plot_solid_probes.py drums > docs/images/drum-probes.svg
 
 At scale 40 there are as many pairs of each size: of fewer the greatest is less.
 """

@@ -1,5 +1,5 @@
 // Known cases of overlap_at_crossing. (What follows for polygons: polygons_any_test.cpp and
-// tests/polygons_differential_test.cpp.)
+// tests/planar/polygons_differential_test.cpp.)
 #include <sunder/planar/set/crossing_edges.h>
 
 #include <gtest/gtest.h>

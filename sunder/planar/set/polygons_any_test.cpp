@@ -1,5 +1,5 @@
 // Known cases of polygons_contact and polygons_any, and larger sets on which the methods agree with one another.
-// (Small nasty sets against the scan: tests/polygons_differential_test.cpp.)
+// (Small nasty sets against the scan: tests/planar/polygons_differential_test.cpp.)
 #include <sunder/base/random.h>
 #include <sunder/planar/set/polygon_edges.h>
 #include <sunder/planar/set/polygons_all.h>

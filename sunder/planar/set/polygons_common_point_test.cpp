@@ -1,4 +1,4 @@
-// Known cases of common_point of two polygons. (Small nasty sets: tests/polygons_differential_test.cpp.)
+// Known cases of common_point of two polygons. (Small nasty sets: tests/planar/polygons_differential_test.cpp.)
 #include <sunder/planar/set/polygons_common_point.h>
 #include <sunder/planar/set/ring_tests.h>
 

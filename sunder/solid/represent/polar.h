@@ -13,7 +13,7 @@
 //     number of vertices.
 //
 // Source: BL15 section 3, the polar that contains the origin (rho with a zero), moved to o; that it is one of P's is
-// Lemma 3.2. Its lemmas and Theorem 3.7 are tested in tests/polar_property_test.cpp.
+// Lemma 3.2. Its lemmas and Theorem 3.7 are tested in tests/solid/polar_property_test.cpp.
 #pragma once
 
 #include <sunder/number/dyadic.h>
