@@ -89,7 +89,7 @@ int complain(const Asked& asked, int code, const std::string& text,
              std::string_view kind = kind_of(ErrorCode::bad_call), const std::string& place = "") {
   ask::print_error(text);
   if (!asked.json || ask::is_output_in_use() || prints_over_input(asked.words)) return code;
-  ask::Json report = ask::error_report(asked.verb, kind, place, text);
+  Json report = ask::error_report(asked.verb, kind, place, text);
   if (asked.verb.empty()) report["verb"] = nullptr;
   try {
     print(ask::to_text(report));

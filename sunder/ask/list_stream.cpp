@@ -14,7 +14,7 @@ constexpr std::size_t piece = std::size_t{1} << 16;
 
 // The text of the report before and behind the items of the list.
 std::pair<std::string, std::string> around(Json report, std::string_view list) {
-  report[std::string(list)] = Json::array();
+  report[list] = Json::array();
   const std::string text = to_text(report), opening = fmt::format("\n  {}: [", quoted_json(list));
   const std::size_t middle = text.find(opening) + opening.size();
   return {text.substr(0, middle), text.substr(middle)};
@@ -50,7 +50,7 @@ ListReport::ListReport(std::pair<std::string, std::string> around)
 ListReport::ListReport(const Json& report, std::string_view list) : ListReport(around(report, list)) {}
 
 void ListReport::add_list(const Json& head, std::string_view key, const std::function<void(ListStream&)>& fill) {
-  std::string opening = to_line(head);
+  std::string opening = head.on_one_line();
   opening.pop_back();  // "}"
   list_.add(fmt::format("{}, {}: [", opening, quoted_json(key)));
   ListStream items("", "      ", [this](std::string_view text) { list_.append(text); });
@@ -73,7 +73,7 @@ std::string quoted_json(std::string_view text) {
   const bool is_plain =
       std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c < 127 && c != '"' && c != '\\'; });
   if (is_plain) return fmt::format("\"{}\"", text);
-  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json_string(text);
 }
 
 }  // namespace sunder::ask

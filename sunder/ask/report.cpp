@@ -35,47 +35,27 @@ struct Said {
 } said;
 
 bool is_flat(const Json& json) {
-  return std::none_of(json.begin(), json.end(), [](const Json& item) { return item.is_structured(); });
-}
-
-std::string compact(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
-// `json` on one line, with blanks: {"a": 1, "b": [2, 3]}.
-std::string on_one_line(const Json& json) {
-  if (!json.is_structured()) return compact(json);
-  std::string text;
-  for (const auto& [key, item] : json.items()) {
-    text += text.empty() ? "" : ", ";
-    text += json.is_object() ? compact(Json(key)) + ": " + on_one_line(item) : on_one_line(item);
-  }
-  return json.is_object() ? "{" + text + "}" : "[" + text + "]";
+  return std::none_of(json.items().begin(), json.items().end(), [](const Json& item) { return item.is_structured(); });
 }
 
 void append(const Json& json, std::size_t indent, std::string& text) {
-  if (!json.is_structured() || json.empty()) {
-    text += compact(json);
-    return;
-  }
-  const bool small =
-      is_flat(json) || std::all_of(json.begin(), json.end(), [](const Json& item) { return is_flat(item); });
-  if (small && indent > 0) {
-    std::string line = on_one_line(json);
-    if (line.size() + indent <= text_width) {
+  const std::span<const Json> items = json.items();
+  const bool small = is_flat(json) || std::all_of(items.begin(), items.end(), is_flat);
+  if (json.empty() || (small && indent > 0)) {
+    std::string line = json.on_one_line();
+    if (json.empty() || line.size() + indent <= text_width) {
       text += line;
       return;
     }
   }
-  const bool object = json.is_object();
   const std::string margin(indent + 2, ' ');
-  text += object ? "{\n" : "[\n";
-  bool first = true;
-  for (const auto& [key, item] : json.items()) {
-    text += (first ? "" : ",\n") + margin;
-    if (object) text += compact(Json(key)) + ": ";
-    append(item, indent + 2, text);
-    first = false;
+  text += json.is_object() ? "{\n" : "[\n";
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    text += (k == 0 ? "" : ",\n") + margin;
+    if (json.is_object()) text += json_string(json.keys()[k]) + ": ";
+    append(items[k], indent + 2, text);
   }
-  text += "\n" + std::string(indent, ' ') + (object ? "}" : "]");
+  text += "\n" + std::string(indent, ' ') + (json.is_object() ? "}" : "]");
 }
 
 }  // namespace
@@ -164,8 +144,6 @@ std::string to_text(const Json& json) {
   append(json, 0, text);
   return text + "\n";
 }
-
-std::string to_line(const Json& json) { return on_one_line(json); }
 
 void write_proof(const std::string& file, const Origin& origin, const std::function<void(ClaimsWriter&)>& write) {
   io::OutputFile out(file);

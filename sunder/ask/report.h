@@ -1,6 +1,7 @@
 // What the verbs share: methods and rules by name, the JSON envelope, and output.
 #pragma once
 
+#include <sunder/base/json.h>
 #include <sunder/certificate/claims.h>
 #include <sunder/certificate/origin.h>
 #include <sunder/io/left_out.h>
@@ -9,8 +10,6 @@
 #include <sunder/number/interval.h>
 #include <sunder/planar/set/contact_rule.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
-
-#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cstdint>
@@ -91,9 +90,6 @@ using PairMethod = solid::PairAnswer (*)(const solid::ConvexPolyhedron&, const s
                                          const solid::ConvexPolyhedron&, const solid::Pose&);
 PairMethod pair_method(const std::string& name);
 
-// JSON. Objects keep the order in which they are made.
-using Json = nlohmann::ordered_json;
-
 // The keys that every verb's report begins with. What does not apply is null; `notes` are those so far.
 Json envelope(const Json& verb, const Json& answer, const Json& method = nullptr);
 
@@ -105,9 +101,6 @@ Json to_json(const LeftOutList& list);  // [{"kind", "count", "of": [...]}], wit
 
 // The text of a report: indented, with short lists and objects on one line; ends with a line feed.
 std::string to_text(const Json& json);
-
-// On one line, with blanks: an entry of a list that is written as it comes.
-std::string to_line(const Json& json);
 
 // A certificate file: its origin, and the statements that `write` writes; whole, or not there.
 void write_proof(const std::string& file, const Origin& origin, const std::function<void(ClaimsWriter&)>& write);

@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/base/json.h>
 #include <sunder/certificate/claims.h>
 
 #include <algorithm>
@@ -13,21 +14,6 @@ namespace {
 constexpr std::size_t kept = 1 << 16;       // bytes that wait to be given away
 constexpr std::size_t most_of_text = 4000;  // characters
 constexpr std::array<std::string_view, 5> parts{"", "inputs", "left_out", "tables", "statements"};
-
-// The length of the UTF-8 character that begins at text[i]; 0 where none does.
-std::size_t utf8_length(std::string_view text, std::size_t i) {
-  const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
-  const unsigned first = byte(i), second = byte(i + 1);
-  if (first < 0x80) return 1;
-  const std::size_t length = first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
-  for (std::size_t k = 1; k < length; ++k) {
-    if (byte(i + k) >> 6 != 2) return 0;
-  }
-  // Longer than need be, surrogates, beyond the last character.
-  if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f)) return 0;
-  if ((first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f)) return 0;
-  return length;
-}
 
 void append_double(std::string& text, double x) {
   std::array<char, 40> digits;
@@ -75,28 +61,6 @@ std::string cut_text(const std::string& text) {
     if (characters++ == most_of_text - dots.size()) end = i;
   }
   return characters <= most_of_text ? text : text.substr(0, end) + dots;
-}
-
-std::string json_string(std::string_view text) {
-  std::string out = "\"";
-  for (std::size_t i = 0, length = 0; i < text.size(); i += std::max<std::size_t>(length, 1)) {
-    const char c = text[i];
-    length = utf8_length(text, i);
-    if (length != 1) {
-      out += length == 0 ? "\\ufffd" : text.substr(i, length);
-    } else if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      constexpr char digits[] = "0123456789abcdef";
-      out += "\\u00";
-      out += digits[static_cast<unsigned char>(c) >> 4];
-      out += digits[static_cast<unsigned char>(c) & 15];
-    } else {
-      out += c;
-    }
-  }
-  return out + '"';
 }
 
 // ---- Structure.

@@ -101,7 +101,4 @@ std::string claims_text(const Origin& origin, const std::function<void(ClaimsWri
 // The text, or its beginning and "...": at most 4,000 characters, where a byte that is not UTF-8 counts as one.
 std::string cut_text(const std::string& text);
 
-// A string of JSON, with its quotes. What is not UTF-8 becomes the replacement character.
-std::string json_string(std::string_view text);
-
 }  // namespace sunder

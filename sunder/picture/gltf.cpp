@@ -1,9 +1,9 @@
+#include <sunder/base/json.h>
 #include <sunder/picture/gltf.h>
 #include <sunder/picture/round.h>
 #include <sunder/scene/rounded_evidence.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -19,8 +19,6 @@
 namespace sunder::picture {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Numbers of glTF 2.0.
 constexpr int of_floats = 5126, of_indices = 5125;
@@ -81,7 +79,7 @@ class Model {
   std::string text(GltfForm form) {
     if (positions_.empty()) {  // empty lists are none of glTF
       for (const char* const list : {"meshes", "accessors"}) json_.erase(list);
-      return form == GltfForm::binary ? binary("") : json_.dump() + "\n";
+      return form == GltfForm::binary ? binary("") : json_.compact() + "\n";
     }
     std::string bytes = positions_;
     for (const std::uint32_t i : indices_) add_word(i, bytes);
@@ -92,12 +90,12 @@ class Model {
     json_["buffers"] = {{{"byteLength", bytes.size()}}};
     if (form == GltfForm::binary) return binary(bytes);
     json_["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(bytes);
-    return json_.dump() + "\n";
+    return json_.compact() + "\n";
   }
 
  private:
   std::string binary(const std::string& bytes) const {
-    std::string text = json_.dump();
+    std::string text = json_.compact();
     text.resize((text.size() + 3) / 4 * 4, ' ');
     std::string file = "glTF";
     add_word(2, file);
@@ -181,7 +179,7 @@ class Model {
     Json& accessors = json_["accessors"];
     Json attributes{{"POSITION", accessors.size()}};
     Json primitive{
-        {"attributes", attributes}, {"indices", accessors.size() + 1}, {"mode", mode}, {"material", material}};
+        {"attributes", attributes}, {"indices", accessors.size() + 1}, {"mode", mode}, {"material", static_cast<int>(material)}};
     accessors.push_back({{"bufferView", 0},
                          {"byteOffset", first},
                          {"componentType", of_floats},

@@ -72,7 +72,7 @@ class Lines {
       }
       json["pairs"].push_back(std::move(of_pair));
     }
-    out += to_line(json) + "\n";
+    out += json.on_one_line() + "\n";
   }
 
   // step,answer,meeting,pairs
@@ -121,7 +121,7 @@ std::string header_line(const SceneInput& input, const scene::Question& question
   json["allowed_pairs"] = Json::array();
   for (const auto& [a, b] : question.allowed) json["allowed_pairs"].push_back({bodies[a].name, bodies[b].name});
   if (!input.left_out().empty()) json["left_out"] = to_json(input.left_out());
-  return to_line(json) + "\n";
+  return json.on_one_line() + "\n";
 }
 
 struct Stated {

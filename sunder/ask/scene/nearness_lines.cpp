@@ -90,7 +90,7 @@ std::string NearnessLines::json_of(const PartDistance& pair, bool has_margin) co
   if (const auto points = rounded_nearest_points(pair)) {
     json["points_about"] = Json::array({to_json(points->of_a), to_json(points->of_b)});
   }
-  return to_line(json);
+  return json.on_one_line();
 }
 
 void NearnessLines::add_json(const Nearness& found, std::string& text) const {
@@ -118,7 +118,7 @@ void NearnessLines::add_json_header(std::string& text) const {
   for (const auto& [a, b, least] : question_.clearance->margins) {
     margins.push_back({{"a", bodies_[a].name}, {"b", bodies_[b].name}, {"least", least}});
   }
-  insert("}\n", ", \"clearance\": " + to_line({{"least", question_.clearance->least}, {"margins", margins}}), text);
+  insert("}\n", ", \"clearance\": " + Json{{"least", question_.clearance->least}, {"margins", margins}}.on_one_line(), text);
 }
 
 void NearnessLines::add_csv_header(std::string& text) const {

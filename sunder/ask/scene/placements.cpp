@@ -169,13 +169,13 @@ class Lines {
     add(R"(", "counted": )", pair.counts ? "true" : "false");
     if (pair.undecided()) {
       const Json direction = to_json(scene::rounded_direction(*pair.round));
-      fmt::format_to(std::back_inserter(out), R"(, "evidence": {{"direction_about": {}}}}})", to_line(direction));
+      fmt::format_to(std::back_inserter(out), R"(, "evidence": {{"direction_about": {}}}}})", direction.on_one_line());
       return;
     }
     if (pair.round) {
       const Point3 p =
           rounded_common_point(pair, bodies[pair.body_a].parts[pair.part_a], bodies[pair.body_b].parts[pair.part_b]);
-      fmt::format_to(std::back_inserter(out), R"(, "evidence": {{"point": {}}}}})", to_line(to_json(p)));
+      fmt::format_to(std::back_inserter(out), R"(, "evidence": {{"point": {}}}}})", to_json(p).on_one_line());
       return;
     }
     const PairCertificate& c = pair.answer.certificate();
@@ -223,7 +223,7 @@ std::string header_line(const SceneInput& input, const scene::Question& question
   json["allowed_pairs"] = Json::array();
   for (const auto& [a, b] : question.allowed) json["allowed_pairs"].push_back({bodies[a].name, bodies[b].name});
   if (!input.left_out().empty()) json["left_out"] = to_json(input.left_out());
-  return to_line(json) + "\n";
+  return json.on_one_line() + "\n";
 }
 
 // What meets, or is undecided, in a placement; and what is closer than it has to be, likewise.

@@ -332,9 +332,11 @@ Json scene_json(const SceneReport& report) {
   std::uint64_t meeting = 0;
   for (std::size_t p = 0; p < report.placements.size(); ++p) {
     const Placed& placed = report.placements[p];
+    Json joints = Json::object();
+    for (const auto& [joint, value] : placed.joints) joints[joint] = value;
     json["placements"].push_back({{"name", placed.title},
                                   {"answer", placed.answer.verdict()},
-                                  {"joints", placed.joints},
+                                  {"joints", joints},
                                   {"totals", to_json(placed.answer.counts)},
                                   {"seconds", placed.seconds}});
     for (const auto& [key, count] : counted) counts.*count += placed.answer.counts.*count;

@@ -207,7 +207,7 @@ class PolygonsSet {
     if (input_.files.size() > 1) add("files", i.file, j.file);
     row.properties.push_back({"shown_by", {shown_by(c)}});
     row.properties.push_back({"names", {input_.name(c.i), input_.name(c.j)}});
-    add("parts", part_of(input_, c, true).dump(), part_of(input_, c, false).dump());
+    add("parts", part_of(input_, c, true).compact(), part_of(input_, c, false).compact());
     if (i.line > 0) add("lines", i.line, j.line);
     if (grouped()) row.properties.push_back({"groups", {group_of(input_, c.i), group_of(input_, c.j)}});
     row.fields = fields_of(call_.properties, input_.files[i.file].properties, i.feature,
@@ -250,7 +250,7 @@ class PolygonsSet {
     std::string text = input_.name(i);
     if (grouped()) text += fmt::format(" of {}", group_of(input_, i));
     const Json part = part_of(input_, c, of_i);
-    if (!input_.source[i].part_of_ring.empty() && !part.is_null()) text += fmt::format(", part {}", part.dump());
+    if (!input_.source[i].part_of_ring.empty() && !part.is_null()) text += fmt::format(", part {}", part.compact());
     std::vector<std::string> place;
     if (input_.files.size() > 1) place.push_back(io::one_line(input_.names[input_.source[i].file]));
     if (line > 0) place.push_back(fmt::format("line {}", line));

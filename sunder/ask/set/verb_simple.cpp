@@ -117,7 +117,7 @@ class ValidQuestion {
   // Those that --property asks for.
   void add_properties(const Result& result, Json& json) const {
     for (std::size_t k = 0; k < call_.properties.size(); ++k) {
-      json["properties"][call_.properties[k]] = Json::parse(value_json(file().properties[result.feature][k]));
+      json["properties"][call_.properties[k]] = Json::written(value_json(file().properties[result.feature][k]));
     }
   }
 
@@ -295,7 +295,7 @@ class ValidQuestion {
         visit([&](const PolygonDefect& defect) {
           Json entry = defect_json(defect, result.has_parts());
           entry["at"] = at_json(defect);
-          defects.add(to_line(entry));
+          defects.add(entry.on_one_line());
           return true;
         });
       });
@@ -315,7 +315,7 @@ class ValidQuestion {
         add_properties(result, properties);
         properties.update(defect_json(defect, result.has_parts()));
         const Json feature = {{"type", "Feature"}, {"geometry", geometry}, {"properties", properties}};
-        geojson.add(feature.dump(-1, ' ', false, Json::error_handler_t::replace));
+        geojson.add(feature.compact());
         return true;
       });
     });
