@@ -61,6 +61,7 @@
 #include <sunder/planar/region/convex_polygon_intersection.h>
 #include <sunder/planar/region/disc_intersection.h>
 #include <sunder/planar/region/disc_intersection_json.h>
+#include <sunder/planar/region/discs_deepest.h>
 #include <sunder/planar/region/half_plane_intersection.h>
 #include <sunder/planar/region/kernel.h>
 #include <sunder/planar/region/linear_program.h>
@@ -68,6 +69,11 @@
 #include <sunder/planar/region/regions_json.h>
 
 // Space: bodies, two of them, and scenes of many.
+#include <sunder/scene/clearance.h>
+#include <sunder/scene/clearance_follower.h>
+#include <sunder/scene/follower.h>
+#include <sunder/scene/mesh_convexity.h>
+#include <sunder/scene/mesh_departure.h>
 #include <sunder/scene/scene.h>
 #include <sunder/scene/scene_json.h>
 #include <sunder/scene/sweep.h>
@@ -89,14 +95,20 @@
 #include <sunder/solid/pair/polyhedron_plane_section.h>
 #include <sunder/solid/pair/polyhedron_polygon.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_batch.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_boundary.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_depth.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_sweep.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_warm.h>
 #include <sunder/solid/pair/polyhedron_ray.h>
 #include <sunder/solid/pair/polyhedron_segment.h>
 #include <sunder/solid/round/round_clearance.h>
 #include <sunder/solid/round/round_contact.h>
+#include <sunder/solid/round/round_depth.h>
 #include <sunder/solid/round/round_distance.h>
 #include <sunder/solid/round/round_round.h>
+#include <sunder/solid/round/round_round_sweep.h>
 
 // Any dimension.
 #include <sunder/polytope/hull/convex_hull.h>

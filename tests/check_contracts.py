@@ -6,6 +6,9 @@
 C1  Each function of a front door (a header that sunder/sunder.h includes) has words of its own: a comment above it, or
     above the group of lines that it stands in, or behind it.
 C2  A public header that speaks of throwing Error includes <sunder/base/error.h>: with that header alone it is caught.
+C3  sunder/sunder.h has every front door: each public header of a folder pair, set, region or round whose name begins
+    with an object (OBJECTS) and that declares a function of its own name, and each header of scene/ that begins with
+    a question.
 
 Exit code 0: so it is. 1: not, one line for each finding. 2: no front door was found.
 """
@@ -17,6 +20,8 @@ FRONT = "sunder/sunder.h"
 INCLUDE = re.compile(r"^#include <(sunder/[^>]+)>", re.MULTILINE)
 NO_FUNCTION = re.compile(r"[#/}\s]|$|(?:namespace|using|struct|class|enum|union|template|extern template|friend)\b")
 FUNCTION = re.compile(r"[^(=]*?\w\(|[\w:]+ \w+;")  # also `Method name;`, by the name of its type
+OBJECTS = r"(?:convex_)?(?:polygons?|segments?|discs?|boxes|intervals|lines?|planes?|flat|half_(?:plane|space)|" \
+          r"polyhedron|polytope|round|region|linear_program|kernel)(?:_|$)"
 THROWS = re.compile(r"\b[Tt]hrows?\b(?:[^.;]|\n)*?\bError\b")
 
 
@@ -70,6 +75,16 @@ def front_doors(root):
     return INCLUDE.findall(read(root, FRONT))
 
 
+def is_front_door(path, text):
+    """By its place, its name and what it declares."""
+    folder, name = path.split("/")[-2], os.path.basename(path)[:-2]
+    if path.startswith("sunder/scene/"):
+        return re.match(r"// [^.]*?\?", text.replace("\n// ", " ")) is not None
+    code = re.sub(r"//.*", "", text)
+    return (folder in ("pair", "set", "region", "round") and re.match(OBJECTS, name) is not None
+            and re.search(r"^\w[^;={}()]*\b%s(?:_\w+)?\(" % name, code, re.MULTILINE) is not None)
+
+
 def check(root):
     """(findings as text, number of functions)"""
     findings, functions = [], 0
@@ -80,8 +95,11 @@ def check(root):
             above = first - 1 if lines[first - 2].startswith("template") else first
             if not words_above(lines, above)[1] and not words_behind(lines, first, last):
                 findings.append("%s:%d: C1: no words about: %s" % (path, first, lines[first - 1]))
+    doors = set(front_doors(root))
     for path in public_headers(root):
         text = read(root, path)
+        if path not in doors and is_front_door(path, text):
+            findings.append("%s:1: C3: a front door; include it in %s" % (path, FRONT))
         comments = re.sub(r"^(?!\s*//).*?(//.*)?$", lambda line: line.group(1) or "", text, flags=re.MULTILINE)
         said = THROWS.search(re.sub(r"//", "  ", comments))
         if said and path != "sunder/base/error.h" and "sunder/base/error.h" not in INCLUDE.findall(text):

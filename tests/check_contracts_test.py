@@ -78,6 +78,17 @@ class CheckContracts(unittest.TestCase):
         findings, _ = findings_of({**TREE, "sunder/io/e.h": "#pragma once\n\n// It throws Error.\nint f();\n"})
         self.assertEqual([text[:text.index("C2") + 2] for text in findings], ["sunder/io/e.h:3: C2"])
 
+    def test_every_front_door_is_included(self):
+        doors = {"sunder/solid/pair/polyhedron_line.h": "// Where.\nint polyhedron_line_by_scan(int);\n",
+                 "sunder/planar/set/discs_any.h": "// Any.\nint discs_any(\n    int);\n",
+                 "sunder/scene/follower.h": "// Which of many\n// meet?\nclass Follower;\n"}
+        others = {"sunder/solid/pair/line_search.h": "// Where?\nclass LineSearch;\n",
+                  "sunder/solid/pair/settle.h": "int settle(int);\n",
+                  "sunder/solid/hull/polygon.h": "int polygon(int);\n",
+                  "sunder/scene/chains.h": "// Work in chains.\nint run(int);  // or not?\n"}
+        findings, _ = findings_of({**TREE, **doors, **others})
+        self.assertEqual(sorted(text[:text.index(":1: C3")] for text in findings), sorted(doors))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -112,7 +112,8 @@ Allowed allowed_by(std::string_view name, std::span<const Allowed> those) {
               fmt::format("there is nothing named {} to allow; there are {}", io::quote(name), known), "--allow");
 }
 
-PairMethod pair_method(const std::string& name) { return method_by(name, pair_methods); }
+PairMethod pair_method(const std::string& name, std::string_view more) { return method_by(name, pair_methods, more); }
+std::string pair_method_names() { return method_names(pair_methods); }
 
 Json envelope(const Json& verb, const Json& answer, const Json& method) {
   return {{"sunder", 1},           {"verb", verb},    {"answer", answer},         {"method", method},

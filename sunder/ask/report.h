@@ -69,15 +69,21 @@ struct Named {
   Method* method;
 };
 
+// "automatic, gjk, scan": for help texts and errors.
+template <class Methods>
+std::string method_names(const Methods& methods) {
+  std::string names;
+  for (const auto& m : methods) names.append(names.empty() ? "" : ", ").append(m.name);
+  return names;
+}
+
 // Throws Error bad_call that lists all names, and what they are for.
 template <class Methods>
 auto* method_by(std::string_view name, const Methods& methods, std::string_view what_for = "") {
-  std::string known;
   for (const auto& m : methods) {
     if (m.name == name) return m.method;
-    known += (known.empty() ? "" : ", ") + std::string(m.name);
   }
-  refuse_method(name, known.append(what_for));
+  refuse_method(name, method_names(methods).append(what_for));
 }
 
 inline constexpr std::array all_allowed{Allowed::nothing, Allowed::shared_endpoint, Allowed::touch};
@@ -85,10 +91,11 @@ inline constexpr std::array all_allowed{Allowed::nothing, Allowed::shared_endpoi
 // The contacts that --allow names. Throws Error bad_call that lists those that may be allowed.
 Allowed allowed_by(std::string_view name, std::span<const Allowed> those = all_allowed);
 
-// A method for pair questions by its name: automatic, gjk, scan. Throws Error bad_call that names all.
+// A method for two bodies by its name. Throws Error bad_call that names all, and `more`.
 using PairMethod = solid::PairAnswer (*)(const solid::ConvexPolyhedron&, const solid::Pose&,  //
                                          const solid::ConvexPolyhedron&, const solid::Pose&);
-PairMethod pair_method(const std::string& name);
+PairMethod pair_method(const std::string& name, std::string_view more = "");
+std::string pair_method_names();
 
 // The keys that every verb's report begins with. What does not apply is null; `notes` are those so far.
 Json envelope(const Json& verb, const Json& answer, const Json& method = nullptr);

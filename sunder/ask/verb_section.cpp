@@ -305,7 +305,7 @@ Verb section_verb() {
             .required = true},
            {"--pose", &call->pose, fmt::format("where the body is: {}", pose_forms), "POSE"},
            {"-o,--out", &call->out, "write the sections here: .obj, or .wkt", "FILE"},
-           {"--method", &call->method, "automatic, scan", "NAME"},
+           {"--method", &call->method, method_names(methods), "NAME"},
            {"--require-convex", &call->require_convex, "a mesh that is not exactly convex is an error"},
            {"--leave-out", &call->leave_out, leave_out_help},
            {"--svg", &call->svg, "draw the sections here, each seen from where its normal points to", "FILE"},

@@ -197,4 +197,6 @@ int run_line_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat
   return answer(question);
 }
 
+std::string line_method_names() { return method_names(methods); }
+
 }  // namespace sunder::ask

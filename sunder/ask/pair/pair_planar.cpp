@@ -110,4 +110,6 @@ int run_planar_pair(const PairCall& call) {
   return answer(question);
 }
 
+std::string planar_method_names() { return method_names(methods); }
+
 }  // namespace sunder::ask

@@ -17,6 +17,10 @@ namespace sunder::ask {
 // What poses may be, for help texts.
 extern const char* const planar_pose_forms;
 
+// The methods of two bounded objects, and of one with a line, for help texts.
+std::string planar_method_names();
+std::string planar_line_method_names();
+
 // Answers; returns the exit code. Throws Error for bad input.
 int run_planar_pair(const PairCall& call);
 

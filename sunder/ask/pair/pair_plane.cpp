@@ -108,4 +108,6 @@ int run_plane_pair(const PairCall& call, const PlacedBody& body, const PlacedFla
   return answer(question);
 }
 
+std::string plane_method_names() { return method_names(plane_methods); }
+
 }  // namespace sunder::ask

@@ -250,4 +250,6 @@ int run_polytope_pair(const PairCall& call) {
   return answer(question);
 }
 
+std::string polytope_method_names() { return method_names(methods); }
+
 }  // namespace sunder::ask

@@ -107,6 +107,10 @@ int run_plane_pair(const PairCall& call, const PlacedBody& body, const PlacedFla
 int run_line_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& line, bool body_is_a,
                   const PairFiles& files);
 
+// Their methods, for help texts.
+std::string plane_method_names();
+std::string line_method_names();
+
 // What a line, a ray or a segment through a and b has in common with the body called `letter`.
 struct CutTold {
   Json json;

@@ -7,8 +7,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,14 +29,14 @@ using Kind = io::PlanarObject::Kind;
 
 using Method = planar::PolygonCommon(const planar::ConvexPolygon&, const Pose&, const planar::Unbounded&);
 
+// The last one is for lines alone.
+constexpr std::array<Named<Method>, 3> methods{{{"automatic", planar::polygon_unbounded},
+                                                {"scan", planar::polygon_unbounded_by_scan},
+                                                {"fibonacci", planar::polygon_unbounded_by_fibonacci}}};
+
 Method* method_of(const std::string& name, Kind kind) {
-  if (name == "automatic") return planar::polygon_unbounded;
-  if (name == "scan") return planar::polygon_unbounded_by_scan;
-  if (name == "fibonacci" && kind == Kind::line) return planar::polygon_unbounded_by_fibonacci;
-  throw Error(ErrorCode::bad_call,
-              fmt::format("there is no method {} where one object is a {}; choose one of automatic, {}scan",
-                          io::quote(name), io::name_of(kind), kind == Kind::line ? "fibonacci, " : ""),
-              "--method");
+  const std::span<const Named<Method>> all = methods;
+  return method_by(name, kind == Kind::line ? all : all.first(2), fmt::format(", with a {}", io::name_of(kind)));
 }
 
 std::string exact_text(const planar::ExactFraction& t) { return fraction_text(t.numerator, t.denominator); }
@@ -243,5 +245,7 @@ int run_unbounded_pair(const PairCall& call, const PlanarInput& a, const PlanarI
   UnboundedPair question(call, mixed, files);
   return answer(question);
 }
+
+std::string planar_line_method_names() { return method_names(methods); }
 
 }  // namespace sunder::ask

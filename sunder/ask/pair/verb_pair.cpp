@@ -160,7 +160,7 @@ solid::PairAnswer polygon_polyhedron_by_drums(const solid::ConvexPolyhedron& pol
 }
 
 PairMethod solid_method(const PairCall& call, const PlacedBody& a, const PlacedBody& b) {
-  if (call.method != "drums") return pair_method(call.method);
+  if (call.method != "drums") return pair_method(call.method, ", drums");
   if (a.mesh.hull.dimension() == 3 && b.mesh.hull.dimension() == 3) return solid::polyhedron_polyhedron_by_drums;
   if (a.mesh.hull.dimension() == 3 && b.mesh.hull.dimension() == 2) return solid::polyhedron_polygon_by_drums;
   if (a.mesh.hull.dimension() == 2 && b.mesh.hull.dimension() == 3) return polygon_polyhedron_by_drums;
@@ -209,7 +209,7 @@ int run(const PairCall& call) {
                                          {!call.b.feature.empty(), "--feature-b"}}) {
     if (is_given) throw Error(ErrorCode::bad_call, "is for planar objects only; leave it out", option);
   }
-  if (!space_a && !space_b && call.method != "drums") pair_method(call.method);  // before what takes time is read
+  if (!space_a && !space_b && call.method != "drums") pair_method(call.method, ", drums");  // before what takes time is read
   PairFiles files(call);
   const SpaceInput a = read_space_input(call, call.a, files), b = read_space_input(call, call.b, files);
   require_projected(call, a, b);
@@ -259,9 +259,10 @@ Verb pair_verb() {
        {"--radius-a", &call->a.radius, "of space, bounded: A is all within this distance of it; 0: A itself", "NUMBER"},
        {"--radius-b", &call->b.radius, "the same of B", "NUMBER"},
        {"--method", &call->method,
-        "automatic, scan, gjk (both bounded), hierarchy (of bodies), difference, halving, triangles (both bounded, in "
-        "the plane), fibonacci (with a line of the plane), or drums (of a body, with a body, plane, line, ray or "
-        "flat polygon)",
+        fmt::format("of bodies: {}, drums; with a plane: {}; with a line or ray: {}; in the plane: {}; with a line: {}; "
+                    "of polytopes: {}",
+                    pair_method_names(), plane_method_names(), line_method_names(), planar_method_names(),
+                    planar_line_method_names(), polytope_method_names()),
         "NAME"},
        {"--classify", &call->classify, "tell touching from overlapping"},
        {"--require-convex", &call->require_convex, "a mesh that is not exactly convex is an error"},

@@ -172,4 +172,6 @@ int run_region_circles(const RegionCall& call) {
   return answer(question);
 }
 
+std::string circle_method_names() { return method_names(methods); }
+
 }  // namespace sunder::ask

@@ -220,4 +220,6 @@ int run_region_half_planes(const RegionCall& call) {
   return answer(question);
 }
 
+std::string half_plane_method_names() { return method_names(methods); }
+
 }  // namespace sunder::ask

@@ -260,4 +260,6 @@ int run_region_half_spaces(const RegionCall& call) {
   return answer(question);
 }
 
+std::string half_space_method_names() { return method_names(methods); }
+
 }  // namespace sunder::ask

@@ -188,4 +188,6 @@ int run_region_polygons(const RegionCall& call) {
   return answer(question);
 }
 
+std::string polygon_method_names() { return method_names(methods); }
+
 }  // namespace sunder::ask

@@ -87,6 +87,12 @@ class RegionQuestion : public FeasibilityQuestion {
 // By --of, or by the names in the first line of the file.
 bool is_of_half_spaces(const RegionCall& call);
 
+// Methods of each kind, for help texts.
+std::string half_plane_method_names();
+std::string half_space_method_names();
+std::string circle_method_names();
+std::string polygon_method_names();
+
 // Each answers about a kind of things; returns the exit code. Throws Error for bad input, also where a polygon is not
 // convex.
 int run_region_half_planes(const RegionCall& call);

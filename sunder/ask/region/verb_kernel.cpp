@@ -195,7 +195,7 @@ Verb kernel_verb() {
            {"--skip-invalid", &call->polygons.skip_invalid, skip_invalid_help},
            {"--mend", &call->polygons.mend, mend_help},
            {"--leave-out", &call->polygons.leave_out, leave_out_help},
-           {"--method", &call->method, "automatic, half-planes, lee-preparata, or scan", "NAME"},
+           {"--method", &call->method, method_names(methods), "NAME"},
            certificate_option(call->certificate),
            {"--svg", &call->svg, "draw the polygons and their kernels here", "FILE"},
            title_option(call->title),

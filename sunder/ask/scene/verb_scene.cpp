@@ -300,7 +300,7 @@ Verb scene_verb() {
         .excludes = {"--json", "--certificate", "--svg", "--gltf"}},
        {"--allow", &call->allow,
         "what may meet: adjacent (links joined by a joint), touch, NAME,NAME, or a file with two names a line", "WHAT"},
-       {"--method", &call->method, "automatic, gjk, hierarchy, or scan", "NAME"},
+       {"--method", &call->method, pair_method_names(), "NAME"},
        {"--groups", &call->groups, "the groups (g) of an OBJ file are parts of their own, as its objects (o) are"},
        {"--clearance", &call->clearance.least,
         "which parts of different bodies are closer than this? If any are, the exit code is 1", "NUMBER"},

@@ -178,9 +178,7 @@ class MembersSet {
 
 template <class Of>
 Verb members_verb() {
-  std::string methods;
-  for (const auto& method : MembersSet<Of>::methods())
-    methods += (methods.empty() ? "" : ", ") + std::string(method.name);
+  const std::string methods = method_names(MembersSet<Of>::methods());
   const std::string members(Of::verb);
   return set_verb<MembersSet<Of>>(
       std::make_shared<SetCall>(),

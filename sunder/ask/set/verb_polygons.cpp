@@ -282,7 +282,7 @@ Verb polygons_verb() {
       {"polygons", "Do any two polygons of a file, with their insides, meet? Which? Touching and overlapping apart.",
        "polygons, with holes and parts: WKT, GeoJSON; of two files, pairs across them", "polygons",
        "nothing, shared-endpoint, or touch", "features that are the same in this may meet: a property of the GeoJSON",
-       name_help, "automatic, boxes, grid, sweep, or scan", 0});
+       name_help, method_names(any_methods), 0});
   add_file_options(verb, *call);
   verb.options.push_back({"--skip-invalid", &call->skip_invalid, skip_invalid_help});
   verb.options.push_back({"--self-touch", &call->self_touch, "take rings that touch themselves in points"});

@@ -456,7 +456,7 @@ Verb segments_verb() {
        "segments that are the same in this may meet and cross: feature, ring, a column of the CSV, a property of the "
        "GeoJSON; of a board net (unless told otherwise) or layer",
        "the column or property that names features; unless given, name, NAME, id",
-       "automatic, grid, sweep (not for lists), bentley-ottmann, balaban (for lists), or scan"});
+       fmt::format("{}; for lists and counts: {}", method_names(any_methods), method_names(all_methods))});
   add_file_options(verb, *call);
   verb.options.push_back({"--layer", &call->layer, "of a board, this layer only", "NAME"});
   verb.options.push_back({.name = "--across-layers",

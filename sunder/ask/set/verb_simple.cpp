@@ -350,8 +350,10 @@ class ValidQuestion {
   Cost cost_;
 };
 
+constexpr const char* methods = "automatic, scan";
+
 int run(const Call& call) {
-  if (call.method != "automatic" && call.method != "scan") refuse_method(call.method, "automatic, scan");
+  if (call.method != "automatic" && call.method != "scan") refuse_method(call.method, methods);
   require_different(call.properties);
   return ValidQuestion(call).answer();
 }
@@ -371,7 +373,7 @@ Verb simple_verb() {
         .value = &call->self_touch,
         .help = "a ring may touch itself in points",
         .excludes = {"--strict"}},
-       {"--method", &call->method, "automatic, or scan", "NAME"},
+       {"--method", &call->method, methods, "NAME"},
        certificate_option(call->certificate, "write the proofs here, of defects those that are listed"),
        {"--geojson", &call->geojson, "write all defects here, as points and lines", "FILE"},
        {"--svg", &call->svg, "draw the polygons and the edges that meet here", "FILE"},
