@@ -1263,8 +1263,9 @@ const Entry& find(const std::vector<Entry>& list, const std::string& name, const
   return *found;
 }
 
-std::function<void()> read_claim(const Json& item, const ClaimNeeded& needed, const Said& said, const Tables& tables,
-                                 const std::string& where) {
+std::function<void()> read_claim(const Json& item, const ClaimNeeded& needed, const std::shared_ptr<const Said>& shared,
+                                 const Tables& tables, const std::string& where) {
+  const Said& said = *shared;
   std::vector<std::string> keys{"claim"};
   for (const auto& [name, read] : needed.brings) keys.emplace_back(name);
   const bool has_from = needed.from_of != nullptr && (said.*needed.from_of)->around == Around::ellipsoid;
@@ -1274,7 +1275,9 @@ std::function<void()> read_claim(const Json& item, const ClaimNeeded& needed, co
   Claim claim;
   for (const auto& [name, read] : needed.brings) read(item, said, needed.size(said, tables), where, claim);
   if (has_from) claim.from = read_numbers(list_member(item, "from", where), 3, where + ".from");
-  return [claim = std::move(claim), &needed, said, &tables] { needed.check(claim, said, tables); };
+  return [claim = std::make_shared<const Claim>(std::move(claim)), &needed, shared, &tables] {
+    needed.check(*claim, *shared, tables);
+  };
 }
 
 NamedBody named(const HullBody* body) { return body == nullptr ? NamedBody{} : NamedBody{body->title(), body->quoted}; }
@@ -1329,9 +1332,10 @@ ClaimedStatement read_statement(const Json& item, const Tables& tables, const Pr
   if (claims.size() != verdict.claims.size()) {
     refuse_form(where + " has not " + std::to_string(verdict.claims.size()) + " claims");
   }
+  const auto shared = std::make_shared<const Said>(std::move(said));
   for (std::size_t k = 0; k < claims.size(); ++k) {
     result.checks.push_back(
-        read_claim(claims[k], *verdict.claims[k], said, tables, where + ".claims[" + std::to_string(k) + "]"));
+        read_claim(claims[k], *verdict.claims[k], shared, tables, where + ".claims[" + std::to_string(k) + "]"));
   }
   return result;
 }

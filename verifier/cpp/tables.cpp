@@ -540,7 +540,9 @@ Tables read_tables(const Json& item) {
   tables.names.clear();
   for (const auto& [key, list] : item.members()) {
     const std::string name(key);
-    readers.at(name)(list_member(item, name.c_str(), "tables"), tables);
+    const ReadNow table(*list);
+    if (!(*table).is_array()) refuse_form("tables." + name + " is not a list");
+    readers.at(name)(*table, tables);
     tables.names.push_back(name);
   }
   return tables;

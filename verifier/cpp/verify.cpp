@@ -13,8 +13,10 @@ namespace {
 
 std::vector<FileInput> read_inputs(const Json& list) {
   std::vector<FileInput> result;
-  for (const Json& item : list) {
+  for (const Json& entry : list) {
     const std::string where = "inputs[" + std::to_string(result.size()) + "]";
+    const ReadNow now(entry);
+    const Json& item = *now;
     require_members(item, {"name", "sha256"}, {}, where);
     FileInput input{text_member(item, "name", where), string_member(item, "sha256", where)};
     const bool is_digest =
@@ -44,14 +46,14 @@ StatementResult check(const ClaimedStatement& statement) {
   StatementResult result;
   const bool is_pair = !statement.a.empty();
   result.question = statement.question;
-  result.name_a = is_pair ? statement.a : statement.question;
-  result.name_b = is_pair ? statement.b : statement.sentence;
   result.sentence = statement.sentence;
   result.verdict = statement.verdict;
   try {
     for (const auto& check : statement.checks) check();
     result.accepted = true;
   } catch (const Refused& refused) {
+    result.name_a = is_pair ? statement.a : statement.question;
+    result.name_b = is_pair ? statement.b : statement.sentence;
     result.failed_check = refused.check;
     result.reason = refused.reason;
   }
@@ -73,8 +75,51 @@ void note(const ClaimedStatement& statement, Proved& proved) {
   if (statement.verdict == "overlapping") pair.overlap = true;
 }
 
-// Lets the text go as soon as all of it is read.
-void verify_file(JsonText text, FileResult& result) {
+// The statements of a file. Reads all of them first, for their form. The first ones are kept so: claims take some ten
+// times the memory of their text, so the others are read again where they are checked.
+class Statements {
+ public:
+  Statements(const Json& list, const Tables& tables) : list_(list), tables_(tables) {
+    std::size_t k = 0;
+    for (const Json& item : list) {
+      ClaimedStatement statement = read(item, k++);
+      if (k <= most_kept) kept_.push_back(std::move(statement));
+    }
+  }
+
+  std::vector<StatementResult> check_all() {
+    std::vector<StatementResult> results;
+    results.reserve(list_.size());
+    std::size_t k = 0;
+    for (const Json& item : list_) {
+      const ClaimedStatement statement = k < kept_.size() ? std::move(kept_[k]) : read_again(item, k);
+      ++k;
+      results.push_back(check(statement));
+      if (results.back().accepted) note(statement, proved_);
+    }
+    return results;
+  }
+
+ private:
+  static constexpr std::size_t most_kept = 1000;
+
+  ClaimedStatement read(const Json& item, std::size_t k) {
+    return read_statement(*ReadNow(item), tables_, proved_, "statements[" + std::to_string(k) + "]");
+  }
+
+  ClaimedStatement read_again(const Json& item, std::size_t k) {
+    const StepsAreTaken are_taken;
+    return read(item, k);
+  }
+
+  const Json& list_;
+  const Tables& tables_;
+  Proved proved_;
+  std::vector<ClaimedStatement> kept_;
+};
+
+// The text has the members of the file, and those of its tables, and its statements unread.
+void verify_file(const JsonText& text, FileResult& result) {
   const Json& top = text.top();
   if (!top.is_object()) refuse_form("the file is not an object");
   const auto is_version = [&](std::int64_t number) {
@@ -91,19 +136,9 @@ void verify_file(JsonText text, FileResult& result) {
   const Tables tables = read_tables(top["tables"]);
   const Json& statements = list_member(top, "statements", "the file");
   if (statements.empty()) refuse_form("the file states nothing");
-  std::vector<ClaimedStatement> claimed;
-  Proved proved;
-  for (const Json& item : statements) {
-    claimed.push_back(read_statement(item, tables, proved, "statements[" + std::to_string(claimed.size()) + "]"));
-  }
-  text = JsonText();
-  for (const ClaimedStatement& statement : claimed) {
-    read.statements.push_back(check(statement));
-    if (read.statements.back().accepted) note(statement, proved);
-  }
+  result.statements = Statements(statements, tables).check_all();
   result.inputs = std::move(read.inputs);
   result.left_out = std::move(read.left_out);
-  result.statements = std::move(read.statements);
 }
 
 // ---- The text.
@@ -123,10 +158,10 @@ std::string words(const NotJson& error, std::string_view text) {
 
 void verify_into(std::string_view text, const std::string& prefix, FileResult& result) {
   try {
-    JsonText read = read_json(text);
+    const JsonText read = read_json(text, 2);
     result.readable = true;
     if (read.has_key_twice) refuse_form("an object has a key twice");
-    verify_file(std::move(read), result);
+    verify_file(read, result);
   } catch (const NotJson& error) {
     result.error = prefix + words(error, text);
   } catch (const Refused& refused) {
