@@ -36,8 +36,13 @@ class Check {
     look_for_short_rings();
     if (!is_simple_ring()) look_at_several();
     std::vector<PolygonDefect>& defects = answer_.defects;
-    std::sort(defects.begin(), defects.end(), is_before);
-    if (full()) defects.resize(options_.most);
+    if (full()) {
+      const auto enough = defects.begin() + static_cast<std::ptrdiff_t>(options_.most);
+      std::partial_sort(defects.begin(), enough, defects.end(), is_before);
+      defects.resize(options_.most);
+    } else {
+      std::sort(defects.begin(), defects.end(), is_before);
+    }
     return std::move(answer_);
   }
 

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace sunder::planar {
 
@@ -76,6 +78,25 @@ std::vector<Entry> entries_of(std::span<const Segment> segments) {
   return entries;
 }
 
+// Of many ends in the order of their numbers, where all are at one point: puts them in order without comparisons.
+bool put_in_order_at_one_point(std::span<const Segment> segments, std::span<Entry> entries) {
+  constexpr std::size_t many = 32;
+  if (entries.size() < many) return false;
+  const Point2& p = end_point(segments, end_of(entries[0]));
+  if (!std::all_of(entries.begin(), entries.end(), [&](Entry e) { return end_point(segments, end_of(e)) == p; })) {
+    return false;
+  }
+  const auto rank_of = [&](Entry e) { return static_cast<std::size_t>(rank(segments[end_of(e) / 2], end_of(e))); };
+  std::array<std::size_t, 3> place{};
+  for (const Entry e : entries) ++place[rank_of(e)];
+  std::size_t before = 0;
+  for (std::size_t& next : place) before += std::exchange(next, before);
+  std::vector<Entry> ordered(entries.size());
+  for (const Entry e : entries) ordered[place[rank_of(e)]++] = e;
+  std::copy(ordered.begin(), ordered.end(), entries.begin());
+  return true;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> ends_in_order(std::span<const Segment> segments) {
@@ -98,8 +119,8 @@ std::vector<std::uint32_t> ends_in_order(std::span<const Segment> segments) {
           prefetch(segments[end_of(entries[k]) / 2]);
         }
       }
-      const auto at = entries.begin() + static_cast<std::ptrdiff_t>(run);
-      if (end - run > 1) std::sort(at, at + static_cast<std::ptrdiff_t>(end - run), less);
+      const std::span<Entry> same(entries.data() + run, end - run);
+      if (same.size() > 1 && !put_in_order_at_one_point(segments, same)) std::sort(same.begin(), same.end(), less);
     }
   }
   std::vector<std::uint32_t> ends(entries.size());
