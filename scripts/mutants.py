@@ -59,7 +59,7 @@ MUTANTS = [
     (SIMPLE, "if (at.size() > 1) geometry =", "if (at.size() > 9) geometry =", "simple:as GeoJSON"),
     (SIMPLE, 'json["rule"] = call_.strict', 'json["law"] = call_.strict', "simple:Simple polygons"),
     (SIMPLE, "if (mended > 0) text +=", "if (mended > 9) text +=", "simple:Mended"),
-    (SIMPLE, 'refuse_method(call.method, "automatic, scan");', "return 0;", "simple:Simple polygons"),
+    (SIMPLE, "refuse_method(call.method, methods);", "return 0;", "simple:Simple polygons"),
     (POLYGONS, 'if (grouped()) text += fmt::format(" of {}"', 'if (false) text += fmt::format(" of {}"', "sets:of groups"),
     (POLYGONS, 'if (input_.files.size() > 1) add("files", i.file, j.file);', "", "files:Two files"),
     (POLYGONS, ", said of the {} only: {}", ", of the {} only: {}", "files:Invalid"),
