@@ -269,6 +269,23 @@ Doubles read_vertices(const Json& list, PolygonTable& polygons) {
   return doubles;
 }
 
+// Of a ring whose edges are known.
+void add_blocks(PolygonTable& polygons, EdgeRange& ring) {
+  ring.first_block = polygons.blocks.size();
+  for (std::size_t k = ring.begin; k < ring.end; ++k) {
+    const PlanarSegment& edge = polygons.edges[k];
+    const Integer& low = std::min(edge.first.y, edge.last.y);
+    if ((k - ring.begin) % edges_of_block == 0) {
+      polygons.blocks.push_back({edge.first.x, edge.last.x, low});
+      continue;
+    }
+    EdgeBlock& block = polygons.blocks.back();
+    if (edge.first.x < block.left) block.left = edge.first.x;
+    if (edge.last.x > block.right) block.right = edge.last.x;
+    if (low < block.low) block.low = low;
+  }
+}
+
 void read_polygons(const Json& list, Tables& tables) {
   PolygonTable& polygons = tables.polygons;
   const Doubles doubles = read_vertices(list, polygons);
@@ -279,13 +296,14 @@ void read_polygons(const Json& list, Tables& tables) {
     return PlanarPoint{unit.integer(doubles[2 * k]), unit.integer(doubles[2 * k + 1])};
   };
   for (std::size_t i = 0; i < polygons.rings.size(); ++i) {
-    for (const EdgeRange& ring : polygons.rings[i]) {
+    for (EdgeRange& ring : polygons.rings[i]) {
       for (std::size_t k = ring.begin; k < ring.end; ++k) {
         PlanarPoint p = vertex(k), q = vertex(k + 1 < ring.end ? k + 1 : ring.begin);
         if (is_less(q, p)) std::swap(p, q);
         polygons.edges.push_back({std::move(p), std::move(q)});
         polygons.owner.push_back(i);
       }
+      add_blocks(polygons, ring);
     }
   }
 }
@@ -368,6 +386,19 @@ void read_convex_polygons(const Json& list, Tables& tables) {
   }
 }
 
+// Of each edge of some length of a ring.
+void add_neighbours(const EdgeRange& ring, PartTable& parts) {
+  std::vector<std::size_t> on;
+  for (std::size_t k = ring.begin; k < ring.end; ++k) {
+    const PlanarSegment& edge = parts.polygons.edges[k];
+    if (!(edge.first == edge.last)) on.push_back(k);
+  }
+  parts.beside.resize(ring.end);
+  for (std::size_t k = 0; k < on.size(); ++k) {
+    parts.beside[on[k]] = {on[k == 0 ? on.size() - 1 : k - 1], on[k + 1 == on.size() ? 0 : k + 1]};
+  }
+}
+
 // Some polygons, with edges and rings numbered anew.
 PartTable numbered_anew(const PolygonTable& all, const std::vector<std::size_t>& which) {
   PartTable result;
@@ -388,6 +419,8 @@ PartTable numbered_anew(const PolygonTable& all, const std::vector<std::size_t>&
         result.ring_of.push_back(result.rings.size());
       }
       polygons.rings.back().push_back({begin, polygons.edges.size()});
+      add_blocks(polygons, polygons.rings.back().back());
+      add_neighbours(polygons.rings.back().back(), result);
       result.rings.push_back(polygons.rings.back().back());
       result.part.push_back(polygons.rings.size() - 1);
     }

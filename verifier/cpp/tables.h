@@ -117,9 +117,17 @@ using Constraints = std::vector<LinearConstraint>;
 Integer turn(const LinearConstraint& h, const LinearConstraint& k);
 // Does each turn to the next, and all by one turn?
 bool goes_round_once(const Constraints& sides);
-// Edges begin to end - 1.
+// Edges begin to end - 1; their blocks are first_block and those after it.
 struct EdgeRange {
   std::size_t begin, end;
+  std::size_t first_block = 0;
+};
+
+constexpr std::size_t edges_of_block = 32;
+
+// Some edges of a ring that follow each other: these are between two abscissas, and not below an ordinate.
+struct EdgeBlock {
+  Integer left, right, low;
 };
 
 // Edge k goes from vertex k to the next one of its ring.
@@ -130,6 +138,7 @@ struct PolygonTable {
   std::vector<std::vector<EdgeRange>> rings;  // of each polygon
   std::vector<PlanarSegment> edges;
   std::vector<std::size_t> owner;  // the polygon of each edge
+  std::vector<EdgeBlock> blocks;   // of all rings
   std::int64_t exponent = 0;
   std::size_t bits = 0;
 };
@@ -141,6 +150,8 @@ struct PartTable {
   std::vector<std::size_t> ring_of;  // of each edge
   std::vector<std::size_t> part;     // of each ring
   std::vector<std::size_t> shell;    // of each part, its first ring
+  std::vector<std::array<std::size_t, 2>> beside;  // of each edge of some length those before and after it on its
+                                                   // ring, those of no length left out
 };
 
 struct Tables {

@@ -195,6 +195,9 @@ def segments(value, where, read=None):
     return Segments([(row[:2], row[2:]) for row in rows], exponent)
 
 
+BLOCK = 32  # edges
+
+
 class Polygons(list):
     """Lists of rings, which are lists of edges. Rings and edges are numbered over all polygons."""
 
@@ -226,11 +229,31 @@ class Polygons(list):
             result.update(zip(ring, zip(ring[-1:] + ring[:-1], ring[1:] + ring[:1])))
         return result
 
-    def edges_of(self, i):
-        return [edge for ring in self[i] for edge in ring]
+    @functools.cached_property
+    def first_edge(self):
+        """Of each ring, and then their number."""
+        return [0, *itertools.accumulate(map(len, self.rings))]
+
+    @functools.cached_property
+    def rings_of(self):
+        """Of each polygon."""
+        first = [0, *itertools.accumulate(map(len, self))]
+        return [range(*ends) for ends in zip(first, first[1:])]
+
+    @functools.cached_property
+    def blocks(self):
+        """Of each ring edges that follow each other: least and greatest x, least y, the first and the last of them."""
+        result = []
+        for begin, end in zip(self.first_edge, self.first_edge[1:]):
+            result.append([])
+            for k in range(begin, end, BLOCK):
+                some = self.edges[k:min(k + BLOCK, end)]
+                result[-1].append((min(p[0] for p, _ in some), max(q[0] for _, q in some),
+                                   min(min(p[1], q[1]) for p, q in some), k, k + len(some)))
+        return result
 
     def is_point(self, i):
-        return all(first == last for first, last in self.edges_of(i))
+        return all(first == last for ring in self[i] for first, last in ring)
 
 
 def polygons(value, where, read=None):

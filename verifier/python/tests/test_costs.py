@@ -54,6 +54,29 @@ def star(n, verdict, allowed="nothing", groups=None, line=0, **said):
                                                  allowed=allowed, **more, **said))
 
 
+def vertex(x, y):
+    return [("-" if c < 0 else "") + "0x%xp0" % abs(c) for c in (x, y)]
+
+
+def of_rings(rings, *verdicts):
+    """Statements `valid` about one polygon: of each its verdict, ring and point."""
+    return file_of({"polygons": [[[vertex(*p) for p in ring] for ring in rings]]}, *[
+        statement("valid", verdict, {"claim": verdict}, parts=[0], rule="valid", ring=ring, point=list(map(str, point)))
+        for verdict, ring, point in verdicts])
+
+
+def nested_holes(n):
+    """Each hole is in all those before it: two of them are enough."""
+    squares = [[(-k, -k), (-k, k), (k, k), (k, -k)] for k in range(n + 1, 0, -1)]
+    return of_rings(squares, *[("misplaced", k, (0, k - n - 1)) for k in range(2, n + 1)])
+
+
+def spikes(n):
+    """A ring that comes to many points twice: each statement looks at what is near, and at blocks of the ring."""
+    ring = [p for k in range(n) for p in ((3 * k, 0), (3 * k + 1, 0), (3 * k + 1, 1), (3 * k + 1, 0), (3 * k + 2, 0))]
+    return of_rings([ring + [(3 * n, -1), (0, -1)]], *[("comes_twice", 0, (3 * k + 1, 0)) for k in range(n)])
+
+
 def names(n):
     body = {"name": "\U0001f600" * 4000, "points": [ORIGIN]}
     meet = statement("pair", "meet", *[{"claim": "holds", "weights": [[0, "1"]]}] * 2, a=0, b=0, point=["0", "0"])
@@ -61,17 +84,19 @@ def names(n):
 
 
 FAMILIES = {
-    "images of a body": (images_of_a_body, 200),
-    "images of a polytope": (images_of_a_polytope, 200),
-    "homes in facets": (homes_in_facets, 200),
-    "a star": (lambda n: star(n, "count", number=(n - 1) * (n - 2) // 2), 200),
-    "a star that shares endpoints": (lambda n: star(n, "none", "shared-endpoint"), 200),
-    "a star that touches": (lambda n: star(n, "none", "touch"), 200),
-    "a star of two groups": (lambda n: star(n, "count", groups=lambda k: int(k == 0), number=n - 2), 200),
+    "images of a body": (images_of_a_body, 120),
+    "images of a polytope": (images_of_a_polytope, 120),
+    "homes in facets": (homes_in_facets, 120),
+    "a star": (lambda n: star(n, "count", number=(n - 1) * (n - 2) // 2), 120),
+    "a star that shares endpoints": (lambda n: star(n, "none", "shared-endpoint"), 120),
+    "a star that touches": (lambda n: star(n, "none", "touch"), 120),
+    "a star of two groups": (lambda n: star(n, "count", groups=lambda k: int(k == 0), number=n - 2), 120),
     "a star of two groups, listed": (
-        lambda n: star(n, "these", groups=lambda k: int(k == 0), contacts=[[0, k, "shared-endpoint"] for k in range(1, n - 1)]), 200),
+        lambda n: star(n, "these", groups=lambda k: int(k == 0), contacts=[[0, k, "shared-endpoint"] for k in range(1, n - 1)]), 120),
+    "nested holes": (nested_holes, 120),
+    "a ring with spikes": (spikes, 120),
     "a bundle that is crossed": (
-        lambda n: star(3, "count", groups=lambda k: int(k >= n), line=n, number=2 * n), 200),
+        lambda n: star(3, "count", groups=lambda k: int(k >= n), line=n, number=2 * n), 120),
 }
 
 
@@ -104,10 +129,10 @@ class Costs(unittest.TestCase):
         for what, (make, n) in FAMILIES.items():
             (told, calls), (told_twice, calls_twice) = count_of(make, n), count_of(make, 2 * n)
             with self.subTest(what=what):
-                self.assertEqual(told, told_twice)
+                self.assertEqual(set(told), set(told_twice))
                 self.assertLess(calls_twice, 2.2 * calls, (calls, calls_twice))
-            accepted += told == [None]
-        self.assertGreaterEqual(accepted, 5)
+            accepted += set(told) == {None}
+        self.assertGreaterEqual(accepted, 7)
 
     def test_contacts_are_counted_as_they_are_listed(self):
         """Of stars in classes and groups: the number is that of the list, found by brute force."""
