@@ -22,7 +22,17 @@ std::string departure_text(const MeshBody& object) {
   return text;
 }
 
+void note_remarks(const std::vector<const MeshBody*>& objects) {
+  std::vector<std::string> told;
+  for (const MeshBody* object : objects) {
+    if (object->remark.empty()) continue;
+    std::string text = object->file + ": " + object->remark;
+    if (std::find(told.begin(), told.end(), text) == told.end()) note(told.emplace_back(std::move(text)));
+  }
+}
+
 void note_hulls(const std::vector<const MeshBody*>& objects) {
+  note_remarks(objects);
   std::vector<std::string> files;
   const MeshBody *first = nullptr, *deepest = nullptr;
   for (const MeshBody* object : objects) {

@@ -34,6 +34,7 @@ int run(const HullCall& call) {
   LeftOutList left_out(call.leave_out);
   InputFiles inputs;
   const auto [object, points] = io::read_hull(call.file, left_out, call.certificate.empty() ? nullptr : &inputs);
+  note_remarks({&object});
   const solid::ConvexPolyhedron& hull = object.hull;
   if (!call.out.empty()) io::write_file_atomically(call.out, io::to_text(format, hull));
   if (!call.certificate.empty()) {

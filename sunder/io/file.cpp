@@ -96,6 +96,13 @@ std::string read_file(const fs::path& path, InputFiles* inputs) {
   return bytes;
 }
 
+void require_regular(const fs::path& path) {
+  std::error_code problem;
+  const fs::file_status status = fs::status(path, problem);
+  if (!fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status)) return;
+  fail_path(path, "is a pipe or a device, and a file that another one names is a regular file; copy it to one");
+}
+
 OutputFile::Slot::Slot() : number_(no_slot) {
   for (std::size_t k = 0; k < unfinished.size() && number_ == no_slot; ++k) {
     if (!unfinished[k].taken.exchange(true)) number_ = k;

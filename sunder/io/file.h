@@ -20,6 +20,10 @@ namespace sunder::io {
 // input, by either name, is named "-". Costs about as much as reading text.
 std::string read_file(const std::filesystem::path& path, InputFiles* inputs = nullptr);
 
+// For files that other files name: throws Error bad_file where it is a pipe or a device, so that no name in a file
+// makes a call wait for the one or read the other. What does not exist is left to who reads it.
+void require_regular(const std::filesystem::path& path);
+
 // A file that is written piece by piece and takes its name at the end: all of it, or, when anything fails, nothing
 // (what was there before stays, and no other file is left behind).
 //   O1. It is written to a new file in the same folder, which takes the name in commit(). Where that is not called, the

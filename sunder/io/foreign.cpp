@@ -110,6 +110,43 @@ std::string_view foreign_format(std::string_view bytes) {
   return found != nullptr ? found->what : std::string_view();
 }
 
+ForeignBody foreign_body(std::string_view bytes) {
+  constexpr std::string_view to_urdf =
+      "convert it to URDF and ask sunder scene, or name its meshes one by one (OBJ, STL, PLY, OFF, COLLADA, glTF, "
+      "VRML), each with @POSE";
+  constexpr std::string_view meshes = "export its meshes as OBJ, STL or glTF (Blender can)";
+  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+  if (bytes.starts_with("#usda")) return {"USD", meshes};
+  if (bytes.starts_with("PXR-USDC")) return {"USD (binary)", meshes};
+  const std::string_view text = trimmed(bytes.substr(0, 1 << 16));
+  const auto has = [&](std::string_view word) { return text.find(word) != std::string_view::npos; };
+  if (text.starts_with('{')) {
+    if (has("\"sunder_certificate\"")) return {"a certificate", "ask sunder verify"};
+    if (has("\"bodies\"")) return {"a scene of several bodies", "ask sunder scene"};
+    return {};
+  }
+  if (!text.starts_with('<')) return {};
+  if (has("<sdf")) return {"SDF (a robot or a world of Gazebo)", to_urdf};
+  if (has("<mujoco")) return {"MJCF (a model of MuJoCo)", to_urdf};
+  if (has("<xacro:") || has("xmlns:xacro")) {
+    return {"xacro that is not expanded", "run xacro {} > robot.urdf, and ask sunder scene about robot.urdf"};
+  }
+  if (has("<disable_collisions") || has("<group_state")) {
+    return {"an SRDF", "give it by --srdf {}, with the robot's URDF as the file"};
+  }
+  if (has("<robot")) return {"a robot (URDF)", "give its name the ending .urdf, and ask sunder scene or sunder info"};
+  if (has("<X3D")) return {"X3D", "export it as VRML 2, OBJ or glTF"};
+  return {};
+}
+
+std::string foreign_text(const ForeignBody& body, std::string_view place) {
+  std::string way(body.way);
+  if (const std::size_t at = way.find("{}"); at != std::string::npos) {
+    way.replace(at, 2, one_line(std::filesystem::path(place).filename().string()));
+  }
+  return fmt::format("this is {}, which is not read here; {}", body.what, way);
+}
+
 void refuse_foreign(std::string_view bytes, std::string_view place) {
   if (const Foreign* const found = find_foreign(bytes)) refuse(*found, place);
   const std::size_t begin = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());

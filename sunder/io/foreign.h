@@ -3,6 +3,7 @@
 
 #include <sunder/base/error.h>
 
+#include <string>
 #include <string_view>
 
 namespace sunder::io {
@@ -13,5 +14,15 @@ void refuse_foreign(std::string_view bytes, std::string_view place);
 
 // What the bytes are, for people: "a PNG image"; empty where nothing is known. For meshes and files of the plane alike.
 std::string_view foreign_format(std::string_view bytes);
+
+// Text of robots, worlds and scenes that people give where a body is expected, and the way out; {} is the file.
+// `what` is empty where nothing is known.
+struct ForeignBody {
+  std::string_view what, way;
+};
+ForeignBody foreign_body(std::string_view bytes);
+
+// "this is SDF (..), which is not read; convert it ..". Requires that something is known.
+std::string foreign_text(const ForeignBody& body, std::string_view place);
 
 }  // namespace sunder::io

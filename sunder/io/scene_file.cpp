@@ -286,6 +286,7 @@ std::vector<std::vector<BodyPart>> read_scene_parts(const SceneFile& scene, cons
         const std::filesystem::path path = file.parent_path() / part.mesh->file;
         auto found = known.find(path);
         if (found == known.end()) {
+          require_regular(path);
           if (meshes != nullptr) meshes->push_back(path);
           found = known.emplace(path, read_bodies(path, require_convex, left_out, inputs, parts)).first;
         }

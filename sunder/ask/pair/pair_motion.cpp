@@ -144,8 +144,8 @@ void require_at_rest(const PairCall& call, const char* of_what) {
   for (const PairSide* side : {&call.a, &call.b}) {
     if (side->to.empty()) continue;
     throw Error(ErrorCode::bad_call,
-                fmt::format("is for two bodies, polygons, segments or points of space, not for {}; "
-                            "leave it out",
+                fmt::format("is for two bodies, polygons, segments or points of space: there is no motion of {} yet; "
+                            "leave it out, or give objects of space",
                             of_what),
                 side->option("to"));
   }

@@ -185,14 +185,18 @@ int run(const PairCall& call) {
   if (planar_a || planar_b) {
     if (space_a || space_b) {
       throw Error(ErrorCode::bad_call,
-                  fmt::format("{} is an object of space, the other one is planar; give two of one kind; of WKT Z, "
-                              "--drop-z ignores third coordinates",
+                  fmt::format("{} is an object of space, the other one is planar, and these are not asked about "
+                              "together; give the planar one in space (JSON, or WKT POLYGON Z), or two planar ones "
+                              "(of WKT Z, --drop-z ignores third coordinates)",
                               io::quote(io::one_line(space_a ? call.a.file : call.b.file))));
     }
     if (!call.project.empty()) throw Error(ErrorCode::bad_call, "is for polygons of space; leave it out", "--project");
     for (const PairSide* side : {&call.a, &call.b}) {
       if (!side->radius.empty())
-        throw Error(ErrorCode::bad_call, "is for objects of space; leave it out", side->option("radius"));
+        throw Error(ErrorCode::bad_call,
+                    "is for objects of space: planar ones have no radius in sunder pair; for circles ask sunder "
+                    "circles",
+                    side->option("radius"));
     }
     if (call.require_convex) {
       throw Error(ErrorCode::bad_call, "polygons are always required to be convex; leave it out", "--require-convex");
