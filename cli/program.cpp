@@ -118,6 +118,7 @@ int complain_of_verb(const CLI::App& program, const Asked& asked, const std::str
   const std::vector<std::string> known = names_of_verbs(program);
   std::vector<std::string> first = known;
   first.emplace_back("help");
+  first.emplace_back("version");
   return complain(
       asked, exit_code::bad,
       fmt::format("{}{}; verbs are {}; see sunder --help", what, did_you_mean(word, first), fmt::join(known, ", ")));
@@ -169,7 +170,7 @@ int run_program(const CLI::App& program, const Asked& asked) {
   const std::string& first = asked.words[0];
   if (first == "help" || first == "--help" || first == "-h") return help(program, asked);
   if (first == "--completion" || first.starts_with("--completion=")) return complete(program, asked);
-  const bool is_version = first == "--version", is_manual = first == "--man";
+  const bool is_version = first == "--version" || first == "-V" || first == "version", is_manual = first == "--man";
   if (!is_version && !is_manual) {
     return first.starts_with('-') ? complain_of_option(program, asked)
                                   : complain_of_verb(program, asked, "there is no verb " + io::quote(first), first);
@@ -229,7 +230,7 @@ void add_verb(CLI::App& program, const ask::Verb& verb, int& code, bool& quiet) 
 
 // For help and completion; run_program() obeys them.
 void add_options(CLI::App& program) {
-  program.set_version_flag("--version", fmt::format("sunder {}", version));
+  program.set_version_flag("-V,--version", fmt::format("sunder {}", version));
   program.add_option("--completion", "print a script that completes calls in bash, zsh or fish")->type_name("SHELL");
   program.add_flag("--man")->description("print the manual page");
   program.footer(fmt::format("Exit code: 0 or 1, the answer: sunder help VERB tells which; {}", other_codes));

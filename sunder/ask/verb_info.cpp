@@ -1,5 +1,6 @@
 // sunder info FILE...: what is in a file?
 #include <sunder/ask/objects.h>
+#include <sunder/ask/packages_option.h>
 #include <sunder/ask/report.h>
 #include <sunder/ask/verb.h>
 
@@ -9,6 +10,7 @@
 #include <sunder/io/foreign.h>
 #include <sunder/io/lines.h>
 #include <sunder/io/mesh.h>
+#include <sunder/io/packages.h>
 #include <sunder/io/planar_objects.h>
 #include <sunder/io/scene_file.h>
 #include <sunder/io/text.h>
@@ -20,7 +22,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace sunder::ask {
@@ -28,7 +32,7 @@ namespace sunder::ask {
 namespace {
 
 struct Call {
-  std::vector<std::string> files;
+  std::vector<std::string> files, packages;
   bool formats = false;
   bool json = false;
 };
@@ -87,9 +91,46 @@ bool is_planar(const std::string& file, std::string_view bytes) {
   return io::is_planar(file) || std::find(foreign.begin(), foreign.end(), io::ending_of(file)) != foreign.end();
 }
 
-Json shape_json(const io::CollisionShape& shape) {
+// Where the meshes of a robot are, as sunder scene would find them.
+class MeshFiles {
+ public:
+  MeshFiles(const std::string& robot, const io::Packages& packages)
+      : folder_(std::filesystem::path(robot).parent_path()), packages_(packages) {}
+
+  // Nothing where it is not found.
+  std::optional<std::string> file_of(const std::string& mesh) {
+    try {
+      std::string file = io::resolve_mesh(mesh, folder_, packages_).string();
+      found_ += 1;
+      return file;
+    } catch (const Error& error) {
+      if (missing_++ == 0) problem_ = error.what();
+      return std::nullopt;
+    }
+  }
+
+  // "3 of 4 meshes are there; the first that is not: ..". Empty where there are none.
+  std::string text() const {
+    const std::uint64_t all = found_ + missing_;
+    if (all == 0) return "";
+    if (missing_ == 0) return all == 1 ? "the mesh is there" : fmt::format("all {} meshes are there", all);
+    return fmt::format("{} of {} are there; {}{}", found_, all == 1 ? "1 mesh" : fmt::format("{} meshes", all),
+                       missing_ == 1 ? "the one that is not: " : "the first that is not: ", problem_);
+  }
+
+ private:
+  std::filesystem::path folder_;
+  const io::Packages& packages_;
+  std::uint64_t found_ = 0, missing_ = 0;
+  std::string problem_;
+};
+
+Json shape_json(const io::CollisionShape& shape, MeshFiles& meshes) {
   switch (shape.kind) {
-    case io::ShapeKind::mesh: return {{"mesh", shape.mesh}};
+    case io::ShapeKind::mesh: {
+      const std::optional<std::string> file = meshes.file_of(shape.mesh);
+      return {{"mesh", shape.mesh}, {"file", file ? Json(io::one_line(*file)) : Json(nullptr)}};
+    }
     case io::ShapeKind::box: return {{"box", shape.size}};
     case io::ShapeKind::sphere: return {{"sphere", {{"radius", shape.radius}}}};
     case io::ShapeKind::cylinder:
@@ -98,7 +139,7 @@ Json shape_json(const io::CollisionShape& shape) {
   return {{std::string(name_of(shape.kind)), {{"radius", shape.radius}, {"length", shape.length}}}};
 }
 
-Info describe_robot(const std::string& file, std::string_view bytes) {
+Info describe_robot(const std::string& file, std::string_view bytes, const io::Packages& packages) {
   const io::Robot robot = io::parse_urdf(bytes, file);
   Info info;
   const std::string shown = io::one_line(file);
@@ -109,6 +150,7 @@ Info describe_robot(const std::string& file, std::string_view bytes) {
   if (!left_out.empty()) info.json["left_out"] = to_json(left_out);
   info.text = fmt::format("{}: URDF robot {} of {} and {}\n", shown, robot.name, count_of(robot.links.size(), "link"),
                           count_of(robot.joints.size(), "joint"));
+  MeshFiles meshes(file, packages);
   std::size_t width = 0;
   for (const io::Link& link : robot.links) width = std::max(width, link.name.size());
   for (const io::Joint& joint : robot.joints) width = std::max(width, joint.name.size());
@@ -117,7 +159,7 @@ Info describe_robot(const std::string& file, std::string_view bytes) {
     Json shapes = Json::array();
     std::string list;
     for (const io::CollisionShape& shape : link.shapes) {
-      shapes.push_back(shape_json(shape));
+      shapes.push_back(shape_json(shape, meshes));
       list += (list.empty() ? "" : ", ") + (shape.kind == io::ShapeKind::mesh
                                                 ? std::filesystem::path(shape.mesh).filename().string()
                                                 : std::string(name_of(shape.kind)));
@@ -144,6 +186,7 @@ Info describe_robot(const std::string& file, std::string_view bytes) {
     info.text += fmt::format("  joint  {:<{}}  {} to {}, {}{}\n", joint.name, width, parent, child,
                              type_name(joint.type), range);
   }
+  if (const std::string found = meshes.text(); !found.empty()) info.add("meshes", found);
   if (!left_out.empty()) info.text += fmt::format("  not read: {}\n", left_out.text());
   return info;
 }
@@ -195,7 +238,8 @@ Info describe_scene(const std::string& file, std::string_view bytes) {
 }
 
 Info describe_mesh(const std::string& file, std::string_view bytes) {
-  const io::Mesh mesh = io::parse_mesh(bytes, file, io::mesh_format(bytes, file));
+  io::Mesh mesh = io::parse_mesh(bytes, file, io::mesh_format(bytes, file));
+  const std::uint64_t inner = io::drop_inner_vertices(mesh);
   const MeshBody object = io::body_of_mesh(mesh, file, false);
   const auto [low, high] = object.hull.box();
   const LeftOutList left_out(file, mesh.left_out);
@@ -211,6 +255,7 @@ Info describe_mesh(const std::string& file, std::string_view bytes) {
       object.mesh_vertices < mesh.vertices.size() ? fmt::format(" ({} in use)", object.mesh_vertices) : "";
   info.add("holds", fmt::format("{} vertices{}, {}, {}", mesh.vertices.size(), in_use,
                                 count_of(mesh.polygon_count(), "polygon"), count_of(mesh.parts.size(), "part")));
+  if (inner > 0) info.add("", io::inner_vertices_text(inner));
   info.add("shape", object.shape == io::BodyShape::convex ? "exactly convex"
                     : object.shape == io::BodyShape::hull ? "not exactly convex: " + object.why_hull
                                                           : "a set of points");
@@ -335,9 +380,9 @@ Info describe_planar(const std::string& file, std::string_view text) {
   return describe_lines(file, text);
 }
 
-Info describe(const std::string& file) {
+Info describe(const std::string& file, const io::Packages& packages) {
   const std::string bytes = io::read_file(file);
-  if (is_robot(file, bytes)) return describe_robot(file, bytes);
+  if (is_robot(file, bytes)) return describe_robot(file, bytes, packages);
   if (is_scene(file, bytes)) return describe_scene(file, bytes);
   return is_planar(file, bytes) ? describe_planar(file, bytes) : describe_mesh(file, bytes);
 }
@@ -355,8 +400,9 @@ int run(const Call& call) {
       text += fmt::format("{:<12} {:<10} {:<14} {}\n", f.name, f.endings, f.access, f.what);
     }
   }
+  const io::Packages packages = packages_of(call.packages);
   for (const std::string& file : call.files) {
-    Info info = describe(file);
+    Info info = describe(file, packages);
     json["objects"].push_back(std::move(info.json));
     text += info.text;
   }
@@ -372,6 +418,7 @@ Verb info_verb() {
           "What is in these files? Which formats are read?",
           codes_of_reports,
           {{"FILE", &call->files, "meshes, sets of points, robots, scenes, files of the plane", ""},
+           package_option(call->packages),
            {"--formats", &call->formats, "list the formats that are in"},
            json_option(call->json)},
           [call] { return run(*call); }};
