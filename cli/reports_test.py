@@ -159,6 +159,7 @@ scene cases/scene/nearly.urdf --joints way=1.3853189754928872
 scene cases/scene/nearly.urdf --joints way=1.3853189754928865 --classify
 scene cases/scene/workcell.json --classify --certificate OUT
 scene cases/scene/ghost.urdf --leave-out
+scene cases/scene/never.urdf --srdf cases/scene/never.srdf
 scene cases/mesh/arm.urdf --leave-out --srdf cases/scene/arm.srdf --group upper_arm
 scene cases/scene/in-cm.json
 scene cases/scene/in-mm.json cases/mesh/cube.obj@9,0,0

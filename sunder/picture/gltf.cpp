@@ -145,13 +145,14 @@ class Model {
       if (!pair.counts) continue;
       const scene::Body &a = panel.bodies[pair.body_a], &b = panel.bodies[pair.body_b];
       const Point3 at = scene::rounded_common_point(pair, a.parts[pair.part_a], b.parts[pair.part_b]);
-      node({{"name", fmt::format("{} meets {}", part_name(a, pair.part_a), part_name(b, pair.part_b))},
+      node({{"name", panel.told(pair)},
             {"translation", {single(at.x, a.name), single(at.y, a.name), single(at.z, a.name)}}},
            &all);
     }
     // x stays, z becomes y, y becomes -z: column by column.
     Json top{{"name", panel.title}, {"matrix", {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1}}};
     if (!all.empty()) top["children"] = all;
+    if (!panel.notes.empty()) top["extras"] = {{"notes", panel.notes}};
     const std::size_t number = node(std::move(top), nullptr);
     json_["scenes"].push_back({{"name", panel.title}, {"nodes", {number}}});
   }

@@ -133,11 +133,10 @@ class Lines {
         add_quoted(names_[pair.body_a][pair.part_a].csv, out);
         out += " and ";
         add_quoted(names_[pair.body_b][pair.part_b].csv, out);
-        if (pair.undecided()) {
-          out += " (undecided)";
-        } else if (question_.contacts) {
-          fmt::format_to(std::back_inserter(out), " ({})", contact_name(pair));
-        }
+        const auto &a = names_[pair.body_a][pair.part_a], &b = names_[pair.body_b][pair.part_b];
+        std::string said = pair.undecided() ? "undecided" : question_.contacts ? std::string(contact_name(pair)) : "";
+        if (a.is_hull || b.is_hull) said += said.empty() ? "as hulls" : ", as hulls";
+        if (!said.empty()) fmt::format_to(std::back_inserter(out), " ({})", said);
         between = "; ";
       }
       out += '"';
@@ -211,7 +210,7 @@ class Lines {
 
 // What all placements have in common: the first line of JSON lines.
 std::string header_line(const SceneInput& input, const scene::Question& question, std::span<const scene::Body> bodies,
-                        const io::JointTable& table) {
+                        const io::JointTable& table, std::span<const AllowedPair> allowed) {
   Json json{{"verb", "scene"}, {"joints", table.joints}, {"placements", table.rows()}};
   json["bodies"] = Json::array();
   for (const scene::Body& body : bodies) {
@@ -222,6 +221,7 @@ std::string header_line(const SceneInput& input, const scene::Question& question
   json["allowed"] = question.touching_allowed ? "touch" : "nothing";
   json["allowed_pairs"] = Json::array();
   for (const auto& [a, b] : question.allowed) json["allowed_pairs"].push_back({bodies[a].name, bodies[b].name});
+  json["allowed_reasons"] = allowed_json(allowed);
   if (!input.left_out().empty()) json["left_out"] = to_json(input.left_out());
   return json.on_one_line() + "\n";
 }
@@ -250,8 +250,10 @@ struct Chain {
 class Placements {
  public:
   Placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
-             const io::JointTable& table, const InputFiles& inputs, const NearnessQuestion& near)
+             const io::JointTable& table, const InputFiles& inputs, const NearnessQuestion& near,
+             std::span<const AllowedPair> allowed)
       : call_(call),
+        allowed_(allowed),
         inputs_(inputs),
         near_(near),
         input_(input),
@@ -271,7 +273,7 @@ class Placements {
     open(call_.json_lines, json_);
     open(call_.csv, csv_);
     if (json_) {
-      std::string header = header_line(input_, question_, start_.bodies(), table_);
+      std::string header = header_line(input_, question_, start_.bodies(), table_, allowed_);
       near_lines_.add_json_header(header);
       json_->write(header);
     }
@@ -306,7 +308,8 @@ class Placements {
       text += fmt::format("; not asked about, after the first that meets{}: {}", near_.clearance ? " or is closer" : "",
                           table_.rows() - asked_);
     }
-    text += left_out.clause() + "\n" + file_line("JSON lines", call_.json_lines) + file_line("table", call_.csv);
+    text += left_out.clause() + allowed_clause(allowed_) + "\n" +
+            file_line("JSON lines", call_.json_lines) + file_line("table", call_.csv);
     if (call_.meeting_certificate.empty()) return text;
     if (!certificate_)
       return text + fmt::format("  no proofs are written, as nothing is known to meet{}\n",
@@ -411,13 +414,14 @@ class Placements {
             std::lower_bound(met_.begin(), met_.end(), k, [](const Met& m, std::size_t row) { return m.row < row; });
         return placement_of(k, met != met_.end() && met->row == k ? *met : nothing);
       };
-      scene::write_whole_certificate(start_.bodies(), asked_, any, question_, {inputs_, input_.left_out().texts()},
-                                     write, near_.clearance ? &*near_.clearance : nullptr);
+      scene::write_whole_certificate(start_.bodies(), asked_, any, question_,
+                                     {inputs_, left_out_texts(input_.left_out(), allowed_)}, write,
+                                     near_.clearance ? &*near_.clearance : nullptr);
       return;
     }
     const auto placement = [&](std::size_t k) { return placement_of(met_[k].row, met_[k]); };
     scene::write_meeting_certificate(start_.bodies(), met_.size(), placement, question_,
-                                     {inputs_, input_.left_out().texts()}, write);
+                                     {inputs_, left_out_texts(input_.left_out(), allowed_)}, write);
   }
 
   bool end(Chain& chain, const std::function<void(double)>& report) {
@@ -436,6 +440,7 @@ class Placements {
   }
 
   const PlacementsCall& call_;
+  const std::span<const AllowedPair> allowed_;
   const InputFiles& inputs_;
   const NearnessQuestion& near_;
   const SceneInput& input_;
@@ -509,8 +514,8 @@ std::vector<io::JointValues> extremes_of(const io::JointTable& table) {
 
 PlacementsAnswer answer_placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
                                    const io::JointTable& table, const InputFiles& inputs,
-                                   const NearnessQuestion& near) {
-  return Placements(call, input, question, table, inputs, near).run();
+                                   const NearnessQuestion& near, std::span<const AllowedPair> allowed) {
+  return Placements(call, input, question, table, inputs, near, allowed).run();
 }
 
 }  // namespace sunder::ask

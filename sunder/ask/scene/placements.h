@@ -10,6 +10,7 @@
 #include <sunder/scene/scene.h>
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,9 +46,10 @@ std::vector<io::JointValues> extremes_of(const io::JointTable& table);
 
 // Asks the question of each placement, in chains (scene/chains.h), and writes what comes out: lines of text on standard
 // output, or the files that are asked for. inputs: what a certificate was made of. near: what else is asked; of the
-// nearest no certificate is written. Throws Error; then no file is written.
+// nearest no certificate is written. allowed: the pairs of question.allowed, with their reasons. Throws Error; then no
+// file is written.
 PlacementsAnswer answer_placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
                                    const io::JointTable& table, const InputFiles& inputs = {},
-                                   const NearnessQuestion& near = {});
+                                   const NearnessQuestion& near = {}, std::span<const AllowedPair> allowed = {});
 
 }  // namespace sunder::ask

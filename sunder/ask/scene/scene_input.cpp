@@ -163,7 +163,7 @@ void SceneInput::add_scene(const std::string& file, bool require_convex, InputFi
     const bool is_taken = named(name, bodies_) != bodies_.end();
     bodies_.push_back({is_taken ? unused_name(name) : name, inputs_.size() - 1, {}, std::move(all[b])});
   }
-  for (const auto& [a, b] : scene.allowed) allowed_by_files_.push_back({first + a, first + b});
+  for (const auto& [a, b] : scene.allowed) allowed_by_files_.push_back({{first + a, first + b}, io::one_line(file)});
   if (!scene.allowed.empty()) scene_files_.push_back(file);
 }
 
@@ -227,31 +227,32 @@ std::uint32_t SceneInput::body_named(const std::string& name, const std::string&
   fail_call("no body is named " + io::quote(name) + "; bodies are " + names_of(bodies_), place);
 }
 
-std::vector<std::array<std::uint32_t, 2>> SceneInput::adjacent() const {
+std::vector<AllowedPair> SceneInput::adjacent() const {
   if (!robot_) fail_call("there is no robot whose links could be adjacent; name a URDF file", "--allow adjacent");
   // Of all links, so that those on both sides of one that is left out are not taken for neighbours.
-  std::vector<std::array<std::uint32_t, 2>> pairs;
+  std::vector<AllowedPair> pairs;
   for (const auto& [a, b] : io::adjacent_bodies(*robot_, robot_bodies_)) {
     const auto body_a = body_of_link(robot_->links[robot_bodies_.bodies[a].link].name),
                body_b = body_of_link(robot_->links[robot_bodies_.bodies[b].link].name);
-    if (body_a && body_b) pairs.push_back({*body_a, *body_b});
+    if (body_a && body_b) pairs.push_back({{*body_a, *body_b}, "adjacent"});
   }
   return pairs;
 }
 
-std::vector<std::array<std::uint32_t, 2>> SceneInput::allowed(const std::string& text) const {
+std::vector<AllowedPair> SceneInput::allowed(const std::string& text) const {
   if (text == "adjacent") return adjacent();
   const std::size_t comma = text.find(',');
   if (comma != std::string::npos && !is_there(text)) {
     const std::string place = "--allow";
-    return {{body_named(std::string(io::trimmed(std::string_view(text).substr(0, comma))), place),
-             body_named(std::string(io::trimmed(std::string_view(text).substr(comma + 1))), place)}};
+    return {{{body_named(std::string(io::trimmed(std::string_view(text).substr(0, comma))), place),
+              body_named(std::string(io::trimmed(std::string_view(text).substr(comma + 1))), place)},
+             place}};
   }
   if (!is_there(text)) {
     fail_call("is no file; give adjacent, touch, NAME,NAME, or a file with two names a line",
               "--allow " + io::one_line(text));
   }
-  std::vector<std::array<std::uint32_t, 2>> pairs;
+  std::vector<AllowedPair> pairs;
   std::vector<std::string> shapeless;
   for (const auto& [place, names] : io::read_name_pairs(text)) {
     bool both = true;
@@ -260,7 +261,7 @@ std::vector<std::array<std::uint32_t, 2>> SceneInput::allowed(const std::string&
       if (!is_outside(name)) add_once(name, shapeless);
       both = false;
     }
-    if (both) pairs.push_back({body_named(names[0], place), body_named(names[1], place)});
+    if (both) pairs.push_back({{body_named(names[0], place), body_named(names[1], place)}, io::one_line(text)});
   }
   if (!shapeless.empty()) {
     note(fmt::format("{}: lines about links without a shape are passed over: {}", io::one_line(text),
@@ -284,9 +285,10 @@ std::optional<std::uint32_t> SceneInput::body_of_link(const std::string& name) c
   return std::nullopt;
 }
 
-std::vector<std::array<std::uint32_t, 2>> SceneInput::allowed(const io::Srdf& srdf, const std::string& file) const {
+std::vector<AllowedPair> SceneInput::allowed(const io::Srdf& srdf, const std::string& file) const {
   if (!robot_) fail_call("there is no robot that this could be about; name a URDF file", "--srdf");
-  std::set<std::array<std::uint32_t, 2>> pairs;
+  std::set<std::array<std::uint32_t, 2>> known;
+  std::vector<AllowedPair> pairs;
   std::vector<io::Srdf::Pair> taken;
   std::vector<std::string> shapeless, unknown;
   for (const io::Srdf::Pair& pair : srdf.disabled) {
@@ -297,7 +299,10 @@ std::vector<std::array<std::uint32_t, 2>> SceneInput::allowed(const io::Srdf& sr
       add_once(pair.links[i], is_link(pair.links[i]) ? shapeless : unknown);
     }
     if (!both[0] || !both[1]) continue;
-    if (pairs.insert({std::min(*both[0], *both[1]), std::max(*both[0], *both[1])}).second) taken.push_back(pair);
+    if (!known.insert({std::min(*both[0], *both[1]), std::max(*both[0], *both[1])}).second) continue;
+    taken.push_back(pair);
+    pairs.push_back({{std::min(*both[0], *both[1]), std::max(*both[0], *both[1])},
+                     pair.reason.empty() ? "without a reason" : pair.reason});
   }
   const std::string shown = io::one_line(file);
   note(fmt::format("{} allows {}", shown, io::reasons_text(taken)));
@@ -307,7 +312,9 @@ std::vector<std::array<std::uint32_t, 2>> SceneInput::allowed(const io::Srdf& sr
   if (!unknown.empty()) {
     note(fmt::format("{}: pairs of links that the robot does not have are passed over: {}", shown, listed(unknown)));
   }
-  return {pairs.begin(), pairs.end()};
+  std::sort(pairs.begin(), pairs.end(),
+            [](const AllowedPair& p, const AllowedPair& q) { return p.bodies < q.bodies; });
+  return pairs;
 }
 
 void SceneInput::keep_groups(const io::Srdf& srdf, const std::vector<std::string>& names) {
@@ -333,9 +340,8 @@ void SceneInput::keep_groups(const io::Srdf& srdf, const std::vector<std::string
   }
   if (kept_links == 0) fail_call("no link of the group has a shape, so there is nothing to ask about", place);
   bodies_.resize(kept);
-  for (auto& [a, b] : allowed_by_files_) {  // of bodies of scene files, which stay
-    a = numbers[a];
-    b = numbers[b];
+  for (AllowedPair& pair : allowed_by_files_) {  // of bodies of scene files, which stay
+    for (std::uint32_t& body : pair.bodies) body = numbers[body];
   }
   const auto all = static_cast<std::uint32_t>(kept_links + left_out.size());
   note(fmt::format("of the robot {} of {} links with shapes are asked about, those of --group {}", kept_links, all,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <sunder/ask/objects.h>
+#include <sunder/ask/scene/allowed_pairs.h>
 
 #include <sunder/io/packages.h>
 #include <sunder/io/robot_bodies.h>
@@ -39,14 +40,14 @@ class SceneInput {
   // Pairs of bodies out of: "adjacent" (links joined by a joint, or by joints through links without shapes),
   // "NAME,NAME", or a file with two names a line. Lines that name a link without a shape are passed over, with a
   // remark. Throws Error.
-  std::vector<std::array<std::uint32_t, 2>> allowed(const std::string& text) const;
+  std::vector<AllowedPair> allowed(const std::string& text) const;
 
   // The pairs that the file of --srdf disables, each once; those with links that have no shape, or that the robot does
   // not have, are passed over. Notes say how many, and why. Throws Error where there is no robot.
-  std::vector<std::array<std::uint32_t, 2>> allowed(const io::Srdf& srdf, const std::string& file) const;
+  std::vector<AllowedPair> allowed(const io::Srdf& srdf, const std::string& file) const;
 
   // The pairs that scene files allow, and these files as they were named.
-  const std::vector<std::array<std::uint32_t, 2>>& allowed_by_files() const { return allowed_by_files_; }
+  const std::vector<AllowedPair>& allowed_by_files() const { return allowed_by_files_; }
   const std::vector<std::string>& scene_files() const { return scene_files_; }
   const std::string& unit() const { return unit_; }  // of lengths, as a scene file says it; empty: none does
 
@@ -114,14 +115,14 @@ class SceneInput {
   std::optional<std::uint32_t> body_of_link(const std::string& name) const;
   bool is_link(const std::string& name) const;
   bool is_outside(const std::string& name) const;
-  std::vector<std::array<std::uint32_t, 2>> adjacent() const;
+  std::vector<AllowedPair> adjacent() const;
 
   std::vector<Input> inputs_;
   std::vector<Body> bodies_;
   std::optional<io::Robot> robot_;
   std::string robot_file_;
   io::RobotBodies robot_bodies_;  // without their parts, which are those of bodies_
-  std::vector<std::array<std::uint32_t, 2>> allowed_by_files_;
+  std::vector<AllowedPair> allowed_by_files_;
   std::vector<std::string> scene_files_;
   std::string unit_, unit_file_;  // and the file that says so
   std::vector<std::filesystem::path> meshes_;

@@ -1,5 +1,6 @@
 // sunder scene FILE...: which of these bodies meet?
 #include <sunder/ask/outputs.h>
+#include <sunder/ask/packages_option.h>
 #include <sunder/ask/question.h>
 #include <sunder/ask/scene/between.h>
 #include <sunder/ask/scene/placements.h>
@@ -34,6 +35,7 @@ struct Call : QuestionCall {
   std::vector<std::string> files, poses, joints, joints_files, allow, states, packages, groups_of_links;
   std::string srdf, gltf;
   bool classify = false;
+  bool check_allowed = false, no_check_allowed = false;
   bool groups = false;
   bool require_convex = false;
   bool leave_out = false;
@@ -41,11 +43,6 @@ struct Call : QuestionCall {
   bool between = false;
   PlacementsCall placements;  // none where it names no table
 };
-
-io::Packages packages_of(const Call& call) {
-  const char* search = std::getenv("ROS_PACKAGE_PATH");
-  return io::parse_packages(call.packages, search == nullptr ? "" : search);
-}
 
 // Reports, proofs and pictures hold all placements at once.
 constexpr std::size_t most_held = 10'000;
@@ -77,6 +74,12 @@ Placed ask(const SceneReport& report, const io::JointValues& joints, const std::
   Placed placed{joints.values, joints.name.empty() ? number : joints.name, report.input.bodies(joints.values), {}};
   const auto start = std::chrono::steady_clock::now();
   placed.answer = scene::meeting_pairs(placed.bodies, question);
+  if (report.checks_allowed) {
+    scene::Question of_allowed = question;
+    of_allowed.allowed_alone = true;
+    of_allowed.every_pair = false;
+    placed.of_allowed = scene::meeting_pairs(placed.bodies, of_allowed);
+  }
   if (report.clearance) placed.near.clearance = scene::closer_pairs(placed.bodies, *report.clearance);
   if (report.asks_for_nearest) placed.near.nearest = scene::nearest_parts(placed.bodies, question.allowed);
   placed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -131,7 +134,7 @@ std::size_t write_certificate(const std::string& name, const SceneReport& report
   }
   io::OutputFile file(name);
   scene::write_certificate(
-      placements, report.question, {inputs, report.input.left_out().texts()},
+      placements, report.question, {inputs, left_out_texts(report.input.left_out(), report.allowed)},
       [&](std::string_view text) { file.write(text); }, report.clearance.value_or(scene::ClearanceQuestion()));
   file.commit();
   return pairs;
@@ -139,7 +142,10 @@ std::size_t write_certificate(const std::string& name, const SceneReport& report
 
 void draw(const Call& call, const SceneReport& report) {
   std::vector<picture::ScenePanel> panels;
-  for (const Placed& placed : report.placements) panels.push_back({placed.title, placed.bodies, placed.answer});
+  const auto is_hull = [&](std::uint32_t body, std::uint32_t part) { return report.input.is_hull(body, part); };
+  for (const Placed& placed : report.placements) {
+    panels.push_back({placed.title, placed.bodies, placed.answer, is_hull, picture_notes(report, placed)});
+  }
   if (!call.svg.empty()) io::write_file_atomically(call.svg, picture::scene_svg(panels, call.title));
   if (call.gltf.empty()) return;
   const bool is_binary = io::ending_of(call.gltf) == ".glb";
@@ -152,7 +158,8 @@ int run(const Call& call) {
   InputFiles files;
   InputFiles* const inputs = call.proves() || !call.placements.meeting_certificate.empty() ? &files : nullptr;
   const io::Srdf srdf = call.srdf.empty() ? io::Srdf{} : io::read_srdf(call.srdf, inputs);
-  SceneInput input(call.files, call.poses, call.require_convex, call.leave_out, inputs, packages_of(call),
+  SceneInput input(call.files, call.poses, call.require_convex, call.leave_out, inputs,
+                   packages_of(call.packages),
                    call.groups ? io::PartsOf::objects_and_groups : io::PartsOf::objects);
   if (!call.groups_of_links.empty()) input.keep_groups(srdf, call.groups_of_links);
   require_apart(call, input);
@@ -172,21 +179,29 @@ int run(const Call& call) {
     if (word == "touch") {
       question.touching_allowed = question.contacts = true;
     } else {
-      const auto pairs = input.allowed(word);
-      question.allowed.insert(question.allowed.end(), pairs.begin(), pairs.end());
+      add_allowed(input.allowed(word), report.allowed);
       report.allowed_because.push_back(word);
     }
   }
   if (!call.srdf.empty()) {
-    const auto pairs = input.allowed(srdf, call.srdf);
-    question.allowed.insert(question.allowed.end(), pairs.begin(), pairs.end());
+    add_allowed(input.allowed(srdf, call.srdf), report.allowed);
     report.allowed_because.push_back(call.srdf);
   }
-  question.allowed.insert(question.allowed.end(), input.allowed_by_files().begin(), input.allowed_by_files().end());
+  add_allowed(input.allowed_by_files(), report.allowed);
+  question.allowed = bodies_of(report.allowed);
   for (const std::string& file : input.scene_files()) report.allowed_because.push_back(io::one_line(file));
   report.clearance = clearance_question(call.clearance, input, question.allowed);
   report.asks_for_nearest = call.clearance.nearest;
+  const bool is_one = !is_by_lines && placements.size() == 1;
+  report.checks_allowed = !report.allowed.empty() && !call.no_check_allowed && (call.check_allowed || is_one);
   if (is_by_lines) {
+    if (call.check_allowed) {
+      throw Error(ErrorCode::bad_call,
+                  fmt::format("a line a placement does not tell of pairs that are allowed to meet; give --json, which "
+                              "does, for up to {} placements, or leave it out",
+                              most_held),
+                  "--check-allowed");
+    }
     if (call.clearance.nearest && !call.placements.meeting_certificate.empty()) {
       throw Error(ErrorCode::bad_call,
                   "proves what meets, and what is closer than --clearance, and not which are the nearest: leave out "
@@ -195,9 +210,10 @@ int run(const Call& call) {
     }
     input.note_limits(extremes_of(table));
     note_hulls(input.meshes());
-    if (call.between) return answer_between(call.placements, input, question, table, files);
+    if (call.between) return answer_between(call.placements, input, question, table, files, report.allowed);
     const NearnessQuestion near{report.clearance, report.asks_for_nearest};
-    const PlacementsAnswer answer = answer_placements(call.placements, input, question, table, files, near);
+    const PlacementsAnswer answer = answer_placements(call.placements, input, question, table, files, near,
+                                                       report.allowed);
     print_for_people(answer.summary);
     return answer.code();
   }
@@ -247,7 +263,7 @@ Verb scene_verb() {
        {"--group", &call->groups_of_links,
         "ask about the links of this group of --srdf alone; again for more; others are left out, which is told", "NAME",
         false, "--srdf"},
-       {"--package", &call->packages, "where a package of meshes is; also in ROS_PACKAGE_PATH", "NAME=FOLDER"},
+       package_option(call->packages),
        {.name = "--placements",
         .value = &call->placements.table,
         .help = "joint values, a placement a row: CSV with the joints' names in the first line, or NPY",
@@ -300,6 +316,13 @@ Verb scene_verb() {
         .excludes = {"--json", "--certificate", "--svg", "--gltf"}},
        {"--allow", &call->allow,
         "what may meet: adjacent (links joined by a joint), touch, NAME,NAME, or a file with two names a line", "WHAT"},
+       {.name = "--check-allowed",
+        .value = &call->check_allowed,
+        .help = "ask about allowed pairs, too, and list those that meet; they do not count (so for one placement)"},
+       {.name = "--no-check-allowed",
+        .value = &call->no_check_allowed,
+        .help = "do not ask about allowed pairs",
+        .excludes = {"--check-allowed"}},
        {"--method", &call->method, pair_method_names(), "NAME"},
        {"--groups", &call->groups, "the groups (g) of an OBJ file are parts of their own, as its objects (o) are"},
        {"--clearance", &call->clearance.least,
