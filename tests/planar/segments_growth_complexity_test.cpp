@@ -214,7 +214,7 @@ constexpr std::array groupings{Grouping{"", nullptr}, Grouping{", one group", []
                                Grouping{", one and others", [](std::uint32_t i) { return i % 64 == 0 ? i : 0u; }}};
 
 TEST(SegmentsGrowth, OfEachFrontDoor) {
-  Growth any(5.9), count(16), any_in_groups(14);
+  Growth any(5.9), count(19), any_in_groups(17);
   for (const Family& family : families) {
     for (const Grouping& grouping : groupings) {
       for (const Allowed allowed : {Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}) {
