@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/base/error.h>
 #include <sunder/base/json.h>
 #include <sunder/certificate/claims.h>
 
@@ -13,7 +14,10 @@ namespace {
 
 constexpr std::size_t kept = 1 << 16;       // bytes that wait to be given away
 constexpr std::size_t most_of_text = 4000;  // characters
-constexpr std::array<std::string_view, 5> parts{"", "inputs", "left_out", "tables", "statements"};
+constexpr int inputs_part = 1, call_part = 2, left_out_part = 3, said_part = 4, tables_part = 5, statements_part = 6;
+constexpr std::array<std::string_view, 7> parts{"", "inputs", "call", "left_out", "said", "tables", "statements"};
+
+bool is_object(int part) { return part == said_part || part == tables_part; }
 
 void append_double(std::string& text, double x) {
   std::array<char, 40> digits;
@@ -63,6 +67,12 @@ std::string cut_text(const std::string& text) {
   return characters <= most_of_text ? text : text.substr(0, end) + dots;
 }
 
+std::string json_double(double x) {
+  std::string text;
+  append_double(text, x);
+  return text;
+}
+
 // ---- Structure.
 
 void ClaimsWriter::flush(std::size_t most) {
@@ -95,41 +105,57 @@ void ClaimsWriter::close(std::string_view what) {
   is_first_ = false;
 }
 
-// Ends the part of the file that is open, and begins another.
+// Ends the part of the file that is open, and begins the next ones up to this: each is there but for `said`.
 void ClaimsWriter::go_to(int part) {
-  if (part_ == part) return;
-  if (part_ == 0) text_ += "{\"sunder_certificate\": 2";
-  if (part_ < 3 && part == 4) go_to(3);
-  if (part_ > 0) text_ += part_ == 3 ? "}" : "]";
-  text_ += ",\n \"";
-  text_ += parts[static_cast<std::size_t>(part)];
-  text_ += part == 3 ? "\": {" : "\": [";
-  part_ = part;
-  is_first_ = true;
+  while (part_ < part) {
+    text_ += part_ == 0 ? "{\"sunder_certificate\": 3" : is_object(part_) ? "}" : "]";
+    part_ += part_ + 1 == said_part && part != said_part ? 2 : 1;
+    text_ += ",\n \"";
+    text_ += parts[static_cast<std::size_t>(part_)];
+    text_ += is_object(part_) ? "\": {" : "\": [";
+    is_first_ = true;
+  }
 }
 
 void ClaimsWriter::add_origin(const Origin& origin) {
   for (const InputFile& file : origin.inputs) add_input(file.name, file.sha256);
+  for (const std::string& word : origin.call) add_call(word);
   for (const std::string& what : origin.left_out) add_left_out(what);
+  for (const SaidOfRows& said : origin.said) add_said(said);
 }
 
 void ClaimsWriter::add_input(const std::string& name, const std::string& sha256) {
   SUNDER_REQUIRE(!name.empty());
-  go_to(1);
+  go_to(inputs_part);
   begin_entry();
   text("name", cut_text(name));
   text("sha256", sha256);
   end_entry();
 }
 
+void ClaimsWriter::add_call(const std::string& word) {
+  go_to(call_part);
+  next();
+  text_ += json_string(cut_text(word));
+}
+
+void ClaimsWriter::add_said(const SaidOfRows& said) {
+  go_to(said_part);
+  key(said.table, true);
+  append_list(text_, said.parts, [](std::string& text, const std::pair<std::uint64_t, Said>& part) {
+    text.append("[").append(std::to_string(part.first)).append(", ").append(part.second.json()).append("]");
+  });
+  is_first_ = false;
+}
+
 void ClaimsWriter::add_left_out(const std::string& what) {
-  go_to(2);
+  go_to(left_out_part);
   next(true);
   text_ += json_string(cut_text(what));
 }
 
 void ClaimsWriter::begin_table(std::string_view name) {
-  go_to(3);
+  go_to(tables_part);
   key(name, true);
   text_ += '[';
   is_first_ = true;
@@ -140,16 +166,22 @@ void ClaimsWriter::add_row(std::span<const double> numbers) {
   append_list(text_, numbers, append_double);
 }
 
-void ClaimsWriter::end_table() { close("]"); }
+void ClaimsWriter::end_table() {
+  if (is_first_) throw Error(ErrorCode::bad_shape, "there is nothing to prove something of; give one object at least");
+  close("]");
+}
 
 void ClaimsWriter::begin_rows() { open("[", true); }
 
 void ClaimsWriter::end_rows() { close("]"); }
 
 void ClaimsWriter::begin_statement(std::string_view question) {
-  go_to(4);
+  go_to(statements_part);
   open("{", true);
   text("question", question);
+  if (notes_.empty()) return;
+  key("said");
+  text_.append("[").append(std::exchange(notes_, "")).append("]");
 }
 
 void ClaimsWriter::begin_claims() { begin_list("claims"); }
@@ -177,7 +209,7 @@ void ClaimsWriter::weights_claim(std::string_view kind, std::span<const Weight> 
 void ClaimsWriter::end_statement() { close("]}"); }
 
 void ClaimsWriter::end() {
-  go_to(4);
+  go_to(statements_part);
   text_ += "]}\n";
   flush(0);
 }
@@ -193,7 +225,12 @@ std::string claims_text(const Origin& origin, const std::function<void(ClaimsWri
 
 // ---- Members and entries.
 
-void ClaimsWriter::begin_entry() { open("{", true); }
+void ClaimsWriter::begin_entry() {
+  open("{", true);
+  if (part_ != tables_part || said_.empty()) return;
+  key("said");
+  text_ += std::exchange(said_, "");
+}
 
 void ClaimsWriter::end_entry() { close("}"); }
 

@@ -128,6 +128,7 @@ void read_half_spaces(const Place& p, Said& said) {
   if (said.half_spaces->is_of_points || said.half_spaces->is_image()) {
     refuse_form(p.where + ".half_spaces is not of half-spaces, or placed");
   }
+  if (said.half_spaces->given->rows.empty()) refuse_form(p.where + ".half_spaces is of no half-spaces");
 }
 
 std::size_t dimension(const Said& said) {
@@ -369,7 +370,9 @@ void read_polygon_contacts(const Place& p, Said& said) {
 void read_members(const Place& p, Said& said) {
   said.all_pairs.members = index_list(p.item, "members", p.tables.bodies.size(), no_index, p.where);
   const std::set<std::size_t> once(said.all_pairs.members.begin(), said.all_pairs.members.end());
-  if (once.size() != said.all_pairs.members.size()) refuse_form(p.where + ".members names one twice");
+  if (once.empty() || once.size() != said.all_pairs.members.size()) {
+    refuse_form(p.where + ".members is empty, or names one twice");
+  }
 }
 
 void read_groups_of_members(const Place& p, Said& said) {
@@ -390,8 +393,6 @@ void read_nearer_members(const Place& p, Said& said) {
   said.contacts = pairs_of(p, "nearer", said.all_pairs.members.size());
   if (said.contacts.empty()) refuse_form(p.where + ".nearer is empty");
 }
-
-constexpr std::size_t most_number = 999'999'999'999'999;  // all readers of JSON agree about numbers up to this
 
 void read_count(const Place& p, Said& said) {
   said.number = read_index(p.item["number"], most_number + 1, p.where + ".number");
@@ -970,10 +971,6 @@ const ClaimNeeded cones{
     "cones", {{"cones", read_cones}}, size_of<given>, [](const Claim& c, const Said& s, const Tables& t) {
       check_cones(c, given(s, t), s.verdict, s.sides);
     }};
-const ClaimNeeded no_entries{
-    "no_entries", {}, of_members<&Tables::circles>, [](const Claim&, const Said&, const Tables& t) {
-      check_no_entries(t);
-    }};
 const ClaimNeeded in_discs{
     "in_discs", {}, of_members<&Tables::circles>, [](const Claim&, const Said& s, const Tables& t) {
       check_in_discs(t, s.point, s.verdict == "region");
@@ -1083,7 +1080,7 @@ const MemberReader point{"point", read_point};
 template <GivenOf given>
 std::vector<VerdictNeeds> regions() {
   std::vector<VerdictNeeds> result{{"empty", {}, {&contradict<given>}}};
-  for (const char* kind : {"point", "segment", "ray", "line", "strip", "half-plane", "unbounded", "bounded", "plane"}) {
+  for (const char* kind : {"point", "segment", "ray", "line", "strip", "half-plane", "unbounded", "bounded"}) {
     result.push_back({kind, {{"sides", read_sides<given>}}, {&cones<given>}});
   }
   return result;
@@ -1221,8 +1218,7 @@ const std::vector<Question> questions{
      {},
      {{"empty", {}, {&powers}},
       {"point", {point}, {&in_discs, &powers}},
-      {"region", {point, {"arcs", read_arcs}}, {&in_discs, &arcs}},
-      {"plane", {}, {&no_entries}}}},
+      {"region", {point, {"arcs", read_arcs}}, {&in_discs, &arcs}}}},
     {"polygons",
      "polygons",
      {{"allowed", read_allowed}},
@@ -1280,8 +1276,10 @@ std::function<void()> read_claim(const Json& item, const ClaimNeeded& needed, co
   };
 }
 
-NamedBody named(const HullBody* body) { return body == nullptr ? NamedBody{} : NamedBody{body->title(), body->quoted}; }
-NamedBody named(const RowBody* body) { return body == nullptr ? NamedBody{} : NamedBody{"", body->quoted}; }
+template <class Body>
+Thing named(const Body* body) {
+  return body == nullptr ? Thing{} : Thing{body->title(), body->quoted, body->said};
+}
 
 }  // namespace
 
@@ -1292,10 +1290,11 @@ ClaimedStatement read_statement(const Json& item, const Tables& tables, const Pr
   result.verdict = string_member(item, "verdict", where);
   const Question& question = find(questions, result.question, where + ".question is none that is known");
   const VerdictNeeds& verdict = find(question.verdicts, result.verdict, where + ".verdict is none of this question");
-  if (!tables.has(question.table)) {
-    refuse_form(where + " is about " + question.table + ", which the file has not");
+  const auto size = tables.sizes.find(question.table);
+  if (size == tables.sizes.end() || size->second == 0) {
+    refuse_form(where + " is about " + question.table + ", of which the file has none");
   }
-  std::vector<std::string> keys{"question", "verdict", "claims"}, more;
+  std::vector<std::string> keys{"question", "verdict", "claims"}, more{"said"};
   std::vector<MemberReader> readers = question.says;
   readers.insert(readers.end(), verdict.says.begin(), verdict.says.end());
   for (const MemberReader& reader : readers) keys.emplace_back(reader.name);
@@ -1325,9 +1324,16 @@ ClaimedStatement read_statement(const Json& item, const Tables& tables, const Pr
   }
   if (said.half_spaces != nullptr) result.a = said.half_spaces->name;
   const RowBody* const polytope = said.half_spaces != nullptr ? said.half_spaces : said.polytope_a;
-  result.sentence = polytope != nullptr
-                        ? sentence_of(item, named(polytope), named(said.polytope_b))
-                        : sentence_of(item, named(said.body != nullptr ? said.body : said.a), named(said.b));
+  result.sentence =
+      polytope != nullptr
+          ? sentence_of(item, named(polytope), named(said.polytope_b), question.table, size->second)
+          : sentence_of(item, named(said.body != nullptr ? said.body : said.a), named(said.b), question.table,
+                        size->second);
+  const auto of_rows = tables.said.find(question.table);
+  if (of_rows != tables.said.end()) result.sentence += of_rows->second;
+  if (item.contains("said")) {
+    result.sentence += read_notes(item["said"], tables.inputs, said.all_pairs.besides.size(), where + ".said");
+  }
   const Json& claims = list_member(item, "claims", where);
   if (claims.size() != verdict.claims.size()) {
     refuse_form(where + " has not " + std::to_string(verdict.claims.size()) + " claims");

@@ -254,7 +254,6 @@ std::uint64_t number_of_segments(const Claim& claim, const Tables& tables, const
 void check_cones(const Claim& claim, const Constraints& given, const std::string& verdict,
                  const std::vector<std::size_t>& sides);
 
-void check_no_entries(const Tables& tables);  // no circles
 void check_in_discs(const Tables& tables, const Numbers& point, bool is_region);
 void check_powers(const Claim& claim, const Tables& tables, bool is_point);
 void check_arcs(const Claim& claim, const Tables& tables, const Numbers& point, const std::vector<std::size_t>& arcs);

@@ -3,6 +3,7 @@
 #include <verifier/cpp/verify.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,19 +28,26 @@ std::vector<FileInput> read_inputs(const Json& list) {
   return result;
 }
 
-std::vector<std::string> read_left_out(const Json& list) {
+std::vector<std::string> read_texts(const Json& top, const char* key) {
   std::vector<std::string> result;
-  for (const Json& item : list) {
-    const std::string where = "left_out[" + std::to_string(result.size()) + "]";
-    if (!item.is_string()) refuse_form(where + " is not a text of 1 to " + std::to_string(most_name) + " characters");
-    const std::string text(item.text());
-    const std::size_t size = characters(text);
-    if (size == 0 || size > most_name) {
-      refuse_form(where + " is not a text of 1 to " + std::to_string(most_name) + " characters");
-    }
-    result.push_back(text);
+  for (const Json& item : list_member(top, key, "the file")) {
+    result.push_back(read_text(item, std::string(key) + "[" + std::to_string(result.size()) + "]"));
   }
   return result;
+}
+
+constexpr std::int64_t version_needed = 3;
+
+void require_version(const Json& top) {
+  const Json* const version = top.find("sunder_certificate");
+  const bool is_number = version != nullptr && version->is_integer() &&
+                         std::abs(version->integer()) <= static_cast<std::int64_t>(most_number);
+  const bool is_first = version == nullptr && top.contains("sunder_set_certificate");
+  if (!is_number && !is_first) refuse_form("the file has no version, sunder_certificate");
+  const std::int64_t number = is_first ? 1 : version->integer();
+  if (number == version_needed) return;
+  refuse_form("the file is of version " + std::to_string(number) + ", and version " + std::to_string(version_needed) +
+              " is needed; make it again");
 }
 
 StatementResult check(const ClaimedStatement& statement) {
@@ -122,22 +130,22 @@ class Statements {
 void verify_file(const JsonText& text, FileResult& result) {
   const Json& top = text.top();
   if (!top.is_object()) refuse_form("the file is not an object");
-  const auto is_version = [&](std::int64_t number) {
-    const Json* version = top.find("sunder_certificate");
-    return version != nullptr && version->is_integer() && version->integer() == number;
-  };
-  require(!top.contains("sunder_set_certificate") && !is_version(1), "F",
-          "this is a certificate of version 1, which is no longer read; make it again");
-  require_members(top, {"sunder_certificate", "tables", "statements"}, {"inputs", "left_out"}, "the file");
-  require(is_version(2), "F", "sunder_certificate is not 2");
+  require_version(top);
+  require_members(top, {"sunder_certificate", "inputs", "call", "left_out", "tables", "statements"}, {"said"},
+                  "the file");
   FileResult read;
-  if (top.contains("inputs")) read.inputs = read_inputs(list_member(top, "inputs", "the file"));
-  if (top.contains("left_out")) read.left_out = read_left_out(list_member(top, "left_out", "the file"));
-  const Tables tables = read_tables(top["tables"]);
+  read.inputs = read_inputs(list_member(top, "inputs", "the file"));
+  read.call = read_texts(top, "call");
+  read.left_out = read_texts(top, "left_out");
+  InputNames names;
+  for (const FileInput& input : read.inputs) names.push_back(input.name);
+  Tables tables = read_tables(top["tables"], std::move(names));
+  if (top.contains("said")) read_said(top["said"], tables);
   const Json& statements = list_member(top, "statements", "the file");
   if (statements.empty()) refuse_form("the file states nothing");
   result.statements = Statements(statements, tables).check_all();
   result.inputs = std::move(read.inputs);
+  result.call = std::move(read.call);
   result.left_out = std::move(read.left_out);
 }
 

@@ -34,6 +34,7 @@ struct FileResult {
   std::string error;                        // one line with the place; empty if readable
   std::string failed_form;                  // rule F failed: what, in words; empty otherwise
   std::vector<FileInput> inputs;            // to be printed with the verdict, control characters escaped
+  std::vector<std::string> call;            // likewise: the words that it was made by
   std::vector<std::string> left_out;        // likewise: what the file does not speak of
   std::vector<StatementResult> statements;  // in the order of the file; empty if not readable or wrong in form
 

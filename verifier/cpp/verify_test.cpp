@@ -395,7 +395,8 @@ json to_file(const std::vector<Statement>& statements, Generator& random) {
     stated.push_back(item);
   }
   json file = json::object();
-  file["sunder_certificate"] = 2;
+  file["sunder_certificate"] = 3;
+  for (const char* key : {"inputs", "call", "left_out"}) file[key] = json::array();
   file["tables"]["bodies"] = bodies;
   file["statements"] = stated;
   return file;
@@ -448,6 +449,9 @@ std::string summary(const FileResult& result, const std::string& place) {
   for (const sunder_verifier::FileInput& input : result.inputs) {
     lines += place + ": of " + quoted(input.name) + ", SHA-256 " + input.sha256 + "\n";
   }
+  std::string call;
+  for (const std::string& word : result.call) call += " " + quoted(word);
+  if (!call.empty()) lines += place + ": called with:" + call + "\n";
   for (const std::string& text : result.left_out) lines += place + ": left out: " + quoted(text) + "\n";
   for (std::size_t i = 0; i < result.statements.size(); ++i) {
     const StatementResult& pair = result.statements[i];

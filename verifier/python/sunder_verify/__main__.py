@@ -48,6 +48,8 @@ def check_file(file, options):
         return 2, 0, 0
     for given, digest in report.inputs:
         print("%s: of %s, SHA-256 %s" % (name, in_quotes(given, MAX_TEXT), digest))
+    if report.call:
+        print("%s: called with: %s" % (name, " ".join(in_quotes(word, MAX_TEXT) for word in report.call)))
     for text in report.left_out:
         print("%s: left out: %s" % (name, in_quotes(text, MAX_TEXT)))
     bad = 0
@@ -64,7 +66,7 @@ def main(arguments):
                                      description="Checks certificate files of Sunder, exactly and without Sunder.")
     parser.add_argument("files", metavar="FILE", nargs="+")
     parser.add_argument("--quiet", action="store_true",
-                        help="print inputs, what was left out, refusals and errors only")
+                        help="print inputs, the call, what was left out, refusals and errors only")
     parser.add_argument("--no-limit", action="store_true", help="check files that take long, too")
     parser.error = lambda message: parser.exit(2, "sunder_verify: %s; see --help\n" % shown(message))
     options = parser.parse_args(arguments)

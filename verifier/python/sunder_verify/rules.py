@@ -296,7 +296,7 @@ def ends(steps, given_ends, given, objective, point):
 
 
 EXTENTS = {"point": 0, "segment": 2, "ray": 0}  # how many sides with a corner at each end are no point; else all
-NUMBER = {"plane": 0, "half-plane": 1, "line": 2, "strip": 2}  # of sides without corners
+NUMBER = {"half-plane": 1, "line": 2, "strip": 2}  # of sides without corners
 
 
 def turn_on(sides, verdict):
@@ -411,10 +411,6 @@ def in_discs(steps, discs, point, verdict):
     for k, disc in enumerate(discs):
         is_within = power_of(disc, place) < (verdict == "point")
         require(is_within, "in_discs", "the point is not inside of circle %d" % k)
-
-
-def no_entries(steps, table):
-    require(not table, "no_entries", "there are entries")
 
 
 def powers(steps, weights, discs, verdict):

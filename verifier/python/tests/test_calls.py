@@ -58,7 +58,8 @@ class Calls(unittest.TestCase):
     def test_accepted(self):
         code, out, err = self.call("accepted/segments.json")
         self.assertEqual((code, err), (0, ""))
-        self.assertEqual(out.splitlines()[0], 'accepted/segments.json: statement 0: accepted: "X" and "Y" meet at (0, 0, 0)')
+        self.assertEqual(out.splitlines()[0], 'accepted/segments.json: statement 0: accepted: the convex hull of the 2 mapped points of "X" '
+                         'and the convex hull of the 2 mapped points of "Y" meet at (0, 0, 0)')
         self.assertEqual(out.splitlines()[4:], ["4 statements accepted, 0 refused: accepted"])
         as_module = self.call(os.path.join(CASES, "accepted", "segments.json"), "--quiet", how=("-m", "sunder_verify"),
                               where=os.path.dirname(PACKAGE))
@@ -67,11 +68,13 @@ class Calls(unittest.TestCase):
     def test_refused(self):
         code, out, err = self.call("refused/parted_second_statement.json", "accepted/segments.json", "--quiet")
         self.assertEqual((code, err), (1, ""))
-        self.assertEqual(out, 'refused/parted_second_statement.json: statement 1: refused: "first" and "third" are apart: '
+        self.assertEqual(out, 'refused/parted_second_statement.json: statement 1: refused: the convex hull of the 8 mapped points '
+                              'of "first" and the convex hull of the 8 mapped points of "third" are apart: '
                               'parted: "first" is not strictly less far along the direction than "third"\n')
-        for file in ("refused/F_version_1.json", "refused/F_version_1_of_a_set.json"):
+        for file, version in (("F_version_1", 1), ("F_version_1_of_a_set", 1), ("F_version_2", 2), ("F_version_4", 4)):
+            file = "refused/%s.json" % file
             self.assertEqual(self.call(file, "--quiet"), (
-                1, file + ": refused: F: this is a certificate of version 1, which is no longer read; make it again\n", ""))
+                1, "%s: refused: F: the file is of version %d, and version 3 is needed; make it again\n" % (file, version), ""))
 
     def test_what_was_left_out_is_always_told(self):
         self.assertEqual(self.call("accepted/left_out.json", "--quiet"), (

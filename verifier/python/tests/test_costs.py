@@ -165,6 +165,7 @@ class Costs(unittest.TestCase):
         text = json.dumps(names(3))
         report = sunder_verify.verify(text.encode(), True)
         said = '"' + "\\ud83d\\ude00" * 100 + '"...'
+        said = "the convex hull of the 1 point of " + said
         self.assertEqual([sentence for sentence, _ in report.statements], ["%s and %s meet at (0, 0)" % (said, said)] * 3)
         sneaky = json.dumps(names(1)).replace("\\ud83d\\ude00" * 4000, "a\\u202eb\\u001b\\u0085\\\"\\u007f")
         (sentence, _), = sunder_verify.verify(sneaky.encode()).statements

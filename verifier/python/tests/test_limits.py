@@ -42,7 +42,7 @@ def fraction(n):
 
 
 def claimed(table, rows, *statements):
-    return {"sunder_certificate": 2, "tables": {table: rows}, "statements": list(statements)}
+    return {"sunder_certificate": 3, "inputs": [], "call": [], "left_out": [], "tables": {table: rows}, "statements": list(statements)}
 
 
 def bodies(points, statements, name="a", linear=None):
@@ -311,7 +311,7 @@ HOSTILE = {  # about 1 MB each, but for those that need less
         *[claimed_program([{"claim": "feasible"}, {"claim": "bounds", "weights": [[0, "1"]]},
                            {"claim": "ends", "ends": [[["0", digits(9000)], 0], None]}],
                           verdict="many", point=["0", "0"])] * 40),
-    "many keys": lambda: {"sunder_certificate": 2, **{"k%d" % i: 0 for i in range(80000)}},
+    "many keys": lambda: {"sunder_certificate": 3, **{"k%d" % i: 0 for i in range(80000)}},
     "strings that do not end": lambda: "[" + '"\\' * 499000,
     "backslashes": lambda: '["' + "\\\\" * 499000 + '"]',
     "surrogates": lambda: '["' + "\\ud800" * 160000 + '"]',
