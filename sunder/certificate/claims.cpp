@@ -167,7 +167,7 @@ void ClaimsWriter::add_row(std::span<const double> numbers) {
 }
 
 void ClaimsWriter::end_table() {
-  if (is_first_) throw Error(ErrorCode::bad_shape, "there is nothing to prove something of; give one object at least");
+  if (is_first_) throw Error(ErrorCode::bad_shape, "there is no object, and a proof is about one at least; leave the proof out");
   close("]");
 }
 
