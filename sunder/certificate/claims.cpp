@@ -73,6 +73,11 @@ std::string json_double(double x) {
   return text;
 }
 
+void require_entries(std::size_t count) {
+  if (count > 0) return;
+  throw Error(ErrorCode::bad_shape, "nothing is left to prove something of; leave the proof out, or give more");
+}
+
 // ---- Structure.
 
 void ClaimsWriter::flush(std::size_t most) {
@@ -167,7 +172,7 @@ void ClaimsWriter::add_row(std::span<const double> numbers) {
 }
 
 void ClaimsWriter::end_table() {
-  if (is_first_) throw Error(ErrorCode::bad_shape, "there is no object, and a proof is about one at least; leave the proof out");
+  require_entries(is_first_ ? 0 : 1);
   close("]");
 }
 

@@ -7,6 +7,7 @@
 #include <sunder/certificate/said.h>
 #include <sunder/number/dyadic.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -48,7 +49,7 @@ class ClaimsWriter {
 
   void begin_table(std::string_view name);
   void add_row(std::span<const double> numbers);
-  // Throws Error bad_shape where the table has no entry: checkers refuse statements about nothing.
+  // Throws as require_entries(), of the entries of the table.
   void end_table();
   // An entry that is a list of rows, each an add_row().
   void begin_rows();
@@ -112,6 +113,9 @@ std::string claims_text(const Origin& origin, const std::function<void(ClaimsWri
 
 // The text, or its beginning and "...": at most 4,000 characters, where a byte that is not UTF-8 counts as one.
 std::string cut_text(const std::string& text);
+
+// Throws Error bad_shape where a proof would be about nothing: checkers refuse such statements.
+void require_entries(std::size_t count);
 
 // The double as a string of JSON.
 std::string json_double(double x);
