@@ -1,4 +1,4 @@
-// What somebody says that entries are, in words: nothing of it is proved, and sentences say so (docs/claims.md, "Said").
+// What somebody says that entries are, in words: nothing of it is proved (docs/claims.md, "Said").
 // Words are those of the twin (verifier/python/sunder_verify/said.py). What is not as it must be is refused by rule F.
 #pragma once
 

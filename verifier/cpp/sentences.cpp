@@ -260,7 +260,8 @@ std::string filled(const std::string& text, const Words& words) {
 }
 
 std::string counted(std::size_t n, std::string_view one) {
-  constexpr std::array<std::array<std::string_view, 2>, 4> endings{{{"ex", "ices"}, {"x", "xes"}, {"y", "ies"}, {"", "s"}}};
+  constexpr std::array<std::array<std::string_view, 2>, 4> endings{
+      {{"ex", "ices"}, {"x", "xes"}, {"y", "ies"}, {"", "s"}}};
   const auto ending = std::find_if(endings.begin(), endings.end(), [&](const auto& e) { return one.ends_with(e[0]); });
   std::string text = std::to_string(n) + " ";
   if (n == 1) return text.append(one);
@@ -270,7 +271,8 @@ std::string counted(std::size_t n, std::string_view one) {
 std::string sentence_of(const Json& item, const Thing& a, const Thing& b, const std::string& table, std::size_t size) {
   const std::string question(item["question"].text()), verdict(item["verdict"].text());
   if (item.contains("members")) size = item["members"].size();
-  Words words{{"region", region_text(item, verdict)}, {"all", counted(size, found(ones, table))}, {"a", a.title}, {"b", b.title}};
+  Words words{{"a", a.title}, {"b", b.title}, {"region", region_text(item, verdict)}};
+  words["all"] = counted(size, found(ones, table));
   for (const auto& [key, value] : item.members()) {
     const std::string name(key);
     if (name == "claims" || name == "said" || name == "points" || words.contains(name)) continue;

@@ -187,8 +187,8 @@ RowBody read_polytope(const Json& item, const std::vector<RowBody>& polytopes, c
 
 void read_polytopes(const Json& list, Tables& tables) {
   for (const Json& item : list) {
-    tables.polytopes.push_back(
-        read_polytope(item, tables.polytopes, tables.inputs, "tables.polytopes[" + std::to_string(tables.polytopes.size()) + "]"));
+    const std::string where = "tables.polytopes[" + std::to_string(tables.polytopes.size()) + "]";
+    tables.polytopes.push_back(read_polytope(item, tables.polytopes, tables.inputs, where));
   }
 }
 
@@ -211,8 +211,8 @@ LinearConstraint read_constraint(const Json& item, const std::string& where) {
 
 void read_bodies(const Json& list, Tables& tables) {
   for (const Json& item : list) {
-    tables.bodies.push_back(
-        read_body(item, tables.bodies, tables.inputs, "tables.bodies[" + std::to_string(tables.bodies.size()) + "]"));
+    const std::string where = "tables.bodies[" + std::to_string(tables.bodies.size()) + "]";
+    tables.bodies.push_back(read_body(item, tables.bodies, tables.inputs, where));
   }
 }
 
