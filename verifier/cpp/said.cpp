@@ -209,9 +209,10 @@ std::string read_said_of_rows(const Json& value, const InputNames& inputs, std::
                               const std::string& where) {
   std::size_t sum = 0;
   const std::string words = some(value, where, [&](const Json& entry, const std::string& place) {
-    const std::size_t number = positive(row_of_two(entry, place)[0], place);
+    const ReadNow now(entry);
+    const std::size_t number = positive(row_of_two(*now, place)[0], place);
     sum += number;
-    const std::string of = read_description(entry[1], inputs, place);
+    const std::string of = read_description((*now)[1], inputs, place);
     return value.size() > 1 ? between(std::to_string(number), ": ").append(of) : of;
   });
   if (sum != size || sum == 0) refuse_form(where + " does not sum to the entries");

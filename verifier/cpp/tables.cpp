@@ -607,7 +607,7 @@ void read_said(const Json& item, Tables& tables) {
     if (size == tables.sizes.end() || name == "bodies" || name == "polytopes") {
       refuse_form(where + " is of no table of rows that the file has");
     }
-    tables.said[name] = read_said_of_rows(*list, tables.inputs, size->second, where);
+    tables.said[name] = read_said_of_rows(*ReadNow(*list), tables.inputs, size->second, where);
   }
 }
 
