@@ -9,6 +9,9 @@ output, and nothing else. A line "..." stands for any lines. Times are not compa
 with the spaces before it). Pages: README.md and docs/**/*.md. The commands of a page are run in turn, in a folder where
 everything of ROOT is but build/, and PROGRAM is `sunder`. --write puts what is printed in the place of what does not agree.
 
+What a page denies cannot go stale: under a heading that begins "What is not there", each item of a list has a call of
+`sunder` in backticks, which is refused: exit code 2.
+
 Exit code 0: all is as printed. 1: not, one finding after the other. 2: no command was found.
 """
 import difflib
@@ -68,6 +71,18 @@ def commands_of(text):
     return [tuple(command) for command in commands]
 
 
+def denials_of(text):
+    """(line number, call or None) of each item under the heading "What is not there"."""
+    denials, inside = [], False
+    for number, line in enumerate(text.split("\n"), 1):
+        if line.startswith("#"):
+            inside = line.lstrip("# ").startswith("What is not there")
+        elif inside and line.startswith("- "):
+            call = re.search(r"`(sunder [^`]+)`", line)
+            denials.append((number, call and call.group(1)))
+    return denials
+
+
 def masked(line):
     return TIME.sub(" <time>", line).rstrip()
 
@@ -82,9 +97,11 @@ def agree(expected, printed):
 
 
 def run(command, folder, environment):
+    """(exit code, the lines printed)"""
     done = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
                           capture_output=True, text=True, timeout=120, check=False)
-    return (done.stderr + done.stdout).rstrip("\n").split("\n") if done.stderr or done.stdout else []
+    text = done.stderr + done.stdout
+    return done.returncode, text.rstrip("\n").split("\n") if text else []
 
 
 def check_page(root, program, page):
@@ -102,7 +119,7 @@ def check_page(root, program, page):
         environment = dict(os.environ, LC_ALL="C.UTF-8",
                            PATH=os.path.join(folder, "build", "bin") + os.pathsep + os.environ["PATH"])
         for number, command, expected in commands:
-            printed = run(command, folder, environment)
+            _, printed = run(command, folder, environment)
             if not agree(expected, printed):
                 difference = difflib.unified_diff([masked(line) for line in expected],
                                                   [masked(line) for line in printed], "page", "printed", lineterm="")
@@ -110,9 +127,15 @@ def check_page(root, program, page):
                 indentation = lines[number - 1][:lines[number - 1].index("$")]
                 corrections.append((number + command.count("\n"), len(expected),
                                     [indentation + line if line else "" for line in printed]))
+        denials = denials_of(text)
+        for number, call in denials:
+            if call is None:
+                findings.append("%s:%d: an item without a call of sunder" % (page, number))
+            elif run(call, folder, environment)[0] != 2:
+                findings.append("%s:%d: is not refused: %s" % (page, number, call))
     for begin, count, printed in reversed(corrections):
         lines[begin:begin + count] = printed
-    return findings, len(commands), "\n".join(lines)
+    return findings, len(commands) + len(denials), "\n".join(lines)
 
 
 def main(arguments):

@@ -43,6 +43,13 @@ class CheckPages(unittest.TestCase):
     def test_other_blocks_hold_no_command(self):
         self.assertEqual(check("```json\n{}\n```\n    a $ b\n\nIn text $ c\n")[:2], ([], 0))
 
+    def test_what_is_not_there_is_refused(self):
+        page = "## What is not there\n- A thing: `sunder -c 'exit %d'`.\n%s\n## More\n- `sunder -c 'exit 0'`\n"
+        self.assertEqual(check(page % (2, "Text"))[:2], ([], 1))
+        for text in (page % (0, ""), page % (1, ""), page % (2, "- A thing.")):
+            findings, _, corrected = check(text)
+            self.assertEqual((len(findings), corrected), (1, text))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -2,10 +2,10 @@
 // Also called: clearance check, minimum distance query, safety margin, tolerance verification.
 //
 //   C1. A pair is listed as closer iff it is closer than its margin: exactly, for the doubles given; that far apart is
-//   far enough. Where one is curved (a cylinder, a cone, an ellipsoid), it may be undecided (round_clearance.h, C2);
-//   then it is listed and counted as that. C2. Boxes never hide a pair that is too close: they are widened, and that is
-//   rounded outwards. C3. Lists are ordered by body_a, body_b, part_a, part_b, and are the same for every compiler and
-//   machine.
+//       far enough. Where one is curved (a cylinder, a cone, an ellipsoid), it may be undecided (round_clearance.h,
+//       C2); then it is listed and counted as that.
+//   C2. Boxes never hide a pair that is too close: they are widened, and that is rounded outwards.
+//   C3. Lists are ordered by body_a, body_b, part_a, part_b, and are the same for every compiler and machine.
 #pragma once
 
 #include <sunder/base/error.h>

@@ -102,7 +102,7 @@ class MotionPair : public PairQuestion {
          {"extreme_a", apart_.extreme_a},
          {"extreme_b", apart_.extreme_b}},
         fmt::format("all the way an empty slab across the direction of about {},\nfrom vertex {} of A to vertex {} "
-                    "of B, about {} wide at the begin and {} at the end",
+                    "of B, about {} wide at the beginning and {} at the end",
                     about(first.direction), apart_.extreme_a, apart_.extreme_b, about(first.width), about(last.width))};
   }
 

@@ -113,7 +113,7 @@ class RoundMotionPair : public PairQuestion {
     const double first = gap(false), last = gap(true);
     return {"evidence",
             {{"direction_about", to_json(direction)}, {"gap_about", std::min(first, last)}},
-            fmt::format("all the way an empty slab across the direction of about {},\nabout {} wide at the begin and "
+            fmt::format("all the way an empty slab across the direction of about {},\nabout {} wide at the beginning and "
                         "{} at the end",
                         about(direction), about(first), about(last))};
   }
