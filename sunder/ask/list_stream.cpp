@@ -20,6 +20,19 @@ std::pair<std::string, std::string> around(Json report, std::string_view list) {
   return {text.substr(0, middle), text.substr(middle)};
 }
 
+// What a collection begins with.
+std::string opening_of(const io::CoordinateSystems& systems) {
+  const io::CoordinateSystem* const only = systems.only();
+  std::string crs;
+  if (only != nullptr && !only->urn.empty()) {
+    crs = fmt::format(R"("crs":{{"type":"name","properties":{{"name":{}}}}},)", quoted_json(only->urn));
+  } else if (!systems.declared().empty() && (only == nullptr || !only->is_assumed)) {
+    note(fmt::format("the GeoJSON written names no coordinate system: {}",
+                     only == nullptr ? "those read differ" : "that of " + only->name));
+  }
+  return fmt::format(R"({{"type":"FeatureCollection",{}"features":[)", crs);
+}
+
 }  // namespace
 
 ListStream::ListStream(std::string opening, std::string margin, Sink sink)
@@ -60,9 +73,8 @@ void ListReport::add_list(const Json& head, std::string_view key, const std::fun
 
 void ListReport::close() { list_.close((list_.count() == 0 ? "" : "\n  ") + closing_); }
 
-GeojsonFile::GeojsonFile(const std::string& name)
-    : file_(name),
-      list_(R"({"type":"FeatureCollection","features":[)", "", [this](std::string_view text) { file_.write(text); }) {}
+GeojsonFile::GeojsonFile(const std::string& name, const io::CoordinateSystems& systems)
+    : file_(name), list_(opening_of(systems), "", [this](std::string_view text) { file_.write(text); }) {}
 
 void GeojsonFile::close() {
   list_.close("\n]}\n");

@@ -132,6 +132,26 @@ Json to_json(const Cost& cost) {
 
 Json to_json(const Point3& p) { return Json::array({p.x, p.y, p.z}); }
 
+Json to_json(const io::CoordinateSystems& systems) {
+  Json json = Json::array();
+  for (const auto& [system, files, first] : systems.declared()) {
+    json.push_back({{"name", system.name}, {"assumed", system.is_assumed}, {"files", files}});
+  }
+  return json;
+}
+
+std::string systems_line(const io::CoordinateSystems& systems) {
+  return systems.declared().empty() ? "" : titled("crs", systems.text());
+}
+
+void add_systems(const io::CoordinateSystems& systems, Json& report) {
+  if (!systems.declared().empty()) report["coordinate_systems"] = to_json(systems);
+}
+
+void note_systems(const io::CoordinateSystems& systems) {
+  for (const std::string& remark : systems.remarks()) note(remark);
+}
+
 Json to_json(const LeftOutList& list) {
   Json json = Json::array();
   for (const LeftOutList::Kind& kind : list.kinds()) {

@@ -4,6 +4,7 @@
 #include <sunder/base/json.h>
 #include <sunder/certificate/claims.h>
 #include <sunder/certificate/origin.h>
+#include <sunder/io/coordinate_system.h>
 #include <sunder/io/left_out.h>
 #include <sunder/io/pose_text.h>
 #include <sunder/io/text.h>
@@ -104,6 +105,7 @@ Json envelope(const Json& verb, const Json& answer, const Json& method = nullptr
 Json error_report(const Json& verb, std::string_view kind, std::string_view place, std::string_view text);
 Json to_json(const Cost& cost);
 Json to_json(const Point3& point);
+Json to_json(const io::CoordinateSystems& systems);  // [{"name", "assumed", "files": [...]}]
 Json to_json(const LeftOutList& list);  // [{"kind", "count", "of": [...]}], with all owners
 
 // The text of a report: indented, with short lists and objects on one line; ends with a line feed.
@@ -117,6 +119,12 @@ std::string titled(std::string_view title, std::string value);
 
 // The same of a file that was written; empty where there is none. clause: what is said of it.
 std::string file_line(std::string_view title, const std::string& file, std::string_view clause = "");
+
+// Of the coordinate systems of what was read: a line for people; in a report "coordinate_systems"; what is to be noted.
+// Empty where none is declared.
+std::string systems_line(const io::CoordinateSystems& systems);
+void add_systems(const io::CoordinateSystems& systems, Json& report);
+void note_systems(const io::CoordinateSystems& systems);
 
 // "about" numbers for people: four digits.
 std::string about(double x);

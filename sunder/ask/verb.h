@@ -56,6 +56,7 @@ Option svg_limit_option(std::uint64_t& limit);
 // Options that most verbs have.
 inline constexpr const char* leave_out_help =
     "ask without what is not read (shapes, lines, loose vertices), and say so";
+inline constexpr const char* mixed_crs_help = "compare numbers as they are, though coordinate systems differ";
 Option json_option(bool& json);
 Option title_option(std::string& title);  // of the picture of --svg
 Option certificate_option(std::string& file, std::string help = "write the proof here");

@@ -64,6 +64,18 @@ struct Info {
   Json json;
 
   void add(std::string_view title, const std::string& words) { text += fmt::format("  {:<6}  {}\n", title, words); }
+  void add_systems(const std::string& file, std::span<const io::SystemOfFile> of_file) {
+    io::CoordinateSystems systems(true);
+    systems.add(file, of_file);
+    if (systems.declared().empty()) return;
+    ask::add_systems(systems, json);
+    std::string names;
+    for (const auto& [system, files, first] : systems.declared()) {
+      names += (names.empty() ? "" : ", ") + system.name;
+    }
+    add("crs", names);
+    for (const std::string& remark : systems.remarks()) add("remark", remark);
+  }
 };
 
 const char* type_name(io::JointType type) {
@@ -86,8 +98,9 @@ bool is_robot(const std::string& file, std::string_view bytes) {
 // Has the file an ending of a format of the plane, read or not? Of standard input, by the content.
 bool is_planar(const std::string& file, std::string_view bytes) {
   if (file == "-") return !io::mesh_format_of_content(bytes);
-  constexpr std::array<std::string_view, 14> foreign{".kicad_pcb", ".shp", ".dbf", ".kml", ".kmz",  ".gml", ".gpx",
-                                                     ".dxf",       ".dwg", ".gds", ".oas", ".gpkg", ".fgb", ".gz"};
+  constexpr std::array<std::string_view, 22> foreign{".kicad_pcb", ".shp", ".dbf", ".kml", ".kmz",  ".gml", ".gpx", ".gz",
+                                                     ".dxf",       ".dwg", ".gds", ".oas", ".gpkg", ".fgb", ".gbr", ".gtl",
+                                                     ".gbl",       ".gko", ".drl", ".def", ".lef",  ".brd"};
   return io::is_planar(file) || std::find(foreign.begin(), foreign.end(), io::ending_of(file)) != foreign.end();
 }
 
@@ -273,6 +286,7 @@ enum class Table { segments, objects, circles, half_planes, triples };
 Table table_of(std::string_view text, const std::string& file) {
   io::CsvReader reader(text, file);
   if (!reader.next()) return Table::segments;
+  if (!io::geometry_column(reader.fields()).empty()) return Table::segments;
   std::vector<std::string> names;
   for (const std::string_view field : reader.fields()) names.push_back(io::in_small_letters(field));
   const auto has = [&](std::initializer_list<const char*> needed) {
@@ -301,12 +315,15 @@ Info describe_rows(const std::string& file, std::string_view text, const io::Tri
   const std::size_t rows = io::parse_triples(text, file, kind).rows.size();
   Info info = info_of(file, "CSV", count_of(rows, "row") + " of " + what, ask);
   info.json["rows"] = rows;
+  info.add_systems(file, std::array{io::SystemOfFile{io::system_beside(file), {}}});
   return info;
 }
 
 Info describe_objects(const std::string& file, std::string_view text) {
-  const io::PlanarFile objects = io::parse_planar_objects(text, file, true);
+  io::PlanarFile objects = io::parse_planar_objects(text, file, true);
+  objects.declare(io::system_beside(file));
   Info info = info_of(file, objects.format, count_of(objects.objects.size(), "object"), "sunder pair");
+  info.add_systems(file, objects.systems());
   info.json["objects"] = Json::array();
   for (const io::PlanarObject& object : objects.objects) {
     info.json["objects"].push_back({{"name", object.name}, {"shape", name_of(object.kind)}});
@@ -315,8 +332,9 @@ Info describe_objects(const std::string& file, std::string_view text) {
 }
 
 Info describe_lines(const std::string& file, std::string_view text) {
-  const io::LineFile lines =
+  io::LineFile lines =
       io::parse_lines(text, file, {.drop_z = true, .points = true, .leave_out = true, .keep_broken = true});
+  if (lines.format != "GeoJSON") lines.declare(io::system_beside(file));
   const auto count_points = [](std::span<const planar::Segment> segments) {
     const auto is_point = [](const planar::Segment& s) { return s.a == s.b; };
     return static_cast<std::size_t>(std::count_if(segments.begin(), segments.end(), is_point));
@@ -344,6 +362,7 @@ Info describe_lines(const std::string& file, std::string_view text) {
                       polygons > 0 ? "sunder polygons, simple, kernel, region, segments"
                       : others > 0 ? "sunder segments"
                                    : "sunder pair");
+  info.add_systems(file, lines.systems);
   info.json["features"] = lines.features.size();
   info.json["polygons"] = polygons;
   info.json["rings"] = lines.rings.size();

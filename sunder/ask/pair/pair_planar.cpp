@@ -33,7 +33,11 @@ class BoundedPair : public PairQuestion {
  public:
   BoundedPair(const PairCall& asked, Method* method, const PlanarBody& a, const PlanarBody& b, double least,
               const PairFiles& files)
-      : PairQuestion(asked, a.object, b.object, files), method_(method), of_a_(a), of_b_(b), least_(least) {}
+      : PairQuestion(asked, a.object, b.object, files), method_(method), of_a_(a), of_b_(b), least_(least) {
+    for (const PlanarBody* body : {&a, &b}) {
+      if (!body->remark.empty()) note(body->remark);
+    }
+  }
 
   std::uint64_t drawn() const { return std::uint64_t{of_a_.given} + of_b_.given; }
 
@@ -103,6 +107,11 @@ int run_planar_pair(const PairCall& call) {
   if (call.hull && call.mend) throw Error(ErrorCode::bad_call, "give --mend or --hull, not both", "--mend");
   PairFiles files(call);
   const PlanarInput read_a = read_planar_input(call, call.a, files), read_b = read_planar_input(call, call.b, files);
+  for (const PlanarInput* input : {&read_a, &read_b}) {
+    const io::PlanarObject& object = input->object;
+    files.systems.add(input->path,
+                      std::array{io::SystemOfFile{object.system, fmt::format("feature {}", io::quote(object.name))}});
+  }
   if (read_a.object.unbounded() || read_b.object.unbounded()) return run_unbounded_pair(call, read_a, read_b, files);
   Method* const method = method_by(call.method, methods, " (for planar objects)");
   const PlanarBody a = planar_body(read_a, call), b = planar_body(read_b, call);

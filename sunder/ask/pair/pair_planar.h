@@ -43,6 +43,7 @@ struct PlanarBody {
   std::uint32_t given = 0;       // vertices in the file
   std::vector<Point3> vertices;  // in the plane z = 0
   PairObject object{};
+  std::string remark{};  // to be noted: that its vertices are those of the file in reverse
 
   // "vertex 2 of A", "edge 2-3 of A"; {"vertex": 2}, {"edge": [2, 3]}.
   std::string feature_text(const char* letter, std::uint32_t v, bool edge) const;

@@ -65,13 +65,14 @@ std::string PairQuestion::text() const {
   for (const Fact& fact : facts_) {
     if (!fact.text.empty()) text += titled(fact.key, fact.text);
   }
-  return text + titled("decided by", decided_text_);
+  return text + systems_line(files_.systems) + titled("decided by", decided_text_);
 }
 
 void PairQuestion::add_to(Json& json) const {
   json["decided_by"] = name_of(decided_by_);
   json["objects"] = Json::array({a_.json, b_.json});
   if (!files_.left_out.empty()) json["left_out"] = to_json(files_.left_out);
+  add_systems(files_.systems, json);
   if (call.classify) json["contact"] = name_of(contact_);
   for (const Fact& fact : facts_) json[fact.key] = fact.json;
 }

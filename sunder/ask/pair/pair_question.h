@@ -35,7 +35,7 @@ struct PairCall : QuestionCall {
   bool depth = false;               // of bodies of space that are bounded
   std::string clearance;            // a number: is one that far from the other? Empty: it is not asked
   bool mend = false, hull = false;  // planar: what to do with vertices that are not those of a convex polygon
-  bool drop_z = false;
+  bool drop_z = false, mixed_crs = false;
   std::string project;     // of space: a frame, nine numbers, that polygons are projected on; empty: none
   bool leave_out = false;  // what is no object here; of meshes, what is not read
   bool require_convex = false;
@@ -45,9 +45,11 @@ struct PairCall : QuestionCall {
 
 // What the files are, and what of them is left out.
 struct PairFiles {
-  explicit PairFiles(const PairCall& call) : left_out(call.leave_out), tells_inputs(call.proves()) {}
+  explicit PairFiles(const PairCall& call)
+      : left_out(call.leave_out), systems(call.mixed_crs), tells_inputs(call.proves()) {}
 
   LeftOutList left_out;
+  io::CoordinateSystems systems;  // planar
   bool tells_inputs;
   InputFiles read;
   InputFiles* inputs() { return tells_inputs ? &read : nullptr; }  // as of io::read_file
@@ -74,7 +76,9 @@ class PairQuestion {
   const PairCall& call;
 
   PairQuestion(const PairCall& asked, PairObject a, PairObject b, const PairFiles& files)
-      : call(asked), a_(std::move(a)), b_(std::move(b)), files_(files) {}
+      : call(asked), a_(std::move(a)), b_(std::move(b)), files_(files) {
+    note_systems(files.systems);
+  }
 
   const char* answer() const { return meet_ ? "meet" : "apart"; }
   bool yes() const { return meet_; }

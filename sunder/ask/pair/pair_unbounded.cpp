@@ -119,7 +119,9 @@ class UnboundedPair : public PairQuestion {
   UnboundedPair(const PairCall& asked, const Mixed& mixed, const PairFiles& files)
       : PairQuestion(asked, mixed.body_is_a ? mixed.body.object : mixed.object,
                      mixed.body_is_a ? mixed.object : mixed.body.object, files),
-        mixed_(mixed) {}
+        mixed_(mixed) {
+    if (!body_.remark.empty()) note(body_.remark);
+  }
 
   std::uint64_t drawn() const { return std::uint64_t{body_.given} + 2; }
 

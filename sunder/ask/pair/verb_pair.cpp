@@ -209,6 +209,7 @@ int run(const PairCall& call) {
                                          {call.mend, "--mend"},
                                          {call.hull, "--hull"},
                                          {call.drop_z, "--drop-z"},
+                                         {call.mixed_crs, "--mixed-crs"},
                                          {!call.a.feature.empty(), "--feature-a"},
                                          {!call.b.feature.empty(), "--feature-b"}}) {
     if (is_given) throw Error(ErrorCode::bad_call, "is for planar objects only; leave it out", option);
@@ -286,6 +287,7 @@ Verb pair_verb() {
         "of space: project polygons on the plane with this origin, u and v, nine numbers; the answer says by how much",
         "FRAME"},
        {"--drop-z", &call->drop_z, "planar: ignore third coordinates"},
+       {"--mixed-crs", &call->mixed_crs, fmt::format("planar: {}", mixed_crs_help)},
        {"--polytopes", &call->polytopes,
         "the files are polytopes of two to six dimensions, CSV with a row for each point x1,..,xd or half-space "
         "a1,..,ad,b; so they are, too, where the first line has these names, without which rows are points, and NPY "

@@ -42,7 +42,9 @@ class CirclesQuestion final : public RegionQuestion {
   static constexpr const char* drawn_noun = "circle";
 
   explicit CirclesQuestion(const RegionCall& asked)
-      : RegionQuestion(asked), method_(method_by(asked.method, methods)), read_(read(asked, origin_)) {}
+      : RegionQuestion(asked), method_(method_by(asked.method, methods)), read_(read(asked, origin_)) {
+    systems_.add(asked.file, std::array{io::SystemOfFile{io::system_beside(asked.file), {}}});
+  }
 
   std::uint64_t drawn() const { return circles_.size(); }
   void ask() {
@@ -71,11 +73,13 @@ class CirclesQuestion final : public RegionQuestion {
 
   std::string text() const {
     const bool is_one_circle = is_region() && corners_.empty();
-    return RegionQuestion::text() + (is_one_circle ? fmt::format("  all of {}\n", thing_text(part_.arcs[0])) : "");
+    return RegionQuestion::text() + (is_one_circle ? fmt::format("  all of {}\n", thing_text(part_.arcs[0])) : "") +
+           systems_line(systems_);
   }
 
   void add_to(Json& json) const {
     RegionQuestion::add_to(json);
+    add_systems(systems_, json);
     json["deepest"] = {{"point", {deepest_.x, deepest_.y}}, {"circles", part_.deepest.basis()}};
   }
 
@@ -158,6 +162,7 @@ class CirclesQuestion final : public RegionQuestion {
 
   Method* method_;
   Origin origin_;
+  io::CoordinateSystems systems_;
   io::CirclesFile read_;
   const Discs& circles_ = read_.circles;
   DiscIntersection part_;

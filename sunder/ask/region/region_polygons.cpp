@@ -4,6 +4,7 @@
 #include <sunder/base/error.h>
 #include <sunder/io/text.h>
 #include <sunder/picture/plane.h>
+#include <sunder/planar/object/convex_either_way.h>
 #include <sunder/planar/region/convex_polygon_intersection.h>
 #include <sunder/planar/region/regions_json.h>
 
@@ -32,10 +33,11 @@ constexpr std::array<Named<Method>, 4> methods{{{"automatic", planar::convex_pol
                                                 {"edges", planar::convex_polygon_intersection_by_edges},
                                                 {"scan", planar::convex_polygon_intersection_by_scan}}};
 
-ConvexPolygon convex(const planar::Polygon& polygon, bool mend) {
+planar::EitherWay convex(const planar::Polygon& polygon, bool mend) {
   if (polygon.ring_count() > 1) throw Error(ErrorCode::bad_shape, "has holes; give convex polygons");
   try {
-    return mend ? ConvexPolygon::mended(polygon.vertices()) : ConvexPolygon::from_vertices(polygon.vertices());
+    if (mend) return {ConvexPolygon::mended(polygon.vertices())};
+    return planar::convex_either_way(polygon.vertices());
   } catch (const Error& error) {
     throw Error(error.code(), fmt::format("{}{}", error.what(), mend ? "" : "; or give --mend"));
   }
@@ -63,12 +65,17 @@ std::vector<ConvexPolygon> convex_polygons(const RegionCall& call, PolygonsInput
   polygons.reserve(input.polygons.size());
   std::vector<planar::Polygon> given;  // those that are not skipped, like kept
   std::vector<PolygonSource> kept;
+  std::uint64_t clockwise = 0;
+  std::string first_clockwise;
   for (std::uint32_t i = 0; i < input.polygons.size(); ++i) {
     const PolygonSource& source = input.source[i];
     const std::string feature = input.feature_text(source.file, source.feature);
     try {
-      polygons.push_back(convex(input.polygons[i], call.polygons.mend));
-      const std::string change = change_text(polygons.back(), input.polygons[i].vertices());
+      auto [polygon, reversed] = convex(input.polygons[i], call.polygons.mend);
+      polygons.push_back(std::move(polygon));
+      if (reversed && clockwise++ == 0) first_clockwise = feature;
+      const std::string change =
+          call.polygons.mend ? change_text(polygons.back(), input.polygons[i].vertices()) : std::string();
       if (!change.empty())
         input.files.front().remarks.push_back(fmt::format("feature {}: mended: {}", feature, change));
       given.push_back(std::move(input.polygons[i]));
@@ -77,6 +84,12 @@ std::vector<ConvexPolygon> convex_polygons(const RegionCall& call, PolygonsInput
       if (!call.polygons.skip_invalid) io::fail_file(call.file, fmt::format("feature {}: {}", feature, error.what()));
       input.skipped.push_back({source.file, source.feature, source.line, error.what()});
     }
+  }
+  if (clockwise > 0) {
+    input.files.front().remarks.push_back(
+        fmt::format("{} clockwise, the first of feature {}: their vertices are taken in reverse, so that vertex k of n is "
+                    "vertex n - 1 - k of the file, and edge k is edge n - 2 - k",
+                    clockwise == 1 ? "1 polygon is" : fmt::format("{} polygons are", clockwise), first_clockwise));
   }
   if (polygons.empty()) io::fail_file(call.file, "no polygon is convex, so nothing is left to ask about");
   input.polygons = std::move(given);
@@ -96,6 +109,7 @@ class PolygonsQuestion final : public RegionQuestion {
 
   std::uint64_t drawn() const { return input_.edges(); }
   void ask() {
+    note_systems(input_.systems);
     part_ = method_(polygons_);
     for (const PolygonsCorner& c : part_.corners) corners_.push_back(nearest(exact_point(corner_point(polygons_, c))));
     corner_count_ = corners_.size();
@@ -113,12 +127,13 @@ class PolygonsQuestion final : public RegionQuestion {
   }
   std::string certificate() const { return planar::certificate_text(polygons_, input_.origin()); }
 
-  std::string text() const { return RegionQuestion::text() + tell(input_); }
+  std::string text() const { return RegionQuestion::text() + tell(input_) + systems_line(input_.systems); }
 
   void add_to(Json& json) const {
     RegionQuestion::add_to(json);
     if (is_empty_) json["contradiction"] = named_;
     tell(input_, json);
+    add_systems(input_.systems, json);
   }
 
   std::string picture() const {

@@ -75,6 +75,7 @@ class KernelQuestion : public FeasibilityQuestion {
                            [this](std::uint64_t sum, const Result& r) { return sum + polygon(r).size(); });
   }
   void ask() {
+    note_systems(input_.systems);
     for (Result& result : results_) {
       const PolygonSides sides(polygon(result));
       result.kernel = method_(sides, {call.proves()});
@@ -106,14 +107,14 @@ class KernelQuestion : public FeasibilityQuestion {
     text +=
         fmt::format("{}: {} of {} {} a kernel{}\n", io::one_line(call.file), seen, count_of(results_.size(), "polygon"),
                     results_.size() == 1 ? "has" : "have", without.empty() ? "" : ", said of these only: " + without);
-    return text + tell(input_);
+    return text + tell(input_) + systems_line(input_.systems);
   }
 
   void add_to(Json& json) const {
     for (const Result& result : results_) {
       const PolygonSource& source = input_.source[result.polygon];
       Json object = {{"file", io::one_line(call.file)},
-                     {"feature", source.feature},
+                     {"feature", source.feature + 1},
                      {"name", input_.name(result.polygon)},
                      {"part", source.part},
                      {"kind", name_of(result.kernel.kind)},
@@ -123,6 +124,7 @@ class KernelQuestion : public FeasibilityQuestion {
       json["objects"].push_back(object);
     }
     tell(input_, json);
+    add_systems(input_.systems, json);
   }
 
   std::string picture() const {
@@ -201,6 +203,7 @@ Verb kernel_verb() {
            title_option(call->title),
            svg_limit_option(call->svg_limit),
            {"--drop-z", &call->polygons.drop_z, "ignore third coordinates"},
+           {"--mixed-crs", &call->polygons.mixed_crs, mixed_crs_help},
            json_option(call->json)},
           [call] { return run(*call); }};
 }

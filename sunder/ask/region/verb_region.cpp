@@ -31,7 +31,8 @@ int run(const RegionCall& call) {
                                       {call.polygons.drop_z, "--drop-z"},
                                       {call.polygons.leave_out, "--leave-out"},
                                       {call.polygons.skip_invalid, "--skip-invalid"},
-                                      {!call.polygons.name.empty(), "--name"}}) {
+                                      {call.polygons.mixed_crs, "--mixed-crs"},
+                                  {!call.polygons.name.empty(), "--name"}}) {
     if (given && !of_polygons) throw Error(ErrorCode::bad_call, "is for polygons; leave it out", option);
   }
   return of_half_spaces   ? run_region_half_spaces(call)
@@ -72,6 +73,7 @@ Verb region_verb() {
        {"--name", &call->polygons.name, "polygons: the property that names them; unless given, name, NAME, id",
         "FIELD"},
        {"--drop-z", &call->polygons.drop_z, "polygons: ignore third coordinates"},
+       {"--mixed-crs", &call->polygons.mixed_crs, fmt::format("polygons: {}", mixed_crs_help)},
        json_option(call->json)},
       [call] { return run(*call); }};
 }

@@ -51,10 +51,12 @@ class MembersSet {
 
   explicit MembersSet(const Call& call)
       : call_(call), file_(Of::read(call, call.proves() ? &origin_.inputs : nullptr)), members_(file_.members) {
+    systems_.add(call.files[0], std::array{io::SystemOfFile{io::system_beside(call.files[0]), {}}});
     options_.allowed = allowed_by(call.allow, may_be_allowed);
     options_.groups = file_.group;
   }
 
+  const io::CoordinateSystems& systems() const { return systems_; }
   std::uint64_t drawn() const { return members_.size(); }
 
   void ask(Result& result) const {
@@ -173,6 +175,7 @@ class MembersSet {
   Origin origin_;
   MembersFile<Members> file_;
   const Members& members_;
+  io::CoordinateSystems systems_;
   SetOptions options_;
 };
 

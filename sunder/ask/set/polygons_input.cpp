@@ -54,7 +54,9 @@ std::string tell(const PolygonsInput& input) {
     text += titled("", fmt::format("and {} more; --json has all", features.size() - most_listed));
   };
   add("skipped", input.skipped, [](const io::SkippedFeature& f) { return f.why; });
-  add("mended", input.mended, [](const io::MendedFeature& f) { return text_of(f.changes); });
+  add("mended", input.mended, [](const io::MendedFeature& f) {
+    return text_of(f.changes) + (f.is_empty ? "; nothing is left of it" : "");
+  });
   if (!input.left_out.empty()) text += titled("left out", input.left_out.text());
   for (const io::LineFile& file : input.files) {
     for (const std::string& remark : file.remarks) text += titled("remark", remark);
@@ -65,7 +67,7 @@ std::string tell(const PolygonsInput& input) {
 void tell(const PolygonsInput& input, Json& report) {
   const auto feature = [&](const auto& f) {
     return Json{{"file", io::one_line(input.names[f.file])},
-                {"feature", f.feature},
+                {"feature", f.feature + 1},
                 {"name", input.files[f.file].features[f.feature]}};
   };
   for (const io::SkippedFeature& f : input.skipped) {
@@ -75,6 +77,7 @@ void tell(const PolygonsInput& input, Json& report) {
   for (const io::MendedFeature& f : input.mended) {
     report["mended"].push_back(feature(f));
     for (const Change& change : changes) report["mended"].back()[change.key] = f.changes.*change.count;
+    report["mended"].back()["empty"] = f.is_empty;
   }
   if (!input.left_out.empty()) report["left_out"] = to_json(input.left_out);
   for (const io::LineFile& file : input.files) {

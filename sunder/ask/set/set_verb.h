@@ -6,6 +6,7 @@
 //   Set::verb, Set::noun, Set::kinds     "circles", "circle", all kinds but none, the strongest first
 //   static check(call)                   what can be told before a file is read; throws Error
 //   Set(call)                            reads; throws Error
+//   systems()                            io::CoordinateSystems of what was read
 //   drawn(), drawn_noun                  how many things a picture shows
 //   ask(result)                          answers
 //   prove(result)                        writes the certificates, where one is asked for; returns their names
@@ -52,7 +53,7 @@ struct SetCall : QuestionCall {
   std::string allow = "nothing";
   std::string group, name, csv, geojson;
   std::vector<std::string> properties;
-  bool leave_out = false, drop_z = false;
+  bool leave_out = false, drop_z = false, mixed_crs = false;
 
   // A picture, a map and a table show all.
   bool lists() const { return all || !csv.empty() || !geojson.empty() || !svg.empty(); }
@@ -66,7 +67,7 @@ struct SetHelp {
   int most_files = 1;
 };
 std::vector<Option> set_options(SetCall& call, const SetHelp& help);
-void add_file_options(Verb& verb, SetCall& call);  // of files of features: --leave-out, --drop-z
+void add_file_options(Verb& verb, SetCall& call);  // of files of features: --leave-out, --drop-z, --mixed-crs
 
 // What is told of a set and of the answer, besides the contacts: for people, and in JSON.
 struct SetFacts {
@@ -173,20 +174,21 @@ std::string human_text(const SetCall& call, const Set& set, const SetFacts& fact
   if (call.lists() && result.pairs() > listed.size()) {
     text += fmt::format("  and {} more; --json, --csv, --geojson or --svg have all\n", result.pairs() - listed.size());
   }
-  text += facts.tail + titled("cost", count_of(result.cost.probes, "comparison"));
+  text += facts.tail + systems_line(set.systems()) + titled("cost", count_of(result.cost.probes, "comparison"));
   for (const std::string& proof : result.proofs) text += file_line("proof", proof);
   return text + file_line("contacts", call.geojson) + file_line("table", call.csv) + file_line("picture", call.svg);
 }
 
 // All but the contacts.
 template <class Set>
-Json report(const SetCall& call, const SetFacts& facts, const SetResult<Set>& result) {
+Json report(const SetCall& call, const Set& set, const SetFacts& facts, const SetResult<Set>& result) {
   Json json = envelope(Set::verb, result.some() ? "some" : "none", call.method);
   json["cost"] = to_json(result.cost);
   json.update(facts.first);
   json["allowed"] = call.allow;
   if (!call.group.empty()) json["group"] = call.group;
   json.update(facts.last);
+  add_systems(set.systems(), json);
   if (!call.counts()) return json;
   json["count"] = result.pairs();
   for (std::size_t k = 0; k < result.count.size(); ++k) {
@@ -249,13 +251,14 @@ std::string picture_of_members(const SetCall& call, const SetResult<Set>& result
 template <class Set>
 void write_set(const SetCall& call, const Set& set, const SetResult<Set>& result) {
   constexpr std::size_t most_listed = 20;
+  note_systems(set.systems());
   const SetFacts facts = set.facts(result);
   std::optional<ContactTable> table;
   if (!call.csv.empty()) table.emplace(call.csv);
   std::optional<GeojsonFile> geojson;
-  if (!call.geojson.empty()) geojson.emplace(call.geojson);
+  if (!call.geojson.empty()) geojson.emplace(call.geojson, set.systems());
   std::optional<ListReport> json;
-  if (call.json) json.emplace(report(call, facts, result), "contacts");
+  if (call.json) json.emplace(report(call, set, facts, result), "contacts");
   std::vector<typename Set::Contact> listed, drawn;
   result.visit([&](const typename Set::Contact& contact) {
     if (table || geojson || json) {

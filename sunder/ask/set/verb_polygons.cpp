@@ -34,7 +34,8 @@ constexpr std::array<Named<planar::PolygonsFinder>, 5> finders{{{"automatic", pl
                                                                 {"sweep", planar::find_contacts_by_sweep},
                                                                 {"scan", planar::find_contacts_by_scan}}};
 
-constexpr std::uint64_t most_proved = 10'000'000;  // pairs, and numbers of a sweep
+constexpr std::uint64_t most_proved = 10'000'000;    // pairs
+constexpr std::uint64_t most_numbers = 100'000'000;  // of a sweep: at most some 0.8 GB
 
 [[noreturn]] void refuse_proof(const PolygonsInput& input, const std::string& what, std::uint64_t numbers) {
   const std::size_t digits = std::to_string(input.edges()).size();
@@ -50,9 +51,9 @@ planar::SweepEvents sweep_of(const PolygonsInput& input, std::uint64_t pairs) {
     refuse_proof(input, fmt::format("{} pairs meet, more than {}", pairs, most_proved), 2 * pairs);
   }
   Progress progress("proving");
-  const std::uint64_t most = std::max(most_proved, 8 * input.edges());  // six for an edge, where none cross
+  const std::uint64_t most = std::max(most_numbers, 8 * input.edges());  // six for an edge, where none cross
   std::optional<planar::SweepEvents> events = planar::polygon_events(input.polygons, most);
-  if (!events) refuse_proof(input, "edges cross, so that their sweep is long", most);
+  if (!events) refuse_proof(input, fmt::format("the sweep over all edges has more than {} numbers", most), most);
   return std::move(*events);
 }
 
@@ -98,7 +99,8 @@ PolygonsRequest request_of(const Call& call) {
           .group = call.group,
           .name = call.name,
           .properties = call.properties,
-          .tell_inputs = call.proves()};
+          .tell_inputs = call.proves(),
+          .mixed_crs = call.mixed_crs};
 }
 
 class PolygonsSet {
@@ -123,6 +125,7 @@ class PolygonsSet {
     options_.groups = input_.groups;
   }
 
+  const io::CoordinateSystems& systems() const { return input_.systems; }
   std::uint64_t drawn() const { return input_.edges(); }
 
   void ask(Result& result) const {

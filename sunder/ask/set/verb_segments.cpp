@@ -120,6 +120,16 @@ void check_centre_lines(const Call& call, const io::LineFile& file) {
                                            fmt::join(file.remarks, "; ")));
 }
 
+// Those of the file, and what the verdict would hide.
+std::vector<std::string> remarks_of(const io::LineFile& file) {
+  std::vector<std::string> remarks = file.remarks;
+  if (!file.rings.empty()) {
+    remarks.emplace_back("polygons count as their boundaries: what lies inside of one does not meet it (sunder polygons "
+                         "asks about insides)");
+  }
+  return remarks;
+}
+
 LeftOutList left_out_of(const io::LineFile& file) { return {"", file.left_out}; }
 
 // "proof.json", or of a layer among others "proof.F.Cu.json".
@@ -235,6 +245,8 @@ class SegmentsSet {
 
   explicit SegmentsSet(const Call& call) : call_(call), file_(read(call, call.proves() ? &origin_.inputs : nullptr)) {
     check_centre_lines(call, file_);
+    systems_ = io::CoordinateSystems(call.mixed_crs);
+    systems_.add(call.files[0], file_.systems);
     sheets_ = sheets_of(call, file_);
     require_apart(call, sheets_);
     options_.allowed = allowed_by(call.allow);
@@ -247,6 +259,7 @@ class SegmentsSet {
     }
   }
 
+  const io::CoordinateSystems& systems() const { return systems_; }
   std::uint64_t drawn() const { return file_.segments.size(); }
 
   void ask(Result& result) {
@@ -305,8 +318,9 @@ class SegmentsSet {
       facts.tail =
           "  edges that follow each other share an end: to pass over such contacts, give --allow shared-endpoint\n";
     }
-    for (const std::string& remark : file_.remarks) facts.tail += titled("remark", remark);
-    if (!file_.remarks.empty()) facts.last["remarks"] = file_.remarks;
+    const std::vector<std::string> remarks = remarks_of(file_);
+    for (const std::string& remark : remarks) facts.tail += titled("remark", remark);
+    if (!remarks.empty()) facts.last["remarks"] = remarks;
     const LeftOutList left_out = left_out_of(file_);
     facts.clause = left_out.clause();
     if (!left_out.empty()) facts.last["left_out"] = to_json(left_out);
@@ -439,6 +453,7 @@ class SegmentsSet {
   const Call& call_;
   Origin origin_;
   io::LineFile file_;
+  io::CoordinateSystems systems_;
   std::vector<Sheet> sheets_;
   SetOptions options_;
   std::vector<std::pair<std::string, std::function<void(ClaimsWriter&)>>> proofs_;  // files, and what writes them
