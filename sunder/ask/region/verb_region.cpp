@@ -58,7 +58,7 @@ Verb region_verb() {
        {"--maximize", &call->maximize, "two numbers p,q: where is p x + q y greatest? Of half-spaces one a dimension",
         "P,Q"},
        {"--method", &call->method,
-        fmt::format("of half-planes: {}; of polygons: {}; of circles: {}; of half-spaces, with --maximize: {}",
+        fmt::format("of half-planes: {}; of polygons: {}; of circles: {}; of half-spaces with --maximize: {}",
                     half_plane_method_names(), polygon_method_names(), circle_method_names(), half_space_method_names()),
         "NAME"},
        certificate_option(call->certificate,
