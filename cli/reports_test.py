@@ -3,6 +3,7 @@
 
 reports_test.py --write brings the tables of the page up to date.
 """
+# long because: the calls that show every key stand in one list
 import collections
 import concurrent.futures
 import itertools

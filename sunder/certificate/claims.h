@@ -3,6 +3,7 @@
 // Throws only std::bad_alloc, what the sink throws, and what end_table() says. Cost: linear in what is written.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
 #include <sunder/certificate/said.h>
 #include <sunder/number/dyadic.h>

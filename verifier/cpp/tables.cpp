@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+// long because: one reader for each table of docs/claims.md, in its order
 namespace sunder_verifier {
 namespace {
 

@@ -4,6 +4,7 @@ All arithmetic is on integers. A point is x, ..., w with w > 0, for (x / w, ...)
 points of a table have w = 1, and are in units of a power of two. A rule is told the steps that it may take, what the
 claim brings, if anything, and what it is bound to.
 """
+# long because: the rules are one list, in the order of docs/claims.md
 import collections
 import itertools
 
