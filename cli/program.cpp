@@ -3,6 +3,7 @@
 #include <cli/program.h>
 #include <cli/words.h>
 
+#include <sunder/ask/call_words.h>
 #include <sunder/ask/report.h>
 #include <sunder/ask/verb.h>
 #include <sunder/base/error.h>
@@ -225,7 +226,7 @@ void add_verb(CLI::App& program, const ask::Verb& verb, int& code, bool& quiet) 
     require_apart(*app);
     if (is_taken) ask::leave_standard_output();
   });
-  app->callback([run = verb.run, &code] { code = run(); });
+  app->callback([&verb, &code] { code = ask::run_call(verb); });
 }
 
 // For help and completion; run_program() obeys them.

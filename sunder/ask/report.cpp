@@ -1,3 +1,4 @@
+#include <sunder/ask/call_words.h>
 #include <sunder/ask/report.h>
 
 #include <sunder/base/error.h>
@@ -5,6 +6,7 @@
 #include <sunder/io/text.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +19,11 @@
 
 namespace sunder::ask {
 
+struct Spoken {
+  std::vector<std::string> notes;
+  bool is_quiet = false, leaves_output = false, has_printed = false, is_silent = false;
+};
+
 namespace {
 
 constexpr std::array<Named<std::remove_pointer_t<PairMethod>>, 5> pair_methods{
@@ -28,11 +35,7 @@ constexpr std::array<Named<std::remove_pointer_t<PairMethod>>, 5> pair_methods{
 
 constexpr std::size_t text_width = 120;
 
-// What has been said in this call, and whether anything is to be.
-struct Said {
-  std::vector<std::string> notes;
-  bool is_quiet = false, leaves_output = false, has_printed = false;
-} said;
+Spoken said;
 
 bool is_flat(const Json& json) {
   return std::none_of(json.items().begin(), json.items().end(), [](const Json& item) { return item.is_structured(); });
@@ -60,7 +63,14 @@ void append(const Json& json, std::size_t indent, std::string& text) {
 
 }  // namespace
 
+Silence::Silence() : before_(std::make_unique<Spoken>(said)) {
+  said.is_quiet = said.is_silent = true;
+}
+
+Silence::~Silence() { said = std::move(*before_); }
+
 void print(std::string_view text) {
+  if (said.is_silent) return;
   said.has_printed = true;
   errno = 0;
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
@@ -169,7 +179,7 @@ std::string to_text(const Json& json) {
 void write_proof(const std::string& file, const Origin& origin, const std::function<void(ClaimsWriter&)>& write) {
   io::OutputFile out(file);
   ClaimsWriter claims([&](std::string_view text) { out.write(text); });
-  claims.add_origin(origin);
+  claims.add_origin(by_this_call(origin));
   write(claims);
   claims.end();
   out.commit();
@@ -184,6 +194,10 @@ std::string titled(std::string_view title, std::string value) {
 
 std::string file_line(std::string_view title, const std::string& file, std::string_view clause) {
   return file.empty() ? "" : titled(title, io::one_line(file).append(clause));
+}
+
+std::string not_proved_line(std::span<const std::string> words) {
+  return words.empty() ? "" : titled("not proved", fmt::format("{}", fmt::join(words, "; ")));
 }
 
 std::string about(double x) { return fmt::format("{:.4g}", x == 0 ? 0.0 : x); }

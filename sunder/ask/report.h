@@ -15,6 +15,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -59,6 +60,20 @@ void leave_standard_output();
 
 // Has standard output another use, or has anything been printed, a part of a report perhaps?
 bool is_output_in_use();
+
+struct Spoken;  // what has been said in this call, and whether anything is to be
+
+// While one is alive, nothing is printed; what has been said is then as it was before.
+class Silence {
+ public:
+  Silence();
+  ~Silence();
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  std::unique_ptr<Spoken> before_;
+};
 
 // There is no such method: throws Error bad_call that lists the `known`.
 [[noreturn]] void refuse_method(std::string_view method, std::string_view known);
@@ -125,6 +140,9 @@ std::string file_line(std::string_view title, const std::string& file, std::stri
 std::string systems_line(const io::CoordinateSystems& systems);
 void add_systems(const io::CoordinateSystems& systems, Json& report);
 void note_systems(const io::CoordinateSystems& systems);
+
+// What an answer says and its proof does not, in words; empty where there is nothing.
+std::string not_proved_line(std::span<const std::string> words);
 
 // "about" numbers for people: four digits.
 std::string about(double x);

@@ -1,6 +1,7 @@
 // sunder section FILE --plane P: what a body and planes have in common, as polygons.
 #include <sunder/ask/objects.h>
 #include <sunder/ask/question.h>
+#include <sunder/ask/said_of.h>
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
@@ -136,7 +137,8 @@ class SectionQuestion {
   }
 
   std::string certificate() const {
-    return claims_text({inputs_, left_out_.texts()}, [&](ClaimsWriter& file) {
+    return claims_text(origin_of(inputs_, left_out_.texts()), [&](ClaimsWriter& file) {
+      file.say(said_of_mesh(*body_, inputs_, left_out_));
       solid::SectionClaims claims(file, body_->name, body_->hull, pose_);
       for (const Result& result : results_) claims.add(result.plane, result.section);
     });
@@ -176,6 +178,12 @@ class SectionQuestion {
     text += first_of(results_.size(), 10, [&](std::size_t k) { return titled(results_[k].name, told(results_[k])); });
     if (body_->shape == io::BodyShape::hull) text += titled("said of", "the hull of the mesh, which is not convex");
     return text + file_line("written", call.out);
+  }
+
+  std::vector<std::string> not_proved() const {
+    const auto is_polygon = [](const Result& result) { return result.section.kind == SectionKind::polygon; };
+    if (std::any_of(results_.begin(), results_.end(), is_polygon)) return {"the area"};
+    return {};
   }
 
   Cost cost() const { return cost_; }

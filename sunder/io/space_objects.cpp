@@ -332,8 +332,7 @@ bool is_space_text(std::string_view text) {
 
 bool is_space_file(const std::filesystem::path& path) {
   const std::string ending = ending_of(path.string());
-  std::error_code error;
-  if ((ending != ".json" && ending != ".wkt") || !std::filesystem::is_regular_file(path, error)) return false;
+  if ((ending != ".json" && ending != ".wkt") || !is_file(path)) return false;
   return is_space_text(read_file(path));
 }
 

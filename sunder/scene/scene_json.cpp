@@ -33,8 +33,27 @@ bool is_open(const PartPair& pair, const Question& question) {
   return pair.undecided() || (question.touching_allowed && pair.meet() && pair.contact == Contact::none);
 }
 
-// What was asked about, and what counts, by parts of bodies one after the other.
-AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers& numbers) {
+// Why pairs are not asked about, and how many for each reason.
+class Reasons {
+ public:
+  void add(const std::string& reason, std::uint64_t pairs) {
+    const auto known = std::find_if(counts_.begin(), counts_.end(), [&](const auto& one) { return one.first == reason; });
+    if (pairs == 0) return;
+    if (known == counts_.end()) {
+      counts_.emplace_back(reason, pairs);
+    } else {
+      known->second += pairs;
+    }
+  }
+  const std::vector<std::pair<std::string, std::uint64_t>>& counts() const { return counts_; }
+
+ private:
+  std::vector<std::pair<std::string, std::uint64_t>> counts_;
+};
+
+// What was asked about, and what counts, by parts of bodies one after the other; reasons: of the pairs besides.
+AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers& numbers, const SaidOfScene& said,
+                   Reasons& reasons) {
   AllPairs result;
   std::vector<std::uint32_t> first;  // of each body, where its parts begin
   for (std::uint32_t b = 0; b < numbers.size(); ++b) {
@@ -44,8 +63,10 @@ AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers
   }
   result.touching_allowed = question.touching_allowed;
   std::set<std::array<std::uint32_t, 2>> allowed;
-  for (const auto& [a, b] : question.allowed) {
-    if (a != b) allowed.insert({std::min(a, b), std::max(a, b)});
+  for (std::size_t k = 0; k < question.allowed.size(); ++k) {
+    const auto [a, b] = std::minmax(question.allowed[k][0], question.allowed[k][1]);
+    if (a == b || !allowed.insert({a, b}).second || said.reasons.empty()) continue;
+    reasons.add(said.reasons[k], numbers[a].size() * numbers[b].size());
   }
   for (const auto& [a, b] : allowed) {
     for (std::uint32_t i = 0; i < numbers[a].size(); ++i) {
@@ -55,6 +76,7 @@ AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers
   for (const PartPair& pair : answer.pairs) {
     const std::array<std::uint32_t, 2> members{first[pair.body_a] + pair.part_a, first[pair.body_b] + pair.part_b};
     if (is_open(pair, question)) {
+      reasons.add("undecided", 1);
       result.besides.push_back(members);
     } else if (pair.counts) {
       result.contacts.push_back(members);
@@ -73,6 +95,17 @@ void add_round_claims(PairClaims& pairs, std::uint32_t of_a, const Part& a, std:
   add_claims(pairs, of_a, in_a, of_b, in_b, *pair.round, contact);
 }
 
+// The statement about all pairs of a placement, with what is said of it.
+void add_all_pairs(ClaimsWriter& file, PairClaims& pairs, const Answer& answer, const Question& question,
+                   const Numbers& numbers, const SaidOfScene& said, std::size_t placement) {
+  Reasons reasons;
+  const AllPairs all = all_pairs(answer, question, numbers, said, reasons);
+  if (const auto joints = said.joints_of(placement)) file.note(*joints);
+  const bool is_said = question.allowed.empty() || !said.reasons.empty();
+  if (is_said && !all.besides.empty()) file.note(SaidNote::allowed(reasons.counts()));
+  pairs.add_all_pairs(all);
+}
+
 // What the statement of the pair leaves open, if anything.
 std::string open_text(std::span<const Body> bodies, const PartPair& pair) {
   return part_name(bodies[pair.body_a], pair.part_a) + " and " + part_name(bodies[pair.body_b], pair.part_b) +
@@ -86,8 +119,9 @@ std::string closer_open_text(std::span<const Body> bodies, const Pair& pair) {
 }
 
 // Of each part its shape.
-Numbers add_shapes(PairClaims& pairs, std::span<const Body> bodies) {
+Numbers add_shapes(ClaimsWriter& file, PairClaims& pairs, std::span<const Body> bodies, const SaidOfScene& said) {
   return numbers_of(bodies, [&](std::uint32_t b, std::uint32_t p) {
+    file.say(said.of(b, p));
     const solid::RoundBody& shape = bodies[b].parts[p].shape;
     const std::string name = part_name(bodies[b], p);
     return shape.is_polyhedron() ? pairs.add_body(name, shape.points())
@@ -133,7 +167,7 @@ void add_open(Origin& origin, std::size_t count, const std::function<MeetingPlac
 }  // namespace
 
 void write_certificate(std::span<const Placement> placements, const Question& question, Origin origin,
-                       const TextSink& sink, const ClearanceQuestion& clearance) {
+                       const TextSink& sink, const ClearanceQuestion& clearance, const SaidOfScene& said) {
   const std::span<const Body> bodies = placements.front().bodies;
   for (const auto& [a, b] : question.allowed) {
     origin.left_out.push_back(bodies[a].name + " and " + bodies[b].name + ", which may meet");
@@ -156,7 +190,7 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
   ClaimsWriter file(sink);
   file.add_origin(origin);
   PairClaims pairs(file);
-  const Numbers shapes = add_shapes(pairs, bodies);
+  const Numbers shapes = add_shapes(file, pairs, bodies, said);
   std::vector<Numbers> numbers;  // by placement
   for (const Placement& placed : placements) {
     const std::string prefix = prefix_of(placed);
@@ -171,7 +205,7 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
       if (pair.undecided()) continue;
       add_pair_claims(pairs, placed, pair, numbers[k][pair.body_a][pair.part_a], numbers[k][pair.body_b][pair.part_b]);
     }
-    pairs.add_all_pairs(all_pairs(answer, question, numbers[k]));
+    add_all_pairs(file, pairs, answer, question, numbers[k], said, k);
     if (placements[k].clearance) add_claims(pairs, placed, numbers[k], clearance, *placements[k].clearance);
     if (placements[k].nearest) add_claims(pairs, placed, numbers[k], question.allowed, *placements[k].nearest);
   }
@@ -180,13 +214,13 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
 
 void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
                                const std::function<MeetingPlacement(std::size_t k)>& placement,
-                               const Question& question, Origin origin, const TextSink& sink) {
+                               const Question& question, Origin origin, const TextSink& sink, const SaidOfScene& said) {
   origin.left_out.emplace_back("all pairs of bodies that no statement is about");
   add_open(origin, count, placement, question);
   ClaimsWriter file(sink);
   file.add_origin(origin);
   PairClaims pairs(file);
-  const Numbers shapes = add_shapes(pairs, bodies);
+  const Numbers shapes = add_shapes(file, pairs, bodies, said);
   std::vector<std::array<std::uint32_t, 2>> numbers;  // of each pair that is stated its bodies in the file
   for (std::size_t k = 0; k < count; ++k) {
     const MeetingPlacement placed = placement(k);
@@ -213,11 +247,13 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
     for (const PartPair& pair : placed.pairs) {
       if (!pair.meet()) continue;
       const auto& [of_a, of_b] = *next++;
+      if (const auto joints = said.joints_of(k)) file.note(*joints);
       add_pair_claims(pairs, placed.bodies, pair, of_a, of_b);
     }
     for (const CloserPair& pair : placed.closer) {
       if (pair.is_undecided) continue;
       const auto& [of_a, of_b] = *next++;
+      if (const auto joints = said.joints_of(k)) file.note(*joints);
       add_claims(pairs, of_a, placed.bodies[pair.body_a].parts[pair.part_a], of_b,
                  placed.bodies[pair.body_b].parts[pair.part_b], pair.least);
     }
@@ -227,7 +263,8 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
 
 void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
                              const std::function<MeetingPlacement(std::size_t k)>& placement, const Question& question,
-                             Origin origin, const TextSink& sink, const ClearanceQuestion* clearance) {
+                             Origin origin, const TextSink& sink, const ClearanceQuestion* clearance,
+                             const SaidOfScene& said) {
   for (const auto& [a, b] : question.allowed) {
     origin.left_out.push_back(bodies[a].name + " and " + bodies[b].name + ", which may meet");
   }
@@ -235,7 +272,7 @@ void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
   ClaimsWriter file(sink);
   file.add_origin(origin);
   PairClaims pairs(file);
-  const Numbers shapes = add_shapes(pairs, bodies);
+  const Numbers shapes = add_shapes(file, pairs, bodies, said);
   std::vector<Numbers> numbers;  // by placement
   for (std::size_t k = 0; k < count; ++k) {
     const MeetingPlacement placed = placement(k);
@@ -253,7 +290,7 @@ void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
       add_pair_claims(pairs, placed.bodies, pair, numbers[k][pair.body_a][pair.part_a],
                       numbers[k][pair.body_b][pair.part_b]);
     }
-    pairs.add_all_pairs(all_pairs(answer, question, numbers[k]));
+    add_all_pairs(file, pairs, answer, question, numbers[k], said, k);
     if (clearance != nullptr) {
       add_claims(pairs, placed.bodies, numbers[k], *clearance, closer_pairs(placed.bodies, *clearance));
     }

@@ -154,6 +154,7 @@ class LinePair : public PairQuestion {
     CutTold told = cut_told(cut_, body_, body_is_a_ ? "A" : "B", line_.object.points[0], line_.object.points[1]);
     facts_ = {{"said_of", meet_ && body_.is_hull() ? "hulls" : "bodies", ""},
               {"common", std::move(told.json), std::move(told.text)}};
+    if (meet_) not_proved_.emplace_back("the common part");
   }
 
   // The body is the first of the file, whichever of A and B it is. Only the front door names evidence.

@@ -56,9 +56,10 @@ class MotionPair : public PairQuestion {
   }
 
   std::string certificate() const {
-    return claims_text({files_.read, files_.left_out.texts()}, [&](ClaimsWriter& file) {
+    return claims_text(origin_of(files_.read, files_.left_out.texts()), [&](ClaimsWriter& file) {
       PairClaims pairs(file);
       const auto add = [&](const PairObject& object, const Translation& motion) {
+        file.say(object.said);
         const std::uint32_t body = pairs.add_body(object.name, object.vertices);
         const std::uint32_t begin = pairs.add_placed(object.name, body, motion.begin().affine());
         return std::pair(begin, motion.rests() ? begin : pairs.add_placed(object.name, body, motion.end().affine()));

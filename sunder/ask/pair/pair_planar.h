@@ -30,6 +30,7 @@ struct PlanarInput {
   std::string file, name, format;  // for people
   io::PlanarObject object;
   planar::Pose pose;
+  Said said{};  // in proofs
 };
 
 // What the file holds that is no object here is left out, unless an object is named. Throws Error for bad input, also

@@ -113,8 +113,12 @@ PlanarInput read_planar_input(const PairCall& call, const PairSide& side, PairFi
   io::require_object(object, side.file);
   // What the file does not name is called as the file is.
   const bool unnamed = file.objects.size() == 1 && object.name == "1";
+  Said said = said_of_file(object.unbounded() ? Said::Source::shape : Said::Source::vertices, files.read, side.file,
+                           file.objects.size() == 1 ? "" : object.name);
+  if (call.drop_z && !said.empty()) said = said.dropped("z");
   const std::string name = unnamed ? io::one_line(std::filesystem::path(side.file).stem().string()) : object.name;
-  return {side.file, shown, name, file.format, object, parse_planar_pose(side.pose, side.option("pose"))};
+  return {side.file, shown, name, file.format, object, parse_planar_pose(side.pose, side.option("pose")),
+          std::move(said)};
 }
 
 PlanarBody planar_body(const PlanarInput& input, const PairCall& call) {
@@ -130,6 +134,12 @@ PlanarBody planar_body(const PlanarInput& input, const PairCall& call) {
   }
   for (const Point2& p : body.polygon.vertices()) body.vertices.push_back({p.x, p.y, 0});
   const std::uint32_t n = body.polygon.size();
+  Said said = input.said;
+  if (n != body.given && !said.empty()) {
+    const std::uint32_t fewer = body.given - n;
+    said = call.hull ? said.hull()
+                     : said.mended({fewer == 1 ? "1 vertex left out" : fmt::format("{} vertices left out", fewer)});
+  }
   const char* const shape = n == 1 ? "point" : n == 2 ? "segment" : "polygon";
   body.object = {
       .file = input.file,
@@ -144,7 +154,8 @@ PlanarBody planar_body(const PlanarInput& input, const PairCall& call) {
                {"vertices", n},
                {"given_vertices", body.given}},
       .vertices = body.vertices,
-      .pose = planar::in_space(input.pose.affine())};
+      .pose = planar::in_space(input.pose.affine()),
+      .said = std::move(said)};
   return body;
 }
 

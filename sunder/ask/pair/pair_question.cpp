@@ -95,9 +95,10 @@ PairQuestion::Fact PairQuestion::clearance(double least, bool is_kept, const Int
 
 std::string PairQuestion::certificate_of(PairClaims::Space space, const PairObject& first, const PairObject& second,
                                          const Write& write) const {
-  return claims_text({files_.read, files_.left_out.texts()}, [&](ClaimsWriter& file) {
+  return claims_text(origin_of(files_.read, files_.left_out.texts()), [&](ClaimsWriter& file) {
     PairClaims pairs(file, space);
     const auto add = [&](const PairObject& object) {
+      file.say(object.said);
       return pairs.add_placed(object.name, pairs.add_body(object.name, object.vertices, object.ways), object.pose);
     };
     const std::uint32_t a = add(first), b = add(second);

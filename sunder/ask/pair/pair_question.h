@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sunder/ask/question.h>
+#include <sunder/ask/said_of.h>
 
 #include <sunder/base/error.h>
 #include <sunder/certificate/direction.h>
@@ -65,6 +66,7 @@ struct PairObject {
   std::span<const Point3> vertices;
   Affine3 pose{};
   std::span<const Way3> ways{};
+  Said said{};  // what it is made of, in proofs
 
   PlacedVertices in_space() const { return {vertices, pose, false}; }
 };
@@ -83,6 +85,7 @@ class PairQuestion {
   const char* answer() const { return meet_ ? "meet" : "apart"; }
   bool yes() const { return meet_; }
   const Cost& cost() const { return cost_; }
+  const std::vector<std::string>& not_proved() const { return not_proved_; }
   std::string cost_text() const;
   std::string text() const;
   void add_to(Json& json) const;
@@ -123,6 +126,7 @@ class PairQuestion {
   DecidedBy decided_by_ = DecidedBy::filter;
   Cost cost_;
   std::vector<Fact> facts_;
+  std::vector<std::string> not_proved_;
 };
 
 // Throws Error bad_call where the depth is asked for.

@@ -89,7 +89,8 @@ PairObject object_of(const PlanarInput& input, const planar::Line& line, const p
                    {"shape", io::name_of(kind)},
                    {"points", {{line.a.x, line.a.y}, {line.b.x, line.b.y}}}},
           .vertices = body.points,
-          .ways = body.ways};
+          .ways = body.ways,
+          .said = input.said};
 }
 
 // A bounded object and an unbounded one, of which either is A.
@@ -131,6 +132,10 @@ class UnboundedPair : public PairQuestion {
                                                           : "signs, with the help of exact arithmetic");
     contact_ = common_.contact;
     facts_ = {{"common", common_json(), common_text()}};
+    if (meet_) not_proved_.emplace_back("the common part");
+    if (kind_ == Kind::half_plane || (kind_ == Kind::line && !meet_)) {
+      not_proved_.emplace_back(meet_ ? "the furthest vertex" : "the nearest vertex");
+    }
   }
 
   // The body is the first of the file, whichever of A and B it is.

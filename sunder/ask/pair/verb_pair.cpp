@@ -76,10 +76,12 @@ class SolidPair : public PairQuestion {
     const bool is_of_a = of_a_.object && of_a_.object->kind == io::SpaceObject::Kind::segment;
     const auto cut = is_of_a ? segment_told(of_b_, "B", of_a_) : segment_told(of_a_, "A", of_b_);
     if (cut) facts_.push_back({"cut", cut->json, cut->text});
+    if (cut && meet_) not_proved_.emplace_back("the common part");
     if (call.distance) facts_.push_back({"distance", distance_json(), distance_text() + of_hulls});
     if (call.depth && meet_) {
       depth_ = solid::polyhedron_polyhedron_depth(a, of_a_.pose, b, of_b_.pose);
       facts_.push_back({"depth", depth_json(), depth_text()});
+      if (deepest()) not_proved_.emplace_back("what is against each other there");
     }
     if (least_ == 0) return;
     facts_.push_back(clearance(least_, is_kept_, distance_.distance()));
@@ -88,9 +90,10 @@ class SolidPair : public PairQuestion {
   bool yes() const { return least_ > 0 ? !is_kept_ : meet_; }
 
   std::string certificate() const {
-    return claims_text({files_.read, files_.left_out.texts()}, [this](ClaimsWriter& file) {
+    return claims_text(origin_of(files_.read, files_.left_out.texts()), [this](ClaimsWriter& file) {
       PairClaims pairs(file);
       const auto add = [&](const PairObject& object) {
+        file.say(object.said);
         return pairs.add_placed(object.name, pairs.add_body(object.name, object.vertices), object.pose);
       };
       const std::uint32_t a = add(a_), b = add(b_);

@@ -68,8 +68,9 @@ class CirclesQuestion final : public RegionQuestion {
       corners_.push_back(rounded(planar::corner(circles_, part_, m)));
     }
     corner_count_ = corners_.size();
+    not_proved_.emplace_back("that the point inside is the deepest");
   }
-  std::string certificate() const { return planar::certificate_text(circles_, part_, origin_); }
+  std::string certificate() const { return planar::certificate_text(circles_, part_, origin()); }
 
   std::string text() const {
     const bool is_one_circle = is_region() && corners_.empty();
@@ -103,6 +104,12 @@ class CirclesQuestion final : public RegionQuestion {
   }
 
  private:
+  Origin origin() const {
+    Origin origin = by_this_call(origin_);
+    origin.said = said_of_rows("circles", circles_.size(), said_of_file(Said::Source::circles, origin.inputs, call.file));
+    return origin;
+  }
+
   static io::CirclesFile read(const RegionCall& call, Origin& origin) {
     Progress progress("reading");
     return io::read_circles(call.file,

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace sunder::ask {
@@ -59,8 +60,8 @@ std::string change_text(const ConvexPolygon& convex, const std::vector<Point2>& 
   return text;
 }
 
-// Those of the input; it loses the ones that are skipped.
-std::vector<ConvexPolygon> convex_polygons(const RegionCall& call, PolygonsInput& input) {
+// Those of the input; it loses the ones that are skipped. changed: how many are not as they were given.
+std::vector<ConvexPolygon> convex_polygons(const RegionCall& call, PolygonsInput& input, std::uint64_t& changed) {
   std::vector<ConvexPolygon> polygons;
   polygons.reserve(input.polygons.size());
   std::vector<planar::Polygon> given;  // those that are not skipped, like kept
@@ -76,6 +77,7 @@ std::vector<ConvexPolygon> convex_polygons(const RegionCall& call, PolygonsInput
       if (reversed && clockwise++ == 0) first_clockwise = feature;
       const std::string change =
           call.polygons.mend ? change_text(polygons.back(), input.polygons[i].vertices()) : std::string();
+      if (!change.empty()) ++changed;
       if (!change.empty())
         input.files.front().remarks.push_back(fmt::format("feature {}: mended: {}", feature, change));
       given.push_back(std::move(input.polygons[i]));
@@ -105,7 +107,7 @@ class PolygonsQuestion final : public RegionQuestion {
       : RegionQuestion(asked),
         method_(method_by(asked.method, methods)),
         input_(read_with_progress(asked.request())),
-        polygons_(convex_polygons(asked, input_)) {}
+        polygons_(convex_polygons(asked, input_, changed_)) {}
 
   std::uint64_t drawn() const { return input_.edges(); }
   void ask() {
@@ -125,7 +127,7 @@ class PolygonsQuestion final : public RegionQuestion {
     std::sort(named_.begin(), named_.end());
     named_.erase(std::unique(named_.begin(), named_.end()), named_.end());
   }
-  std::string certificate() const { return planar::certificate_text(polygons_, input_.origin()); }
+  std::string certificate() const { return planar::certificate_text(polygons_, by_this_call(origin())); }
 
   std::string text() const { return RegionQuestion::text() + tell(input_) + systems_line(input_.systems); }
 
@@ -156,6 +158,15 @@ class PolygonsQuestion final : public RegionQuestion {
   }
 
  private:
+  Origin origin() const {
+    Origin origin = origin_of(input_, "convex_polygons", call.polygons.drop_z);
+    if (changed_ == 0) return origin;
+    for (auto& [entries, said] : origin.said.at(0).parts) {
+      said = said.mended({fmt::format("{} made convex or turned round", count_of(changed_, "polygon"))});
+    }
+    return origin;
+  }
+
   // Of what the verdict does not speak.
   std::string without() const {
     const std::string words = input_.left_out_words();
@@ -191,6 +202,7 @@ class PolygonsQuestion final : public RegionQuestion {
 
   Method* method_;
   PolygonsInput input_;
+  std::uint64_t changed_ = 0;  // polygons that --mend changed
   std::vector<ConvexPolygon> polygons_;
   PolygonsPart part_;
   std::vector<Point2> corners_;  // rounded

@@ -61,6 +61,7 @@ class KernelQuestion : public FeasibilityQuestion {
       }
       results_.push_back({i, {}, {}});
     }
+    not_proved_.emplace_back("that the polygon is simple");
     if (results_.empty()) {
       throw Error(ErrorCode::bad_call, fmt::format("{} has no polygon named {}", call.file, io::quote(call.feature)),
                   "--feature");
@@ -91,8 +92,9 @@ class KernelQuestion : public FeasibilityQuestion {
     }
   }
   std::string certificate() const {
-    Origin origin = input_.origin();
+    Origin origin = by_this_call(input_.origin());
     if (input_.mended.empty()) origin.left_out.clear();  // a proof about one polygon speaks of no others
+    origin.said = said_of_rows("rings", 1, said_of_ring());
     return planar::certificate_text(PolygonSides(polygon(results_[0])), results_[0].kernel, origin);
   }
 
@@ -151,6 +153,17 @@ class KernelQuestion : public FeasibilityQuestion {
   }
 
  private:
+  Said said_of_ring() const {
+    const PolygonSource& source = input_.source[results_[0].polygon];
+    Said said = said_of_file(Said::Source::polygons, input_.inputs, call.file, input_.name(results_[0].polygon));
+    if (said.empty()) return said;
+    if (call.polygons.drop_z) said = said.dropped("z");
+    for (const io::MendedFeature& feature : input_.mended) {
+      if (feature.feature == source.feature) said = said.mended({ask::text_of(feature.changes)});
+    }
+    return said;
+  }
+
   static PolygonsRequest request_of(const RegionCall& call) {
     PolygonsRequest request = call.request();
     request.rule = planar::PolygonRule::simple;

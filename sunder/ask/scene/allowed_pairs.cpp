@@ -39,6 +39,12 @@ std::vector<std::array<std::uint32_t, 2>> bodies_of(std::span<const AllowedPair>
   return pairs;
 }
 
+std::vector<std::string> reason_of_each(std::span<const AllowedPair> list) {
+  std::vector<std::string> reasons;
+  for (const AllowedPair& pair : list) reasons.push_back(pair.reason);
+  return reasons;
+}
+
 std::vector<AllowedFor> reasons_of(std::span<const AllowedPair> list) {
   std::vector<AllowedFor> reasons;
   for (const AllowedPair& pair : list) {

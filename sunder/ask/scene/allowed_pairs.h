@@ -20,6 +20,7 @@ struct AllowedPair {
 void add_allowed(std::span<const AllowedPair> more, std::vector<AllowedPair>& list);
 
 std::vector<std::array<std::uint32_t, 2>> bodies_of(std::span<const AllowedPair> list);
+std::vector<std::string> reason_of_each(std::span<const AllowedPair> list);
 
 // The reasons, and how many pairs have each: first those that say that a pair does not meet, or hardly ("Never"), or
 // nothing about that; last that links are joined ("Adjacent"), which mostly meet.

@@ -1,3 +1,4 @@
+#include <sunder/ask/call_words.h>
 #include <sunder/ask/list_stream.h>
 #include <sunder/ask/progress.h>
 #include <sunder/ask/report.h>
@@ -110,7 +111,7 @@ class Lines {
 
 // What all steps have in common: the first line of JSON lines.
 std::string header_line(const SceneInput& input, const scene::Question& question, std::span<const Body> bodies,
-                        const io::JointTable& table, std::span<const AllowedPair> allowed) {
+                        const io::JointTable& table, std::span<const AllowedPair> allowed, const PlacementsCall& call) {
   Json json{{"verb", "scene"}, {"between", true}, {"joints", table.joints}, {"placements", table.rows()}};
   json["bodies"] = Json::array();
   for (const Body& body : bodies) {
@@ -122,6 +123,7 @@ std::string header_line(const SceneInput& input, const scene::Question& question
   for (const auto& [a, b] : question.allowed) json["allowed_pairs"].push_back({bodies[a].name, bodies[b].name});
   json["allowed_reasons"] = allowed_json(allowed);
   if (!input.left_out().empty()) json["left_out"] = to_json(input.left_out());
+  if (!call.meeting_certificate.empty()) json["not_proved"] = not_proved(call);
   return json.on_one_line() + "\n";
 }
 
@@ -173,7 +175,7 @@ class Between {
   int run() {
     open(call_.json_lines, json_);
     open(call_.csv, csv_);
-    if (json_) json_->write(header_line(input_, question_, bodies_, table_, allowed_));
+    if (json_) json_->write(header_line(input_, question_, bodies_, table_, allowed_, call_));
     if (csv_) csv_->write("step,answer,meeting,pairs\n");
     Progress progress("placements");
     const auto report = progress.reporter();
@@ -271,8 +273,11 @@ class Between {
       place(k + 1, next);
       return scene::SweptStep{last, next, stated->pairs};
     };
-    write_motion_certificate(bodies_, asked_, step, question_, {inputs_, left_out_texts(input_.left_out(), allowed_)},
-                             [&](std::string_view text) { certificate_->write(text); });
+    const scene::SaidOfScene said{input_.said(inputs_), reason_of_each(allowed_),
+                                  [&](std::size_t row) { return joint_values_note(table_, row, inputs_); }};
+    write_motion_certificate(bodies_, asked_, step, question_,
+                             origin_of(inputs_, left_out_texts(input_.left_out(), allowed_)),
+                             [&](std::string_view text) { certificate_->write(text); }, said);
   }
 
   std::string summary() const {
@@ -290,7 +295,8 @@ class Between {
             file_line("JSON lines", call_.json_lines) + file_line("table", call_.csv);
     if (call_.meeting_certificate.empty()) return text;
     if (!certificate_) return text + "  no proofs are written, as there is nothing to be stated\n";
-    return text + file_line(fmt::format("proofs of {}", count_of(totals_.stated, "pair")), call_.meeting_certificate);
+    return text + file_line(fmt::format("proofs of {}", count_of(totals_.stated, "pair")), call_.meeting_certificate) +
+           not_proved_line(not_proved(call_));
   }
 
   const PlacementsCall& call_;

@@ -1,3 +1,4 @@
+#include <sunder/ask/call_words.h>
 #include <sunder/ask/list_stream.h>
 #include <sunder/ask/progress.h>
 #include <sunder/ask/report.h>
@@ -210,7 +211,7 @@ class Lines {
 
 // What all placements have in common: the first line of JSON lines.
 std::string header_line(const SceneInput& input, const scene::Question& question, std::span<const scene::Body> bodies,
-                        const io::JointTable& table, std::span<const AllowedPair> allowed) {
+                        const io::JointTable& table, std::span<const AllowedPair> allowed, const PlacementsCall& call) {
   Json json{{"verb", "scene"}, {"joints", table.joints}, {"placements", table.rows()}};
   json["bodies"] = Json::array();
   for (const scene::Body& body : bodies) {
@@ -223,6 +224,7 @@ std::string header_line(const SceneInput& input, const scene::Question& question
   for (const auto& [a, b] : question.allowed) json["allowed_pairs"].push_back({bodies[a].name, bodies[b].name});
   json["allowed_reasons"] = allowed_json(allowed);
   if (!input.left_out().empty()) json["left_out"] = to_json(input.left_out());
+  if (!call.meeting_certificate.empty()) json["not_proved"] = not_proved(call);
   return json.on_one_line() + "\n";
 }
 
@@ -273,7 +275,7 @@ class Placements {
     open(call_.json_lines, json_);
     open(call_.csv, csv_);
     if (json_) {
-      std::string header = header_line(input_, question_, start_.bodies(), table_, allowed_);
+      std::string header = header_line(input_, question_, start_.bodies(), table_, allowed_, call_);
       near_lines_.add_json_header(header);
       json_->write(header);
     }
@@ -316,7 +318,8 @@ class Placements {
                                 near_.clearance ? ", or to be closer" : "");
     std::string of = call_.parted ? count_of(asked_, "placement") : count_of(meeting_, "pair");
     if (near_.clearance && !call_.parted) of += fmt::format(" that meet, and of {} closer", closer_);
-    return text + file_line(fmt::format("proofs of {}", of), call_.meeting_certificate);
+    return text + file_line(fmt::format("proofs of {}", of), call_.meeting_certificate) +
+           not_proved_line(not_proved(call_));
   }
 
   static void open(const std::string& name, std::optional<io::OutputFile>& file) {
@@ -408,6 +411,8 @@ class Placements {
       return scene::MeetingPlacement{std::to_string(row), bodies, met.pairs, met.closer};
     };
     const auto write = [&](std::string_view text) { certificate_->write(text); };
+    const auto joints_in = [&](std::size_t row) { return joint_values_note(table_, row, inputs_); };
+    scene::SaidOfScene said{input_.said(inputs_), reason_of_each(allowed_), joints_in};
     if (call_.parted) {
       const auto any = [&](std::size_t k) {
         const auto met =
@@ -415,13 +420,14 @@ class Placements {
         return placement_of(k, met != met_.end() && met->row == k ? *met : nothing);
       };
       scene::write_whole_certificate(start_.bodies(), asked_, any, question_,
-                                     {inputs_, left_out_texts(input_.left_out(), allowed_)}, write,
-                                     near_.clearance ? &*near_.clearance : nullptr);
+                                     origin_of(inputs_, left_out_texts(input_.left_out(), allowed_)), write,
+                                     near_.clearance ? &*near_.clearance : nullptr, said);
       return;
     }
     const auto placement = [&](std::size_t k) { return placement_of(met_[k].row, met_[k]); };
+    said.joints = [&](std::size_t k) { return joints_in(met_[k].row); };
     scene::write_meeting_certificate(start_.bodies(), met_.size(), placement, question_,
-                                     {inputs_, left_out_texts(input_.left_out(), allowed_)}, write);
+                                     origin_of(inputs_, left_out_texts(input_.left_out(), allowed_)), write, said);
   }
 
   bool end(Chain& chain, const std::function<void(double)>& report) {
@@ -461,6 +467,22 @@ class Placements {
 };
 
 }  // namespace
+
+SaidNote joint_values_note(const io::JointTable& table, std::size_t row, const InputFiles& inputs) {
+  const auto file = std::find_if(inputs.begin(), inputs.end(),
+                                 [&](const InputFile& input) { return io::one_line(input.name) == table.file; });
+  std::vector<std::pair<std::string, double>> values;
+  for (std::size_t c = 0; c < table.columns; ++c) values.emplace_back(table.joints[c], table.row(row)[c]);
+  return SaidNote::joint_values(values, row,
+                                file == inputs.end() ? std::nullopt
+                                                     : std::optional(static_cast<std::size_t>(file - inputs.begin())));
+}
+
+std::vector<std::string> not_proved(const PlacementsCall& call) {
+  std::vector<std::string> words{"the joint values"};
+  if (!call.parted) words.emplace_back("what is apart");
+  return words;
+}
 
 io::JointTable read_placements(const PlacementsCall& call, const SceneInput& input, InputFiles* inputs) {
   const io::Robot& robot = input.robot(option);

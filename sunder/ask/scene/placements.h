@@ -35,6 +35,12 @@ struct PlacementsAnswer {
   int code() const { return some + undecided + not_kept > 0 ? exit_code::yes : exit_code::no; }
 };
 
+// What the answer says and a proof of --meeting-certificate does not, in words.
+std::vector<std::string> not_proved(const PlacementsCall& call);
+
+// What a proof says of a placement: the values of its row. inputs: the files that were read.
+SaidNote joint_values_note(const io::JointTable& table, std::size_t row, const InputFiles& inputs);
+
 // The table with the names of its joints. Throws Error, also where they are not so many as there are columns.
 io::JointTable read_placements(const PlacementsCall& call, const SceneInput& input, InputFiles* inputs);
 

@@ -1,6 +1,7 @@
 #include <sunder/ask/scene/scene_input.h>
 
 #include <sunder/base/error.h>
+#include <sunder/io/file.h>
 #include <sunder/io/joint_values.h>
 #include <sunder/io/scene_file.h>
 #include <sunder/io/text.h>
@@ -28,6 +29,7 @@ namespace fs = std::filesystem;
 bool is_urdf(const std::string& file) { return fs::path(file).extension() == ".urdf" || file.ends_with(".URDF"); }
 
 bool is_there(const std::string& file) {
+  if (io::GivenFiles::now() != nullptr) return io::is_file(file);
   std::error_code problem;  // a name that is too long, and the like
   return file == "-" || fs::exists(file, problem);
 }
@@ -213,6 +215,21 @@ std::vector<const io::BodyPart*> SceneInput::parts() const {
   return all;
 }
 
+std::vector<std::vector<Said>> SceneInput::said(const InputFiles& inputs) const {
+  std::vector<std::vector<Said>> all;
+  for (const Body& body : bodies_) {
+    all.emplace_back();
+    for (const io::BodyPart& part : body.parts) {
+      const bool is_mesh = !part.round && !is_urdf(part.body.file) && !io::is_scene_file(part.body.file);
+      const std::string name = body.parts.size() == 1 ? body.name : body.name + "/" + part.name;
+      Said said = is_mesh ? said_of_mesh(part.body, inputs, left_out_)
+                          : said_of_file(Said::Source::shape, inputs, part.body.file, name);
+      all.back().push_back(said.empty() || part.unit.empty() ? said : said.unit(part.unit));
+    }
+  }
+  return all;
+}
+
 std::vector<const MeshBody*> SceneInput::meshes() const {
   std::vector<const MeshBody*> all;
   for (const io::BodyPart* part : parts()) {
@@ -239,7 +256,7 @@ std::vector<AllowedPair> SceneInput::adjacent() const {
   return pairs;
 }
 
-std::vector<AllowedPair> SceneInput::allowed(const std::string& text) const {
+std::vector<AllowedPair> SceneInput::allowed(const std::string& text, InputFiles* inputs) const {
   if (text == "adjacent") return adjacent();
   const std::size_t comma = text.find(',');
   if (comma != std::string::npos && !is_there(text)) {
@@ -254,7 +271,7 @@ std::vector<AllowedPair> SceneInput::allowed(const std::string& text) const {
   }
   std::vector<AllowedPair> pairs;
   std::vector<std::string> shapeless;
-  for (const auto& [place, names] : io::read_name_pairs(text)) {
+  for (const auto& [place, names] : io::read_name_pairs(text, inputs)) {
     bool both = true;
     for (const std::string& name : names) {
       if (named(name, bodies_) != bodies_.end() || !is_link(name)) continue;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <sunder/ask/objects.h>
+#include <sunder/ask/said_of.h>
 #include <sunder/ask/scene/allowed_pairs.h>
 
 #include <sunder/io/packages.h>
@@ -39,8 +40,8 @@ class SceneInput {
 
   // Pairs of bodies out of: "adjacent" (links joined by a joint, or by joints through links without shapes),
   // "NAME,NAME", or a file with two names a line. Lines that name a link without a shape are passed over, with a
-  // remark. Throws Error.
-  std::vector<AllowedPair> allowed(const std::string& text) const;
+  // remark. inputs: as of io::read_file. Throws Error.
+  std::vector<AllowedPair> allowed(const std::string& text, InputFiles* inputs) const;
 
   // The pairs that the file of --srdf disables, each once; those with links that have no shape, or that the robot does
   // not have, are passed over. Notes say how many, and why. Throws Error where there is no robot.
@@ -89,6 +90,8 @@ class SceneInput {
 
   bool is_hull(std::uint32_t body, std::uint32_t part) const;                        // does it stand for a mesh?
   std::vector<const io::BodyPart*> parts() const;                                    // of all bodies, in order
+  // Of each part of each body, what a proof says that it is made of.
+  std::vector<std::vector<Said>> said(const InputFiles& inputs) const;
   std::vector<const MeshBody*> meshes() const;                                       // of those that have no radius
   const LeftOutList& left_out() const { return left_out_; }                          // what is not read: must be shown
   const std::vector<std::filesystem::path>& meshes_read() const { return meshes_; }  // those that files name

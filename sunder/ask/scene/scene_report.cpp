@@ -375,6 +375,13 @@ std::string_view contact_name(const PartPair& pair) {
 
 bool has_unknown_contact(const PartPair& pair) { return pair.meet() && pair.contact == Contact::none; }
 
+std::vector<std::string> not_proved(const SceneReport& report) {
+  for (const Placed& placed : report.placements) {
+    if (!placed.joints.empty()) return {"the joint values"};
+  }
+  return {};
+}
+
 std::string scene_text(const SceneReport& report) {
   const std::vector<scene::Body>& bodies = report.placements.front().bodies;
   std::string text =
@@ -451,6 +458,7 @@ Json scene_json(const SceneReport& report) {
   json["count"] = meeting;
   json["totals"] = to_json(counts);
   add_nearness(report, json);
+  if (report.is_proved) json["not_proved"] = not_proved(report);
   return json;
 }
 

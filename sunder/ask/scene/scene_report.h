@@ -35,6 +35,7 @@ struct SceneReport {
   std::vector<AllowedPair> allowed{};          // those of the question, with their reasons
   bool checks_allowed = false;
   std::vector<Placed> placements{};            // at least one, all with the same bodies
+  bool is_proved = false;                      // a proof of all this is written
   bool colour = false;                         // mark what meets by terminal colours
 
   std::string_view verdict() const;  // "some", "none"; "undecided": none that is known
@@ -47,6 +48,9 @@ struct SceneReport {
 // "undecided" of a pair that is.
 std::string_view contact_name(const scene::PartPair& pair);
 bool has_unknown_contact(const scene::PartPair& pair);
+
+// What of all this a proof does not say, in words.
+std::vector<std::string> not_proved(const SceneReport& report);
 
 std::string scene_text(const SceneReport& report);
 

@@ -114,6 +114,12 @@ void require_drawable(const Call& call, const SceneInput& input, std::size_t pla
   }
 }
 
+// Where some are given.
+std::optional<SaidNote> joint_values_note(const std::map<std::string, double>& joints) {
+  if (joints.empty()) return std::nullopt;
+  return SaidNote::joint_values({joints.begin(), joints.end()});
+}
+
 // Of all pairs but the allowed and the undecided; returns how many. Throws Error bad_call where there is none: such a
 // file would state nothing.
 std::size_t write_certificate(const std::string& name, const SceneReport& report, const InputFiles& inputs) {
@@ -132,10 +138,13 @@ std::size_t write_certificate(const std::string& name, const SceneReport& report
                               : "no pair is asked about, so there is nothing to prove; leave it out, or allow less",
                 "--certificate");
   }
+  const scene::SaidOfScene said{report.input.said(inputs), reason_of_each(report.allowed), [&](std::size_t placement) {
+                                  return joint_values_note(report.placements[placement].joints);
+                                }};
   io::OutputFile file(name);
   scene::write_certificate(
-      placements, report.question, {inputs, left_out_texts(report.input.left_out(), report.allowed)},
-      [&](std::string_view text) { file.write(text); }, report.clearance.value_or(scene::ClearanceQuestion()));
+      placements, report.question, origin_of(inputs, left_out_texts(report.input.left_out(), report.allowed)),
+      [&](std::string_view text) { file.write(text); }, report.clearance.value_or(scene::ClearanceQuestion()), said);
   file.commit();
   return pairs;
 }
@@ -179,7 +188,7 @@ int run(const Call& call) {
     if (word == "touch") {
       question.touching_allowed = question.contacts = true;
     } else {
-      add_allowed(input.allowed(word), report.allowed);
+      add_allowed(input.allowed(word, inputs), report.allowed);
       report.allowed_because.push_back(word);
     }
   }
@@ -223,6 +232,7 @@ int run(const Call& call) {
     report.placements.push_back(ask(report, joints, number));
   }
 
+  report.is_proved = call.proves();
   const std::size_t proved = call.proves() ? write_certificate(call.certificate, report, files) : 0;
   draw(call, report);
   note_hulls(input.meshes());
@@ -233,6 +243,7 @@ int run(const Call& call) {
     if (call.proves()) {
       text += fmt::format("proofs of {}, all but the allowed{}: {}\n", count_of(proved, "pair"),
                           report.none_undecided() ? "" : " and the undecided", io::one_line(call.certificate));
+      for (const std::string& words : not_proved(report)) text += fmt::format("not proved: {}\n", words);
     }
     if (!call.svg.empty()) text += fmt::format("picture: {}\n", io::one_line(call.svg));
     if (!call.gltf.empty()) text += fmt::format("model: {}\n", io::one_line(call.gltf));

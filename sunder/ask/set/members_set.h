@@ -9,6 +9,7 @@
 #pragma once
 
 #include <sunder/ask/progress.h>
+#include <sunder/ask/said_of.h>
 #include <sunder/ask/set/set_verb.h>
 
 #include <sunder/base/error.h>
@@ -86,12 +87,16 @@ class MembersSet {
 
   std::vector<std::string> prove(const Result& result) const {
     if (call_.lists()) require_provable(result.pairs());
-    write_proof(call_.certificate, origin_, [&](ClaimsWriter& claims) { write_statements(claims, result); });
+    Origin origin = origin_;
+    const auto source = verb == "circles" ? Said::Source::circles : Said::Source::boxes;
+    origin.said = said_of_rows(verb.data(), members_.size(), said_of_file(source, origin.inputs, call_.files[0]));
+    write_proof(call_.certificate, origin, [&](ClaimsWriter& claims) { write_statements(claims, result); });
     return {call_.certificate};
   }
 
-  SetFacts facts(const Result&) const {
+  SetFacts facts(const Result& result) const {
     SetFacts facts;
+    if (result.some() && !call_.lists() && call_.count) facts.not_proved = {"how many of each kind"};
     facts.head = fmt::format("{}: {}", io::one_line(call_.files[0]), count_of(size(), noun));
     if (!file_.groups.empty()) {
       facts.head += ", " + count_of(file_.groups.size(), "group");

@@ -1,8 +1,10 @@
 #include <sunder/ask/progress.h>
+#include <sunder/ask/said_of.h>
 #include <sunder/ask/set/polygons_input.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace sunder::ask {
@@ -39,6 +41,30 @@ std::string text_of(const MendedRings& mended) {
         fmt::format("{}{} {} {}", text.empty() ? "" : ", ", count, count == 1 ? change.one : change.many, change.done);
   }
   return text;
+}
+
+Origin origin_of(const PolygonsInput& input, const char* table, bool drop_z, std::vector<std::uint64_t> entries) {
+  Origin origin = input.origin();
+  entries.resize(input.files.size());
+  for (const PolygonSource& source : input.source) ++entries[source.file];
+  SaidOfRows rows{table, {}};
+  for (std::uint32_t f = 0; f < input.files.size(); ++f) {
+    std::vector<std::string> without = input.left_out.texts_of(input.names[f]);
+    const auto of_file = [&](const auto& feature) { return feature.file == f; };
+    const auto skipped = std::count_if(input.skipped.begin(), input.skipped.end(), of_file);
+    if (skipped > 0) without.push_back(count_of(static_cast<std::uint64_t>(skipped), input.skipped_kind));
+    MendedRings changes;
+    for (const io::MendedFeature& feature : input.mended) {
+      if (feature.file == f) changes += feature.changes;
+    }
+    Said said = said_of_file(Said::Source::polygons, origin.inputs, input.names[f], "", without);
+    if (entries[f] == 0 || said.empty()) continue;
+    if (drop_z) said = said.dropped("z");
+    if (changes.all() > 0) said = said.mended({text_of(changes)});
+    rows.parts.emplace_back(entries[f], said);
+  }
+  if (!rows.parts.empty()) origin.said.push_back(std::move(rows));
+  return origin;
 }
 
 std::string tell(const PolygonsInput& input) {

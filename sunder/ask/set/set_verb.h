@@ -74,6 +74,7 @@ struct SetFacts {
   std::string head, tail;          // lines before the verdict, and after the contacts
   std::string said_of, clause;     // within the verdict: " of the centre lines"; what it is not about
   std::vector<std::string> rules;  // within the verdict: what may meet
+  std::vector<std::string> not_proved;  // of all that is told, where there is a proof
   Json first = Json::object(), last = Json::object();  // in a report, around what is allowed
 };
 
@@ -176,6 +177,7 @@ std::string human_text(const SetCall& call, const Set& set, const SetFacts& fact
   }
   text += facts.tail + systems_line(set.systems()) + titled("cost", count_of(result.cost.probes, "comparison"));
   for (const std::string& proof : result.proofs) text += file_line("proof", proof);
+  if (call.proves()) text += not_proved_line(facts.not_proved);
   return text + file_line("contacts", call.geojson) + file_line("table", call.csv) + file_line("picture", call.svg);
 }
 
@@ -189,6 +191,7 @@ Json report(const SetCall& call, const Set& set, const SetFacts& facts, const Se
   if (!call.group.empty()) json["group"] = call.group;
   json.update(facts.last);
   add_systems(set.systems(), json);
+  if (call.proves()) json["not_proved"] = facts.not_proved;
   if (!call.counts()) return json;
   json["count"] = result.pairs();
   for (std::size_t k = 0; k < result.count.size(); ++k) {

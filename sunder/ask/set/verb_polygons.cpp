@@ -154,7 +154,7 @@ class PolygonsSet {
     const planar::PolygonsAsked asked{input_.polygons, options_.allowed, options_.groups};
     const bool is_some = !call_.counts() && result.some();
     const planar::SweepEvents events = is_some ? planar::SweepEvents() : sweep_of(input_, result.pairs());
-    write_proof(call_.certificate, input_.origin(), [&](ClaimsWriter& claims) {
+    write_proof(call_.certificate, origin_of(input_, "polygons", call_.drop_z), [&](ClaimsWriter& claims) {
       if (is_some) {
         result.for_each([&](const PolygonsContact& c) { write_some(claims, asked, c); });
       } else if (call_.lists()) {
@@ -169,8 +169,12 @@ class PolygonsSet {
     return {call_.certificate};
   }
 
-  SetFacts facts(const Result&) const {
+  SetFacts facts(const Result& result) const {
     SetFacts facts;
+    if (result.some()) {
+      if (options_.allowed != Allowed::touch) facts.not_proved.emplace_back("touching told from overlapping");
+      if (call_.lists()) facts.not_proved.emplace_back("where they meet");
+    }
     for (std::uint32_t f = 0; f < input_.files.size(); ++f) {
       const std::string name = io::one_line(input_.names[f]);
       const io::LineFile& file = input_.files[f];

@@ -1,6 +1,7 @@
 // sunder segments FILE: do any two segments meet? Which? How many?
 #include <sunder/ask/outputs.h>
 #include <sunder/ask/progress.h>
+#include <sunder/ask/said_of.h>
 #include <sunder/ask/set/set_verb.h>
 
 #include <sunder/base/error.h>
@@ -277,15 +278,20 @@ class SegmentsSet {
 
   std::vector<std::string> prove(const Result&) const {
     std::vector<std::string> files;
-    for (const auto& [file, write] : proofs_) {
-      write_proof(file, origin_, write);
-      files.push_back(file);
+    for (const Proof& proof : proofs_) {
+      Origin origin = origin_;
+      const std::string layer = layer_of(proof.sheet);
+      if (!layer.empty() && file_.layers.size() > 1) origin.left_out.push_back("all layers but " + layer);
+      origin.said = said_of_rows("segments", proof.sheet.segments.size(), said_of_layer(layer));
+      write_proof(proof.file, origin, proof.write);
+      files.push_back(proof.file);
     }
     return files;
   }
 
   SetFacts facts(const Result& result) const {
     SetFacts facts;
+    if (result.some() && !call_.lists() && call_.count) facts.not_proved = {"how many of each kind"};
     facts.head = fmt::format("{}: {} of {}", io::one_line(call_.files[0]), count_of(file_.segments.size(), "segment"),
                              count_of(file_.features.size(), "feature"));
     if (is_board(file_)) facts.said_of = " of the tracks' centre lines";
@@ -373,6 +379,25 @@ class SegmentsSet {
     return ask(options);
   }
 
+  struct Proof {
+    std::string file;
+    const Sheet& sheet;
+    std::function<void(ClaimsWriter&)> write;
+  };
+
+  // Empty: the file has none, or the sheet is of all.
+  std::string layer_of(const Sheet& sheet) const {
+    if (file_.layers.empty() || call_.across_layers) return "";
+    return file_.layers[file_.layer[sheet.members[0]]];
+  }
+
+  Said said_of_layer(const std::string& layer) const {
+    const Said said =
+        said_of_file(is_board(file_) ? Said::Source::centre_lines : Said::Source::lines, origin_.inputs, call_.files[0],
+                     layer, is_board(file_) ? std::vector<std::string>() : left_out_of(file_).texts());
+    return call_.drop_z && !said.empty() ? said.dropped("z") : said;
+  }
+
   // Calls take for each contact whose i, in the file, the block holds.
   template <class Take>
   Cost visit(const Block& block, const Take& take) const {
@@ -393,7 +418,7 @@ class SegmentsSet {
   // Keeps the answer until it is written.
   template <class Answer>
   void hold_proof(const Sheet& sheet, Answer answer) {
-    proofs_.push_back({certificate_of(call_, sheet).string(),
+    proofs_.push_back({certificate_of(call_, sheet).string(), sheet,
                        [this, &sheet, kept = std::make_shared<const Answer>(std::move(answer))](ClaimsWriter& claims) {
                          planar::write_statement(claims, sheet.segments, options_.allowed, *kept, sheet.groups);
                        }});
@@ -456,7 +481,7 @@ class SegmentsSet {
   io::CoordinateSystems systems_;
   std::vector<Sheet> sheets_;
   SetOptions options_;
-  std::vector<std::pair<std::string, std::function<void(ClaimsWriter&)>>> proofs_;  // files, and what writes them
+  std::vector<Proof> proofs_;
 };
 
 }  // namespace

@@ -226,7 +226,9 @@ class ValidQuestion {
                               static_cast<double>(defects_) * 150 / 1e9),
                   "--certificate");
     }
-    write_proof(call_.certificate, input_.origin(), [this](ClaimsWriter& claims) {
+    std::uint64_t entries = 0;
+    for_each_feature([&](const Result&, const auto& parts, const VisitDefects&) { entries += parts.size(); });
+    write_proof(call_.certificate, origin_of(input_, "polygons", call_.drop_z, {entries}), [this](ClaimsWriter& claims) {
       claims.begin_table("polygons");
       for_each_feature([&](const Result&, const auto& parts, const VisitDefects&) {
         if (!parts.empty()) planar::write_parts(claims, parts);
@@ -311,7 +313,13 @@ class ValidQuestion {
     for (const std::string& remark : file().remarks) text += fmt::format("remark: {}\n", remark);
     if (!input_.systems.declared().empty()) text += fmt::format("crs: {}\n", input_.systems.text());
     if (call_.proves()) text += fmt::format("proof: {}\n", io::one_line(call_.certificate));
+    if (call_.proves() && !not_proved().empty()) text += fmt::format("not proved: {}\n", not_proved()[0]);
     return text;
+  }
+
+  std::vector<std::string> not_proved() const {
+    if (defects_ > 0 && call_.lists()) return {"that there are no other defects"};
+    return {};
   }
 
   // Prints the report, each feature and each defect as it comes.
@@ -321,6 +329,7 @@ class ValidQuestion {
     json["rule"] = call_.strict ? "simple" : call_.self_touch ? "self-touch" : "valid";
     tell(input_, json);
     add_systems(input_.systems, json);
+    if (call_.proves()) json["not_proved"] = not_proved();
     ListReport objects(json, "objects");
     for_each_feature([&](const Result& result, const auto&, const VisitDefects& visit) {
       const auto& rings = result.rings_of_part;
