@@ -21,8 +21,8 @@ using Words = std::vector<std::string>;
 constexpr std::array<std::string_view, 2> proof_options{"--certificate", "--meeting-certificate"};
 
 // What changes no proof.
-constexpr std::array<std::string_view, 10> other_options{"--csv",        "--geojson", "--svg",   "--svg-limit", "--gltf",
-                                                         "--json-lines", "--json",    "--title", "--threads",   "--out"};
+constexpr std::array<std::string_view, 10> other_options{
+    "--csv", "--geojson", "--svg", "--svg-limit", "--gltf", "--json-lines", "--json", "--title", "--threads", "--out"};
 
 // The name of a proof that is made again, and not written: no input is called so.
 constexpr const char* no_file = "(the proof)";
@@ -211,8 +211,7 @@ void run_again(std::span<const std::string> words, std::vector<io::GivenFiles::F
 }
 
 std::string call_text(std::span<const std::string> words) {
-  constexpr std::string_view plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:;/@%#";
+  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:;/@%#";
   std::string text = "sunder";
   for (const std::string& word : words) {
     const bool is_plain = !word.empty() && word.find_first_not_of(plain) == std::string::npos;

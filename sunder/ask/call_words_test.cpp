@@ -22,8 +22,9 @@ Verb verb_of(std::string_view name) {
 
 template <class Value>
 void set(const Verb& verb, std::string_view option, Value value) {
-  const auto found = std::find_if(verb.options.begin(), verb.options.end(),
-                                  [&](const Option& o) { return o.name == option || o.name.ends_with("," + std::string(option)); });
+  const auto found = std::find_if(verb.options.begin(), verb.options.end(), [&](const Option& o) {
+    return o.name == option || o.name.ends_with("," + std::string(option));
+  });
   *std::get<Value*>(found->value) = std::move(value);
 }
 

@@ -1,5 +1,5 @@
-#include <sunder/ask/made_again.h>
 #include <sunder/ask/call_words.h>
+#include <sunder/ask/made_again.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
@@ -91,8 +91,8 @@ class Comparison {
 // Are these the inputs, in their order?
 std::string other_files(const InputFiles& inputs, std::span<const GivenInput> given) {
   if (inputs.size() != given.size()) {
-    return fmt::format("it names {}, and {} given; give all, in their order",
-                       io::count_of(inputs.size(), "input"), given.size() == 1 ? "1 is" : fmt::format("{} are", given.size()));
+    return fmt::format("it names {}, and {} given; give all, in their order", io::count_of(inputs.size(), "input"),
+                       given.size() == 1 ? "1 is" : fmt::format("{} are", given.size()));
   }
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     if (inputs[k].sha256 == given[k].sha256) continue;
@@ -110,8 +110,8 @@ GivenInput read_given(const std::string& name) {
   return {io::one_line(name), std::move(bytes), read[0].sha256};
 }
 
-std::string difference_made_again(std::string_view text, const InputFiles& inputs,
-                                  std::span<const std::string> call, std::span<const GivenInput> given) {
+std::string difference_made_again(std::string_view text, const InputFiles& inputs, std::span<const std::string> call,
+                                  std::span<const GivenInput> given) {
   if (std::string other = other_files(inputs, given); !other.empty()) return other;
   if (call.empty()) return "it does not say by which call, so they cannot be read again";
   const std::string_view head = head_of(text);
@@ -127,8 +127,8 @@ std::string difference_made_again(std::string_view text, const InputFiles& input
     return fmt::format("its call does not read them: {}", error.what());
   }
   if (made.empty()) return "its call makes no proof of them";
-  const auto nearest =
-      std::max_element(made.begin(), made.end(), [](const auto& a, const auto& b) { return a.second.at() < b.second.at(); });
+  const auto nearest = std::max_element(made.begin(), made.end(),
+                                        [](const auto& a, const auto& b) { return a.second.at() < b.second.at(); });
   return nearest->second.is_same() ? "" : nearest->second.difference();
 }
 

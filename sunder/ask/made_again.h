@@ -24,7 +24,7 @@ GivenInput read_given(const std::string& name);
 // text: a certificate file that is right in form; inputs and call: what it says of itself. The call reads nothing but
 // these files, and writes none.
 // Cost: that of the call.
-std::string difference_made_again(std::string_view text, const InputFiles& inputs,
-                                  std::span<const std::string> call, std::span<const GivenInput> given);
+std::string difference_made_again(std::string_view text, const InputFiles& inputs, std::span<const std::string> call,
+                                  std::span<const GivenInput> given);
 
 }  // namespace sunder::ask

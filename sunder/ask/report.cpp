@@ -63,9 +63,7 @@ void append(const Json& json, std::size_t indent, std::string& text) {
 
 }  // namespace
 
-Silence::Silence() : before_(std::make_unique<Spoken>(said)) {
-  said.is_quiet = said.is_silent = true;
-}
+Silence::Silence() : before_(std::make_unique<Spoken>(said)) { said.is_quiet = said.is_silent = true; }
 
 Silence::~Silence() { said = std::move(*before_); }
 

@@ -121,7 +121,7 @@ Json error_report(const Json& verb, std::string_view kind, std::string_view plac
 Json to_json(const Cost& cost);
 Json to_json(const Point3& point);
 Json to_json(const io::CoordinateSystems& systems);  // [{"name", "assumed", "files": [...]}]
-Json to_json(const LeftOutList& list);  // [{"kind", "count", "of": [...]}], with all owners
+Json to_json(const LeftOutList& list);               // [{"kind", "count", "of": [...]}], with all owners
 
 // The text of a report: indented, with short lists and objects on one line; ends with a line feed.
 std::string to_text(const Json& json);

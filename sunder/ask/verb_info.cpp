@@ -98,9 +98,9 @@ bool is_robot(const std::string& file, std::string_view bytes) {
 // Has the file an ending of a format of the plane, read or not? Of standard input, by the content.
 bool is_planar(const std::string& file, std::string_view bytes) {
   if (file == "-") return !io::mesh_format_of_content(bytes);
-  constexpr std::array<std::string_view, 22> foreign{".kicad_pcb", ".shp", ".dbf", ".kml", ".kmz",  ".gml", ".gpx", ".gz",
-                                                     ".dxf",       ".dwg", ".gds", ".oas", ".gpkg", ".fgb", ".gbr", ".gtl",
-                                                     ".gbl",       ".gko", ".drl", ".def", ".lef",  ".brd"};
+  constexpr std::array<std::string_view, 22> foreign{
+      ".kicad_pcb", ".shp",  ".dbf", ".kml", ".kmz", ".gml", ".gpx", ".gz",  ".dxf", ".dwg", ".gds",
+      ".oas",       ".gpkg", ".fgb", ".gbr", ".gtl", ".gbl", ".gko", ".drl", ".def", ".lef", ".brd"};
   return io::is_planar(file) || std::find(foreign.begin(), foreign.end(), io::ending_of(file)) != foreign.end();
 }
 

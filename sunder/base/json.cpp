@@ -155,7 +155,8 @@ std::string json_string(std::string_view text) {
 std::string json_number(double value) {
   // Digits and exponent of the shortest: d.ddde+XX.
   std::array<char, 32> room;
-  const auto end = std::to_chars(room.data(), room.data() + room.size(), std::fabs(value), std::chars_format::scientific).ptr;
+  const auto end =
+      std::to_chars(room.data(), room.data() + room.size(), std::fabs(value), std::chars_format::scientific).ptr;
   const std::string_view text(room.data(), static_cast<std::size_t>(end - room.data()));
   const std::size_t e = text.find('e');
   std::string digits(1, text[0]);
@@ -165,7 +166,8 @@ std::string json_number(double value) {
   const int point = exponent + 1, count = static_cast<int>(digits.size());  // the point stands behind so many digits
   const std::string sign = std::signbit(value) ? "-" : "";
   constexpr int most = 15, least = -4;
-  if (count <= point && point <= most) return sign + digits + std::string(static_cast<std::size_t>(point - count), '0') + ".0";
+  if (count <= point && point <= most)
+    return sign + digits + std::string(static_cast<std::size_t>(point - count), '0') + ".0";
   if (0 < point && point <= most) return sign + digits.insert(static_cast<std::size_t>(point), 1, '.');
   if (least < point && point <= 0) return sign + "0." + std::string(static_cast<std::size_t>(-point), '0') + digits;
   if (count > 1) digits.insert(1, 1, '.');

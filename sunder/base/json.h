@@ -23,7 +23,8 @@ class Json {
   Json() = default;  // null
   Json(std::nullptr_t) {}
   Json(std::same_as<bool> auto value) : kind_(Kind::boolean), whole_(value ? 1 : 0) {}
-  Json(std::signed_integral auto value) : kind_(Kind::integer), whole_(static_cast<std::uint64_t>(std::int64_t{value})) {}
+  Json(std::signed_integral auto value)
+      : kind_(Kind::integer), whole_(static_cast<std::uint64_t>(std::int64_t{value})) {}
   template <std::unsigned_integral T>
     requires(!std::same_as<T, bool>)
   Json(T value) : kind_(Kind::natural), whole_(value) {}
@@ -69,7 +70,7 @@ class Json {
   const Json& operator[](std::string_view key) const;  // requires that there is one
   bool contains(std::string_view key) const;
   void erase(std::string_view key);
-  void erase(std::size_t k);  // of an array
+  void erase(std::size_t k);        // of an array
   void update(const Json& object);  // sets its members here
 
   // Requires an array, or null, which becomes one.

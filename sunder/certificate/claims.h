@@ -104,8 +104,8 @@ class ClaimsWriter {
 
   TextSink sink_;
   std::string text_;
-  bool is_first_ = true;  // of the object or list that is open
-  int part_ = 0;          // of the file; 0: nothing yet
+  bool is_first_ = true;      // of the object or list that is open
+  int part_ = 0;              // of the file; 0: nothing yet
   std::string said_, notes_;  // of what comes next
 };
 

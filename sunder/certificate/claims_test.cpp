@@ -79,16 +79,17 @@ TEST(ClaimsWriter, WritesWhatIsSaid) {
           file.end_statement();
         }
       });
-  EXPECT_EQ(text,
-            "{\"sunder_certificate\": 3,\n \"inputs\": [\n  {\"name\": \"a.csv\", \"sha256\": \"00ff\"}],\n"
-            " \"call\": [\"segments\", \"a.csv\"],\n \"left_out\": [],\n \"said\": {\n  \"segments\": [[1, {\"is\": "
-            "\"dropped\", \"axis\": \"z\", \"of\": {\"is\": \"lines\", \"input\": 0, \"part\": \"layer 1\", \"without\": "
-            "[\"1 point\"]}}],[2, {\"is\": \"given\", \"text\": \"0,0,1,1\"}]]},\n \"tables\": {\n  \"bodies\": [\n  "
-            "{\"said\": {\"is\": \"hull\", \"of\": {\"is\": \"scaled\", \"by\": [\"0x1p-1\", \"0x1p+1\"], \"of\": {\"is\": "
-            "\"vertices\", \"input\": 0, \"part\": null, \"without\": []}}}, \"name\": \"said\"},\n  {\"name\": \"not "
-            "said\"}]},\n \"statements\": [\n  {\"question\": \"bodies\", \"said\": [{\"is\": \"joint_values\", \"values\": "
-            "[[\"j\", \"0x1p-1\"]], \"row\": 7, \"from\": 0}, {\"is\": \"allowed\", \"pairs\": [[\"Never\", 2], "
-            "[\"Adjacent\", 1]]}], \"claims\": []},\n  {\"question\": \"bodies\", \"claims\": []}]}\n");
+  EXPECT_EQ(
+      text,
+      "{\"sunder_certificate\": 3,\n \"inputs\": [\n  {\"name\": \"a.csv\", \"sha256\": \"00ff\"}],\n"
+      " \"call\": [\"segments\", \"a.csv\"],\n \"left_out\": [],\n \"said\": {\n  \"segments\": [[1, {\"is\": "
+      "\"dropped\", \"axis\": \"z\", \"of\": {\"is\": \"lines\", \"input\": 0, \"part\": \"layer 1\", \"without\": "
+      "[\"1 point\"]}}],[2, {\"is\": \"given\", \"text\": \"0,0,1,1\"}]]},\n \"tables\": {\n  \"bodies\": [\n  "
+      "{\"said\": {\"is\": \"hull\", \"of\": {\"is\": \"scaled\", \"by\": [\"0x1p-1\", \"0x1p+1\"], \"of\": {\"is\": "
+      "\"vertices\", \"input\": 0, \"part\": null, \"without\": []}}}, \"name\": \"said\"},\n  {\"name\": \"not "
+      "said\"}]},\n \"statements\": [\n  {\"question\": \"bodies\", \"said\": [{\"is\": \"joint_values\", \"values\": "
+      "[[\"j\", \"0x1p-1\"]], \"row\": 7, \"from\": 0}, {\"is\": \"allowed\", \"pairs\": [[\"Never\", 2], "
+      "[\"Adjacent\", 1]]}], \"claims\": []},\n  {\"question\": \"bodies\", \"claims\": []}]}\n");
 }
 
 // Long files are given away piece by piece, and none of them is lost.

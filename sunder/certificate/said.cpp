@@ -70,8 +70,7 @@ SaidNote SaidNote::joint_values(const std::vector<std::pair<std::string, double>
   SUNDER_REQUIRE(!values.empty());
   const auto of_joint = [](const auto& value) { return row_of(value.first, json_double(value.second)); };
   return SaidNote(object("joint_values", member("values", list_of(values, of_joint)) +
-                                             member("row", index_or_null(row)) +
-                                             member("from", index_or_null(input))));
+                                             member("row", index_or_null(row)) + member("from", index_or_null(input))));
 }
 
 SaidNote SaidNote::allowed(const std::vector<std::pair<std::string, std::uint64_t>>& reasons) {

@@ -42,12 +42,12 @@ class Said {
 
   Said hull() const;  // replaced by its convex hull
   Said scaled(std::span<const double> by) const;
-  Said unit(std::string_view name) const;                           // its numbers are in this unit
-  Said projected(const std::array<double, 9>& origin_u_v) const;    // onto a frame
-  Said dropped(std::string_view axis) const;                        // without this coordinate
-  Said with_radius() const;                                         // which is given beside it
-  Said mended(const std::vector<std::string>& changes) const;       // such as "2 rings closed"
-  Said in_system(std::string_view system) const;                    // of coordinates
+  Said unit(std::string_view name) const;                         // its numbers are in this unit
+  Said projected(const std::array<double, 9>& origin_u_v) const;  // onto a frame
+  Said dropped(std::string_view axis) const;                      // without this coordinate
+  Said with_radius() const;                                       // which is given beside it
+  Said mended(const std::vector<std::string>& changes) const;     // such as "2 rings closed"
+  Said in_system(std::string_view system) const;                  // of coordinates
 
   bool empty() const { return json_.empty(); }
   const std::string& json() const { return json_; }

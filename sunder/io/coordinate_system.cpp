@@ -42,7 +42,8 @@ CoordinateSystem by_code(std::string_view authority, std::string_view code) {
 // "EPSG", "28992" out of the many ways to write them.
 std::optional<std::pair<std::string_view, std::string_view>> code_of(std::string_view text) {
   const std::string small = in_small_letters(text);
-  const auto between = [&](std::string_view before, char gap) -> std::optional<std::pair<std::string_view, std::string_view>> {
+  const auto between = [&](std::string_view before,
+                           char gap) -> std::optional<std::pair<std::string_view, std::string_view>> {
     if (!small.starts_with(before)) return std::nullopt;
     const std::string_view rest = text.substr(before.size());
     const std::size_t first = rest.find(gap), last = rest.rfind(gap);
@@ -141,9 +142,7 @@ CoordinateSystem system_beside(const std::filesystem::path& file) {
   return system_by_prj(read_file(beside));
 }
 
-CoordinateSystem assumed_crs84() {
-  return {std::string(wgs84), "CRS84, as GeoJSON that names no other", {}, true};
-}
+CoordinateSystem assumed_crs84() { return {std::string(wgs84), "CRS84, as GeoJSON that names no other", {}, true}; }
 
 void CoordinateSystems::add(const std::string& file, std::span<const SystemOfFile> systems) {
   const bool is_mixed = systems.size() > 1;
@@ -153,8 +152,8 @@ void CoordinateSystems::add(const std::string& file, std::span<const SystemOfFil
       undeclared_.push_back(is_mixed ? fmt::format("{} of {}", first, shown) : shown);
       continue;
     }
-    const auto found = std::find_if(declared_.begin(), declared_.end(),
-                                    [&](const Declared& d) { return d.system.id == system.id; });
+    const auto found =
+        std::find_if(declared_.begin(), declared_.end(), [&](const Declared& d) { return d.system.id == system.id; });
     if (found != declared_.end()) {
       if (found->files.back() != shown) found->files.push_back(shown);
       if (found->system.is_assumed) found->system = system;
@@ -163,10 +162,11 @@ void CoordinateSystems::add(const std::string& file, std::span<const SystemOfFil
     if (!declared_.empty() && !may_differ_) {
       const Declared& other = declared_.front();
       const bool is_same = other.files.front() == shown;
-      fail_file(file, fmt::format("{}the coordinate system is {}, and that of {} is {}; transform one (ogr2ogr -t_srs), "
-                                  "or compare the numbers as they are: --mixed-crs",
-                                  is_same ? first + ": " : "", system.name, is_same ? other.first : other.files.front(),
-                                  other.system.name));
+      fail_file(file,
+                fmt::format("{}the coordinate system is {}, and that of {} is {}; transform one (ogr2ogr -t_srs), "
+                            "or compare the numbers as they are: --mixed-crs",
+                            is_same ? first + ": " : "", system.name, is_same ? other.first : other.files.front(),
+                            other.system.name));
     }
     declared_.push_back({system, {shown}, first});
   }

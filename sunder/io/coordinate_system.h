@@ -15,9 +15,9 @@ namespace sunder::io {
 // A coordinate system as a file declares it. In all files read here x is the longitude, or the easting: so EPSG:4326
 // and CRS84 are one system, and axes are never swapped.
 struct CoordinateSystem {
-  std::string id;          // what is compared: "EPSG:28992"; without authority and code the text; empty: none declared
-  std::string name;        // for people, on one line: "EPSG:28992", "CRS84"
-  std::string urn;         // what GeoJSON calls it; empty where it has no code
+  std::string id;           // what is compared: "EPSG:28992"; without authority and code the text; empty: none declared
+  std::string name;         // for people, on one line: "EPSG:28992", "CRS84"
+  std::string urn;          // what GeoJSON calls it; empty where it has no code
   bool is_assumed = false;  // nothing declares it: CRS84 is GeoJSON's own rule
 
   bool declared() const { return !id.empty(); }

@@ -102,7 +102,7 @@ class CsvTable {
 
   double number(const CsvReader& reader, std::size_t needed) const;  // needed: which of the columns
   std::string_view field(const CsvReader& reader, std::size_t needed) const { return reader.fields()[at_[needed]]; }
-  std::string name(const CsvReader& reader) const;                   // empty where there is none
+  std::string name(const CsvReader& reader) const;  // empty where there is none
   bool groups() const { return group_column_ != none; }
   std::string_view group(const CsvReader& reader) const;  // requires groups(); throws Error bad_file where it is empty
   PropertyValues properties(const CsvReader& reader) const;  // all as text

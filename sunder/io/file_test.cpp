@@ -187,7 +187,7 @@ TEST_F(File, GivenFilesHaveTheirNamesAndNoOthers) {
     expect_error([&] { read_file(folder_ / "there"); }, (folder_ / "there").string(), "none of the files");
     EXPECT_EQ(GivenFiles::now(), &given);
     EXPECT_EQ(given.name_with_end("b/link.stl"), "a/b/link.stl");
-    EXPECT_EQ(given.name_with_end("link.stl"), "");   // of two
+    EXPECT_EQ(given.name_with_end("link.stl"), "");    // of two
     EXPECT_EQ(given.name_with_end("x/link.stl"), "");  // of none
     OutputFile out(folder_ / "out");
     out.write("a ");

@@ -82,7 +82,8 @@ Foreign text_format(std::string_view text) {
   const auto begins = [&](auto... words) { return (text.starts_with(words) || ...); };
   const auto has = [&](std::string_view words) { return text.find(words) != std::string_view::npos; };
   if (begins("%FS", "%MO", "%TF", "%TA", "%AM", "%AD", "G04 ") && has("*")) {
-    return {"", "a Gerber file", "ask about the board that it was made of (KiCad: .kicad_pcb), or write WKT or GeoJSON"};
+    return {"", "a Gerber file",
+            "ask about the board that it was made of (KiCad: .kicad_pcb), or write WKT or GeoJSON"};
   }
   if (begins("M48") && trimmed(text.substr(0, text.find_first_of("\r\n"))) == "M48") {
     return {"", "an Excellon drill file", "ask about the board that it was made of (KiCad: .kicad_pcb)"};

@@ -294,7 +294,8 @@ void parse_csv(std::string_view text, LineBuilder& builder) {
       const std::string geometry = geometry_column(reader.fields());
       if (!geometry.empty()) return parse_geometries(reader, geometry, builder);
       if (!options.lines) {
-        reader.fail("CSV has polygons in a column of WKT, named wkt, geometry or geom; for segments, ask sunder segments");
+        reader.fail(
+            "CSV has polygons in a column of WKT, named wkt, geometry or geom; for segments, ask sunder segments");
       }
       are_intervals = name_intervals(reader.fields());
       table.emplace(are_intervals ? of_intervals : of_segments, options.name, options.group, options.properties);
@@ -383,7 +384,8 @@ void LineFile::declare(const CoordinateSystem& known) {
   none->system = known;
   if (same == systems.end()) return;
   // Each stands there once: what was not declared goes to the other one.
-  const auto from = static_cast<std::uint32_t>(none - systems.begin()), to = static_cast<std::uint32_t>(same - systems.begin());
+  const auto from = static_cast<std::uint32_t>(none - systems.begin()),
+             to = static_cast<std::uint32_t>(same - systems.begin());
   for (std::uint32_t& s : system) {
     if (s == from) s = to;
     if (s > from) --s;

@@ -230,8 +230,8 @@ class LineBuilder {
   bool several_ = false, in_ring_ = false, is_hollow_ = false;
   std::uint64_t empty_ = 0, empty_rings_ = 0;
   std::string first_empty_, first_empty_ring_;
-  std::optional<std::string> next_group_;                  // of what comes now, until its first segment
-  bool value_groups_ = false;                              // is it a value, which may have come before?
+  std::optional<std::string> next_group_;                            // of what comes now, until its first segment
+  bool value_groups_ = false;                                        // is it a value, which may have come before?
   std::unordered_map<std::string, std::uint32_t> groups_, systems_;  // by value; by id
 };
 

@@ -32,8 +32,8 @@ TEST(LinesFormatsTest, GeoJsonOfLines) {
     return R"({"type": "Feature", "geometry": {"type": "LineString", "coordinates": [[0, 0], )" + end + "]}}";
   };
   const std::string first = line("[1, 1]"), second = line("[2, 2]");
-  for (const std::string& text : {first + "\n" + second, first + "\r\n\r\n" + second + "\r\n",
-                                  "\x1e" + first + "\n\x1e" + second + "\n"}) {
+  for (const std::string& text :
+       {first + "\n" + second, first + "\r\n\r\n" + second + "\r\n", "\x1e" + first + "\n\x1e" + second + "\n"}) {
     const LineFile file = parse_lines(text, "-");
     ASSERT_EQ(file.segments.size(), 2u);
     EXPECT_EQ(file.segments[1].b.x, 2);
@@ -45,7 +45,8 @@ TEST(LinesFormatsTest, GeoJsonOfLines) {
   EXPECT_EQ(parse_lines(spread, "a.geojsons").source[1].line, 4u);
   EXPECT_EQ(parse_lines("{\n\"type\": \"LineString\", \"coordinates\": [[0, 0], [3, 3]]\n}", "-").segments.size(), 1u);
   EXPECT_NE(error(first + "\n{\"type\":", "a.json").find("a.json:2: is not JSON"), std::string::npos);
-  EXPECT_NE(error(first + "\n{\"type\":\"Feature\"}", "a.json").find("a.json:2: has no \"geometry\""), std::string::npos);
+  EXPECT_NE(error(first + "\n{\"type\":\"Feature\"}", "a.json").find("a.json:2: has no \"geometry\""),
+            std::string::npos);
 }
 
 TEST(LinesFormatsTest, CsvWithWkt) {
@@ -63,16 +64,19 @@ TEST(LinesFormatsTest, CsvWithWkt) {
   EXPECT_EQ(parse_lines(text, "a.csv", {.group = "ring"}).groups, (Names{"a, line 0", "b, ring 0"}));
   EXPECT_EQ(parse_lines(text, "a.csv", {.group = "feature"}).groups, (Names{"a", "b"}));
   EXPECT_EQ(parse_lines("x1,y1,x2,y2,geom\n0,0,1,1,?\n", "a.csv").format, "CSV");
-  EXPECT_NE(error("wkt\n\"LINESTRING (0 0,\n1)\"\n", "a.csv").find("a.csv:3: a point has two numbers"), std::string::npos);
+  EXPECT_NE(error("wkt\n\"LINESTRING (0 0,\n1)\"\n", "a.csv").find("a.csv:3: a point has two numbers"),
+            std::string::npos);
 }
 
 TEST(LinesFormatsTest, EmptyRings) {
-  const LineFile file = parse_lines("POLYGON ((0 0, 4 0, 0 4, 0 0), EMPTY, (1 1, 2 1, 1 2, 1 1))\nPOLYGON (EMPTY)\n", "a.wkt");
+  const LineFile file =
+      parse_lines("POLYGON ((0 0, 4 0, 0 4, 0 0), EMPTY, (1 1, 2 1, 1 2, 1 1))\nPOLYGON (EMPTY)\n", "a.wkt");
   EXPECT_EQ(file.rings.size(), 2u);
   EXPECT_EQ(file.remarks, (Names{"holes that are empty: 1, the first of line 1; they hold nothing",
                                  "geometries that are null or empty: 1, the first of line 2; they hold nothing"}));
-  EXPECT_EQ(parse_lines(R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0, 1], [0, 0]], []]})", "a.json").remarks,
-            Names{"holes that are empty: 1, the first of '1'; they hold nothing"});
+  EXPECT_EQ(
+      parse_lines(R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0, 1], [0, 0]], []]})", "a.json").remarks,
+      Names{"holes that are empty: 1, the first of '1'; they hold nothing"});
   EXPECT_NE(error("POLYGON (EMPTY, (0 0, 4 0, 0 4, 0 0))", "a.wkt").find("a.wkt:1: the outer ring is empty"),
             std::string::npos);
 }

@@ -135,7 +135,8 @@ class GeoJson {
       }
     }
     builder_.fail(
-        "\"crs\" names no coordinate system; write {\"type\":\"name\",\"properties\":{\"name\":\"EPSG:...\"}}, or leave it "
+        "\"crs\" names no coordinate system; write {\"type\":\"name\",\"properties\":{\"name\":\"EPSG:...\"}}, or "
+        "leave it "
         "out");
   }
 
@@ -323,9 +324,9 @@ class GeoJson {
 
   // What JSON-FG has more: solids and curves.
   static bool of_json_fg(const std::string& type) {
-    constexpr std::array<std::string_view, 9> types{"Polyhedron",     "MultiPolyhedron", "Prism",
-                                                    "MultiPrism",     "CircularString",  "CompoundCurve",
-                                                    "CurvePolygon",   "MultiCurve",      "MultiSurface"};
+    constexpr std::array<std::string_view, 9> types{"Polyhedron",   "MultiPolyhedron", "Prism",
+                                                    "MultiPrism",   "CircularString",  "CompoundCurve",
+                                                    "CurvePolygon", "MultiCurve",      "MultiSurface"};
     return std::find(types.begin(), types.end(), type) != types.end();
   }
 

@@ -145,7 +145,8 @@ Packages parse_packages(std::span<const std::string> named, const std::string& s
     if (equals == std::string::npos || equals == 0) fail(quote(word) + " is not of the form NAME=FOLDER");
     const std::string name = word.substr(0, equals);
     const fs::path folder = word.substr(equals + 1);
-    if (GivenFiles::now() == nullptr && !is_folder(folder)) fail(quote(folder.string()) + " is no folder; name the one of package " + quote(name));
+    if (GivenFiles::now() == nullptr && !is_folder(folder))
+      fail(quote(folder.string()) + " is no folder; name the one of package " + quote(name));
     for (const auto& [known, ignored] : packages.named) {
       if (known == name) fail("the package " + quote(name) + " comes twice; name one folder");
     }

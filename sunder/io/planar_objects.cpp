@@ -237,7 +237,8 @@ void parse_bounded(std::string_view text, std::string_view place, bool drop_z, P
 
 // Is there an object at all?
 PlanarFile checked(PlanarFile file, std::string_view place) {
-  if (std::none_of(file.objects.begin(), file.objects.end(), [](const auto& object) { return object.problem.empty(); })) {
+  if (std::none_of(file.objects.begin(), file.objects.end(),
+                   [](const auto& object) { return object.problem.empty(); })) {
     require_object(file.objects.front(), place);
   }
   return file;
@@ -251,7 +252,7 @@ std::string_view name_of(PlanarObject::Kind kind) {
 
 bool is_planar(const std::filesystem::path& path) {
   const std::string ending = ending_of(path.string());
-  constexpr std::array<std::string_view, 8> endings{".wkt",      ".csv",     ".geojson", ".json",
+  constexpr std::array<std::string_view, 8> endings{".wkt",      ".csv",      ".geojson", ".json",
                                                     ".geojsonl", ".geojsons", ".ndjson",  ".jsonl"};
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }

@@ -28,10 +28,9 @@ bool PolygonPartsReader::next(PolygonParts& parts) {
       const BrokenRing& ring = file_.broken[broken_++];
       if (parts.broken.empty()) parts.broken = ring.what;
       if (ring.is_open) {
-        parts.open.push_back({static_cast<std::uint32_t>(parts.rings.size() - 1),
-                              static_cast<std::uint32_t>(parts.rings.back().size()),
-                              static_cast<std::uint32_t>(ring.points.size() - 1), ring.points.back(),
-                              ring.points.front()});
+        parts.open.push_back(
+            {static_cast<std::uint32_t>(parts.rings.size() - 1), static_cast<std::uint32_t>(parts.rings.back().size()),
+             static_cast<std::uint32_t>(ring.points.size() - 1), ring.points.back(), ring.points.front()});
       }
       if (parts.line == 0) parts.line = ring.line;
       parts.rings.back().push_back(ring.points);

@@ -69,7 +69,8 @@ class Reader {
     if (mesh == nullptr) return;
     const bool is_scaled = shape.scale != std::array<double, 3>{1, 1, 1};
     for (const MeshBody& object : *mesh) {
-      body.parts.push_back({mesh->size() == 1 ? name : name + "." + object.name, object, pose, {}, is_scaled ? "" : "m"});
+      body.parts.push_back(
+          {mesh->size() == 1 ? name : name + "." + object.name, object, pose, {}, is_scaled ? "" : "m"});
     }
   }
 

@@ -293,8 +293,8 @@ std::vector<std::vector<BodyPart>> read_scene_parts(const SceneFile& scene, cons
           found = known.emplace(path, read_bodies(path, require_convex, left_out, inputs, parts)).first;
         }
         for (const MeshBody& object : found->second) {
-          out.push_back({found->second.size() == 1 ? name : name + "." + object.name, object, part.pose, {},
-                         part.mesh->unit});
+          out.push_back(
+              {found->second.size() == 1 ? name : name + "." + object.name, object, part.pose, {}, part.mesh->unit});
         }
         continue;
       }

@@ -128,8 +128,10 @@ TEST(UrdfKinematics, RefusesWrongValues) {
   const auto error = [&](const std::string& name, double value) {
     return error_of([&] { link_poses(robot, {{name, value}}); });
   };
-  EXPECT_TRUE(error("elbow", 0).starts_with(
-      "joint 'elbow': the robot has no joint of this name; those that can be given a value are panda_joint1, "))
+  EXPECT_TRUE(
+      error("elbow", 0)
+          .starts_with(
+              "joint 'elbow': the robot has no joint of this name; those that can be given a value are panda_joint1, "))
       << error("elbow", 0);
   EXPECT_NE(error("time", 0).find("times are not read; leave out this column"), std::string::npos);
   EXPECT_TRUE(error("panda_joint2_deg", 0)

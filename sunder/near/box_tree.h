@@ -55,11 +55,11 @@ class BoxTree {
     return group != no_group && !node_groups_.empty() && node_groups_[node] == group;
   }
 
-  std::vector<std::uint32_t> order_;   // the boxes in the order of the leaves
-  std::vector<std::uint32_t> place_;   // of each box in that order
-  std::vector<Box3> boxes_;            // in that order
-  std::vector<Box3> nodes_;            // node k has the children 2 k and 2 k + 1; leaf l is node leaves_ + l
-  std::vector<std::uint32_t> groups_;  // of each box; or empty
+  std::vector<std::uint32_t> order_;        // the boxes in the order of the leaves
+  std::vector<std::uint32_t> place_;        // of each box in that order
+  std::vector<Box3> boxes_;                 // in that order
+  std::vector<Box3> nodes_;                 // node k has the children 2 k and 2 k + 1; leaf l is node leaves_ + l
+  std::vector<std::uint32_t> groups_;       // of each box; or empty
   std::vector<std::uint32_t> node_groups_;  // of all below it; no_group where these differ, or there are none
   std::size_t leaves_ = 1;
 };

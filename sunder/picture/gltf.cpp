@@ -179,8 +179,10 @@ class Model {
     const int mode = add_indices(shape, part.pose);
     Json& accessors = json_["accessors"];
     Json attributes{{"POSITION", accessors.size()}};
-    Json primitive{
-        {"attributes", attributes}, {"indices", accessors.size() + 1}, {"mode", mode}, {"material", static_cast<int>(material)}};
+    Json primitive{{"attributes", attributes},
+                   {"indices", accessors.size() + 1},
+                   {"mode", mode},
+                   {"material", static_cast<int>(material)}};
     accessors.push_back({{"bufferView", 0},
                          {"byteOffset", first},
                          {"componentType", of_floats},

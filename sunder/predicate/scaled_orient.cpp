@@ -33,8 +33,7 @@ void scale(ThreeDifferences& rows) {
     column.z = std::max(column.z, exponent(row.z));
   }
   for (auto& row : rows) {
-    const int greatest =
-        std::max({exponent(row.x) - column.x, exponent(row.y) - column.y, exponent(row.z) - column.z});
+    const int greatest = std::max({exponent(row.x) - column.x, exponent(row.y) - column.y, exponent(row.z) - column.z});
     row = {scaled(row.x, -column.x - greatest), scaled(row.y, -column.y - greatest),
            scaled(row.z, -column.z - greatest)};
   }

@@ -185,9 +185,8 @@ std::optional<PartDistance> nearest_parts(std::span<const Body> bodies,
   const auto bound = [&] { return above(nearest.distance.high * nearest.distance.high); };  // of the square, rounded up
   // The boxes of the first may have much more room than others (one around all bodies, say).
   double most = bound();
-  for_each_pair(most, [&](const Candidate& here, bool) {
-    most = std::min(most, squared_reach(boxes[here.i], boxes[here.j]));
-  });
+  for_each_pair(
+      most, [&](const Candidate& here, bool) { most = std::min(most, squared_reach(boxes[here.i], boxes[here.j])); });
   std::vector<Candidate> candidates;
   for_each_pair(most, [&](const Candidate& here, bool is_new) {
     if (is_new && (here.i != first->i || here.j != first->j)) candidates.push_back(here);

@@ -50,7 +50,7 @@ using PairMethod = solid::PairAnswer (*)(const solid::ConvexPolyhedron&, const s
 struct Question {
   PairMethod method = solid::polyhedron_polyhedron;   // of two polyhedra; others are round_round's
   std::vector<std::array<std::uint32_t, 2>> allowed;  // pairs of bodies not to be tested, in any order
-  bool allowed_alone = false;     // the other way round: those are tested, and no others
+  bool allowed_alone = false;                         // the other way round: those are tested, and no others
   bool touching_allowed = false;  // a pair that only touches does not count as meeting (implies contacts)
   bool contacts = false;          // find out the contact of pairs that meet
   bool every_pair = false;        // list the pairs that boxes parted too

@@ -37,7 +37,8 @@ bool is_open(const PartPair& pair, const Question& question) {
 class Reasons {
  public:
   void add(const std::string& reason, std::uint64_t pairs) {
-    const auto known = std::find_if(counts_.begin(), counts_.end(), [&](const auto& one) { return one.first == reason; });
+    const auto known =
+        std::find_if(counts_.begin(), counts_.end(), [&](const auto& one) { return one.first == reason; });
     if (pairs == 0) return;
     if (known == counts_.end()) {
       counts_.emplace_back(reason, pairs);

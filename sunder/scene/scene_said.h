@@ -19,9 +19,7 @@ struct SaidOfScene {
   std::function<std::optional<SaidNote>(std::size_t placement)> joints{};
 
   Said of(std::size_t body, std::size_t part) const { return parts.empty() ? Said() : parts[body][part]; }
-  std::optional<SaidNote> joints_of(std::size_t placement) const {
-    return joints ? joints(placement) : std::nullopt;
-  }
+  std::optional<SaidNote> joints_of(std::size_t placement) const { return joints ? joints(placement) : std::nullopt; }
 };
 
 }  // namespace sunder::scene

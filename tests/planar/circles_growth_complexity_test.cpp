@@ -173,8 +173,7 @@ TEST(DiscsGrowth, OfEachFrontDoor) {
           const std::string what =
               std::string(family.name) + grouping.name + ", allow " + std::string(name_of(allowed));
           const double n = circles.size();
-          (groups.empty() ? any : any_in_groups)
-              .add("any: " + what, n, set.k, discs_any(circles, options).cost.probes);
+          (groups.empty() ? any : any_in_groups).add("any: " + what, n, set.k, discs_any(circles, options).cost.probes);
           const std::uint64_t probes = discs_count(circles, options).cost.probes;
           (groups.empty() ? count : count_in_groups).add("count: " + what, n, set.k, probes);
           if (allowed == Allowed::nothing) {

@@ -123,10 +123,14 @@ struct Family {
   const char* name;
   Bodies (*make)(std::size_t, Random&);
 };
-constexpr Family families[] = {{"spread", spread},     {"layer", layer},
-                               {"column", column},     {"rods", rods},
-                               {"clusters", clusters}, {"ever nearer", ever_nearer},
-                               {"a huge one", with_a_huge_one}, {"two heaps", two_heaps}};
+constexpr Family families[] = {{"spread", spread},
+                               {"layer", layer},
+                               {"column", column},
+                               {"rods", rods},
+                               {"clusters", clusters},
+                               {"ever nearer", ever_nearer},
+                               {"a huge one", with_a_huge_one},
+                               {"two heaps", two_heaps}};
 
 constexpr std::size_t fewest = 1000, most = 32000;
 

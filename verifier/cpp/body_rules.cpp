@@ -232,7 +232,8 @@ bool reaches(const Claim& claim, const HullBody& body, const Integers& mean, con
   const Integers scaled = common(values).integers;
   const Integers way{scaled[0] - scaled[3], scaled[1] - scaled[4], scaled[2] - scaled[5]};
   if (!body.axis.empty()) {
-    require(dot(way, body.axis) == 0, "holds", "the point is not straight beside its own of the axis of " + body.quoted);
+    require(dot(way, body.axis) == 0, "holds",
+            "the point is not straight beside its own of the axis of " + body.quoted);
   }
   const int order = dot(way, way).compare(scaled[6] * scaled[6]);
   require(order <= 0, "holds", "the point is outside of " + body.quoted);

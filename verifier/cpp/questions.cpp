@@ -1324,11 +1324,10 @@ ClaimedStatement read_statement(const Json& item, const Tables& tables, const Pr
   }
   if (said.half_spaces != nullptr) result.a = said.half_spaces->name;
   const RowBody* const polytope = said.half_spaces != nullptr ? said.half_spaces : said.polytope_a;
-  result.sentence =
-      polytope != nullptr
-          ? sentence_of(item, named(polytope), named(said.polytope_b), question.table, size->second)
-          : sentence_of(item, named(said.body != nullptr ? said.body : said.a), named(said.b), question.table,
-                        size->second);
+  result.sentence = polytope != nullptr
+                        ? sentence_of(item, named(polytope), named(said.polytope_b), question.table, size->second)
+                        : sentence_of(item, named(said.body != nullptr ? said.body : said.a), named(said.b),
+                                      question.table, size->second);
   const auto of_rows = tables.said.find(question.table);
   if (of_rows != tables.said.end()) result.sentence += of_rows->second;
   if (item.contains("said")) {

@@ -16,7 +16,7 @@ namespace sunder_verifier {
 constexpr std::size_t most_weights = 16;  // of one body or polygon; d + 1 are always enough
 constexpr std::size_t most_multipliers = 64;
 constexpr std::size_t most_of_half_spaces = 256;
-constexpr std::size_t most_name = 4000;  // characters
+constexpr std::size_t most_name = 4000;                   // characters
 constexpr std::size_t most_number = 999'999'999'999'999;  // all readers of JSON agree about numbers up to this
 
 // A double that is a number: n * 2^e, with n odd or zero.

@@ -63,8 +63,7 @@ std::string input(const Json& value, const Context& context, const std::string& 
 }
 
 std::string texts(const Json& value, const Context& context, const std::string& where) {
-  return some(value, where,
-              [&](const Json& entry, const std::string& place) { return text(entry, context, place); });
+  return some(value, where, [&](const Json& entry, const std::string& place) { return text(entry, context, place); });
 }
 
 std::string part(const Json& value, const Context& context, const std::string& where) {
@@ -122,10 +121,10 @@ struct Member {
   Read words;
 };
 
-constexpr std::array members{Member{"input", input},   Member{"part", part},        Member{"without", without},
-                             Member{"changes", texts}, Member{"by", reals},         Member{"frame", nine_reals},
-                             Member{"text", text},     Member{"axis", text},        Member{"unit", text},
-                             Member{"system", text},   Member{"from", from},        Member{"row", row},
+constexpr std::array members{Member{"input", input},   Member{"part", part},    Member{"without", without},
+                             Member{"changes", texts}, Member{"by", reals},     Member{"frame", nine_reals},
+                             Member{"text", text},     Member{"axis", text},    Member{"unit", text},
+                             Member{"system", text},   Member{"from", from},    Member{"row", row},
                              Member{"values", joints}, Member{"pairs", reasons}};
 
 // ---- The words of a kind, of the members that they name. Those of steps begin with a comma, and have `of`.
@@ -205,8 +204,7 @@ std::string read_notes(const Json& value, const InputNames& inputs, std::size_t 
   return words;
 }
 
-std::string read_said_of_rows(const Json& value, const InputNames& inputs, std::size_t size,
-                              const std::string& where) {
+std::string read_said_of_rows(const Json& value, const InputNames& inputs, std::size_t size, const std::string& where) {
   std::size_t sum = 0;
   const std::string words = some(value, where, [&](const Json& entry, const std::string& place) {
     const ReadNow now(entry);

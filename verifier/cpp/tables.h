@@ -151,9 +151,9 @@ struct PolygonTable {
 struct PartTable {
   PolygonTable polygons;
   std::vector<EdgeRange> rings;
-  std::vector<std::size_t> ring_of;  // of each edge
-  std::vector<std::size_t> part;     // of each ring
-  std::vector<std::size_t> shell;    // of each part, its first ring
+  std::vector<std::size_t> ring_of;                // of each edge
+  std::vector<std::size_t> part;                   // of each ring
+  std::vector<std::size_t> shell;                  // of each part, its first ring
   std::vector<std::array<std::size_t, 2>> beside;  // of each edge of some length those before and after it on its
                                                    // ring, those of no length left out
 };

@@ -137,8 +137,7 @@ void require_no_lines(const std::vector<PlanarSegment>& edges, const std::vector
 class Validity {
  public:
   Validity(const Claim& claim, const PartTable& parts, ValidRule rule)
-      : parts_(parts), rule_(rule), regions_(claim, parts), seen_(parts.rings.size()) {
-  }
+      : parts_(parts), rule_(rule), regions_(claim, parts), seen_(parts.rings.size()) {}
 
   void check() {
     while (regions_.next()) {
@@ -287,7 +286,8 @@ void check_misplaced(const PartTable& parts, std::size_t ring, const Numbers& po
     if (r == ring) continue;
     const std::vector<std::size_t> near = edges_near(parts.polygons, parts.rings[r], point, place);
     for (const std::size_t k : near) {
-      require(!is_on(parts.polygons.edges[k], place), "misplaced", "the point is on ring " + std::to_string(r) + ", too");
+      require(!is_on(parts.polygons.edges[k], place), "misplaced",
+              "the point is on ring " + std::to_string(r) + ", too");
     }
     if (!is_above_odd(parts.polygons, near, place)) continue;
     if (is_hole(r) && !parts_of_holes.insert(parts.part[r]).second) return;  // two holes of one part

@@ -11,13 +11,13 @@ namespace sunder_verifier {
 
 // What became of one statement of a file.
 struct StatementResult {
-  std::string question;      // "pair", ..
-  std::string name_a;        // of one that is refused, where it is about two bodies the name of the first, UTF-8, cut as
-                             // in sentences; else the question
-  std::string name_b;        // the name of the second; else the sentence
-  std::string sentence;      // what is stated, in words: one line of ASCII
-  std::string verdict;       // stated, not what is true
-  bool accepted = false;     // the statement is proved
+  std::string question;   // "pair", ..
+  std::string name_a;     // of one that is refused, where it is about two bodies the name of the first, UTF-8, cut as
+                          // in sentences; else the question
+  std::string name_b;     // the name of the second; else the sentence
+  std::string sentence;   // what is stated, in words: one line of ASCII
+  std::string verdict;    // stated, not what is true
+  bool accepted = false;  // the statement is proved
   std::string failed_check;  // the first rule that failed; empty if accepted
   std::string reason;        // what failed, in words; empty if accepted
 };

@@ -15,7 +15,8 @@
 
 namespace sunder::ask {
 
-const char* const planar_pose_forms = "tx,ty; or x=..,y=..,angle=.. (radians); or 6 or 9 numbers of a matrix row by row";
+const char* const planar_pose_forms =
+    "tx,ty; or x=..,y=..,angle=.. (radians); or 6 or 9 numbers of a matrix row by row";
 
 namespace {
 
@@ -28,7 +29,8 @@ Pose parse_named_pose(std::string_view text, const std::string& place) {
   constexpr std::array<std::string_view, 3> names{"x", "y", "angle"};
   std::array<std::optional<double>, 3> values;
   const auto refuse = [&](std::string_view part, const char* why) {
-    throw Error(ErrorCode::bad_call, fmt::format("{} {}; write x=..,y=..,angle=.. (radians)", io::quote(part), why), place);
+    throw Error(ErrorCode::bad_call, fmt::format("{} {}; write x=..,y=..,angle=.. (radians)", io::quote(part), why),
+                place);
   };
   for (bool more = true; more;) {
     const std::size_t comma = std::min(text.find(','), text.size());
@@ -117,20 +119,17 @@ PlanarInput read_planar_input(const PairCall& call, const PairSide& side, PairFi
                            file.objects.size() == 1 ? "" : object.name);
   if (call.drop_z && !said.empty()) said = said.dropped("z");
   const std::string name = unnamed ? io::one_line(std::filesystem::path(side.file).stem().string()) : object.name;
-  return {side.file, shown, name, file.format, object, parse_planar_pose(side.pose, side.option("pose")),
+  return {side.file,      shown, name, file.format, object, parse_planar_pose(side.pose, side.option("pose")),
           std::move(said)};
 }
 
 PlanarBody planar_body(const PlanarInput& input, const PairCall& call) {
   auto [polygon, reversed] = shape_of(input.object, input.path, call);
-  PlanarBody body{std::move(polygon),
-                  input.pose,
-                  static_cast<std::uint32_t>(input.object.vertices.size()),
-                  {}};
+  PlanarBody body{std::move(polygon), input.pose, static_cast<std::uint32_t>(input.object.vertices.size()), {}};
   if (reversed) {
     body.remark = fmt::format(
-        "{}: the vertices of {} are clockwise and are taken in reverse: vertex k is vertex {} - k of the file", input.file,
-        io::quote(input.name), body.given - 1);
+        "{}: the vertices of {} are clockwise and are taken in reverse: vertex k is vertex {} - k of the file",
+        input.file, io::quote(input.name), body.given - 1);
   }
   for (const Point2& p : body.polygon.vertices()) body.vertices.push_back({p.x, p.y, 0});
   const std::uint32_t n = body.polygon.size();

@@ -60,8 +60,8 @@ class RoundMotionPair : public PairQuestion {
     facts_.push_back(told_point());
     facts_.push_back(told_time());
     const SweepContact& contact = first_->contact;
-    const bool is_proved =
-        std::any_of(contact.direction.begin(), contact.direction.end(), [](const Dyadic& x) { return x.sign() != Sign::zero; });
+    const bool is_proved = std::any_of(contact.direction.begin(), contact.direction.end(),
+                                       [](const Dyadic& x) { return x.sign() != Sign::zero; });
     if (!is_proved && contact.time.sign() != Sign::zero) not_proved_.emplace_back("that they do not meet before");
   }
 
@@ -117,11 +117,12 @@ class RoundMotionPair : public PairQuestion {
     evidence.direction = {near.x.low, near.y.low, near.z.low};
     const Point3 direction = scene::rounded_direction(evidence);
     const double first = gap(false), last = gap(true);
-    return {"evidence",
-            {{"direction_about", to_json(direction)}, {"gap_about", std::min(first, last)}},
-            fmt::format("all the way an empty slab across the direction of about {},\nabout {} wide at the beginning and "
-                        "{} at the end",
-                        about(direction), about(first), about(last))};
+    return {
+        "evidence",
+        {{"direction_about", to_json(direction)}, {"gap_about", std::min(first, last)}},
+        fmt::format("all the way an empty slab across the direction of about {},\nabout {} wide at the beginning and "
+                    "{} at the end",
+                    about(direction), about(first), about(last))};
   }
 
   const PlacedRoundBody &round_a_, &round_b_;

@@ -217,7 +217,8 @@ int run(const PairCall& call) {
                                          {!call.b.feature.empty(), "--feature-b"}}) {
     if (is_given) throw Error(ErrorCode::bad_call, "is for planar objects only; leave it out", option);
   }
-  if (!space_a && !space_b && call.method != "drums") pair_method(call.method, ", drums");  // before what takes time is read
+  if (!space_a && !space_b && call.method != "drums")
+    pair_method(call.method, ", drums");  // before what takes time is read
   PairFiles files(call);
   const SpaceInput a = read_space_input(call, call.a, files), b = read_space_input(call, call.b, files);
   require_projected(call, a, b);
@@ -267,10 +268,11 @@ Verb pair_verb() {
        {"--radius-a", &call->a.radius, "of space, bounded: A is all within this distance of it; 0: A itself", "NUMBER"},
        {"--radius-b", &call->b.radius, "the same of B", "NUMBER"},
        {"--method", &call->method,
-        fmt::format("of bodies: {}, drums; with a plane: {}; with a line or ray: {}; in the plane: {}; with a line: {}; "
-                    "of polytopes: {}",
-                    pair_method_names(), plane_method_names(), line_method_names(), planar_method_names(),
-                    planar_line_method_names(), polytope_method_names()),
+        fmt::format(
+            "of bodies: {}, drums; with a plane: {}; with a line or ray: {}; in the plane: {}; with a line: {}; "
+            "of polytopes: {}",
+            pair_method_names(), plane_method_names(), line_method_names(), planar_method_names(),
+            planar_line_method_names(), polytope_method_names()),
         "NAME"},
        {"--classify", &call->classify, "tell touching from overlapping"},
        {"--require-convex", &call->require_convex, "a mesh that is not exactly convex is an error"},

@@ -106,7 +106,8 @@ class CirclesQuestion final : public RegionQuestion {
  private:
   Origin origin() const {
     Origin origin = by_this_call(origin_);
-    origin.said = said_of_rows("circles", circles_.size(), said_of_file(Said::Source::circles, origin.inputs, call.file));
+    origin.said =
+        said_of_rows("circles", circles_.size(), said_of_file(Said::Source::circles, origin.inputs, call.file));
     return origin;
   }
 

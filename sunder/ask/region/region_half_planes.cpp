@@ -162,7 +162,8 @@ class HalfPlanesQuestion final : public RegionQuestion {
  private:
   Origin origin() const {
     Origin origin = by_this_call(origin_);
-    origin.said = said_of_rows("half_planes", constraints_.size(), said_of_file(Said::Source::half_planes, origin.inputs, call.file));
+    origin.said = said_of_rows("half_planes", constraints_.size(),
+                               said_of_file(Said::Source::half_planes, origin.inputs, call.file));
     return origin;
   }
 

@@ -88,10 +88,10 @@ std::vector<ConvexPolygon> convex_polygons(const RegionCall& call, PolygonsInput
     }
   }
   if (clockwise > 0) {
-    input.files.front().remarks.push_back(
-        fmt::format("{} clockwise, the first of feature {}: their vertices are taken in reverse, so that vertex k of n is "
-                    "vertex n - 1 - k of the file, and edge k is edge n - 2 - k",
-                    clockwise == 1 ? "1 polygon is" : fmt::format("{} polygons are", clockwise), first_clockwise));
+    input.files.front().remarks.push_back(fmt::format(
+        "{} clockwise, the first of feature {}: their vertices are taken in reverse, so that vertex k of n is "
+        "vertex n - 1 - k of the file, and edge k is edge n - 2 - k",
+        clockwise == 1 ? "1 polygon is" : fmt::format("{} polygons are", clockwise), first_clockwise));
   }
   if (polygons.empty()) io::fail_file(call.file, "no polygon is convex, so nothing is left to ask about");
   input.polygons = std::move(given);

@@ -32,7 +32,7 @@ int run(const RegionCall& call) {
                                       {call.polygons.leave_out, "--leave-out"},
                                       {call.polygons.skip_invalid, "--skip-invalid"},
                                       {call.polygons.mixed_crs, "--mixed-crs"},
-                                  {!call.polygons.name.empty(), "--name"}}) {
+                                      {!call.polygons.name.empty(), "--name"}}) {
     if (given && !of_polygons) throw Error(ErrorCode::bad_call, "is for polygons; leave it out", option);
   }
   return of_half_spaces   ? run_region_half_spaces(call)
@@ -59,7 +59,8 @@ Verb region_verb() {
         "P,Q"},
        {"--method", &call->method,
         fmt::format("of half-planes: {}; of polygons: {}; of circles: {}; of half-spaces with --maximize: {}",
-                    half_plane_method_names(), polygon_method_names(), circle_method_names(), half_space_method_names()),
+                    half_plane_method_names(), polygon_method_names(), circle_method_names(),
+                    half_space_method_names()),
         "NAME"},
        certificate_option(call->certificate,
                           "write the proof here: of the region, or with --maximize of the best point"),

@@ -275,9 +275,9 @@ class Between {
     };
     const scene::SaidOfScene said{input_.said(inputs_), reason_of_each(allowed_),
                                   [&](std::size_t row) { return joint_values_note(table_, row, inputs_); }};
-    write_motion_certificate(bodies_, asked_, step, question_,
-                             origin_of(inputs_, left_out_texts(input_.left_out(), allowed_)),
-                             [&](std::string_view text) { certificate_->write(text); }, said);
+    write_motion_certificate(
+        bodies_, asked_, step, question_, origin_of(inputs_, left_out_texts(input_.left_out(), allowed_)),
+        [&](std::string_view text) { certificate_->write(text); }, said);
   }
 
   std::string summary() const {
@@ -291,8 +291,8 @@ class Between {
     if (totals_.at_ends_only > 0) {
       text += fmt::format("; at their ends only, as a part turns: {}", totals_.at_ends_only);
     }
-    text += left_out.clause() + allowed_clause(allowed_) + "\n" +
-            file_line("JSON lines", call_.json_lines) + file_line("table", call_.csv);
+    text += left_out.clause() + allowed_clause(allowed_) + "\n" + file_line("JSON lines", call_.json_lines) +
+            file_line("table", call_.csv);
     if (call_.meeting_certificate.empty()) return text;
     if (!certificate_) return text + "  no proofs are written, as there is nothing to be stated\n";
     return text + file_line(fmt::format("proofs of {}", count_of(totals_.stated, "pair")), call_.meeting_certificate) +

@@ -122,7 +122,8 @@ void NearnessLines::add_json_header(std::string& text) const {
   for (const auto& [a, b, least] : question_.clearance->margins) {
     margins.push_back({{"a", bodies_[a].name}, {"b", bodies_[b].name}, {"least", least}});
   }
-  insert("}\n", ", \"clearance\": " + Json{{"least", question_.clearance->least}, {"margins", margins}}.on_one_line(), text);
+  insert("}\n", ", \"clearance\": " + Json{{"least", question_.clearance->least}, {"margins", margins}}.on_one_line(),
+         text);
 }
 
 void NearnessLines::add_csv_header(std::string& text) const {

@@ -310,8 +310,8 @@ class Placements {
       text += fmt::format("; not asked about, after the first that meets{}: {}", near_.clearance ? " or is closer" : "",
                           table_.rows() - asked_);
     }
-    text += left_out.clause() + allowed_clause(allowed_) + "\n" +
-            file_line("JSON lines", call_.json_lines) + file_line("table", call_.csv);
+    text += left_out.clause() + allowed_clause(allowed_) + "\n" + file_line("JSON lines", call_.json_lines) +
+            file_line("table", call_.csv);
     if (call_.meeting_certificate.empty()) return text;
     if (!certificate_)
       return text + fmt::format("  no proofs are written, as nothing is known to meet{}\n",
@@ -473,9 +473,9 @@ SaidNote joint_values_note(const io::JointTable& table, std::size_t row, const I
                                  [&](const InputFile& input) { return io::one_line(input.name) == table.file; });
   std::vector<std::pair<std::string, double>> values;
   for (std::size_t c = 0; c < table.columns; ++c) values.emplace_back(table.joints[c], table.row(row)[c]);
-  return SaidNote::joint_values(values, row,
-                                file == inputs.end() ? std::nullopt
-                                                     : std::optional(static_cast<std::size_t>(file - inputs.begin())));
+  return SaidNote::joint_values(
+      values, row,
+      file == inputs.end() ? std::nullopt : std::optional(static_cast<std::size_t>(file - inputs.begin())));
 }
 
 std::vector<std::string> not_proved(const PlacementsCall& call) {
@@ -535,8 +535,8 @@ std::vector<io::JointValues> extremes_of(const io::JointTable& table) {
 }
 
 PlacementsAnswer answer_placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
-                                   const io::JointTable& table, const InputFiles& inputs,
-                                   const NearnessQuestion& near, std::span<const AllowedPair> allowed) {
+                                   const io::JointTable& table, const InputFiles& inputs, const NearnessQuestion& near,
+                                   std::span<const AllowedPair> allowed) {
   return Placements(call, input, question, table, inputs, near, allowed).run();
 }
 

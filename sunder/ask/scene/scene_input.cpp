@@ -329,8 +329,7 @@ std::vector<AllowedPair> SceneInput::allowed(const io::Srdf& srdf, const std::st
   if (!unknown.empty()) {
     note(fmt::format("{}: pairs of links that the robot does not have are passed over: {}", shown, listed(unknown)));
   }
-  std::sort(pairs.begin(), pairs.end(),
-            [](const AllowedPair& p, const AllowedPair& q) { return p.bodies < q.bodies; });
+  std::sort(pairs.begin(), pairs.end(), [](const AllowedPair& p, const AllowedPair& q) { return p.bodies < q.bodies; });
   return pairs;
 }
 

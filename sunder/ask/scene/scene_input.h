@@ -88,8 +88,8 @@ class SceneInput {
   // Its index. Throws Error bad_call with this place where there is none.
   std::uint32_t body_named(const std::string& name, const std::string& place) const;
 
-  bool is_hull(std::uint32_t body, std::uint32_t part) const;                        // does it stand for a mesh?
-  std::vector<const io::BodyPart*> parts() const;                                    // of all bodies, in order
+  bool is_hull(std::uint32_t body, std::uint32_t part) const;  // does it stand for a mesh?
+  std::vector<const io::BodyPart*> parts() const;              // of all bodies, in order
   // Of each part of each body, what a proof says that it is made of.
   std::vector<std::vector<Said>> said(const InputFiles& inputs) const;
   std::vector<const MeshBody*> meshes() const;                                       // of those that have no radius

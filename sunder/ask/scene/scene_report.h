@@ -22,7 +22,7 @@ struct Placed {
   scene::Answer answer;
   Nearness near{};
   std::optional<scene::Answer> of_allowed{};  // about the pairs that are allowed to meet, where they were asked about
-  double seconds = 0;  // of the question itself, without reading files
+  double seconds = 0;                         // of the question itself, without reading files
 };
 
 struct SceneReport {
@@ -34,9 +34,9 @@ struct SceneReport {
   std::vector<std::string> allowed_because{};  // as the user wrote it
   std::vector<AllowedPair> allowed{};          // those of the question, with their reasons
   bool checks_allowed = false;
-  std::vector<Placed> placements{};            // at least one, all with the same bodies
-  bool is_proved = false;                      // a proof of all this is written
-  bool colour = false;                         // mark what meets by terminal colours
+  std::vector<Placed> placements{};  // at least one, all with the same bodies
+  bool is_proved = false;            // a proof of all this is written
+  bool colour = false;               // mark what meets by terminal colours
 
   std::string_view verdict() const;  // "some", "none"; "undecided": none that is known
   bool none_meet() const { return verdict() == "none"; }

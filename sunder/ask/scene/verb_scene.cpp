@@ -167,8 +167,7 @@ int run(const Call& call) {
   InputFiles files;
   InputFiles* const inputs = call.proves() || !call.placements.meeting_certificate.empty() ? &files : nullptr;
   const io::Srdf srdf = call.srdf.empty() ? io::Srdf{} : io::read_srdf(call.srdf, inputs);
-  SceneInput input(call.files, call.poses, call.require_convex, call.leave_out, inputs,
-                   packages_of(call.packages),
+  SceneInput input(call.files, call.poses, call.require_convex, call.leave_out, inputs, packages_of(call.packages),
                    call.groups ? io::PartsOf::objects_and_groups : io::PartsOf::objects);
   if (!call.groups_of_links.empty()) input.keep_groups(srdf, call.groups_of_links);
   require_apart(call, input);
@@ -221,8 +220,8 @@ int run(const Call& call) {
     note_hulls(input.meshes());
     if (call.between) return answer_between(call.placements, input, question, table, files, report.allowed);
     const NearnessQuestion near{report.clearance, report.asks_for_nearest};
-    const PlacementsAnswer answer = answer_placements(call.placements, input, question, table, files, near,
-                                                       report.allowed);
+    const PlacementsAnswer answer =
+        answer_placements(call.placements, input, question, table, files, near, report.allowed);
     print_for_people(answer.summary);
     return answer.code();
   }

@@ -80,9 +80,8 @@ std::string tell(const PolygonsInput& input) {
     text += titled("", fmt::format("and {} more; --json has all", features.size() - most_listed));
   };
   add("skipped", input.skipped, [](const io::SkippedFeature& f) { return f.why; });
-  add("mended", input.mended, [](const io::MendedFeature& f) {
-    return text_of(f.changes) + (f.is_empty ? "; nothing is left of it" : "");
-  });
+  add("mended", input.mended,
+      [](const io::MendedFeature& f) { return text_of(f.changes) + (f.is_empty ? "; nothing is left of it" : ""); });
   if (!input.left_out.empty()) text += titled("left out", input.left_out.text());
   for (const io::LineFile& file : input.files) {
     for (const std::string& remark : file.remarks) text += titled("remark", remark);

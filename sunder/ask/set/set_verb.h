@@ -71,9 +71,9 @@ void add_file_options(Verb& verb, SetCall& call);  // of files of features: --le
 
 // What is told of a set and of the answer, besides the contacts: for people, and in JSON.
 struct SetFacts {
-  std::string head, tail;          // lines before the verdict, and after the contacts
-  std::string said_of, clause;     // within the verdict: " of the centre lines"; what it is not about
-  std::vector<std::string> rules;  // within the verdict: what may meet
+  std::string head, tail;               // lines before the verdict, and after the contacts
+  std::string said_of, clause;          // within the verdict: " of the centre lines"; what it is not about
+  std::vector<std::string> rules;       // within the verdict: what may meet
   std::vector<std::string> not_proved;  // of all that is told, where there is a proof
   Json first = Json::object(), last = Json::object();  // in a report, around what is allowed
 };

@@ -125,8 +125,9 @@ void check_centre_lines(const Call& call, const io::LineFile& file) {
 std::vector<std::string> remarks_of(const io::LineFile& file) {
   std::vector<std::string> remarks = file.remarks;
   if (!file.rings.empty()) {
-    remarks.emplace_back("polygons count as their boundaries: what lies inside of one does not meet it (sunder polygons "
-                         "asks about insides)");
+    remarks.emplace_back(
+        "polygons count as their boundaries: what lies inside of one does not meet it (sunder polygons "
+        "asks about insides)");
   }
   return remarks;
 }
@@ -191,11 +192,12 @@ planar::SweepEvents events_of(const Sheet& sheet) {
   std::optional<planar::SweepEvents> events = planar::sweep_events(sheet.segments, most);
   if (events) return std::move(*events);
   const std::size_t digits = std::to_string(sheet.segments.size()).size();
-  throw Error(ErrorCode::bad_call,
-              fmt::format("segments meet in so many places that the proof would have {:.1f} GB or more; leave it out, or "
-                          "ask about less",
-                          static_cast<double>(most * (digits + 1)) / 1e9),
-              "--certificate");
+  throw Error(
+      ErrorCode::bad_call,
+      fmt::format("segments meet in so many places that the proof would have {:.1f} GB or more; leave it out, or "
+                  "ask about less",
+                  static_cast<double>(most * (digits + 1)) / 1e9),
+      "--certificate");
 }
 
 Point2 place_of(const io::LineFile& file, const SegmentsContact& contact) {

@@ -228,34 +228,36 @@ class ValidQuestion {
     }
     std::uint64_t entries = 0;
     for_each_feature([&](const Result&, const auto& parts, const VisitDefects&) { entries += parts.size(); });
-    write_proof(call_.certificate, origin_of(input_, "polygons", call_.drop_z, {entries}), [this](ClaimsWriter& claims) {
-      claims.begin_table("polygons");
-      for_each_feature([&](const Result&, const auto& parts, const VisitDefects&) {
-        if (!parts.empty()) planar::write_parts(claims, parts);
-      });
-      claims.end_table();
-      std::uint32_t first = 0;
-      for_each_feature([&](const Result& result, const auto& parts, const VisitDefects& visit) {
-        if (parts.empty()) return;
-        if (!result.open.empty()) {
-          throw Error(ErrorCode::bad_call,
-                      fmt::format("{}: that a ring does not end where it began has no proof here; leave it out, or give "
-                                  "--skip-invalid",
-                                  feature_text(result)),
-                      "--certificate");
-        }
-        planar::ValidClaims valid(claims, parts, first, call_.rule());
-        if (result.valid()) valid.write_valid();
-        visit([&](const PolygonDefect& defect) {
-          if (valid.write_defect(defect)) return true;
-          throw Error(ErrorCode::bad_call,
-                      fmt::format("{}: one of its defects, {}, has no proof here; leave it out", feature_text(result),
-                                  text_of(defect, result.has_parts())),
-                      "--certificate");
+    write_proof(
+        call_.certificate, origin_of(input_, "polygons", call_.drop_z, {entries}), [this](ClaimsWriter& claims) {
+          claims.begin_table("polygons");
+          for_each_feature([&](const Result&, const auto& parts, const VisitDefects&) {
+            if (!parts.empty()) planar::write_parts(claims, parts);
+          });
+          claims.end_table();
+          std::uint32_t first = 0;
+          for_each_feature([&](const Result& result, const auto& parts, const VisitDefects& visit) {
+            if (parts.empty()) return;
+            if (!result.open.empty()) {
+              throw Error(
+                  ErrorCode::bad_call,
+                  fmt::format("{}: that a ring does not end where it began has no proof here; leave it out, or give "
+                              "--skip-invalid",
+                              feature_text(result)),
+                  "--certificate");
+            }
+            planar::ValidClaims valid(claims, parts, first, call_.rule());
+            if (result.valid()) valid.write_valid();
+            visit([&](const PolygonDefect& defect) {
+              if (valid.write_defect(defect)) return true;
+              throw Error(ErrorCode::bad_call,
+                          fmt::format("{}: one of its defects, {}, has no proof here; leave it out",
+                                      feature_text(result), text_of(defect, result.has_parts())),
+                          "--certificate");
+            });
+            first += static_cast<std::uint32_t>(parts.size());
+          });
         });
-        first += static_cast<std::uint32_t>(parts.size());
-      });
-    });
   }
 
   // Of a result, or of a skipped feature: "feature 7 (Antarctica), line 8".

@@ -72,9 +72,9 @@ class PolygonSweep {
   PersistentSets sets_;
   std::vector<std::uint32_t> key_of_, polygon_at_;  // of each polygon: its number in sets_; and back
   std::vector<Block> group_at_;                     // of each key: those of its group
-  std::vector<PersistentSets::Set> above_of_;  // of each edge in the list: which polygons fill what is just above
-  std::vector<bool> fills_above_;              // of each edge: does its own?
-  std::vector<bool> is_first_;                 // of each edge: does its ring begin with it?
+  std::vector<PersistentSets::Set> above_of_;       // of each edge in the list: which polygons fill what is just above
+  std::vector<bool> fills_above_;                   // of each edge: does its own?
+  std::vector<bool> is_first_;                      // of each edge: does its ring begin with it?
 
   // At a point.
   const Point2* vertex_ = nullptr;               // none where edges only cross

@@ -410,9 +410,9 @@ class Check {
   RingLoops loops_;
   std::vector<std::array<std::uint32_t, 2>> ways_where_cut_;  // of each loop
   std::vector<Within> within_;                                // of each loop
-  std::vector<std::uint32_t> innermost_;    // of each part: the loop that has been entered last
-  std::vector<std::uint32_t> outermost_;    // of each part: a loop of the shell
-  std::vector<bool> has_shell_, is_named_;  // of each part; of each ring
+  std::vector<std::uint32_t> innermost_;                      // of each part: the loop that has been entered last
+  std::vector<std::uint32_t> outermost_;                      // of each part: a loop of the shell
+  std::vector<bool> has_shell_, is_named_;                    // of each part; of each ring
 };
 
 RingSet rings_of(std::span<const PolygonRings> parts) {

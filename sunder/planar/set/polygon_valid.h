@@ -116,7 +116,7 @@ struct DefectCount {
 // Those at vertices are held. What is not visited is counted, and where it is is not computed.
 using PolygonDefectVisitor = std::function<bool(const PolygonDefect&)>;
 DefectCount visit_polygon_defects(std::span<const PolygonRings> parts, const ValidOptions& options,
-                           const PolygonDefectVisitor& visit);
+                                  const PolygonDefectVisitor& visit);
 
 // Every two edges, every two rings, and of the interior all sides of all pieces of edges: the oracle. It shares no code
 // with the others. O(n^3) time.

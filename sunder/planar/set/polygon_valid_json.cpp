@@ -10,8 +10,8 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <string_view>

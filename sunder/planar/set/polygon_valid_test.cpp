@@ -247,7 +247,8 @@ TEST(PolygonValidTest, TouchesItselfManyTimesInOnePoint) {
     Ring flower, corner{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
     for (std::uint32_t k = 0; k < petals; ++k) {
       const double n = petals;
-      for (const Point2& p : {Point2{0, 0}, tests::on_circle(k / n), tests::on_circle((k + 0.5) / n)}) flower.push_back(p);
+      for (const Point2& p : {Point2{0, 0}, tests::on_circle(k / n), tests::on_circle((k + 0.5) / n)})
+        flower.push_back(p);
       const double at = (petals - k) / (4 * n + 8);  // within a quarter
       for (const Point2& p : {Point2{0, 0}, tests::on_circle(at), tests::on_circle(at - 0.1 / n)}) corner.push_back(p);
     }

@@ -82,7 +82,8 @@ std::vector<Box2> boxes_of(const Segments& segments) {
 std::optional<Cost> visit_across_groups(const Segments& segments, const SetOptions& options,
                                         const SegmentsVisitor& visit, Cost& cost) {
   const std::vector<Box2> boxes = boxes_of(segments);
-  const std::uint64_t most = std::uint64_t{4} * segments.size() * static_cast<std::uint64_t>(std::bit_width(segments.size()));
+  const std::uint64_t most =
+      std::uint64_t{4} * segments.size() * static_cast<std::uint64_t>(std::bit_width(segments.size()));
   const std::size_t most_held = 4 * boxes.size();
   std::vector<std::array<std::uint32_t, 2>> held;
   std::uint64_t pairs = 0;
