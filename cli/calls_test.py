@@ -140,7 +140,7 @@ def rows_of(loop, variables):
     if isinstance(loop, list):
         rows = loop
     else:
-        choices = [files_of(v) if isinstance(v, dict) else v for v in loop.values()]
+        choices = [files_of(v) if isinstance(v, dict) else filled(v, variables) for v in loop.values()]
         rows = [dict(zip(loop, values)) for values in itertools.product(*choices)]
     if not rows:
         raise Wrong("'for' has no turn")

@@ -42,8 +42,9 @@ std::string_view head_of(std::string_view text) {
   const std::size_t at = text.find(statements);
   if (at == std::string_view::npos) return {};
   const std::size_t head = at + statements.size(), end = end_of_list(text, head);
-  return end != std::string_view::npos && io::trimmed(text.substr(end)) == "]}" ? text.substr(0, head)
-                                                                                : std::string_view();
+  if (end == std::string_view::npos) return {};
+  const std::string_view rest = text.substr(end);
+  return rest == "]}" || rest == "]}\n" ? text.substr(0, head) : std::string_view();
 }
 
 // Takes a file as it is written, and compares its beginning.

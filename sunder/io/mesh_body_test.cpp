@@ -146,8 +146,8 @@ TEST(MeshFormats, TellsWhatRobotsAndScenesAre) {
   const auto error = [](const std::string& text, const std::string& name) {
     try {
       (void)mesh_format(text, name);
-    } catch (const Error& error) {
-      return std::string(error.what());
+    } catch (const Error& refused) {
+      return std::string(refused.what());
     }
     return std::string();
   };

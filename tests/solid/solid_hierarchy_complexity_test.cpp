@@ -353,7 +353,7 @@ TEST(SolidHierarchyComplexity, SignsOfFinishingGrowAsALogarithm) {
     points.insert(points.end(), {{0.5, 0.6, 1}, {-1, 1, 0}});
     const solid::ConvexPolyhedron body(points);
     std::uint64_t greatest = 0;
-    for (const std::size_t eighth : {2, 4, 6}) {
+    for (const std::size_t eighth : {2U, 4U, 6U}) {
       const Point3& at = points[n * eighth / 8];
       const solid::Pose reflected = solid::Pose::from_matrix({-1, 0, 0, 0, -1, 0, 0, 0, -1}, {2 * at.x, 2 * at.y, 0});
       const PairAnswer answer = solid::polyhedron_polyhedron(body, solid::Pose(), body, reflected);
