@@ -35,11 +35,14 @@ NEVER_SEEN = {
 
 # Keys that may be missing, by the object that holds them: "" is the report.
 OPTIONAL = {
-    "": "hull left_out coordinate_systems skipped mended remarks contact said_of distance depth clearance nearest time cut planes group layer across_layers count counts "
+    "": "hull left_out not_proved coordinate_systems skipped mended remarks contact said_of distance depth clearance nearest time cut planes group layer across_layers count counts "
         "contact_unknown unit "
         "best contradiction formats",
-    "objects[]": "why_hull frame moves moved_about departure groups layers left_out coordinate_systems remarks properties box without inputs made_of not_made_of "
+    "objects[]": "why_hull frame moves moved_about departure groups layers left_out coordinate_systems remarks properties box without inputs against call "
                  "proved",
+    "objects[].against": "why",
+    "objects[].links[].shapes[]": "file",
+    "allowed_meeting[]": "point_about",
     "objects[].bodies[].parts[]": "mesh",
     "objects[].departure": "volume_missing_about volume_of_hull_about",
     "distance": "a b",
@@ -157,6 +160,7 @@ scene cases/scene/primitives.urdf --joints hoist=1.125 --classify --certificate 
 scene cases/panda/panda.urdf --allow adjacent --joints-file cases/scene/folded.joints --joints-file cases/scene/ready.joints --clearance 0.01 --margin panda_link5,panda_link7=0.02 --distance
 scene cases/scene/nearly.urdf --joints way=1.3853189754928872 --clearance 1e-33 --distance
 scene cases/scene/nearly.urdf --joints way=1.3853189754928872
+scene cases/scene/nearly.urdf --joints way=1.3853189754928872 --allow adjacent
 scene cases/scene/nearly.urdf --joints way=1.3853189754928865 --classify
 scene cases/scene/workcell.json --classify --certificate OUT
 scene cases/scene/ghost.urdf --leave-out

@@ -113,7 +113,7 @@ foreach(folder ${SUNDER_CORE_LAYERS} io picture ask verifier cli)
   if(sources)
     sunder_add_executable(sunder_unit_${folder} tests ${speed} SOURCES ${sources} LINK ${link})
     list(LENGTH sources shards)
-    math(EXPR shards "(${shards} + 59) / 60")
+    math(EXPR shards "(${shards} + 14) / 15")
     foreach(shard RANGE 1 ${shards})
       set(name unit_${folder})
       if(shards GREATER 1)
@@ -234,7 +234,7 @@ if(NOT SUNDER_SANITIZE AND NOT SUNDER_COVERAGE AND NOT SUNDER_FUZZ)
 endif()
 
 # The longest are begun first, so that no core waits for them at the end.
-foreach(name unit_solid_1 unit_solid_2 unit_solid_3 unit_solid_4 unit_planar_1 unit_planar_2 unit_predicate
+foreach(name unit_solid_1 unit_solid_2 unit_solid_3 unit_solid_4 unit_planar_1 unit_planar_2 unit_predicate_1 unit_predicate_2
              solid_drums_complexity_test solid_hierarchy_complexity_test segments_growth_complexity_test
              polygon_sets_complexity_test solid_line_complexity_test reports_test_py claims_limits_py calls_simple
              calls_sets calls_space files_and_lists_test_py)

@@ -91,7 +91,7 @@ TEST(CallWords, NothingElseIsACall) {
   refused({"pair", "--certificate", "-", "--certificate", "-", "a.wkt", "b.wkt"}, "given twice");
   refused({"scene", "--parted", "--certificate", "-", "a.wkt"}, "needs");
   refused({"polygons", "--any", "--all", "--certificate", "-", "a.wkt"}, "excludes");
-  refused({"pair", "--certificate", "-", "a.wkt", "/etc/passwd"}, "none of the files");
+  refused({"pair", "--certificate", "-", "a.wkt", "/etc/other.wkt"}, "none of the files");
 }
 
 }  // namespace

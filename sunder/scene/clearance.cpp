@@ -158,8 +158,11 @@ std::optional<PartDistance> nearest_parts(std::span<const Body> bodies,
     double squared = infinity;
     std::uint32_t i = 0, j = 0;  // i < j
   };
-  const auto comes_before = [](const Candidate& p, const Candidate& q) {
-    return std::tie(p.squared, p.i, p.j) < std::tie(q.squared, q.i, q.j);
+  const auto comes_before = [&](const Candidate& p, const Candidate& q) {  // of equal ones, as the pairs of bodies do
+    const auto key = [&](const Candidate& c) {
+      return std::tuple(c.squared, members.body(c.i), members.body(c.j), c.i, c.j);
+    };
+    return key(p) < key(q);
   };
   // Of the pairs that are asked about, twice each: those whose boxes are, squared, no further apart than `most`, which
   // may become less meanwhile.

@@ -150,7 +150,7 @@ TEST(Corpus, WhatWasLeftOut) {
 TEST(Corpus, VersionOneIsNoLongerRead) {
   for (const char* file : {"refused/F_version_1.json", "refused/F_version_1_of_a_set.json"}) {
     EXPECT_EQ(verify_text(read_text(kCases / file), "here").failed_form,
-              "this is a certificate of version 1, which is no longer read; make it again");
+              "the file is of version 1, and version 3 is needed; make it again");
   }
 }
 
@@ -480,7 +480,7 @@ std::string python_summary(const fs::path& folder, std::size_t count) {
     const auto tells = [&](const char* what) { return line.starts_with(place + what); };
     if (tells(": refused: F: ")) {
       line = place + ": refused: F";
-    } else if (!tells(": statement ") && !tells(": of \"") && !tells(": left out: ")) {
+    } else if (!tells(": statement ") && !tells(": called with: ") && !tells(": of \"") && !tells(": left out: ")) {
       line = place + ": unreadable";
     }
     result += line + "\n";

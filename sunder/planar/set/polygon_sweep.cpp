@@ -31,8 +31,9 @@ void PolygonSweep::number_by_group() {
   const auto group_of = [&](std::uint32_t p) { return options_.groups.empty() ? p : options_.groups[p]; };
   polygon_at_.resize(count);
   std::iota(polygon_at_.begin(), polygon_at_.end(), 0u);
-  std::stable_sort(polygon_at_.begin(), polygon_at_.end(),
-                   [&](std::uint32_t p, std::uint32_t q) { return group_of(p) < group_of(q); });
+  std::sort(polygon_at_.begin(), polygon_at_.end(), [&](std::uint32_t p, std::uint32_t q) {
+    return group_of(p) != group_of(q) ? group_of(p) < group_of(q) : p < q;
+  });
   key_of_.resize(count);
   for (std::uint32_t key = 0; key < count; ++key) key_of_[polygon_at_[key]] = key;
   for (std::uint32_t first = 0, last; first < count; first = last) {
