@@ -17,14 +17,12 @@ struct Context {
   std::size_t pairs_left_out = 0;
 };
 
-const Json& list(const Json& value, const std::string& where) {
+void require_list(const Json& value, const std::string& where) {
   if (!value.is_array()) refuse_form(where + " is not a list");
-  return value;
 }
 
-const Json& row_of_two(const Json& value, const std::string& where) {
+void require_two(const Json& value, const std::string& where) {
   if (!value.is_array() || value.size() != 2) refuse_form(where + " is not a list of 2");
-  return value;
 }
 
 std::size_t positive(const Json& value, const std::string& where) {
@@ -42,7 +40,8 @@ template <class Words>
 std::string some(const Json& value, const std::string& where, Words words_of) {
   std::string text;
   std::size_t k = 0;
-  for (const Json& entry : list(value, where)) {
+  require_list(value, where);
+  for (const Json& entry : value) {
     const std::string words = words_of(entry, where + "[" + std::to_string(k) + "]");
     if (k < most_texts) text.append(k == 0 ? "" : ", ").append(words);
     ++k;
@@ -76,7 +75,8 @@ std::string without(const Json& value, const Context& context, const std::string
 }
 
 std::string reals(const Json& value, const Context&, const std::string& where) {
-  read_doubles(value, list(value, where).size(), where);
+  require_list(value, where);
+  read_doubles(value, value.size(), where);
   std::string words;
   for (const Json& number : value) words.append(words.empty() ? "" : ", ").append(shown(number));
   return words;
@@ -96,9 +96,11 @@ std::string row(const Json& value, const Context&, const std::string& where) {
 }
 
 std::string joints(const Json& value, const Context& context, const std::string& where) {
-  if (list(value, where).empty()) refuse_form(where + " is empty");
+  require_list(value, where);
+  if (value.empty()) refuse_form(where + " is empty");
   return some(value, where, [&](const Json& entry, const std::string& place) {
-    const std::string name = text(row_of_two(entry, place)[0], context, place);
+    require_two(entry, place);
+    const std::string name = text(entry[0], context, place);
     read_double(entry[1], place);
     return between(name, " ").append(shown(entry[1]));
   });
@@ -107,7 +109,8 @@ std::string joints(const Json& value, const Context& context, const std::string&
 std::string reasons(const Json& value, const Context& context, const std::string& where) {
   std::size_t sum = 0;
   std::string words = some(value, where, [&](const Json& entry, const std::string& place) {
-    const std::string name = text(row_of_two(entry, place)[0], context, place);
+    require_two(entry, place);
+    const std::string name = text(entry[0], context, place);
     const std::size_t number = positive(entry[1], place);
     sum += number;
     return std::to_string(number).append(" ").append(name);
@@ -200,7 +203,8 @@ std::string read_description(const Json& value, const InputNames& inputs, const 
 std::string read_notes(const Json& value, const InputNames& inputs, std::size_t pairs_left_out,
                        const std::string& where) {
   std::string words;
-  for (const Json& entry : list(value, where)) words += words_of(notes, entry, {inputs, pairs_left_out}, where);
+  require_list(value, where);
+  for (const Json& entry : value) words += words_of(notes, entry, {inputs, pairs_left_out}, where);
   return words;
 }
 
@@ -208,7 +212,8 @@ std::string read_said_of_rows(const Json& value, const InputNames& inputs, std::
   std::size_t sum = 0;
   const std::string words = some(value, where, [&](const Json& entry, const std::string& place) {
     const ReadNow now(entry);
-    const std::size_t number = positive(row_of_two(*now, place)[0], place);
+    require_two(*now, place);
+    const std::size_t number = positive((*now)[0], place);
     sum += number;
     const std::string of = read_description((*now)[1], inputs, place);
     return value.size() > 1 ? between(std::to_string(number), ": ").append(of) : of;
