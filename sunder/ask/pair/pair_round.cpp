@@ -52,7 +52,7 @@ class RoundPair : public PairQuestion {
 
   void ask() {
     answer_ = round_round(placed_a_, placed_b_);
-    take(answer_, answer_.undecided() ? "nothing: the gap or the depth is below some 2^-40 of their size"
+    take(answer_, answer_.undecided() ? "nothing: the gap or the depth is below some 2^-76 of their size"
                                       : decided_text(answer_.decided_by));
     if (answer_.undecided()) verdict_ = "undecided";
     if (call.classify && meet_) {
