@@ -28,6 +28,7 @@ class Json {
   template <std::unsigned_integral T>
     requires(!std::same_as<T, bool>)
   Json(T value) : kind_(Kind::natural), whole_(value) {}
+  Json(float value) : Json(static_cast<double>(value)) {}
   Json(double value) : kind_(Kind::real), real_(value) {}  // null where it is no number, or infinite
   Json(const char* text) : Json(std::string(text)) {}
   Json(std::string_view text) : Json(std::string(text)) {}

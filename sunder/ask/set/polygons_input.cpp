@@ -51,8 +51,8 @@ Origin origin_of(const PolygonsInput& input, const char* table, bool drop_z, std
   for (std::uint32_t f = 0; f < input.files.size(); ++f) {
     std::vector<std::string> without = input.left_out.texts_of(input.names[f]);
     const auto of_file = [&](const auto& feature) { return feature.file == f; };
-    const auto skipped = std::count_if(input.skipped.begin(), input.skipped.end(), of_file);
-    if (skipped > 0) without.push_back(count_of(static_cast<std::uint64_t>(skipped), input.skipped_kind));
+    const auto skips = std::count_if(input.skipped.begin(), input.skipped.end(), of_file);
+    if (skips > 0) without.push_back(count_of(static_cast<std::uint64_t>(skips), input.skipped_kind));
     MendedRings changes;
     for (const io::MendedFeature& feature : input.mended) {
       if (feature.file == f) changes += feature.changes;
