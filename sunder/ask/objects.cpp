@@ -25,8 +25,8 @@ std::string departure_text(const MeshBody& object) {
 void note_remarks(const std::vector<const MeshBody*>& objects) {
   std::vector<std::string> told;
   for (const MeshBody* object : objects) {
-    if (object->remark.empty()) continue;
-    std::string text = object->file + ": " + object->remark;
+    if (object->inner_vertices == 0) continue;
+    std::string text = object->file + ": " + io::inner_vertices_text(object->inner_vertices);
     if (std::find(told.begin(), told.end(), text) == told.end()) note(told.emplace_back(std::move(text)));
   }
 }

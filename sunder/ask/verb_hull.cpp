@@ -43,7 +43,7 @@ int run(const HullCall& call) {
     write_proof(call.certificate, {inputs, left_out.texts()}, [&](ClaimsWriter& claims) {
       const bool is_of_points = object.shape == io::BodyShape::points;
       claims.say(said_of_file(is_of_points ? Said::Source::points : Said::Source::vertices, inputs, call.file, "",
-                              left_out.texts()));
+                              missing_of(object, left_out)));
       solid::write_hull(claims, object.name.empty() ? "unnamed" : object.name, points, hull);
     });
   }

@@ -41,7 +41,7 @@ struct Format {
   const char *name, *endings, *access, *what;
 };
 
-constexpr std::array<Format, 15> formats{
+constexpr std::array<Format, 17> formats{
     {{"OBJ", ".obj", "read, write", "Wavefront; objects are parts of a body"},
      {"STL", ".stl", "read, write", "binary (read; single precision) and ASCII; equal points are joined"},
      {"PLY", ".ply", "read, write", "ASCII, and binary of either byte order (read)"},
@@ -53,8 +53,10 @@ constexpr std::array<Format, 15> formats{
      {"URDF", ".urdf", "read", "robots: links with meshes, boxes, cylinders and the like, joints with limits"},
      {"scene", ".json", "read", "for `sunder scene`: bodies of parts, poses, pairs that may meet"},
      {"CSV", ".csv", "read", "segments: x1,y1,x2,y2; circles: x,y,r; half-planes: a,b,c; others by name"},
+     {"CSV with WKT", ".csv", "read", "a geometry of WKT in each line, in a column wkt, geometry, geom or the_geom"},
      {"WKT", ".wkt", "read", "lines and polygons, a geometry on each line; their edges are segments"},
      {"GeoJSON", ".geojson", "read", "lines and polygons; their edges are segments"},
+     {"GeoJSONL", ".geojsonl", "read", "the same, an object of GeoJSON on each line; also .geojsons, .ndjson, .jsonl"},
      {"KiCad board", ".kicad_pcb", "read", "tracks by layer and net; arcs as polylines"},
      {"certificate", ".json", "write, verify", "proofs: docs/claims.md"}}};
 

@@ -126,23 +126,35 @@ CoordinateSystem system_by_prj(std::string_view whole) {
   return {std::string(text), fmt::format("{}, a .prj without a code", quote(name)), {}};
 }
 
-CoordinateSystem system_beside(const std::filesystem::path& file) {
+CoordinateSystem system_beside(const std::filesystem::path& file, InputFiles* inputs) {
   constexpr std::uintmax_t most = 1 << 16;
   if (file == "-") return {};
   std::filesystem::path beside = file;
   beside.replace_extension(".prj");
   std::error_code problem;
-  if (beside == file || !std::filesystem::is_regular_file(beside, problem)) return {};
-  const std::uintmax_t size = std::filesystem::file_size(beside, problem);
+  if (beside == file || !is_file(beside)) return {};
+  // A file that is given, and not on disk, is there only because it was read before.
+  const std::uintmax_t size = GivenFiles::now() == nullptr ? std::filesystem::file_size(beside, problem) : 1;
   if (!problem && size == 0) return {};
   if (!problem && size > most) {
     fail_file(beside.string(), fmt::format("is no coordinate system of {}: it is too long; give another one, or none",
                                            one_line(file.filename().string())));
   }
-  return system_by_prj(read_file(beside));
+  return system_by_prj(read_file(beside, inputs));
 }
 
 CoordinateSystem assumed_crs84() { return {std::string(wgs84), "CRS84, as GeoJSON that names no other", {}, true}; }
+
+std::string text_of(std::span<const SystemOfFile> systems) {
+  const auto is_declared = [](const SystemOfFile& s) { return s.system.declared(); };
+  if (std::none_of(systems.begin(), systems.end(), is_declared)) return "";
+  if (systems.size() == 1) return systems[0].system.name;
+  std::string text;
+  for (const auto& [system, first] : systems) {
+    text += fmt::format("{}{} from {}", text.empty() ? "" : ", ", system.declared() ? system.name : "none", first);
+  }
+  return text;
+}
 
 void CoordinateSystems::add(const std::string& file, std::span<const SystemOfFile> systems) {
   const bool is_mixed = systems.size() > 1;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sunder/base/error.h>
+#include <sunder/certificate/origin.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -34,8 +35,8 @@ CoordinateSystem system_by_srid(std::int64_t srid);
 CoordinateSystem system_by_prj(std::string_view text);
 
 // That of the .prj beside a file (roads.prj beside roads.wkt); none where there is no such file.
-// Throws Error bad_file where it cannot be read, or is no text of at most 64 KB.
-CoordinateSystem system_beside(const std::filesystem::path& file);
+// inputs: as of read_file. Throws Error bad_file where it cannot be read, or is no text of at most 64 KB.
+CoordinateSystem system_beside(const std::filesystem::path& file, InputFiles* inputs = nullptr);
 
 // GeoJSON's own, where nothing else is declared.
 CoordinateSystem assumed_crs84();
@@ -45,6 +46,9 @@ struct SystemOfFile {
   CoordinateSystem system;
   std::string first;  // what has it first: "line 3", "'mast'"
 };
+
+// Those of one file: "EPSG:28992"; of several "EPSG:28992 from line 1, none from line 3". Empty where none is declared.
+std::string text_of(std::span<const SystemOfFile> systems);
 
 // The coordinate systems of all that a call reads.
 class CoordinateSystems {

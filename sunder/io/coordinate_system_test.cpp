@@ -1,6 +1,7 @@
 // Which coordinate systems files declare, which of them are one, and what is said where they differ.
 #include <sunder/base/error.h>
 #include <sunder/io/coordinate_system.h>
+#include <sunder/io/file.h>
 #include <sunder/io/lines.h>
 #include <sunder/io/planar_objects.h>
 #include <sunder/io/polygons.h>
@@ -9,8 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sunder::io {
@@ -138,6 +141,41 @@ TEST(CoordinateSystemTest, BesideFiles) {
   EXPECT_FALSE(system_beside("-").declared());
   EXPECT_FALSE(system_beside(cases / "nothing.wkt").declared());
   EXPECT_FALSE(system_beside(cases / "canal.prj").declared());
+}
+
+// What is read is told, once; what is not needed is not read; and files that are given are those that are there.
+TEST(CoordinateSystemTest, BesideFilesAreInputs) {
+  InputFiles inputs;
+  const LineFile canal = read_lines(cases / "canal.wkt", {.inputs = &inputs});
+  ASSERT_EQ(inputs.size(), 2u);
+  EXPECT_EQ(inputs[1].name, (cases / "canal.prj").string());
+  static_cast<void>(system_beside(cases / "canal.wkt", &inputs));
+  static_cast<void>(read_planar_objects(cases / "canal.wkt", false, &inputs));
+  EXPECT_EQ(inputs.size(), 2u);
+
+  const std::string line = "LINESTRING (0 0, 1 1)", declared = "SRID=4326;" + line, prj = "EPSG:7";
+  const GivenFiles given({{"a.wkt", &line}, {"a.prj", &prj}, {"b.wkt", &declared}, {"b.prj", &prj}, {"c.wkt", &line}},
+                         [](const std::filesystem::path&, std::string_view) {});
+  const auto read = [](const char* name, std::size_t files) {
+    InputFiles of_lines, of_objects;
+    const Texts systems = ids(read_lines(name, {.inputs = &of_lines}));
+    EXPECT_EQ(systems.at(0), read_planar_objects(name, false, &of_objects).objects.at(0).system.id);
+    EXPECT_EQ(of_lines.size(), files);
+    EXPECT_EQ(of_objects, of_lines);
+    return systems;
+  };
+  EXPECT_EQ(read("a.wkt", 2), Texts{"EPSG:7"});
+  EXPECT_EQ(read("b.wkt", 1), Texts{"EPSG:4326"});
+  EXPECT_EQ(read("c.wkt", 1), Texts{""});
+  EXPECT_FALSE(system_beside(cases / "canal.wkt").declared());
+}
+
+TEST(CoordinateSystemTest, InWords) {
+  const SystemOfFile one{system_by_srid(7), "line 1"}, none{{}, "feature '2'"}, other{system_by_srid(8), "line 3"};
+  EXPECT_EQ(text_of(std::vector<SystemOfFile>{}), "");
+  EXPECT_EQ(text_of(std::array{none}), "");
+  EXPECT_EQ(text_of(std::array{one}), "EPSG:7");
+  EXPECT_EQ(text_of(std::array{one, none, other}), "EPSG:7 from line 1, none from feature '2', EPSG:8 from line 3");
 }
 
 TEST(CoordinateSystemTest, Compared) {

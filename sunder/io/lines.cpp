@@ -371,7 +371,9 @@ LineFile parse_lines(std::string_view text, std::string_view place, const LineOp
 
 LineFile read_lines(const std::filesystem::path& path, const LineOptions& options) {
   LineFile file = parse_lines(read_file(path, options.inputs), path.string(), options);
-  if (file.format != "GeoJSON") file.declare(system_beside(path));
+  const auto is_declared = [](const SystemOfFile& s) { return s.system.declared(); };
+  const bool is_known = std::all_of(file.systems.begin(), file.systems.end(), is_declared);
+  if (file.format != "GeoJSON" && !is_known) file.declare(system_beside(path, options.inputs));
   return file;
 }
 

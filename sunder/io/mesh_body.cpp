@@ -94,11 +94,11 @@ MeshBody hull_of_mesh(const Mesh& mesh, const Numbering& origin, bool require_co
   return body;
 }
 
-// Reads a mesh; what is not read goes into the list, and what is told of it into the remark.
-Mesh read_whole(const std::filesystem::path& file, LeftOutList& left_out, InputFiles* inputs, std::string& remark,
-                PartsOf parts = PartsOf::objects) {
+// Reads a mesh; what is not read goes into the list.
+Mesh read_whole(const std::filesystem::path& file, LeftOutList& left_out, InputFiles* inputs,
+                std::uint64_t& inner_vertices, PartsOf parts = PartsOf::objects) {
   Mesh mesh = read_mesh(file, inputs, parts);
-  remark = inner_vertices_text(drop_inner_vertices(mesh));
+  inner_vertices = drop_inner_vertices(mesh);
   left_out.add(file.string(), mesh.left_out, "mend the file");
   return mesh;
 }
@@ -143,34 +143,34 @@ MeshBody body_of_mesh(Mesh mesh, const std::filesystem::path& file, bool require
 }
 
 MeshBody read_body(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out, InputFiles* inputs) {
-  std::string remark;
-  MeshBody body = body_of_mesh(read_whole(file, left_out, inputs, remark), file, require_convex);
-  body.remark = std::move(remark);
+  std::uint64_t inner_vertices = 0;
+  MeshBody body = body_of_mesh(read_whole(file, left_out, inputs, inner_vertices), file, require_convex);
+  body.inner_vertices = inner_vertices;
   return body;
 }
 
 HullOfPoints read_hull(const std::filesystem::path& file, LeftOutList& left_out, InputFiles* inputs) {
-  std::string remark;
-  Mesh mesh = read_whole(file, left_out, inputs, remark);
+  std::uint64_t inner_vertices = 0;
+  Mesh mesh = read_whole(file, left_out, inputs, inner_vertices);
   const std::vector<std::uint32_t> used = used_vertices(mesh);
   Mesh small = without_unused(std::move(mesh), used);
   MeshBody body = hull_of_mesh(small, {file, used}, false);
-  body.remark = std::move(remark);
+  body.inner_vertices = inner_vertices;
   return {std::move(body), std::move(small.vertices)};
 }
 
 std::vector<MeshBody> read_bodies(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out,
                                   InputFiles* inputs, PartsOf parts) {
-  std::string remark;
-  const Mesh whole = read_whole(file, left_out, inputs, remark, parts);
+  std::uint64_t inner_vertices = 0;
+  const Mesh whole = read_whole(file, left_out, inputs, inner_vertices, parts);
   std::vector<std::vector<std::uint32_t>> used;
   const std::vector<Mesh> meshes = split_parts(whole, &used);
   std::vector<MeshBody> bodies;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     bodies.push_back(hull_of_mesh(meshes[i], {file, std::move(used[i]), whole.parts[i].first}, require_convex));
     if (meshes.size() > 1 && !meshes[i].name.empty()) bodies.back().name = meshes[i].name;
+    bodies.back().inner_vertices = inner_vertices;
   }
-  if (!bodies.empty()) bodies.front().remark = std::move(remark);
   return bodies;
 }
 

@@ -35,7 +35,7 @@ struct MeshBody {
   std::string why_hull;                           // in words, with numbers of the file; empty unless shape is hull
   std::optional<scene::MeshDeparture> departure;  // of a mesh from its hull: where shape is hull, of dimension 3
   solid::ConvexPolyhedron hull;
-  std::string remark{};  // to be told: what of the file is not taken, and changes nothing; mostly empty
+  std::uint64_t inner_vertices = 0;  // unused ones of the file in the hull of the others: not taken, to be told
 };
 
 // The mesh as one body, without the vertices that are in no polygon. Throws Error bad_shape where convexity is required

@@ -46,10 +46,11 @@ TEST(MeshBody, UnusedVerticesInTheHullChangeNothing) {
   const MeshBody body = read_body(cases / "mesh" / "unused-inside.obj", true, none);
   EXPECT_EQ(body.mesh_vertices, 4u);
   EXPECT_TRUE(none.empty());
-  EXPECT_EQ(body.remark, "1 unused vertex lies in the hull of the others, and changes nothing");
-  EXPECT_EQ(read_bodies(cases / "mesh" / "unused-inside.obj", true, none)[0].remark, body.remark);
-  EXPECT_EQ(read_hull(cases / "mesh" / "unused-inside.obj", none).body.remark, body.remark);
-  EXPECT_EQ(read_body(cases / "mesh" / "cube.obj", true, none).remark, "");
+  EXPECT_EQ(body.inner_vertices, 1u);
+  EXPECT_EQ(inner_vertices_text(1), "1 unused vertex lies in the hull of the others, and changes nothing");
+  EXPECT_EQ(read_bodies(cases / "mesh" / "unused-inside.obj", true, none)[0].inner_vertices, 1u);
+  EXPECT_EQ(read_hull(cases / "mesh" / "unused-inside.obj", none).body.inner_vertices, 1u);
+  EXPECT_EQ(read_body(cases / "mesh" / "cube.obj", true, none).inner_vertices, 0u);
   EXPECT_THROW((void)read_body(cases / "mesh" / "unused-outside.obj", true, none), Error);
 }
 

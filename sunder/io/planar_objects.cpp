@@ -291,7 +291,9 @@ PlanarFile parse_planar_objects(std::string_view text, std::string_view place, b
 
 PlanarFile read_planar_objects(const std::filesystem::path& path, bool drop_z, InputFiles* inputs) {
   PlanarFile file = parse_planar_objects(read_file(path, inputs), path.string(), drop_z);
-  if (file.format != "GeoJSON") file.declare(system_beside(path));
+  const auto is_declared = [](const PlanarObject& object) { return object.system.declared(); };
+  const bool is_known = std::all_of(file.objects.begin(), file.objects.end(), is_declared);
+  if (file.format != "GeoJSON" && !is_known) file.declare(system_beside(path, inputs));
   return file;
 }
 

@@ -1,5 +1,6 @@
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/scene/clearance_claims.h>
+#include <sunder/scene/pair_reasons.h>
 #include <sunder/scene/scene_json.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/round/round_claims.h>
@@ -33,28 +34,39 @@ bool is_open(const PartPair& pair, const Question& question) {
   return pair.undecided() || (question.touching_allowed && pair.meet() && pair.contact == Contact::none);
 }
 
-// Why pairs are not asked about, and how many for each reason.
-class Reasons {
+// Notes what is said of the statement about all pairs of a placement that follows.
+class NotesOfPlacement {
  public:
-  void add(const std::string& reason, std::uint64_t pairs) {
-    const auto known =
-        std::find_if(counts_.begin(), counts_.end(), [&](const auto& one) { return one.first == reason; });
-    if (pairs == 0) return;
-    if (known == counts_.end()) {
-      counts_.emplace_back(reason, pairs);
-    } else {
-      known->second += pairs;
+  NotesOfPlacement(ClaimsWriter& file, const Question& question, const Numbers& numbers, const SaidOfScene& said,
+                   std::size_t placement)
+      : file_(file), joints_(said.joints_of(placement)), is_known_(!said.reasons.empty()) {
+    std::set<std::array<std::uint32_t, 2>> allowed;
+    for (std::size_t k = 0; k < question.allowed.size(); ++k) {
+      const auto [a, b] = std::minmax(question.allowed[k][0], question.allowed[k][1]);
+      if (a == b || !allowed.insert({a, b}).second) continue;
+      allowed_.add(is_known_ ? said.reasons[k] : "", numbers[a].size() * numbers[b].size());
     }
   }
-  const std::vector<std::pair<std::string, std::uint64_t>>& counts() const { return counts_; }
+
+  void operator()(bool is_of_scene, const PairReasons& others) const {
+    if (joints_) file_.note(*joints_);
+    PairReasons reasons;
+    if (is_of_scene) reasons = allowed_;
+    const bool is_said = is_known_ || reasons.counts().empty();
+    for (const auto& [reason, pairs] : others.counts()) reasons.add(reason, pairs);
+    if (is_said && !reasons.counts().empty()) file_.note(SaidNote::allowed(reasons.counts()));
+  }
 
  private:
-  std::vector<std::pair<std::string, std::uint64_t>> counts_;
+  ClaimsWriter& file_;
+  std::optional<SaidNote> joints_;
+  bool is_known_;  // why pairs are allowed
+  PairReasons allowed_;
 };
 
-// What was asked about, and what counts, by parts of bodies one after the other; reasons: of the pairs besides.
-AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers& numbers, const SaidOfScene& said,
-                   Reasons& reasons) {
+// What was asked about, and what counts, by parts of bodies one after the other; undecided: how many of the pairs
+// besides are not allowed.
+AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers& numbers, std::uint64_t& undecided) {
   AllPairs result;
   std::vector<std::uint32_t> first;  // of each body, where its parts begin
   for (std::uint32_t b = 0; b < numbers.size(); ++b) {
@@ -64,10 +76,9 @@ AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers
   }
   result.touching_allowed = question.touching_allowed;
   std::set<std::array<std::uint32_t, 2>> allowed;
-  for (std::size_t k = 0; k < question.allowed.size(); ++k) {
-    const auto [a, b] = std::minmax(question.allowed[k][0], question.allowed[k][1]);
-    if (a == b || !allowed.insert({a, b}).second || said.reasons.empty()) continue;
-    reasons.add(said.reasons[k], numbers[a].size() * numbers[b].size());
+  for (const auto& pair : question.allowed) {
+    const auto [a, b] = std::minmax(pair[0], pair[1]);
+    if (a != b) allowed.insert({a, b});
   }
   for (const auto& [a, b] : allowed) {
     for (std::uint32_t i = 0; i < numbers[a].size(); ++i) {
@@ -77,7 +88,7 @@ AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers
   for (const PartPair& pair : answer.pairs) {
     const std::array<std::uint32_t, 2> members{first[pair.body_a] + pair.part_a, first[pair.body_b] + pair.part_b};
     if (is_open(pair, question)) {
-      reasons.add("undecided", 1);
+      ++undecided;
       result.besides.push_back(members);
     } else if (pair.counts) {
       result.contacts.push_back(members);
@@ -97,13 +108,13 @@ void add_round_claims(PairClaims& pairs, std::uint32_t of_a, const Part& a, std:
 }
 
 // The statement about all pairs of a placement, with what is said of it.
-void add_all_pairs(ClaimsWriter& file, PairClaims& pairs, const Answer& answer, const Question& question,
-                   const Numbers& numbers, const SaidOfScene& said, std::size_t placement) {
-  Reasons reasons;
-  const AllPairs all = all_pairs(answer, question, numbers, said, reasons);
-  if (const auto joints = said.joints_of(placement)) file.note(*joints);
-  const bool is_said = question.allowed.empty() || !said.reasons.empty();
-  if (is_said && !all.besides.empty()) file.note(SaidNote::allowed(reasons.counts()));
+void add_all_pairs(PairClaims& pairs, const Answer& answer, const Question& question, const Numbers& numbers,
+                   const NotesOfPlacement& note) {
+  std::uint64_t undecided = 0;
+  const AllPairs all = all_pairs(answer, question, numbers, undecided);
+  PairReasons others;
+  others.add("undecided", undecided);
+  note(true, others);
   pairs.add_all_pairs(all);
 }
 
@@ -206,9 +217,10 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
       if (pair.undecided()) continue;
       add_pair_claims(pairs, placed, pair, numbers[k][pair.body_a][pair.part_a], numbers[k][pair.body_b][pair.part_b]);
     }
-    add_all_pairs(file, pairs, answer, question, numbers[k], said, k);
-    if (placements[k].clearance) add_claims(pairs, placed, numbers[k], clearance, *placements[k].clearance);
-    if (placements[k].nearest) add_claims(pairs, placed, numbers[k], question.allowed, *placements[k].nearest);
+    const NotesOfPlacement note(file, question, numbers[k], said, k);
+    add_all_pairs(pairs, answer, question, numbers[k], note);
+    if (placements[k].clearance) add_claims(pairs, placed, numbers[k], clearance, *placements[k].clearance, note);
+    if (placements[k].nearest) add_claims(pairs, placed, numbers[k], question.allowed, *placements[k].nearest, note);
   }
   pairs.end();
 }
@@ -291,9 +303,10 @@ void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
       add_pair_claims(pairs, placed.bodies, pair, numbers[k][pair.body_a][pair.part_a],
                       numbers[k][pair.body_b][pair.part_b]);
     }
-    add_all_pairs(file, pairs, answer, question, numbers[k], said, k);
+    const NotesOfPlacement note(file, question, numbers[k], said, k);
+    add_all_pairs(pairs, answer, question, numbers[k], note);
     if (clearance != nullptr) {
-      add_claims(pairs, placed.bodies, numbers[k], *clearance, closer_pairs(placed.bodies, *clearance));
+      add_claims(pairs, placed.bodies, numbers[k], *clearance, closer_pairs(placed.bodies, *clearance), note);
     }
   }
   pairs.end();

@@ -117,6 +117,7 @@ PlanarInput read_planar_input(const PairCall& call, const PairSide& side, PairFi
   const bool unnamed = file.objects.size() == 1 && object.name == "1";
   Said said = said_of_file(object.unbounded() ? Said::Source::shape : Said::Source::vertices, files.read, side.file,
                            file.objects.size() == 1 ? "" : object.name);
+  said = said_in(std::array{io::SystemOfFile{object.system, {}}}, std::move(said));
   if (call.drop_z && !said.empty()) said = said.dropped("z");
   const std::string name = unnamed ? io::one_line(std::filesystem::path(side.file).stem().string()) : object.name;
   return {side.file,      shown, name, file.format, object, parse_planar_pose(side.pose, side.option("pose")),

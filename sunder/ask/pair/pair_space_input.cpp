@@ -194,10 +194,10 @@ SpaceInput read_without_radius(const PairCall& call, const PairSide& side, PairF
   const std::string text = io::read_file(side.file, files.inputs());
   if (io::is_space_text(text)) return parse_input(text, pose, call, side);
   io::Mesh mesh = io::parse_mesh(text, side.file, io::mesh_format(text, side.file));
-  std::string remark = io::inner_vertices_text(io::drop_inner_vertices(mesh));
+  const std::uint64_t inner_vertices = io::drop_inner_vertices(mesh);
   files.left_out.add(side.file, mesh.left_out, "mend the file");
   PlacedBody body{io::body_of_mesh(std::move(mesh), side.file, call.require_convex), pose, {}};
-  body.mesh.remark = std::move(remark);
+  body.mesh.inner_vertices = inner_vertices;
   return {std::move(body), {}};
 }
 

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace sunder::ask {
 
@@ -43,7 +44,8 @@ class CirclesQuestion final : public RegionQuestion {
 
   explicit CirclesQuestion(const RegionCall& asked)
       : RegionQuestion(asked), method_(method_by(asked.method, methods)), read_(read(asked, origin_)) {
-    systems_.add(asked.file, std::array{io::SystemOfFile{io::system_beside(asked.file), {}}});
+    system_ = {io::system_beside(asked.file, asked.proves() ? &origin_.inputs : nullptr), {}};
+    systems_.add(asked.file, std::span(&system_, 1));
   }
 
   std::uint64_t drawn() const { return circles_.size(); }
@@ -106,8 +108,8 @@ class CirclesQuestion final : public RegionQuestion {
  private:
   Origin origin() const {
     Origin origin = by_this_call(origin_);
-    origin.said =
-        said_of_rows("circles", circles_.size(), said_of_file(Said::Source::circles, origin.inputs, call.file));
+    const Said said = said_of_file(Said::Source::circles, origin.inputs, call.file);
+    origin.said = said_of_rows("circles", circles_.size(), said_in(std::span(&system_, 1), said));
     return origin;
   }
 
@@ -170,6 +172,7 @@ class CirclesQuestion final : public RegionQuestion {
 
   Method* method_;
   Origin origin_;
+  io::SystemOfFile system_;
   io::CoordinateSystems systems_;
   io::CirclesFile read_;
   const Discs& circles_ = read_.circles;

@@ -157,6 +157,8 @@ class KernelQuestion : public FeasibilityQuestion {
     const PolygonSource& source = input_.source[results_[0].polygon];
     Said said = said_of_file(Said::Source::polygons, input_.inputs, call.file, input_.name(results_[0].polygon));
     if (said.empty()) return said;
+    const io::LineFile& file = input_.files[source.file];
+    said = said_in(std::span(&file.systems[file.system[source.feature]], 1), std::move(said));
     if (call.polygons.drop_z) said = said.dropped("z");
     for (const io::MendedFeature& feature : input_.mended) {
       if (feature.feature == source.feature) said = said.mended({ask::text_of(feature.changes)});

@@ -57,7 +57,8 @@ Origin origin_of(const PolygonsInput& input, const char* table, bool drop_z, std
     for (const io::MendedFeature& feature : input.mended) {
       if (feature.file == f) changes += feature.changes;
     }
-    Said said = said_of_file(Said::Source::polygons, origin.inputs, input.names[f], "", without);
+    Said said = said_in(input.files[f].systems,
+                        said_of_file(Said::Source::polygons, origin.inputs, input.names[f], "", without));
     if (entries[f] == 0 || said.empty()) continue;
     if (drop_z) said = said.dropped("z");
     if (changes.all() > 0) said = said.mended({text_of(changes)});
