@@ -67,8 +67,13 @@ class BoundedPair : public PairQuestion {
                           });
   }
   std::string picture() const {
-    return picture::pair_svg({of_a_.polygon, of_a_.pose, a_.name}, {of_b_.polygon, of_b_.pose, b_.name},
-                             distance_.closest, call.title);
+    return picture::pair_svg({{of_a_.polygon, of_a_.pose, a_.name, a_.text},
+                              {of_b_.polygon, of_b_.pose, b_.name, b_.text},
+                              answer_,
+                              call.method,
+                              distance_.closest,
+                              files_.left_out.clause(),
+                              call.title});
   }
 
  private:

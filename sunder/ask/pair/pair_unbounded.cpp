@@ -148,7 +148,7 @@ class UnboundedPair : public PairQuestion {
   }
   std::string picture() const {
     const auto& [a, b] = mixed_.line;
-    picture::CutPicture picture{{body_.polygon, body_.pose, body_.object.name},
+    picture::CutPicture picture{{body_.polygon, body_.pose, body_.object.name, body_.object.text},
                                 kind_,
                                 a,
                                 b,
@@ -156,7 +156,8 @@ class UnboundedPair : public PairQuestion {
                                 mixed_.body_is_a,
                                 {},
                                 common_text(),
-                                call.title};
+                                call.title,
+                                files_.left_out.clause()};
     if (common_.cut.meet() && common_.kind != CommonKind::whole) {
       picture.marks = {exact(common_.cut.first).rounded(), exact(common_.cut.last).rounded()};
     }

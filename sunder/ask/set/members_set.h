@@ -52,7 +52,8 @@ class MembersSet {
 
   explicit MembersSet(const Call& call)
       : call_(call), file_(Of::read(call, call.proves() ? &origin_.inputs : nullptr)), members_(file_.members) {
-    systems_.add(call.files[0], std::array{io::SystemOfFile{io::system_beside(call.files[0]), {}}});
+    system_ = {io::system_beside(call.files[0], call.proves() ? &origin_.inputs : nullptr), {}};
+    systems_.add(call.files[0], std::span(&system_, 1));
     options_.allowed = allowed_by(call.allow, may_be_allowed);
     options_.groups = file_.group;
   }
@@ -89,7 +90,8 @@ class MembersSet {
     if (call_.lists()) require_provable(result.pairs());
     Origin origin = origin_;
     const auto source = verb == "circles" ? Said::Source::circles : Said::Source::boxes;
-    origin.said = said_of_rows(verb.data(), members_.size(), said_of_file(source, origin.inputs, call_.files[0]));
+    const Said said = said_in(std::span(&system_, 1), said_of_file(source, origin.inputs, call_.files[0]));
+    origin.said = said_of_rows(verb.data(), members_.size(), said);
     write_proof(call_.certificate, origin, [&](ClaimsWriter& claims) { write_statements(claims, result); });
     return {call_.certificate};
   }
@@ -130,11 +132,11 @@ class MembersSet {
     return row;
   }
 
-  std::string picture(const Result& result, const std::vector<Contact>& contacts) const {
+  std::string picture(const Result& result, const std::vector<Contact>& contacts, const std::string& said) const {
     std::vector<Point2> seen;
     for (const Box2& box : boxes_of(members_)) seen.insert(seen.end(), {box.low, box.high});
     return picture_of_members(
-        call_, result, contacts, seen, size(), "", [this](std::uint32_t i) { return file_.names[i]; },
+        call_, result, contacts, seen, size(), said, [this](std::uint32_t i) { return file_.names[i]; },
         [this](PlanePicture& drawing, std::uint32_t i, Ink ink) { Of::draw(drawing, members_[i], ink); },
         [](const Contact&) { return std::optional<Point2>(); });
   }
@@ -180,6 +182,7 @@ class MembersSet {
   Origin origin_;
   MembersFile<Members> file_;
   const Members& members_;
+  io::SystemOfFile system_;
   io::CoordinateSystems systems_;
   SetOptions options_;
 };

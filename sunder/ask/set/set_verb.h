@@ -13,7 +13,7 @@
 //   facts(result)                        what is told besides the contacts
 //   kind_of(contact), row(contact)       to all lists
 //   text(contact)                        for people, after its number
-//   picture(result, contacts)            an SVG
+//   picture(result, contacts, said)      an SVG, in which this is said
 #pragma once
 
 #include <sunder/ask/list_stream.h>
@@ -145,14 +145,25 @@ struct SetResult {
   }
 };
 
+// " (touch allowed; those of one net may meet)", or nothing.
+inline std::string rules_text(const SetCall& call, const SetFacts& facts) {
+  std::vector<std::string> rules = facts.rules;
+  if (call.allow != "nothing") rules.insert(rules.begin(), call.allow + " allowed");
+  return rules.empty() ? "" : fmt::format(" ({})", fmt::join(rules, "; "));
+}
+
+// The verdict in a picture: "2 pairs of the tracks' centre lines meet (touch allowed)"
+inline std::string picture_text(const SetCall& call, const SetFacts& facts, std::uint64_t pairs) {
+  const std::string subject = pairs == 0 ? "none" : count_of(pairs, "pair");
+  return fmt::format("{}{} {}{}{}", subject, facts.said_of, pairs == 1 ? "meets" : "meet", rules_text(call, facts),
+                     facts.clause);
+}
+
 // "some meet (touch allowed): 2 pairs: 2 touching"
 template <class Set>
 std::string verdict_text(const SetCall& call, const SetFacts& facts, const SetResult<Set>& result) {
-  std::vector<std::string> rules = facts.rules;
-  if (call.allow != "nothing") rules.insert(rules.begin(), call.allow + " allowed");
-  std::string text = fmt::format("{}{} meet", result.some() ? "some" : "none", facts.said_of);
-  for (std::size_t k = 0; k < rules.size(); ++k) text += (k == 0 ? " (" : "; ") + rules[k];
-  if (!rules.empty()) text += ')';
+  std::string text =
+      fmt::format("{}{} meet{}", result.some() ? "some" : "none", facts.said_of, rules_text(call, facts));
   if (result.some() && call.counts()) {
     std::string counts;
     for (std::size_t k = 0; k < result.count.size(); ++k) {
@@ -211,12 +222,12 @@ std::vector<std::size_t> strongest_kinds(const std::vector<typename Set::Contact
   return strongest;
 }
 
-// A picture of full members: seen, what must be on it; name(i); draw(drawing, i, ink); mark(contact): where it has a
+// A picture of full members: seen, what must be on it; said, the verdict; name(i); draw(drawing, i, ink); mark(contact): where it has a
 // ring over all, or nothing.
 template <class Set, class Name, class Draw, class Mark>
 std::string picture_of_members(const SetCall& call, const SetResult<Set>& result,
                                const std::vector<typename Set::Contact>& contacts, std::span<const Point2> seen,
-                               std::uint32_t size, const std::string& clause, const Name& name, const Draw& draw,
+                               std::uint32_t size, const std::string& said, const Name& name, const Draw& draw,
                                const Mark& mark) {
   constexpr std::array inks{Ink::accent, Ink::second, Ink::third, Ink::calm};
   std::array<picture::RingKind, Set::kinds.size()> ring_kinds;
@@ -243,11 +254,8 @@ std::string picture_of_members(const SetCall& call, const SetResult<Set>& result
   }
   drawing.legend(Ink::calm,
                  call.allow == "nothing" && call.group.empty() ? "meets no other" : "no contact that counts");
-  const std::uint64_t pairs = result.pairs();
-  const std::string meet =
-      pairs == 0 ? "none meet" : fmt::format("{} {}", count_of(pairs, "pair"), pairs == 1 ? "meets" : "meet");
   return drawing.text(call.title_or(fmt::format("Which of these {} meet?", Set::verb)),
-                      fmt::format("{}; {}{}", count_of(size, Set::noun), meet, clause));
+                      fmt::format("{}; {}", count_of(size, Set::noun), said));
 }
 
 // Goes through the contacts once, and writes all that was asked for.
@@ -276,7 +284,8 @@ void write_set(const SetCall& call, const Set& set, const SetResult<Set>& result
   });
   if (table) table->close();
   if (geojson) geojson->close();
-  if (!call.svg.empty()) io::write_file_atomically(call.svg, set.picture(result, drawn));
+  if (!call.svg.empty())
+    io::write_file_atomically(call.svg, set.picture(result, drawn, picture_text(call, facts, result.pairs())));
   json ? json->close() : print_for_people(human_text(call, set, facts, result, listed));
 }
 

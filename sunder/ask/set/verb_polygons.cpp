@@ -222,15 +222,15 @@ class PolygonsSet {
     return row;
   }
 
-  std::string picture(const Result& result, const std::vector<PolygonsContact>& contacts) const {
+  std::string picture(const Result& result, const std::vector<PolygonsContact>& contacts,
+                      const std::string& said) const {
     std::vector<Point2> seen;
     for (const Polygon& polygon : input_.polygons) {
       seen.insert(seen.end(), polygon.vertices().begin(), polygon.vertices().end());
     }
-    const std::string without = input_.left_out_words();
     return picture_of_members(
-        call_, result, contacts, seen, static_cast<std::uint32_t>(input_.polygons.size()),
-        without.empty() ? "" : "; " + without, [this](std::uint32_t i) { return input_.name(i); },
+        call_, result, contacts, seen, static_cast<std::uint32_t>(input_.polygons.size()), said,
+        [this](std::uint32_t i) { return input_.name(i); },
         [this](PlanePicture& drawing, std::uint32_t i, Ink ink) { draw(drawing, input_.polygons[i], ink); },
         [this](const PolygonsContact& c) {
           return c.contact == sunder::Contact::overlapping ? std::optional(place_of(input_, c)) : std::nullopt;

@@ -366,8 +366,8 @@ class SegmentsSet {
     return row;
   }
 
-  std::string picture(const Result&, const std::vector<SegmentsContact>& contacts) const {
-    return picture::segments_svg({file_, Segments(file_.segments), contacts, call_.title, is_board(file_)});
+  std::string picture(const Result&, const std::vector<SegmentsContact>& contacts, const std::string& said) const {
+    return picture::segments_svg({file_, Segments(file_.segments), contacts, said, call_.title, is_board(file_)});
   }
 
  private:
@@ -395,8 +395,9 @@ class SegmentsSet {
 
   Said said_of_layer(const std::string& layer) const {
     const Said said =
-        said_of_file(is_board(file_) ? Said::Source::centre_lines : Said::Source::lines, origin_.inputs, call_.files[0],
-                     layer, is_board(file_) ? std::vector<std::string>() : left_out_of(file_).texts());
+        said_in(file_.systems, said_of_file(is_board(file_) ? Said::Source::centre_lines : Said::Source::lines,
+                                            origin_.inputs, call_.files[0], layer,
+                                            is_board(file_) ? std::vector<std::string>() : left_out_of(file_).texts()));
     return call_.drop_z && !said.empty() ? said.dropped("z") : said;
   }
 

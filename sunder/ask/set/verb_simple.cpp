@@ -306,8 +306,8 @@ class ValidQuestion {
       text += fmt::format("{}: skipped: {}\n", feature_text(f), f.why);
     }
     if (skipped > most_listed) text += fmt::format("and {} more skipped; --json has all\n", skipped - most_listed);
-    text += fmt::format("{}: {} of {} {}, {}, {}\n", io::one_line(call_.file), valid_, count_of(asked_, "feature"),
-                        call_.answer(true), count_of(edges_, "edge"), file().format);
+    text += fmt::format("{}: {}, {}, {}\n", io::one_line(call_.file), valid_text(), count_of(edges_, "edge"),
+                        file().format);
     if (valid_ < asked_ && !call_.lists()) text += "one defect of each is named; --all lists all\n";
     if (mended > 0) text += fmt::format("said of what was mended: {}\n", count_of(mended, "feature"));
     if (skipped > 0) text += fmt::format("said of these only; skipped: {}\n", count_of(skipped, input_.skipped_kind));
@@ -379,10 +379,10 @@ class ValidQuestion {
     geojson.close();
   }
 
-  // Those defects that are two edges with a common point.
+  // All defects. (Of an open ring there is no picture: io::read_lines refuses it, or it is skipped.)
   std::string picture() const {
     const planar::Segments segments(file().segments);
-    std::vector<planar::SegmentsContact> contacts;
+    std::vector<picture::PicturedDefect> defects;
     for_each_feature([&](const Result& result, const auto&, const VisitDefects& visit) {
       const auto edge = [&](const RingPlace& place) {
         const auto parts = result.rings_of_part.begin();
@@ -390,14 +390,20 @@ class ValidQuestion {
         return file().rings[ring].first + place.edge;
       };
       visit([&](const PolygonDefect& defect) {
-        const auto [i, j] = std::minmax({edge(defect.a), edge(defect.b)});
-        const planar::ContactKind kind = segment_segment(segments[i], segments[j]);
-        if (i != j && kind != planar::ContactKind::none) contacts.push_back({i, j, kind});
+        const std::uint32_t i = edge(defect.a), j = edge(defect.b);
+        const bool both = segment_segment(segments[i], segments[j]) != planar::ContactKind::none;
+        defects.push_back({i, both ? j : i, defect.place, name_of(defect.kind), text_of(defect, result.has_parts())});
         return true;
       });
     });
+    std::string said = fmt::format("{}, {}", valid_text(), count_of(defects_, "defect"));
+    if (const std::string words = input_.left_out_words(); !words.empty()) said += "; " + words;
     const std::string title = call_.title_or("Are these polygons " + call_.answer(true) + "?");
-    return picture::segments_svg({file(), segments, contacts, title});
+    return picture::segments_svg({file(), segments, {}, said, title, false, defects});
+  }
+
+  std::string valid_text() const {
+    return fmt::format("{} of {} {}", valid_, count_of(asked_, "feature"), call_.answer(true));
   }
 
   const Call& call_;
@@ -433,7 +439,7 @@ Verb simple_verb() {
        {"--method", &call->method, methods, "NAME"},
        certificate_option(call->certificate, "write the proofs here, of defects those that are listed"),
        {"--geojson", &call->geojson, "write all defects here, as points and lines", "FILE"},
-       {"--svg", &call->svg, "draw the polygons and the edges that meet here", "FILE"},
+       {"--svg", &call->svg, "draw the polygons and all defects here", "FILE"},
        title_option(call->title),
        {"--leave-out", &call->leave_out, leave_out_help},
        {"--name", &call->name, name_help, "FIELD"},
