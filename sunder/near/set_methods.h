@@ -6,6 +6,7 @@
 // A visitor takes a contact, and returns whether to go on.
 #pragma once
 
+#include <sunder/base/interruption.h>
 #include <sunder/near/box_pairs.h>
 #include <sunder/near/contacts_in_order.h>
 #include <sunder/near/near_pairs.h>
@@ -49,6 +50,7 @@ struct Subset {
 template <class Set, class Visit>
 auto pair_test(const Set& set, const SetOptions& options, Cost& cost, const Visit& visit) {
   return [&](std::uint32_t i, std::uint32_t j) {
+    may_be_interrupted(1);
     if (may_meet(options.groups, i, j)) return true;
     ++cost.probes;
     const auto kind = contact_kind(set, i, j);

@@ -4,6 +4,7 @@
 
 #include <sunder/base/cost.h>
 #include <sunder/base/error.h>
+#include <sunder/base/interruption.h>
 #include <sunder/certificate/pair_answer.h>
 
 #include <algorithm>
@@ -54,7 +55,9 @@ struct SetOptions {
 // To be called at step k of so many; tells of the progress once in `every` steps, a power of two.
 template <std::size_t every = 65536>
 void tell_progress(const SetOptions& options, std::size_t k, std::size_t done, std::size_t all) {
-  if (options.progress && k % every == 0) options.progress(static_cast<double>(done) / static_cast<double>(all));
+  if (k % every != 0) return;
+  may_be_interrupted(4 * every);
+  if (options.progress) options.progress(static_cast<double>(done) / static_cast<double>(all));
 }
 
 // Two members, and how they meet.

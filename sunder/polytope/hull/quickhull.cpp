@@ -1,3 +1,4 @@
+#include <sunder/base/interruption.h>
 #include <sunder/polytope/hull/quickhull.h>
 
 #include <algorithm>
@@ -153,6 +154,7 @@ class Quickhull {
         if (!facets_[other].is_visible) horizon_.push_back({f, i});
       }
     }
+    may_be_interrupted(static_cast<std::uint32_t>(10 * (visible_.size() + horizon_.size())));
     fresh_.clear();
     for (const auto& [f, i] : horizon_) {  // the same order of corners, so the same side is out
       const std::uint32_t other = facets_[f].across[i];

@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/base/interruption.h>
 #include <sunder/base/random.h>
 #include <sunder/polytope/represent/hierarchical_tree.h>
 #include <sunder/polytope/represent/normal_fan.h>
@@ -302,6 +303,7 @@ class TreeBuilder {
       const auto lost_to =
           std::find_if(ends.begin(), ends.end(), [&](const Candidate& end) { return is_as_far(end, candidate); });
       compared += static_cast<std::uint64_t>(lost_to - ends.begin()) + 1;
+      may_be_interrupted(1 + static_cast<std::uint32_t>(lost_to - ends.begin()) / 16);
       if (lost_to == ends.end()) {
         ends.push_back(candidate);
       } else if (lost_to != ends.begin()) {
@@ -364,6 +366,7 @@ class TreeBuilder {
   }
 
   void count_looks(std::uint64_t count) {
+    may_be_interrupted(static_cast<std::uint32_t>(std::min<std::uint64_t>(count, 1u << 30)));
     tree_.looks_ += count;
     if (tree_.looks_ <= options_.most_looks) return;
     refuse("more than the " + std::to_string(options_.most_looks) + " looks at its cones and rows");

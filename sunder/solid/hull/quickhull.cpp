@@ -1,3 +1,4 @@
+#include <sunder/base/interruption.h>
 #include <sunder/solid/hull/quickhull.h>
 
 #include <sunder/predicate/scaled_orient.h>
@@ -70,6 +71,7 @@ class Quickhull {
   Triangulation run(std::array<std::uint32_t, 4> simplex) {
     start(simplex);
     while (!urgent_.empty() || !waiting_.empty()) {
+      may_be_interrupted(20);
       const std::uint32_t t = take_next();
       if (triangles_[t].removed || triangles_[t].outside == none) continue;
       insert(triangles_[t].lopsided < most_lopsided ? triangles_[t].outside : random_outside(t), t);
