@@ -4,8 +4,7 @@
 // The bodies are closed: touching is meeting.
 //   R1. apart and meet are exactly right for the doubles given: never is one said of a pair of the other.
 //   R2. With each of them comes evidence in numbers that exact arithmetic has checked: a direction that parts them, or
-//   a
-//       rational point of both.
+//       a rational point of both.
 //   R3. Decided always: two hulls, of any radii; a cylinder or an ellipsoid against a polyhedron of radius 0.
 //   R4. Other pairs may be undecided. A cone against a polyhedron of radius 0 only where no direction was found that
 //       parts what its features show to be apart; where one body is curved and the other curved, or of a radius above
