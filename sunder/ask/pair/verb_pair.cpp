@@ -247,7 +247,7 @@ Verb pair_verb() {
   const auto call = std::make_shared<PairCall>();
   return {
       "pair",
-      "Do two convex objects meet? A common point, or what parts them.",
+      "Do two convex objects meet? Finds a common point, or a direction that separates them.",
       "0 apart, or with --clearance that far apart; 1 meet, or not that far apart",
       {{"A", &call->a.file,
         "a mesh or a set of points: OBJ, STL, PLY, OFF, DAE, glTF, WRL; a point, segment, flat polygon, line, ray or "
@@ -261,12 +261,11 @@ Verb pair_verb() {
         "POSE"},
        {"--pose-b", &call->b.pose, "where B is", "POSE"},
        {"--to-a", &call->a.to,
-        "of space, bounded: where A is at the end, to which it goes straight, without a turn; do the two meet at any "
-        "time?",
+        "of space, bounded: where A is at the end of a straight motion without a turn; do the two meet at any time?",
         "POSE"},
-       {"--to-b", &call->b.to, "the same of B, at the same time; one that has none rests", "POSE"},
-       {"--radius-a", &call->a.radius, "of space, bounded: A is all within this distance of it; 0: A itself", "NUMBER"},
-       {"--radius-b", &call->b.radius, "the same of B", "NUMBER"},
+       {"--to-b", &call->b.to, "the same for B, at the same time; a body without an end pose rests", "POSE"},
+       {"--radius-a", &call->a.radius, "of space, bounded: A becomes all points within this distance of it", "NUMBER"},
+       {"--radius-b", &call->b.radius, "the same for B", "NUMBER"},
        {"--method", &call->method,
         fmt::format(
             "of bodies: {}, drums; with a plane: {}; with a line or ray: {}; in the plane: {}; with a line: {}; "
@@ -282,7 +281,7 @@ Verb pair_verb() {
        {"--distance", &call->distance, "both bounded: tell exactly how far apart they are, and the closest features"},
        {"--depth", &call->depth,
         "bounded, of space, and they meet: tell how far A has to be moved until they do not overlap, and which way"},
-       {"--clearance", &call->clearance, "both bounded: are they so far apart, or further? If not, the exit code is 1",
+       {"--clearance", &call->clearance, "both bounded: are they at least this far apart? If not, the exit code is 1",
         "NUMBER"},
        {"--feature-a", &call->a.feature, "planar: which object of the file A is", "NAME"},
        {"--feature-b", &call->b.feature, "planar: which object of the file B is", "NAME"},
@@ -294,16 +293,14 @@ Verb pair_verb() {
        {"--drop-z", &call->drop_z, "planar: ignore third coordinates"},
        {"--mixed-crs", &call->mixed_crs, fmt::format("planar: {}", mixed_crs_help)},
        {"--polytopes", &call->polytopes,
-        "the files are polytopes of two to six dimensions, CSV with a row for each point x1,..,xd or half-space "
-        "a1,..,ad,b; so they are, too, where the first line has these names, without which rows are points, and NPY "
-        "files"},
+        "the files are polytopes of two to six dimensions: CSV with a row for each point; not needed for NPY, and for "
+        "CSV whose first line is x1,..,xd (points) or a1,..,ad,b (half-spaces)"},
        {"--half-spaces-a", &call->a.half_spaces,
-        "of polytopes: the rows of A, which have no names, are half-spaces a1,..,ad,b; a .npy file, a row of the array "
-        "for each, is of points without this"},
-       {"--half-spaces-b", &call->b.half_spaces, "the same of B"},
+        "of polytopes: the rows of A, CSV without column names or NPY, are half-spaces a1,..,ad,b, not points"},
+       {"--half-spaces-b", &call->b.half_spaces, "the same for B"},
        {"--hyperplanes", &call->hyperplanes,
-        "of polytopes, with --method tree: that they are apart is proved by several half-spaces that hold A, and such "
-        "that hold B, as the trees were walked down"},
+        "of polytopes, with --method tree: prove that they are apart by several half-spaces that contain A, and "
+        "several that contain B"},
        {"--svg", &call->svg, "planar: draw the objects and the evidence here", "FILE"},
        title_option(call->title),
        svg_limit_option(call->svg_limit)},
