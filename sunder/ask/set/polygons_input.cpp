@@ -53,15 +53,15 @@ Origin origin_of(const PolygonsInput& input, const char* table, bool drop_z, std
     const auto of_file = [&](const auto& feature) { return feature.file == f; };
     const auto skips = std::count_if(input.skipped.begin(), input.skipped.end(), of_file);
     if (skips > 0) without.push_back(count_of(static_cast<std::uint64_t>(skips), input.skipped_kind));
-    MendedRings changes;
+    MendedRings of_this;
     for (const io::MendedFeature& feature : input.mended) {
-      if (feature.file == f) changes += feature.changes;
+      if (feature.file == f) of_this += feature.changes;
     }
     Said said = said_in(input.files[f].systems,
                         said_of_file(Said::Source::polygons, origin.inputs, input.names[f], "", without));
     if (entries[f] == 0 || said.empty()) continue;
     if (drop_z) said = said.dropped("z");
-    if (changes.all() > 0) said = said.mended({text_of(changes)});
+    if (of_this.all() > 0) said = said.mended({text_of(of_this)});
     rows.parts.emplace_back(entries[f], said);
   }
   if (!rows.parts.empty()) origin.said.push_back(std::move(rows));
