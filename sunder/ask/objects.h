@@ -18,7 +18,7 @@ std::string departure_text(const MeshBody& object);
 // Notes what the readers of the files remark, each once.
 void note_remarks(const std::vector<const MeshBody*>& objects);
 
-// Notes that, and which hulls stand for meshes: one line, however many there are.
+// Notes that, and of which meshes the hulls are used: one line, however many there are.
 void note_hulls(const std::vector<const MeshBody*>& objects);
 
 // "body", "polygon", "segment", "point".
