@@ -167,7 +167,7 @@ class SectionQuestion {
     const std::string what = io::one_line(body_->name);
     return drawing.text(
         call.title_or("What do " + what + " and " + count_of(results_.size(), "plane") + " have in common?"),
-        answer_text());
+        answer_text() + left_out_.clause() + (is_of_hull() ? fmt::format("; said of {}", hull_text) : ""));
   }
 
   const char* answer() const { return met() > 0 ? "some" : "none"; }
@@ -176,7 +176,7 @@ class SectionQuestion {
   std::string text() const {
     std::string text = fmt::format("{}: {}{}\n", body_->file, answer_text(), left_out_.clause());
     text += first_of(results_.size(), 10, [&](std::size_t k) { return titled(results_[k].name, told(results_[k])); });
-    if (body_->shape == io::BodyShape::hull) text += titled("said of", "the hull of the mesh, which is not convex");
+    if (is_of_hull()) text += titled("said of", hull_text);
     return text + file_line("written", call.out);
   }
 
@@ -193,7 +193,7 @@ class SectionQuestion {
 
   void add_to(Json& json) const {
     json["objects"].push_back(to_json(*body_));
-    json["said_of"] = body_->shape == io::BodyShape::hull ? "hulls" : "bodies";
+    json["said_of"] = is_of_hull() ? "hulls" : "bodies";
     if (!left_out_.empty()) json["left_out"] = to_json(left_out_);
     json["count"] = met();
     json["sections"] = Json::array();
@@ -204,6 +204,10 @@ class SectionQuestion {
   const SectionCall call;
 
  private:
+  static constexpr const char* hull_text = "the hull of the mesh, which is not convex";
+
+  bool is_of_hull() const { return body_->shape == io::BodyShape::hull; }
+
   // As parse_planes has it, or a file with a plane.
   void add_planes(const std::string& text) {
     if (!std::string_view(text).ends_with(".json")) {

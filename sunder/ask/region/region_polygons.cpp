@@ -154,7 +154,8 @@ class PolygonsQuestion final : public RegionQuestion {
     }
     return drawing.text(call.title_or("What is common to these convex polygons?"),
                         fmt::format("{}: {}", count_of(polygons_.size(), "convex polygon"),
-                                    is_empty_ ? "nothing is common to all" : shape()));
+                                    is_empty_ ? "nothing is common to all" : shape()) +
+                            without());
   }
 
  private:

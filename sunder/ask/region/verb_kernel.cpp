@@ -103,12 +103,7 @@ class KernelQuestion : public FeasibilityQuestion {
     for (const Result& result : results_) {
       text += fmt::format("feature {}: {}", input_.name(result.polygon), text_of(result));
     }
-    const auto seen =
-        std::count_if(results_.begin(), results_.end(), [](const Result& r) { return !r.kernel.empty(); });
-    const std::string without = input_.left_out_words();
-    text +=
-        fmt::format("{}: {} of {} {} a kernel{}\n", io::one_line(call.file), seen, count_of(results_.size(), "polygon"),
-                    results_.size() == 1 ? "has" : "have", without.empty() ? "" : ", said of these only: " + without);
+    text += fmt::format("{}: {}\n", io::one_line(call.file), verdict());
     return text + tell(input_) + systems_line(input_.systems);
   }
 
@@ -149,10 +144,20 @@ class KernelQuestion : public FeasibilityQuestion {
     }
     drawing.legend(Ink::bold, "sees all of the polygon");
     drawing.legend(Ink::accent, "edges that no point sees together");
-    return drawing.text(call.title_or("From where is all of it seen?"), count_of(results_.size(), "polygon"));
+    return drawing.text(call.title_or("From where is all of it seen?"), verdict());
   }
 
  private:
+  // "1 of 2 polygons have a kernel, said of these only: skipped: 1 invalid feature"
+  std::string verdict() const {
+    const auto seen =
+        std::count_if(results_.begin(), results_.end(), [](const Result& r) { return !r.kernel.empty(); });
+    const std::string without = input_.left_out_words();
+    return fmt::format("{} of {} {} a kernel{}", seen, count_of(results_.size(), "polygon"),
+                       results_.size() == 1 ? "has" : "have",
+                       without.empty() ? "" : ", said of these only: " + without);
+  }
+
   Said said_of_ring() const {
     const PolygonSource& source = input_.source[results_[0].polygon];
     Said said = said_of_file(Said::Source::polygons, input_.inputs, call.file, input_.name(results_[0].polygon));
