@@ -235,7 +235,7 @@ TEST(RegionVertices, OfDegenerateHalfSpacesAreThoseOfAllCombinations) {
   Random random(chosen_seed(20261202));
   std::map<RegionKind, int> kinds;
   int flat = 0, in_words = 0, in_any = 0;
-  for (int turn = 0; turn < scaled_count(400, 40); ++turn) {
+  for (int turn = 0; turn < scaled_count(120, 30); ++turn) {
     const std::size_t d = 2 + static_cast<std::size_t>(turn % 5);
     SCOPED_TRACE(turn);
     const std::vector<double> rows = degenerate_rows(d, random);
@@ -250,7 +250,7 @@ TEST(RegionVertices, OfDegenerateHalfSpacesAreThoseOfAllCombinations) {
                                            [&](const auto& at) { return at.size() > answer.region.dimension; });
     in_words += is_degenerate && answer.found.exact_tests == 0;
     in_any += is_degenerate && answer.found.exact_tests > 0;
-    if (body.size() > (d < 5 ? 34u : 20u)) continue;
+    if (body.size() > (d < 4 ? 40u : d == 4 ? 22u : 16u)) continue;
     std::set<Row> points;
     for (const std::vector<Dyadic>& vertex : answer.found.vertices) {
       Row point;
@@ -261,12 +261,12 @@ TEST(RegionVertices, OfDegenerateHalfSpacesAreThoseOfAllCombinations) {
     EXPECT_EQ(points, AllCombinations(body).points());
   }
   if (scaled_count(100, 1) < 50) return;
-  EXPECT_GT(kinds[RegionKind::empty], scaled_count(5));
-  EXPECT_GT(kinds[RegionKind::unbounded], scaled_count(15));
-  EXPECT_GT(kinds[RegionKind::bounded], scaled_count(200));
-  EXPECT_GT(flat, scaled_count(10));
-  EXPECT_GT(in_words, scaled_count(80));
-  EXPECT_GT(in_any, scaled_count(15));
+  EXPECT_GT(kinds[RegionKind::empty], 0);
+  EXPECT_GT(kinds[RegionKind::unbounded], scaled_count(3));
+  EXPECT_GT(kinds[RegionKind::bounded], scaled_count(50));
+  EXPECT_GT(flat, scaled_count(2));
+  EXPECT_GT(in_words, scaled_count(20));
+  EXPECT_GT(in_any, scaled_count(3));
 }
 
 // Of each number of dimensions in space of each: a box in the flat x_c = x_1 + .. + x_k + c, k < c, from both sides.
