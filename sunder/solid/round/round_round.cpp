@@ -366,8 +366,7 @@ void search(const PlacedRound& a, const PlacedRound& b, const Point3& way, Round
   }
   const Point3& d = first.search.direction;
   RoundProposer<DoubleDouble> second(a, b, dispose, answer.cost);
-  const bool held =
-      second.propose(is_finite(d) ? Vector3<DoubleDouble>{d.x, d.y, d.z} : Vector3<DoubleDouble>{});
+  const bool held = second.propose(is_finite(d) ? Vector3<DoubleDouble>{d.x, d.y, d.z} : Vector3<DoubleDouble>{});
   if (!held && !finish.cores_decide(second.near_a, second.near_b) && !finish.capsules_decide()) {
     // Bodies that touch mostly do so in numbers that people give.
     const auto is_simple = [](const PlacedRound& body) {
