@@ -1,5 +1,6 @@
 // Radix sort by the leading bits of x, then comparisons among those that are equal there.
 #include <sunder/base/contract.h>
+#include <sunder/base/interruption.h>
 #include <sunder/base/prefetch.h>
 #include <sunder/planar/sweep/ends_in_order.h>
 #include <sunder/planar/sweep/keyed_order.h>
@@ -57,6 +58,7 @@ void sort_by_digits(std::vector<Entry>& entries) {
     std::uint32_t before = 0;
     for (std::uint32_t& p : place[d]) before += std::exchange(p, before);
     for (const Entry e : entries) other[place[d][digit(e, d)]++] = e;
+    may_be_interrupted(static_cast<std::uint32_t>(std::min<std::size_t>(entries.size() / 16, 1u << 30)));
     std::swap(entries, other);
   }
 }
@@ -113,6 +115,7 @@ std::vector<std::uint32_t> ends_in_order(std::span<const Segment> segments) {
     constexpr std::size_t ahead = 16;
     for (std::size_t run = 0, end; run < entries.size(); run = end) {
       for (end = run + 1; end < entries.size() && are_equal(run, end);) ++end;
+      if (run / 4096 != end / 4096) may_be_interrupted(4096);
       for (std::size_t k = run + ahead; k < std::min(end + ahead, entries.size()); ++k) {  // where it will compare
         if (are_equal(k - 1, k)) {
           prefetch(segments[end_of(entries[k - 1]) / 2]);

@@ -1,3 +1,4 @@
+#include <sunder/base/interruption.h>
 #include <sunder/polytope/hull/double_description_internal.h>
 
 #include <algorithm>
@@ -174,6 +175,7 @@ class Cone {
   void cut(std::size_t row) {
     load(row);
     if (!fits_) return;
+    may_be_interrupted(static_cast<std::uint32_t>(rays_.size()));
     values_.assign(rays_.size(), 0);
     broken_.clear();
     bound_.clear();
@@ -202,6 +204,7 @@ class Cone {
       free_.push_back(k);
     }
     for (std::size_t i = 0; i < bound_.size(); ++i) {
+      may_be_interrupted(static_cast<std::uint32_t>(1 + i));
       for (std::size_t j = 0; j < i; ++j) {
         if (!are_neighbours(bound_[i], bound_[j])) continue;
         rays_[bound_[i]].next.push_back(bound_[j]);

@@ -1,3 +1,4 @@
+#include <sunder/base/interruption.h>
 #include <sunder/polytope/hull/full_hull.h>
 #include <sunder/polytope/hull/quickhull.h>
 
@@ -64,6 +65,7 @@ class Faces {
       : points_(points), k_(points.dimension()), boundary_(std::move(boundary)), face_of_(boundary_.size()) {
     std::iota(face_of_.begin(), face_of_.end(), 0u);
     for (std::uint32_t s = 0; s < boundary_.size(); ++s) {
+      may_be_interrupted(20);
       const RoundedPlane plane = points_.rounded_plane(boundary_[s].corners);
       std::optional<std::vector<Dyadic>> exact;
       for (std::size_t i = 0; i < k_; ++i) {

@@ -1,3 +1,4 @@
+#include <sunder/base/interruption.h>
 #include <sunder/polytope/hull/pulling.h>
 
 #include <algorithm>
@@ -58,6 +59,7 @@ class Pulling {
 bool pulled_simplices(std::size_t d, std::span<const Bits> facets, std::span<const std::vector<std::uint32_t>> next,
                       std::uint64_t most, std::vector<std::vector<std::uint32_t>>& simplices) {
   for (std::size_t f = 0; f < facets.size(); ++f) {
+    may_be_interrupted(100);
     std::vector<Bits> others;
     for (const std::uint32_t other : next[f]) others.push_back(facets[other]);
     simplices.emplace_back();

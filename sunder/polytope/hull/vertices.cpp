@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/base/interruption.h>
 #include <sunder/polytope/hull/double_description_internal.h>
 #include <sunder/polytope/hull/full_hull.h>
 #include <sunder/polytope/hull/pulling.h>
@@ -179,6 +180,7 @@ void add_vertices(std::size_t d, std::span<const Dyadic> rows, std::uint64_t mos
   result.exact_tests = hull.exact_tests;
   result.bounding = hull.vertices;
   for (std::size_t f = 0; f < hull.facet_count(); ++f) {
+    may_be_interrupted(100);
     const auto simplices = hull.simplices(f);
     SimplexCorners corners{};
     std::copy_n(simplices.begin(), d, corners.begin());
