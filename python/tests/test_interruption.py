@@ -11,7 +11,7 @@ from sunder import planar, polytope, solid
 from helpers import CASES, proved
 
 SOON = 0.2  # seconds of processor time from the signal to what its handler does
-BEGIN = 0.1  # and from the call's begin to the signal
+BEGIN = 0.03  # and from the call's begin to the signal
 
 
 class Heard(Exception):
@@ -93,21 +93,21 @@ def poses(count, reach):
 
 # What is prepared in the first function is not interrupted; the second one is the question.
 LONG = {
-    "segments_any": (lambda: planar.Segments(rows(300_000)), planar.segments_any),
+    "segments_any": (lambda: planar.Segments(rows(500_000)), planar.segments_any),
     "segments_all": (lambda: planar.Segments(short_segments(1_000_000)), planar.segments_all),
     "segments_count": (lambda: planar.Segments(short_segments(1_000_000)), planar.segments_count),
-    "discs_all": (lambda: planar.Discs(discs(300_000)), planar.discs_all),
+    "discs_all": (lambda: planar.Discs(discs(100_000)), planar.discs_all),
     "polygons_all": (lambda: planar.Polygons([[ring] for ring in squares(40_000)]), planar.polygons_all),
     "polygon_defects": (lambda: [[star(400_000)]], planar.polygon_defects),
     "half_plane_intersection": (lambda: planar.Constraints(tangents(1_000_000)), planar.half_plane_intersection),
     "disc_intersection": (lambda: planar.Discs(np.concatenate([0.1 * random(150_000, 2), np.ones((150_000, 1))], axis=1)),
                           planar.disc_intersection),
-    "kernel": (lambda: star(500_000), planar.kernel),
+    "kernel": (lambda: star(250_000), planar.kernel),
     "ConvexPolyhedron": (lambda: sphere(300_000), solid.ConvexPolyhedron),
     "intersect_many": (lambda: (solid.ConvexPolyhedron(sphere(1000)), poses(500_000, 1.5)),
                        lambda given: sunder.intersect_many(given[0], None, given[0], given[1])),
     "convex_hull": (lambda: polytope.Polytope.from_points(sphere(1000, 6)), polytope.convex_hull),
-    "region_vertices": (lambda: polytope.Polytope.from_half_spaces(np.concatenate([sphere(50, 6), np.ones((50, 1))], axis=1)),
+    "region_vertices": (lambda: polytope.Polytope.from_half_spaces(np.concatenate([sphere(64, 6), np.ones((64, 1))], axis=1)),
                         polytope.region_vertices),
     "HierarchicalTree": (lambda: polytope.Polytope.from_points(sphere(20_000, 4)), polytope.HierarchicalTree),
     "collisions": (lambda: (sunder.Robot(os.path.join(CASES, "panda", "panda.urdf"), allow="adjacent"),
