@@ -49,7 +49,7 @@ def filled(entries, count, dice):
     if sorted(map(str, entries)) == sorted(map(str, range(size))):
         return entries + list(range(size, size + count))
     some = dice.choice([entries, [dice.choice(entries)]])
-    return entries + (some * (count // len(some) + 1))[:count]
+    return entries + json.loads(json.dumps((some * (count // len(some) + 1))[:count]))  # none of them is another one
 
 
 def blown_up(top, dice):
