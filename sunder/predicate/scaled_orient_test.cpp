@@ -51,7 +51,7 @@ double of_any_size(Random& random) {
 TEST(ScaledOrient, AnyNumbers) {
   Random random(tests::chosen_seed(41));
   Count count;
-  for (int i = tests::scaled_count(20000); i > 0; --i) {
+  for (int i = tests::scaled_count(20000, 5000); i > 0; --i) {
     std::array<Point3, 4> p;
     for (Point3& q : p) q = {of_any_size(random), of_any_size(random), of_any_size(random)};
     if (random.below(4) == 0) p[3] = {p[1].x, p[2].y, p[0].z};
@@ -66,7 +66,7 @@ TEST(ScaledOrient, AnyNumbers) {
 TEST(ScaledOrient, PointsThatCrowdTogether) {
   Random random(tests::chosen_seed(42));
   Count count;
-  for (int i = tests::scaled_count(20000); i > 0; --i) {
+  for (int i = tests::scaled_count(20000, 5000); i > 0; --i) {
     std::array<Point3, 4> p{Point3{0.5, 0.6, 1}};
     const double t = std::exp2(-random.uniform(0, 500));
     for (std::size_t k = 1; k < 4; ++k) {
@@ -84,7 +84,7 @@ TEST(ScaledOrient, PointsThatCrowdTogether) {
 TEST(ScaledOrient, AxesThatAreScaledApart) {
   Random random(tests::chosen_seed(43));
   Count count;
-  for (int i = tests::scaled_count(20000); i > 0; --i) {
+  for (int i = tests::scaled_count(20000, 5000); i > 0; --i) {
     std::array<Point3, 4> p;
     const double by = random.below(2) != 0 ? 0x1p600 : 0x1p-600;
     for (Point3& q : p) q = {by * random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
@@ -98,7 +98,7 @@ TEST(ScaledOrient, AxesThatAreScaledApart) {
 TEST(ScaledOrient, NearTies) {
   Random random(tests::chosen_seed(44));
   Count count;
-  for (int i = tests::scaled_count(20000); i > 0; --i) {
+  for (int i = tests::scaled_count(20000, 5000); i > 0; --i) {
     std::array<Point3, 4> p;
     const double by = std::ldexp(1.0, static_cast<int>(random.between(-1000, 900)));
     const auto whole = [&] { return static_cast<double>(random.between(-9, 9)); };
