@@ -355,7 +355,7 @@ Info describe_lines(const std::string& file, std::string_view text) {
   };
   add(polygons, fmt::format("{} of {} and {}", count_of(polygons, "polygon"), count_of(lines.rings.size(), "ring"),
                             count_of(in_rings, "edge")));
-  add(others, count_of(others, polygons > 0 ? "segment of lines" : "segment"));
+  add(others, count_of(others, "segment") + (polygons > 0 ? " of lines" : ""));
   add(points, count_of(points, "point"));
   add(lines.broken.size(), count_of(lines.broken.size(), "ring") + " that are open or have no area");
   const LeftOutList left_out(file, lines.left_out);

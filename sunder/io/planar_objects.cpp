@@ -213,7 +213,7 @@ void parse_bounded(std::string_view text, std::string_view place, bool drop_z, P
     if (segment == first && broken == first_broken) continue;  // it holds nothing
     PlanarObject object{Kind::segment, lines.features[feature], 0, {}};
     object.line = segment > first ? lines.source[first].line : lines.broken[first_broken].line;
-    object.system = lines.systems[lines.system[feature]].system;
+    if (!lines.system.empty()) object.system = lines.systems[lines.system[feature]].system;  // of a board there is none
     if (broken > first_broken) {
       object.kind = Kind::polygon;
       object.problem = fmt::format("{}; {}", lines.broken[first_broken].what, lines.broken[first_broken].remedy);

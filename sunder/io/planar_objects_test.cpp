@@ -196,6 +196,18 @@ TEST(PlanarObjectsTest, ProblemsOfOthers) {
   EXPECT_NO_THROW(require_object(file.objects[0], "some.wkt"));
 }
 
+// What is a board by its first letters, whatever its name ends with: tracks, in no coordinate system.
+TEST(PlanarObjectsTest, OfABoardTracks) {
+  const PlanarFile file = parse_planar_objects(
+      "(kicad_pcb (version 20221018) (net 1 \"GND\")\n"
+      "  (segment (start 100 100) (end 110 100) (width 0.25) (layer \"F.Cu\") (net 1)))\n",
+      "board");
+  ASSERT_EQ(file.objects.size(), 1u);
+  EXPECT_EQ(file.objects[0].kind, Kind::segment);
+  EXPECT_EQ(file.objects[0].vertices, (Points{{100, 100}, {110, 100}}));
+  EXPECT_FALSE(file.objects[0].system.declared());
+}
+
 TEST(PlanarObjectsTest, Endings) {
   EXPECT_TRUE(is_planar("a/b.WKT"));
   EXPECT_TRUE(is_planar("b.geojson"));
