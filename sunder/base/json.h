@@ -43,7 +43,7 @@ class Json {
     for (const T& entry : entries) push_back(entry);
   }
 
-  static Json array(std::initializer_list<Json> entries = {});
+  static Json array(std::initializer_list<Json> entries = {});  // of one Json, too, which {x} may copy
   static Json object();
   static Json written(std::string text);  // what is JSON already, as it stands
 

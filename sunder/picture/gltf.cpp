@@ -61,7 +61,7 @@ class Model {
   explicit Model(std::span<const ScenePanel> panels) {
     json_["asset"] = {{"version", "2.0"}, {"generator", "sunder"}};
     json_["scene"] = 0;
-    json_["scenes"] = json_["nodes"] = json_["meshes"] = json_["accessors"] = Json::array();
+    for (const char* list : {"accessors", "meshes", "nodes", "scenes"}) json_[list] = Json::array();
     const auto material = [](const char* name, double red, double green, double blue) {
       return Json{{"name", name},
                   {"doubleSided", true},
@@ -195,7 +195,7 @@ class Model {
                          {"componentType", of_indices},
                          {"count", indices_.size() - first_index},
                          {"type", "SCALAR"}});
-    json_["meshes"].push_back({{"name", part.name}, {"primitives", {primitive}}});
+    json_["meshes"].push_back({{"name", part.name}, {"primitives", Json::array({primitive})}});
     return json_["meshes"].size() - 1;
   }
 
