@@ -60,6 +60,10 @@ TEST(RoundLastBits, UndecidedAreOnlyPairsWithin2ToTheMinus76) {
     std::printf("within 2^-%d: %d of %d undecided\n", powers[p], undecided[p], asked);
   }
   EXPECT_GE(told, count / 3);
+  EXPECT_LE(20 * undecided[0], asked);
+  EXPECT_LE(20 * undecided[2], asked);
+  EXPECT_LE(8 * undecided[3], asked);
+  if (asked < 1000) return;
   EXPECT_LE(200 * undecided[0], asked);
   EXPECT_LE(200 * undecided[2], asked);
   EXPECT_LE(30 * undecided[3], asked);
